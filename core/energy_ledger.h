@@ -1,0 +1,22 @@
+// The four sums that the plots show, row by row (docs/physics.md, "The ledger").
+#pragma once
+
+namespace hapticwall {
+
+struct EnergyLedger {
+  double cv_j = 0.0;      // Σ_{k≤n} F(k) Δx_k            [paper, Eq. 6]
+  double hold_j = 0.0;    // Σ_{k≤n} (F(k-1) - F(k)) Δx_k  [paper, Eq. 9, 19]
+  double scv_j = 0.0;     // Σ_{k<n} F(k) Δx_{k+1}         [paper, Eq. 10]
+  double budget_j = 0.0;  // -T Σ_{k≤n} b v_k²             [paper, Eq. 16, 22]
+
+  // One row. Forces as really commanded. Realtime-safe: yes.
+  void add(double force_n, double previous_force_n, double displacement_m, double velocity_m_per_s,
+           double damping_n_s_per_m) {
+    cv_j += force_n * displacement_m;
+    hold_j += (previous_force_n - force_n) * displacement_m;
+    scv_j += previous_force_n * displacement_m;
+    budget_j -= damping_n_s_per_m * velocity_m_per_s * displacement_m;  // T v = Δx
+  }
+};
+
+}  // namespace hapticwall

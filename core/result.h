@@ -1,0 +1,42 @@
+// A value, or one line that says what went wrong and which exit status that deserves.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace hapticwall {
+
+// The program's exit status for each kind of failure (docs/command-line.md).
+enum class ErrorKind : std::uint8_t { kUsage = 2, kDevice = 3, kFile = 4 };
+
+struct Error {
+  ErrorKind kind = ErrorKind::kUsage;
+  std::string message;  // one line: what, where, what would be right
+};
+
+template <typename T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : content_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+  Result(Error error) : content_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
+
+  [[nodiscard]] bool ok() const { return std::holds_alternative<T>(content_); }
+  explicit operator bool() const { return ok(); }
+  // Preconditions: ok() for the first three, !ok() for error().
+  [[nodiscard]] T& operator*() { return std::get<T>(content_); }
+  [[nodiscard]] const T& operator*() const { return std::get<T>(content_); }
+  [[nodiscard]] T* operator->() { return &std::get<T>(content_); }
+  [[nodiscard]] const T* operator->() const { return &std::get<T>(content_); }
+  [[nodiscard]] const Error& error() const { return std::get<Error>(content_); }
+
+ private:
+  std::variant<T, Error> content_;
+};
+
+// The result of something that has no value: nothing, or what went wrong.
+using Failure = std::optional<Error>;
+
+}  // namespace hapticwall

@@ -1,0 +1,173 @@
+#include "core/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "core/scene_keys.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall {
+namespace {
+
+using Problem = std::optional<SceneProblem>;
+
+// A run of more ticks than this is a mistake (a week at 10 kHz has fewer).
+constexpr double kMaximumTicks = 1e10;
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nan";
+  std::array<char, 32> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), end};
+}
+
+std::string range_text(const ValueRange& range, std::string_view unit) {
+  std::string text = range.minimum_excluded
+                         ? "more than " + number_text(range.minimum) + ", at most "
+                         : number_text(range.minimum) + " to ";
+  text += number_text(range.maximum);
+  if (!unit.empty()) text += " " + std::string(unit);
+  return text;
+}
+
+Problem check_range(const std::string& key, double value, const ValueRange& range,
+                    std::string_view unit) {
+  if (range.contains(value)) return std::nullopt;
+  return SceneProblem{key,
+                      number_text(value) + " is out of range; it takes " + range_text(range, unit)};
+}
+
+template <typename Owner>
+Problem check_table(const std::string& prefix, const Owner& owner,
+                    std::span<const NumberKey<Owner>> keys) {
+  for (const NumberKey<Owner>& key : keys) {
+    const std::optional<double> value = key.get(owner);
+    if (!value) continue;
+    if (auto problem = check_range(prefix + std::string(key.key), *value, key.range, key.unit)) {
+      return problem;
+    }
+  }
+  return std::nullopt;
+}
+
+Problem check_path(const HandSettings& hand) {
+  const std::string key = "hand.path";
+  if (hand.follows_mouse) {
+    if (hand.path.empty()) return std::nullopt;
+    return SceneProblem{key, "a hand that follows the mouse has no points"};
+  }
+  if (hand.path.empty())
+    return SceneProblem{key, "missing; it takes points [[time s, position m], …]"};
+  if (hand.path.size() > kMaximumPathPoints) {
+    return SceneProblem{key, "has " + std::to_string(hand.path.size()) + " points; at most " +
+                                 std::to_string(kMaximumPathPoints) + " are taken"};
+  }
+  for (std::size_t i = 0; i < hand.path.size(); ++i) {
+    const std::string point = key + "[" + std::to_string(i) + "]";
+    if (auto problem = check_range(point, hand.path[i].time_s, kPathTimeRange, "s")) return problem;
+    if (auto problem = check_range(point, hand.path[i].position_m, kPositionRange, "m")) {
+      return problem;
+    }
+    if (i > 0 && !(hand.path[i].time_s > hand.path[i - 1].time_s)) {
+      return SceneProblem{point, "times must increase from point to point"};
+    }
+  }
+  return std::nullopt;
+}
+
+Problem check_hand(const HandSettings& hand) {
+  if (auto problem = check_table<HandSettings>("hand.", hand, hand_number_keys())) return problem;
+  if (hand.has_grip() && !hand.mass_kg) {
+    return SceneProblem{"hand.grip_stiffness_n_per_m",
+                        "a grip holds the handle with a hand's mass: hand.mass_kg is missing"};
+  }
+  if (hand.grip_damping_n_s_per_m && !hand.has_grip()) {
+    return SceneProblem{"hand.grip_damping_n_s_per_m",
+                        "a grip needs its spring: hand.grip_stiffness_n_per_m is missing"};
+  }
+  return check_path(hand);
+}
+
+std::string choice_text(const ParameterDescription& parameter) {
+  std::string text;
+  for (const std::string_view choice : parameter.choices) {
+    if (!text.empty()) text += ", ";
+    text += choice;
+  }
+  return text;
+}
+
+Problem check_algorithm(const Scene& scene) {
+  const AlgorithmSettings& settings = scene.algorithm;
+  if (settings.index >= algorithms().size()) {
+    return SceneProblem{"algorithm.name", "there is no such algorithm"};
+  }
+  const auto parameters = algorithm_parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!settings.values[i]) continue;
+    const ParameterDescription& parameter = parameters[i];
+    const std::string key = "algorithm." + std::string(parameter.key);
+    const ValueRange range{parameter.minimum, parameter.maximum};
+    if (parameter.kind == ParameterKind::kChoice && !range.contains(*settings.values[i])) {
+      return SceneProblem{key, "it takes one of " + choice_text(parameter)};
+    }
+    if (auto problem = check_range(key, *settings.values[i], range, parameter.unit)) return problem;
+  }
+  StabiliserContext context;
+  context.settings = &settings;
+  context.device_damping_n_s_per_m = scene.device.damping_n_s_per_m;
+  const double coupling_damping = context.value_or("coupling_damping_n_s_per_m", 0.0);
+  if (coupling_damping > believed_damping(context) &&
+      !context.value("coupling_stiffness_n_per_m")) {
+    return SceneProblem{"algorithm.coupling_damping_n_s_per_m",
+                        number_text(coupling_damping) +
+                            " leaves no coupling stiffness: it takes at most b = " +
+                            number_text(believed_damping(context)) +
+                            " N·s/m unless coupling_stiffness_n_per_m is given"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::uint64_t Scene::tick_count() const {
+  return static_cast<std::uint64_t>(std::max(1.0, std::round(duration_s * sampling.rate_hz)));
+}
+
+Problem validate(const Scene& scene) {
+  if (auto problem = check_table<Scene>("", scene, scene_number_keys())) return problem;
+  if (auto problem =
+          check_table<SamplingSettings>("sampling.", scene.sampling, sampling_number_keys())) {
+    return problem;
+  }
+  if (scene.duration_s * scene.sampling.rate_hz > kMaximumTicks) {
+    return SceneProblem{"duration_s", "gives more than " + number_text(kMaximumTicks) + " ticks"};
+  }
+  if (auto problem = check_table<DeviceSettings>("device.", scene.device, device_number_keys())) {
+    return problem;
+  }
+  if (scene.hand) {
+    if (auto problem = check_hand(*scene.hand)) return problem;
+  }
+  if (scene.walls.size() > kMaximumWalls) {
+    return SceneProblem{"wall", std::to_string(scene.walls.size()) + " walls; at most " +
+                                    std::to_string(kMaximumWalls) + " are taken"};
+  }
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    const std::string prefix =
+        scene.walls.size() == 1 ? "wall." : "wall[" + std::to_string(i) + "].";
+    if (auto problem = check_table<WallSettings>(prefix, scene.walls[i], wall_number_keys())) {
+      return problem;
+    }
+  }
+  if (auto problem = check_algorithm(scene)) return problem;
+  if (scene.simulator.integrator != "exact") {
+    return SceneProblem{"simulator.integrator", "it takes \"exact\""};
+  }
+  return std::nullopt;
+}
+
+}  // namespace hapticwall

@@ -1,0 +1,92 @@
+// What a scene names: a device, a hand, walls, an algorithm. Plain values in SI units; the ranges
+// of every key live in scene_keys.h, the contradictions between keys in validate().
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/stabiliser/algorithm_settings.h"
+
+namespace hapticwall {
+
+struct SamplingSettings {
+  double rate_hz = 1000.0;
+
+  [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
+};
+
+// One axis of the haptic device. An absent optional is a part that the model leaves out.
+struct DeviceSettings {
+  double mass_kg = 0.05;
+  double damping_n_s_per_m = 1.0;
+  std::optional<double> friction_n;
+  std::optional<double> encoder_m;
+  std::optional<double> force_limit_n;
+  double start_m = 0.03;
+};
+
+struct PathPoint {
+  double time_s = 0.0;
+  double position_m = 0.0;
+
+  friend bool operator==(const PathPoint&, const PathPoint&) = default;
+};
+
+// The hand: a spring-damper to an intended path. With a mass and no grip, the mass is joined
+// rigidly to the handle; with a mass and a grip, it holds the handle through the grip's
+// spring-damper.
+struct HandSettings {
+  std::optional<double> mass_kg;
+  double stiffness_n_per_m = 0.0;
+  double damping_n_s_per_m = 0.0;
+  std::optional<double> grip_stiffness_n_per_m;
+  std::optional<double> grip_damping_n_s_per_m;
+  std::vector<PathPoint> path;
+  // The pointer in the window leads the hand (`path = "mouse"`); `path` is then empty.
+  bool follows_mouse = false;
+
+  [[nodiscard]] bool has_grip() const { return grip_stiffness_n_per_m.has_value(); }
+};
+
+struct WallSettings {
+  double position_m = 0.05;
+  double stiffness_n_per_m = 0.0;
+  double damping_n_s_per_m = 0.0;
+};
+
+struct SimulatorSettings {
+  std::string integrator = "exact";
+};
+
+inline constexpr std::size_t kMaximumWalls = 8;
+
+struct Scene {
+  std::string name;
+  std::string description;
+  double duration_s = 6.0;
+  SamplingSettings sampling;
+  DeviceSettings device;
+  std::optional<HandSettings> hand;
+  std::vector<WallSettings> walls;
+  AlgorithmSettings algorithm;
+  SimulatorSettings simulator;
+
+  // Number of ticks of a headless run: round(duration * rate), at least 1.
+  [[nodiscard]] std::uint64_t tick_count() const;
+};
+
+// One thing that is wrong with a scene: the dotted key and a sentence that says what would be
+// right.
+struct SceneProblem {
+  std::string key;
+  std::string message;
+};
+
+// The first problem of a scene (a value out of range, or a contradiction), or nothing.
+// Realtime-safe: no.
+[[nodiscard]] std::optional<SceneProblem> validate(const Scene& scene);
+
+}  // namespace hapticwall

@@ -1,0 +1,57 @@
+// The keys of a scene file as data: name, unit, range, whether it must be there, and where its
+// value lives. Parsing, --set, validation, sidecars and the window's sliders all read these tables.
+// (`[algorithm]` keys come from the algorithms themselves: algorithm_parameters().)
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "core/scene.h"
+
+namespace hapticwall {
+
+struct ValueRange {
+  double minimum = 0.0;
+  double maximum = 0.0;
+  bool minimum_excluded = false;
+
+  [[nodiscard]] bool contains(double value) const {  // false for NaN
+    return (minimum_excluded ? value > minimum : value >= minimum) && value <= maximum;
+  }
+};
+
+// A number of the table Owner.
+template <typename Owner>
+struct NumberKey {
+  std::string_view key;
+  std::string_view unit;
+  ValueRange range;
+  bool required = false;  // in a scene file
+  std::variant<double Owner::*, std::optional<double> Owner::*> member;
+
+  [[nodiscard]] std::optional<double> get(const Owner& owner) const {
+    if (const auto* plain = std::get_if<double Owner::*>(&member)) return owner.**plain;
+    return owner.*std::get<std::optional<double> Owner::*>(member);
+  }
+  void set(Owner& owner, double value) const {
+    if (const auto* plain = std::get_if<double Owner::*>(&member)) {
+      owner.** plain = value;
+    } else {
+      owner.*std::get<std::optional<double> Owner::*>(member) = value;
+    }
+  }
+};
+
+[[nodiscard]] std::span<const NumberKey<Scene>> scene_number_keys();                // duration_s
+[[nodiscard]] std::span<const NumberKey<SamplingSettings>> sampling_number_keys();  // [sampling]
+[[nodiscard]] std::span<const NumberKey<DeviceSettings>> device_number_keys();      // [device]
+[[nodiscard]] std::span<const NumberKey<HandSettings>> hand_number_keys();  // [hand], less path
+[[nodiscard]] std::span<const NumberKey<WallSettings>> wall_number_keys();  // [[wall]]
+
+inline constexpr std::size_t kMaximumPathPoints = 10000;
+inline constexpr ValueRange kPathTimeRange{0.0, 1e6};
+inline constexpr ValueRange kPositionRange{-1.0, 1.0};
+
+}  // namespace hapticwall

@@ -1,0 +1,59 @@
+// Virtual walls on one axis: F_e = max(0, K p + B v) while p > 0, else 0, added up over the walls
+// (paper, Eq. 11; a wall pushes, it never pulls).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "core/scene.h"
+
+namespace hapticwall {
+
+// A trivially copyable list of walls, sorted by position: the first one is met first.
+class WallSet {
+ public:
+  WallSet() = default;
+  // Takes the first kMaximumWalls. Realtime-safe: yes.
+  explicit WallSet(std::span<const WallSettings> walls) {
+    for (const WallSettings& wall : walls.first(std::min(walls.size(), kMaximumWalls))) {
+      std::size_t place = count_++;
+      for (; place > 0 && walls_[place - 1].position_m > wall.position_m; --place) {
+        walls_[place] = walls_[place - 1];
+      }
+      walls_[place] = wall;
+    }
+  }
+
+  [[nodiscard]] std::span<const WallSettings> walls() const { return {walls_.data(), count_}; }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+
+ private:
+  std::array<WallSettings, kMaximumWalls> walls_{};
+  std::size_t count_ = 0;
+};
+
+struct WallContact {
+  double force_n = 0.0;        // F_e
+  double penetration_m = 0.0;  // into the outermost wall; negative in front of it; 0 without a wall
+  bool in_contact = false;     // penetration > 0
+};
+
+// Realtime-safe: yes.
+[[nodiscard]] inline WallContact evaluate_walls(const WallSet& set, double position_m,
+                                                double velocity_m_per_s) {
+  WallContact contact;
+  if (set.empty()) return contact;
+  contact.penetration_m = position_m - set.walls().front().position_m;
+  contact.in_contact = contact.penetration_m > 0.0;
+  for (const WallSettings& wall : set.walls()) {
+    const double penetration_m = position_m - wall.position_m;
+    if (penetration_m <= 0.0) break;
+    contact.force_n += std::max(
+        0.0, wall.stiffness_n_per_m * penetration_m + wall.damping_n_s_per_m * velocity_m_per_s);
+  }
+  return contact;
+}
+
+}  // namespace hapticwall
