@@ -1,0 +1,53 @@
+#include "core/servo.h"
+
+#include <cmath>
+
+namespace hapticwall {
+
+ServoSettings servo_settings(const Scene& scene) {
+  ServoSettings settings;
+  settings.rate_hz = scene.sampling.rate_hz;
+  settings.device_damping_n_s_per_m = scene.device.damping_n_s_per_m;
+  settings.encoder_m = scene.device.encoder_m.value_or(0.0);
+  if (scene.device.force_limit_n) settings.force_limit_n = *scene.device.force_limit_n;
+  settings.walls = WallSet(scene.walls);
+  settings.algorithm = scene.algorithm;
+  return settings;
+}
+
+StabiliserContext stabiliser_context(const ServoSettings& settings) {
+  return {settings.period_s(), settings.device_damping_n_s_per_m, settings.encoder_m,
+          settings.walls, &settings.algorithm};
+}
+
+Servo::Servo(const ServoSettings& settings) : settings_(settings) {
+  apply(settings);
+  reset();
+}
+
+void Servo::apply(const ServoSettings& settings) {
+  const bool switched = settings.algorithm.index != settings_.algorithm.index;
+  settings_ = settings;
+  const StabiliserContext context = stabiliser_context(settings_);
+  stabilisers_.configure(context);
+  state_.period_s = settings_.period_s();
+  state_.believed_damping_n_s_per_m = believed_damping(context);
+  state_.parameters_changed = true;
+  if (switched) {
+    stabilisers_.visit(settings_.algorithm.index, [](auto& stabiliser) { stabiliser.reset(); });
+  }
+  if (state_.tick == 0) return;  // no force yet that could jump
+  const double ticks = std::max(1.0, std::round(settings_.transition_s * settings_.rate_hz));
+  state_.transition = {static_cast<std::uint32_t>(ticks), static_cast<std::uint32_t>(ticks), 0.0,
+                       false};
+}
+
+void Servo::reset() {
+  stabilisers_.reset();
+  const double damping = state_.believed_damping_n_s_per_m;
+  state_ = ServoState{};
+  state_.period_s = settings_.period_s();
+  state_.believed_damping_n_s_per_m = damping;
+}
+
+}  // namespace hapticwall

@@ -1,0 +1,49 @@
+// The controller of one axis: settings, all algorithms, the ledger; and its tick.
+#pragma once
+
+#include "core/servo_step.h"
+
+namespace hapticwall {
+
+// Owns every algorithm and the state of the loop. Trivial to move at set-up, never allocates.
+// Realtime-safe: everything but nothing (constructor included).
+class Servo {
+ public:
+  explicit Servo(const ServoSettings& settings);
+
+  // Takes new settings at a tick boundary; the rate must be the old one. A change of algorithm
+  // resets the new one. Any change starts a transition in which the force begins exactly where it
+  // was (no kick) and blends into the new law's over settings.transition_s.
+  void apply(const ServoSettings& settings);
+
+  // Back to tick 0: algorithms, ledger and previous force are forgotten.
+  void reset();
+
+  [[nodiscard]] const ServoSettings& settings() const { return settings_; }
+
+  // One tick against a device: `DeviceReading read()`, `void write(double force_n)`, and optionally
+  // `const PlantTruth* truth()`. Returns the tick's sample (generation left 0).
+  template <typename Device>
+  Sample tick(Device& device) {
+    return with_algorithm([&](auto& stabiliser) {
+      Sample sample;
+      servo_step(settings_, state_, stabiliser, device, sample);
+      return sample;
+    });
+  }
+
+  // For a loop of its own around servo_step(): calls `visitor` with the algorithm in force.
+  template <typename Visitor>
+  decltype(auto) with_algorithm(Visitor&& visitor) {
+    return stabilisers_.visit(settings_.algorithm.index, std::forward<Visitor>(visitor));
+  }
+  [[nodiscard]] ServoState& state() { return state_; }
+  [[nodiscard]] const ServoState& state() const { return state_; }
+
+ private:
+  ServoSettings settings_;
+  ServoState state_;
+  StabiliserBank stabilisers_;
+};
+
+}  // namespace hapticwall

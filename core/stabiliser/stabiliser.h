@@ -1,0 +1,78 @@
+// The contract of a stabilising algorithm and the closed list of them.
+//
+// An algorithm is a small class in a file of its own in this folder:
+//
+//   class Name {
+//    public:
+//     static constexpr AlgorithmDescription kDescription{"name", "Title", "one line", kParameters};
+//     void configure(const StabiliserContext& context);   // parameters or scene changed; keeps
+//     state void reset();                                        // forget everything double
+//     step(const StabiliserInput& input);           // F_d(k), newtons
+//   };
+//
+// All members are realtime-safe: O(1), no allocation, no lock, no system call. step() may return
+// any number; the servo step makes it finite and clamps it.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/stabiliser/algorithm_settings.h"
+#include "core/wall.h"
+
+namespace hapticwall {
+
+// What an algorithm may know of the scene.
+struct StabiliserContext {
+  double period_s = 1e-3;
+  double device_damping_n_s_per_m = 0.0;
+  double encoder_m = 0.0;  // 0: none
+  WallSet walls;
+  const AlgorithmSettings* settings = nullptr;
+
+  // The value of a key where the scene names it. Realtime-safe: yes.
+  [[nodiscard]] std::optional<double> value(std::string_view key) const;
+  [[nodiscard]] double value_or(std::string_view key, double fallback) const {
+    return value(key).value_or(fallback);
+  }
+};
+
+// What an algorithm is told at tick k; signs as in docs/physics.md (x grows into the wall, F_d > 0
+// pushes out of it).
+struct StabiliserInput {
+  double wall_force_n = 0.0;      // F_e(k)
+  double position_m = 0.0;        // x_k as measured
+  double displacement_m = 0.0;    // x_k - x_{k-1} as measured
+  double velocity_m_per_s = 0.0;  // displacement / period
+  double penetration_m = 0.0;     // into the outermost wall; negative in front of it
+  double previous_force_n = 0.0;  // F_d(k-1) as really commanded, after the clamp
+  bool in_contact = false;
+};
+
+struct AlgorithmDescription {
+  std::string_view name;   // the word in the file, the menu, the command line and the CSV metadata
+  std::string_view title;  // for people
+  std::string_view idea;   // one line
+  std::span<const ParameterDescription> parameters;
+};
+
+// The key with which a user tells an algorithm the device's damping; shared by several.
+inline constexpr ParameterDescription kBelievedDampingParameter{
+    "damping_n_s_per_m",    ParameterKind::kNumber,          "N·s/m", 0.0, 1e6, {},
+    "the device's damping", "b as the algorithm believes it"};
+
+// b as the algorithm believes it. Realtime-safe: yes.
+[[nodiscard]] double believed_damping(const StabiliserContext& context);
+
+// ---- the closed list, as data (defined in stabiliser_list.cpp) ----
+
+[[nodiscard]] std::span<const AlgorithmDescription> algorithms();
+// Index in algorithms() of a name, or nothing.
+[[nodiscard]] std::optional<std::size_t> find_algorithm(std::string_view name);
+// Union of all algorithms' keys, each once; AlgorithmSettings::values follows this order.
+[[nodiscard]] std::span<const ParameterDescription> algorithm_parameters();
+[[nodiscard]] std::optional<std::size_t> find_algorithm_parameter(std::string_view key);
+
+}  // namespace hapticwall
