@@ -1,0 +1,112 @@
+#include "core/plant/hand_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticwall {
+namespace {
+
+// A point this near to a tick, in ticks, is meant to be on it (decimal times have binary
+// roundings).
+constexpr double kOnTickTolerance = 1e-9;
+
+double snap_to_tick(double ticks) {
+  const double nearest = std::round(ticks);
+  return std::abs(ticks - nearest) <= kOnTickTolerance ? nearest : ticks;
+}
+
+}  // namespace
+
+HandPath::HandPath(double position_m) : segments_{{0.0, position_m, 0.0}} { reset(); }
+
+HandPath::HandPath(const std::vector<PathPoint>& points, double rate_hz)
+    : rate_hz_(rate_hz), period_s_(1.0 / rate_hz) {
+  segments_.reserve(points.size() + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool last = i + 1 == points.size();
+    const double velocity_m_per_s = last ? 0.0
+                                         : (points[i + 1].position_m - points[i].position_m) /
+                                               (points[i + 1].time_s - points[i].time_s);
+    if (i == 0 && points[i].time_s > 0.0) segments_.push_back({0.0, points[i].position_m, 0.0});
+    segments_.push_back(
+        {snap_to_tick(points[i].time_s * rate_hz), points[i].position_m, velocity_m_per_s});
+  }
+  reset();
+}
+
+void HandPath::reset() {
+  tick_ = 0;
+  segment_ = 0;
+  lead_ = Lead::kScript;
+  piece_begin_ = 0.0;
+  set_piece();
+}
+
+double HandPath::scripted_position_m(double tick) const {
+  const Segment& segment = segments_[segment_];
+  return segment.position_m + segment.velocity_m_per_s * ((tick - segment.begin_tick) * period_s_);
+}
+
+// Sets position, speed and end of the straight piece that begins at tick_ + piece_begin_.
+void HandPath::set_piece() {
+  const double now = static_cast<double>(tick_) + piece_begin_;
+  while (segment_ + 1 < segments_.size() && segments_[segment_ + 1].begin_tick <= now) ++segment_;
+  const double tick_end = static_cast<double>(tick_ + 1);
+  const double next =
+      segment_ + 1 < segments_.size() ? segments_[segment_ + 1].begin_tick : tick_end;
+  bends_ = next < tick_end || piece_begin_ > 0.0;
+  piece_end_ = next < tick_end ? next - static_cast<double>(tick_) : 1.0;
+  position_m_ = scripted_position_m(now);
+  velocity_m_per_s_ = segments_[segment_].velocity_m_per_s;
+}
+
+bool HandPath::next_piece() {
+  if (piece_end_ >= 1.0) return false;
+  piece_begin_ = piece_end_;
+  set_piece();
+  return true;
+}
+
+void HandPath::next_tick() {
+  ++tick_;
+  if (lead_ == Lead::kScript) {
+    piece_begin_ = 0.0;
+    set_piece();
+    return;
+  }
+  position_m_ = next_position_m_;
+  aim();
+}
+
+void HandPath::lead_to(double position_m) {
+  pointer_m_ = position_m;
+  lead_ = Lead::kPointer;
+  aim();
+}
+
+void HandPath::release() {
+  if (lead_ != Lead::kPointer) return;
+  lead_ = Lead::kReturning;
+  aim();
+}
+
+// One tick towards the pointer, or back to the script, at a limited speed.
+void HandPath::aim() {
+  bends_ = false;
+  piece_begin_ = 0.0;
+  piece_end_ = 1.0;
+  const double end_tick = static_cast<double>(tick_ + 1);
+  double target_m = pointer_m_;
+  if (lead_ == Lead::kReturning) {
+    while (segment_ + 1 < segments_.size() && segments_[segment_ + 1].begin_tick <= end_tick) {
+      ++segment_;
+    }
+    target_m = scripted_position_m(end_tick);
+  }
+  const double reach_m = kMaximumPointerSpeedMPerS * period_s_;
+  next_position_m_ = position_m_ + std::clamp(target_m - position_m_, -reach_m, reach_m);
+  velocity_m_per_s_ = (next_position_m_ - position_m_) * rate_hz_;
+  if (lead_ == Lead::kReturning && next_position_m_ == target_m) lead_ = Lead::kScript;
+}
+
+}  // namespace hapticwall

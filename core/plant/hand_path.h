@@ -1,0 +1,69 @@
+// Where the hand intends to be: a script that is linear between its points, or a pointer that it is
+// led by. Within a tick the intention moves at constant speed, except where a point of the script
+// falls between two ticks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace hapticwall {
+
+// Positions that a pointer asks for are approached no faster than this, as an arm would.
+inline constexpr double kMaximumPointerSpeedMPerS = 1.0;
+
+class HandPath {
+ public:
+  // A path that stays at `position_m` (a scene without a hand).
+  explicit HandPath(double position_m);
+  HandPath(const std::vector<PathPoint>& points, double rate_hz);
+
+  // Realtime-safe: yes, all that follows.
+  void reset();
+  // Intended position at the present instant, and its speed until remaining_in_piece() is over.
+  [[nodiscard]] double position_m() const { return position_m_; }
+  [[nodiscard]] double velocity_m_per_s() const { return velocity_m_per_s_; }
+  // True where a point of the script lies strictly inside the present tick.
+  [[nodiscard]] bool bends_within_tick() const { return bends_; }
+  // Length of the present straight piece, as a fraction of the tick; 1 where nothing bends.
+  [[nodiscard]] double piece_fraction() const { return piece_end_ - piece_begin_; }
+  // Goes on to the next piece of the same tick; false at the end of the tick.
+  bool next_piece();
+  // To the next tick.
+  void next_tick();
+
+  void lead_to(double position_m);
+  void release();
+
+ private:
+  enum class Lead : std::uint8_t { kScript, kPointer, kReturning };
+
+  struct Segment {
+    double begin_tick;  // in ticks, whole where the point falls on one
+    double position_m;
+    double velocity_m_per_s;
+  };
+
+  [[nodiscard]] double scripted_position_m(double tick) const;
+  void set_piece();
+  void aim();
+
+  double rate_hz_ = 1.0;
+  double period_s_ = 1.0;
+  std::vector<Segment> segments_;
+
+  std::uint64_t tick_ = 0;
+  std::size_t segment_ = 0;
+  double piece_begin_ = 0.0;
+  double piece_end_ = 1.0;
+  double position_m_ = 0.0;
+  double velocity_m_per_s_ = 0.0;
+  bool bends_ = false;
+  Lead lead_ = Lead::kScript;
+  double pointer_m_ = 0.0;
+  double next_position_m_ = 0.0;  // at the end of the tick, where the script does not lead
+};
+
+}  // namespace hapticwall

@@ -1,0 +1,67 @@
+#include "core/plant/propagator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace hapticwall {
+namespace {
+
+long double row_sum_norm(const SetupMatrix& matrix) {
+  return matrix.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
+// e^A - 1 for a small A: the upper right block of exp [A A; 0 0].
+SetupMatrix small_increment(const SetupMatrix& a) {
+  const Eigen::Index n = a.rows();
+  SetupMatrix block = SetupMatrix::Zero(2 * n, 2 * n);
+  block.topLeftCorner(n, n) = a;
+  block.topRightCorner(n, n) = a;
+  const SetupMatrix exponential = block.exp();
+  return exponential.topRightCorner(n, n);
+}
+
+// ∫_0^h e^{Aᵀt} S e^{At} dt for a small A h, from exp([-Aᵀ S; 0 A] h) (Van Loan 1978). The weight
+// is scaled so that its block is as large as the others.
+SetupMatrix small_integral(const SetupMatrix& a, const SetupMatrix& weight, long double step) {
+  const Eigen::Index n = a.rows();
+  const long double size = row_sum_norm(weight);
+  if (!(size > 0.0L)) return SetupMatrix::Zero(n, n);
+  SetupMatrix block = SetupMatrix::Zero(2 * n, 2 * n);
+  block.topLeftCorner(n, n) = -a.transpose();
+  block.topRightCorner(n, n) = weight / size;
+  block.bottomRightCorner(n, n) = a;
+  const SetupMatrix exponential = block.exp();
+  const SetupMatrix transition = exponential.bottomRightCorner(n, n);
+  const SetupMatrix upper = exponential.topRightCorner(n, n);
+  const SetupMatrix integral = transition.transpose() * upper * (size * step);
+  return (integral + integral.transpose()) / 2.0L;
+}
+
+}  // namespace
+
+Propagator make_propagator(const SetupMatrix& generator, std::span<const SetupMatrix> weights) {
+  constexpr long double kSmallNorm = 0.5L;
+  const long double norm = row_sum_norm(generator);
+  const int doublings =
+      norm > kSmallNorm ? static_cast<int>(std::ceil(std::log2(norm / kSmallNorm))) : 0;
+  const long double step = std::ldexp(1.0L, -doublings);
+  const SetupMatrix small = generator * step;
+
+  Propagator result;
+  result.increment = small_increment(small);
+  for (const SetupMatrix& weight : weights) {
+    result.integrals.push_back(small_integral(small, weight, step));
+  }
+  for (int i = 0; i < doublings; ++i) {
+    const SetupMatrix& e = result.increment;
+    for (SetupMatrix& g : result.integrals) {
+      const SetupMatrix ge = g * e;
+      g = (2.0L * g + ge + ge.transpose() + e.transpose() * ge).eval();
+    }
+    result.increment = (2.0L * e + e * e).eval();
+  }
+  return result;
+}
+
+}  // namespace hapticwall

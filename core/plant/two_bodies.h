@@ -1,0 +1,157 @@
+// The handle held by a hand that has a mass of its own, through the grip's spring-damper:
+//
+//   m   dv/dt   = F_g - L - b v,                                   F_g = k_g (y - x) + b_g (w - v)
+//   m_h dw/dt   = k_h (p - y) + b_h (p' - w) - F_g
+//
+// x, v the handle's and y, w the hand's position and velocity, L the load. As in one_body.h the
+// velocities relative to the intended path, u = (v - s, w - s), obey a homogeneous equation.
+// The "hand force" F_h on the handle, whose work the ledger tells, is F_g.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/plant/energy_totals.h"
+#include "core/plant/taylor_polynomial.h"
+
+namespace hapticwall {
+
+struct TwoBodyParameters {
+  double mass_kg = 1.0;
+  double damping_n_s_per_m = 0.0;
+  double hand_mass_kg = 1.0;
+  double hand_stiffness_n_per_m = 0.0;
+  double hand_damping_n_s_per_m = 0.0;
+  double grip_stiffness_n_per_m = 0.0;
+  double grip_damping_n_s_per_m = 0.0;
+};
+
+class TwoBodies {
+ public:
+  struct Slide {
+    TaylorPolynomial velocity;                // v
+    TaylorPolynomial relative_velocity;       // v - s
+    TaylorPolynomial hand_relative_velocity;  // w - s
+    TaylorPolynomial velocity_difference;     // w - v
+    double duration_s = 0.0;
+  };
+  struct Stick {
+    TaylorPolynomial hand_velocity;  // w
+    TaylorPolynomial net_force;      // F_g - F_d with the handle at rest, newtons
+    double duration_s = 0.0;
+  };
+
+  TwoBodies(const TwoBodyParameters& parameters, double period_s, double start_m);
+
+  // Realtime-safe: yes, all that follows.
+  void reset();
+  [[nodiscard]] double position_m() const { return position_m_; }
+  [[nodiscard]] double velocity_m_per_s() const { return velocity_m_per_s_; }
+  [[nodiscard]] double kinetic_j() const {
+    return 0.5 * parameters_.mass_kg * velocity_m_per_s_ * velocity_m_per_s_;
+  }
+  [[nodiscard]] double damping_n_s_per_m() const { return parameters_.damping_n_s_per_m; }
+  [[nodiscard]] double hand_force_n(const HandDrive& /*drive*/) const { return grip_force(); }
+
+  [[nodiscard]] MotionIncrement advance_tick(double load_n, const HandDrive& drive);
+  [[nodiscard]] bool surely_keeps_direction(double load_n, const HandDrive& drive,
+                                            double direction) const;
+  [[nodiscard]] double longest_stretch_s() const { return longest_stretch_s_; }
+  [[nodiscard]] Slide slide(double load_n, const HandDrive& drive, double duration_s,
+                            double minimum_acceleration_sign) const;
+  [[nodiscard]] MotionIncrement advance(const Slide& slide, const HandDrive& drive, double theta);
+  [[nodiscard]] Stick stick(double force_n, const HandDrive& drive, double duration_s) const;
+  void advance(const Stick& stick, double theta);
+  void stop() { velocity_m_per_s_ = 0.0; }
+
+ private:
+  // (u1, a1, u2, a2): velocities relative to the path and accelerations, of handle and hand.
+  using State = std::array<double, 4>;
+  using Row = std::array<double, 4>;
+  using SymmetricForm =
+      std::array<double, 10>;  // 11, 12, 13, 14, 22, 23, 24, 33, 34, 44; off-diagonals doubled
+
+  [[nodiscard]] double grip_force() const {
+    return parameters_.grip_stiffness_n_per_m * (hand_position_m_ - position_m_) +
+           parameters_.grip_damping_n_s_per_m * (hand_velocity_m_per_s_ - velocity_m_per_s_);
+  }
+  [[nodiscard]] double hand_acceleration(const HandDrive& drive) const {
+    return (parameters_.hand_stiffness_n_per_m * (drive.position_m - hand_position_m_) +
+            parameters_.hand_damping_n_s_per_m * (drive.velocity_m_per_s - hand_velocity_m_per_s_) -
+            grip_force()) /
+           parameters_.hand_mass_kg;
+  }
+  [[nodiscard]] State relative_state(double load_n, const HandDrive& drive) const {
+    const double a1 = (grip_force() - load_n - parameters_.damping_n_s_per_m * velocity_m_per_s_) /
+                      parameters_.mass_kg;
+    return {velocity_m_per_s_ - drive.velocity_m_per_s, a1,
+            hand_velocity_m_per_s_ - drive.velocity_m_per_s, hand_acceleration(drive)};
+  }
+  [[nodiscard]] static double dot(const Row& row, const State& w) {
+    return row[0] * w[0] + row[1] * w[1] + row[2] * w[2] + row[3] * w[3];
+  }
+  [[nodiscard]] static double form(const SymmetricForm& f, const State& w) {
+    return w[0] * (f[0] * w[0] + f[1] * w[1] + f[2] * w[2] + f[3] * w[3]) +
+           w[1] * (f[4] * w[1] + f[5] * w[2] + f[6] * w[3]) + w[2] * (f[7] * w[2] + f[8] * w[3]) +
+           f[9] * w[3] * w[3];
+  }
+  void make_rows();
+
+  struct Rows {
+    Row velocity{};                    // v(T) - v(0)
+    Row hand_velocity{};               // w(T) - w(0)
+    Row integral{};                    // ∫u1
+    Row hand_integral{};               // ∫u2
+    Row difference_double_integral{};  // ∫∫(u2 - u1)
+    SymmetricForm square{};            // ∫u1²
+    SymmetricForm grip_work{};         // ∫(k_g δ + b_g δ') u1, δ = ∫(u2 - u1)
+  };
+
+  TwoBodyParameters parameters_;
+  double period_s_;
+  double start_m_;
+  Rows rows_;
+  double longest_stretch_s_ = 0.0;
+  double natural_rate_per_s_ = 0.0;
+  double jerk_bound_ = 0.0;
+
+  double position_m_ = 0.0;
+  double velocity_m_per_s_ = 0.0;
+  double hand_position_m_ = 0.0;
+  double hand_velocity_m_per_s_ = 0.0;
+};
+
+inline MotionIncrement TwoBodies::advance_tick(double load_n, const HandDrive& drive) {
+  const State w = relative_state(load_n, drive);
+  const double s = drive.velocity_m_per_s;
+  const double drift_m = s * period_s_;
+  const double integral = dot(rows_.integral, w);
+  const double hand_integral = dot(rows_.hand_integral, w);
+  const double stretch_m = hand_position_m_ - position_m_;  // y - x at the start
+  MotionIncrement increment;
+  increment.displacement_m = drift_m + integral;
+  increment.velocity_squared = s * (drift_m + 2.0 * integral) + form(rows_.square, w);
+  increment.hand_work_j =
+      parameters_.grip_stiffness_n_per_m *
+          (stretch_m * integral +
+           s * (stretch_m * period_s_ + dot(rows_.difference_double_integral, w))) +
+      parameters_.grip_damping_n_s_per_m * s * (hand_integral - integral) +
+      form(rows_.grip_work, w);
+  position_m_ += increment.displacement_m;
+  hand_position_m_ += drift_m + hand_integral;
+  velocity_m_per_s_ += dot(rows_.velocity, w);
+  hand_velocity_m_per_s_ += dot(rows_.hand_velocity, w);
+  return increment;
+}
+
+inline bool TwoBodies::surely_keeps_direction(double load_n, const HandDrive& drive,
+                                              double direction) const {
+  const State w = relative_state(load_n, drive);
+  const double bound =
+      jerk_bound_ * std::max(std::max(std::abs(w[0]), std::abs(w[2])) * natural_rate_per_s_,
+                             std::max(std::abs(w[1]), std::abs(w[3])));
+  return direction * velocity_m_per_s_ + std::min(0.0, direction * w[1] * period_s_) > bound;
+}
+
+}  // namespace hapticwall

@@ -1,0 +1,190 @@
+#include "core/simulate.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "core/metrics.h"
+#include "core/plant/plant_model.h"
+#include "core/servo.h"
+
+namespace hapticwall {
+namespace {
+
+// Ticks between two questions whether to stop.
+constexpr std::uint64_t kChunkTicks = 1024;
+
+// The plant as the servo step sees it. What the scene does not name is not in the type.
+template <typename Plant, bool kEncoder, bool kTruth>
+class HeadlessDevice {
+ public:
+  HeadlessDevice(Plant& plant, double encoder_m) : plant_(plant), encoder_m_(encoder_m) {}
+
+  DeviceReading read() const {
+    double position_m = plant_.position_m();
+    if constexpr (kEncoder) position_m = quantise(position_m, encoder_m_);
+    return {position_m, 0.0, DeviceState::kOk};
+  }
+  void write(double force_n) { force_n_ = force_n; }
+  const PlantTruth* truth() requires kTruth {
+    plant_.write_truth(truth_);
+    return &truth_;
+  }
+
+  [[nodiscard]] double true_position_m() const { return plant_.position_m(); }
+  // The time between two ticks passes.
+  void pass_tick() { plant_.advance(force_n_); }
+  // Net work of the hand by the plant's account, less the kinetic energy at the start.
+  [[nodiscard]] double net_work_j() const {
+    const EnergyTotals& energy = plant_.energy();
+    return energy.actuator_work_j + energy.dissipation_j() + plant_.kinetic_j();
+  }
+
+ private:
+  Plant& plant_;
+  double encoder_m_;
+  double force_n_ = 0.0;
+  PlantTruth truth_;
+};
+
+class Simulation {
+ public:
+  Simulation(const Scene& scene, const SimulationOptions& options)
+      : scene_(scene),
+        options_(options),
+        servo_(servo_settings(scene)),
+        plant_(make_plant(scene)),
+        metrics_(tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz)) {
+    initial_kinetic_j_ = std::visit([](auto& plant) { return plant.kinetic_j(); }, plant_);
+  }
+
+  SimulationResult run() {
+    const std::uint64_t ticks = scene_.tick_count();
+    SimulationResult result;
+    std::size_t change = 0;
+    while (servo_.state().tick < ticks && !diverged_at_tick_) {
+      if (options_.should_stop && options_.should_stop()) {
+        result.stopped_early = true;
+        break;
+      }
+      while (change < options_.changes.size() &&
+             options_.changes[change].tick <= servo_.state().tick) {
+        apply(options_.changes[change++].scene);
+      }
+      std::uint64_t end = std::min(ticks, servo_.state().tick + kChunkTicks);
+      if (change < options_.changes.size()) end = std::min(end, options_.changes[change].tick);
+      run_until(end);
+    }
+    result.summary = summary();
+    result.final_state.tick = servo_.state().tick;
+    result.final_state.time_s =
+        static_cast<double>(servo_.state().tick) / servo_.settings().rate_hz;
+    std::visit([&](auto& plant) { plant.write_truth(result.final_state.truth); }, plant_);
+    return result;
+  }
+
+ private:
+  void apply(const Scene& scene) {
+    ServoSettings settings = servo_.settings();
+    settings.walls = WallSet(scene.walls);
+    settings.algorithm = scene.algorithm;
+    servo_.apply(settings);
+  }
+
+  // Plant, algorithm and optional parts are chosen here, once a chunk.
+  void run_until(std::uint64_t end) {
+    std::visit(
+        [&](auto& plant) {
+          servo_.with_algorithm([&](auto& stabiliser) {
+            const bool encoder = servo_.settings().encoder_m > 0.0;
+            const bool log = static_cast<bool>(options_.on_sample);
+            if (encoder && log) run_loop<true, true>(plant, stabiliser, end);
+            if (encoder && !log) run_loop<true, false>(plant, stabiliser, end);
+            if (!encoder && log) run_loop<false, true>(plant, stabiliser, end);
+            if (!encoder && !log) run_loop<false, false>(plant, stabiliser, end);
+          });
+        },
+        plant_);
+  }
+
+  template <bool kEncoder, bool kLog, typename Plant, typename Stabiliser>
+  void run_loop(Plant& plant, Stabiliser& stabiliser, std::uint64_t end) {
+    const ServoSettings& settings = servo_.settings();
+    ServoState& state = servo_.state();
+    HeadlessDevice<Plant, kEncoder, kLog> device(plant, settings.encoder_m);
+    Sample sample;
+    while (state.tick < end) {
+      const double true_position_m = device.true_position_m();
+      if (has_diverged(true_position_m, 0.0)) {
+        diverged_at_tick_ = state.tick;
+        return;
+      }
+      servo_step(settings, state, stabiliser, device, sample);
+      if (state.failed) {
+        diverged_at_tick_ = sample.tick;
+        return;
+      }
+      if constexpr (kLog) options_.on_sample(sample);
+      metrics_.add(sample.tick,
+                   {true_position_m, sample.penetration_m, sample.force_n,
+                    (sample.flags & kFlagInContact) != 0, (sample.flags & kFlagForceLimit) != 0},
+                   state.ledger);
+      device.pass_tick();
+      metrics_.add_net_work(device.net_work_j() - initial_kinetic_j_);
+    }
+  }
+
+  [[nodiscard]] Summary summary() const;
+
+  const Scene& scene_;
+  const SimulationOptions& options_;
+  Servo servo_;
+  PlantVariant plant_;
+  TickMetrics metrics_;
+  double initial_kinetic_j_ = 0.0;
+  std::optional<std::uint64_t> diverged_at_tick_;
+};
+
+Summary Simulation::summary() const {
+  Summary summary;
+  summary.scene = scene_.name;
+  summary.algorithm = algorithms()[scene_.algorithm.index].name;
+  summary.ticks = servo_.state().tick;
+  summary.duration_s = static_cast<double>(servo_.state().tick) / servo_.settings().rate_hz;
+  metrics_.write(summary, !scene_.walls.empty());
+  if (diverged_at_tick_) {
+    summary.verdict = Verdict::kDiverged;
+    summary.diverged_at_tick = diverged_at_tick_;
+  }
+  summary.energy_cv_j = servo_.state().ledger.cv_j;
+  summary.energy_hold_j = servo_.state().ledger.hold_j;
+  summary.energy_scv_j = servo_.state().ledger.scv_j;
+  summary.energy_budget_j = servo_.state().ledger.budget_j;
+  std::visit(
+      [&](const auto& plant) {
+        const EnergyTotals& energy = plant.energy();
+        summary.true_actuator_work_j = energy.actuator_work_j;
+        summary.true_dissipation_j = energy.dissipation_j();
+        summary.true_hand_work_j = energy.hand_work_j;
+        summary.kinetic_j = plant.kinetic_j();
+      },
+      plant_);
+  summary.energy_balance_error_j =
+      *summary.true_hand_work_j - (*summary.kinetic_j - initial_kinetic_j_ +
+                                   *summary.true_dissipation_j + *summary.true_actuator_work_j);
+  summary.passivity_margin_j = metrics_.passivity_margin_j();
+  return summary;
+}
+
+}  // namespace
+
+SimulationResult simulate(const Scene& scene, const SimulationOptions& options) {
+  if (scene.hand && scene.hand->follows_mouse) {
+    throw std::invalid_argument("a hand that follows the mouse needs the window");
+  }
+  return Simulation(scene, options).run();
+}
+
+}  // namespace hapticwall
