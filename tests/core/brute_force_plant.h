@@ -1,0 +1,103 @@
+// A reference for the plant that shares nothing with it: the equations of motion written out and
+// integrated by Runge-Kutta in extended precision with very many small steps. Tests only.
+#pragma once
+
+#include <cmath>
+#include <functional>
+
+namespace hapticwall::testing {
+
+using Real = long double;
+
+// m dv/dt = F_h - F - b v - f_c sgn(v). With hand_mass > 0 the hand grips through kg, bg; else its
+// spring-damper acts on the handle itself.
+struct BruteForcePlant {
+  Real mass = 1, damping = 0, friction = 0;
+  Real hand_mass = 0, hand_stiffness = 0, hand_damping = 0, grip_stiffness = 0, grip_damping = 0;
+  // Of the time, and of a time inside the straight piece that is meant.
+  std::function<Real(Real, Real)> path = [](Real, Real) { return Real{0}; };
+  std::function<Real(Real)> path_velocity = [](Real) { return Real{0}; };
+
+  Real time = 0, x = 0, v = 0, y = 0, w = 0;
+  Real actuator_work = 0, dissipation = 0, hand_work = 0;
+  bool sticks = true;
+  int events = 0;
+
+  [[nodiscard]] Real hand_force(Real t, Real px, Real pv, Real py, Real pw) const {
+    if (hand_mass > 0) return grip_stiffness * (py - px) + grip_damping * (pw - pv);
+    return hand_stiffness * (path(t, middle_) - px) + hand_damping * (path_velocity(middle_) - pv);
+  }
+
+  struct Derivative {
+    Real x, v, y, w, work, dissipation, hand;
+  };
+
+  [[nodiscard]] Derivative derive(Real t, Real px, Real pv, Real py, Real pw, Real force,
+                                  Real sign) const {
+    const Real fh = hand_force(t, px, pv, py, pw);
+    const bool still = sign == 0 && friction > 0;
+    Derivative d{};
+    d.x = still ? 0 : pv;
+    d.v = still ? 0 : (fh - force - damping * pv - friction * sign) / mass;
+    d.y = pw;
+    d.w = hand_mass > 0 ? (hand_stiffness * (path(t, middle_) - py) +
+                           hand_damping * (path_velocity(middle_) - pw) - fh) /
+                              hand_mass
+                        : 0;
+    d.work = force * d.x;
+    d.dissipation = damping * d.x * d.x + friction * std::abs(d.x);
+    d.hand = fh * d.x;
+    return d;
+  }
+
+  void small_step(Real force, Real h) {
+    middle_ = time + h / 2;
+    if (friction > 0 && sticks) {
+      const Real net = hand_force(time, x, 0, y, w) - force;
+      if (std::abs(net) > friction) {
+        sticks = false;
+        sign_ = net > 0 ? 1 : -1;
+        ++events;
+      }
+    }
+    const Real sign = friction > 0 ? (sticks ? 0 : sign_) : 0;
+    const Derivative a = derive(time, x, v, y, w, force, sign);
+    const auto at = [&](const Derivative& d, Real f) {
+      return derive(time + f, x + f * d.x, v + f * d.v, y + f * d.y, w + f * d.w, force, sign);
+    };
+    const Derivative b = at(a, h / 2);
+    const Derivative c = at(b, h / 2);
+    const Derivative d = at(c, h);
+    const auto mean = [&](Real Derivative::*m) {
+      return h * (a.*m + 2 * (b.*m) + 2 * (c.*m) + d.*m) / 6;
+    };
+    x += mean(&Derivative::x);
+    v += mean(&Derivative::v);
+    y += mean(&Derivative::y);
+    w += mean(&Derivative::w);
+    actuator_work += mean(&Derivative::work);
+    dissipation += mean(&Derivative::dissipation);
+    hand_work += mean(&Derivative::hand);
+    time += h;
+    if (friction > 0 && !sticks && v * sign_ < 0) {
+      v = 0;
+      sticks = true;
+      ++events;
+    }
+  }
+
+  void advance(Real force, Real period, int steps) {
+    const Real start = time;
+    for (int i = 0; i < steps; ++i) {
+      time = start + period * i / steps;
+      small_step(force, period / steps);
+    }
+    time = start + period;
+  }
+
+ private:
+  Real sign_ = 0;
+  Real middle_ = 0;
+};
+
+}  // namespace hapticwall::testing

@@ -1,0 +1,78 @@
+#include "core/plant/hand_path.h"
+
+#include <gtest/gtest.h>
+
+namespace hapticwall {
+namespace {
+
+TEST(HandPath, RampsAndHolds) {
+  HandPath path({{0.0, 0.03}, {0.3, 0.06}}, 1000.0);
+  for (int tick = 0; tick < 600; ++tick) {
+    const double expected = tick < 300 ? 0.03 + 0.1 * tick * 1e-3 : 0.06;
+    ASSERT_NEAR(path.position_m(), expected, 1e-16) << tick;
+    ASSERT_NEAR(path.velocity_m_per_s(), tick < 300 ? 0.1 : 0.0, 1e-15) << tick;
+    ASSERT_FALSE(path.bends_within_tick()) << tick;
+    path.next_tick();
+  }
+}
+
+TEST(HandPath, WaitsForItsFirstPoint) {
+  HandPath path({{0.002, 0.03}, {0.004, 0.05}}, 1000.0);
+  path.next_tick();
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.03);
+  EXPECT_DOUBLE_EQ(path.velocity_m_per_s(), 0.0);
+  path.next_tick();
+  path.next_tick();
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.04);
+}
+
+TEST(HandPath, BendsWhereAPointFallsBetweenTicks) {
+  HandPath path({{0.0, 0.0}, {0.00125, 0.0125}, {0.00175, 0.0}}, 1000.0);
+  EXPECT_FALSE(path.bends_within_tick());
+  path.next_tick();
+  ASSERT_TRUE(path.bends_within_tick());
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.01);
+  EXPECT_DOUBLE_EQ(path.piece_fraction(), 0.25);
+  ASSERT_TRUE(path.next_piece());
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.0125);
+  EXPECT_DOUBLE_EQ(path.velocity_m_per_s(), -25.0);
+  EXPECT_DOUBLE_EQ(path.piece_fraction(), 0.5);
+  ASSERT_TRUE(path.next_piece());
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.0);
+  EXPECT_DOUBLE_EQ(path.piece_fraction(), 0.25);
+  EXPECT_FALSE(path.next_piece());
+  path.next_tick();
+  EXPECT_FALSE(path.bends_within_tick());
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.0);
+}
+
+TEST(HandPath, FollowsThePointerAsFastAsAnArm) {
+  HandPath path({{0.0, 0.03}}, 1000.0);
+  path.lead_to(0.0325);
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.03);
+  EXPECT_NEAR(path.velocity_m_per_s(), kMaximumPointerSpeedMPerS, 1e-12);
+  path.next_tick();
+  path.next_tick();
+  EXPECT_NEAR(path.position_m(), 0.032, 1e-15);
+  path.next_tick();
+  EXPECT_NEAR(path.position_m(), 0.0325, 1e-15);
+  path.next_tick();
+  EXPECT_DOUBLE_EQ(path.velocity_m_per_s(), 0.0);
+  path.release();
+  EXPECT_LT(path.velocity_m_per_s(), 0.0);
+  for (int i = 0; i < 5; ++i) path.next_tick();
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.03);
+}
+
+TEST(HandPath, ReleasedReturnsToWhereTheScriptIsByThen) {
+  HandPath path({{0.0, 0.03}, {0.1, 0.04}}, 1000.0);
+  path.lead_to(0.02);
+  for (int i = 0; i < 50; ++i) path.next_tick();
+  path.release();
+  for (int i = 0; i < 40; ++i) path.next_tick();
+  EXPECT_NEAR(path.position_m(), 0.03 + 0.1 * 0.09, 1e-15);
+  EXPECT_NEAR(path.velocity_m_per_s(), 0.1, 1e-12);
+}
+
+}  // namespace
+}  // namespace hapticwall

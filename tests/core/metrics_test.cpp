@@ -1,0 +1,97 @@
+#include "core/metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace hapticwall {
+namespace {
+
+Sample at(std::uint64_t tick, double position_m, double force_n, double wall_m = 0.05) {
+  Sample sample;
+  sample.tick = tick;
+  sample.position_m = position_m;
+  sample.truth.position_m = position_m;
+  sample.penetration_m = position_m - wall_m;
+  sample.force_n = force_n;
+  if (sample.penetration_m > 0.0) sample.flags |= kFlagInContact;
+  if (force_n == 8.9) sample.flags |= kFlagForceLimit;
+  return sample;
+}
+
+Scene wall_at_ten_hertz() {
+  Scene scene;
+  scene.name = "hand-made";
+  scene.sampling.rate_hz = 10.0;
+  scene.walls = {{0.05, 1e3, 0.0}};
+  return scene;
+}
+
+// Twenty ticks at 10 Hz: the tail is the last ten.
+TEST(Metrics, JudgesTheLastSecond) {
+  Metrics metrics(wall_at_ten_hertz(), 20, true);
+  for (std::uint64_t k = 0; k < 10; ++k) metrics.add(at(k, 0.0, 0.0));
+  for (std::uint64_t k = 10; k < 20; ++k)
+    metrics.add(at(k, k % 2 == 0 ? 0.051 : 0.052, k % 2 == 0 ? 1.0 : 3.0));
+  const Summary summary = metrics.finish();
+  EXPECT_EQ(summary.verdict, Verdict::kOscillating);
+  EXPECT_NEAR(summary.tail_peak_to_peak_m, 1e-3, 1e-15);
+  EXPECT_NEAR(summary.tail_force_mean_n, 2.0, 1e-12);
+  EXPECT_NEAR(summary.tail_force_std_n, 1.0, 1e-12);
+  EXPECT_NEAR(summary.displayed_stiffness_n_per_m.value(), 2.0 / 1.5e-3, 1e-6);
+  EXPECT_NEAR(summary.max_penetration_m.value(), 2e-3, 1e-15);
+  EXPECT_EQ(summary.peak_force_n, 3.0);
+  EXPECT_EQ(summary.contacts, 1U);
+  EXPECT_EQ(summary.saturated_ticks, 0U);
+  EXPECT_EQ(summary.ticks, 20U);
+  EXPECT_DOUBLE_EQ(summary.duration_s, 2.0);
+}
+
+TEST(Metrics, SettledEndsAtATenthOfAMillimetre) {
+  for (const double amplitude_m : {0.99e-4, 1.01e-4}) {
+    Metrics metrics(wall_at_ten_hertz(), 10, true);
+    for (std::uint64_t k = 0; k < 10; ++k) metrics.add(at(k, k % 2 == 0 ? 0.0 : amplitude_m, 0.0));
+    EXPECT_EQ(metrics.finish().verdict,
+              amplitude_m > 1e-4 ? Verdict::kOscillating : Verdict::kSettled);
+  }
+}
+
+TEST(Metrics, CountsContactsAndSaturation) {
+  Metrics metrics(wall_at_ten_hertz(), 6, true);
+  const double positions[] = {0.04, 0.051, 0.04, 0.051, 0.052, 0.04};
+  for (std::uint64_t k = 0; k < 6; ++k)
+    metrics.add(at(k, positions[k], positions[k] > 0.05 ? 8.9 : 0.0));
+  const Summary summary = metrics.finish();
+  EXPECT_EQ(summary.contacts, 2U);
+  EXPECT_EQ(summary.saturated_ticks, 3U);
+}
+
+TEST(Metrics, WhatDoesNotApplyIsAbsent) {
+  Scene scene = wall_at_ten_hertz();
+  Metrics never_touched(scene, 2, false);
+  never_touched.add(at(0, 0.0, 0.0));
+  EXPECT_FALSE(never_touched.finish().displayed_stiffness_n_per_m.has_value());
+  EXPECT_FALSE(never_touched.finish().kinetic_j.has_value());
+  EXPECT_TRUE(never_touched.finish().max_penetration_m.has_value());
+  scene.walls.clear();
+  Metrics no_wall(scene, 2, false);
+  no_wall.add(at(0, 0.0, 0.0));
+  EXPECT_FALSE(no_wall.finish().max_penetration_m.has_value());
+}
+
+TEST(Metrics, ADivergedRunStopsCounting) {
+  for (const double bad : {1.5, std::numeric_limits<double>::quiet_NaN()}) {
+    Metrics metrics(wall_at_ten_hertz(), 10, true);
+    metrics.add(at(0, 0.0, 0.0));
+    metrics.add(at(1, bad, 0.0));
+    metrics.add(at(2, 0.0, 0.0));
+    const Summary summary = metrics.finish();
+    EXPECT_EQ(summary.verdict, Verdict::kDiverged);
+    EXPECT_EQ(summary.diverged_at_tick, std::optional<std::uint64_t>(1));
+    EXPECT_EQ(summary.ticks, 1U);
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall

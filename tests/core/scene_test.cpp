@@ -1,0 +1,115 @@
+#include "core/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "core/scene_keys.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall {
+namespace {
+
+Scene good_scene() {
+  Scene scene;
+  scene.name = "good";
+  scene.walls = {{0.05, 35e3, 0.0}};
+  scene.hand.emplace();
+  scene.hand->mass_kg = 0.4;
+  scene.hand->grip_stiffness_n_per_m = 1000.0;
+  scene.hand->grip_damping_n_s_per_m = 1.0;
+  scene.hand->path = {{0.0, 0.03}, {1.0, 0.06}};
+  return scene;
+}
+
+TEST(Validate, TakesAGoodScene) { EXPECT_FALSE(validate(good_scene()).has_value()); }
+
+struct BadScene {
+  std::function<void(Scene&)> spoil;
+  std::string key;
+};
+
+TEST(Validate, NamesTheKeyThatIsWrong) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<BadScene> table{
+      {[](Scene& s) { s.duration_s = 0.0; }, "duration_s"},
+      {[](Scene& s) {
+         s.duration_s = 1e6;
+         s.sampling.rate_hz = 1e5;
+       },
+       "duration_s"},
+      {[&](Scene& s) { s.sampling.rate_hz = nan; }, "sampling.rate_hz"},
+      {[](Scene& s) { s.sampling.rate_hz = 0.0; }, "sampling.rate_hz"},
+      {[](Scene& s) { s.device.mass_kg = -0.05; }, "device.mass_kg"},
+      {[](Scene& s) { s.device.mass_kg = 0.0; }, "device.mass_kg"},
+      {[&](Scene& s) { s.device.damping_n_s_per_m = infinity; }, "device.damping_n_s_per_m"},
+      {[](Scene& s) { s.device.friction_n = -1.0; }, "device.friction_n"},
+      {[](Scene& s) { s.device.encoder_m = 1.0; }, "device.encoder_m"},
+      {[](Scene& s) { s.device.force_limit_n = -1.0; }, "device.force_limit_n"},
+      {[](Scene& s) { s.device.start_m = 2.0; }, "device.start_m"},
+      {[](Scene& s) { s.walls[0].stiffness_n_per_m = 1e10; }, "wall.stiffness_n_per_m"},
+      {[](Scene& s) {
+         s.walls.push_back({0.06, -1.0, 0.0});
+       },
+       "wall[1].stiffness_n_per_m"},
+      {[](Scene& s) { s.walls.resize(9); }, "wall"},
+      {[](Scene& s) { s.hand->mass_kg.reset(); }, "hand.grip_stiffness_n_per_m"},
+      {[](Scene& s) { s.hand->grip_stiffness_n_per_m.reset(); }, "hand.grip_damping_n_s_per_m"},
+      {[](Scene& s) { s.hand->path.clear(); }, "hand.path"},
+      {[](Scene& s) { s.hand->follows_mouse = true; }, "hand.path"},
+      {[](Scene& s) {
+         s.hand->path = {{1.0, 0.03}, {1.0, 0.04}};
+       },
+       "hand.path[1]"},
+      {[](Scene& s) {
+         s.hand->path = {{-1.0, 0.03}};
+       },
+       "hand.path[0]"},
+      {[](Scene& s) {
+         s.hand->path = {{0.0, 3.0}};
+       },
+       "hand.path[0]"},
+      {[](Scene& s) { s.hand->path.resize(kMaximumPathPoints + 1); }, "hand.path"},
+      {[](Scene& s) { s.algorithm.index = 99; }, "algorithm.name"},
+      {[](Scene& s) { s.algorithm.values[*find_algorithm_parameter("rest_force_step_n")] = -1.0; },
+       "algorithm.rest_force_step_n"},
+      {[](Scene& s) { s.algorithm.values[*find_algorithm_parameter("observer")] = 7.0; },
+       "algorithm.observer"},
+      {[](Scene& s) {
+         s.algorithm.values[*find_algorithm_parameter("coupling_damping_n_s_per_m")] = 2.0;
+       },
+       "algorithm.coupling_damping_n_s_per_m"},
+      {[](Scene& s) { s.simulator.integrator = "magic"; }, "simulator.integrator"},
+  };
+  for (const BadScene& bad : table) {
+    Scene scene = good_scene();
+    bad.spoil(scene);
+    const auto problem = validate(scene);
+    ASSERT_TRUE(problem.has_value()) << bad.key;
+    EXPECT_EQ(problem->key, bad.key) << problem->message;
+    EXPECT_FALSE(problem->message.empty());
+    EXPECT_EQ(problem->message.find('\n'), std::string::npos);
+  }
+}
+
+TEST(Validate, AMouseHandNeedsNoPath) {
+  Scene scene = good_scene();
+  scene.hand->path.clear();
+  scene.hand->follows_mouse = true;
+  EXPECT_FALSE(validate(scene).has_value());
+}
+
+TEST(Scene, CountsItsTicks) {
+  Scene scene;
+  scene.duration_s = 0.3;
+  EXPECT_EQ(scene.tick_count(), 300U);
+  scene.duration_s = 1e-9;
+  EXPECT_EQ(scene.tick_count(), 1U);
+}
+
+}  // namespace
+}  // namespace hapticwall
