@@ -9,13 +9,13 @@ struct EnergyLedger {
   double scv_j = 0.0;     // Σ_{k<n} F(k) Δx_{k+1}         [paper, Eq. 10]
   double budget_j = 0.0;  // -T Σ_{k≤n} b v_k²             [paper, Eq. 16, 22]
 
-  // One row. Forces as really commanded. Realtime-safe: yes.
-  void add(double force_n, double previous_force_n, double displacement_m, double velocity_m_per_s,
-           double damping_n_s_per_m) {
+  // One row. Forces as really commanded; `budget_n_per_m` is b/T, because T b v² = (b/T) Δx².
+  // Realtime-safe: yes.
+  void add(double force_n, double previous_force_n, double displacement_m, double budget_n_per_m) {
     cv_j += force_n * displacement_m;
     hold_j += (previous_force_n - force_n) * displacement_m;
     scv_j += previous_force_n * displacement_m;
-    budget_j -= damping_n_s_per_m * velocity_m_per_s * displacement_m;  // T v = Δx
+    budget_j -= budget_n_per_m * (displacement_m * displacement_m);
   }
 };
 

@@ -36,7 +36,7 @@ Metrics::Metrics(const Scene& scene, std::uint64_t planned_ticks, bool has_truth
 void Metrics::add(const Sample& sample) {
   const double position_m = has_truth_ ? sample.truth.position_m : sample.position_m;
   if (diverged_at_tick_) return;
-  if (has_diverged(position_m, sample.force_n)) {
+  if (has_diverged(position_m) || !std::isfinite(sample.force_n)) {
     diverged_at_tick_ = sample.tick;
     return;
   }

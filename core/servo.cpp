@@ -30,8 +30,7 @@ void Servo::apply(const ServoSettings& settings) {
   settings_ = settings;
   const StabiliserContext context = stabiliser_context(settings_);
   stabilisers_.configure(context);
-  state_.period_s = settings_.period_s();
-  state_.believed_damping_n_s_per_m = believed_damping(context);
+  state_.budget_n_per_m = believed_damping(context) * settings_.rate_hz;
   state_.parameters_changed = true;
   if (switched) {
     stabilisers_.visit(settings_.algorithm.index, [](auto& stabiliser) { stabiliser.reset(); });
@@ -44,10 +43,9 @@ void Servo::apply(const ServoSettings& settings) {
 
 void Servo::reset() {
   stabilisers_.reset();
-  const double damping = state_.believed_damping_n_s_per_m;
+  const double budget_n_per_m = state_.budget_n_per_m;
   state_ = ServoState{};
-  state_.period_s = settings_.period_s();
-  state_.believed_damping_n_s_per_m = damping;
+  state_.budget_n_per_m = budget_n_per_m;
 }
 
 }  // namespace hapticwall

@@ -5,6 +5,21 @@
 
 namespace hapticwall {
 
+// Copies a simulator's truth into the sample between read and write.
+template <typename Device>
+struct TruthKeeper {
+  Device& device;
+  Sample& sample;
+
+  [[nodiscard]] DeviceReading read() { return device.read(); }
+  void write(double force_n) {
+    if constexpr (requires { device.truth(); }) {
+      if (const PlantTruth* truth = device.truth()) sample.truth = *truth;
+    }
+    device.write(force_n);
+  }
+};
+
 // Owns every algorithm and the state of the loop. Trivial to move at set-up, never allocates.
 // Realtime-safe: everything but nothing (constructor included).
 class Servo {
@@ -26,8 +41,11 @@ class Servo {
   template <typename Device>
   Sample tick(Device& device) {
     return with_algorithm([&](auto& stabiliser) {
+      // The truth is that of the instant of the reading: a simulator's write() lets the tick pass.
       Sample sample;
-      servo_step(settings_, state_, stabiliser, device, sample);
+      TruthKeeper<Device> keeper{device, sample};
+      const TickOutcome outcome = servo_step(settings_, state_, stabiliser, keeper);
+      write_sample(settings_, state_.ledger, outcome, sample);
       return sample;
     });
   }

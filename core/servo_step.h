@@ -31,7 +31,8 @@ struct ServoSettings {
   double rate_hz = 1000.0;
   double device_damping_n_s_per_m = 0.0;
   double encoder_m = 0.0;  // 0: none
-  double force_limit_n = std::numeric_limits<double>::infinity();
+  double force_limit_n =
+      std::numeric_limits<double>::max();  // finite, so that an infinite force is over it
   double maximum_age_s = kDefaultMaximumAgeS;
   double transition_s = kSwitchTransitionS;
   WallSet walls;
@@ -68,91 +69,107 @@ struct ServoState {
   std::uint64_t tick = 0;
   double previous_position_m = 0.0;
   double previous_force_n = 0.0;
-  double period_s = 1e-3;
-  double believed_damping_n_s_per_m = 0.0;  // for the ledger's budget
+  double budget_n_per_m = 0.0;  // b/T, b as the algorithm believes it
   EnergyLedger ledger;
   SwitchTransition transition;
   bool parameters_changed = false;
   bool failed = false;  // a force that was not finite; sticky until reset
 };
 
-namespace detail {
-
-struct LimitedForce {
-  double force_n = 0.0;
-  std::uint32_t flags = 0;
+// What happened in a tick. The ledger after it stands in ServoState.
+struct TickOutcome {
+  std::uint64_t tick = 0;
+  double position_m = 0.0;
+  double displacement_m = 0.0;
+  double velocity_m_per_s = 0.0;
+  WallContact contact;
+  double force_n = 0.0;  // as commanded
+  bool intervened = false;
+  bool saturated = false;
+  bool stale = false;
+  bool fault = false;
+  bool parameters_changed = false;
 };
 
-// Finite check, then clamp. Realtime-safe: yes.
-[[nodiscard]] inline LimitedForce limit_force(double wanted_n, double limit_n, bool usable,
-                                              ServoState& state) {
+namespace detail {
+
+// Finite check, then clamp; zero where the input was not to be trusted. Realtime-safe: yes.
+[[nodiscard]] inline double restrict_force(double wanted_n, double limit_n, bool usable,
+                                           ServoState& state) {
   if (!std::isfinite(wanted_n)) state.failed = true;
-  if (state.failed || !usable) return {0.0, 0};
-  const double force_n = std::clamp(wanted_n, -limit_n, limit_n);
-  return {force_n, force_n == wanted_n ? 0U : static_cast<std::uint32_t>(kFlagForceLimit)};
+  if (state.failed || !usable) return 0.0;
+  return std::clamp(wanted_n, -limit_n, limit_n);
 }
 
 }  // namespace detail
 
-// One tick. `device` has `DeviceReading read()` and `void write(double)`; its `truth()`, where it
-// has one, is copied into the sample before the write. Realtime-safe: yes, if the device is.
+// One tick. `device` has `DeviceReading read()` and `void write(double)`. Realtime-safe: yes, if
+// the device is.
 template <typename Device, typename Stabiliser>
-inline void servo_step(const ServoSettings& settings, ServoState& state, Stabiliser& stabiliser,
-                       Device& device, Sample& sample) {
+[[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
+                                                     ServoState& state, Stabiliser& stabiliser,
+                                                     Device& device) {
+  TickOutcome out;
   const DeviceReading reading = device.read();
-  const bool stale = !(reading.age_s <= settings.maximum_age_s);
-  const bool fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
-  const double position_m = fault ? state.previous_position_m : reading.position_m;
+  out.tick = state.tick;
+  out.stale = !(reading.age_s <= settings.maximum_age_s);
+  out.fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
+  out.position_m = out.fault ? state.previous_position_m : reading.position_m;
 
-  const double displacement_m = state.tick == 0 ? 0.0 : position_m - state.previous_position_m;
-  const double velocity_m_per_s = displacement_m * settings.rate_hz;
-  const WallContact contact = evaluate_walls(settings.walls, position_m, velocity_m_per_s);
+  out.displacement_m = state.tick == 0 ? 0.0 : out.position_m - state.previous_position_m;
+  out.velocity_m_per_s = out.displacement_m * settings.rate_hz;
+  out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
 
-  const StabiliserInput input{contact.force_n,       position_m,
-                              displacement_m,        velocity_m_per_s,
-                              contact.penetration_m, state.previous_force_n,
-                              contact.in_contact};
+  const StabiliserInput input{out.contact.force_n,       out.position_m,
+                              out.displacement_m,        out.velocity_m_per_s,
+                              out.contact.penetration_m, state.previous_force_n,
+                              out.contact.in_contact};
   double wanted_n = stabiliser.step(input);
-  std::uint32_t flags =
-      wanted_n == contact.force_n ? 0U : static_cast<std::uint32_t>(kFlagIntervened);
-  if (state.transition.ticks_left > 0) {
+  out.intervened = wanted_n != out.contact.force_n;
+  if (state.transition.ticks_left > 0) [[unlikely]] {
     wanted_n = state.transition.blend(wanted_n, state.previous_force_n);
   }
-  const detail::LimitedForce limited =
-      detail::limit_force(wanted_n, settings.force_limit_n, !stale && !fault, state);
-
-  if constexpr (requires { device.truth(); }) {
-    if (const PlantTruth* truth = device.truth()) sample.truth = *truth;
+  out.force_n = wanted_n;
+  if (out.stale || out.fault || state.failed || !(std::abs(wanted_n) <= settings.force_limit_n))
+      [[unlikely]] {
+    out.saturated = std::abs(wanted_n) > settings.force_limit_n;
+    out.force_n =
+        detail::restrict_force(wanted_n, settings.force_limit_n, !out.stale && !out.fault, state);
   }
-  device.write(limited.force_n);
+  device.write(out.force_n);
 
-  state.ledger.add(limited.force_n, state.previous_force_n, displacement_m, velocity_m_per_s,
-                   state.believed_damping_n_s_per_m);
-
-  flags |= limited.flags;
-  if (contact.in_contact) flags |= kFlagInContact;
-  if (stale) flags |= kFlagStaleInput;
-  if (fault) flags |= kFlagDeviceFault;
-  if (state.parameters_changed) flags |= kFlagParametersChanged;
-
-  sample.tick = state.tick;
-  sample.time_s = static_cast<double>(state.tick) / settings.rate_hz;
-  sample.position_m = position_m;
-  sample.velocity_m_per_s = velocity_m_per_s;
-  sample.penetration_m = contact.penetration_m;
-  sample.wall_force_n = contact.force_n;
-  sample.force_n = limited.force_n;
-  sample.stiffness_n_per_m = contact.in_contact ? limited.force_n / contact.penetration_m : 0.0;
-  sample.energy_cv_j = state.ledger.cv_j;
-  sample.energy_hold_j = state.ledger.hold_j;
-  sample.energy_scv_j = state.ledger.scv_j;
-  sample.energy_budget_j = state.ledger.budget_j;
-  sample.flags = flags;
-
-  state.previous_position_m = position_m;
-  state.previous_force_n = limited.force_n;
+  state.ledger.add(out.force_n, state.previous_force_n, out.displacement_m, state.budget_n_per_m);
+  state.previous_position_m = out.position_m;
+  state.previous_force_n = out.force_n;
+  out.parameters_changed = state.parameters_changed;
   state.parameters_changed = false;
   ++state.tick;
+  return out;
+}
+
+// The tick as it is plotted and recorded; truth and generation are the caller's. Realtime-safe:
+// yes.
+inline void write_sample(const ServoSettings& settings, const EnergyLedger& ledger,
+                         const TickOutcome& out, Sample& sample) {
+  sample.tick = out.tick;
+  sample.time_s = static_cast<double>(out.tick) / settings.rate_hz;
+  sample.position_m = out.position_m;
+  sample.velocity_m_per_s = out.velocity_m_per_s;
+  sample.penetration_m = out.contact.penetration_m;
+  sample.wall_force_n = out.contact.force_n;
+  sample.force_n = out.force_n;
+  sample.stiffness_n_per_m = out.contact.in_contact ? out.force_n / out.contact.penetration_m : 0.0;
+  sample.energy_cv_j = ledger.cv_j;
+  sample.energy_hold_j = ledger.hold_j;
+  sample.energy_scv_j = ledger.scv_j;
+  sample.energy_budget_j = ledger.budget_j;
+  const auto flag = [](bool set, SampleFlag bit) {
+    return set ? static_cast<std::uint32_t>(bit) : 0U;
+  };
+  sample.flags = flag(out.contact.in_contact, kFlagInContact) |
+                 flag(out.saturated, kFlagForceLimit) | flag(out.intervened, kFlagIntervened) |
+                 flag(out.stale, kFlagStaleInput) | flag(out.fault, kFlagDeviceFault) |
+                 flag(out.parameters_changed, kFlagParametersChanged);
 }
 
 }  // namespace hapticwall

@@ -16,37 +16,46 @@ namespace {
 // Ticks between two questions whether to stop.
 constexpr std::uint64_t kChunkTicks = 1024;
 
-// The plant as the servo step sees it. What the scene does not name is not in the type.
-template <typename Plant, bool kEncoder, bool kTruth>
+// The plant as the servo step sees it: a position to read and a force to hold. What the scene does
+// not name is not in the type.
+template <typename Plant, bool kEncoder>
 class HeadlessDevice {
  public:
-  HeadlessDevice(Plant& plant, double encoder_m) : plant_(plant), encoder_m_(encoder_m) {}
+  HeadlessDevice(Plant& plant, double encoder_m)
+      : plant_(plant), motion_(plant.motion()), encoder_m_(encoder_m) {}
 
   DeviceReading read() const {
-    double position_m = plant_.position_m();
+    double position_m = true_position_m();
     if constexpr (kEncoder) position_m = quantise(position_m, encoder_m_);
     return {position_m, 0.0, DeviceState::kOk};
   }
   void write(double force_n) { force_n_ = force_n; }
-  const PlantTruth* truth() requires kTruth {
-    plant_.write_truth(truth_);
-    return &truth_;
-  }
 
-  [[nodiscard]] double true_position_m() const { return plant_.position_m(); }
+  [[nodiscard]] double true_position_m() const { return motion_.body.position_m; }
+  [[nodiscard]] double net_work_j() const { return plant_.net_work_j(motion_); }
+  void write_truth(PlantTruth& truth) const { plant_.write_truth(motion_, truth); }
+
   // The time between two ticks passes.
-  void pass_tick() { plant_.advance(force_n_); }
-  // Net work of the hand by the plant's account, less the kinetic energy at the start.
-  [[nodiscard]] double net_work_j() const {
-    const EnergyTotals& energy = plant_.energy();
-    return energy.actuator_work_j + energy.dissipation_j() + plant_.kinetic_j();
+  void pass_tick() {
+    if (plant_.try_tick(motion_, force_n_)) [[likely]] {
+      return;
+    }
+    plant_.resume(motion_);
+    advance_plant(plant_, force_n_);
+    motion_ = plant_.motion();
   }
+  void give_back() { plant_.resume(motion_); }
 
  private:
+  // Out of line: the loop's own state must not have an address.
+  [[gnu::noinline]] static void advance_plant(Plant& plant, double force_n) {
+    plant.advance(force_n);
+  }
+
   Plant& plant_;
+  typename Plant::Motion motion_;
   double encoder_m_;
   double force_n_ = 0.0;
-  PlantTruth truth_;
 };
 
 class Simulation {
@@ -56,9 +65,7 @@ class Simulation {
         options_(options),
         servo_(servo_settings(scene)),
         plant_(make_plant(scene)),
-        metrics_(tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz)) {
-    initial_kinetic_j_ = std::visit([](auto& plant) { return plant.kinetic_j(); }, plant_);
-  }
+        metrics_(tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz)) {}
 
   SimulationResult run() {
     const std::uint64_t ticks = scene_.tick_count();
@@ -81,7 +88,9 @@ class Simulation {
     result.final_state.tick = servo_.state().tick;
     result.final_state.time_s =
         static_cast<double>(servo_.state().tick) / servo_.settings().rate_hz;
-    std::visit([&](auto& plant) { plant.write_truth(result.final_state.truth); }, plant_);
+    std::visit(
+        [&](const auto& plant) { plant.write_truth(plant.motion(), result.final_state.truth); },
+        plant_);
     return result;
   }
 
@@ -109,31 +118,44 @@ class Simulation {
         plant_);
   }
 
+  // Works on copies and gives them back at the end, so that the loop's state can live in registers.
   template <bool kEncoder, bool kLog, typename Plant, typename Stabiliser>
-  void run_loop(Plant& plant, Stabiliser& stabiliser, std::uint64_t end) {
-    const ServoSettings& settings = servo_.settings();
-    ServoState& state = servo_.state();
-    HeadlessDevice<Plant, kEncoder, kLog> device(plant, settings.encoder_m);
+  [[gnu::flatten]] void run_loop(Plant& plant, Stabiliser& shared_stabiliser, std::uint64_t end) {
+    const ServoSettings settings = servo_.settings();
+    Stabiliser stabiliser = shared_stabiliser;
+    ServoState state = servo_.state();
+    TickMetrics metrics = metrics_;
+    HeadlessDevice<Plant, kEncoder> device(plant, settings.encoder_m);
+    std::optional<std::uint64_t> diverged_at_tick;
     Sample sample;
     while (state.tick < end) {
       const double true_position_m = device.true_position_m();
-      if (has_diverged(true_position_m, 0.0)) {
-        diverged_at_tick_ = state.tick;
-        return;
+      if (has_diverged(true_position_m)) [[unlikely]] {
+        diverged_at_tick = state.tick;
+        break;
       }
-      servo_step(settings, state, stabiliser, device, sample);
-      if (state.failed) {
-        diverged_at_tick_ = sample.tick;
-        return;
+      const TickOutcome outcome = servo_step(settings, state, stabiliser, device);
+      if (state.failed) [[unlikely]] {
+        diverged_at_tick = outcome.tick;
+        break;
       }
-      if constexpr (kLog) options_.on_sample(sample);
-      metrics_.add(sample.tick,
-                   {true_position_m, sample.penetration_m, sample.force_n,
-                    (sample.flags & kFlagInContact) != 0, (sample.flags & kFlagForceLimit) != 0},
-                   state.ledger);
+      if constexpr (kLog) {
+        write_sample(settings, state.ledger, outcome, sample);
+        device.write_truth(sample.truth);
+        options_.on_sample(sample);
+      }
+      metrics.add(outcome.tick,
+                  {true_position_m, outcome.contact.penetration_m, outcome.force_n,
+                   outcome.contact.in_contact, outcome.saturated},
+                  state.ledger);
       device.pass_tick();
-      metrics_.add_net_work(device.net_work_j() - initial_kinetic_j_);
+      metrics.add_net_work(device.net_work_j());
     }
+    device.give_back();
+    shared_stabiliser = stabiliser;
+    servo_.state() = state;
+    metrics_ = metrics;
+    diverged_at_tick_ = diverged_at_tick;
   }
 
   [[nodiscard]] Summary summary() const;
@@ -143,7 +165,6 @@ class Simulation {
   Servo servo_;
   PlantVariant plant_;
   TickMetrics metrics_;
-  double initial_kinetic_j_ = 0.0;
   std::optional<std::uint64_t> diverged_at_tick_;
 };
 
@@ -171,9 +192,10 @@ Summary Simulation::summary() const {
         summary.kinetic_j = plant.kinetic_j();
       },
       plant_);
+  // Every scene starts at rest: there is no kinetic energy at the start.
   summary.energy_balance_error_j =
-      *summary.true_hand_work_j - (*summary.kinetic_j - initial_kinetic_j_ +
-                                   *summary.true_dissipation_j + *summary.true_actuator_work_j);
+      *summary.true_hand_work_j -
+      (*summary.kinetic_j + *summary.true_dissipation_j + *summary.true_actuator_work_j);
   summary.passivity_margin_j = metrics_.passivity_margin_j();
   return summary;
 }

@@ -41,17 +41,24 @@ struct WallContact {
 };
 
 // Realtime-safe: yes.
-[[nodiscard]] inline WallContact evaluate_walls(const WallSet& set, double position_m,
-                                                double velocity_m_per_s) {
-  WallContact contact;
-  if (set.empty()) return contact;
-  contact.penetration_m = position_m - set.walls().front().position_m;
-  contact.in_contact = contact.penetration_m > 0.0;
-  for (const WallSettings& wall : set.walls()) {
-    const double penetration_m = position_m - wall.position_m;
-    if (penetration_m <= 0.0) break;
-    contact.force_n += std::max(
+[[nodiscard, gnu::always_inline]] inline WallContact evaluate_walls(const WallSet& set,
+                                                                    double position_m,
+                                                                    double velocity_m_per_s) {
+  const auto force_n = [&](const WallSettings& wall, double penetration_m) {
+    return std::max(
         0.0, wall.stiffness_n_per_m * penetration_m + wall.damping_n_s_per_m * velocity_m_per_s);
+  };
+  WallContact contact;
+  const std::span<const WallSettings> walls = set.walls();
+  if (walls.empty()) return contact;
+  contact.penetration_m = position_m - walls.front().position_m;
+  contact.in_contact = contact.penetration_m > 0.0;
+  if (!contact.in_contact) return contact;
+  contact.force_n = force_n(walls.front(), contact.penetration_m);
+  for (const WallSettings& deeper : walls.subspan(1)) {
+    const double penetration_m = position_m - deeper.position_m;
+    if (penetration_m <= 0.0) break;
+    contact.force_n += force_n(deeper, penetration_m);
   }
   return contact;
 }

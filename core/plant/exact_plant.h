@@ -19,72 +19,123 @@ namespace hapticwall {
 template <typename Body, bool kFriction>
 class ExactPlant {
  public:
+  // What changes from tick to tick. A loop may keep a copy of its own (of the plant's), pass ticks
+  // with try_tick() as long as that works, and give it back with resume().
+  struct Motion {
+    typename Body::State body;
+    EnergyTotals energy;
+    double direction = 0.0;  // of sliding: +1, -1, or 0 while the handle sticks
+    StraightPath path;       // of the hand
+  };
+
   // `friction_n`: Coulomb friction f_c ≥ 0; not read where kFriction is false.
-  ExactPlant(Body body, HandPath path, double period_s, double friction_n)
-      : body_(std::move(body)),
+  ExactPlant(const Body& body, HandPath path, double period_s, double start_m, double friction_n)
+      : body_(body),
         path_(std::move(path)),
         period_s_(period_s),
-        friction_n_(friction_n) {}
+        start_m_(start_m),
+        friction_n_(friction_n) {
+    reset();
+  }
 
   void reset() {
-    body_.reset();
+    motion_ = {};
+    motion_.body = Body::at_rest(start_m_);
     path_.reset();
-    energy_ = {};
-    direction_ = 0.0;
   }
 
   [[nodiscard]] HandPath& path() { return path_; }
-  [[nodiscard]] double position_m() const { return body_.position_m(); }
-  [[nodiscard]] const EnergyTotals& energy() const { return energy_; }
-  [[nodiscard]] double kinetic_j() const { return body_.kinetic_j(); }
+  [[nodiscard]] double position_m() const { return motion_.body.position_m; }
+  [[nodiscard]] const EnergyTotals& energy() const { return motion_.energy; }
+  [[nodiscard]] double kinetic_j() const { return body_.kinetic_j(motion_.body); }
   [[nodiscard]] std::uint64_t friction_events() const { return friction_events_; }
 
-  void write_truth(PlantTruth& truth) const {
-    truth.position_m = body_.position_m();
-    truth.velocity_m_per_s = body_.velocity_m_per_s();
-    truth.hand_path_m = path_.position_m();
-    truth.hand_force_n = body_.hand_force_n(drive());
-    truth.actuator_work_j = energy_.actuator_work_j;
-    truth.dissipation_j = energy_.dissipation_j();
-    truth.hand_work_j = energy_.hand_work_j;
-    truth.kinetic_j = body_.kinetic_j();
+  [[nodiscard]] Motion motion() const {
+    Motion motion = motion_;
+    motion.path = path_.straight();
+    return motion;
+  }
+  void resume(const Motion& motion) {
+    motion_ = motion;
+    path_.resume(motion.path);
+  }
+  // Work that the hand has done on the handle so far by the plant's own account: what went into the
+  // actuator and the device's losses, and what still moves.
+  [[nodiscard]] double net_work_j(const Motion& motion) const {
+    const EnergyTotals& energy = motion.energy;
+    const double loss_j = kFriction ? energy.dissipation_j() : energy.viscous_j;
+    return energy.actuator_work_j + loss_j + body_.kinetic_j(motion.body);
+  }
+  void write_truth(const Motion& motion, PlantTruth& truth) const {
+    truth.position_m = motion.body.position_m;
+    truth.velocity_m_per_s = motion.body.velocity_m_per_s;
+    truth.hand_path_m = motion.path.position_m;
+    truth.hand_force_n = body_.hand_force_n(motion.body, drive(motion));
+    truth.actuator_work_j = motion.energy.actuator_work_j;
+    truth.dissipation_j = motion.energy.dissipation_j();
+    truth.hand_work_j = motion.energy.hand_work_j;
+    truth.kinetic_j = body_.kinetic_j(motion.body);
+  }
+
+  // A tick under the held actuator force, where nothing happens in its course: the path goes on
+  // straight and the handle surely slides on. False: nothing was done, advance() is needed.
+  [[nodiscard, gnu::always_inline]] bool try_tick(Motion& motion, double force_n) const {
+    if (!motion.path.goes_on()) [[unlikely]] {
+      return false;
+    }
+    if (!try_straight_tick(motion, force_n)) return false;
+    motion.path.next_tick();
+    return true;
   }
 
   // From this tick to the next under the held actuator force.
   void advance(double force_n) {
-    if (path_.bends_within_tick()) [[unlikely]] {
+    motion_.path = path_.straight();
+    if (path_.bends_within_tick()) {
       do {
         advance_piece(force_n, path_.piece_fraction() * period_s_);
       } while (path_.next_piece());
-    } else if constexpr (kFriction) {
-      const HandDrive now = drive();
-      if (direction_ != 0.0 && body_.surely_keeps_direction(load(force_n), now, direction_)) {
-        account(force_n, body_.advance_tick(load(force_n), now));
-      } else {
-        advance_piece(force_n, period_s_);
-      }
-    } else {
-      account(force_n, body_.advance_tick(force_n, drive()));
+    } else if (!try_straight_tick(motion_, force_n)) {
+      advance_piece(force_n, period_s_);
     }
     path_.next_tick();
   }
 
  private:
-  [[nodiscard]] HandDrive drive() const { return {path_.position_m(), path_.velocity_m_per_s()}; }
-  [[nodiscard]] double load(double force_n) const { return force_n + direction_ * friction_n_; }
+  [[nodiscard]] static HandDrive drive(const Motion& motion) {
+    return {motion.path.position_m, motion.path.velocity_m_per_s};
+  }
+  [[nodiscard]] double load(const Motion& motion, double force_n) const {
+    return kFriction ? force_n + motion.direction * friction_n_ : force_n;
+  }
 
-  void account(double force_n, const MotionIncrement& increment) {
-    energy_.actuator_work_j += force_n * increment.displacement_m;
-    energy_.viscous_j += body_.damping_n_s_per_m() * increment.velocity_squared;
+  [[gnu::always_inline]] void account(Motion& motion, double force_n,
+                                      const MotionIncrement& increment) const {
+    motion.energy.actuator_work_j += force_n * increment.displacement_m;
+    motion.energy.viscous_j += body_.damping_n_s_per_m() * increment.velocity_squared;
     if constexpr (kFriction) {
-      energy_.friction_j += friction_n_ * std::abs(increment.displacement_m);
+      motion.energy.friction_j += friction_n_ * std::abs(increment.displacement_m);
     }
-    energy_.hand_work_j += increment.hand_work_j;
+    motion.energy.hand_work_j += increment.hand_work_j;
+  }
+
+  // The whole tick by the scene's matrix; false where friction might interrupt it.
+  [[nodiscard, gnu::always_inline]] bool try_straight_tick(Motion& motion, double force_n) const {
+    const HandDrive now = drive(motion);
+    const double load_n = load(motion, force_n);
+    if constexpr (kFriction) {
+      if (motion.direction == 0.0 ||
+          !body_.surely_keeps_direction(motion.body, load_n, now, motion.direction)) {
+        return false;
+      }
+    }
+    account(motion, force_n, body_.advance_tick(motion.body, load_n, now));
+    return true;
   }
 
   // A stretch in which the path is straight, in steps within the Taylor polynomials' reach.
   void advance_piece(double force_n, double duration_s) {
-    HandDrive now = drive();
+    HandDrive now{path_.position_m(), path_.velocity_m_per_s()};
     double done_s = 0.0;
     int events_at_one_instant = 0;
     while (done_s < duration_s) {
@@ -96,7 +147,8 @@ class ExactPlant {
         events_at_one_instant = fraction > 0.0 ? 0 : events_at_one_instant + 1;
         step_s *= fraction;
       } else {
-        account(force_n, body_.advance(body_.slide(force_n, now, step_s, 0.0), now, 1.0));
+        const auto slide = body_.slide(motion_.body, force_n, now, step_s, 0.0);
+        account(motion_, force_n, body_.advance(motion_.body, slide, now, 1.0));
       }
       done_s += step_s;
       now.position_m = path_.position_m() + path_.velocity_m_per_s() * done_s;
@@ -108,26 +160,26 @@ class ExactPlant {
   // one instant, `may_break_loose` is false and the handle rests for this step.
   double advance_with_friction(double force_n, const HandDrive& now, double step_s,
                                bool may_break_loose) {
-    return direction_ == 0.0 ? advance_sticking(force_n, now, step_s, may_break_loose)
-                             : advance_sliding(force_n, now, step_s);
+    return motion_.direction == 0.0 ? advance_sticking(force_n, now, step_s, may_break_loose)
+                                    : advance_sliding(force_n, now, step_s);
   }
 
   double advance_sliding(double force_n, const HandDrive& now, double step_s) {
     // Just broken loose: the net force is the friction up to rounding, and must not pull back.
-    const double push = body_.velocity_m_per_s() == 0.0 ? direction_ : 0.0;
-    const auto slide = body_.slide(load(force_n), now, step_s, push);
-    const auto stop = first_crossing(slide.velocity, direction_);
-    account(force_n, body_.advance(slide, now, stop.value_or(1.0)));
+    const double push = motion_.body.velocity_m_per_s == 0.0 ? motion_.direction : 0.0;
+    const auto slide = body_.slide(motion_.body, load(motion_, force_n), now, step_s, push);
+    const auto stop = first_crossing(slide.velocity, motion_.direction);
+    account(motion_, force_n, body_.advance(motion_.body, slide, now, stop.value_or(1.0)));
     if (!stop) return 1.0;
-    body_.stop();
-    direction_ = 0.0;
+    motion_.body.velocity_m_per_s = 0.0;
+    motion_.direction = 0.0;
     ++friction_events_;
     return *stop;
   }
 
   double advance_sticking(double force_n, const HandDrive& now, double step_s,
                           bool may_break_loose) {
-    const auto stick = body_.stick(force_n, now, step_s);
+    const auto stick = body_.stick(motion_.body, force_n, now, step_s);
     double theta = 1.0;
     double direction = 0.0;
     for (const double side : {1.0, -1.0}) {
@@ -143,9 +195,9 @@ class ExactPlant {
         direction = side;
       }
     }
-    body_.advance(stick, theta);
+    Body::advance(motion_.body, stick, theta);
     if (direction != 0.0) {
-      direction_ = direction;
+      motion_.direction = direction;
       ++friction_events_;
     }
     return theta;
@@ -159,9 +211,9 @@ class ExactPlant {
   Body body_;
   HandPath path_;
   double period_s_;
+  double start_m_;
   double friction_n_;
-  EnergyTotals energy_;
-  double direction_ = 0.0;  // of sliding: +1, -1, or 0 while the handle sticks
+  Motion motion_;  // its path is set anew from path_ at every tick
   std::uint64_t friction_events_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hapticwall {
 namespace {
@@ -19,8 +20,8 @@ double snap_to_tick(double ticks) {
 
 HandPath::HandPath(double position_m) : segments_{{0.0, position_m, 0.0}} { reset(); }
 
-HandPath::HandPath(const std::vector<PathPoint>& points, double rate_hz)
-    : rate_hz_(rate_hz), period_s_(1.0 / rate_hz) {
+HandPath::HandPath(const std::vector<PathPoint>& points, double rate_hz) : rate_hz_(rate_hz) {
+  now_.period_s = 1.0 / rate_hz;
   segments_.reserve(points.size() + 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool last = i + 1 == points.size();
@@ -35,7 +36,7 @@ HandPath::HandPath(const std::vector<PathPoint>& points, double rate_hz)
 }
 
 void HandPath::reset() {
-  tick_ = 0;
+  now_.tick = 0;
   segment_ = 0;
   lead_ = Lead::kScript;
   piece_begin_ = 0.0;
@@ -44,20 +45,25 @@ void HandPath::reset() {
 
 double HandPath::scripted_position_m(double tick) const {
   const Segment& segment = segments_[segment_];
-  return segment.position_m + segment.velocity_m_per_s * ((tick - segment.begin_tick) * period_s_);
+  return segment.position_m +
+         segment.velocity_m_per_s * ((tick - segment.begin_tick) * now_.period_s);
 }
 
-// Sets position, speed and end of the straight piece that begins at tick_ + piece_begin_.
+// Sets position, speed and end of the straight piece that begins at now_.tick + piece_begin_.
 void HandPath::set_piece() {
-  const double now = static_cast<double>(tick_) + piece_begin_;
+  const double now = static_cast<double>(now_.tick) + piece_begin_;
   while (segment_ + 1 < segments_.size() && segments_[segment_ + 1].begin_tick <= now) ++segment_;
-  const double tick_end = static_cast<double>(tick_ + 1);
+  const double tick_end = static_cast<double>(now_.tick + 1);
   const double next =
       segment_ + 1 < segments_.size() ? segments_[segment_ + 1].begin_tick : tick_end;
   bends_ = next < tick_end || piece_begin_ > 0.0;
-  piece_end_ = next < tick_end ? next - static_cast<double>(tick_) : 1.0;
-  position_m_ = scripted_position_m(now);
-  velocity_m_per_s_ = segments_[segment_].velocity_m_per_s;
+  piece_end_ = next < tick_end ? next - static_cast<double>(now_.tick) : 1.0;
+  now_.position_m = scripted_position_m(now);
+  const Segment& segment = segments_[segment_];
+  now_.velocity_m_per_s = segment.velocity_m_per_s;
+  now_.segment_begin_tick = segment.begin_tick;
+  now_.segment_position_m = segment.position_m;
+  now_.straight_until_tick = bends_ ? 0 : straight_until();
 }
 
 bool HandPath::next_piece() {
@@ -67,14 +73,20 @@ bool HandPath::next_piece() {
   return true;
 }
 
-void HandPath::next_tick() {
-  ++tick_;
+// The tick in whose course the present segment ends (it is not wholly inside), or never.
+std::uint64_t HandPath::straight_until() const {
+  if (segment_ + 1 >= segments_.size()) return std::numeric_limits<std::uint64_t>::max();
+  return static_cast<std::uint64_t>(std::floor(segments_[segment_ + 1].begin_tick));
+}
+
+void HandPath::enter_tick() {
+  ++now_.tick;
   if (lead_ == Lead::kScript) {
     piece_begin_ = 0.0;
     set_piece();
     return;
   }
-  position_m_ = next_position_m_;
+  now_.position_m = next_position_m_;
   aim();
 }
 
@@ -92,10 +104,11 @@ void HandPath::release() {
 
 // One tick towards the pointer, or back to the script, at a limited speed.
 void HandPath::aim() {
+  now_.straight_until_tick = 0;
   bends_ = false;
   piece_begin_ = 0.0;
   piece_end_ = 1.0;
-  const double end_tick = static_cast<double>(tick_ + 1);
+  const double end_tick = static_cast<double>(now_.tick + 1);
   double target_m = pointer_m_;
   if (lead_ == Lead::kReturning) {
     while (segment_ + 1 < segments_.size() && segments_[segment_ + 1].begin_tick <= end_tick) {
@@ -103,9 +116,9 @@ void HandPath::aim() {
     }
     target_m = scripted_position_m(end_tick);
   }
-  const double reach_m = kMaximumPointerSpeedMPerS * period_s_;
-  next_position_m_ = position_m_ + std::clamp(target_m - position_m_, -reach_m, reach_m);
-  velocity_m_per_s_ = (next_position_m_ - position_m_) * rate_hz_;
+  const double reach_m = kMaximumPointerSpeedMPerS * now_.period_s;
+  next_position_m_ = now_.position_m + std::clamp(target_m - now_.position_m, -reach_m, reach_m);
+  now_.velocity_m_per_s = (next_position_m_ - now_.position_m) * rate_hz_;
   if (lead_ == Lead::kReturning && next_position_m_ == target_m) lead_ = Lead::kScript;
 }
 

@@ -14,6 +14,29 @@ namespace hapticwall {
 // Positions that a pointer asks for are approached no faster than this, as an arm would.
 inline constexpr double kMaximumPointerSpeedMPerS = 1.0;
 
+// The hand's intention at a tick and, while the path stays straight, at the ticks that follow.
+// Realtime-safe: yes.
+struct StraightPath {
+  std::uint64_t tick = 0;
+  // The first tick that is not wholly inside the present segment; 0 while a pointer leads.
+  std::uint64_t straight_until_tick = 0;
+  double segment_begin_tick = 0.0;
+  double segment_position_m = 0.0;
+  double period_s = 1.0;
+  double position_m = 0.0;
+  double velocity_m_per_s = 0.0;
+
+  // True where the next tick is wholly inside the segment too.
+  [[nodiscard]] bool goes_on() const { return tick + 1 < straight_until_tick; }
+  // To the next tick. Precondition: goes_on().
+  void next_tick() {
+    ++tick;
+    if (velocity_m_per_s == 0.0) return;
+    const auto ticks = static_cast<double>(static_cast<std::int64_t>(tick));
+    position_m = segment_position_m + velocity_m_per_s * ((ticks - segment_begin_tick) * period_s);
+  }
+};
+
 class HandPath {
  public:
   // A path that stays at `position_m` (a scene without a hand).
@@ -23,8 +46,8 @@ class HandPath {
   // Realtime-safe: yes, all that follows.
   void reset();
   // Intended position at the present instant, and its speed until remaining_in_piece() is over.
-  [[nodiscard]] double position_m() const { return position_m_; }
-  [[nodiscard]] double velocity_m_per_s() const { return velocity_m_per_s_; }
+  [[nodiscard]] double position_m() const { return now_.position_m; }
+  [[nodiscard]] double velocity_m_per_s() const { return now_.velocity_m_per_s; }
   // True where a point of the script lies strictly inside the present tick.
   [[nodiscard]] bool bends_within_tick() const { return bends_; }
   // Length of the present straight piece, as a fraction of the tick; 1 where nothing bends.
@@ -32,7 +55,16 @@ class HandPath {
   // Goes on to the next piece of the same tick; false at the end of the tick.
   bool next_piece();
   // To the next tick.
-  void next_tick();
+  void next_tick() {
+    if (now_.goes_on()) {
+      now_.next_tick();
+    } else {
+      enter_tick();
+    }
+  }
+  // A copy that goes on by itself while the path is straight, and the way back.
+  [[nodiscard]] const StraightPath& straight() const { return now_; }
+  void resume(const StraightPath& straight) { now_ = straight; }
 
   void lead_to(double position_m);
   void release();
@@ -47,19 +79,18 @@ class HandPath {
   };
 
   [[nodiscard]] double scripted_position_m(double tick) const;
+  [[nodiscard]] std::uint64_t straight_until() const;
+  void enter_tick();
   void set_piece();
   void aim();
 
   double rate_hz_ = 1.0;
-  double period_s_ = 1.0;
   std::vector<Segment> segments_;
 
-  std::uint64_t tick_ = 0;
+  StraightPath now_;
   std::size_t segment_ = 0;
   double piece_begin_ = 0.0;
   double piece_end_ = 1.0;
-  double position_m_ = 0.0;
-  double velocity_m_per_s_ = 0.0;
   bool bends_ = false;
   Lead lead_ = Lead::kScript;
   double pointer_m_ = 0.0;

@@ -27,7 +27,11 @@ struct OneBodyParameters {
 
 class OneBody {
  public:
-  // A stretch of h seconds: u(θ), θ = t/h.
+  struct State {
+    double position_m = 0.0;
+    double velocity_m_per_s = 0.0;
+  };
+  // A piece of h seconds: u(θ), θ = t/h.
   struct Slide {
     TaylorPolynomial velocity;           // v, m/s
     TaylorPolynomial relative_velocity;  // u
@@ -38,105 +42,116 @@ class OneBody {
     double duration_s = 0.0;
   };
 
-  OneBody(const OneBodyParameters& parameters, double period_s, double start_m);
+  OneBody(const OneBodyParameters& parameters, double period_s);
 
   // Realtime-safe: yes, all that follows.
-  void reset();
-  [[nodiscard]] double position_m() const { return position_m_; }
-  [[nodiscard]] double velocity_m_per_s() const { return velocity_m_per_s_; }
-  [[nodiscard]] double kinetic_j() const {
-    return 0.5 * parameters_.mass_kg * velocity_m_per_s_ * velocity_m_per_s_;
+  [[nodiscard]] static State at_rest(double position_m) { return {position_m, 0.0}; }
+  [[nodiscard]] double kinetic_j(const State& state) const {
+    return half_mass_kg_ * (state.velocity_m_per_s * state.velocity_m_per_s);
   }
   [[nodiscard]] double damping_n_s_per_m() const { return parameters_.damping_n_s_per_m; }
-  [[nodiscard]] double hand_force_n(const HandDrive& drive) const {
-    return parameters_.hand_stiffness_n_per_m * (drive.position_m - position_m_) +
-           parameters_.hand_damping_n_s_per_m * (drive.velocity_m_per_s - velocity_m_per_s_);
+  [[nodiscard]] double hand_force_n(const State& state, const HandDrive& drive) const {
+    return parameters_.hand_stiffness_n_per_m * (drive.position_m - state.position_m) +
+           parameters_.hand_damping_n_s_per_m * (drive.velocity_m_per_s - state.velocity_m_per_s);
   }
 
   // A whole tick under a constant load, by the scene's matrix.
-  [[nodiscard]] MotionIncrement advance_tick(double load_n, const HandDrive& drive);
+  [[nodiscard]] MotionIncrement advance_tick(State& state, double load_n,
+                                             const HandDrive& drive) const;
 
   // True only if v keeps its sign (that of `direction`, ±1) over a whole tick; false may be a
   // doubt.
-  [[nodiscard]] bool surely_keeps_direction(double load_n, const HandDrive& drive,
-                                            double direction) const;
+  [[nodiscard]] bool surely_keeps_direction(const State& state, double load_n,
+                                            const HandDrive& drive, double direction) const;
 
   // Parts of a tick, for friction and bends of the path. Durations at most longest_stretch_s().
   [[nodiscard]] double longest_stretch_s() const { return longest_stretch_s_; }
-  [[nodiscard]] Slide slide(double load_n, const HandDrive& drive, double duration_s,
-                            double minimum_acceleration_sign) const;
-  [[nodiscard]] MotionIncrement advance(const Slide& slide, const HandDrive& drive, double theta);
-  [[nodiscard]] Stick stick(double force_n, const HandDrive& drive, double duration_s) const;
-  void advance(const Stick& /*stick*/, double /*theta*/) {}
-  void stop() { velocity_m_per_s_ = 0.0; }
+  [[nodiscard]] Slide slide(const State& state, double load_n, const HandDrive& drive,
+                            double duration_s, double minimum_acceleration_sign) const;
+  [[nodiscard]] MotionIncrement advance(State& state, const Slide& slide, const HandDrive& drive,
+                                        double theta) const;
+  [[nodiscard]] Stick stick(const State& state, double force_n, const HandDrive& drive,
+                            double duration_s) const;
+  static void advance(State& /*state*/, const Stick& /*stick*/, double /*theta*/) {}
 
  private:
-  [[nodiscard]] double acceleration(double load_n, const HandDrive& drive) const {
-    return (hand_force_n(drive) - load_n - parameters_.damping_n_s_per_m * velocity_m_per_s_) /
-           parameters_.mass_kg;
+  // The load last: it is what arrives last in a tick.
+  [[nodiscard]] double net_force_n(const State& state, double load_n,
+                                   const HandDrive& drive) const {
+    return (hand_force_n(state, drive) - parameters_.damping_n_s_per_m * state.velocity_m_per_s) -
+           load_n;
   }
   // ∫F_h v dt from ∫u, ∫∫u, ∫u²: F_h = k_h e - b_h u with e = p - x, e' = -u, v = u + s.
-  [[nodiscard]] double hand_work(const HandDrive& drive, double duration_s, double integral_u,
-                                 double double_integral_u, double integral_u_squared) const;
+  // `stretch_m`: p - x at the start.
+  [[nodiscard]] double hand_work(double stretch_m, double speed_m_per_s, double duration_s,
+                                 double integral_u, double double_integral_u,
+                                 double integral_u_squared) const;
 
-  // Rows of the scene's matrix: what u and a at the start of a tick become.
+  // Rows of the scene's matrix: what u and the net force f = m a at the start of a tick become.
   struct Rows {
     double velocity[2];         // v(T) - v(0)
     double integral[2];         // ∫u
     double double_integral[2];  // ∫∫u
-    double square[3];           // ∫u² = square · (u², ua, a²)
+    double square[3];           // ∫u² = square · (u², uf, f²)
   };
 
   OneBodyParameters parameters_;
   double period_s_;
-  double start_m_;
+  double half_mass_kg_;
   Rows rows_{};
   double longest_stretch_s_ = 0.0;
   double natural_rate_per_s_ = 0.0;  // sqrt(k_h/m)
   double damping_rate_per_s_ = 0.0;  // (b + b_h)/m
   double jerk_bound_ = 0.0;
-
-  double position_m_ = 0.0;
-  double velocity_m_per_s_ = 0.0;
 };
 
 // ---- the tick itself, inline: it is the inner loop ----
 
-inline double OneBody::hand_work(const HandDrive& drive, double duration_s, double integral_u,
-                                 double double_integral_u, double integral_u_squared) const {
-  const double stretch_m = drive.position_m - position_m_;  // at the start
-  const double speed = drive.velocity_m_per_s;
-  return parameters_.hand_stiffness_n_per_m *
-             (integral_u * (stretch_m - 0.5 * integral_u) +
-              speed * (stretch_m * duration_s - double_integral_u)) -
-         parameters_.hand_damping_n_s_per_m * (integral_u_squared + speed * integral_u);
+[[gnu::always_inline]] inline double OneBody::hand_work(double stretch_m, double speed_m_per_s,
+                                                        double duration_s, double integral_u,
+                                                        double double_integral_u,
+                                                        double integral_u_squared) const {
+  double spring = integral_u * (stretch_m - 0.5 * integral_u);
+  double damper = integral_u_squared;
+  if (speed_m_per_s != 0.0) {
+    spring += speed_m_per_s * (stretch_m * duration_s - double_integral_u);
+    damper += speed_m_per_s * integral_u;
+  }
+  return parameters_.hand_stiffness_n_per_m * spring - parameters_.hand_damping_n_s_per_m * damper;
 }
 
-inline MotionIncrement OneBody::advance_tick(double load_n, const HandDrive& drive) {
-  const double a = acceleration(load_n, drive);
+[[gnu::always_inline]] inline MotionIncrement OneBody::advance_tick(State& state, double load_n,
+                                                                    const HandDrive& drive) const {
+  const double f = net_force_n(state, load_n, drive);
   const double s = drive.velocity_m_per_s;
-  const double u = velocity_m_per_s_ - s;
-  const double integral_u = rows_.integral[0] * u + rows_.integral[1] * a;
-  const double double_integral_u = rows_.double_integral[0] * u + rows_.double_integral[1] * a;
+  const double u = state.velocity_m_per_s - s;
+  const double integral_u = rows_.integral[0] * u + rows_.integral[1] * f;
   const double u_squared =
-      rows_.square[0] * u * u + rows_.square[1] * u * a + rows_.square[2] * a * a;
-  const double drift_m = s * period_s_;
-  MotionIncrement increment;
-  increment.displacement_m = drift_m + integral_u;
-  increment.velocity_squared = s * (drift_m + 2.0 * integral_u) + u_squared;
-  increment.hand_work_j = hand_work(drive, period_s_, integral_u, double_integral_u, u_squared);
-  position_m_ += increment.displacement_m;
-  velocity_m_per_s_ += rows_.velocity[0] * u + rows_.velocity[1] * a;
+      u * (rows_.square[0] * u + rows_.square[1] * f) + rows_.square[2] * (f * f);
+  MotionIncrement increment{integral_u, u_squared, 0.0};
+  double double_integral_u = 0.0;
+  if (s != 0.0) {  // most of the time a hand holds still
+    const double drift_m = s * period_s_;
+    double_integral_u = rows_.double_integral[0] * u + rows_.double_integral[1] * f;
+    increment.displacement_m = drift_m + integral_u;
+    increment.velocity_squared = s * (drift_m + 2.0 * integral_u) + u_squared;
+  }
+  increment.hand_work_j = hand_work(drive.position_m - state.position_m, s, period_s_, integral_u,
+                                    double_integral_u, u_squared);
+  state.position_m += increment.displacement_m;
+  state.velocity_m_per_s = (state.velocity_m_per_s + rows_.velocity[0] * u) + rows_.velocity[1] * f;
   return increment;
 }
 
-inline bool OneBody::surely_keeps_direction(double load_n, const HandDrive& drive,
-                                            double direction) const {
-  const double a = acceleration(load_n, drive);
-  const double u = velocity_m_per_s_ - drive.velocity_m_per_s;
-  // |v(t) - v(0) - a t| ≤ ½T² max|a'|, and |a'| stays below jerk_bound · max(|u|, |a|/rate).
+[[gnu::always_inline]] inline bool OneBody::surely_keeps_direction(const State& state,
+                                                                   double load_n,
+                                                                   const HandDrive& drive,
+                                                                   double direction) const {
+  const double a = net_force_n(state, load_n, drive) / parameters_.mass_kg;
+  const double u = state.velocity_m_per_s - drive.velocity_m_per_s;
+  // |v(t) - v(0) - a t| ≤ ½T² max|a'|, and |a'| stays below jerk_bound · max(|u| rate, |a|).
   const double bound = jerk_bound_ * std::max(std::abs(u) * natural_rate_per_s_, std::abs(a));
-  return direction * velocity_m_per_s_ + std::min(0.0, direction * a * period_s_) > bound;
+  return direction * state.velocity_m_per_s + std::min(0.0, direction * a * period_s_) > bound;
 }
 
 }  // namespace hapticwall

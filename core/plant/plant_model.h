@@ -54,7 +54,7 @@ class PlantModel {
 
  private:
   void refresh() {
-    std::visit([&](auto& plant) { plant.write_truth(truth_); }, plant_);
+    std::visit([&](auto& plant) { plant.write_truth(plant.motion(), truth_); }, plant_);
   }
 
   PlantVariant plant_;

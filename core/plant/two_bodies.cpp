@@ -80,8 +80,12 @@ std::array<double, 10> form_of(const SetupMatrix& integral, long double t) {
 
 }  // namespace
 
-TwoBodies::TwoBodies(const TwoBodyParameters& parameters, double period_s, double start_m)
-    : parameters_(parameters), period_s_(period_s), start_m_(start_m) {
+TwoBodies::TwoBodies(const TwoBodyParameters& parameters, double period_s)
+    : parameters_(parameters),
+      period_s_(period_s),
+      half_mass_kg_(0.5 * parameters.mass_kg),
+      per_mass_(1.0 / parameters.mass_kg),
+      per_hand_mass_(1.0 / parameters.hand_mass_kg) {
   make_rows();
   const double handle_stiffness = 2.0 * parameters.grip_stiffness_n_per_m / parameters.mass_kg;
   const double hand_stiffness =
@@ -97,7 +101,6 @@ TwoBodies::TwoBodies(const TwoBodyParameters& parameters, double period_s, doubl
   const double rate = natural_rate_per_s_ + std::max(handle_damping, hand_damping);
   longest_stretch_s_ = stretch_within_reach(rate, period_s);
   jerk_bound_ = 0.5 * period_s * period_s * rate * std::exp(rate * period_s);
-  reset();
 }
 
 void TwoBodies::make_rows() {
@@ -116,18 +119,11 @@ void TwoBodies::make_rows() {
   rows_.grip_work = form_of(propagator.integrals[1], t);
 }
 
-void TwoBodies::reset() {
-  position_m_ = start_m_;
-  hand_position_m_ = start_m_;
-  velocity_m_per_s_ = 0.0;
-  hand_velocity_m_per_s_ = 0.0;
-}
-
-TwoBodies::Slide TwoBodies::slide(double load_n, const HandDrive& drive, double duration_s,
-                                  double minimum_acceleration_sign) const {
+TwoBodies::Slide TwoBodies::slide(const State& state, double load_n, const HandDrive& drive,
+                                  double duration_s, double minimum_acceleration_sign) const {
   const TwoBodyParameters& p = parameters_;
   const double h = duration_s;
-  State w = relative_state(load_n, drive);
+  Relative w = relative_state(state, load_n, drive);
   if (minimum_acceleration_sign * w[1] < 0.0) w[1] = 0.0;
   Slide slide;
   slide.duration_s = h;
@@ -149,16 +145,17 @@ TwoBodies::Slide TwoBodies::slide(double load_n, const HandDrive& drive, double 
                 p.hand_mass_kg;
   }
   slide.velocity = slide.relative_velocity;
-  slide.velocity.coefficient[0] = velocity_m_per_s_;
+  slide.velocity.coefficient[0] = state.velocity_m_per_s;
   for (std::size_t j = 0; j < u1.size(); ++j) {
     slide.velocity_difference.coefficient[j] = u2[j] - u1[j];
   }
   return slide;
 }
 
-MotionIncrement TwoBodies::advance(const Slide& slide, const HandDrive& drive, double theta) {
+MotionIncrement TwoBodies::advance(State& state, const Slide& slide, const HandDrive& drive,
+                                   double theta) const {
   const double h = slide.duration_s;
-  const double stretch_m = hand_position_m_ - position_m_;
+  const double stretch_m = state.hand_position_m - state.position_m;
   MotionIncrement increment;
   increment.displacement_m = h * slide.velocity.integral_to(theta);
   increment.velocity_squared = h * product_integral(slide.velocity, slide.velocity, theta);
@@ -168,22 +165,23 @@ MotionIncrement TwoBodies::advance(const Slide& slide, const HandDrive& drive, d
            h * h * lagged_product_integral(slide.velocity, slide.velocity_difference, theta)) +
       parameters_.grip_damping_n_s_per_m * h *
           product_integral(slide.velocity_difference, slide.velocity, theta);
-  position_m_ += increment.displacement_m;
-  hand_position_m_ +=
+  state.position_m += increment.displacement_m;
+  state.hand_position_m +=
       drive.velocity_m_per_s * (h * theta) + h * slide.hand_relative_velocity.integral_to(theta);
-  velocity_m_per_s_ = slide.velocity.at(theta);
-  hand_velocity_m_per_s_ = drive.velocity_m_per_s + slide.hand_relative_velocity.at(theta);
+  state.velocity_m_per_s = slide.velocity.at(theta);
+  state.hand_velocity_m_per_s = drive.velocity_m_per_s + slide.hand_relative_velocity.at(theta);
   return increment;
 }
 
-TwoBodies::Stick TwoBodies::stick(double force_n, const HandDrive& drive, double duration_s) const {
+TwoBodies::Stick TwoBodies::stick(const State& state, double force_n, const HandDrive& drive,
+                                  double duration_s) const {
   const TwoBodyParameters& p = parameters_;
   const double h = duration_s;
   Stick stick;
   stick.duration_s = h;
   auto& w = stick.hand_velocity.coefficient;
-  w[0] = hand_velocity_m_per_s_;
-  w[1] = hand_acceleration(drive) * h;
+  w[0] = state.hand_velocity_m_per_s;
+  w[1] = hand_acceleration(state, drive) * h;
   const double stiffness =
       h * h * (p.hand_stiffness_n_per_m + p.grip_stiffness_n_per_m) / p.hand_mass_kg;
   const double damping = h * (p.hand_damping_n_s_per_m + p.grip_damping_n_s_per_m) / p.hand_mass_kg;
@@ -196,7 +194,7 @@ TwoBodies::Stick TwoBodies::stick(double force_n, const HandDrive& drive, double
         (inhomogeneity - stiffness * w[j] - damping * order * w[j + 1]) / (order * (order + 1.0));
   }
   auto& net = stick.net_force.coefficient;
-  net[0] = grip_force() - force_n;
+  net[0] = grip_force(state) - force_n;
   for (std::size_t j = 1; j < net.size(); ++j) {
     net[j] = p.grip_stiffness_n_per_m * h * w[j - 1] / static_cast<double>(j) +
              p.grip_damping_n_s_per_m * w[j];
@@ -204,9 +202,9 @@ TwoBodies::Stick TwoBodies::stick(double force_n, const HandDrive& drive, double
   return stick;
 }
 
-void TwoBodies::advance(const Stick& stick, double theta) {
-  hand_position_m_ += stick.duration_s * stick.hand_velocity.integral_to(theta);
-  hand_velocity_m_per_s_ = stick.hand_velocity.at(theta);
+void TwoBodies::advance(State& state, const Stick& stick, double theta) {
+  state.hand_position_m += stick.duration_s * stick.hand_velocity.integral_to(theta);
+  state.hand_velocity_m_per_s = stick.hand_velocity.at(theta);
 }
 
 }  // namespace hapticwall

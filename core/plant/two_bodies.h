@@ -29,6 +29,12 @@ struct TwoBodyParameters {
 
 class TwoBodies {
  public:
+  struct State {
+    double position_m = 0.0;  // of the handle
+    double velocity_m_per_s = 0.0;
+    double hand_position_m = 0.0;
+    double hand_velocity_m_per_s = 0.0;
+  };
   struct Slide {
     TaylorPolynomial velocity;                // v
     TaylorPolynomial relative_velocity;       // v - s
@@ -42,56 +48,64 @@ class TwoBodies {
     double duration_s = 0.0;
   };
 
-  TwoBodies(const TwoBodyParameters& parameters, double period_s, double start_m);
+  TwoBodies(const TwoBodyParameters& parameters, double period_s);
 
   // Realtime-safe: yes, all that follows.
-  void reset();
-  [[nodiscard]] double position_m() const { return position_m_; }
-  [[nodiscard]] double velocity_m_per_s() const { return velocity_m_per_s_; }
-  [[nodiscard]] double kinetic_j() const {
-    return 0.5 * parameters_.mass_kg * velocity_m_per_s_ * velocity_m_per_s_;
+  [[nodiscard]] static State at_rest(double position_m) {
+    return {position_m, 0.0, position_m, 0.0};
+  }
+  [[nodiscard]] double kinetic_j(const State& state) const {
+    return half_mass_kg_ * (state.velocity_m_per_s * state.velocity_m_per_s);
   }
   [[nodiscard]] double damping_n_s_per_m() const { return parameters_.damping_n_s_per_m; }
-  [[nodiscard]] double hand_force_n(const HandDrive& /*drive*/) const { return grip_force(); }
+  [[nodiscard]] double hand_force_n(const State& state, const HandDrive& /*drive*/) const {
+    return grip_force(state);
+  }
 
-  [[nodiscard]] MotionIncrement advance_tick(double load_n, const HandDrive& drive);
-  [[nodiscard]] bool surely_keeps_direction(double load_n, const HandDrive& drive,
-                                            double direction) const;
+  // As in OneBody.
+  [[nodiscard]] MotionIncrement advance_tick(State& state, double load_n,
+                                             const HandDrive& drive) const;
+  [[nodiscard]] bool surely_keeps_direction(const State& state, double load_n,
+                                            const HandDrive& drive, double direction) const;
   [[nodiscard]] double longest_stretch_s() const { return longest_stretch_s_; }
-  [[nodiscard]] Slide slide(double load_n, const HandDrive& drive, double duration_s,
-                            double minimum_acceleration_sign) const;
-  [[nodiscard]] MotionIncrement advance(const Slide& slide, const HandDrive& drive, double theta);
-  [[nodiscard]] Stick stick(double force_n, const HandDrive& drive, double duration_s) const;
-  void advance(const Stick& stick, double theta);
-  void stop() { velocity_m_per_s_ = 0.0; }
+  [[nodiscard]] Slide slide(const State& state, double load_n, const HandDrive& drive,
+                            double duration_s, double minimum_acceleration_sign) const;
+  [[nodiscard]] MotionIncrement advance(State& state, const Slide& slide, const HandDrive& drive,
+                                        double theta) const;
+  [[nodiscard]] Stick stick(const State& state, double force_n, const HandDrive& drive,
+                            double duration_s) const;
+  static void advance(State& state, const Stick& stick, double theta);
 
  private:
   // (u1, a1, u2, a2): velocities relative to the path and accelerations, of handle and hand.
-  using State = std::array<double, 4>;
+  using Relative = std::array<double, 4>;
   using Row = std::array<double, 4>;
-  using SymmetricForm =
-      std::array<double, 10>;  // 11, 12, 13, 14, 22, 23, 24, 33, 34, 44; off-diagonals doubled
+  // 11, 12, 13, 14, 22, 23, 24, 33, 34, 44; off-diagonals doubled.
+  using SymmetricForm = std::array<double, 10>;
 
-  [[nodiscard]] double grip_force() const {
-    return parameters_.grip_stiffness_n_per_m * (hand_position_m_ - position_m_) +
-           parameters_.grip_damping_n_s_per_m * (hand_velocity_m_per_s_ - velocity_m_per_s_);
+  [[nodiscard]] double grip_force(const State& state) const {
+    return parameters_.grip_stiffness_n_per_m * (state.hand_position_m - state.position_m) +
+           parameters_.grip_damping_n_s_per_m *
+               (state.hand_velocity_m_per_s - state.velocity_m_per_s);
   }
-  [[nodiscard]] double hand_acceleration(const HandDrive& drive) const {
-    return (parameters_.hand_stiffness_n_per_m * (drive.position_m - hand_position_m_) +
-            parameters_.hand_damping_n_s_per_m * (drive.velocity_m_per_s - hand_velocity_m_per_s_) -
-            grip_force()) /
-           parameters_.hand_mass_kg;
+  [[nodiscard]] double hand_acceleration(const State& state, const HandDrive& drive) const {
+    return (parameters_.hand_stiffness_n_per_m * (drive.position_m - state.hand_position_m) +
+            parameters_.hand_damping_n_s_per_m *
+                (drive.velocity_m_per_s - state.hand_velocity_m_per_s) -
+            grip_force(state)) *
+           per_hand_mass_;
   }
-  [[nodiscard]] State relative_state(double load_n, const HandDrive& drive) const {
-    const double a1 = (grip_force() - load_n - parameters_.damping_n_s_per_m * velocity_m_per_s_) /
-                      parameters_.mass_kg;
-    return {velocity_m_per_s_ - drive.velocity_m_per_s, a1,
-            hand_velocity_m_per_s_ - drive.velocity_m_per_s, hand_acceleration(drive)};
+  [[nodiscard]] Relative relative_state(const State& state, double load_n,
+                                        const HandDrive& drive) const {
+    const double net_n =
+        (grip_force(state) - parameters_.damping_n_s_per_m * state.velocity_m_per_s) - load_n;
+    return {state.velocity_m_per_s - drive.velocity_m_per_s, net_n * per_mass_,
+            state.hand_velocity_m_per_s - drive.velocity_m_per_s, hand_acceleration(state, drive)};
   }
-  [[nodiscard]] static double dot(const Row& row, const State& w) {
+  [[nodiscard]] static double dot(const Row& row, const Relative& w) {
     return row[0] * w[0] + row[1] * w[1] + row[2] * w[2] + row[3] * w[3];
   }
-  [[nodiscard]] static double form(const SymmetricForm& f, const State& w) {
+  [[nodiscard]] static double form(const SymmetricForm& f, const Relative& w) {
     return w[0] * (f[0] * w[0] + f[1] * w[1] + f[2] * w[2] + f[3] * w[3]) +
            w[1] * (f[4] * w[1] + f[5] * w[2] + f[6] * w[3]) + w[2] * (f[7] * w[2] + f[8] * w[3]) +
            f[9] * w[3] * w[3];
@@ -110,25 +124,23 @@ class TwoBodies {
 
   TwoBodyParameters parameters_;
   double period_s_;
-  double start_m_;
+  double half_mass_kg_;
+  double per_mass_;
+  double per_hand_mass_;
   Rows rows_;
   double longest_stretch_s_ = 0.0;
   double natural_rate_per_s_ = 0.0;
   double jerk_bound_ = 0.0;
-
-  double position_m_ = 0.0;
-  double velocity_m_per_s_ = 0.0;
-  double hand_position_m_ = 0.0;
-  double hand_velocity_m_per_s_ = 0.0;
 };
 
-inline MotionIncrement TwoBodies::advance_tick(double load_n, const HandDrive& drive) {
-  const State w = relative_state(load_n, drive);
+[[gnu::always_inline]] inline MotionIncrement TwoBodies::advance_tick(
+    State& state, double load_n, const HandDrive& drive) const {
+  const Relative w = relative_state(state, load_n, drive);
   const double s = drive.velocity_m_per_s;
   const double drift_m = s * period_s_;
   const double integral = dot(rows_.integral, w);
   const double hand_integral = dot(rows_.hand_integral, w);
-  const double stretch_m = hand_position_m_ - position_m_;  // y - x at the start
+  const double stretch_m = state.hand_position_m - state.position_m;  // at the start
   MotionIncrement increment;
   increment.displacement_m = drift_m + integral;
   increment.velocity_squared = s * (drift_m + 2.0 * integral) + form(rows_.square, w);
@@ -138,20 +150,22 @@ inline MotionIncrement TwoBodies::advance_tick(double load_n, const HandDrive& d
            s * (stretch_m * period_s_ + dot(rows_.difference_double_integral, w))) +
       parameters_.grip_damping_n_s_per_m * s * (hand_integral - integral) +
       form(rows_.grip_work, w);
-  position_m_ += increment.displacement_m;
-  hand_position_m_ += drift_m + hand_integral;
-  velocity_m_per_s_ += dot(rows_.velocity, w);
-  hand_velocity_m_per_s_ += dot(rows_.hand_velocity, w);
+  state.position_m += increment.displacement_m;
+  state.hand_position_m += drift_m + hand_integral;
+  state.velocity_m_per_s += dot(rows_.velocity, w);
+  state.hand_velocity_m_per_s += dot(rows_.hand_velocity, w);
   return increment;
 }
 
-inline bool TwoBodies::surely_keeps_direction(double load_n, const HandDrive& drive,
-                                              double direction) const {
-  const State w = relative_state(load_n, drive);
+[[gnu::always_inline]] inline bool TwoBodies::surely_keeps_direction(const State& state,
+                                                                     double load_n,
+                                                                     const HandDrive& drive,
+                                                                     double direction) const {
+  const Relative w = relative_state(state, load_n, drive);
   const double bound =
       jerk_bound_ * std::max(std::max(std::abs(w[0]), std::abs(w[2])) * natural_rate_per_s_,
                              std::max(std::abs(w[1]), std::abs(w[3])));
-  return direction * velocity_m_per_s_ + std::min(0.0, direction * w[1] * period_s_) > bound;
+  return direction * state.velocity_m_per_s + std::min(0.0, direction * w[1] * period_s_) > bound;
 }
 
 }  // namespace hapticwall

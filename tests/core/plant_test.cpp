@@ -22,7 +22,7 @@ class AnyPlant {
   }
   [[nodiscard]] PlantTruth truth() const {
     PlantTruth truth;
-    std::visit([&](const auto& plant) { plant.write_truth(truth); }, plant_);
+    std::visit([&](const auto& plant) { plant.write_truth(plant.motion(), truth); }, plant_);
     return truth;
   }
   [[nodiscard]] std::uint64_t friction_events() const {

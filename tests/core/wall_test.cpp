@@ -49,9 +49,9 @@ TEST(Encoder, CountsToTheNearest) {
 
 TEST(EnergyLedger, AddsItsFourSumsAsDefined) {
   EnergyLedger ledger;
-  ledger.add(2.0, 0.0, 0.001, 1.0, 0.5);
-  ledger.add(5.0, 2.0, 0.002, 2.0, 0.5);
-  ledger.add(1.0, 5.0, -0.001, -1.0, 0.5);
+  ledger.add(2.0, 0.0, 0.001, 500.0);  // b = 0.5 N·s/m at 1 kHz
+  ledger.add(5.0, 2.0, 0.002, 500.0);
+  ledger.add(1.0, 5.0, -0.001, 500.0);
   EXPECT_NEAR(ledger.cv_j, 2e-3 + 10e-3 - 1e-3, 1e-15);
   EXPECT_NEAR(ledger.hold_j, -2e-3 - 6e-3 - 4e-3, 1e-15);
   EXPECT_NEAR(ledger.scv_j, 0.0 + 4e-3 - 5e-3, 1e-15);
