@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/plant/plant_model.h"
-#include "tests/core/brute_force_plant.h"
+#include "tests/brute_force_plant.h"
 
 namespace hapticwall {
 namespace {
