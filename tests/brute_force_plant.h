@@ -50,16 +50,9 @@ struct BruteForcePlant {
     return d;
   }
 
-  void small_step(Real force, Real h) {
-    middle_ = time + h / 2;
-    if (friction > 0 && sticks) {
-      const Real net = hand_force(time, x, 0, y, w) - force;
-      if (std::abs(net) > friction) {
-        sticks = false;
-        sign_ = net > 0 ? 1 : -1;
-        ++events;
-      }
-    }
+  [[nodiscard]] Real net_at_rest(Real force) const { return hand_force(time, x, 0, y, w) - force; }
+
+  void runge_kutta(Real force, Real h) {
     const Real sign = friction > 0 ? (sticks ? 0 : sign_) : 0;
     const Derivative a = derive(time, x, v, y, w, force, sign);
     const auto at = [&](const Derivative& d, Real f) {
@@ -79,11 +72,36 @@ struct BruteForcePlant {
     dissipation += mean(&Derivative::dissipation);
     hand_work += mean(&Derivative::hand);
     time += h;
-    if (friction > 0 && !sticks && v * sign_ < 0) {
-      v = 0;
-      sticks = true;
+  }
+
+  // One small step; where the handle stops or breaks loose in its course, the step is cut at the
+  // instant that a straight line between its ends gives.
+  void small_step(Real force, Real h, int cuts_left = 4) {
+    middle_ = time + h / 2;
+    if (friction <= 0) return runge_kutta(force, h);
+    if (sticks && std::abs(net_at_rest(force)) > friction) {
+      sticks = false;
+      sign_ = net_at_rest(force) > 0 ? 1 : -1;
       ++events;
     }
+    const BruteForcePlant before = *this;
+    runge_kutta(force, h);
+    const Real reserve_before =
+        before.sticks ? friction - std::abs(before.net_at_rest(force)) : before.v * sign_;
+    const Real reserve_after = sticks ? friction - std::abs(net_at_rest(force)) : v * sign_;
+    if (reserve_after >= 0 || cuts_left == 0) return;
+    const Real cut = reserve_before > 0 ? h * reserve_before / (reserve_before - reserve_after) : 0;
+    *this = before;
+    if (cut > 0) runge_kutta(force, cut);
+    if (sticks) {
+      sticks = false;
+      sign_ = net_at_rest(force) > 0 ? 1 : -1;
+    } else {
+      v = 0;
+      sticks = true;
+    }
+    ++events;
+    if (h > cut) small_step(force, h - cut, cuts_left - 1);
   }
 
   void advance(Real force, Real period, int steps) {

@@ -20,8 +20,7 @@ namespace {
 using testing::BruteForcePlant;
 using testing::Real;
 
-// At 100 a stop is found so late that tap falls into another cycle; from 200 on nothing changes.
-constexpr int kSubsteps = 400;
+constexpr int kSubsteps = 100;
 constexpr double kPeriod = 1e-3;
 constexpr double kWall = 0.05;
 constexpr double kStiffness = 35e3;
@@ -131,8 +130,6 @@ Figures brute_force(const std::string& scene, const std::string& algorithm) {
 
 class BruteForceScene : public ::testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
-// An oscillation's phase hangs on the last digits, and so does its tail to a few per cent; what
-// comes to rest does not.
 TEST_P(BruteForceScene, Agrees) {
   const std::string scene_name = std::get<0>(GetParam());
   const std::string algorithm = std::get<1>(GetParam());
@@ -143,19 +140,19 @@ TEST_P(BruteForceScene, Agrees) {
   const Figures reference = brute_force(scene_name, algorithm);
   const bool settled = reference.peak_to_peak_m <= 1e-4;
   EXPECT_EQ(ours.verdict, settled ? Verdict::kSettled : Verdict::kOscillating);
-  const double within = settled ? 0.01 : 0.05;
+  constexpr double kWithin = 1e-4;
   const auto expect_near = [&](double measured, double expected, double floor, const char* what) {
-    EXPECT_NEAR(measured, expected, within * std::abs(expected) + floor) << what;
+    EXPECT_NEAR(measured, expected, kWithin * std::abs(expected) + floor) << what;
   };
-  expect_near(ours.tail_peak_to_peak_m, reference.peak_to_peak_m, 2e-6, "peak to peak");
+  expect_near(ours.tail_peak_to_peak_m, reference.peak_to_peak_m, 1e-7, "peak to peak");
   expect_near(ours.tail_force_mean_n, reference.force_mean_n, 0.0, "force");
-  expect_near(ours.tail_force_std_n, reference.force_std_n, 1e-3, "std of force");
+  expect_near(ours.tail_force_std_n, reference.force_std_n, 1e-4, "std of force");
   expect_near(ours.displayed_stiffness_n_per_m.value_or(0.0), reference.stiffness_n_per_m, 0.0,
               "stiffness");
-  expect_near(ours.energy_cv_j, reference.cv_j, 1e-5, "energy_cv");
-  expect_near(ours.energy_hold_j, reference.hold_j, 1e-5, "energy_hold");
-  expect_near(ours.energy_scv_j, reference.scv_j, 1e-5, "energy_scv");
-  expect_near(ours.true_hand_work_j.value_or(0.0), reference.hand_work_j, 2e-3, "hand work");
+  expect_near(ours.energy_cv_j, reference.cv_j, 1e-6, "energy_cv");
+  expect_near(ours.energy_hold_j, reference.hold_j, 1e-6, "energy_hold");
+  expect_near(ours.energy_scv_j, reference.scv_j, 1e-6, "energy_scv");
+  expect_near(ours.true_hand_work_j.value_or(0.0), reference.hand_work_j, 1e-6, "hand work");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, BruteForceScene,
