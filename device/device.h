@@ -1,0 +1,55 @@
+// The contract of whatever gives a position and takes a force.
+#pragma once
+
+#include <string>
+
+#include "core/device_reading.h"
+#include "core/result.h"
+#include "core/sample.h"
+
+namespace hapticwall::device {
+
+struct DeviceInfo {
+  std::string name;  // for people and for the sidecar
+  bool is_simulated = false;
+};
+
+// Life: open() once, then read() and write() in turn once a tick from one thread, then close().
+class Device {
+ public:
+  Device() = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+  virtual ~Device() = default;
+
+  [[nodiscard]] virtual DeviceInfo info() const = 0;
+
+  // Realtime-safe: no.
+  [[nodiscard]] virtual Failure open() = 0;
+
+  // The newest position. Realtime-safe: yes.
+  [[nodiscard]] virtual DeviceReading read() = 0;
+
+  // Commands `force_n` (newtons, positive pushes out of the wall) until the next write.
+  // Precondition: finite and within the limit (the servo step sees to it). Realtime-safe: yes.
+  virtual void write(double force_n) = 0;
+
+  // Zero force, then closed; harmless when not open. Realtime-safe: no.
+  virtual void close() = 0;
+
+  // Back to the start of the scene; a real device ignores it. Realtime-safe: yes.
+  virtual void reset() {}
+
+  // The hand is led by a pointer at this position from now on (simulators only). Realtime-safe:
+  // yes.
+  virtual void lead_hand_to(double position_m) { (void)position_m; }
+
+  // The hand follows its scripted path (again). Realtime-safe: yes.
+  virtual void release_hand() {}
+
+  // What only a simulator knows, at the instant of the last read(); nullptr from a real device.
+  // Realtime-safe: yes.
+  [[nodiscard]] virtual const PlantTruth* truth() const { return nullptr; }
+};
+
+}  // namespace hapticwall::device

@@ -1,0 +1,137 @@
+#include "device/simulated_device.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/servo.h"
+
+namespace hapticwall::device {
+namespace {
+
+constexpr double kPushN = -2.0;  // into the wall
+constexpr double kEncoderM = 0.254e-3;
+
+Scene free_scene() {
+  Scene scene;
+  scene.device.encoder_m = kEncoderM;
+  scene.device.start_m = 0.03;
+  return scene;
+}
+
+Scene held_scene() {
+  Scene scene = free_scene();
+  HandSettings hand;
+  hand.stiffness_n_per_m = 250.0;
+  hand.damping_n_s_per_m = 10.0;
+  hand.path = {{0.0, 0.03}, {0.1, 0.03}};
+  scene.hand = hand;
+  return scene;
+}
+
+TEST(SimulatedDevice, OneWriteIsOneTickOfThePlant) {
+  const Scene scene = free_scene();
+  SimulatedDevice device(scene);
+  PlantModel plant(scene);
+  ASSERT_FALSE(device.open());
+  for (int tick = 0; tick < 200; ++tick) {
+    const DeviceReading reading = device.read();
+    ASSERT_EQ(reading.position_m, plant.measured_position_m()) << tick;
+    ASSERT_EQ(reading.age_s, 0.0);
+    ASSERT_EQ(reading.state, DeviceState::kOk);
+    ASSERT_EQ(device.truth()->position_m, plant.truth().position_m) << tick;
+    device.write(kPushN);
+    plant.advance(kPushN);
+  }
+  EXPECT_GT(plant.truth().position_m, 0.05);
+}
+
+TEST(SimulatedDevice, ReadingTwiceDoesNotMoveItAndTruthIsThatOfTheLastRead) {
+  SimulatedDevice device(free_scene());
+  static_cast<void>(device.read());
+  const double start_m = device.truth()->position_m;
+  device.write(kPushN);
+  EXPECT_EQ(device.truth()->position_m, start_m);
+  static_cast<void>(device.read());
+  const double moved_m = device.truth()->position_m;
+  EXPECT_GT(moved_m, start_m);
+  static_cast<void>(device.read());
+  EXPECT_EQ(device.truth()->position_m, moved_m);
+}
+
+TEST(SimulatedDevice, PositionIsCountedByTheEncoder) {
+  SimulatedDevice device(free_scene());
+  for (int tick = 0; tick < 100; ++tick) {
+    const double position_m = device.read().position_m;
+    ASSERT_EQ(position_m, kEncoderM * std::rint(position_m / kEncoderM));
+    device.write(kPushN);
+  }
+  EXPECT_NE(device.read().position_m, device.truth()->position_m);
+}
+
+TEST(SimulatedDevice, ResetForgetsEverythingAlsoTheForceJustWritten) {
+  SimulatedDevice device(held_scene());
+  static_cast<void>(device.read());
+  const PlantTruth start = *device.truth();
+  for (int tick = 0; tick < 50; ++tick) {
+    device.lead_hand_to(0.06);
+    static_cast<void>(device.read());
+    device.write(kPushN);
+  }
+  ASSERT_NE(device.truth()->position_m, start.position_m);
+  device.reset();
+  static_cast<void>(device.read());
+  EXPECT_EQ(device.truth()->position_m, start.position_m);
+  EXPECT_EQ(device.truth()->velocity_m_per_s, 0.0);
+  EXPECT_EQ(device.truth()->actuator_work_j, 0.0);
+  EXPECT_EQ(device.truth()->hand_path_m, start.hand_path_m);
+}
+
+TEST(SimulatedDevice, ThePointerLeadsTheHandUntilItIsReleased) {
+  SimulatedDevice device(held_scene());
+  const auto run = [&](int ticks) {
+    for (int tick = 0; tick < ticks; ++tick) {
+      static_cast<void>(device.read());
+      device.write(0.0);
+    }
+    static_cast<void>(device.read());
+  };
+  device.lead_hand_to(0.06);
+  run(2000);
+  EXPECT_NEAR(device.truth()->position_m, 0.06, 1e-4);
+  EXPECT_NEAR(device.truth()->hand_path_m, 0.06, 1e-12);
+  device.release_hand();
+  run(2000);
+  EXPECT_NEAR(device.truth()->position_m, 0.03, 1e-4);
+}
+
+// An unstable wall without a force limit would grow beyond every number.
+TEST(SimulatedDevice, OutsideTheWorkspaceItIsAtFaultAndStaysFinite) {
+  Scene scene = held_scene();
+  scene.walls = {{0.03, 1e8, 0.0}};
+  scene.hand->path = {{0.0, 0.031}};
+  scene.device.start_m = 0.031;
+  SimulatedDevice device(scene);
+  Servo servo(servo_settings(scene));
+  bool fault = false;
+  for (int tick = 0; tick < 20'000; ++tick) {
+    const Sample sample = servo.tick(device);
+    ASSERT_TRUE(std::isfinite(sample.position_m) && std::isfinite(sample.truth.position_m) &&
+                std::isfinite(sample.truth.kinetic_j) && std::isfinite(sample.force_n));
+    if ((sample.flags & kFlagDeviceFault) == 0) continue;
+    fault = true;
+    ASSERT_EQ(sample.force_n, 0.0);
+  }
+  EXPECT_TRUE(fault);
+}
+
+TEST(SimulatedDevice, SaysWhatItIs) {
+  SimulatedDevice device(free_scene());
+  EXPECT_TRUE(device.info().is_simulated);
+  EXPECT_EQ(device.info().name, "simulator");
+  device.close();
+  device.close();
+}
+
+}  // namespace
+}  // namespace hapticwall::device
