@@ -1,0 +1,25 @@
+// The clock that the loop lives by, so that tests can bring their own.
+#pragma once
+
+#include <cstdint>
+
+namespace hapticwall::runtime {
+
+inline constexpr double kNanosecondsPerSecond = 1e9;
+
+class Clock {
+ public:
+  Clock() = default;
+  Clock(const Clock&) = delete;
+  Clock& operator=(const Clock&) = delete;
+  virtual ~Clock() = default;
+
+  // Nanoseconds since a fixed instant; never goes back. Realtime-safe: yes.
+  [[nodiscard]] virtual std::int64_t now_ns() = 0;
+
+  // Returns at `deadline_ns` or later, never before it; at once where that has passed.
+  // Realtime-safe: yes (it waits, which is what it is for; never called inside a tick).
+  virtual void sleep_until_ns(std::int64_t deadline_ns) = 0;
+};
+
+}  // namespace hapticwall::runtime

@@ -1,0 +1,75 @@
+// The session behind session.h: the owner's side of the loop, its thread and its recorder.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <thread>
+
+#include "app/runtime/exchange.h"
+#include "app/runtime/parameter_history.h"
+#include "app/runtime/realtime_setup.h"
+#include "app/runtime/recorder.h"
+#include "app/runtime/servo_loop.h"
+#include "app/runtime/session.h"
+
+namespace hapticwall::runtime {
+
+class LiveSession final : public Session {
+ public:
+  // Precondition: the scene is valid, the device open. Returns when the loop's set-up is done.
+  LiveSession(std::unique_ptr<device::Device> device, const Scene& scene,
+              const SessionOptions& options);
+  ~LiveSession() override;
+
+  [[nodiscard]] const Scene& scene() const override { return history_.newest(); }
+  std::optional<SceneProblem> set_algorithm(const AlgorithmSettings& algorithm) override;
+  std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls) override;
+  void lead_hand(std::optional<double> position_m) override;
+  void pause(bool paused) override;
+  void step(std::uint32_t ticks) override;
+  void reset() override;
+  [[nodiscard]] Snapshot snapshot() override;
+  std::size_t take_samples(std::span<Sample> out) override;
+  [[nodiscard]] std::uint64_t dropped_plot_samples() const override;
+  [[nodiscard]] Failure start_recording(const std::string& csv_path) override;
+  [[nodiscard]] Failure stop_recording() override;
+  [[nodiscard]] RecordingStatus recording_status() const override;
+  [[nodiscard]] const RealtimeStatus& realtime_status() const override { return realtime_; }
+
+  // start_recording() with a writer of the caller's. Precondition: no recording runs.
+  void record_into(std::unique_ptr<file::RecordingWriter> writer);
+
+ private:
+  std::optional<SceneProblem> publish(const Scene& scene);
+  void send(const Command& command);
+  void exchange_news();
+  void wait_for_recording_switch();
+  [[nodiscard]] Failure finish_recording();
+  [[nodiscard]] file::RecordingMetadata metadata() const;
+  [[nodiscard]] std::uint64_t dropped_rows() const;
+
+  std::unique_ptr<device::Device> device_;
+  const device::DeviceInfo device_info_;
+  ParameterHistory history_;
+  Exchange exchange_;
+  ServoLoop loop_;
+  Recorder recorder_;
+  MonotonicClock clock_;
+  RealtimeStatus realtime_;
+
+  std::deque<Command> unsent_;  // did not fit into the queue yet
+  std::uint32_t recording_switches_sent_ = 0;
+  std::uint64_t dropped_rows_before_ = 0;  // by earlier recordings
+  std::string recording_start_time_;
+  std::string recording_path_;
+  Failure recording_failure_;  // of the newest recording, once it is over
+
+  std::thread thread_;
+};
+
+}  // namespace hapticwall::runtime

@@ -1,0 +1,62 @@
+// Which scene came into force at which tick: the owner's side of the parameter exchange.
+//
+// The owner numbers every scene that it publishes; the loop echoes number and tick when it begins
+// to use one. A scene that was overtaken by a newer one before the loop saw it was never in force.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "app/file/recording_writer.h"
+#include "app/runtime/exchange.h"
+#include "core/scene.h"
+
+namespace hapticwall::runtime {
+
+// Used by one thread. Realtime-safe: no.
+class ParameterHistory {
+ public:
+  explicit ParameterHistory(const Scene& first);
+
+  // The newest scene, whether in force yet or not, and its number.
+  [[nodiscard]] const Scene& newest() const { return newest_; }
+  [[nodiscard]] std::uint32_t generation() const { return generation_; }
+
+  // A newer scene is about to be published; only algorithm and walls may differ from the one
+  // before.
+  void add(const Scene& scene);
+
+  // The loop's word. Echoes come in the order in which they were sent.
+  void came_into_force(const ParameterEcho& echo);
+
+  // As it was at tick 0 of the run that goes on now.
+  [[nodiscard]] Scene scene_at_start() const { return scene_with(at_start_); }
+  // Since tick 0, in order, those in force before `end_tick`.
+  [[nodiscard]] std::vector<file::RecordedChange> changes_before(std::uint64_t end_tick) const;
+
+ private:
+  // What a live session lets its user change; the rest of the scene (a long path) is kept once.
+  struct Adjustment {
+    AlgorithmSettings algorithm;
+    std::vector<WallSettings> walls;
+  };
+  struct Published {
+    std::uint32_t generation = 0;
+    Adjustment adjustment;
+  };
+  struct Change {
+    std::uint64_t tick = 0;
+    Adjustment adjustment;
+  };
+
+  [[nodiscard]] Scene scene_with(const Adjustment& adjustment) const;
+
+  Scene newest_;
+  std::uint32_t generation_ = 1;
+  std::deque<Published> published_;  // the one in force first, then those not yet echoed
+  Adjustment at_start_;
+  std::vector<Change> changes_;
+};
+
+}  // namespace hapticwall::runtime

@@ -1,0 +1,99 @@
+#include "app/runtime/recorder.h"
+
+#include <exception>
+#include <utility>
+
+namespace hapticwall::runtime {
+namespace {
+
+// Whatever a writer throws (no memory, say) ends the recording and not the program.
+template <typename Work>
+Failure guarded(Work&& work) {
+  try {
+    return work();
+  } catch (const std::exception& problem) {
+    return Error{ErrorKind::kFile, std::string("recording: ") + problem.what()};
+  }
+}
+
+}  // namespace
+
+Recorder::~Recorder() { drain_and_join(); }
+
+void Recorder::start(std::unique_ptr<file::RecordingWriter> writer) {
+  Sample left_over;
+  while (queue_.try_pop(left_over)) {
+  }
+  writer_ = std::move(writer);
+  rows_ = 0;
+  first_tick_ = 0;
+  end_tick_ = 0;
+  writable_ = true;
+  end_ = false;
+  failure_.reset();
+  thread_ = std::thread([this] { work(); });
+}
+
+void Recorder::work() {
+  auto last_flush = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  while (!end_) {
+    wake_.wait_for(lock, kDrainInterval, [this] { return end_; });
+    lock.unlock();
+    move_samples();
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_flush >= kFlushInterval) {
+      last_flush = now;
+      if (writable_) keep(guarded([this] { return writer_->flush(); }));
+    }
+    lock.lock();
+  }
+}
+
+void Recorder::move_samples() {
+  Sample sample;
+  while (queue_.try_pop(sample)) {
+    if (writable_) write(sample);
+  }
+}
+
+void Recorder::write(const Sample& sample) {
+  keep(guarded([&] { return writer_->append(sample); }));
+  if (!writable_) return;
+  if (rows() == 0) first_tick_ = sample.tick;
+  end_tick_ = sample.tick + 1;
+  rows_.fetch_add(1, std::memory_order_relaxed);
+}
+
+void Recorder::keep(Failure failure) {
+  if (!failure) return;
+  writable_ = false;
+  const std::scoped_lock lock(mutex_);
+  if (!failure_) failure_ = std::move(failure);
+}
+
+Failure Recorder::failure() const {
+  const std::scoped_lock lock(mutex_);
+  return failure_;
+}
+
+void Recorder::drain_and_join() {
+  if (!running()) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    end_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+  move_samples();
+}
+
+Failure Recorder::finish(const Scene& scene, file::RecordingMetadata metadata) {
+  metadata.first_tick = first_tick_;
+  if (writable_) keep(guarded([&] { return writer_->finish(scene, metadata); }));
+  writable_ = false;
+  writer_.reset();
+  return failure();
+}
+
+}  // namespace hapticwall::runtime

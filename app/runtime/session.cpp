@@ -1,0 +1,34 @@
+#include "app/runtime/session.h"
+
+#include <exception>
+#include <utility>
+
+#include "app/runtime/live_session.h"
+#include "device/simulated_device.h"
+
+namespace hapticwall::runtime {
+
+Result<std::unique_ptr<Session>> Session::start(const Scene& scene, const SessionOptions& options) {
+  // Before the plant is built: it relies on a valid scene.
+  if (const std::optional<SceneProblem> problem = validate(scene)) {
+    return Error{ErrorKind::kUsage, problem->key + ": " + problem->message};
+  }
+  return start_on(std::make_unique<device::SimulatedDevice>(scene), scene, options);
+}
+
+Result<std::unique_ptr<Session>> Session::start_on(std::unique_ptr<device::Device> device,
+                                                   const Scene& scene,
+                                                   const SessionOptions& options) {
+  if (const std::optional<SceneProblem> problem = validate(scene)) {
+    return Error{ErrorKind::kUsage, problem->key + ": " + problem->message};
+  }
+  if (Failure failure = device->open()) return *std::move(failure);
+  try {
+    return std::unique_ptr<Session>(
+        std::make_unique<LiveSession>(std::move(device), scene, options));
+  } catch (const std::exception& problem) {  // no memory for the queues, no thread to be had
+    return Error{ErrorKind::kDevice, std::string("the loop did not start: ") + problem.what()};
+  }
+}
+
+}  // namespace hapticwall::runtime

@@ -1,0 +1,63 @@
+// The newest value from one thread to another, without a lock: three slots and one atomic byte.
+//
+// The producer always has a slot of its own to write, the consumer one of its own to read, and the
+// third lies between them. Each side exchanges its slot for the middle one; a value is read whole
+// or not at all, and a consumer that is slow sees the newest and misses those between.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace hapticwall::runtime {
+
+// Keeps what two threads write apart, so that neither slows the other down.
+inline constexpr std::size_t kCacheLineBytes = 64;
+
+// One producer thread, one consumer thread. Realtime-safe: yes, every member.
+template <typename T>
+class TripleBuffer {
+  static_assert(std::is_trivially_copyable_v<T>, "copies must not allocate, lock or throw");
+  static_assert(std::atomic<std::uint8_t>::is_always_lock_free);
+
+ public:
+  explicit TripleBuffer(const T& initial = T{}) {
+    for (Slot& slot : slots_) slot.value = initial;
+  }
+  TripleBuffer(const TripleBuffer&) = delete;
+  TripleBuffer& operator=(const TripleBuffer&) = delete;
+
+  // Producer only: makes `value` the newest one.
+  void publish(const T& value) {
+    slots_[back_].value = value;
+    const auto fresh = static_cast<std::uint8_t>(back_ | kFreshBit);
+    back_ = middle_.exchange(fresh, std::memory_order_acq_rel) & kIndexMask;
+  }
+
+  // Consumer only: moves on to the newest value; false where there is none since the last call.
+  bool update() {
+    if ((middle_.load(std::memory_order_relaxed) & kFreshBit) == 0) return false;
+    front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndexMask;
+    return true;
+  }
+
+  // Consumer only: the value that the last update() moved to, or the initial one.
+  [[nodiscard]] const T& current() const { return slots_[front_].value; }
+
+ private:
+  static constexpr std::uint8_t kIndexMask = 3;
+  static constexpr std::uint8_t kFreshBit = 4;
+
+  struct alignas(kCacheLineBytes) Slot {
+    T value;
+  };
+
+  std::array<Slot, 3> slots_;
+  alignas(kCacheLineBytes) std::uint8_t back_ = 0;                 // the producer's
+  alignas(kCacheLineBytes) std::atomic<std::uint8_t> middle_ = 1;  // index, and whether it is fresh
+  alignas(kCacheLineBytes) std::uint8_t front_ = 2;                // the consumer's
+};
+
+}  // namespace hapticwall::runtime

@@ -1,0 +1,204 @@
+// No allocation, no lock and no system call inside a cycle: counted over every algorithm, switch,
+// command, parameter change and record push, and once more in a child process which the kernel
+// kills at its first system call.
+#include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "app/runtime/servo_loop.h"
+#include "device/simulated_device.h"
+#include "tests/app/runtime_interposition.h"
+#include "tests/app/runtime_support.h"
+
+#if HAPTICWALL_INTERPOSITION  // a sanitizer allocates and calls the system as it likes
+
+namespace hapticwall::runtime {
+namespace {
+
+using test::CallWatch;
+using test::contact_scene;
+using test::FakeClock;
+using test::WatchedCalls;
+
+constexpr std::size_t kCyclesPerLeg = 300;
+
+// A plant of every kind: hand or none, grip or none, friction and encoder or none.
+std::vector<Scene> scenes() {
+  Scene rigid = contact_scene();
+  rigid.hand->grip_stiffness_n_per_m.reset();
+  rigid.hand->grip_damping_n_s_per_m.reset();
+  Scene frictionless = contact_scene();
+  frictionless.device.friction_n.reset();
+  frictionless.device.encoder_m.reset();
+  Scene free = contact_scene();
+  free.hand.reset();
+  free.device.start_m = 0.06;
+  return {contact_scene(), rigid, frictionless, free};
+}
+
+// A loop with everything prepared that happens in a session, and a script of it all.
+struct ScriptedLoop {
+  explicit ScriptedLoop(const Scene& scene)
+      : device(scene),
+        exchange(small_plot_queue(), {servo_settings(scene), 1}),
+        loop(device, exchange, {servo_settings(scene), 1}, false) {
+    Scene changed = scene;
+    for (std::size_t from = 0; from < algorithms().size(); ++from) {
+      for (std::size_t to = 0; to < algorithms().size(); ++to) {
+        for (const std::size_t index : {from, to}) {
+          changed.algorithm.index = index;
+          changed.walls[0].stiffness_n_per_m = 20'000.0 + 1000.0 * static_cast<double>(to);
+          parameters.push_back(
+              {servo_settings(changed), static_cast<std::uint32_t>(parameters.size() + 2)});
+        }
+      }
+    }
+  }
+
+  // The plot queue overflows, the recorder's does not.
+  static SessionOptions small_plot_queue() {
+    SessionOptions options;
+    options.plot_queue_capacity = 1000;
+    return options;
+  }
+
+  void command(CommandKind kind, std::uint32_t ticks = 0) {
+    ok = exchange.commands.try_push({kind, ticks}) && ok;
+  }
+
+  void cycles(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) loop.cycle({clock.now_ns(), 0, 0}, clock);
+    ParameterEcho echo;
+    while (exchange.echoes.try_pop(echo)) newest_generation = echo.generation;
+  }
+
+  void run() {
+    command(CommandKind::kStartRecording);
+    for (const LoopParameters& changed : parameters) {
+      exchange.parameters.publish(changed);
+      cycles(kCyclesPerLeg);
+    }
+    exchange.pointer_m = 0.055;
+    cycles(kCyclesPerLeg);
+    exchange.pointer_m = kNoPointer;
+    cycles(kCyclesPerLeg);
+    command(CommandKind::kPause);
+    command(CommandKind::kStep, static_cast<std::uint32_t>(kCyclesPerLeg / 2));
+    cycles(kCyclesPerLeg);
+    command(CommandKind::kReset);
+    command(CommandKind::kResume);
+    cycles(kCyclesPerLeg);
+    command(CommandKind::kStopRecording);
+    cycles(1);
+    exchange.snapshots.update();
+  }
+
+  // What a run must have come to, lest nothing was watched.
+  [[nodiscard]] bool did_everything() const {
+    const auto ticks = parameters.size() * kCyclesPerLeg + 3 * kCyclesPerLeg + kCyclesPerLeg / 2;
+    return ok && exchange.snapshots.current().timing.ticks == ticks + 1 &&
+           exchange.recorder.size() == ticks && exchange.dropped_rows == 0 &&
+           exchange.dropped_plot_samples > 0 && newest_generation == parameters.back().generation &&
+           exchange.recording_switches == 2;
+  }
+
+  device::SimulatedDevice device;
+  Exchange exchange;
+  ServoLoop loop;
+  FakeClock clock;
+  std::vector<LoopParameters> parameters;
+  std::uint32_t newest_generation = 0;
+  bool ok = true;
+};
+
+TEST(CyclePurity, NoAllocationAndNoLock) {
+  for (const Scene& scene : scenes()) {
+    const auto session = std::make_unique<ScriptedLoop>(scene);
+    CallWatch watch;
+    session->run();
+    const WatchedCalls calls = watch.calls();
+    EXPECT_EQ(calls.allocations, 0U);
+    EXPECT_EQ(calls.frees, 0U);
+    EXPECT_EQ(calls.locks, 0U);
+    EXPECT_TRUE(session->did_everything());
+  }
+}
+
+// The watch sees what it is there for.
+TEST(CyclePurity, TheWatchCountsAllocationsAndLocks) {
+  std::mutex mutex;
+  CallWatch watch;
+  {
+    const auto number = std::make_unique<volatile int>(1);
+    const std::scoped_lock lock(mutex);
+  }
+  const std::unique_ptr<void, decltype(&std::free)> zeros(std::calloc(1, 1), &std::free);
+  const WatchedCalls calls = watch.calls();
+  EXPECT_EQ(calls.allocations, 2U);
+  EXPECT_EQ(calls.frees, 1U);
+  EXPECT_EQ(calls.locks, 1U);
+}
+
+// From here on the kernel kills this process at any system call but the one that ends it.
+void forbid_system_calls() {
+  std::array<sock_filter, 4> program{{
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_exit_group, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
+  }};
+  const sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
+  constexpr int kNotPossible = 77;
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) _exit(kNotPossible);
+  if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) != 0) _exit(kNotPossible);
+}
+
+// How a child ends that may make no system call while `work` runs; exit status 0 where that is
+// true.
+int status_of_child(const std::function<bool()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    forbid_system_calls();
+    _exit(work() ? 0 : 1);
+  }
+  int status = -1;
+  if (child < 0 || waitpid(child, &status, 0) != child) return -1;
+  return status;
+}
+
+TEST(CyclePurity, NoSystemCall) {
+  for (const Scene& scene : scenes()) {
+    const auto session = std::make_unique<ScriptedLoop>(scene);
+    const int status = status_of_child([&] {
+      session->run();
+      return session->did_everything();
+    });
+    EXPECT_FALSE(WIFSIGNALED(status)) << "killed by signal " << WTERMSIG(status);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+  }
+}
+
+TEST(CyclePurity, ASystemCallIsDeadly) {
+  const int status = status_of_child([] { return syscall(SYS_getppid) > 0; });
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGSYS);
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime
+
+#endif  // HAPTICWALL_INTERPOSITION

@@ -1,0 +1,35 @@
+// Counts what a thread asks of the allocator and of mutexes while it is being watched. The counters
+// sit in the C library's own entry points (malloc family, pthread_mutex_lock), which operator new,
+// the containers and std::mutex go through as well.
+#pragma once
+
+#include <cstdint>
+
+// Sanitizers bring their own allocator; there the counters stay at zero.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
+#define HAPTICWALL_INTERPOSITION 0
+#else
+#define HAPTICWALL_INTERPOSITION 1
+#endif
+
+namespace hapticwall::runtime::test {
+
+struct WatchedCalls {
+  std::uint64_t allocations = 0;
+  std::uint64_t frees = 0;
+  std::uint64_t locks = 0;
+};
+
+// Of the calling thread, from construction to calls().
+class CallWatch {
+ public:
+  CallWatch();
+  CallWatch(const CallWatch&) = delete;
+  CallWatch& operator=(const CallWatch&) = delete;
+  ~CallWatch();
+
+  // Ends the watch: what the test does with the answer is not counted.
+  [[nodiscard]] WatchedCalls calls();
+};
+
+}  // namespace hapticwall::runtime::test

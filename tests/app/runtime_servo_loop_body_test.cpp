@@ -1,0 +1,121 @@
+// The thread's body, without a thread: on a device that only remembers and a clock that obeys.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+
+#include "app/runtime/servo_loop.h"
+#include "tests/app/runtime_support.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+using test::contact_scene;
+using test::FakeClock;
+using test::FakeDevice;
+
+struct BodyHarness {
+  explicit BodyHarness(bool start_paused = false)
+      : scene(contact_scene()),
+        exchange({}, {servo_settings(scene), 1}),
+        loop(device, exchange, {servo_settings(scene), 1}, start_paused) {
+    device.position_m = 0.051;  // in the wall: there is a force
+  }
+
+  // Runs the body until it has slept `cycles` times, or ended by itself.
+  void run(int cycles) {
+    clock.after_sleep = [this, cycles, slept = 0](FakeClock& now) mutable {
+      if (lateness_ns) now.advance_ns(lateness_ns(slept));
+      if (++slept == cycles) exchange.stop = true;
+    };
+    run_servo_loop(loop, exchange, scene.sampling.rate_hz, clock);
+  }
+  Snapshot snapshot() {
+    exchange.snapshots.update();
+    return exchange.snapshots.current();
+  }
+  void expect_safe_end() const {
+    EXPECT_TRUE(exchange.finished);
+    ASSERT_FALSE(device.log.empty());
+    EXPECT_EQ(device.log.back(), "close");
+    ASSERT_FALSE(device.forces_n.empty());
+    EXPECT_EQ(device.forces_n.back(), 0.0);
+  }
+
+  Scene scene;
+  FakeDevice device;
+  Exchange exchange;
+  ServoLoop loop;
+  FakeClock clock;
+  std::function<std::int64_t(int)> lateness_ns;
+};
+
+TEST(ServoLoopBody, EndsWithZeroForceAndAClosedDevice) {
+  BodyHarness harness;
+  harness.run(50);
+  ASSERT_EQ(harness.device.forces_n.size(), 51U);
+  EXPECT_GT(harness.device.forces_n[49], 0.0);
+  harness.expect_safe_end();
+  EXPECT_FALSE(harness.snapshot().ended_by_fault);
+}
+
+TEST(ServoLoopBody, ADeviceThatThrowsEndsItSafelyAndVisibly) {
+  BodyHarness harness;
+  harness.device.throw_at_read = 20;
+  harness.run(1'000'000);
+  EXPECT_EQ(harness.device.reads, 20);
+  harness.expect_safe_end();
+  EXPECT_TRUE(harness.snapshot().ended_by_fault);
+  EXPECT_NE(harness.snapshot().sample.flags & kFlagDeviceFault, 0U);
+  EXPECT_EQ(harness.snapshot().sample.force_n, 0.0);
+}
+
+TEST(ServoLoopBody, ADeviceThatCannotEvenBeZeroedIsStillClosed) {
+  BodyHarness harness;
+  harness.device.throw_at_write = true;
+  harness.run(1'000'000);
+  EXPECT_EQ(harness.device.log.back(), "close");
+  EXPECT_TRUE(harness.exchange.finished);
+  EXPECT_TRUE(harness.snapshot().ended_by_fault);
+}
+
+TEST(ServoLoopBody, HolesAreCountedAndNotCaughtUp) {
+  BodyHarness harness;
+  harness.lateness_ns = [](int cycle) { return cycle == 10 ? 4'500'000 : 20'000; };
+  const std::int64_t start_ns = harness.clock.now_ns();
+  harness.run(100);
+  const TimingStatistics timing = harness.snapshot().timing;
+  EXPECT_EQ(timing.ticks, 100U);
+  EXPECT_EQ(timing.missed_ticks, 4U);
+  EXPECT_DOUBLE_EQ(timing.maximum_wake_latency_s, 4.5e-3);
+  EXPECT_DOUBLE_EQ(timing.wake_latency_s, 20e-6);
+  EXPECT_EQ(harness.clock.now_ns() - start_ns, 104'000'000 + 20'000) << "the phase is kept";
+}
+
+TEST(ServoLoopBody, APausedDeviceHasNoForceAndIsKeptAwake) {
+  BodyHarness harness;
+  harness.clock.after_sleep = [&, slept = 0](FakeClock&) mutable {
+    ++slept;
+    if (slept == 10) {
+      ASSERT_TRUE(harness.exchange.commands.try_push({CommandKind::kPause, 0}));
+    }
+    if (slept == 30) harness.exchange.stop = true;
+  };
+  run_servo_loop(harness.loop, harness.exchange, 1000.0, harness.clock);
+  ASSERT_EQ(harness.device.forces_n.size(), 31U) << "one write a cycle, and the last";
+  EXPECT_GT(harness.device.forces_n[8], 0.0);
+  for (std::size_t i = 9; i < harness.device.forces_n.size(); ++i) {
+    ASSERT_EQ(harness.device.forces_n[i], 0.0) << i;
+  }
+}
+
+TEST(ServoLoopBody, StaleInputHasNoForce) {
+  BodyHarness harness;
+  harness.device.age_s = 1.0;
+  harness.run(20);
+  for (const double force_n : harness.device.forces_n) ASSERT_EQ(force_n, 0.0);
+  EXPECT_NE(harness.snapshot().sample.flags & kFlagStaleInput, 0U);
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime

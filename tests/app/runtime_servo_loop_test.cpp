@@ -1,0 +1,331 @@
+// One cycle at a time, without a thread and with a clock of the test's own.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "app/runtime/servo_loop.h"
+#include "core/simulate.h"
+#include "device/simulated_device.h"
+#include "tests/app/runtime_support.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+using test::contact_scene;
+using test::FakeClock;
+using test::with_algorithm;
+
+// A tick by which contact_scene() is in the wall.
+constexpr int kInContactTicks = 200;
+
+struct Harness {
+  explicit Harness(const Scene& first, const SessionOptions& options = {})
+      : scene(first),
+        device(first),
+        exchange(options, {servo_settings(first), 1}),
+        loop(device, exchange, {servo_settings(first), 1}, options.start_paused) {}
+
+  void cycles(int count) {
+    for (int i = 0; i < count; ++i) loop.cycle({clock.now_ns(), 0, 0}, clock);
+  }
+  void command(CommandKind kind, std::uint32_t ticks = 0) {
+    ASSERT_TRUE(exchange.commands.try_push({kind, ticks}));
+  }
+  void publish(const Scene& changed) {
+    exchange.parameters.publish({servo_settings(changed), ++generation});
+  }
+  Snapshot snapshot() {
+    exchange.snapshots.update();
+    return exchange.snapshots.current();
+  }
+  static std::vector<Sample> taken(SpscQueue<Sample>& queue) {
+    std::vector<Sample> samples;
+    for (Sample sample; queue.try_pop(sample);) samples.push_back(sample);
+    return samples;
+  }
+  std::vector<Sample> samples() { return taken(exchange.plot); }
+  std::vector<ParameterEcho> echoes() {
+    std::vector<ParameterEcho> all;
+    for (ParameterEcho echo; exchange.echoes.try_pop(echo);) all.push_back(echo);
+    return all;
+  }
+
+  Scene scene;
+  device::SimulatedDevice device;
+  Exchange exchange;
+  ServoLoop loop;
+  FakeClock clock;
+  std::uint32_t generation = 1;
+};
+
+std::vector<Sample> headless(Scene scene, std::size_t ticks,
+                             const std::vector<ScheduledChange>& changes = {}) {
+  scene.duration_s = static_cast<double>(ticks) / scene.sampling.rate_hz;
+  std::vector<Sample> samples;
+  SimulationOptions options;
+  options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
+  options.changes = changes;
+  static_cast<void>(simulate(scene, options));
+  return samples;
+}
+
+// Every field, bit for bit, but for the generation that only a live session has.
+void expect_same(const std::vector<Sample>& live, const std::vector<Sample>& reference) {
+  static_assert(sizeof(Sample) == 21 * sizeof(double), "no padding: bytes can be compared");
+  ASSERT_EQ(live.size(), reference.size());
+  for (std::size_t i = 0; i < live.size(); ++i) {
+    Sample sample = live[i];
+    sample.generation = 0;
+    // Bits and not values: also a zero has its sign.
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
+    ASSERT_EQ(std::memcmp(&sample, &reference[i], sizeof sample), 0)
+        << "tick " << i << ": position " << sample.position_m << " / " << reference[i].position_m
+        << ", force " << sample.force_n << " / " << reference[i].force_n << ", flags "
+        << sample.flags << " / " << reference[i].flags;
+  }
+}
+
+TEST(ServoLoop, TicksAreThoseOfAHeadlessRun) {
+  Harness harness(contact_scene());
+  harness.cycles(2000);
+  expect_same(harness.samples(), headless(harness.scene, 2000));
+}
+
+TEST(ServoLoop, SwitchesAndWallChangesAreThoseOfAHeadlessRun) {
+  Harness harness(contact_scene(3000.0));
+  std::vector<ScheduledChange> changes;
+  Scene changed = harness.scene;
+  std::uint64_t tick = 0;
+  for (int round = 0; round < 3; ++round) {
+    for (std::size_t index = 0; index < algorithms().size(); ++index) {
+      harness.cycles(97);
+      tick += 97;
+      changed.algorithm.index = index;
+      changed.walls[0].position_m = 0.05 + 1e-4 * static_cast<double>(round);
+      harness.publish(changed);
+      changes.push_back({tick, changed});
+    }
+  }
+  harness.cycles(500);
+  expect_same(harness.samples(), headless(harness.scene, tick + 500, changes));
+}
+
+TEST(ServoLoop, ForceIsContinuousAtEverySwitch) {
+  for (std::size_t from = 0; from < algorithms().size(); ++from) {
+    for (std::size_t to = 0; to < algorithms().size(); ++to) {
+      if (from == to) continue;
+      Harness harness(with_algorithm(contact_scene(), from));
+      harness.cycles(kInContactTicks);
+      // A switch at a tick without force would prove nothing: look for one with some.
+      int more = 0;
+      while (harness.snapshot().sample.force_n < 1.0 && ++more < 2000) harness.cycles(1);
+      const double before_n = harness.snapshot().sample.force_n;
+      ASSERT_GE(before_n, 1.0);
+      harness.publish(with_algorithm(harness.scene, to));
+      harness.cycles(1);
+      const Sample first = harness.snapshot().sample;
+      EXPECT_NE(first.flags & kFlagParametersChanged, 0U);
+      EXPECT_NEAR(first.force_n, before_n, 1e-12)
+          << algorithms()[from].name << " to " << algorithms()[to].name;
+    }
+  }
+}
+
+TEST(ServoLoop, ParametersBeforeTheFirstTickAreNoChange) {
+  SessionOptions options;
+  options.start_paused = true;
+  Harness harness(contact_scene(), options);
+  const Scene changed = with_algorithm(harness.scene, 0);
+  harness.publish(changed);
+  harness.command(CommandKind::kResume);
+  harness.cycles(300);
+  expect_same(harness.samples(), headless(changed, 300));
+  const auto echoes = harness.echoes();
+  ASSERT_EQ(echoes.size(), 1U);
+  EXPECT_EQ(echoes[0].tick, 0U);
+  EXPECT_EQ(echoes[0].generation, 2U);
+}
+
+TEST(ServoLoop, NewParametersAreFlaggedOnceAndEchoedWithTheirTick) {
+  Harness harness(contact_scene());
+  harness.cycles(10);
+  harness.publish(with_algorithm(harness.scene, 0));  // overtaken: never in force
+  harness.publish(with_algorithm(harness.scene, 2));
+  harness.cycles(10);
+  const auto samples = harness.samples();
+  ASSERT_EQ(samples.size(), 20U);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_EQ(samples[i].generation, i < 10 ? 1U : 3U);
+    EXPECT_EQ((samples[i].flags & kFlagParametersChanged) != 0, i == 10) << i;
+  }
+  const auto echoes = harness.echoes();
+  ASSERT_EQ(echoes.size(), 2U);
+  EXPECT_EQ(echoes[0].tick, 0U);
+  EXPECT_EQ(echoes[0].generation, 1U);
+  EXPECT_EQ(echoes[1].tick, 10U);
+  EXPECT_EQ(echoes[1].generation, 3U);
+}
+
+TEST(ServoLoop, NoEchoIsLostWhenNobodyTakesThem) {
+  Harness harness(contact_scene());
+  harness.cycles(1);
+  constexpr std::uint32_t kMany = 3 * kEchoQueueCapacity;
+  for (std::uint32_t i = 0; i < kMany; ++i) {
+    harness.publish(with_algorithm(harness.scene, i % 2));
+    harness.command(CommandKind::kPause);
+    harness.command(CommandKind::kResume);
+    harness.cycles(1);
+    if (harness.exchange.commands.size() > kCommandQueueCapacity / 2) break;
+  }
+  EXPECT_GT(harness.exchange.commands.size(), 0U) << "the echo queue was never short of room";
+  std::vector<ParameterEcho> echoes = harness.echoes();
+  harness.cycles(2);
+  for (const ParameterEcho& echo : harness.echoes()) echoes.push_back(echo);
+  EXPECT_EQ(echoes.back().generation, harness.generation) << "the newest parameters waited";
+  // Every generation that any sample names was echoed with the tick of its first sample.
+  std::size_t next = 0;
+  std::uint32_t generation = 0;
+  for (const Sample& sample : harness.samples()) {
+    if (sample.generation == generation) continue;
+    generation = sample.generation;
+    ASSERT_LT(next, echoes.size());
+    EXPECT_EQ(echoes[next].generation, generation);
+    EXPECT_EQ(echoes[next].tick, sample.tick);
+    ++next;
+  }
+  EXPECT_EQ(next, echoes.size());
+}
+
+TEST(ServoLoop, PausedItKeepsItsCadenceButDoesNotTick) {
+  Harness harness(contact_scene());
+  harness.cycles(5);
+  harness.command(CommandKind::kPause);
+  harness.loop.cycle({0, 1000, 3}, harness.clock);
+  const Snapshot paused = harness.snapshot();
+  EXPECT_TRUE(paused.paused);
+  EXPECT_EQ(paused.sample.tick, 4U);
+  EXPECT_EQ(paused.timing.ticks, 5U);
+  EXPECT_EQ(paused.timing.missed_ticks, 3U);
+  EXPECT_EQ(paused.timing.wake_latency_s, 1e-6);
+  EXPECT_EQ(harness.samples().size(), 5U);
+  harness.command(CommandKind::kResume);
+  harness.cycles(1);
+  EXPECT_EQ(harness.samples().front().tick, 5U);
+}
+
+TEST(ServoLoop, StepsAreExact) {
+  SessionOptions options;
+  options.start_paused = true;
+  Harness harness(contact_scene(), options);
+  harness.cycles(10);
+  EXPECT_TRUE(harness.samples().empty());
+  harness.command(CommandKind::kStep, 5);
+  harness.command(CommandKind::kStep, 2);
+  harness.cycles(100);
+  EXPECT_EQ(harness.samples().size(), 7U);
+  harness.command(CommandKind::kStep, 1000);
+  harness.cycles(3);
+  harness.command(CommandKind::kResume);
+  harness.cycles(1);
+  harness.command(CommandKind::kPause);
+  harness.cycles(100);
+  EXPECT_EQ(harness.samples().size(), 4U) << "going on ends the steps";
+  harness.command(CommandKind::kResume);
+  harness.command(CommandKind::kStep, 50);
+  harness.command(CommandKind::kPause);
+  harness.cycles(100);
+  EXPECT_TRUE(harness.samples().empty()) << "steps are for a paused loop only";
+}
+
+TEST(ServoLoop, ResetGoesBackToTickZeroAndRepeatsItself) {
+  Harness harness(contact_scene());
+  harness.cycles(777);
+  const auto first = harness.samples();
+  harness.command(CommandKind::kReset);
+  harness.cycles(777);
+  const auto second = harness.samples();
+  ASSERT_EQ(second.size(), first.size());
+  EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(Sample)), 0);
+  EXPECT_EQ(harness.snapshot().resets, 1U);
+  const auto echoes = harness.echoes();
+  ASSERT_EQ(echoes.size(), 2U);
+  EXPECT_EQ(echoes[1].tick, 0U);
+}
+
+TEST(ServoLoop, ResetTakesTheParametersOfTheMomentAsThoseOfTickZero) {
+  Harness harness(contact_scene());
+  harness.cycles(300);
+  const Scene changed = with_algorithm(harness.scene, 0);
+  harness.publish(changed);
+  harness.command(CommandKind::kReset);
+  static_cast<void>(harness.samples());
+  harness.cycles(300);
+  expect_same(harness.samples(), headless(changed, 300));
+}
+
+TEST(ServoLoop, ResetWhilePausedShowsTheStartAtOnce) {
+  Harness harness(contact_scene());
+  harness.cycles(kInContactTicks);
+  harness.command(CommandKind::kPause);
+  harness.command(CommandKind::kReset);
+  harness.cycles(1);
+  const Snapshot snapshot = harness.snapshot();
+  EXPECT_EQ(snapshot.sample.tick, 0U);
+  EXPECT_EQ(snapshot.sample.truth.position_m, harness.scene.device.start_m);
+  EXPECT_NEAR(snapshot.sample.penetration_m, -0.001, 3e-4);
+  EXPECT_EQ(snapshot.sample.force_n, 0.0);
+}
+
+TEST(ServoLoop, ThePointerLeadsUntilItIsGoneAndResetForgetsIt) {
+  Harness harness(contact_scene());
+  harness.cycles(10);
+  EXPECT_FALSE(harness.exchange.pointer_led);
+  harness.exchange.pointer_m = 0.02;
+  harness.cycles(2000);
+  EXPECT_TRUE(harness.exchange.pointer_led);
+  EXPECT_NEAR(harness.snapshot().sample.truth.hand_path_m, 0.02, 1e-12);
+  EXPECT_NEAR(harness.snapshot().sample.position_m, 0.02, 2e-3);
+  harness.exchange.pointer_m = kNoPointer;
+  harness.cycles(2000);
+  EXPECT_NEAR(harness.snapshot().sample.truth.hand_path_m, 0.075, 1e-12);
+  EXPECT_TRUE(harness.exchange.pointer_led) << "this run cannot be repeated any more";
+  harness.command(CommandKind::kReset);
+  static_cast<void>(harness.samples());
+  harness.cycles(100);
+  EXPECT_FALSE(harness.exchange.pointer_led);
+  expect_same(harness.samples(), headless(harness.scene, 100));
+}
+
+TEST(ServoLoop, DropsAreCounted) {
+  SessionOptions options;
+  options.plot_queue_capacity = 10;
+  options.recorder_queue_capacity = 4;
+  Harness harness(contact_scene(), options);
+  harness.cycles(8);
+  EXPECT_EQ(harness.exchange.recorder.size(), 0U);
+  harness.command(CommandKind::kStartRecording);
+  harness.cycles(7);
+  harness.command(CommandKind::kStopRecording);
+  harness.cycles(5);
+  EXPECT_EQ(harness.exchange.recording_switches, 2U);
+  EXPECT_EQ(harness.exchange.dropped_plot_samples, 10U);
+  EXPECT_EQ(harness.exchange.dropped_rows, 3U);
+  const auto rows = Harness::taken(harness.exchange.recorder);
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows.front().tick, 8U);
+}
+
+TEST(ServoLoop, ComputeTimeIsFromWakingToTheEndOfTheTick) {
+  Harness harness(contact_scene());
+  const std::int64_t woke_ns = harness.clock.now_ns();
+  harness.clock.advance_ns(5000);
+  harness.loop.cycle({woke_ns, 0, 0}, harness.clock);
+  EXPECT_DOUBLE_EQ(harness.snapshot().timing.compute_time_s, 5e-6);
+  harness.cycles(1);
+  EXPECT_EQ(harness.snapshot().timing.compute_time_s, 0.0);
+  EXPECT_DOUBLE_EQ(harness.snapshot().timing.maximum_compute_time_s, 5e-6);
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime

@@ -1,0 +1,164 @@
+// How a session begins and ends: in every state with zero force, joined threads and whole files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/runtime/session.h"
+#include "tests/app/runtime_fake_writer.h"
+#include "tests/app/runtime_session_support.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+using test::contact_scene;
+using test::eventually;
+using test::expect_without_gap;
+using test::FakeDevice;
+using test::FakeWriter;
+using test::lines_of;
+using test::live_session;
+using test::repeated_rows;
+using test::started;
+using test::started_paused;
+using test::TemporaryFolder;
+using test::text_of;
+using test::tick_of;
+using test::ticks_reach;
+using test::WriterLog;
+using testing::HasSubstr;
+
+TEST(SessionEnd, AnUnstoppedRecordingIsFinishedWhole) {
+  const TemporaryFolder folder;
+  auto session = started(contact_scene());
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 30; }));
+  session.reset();
+  const auto lines = lines_of(folder.file("a.csv"));
+  ASSERT_GT(lines.size(), 30U);
+  expect_without_gap(lines, tick_of(lines[1]));
+  EXPECT_EQ(repeated_rows(folder.file("a.toml")).size() + 1, lines.size());
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.csv.partial")));
+}
+
+TEST(SessionEnd, ARecordingWithoutATickIsAnEmptyWholeFile) {
+  const TemporaryFolder folder;
+  auto session = started_paused(contact_scene());
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  session.reset();
+  EXPECT_EQ(lines_of(folder.file("a.csv")).size(), 1U);
+}
+
+TEST(SessionEnd, AFailedRecordingGetsNoName) {
+  auto session = live_session();
+  const auto log = std::make_shared<WriterLog>();
+  log->fail_at_row = 5;
+  session->record_into(std::make_unique<FakeWriter>(log));
+  ASSERT_TRUE(
+      eventually([&] { return session->recording_status().state == RecordingState::kFailed; }));
+  session.reset();
+  EXPECT_TRUE(log->finished.empty());
+}
+
+// What is seen of a device from outside, also after the session has taken it with it.
+struct DeviceView {
+  std::atomic<bool> unplugged{false};
+  std::vector<std::string> log;  // after the end
+};
+
+class WatchedDevice : public FakeDevice {
+ public:
+  explicit WatchedDevice(std::shared_ptr<DeviceView> view) : view_(std::move(view)) {}
+  ~WatchedDevice() override {
+    if (!forces_n.empty()) log.push_back(std::to_string(forces_n.back()));
+    view_->log = log;
+  }
+  [[nodiscard]] DeviceReading read() override {
+    if (view_->unplugged) throw std::runtime_error("unplugged");
+    return FakeDevice::read();
+  }
+
+ private:
+  std::shared_ptr<DeviceView> view_;
+};
+
+struct WatchedSession {
+  explicit WatchedSession(const SessionOptions& options = {}) {
+    auto device = std::make_unique<WatchedDevice>(view);
+    device->position_m = 0.051;
+    auto result = Session::start_on(std::move(device), contact_scene(), options);
+    if (result) session = std::move(*result);
+  }
+  void expect_safe_end() {
+    session.reset();
+    const std::vector<std::string>& log = view->log;
+    ASSERT_GE(log.size(), 4U);
+    EXPECT_EQ(log.front(), "open");
+    EXPECT_EQ(log[log.size() - 3], "write");
+    EXPECT_EQ(log[log.size() - 2], "close");
+    EXPECT_EQ(log.back(), std::to_string(0.0)) << "the last force";
+  }
+
+  std::shared_ptr<DeviceView> view = std::make_shared<DeviceView>();
+  std::unique_ptr<Session> session;
+};
+
+TEST(SessionEnd, RunningItLeavesZeroForceAndAClosedDevice) {
+  WatchedSession watched;
+  ASSERT_TRUE(eventually([&] { return watched.session->snapshot().sample.force_n > 0.0; }));
+  watched.expect_safe_end();
+}
+
+TEST(SessionEnd, PausedItDoesToo) {
+  SessionOptions options;
+  options.start_paused = true;
+  WatchedSession(options).expect_safe_end();
+}
+
+TEST(SessionEnd, AfterAFaultNothingHangsAndTheRecordingIsWhole) {
+  const TemporaryFolder folder;
+  WatchedSession watched;
+  ASSERT_FALSE(watched.session->start_recording(folder.file("a.csv")));
+  ASSERT_TRUE(eventually([&] { return watched.session->recording_status().rows >= 10; }));
+  watched.view->unplugged = true;
+  ASSERT_TRUE(eventually([&] { return watched.session->snapshot().ended_by_fault; }));
+  EXPECT_FALSE(watched.session->stop_recording());
+  EXPECT_GT(lines_of(folder.file("a.csv")).size(), 10U);
+  EXPECT_THAT(text_of(folder.file("a.toml")), HasSubstr("repeatable = false"));
+  ASSERT_FALSE(watched.session->start_recording(folder.file("b.csv")));
+  watched.session->reset();
+  watched.session->pause(true);
+  watched.expect_safe_end();
+}
+
+TEST(SessionStart, RefusesAnInvalidSceneAndADeviceThatDoesNotOpen) {
+  Scene scene = contact_scene();
+  scene.device.mass_kg = -1.0;
+  const auto invalid = Session::start(scene);
+  ASSERT_FALSE(invalid);
+  EXPECT_EQ(invalid.error().kind, ErrorKind::kUsage);
+  EXPECT_THAT(invalid.error().message, HasSubstr("device.mass_kg"));
+
+  auto device = std::make_unique<FakeDevice>();
+  device->open_failure = Error{ErrorKind::kDevice, "no such device"};
+  const auto closed = Session::start_on(std::move(device), contact_scene());
+  ASSERT_FALSE(closed);
+  EXPECT_EQ(closed.error().kind, ErrorKind::kDevice);
+}
+
+TEST(SessionStart, ACoreThatIsNotThereIsSaidAndTheLoopRunsAllTheSame) {
+  SessionOptions options;
+  options.affinity_core = 1000;
+  const auto session = started(contact_scene(), options);
+  EXPECT_FALSE(session->realtime_status().affinity_set);
+  EXPECT_THAT(session->realtime_status().text, HasSubstr("not on core 1000"));
+  EXPECT_TRUE(ticks_reach(*session, 10));
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime

@@ -1,0 +1,218 @@
+// Recordings of live sessions: complete, numbered without a gap, and repeatable where they say so.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/runtime/session.h"
+#include "tests/app/runtime_fake_writer.h"
+#include "tests/app/runtime_session_support.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+using test::algorithm;
+using test::contact_scene;
+using test::eventually;
+using test::expect_without_gap;
+using test::FakeWriter;
+using test::flags_of;
+using test::lines_of;
+using test::live_session;
+using test::repeated_rows;
+using test::started;
+using test::started_paused;
+using test::TemporaryFolder;
+using test::text_of;
+using test::tick_of;
+using test::ticks_reach;
+using test::WriterLog;
+using testing::HasSubstr;
+
+TEST(SessionRecording, EveryAlgorithmInTurnIsCompleteAndRepeatsBitForBit) {
+  const TemporaryFolder folder;
+  const auto session = started_paused(contact_scene());
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  session->pause(false);
+  constexpr std::uint64_t kTicks = 500;
+  const std::uint64_t leg = kTicks / (algorithms().size() + 1);
+  for (std::size_t index = 0; index < algorithms().size(); ++index) {
+    ASSERT_TRUE(ticks_reach(*session, leg * (index + 1)));
+    ASSERT_FALSE(session->set_algorithm(algorithm(index)));
+    ASSERT_TRUE(eventually([&] { return session->snapshot().generation == index + 2; }));
+  }
+  ASSERT_TRUE(ticks_reach(*session, kTicks));
+  EXPECT_EQ(session->recording_status().state, RecordingState::kRecording);
+  const Failure failure = session->stop_recording();
+  ASSERT_FALSE(failure) << failure->message;
+  const RecordingStatus status = session->recording_status();
+  EXPECT_EQ(status.state, RecordingState::kIdle);
+  EXPECT_EQ(status.dropped_rows, 0U);
+  EXPECT_EQ(status.path, folder.file("a.csv"));
+
+  const auto lines = lines_of(folder.file("a.csv"));
+  ASSERT_GE(lines.size(), kTicks + 1);
+  EXPECT_EQ(lines.size(), status.rows + 1);
+  expect_without_gap(lines, 0);
+
+  // The sidecar's changes are at the ticks which the rows flag.
+  const auto loaded = file::load_scene(folder.file("a.toml"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  std::vector<std::uint64_t> flagged;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (flags_of(lines[0], lines[i]) & kFlagParametersChanged) flagged.push_back(tick_of(lines[i]));
+  }
+  ASSERT_EQ(loaded->changes.size(), algorithms().size());
+  ASSERT_EQ(flagged.size(), algorithms().size());
+  for (std::size_t i = 0; i < flagged.size(); ++i) {
+    EXPECT_EQ(loaded->changes[i].tick, flagged[i]);
+    EXPECT_EQ(loaded->changes[i].scene.algorithm.index, i);
+  }
+
+  const auto repeated = repeated_rows(folder.file("a.toml"));
+  ASSERT_EQ(repeated.size(), status.rows);
+  for (std::size_t i = 0; i < repeated.size(); ++i) ASSERT_EQ(lines[i + 1], repeated[i]);
+}
+
+TEST(SessionRecording, BegunLaterItStillTellsTheChangesSinceTickZero) {
+  const TemporaryFolder folder;
+  const auto session = started(contact_scene());
+  ASSERT_TRUE(ticks_reach(*session, 30));
+  auto walls = session->scene().walls;
+  walls[0].stiffness_n_per_m = 2000.0;
+  ASSERT_FALSE(session->set_walls(walls));
+  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  ASSERT_TRUE(ticks_reach(*session, 100));
+  ASSERT_FALSE(session->start_recording(folder.file("late.csv")));
+  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 50; }));
+  ASSERT_FALSE(session->stop_recording());
+
+  const auto lines = lines_of(folder.file("late.csv"));
+  const std::uint64_t first_tick = tick_of(lines.at(1));
+  EXPECT_GE(first_tick, 100U);
+  expect_without_gap(lines, first_tick);
+  const auto loaded = file::load_scene(folder.file("late.toml"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->first_recorded_tick, first_tick);
+  ASSERT_EQ(loaded->changes.size(), 1U);
+  EXPECT_LT(loaded->changes[0].tick, first_tick);
+  EXPECT_EQ(loaded->changes[0].scene.walls[0].stiffness_n_per_m, 2000.0);
+  const auto repeated = repeated_rows(folder.file("late.toml"));
+  ASSERT_EQ(repeated.size() + 1, lines.size());
+  for (std::size_t i = 0; i < repeated.size(); ++i) ASSERT_EQ(lines[i + 1], repeated[i]);
+}
+
+TEST(SessionRecording, ResetFinishesItAndTheNextOneStartsWithTheNewTickZero) {
+  const TemporaryFolder folder;
+  const auto session = started(contact_scene());
+  ASSERT_FALSE(session->start_recording(folder.file("one.csv")));
+  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 50; }));
+  ASSERT_FALSE(session->set_algorithm(algorithm(0)));
+  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  session->reset();
+  EXPECT_EQ(session->recording_status().state, RecordingState::kIdle);
+  const auto one = lines_of(folder.file("one.csv"));
+  ASSERT_GT(one.size(), 50U);
+  expect_without_gap(one, tick_of(one[1]));
+
+  ASSERT_FALSE(session->start_recording(folder.file("two.csv")));
+  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 50; }));
+  ASSERT_FALSE(session->stop_recording());
+  const auto two = lines_of(folder.file("two.csv"));
+  EXPECT_EQ(session->snapshot().resets, 1U);
+  expect_without_gap(two, tick_of(two.at(1)));
+  const auto loaded = file::load_scene(folder.file("two.toml"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_TRUE(loaded->changes.empty());
+  EXPECT_EQ(loaded->scene.algorithm.index, 0U) << "as it was at the new tick 0";
+}
+
+TEST(SessionRecording, WhatThePointerLedIsMarkedAsNotRepeatable) {
+  const TemporaryFolder folder;
+  const auto session = started(contact_scene());
+  const auto record = [&](const std::string& name) {
+    ASSERT_FALSE(session->start_recording(folder.file(name + ".csv")));
+    ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 20; }));
+    ASSERT_FALSE(session->stop_recording());
+  };
+  record("script");
+  EXPECT_THAT(text_of(folder.file("script.toml")), HasSubstr("repeatable = true"));
+  session->lead_hand(0.04);
+  ASSERT_TRUE(eventually([&] { return session->snapshot().sample.truth.hand_path_m < 0.041; }));
+  session->lead_hand(std::nullopt);
+  record("after");
+  EXPECT_THAT(text_of(folder.file("after.toml")), HasSubstr("repeatable = false"));
+  EXPECT_THAT(text_of(folder.file("after.toml")), HasSubstr("pointer"));
+  session->reset();
+  record("again");
+  EXPECT_THAT(text_of(folder.file("again.toml")), HasSubstr("repeatable = true"));
+}
+
+TEST(SessionRecording, DroppedRowsAreAnErrorThatIsSeenAndTold) {
+  const TemporaryFolder folder;
+  SessionOptions options;
+  options.recorder_queue_capacity = 4;  // the recorder looks every 50 ms
+  const auto session = started(contact_scene(), options);
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  ASSERT_TRUE(eventually([&] { return session->recording_status().dropped_rows >= 10; }));
+  const Failure failure = session->stop_recording();
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->kind, ErrorKind::kFile);
+  EXPECT_THAT(failure->message, HasSubstr("rows are missing"));
+  EXPECT_EQ(session->recording_status().state, RecordingState::kFailed);
+  EXPECT_EQ(session->recording_status().error, failure->message);
+  EXPECT_THAT(text_of(folder.file("a.toml")), HasSubstr("complete = false"));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("a.csv")));
+}
+
+TEST(SessionRecording, RefusesWhatCannotBeAndSaysWhy) {
+  const TemporaryFolder folder;
+  const auto session = started(contact_scene());
+  EXPECT_FALSE(session->stop_recording()) << "nothing to stop is no failure";
+  const Failure unwritable = session->start_recording(folder.file("missing/a.csv"));
+  ASSERT_TRUE(unwritable);
+  EXPECT_EQ(unwritable->kind, ErrorKind::kFile);
+  EXPECT_EQ(session->recording_status().state, RecordingState::kIdle);
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  const Failure twice = session->start_recording(folder.file("b.csv"));
+  ASSERT_TRUE(twice);
+  EXPECT_THAT(twice->message, HasSubstr("a.csv"));
+  EXPECT_FALSE(session->stop_recording());
+}
+
+TEST(SessionRecording, AFullDiskIsSeenAtOnceAndTheNextRecordingIsNotInItsWay) {
+  const TemporaryFolder folder;
+  const auto session = live_session();
+  const auto log = std::make_shared<WriterLog>();
+  log->fail_at_row = 20;
+  session->record_into(std::make_unique<FakeWriter>(log));
+  ASSERT_TRUE(
+      eventually([&] { return session->recording_status().state == RecordingState::kFailed; }));
+  EXPECT_EQ(session->recording_status().error, "disk full");
+  ASSERT_FALSE(session->start_recording(folder.file("b.csv")));
+  EXPECT_EQ(session->recording_status().state, RecordingState::kRecording);
+  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 10; }));
+  EXPECT_FALSE(session->stop_recording());
+}
+
+// A row that the loop had still to push would be lost, or turn up in the next file.
+TEST(SessionRecording, StopWaitsForTheLoopsWord) {
+  constexpr double kSlowRateHz = 100.0;
+  const auto session = live_session(kSlowRateHz);
+  ASSERT_TRUE(ticks_reach(*session, 1));
+  for (int i = 0; i < 5; ++i) {
+    const std::uint64_t ticks = session->snapshot().timing.ticks;
+    // Two answers of the loop lie at least one cycle apart.
+    for (int answer = 0; answer < 2; ++answer) {
+      session->record_into(std::make_unique<FakeWriter>(std::make_shared<WriterLog>()));
+      ASSERT_FALSE(session->stop_recording());
+    }
+    EXPECT_GT(session->snapshot().timing.ticks, ticks);
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime

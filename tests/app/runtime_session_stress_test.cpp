@@ -1,0 +1,70 @@
+// An owner that does everything at once to a loop at 10 kHz; clean under ThreadSanitizer.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "app/runtime/session.h"
+#include "tests/app/runtime_support.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+using test::contact_scene;
+using test::TemporaryFolder;
+
+constexpr std::uint64_t kTicks = 6000;
+
+TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
+  const TemporaryFolder folder;
+  auto started = Session::start(contact_scene(10000.0));
+  ASSERT_TRUE(started) << started.error().message;
+  Session& session = **started;
+  std::array<Sample, 256> samples;
+  std::uint64_t round = 0;
+  std::uint64_t out_of_order = 0;
+  std::uint64_t taken = 0;
+  Sample previous;
+  while (session.snapshot().timing.ticks < kTicks) {
+    ++round;
+    AlgorithmSettings algorithm;
+    algorithm.index = round % algorithms().size();
+    ASSERT_FALSE(session.set_algorithm(algorithm));
+    auto walls = session.scene().walls;
+    walls[0].stiffness_n_per_m = 1000.0 * static_cast<double>(1 + round % 20);
+    ASSERT_FALSE(session.set_walls(walls));
+    if (round % 3 == 0) {
+      session.lead_hand(0.04 + 1e-3 * static_cast<double>(round % 20));
+    } else {
+      session.lead_hand(std::nullopt);
+    }
+    session.pause(true);
+    session.step(3);
+    session.pause(false);
+    const std::string name = folder.file(std::to_string(round % 4) + ".csv");
+    Failure failure;
+    if (round % 50 == 10) failure = session.start_recording(name);
+    if (round % 50 == 40) failure = session.stop_recording();
+    ASSERT_FALSE(failure) << failure->message;
+    if (round % 200 == 30) session.reset();
+    static_cast<void>(session.recording_status());
+    const std::size_t count = session.take_samples(samples);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool next = samples[i].tick == previous.tick + 1 || samples[i].tick == 0;
+      out_of_order += next || taken + i == 0 ? 0U : 1U;
+      previous = samples[i];
+    }
+    taken += count;
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(out_of_order, 0U);
+  EXPECT_GT(taken, 0U);
+  EXPECT_EQ(session.dropped_plot_samples(), 0U);
+  EXPECT_FALSE(session.snapshot().ended_by_fault);
+  EXPECT_GT(round, 50U) << "too few rounds to have recorded";
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime

@@ -1,0 +1,158 @@
+// Sessions on a real thread. Whatever is waited for is a condition, counted in ticks.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "app/runtime/session.h"
+#include "tests/app/runtime_session_support.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+using test::algorithm;
+using test::all_samples;
+using test::contact_scene;
+using test::eventually;
+using test::started;
+using test::started_paused;
+using test::ticks_reach;
+using testing::HasSubstr;
+
+TEST(Session, RunsAtItsRateAndSaysHowItIsSetUp) {
+  const auto session = started(contact_scene());
+  ASSERT_TRUE(ticks_reach(*session, 100));
+  const Snapshot snapshot = session->snapshot();
+  EXPECT_EQ(snapshot.sample.tick + 1, snapshot.timing.ticks);
+  EXPECT_GE(snapshot.timing.maximum_wake_latency_s, snapshot.timing.wake_latency_s);
+  EXPECT_GT(snapshot.timing.maximum_compute_time_s, 0.0);
+  EXPECT_FALSE(snapshot.paused);
+  EXPECT_FALSE(session->realtime_status().text.empty());
+  EXPECT_EQ(session->realtime_status().advice.empty(),
+            session->realtime_status().fifo_priority && session->realtime_status().memory_locked);
+}
+
+TEST(Session, EveryTickComesOutOnceAndInOrder) {
+  const auto session = started(contact_scene(10000.0));
+  std::vector<Sample> samples;
+  ASSERT_TRUE(eventually([&] {
+    for (const Sample& sample : all_samples(*session)) samples.push_back(sample);
+    return samples.size() >= 5000;
+  }));
+  for (std::size_t i = 0; i < samples.size(); ++i) ASSERT_EQ(samples[i].tick, i);
+  EXPECT_EQ(session->dropped_plot_samples(), 0U);
+}
+
+TEST(Session, ASlowOwnerLosesPlotSamplesAndIsTold) {
+  SessionOptions options;
+  options.plot_queue_capacity = 16;
+  const auto session = started(contact_scene(), options);
+  ASSERT_TRUE(ticks_reach(*session, 50));
+  EXPECT_TRUE(eventually([&] { return session->dropped_plot_samples() >= 34; }));
+}
+
+TEST(Session, StepsAreExactHoweverManyAtOnce) {
+  const auto session = started_paused(contact_scene(5000.0));
+  session->step(5);
+  ASSERT_TRUE(ticks_reach(*session, 5));
+  // More commands than the queue holds: none is lost, and none of the ticks either.
+  for (int i = 0; i < 1000; ++i) session->step();
+  ASSERT_TRUE(ticks_reach(*session, 1005));
+  session->step(3);
+  ASSERT_TRUE(ticks_reach(*session, 1008));
+  EXPECT_EQ(session->snapshot().timing.ticks, 1008U);
+  EXPECT_EQ(all_samples(*session).back().tick, 1007U);
+  EXPECT_TRUE(session->snapshot().paused);
+}
+
+TEST(Session, PauseHoldsAndResumeGoesOnWithTheNextTick) {
+  const auto session = started(contact_scene());
+  ASSERT_TRUE(ticks_reach(*session, 20));
+  session->pause(true);
+  ASSERT_TRUE(eventually([&] { return session->snapshot().paused; }));
+  const std::uint64_t ticks = session->snapshot().timing.ticks;
+  session->step(7);
+  ASSERT_TRUE(ticks_reach(*session, ticks + 7));
+  EXPECT_EQ(session->snapshot().timing.ticks, ticks + 7) << "but for the steps it stood still";
+  session->pause(false);
+  ASSERT_TRUE(ticks_reach(*session, ticks + 20));
+  const auto samples = all_samples(*session);
+  for (std::size_t i = 0; i < samples.size(); ++i) ASSERT_EQ(samples[i].tick, i);
+}
+
+TEST(Session, ResetStartsOverAndRepeatsItself) {
+  const auto session = started_paused(contact_scene(5000.0));
+  session->step(300);
+  ASSERT_TRUE(ticks_reach(*session, 300));
+  auto first = all_samples(*session);
+  session->reset();
+  ASSERT_TRUE(eventually([&] { return session->snapshot().resets == 1; }));
+  EXPECT_EQ(session->snapshot().sample.tick, 0U);
+  EXPECT_TRUE(session->snapshot().paused);
+  session->step(300);
+  ASSERT_TRUE(ticks_reach(*session, 600));
+  const auto second = all_samples(*session);
+  ASSERT_EQ(first.size(), second.size());
+  EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(Sample)), 0);
+}
+
+TEST(Session, ChangesTakeEffectAndProblemsLeaveEverythingAsItWas) {
+  const auto session = started(contact_scene());
+  auto walls = session->scene().walls;
+  walls[0].stiffness_n_per_m = std::numeric_limits<double>::quiet_NaN();
+  const auto problem = session->set_walls(walls);
+  ASSERT_TRUE(problem);
+  EXPECT_THAT(problem->key, HasSubstr("stiffness_n_per_m"));
+  EXPECT_TRUE(session->set_algorithm(algorithm(algorithms().size())));
+  EXPECT_EQ(session->scene().walls[0].stiffness_n_per_m, 35000.0);
+
+  walls[0].stiffness_n_per_m = 1000.0;
+  EXPECT_FALSE(session->set_walls(walls));
+  EXPECT_FALSE(session->set_walls(walls)) << "the same again is no change";
+  EXPECT_EQ(session->scene().walls[0].stiffness_n_per_m, 1000.0);
+  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  EXPECT_FALSE(session->set_algorithm(algorithm(0)));
+  EXPECT_FALSE(session->set_algorithm(algorithm(0)));
+  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 3; }));
+  walls[0].stiffness_n_per_m = 2000.0;
+  EXPECT_FALSE(session->set_walls(walls));
+  ASSERT_TRUE(eventually([&] { return session->snapshot().generation >= 4; }));
+  EXPECT_EQ(session->snapshot().generation, 4U);
+}
+
+TEST(Session, ThePointerLeadsTheHand) {
+  const auto session = started(contact_scene());
+  session->lead_hand(0.03);
+  EXPECT_TRUE(eventually(
+      [&] { return std::abs(session->snapshot().sample.truth.hand_path_m - 0.03) < 1e-9; }));
+  session->lead_hand(std::numeric_limits<double>::quiet_NaN());  // as good as nothing
+  EXPECT_TRUE(eventually(
+      [&] { return std::abs(session->snapshot().sample.truth.hand_path_m - 0.075) < 1e-9; }));
+}
+
+TEST(Session, ForceDoesNotJumpWhenAlgorithmsSwitch) {
+  Scene scene = contact_scene();
+  const auto session = started(scene);
+  ASSERT_TRUE(ticks_reach(*session, 300));
+  for (std::size_t i = 0; i < 2 * algorithms().size(); ++i) {
+    ASSERT_FALSE(session->set_algorithm(algorithm(i % algorithms().size())));
+    const std::uint64_t ticks = session->snapshot().timing.ticks;
+    ASSERT_TRUE(ticks_reach(*session, ticks + 60));
+  }
+  const auto samples = all_samples(*session);
+  std::size_t switches = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if ((samples[i].flags & kFlagParametersChanged) == 0) continue;
+    ++switches;
+    EXPECT_NEAR(samples[i].force_n, samples[i - 1].force_n, 1e-12) << "tick " << samples[i].tick;
+  }
+  EXPECT_GE(switches, 2 * algorithms().size() - 1);
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime

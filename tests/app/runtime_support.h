@@ -1,0 +1,141 @@
+// What the runtime's tests share: scenes, a clock and devices that obey, waiting for conditions.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/runtime/clock.h"
+#include "core/scene.h"
+#include "core/stabiliser/stabiliser.h"
+#include "device/device.h"
+
+namespace hapticwall::runtime::test {
+
+// The paper's device, a firm hand that goes into the wall within some thirty ticks and stays there.
+inline Scene contact_scene(double rate_hz = 1000.0) {
+  Scene scene;
+  scene.name = "contact";
+  scene.sampling.rate_hz = rate_hz;
+  scene.device.friction_n = 0.14;
+  scene.device.encoder_m = 0.254e-3;
+  scene.device.force_limit_n = 8.9;
+  scene.device.start_m = 0.049;
+  HandSettings hand;
+  hand.mass_kg = 0.4;
+  hand.stiffness_n_per_m = 250.0;
+  hand.damping_n_s_per_m = 33.0;
+  hand.grip_stiffness_n_per_m = 1000.0;
+  hand.grip_damping_n_s_per_m = 1.0;
+  hand.path = {{0.0, 0.049}, {0.05, 0.075}};
+  scene.hand = hand;
+  scene.walls = {{0.05, 35000.0, 0.0}};
+  scene.algorithm.index = find_algorithm("virtual-coupling").value();
+  return scene;
+}
+
+inline Scene with_algorithm(Scene scene, std::size_t index) {
+  scene.algorithm.index = index;
+  return scene;
+}
+
+// Time that passes only when somebody sleeps.
+class FakeClock : public Clock {
+ public:
+  [[nodiscard]] std::int64_t now_ns() override { return now_ns_; }
+  void sleep_until_ns(std::int64_t deadline_ns) override {
+    if (deadline_ns > now_ns_) now_ns_ = deadline_ns;
+    if (after_sleep) after_sleep(*this);
+  }
+  void advance_ns(std::int64_t duration_ns) { now_ns_ += duration_ns; }
+
+  std::function<void(FakeClock&)> after_sleep;
+
+ private:
+  std::int64_t now_ns_ = 1'000'000'000;
+};
+
+// A device without a plant, which remembers what it was told.
+class FakeDevice : public device::Device {
+ public:
+  [[nodiscard]] device::DeviceInfo info() const override { return {"fake", false}; }
+  [[nodiscard]] Failure open() override {
+    log.emplace_back("open");
+    return open_failure;
+  }
+  [[nodiscard]] DeviceReading read() override {
+    if (throw_at_read != 0 && ++reads == throw_at_read) throw std::runtime_error("unplugged");
+    return {position_m, age_s, DeviceState::kOk};
+  }
+  void write(double force_n) override {
+    if (throw_at_write) throw std::runtime_error("unplugged");
+    forces_n.push_back(force_n);
+    log.emplace_back("write");
+  }
+  void close() override { log.emplace_back("close"); }
+
+  double position_m = 0.0;
+  double age_s = 0.0;
+  Failure open_failure;
+  int throw_at_read = 0;  // 0: never; else the how manieth
+  bool throw_at_write = false;
+  int reads = 0;
+  std::vector<double> forces_n;
+  std::vector<std::string> log;
+};
+
+// True as soon as `condition` holds. The deadline is there for a broken program, not for a slow
+// one.
+inline bool eventually(const std::function<bool()>& condition) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+// A folder of the test's own, gone with it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "hapticwall-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp");
+    path_ = pattern;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+
+  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream stream(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+inline std::string text_of(const std::string& path) {
+  std::ifstream stream(path);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+}  // namespace hapticwall::runtime::test
