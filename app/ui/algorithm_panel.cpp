@@ -1,0 +1,127 @@
+// Choice of the algorithm, and its own parameters as it declares them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/ui/control_panel.h"
+#include "app/ui/widgets.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::ui {
+namespace {
+
+void set_parameter(const PanelContext& context, std::size_t index, std::optional<double> value) {
+  AlgorithmSettings changed = context.session.scene().algorithm;
+  changed.values[index] = value;
+  if (const auto problem = context.session.set_algorithm(changed)) tell(context.state, *problem);
+}
+
+std::string parameter_tooltip(const ParameterDescription& parameter) {
+  std::string text(parameter.meaning);
+  if (parameter.kind == ParameterKind::kNumber) {
+    text +=
+        fmt::format("\nfrom {:g} to {:g} {}", parameter.minimum, parameter.maximum, parameter.unit);
+  }
+  return text + fmt::format("\nempty: {}", parameter.default_text);
+}
+
+// Empty means the algorithm's own default, which the hint tells.
+void draw_number(const PanelContext& context, const ParameterDescription& parameter,
+                 std::size_t index, std::optional<double> value) {
+  const std::string shown = value ? number_text(*value) : std::string();
+  const auto text = text_field(context, "##value", std::string(parameter.default_text), shown);
+  if (!text) return;
+  if (text->find_first_not_of(' ') == std::string::npos) {
+    set_parameter(context, index, std::nullopt);
+    return;
+  }
+  if (const auto number = parse_number(*text)) {
+    set_parameter(context, index, number);
+  } else {
+    tell(context.state, MessageKind::kProblem,
+         fmt::format("algorithm.{}: '{}' is not a number", parameter.key, *text));
+  }
+}
+
+// A switch or a choice: the default, or one of the words.
+void draw_choice(const PanelContext& context, const ParameterDescription& parameter,
+                 std::size_t index, std::optional<double> value) {
+  static constexpr std::array<std::string_view, 2> kSwitch{"false", "true"};
+  const std::span<const std::string_view> words = parameter.kind == ParameterKind::kBoolean
+                                                      ? std::span<const std::string_view>(kSwitch)
+                                                      : parameter.choices;
+  const std::string default_word = fmt::format("{} (default)", parameter.default_text);
+  const auto chosen = value ? static_cast<std::size_t>(*value) : words.size();
+  const std::string shown = chosen < words.size() ? std::string(words[chosen]) : default_word;
+  if (!ImGui::BeginCombo("##value", shown.c_str())) return;
+  if (ImGui::Selectable(default_word.c_str(), !value)) set_parameter(context, index, std::nullopt);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (ImGui::Selectable(std::string(words[i]).c_str(), value && i == chosen)) {
+      set_parameter(context, index, static_cast<double>(i));
+    }
+  }
+  ImGui::EndCombo();
+}
+
+// "rest_force_step_n" reads "rest force step": the unit stands beside the field.
+std::string readable_key(std::string_view key) {
+  for (const std::string_view ending :
+       {"_n_s_per_m", "_n_per_m", "_m_per_s", "_n", "_m", "_s", "_j", "_hz"}) {
+    if (key.ends_with(ending)) {
+      key.remove_suffix(ending.size());
+      break;
+    }
+  }
+  std::string words(key);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+void draw_parameter(const PanelContext& context, const ParameterDescription& parameter) {
+  const auto index = find_algorithm_parameter(parameter.key);
+  if (!index) return;
+  const std::optional<double> value = context.session.scene().algorithm.values[*index];
+  const std::string key(parameter.key);
+  ImGui::PushID(key.c_str());
+  const std::string tooltip = key + "\n" + parameter_tooltip(parameter);
+  field_label(context, readable_key(parameter.key), tooltip, parameter.unit);
+  if (parameter.kind == ParameterKind::kNumber) {
+    draw_number(context, parameter, *index, value);
+  } else {
+    draw_choice(context, parameter, *index, value);
+  }
+  remember_item(context.state, "algorithm." + key);
+  explain(tooltip);
+  unit_label(parameter.unit);
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void choose_algorithm(const PanelContext& context, std::size_t index) {
+  if (index >= algorithms().size()) return;
+  AlgorithmSettings changed = context.session.scene().algorithm;
+  changed.index = index;
+  if (const auto problem = context.session.set_algorithm(changed)) tell(context.state, *problem);
+}
+
+void draw_algorithm_section(const PanelContext& context) {
+  section(context, "Algorithm");
+  const auto list = algorithms();
+  const std::size_t current = context.session.scene().algorithm.index;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string label = fmt::format("{}   {}", i + 1, list[i].name);
+    if (ImGui::Selectable(label.c_str(), i == current)) choose_algorithm(context, i);
+    remember_item(context.state, list[i].name);
+    explain(fmt::format("{}\n{}\nkey {}; changes while it runs, without a jump of the force",
+                        list[i].title, list[i].idea, i + 1));
+  }
+  if (current >= list.size()) return;
+  muted_text(context, list[current].idea);
+  for (const ParameterDescription& parameter : list[current].parameters)
+    draw_parameter(context, parameter);
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,107 @@
+// The simulated hand: its script, or the pointer.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "app/ui/control_panel.h"
+#include "app/ui/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kMillimetresPerMetre = 1e3;
+
+// A script of the usual kind: from a place to another at one speed.
+struct Approach {
+  double start_m = 0.0;
+  double end_m = 0.0;
+  double speed_m_per_s = 0.0;
+};
+
+std::optional<Approach> approach_of(const HandSettings& hand) {
+  if (hand.path.size() != 2) return std::nullopt;
+  const PathPoint& from = hand.path.front();
+  const PathPoint& to = hand.path.back();
+  const double duration_s = to.time_s - from.time_s;
+  if (duration_s <= 0.0) return std::nullopt;
+  return Approach{from.position_m, to.position_m,
+                  std::abs(to.position_m - from.position_m) / duration_s};
+}
+
+void want_approach(const PanelContext& context, const Approach& approach) {
+  if (!(approach.speed_m_per_s > 0.0)) {
+    tell(context.state, MessageKind::kProblem, "the approach speed must be more than 0 mm/s");
+    return;
+  }
+  Scene changed = context.session.scene();
+  PathPoint& to = changed.hand->path.back();
+  to.position_m = approach.end_m;
+  to.time_s = changed.hand->path.front().time_s +
+              std::abs(approach.end_m - approach.start_m) / approach.speed_m_per_s;
+  context.state.transient.wanted_scene = std::move(changed);
+}
+
+void draw_approach(const PanelContext& context, Approach approach) {
+  const char* tooltip_end =
+      "Where the hand wants to be in the end. Starts the script anew, from rest.";
+  field_label(context, "end position", tooltip_end, "mm");
+  if (const auto typed = number_field(context, "##end", approach.end_m * kMillimetresPerMetre)) {
+    approach.end_m = *typed / kMillimetresPerMetre;
+    want_approach(context, approach);
+  }
+  remember_item(context.state, "end position");
+  unit_label("mm");
+  field_label(context, "approach speed",
+              "How fast it goes there. Starts the script anew, from rest.", "mm/s");
+  if (const auto typed =
+          number_field(context, "##speed", approach.speed_m_per_s * kMillimetresPerMetre)) {
+    approach.speed_m_per_s = *typed / kMillimetresPerMetre;
+    want_approach(context, approach);
+  }
+  remember_item(context.state, "approach speed");
+  unit_label("mm/s");
+}
+
+void draw_pointer(const PanelContext& context, const HandSettings& hand) {
+  TransientState& transient = context.state.transient;
+  if (transient.hand_m) {
+    ImGui::TextColored(context.theme.colour(Tone::kHand), "The pointer leads: %.1f mm",
+                       *transient.hand_m * kMillimetresPerMetre);
+  } else {
+    muted_text(context, hand.follows_mouse
+                            ? "Waits for the pointer: drag in the view."
+                            : "Follows its script. Drag in the view to lead it yourself.");
+  }
+  if (hand.follows_mouse) return;
+  bool& stays = context.state.persisted.hand_stays_where_released;
+  if (ImGui::Checkbox("stays where it is let go", &stays) && !stays && !transient.dragging_hand) {
+    transient.hand_m.reset();
+    context.session.lead_hand(std::nullopt);
+  }
+  remember_item(context.state, "hand stays");
+  explain(
+      "While the mouse button is down in the view, the hand's spring pulls the handle to the "
+      "pointer. When "
+      "it is let go, the hand returns to where its script is by now; ticked, it stays where it "
+      "was.");
+}
+
+}  // namespace
+
+void draw_hand_section(const PanelContext& context) {
+  section(context, "Hand");
+  const auto& hand = context.session.scene().hand;
+  if (!hand) {
+    muted_text(context, "This scene has no hand: nothing holds the handle.");
+    return;
+  }
+  if (const auto approach = approach_of(*hand)) {
+    draw_approach(context, *approach);
+  } else if (!hand->path.empty()) {
+    muted_text(context, fmt::format("A script of {} points, from the scene.", hand->path.size()));
+  }
+  draw_pointer(context, *hand);
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,21 @@
+// The solids that the wall view is put together from, around the origin.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "app/ui/gl_objects.h"
+
+namespace hapticwall::ui {
+
+struct Shape {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+};
+
+[[nodiscard]] Shape make_box();       // edges of length 1
+[[nodiscard]] Shape make_sphere();    // radius 1
+[[nodiscard]] Shape make_cylinder();  // radius 1, along x from 0 to 1, with lids
+[[nodiscard]] Shape make_cone();      // base of radius 1 at x = 0, tip at x = 1
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,108 @@
+#include "app/ui/status_line.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "app/ui/widgets.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kMicrosecondsPerSecond = 1e6;
+constexpr double kMillisecondsPerSecond = 1e3;
+
+// Name in grey, value in digits of constant width: nothing moves while it counts.
+void value(const PanelContext& context, const char* name, const std::string& text, Tone tone,
+           std::string_view tooltip) {
+  ImGui::BeginGroup();
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(0.0F, 0.4F * ImGui::GetFontSize());
+  ImGui::PushFont(context.theme.fonts.digits, kSmallFontSize);
+  ImGui::TextColored(context.theme.colour(tone), "%s", text.c_str());
+  ImGui::PopFont();
+  ImGui::EndGroup();
+  explain(tooltip);
+  ImGui::SameLine(0.0F, 1.3F * ImGui::GetFontSize());
+}
+
+void dot(const PanelContext& context, Tone tone) {
+  const float size = ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddCircleFilled(
+      ImVec2(corner.x + 0.3F * size, corner.y + 0.55F * size), 0.28F * size,
+      context.theme.packed(tone));
+  ImGui::SetCursorScreenPos(ImVec2(corner.x + 0.85F * size, corner.y));
+}
+
+// The rest of the row; what does not fit is in the tooltip.
+void draw_realtime_state(const PanelContext& context) {
+  const runtime::RealtimeStatus& status = context.session.realtime_status();
+  const Tone tone = status.fifo_priority ? Tone::kGood : Tone::kWarning;
+  dot(context, tone);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushClipRect(corner, ImVec2(corner.x + width, corner.y + 2.0F * ImGui::GetFontSize()),
+                      true);
+  ImGui::TextColored(context.theme.colour(tone), "%s", status.text.c_str());
+  ImGui::PopClipRect();
+  const bool cut = ImGui::GetItemRectSize().x > width;
+  remember_item(context.state, "realtime");
+  std::string tooltip = status.text;
+  if (!status.advice.empty()) tooltip += "\n\n" + status.advice;
+  if (cut || !status.advice.empty()) explain(tooltip);
+}
+
+}  // namespace
+
+void draw_message_row(const PanelContext& context) {
+  const Message& message = context.state.transient.message;
+  if (message.kind == MessageKind::kNone) {
+    ImGui::TextDisabled(
+        "Keys:  1–%zu algorithm   P pause   S or → step   R reset      Drag in the view to lead "
+        "the hand",
+        algorithms().size());
+    return;
+  }
+  const bool problem = message.kind == MessageKind::kProblem;
+  dot(context, problem ? Tone::kBad : Tone::kGood);
+  ImGui::TextColored(context.theme.colour(problem ? Tone::kBad : Tone::kText), "%s",
+                     message.text.c_str());
+  remember_item(context.state, "message");
+  explain(message.text + "\n(click to put away)");
+  if (ImGui::IsItemClicked()) context.state.transient.message = {};
+}
+
+void draw_status_row(const PanelContext& context) {
+  const runtime::TimingStatistics& timing = context.snapshot.timing;
+  const auto microseconds = [](double newest_s, double most_s) {
+    return fmt::format("{:5.1f} µs, most {:5.0f} µs", newest_s * kMicrosecondsPerSecond,
+                       most_s * kMicrosecondsPerSecond);
+  };
+  const std::uint64_t dropped = context.session.dropped_plot_samples();
+  dot(context, Tone::kAccent);
+  ImGui::TextUnformatted(context.snapshot.paused ? "Simulator, paused" : "Simulator");
+  explain("Everything on this screen is simulated: no haptic device is connected or moved.");
+  ImGui::SameLine(0.0F, 1.3F * ImGui::GetFontSize());
+  value(context, "rate", fmt::format("{:g} Hz", context.session.scene().sampling.rate_hz),
+        Tone::kText, "Ticks of the loop a second");
+  value(context, "missed", fmt::format("{}", timing.missed_ticks),
+        timing.missed_ticks > 0 ? Tone::kWarning : Tone::kText,
+        fmt::format("Of {} ticks since the start; a missed tick is left out, never caught up with",
+                    timing.ticks));
+  value(context, "wake-up", microseconds(timing.wake_latency_s, timing.maximum_wake_latency_s),
+        Tone::kText, "How late the loop woke up, newest tick and worst since the start");
+  value(context, "compute", microseconds(timing.compute_time_s, timing.maximum_compute_time_s),
+        Tone::kText, "How long a tick's work took, newest tick and worst since the start");
+  value(context, "plot drops", fmt::format("{}", dropped),
+        dropped > 0 ? Tone::kWarning : Tone::kText,
+        "Samples that the window was too slow to take; the recording has a queue of its own");
+  value(context, "frame",
+        fmt::format("{:4.1f} ms",
+                    kMillisecondsPerSecond / static_cast<double>(ImGui::GetIO().Framerate)),
+        Tone::kText, "Time from one picture of this window to the next");
+  draw_realtime_state(context);
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,153 @@
+#include "app/ui/toolbar.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "app/ui/widgets.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using runtime::RecordingState;
+using runtime::RecordingStatus;
+
+constexpr float kButtonEms = 6.0F;
+constexpr float kRecordButtonEms = 7.0F;
+constexpr float kNameEms = 15.0F;
+
+bool button(const PanelContext& context, const char* label, const char* name, float width_ems,
+            const char* tooltip) {
+  const bool clicked = ImGui::Button(label, ImVec2(width_ems * ImGui::GetFontSize(), 0.0F));
+  remember_item(context.state, name);
+  explain(tooltip);
+  return clicked;
+}
+
+std::string automatic_name(const Scene& scene) {
+  const auto list = algorithms();
+  const bool known = scene.algorithm.index < list.size();
+  return fmt::format("{}-{}.csv", scene.name, known ? list[scene.algorithm.index].name : "unknown");
+}
+
+void draw_transport(const PanelContext& context) {
+  const bool paused = context.snapshot.paused;
+  if (button(context, paused ? "Run###pause" : "Pause###pause", "pause", kButtonEms,
+             "Halts the loop between two ticks, or lets it run (key P)")) {
+    toggle_pause(context);
+  }
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!paused);
+  if (button(context, "Step", "step", kButtonEms, "One tick, while paused (key S or →)"))
+    single_step(context);
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (button(context, "Reset", "reset", kButtonEms,
+             "Back to tick 0, at rest (key R). A recording goes on.")) {
+    reset_session(context);
+  }
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(context.theme.fonts.digits, 0.0F);
+  ImGui::Text("%9.3f s", context.snapshot.sample.time_s);
+  ImGui::PopFont();
+  explain("Time since the last reset; the time of the session, not of the clock on the wall.");
+}
+
+void draw_recording_status(const PanelContext& context, const RecordingStatus& status) {
+  if (status.state == RecordingState::kIdle && status.path.empty()) return;
+  ImGui::SameLine();
+  if (status.state == RecordingState::kFailed) {
+    ImGui::TextColored(context.theme.colour(Tone::kBad), "%s", status.error.c_str());
+    explain(status.error);
+    return;
+  }
+  const bool lost = status.dropped_rows > 0;
+  const Tone tone = lost ? Tone::kBad : Tone::kMuted;
+  ImGui::TextColored(context.theme.colour(tone), "%llu rows, %llu dropped",
+                     static_cast<unsigned long long>(status.rows),
+                     static_cast<unsigned long long>(status.dropped_rows));
+  explain(status.path);
+}
+
+void draw_recording(const PanelContext& context) {
+  const RecordingStatus status = context.session.recording_status();
+  const bool recording = status.state == RecordingState::kRecording;
+  ImGui::SameLine(0.0F, 2.0F * ImGui::GetFontSize());
+  if (recording) ImGui::PushStyleColor(ImGuiCol_Button, context.theme.packed(Tone::kBad, 0.55F));
+  const bool clicked =
+      button(context, recording ? "Stop###record" : "Record###record", "record", kRecordButtonEms,
+             "Writes every tick to a CSV file, with a sidecar that repeats the session");
+  if (recording) ImGui::PopStyleColor();
+  if (clicked) toggle_recording(context);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(kNameEms * ImGui::GetFontSize());
+  ImGui::BeginDisabled(recording);
+  TransientState& transient = context.state.transient;
+  const std::string hint = automatic_name(context.session.scene());
+  if (const auto name = text_field(context, "##recording-name", hint, transient.recording_name)) {
+    transient.recording_name = *name;
+  }
+  remember_item(context.state, "recording name");
+  explain(
+      "Name of the file; empty: after scene and algorithm. An existing file is never overwritten.");
+  ImGui::EndDisabled();
+  draw_recording_status(context, status);
+}
+
+}  // namespace
+
+void draw_toolbar(const PanelContext& context) {
+  draw_transport(context);
+  draw_recording(context);
+}
+
+void toggle_pause(const PanelContext& context) { context.session.pause(!context.snapshot.paused); }
+
+void single_step(const PanelContext& context) {
+  if (context.snapshot.paused) context.session.step();
+}
+
+void reset_session(const PanelContext& context) {
+  context.session.reset();
+  context.state.transient.follow = true;
+}
+
+void toggle_recording(const PanelContext& context) {
+  UiState& state = context.state;
+  if (context.session.recording_status().state == RecordingState::kRecording) {
+    const Failure failure = context.session.stop_recording();
+    const std::string path = context.session.recording_status().path;
+    tell(state, failure ? MessageKind::kProblem : MessageKind::kNote,
+         failure ? failure->message : "recording finished: " + path);
+    return;
+  }
+  const std::string& typed = state.transient.recording_name;
+  const std::string path =
+      unused_recording_path(state.transient.recording_folder,
+                            typed.empty() ? automatic_name(context.session.scene()) : typed);
+  const Failure failure = context.session.start_recording(path);
+  tell(state, failure ? MessageKind::kProblem : MessageKind::kNote,
+       failure ? failure->message : "recording to " + path);
+}
+
+std::string unused_recording_path(const std::string& folder, const std::string& name) {
+  namespace fs = std::filesystem;
+  fs::path wanted(name);
+  if (wanted.extension() != ".csv") wanted += ".csv";
+  const fs::path stem = fs::path(folder) / wanted.parent_path() / wanted.stem();
+  const auto taken = [](const fs::path& base) {
+    std::error_code ignored;
+    for (const char* ending : {".csv", ".toml", ".csv.partial"}) {
+      if (fs::exists(base.string() + ending, ignored)) return true;
+    }
+    return false;
+  };
+  fs::path base = stem;
+  for (int number = 2; taken(base); ++number) base = fmt::format("{}-{}", stem.string(), number);
+  return base.string() + ".csv";
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,125 @@
+#include "app/ui/widgets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr float kLabelShare = 0.37F;  // of the width of the panel
+constexpr float kUnitEms = 3.1F;      // width kept free for the unit
+constexpr float kTooltipWidthEms = 26.0F;
+
+}  // namespace
+
+void section(const PanelContext& context, const char* title) {
+  ImGui::Dummy(ImVec2(0.0F, 0.2F * ImGui::GetFontSize()));
+  ImGui::PushFont(context.theme.fonts.strong, 0.0F);
+  ImGui::TextColored(context.theme.colour(Tone::kAccent), "%s", title);
+  ImGui::PopFont();
+}
+
+void muted_text(const PanelContext& context, std::string_view text) {
+  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kMuted));
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+bool choice_button(const PanelContext& context, const char* label, bool chosen) {
+  const ImU32 background =
+      chosen ? context.theme.packed(Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
+  ImGui::PushStyleColor(ImGuiCol_Button, background);
+  const bool clicked = ImGui::Button(label);
+  ImGui::PopStyleColor();
+  return clicked;
+}
+
+void explain(std::string_view text) {
+  if (text.empty() ||
+      !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) {
+    return;
+  }
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(kTooltipWidthEms * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void field_label(const PanelContext& context, std::string_view label, std::string_view tooltip,
+                 std::string_view unit) {
+  const float left = ImGui::GetCursorPosX();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kText));
+  ImGui::TextUnformatted(label.data(), label.data() + label.size());
+  ImGui::PopStyleColor();
+  explain(tooltip);
+  // A long label pushes its field to the right instead of running into it.
+  const float start = std::max(left + kLabelShare * width,
+                               left + ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SameLine(start);
+  const float unit_width = unit.empty() ? 0.0F : kUnitEms * ImGui::GetFontSize();
+  ImGui::SetNextItemWidth(left + width - start - unit_width);
+}
+
+void unit_label(std::string_view unit) {
+  if (unit.empty()) return;
+  ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::TextDisabled("%.*s", static_cast<int>(unit.size()), unit.data());
+}
+
+std::optional<std::string> text_field(const PanelContext& context, const char* id,
+                                      const std::string& hint, const std::string& shown) {
+  TextEdit& edit = context.state.transient.edit;
+  const ImGuiID field = ImGui::GetID(id);
+  std::array<char, std::tuple_size_v<decltype(edit.text)>> text{};
+  if (edit.field == field) {
+    text = edit.text;
+  } else {
+    std::copy_n(shown.begin(), std::min(shown.size(), text.size() - 1), text.begin());
+  }
+  ImGui::InputTextWithHint(id, hint.c_str(), text.data(), text.size(),
+                           ImGuiInputTextFlags_AutoSelectAll);
+  if (ImGui::IsItemActive()) edit = {field, text};
+  if (!ImGui::IsItemDeactivated()) return std::nullopt;
+  edit = {};
+  // Escape has put the old text back, which is then no edit.
+  if (!ImGui::IsItemDeactivatedAfterEdit() || shown == text.data()) return std::nullopt;
+  return std::string(text.data());
+}
+
+std::optional<double> number_field(const PanelContext& context, const char* id, double shown) {
+  const auto text = text_field(context, id, "", number_text(shown));
+  if (!text) return std::nullopt;
+  const auto number = parse_number(*text);
+  if (!number) {
+    tell(context.state, MessageKind::kProblem,
+         fmt::format("'{}' is not a number; {} stays in force", *text, number_text(shown)));
+  }
+  return number;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+std::string number_text(double value) { return fmt::format("{:.10g}", value); }
+
+}  // namespace hapticwall::ui

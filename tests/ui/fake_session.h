@@ -1,0 +1,118 @@
+// A session without a thread and without a clock: the test says how many ticks pass. Physically it
+// is the real thing: the core's servo on the simulated device.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/runtime/session.h"
+#include "core/servo.h"
+#include "device/simulated_device.h"
+
+namespace hapticwall::test {
+
+class FakeSession final : public runtime::Session {
+ public:
+  explicit FakeSession(const Scene& scene)
+      : scene_(scene), device_(scene), servo_(servo_settings(scene)) {
+    realtime_.text = "driven by the test";
+    realtime_.advice = "nothing is to be done";
+  }
+
+  // Lets `ticks` pass, whether paused or not.
+  void advance(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      newest_ = servo_.tick(device_);
+      queue_.push_back(newest_);
+      if (recording_.state == runtime::RecordingState::kRecording) ++recording_.rows;
+    }
+  }
+
+  [[nodiscard]] const Scene& scene() const override { return scene_; }
+  std::optional<SceneProblem> set_algorithm(const AlgorithmSettings& algorithm) override {
+    Scene changed = scene_;
+    changed.algorithm = algorithm;
+    return take(changed);
+  }
+  std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls) override {
+    Scene changed = scene_;
+    changed.walls.assign(walls.begin(), walls.end());
+    return take(changed);
+  }
+  void lead_hand(std::optional<double> position_m) override {
+    lead = position_m;
+    ++lead_calls;
+    if (position_m) {
+      device_.lead_hand_to(*position_m);
+    } else {
+      device_.release_hand();
+    }
+  }
+  void pause(bool paused) override { is_paused = paused; }
+  void step(std::uint32_t ticks) override {
+    steps += static_cast<int>(ticks);
+    advance(static_cast<int>(ticks));
+  }
+  void reset() override {
+    ++resets;
+    device_.reset();
+    servo_.reset();
+    newest_ = {};
+  }
+  [[nodiscard]] runtime::Snapshot snapshot() override {
+    runtime::Snapshot snapshot;
+    snapshot.sample = newest_;
+    snapshot.paused = is_paused;
+    return snapshot;
+  }
+  std::size_t take_samples(std::span<Sample> out) override {
+    const std::size_t count = std::min(out.size(), queue_.size());
+    std::copy_n(queue_.begin(), count, out.begin());
+    queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+  [[nodiscard]] std::uint64_t dropped_plot_samples() const override { return 0; }
+  [[nodiscard]] Failure start_recording(const std::string& csv_path) override {
+    if (!refuse_recording.empty()) return Error{ErrorKind::kFile, refuse_recording};
+    recording_ = {runtime::RecordingState::kRecording, 0, 0, csv_path, {}};
+    return std::nullopt;
+  }
+  [[nodiscard]] Failure stop_recording() override {
+    recording_.state = runtime::RecordingState::kIdle;
+    return std::nullopt;
+  }
+  [[nodiscard]] runtime::RecordingStatus recording_status() const override { return recording_; }
+  [[nodiscard]] const runtime::RealtimeStatus& realtime_status() const override {
+    return realtime_;
+  }
+
+  bool is_paused = false;
+  int steps = 0;
+  int resets = 0;
+  int lead_calls = 0;
+  std::optional<double> lead;
+  std::string refuse_recording;  // the error of the next recordings
+
+ private:
+  std::optional<SceneProblem> take(const Scene& changed) {
+    if (auto problem = validate(changed)) return problem;
+    scene_ = changed;
+    servo_.apply(servo_settings(scene_));
+    return std::nullopt;
+  }
+
+  Scene scene_;
+  device::SimulatedDevice device_;
+  Servo servo_;
+  Sample newest_;
+  std::deque<Sample> queue_;
+  runtime::RecordingStatus recording_;
+  runtime::RealtimeStatus realtime_;
+};
+
+}  // namespace hapticwall::test

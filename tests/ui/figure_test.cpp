@@ -1,0 +1,135 @@
+#include "app/ui/figure.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "app/file/picture.h"
+#include "app/file/scene_file.h"
+#include "app/ui/theme.h"
+#include "core/simulate.h"
+#include "core/stabiliser/stabiliser.h"
+#include "tests/ui/pixels.h"
+
+namespace hapticwall::ui {
+namespace {
+
+struct PressRun {
+  Scene scene;
+  std::vector<Sample> samples;
+};
+
+PressRun run_press(const char* algorithm) {
+  PressRun run;
+  run.scene = file::load_scene("press")->scene;
+  run.scene.algorithm.index = *find_algorithm(algorithm);
+  run.scene.duration_s = 3.0;
+  SimulationOptions options;
+  options.on_sample = [&](const Sample& sample) { run.samples.push_back(sample); };
+  static_cast<void>(simulate(run.scene, options));
+  return run;
+}
+
+// Without a display for the life of the object.
+class NoDisplay {
+ public:
+  NoDisplay() {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+      const char* value = std::getenv(name);
+      saved_.emplace_back(name, value != nullptr ? value : "");
+      unsetenv(name);
+    }
+  }
+  NoDisplay(const NoDisplay&) = delete;
+  NoDisplay& operator=(const NoDisplay&) = delete;
+  ~NoDisplay() {
+    for (const auto& [name, value] : saved_) {
+      if (!value.empty()) setenv(name.c_str(), value.c_str(), 1);
+    }
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::string>> saved_;
+};
+
+// The page has the four plots below each other; each line's colour is in its own plot, beyond the
+// few pixels of the legend.
+TEST(Figure, ShowsTheLinesOfAllFourPlotsWithoutADisplay) {
+  const NoDisplay no_display;
+  const PressRun run = run_press("none");
+  const Result<file::Picture> figure = draw_figure(run.scene, run.samples);
+  ASSERT_TRUE(figure.ok()) << figure.error().message;
+  ASSERT_EQ(figure->width, 1600);
+  ASSERT_EQ(figure->height, 1200);
+  ASSERT_EQ(figure->rgba.size(), 4U * 1600U * 1200U);
+
+  constexpr int kTitle = 90;
+  constexpr int kPlot = (1200 - kTitle) / 4;
+  constexpr int kLegend = 40;
+  constexpr int kEnoughPixels = 100;
+  const auto count = [&](Tone tone, int row) {
+    const ImVec4 colour = theme_colours(Look::kPrint)[static_cast<std::size_t>(tone)];
+    const int top = kTitle + row * kPlot;
+    return test::count_pixels(*figure, test::colour_of(colour), 0, top + kLegend, 1600,
+                              top + kPlot);
+  };
+  EXPECT_GT(count(Tone::kPosition, 0), kEnoughPixels);
+  EXPECT_GT(count(Tone::kHand, 0), kEnoughPixels);
+  EXPECT_GT(count(Tone::kWall, 0), kEnoughPixels);
+  EXPECT_GT(count(Tone::kForce, 1), kEnoughPixels);
+  EXPECT_GT(count(Tone::kWallForce, 1), kEnoughPixels);
+  EXPECT_GT(count(Tone::kStiffness, 2), kEnoughPixels);
+  EXPECT_GT(count(Tone::kObserver, 3), kEnoughPixels);
+  EXPECT_GT(count(Tone::kHold, 3), kEnoughPixels);
+  EXPECT_GT(count(Tone::kScv, 3), kEnoughPixels);
+  EXPECT_GT(count(Tone::kBudget, 3), kEnoughPixels);
+  EXPECT_LT(count(Tone::kScv, 0), kEnoughPixels);  // the colours do tell the plots apart
+}
+
+TEST(Figure, IsTheSameEveryTimeAndDependsOnTheRun) {
+  const PressRun none = run_press("none");
+  const PressRun bounded = run_press("energy-bounding");
+  constexpr FigureSize kSize{800, 600};
+  const auto first = draw_figure(none.scene, none.samples, kSize);
+  const auto second = draw_figure(none.scene, none.samples, kSize);
+  const auto other = draw_figure(bounded.scene, bounded.samples, kSize);
+  ASSERT_TRUE(first.ok() && second.ok() && other.ok());
+  EXPECT_EQ(first->rgba, second->rgba);
+  EXPECT_NE(first->rgba, other->rgba);
+}
+
+TEST(Figure, OfNoSamplesIsStillAPage) {
+  const auto figure = draw_figure(file::load_scene("press")->scene, {}, {640, 480});
+  ASSERT_TRUE(figure.ok());
+  EXPECT_GT(test::count_pixels(*figure, {255, 255, 255}, 0, 0, 640, 480), 640 * 480 / 2);
+}
+
+TEST(Figure, RefusesASizeThatIsNone) {
+  for (const FigureSize size : {FigureSize{0, 600}, FigureSize{800, -1}, FigureSize{800, 100000}}) {
+    const auto figure = draw_figure(file::load_scene("press")->scene, {}, size);
+    ASSERT_FALSE(figure.ok());
+    EXPECT_NE(figure.error().message.find("pixels"), std::string::npos);
+  }
+}
+
+TEST(Figure, GoesIntoAPngOfItsSize) {
+  const PressRun run = run_press("virtual-coupling");
+  const auto figure = draw_figure(run.scene, run.samples, {900, 700});
+  ASSERT_TRUE(figure.ok());
+  const std::filesystem::path path =
+      std::filesystem::path(::testing::TempDir()) / "hapticwall_figure_test.png";
+  ASSERT_FALSE(file::write_png(path, *figure));
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_file(&image, path.c_str()), 0);
+  EXPECT_EQ(image.width, 900U);
+  EXPECT_EQ(image.height, 700U);
+  png_image_free(&image);
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace hapticwall::ui

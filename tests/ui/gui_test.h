@@ -1,0 +1,151 @@
+// An application on a fake session, drawn into an invisible picture and used like a person would:
+// with the pointer and the keys. Time passes only by frames.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+#include <implot.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/file/scene_file.h"
+#include "app/ui/application.h"
+#include "app/ui/gl_objects.h"
+#include "app/ui/offscreen.h"
+#include "tests/ui/fake_session.h"
+
+namespace hapticwall::test {
+
+inline constexpr int kScreenWidth = 1280;
+inline constexpr int kScreenHeight = 800;
+
+class GuiTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto context = ui::OffscreenContext::create();
+    ASSERT_TRUE(context.ok()) << context.error().message;
+    context_ = std::move(*context);
+    ImGui::CreateContext();
+    ImPlot::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = ImVec2(kScreenWidth, kScreenHeight);
+    io.DeltaTime = 1.0F / 60.0F;
+    ASSERT_TRUE(ImGui_ImplOpenGL3_Init("#version 330 core"));
+    auto target = ui::GlTarget::create(kScreenWidth, kScreenHeight, 0);
+    ASSERT_TRUE(target.ok());
+    target_ = std::move(*target);
+    open("press");
+  }
+
+  void TearDown() override {
+    application_.reset();
+    target_.reset();
+    ImGui_ImplOpenGL3_Shutdown();
+    ImPlot::DestroyContext();
+    ImGui::DestroyContext();
+    context_.reset();
+  }
+
+  void open(const std::string& scene_name) {
+    const auto start = [this](const Scene& scene) -> Result<std::unique_ptr<runtime::Session>> {
+      if (!refuse_session.empty()) return Error{ErrorKind::kDevice, refuse_session};
+      auto session = std::make_unique<FakeSession>(scene);
+      fake_ = session.get();
+      ++sessions;
+      return std::unique_ptr<runtime::Session>(std::move(session));
+    };
+    const ui::Theme theme = ui::apply_theme(ui::Look::kScreen, 1.0F);
+    auto application =
+        ui::Application::create(file::load_scene(scene_name)->scene, "", theme, start);
+    ASSERT_TRUE(application.ok()) << application.error().message;
+    application_ = std::move(*application);
+    frames(3);
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) {
+      ImGui_ImplOpenGL3_NewFrame();
+      ImGui::NewFrame();
+      application_->frame();
+      ImGui::Render();
+    }
+  }
+
+  // Only what is looked at is painted: painting is what costs time without a graphics card.
+  file::Picture screen() {
+    frames(1);
+    target_->bind();
+    glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    target_->resolve();
+    return ui::read_pixels(target_->resolved_framebuffer(), kScreenWidth, kScreenHeight);
+  }
+
+  // Lets the session live for a while, with a frame now and then.
+  void live(int ticks) {
+    constexpr int kTicksPerFrame = 100;
+    for (int done = 0; done < ticks; done += kTicksPerFrame) {
+      fake_->advance(std::min(kTicksPerFrame, ticks - done));
+      frames(1);
+    }
+  }
+
+  void press(ImGuiKey key) {
+    ImGui::GetIO().AddKeyEvent(key, true);
+    frames(2);
+    ImGui::GetIO().AddKeyEvent(key, false);
+    frames(2);
+  }
+
+  void move_to(ImVec2 place) {
+    ImGui::GetIO().AddMousePosEvent(place.x, place.y);
+    frames(2);
+  }
+  void mouse_button(bool down) {
+    ImGui::GetIO().AddMouseButtonEvent(ImGuiMouseButton_Left, down);
+    frames(2);
+  }
+
+  [[nodiscard]] std::optional<ui::ItemRect> find(const std::string& item) const {
+    const auto& items = application_->state().transient.items;
+    const auto found = items.find(item);
+    return found == items.end() ? std::nullopt : std::optional(found->second);
+  }
+  [[nodiscard]] ui::ItemRect rect(const std::string& item) const {
+    const auto found = find(item);
+    EXPECT_TRUE(found.has_value()) << item;
+    return found.value_or(ui::ItemRect{});
+  }
+
+  void click(const std::string& item) {
+    move_to(rect(item).centre());
+    mouse_button(true);
+    mouse_button(false);
+  }
+
+  // Types into a field and confirms with Enter.
+  void type(const std::string& item, const std::string& text) {
+    click(item);
+    for (const char c : text) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
+    frames(3);
+    press(ImGuiKey_Enter);
+  }
+
+  [[nodiscard]] const ui::Message& message() const {
+    return application_->state().transient.message;
+  }
+
+  std::string refuse_session;  // the error of the next sessions
+  int sessions = 0;
+  std::unique_ptr<ui::OffscreenContext> context_;
+  std::optional<ui::GlTarget> target_;
+  std::unique_ptr<ui::Application> application_;
+  FakeSession* fake_ = nullptr;
+};
+
+}  // namespace hapticwall::test

@@ -1,0 +1,133 @@
+// The parts of the window that need neither OpenGL nor ImGui.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/file/scene_file.h"
+#include "app/ui/magnifier.h"
+#include "app/ui/plot.h"
+#include "app/ui/plots_panel.h"
+#include "app/ui/toolbar.h"
+#include "app/ui/wall_camera.h"
+#include "app/ui/wall_renderer.h"
+#include "app/ui/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+TEST(RoundRange, CoversTheDataAndIsRound) {
+  const Extremes range = round_range({0.0, 9.7}, 1.0);
+  EXPECT_LE(range.minimum, 0.0);
+  EXPECT_GE(range.maximum, 9.7);
+  EXPECT_LT(range.maximum - range.minimum, 13.0);
+  EXPECT_DOUBLE_EQ(range.maximum, std::round(range.maximum));
+}
+
+TEST(RoundRange, ConstantDataGetsTheSmallestSpanAroundIt) {
+  const Extremes range = round_range({50.0, 50.0}, 1.0);
+  EXPECT_LE(range.minimum, 49.5);
+  EXPECT_GE(range.maximum, 50.5);
+  EXPECT_LT(range.maximum - range.minimum, 2.0);
+}
+
+TEST(ParseNumber, TakesWhatPeopleTypeAndNothingElse) {
+  EXPECT_EQ(parse_number("35000"), 35000.0);
+  EXPECT_EQ(parse_number(" +3.5e4 "), 35000.0);
+  EXPECT_EQ(parse_number("-0.25"), -0.25);
+  for (const char* text : {"", " ", "abc", "1,5", "1 2", "3kN", "nan", "inf", "1e999", "+-1"}) {
+    EXPECT_FALSE(parse_number(text)) << text;
+  }
+}
+
+TEST(NumberText, ShowsNoNoiseOfTheLastDigits) {
+  EXPECT_EQ(number_text(0.05 * 1e3), "50");
+  EXPECT_EQ(number_text(0.1 + 0.2), "0.3");
+  EXPECT_EQ(number_text(35000.0), "35000");
+}
+
+TEST(WallCamera, AClickOnAPointOfTheAxisGivesItsPosition) {
+  const AxisExtent extent{0.02, 0.08};
+  for (const float width : {400.0F, 900.0F}) {
+    const WallCamera camera(extent, width, 390.0F);
+    for (const double position_m : {0.021, 0.0345, 0.05, 0.0777}) {
+      const glm::vec2 pixel = camera.pixel_of({camera.x_of(position_m), 0.0F, 0.0F});
+      EXPECT_GT(pixel.x, 0.0F);
+      EXPECT_LT(pixel.x, width);
+      EXPECT_NEAR(camera.position_at(pixel), position_m, 2e-6);
+    }
+    // Beyond the picture: its edge.
+    const double left_m = camera.position_at({-5000.0F, 200.0F});
+    EXPECT_GE(left_m, extent.from_m);
+    EXPECT_LT(left_m, 0.025);
+    const double right_m = camera.position_at({9000.0F, 200.0F});
+    EXPECT_LE(right_m, extent.to_m);
+    EXPECT_GT(right_m, 0.075);
+  }
+}
+
+TEST(WallCamera, TheExtentHoldsEverythingThatEveryBuiltinSceneNames) {
+  for (const file::BuiltinScene& builtin : file::builtin_scenes()) {
+    const Scene scene = file::load_scene(builtin.name)->scene;
+    const AxisExtent extent = axis_extent(scene);
+    EXPECT_LT(extent.from_m, scene.device.start_m) << builtin.name;
+    for (const WallSettings& wall : scene.walls) {
+      EXPECT_LT(extent.from_m, wall.position_m);
+      EXPECT_GT(extent.to_m, wall.position_m);
+    }
+    if (!scene.hand) continue;
+    for (const PathPoint& point : scene.hand->path) EXPECT_GT(extent.to_m, point.position_m);
+  }
+}
+
+TEST(ArrowLength, GrowsWithTheForceOutOfTheWallAndEndsAtFullScale) {
+  WallPicture picture;
+  picture.full_scale_n = 8.9;
+  EXPECT_EQ(arrow_length(picture), 0.0F);
+  picture.force_n = 4.45;
+  EXPECT_NEAR(arrow_length(picture), -0.5F * WallMeasures::kLongestArrow, 1e-5);
+  picture.force_n = 20.0;
+  EXPECT_EQ(arrow_length(picture), -WallMeasures::kLongestArrow);
+  picture.force_n = -8.9;
+  EXPECT_EQ(arrow_length(picture), WallMeasures::kLongestArrow);
+}
+
+TEST(MagnifierSpan, ShowsATenthOfAMillimetreAndDoesNotFlicker) {
+  const double small_m = magnifier_span(0.1e-3, 5e-3);
+  EXPECT_LE(small_m, 1e-3);
+  const double large_m = magnifier_span(2.8e-3, small_m);
+  EXPECT_GT(large_m, 2.8e-3);
+  // Just at the limit of a smaller span: stays, where a fresh start would take the smaller one.
+  const double between_m = 0.6e-3;
+  EXPECT_LT(magnifier_span(between_m, 1e-3), magnifier_span(between_m, 2e-3));
+  EXPECT_EQ(magnifier_span(1.0, 1e-3), magnifier_span(1.0, 5e-3));  // the longest there is
+}
+
+TEST(FollowNewest, ShowsTheNewestSecondsAndStartsAtTheLeft) {
+  UiState state;
+  state.persisted.time_window_s = 4.0;
+  follow_newest(state, 1.0);
+  EXPECT_DOUBLE_EQ(state.transient.time_from_s, 0.0);
+  EXPECT_DOUBLE_EQ(state.transient.time_to_s, 4.0);
+  follow_newest(state, 10.5);
+  EXPECT_DOUBLE_EQ(state.transient.time_from_s, 6.5);
+  EXPECT_DOUBLE_EQ(state.transient.time_to_s, 10.5);
+}
+
+TEST(UnusedRecordingPath, NeverTakesANameThatIsInUse) {
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / "hapticwall_unused_recording_path";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const auto touch = [&](const char* name) { std::ofstream(folder / name) << "x"; };
+  EXPECT_EQ(unused_recording_path(folder, "a"), folder / "a.csv");
+  touch("a.csv");
+  EXPECT_EQ(unused_recording_path(folder, "a.csv"), folder / "a-2.csv");
+  touch("a-2.toml");
+  touch("a-3.csv.partial");
+  EXPECT_EQ(unused_recording_path(folder, "a"), folder / "a-4.csv");
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace hapticwall::ui
