@@ -1,0 +1,138 @@
+#include "app/file/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "app/file/text.h"
+
+namespace hapticwall::file {
+namespace {
+
+constexpr mode_t kNewFileMode = 0666;  // less the user's umask
+
+Error file_error(const std::string& path, std::string_view what, int code) {
+  return {ErrorKind::kFile,
+          fmt::format("{}: {}: {}", shown(path), what, std::generic_category().message(code))};
+}
+
+// Whether the name still stands for the open file: another process may have renamed it between our
+// open and our lock.
+bool is_still_named(int descriptor, const std::string& path) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(descriptor, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+// A rename is on the disk when its folder is. Best effort: not every file system can.
+void sync_folder(const std::string& path) {
+  std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (folder.empty()) folder = ".";
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+}  // namespace
+
+Result<AtomicFile> AtomicFile::create(const std::string& path) {
+  struct stat existing {};
+  if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode)) {
+    return Error{
+        ErrorKind::kFile,
+        fmt::format("{}: cannot be written: it exists and is not a regular file", shown(path))};
+  }
+  const std::string partial_path = path + ".partial";
+  const int descriptor = open(partial_path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kNewFileMode);
+  if (descriptor < 0) return file_error(path, "cannot be written", errno);
+  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 || !is_still_named(descriptor, partial_path)) {
+    close(descriptor);
+    return Error{ErrorKind::kFile,
+                 fmt::format("{}: cannot be written: another process is writing it", shown(path))};
+  }
+  struct stat partial {};
+  fstat(descriptor, &partial);
+  if (S_ISREG(partial.st_mode) && ftruncate(descriptor, 0) != 0) {
+    const int code = errno;
+    close(descriptor);
+    return file_error(path, "cannot be written", code);
+  }
+  return AtomicFile(path, partial_path, descriptor);
+}
+
+AtomicFile::AtomicFile(std::string path, std::string partial_path, int descriptor)
+    : path_(std::move(path)), partial_path_(std::move(partial_path)), descriptor_(descriptor) {}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      partial_path_(std::move(other.partial_path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      keep_partial_(other.keep_partial_) {}
+
+AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
+  if (this == &other) return *this;
+  discard();
+  path_ = std::move(other.path_);
+  partial_path_ = std::move(other.partial_path_);
+  descriptor_ = std::exchange(other.descriptor_, -1);
+  keep_partial_ = other.keep_partial_;
+  return *this;
+}
+
+AtomicFile::~AtomicFile() { discard(); }
+
+void AtomicFile::discard() {
+  if (descriptor_ < 0) return;
+  if (!keep_partial_) unlink(partial_path_.c_str());
+  close(std::exchange(descriptor_, -1));
+}
+
+Error AtomicFile::failure(std::string_view what) const {
+  Error error = file_error(path_, what, errno);
+  if (keep_partial_) {
+    error.message += fmt::format(" (what was written is in {})", shown(partial_path_));
+  }
+  return error;
+}
+
+Failure AtomicFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return failure("could not be written whole");
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+Failure AtomicFile::sync() {
+  // EINVAL: the file system has nothing to put on a disk.
+  if (fsync(descriptor_) != 0 && errno != EINVAL) return failure("could not be written whole");
+  return {};
+}
+
+Failure AtomicFile::commit() {
+  if (Failure failed = sync()) return failed;
+  if (std::rename(partial_path_.c_str(), path_.c_str()) != 0) return failure("cannot be named");
+  close(std::exchange(descriptor_, -1));
+  sync_folder(path_);
+  return {};
+}
+
+Failure write_file(const std::string& path, std::string_view bytes) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  if (Failure failed = file->write(bytes)) return failed;
+  return file->commit();
+}
+
+}  // namespace hapticwall::file

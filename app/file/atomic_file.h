@@ -1,0 +1,49 @@
+// A file that takes its name only when it is whole.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace hapticwall::file {
+
+// Written as PATH.partial (locked: one writer at a time); commit() puts it on the disk and gives it
+// its name, which replaces an older file at once. Every error is of ErrorKind::kFile and names the
+// file. Realtime-safe: no.
+class AtomicFile {
+ public:
+  // Refuses a PATH that exists and is no regular file, and a PATH.partial that another process
+  // holds.
+  [[nodiscard]] static Result<AtomicFile> create(const std::string& path);
+
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  // Without commit() the final name is not touched; the partial file goes, unless it is to be kept.
+  ~AtomicFile();
+
+  void keep_partial() { keep_partial_ = true; }
+  [[nodiscard]] Failure write(std::string_view bytes);
+  [[nodiscard]] Failure sync();    // on the disk, still without its name
+  [[nodiscard]] Failure commit();  // sync(), then the name
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] const std::string& partial_path() const { return partial_path_; }
+
+ private:
+  AtomicFile(std::string path, std::string partial_path, int descriptor);
+  void discard();
+  [[nodiscard]] Error failure(std::string_view what) const;  // reads errno
+
+  std::string path_;
+  std::string partial_path_;
+  int descriptor_ = -1;
+  bool keep_partial_ = false;
+};
+
+// A whole small file in one call.
+[[nodiscard]] Failure write_file(const std::string& path, std::string_view bytes);
+
+}  // namespace hapticwall::file

@@ -1,0 +1,145 @@
+// --set KEY=VALUE: one key of a parsed scene is replaced or added.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/file/scene_reader.h"
+#include "app/file/table_reader.h"
+#include "app/file/text.h"
+
+namespace hapticwall::file {
+namespace {
+
+constexpr std::string_view kKeyCharacters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+constexpr std::size_t kMostParts = 8;
+constexpr std::size_t kLongestOverride = std::size_t{1} << 20U;
+
+struct KeyPart {
+  std::string name;
+  std::optional<std::size_t> index;  // of wall[0]
+};
+
+[[noreturn]] void fail(const std::string& label, std::string_view message) {
+  throw ReadFailure(fmt::format("{}: {}", label, message));
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+KeyPart key_part(std::string_view text, const std::string& label) {
+  KeyPart part;
+  const std::size_t bracket = text.find('[');
+  part.name = std::string(text.substr(0, bracket));
+  bool well_formed =
+      !part.name.empty() && part.name.find_first_not_of(kKeyCharacters) == std::string::npos;
+  if (bracket != std::string_view::npos) {
+    const std::string_view rest = text.substr(bracket + 1);
+    std::size_t index = 0;
+    const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), index);
+    const std::size_t digits = static_cast<std::size_t>(end - rest.data());
+    well_formed = well_formed && code == std::errc{} && rest.substr(digits) == "]";
+    part.index = index;
+  }
+  if (!well_formed) {
+    fail(label, "the key is not dotted words like hand.mass_kg or wall[0].stiffness_n_per_m");
+  }
+  return part;
+}
+
+std::vector<KeyPart> key_parts(std::string_view key, const std::string& label) {
+  std::vector<KeyPart> parts;
+  while (parts.size() < kMostParts) {
+    const std::size_t point = key.find('.');
+    parts.push_back(key_part(trimmed(key.substr(0, point)), label));
+    if (point == std::string_view::npos) return parts;
+    key.remove_prefix(point + 1);
+  }
+  fail(label, "the key has too many parts");
+}
+
+// The wall that `part` names.
+toml::table& named_wall(toml::table& root, const KeyPart& part, const std::string& label) {
+  toml::array* walls = root["wall"].as_array();
+  if (walls == nullptr || walls->empty()) fail(label, "the scene has no wall");
+  const std::size_t count = walls->size();
+  if (!part.index && count > 1) {
+    fail(label,
+         fmt::format("the scene has {} walls; say which: wall[0] ... wall[{}]", count, count - 1));
+  }
+  const std::size_t index = part.index.value_or(0);
+  if (index >= count) {
+    fail(label, fmt::format("wall[{}] does not exist; walls of the scene: {}, counted from wall[0]",
+                            index, count));
+  }
+  toml::table* wall = walls->get(index)->as_table();
+  if (wall == nullptr) fail(label, "wall is not an array of tables");
+  return *wall;
+}
+
+bool is_bare_word(std::string_view value) {
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  if (value.empty() || !is_letter(value.front())) return false;
+  return value.find_first_not_of(std::string(kKeyCharacters) + " .") == std::string_view::npos;
+}
+
+// Parses "key = value" with the position of every value at `label`.
+toml::table parse_assignment(const std::string& key, std::string_view value,
+                             const std::string& label) {
+  try {
+    return parse_toml(fmt::format("{} = {}", key, value), label);
+  } catch (const ReadFailure&) {
+    if (is_bare_word(value)) return parse_toml(fmt::format("{} = \"{}\"", key, value), label);
+    fail(label,
+         "the value is not TOML (a number, true, false, a word, \"text\", [[0, 0.03], ...])");
+  }
+}
+
+}  // namespace
+
+void apply_override(toml::table& root, const std::string& override_text) {
+  const std::string label = "--set " + shown(override_text);
+  const std::size_t equals = override_text.find('=');
+  if (equals == std::string::npos) fail(label, "there is no '=': it takes KEY=VALUE");
+  const std::string_view value = trimmed(std::string_view(override_text).substr(equals + 1));
+  const bool one_line = std::none_of(value.begin(), value.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20U && c != '\t';
+  });
+  if (value.empty()) fail(label, "there is no value: it takes KEY=VALUE");
+  if (!one_line || value.size() > kLongestOverride)
+    fail(label, "the value is not one line of TOML");
+  const std::vector<KeyPart> parts =
+      key_parts(std::string_view(override_text).substr(0, equals), label);
+
+  toml::table* table = &root;
+  std::size_t next = 0;
+  if (parts.front().name == "wall" && parts.size() > 1) {
+    table = &named_wall(root, parts.front(), label);
+    next = 1;
+  }
+  for (std::size_t i = next; i < parts.size(); ++i) {
+    if (parts[i].index)
+      fail(label, "only wall.KEY takes an index, as in wall[0].damping_n_s_per_m");
+  }
+  for (; next + 1 < parts.size(); ++next) {
+    toml::node* inner = table->get(parts[next].name);
+    if (inner == nullptr) break;
+    if (!inner->is_table()) fail(label, fmt::format("{} is not a table", parts[next].name));
+    table = inner->as_table();
+  }
+  std::string key = parts[next].name;
+  for (std::size_t i = next + 1; i < parts.size(); ++i) key += "." + parts[i].name;
+  toml::table assignment = parse_assignment(key, value, label);
+  table->insert_or_assign(parts[next].name, std::move(*assignment.get(parts[next].name)));
+}
+
+}  // namespace hapticwall::file

@@ -1,0 +1,25 @@
+// A picture in memory and its way to a PNG file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace hapticwall::file {
+
+// 8-bit RGBA, rows from top to bottom, no padding.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+// The bytes of a PNG file. Realtime-safe: no.
+[[nodiscard]] Result<std::string> encode_png(const Picture& picture);
+
+// Writes the picture under a temporary name beside `path` and renames it when it is whole.
+Failure write_png(const std::string& path, const Picture& picture);
+
+}  // namespace hapticwall::file

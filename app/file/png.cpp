@@ -1,0 +1,41 @@
+#include <fmt/format.h>
+#include <png.h>
+
+#include <cstring>
+
+#include "app/file/atomic_file.h"
+#include "app/file/picture.h"
+
+namespace hapticwall::file {
+
+Result<std::string> encode_png(const Picture& picture) {
+  png_image image;
+  std::memset(&image, 0, sizeof image);
+  image.version = PNG_IMAGE_VERSION;
+  image.format = PNG_FORMAT_RGBA;
+  image.width = static_cast<png_uint_32>(picture.width);
+  image.height = static_cast<png_uint_32>(picture.height);
+  const std::size_t expected_bytes = PNG_IMAGE_SIZE(image);
+  if (picture.width <= 0 || picture.height <= 0 || picture.rgba.size() != expected_bytes) {
+    return Error{ErrorKind::kFile, fmt::format("a picture of {} x {} with {} bytes is none",
+                                               picture.width, picture.height, picture.rgba.size())};
+  }
+  std::string bytes;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  bytes.resize(size);
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.rgba.data(), 0, nullptr) ==
+      0) {
+    return Error{ErrorKind::kFile,
+                 fmt::format("the picture cannot be encoded: {}", std::string_view(image.message))};
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
+Failure write_png(const std::string& path, const Picture& picture) {
+  const Result<std::string> bytes = encode_png(picture);
+  if (!bytes) return bytes.error();
+  return write_file(path, *bytes);
+}
+
+}  // namespace hapticwall::file

@@ -1,0 +1,95 @@
+#include "app/file/recording_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/file/atomic_file.h"
+#include "app/file/sha256.h"
+#include "app/file/sidecar.h"
+#include "app/file/text.h"
+
+namespace hapticwall::file {
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
+constexpr std::size_t kLongestRowBytes = 512;
+
+class CsvRecordingWriter final : public RecordingWriter {
+ public:
+  CsvRecordingWriter(AtomicFile csv, AtomicFile sidecar, bool with_truth)
+      : csv_(std::move(csv)), sidecar_(std::move(sidecar)), with_truth_(with_truth) {
+    buffer_.reserve(kBufferBytes + kLongestRowBytes);
+    buffer_ = csv_header(with_truth_) + '\n';
+  }
+
+  Failure append(const Sample& sample) override {
+    if (failed_) return failed_;
+    if (!is_finite(sample)) {
+      ++skipped_rows_;
+      return {};
+    }
+    dropped_rows_ += std::exchange(skipped_rows_, 0);
+    append_csv_row(buffer_, sample, with_truth_);
+    if (rows_++ == 0) csv_.keep_partial();
+    session_ticks_ = std::max(session_ticks_, sample.tick + 1);
+    return buffer_.size() < kBufferBytes ? Failure{} : flush();
+  }
+
+  Failure flush() override {
+    if (failed_) return failed_;
+    failed_ = csv_.write(buffer_);
+    digest_.update(buffer_);
+    buffer_.clear();
+    return failed_;
+  }
+
+  // The CSV gets its name last: when it is there, its sidecar is too.
+  Failure finish(const Scene& scene, const RecordingMetadata& metadata) override {
+    if (Failure failed = flush()) return failed;
+    if (Failure failed = csv_.sync()) return failed;
+    const RecordedRows recorded{rows_, metadata.dropped_rows + dropped_rows_,
+                                metadata.session_ticks.value_or(session_ticks_), digest_.finish()};
+    if (Failure failed = sidecar_.write(sidecar_toml(scene, metadata, recorded))) return failed;
+    if (Failure failed = sidecar_.commit()) return failed;
+    return csv_.commit();
+  }
+
+  [[nodiscard]] std::uint64_t rows() const override { return rows_; }
+  [[nodiscard]] const std::string& csv_path() const override { return csv_.path(); }
+  [[nodiscard]] const std::string& sidecar_path() const override { return sidecar_.path(); }
+
+ private:
+  AtomicFile csv_;
+  AtomicFile sidecar_;
+  bool with_truth_;
+  Sha256 digest_;
+  std::string buffer_;
+  Failure failed_;
+  std::uint64_t rows_ = 0;
+  std::uint64_t skipped_rows_ = 0;  // not finite, and nothing finite since
+  std::uint64_t dropped_rows_ = 0;  // holes
+  std::uint64_t session_ticks_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& csv_path,
+                                                                 bool with_truth) {
+  const std::string sidecar_path = sidecar_path_of(csv_path);
+  if (!may_replace_sidecar(sidecar_path)) {
+    return Error{ErrorKind::kFile,
+                 fmt::format("{}: cannot be recorded: its sidecar {} would replace a file that is "
+                             "not a recording's; choose another name",
+                             shown(csv_path), shown(sidecar_path))};
+  }
+  Result<AtomicFile> csv = AtomicFile::create(csv_path);
+  if (!csv) return csv.error();
+  Result<AtomicFile> sidecar = AtomicFile::create(sidecar_path);
+  if (!sidecar) return sidecar.error();
+  return std::unique_ptr<RecordingWriter>(
+      std::make_unique<CsvRecordingWriter>(std::move(*csv), std::move(*sidecar), with_truth));
+}
+
+}  // namespace hapticwall::file

@@ -1,0 +1,71 @@
+// A recording: one CSV row a tick, and a sidecar that says everything needed to repeat it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "core/sample.h"
+#include "core/scene.h"
+
+namespace hapticwall::file {
+
+// The CSV header line without its line end; `with_truth` adds the simulator's columns.
+[[nodiscard]] std::string csv_header(bool with_truth);
+
+// Appends one row with its line end to `text`; numbers in the shortest form that reads back to the
+// same double, whatever the locale.
+void append_csv_row(std::string& text, const Sample& sample, bool with_truth);
+
+// Whether every number of the sample, the simulator's included, is finite.
+[[nodiscard]] bool is_finite(const Sample& sample);
+
+// A change of parameters during a session: in force from `tick` on. The scene as it was from then.
+struct RecordedChange {
+  std::uint64_t tick = 0;
+  Scene scene;
+};
+
+// What the sidecar says beside the scene.
+struct RecordingMetadata {
+  std::string
+      start_time;      // UTC, ISO 8601; empty for a headless run (identical runs, identical files)
+  std::string device;  // for people: "simulator"
+  std::string realtime_status;  // in words
+  std::uint64_t first_tick = 0;
+  std::uint64_t dropped_rows = 0;
+  // How many ticks the session had, so that a repetition has as many; absent: up to the last row.
+  std::optional<std::uint64_t> session_ticks;
+  bool repeatable = true;  // false where the hand followed the pointer
+  std::string not_repeatable_because;
+  std::vector<RecordedChange> changes;  // since tick 0, in order
+};
+
+// Writes NAME.csv.partial while it grows; finish() gives CSV and sidecar NAME.toml their names.
+// Destroyed without finish(), the final name is never taken; the partial file stays where it has
+// rows. Realtime-safe: no; used by one thread at a time.
+class RecordingWriter {
+ public:
+  // `csv_path` should end in ".csv"; the sidecar replaces the ending by ".toml" (or adds it).
+  // Refuses what cannot be written, and a sidecar that would replace a file which is not a
+  // recording's.
+  [[nodiscard]] static Result<std::unique_ptr<RecordingWriter>> create(const std::string& csv_path,
+                                                                       bool with_truth);
+  virtual ~RecordingWriter() = default;
+
+  // Buffers; fails (exit status 4) when the disk does, and then again at every later call. A sample
+  // that is not finite gets no row; where finite ones follow, the recording counts as incomplete.
+  virtual Failure append(const Sample& sample) = 0;
+  // Hands everything buffered to the operating system.
+  virtual Failure flush() = 0;
+  // `scene`: as it was at tick 0.
+  virtual Failure finish(const Scene& scene, const RecordingMetadata& metadata) = 0;
+  [[nodiscard]] virtual std::uint64_t rows() const = 0;
+  [[nodiscard]] virtual const std::string& csv_path() const = 0;
+  [[nodiscard]] virtual const std::string& sidecar_path() const = 0;
+};
+
+}  // namespace hapticwall::file

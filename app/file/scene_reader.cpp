@@ -1,0 +1,262 @@
+#include "app/file/scene_reader.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "app/file/table_reader.h"
+#include "app/file/text.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::file {
+namespace {
+
+constexpr std::size_t kLongestName = 100;
+constexpr std::size_t kLongestDescription = 1000;
+constexpr std::uint64_t kOnlySubsteps = 1;
+
+std::string read_line(TableReader& reader, std::string_view key, std::size_t longest) {
+  const toml::node* node = reader.node(key);
+  std::string text = reader.string(key).value_or("");
+  if (text.size() > longest) {
+    reader.fail(*node, key, fmt::format("longer than {} bytes", longest));
+  }
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20U || code == 0x7fU) reader.fail(*node, key, "has a control character");
+  }
+  return text;
+}
+
+std::vector<PathPoint> read_path(const TableReader& reader, const toml::node& node,
+                                 std::string_view key) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) {
+    reader.fail(node, key, "neither [[time s, position m], ...] nor \"mouse\"");
+  }
+  std::vector<PathPoint> points;
+  for (const toml::node& element : *array) {
+    const std::optional<PathPoint> point = path_point(element);
+    if (!point) {
+      reader.fail(element, key, fmt::format("point {} is not [time s, position m]", points.size()));
+    }
+    points.push_back(*point);
+  }
+  return points;
+}
+
+SamplingSettings read_sampling(const toml::table& table, const std::string& origin) {
+  TableReader reader(table, "sampling.", origin);
+  SamplingSettings sampling;
+  reader.numbers(sampling_number_keys(), sampling);
+  reader.finish();
+  return sampling;
+}
+
+DeviceSettings read_device(const toml::table& table, const std::string& origin) {
+  TableReader reader(table, "device.", origin);
+  for (const std::string_view key :
+       {"force_resolution_n", "delay_ticks", "amplifier_time_constant_s", "x", "y"}) {
+    reader.refuse_unsupported(key);
+  }
+  DeviceSettings device;
+  reader.numbers(device_number_keys(), device);
+  reader.finish();
+  return device;
+}
+
+HandSettings read_hand(const toml::table& table, const std::string& origin) {
+  TableReader reader(table, "hand.", origin);
+  HandSettings hand;
+  reader.numbers(hand_number_keys(), hand);
+  const toml::node* path = reader.node("path");
+  hand.follows_mouse = path != nullptr && path->value_or(std::string_view()) == "mouse";
+  if (path != nullptr && !hand.follows_mouse) {
+    hand.path = read_path(reader, *path, "path");
+  }
+  reader.finish();
+  return hand;
+}
+
+std::vector<WallSettings> read_walls(TableReader& parent, const std::string& prefix) {
+  const std::vector<const toml::table*> tables = parent.tables("wall");
+  std::vector<WallSettings> walls;
+  for (const toml::table* table : tables) {
+    const std::string name = tables.size() == 1 ? "wall." : fmt::format("wall[{}].", walls.size());
+    TableReader reader(*table, prefix + name, parent.origin());
+    WallSettings wall;
+    reader.numbers(wall_number_keys(), wall);
+    if (reader.string("axis").value_or("x") != "x") {
+      reader.fail(*table->get("axis"), "axis", "only \"x\" is supported by this version");
+    }
+    reader.finish();
+    walls.push_back(wall);
+  }
+  return walls;
+}
+
+std::vector<std::string_view> algorithm_names() {
+  std::vector<std::string_view> names;
+  for (const AlgorithmDescription& algorithm : algorithms()) names.push_back(algorithm.name);
+  return names;
+}
+
+double read_choice(TableReader& reader, const ParameterDescription& parameter,
+                   const toml::node& node) {
+  const std::string word = *reader.string(parameter.key);
+  for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+    if (parameter.choices[i] == word) return static_cast<double>(i);
+  }
+  reader.fail(node, parameter.key,
+              fmt::format("{} is none of: {}", in_quotes(word), joined(parameter.choices)));
+}
+
+std::optional<double> read_parameter(TableReader& reader, const ParameterDescription& parameter) {
+  const toml::node* node = reader.node(parameter.key);
+  if (node == nullptr) return std::nullopt;
+  if (parameter.kind == ParameterKind::kNumber) return reader.number(parameter.key, parameter.unit);
+  if (parameter.kind == ParameterKind::kChoice) return read_choice(reader, parameter, *node);
+  return *reader.boolean(parameter.key) ? 1.0 : 0.0;
+}
+
+AlgorithmSettings read_algorithm(const toml::table& table, const std::string& prefix,
+                                 const std::string& origin) {
+  TableReader reader(table, prefix + "algorithm.", origin);
+  AlgorithmSettings settings;
+  if (const std::optional<std::string> name = reader.string("name")) {
+    const std::optional<std::size_t> index = find_algorithm(*name);
+    if (!index) {
+      const std::vector<std::string_view> names = algorithm_names();
+      reader.fail(*table.get("name"), "name",
+                  fmt::format("no algorithm is called {}{}; known: {}", in_quotes(*name),
+                              suggestion(*name, names), joined(names)));
+    }
+    settings.index = *index;
+  }
+  const std::span<const ParameterDescription> parameters = algorithm_parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    settings.values.at(i) = read_parameter(reader, parameters[i]);
+  }
+  reader.finish();
+  return settings;
+}
+
+SimulatorSettings read_simulator(const toml::table& table, const std::string& origin) {
+  TableReader reader(table, "simulator.", origin);
+  SimulatorSettings simulator;
+  if (const std::optional<std::string> integrator = reader.string("integrator")) {
+    if (*integrator != simulator.integrator) {
+      reader.fail(*table.get("integrator"), "integrator",
+                  fmt::format("{} is not supported by this version; \"{}\" is",
+                              in_quotes(*integrator), simulator.integrator));
+    }
+  }
+  if (reader.count("substeps").value_or(kOnlySubsteps) != kOnlySubsteps) {
+    reader.fail(*table.get("substeps"), "substeps",
+                "other than 1 is not supported by this version");
+  }
+  reader.finish();
+  return simulator;
+}
+
+// The node that a problem's key names, or the nearest that encloses it.
+const toml::node& node_at(const toml::table& root, std::string key) {
+  while (!key.empty()) {
+    const auto found = toml::at_path(root, key);
+    if (found) return *found.node();
+    constexpr std::string_view kOnlyWall = "wall.";
+    const std::size_t wall = key.rfind(kOnlyWall);
+    if (wall != std::string::npos) {
+      std::string indexed = key;
+      const auto inner = toml::at_path(root, indexed.replace(wall, kOnlyWall.size(), "wall[0]."));
+      if (inner) return *inner.node();
+    }
+    key.resize(key.find_last_of(".[") == std::string::npos ? 0 : key.find_last_of(".["));
+  }
+  return root;
+}
+
+void check(const Scene& scene, const toml::table& root, const std::string& prefix,
+           const std::string& origin) {
+  const std::optional<SceneProblem> problem = validate(scene);
+  if (!problem) return;
+  const std::string key = prefix + problem->key;
+  throw ReadFailure(
+      fmt::format("{}: {}: {}", place_of(node_at(root, key), origin), key, problem->message));
+}
+
+ScheduledChange read_change(const toml::table& table, const std::string& prefix, const Scene& first,
+                            const std::string& origin) {
+  TableReader reader(table, prefix, origin);
+  ScheduledChange change{reader.count("tick").value_or(0), first};
+  if (reader.node("tick") == nullptr) reader.fail_missing("tick", "a whole number");
+  if (const toml::table* algorithm = reader.table("algorithm")) {
+    change.scene.algorithm = read_algorithm(*algorithm, prefix, origin);
+  }
+  change.scene.walls = read_walls(reader, prefix);
+  reader.finish();
+  return change;
+}
+
+void read_recording(const toml::table& table, const toml::table& root, const std::string& origin,
+                    LoadedScene& loaded) {
+  TableReader reader(table, "recording.", origin);
+  for (const std::string_view key :
+       {"program", "version", "build", "start_time", "device", "realtime", "csv_sha256"}) {
+    static_cast<void>(reader.string(key));
+  }
+  for (const std::string_view key : {"rows", "dropped_rows"}) static_cast<void>(reader.count(key));
+  static_cast<void>(reader.boolean("complete"));
+  loaded.first_recorded_tick = reader.count("first_tick").value_or(0);
+  const std::optional<std::string> reason = reader.string("not_repeatable_because");
+  if (!reader.boolean("repeatable").value_or(true)) {
+    loaded.not_repeatable_because = reason.value_or("the recording says so");
+  }
+  for (const toml::table* change : reader.tables("change")) {
+    const std::string prefix = fmt::format("recording.change[{}].", loaded.changes.size());
+    ScheduledChange read = read_change(*change, prefix, loaded.scene, origin);
+    if (!loaded.changes.empty() && read.tick < loaded.changes.back().tick) {
+      reader.fail(*change, "change", "the ticks of the changes are not in order");
+    }
+    check(read.scene, root, prefix, origin);
+    loaded.changes.push_back(std::move(read));
+  }
+  reader.finish();
+}
+
+Scene read_tables(TableReader& reader, const std::string& origin) {
+  Scene scene;
+  scene.name = read_line(reader, "name", kLongestName);
+  if (scene.name.empty()) scene.name = shown(std::filesystem::path(origin).stem().string());
+  scene.description = read_line(reader, "description", kLongestDescription);
+  reader.numbers(scene_number_keys(), scene);
+  if (const auto* table = reader.table("sampling")) scene.sampling = read_sampling(*table, origin);
+  const toml::table absent_device;
+  const toml::table* device = reader.table("device");
+  scene.device = read_device(device == nullptr ? absent_device : *device, origin);
+  if (const auto* table = reader.table("hand")) scene.hand = read_hand(*table, origin);
+  scene.walls = read_walls(reader, "");
+  if (const auto* table = reader.table("algorithm")) {
+    scene.algorithm = read_algorithm(*table, "", origin);
+  }
+  if (const auto* table = reader.table("simulator")) {
+    scene.simulator = read_simulator(*table, origin);
+  }
+  return scene;
+}
+
+}  // namespace
+
+LoadedScene read_scene(const toml::table& root, const std::string& origin) {
+  TableReader reader(root, "", origin);
+  LoadedScene loaded;
+  loaded.scene = read_tables(reader, origin);
+  const toml::table* recording = reader.table("recording");
+  reader.finish();
+  check(loaded.scene, root, "", origin);
+  if (recording != nullptr) read_recording(*recording, root, origin, loaded);
+  return loaded;
+}
+
+}  // namespace hapticwall::file

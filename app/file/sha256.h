@@ -1,0 +1,26 @@
+// SHA-256 of a file while it is being written.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct evp_md_ctx_st;  // OpenSSL's
+
+namespace hapticwall::file {
+
+class Sha256 {
+ public:
+  Sha256();  // throws std::runtime_error where libcrypto offers no SHA-256
+  void update(std::string_view bytes);
+  // 64 hexadecimal digits; call it once, last.
+  [[nodiscard]] std::string finish();
+
+ private:
+  struct Free {
+    void operator()(evp_md_ctx_st* context) const;
+  };
+  std::unique_ptr<evp_md_ctx_st, Free> context_;
+};
+
+}  // namespace hapticwall::file

@@ -1,0 +1,68 @@
+#include "app/file/sidecar.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "app/file/scene_file.h"
+#include "app/file/toml_text.h"
+#include "hapticwall_version.h"
+
+namespace hapticwall::file {
+namespace {
+
+void write_change(TomlText& out, const RecordedChange& change) {
+  out.table_of_array("recording.change");
+  out.integer("tick", change.tick);
+  write_algorithm(out, "recording.change.", change.scene.algorithm);
+  write_walls(out, "recording.change.", change.scene.walls);
+}
+
+}  // namespace
+
+std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
+                         const RecordedRows& recorded) {
+  if (recorded.session_ticks > 0 && recorded.session_ticks != scene.tick_count()) {
+    scene.duration_s = static_cast<double>(recorded.session_ticks) / scene.sampling.rate_hz;
+  }
+  TomlText out;
+  out.table("recording");
+  out.string("program", "hapticwall");
+  out.string("version", kVersion);
+  out.string("build", kBuild);
+  if (!metadata.start_time.empty()) out.string("start_time", metadata.start_time);
+  out.string("device", metadata.device);
+  out.string("realtime", metadata.realtime_status);
+  out.integer("rows", recorded.rows);
+  out.integer("dropped_rows", recorded.dropped_rows);
+  out.boolean("complete", recorded.dropped_rows == 0);
+  out.integer("first_tick", metadata.first_tick);
+  out.boolean("repeatable", metadata.repeatable);
+  if (!metadata.repeatable) {
+    out.string("not_repeatable_because", metadata.not_repeatable_because);
+  }
+  out.string("csv_sha256", recorded.csv_sha256);
+  for (const RecordedChange& change : metadata.changes) write_change(out, change);
+  return scene_to_toml(scene) + out.text();
+}
+
+std::string sidecar_path_of(const std::string& csv_path) {
+  constexpr std::string_view kCsvEnding = ".csv";
+  std::string path = csv_path;
+  if (path.ends_with(kCsvEnding)) path.resize(path.size() - kCsvEnding.size());
+  return path + ".toml";
+}
+
+bool may_replace_sidecar(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return true;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (line == "[recording]") return true;
+  }
+  return false;
+}
+
+}  // namespace hapticwall::file

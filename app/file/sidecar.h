@@ -1,0 +1,31 @@
+// The text of a recording's sidecar: the whole scene and a [recording] table.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/file/recording_writer.h"
+#include "core/scene.h"
+
+namespace hapticwall::file {
+
+// What the writer of the CSV counted.
+struct RecordedRows {
+  std::uint64_t rows = 0;
+  std::uint64_t dropped_rows = 0;
+  std::uint64_t session_ticks = 0;
+  std::string csv_sha256;
+};
+
+// Where the session was not as long as scene.duration_s says, the sidecar says how long it was.
+[[nodiscard]] std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
+                                       const RecordedRows& recorded);
+
+// NAME.toml beside NAME.csv (or beside any other name).
+[[nodiscard]] std::string sidecar_path_of(const std::string& csv_path);
+
+// Whether replacing the file at `path` destroys nothing but an older sidecar: there is none, or it
+// has a [recording] table.
+[[nodiscard]] bool may_replace_sidecar(const std::string& path);
+
+}  // namespace hapticwall::file

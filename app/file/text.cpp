@@ -1,0 +1,128 @@
+#include "app/file/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace hapticwall::file {
+namespace {
+
+constexpr std::size_t kLongestNumber = 32;  // "-1.7976931348623157e+308" has 24
+constexpr std::size_t kLongestWord = 64;    // compared with known names; none is longer
+constexpr std::size_t kShortestPrefix = 3;  // "damping" stands for "damping_n_s_per_m"
+constexpr unsigned char kFirstPrintable = 0x20;
+constexpr unsigned char kDelete = 0x7f;
+
+// Length of the well-formed UTF-8 sequence that `text` starts with; 0 where there is none.
+std::size_t utf8_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  std::size_t length = 0;
+  if (lead < 0x80) length = 1;
+  if (lead >= 0xc2 && lead < 0xe0) length = 2;
+  if (lead >= 0xe0 && lead < 0xf0) length = 3;
+  if (lead >= 0xf0 && lead < 0xf5) length = 4;
+  if (length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xc0U) != 0x80U) return 0;
+  }
+  return length;
+}
+
+std::string cleaned(std::string_view text, std::size_t longest) {
+  std::string result;
+  while (!text.empty()) {
+    if (result.size() >= longest) return result + "...";
+    const std::size_t length = utf8_length(text);
+    const auto first = static_cast<unsigned char>(text.front());
+    // U+0080 ... U+009F are control characters too: 0xc2 0x80 ... 0xc2 0x9f.
+    const bool second_controls =
+        length == 2 && first == 0xc2U && static_cast<unsigned char>(text[1]) < 0xa0U;
+    const bool printable = first >= kFirstPrintable && first != kDelete && !second_controls;
+    if (length > 0 && printable) {
+      result += text.substr(0, length);
+    } else {
+      result += '?';
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
+// Levenshtein distance, with the swap of two neighbours counted once.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before_last(b.size() + 1);
+  std::vector<std::size_t> last(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + change});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
+    }
+    before_last.swap(last);
+    last.swap(row);
+  }
+  return last.back();
+}
+
+}  // namespace
+
+void append_number(std::string& text, double value) {
+  std::array<char, kLongestNumber> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  text.append(digits.data(), end);
+}
+
+std::string number_text(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+std::string in_quotes(std::string_view user_text) { return "'" + shown(user_text) + "'"; }
+
+std::string shown(std::string_view user_text, std::size_t longest) {
+  return cleaned(user_text, longest);
+}
+
+std::optional<std::string_view> nearest_name(std::string_view word,
+                                             std::span<const std::string_view> candidates) {
+  if (word.empty() || word.size() > kLongestWord) return std::nullopt;
+  std::optional<std::string_view> nearest;
+  std::size_t nearest_distance = std::max<std::size_t>(word.size() / 3, 1) + 1;
+  for (const std::string_view candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= nearest_distance) continue;
+    nearest = candidate;
+    nearest_distance = distance;
+  }
+  if (nearest || word.size() < kShortestPrefix) return nearest;
+  const auto longer = std::find_if(candidates.begin(), candidates.end(),
+                                   [&](std::string_view name) { return name.starts_with(word); });
+  if (longer != candidates.end()) return *longer;
+  // "stifness" for "stiffness_n_per_m": as long a piece of the name is similar.
+  for (const std::string_view candidate : candidates) {
+    const std::string_view head = candidate.substr(0, word.size() + 1);
+    if (edit_distance(word, head) <= 2 && word.size() > 2 * kShortestPrefix) return candidate;
+  }
+  return std::nullopt;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> candidates) {
+  const std::optional<std::string_view> name = nearest_name(word, candidates);
+  return name ? fmt::format("; did you mean '{}'?", *name) : "";
+}
+
+std::string joined(std::span<const std::string_view> names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace hapticwall::file

@@ -1,0 +1,77 @@
+// TOML from an untrusted text: what toml++ does, less what would exhaust the stack.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "app/file/table_reader.h"
+#include "app/file/text.h"
+
+namespace hapticwall::file {
+namespace {
+
+// toml++ limits nested values, but a dotted key of a hundred thousand parts makes as many nested
+// tables, whose destruction overflows the stack.
+constexpr std::size_t kDeepestKey = 32;
+constexpr std::size_t kLongestDescription = 200;
+
+// The position after the string that begins at `begin`; the text's end where it is not closed.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  const bool escapes = quote == '"';
+  const std::string triple(3, quote);
+  const bool several_lines = text.substr(begin).starts_with(triple);
+  std::size_t i = begin + (several_lines ? 3 : 1);
+  for (; i < text.size(); ++i) {
+    if (escapes && text[i] == '\\') {
+      ++i;
+    } else if (several_lines) {
+      if (text.substr(i).starts_with(triple)) return i + 3;
+    } else if (text[i] == quote || text[i] == '\n') {
+      return i + 1;
+    }
+  }
+  return text.size();
+}
+
+// The number of parts of the longest dotted key (decimal points of numbers count as one part).
+std::size_t deepest_key(std::string_view text) {
+  std::size_t deepest = 0;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+      continue;
+    }
+    if (c == '"' || c == '\'') {
+      i = end_of_string(text, i);
+      continue;
+    }
+    if (c == '.') {
+      deepest = std::max(deepest, ++points);
+    } else if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) {
+      points = 0;
+    }
+    ++i;
+  }
+  return deepest;
+}
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, const std::string& origin) {
+  if (deepest_key(text) > kDeepestKey) {
+    throw ReadFailure(
+        fmt::format("{}: not a scene: keys of more than {} parts", shown(origin), kDeepestKey));
+  }
+  try {
+    return toml::parse(text, std::string_view(origin));
+  } catch (const toml::parse_error& error) {
+    throw ReadFailure(fmt::format("{}:{}: not valid TOML: {}", shown(origin),
+                                  error.source().begin.line,
+                                  shown(error.description(), kLongestDescription)));
+  }
+}
+
+}  // namespace hapticwall::file

@@ -1,0 +1,126 @@
+#include "app/file/toml_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "app/file/scene_file.h"
+#include "app/file/text.h"
+#include "core/scene_keys.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::file {
+namespace {
+
+// A float of TOML has a point or an exponent.
+std::string toml_number(double value) {
+  std::string text = number_text(value);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string toml_string(std::string_view value) {
+  std::string text = "\"";
+  for (const char c : value) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      text += '\\';
+      text += c;
+    } else if (code < 0x20U || code == 0x7fU) {
+      text += fmt::format("\\u{:04X}", code);
+    } else {
+      text += c;
+    }
+  }
+  return text + '"';
+}
+
+template <typename Owner>
+void write_numbers(TomlText& out, std::span<const NumberKey<Owner>> keys, const Owner& owner) {
+  for (const NumberKey<Owner>& key : keys) {
+    if (const std::optional<double> value = key.get(owner)) out.number(key.key, *value);
+  }
+}
+
+void write_hand(TomlText& out, const HandSettings& hand) {
+  out.table("hand");
+  write_numbers(out, hand_number_keys(), hand);
+  if (hand.follows_mouse) {
+    out.string("path", "mouse");
+  } else {
+    out.path("path", hand.path);
+  }
+}
+
+}  // namespace
+
+void TomlText::comment(std::string_view text) { text_ += fmt::format("# {}\n", text); }
+void TomlText::table(std::string_view name) { text_ += fmt::format("\n[{}]\n", name); }
+void TomlText::table_of_array(std::string_view name) { text_ += fmt::format("\n[[{}]]\n", name); }
+void TomlText::assign(std::string_view key, std::string_view value) {
+  text_ += fmt::format("{} = {}\n", key, value);
+}
+void TomlText::number(std::string_view key, double value) { assign(key, toml_number(value)); }
+void TomlText::integer(std::string_view key, std::uint64_t value) {
+  assign(key, fmt::format("{}", value));
+}
+void TomlText::boolean(std::string_view key, bool value) { assign(key, value ? "true" : "false"); }
+void TomlText::string(std::string_view key, std::string_view value) {
+  assign(key, toml_string(value));
+}
+void TomlText::path(std::string_view key, const std::vector<PathPoint>& points) {
+  std::string value;
+  for (const PathPoint& point : points) {
+    value += fmt::format("{}[{}, {}]", value.empty() ? "" : ", ", toml_number(point.time_s),
+                         toml_number(point.position_m));
+  }
+  assign(key, "[" + value + "]");
+}
+
+void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSettings& algorithm) {
+  out.table(fmt::format("{}algorithm", prefix));
+  out.string("name", algorithms()[algorithm.index].name);
+  const std::span<const ParameterDescription> parameters = algorithm_parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::optional<double>& value = algorithm.values.at(i);
+    if (!value) continue;
+    switch (parameters[i].kind) {
+      case ParameterKind::kNumber:
+        out.number(parameters[i].key, *value);
+        break;
+      case ParameterKind::kBoolean:
+        out.boolean(parameters[i].key, *value != 0.0);
+        break;
+      case ParameterKind::kChoice:
+        out.string(parameters[i].key, parameters[i].choices[static_cast<std::size_t>(*value)]);
+        break;
+    }
+  }
+}
+
+void write_walls(TomlText& out, std::string_view prefix, const std::vector<WallSettings>& walls) {
+  for (const WallSettings& wall : walls) {
+    out.table_of_array(fmt::format("{}wall", prefix));
+    write_numbers(out, wall_number_keys(), wall);
+  }
+}
+
+std::string scene_to_toml(const Scene& scene) {
+  TomlText out;
+  out.string("name", scene.name);
+  if (!scene.description.empty()) out.string("description", scene.description);
+  write_numbers(out, scene_number_keys(), scene);
+  out.table("sampling");
+  write_numbers(out, sampling_number_keys(), scene.sampling);
+  out.table("device");
+  write_numbers(out, device_number_keys(), scene.device);
+  if (scene.hand) write_hand(out, *scene.hand);
+  write_walls(out, "", scene.walls);
+  write_algorithm(out, "", scene.algorithm);
+  out.table("simulator");
+  out.string("integrator", scene.simulator.integrator);
+  return out.text();
+}
+
+}  // namespace hapticwall::file

@@ -1,0 +1,300 @@
+// Recordings: exact rows, and names that files take only when they are whole.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <bit>
+#include <charconv>
+#include <clocale>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/file/atomic_file.h"
+#include "app/file/recording_writer.h"
+#include "app/file/scene_file.h"
+#include "app/file/sha256.h"
+
+namespace hapticwall::file {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+namespace fs = std::filesystem;
+
+class Recording : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("hapticwall_" + std::string(info->name()) + "_" + std::to_string(getpid()));
+    fs::create_directory(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] std::string content(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      names.push_back(entry.path().filename());
+    }
+    return names;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+Sample sample_at(std::uint64_t tick) {
+  Sample sample;
+  sample.tick = tick;
+  sample.time_s = static_cast<double>(tick) / 1000.0;
+  sample.position_m = 0.1 + 0.2;
+  sample.force_n = -0.0;
+  sample.energy_cv_j = 5e-324;
+  sample.truth.kinetic_j = 1.7976931348623157e308;
+  sample.flags = kFlagInContact | kFlagDeviceFault;
+  return sample;
+}
+
+Scene scene_of_ten_ticks() {
+  Scene scene;
+  scene.name = "ten";
+  scene.duration_s = 0.01;
+  return scene;
+}
+
+RecordingMetadata headless() {
+  RecordingMetadata metadata;
+  metadata.device = "simulator";
+  metadata.realtime_status = "none";
+  return metadata;
+}
+
+std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> parts;
+  std::stringstream stream(line);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+std::uint64_t bits_of(const std::string& text) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  EXPECT_TRUE(code == std::errc{} && end == text.data() + text.size()) << text;
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+TEST_F(Recording, HeaderIsThePromisedOne) {
+  EXPECT_EQ(csv_header(false),
+            "tick,time_s,position_m,velocity_m_per_s,penetration_m,wall_force_n,force_n,"
+            "stiffness_n_per_m,energy_cv_j,energy_hold_j,energy_scv_j,energy_budget_j,flags");
+  EXPECT_EQ(csv_header(true),
+            csv_header(false) +
+                ",true_position_m,true_velocity_m_per_s,hand_path_m,hand_force_n,"
+                "true_actuator_work_j,true_dissipation_j,true_hand_work_j,kinetic_j");
+}
+
+// Every field has a value of its own, so that two swapped columns are seen.
+TEST_F(Recording, ColumnsStandUnderTheirNames) {
+  Sample sample;
+  sample.tick = 1;
+  double* const numbers[] = {
+      &sample.time_s,        &sample.position_m,   &sample.velocity_m_per_s,  &sample.penetration_m,
+      &sample.wall_force_n,  &sample.force_n,      &sample.stiffness_n_per_m, &sample.energy_cv_j,
+      &sample.energy_hold_j, &sample.energy_scv_j, &sample.energy_budget_j};
+  double next = 2.0;
+  for (double* number : numbers) *number = next++;
+  sample.flags = 13;
+  next = 14.0;
+  PlantTruth& truth = sample.truth;
+  double* const truths[] = {&truth.position_m,   &truth.velocity_m_per_s, &truth.hand_path_m,
+                            &truth.hand_force_n, &truth.actuator_work_j,  &truth.dissipation_j,
+                            &truth.hand_work_j,  &truth.kinetic_j};
+  for (double* number : truths) *number = next++;
+  std::string row;
+  append_csv_row(row, sample, true);
+  EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21\n");
+  row.clear();
+  append_csv_row(row, sample, false);
+  EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13\n");
+}
+
+class CommaDecimal : public std::numpunct<char> {
+ protected:
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST_F(Recording, NumbersAreExactWhateverTheLocale) {
+  const std::locale before = std::locale::global(std::locale(std::locale(), new CommaDecimal));
+  std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where the machine has it
+  std::string row;
+  append_csv_row(row, sample_at(1234567), true);
+  std::setlocale(LC_NUMERIC, "C");
+  std::locale::global(before);
+
+  row.pop_back();
+  const std::vector<std::string> parts = fields(row);
+  ASSERT_EQ(parts.size(), 21U);
+  EXPECT_EQ(parts[0], "1234567");
+  EXPECT_EQ(parts[1], "1234.567");
+  EXPECT_EQ(parts[2], "0.30000000000000004");
+  EXPECT_EQ(bits_of(parts[2]), std::bit_cast<std::uint64_t>(0.1 + 0.2));
+  EXPECT_EQ(bits_of(parts[6]), std::bit_cast<std::uint64_t>(-0.0));
+  EXPECT_EQ(bits_of(parts[8]), std::bit_cast<std::uint64_t>(5e-324));
+  EXPECT_EQ(parts[12], "33");
+  EXPECT_EQ(bits_of(parts[20]), std::bit_cast<std::uint64_t>(1.7976931348623157e308));
+}
+
+TEST_F(Recording, ScenesAreWrittenTheSameWhateverTheLocale) {
+  const std::string before = scene_to_toml(scene_of_ten_ticks());
+  const std::locale locale = std::locale::global(std::locale(std::locale(), new CommaDecimal));
+  const std::string text = scene_to_toml(scene_of_ten_ticks());
+  const Result<LoadedScene> loaded = parse_scene(text, "x.toml");
+  std::locale::global(locale);
+  EXPECT_EQ(text, before);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->scene.duration_s, 0.01);
+}
+
+TEST_F(Recording, TakesItsNamesWhenItIsWhole) {
+  put("a.csv", "old");
+  auto writer = RecordingWriter::create(path("a.csv"), true);
+  ASSERT_TRUE(writer) << writer.error().message;
+  for (std::uint64_t tick = 0; tick < 10; ++tick) ASSERT_FALSE((*writer)->append(sample_at(tick)));
+  ASSERT_FALSE((*writer)->flush());
+  EXPECT_EQ(content("a.csv"), "old");
+  EXPECT_THAT(content("a.csv.partial"), StartsWith(csv_header(true) + "\n0,0,"));
+  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
+  EXPECT_EQ((*writer)->rows(), 10U);
+  EXPECT_THAT(files(), ::testing::UnorderedElementsAre("a.csv", "a.toml"));
+
+  const std::string csv = content("a.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 11);
+  Sha256 digest;
+  digest.update(csv);
+  const std::string sidecar = content("a.toml");
+  EXPECT_THAT(sidecar, HasSubstr("csv_sha256 = \"" + digest.finish() + "\""));
+  EXPECT_THAT(sidecar, HasSubstr("\nrows = 10\ndropped_rows = 0\ncomplete = true\n"));
+  EXPECT_THAT(sidecar, ::testing::Not(HasSubstr("start_time")));
+}
+
+TEST_F(Recording, SidecarSaysHowToRepeat) {
+  auto writer = RecordingWriter::create(path("a.csv"), true);
+  ASSERT_TRUE(writer);
+  for (std::uint64_t tick = 5; tick < 8; ++tick) ASSERT_FALSE((*writer)->append(sample_at(tick)));
+  RecordingMetadata metadata = headless();
+  metadata.first_tick = 5;
+  metadata.start_time = "2020-01-01T00:00:00Z";
+  metadata.repeatable = false;
+  metadata.not_repeatable_because = "the \"pointer\" \\ \t";
+  RecordedChange change{6, scene_of_ten_ticks()};
+  change.scene.walls = {{0.05, 1000.0, 0.5}};
+  metadata.changes.push_back(change);
+  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), metadata));
+
+  const Result<LoadedScene> loaded = load_scene(path("a.toml"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->first_recorded_tick, 5U);
+  EXPECT_EQ(loaded->scene.tick_count(), 8U);  // as long as the session was
+  EXPECT_EQ(loaded->not_repeatable_because, metadata.not_repeatable_because);
+  ASSERT_EQ(loaded->changes.size(), 1U);
+  EXPECT_EQ(loaded->changes[0].tick, 6U);
+  ASSERT_EQ(loaded->changes[0].scene.walls.size(), 1U);
+  EXPECT_EQ(loaded->changes[0].scene.walls[0].damping_n_s_per_m, 0.5);
+  EXPECT_THAT(content("a.toml"), HasSubstr("start_time = \"2020-01-01T00:00:00Z\""));
+}
+
+TEST_F(Recording, AbandonedItTakesNoName) {
+  {
+    auto writer = RecordingWriter::create(path("a.csv"), true);
+    ASSERT_TRUE(writer);
+    ASSERT_FALSE((*writer)->append(sample_at(0)));
+    ASSERT_FALSE((*writer)->flush());
+  }
+  EXPECT_THAT(files(), ::testing::ElementsAre("a.csv.partial"));
+  { ASSERT_TRUE(RecordingWriter::create(path("a.csv"), true)); }  // without a row
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Recording, NanIsNeverWritten) {
+  auto writer = RecordingWriter::create(path("a.csv"), true);
+  ASSERT_TRUE(writer);
+  Sample bad = sample_at(1);
+  bad.truth.position_m = std::numeric_limits<double>::quiet_NaN();
+  ASSERT_FALSE((*writer)->append(sample_at(0)));
+  ASSERT_FALSE((*writer)->append(bad));
+  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
+  EXPECT_EQ((*writer)->rows(), 1U);
+  EXPECT_THAT(content("a.toml"), HasSubstr("complete = true"));  // nothing came after it
+}
+
+TEST_F(Recording, AHoleIsToldOf) {
+  auto writer = RecordingWriter::create(path("a.csv"), true);
+  ASSERT_TRUE(writer);
+  Sample bad = sample_at(1);
+  bad.force_n = std::numeric_limits<double>::infinity();
+  for (const Sample& sample : {sample_at(0), bad, sample_at(2)}) {
+    ASSERT_FALSE((*writer)->append(sample));
+  }
+  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
+  EXPECT_THAT(content("a.toml"), HasSubstr("rows = 2\ndropped_rows = 1\ncomplete = false\n"));
+}
+
+TEST_F(Recording, AFullDiskIsAnErrorAndStaysOne) {
+  fs::create_symlink("/dev/full", path("a.csv.partial"));
+  auto writer = RecordingWriter::create(path("a.csv"), true);
+  ASSERT_TRUE(writer) << writer.error().message;
+  ASSERT_FALSE((*writer)->append(sample_at(0)));
+  const Failure failed = (*writer)->flush();
+  ASSERT_TRUE(failed);
+  EXPECT_EQ(failed->kind, ErrorKind::kFile);
+  EXPECT_THAT(failed->message, HasSubstr("a.csv: could not be written whole: No space left"));
+  EXPECT_TRUE((*writer)->append(sample_at(1)));
+  EXPECT_TRUE((*writer)->finish(scene_of_ten_ticks(), headless()));
+  EXPECT_FALSE(fs::exists(path("a.csv")) || fs::exists(path("a.toml")));
+}
+
+TEST_F(Recording, AUsersSceneIsNotReplacedByASidecar) {
+  put("mine.toml", "name = 'mine'\n");
+  const auto writer = RecordingWriter::create(path("mine.csv"), true);
+  ASSERT_FALSE(writer);
+  EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
+  EXPECT_THAT(writer.error().message, HasSubstr("would replace a file that is not a recording's"));
+  EXPECT_EQ(content("mine.toml"), "name = 'mine'\n");
+}
+
+TEST_F(Recording, OneWriterAtATime) {
+  const auto first = AtomicFile::create(path("a"));
+  ASSERT_TRUE(first);
+  const auto second = AtomicFile::create(path("a"));
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.error().message, HasSubstr("another process is writing it"));
+}
+
+TEST_F(Recording, UnwritablePathsAreRefusedAtOnce) {
+  for (const std::string& name : {path("no/a.csv"), path(""), std::string("/dev/null")}) {
+    const auto writer = RecordingWriter::create(name, true);
+    ASSERT_FALSE(writer) << name;
+    EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::file

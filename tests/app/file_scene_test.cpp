@@ -1,0 +1,301 @@
+// Scene files: what is read, and the one line that says what is wrong.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "app/file/scene_file.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::file {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr const char* kWhole = R"(name = "whole"
+description = "every key that there is"
+duration_s = 2
+[sampling]
+rate_hz = 2000
+[device]
+mass_kg = 0.05
+damping_n_s_per_m = 1
+friction_n = 0.14
+encoder_m = 0.254e-3
+force_limit_n = 8.9
+start_m = 0.02
+[hand]
+mass_kg = 0.4
+stiffness_n_per_m = 250
+damping_n_s_per_m = 33
+grip_stiffness_n_per_m = 1000
+grip_damping_n_s_per_m = 1
+path = [[0, 0.03], [1.5, 0.075]]
+[[wall]]
+position_m = 0.05
+stiffness_n_per_m = 35000
+damping_n_s_per_m = 2
+axis = "x"
+[[wall]]
+position_m = 0.06
+stiffness_n_per_m = 1e5
+[algorithm]
+name = "passivity-control"
+damping_n_s_per_m = 0.9
+observer = "held-force"
+damping_credit = true
+[simulator]
+integrator = "exact"
+substeps = 1
+)";
+
+std::string message(const std::string& text, std::vector<std::string> overrides = {}) {
+  const Result<LoadedScene> loaded = parse_scene(text, "x.toml", overrides);
+  if (loaded) return "(no error)";
+  EXPECT_EQ(loaded.error().kind, ErrorKind::kUsage);
+  EXPECT_EQ(loaded.error().message.find('\n'), std::string::npos) << loaded.error().message;
+  return loaded.error().message;
+}
+
+std::string replaced(const std::string& what, const std::string& by) {
+  std::string text = kWhole;
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+TEST(SceneFile, ReadsEveryKey) {
+  const Result<LoadedScene> loaded = parse_scene(kWhole, "x.toml");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  const Scene& scene = loaded->scene;
+  EXPECT_EQ(scene.name, "whole");
+  EXPECT_EQ(scene.description, "every key that there is");
+  EXPECT_EQ(scene.duration_s, 2.0);
+  EXPECT_EQ(scene.sampling.rate_hz, 2000.0);
+  EXPECT_EQ(scene.device.mass_kg, 0.05);
+  EXPECT_EQ(scene.device.encoder_m, 0.254e-3);
+  EXPECT_EQ(scene.device.start_m, 0.02);
+  ASSERT_TRUE(scene.hand);
+  EXPECT_EQ(scene.hand->grip_damping_n_s_per_m, 1.0);
+  EXPECT_EQ(scene.hand->path, (std::vector<PathPoint>{{0.0, 0.03}, {1.5, 0.075}}));
+  ASSERT_EQ(scene.walls.size(), 2U);
+  EXPECT_EQ(scene.walls[0].damping_n_s_per_m, 2.0);
+  EXPECT_EQ(scene.walls[1].damping_n_s_per_m, 0.0);
+  EXPECT_EQ(scene.algorithm.index, find_algorithm("passivity-control"));
+  const auto value = [&](const char* key) {
+    return scene.algorithm.values.at(find_algorithm_parameter(key).value());
+  };
+  EXPECT_EQ(value("damping_n_s_per_m"), 0.9);
+  EXPECT_EQ(value("damping_credit"), 1.0);
+  const ParameterDescription& observer =
+      algorithm_parameters()[find_algorithm_parameter("observer").value()];
+  EXPECT_EQ(observer.choices[static_cast<std::size_t>(value("observer").value())], "held-force");
+  EXPECT_FALSE(value("rest_force_step_n").has_value());
+}
+
+TEST(SceneFile, WhatIsAbsentIsLeftOut) {
+  const Result<LoadedScene> loaded =
+      parse_scene("[device]\nmass_kg = 1\ndamping_n_s_per_m = 0\n", "dir/bare.toml");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->scene.name, "bare");
+  EXPECT_FALSE(loaded->scene.device.friction_n || loaded->scene.device.encoder_m ||
+               loaded->scene.device.force_limit_n || loaded->scene.hand);
+  EXPECT_TRUE(loaded->scene.walls.empty());
+  EXPECT_EQ(loaded->scene.algorithm.index, find_algorithm("none"));
+}
+
+TEST(SceneFile, MouseAsHand) {
+  const auto loaded = parse_scene(replaced("[[0, 0.03], [1.5, 0.075]]", "\"mouse\""), "x.toml");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_TRUE(loaded->scene.hand->follows_mouse);
+}
+
+TEST(SceneFile, NamesFileLineKeyAndWhatWouldBeRight) {
+  EXPECT_EQ(message(replaced("friction_n", "fricton_n")),
+            "x.toml:9: device.fricton_n: unknown key; did you mean 'friction_n'?");
+  EXPECT_EQ(message(replaced("mass_kg = 0.05", "mass_kg = 'heavy'")),
+            "x.toml:7: device.mass_kg: the string 'heavy' where a number in kg belongs");
+  EXPECT_EQ(message(replaced("mass_kg = 0.05", "mass_kg = nan")),
+            "x.toml:7: device.mass_kg: nan is not a finite number");
+  EXPECT_EQ(message(replaced("mass_kg = 0.05\n", "")),
+            "x.toml:6: device.mass_kg is missing; it takes a number in kg");
+  EXPECT_THAT(message(replaced("mass_kg = 0.05", "mass_kg = -0.05")),
+              StartsWith("x.toml:7: device.mass_kg: -0.05 is out of range"));
+  EXPECT_THAT(message(replaced("stiffness_n_per_m = 1e5", "stiffness_n_per_m = -3")),
+              StartsWith("x.toml:27: wall[1].stiffness_n_per_m: -3 is out of range"));
+}
+
+TEST(SceneFile, RefusesContradictionsAndDuplicates) {
+  EXPECT_THAT(
+      message(replaced("[hand]\nmass_kg = 0.4\n", "[hand]\n")),
+      AllOf(StartsWith("x.toml:16: hand.grip_stiffness_n_per_m: "), HasSubstr("hand.mass_kg")));
+  EXPECT_THAT(message(replaced("duration_s = 2", "duration_s = 2\nduration_s = 3")),
+              AllOf(StartsWith("x.toml:4: not valid TOML: "), HasSubstr("duration_s")));
+  EXPECT_THAT(message(replaced("[1.5, 0.075]", "[0, 0.075]")),
+              StartsWith("x.toml:19: hand.path[1]: times must increase"));
+}
+
+TEST(SceneFile, SaysPlainlyWhatThisVersionDoesNotHave) {
+  for (const char* key : {"force_resolution_n", "delay_ticks", "amplifier_time_constant_s"}) {
+    EXPECT_EQ(message(replaced("start_m = 0.02", std::string(key) + " = 0")),
+              "x.toml:12: device." + std::string(key) + " is not supported by this version");
+  }
+  EXPECT_EQ(message(std::string(kWhole) + "[device.y]\nmass_kg = 1\n"),
+            "x.toml:36: device.y is not supported by this version");
+  EXPECT_EQ(message(replaced("axis = \"x\"", "axis = \"y\"")),
+            "x.toml:24: wall[0].axis: only \"x\" is supported by this version");
+  EXPECT_EQ(message(replaced("substeps = 1", "substeps = 2")),
+            "x.toml:35: simulator.substeps: other than 1 is not supported by this version");
+  EXPECT_EQ(
+      message(replaced("\"exact\"", "\"rk4\"")),
+      "x.toml:34: simulator.integrator: 'rk4' is not supported by this version; \"exact\" is");
+}
+
+TEST(SceneFile, NamesTheAlgorithmsAndTheirChoices) {
+  EXPECT_THAT(message(replaced("\"passivity-control\"", "\"passivity\"")),
+              AllOf(StartsWith("x.toml:29: algorithm.name: no algorithm is called 'passivity'"),
+                    HasSubstr("did you mean 'passivity-control'?"), HasSubstr("none, ")));
+  EXPECT_THAT(message(replaced("\"held-force\"", "\"held\"")),
+              AllOf(StartsWith("x.toml:31: algorithm.observer: 'held' is none of: "),
+                    HasSubstr("same-sample")));
+  EXPECT_EQ(message(replaced("damping_credit = true", "damping_credit = 1")),
+            "x.toml:32: algorithm.damping_credit: 1 where true or false belongs");
+}
+
+TEST(SceneFile, RefusesWhatIsNoToml) {
+  EXPECT_THAT(message("a = = 3\n"), StartsWith("x.toml:1: not valid TOML: "));
+  EXPECT_THAT(message("name = \"\xff\xfe\"\n"), StartsWith("x.toml:1: not valid TOML: "));
+  EXPECT_THAT(message(std::string("\0\x01\x02", 3)), StartsWith("x.toml:1: not valid TOML: "));
+  EXPECT_THAT(message("name = \"a\\u0007b\"\n[device]\n"),
+              StartsWith("x.toml:1: name: has a control character"));
+  EXPECT_THAT(message("name = \"" + std::string(1000, 'n') + "\"\n"),
+              StartsWith("x.toml:1: name: longer than "));
+}
+
+// Every one of these once overflowed the stack of a TOML parser somewhere.
+TEST(SceneFile, SurvivesDeepNesting) {
+  constexpr std::size_t kDepth = 200'000;
+  std::string dotted = "a";
+  std::string quoted = "\"a,\"";
+  std::string tables = "a = ";
+  for (std::size_t i = 0; i < kDepth; ++i) {
+    dotted += ".a";
+    quoted += ".\",\"";
+    tables += "{a=";
+  }
+  EXPECT_THAT(message(dotted + " = 1\n"), StartsWith("x.toml: not a scene: keys of more than"));
+  EXPECT_THAT(message(quoted + " = 1\n"), StartsWith("x.toml: not a scene: keys of more than"));
+  EXPECT_THAT(message("[" + dotted + "]\n"), StartsWith("x.toml: not a scene: keys of more than"));
+  EXPECT_THAT(message("x = '''\n#'''\n" + dotted + " = 1\n"),
+              StartsWith("x.toml: not a scene: keys of more than"));
+  EXPECT_THAT(message("a = " + std::string(kDepth, '[')), StartsWith("x.toml:1: not valid TOML"));
+  EXPECT_THAT(message(tables), StartsWith("x.toml:1: not valid TOML"));
+}
+
+TEST(SceneFile, DecimalPointsAreNotNesting) {
+  std::string path;
+  for (int i = 1; i <= 500; ++i) path += "[" + std::to_string(i) + ".5, 0.03],\n";
+  EXPECT_EQ(message(replaced("[[0, 0.03], [1.5, 0.075]]", "[" + path + "]")), "(no error)");
+}
+
+TEST(SceneFile, PointsInTextAreNotNesting) {
+  const std::string points(200, '.');
+  EXPECT_EQ(message(replaced("every key", "see " + points + "= that, every key")), "(no error)");
+  EXPECT_EQ(message("# a" + points + " = b.c\n" + kWhole), "(no error)");
+}
+
+TEST(SceneFile, QuotesUserTextShortAndClean) {
+  const std::string text =
+      message("name = 3\n[device]\n\"k\\u001b[31m" + std::string(5000, 'x') + "\" = 1\n");
+  EXPECT_LT(text.size(), 400U) << text;
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+}
+
+TEST(SceneFile, BuiltinScenesAreAllThereAndNamedAsTheirFiles) {
+  std::vector<std::string> names;
+  for (const BuiltinScene& scene : builtin_scenes()) {
+    names.push_back(scene.name);
+    const Result<LoadedScene> loaded = load_scene(scene.name);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded->scene.name, scene.name);
+    EXPECT_EQ(loaded->scene.description, scene.description);
+    EXPECT_FALSE(scene.description.empty());
+  }
+  EXPECT_THAT(names,
+              ::testing::UnorderedElementsAre("press", "tap", "tap-slow", "light", "golden-soft",
+                                              "golden-hard", "golden-soft-fric"));
+}
+
+// docs/physics.md gives the rates at which the paths rise.
+TEST(SceneFile, BuiltinPathsRiseAtTheirRates) {
+  const std::vector<std::tuple<std::string, double, double>> paths{{"press", 0.03, 0.075},
+                                                                   {"tap", 0.2, 0.0653},
+                                                                   {"tap-slow", 0.03, 0.0653},
+                                                                   {"light", 0.1, 0.06}};
+  for (const auto& [name, rate_m_per_s, end_m] : paths) {
+    const Result<LoadedScene> loaded = load_scene(name);
+    ASSERT_TRUE(loaded);
+    const std::vector<PathPoint>& path = loaded->scene.hand->path;
+    ASSERT_EQ(path.size(), 2U);
+    EXPECT_EQ(path[0], (PathPoint{0.0, 0.03}));
+    EXPECT_EQ(path[1].position_m, end_m);
+    EXPECT_NEAR((end_m - 0.03) / path[1].time_s, rate_m_per_s, 1e-15) << name;
+  }
+}
+
+TEST(SceneFile, SuggestsTheNearestBuiltinScene) {
+  const Result<LoadedScene> loaded = load_scene("tab");
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().message,
+              StartsWith("'tab' is neither a file nor a built-in scene; did you mean 'tap'?"));
+}
+
+TEST(SceneFile, ASidecarsChangesAreRead) {
+  const std::string recording = R"(
+[recording]
+rows = 10
+first_tick = 7
+repeatable = false
+not_repeatable_because = "the pointer led the hand"
+[[recording.change]]
+tick = 12
+[recording.change.algorithm]
+name = "none"
+[[recording.change.wall]]
+position_m = 0.04
+stiffness_n_per_m = 100
+)";
+  const Result<LoadedScene> loaded = parse_scene(kWhole + recording, "x.toml");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->first_recorded_tick, 7U);
+  EXPECT_EQ(loaded->not_repeatable_because, "the pointer led the hand");
+  ASSERT_EQ(loaded->changes.size(), 1U);
+  EXPECT_EQ(loaded->changes[0].tick, 12U);
+  EXPECT_EQ(loaded->changes[0].scene.algorithm.index, find_algorithm("none"));
+  ASSERT_EQ(loaded->changes[0].scene.walls.size(), 1U);
+  EXPECT_EQ(loaded->changes[0].scene.walls[0].position_m, 0.04);
+  EXPECT_EQ(loaded->changes[0].scene.device.mass_kg, 0.05);
+}
+
+TEST(SceneFile, ASidecarsMistakesAreFound) {
+  const std::string head = std::string(kWhole) + "[recording]\n";
+  EXPECT_THAT(message(head + "rws = 3\n"), EndsWith("unknown key; did you mean 'rows'?"));
+  EXPECT_EQ(message(head + "rows = -3\n"),
+            "x.toml:37: recording.rows: -3 where a whole number from 0 on belongs");
+  EXPECT_THAT(message(head + "[[recording.change]]\n"), HasSubstr("tick is missing"));
+  const std::string change =
+      "[[recording.change]]\ntick = 2\n[[recording.change.wall]]\n"
+      "position_m = 0.04\nstiffness_n_per_m = -1\n";
+  EXPECT_THAT(
+      message(head + change),
+      StartsWith("x.toml:41: recording.change[0].wall.stiffness_n_per_m: -1 is out of range"));
+  EXPECT_THAT(message(head + "[[recording.change]]\ntick = 2\n[[recording.change]]\ntick = 1\n"),
+              HasSubstr("not in order"));
+}
+
+}  // namespace
+}  // namespace hapticwall::file

@@ -1,0 +1,134 @@
+// A scene that is written and read again is the same scene, to the last bit.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "app/file/scene_file.h"
+#include "core/scene_keys.h"
+#include "core/stabiliser/stabiliser.h"
+#include "tests/property/scene_generator.h"
+
+namespace hapticwall::file {
+namespace {
+
+template <typename Owner>
+double random_value(const NumberKey<Owner>& key) {
+  const double low = key.range.minimum < 0.0 ? 0.0 : std::max(key.range.minimum, 1e-6);
+  return key.range.minimum < 0.0 ? testing::uniform(key.range.minimum, key.range.maximum)
+                                 : testing::log_uniform(low, key.range.maximum);
+}
+
+std::string random_text() {
+  constexpr const char* kPieces[] = {"a", "\"", "\\", "#", "'", "=", "µ", "[", "]", ",", " ", "€"};
+  std::string text = "n";
+  const int count = *rc::gen::inRange(0, 12);
+  for (int i = 0; i < count; ++i) text += kPieces[*rc::gen::inRange<std::size_t>(0, 12)];
+  return text;
+}
+
+void randomise_algorithm(AlgorithmSettings& settings) {
+  const auto parameters = algorithm_parameters();
+  settings.index = *rc::gen::inRange<std::size_t>(0, algorithms().size());
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (testing::flip()) continue;
+    const ParameterDescription& parameter = parameters[i];
+    switch (parameter.kind) {
+      case ParameterKind::kNumber:
+        settings.values.at(i) = testing::uniform(parameter.minimum, parameter.maximum);
+        break;
+      case ParameterKind::kBoolean:
+        settings.values.at(i) = testing::flip() ? 1.0 : 0.0;
+        break;
+      case ParameterKind::kChoice:
+        settings.values.at(i) =
+            static_cast<double>(*rc::gen::inRange<std::size_t>(0, parameter.choices.size()));
+        break;
+    }
+  }
+}
+
+Scene unusual_scene() {
+  Scene scene = testing::random_scene("none");
+  scene.name = random_text();
+  scene.description = testing::flip() ? "" : random_text();
+  for (const auto& key : device_number_keys()) {
+    if (key.required || testing::flip()) key.set(scene.device, random_value(key));
+  }
+  if (testing::flip()) scene.hand.reset();
+  if (scene.hand && testing::flip()) {
+    scene.hand->path.clear();
+    scene.hand->follows_mouse = true;
+  }
+  scene.walls.resize(*rc::gen::inRange<std::size_t>(0, kMaximumWalls + 1));
+  for (WallSettings& wall : scene.walls) {
+    for (const auto& key : wall_number_keys()) key.set(wall, random_value(key));
+  }
+  randomise_algorithm(scene.algorithm);
+  return scene;
+}
+
+// Bits, so that -0 is not 0.
+std::optional<std::uint64_t> bits(std::optional<double> value) {
+  if (!value) return std::nullopt;
+  return std::bit_cast<std::uint64_t>(*value);
+}
+
+template <typename Owner>
+bool same_numbers(std::span<const NumberKey<Owner>> keys, const Owner& a, const Owner& b) {
+  for (const auto& key : keys) {
+    if (bits(key.get(a)) != bits(key.get(b))) return false;
+  }
+  return true;
+}
+
+bool same_hand(const std::optional<HandSettings>& a, const std::optional<HandSettings>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return same_numbers(hand_number_keys(), *a, *b) && a->path == b->path &&
+         a->follows_mouse == b->follows_mouse;
+}
+
+bool same_scene(const Scene& a, const Scene& b) {
+  if (a.walls.size() != b.walls.size()) return false;
+  for (std::size_t i = 0; i < a.walls.size(); ++i) {
+    if (!same_numbers(wall_number_keys(), a.walls[i], b.walls[i])) return false;
+  }
+  return a.name == b.name && a.description == b.description &&
+         same_numbers(scene_number_keys(), a, b) &&
+         same_numbers(sampling_number_keys(), a.sampling, b.sampling) &&
+         same_numbers(device_number_keys(), a.device, b.device) && same_hand(a.hand, b.hand) &&
+         a.algorithm == b.algorithm && a.simulator.integrator == b.simulator.integrator;
+}
+
+RC_GTEST_PROP(SceneFileProperty, WrittenAndReadAgainIsTheSame, ()) {
+  const Scene scene = unusual_scene();
+  RC_PRE(!validate(scene).has_value());
+  const std::string text = scene_to_toml(scene);
+  const Result<LoadedScene> loaded = parse_scene(text, "x.toml");
+  if (!loaded) RC_FAIL(loaded.error().message + "\n" + text);
+  RC_ASSERT(same_scene(loaded->scene, scene));
+  RC_ASSERT(scene_to_toml(loaded->scene) == text);
+}
+
+// Whatever the bytes: an answer, and an error is one clean line.
+RC_GTEST_PROP(SceneFileProperty, AnyBytesGetAnAnswer, ()) {
+  std::string text = scene_to_toml(testing::random_scene("none"));
+  const int edits = *rc::gen::inRange(0, 8);
+  for (int i = 0; i < edits; ++i) {
+    const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+    const auto length = *rc::gen::inRange<std::size_t>(0, 20);
+    text.replace(at, length, *rc::gen::arbitrary<std::string>());
+    if (text.empty()) text = "\n";
+  }
+  const Result<LoadedScene> loaded = parse_scene(text, "x.toml");
+  if (loaded) return;
+  for (const char c : loaded.error().message) {
+    RC_ASSERT(static_cast<unsigned char>(c) >= 0x20U);
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::file
