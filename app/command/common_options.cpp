@@ -1,0 +1,138 @@
+#include "app/command/common_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "app/file/sidecar.h"
+#include "app/file/text.h"
+#include "core/scene_keys.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::command {
+namespace {
+
+constexpr std::string_view kSimulator = "sim";
+
+Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
+
+Failure check_device(const std::string& device) {
+  if (device == kSimulator) return {};
+  return Error{ErrorKind::kDevice,
+               fmt::format("--device {}: this version knows only the simulator, 'sim'",
+                           file::in_quotes(device))};
+}
+
+Failure check_duration(const std::string& text) {
+  const NumberKey<Scene>& key = scene_number_keys().front();
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, code] = std::from_chars(text.data(), end, value);
+  if (code == std::errc{} && rest == end && key.range.contains(value)) return {};
+  return usage_error(fmt::format("--duration {}: it takes seconds, more than {} and at most {}",
+                                 file::in_quotes(text), file::number_text(key.range.minimum),
+                                 file::number_text(key.range.maximum)));
+}
+
+// A validator of CLI11: what is wrong, or nothing.
+std::string is_whole_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, code] = std::from_chars(text.data(), end, value);
+  if (code == std::errc{} && rest == end) return "";
+  return file::in_quotes(text) + " is not a whole number from 0 on";
+}
+
+}  // namespace
+
+Failure check_algorithm_name(std::string_view option, const std::string& name) {
+  if (find_algorithm(name)) return {};
+  std::vector<std::string_view> names;
+  for (const AlgorithmDescription& algorithm : algorithms()) names.push_back(algorithm.name);
+  return usage_error(fmt::format("{} {}: no algorithm is called so{}; known: {}", option,
+                                 file::in_quotes(name), file::suggestion(name, names),
+                                 file::joined(names)));
+}
+
+void add_scene_options(CLI::App& app, SceneOptions& options) {
+  app.add_option("--set", options.settings,
+                 "A key of the scene, e.g. hand.mass_kg=0.3 (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--device", options.device, "Device; this version knows only the simulator, sim")
+      ->type_name("NAME");
+}
+
+void add_algorithm_option(CLI::App& app, SceneOptions& options) {
+  app.add_option("--algorithm", options.algorithm, "Stabilising algorithm, instead of the scene's")
+      ->type_name("NAME");
+}
+
+void add_headless_options(CLI::App& app, SceneOptions& options) {
+  app.add_option("SCENE", options.scene, "Scene file, or the name of a built-in scene")
+      ->type_name("")
+      ->required();
+  app.add_option("--duration", options.duration, "Seconds, instead of the scene's")->type_name("S");
+}
+
+void add_output_options(CLI::App& app, OutputOptions& options) {
+  app.add_option("--json", options.json, "Write the summary as JSON; - is standard output")
+      ->type_name("FILE");
+  app.add_option("--expect", options.expectations,
+                 "Exit status 1 where it does not hold of the summary, e.g. verdict=settled or "
+                 "'tail_peak_to_peak_m<1e-4' (repeatable)")
+      ->type_name("EXPR")
+      ->allow_extra_args(false);
+  app.add_option("--seed", options.seed,
+                 "Accepted for scripts; nothing of the present model is random")
+      ->type_name("N")
+      ->check(is_whole_number);
+  app.add_flag("--quiet", options.quiet, "No summary and no progress, errors only");
+}
+
+Result<file::LoadedScene> load(const SceneOptions& options) {
+  if (Failure failed = check_device(options.device)) return *failed;
+  std::vector<std::string> overrides = options.settings;
+  if (!options.algorithm.empty()) {
+    if (Failure failed = check_algorithm_name("--algorithm", options.algorithm)) return *failed;
+    overrides.push_back(fmt::format("algorithm.name=\"{}\"", options.algorithm));
+  }
+  if (!options.duration.empty()) {
+    if (Failure failed = check_duration(options.duration)) return *failed;
+    overrides.push_back("duration_s=" + options.duration);
+  }
+  return file::load_scene(options.scene, overrides);
+}
+
+Result<file::LoadedScene> load_headless(const SceneOptions& options) {
+  Result<file::LoadedScene> loaded = load(options);
+  if (loaded && loaded->scene.hand && loaded->scene.hand->follows_mouse) {
+    return usage_error(
+        fmt::format("{}: hand.path: the hand follows the mouse, which only the window "
+                    "has; --set 'hand.path=[[0, 0.03], [1, 0.06]]' gives it a path",
+                    file::shown(options.scene)));
+  }
+  return loaded;
+}
+
+Failure check_outputs(const OutputOptions& options) {
+  if (options.csv == kStandardOutput) return usage_error("--csv -: it takes the name of a file");
+  if (options.plot == kStandardOutput) return usage_error("--plot -: it takes the name of a file");
+  std::vector<std::pair<std::string_view, std::string>> files{
+      {"--csv", options.csv}, {"--json", options.json}, {"--plot", options.plot}};
+  if (!options.csv.empty())
+    files.emplace_back("the sidecar of --csv", file::sidecar_path_of(options.csv));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t j = i + 1; j < files.size(); ++j) {
+      if (files[i].second.empty() || files[i].second != files[j].second) continue;
+      return usage_error(fmt::format("{} and {} are the same file, {}", files[i].first,
+                                     files[j].first, file::in_quotes(files[i].second)));
+    }
+  }
+  return {};
+}
+
+}  // namespace hapticwall::command

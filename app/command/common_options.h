@@ -1,0 +1,56 @@
+// The options that `run` and `compare` share, and what follows from them before anything runs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/command/expectation.h"
+#include "app/file/scene_file.h"
+#include "core/result.h"
+
+namespace hapticwall::command {
+
+// What chooses a scene; the window takes these too.
+struct SceneOptions {
+  std::string scene;
+  std::string algorithm;
+  std::string duration;
+  std::vector<std::string> settings;  // of --set
+  std::string device = "sim";
+};
+
+// What is done with the outcome.
+struct OutputOptions {
+  std::string csv;
+  std::string json;
+  std::string plot;
+  std::vector<std::string> expectations;
+  std::uint64_t seed = 0;  // nothing of the present model is random
+  bool quiet = false;
+};
+
+inline constexpr const char* kStandardOutput = "-";
+
+// --set and --device.
+void add_scene_options(CLI::App& app, SceneOptions& options);
+void add_algorithm_option(CLI::App& app, SceneOptions& options);
+// The required SCENE of a command, and --duration.
+void add_headless_options(CLI::App& app, SceneOptions& options);
+// --json, --expect, --seed, --quiet.
+void add_output_options(CLI::App& app, OutputOptions& options);
+
+// The scene with --set, then --algorithm and --duration, applied; a device other than the simulator
+// fails with ErrorKind::kDevice.
+[[nodiscard]] Result<file::LoadedScene> load(const SceneOptions& options);
+
+// The same for runs without a window, where no pointer can lead the hand.
+[[nodiscard]] Result<file::LoadedScene> load_headless(const SceneOptions& options);
+
+// Two outputs into one file, and --csv or --plot to standard output, are usage errors.
+[[nodiscard]] Failure check_outputs(const OutputOptions& options);
+
+[[nodiscard]] Failure check_algorithm_name(std::string_view option, const std::string& name);
+
+}  // namespace hapticwall::command

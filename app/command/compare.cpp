@@ -1,0 +1,126 @@
+// hapticwall compare SCENE: the same scene under every algorithm, one table.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "app/command/commands.h"
+#include "app/command/common_options.h"
+#include "app/command/headless.h"
+#include "app/command/output_file.h"
+#include "app/command/signals.h"
+#include "app/command/summary_fields.h"
+#include "app/command/summary_table.h"
+#include "app/command/terminal.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::command {
+namespace {
+
+struct CompareOptions {
+  SceneOptions scene;
+  OutputOptions output;
+  std::vector<std::string> algorithms;  // empty: all
+};
+
+struct CompareFiles {
+  OutputFile csv;
+  OutputFile json;
+};
+
+Result<std::vector<std::size_t>> chosen_algorithms(const std::vector<std::string>& names) {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; names.empty() && i < algorithms().size(); ++i) indices.push_back(i);
+  for (const std::string& name : names) {
+    if (Failure failed = check_algorithm_name("--algorithms", name)) return *failed;
+    indices.push_back(*find_algorithm(name));
+  }
+  return indices;
+}
+
+Failure write_results(const OutputOptions& options, CompareFiles& files,
+                      const std::vector<Summary>& summaries) {
+  if (Failure failed = files.csv.write_whole(summaries_csv(summaries))) return failed;
+  if (Failure failed = files.json.write_whole(summaries_json(summaries))) return failed;
+  if (options.json == kStandardOutput) return write_output(summaries_json(summaries));
+  if (options.quiet) return {};
+  return write_output(comparison_table(summaries));
+}
+
+// Nothing where a signal ended it early.
+std::optional<std::vector<Summary>> run_all(file::LoadedScene loaded,
+                                            const std::vector<std::size_t>& indices, bool quiet) {
+  std::vector<Summary> summaries;
+  for (const std::size_t index : indices) {
+    loaded.scene.algorithm.index = index;
+    const SimulationResult result =
+        simulate_timed({.scene = loaded.scene,
+                        .changes = {},
+                        .on_sample = {},
+                        .should_stop = {},
+                        .progress_label = fmt::format("{} {}/{}", algorithms()[index].name,
+                                                      summaries.size() + 1, indices.size()),
+                        .show_progress = !quiet});
+    if (result.stopped_early) return std::nullopt;
+    summaries.push_back(result.summary);
+  }
+  return summaries;
+}
+
+int compare(const CompareOptions& options) {
+  const Result<std::vector<Expectation>> expectations =
+      parse_expectations(options.output.expectations);
+  if (!expectations) return report(expectations.error());
+  if (!options.output.plot.empty()) {
+    return report(
+        {ErrorKind::kUsage,
+         "--plot: 'compare' draws no figure; 'hapticwall run SCENE --plot FILE.png' does"});
+  }
+  if (const Failure failed = check_outputs(options.output)) return report(*failed);
+  const Result<std::vector<std::size_t>> indices = chosen_algorithms(options.algorithms);
+  if (!indices) return report(indices.error());
+  const Result<file::LoadedScene> loaded = load_headless(options.scene);
+  if (!loaded) return report(loaded.error());
+  if (!loaded->changes.empty()) {
+    return report({ErrorKind::kUsage,
+                   "the scene is a recording in which parameters changed; 'run' "
+                   "repeats it, 'compare' takes a scene that stays as it is"});
+  }
+  CompareFiles files;
+  if (const Failure failed = files.csv.open(options.output.csv)) return report(*failed);
+  if (const Failure failed = files.json.open(options.output.json)) return report(*failed);
+
+  catch_stop_signals();
+  const std::optional<std::vector<Summary>> summaries =
+      run_all(*loaded, *indices, options.output.quiet);
+  if (!summaries) {
+    tell(fmt::format("ended early by {}; nothing was written", signal_name(stop_signal())));
+    return signal_exit_status(stop_signal());
+  }
+  if (const Failure failed = write_results(options.output, files, *summaries))
+    return report(*failed);
+  return judge(*expectations, *summaries);
+}
+
+}  // namespace
+
+Command add_compare(CLI::App& program) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App* app =
+      program.add_subcommand("compare", "Run a scene under every algorithm and print one table");
+  add_headless_options(*app, options->scene);
+  app->add_option("--algorithms,--algorithm", options->algorithms,
+                  "Only these, separated by commas")
+      ->type_name("A,B,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  add_scene_options(*app, options->scene);
+  app->add_option("--csv", options->output.csv, "Write the table as CSV, a line an algorithm")
+      ->type_name("FILE");
+  // Not offered, but known: whoever asks is told where to find it.
+  app->add_option("--plot", options->output.plot)->group("");
+  add_output_options(*app, options->output);
+  return {app, [options] { return compare(*options); }};
+}
+
+}  // namespace hapticwall::command

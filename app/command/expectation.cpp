@@ -1,0 +1,166 @@
+#include "app/command/expectation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "app/command/summary_fields.h"
+#include "app/command/terminal.h"
+#include "app/file/text.h"
+
+namespace hapticwall::command {
+namespace {
+
+constexpr int kExpectationFailed = 1;
+constexpr std::string_view kOperators = "< <= = >= >";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+Error problem(const std::string& text, std::string_view message) {
+  return {ErrorKind::kUsage, fmt::format("--expect {}: {}", file::in_quotes(text), message)};
+}
+
+Comparison comparison_of(std::string_view sign) {
+  if (sign == "<") return Comparison::kLess;
+  if (sign == "<=") return Comparison::kLessOrEqual;
+  if (sign == ">=") return Comparison::kGreaterOrEqual;
+  if (sign == ">") return Comparison::kGreater;
+  return Comparison::kEqual;
+}
+
+std::optional<double> finite_number(std::string_view text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, code] = std::from_chars(text.data(), end, value);
+  if (code != std::errc{} || rest != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// The field of a key; a summary of nothing has all keys and the types of their values.
+std::optional<SummaryField> field_of(std::string_view key, const Summary& summary) {
+  for (const SummaryField& field : summary_fields(summary)) {
+    if (field.key == key) return field;
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_word(const Expectation& expectation, std::string_view word) {
+  if (expectation.comparison != Comparison::kEqual) {
+    return problem(expectation.text,
+                   fmt::format("{} is a word; it is compared with =", expectation.key));
+  }
+  if (expectation.key != "verdict") return std::nullopt;
+  static constexpr std::array kVerdicts{verdict_name(Verdict::kSettled),
+                                        verdict_name(Verdict::kOscillating),
+                                        verdict_name(Verdict::kDiverged)};
+  for (const std::string_view verdict : kVerdicts) {
+    if (verdict == word) return std::nullopt;
+  }
+  return problem(expectation.text, fmt::format("{} is no verdict; verdicts: {}",
+                                               file::in_quotes(word), file::joined(kVerdicts)));
+}
+
+bool holds(Comparison comparison, double found, double value) {
+  switch (comparison) {
+    case Comparison::kLess:
+      return found < value;
+    case Comparison::kLessOrEqual:
+      return found <= value;
+    case Comparison::kGreaterOrEqual:
+      return found >= value;
+    case Comparison::kGreater:
+      return found > value;
+    case Comparison::kEqual:
+      break;
+  }
+  return found == value;
+}
+
+bool holds(const Expectation& expectation, const SummaryValue& found) {
+  if (const auto* word = std::get_if<std::string>(&found)) {
+    return *word == std::get<std::string>(expectation.value);
+  }
+  if (std::holds_alternative<std::monostate>(found)) return false;
+  const auto* integer = std::get_if<std::uint64_t>(&found);
+  const double number =
+      integer != nullptr ? static_cast<double>(*integer) : std::get<double>(found);
+  return holds(expectation.comparison, number, std::get<double>(expectation.value));
+}
+
+}  // namespace
+
+Result<Expectation> parse_expectation(const std::string& text) {
+  const std::size_t sign_at = text.find_first_of("<=>");
+  if (sign_at == std::string::npos) {
+    return problem(text, fmt::format("it takes KEY OPERATOR VALUE with one of {}", kOperators));
+  }
+  const std::size_t sign_end = std::min(text.find_first_not_of("<=>", sign_at), text.size());
+  const std::string_view sign = std::string_view(text).substr(sign_at, sign_end - sign_at);
+  const std::string_view value = trimmed(std::string_view(text).substr(sign_end));
+  Expectation expectation;
+  expectation.text = text;
+  expectation.key = std::string(trimmed(std::string_view(text).substr(0, sign_at)));
+  const std::optional<SummaryField> field = field_of(expectation.key, {});
+  if (!field) {
+    std::vector<std::string_view> keys;
+    for (const SummaryField& known : summary_fields({})) keys.push_back(known.key);
+    const std::string hint = file::suggestion(expectation.key, keys);
+    return problem(text,
+                   fmt::format("the summary has no key {}{}", file::in_quotes(expectation.key),
+                               hint.empty() ? "; known: " + file::joined(keys) : hint));
+  }
+  if (sign != "<" && sign != "<=" && sign != "=" && sign != ">=" && sign != ">") {
+    return problem(text, fmt::format("{} is no operator; it takes one of {}", sign, kOperators));
+  }
+  expectation.comparison = comparison_of(sign);
+  if (std::holds_alternative<std::string>(field->value)) {
+    expectation.value = std::string(value);
+    if (const std::optional<Error> error = check_word(expectation, value)) return *error;
+    return expectation;
+  }
+  const std::optional<double> number = finite_number(value);
+  if (!number) return problem(text, fmt::format("{} is not a number", file::in_quotes(value)));
+  expectation.value = *number;
+  return expectation;
+}
+
+Result<std::vector<Expectation>> parse_expectations(const std::vector<std::string>& texts) {
+  std::vector<Expectation> expectations;
+  for (const std::string& text : texts) {
+    const Result<Expectation> expectation = parse_expectation(text);
+    if (!expectation) return expectation.error();
+    expectations.push_back(*expectation);
+  }
+  return expectations;
+}
+
+std::optional<std::string> unmet(const Expectation& expectation, const Summary& summary) {
+  const std::optional<SummaryField> field = field_of(expectation.key, summary);
+  if (field && holds(expectation, field->value)) return std::nullopt;
+  const std::string found = field ? value_text(field->value) : "null";
+  return fmt::format("expected {}, found {} = {} ({} under {})", file::shown(expectation.text),
+                     expectation.key, found, file::shown(summary.scene), summary.algorithm);
+}
+
+int judge(const std::vector<Expectation>& expectations, std::span<const Summary> summaries) {
+  int status = 0;
+  for (const Summary& summary : summaries) {
+    for (const Expectation& expectation : expectations) {
+      if (const std::optional<std::string> line = unmet(expectation, summary)) {
+        tell(*line);
+        status = kExpectationFailed;
+      }
+    }
+  }
+  return status;
+}
+
+}  // namespace hapticwall::command

@@ -1,0 +1,37 @@
+// --expect: a condition on the summary that a script relies on.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/result.h"
+#include "core/summary.h"
+
+namespace hapticwall::command {
+
+enum class Comparison { kLess, kLessOrEqual, kEqual, kGreaterOrEqual, kGreater };
+
+struct Expectation {
+  std::string text;  // as the user wrote it
+  std::string key;
+  Comparison comparison = Comparison::kEqual;
+  std::variant<double, std::string> value;
+};
+
+// "KEY<VALUE" with < <= = >= >; an unknown key, operator or word is a usage error.
+[[nodiscard]] Result<Expectation> parse_expectation(const std::string& text);
+[[nodiscard]] Result<std::vector<Expectation>> parse_expectations(
+    const std::vector<std::string>& texts);
+
+// Nothing where it holds, else one line that says what was found. `null` fails every comparison.
+[[nodiscard]] std::optional<std::string> unmet(const Expectation& expectation,
+                                               const Summary& summary);
+
+// One line on standard error for each that does not hold of a summary; the exit status: 0 or 1.
+[[nodiscard]] int judge(const std::vector<Expectation>& expectations,
+                        std::span<const Summary> summaries);
+
+}  // namespace hapticwall::command

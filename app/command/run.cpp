@@ -1,0 +1,134 @@
+// hapticwall run SCENE: one session without a window.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "app/command/commands.h"
+#include "app/command/common_options.h"
+#include "app/command/headless.h"
+#include "app/command/realtime_run.h"
+#include "app/command/run_outputs.h"
+#include "app/command/signals.h"
+#include "app/command/summary_fields.h"
+#include "app/command/summary_table.h"
+#include "app/command/terminal.h"
+#include "app/file/text.h"
+
+namespace hapticwall::command {
+namespace {
+
+struct RunOptions {
+  SceneOptions scene;
+  OutputOptions output;
+  bool realtime = false;
+};
+
+// What was run, however it was run.
+struct Outcome {
+  Summary summary;
+  bool stopped_early = false;
+  std::string realtime_status;
+};
+
+Failure check_realtime(const file::LoadedScene& loaded) {
+  if (loaded.changes.empty() && loaded.first_recorded_tick == 0) return {};
+  return Error{
+      ErrorKind::kUsage,
+      "--realtime: the scene is a part of a session or one in which parameters changed; only "
+      "a run without --realtime repeats it tick by tick"};
+}
+
+std::function<void(const Sample&)> sample_sink(RunOutputs& outputs) {
+  if (!outputs.wants_samples()) return {};
+  return [&outputs](const Sample& sample) { outputs.take(sample); };
+}
+
+Result<Outcome> run_in_real_time(const RunOptions& options, const Scene& scene,
+                                 RunOutputs& outputs) {
+  const Result<RealtimeOutcome> result = run_realtime({.scene = scene,
+                                                       .csv = options.output.csv,
+                                                       .on_sample = sample_sink(outputs),
+                                                       .show_progress = !options.output.quiet});
+  if (!result) return result.error();
+  return Outcome{result->summary, result->stopped_early, result->status};
+}
+
+Result<Outcome> run_headless(const RunOptions& options, const file::LoadedScene& loaded,
+                             RunOutputs& outputs) {
+  const SimulationResult result =
+      simulate_timed({.scene = loaded.scene,
+                      .changes = loaded.changes,
+                      .on_sample = sample_sink(outputs),
+                      .should_stop = [&] { return outputs.failure().has_value(); },
+                      .progress_label = loaded.scene.name,
+                      .show_progress = !options.output.quiet});
+  const std::uint64_t ticks =
+      result.stopped_early ? result.summary.ticks : loaded.scene.tick_count();
+  if (Failure failed = outputs.finish_recording(loaded, ticks)) return *failed;
+  return Outcome{result.summary, result.stopped_early, ""};
+}
+
+int tell_stopped(const Outcome& outcome, const Scene& scene, const std::string& csv) {
+  tell(fmt::format("ended early by {} after {} of {} ticks{}", signal_name(stop_signal()),
+                   outcome.summary.ticks, scene.tick_count(),
+                   csv.empty() ? "" : "; " + file::shown(csv) + " holds what was run"));
+  return signal_exit_status(stop_signal());
+}
+
+Failure print_summary(const OutputOptions& options, const Outcome& outcome) {
+  if (options.json == kStandardOutput) return write_output(summary_json(outcome.summary));
+  if (options.quiet) return {};
+  return write_output(summary_lines(outcome.summary, outcome.realtime_status));
+}
+
+int run(const RunOptions& options) {
+  const Result<std::vector<Expectation>> expectations =
+      parse_expectations(options.output.expectations);
+  if (!expectations) return report(expectations.error());
+  if (const Failure failed = check_outputs(options.output)) return report(*failed);
+  const Result<file::LoadedScene> loaded = load_headless(options.scene);
+  if (!loaded) return report(loaded.error());
+  if (options.realtime) {
+    if (const Failure failed = check_realtime(*loaded)) return report(*failed);
+  }
+  Result<RunOutputs> outputs = RunOutputs::open(options.output, *loaded, options.realtime);
+  if (!outputs) return report(outputs.error());
+  if (!loaded->not_repeatable_because.empty() && !options.output.quiet) {
+    tell(fmt::format("note: this will differ from the recorded session: {}",
+                     file::shown(loaded->not_repeatable_because)));
+  }
+
+  catch_stop_signals();
+  const Result<Outcome> outcome = options.realtime
+                                      ? run_in_real_time(options, loaded->scene, *outputs)
+                                      : run_headless(options, *loaded, *outputs);
+  if (!outcome) return report(outcome.error());
+  if (outcome->stopped_early) return tell_stopped(*outcome, loaded->scene, options.output.csv);
+  if (const Failure failed = outputs->finish(loaded->scene, outcome->summary)) {
+    return report(*failed);
+  }
+  if (const Failure failed = print_summary(options.output, *outcome)) return report(*failed);
+  return judge(*expectations, {&outcome->summary, 1});
+}
+
+}  // namespace
+
+Command add_run(CLI::App& program) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App* app = program.add_subcommand("run", "Run a scene without a window and print a summary");
+  add_headless_options(*app, options->scene);
+  add_algorithm_option(*app, options->scene);
+  add_scene_options(*app, options->scene);
+  app->add_flag("--realtime", options->realtime,
+                "In real time, through the loop that the window uses");
+  app->add_option("--csv", options->output.csv,
+                  "Record every tick; the sidecar FILE.toml repeats the run")
+      ->type_name("FILE");
+  app->add_option("--plot", options->output.plot, "Draw the figure of the run; needs no display")
+      ->type_name("FILE.png");
+  add_output_options(*app, options->output);
+  return {app, [options] { return run(*options); }};
+}
+
+}  // namespace hapticwall::command

@@ -1,0 +1,43 @@
+// The files of one run: all are opened before it starts, all get their names when they are whole.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/command/common_options.h"
+#include "app/command/output_file.h"
+#include "app/file/recording_writer.h"
+#include "app/file/scene_file.h"
+#include "core/simulate.h"
+
+namespace hapticwall::command {
+
+class RunOutputs {
+ public:
+  // Opens what `options` name. `session_records`: the CSV is the live session's business.
+  [[nodiscard]] static Result<RunOutputs> open(const OutputOptions& options,
+                                               const file::LoadedScene& loaded,
+                                               bool session_records);
+
+  // Whether anything wants samples; take() is called for every one of them then.
+  [[nodiscard]] bool wants_samples() const { return recording_ || plot_.is_open(); }
+  void take(const Sample& sample);
+  // A file could not be written: the run may as well end.
+  [[nodiscard]] const Failure& failure() const { return failure_; }
+
+  // The recording alone: it is whole for what was run, also when that ended early.
+  [[nodiscard]] Failure finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks);
+  // The summary as JSON and the figure.
+  [[nodiscard]] Failure finish(const Scene& scene, const Summary& summary);
+
+ private:
+  std::unique_ptr<file::RecordingWriter> recording_;
+  std::uint64_t first_recorded_tick_ = 0;
+  OutputFile json_;
+  OutputFile plot_;
+  std::vector<Sample> samples_;  // of the figure
+  Failure failure_;
+};
+
+}  // namespace hapticwall::command

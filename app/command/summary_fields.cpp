@@ -1,0 +1,121 @@
+#include "app/command/summary_fields.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/file/text.h"
+
+namespace hapticwall::command {
+namespace {
+
+constexpr int kIndent = 2;
+
+SummaryValue number(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return std::monostate{};
+  return *value;
+}
+
+SummaryValue count(std::optional<std::uint64_t> value) {
+  if (!value) return std::monostate{};
+  return *value;
+}
+
+nlohmann::ordered_json json_object(const Summary& summary) {
+  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+  for (const SummaryField& field : summary_fields(summary)) {
+    nlohmann::ordered_json& member = object[std::string(field.key)];
+    std::visit(
+        [&](const auto& value) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
+            member = value;
+          }
+        },
+        field.value);
+  }
+  return object;
+}
+
+// Names of scenes are the user's: invalid UTF-8 is replaced, never thrown about.
+std::string json_text(const nlohmann::ordered_json& json) {
+  return json.dump(kIndent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+// RFC 4180: a field with a comma, a quote or a line end stands in quotes.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+}  // namespace
+
+std::vector<SummaryField> summary_fields(const Summary& s) {
+  return {{"scene", s.scene},
+          {"algorithm", s.algorithm},
+          {"verdict", std::string(verdict_name(s.verdict))},
+          {"duration_s", number(s.duration_s)},
+          {"ticks", s.ticks},
+          {"simulated_seconds_per_second", number(s.simulated_seconds_per_second)},
+          {"ns_per_tick", number(s.ns_per_tick)},
+          {"tail_peak_to_peak_m", number(s.tail_peak_to_peak_m)},
+          {"tail_force_mean_n", number(s.tail_force_mean_n)},
+          {"tail_force_std_n", number(s.tail_force_std_n)},
+          {"displayed_stiffness_n_per_m", number(s.displayed_stiffness_n_per_m)},
+          {"max_penetration_m", number(s.max_penetration_m)},
+          {"peak_force_n", number(s.peak_force_n)},
+          {"saturated_ticks", s.saturated_ticks},
+          {"contacts", s.contacts},
+          {"energy_cv_j", number(s.energy_cv_j)},
+          {"energy_hold_j", number(s.energy_hold_j)},
+          {"energy_scv_j", number(s.energy_scv_j)},
+          {"energy_budget_j", number(s.energy_budget_j)},
+          {"min_energy_cv_j", number(s.min_energy_cv_j)},
+          {"min_energy_scv_j", number(s.min_energy_scv_j)},
+          {"true_actuator_work_j", number(s.true_actuator_work_j)},
+          {"true_dissipation_j", number(s.true_dissipation_j)},
+          {"true_hand_work_j", number(s.true_hand_work_j)},
+          {"kinetic_j", number(s.kinetic_j)},
+          {"energy_balance_error_j", number(s.energy_balance_error_j)},
+          {"passivity_margin_j", number(s.passivity_margin_j)},
+          {"diverged_at_tick", count(s.diverged_at_tick)}};
+}
+
+std::string value_text(const SummaryValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* integer = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *integer);
+  if (const auto* real = std::get_if<double>(&value)) return file::number_text(*real);
+  return "null";
+}
+
+std::string summary_json(const Summary& summary) { return json_text(json_object(summary)); }
+
+std::string summaries_json(const std::vector<Summary>& summaries) {
+  nlohmann::ordered_json array = nlohmann::ordered_json::array();
+  for (const Summary& summary : summaries) array.push_back(json_object(summary));
+  return json_text(array);
+}
+
+std::string summaries_csv(const std::vector<Summary>& summaries) {
+  std::string text;
+  for (const SummaryField& field : summary_fields({})) {
+    text += fmt::format("{}{}", text.empty() ? "" : ",", field.key);
+  }
+  text += '\n';
+  for (const Summary& summary : summaries) {
+    std::string_view separator;
+    for (const SummaryField& field : summary_fields(summary)) {
+      const bool is_null = std::holds_alternative<std::monostate>(field.value);
+      text += separator;
+      if (!is_null) text += csv_field(value_text(field.value));
+      separator = ",";
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace hapticwall::command

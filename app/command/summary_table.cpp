@@ -1,0 +1,136 @@
+#include "app/command/summary_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace hapticwall::command {
+namespace {
+
+constexpr double kMillimetresPerMetre = 1e3;
+constexpr double kMillijoulesPerJoule = 1e3;
+constexpr double kNewtonsPerKilonewton = 1e3;
+constexpr std::size_t kLabelWidth = 22;
+
+std::string scaled(std::optional<double> value, double factor, int digits) {
+  if (!value || !std::isfinite(*value)) return "-";
+  const std::string text = fmt::format("{:.{}f}", *value * factor, digits);
+  // A rounding error below zero is shown as what it is.
+  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, digits)
+                                                            : text;
+}
+std::string millimetres(std::optional<double> value_m) {
+  return scaled(value_m, kMillimetresPerMetre, 3);
+}
+std::string millijoules(std::optional<double> value_j) {
+  return scaled(value_j, kMillijoulesPerJoule, 2);
+}
+std::string newtons(std::optional<double> value_n) { return scaled(value_n, 1.0, 3); }
+std::string kilonewtons_per_metre(std::optional<double> value) {
+  return scaled(value, 1.0 / kNewtonsPerKilonewton, 2);
+}
+
+std::string line(std::string_view label, std::string_view text) {
+  return fmt::format("  {:<{}}{}\n", label, kLabelWidth, text);
+}
+
+std::string speed_text(const Summary& summary) {
+  if (!summary.simulated_seconds_per_second || !summary.ns_per_tick) return "";
+  return fmt::format(", {:.3g} times real time, {:.3g} ns a tick",
+                     *summary.simulated_seconds_per_second, *summary.ns_per_tick);
+}
+
+std::string heading(const Summary& summary) {
+  std::string text = fmt::format("{} under {}: {}", summary.scene, summary.algorithm,
+                                 verdict_name(summary.verdict));
+  if (summary.diverged_at_tick) text += fmt::format(" at tick {}", *summary.diverged_at_tick);
+  return text + "\n";
+}
+
+struct Column {
+  std::string_view title;
+  std::string_view unit;
+  std::string (*text)(const Summary&);
+};
+
+constexpr std::array<Column, 11> kColumns{
+    {{"algorithm", "", [](const Summary& s) { return s.algorithm; }},
+     {"verdict", "", [](const Summary& s) { return std::string(verdict_name(s.verdict)); }},
+     {"tail p-p", "mm", [](const Summary& s) { return millimetres(s.tail_peak_to_peak_m); }},
+     {"force mean", "N", [](const Summary& s) { return newtons(s.tail_force_mean_n); }},
+     {"std", "N", [](const Summary& s) { return newtons(s.tail_force_std_n); }},
+     {"stiffness", "kN/m",
+      [](const Summary& s) { return kilonewtons_per_metre(s.displayed_stiffness_n_per_m); }},
+     {"max pen.", "mm", [](const Summary& s) { return millimetres(s.max_penetration_m); }},
+     {"contacts", "", [](const Summary& s) { return fmt::format("{}", s.contacts); }},
+     {"E observer", "mJ", [](const Summary& s) { return millijoules(s.energy_cv_j); }},
+     {"E exchanged", "mJ", [](const Summary& s) { return millijoules(s.energy_scv_j); }},
+     {"margin", "mJ", [](const Summary& s) { return millijoules(s.passivity_margin_j); }}}};
+constexpr std::size_t kTextColumns = 2;  // left-aligned; the rest are numbers
+
+}  // namespace
+
+std::string summary_lines(const Summary& s, const std::string& realtime_status) {
+  const std::string contact = fmt::format(
+      "{} contacts, at most {} mm deep, peak force {} N, {} ticks at the force limit", s.contacts,
+      millimetres(s.max_penetration_m), newtons(s.peak_force_n), s.saturated_ticks);
+  return heading(s) +
+         line("simulated",
+              fmt::format("{:.6g} s, {} ticks{}", s.duration_s, s.ticks, speed_text(s))) +
+         line("last second",
+              fmt::format("{} mm peak to peak, force {} +/- {} N",
+                          millimetres(s.tail_peak_to_peak_m), newtons(s.tail_force_mean_n),
+                          newtons(s.tail_force_std_n))) +
+         line("displayed stiffness",
+              kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
+         line("wall", contact) +
+         line("energy observed",
+              fmt::format("{} mJ (Eq. 6), least {} mJ", millijoules(s.energy_cv_j),
+                          millijoules(s.min_energy_cv_j))) +
+         line("energy of the hold",
+              fmt::format("{} mJ (Eq. 9), budget {} mJ", millijoules(s.energy_hold_j),
+                          millijoules(s.energy_budget_j))) +
+         line("energy exchanged",
+              fmt::format("{} mJ (Eq. 10), least {} mJ", millijoules(s.energy_scv_j),
+                          millijoules(s.min_energy_scv_j))) +
+         line("true work",
+              fmt::format("hand {} mJ, actuator {} mJ, dissipated {} mJ",
+                          millijoules(s.true_hand_work_j), millijoules(s.true_actuator_work_j),
+                          millijoules(s.true_dissipation_j))) +
+         line("passivity margin", millijoules(s.passivity_margin_j) + " mJ") +
+         (realtime_status.empty() ? "" : line("real time", realtime_status));
+}
+
+std::string comparison_table(const std::vector<Summary>& summaries) {
+  std::vector<std::vector<std::string>> rows(2);
+  for (const Column& column : kColumns) {
+    rows[0].emplace_back(column.title);
+    rows[1].emplace_back(column.unit);
+  }
+  for (const Summary& summary : summaries) {
+    std::vector<std::string>& row = rows.emplace_back();
+    for (const Column& column : kColumns) row.push_back(column.text(summary));
+  }
+  std::array<std::size_t, kColumns.size()> widths{};
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths.at(i) = std::max(widths.at(i), row[i].size());
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string cells;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) cells += "  ";
+      cells += i < kTextColumns ? fmt::format("{:<{}}", row[i], widths.at(i))
+                                : fmt::format("{:>{}}", row[i], widths.at(i));
+    }
+    cells.erase(cells.find_last_not_of(' ') + 1);
+    text += cells + '\n';
+  }
+  return text;
+}
+
+}  // namespace hapticwall::command

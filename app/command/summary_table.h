@@ -1,0 +1,17 @@
+// Summaries for people: millimetres, newtons, kN/m, millijoules.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/summary.h"
+
+namespace hapticwall::command {
+
+// A dozen aligned lines, the verdict first. `realtime_status`: a line more where it is not empty.
+[[nodiscard]] std::string summary_lines(const Summary& summary, const std::string& realtime_status);
+
+// One aligned table, a line a summary.
+[[nodiscard]] std::string comparison_table(const std::vector<Summary>& summaries);
+
+}  // namespace hapticwall::command

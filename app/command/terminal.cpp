@@ -1,0 +1,50 @@
+#include "app/command/terminal.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace hapticwall::command {
+namespace {
+
+// Whatever its source, a message stays one line of a sane length.
+constexpr std::size_t kLongestLine = 1000;
+
+// 0, or errno.
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Failure write_output(std::string_view text) {
+  const int code = write_all(STDOUT_FILENO, text);
+  if (code == 0 || code == EPIPE) return {};
+  return Error{ErrorKind::kFile, fmt::format("standard output could not be written: {}",
+                                             std::generic_category().message(code))};
+}
+
+int report(const Error& error) {
+  tell("error: " + error.message);
+  return static_cast<int>(error.kind);
+}
+
+void tell(std::string_view line) {
+  std::string text(line.substr(0, kLongestLine));
+  if (line.size() > kLongestLine) text += "...";
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7f; };
+  std::replace_if(text.begin(), text.end(), is_control, ' ');
+  write_all(STDERR_FILENO, text + '\n');
+}
+
+}  // namespace hapticwall::command

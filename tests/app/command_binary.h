@@ -1,0 +1,127 @@
+// The real program in a folder of its own: arguments in, output and exit status out.
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace hapticwall::command::test {
+
+struct Answer {
+  int status = -1;  // exit status; 128 + signal where one killed it
+  std::string out;
+  std::string err;
+
+  [[nodiscard]] std::ptrdiff_t error_lines() const {
+    return std::count(err.begin(), err.end(), '\n');
+  }
+};
+
+class ProgramTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("hapticwall_" + std::string(info->test_suite_name()) + "_" + info->name() + "_" +
+               std::to_string(getpid()));
+    std::filesystem::create_directory(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  // 0 where there is no such file.
+  [[nodiscard]] std::uintmax_t size(const std::string& name) const {
+    std::error_code missing;
+    const std::uintmax_t bytes = std::filesystem::file_size(path(name), missing);
+    return missing ? 0 : bytes;
+  }
+  [[nodiscard]] std::string content(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+  // Names in the folder, less what the helper itself keeps there.
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename();
+      if (name != "stdout" && name != "stderr") names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  // Starts a program in the folder; "stdout" and "stderr" there take what it says.
+  [[nodiscard]] pid_t start(std::vector<std::string> arguments) const {
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addchdir_np(&actions, folder_.c_str());
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, path("stdout").c_str(), kWrite, 0600);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, path("stderr").c_str(), kWrite, 0600);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t defaults;
+    sigemptyset(&defaults);
+    sigaddset(&defaults, SIGINT);
+    sigaddset(&defaults, SIGTERM);
+    posix_spawnattr_setsigdefault(&attributes, &defaults);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    pid_t child = -1;
+    const int code = posix_spawn(&child, argv[0], &actions, &attributes, argv.data(), environ);
+    EXPECT_EQ(code, 0) << argv[0];
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    return child;
+  }
+
+  [[nodiscard]] static bool is_running(pid_t child) {
+    siginfo_t info{};
+    return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == 0;
+  }
+
+  [[nodiscard]] Answer wait_for(pid_t child) const {
+    int state = 0;
+    EXPECT_EQ(waitpid(child, &state, 0), child);
+    constexpr int kKilledBySignal = 128;
+    return {WIFEXITED(state) ? WEXITSTATUS(state) : kKilledBySignal + WTERMSIG(state),
+            content("stdout"), content("stderr")};
+  }
+
+  [[nodiscard]] Answer hapticwall(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), HAPTICWALL_BINARY);
+    return wait_for(start(std::move(arguments)));
+  }
+
+  // A line for a shell, in which $P is the program.
+  [[nodiscard]] Answer shell(const std::string& line) const {
+    return wait_for(start({"/bin/sh", "-c", "P='" HAPTICWALL_BINARY "'; " + line}));
+  }
+
+ private:
+  static constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
+  std::filesystem::path folder_;
+};
+
+}  // namespace hapticwall::command::test

@@ -1,0 +1,224 @@
+// `run`, `compare` and `scenes` as a script sees them: files, exit status, standard output.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "hapticwall_version.h"
+#include "tests/app/command_binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class Program : public ProgramTest {
+ protected:
+  static std::ptrdiff_t lines(const std::string& text) {
+    return std::count(text.begin(), text.end(), '\n');
+  }
+};
+
+TEST_F(Program, HelpAndVersion) {
+  const Answer help = hapticwall({"--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.err, IsEmpty());
+  EXPECT_THAT(help.out, AllOf(HasSubstr("Examples:"), HasSubstr("Exit status:"),
+                              HasSubstr("compare"), HasSubstr("energy-bounding")));
+  const Answer run_help = hapticwall({"run", "--help"});
+  EXPECT_EQ(run_help.status, 0);
+  EXPECT_THAT(run_help.out, AllOf(HasSubstr("hapticwall run [OPTIONS] SCENE"), HasSubstr("--csv")));
+  const Answer version = hapticwall({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_THAT(version.out, StartsWith("hapticwall " + std::string(kVersion) + " ("));
+}
+
+TEST_F(Program, ListsTheScenes) {
+  const Answer answer = hapticwall({"scenes"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_EQ(lines(answer.out), 7);
+  EXPECT_THAT(answer.out, HasSubstr("\npress             A firm hand"));
+}
+
+TEST_F(Program, RunPrintsASummary) {
+  const Answer answer = hapticwall({"run", "press"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_THAT(answer.err, IsEmpty());
+  EXPECT_THAT(answer.out, AllOf(StartsWith("press under energy-bounding: settled\n"),
+                                HasSubstr("kN/m"), HasSubstr("6000 ticks")));
+  EXPECT_THAT(hapticwall({"run", "press", "--quiet"}).out, IsEmpty());
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Program, IdenticalRunsGiveIdenticalBytesAndTheSidecarRepeatsThem) {
+  ASSERT_EQ(hapticwall({"run", "press", "--csv", "a.csv", "--quiet"}).status, 0);
+  ASSERT_EQ(hapticwall({"run", "press", "--csv", "b.csv", "--quiet", "--seed", "7"}).status, 0);
+  ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "c.csv", "--quiet"}).status, 0);
+  EXPECT_THAT(files(), ElementsAre("a.csv", "a.toml", "b.csv", "b.toml", "c.csv", "c.toml"));
+  const std::string csv = content("a.csv");
+  EXPECT_EQ(lines(csv), 6001);
+  EXPECT_EQ(csv.find("nan"), std::string::npos);
+  EXPECT_TRUE(csv == content("b.csv"));
+  EXPECT_TRUE(csv == content("c.csv"));
+  EXPECT_EQ(content("a.toml"), content("b.toml"));
+  EXPECT_EQ(content("a.toml"), content("c.toml"));
+}
+
+TEST_F(Program, ASidecarWithChangesIsRepeatedFromItsFirstRow) {
+  ASSERT_EQ(hapticwall({"run", "press", "--csv", "a.csv", "--quiet"}).status, 0);
+  std::string sidecar = content("a.toml");
+  const std::string first_tick = "first_tick = 0";
+  sidecar.replace(sidecar.find(first_tick), first_tick.size(), "first_tick = 1000");
+  put("s.toml", sidecar +
+                    "\n[[recording.change]]\ntick = 2000\n[recording.change.algorithm]\n"
+                    "name = \"none\"\n[[recording.change.wall]]\nposition_m = 0.05\n"
+                    "stiffness_n_per_m = 35000.0\n");
+  ASSERT_EQ(hapticwall({"run", "s.toml", "--csv", "b.csv", "--quiet"}).status, 0);
+  ASSERT_EQ(hapticwall({"run", "b.toml", "--csv", "c.csv", "--quiet"}).status, 0);
+  const std::string changed = content("b.csv");
+  EXPECT_EQ(lines(changed), 5001);
+  EXPECT_THAT(changed.substr(changed.find('\n') + 1), StartsWith("1000,1,"));
+  EXPECT_TRUE(changed == content("c.csv"));
+  EXPECT_EQ(content("b.toml"), content("c.toml"));
+  // The same until the change, then another algorithm: an oscillation.
+  const std::string original = content("a.csv");
+  const std::string row_1999 = original.substr(original.find("\n1999,"), 200);
+  EXPECT_THAT(changed, HasSubstr(row_1999));
+  EXPECT_EQ(hapticwall({"run", "s.toml", "--quiet", "--expect", "verdict=oscillating"}).status, 0);
+}
+
+TEST_F(Program, SettingsReachTheRun) {
+  const Answer answer = hapticwall({"run", "press", "--algorithm", "none", "--duration", "2",
+                                    "--set", "sampling.rate_hz=2000", "--json", "-"});
+  const auto json = nlohmann::json::parse(answer.out);
+  EXPECT_EQ(json.at("algorithm"), "none");
+  EXPECT_EQ(json.at("ticks"), 4000);
+  EXPECT_EQ(json.at("duration_s"), 2.0);
+}
+
+TEST_F(Program, JsonOnStandardOutputIsAllThereIs) {
+  const Answer answer = hapticwall({"run", "press", "--json", "-"});
+  EXPECT_EQ(answer.status, 0);
+  const auto json = nlohmann::json::parse(answer.out);
+  EXPECT_EQ(json.at("verdict"), "settled");
+  EXPECT_TRUE(json.at("ns_per_tick").is_number());
+  const Answer compared = hapticwall({"compare", "press", "--json", "-", "--quiet"});
+  EXPECT_EQ(nlohmann::json::parse(compared.out).size(), 4U);
+}
+
+TEST_F(Program, JsonFile) {
+  ASSERT_EQ(hapticwall({"run", "press", "--json", "a.json"}).status, 0);
+  EXPECT_EQ(nlohmann::json::parse(content("a.json")).at("scene"), "press");
+  EXPECT_THAT(files(), ElementsAre("a.json"));
+}
+
+TEST_F(Program, ExpectationsDecideTheStatus) {
+  EXPECT_EQ(hapticwall({"run", "press", "--expect", "verdict=settled", "--expect",
+                        "tail_peak_to_peak_m<1e-4", "--quiet"})
+                .status,
+            0);
+  const Answer unmet = hapticwall({"run", "press", "--expect", "verdict=diverged", "--quiet"});
+  EXPECT_EQ(unmet.status, 1);
+  EXPECT_EQ(unmet.err,
+            "expected verdict=diverged, found verdict = settled (press under energy-bounding)\n");
+  const Answer compared =
+      hapticwall({"compare", "press", "--expect", "verdict=settled", "--quiet"});
+  EXPECT_EQ(compared.status, 1);
+  EXPECT_EQ(compared.error_lines(), 2) << compared.err;
+}
+
+TEST_F(Program, CompareIsATable) {
+  const Answer answer =
+      hapticwall({"compare", "press", "--algorithms", "none,energy-bounding", "--csv", "t.csv"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_EQ(lines(answer.out), 4);
+  EXPECT_THAT(answer.out, AllOf(HasSubstr("\nnone             oscillating"),
+                                HasSubstr("\nenergy-bounding  settled")));
+  EXPECT_EQ(lines(content("t.csv")), 3);
+  EXPECT_THAT(content("t.csv"), AllOf(StartsWith("scene,algorithm,verdict,"),
+                                      HasSubstr("\npress,none,oscillating,6,6000,")));
+}
+
+TEST_F(Program, ADivergedRunEndsInOrder) {
+  // A wall damper far beyond what a sampled loop can hold, and no force limit to speak of.
+  const Answer answer = hapticwall(
+      {"run", "light", "--algorithm", "none", "--set", "wall.damping_n_s_per_m=1e4", "--set",
+       "device.encoder_m=0", "--set", "device.force_limit_n=1e6", "--csv", "a.csv", "--json", "-"});
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  const auto json = nlohmann::json::parse(answer.out);
+  EXPECT_EQ(json.at("verdict"), "diverged");
+  const std::string csv = content("a.csv");
+  EXPECT_EQ(lines(csv), 1 + json.at("diverged_at_tick").get<std::ptrdiff_t>());
+  EXPECT_EQ(csv.find("nan") + 1 + csv.find("inf") + 1, 0U);
+  const Answer again =
+      hapticwall({"run", "a.toml", "--csv", "b.csv", "--quiet", "--expect", "verdict=diverged"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_TRUE(csv == content("b.csv"));
+  EXPECT_EQ(content("a.toml"), content("b.toml"));
+}
+
+TEST_F(Program, AFullDiskIsStatusFour) {
+  const Answer answer = shell("ulimit -f 8; exec $P run press --csv a.csv --quiet");
+  EXPECT_EQ(answer.status, 4);
+  EXPECT_EQ(answer.err,
+            "error: a.csv: could not be written whole: File too large (what was written is in "
+            "a.csv.partial)\n");
+  EXPECT_THAT(files(), ElementsAre("a.csv.partial"));
+  EXPECT_EQ(shell("exec $P scenes > /dev/full").status, 4);
+}
+
+TEST_F(Program, AReaderThatLeavesIsNoError) {
+  const Answer answer = shell("{ $P compare press; echo status $? >&2; } | true");
+  EXPECT_EQ(answer.err, "status 0\n");
+}
+
+// The figure of a run is drawn while nothing else is: it needs no display.
+TEST_F(Program, PlotWritesAPicture) {
+  const Answer answer = hapticwall({"run", "press", "--plot", "a.png", "--quiet"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(content("a.png"), StartsWith("\x89PNG\r\n"));
+  EXPECT_THAT(files(), ElementsAre("a.png"));
+}
+
+TEST_F(Program, CtrlCEndsItWithItsFilesWhole) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = start({HAPTICWALL_BINARY, "run", "press", "--duration", "100000", "--csv",
+                               "a.csv", "--json", "a.json"});
+    // Rows on the disk: it runs, and its signals are caught.
+    while (size("a.csv.partial") == 0 && is_running(child)) sched_yield();
+    kill(child, signal);
+    const Answer answer = wait_for(child);
+    EXPECT_EQ(answer.status, 128 + signal);
+    EXPECT_THAT(answer.err,
+                AllOf(StartsWith("ended early by "), HasSubstr("a.csv holds what was run")));
+    EXPECT_EQ(answer.error_lines(), 1);
+    EXPECT_THAT(answer.out, IsEmpty());
+    EXPECT_THAT(files(), ElementsAre("a.csv", "a.toml"));
+    EXPECT_THAT(content("a.toml"), HasSubstr("complete = true"));
+    ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "b.csv", "--quiet"}).status, 0);
+    EXPECT_TRUE(content("a.csv") == content("b.csv"));
+    for (const std::string& name : files()) std::filesystem::remove(path(name));
+  }
+}
+
+TEST_F(Program, RealTimeRunsAreRepeatedBitForBit) {
+  const Answer answer = hapticwall({"run", "press", "--realtime", "--duration", "0.2", "--set",
+                                    "device.start_m=0.0499", "--csv", "a.csv", "--json", "a.json"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("real time"));
+  EXPECT_EQ(nlohmann::json::parse(content("a.json")).at("ticks"), 200);
+  EXPECT_EQ(lines(content("a.csv")), 201);
+  EXPECT_THAT(content("a.toml"), HasSubstr("start_time = "));
+  ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "b.csv", "--quiet"}).status, 0);
+  EXPECT_TRUE(content("a.csv") == content("b.csv"));
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test
