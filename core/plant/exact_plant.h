@@ -133,33 +133,64 @@ class ExactPlant {
     return true;
   }
 
-  // A stretch in which the path is straight, in steps within the Taylor polynomials' reach.
+  // A stretch in which the path is straight: whole levels where nothing can happen in them, Taylor
+  // pieces where something might.
   void advance_piece(double force_n, double duration_s) {
     HandDrive now{path_.position_m(), path_.velocity_m_per_s()};
     double done_s = 0.0;
     int events_at_one_instant = 0;
     while (done_s < duration_s) {
-      double step_s = std::min(body_.longest_stretch_s(), duration_s - done_s);
-      if (done_s + step_s <= done_s) break;  // what is left is below the last digit
-      if constexpr (kFriction) {
+      const double rest_s = duration_s - done_s;
+      double step_s = try_levels(force_n, now, rest_s);
+      if (step_s == 0.0) {
+        step_s = std::min(level_duration(body_.deepest_level()), rest_s);
+        if (done_s + step_s <= done_s) break;  // what is left is below the last digit
         const double fraction =
-            advance_with_friction(force_n, now, step_s, events_at_one_instant < kMaximumStalls);
+            advance_by_taylor(force_n, now, step_s, events_at_one_instant < kMaximumStalls);
         events_at_one_instant = fraction > 0.0 ? 0 : events_at_one_instant + 1;
         step_s *= fraction;
-      } else {
-        const auto slide = body_.slide(motion_.body, force_n, now, step_s, 0.0);
-        account(motion_, force_n, body_.advance(motion_.body, slide, now, 1.0));
       }
       done_s += step_s;
       now.position_m = path_.position_m() + path_.velocity_m_per_s() * done_s;
     }
   }
 
+  [[nodiscard]] double level_duration(int level) const { return std::ldexp(period_s_, -level); }
+
+  // The longest level that fits and in which surely nothing happens; its duration, or 0 for none.
+  double try_levels(double force_n, const HandDrive& now, double rest_s) {
+    for (int level = 0; level <= body_.deepest_level(); ++level) {
+      const double step_s = level_duration(level);
+      if (step_s > rest_s || !surely_quiet(level, force_n, now)) continue;
+      if (kFriction && motion_.direction == 0.0) {
+        body_.advance_stick_level(level, motion_.body, now);
+      } else {
+        account(motion_, force_n,
+                body_.advance_level(level, motion_.body, load(motion_, force_n), now));
+      }
+      return step_s;
+    }
+    return 0.0;
+  }
+
+  [[nodiscard]] bool surely_quiet(int level, double force_n, const HandDrive& now) const {
+    if constexpr (!kFriction) return true;
+    if (motion_.direction == 0.0) {
+      return body_.surely_sticks(level, motion_.body, force_n, now, friction_n_);
+    }
+    return body_.surely_slides(level, motion_.body, load(motion_, force_n), now, motion_.direction);
+  }
+
   // Goes on to the end of the step or to the next event, whichever comes first; returns the
   // fraction of the step that was covered. Where rounding makes stop and break-loose alternate at
   // one instant, `may_break_loose` is false and the handle rests for this step.
-  double advance_with_friction(double force_n, const HandDrive& now, double step_s,
-                               bool may_break_loose) {
+  double advance_by_taylor(double force_n, const HandDrive& now, double step_s,
+                           bool may_break_loose) {
+    if constexpr (!kFriction) {
+      const auto slide = body_.slide(motion_.body, force_n, now, step_s, 0.0);
+      account(motion_, force_n, body_.advance(motion_.body, slide, now, 1.0));
+      return 1.0;
+    }
     return motion_.direction == 0.0 ? advance_sticking(force_n, now, step_s, may_break_loose)
                                     : advance_sliding(force_n, now, step_s);
   }

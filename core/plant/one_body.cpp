@@ -2,67 +2,71 @@
 
 #include <array>
 
+#include "core/plant/ladder.h"
 #include "core/plant/propagator.h"
 
 namespace hapticwall {
 namespace {
 
-// Largest stretch with rate * stretch within the Taylor polynomial's reach, as T/2^n.
-double stretch_within_reach(double rate_per_s, double period_s) {
-  double stretch_s = period_s;
-  while (rate_per_s * stretch_s > kTaylorReach) stretch_s *= 0.5;
-  return stretch_s;
+// State (u, aT, ∫u/T, ∫∫u/T²), time in ticks.
+SetupMatrix make_generator(const OneBodyParameters& p, long double t) {
+  const long double m = p.mass_kg;
+  const long double damping = static_cast<long double>(p.damping_n_s_per_m) +
+                              static_cast<long double>(p.hand_damping_n_s_per_m);
+  SetupMatrix generator = SetupMatrix::Zero(4, 4);
+  generator(0, 1) = 1.0L;
+  generator(1, 0) = -static_cast<long double>(p.hand_stiffness_n_per_m) / m * t * t;
+  generator(1, 1) = -damping / m * t;
+  generator(2, 0) = 1.0L;
+  generator(3, 2) = 1.0L;
+  return generator;
 }
+
+double number(long double value) { return static_cast<double>(value); }
 
 }  // namespace
 
 OneBody::OneBody(const OneBodyParameters& parameters, double period_s)
-    : parameters_(parameters), period_s_(period_s), half_mass_kg_(0.5 * parameters.mass_kg) {
-  // State (u, aT, ∫u/T, ∫∫u/T²), time in ticks.
+    : parameters_(parameters),
+      half_mass_kg_(0.5 * parameters.mass_kg),
+      per_mass_(1.0 / parameters.mass_kg),
+      natural_rate_per_s_(std::sqrt(parameters.hand_stiffness_n_per_m / parameters.mass_kg)),
+      damping_rate_per_s_((parameters.damping_n_s_per_m + parameters.hand_damping_n_s_per_m) /
+                          parameters.mass_kg) {
   const long double t = period_s;
-  const long double stiffness = static_cast<long double>(parameters.hand_stiffness_n_per_m) /
-                                static_cast<long double>(parameters.mass_kg);
-  const long double damping = (static_cast<long double>(parameters.damping_n_s_per_m) +
-                               static_cast<long double>(parameters.hand_damping_n_s_per_m)) /
-                              static_cast<long double>(parameters.mass_kg);
-  SetupMatrix generator = SetupMatrix::Zero(4, 4);
-  generator(0, 1) = 1.0L;
-  generator(1, 0) = -stiffness * t * t;
-  generator(1, 1) = -damping * t;
-  generator(2, 0) = 1.0L;
-  generator(3, 2) = 1.0L;
+  const long double n = t / static_cast<long double>(parameters.mass_kg);  // aT = f n
   SetupMatrix u_squared = SetupMatrix::Zero(4, 4);
   u_squared(0, 0) = 1.0L;
-  const Propagator propagator = make_propagator(generator, std::array{u_squared});
-  const SetupMatrix& e = propagator.increment;
-  const SetupMatrix& g = propagator.integrals[0];
-  const auto number = [](long double value) { return static_cast<double>(value); };
-  // The second input is aT = fT/m.
-  const long double n = t / static_cast<long double>(parameters.mass_kg);
-  rows_.velocity[0] = number(e(0, 0));
-  rows_.velocity[1] = number(e(0, 1) * n);
-  rows_.integral[0] = number(e(2, 0) * t);
-  rows_.integral[1] = number(e(2, 1) * n * t);
-  rows_.double_integral[0] = number(e(3, 0) * t * t);
-  rows_.double_integral[1] = number(e(3, 1) * n * t * t);
-  rows_.square[0] = number(g(0, 0) * t);
-  rows_.square[1] = number(2.0L * g(0, 1) * n * t);
-  rows_.square[2] = number(g(1, 1) * n * n * t);
+  const int halvings = halvings_within_reach(natural_rate_per_s_ + damping_rate_per_s_, period_s);
+  double duration_s = period_s;
+  for (const Propagator& propagator :
+       make_propagators(make_generator(parameters, t), std::array{u_squared}, halvings)) {
+    const SetupMatrix& e = propagator.increment;
+    const SetupMatrix& g = propagator.integrals.front();
+    levels_.push_back(
+        {duration_s,
+         {number(e(0, 0)), number(e(0, 1) * n)},
+         {number(e(2, 0) * t), number(e(2, 1) * n * t)},
+         {number(e(3, 0) * t * t), number(e(3, 1) * n * t * t)},
+         {number(g(0, 0) * t), number(2.0L * g(0, 1) * n * t), number(g(1, 1) * n * n * t)}});
+    duration_s *= 0.5;
+  }
+}
 
-  natural_rate_per_s_ = std::sqrt(static_cast<double>(stiffness));
-  damping_rate_per_s_ = static_cast<double>(damping);
-  const double rate = natural_rate_per_s_ + damping_rate_per_s_;
-  longest_stretch_s_ = stretch_within_reach(rate, period_s);
-  // In the scaled state (u rate0, a) the generator's norm is at most `rate`: |a'| ≤ rate e^{rate T}
-  // |state|.
-  jerk_bound_ = 0.5 * period_s * period_s * rate * std::exp(rate * period_s);
+// The net force on a handle at rest changes linearly: its two ends tell.
+bool OneBody::surely_sticks(int level, const State& state, double force_n, const HandDrive& drive,
+                            double friction_n) const {
+  const double begin_n = hand_force_n(state, drive) - force_n;
+  const double end_n = begin_n + parameters_.hand_stiffness_n_per_m * drive.velocity_m_per_s *
+                                     levels_[static_cast<std::size_t>(level)].duration_s;
+  return std::abs(begin_n) < friction_n && std::abs(end_n) < friction_n;
 }
 
 OneBody::Slide OneBody::slide(const State& state, double load_n, const HandDrive& drive,
                               double duration_s, double minimum_acceleration_sign) const {
   Slide slide;
   slide.duration_s = duration_s;
-  double a = net_force_n(state, load_n, drive) / parameters_.mass_kg;
+  double a = net_force_n(state, load_n, drive) * per_mass_;
   if (minimum_acceleration_sign * a < 0.0) a = 0.0;
   auto& u = slide.relative_velocity.coefficient;
   u[0] = state.velocity_m_per_s - drive.velocity_m_per_s;

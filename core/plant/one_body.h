@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <vector>
 
 #include "core/plant/energy_totals.h"
 #include "core/plant/taylor_polynomial.h"
@@ -57,15 +57,33 @@ class OneBody {
 
   // A whole tick under a constant load, by the scene's matrix.
   [[nodiscard]] MotionIncrement advance_tick(State& state, double load_n,
-                                             const HandDrive& drive) const;
+                                             const HandDrive& drive) const {
+    return advance_by(levels_.front(), state, load_n, drive);
+  }
 
-  // True only if v keeps its sign (that of `direction`, ±1) over a whole tick; false may be a
+  // True only if v keeps its sign (that of `direction`, ±1) over the whole tick; false may be a
   // doubt.
   [[nodiscard]] bool surely_keeps_direction(const State& state, double load_n,
-                                            const HandDrive& drive, double direction) const;
+                                            const HandDrive& drive, double direction) const {
+    return surely_slides(levels_.front(), state, load_n, drive, direction);
+  }
 
-  // Parts of a tick, for friction and bends of the path. Durations at most longest_stretch_s().
-  [[nodiscard]] double longest_stretch_s() const { return longest_stretch_s_; }
+  // Parts of a tick, for friction and bends of the path: level n lasts T/2^n.
+  [[nodiscard]] int deepest_level() const { return static_cast<int>(levels_.size()) - 1; }
+  [[nodiscard]] MotionIncrement advance_level(int level, State& state, double load_n,
+                                              const HandDrive& drive) const {
+    return advance_by(levels_[static_cast<std::size_t>(level)], state, load_n, drive);
+  }
+  [[nodiscard]] bool surely_slides(int level, const State& state, double load_n,
+                                   const HandDrive& drive, double direction) const {
+    return surely_slides(levels_[static_cast<std::size_t>(level)], state, load_n, drive, direction);
+  }
+  // True only if a handle at rest stays so over the level's step; false may be a doubt.
+  [[nodiscard]] bool surely_sticks(int level, const State& state, double force_n,
+                                   const HandDrive& drive, double friction_n) const;
+  static void advance_stick_level(int /*level*/, State& /*state*/, const HandDrive& /*drive*/) {}
+
+  // What is shorter than the deepest level.
   [[nodiscard]] Slide slide(const State& state, double load_n, const HandDrive& drive,
                             double duration_s, double minimum_acceleration_sign) const;
   [[nodiscard]] MotionIncrement advance(State& state, const Slide& slide, const HandDrive& drive,
@@ -89,20 +107,24 @@ class OneBody {
 
   // Rows of the scene's matrix: what u and the net force f = m a at the start of a tick become.
   struct Rows {
-    double velocity[2];         // v(T) - v(0)
+    double duration_s;
+    double velocity[2];         // change of v
     double integral[2];         // ∫u
     double double_integral[2];  // ∫∫u
     double square[3];           // ∫u² = square · (u², uf, f²)
   };
 
+  [[nodiscard]] MotionIncrement advance_by(const Rows& rows, State& state, double load_n,
+                                           const HandDrive& drive) const;
+  [[nodiscard]] bool surely_slides(const Rows& rows, const State& state, double load_n,
+                                   const HandDrive& drive, double direction) const;
+
   OneBodyParameters parameters_;
-  double period_s_;
   double half_mass_kg_;
-  Rows rows_{};
-  double longest_stretch_s_ = 0.0;
-  double natural_rate_per_s_ = 0.0;  // sqrt(k_h/m)
-  double damping_rate_per_s_ = 0.0;  // (b + b_h)/m
-  double jerk_bound_ = 0.0;
+  double per_mass_;
+  double natural_rate_per_s_;  // sqrt(k_h/m)
+  double damping_rate_per_s_;  // (b + b_h)/m
+  std::vector<Rows> levels_;
 };
 
 // ---- the tick itself, inline: it is the inner loop ----
@@ -120,38 +142,41 @@ class OneBody {
   return parameters_.hand_stiffness_n_per_m * spring - parameters_.hand_damping_n_s_per_m * damper;
 }
 
-[[gnu::always_inline]] inline MotionIncrement OneBody::advance_tick(State& state, double load_n,
-                                                                    const HandDrive& drive) const {
+[[gnu::always_inline]] inline MotionIncrement OneBody::advance_by(const Rows& rows, State& state,
+                                                                  double load_n,
+                                                                  const HandDrive& drive) const {
   const double f = net_force_n(state, load_n, drive);
   const double s = drive.velocity_m_per_s;
   const double u = state.velocity_m_per_s - s;
-  const double integral_u = rows_.integral[0] * u + rows_.integral[1] * f;
-  const double u_squared =
-      u * (rows_.square[0] * u + rows_.square[1] * f) + rows_.square[2] * (f * f);
+  const double integral_u = rows.integral[0] * u + rows.integral[1] * f;
+  const double u_squared = u * (rows.square[0] * u + rows.square[1] * f) + rows.square[2] * (f * f);
   MotionIncrement increment{integral_u, u_squared, 0.0};
   double double_integral_u = 0.0;
   if (s != 0.0) {  // most of the time a hand holds still
-    const double drift_m = s * period_s_;
-    double_integral_u = rows_.double_integral[0] * u + rows_.double_integral[1] * f;
+    const double drift_m = s * rows.duration_s;
+    double_integral_u = rows.double_integral[0] * u + rows.double_integral[1] * f;
     increment.displacement_m = drift_m + integral_u;
     increment.velocity_squared = s * (drift_m + 2.0 * integral_u) + u_squared;
   }
-  increment.hand_work_j = hand_work(drive.position_m - state.position_m, s, period_s_, integral_u,
-                                    double_integral_u, u_squared);
+  increment.hand_work_j = hand_work(drive.position_m - state.position_m, s, rows.duration_s,
+                                    integral_u, double_integral_u, u_squared);
   state.position_m += increment.displacement_m;
-  state.velocity_m_per_s = (state.velocity_m_per_s + rows_.velocity[0] * u) + rows_.velocity[1] * f;
+  state.velocity_m_per_s = (state.velocity_m_per_s + rows.velocity[0] * u) + rows.velocity[1] * f;
   return increment;
 }
 
-[[gnu::always_inline]] inline bool OneBody::surely_keeps_direction(const State& state,
-                                                                   double load_n,
-                                                                   const HandDrive& drive,
-                                                                   double direction) const {
-  const double a = net_force_n(state, load_n, drive) / parameters_.mass_kg;
-  const double u = state.velocity_m_per_s - drive.velocity_m_per_s;
-  // |v(t) - v(0) - a t| ≤ ½T² max|a'|, and |a'| stays below jerk_bound · max(|u| rate, |a|).
-  const double bound = jerk_bound_ * std::max(std::abs(u) * natural_rate_per_s_, std::abs(a));
-  return direction * state.velocity_m_per_s + std::min(0.0, direction * a * period_s_) > bound;
+// With w = sqrt(a² + ω²u²), which never grows (½m w² is the energy of a damped oscillator):
+// |v(t) - v(0)| ≤ t w and |v(t) - v(0) - a t| ≤ ½t² |a'| with |a'| = |ω²u + c a| ≤ (ω + c) w.
+[[gnu::always_inline]] inline bool OneBody::surely_slides(const Rows& rows, const State& state,
+                                                          double load_n, const HandDrive& drive,
+                                                          double direction) const {
+  const double a = net_force_n(state, load_n, drive) * per_mass_;
+  const double u = (state.velocity_m_per_s - drive.velocity_m_per_s) * natural_rate_per_s_;
+  const double w = std::sqrt(a * a + u * u);
+  const double h = rows.duration_s;
+  const double v = direction * state.velocity_m_per_s;
+  const double bend = 0.5 * h * h * (natural_rate_per_s_ + damping_rate_per_s_) * w;
+  return v > h * w || v + std::min(0.0, direction * a * h) > bend;
 }
 
 }  // namespace hapticwall

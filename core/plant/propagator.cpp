@@ -38,30 +38,40 @@ SetupMatrix small_integral(const SetupMatrix& a, const SetupMatrix& weight, long
   return (integral + integral.transpose()) / 2.0L;
 }
 
+Propagator doubled(const Propagator& half) {
+  const SetupMatrix& e = half.increment;
+  Propagator whole;
+  whole.increment = 2.0L * e + e * e;
+  for (const SetupMatrix& g : half.integrals) {
+    const SetupMatrix ge = g * e;
+    whole.integrals.emplace_back(2.0L * g + ge + ge.transpose() + e.transpose() * ge);
+  }
+  return whole;
+}
+
 }  // namespace
 
-Propagator make_propagator(const SetupMatrix& generator, std::span<const SetupMatrix> weights) {
+std::vector<Propagator> make_propagators(const SetupMatrix& generator,
+                                         std::span<const SetupMatrix> weights, int halvings) {
   constexpr long double kSmallNorm = 0.5L;
   const long double norm = row_sum_norm(generator);
-  const int doublings =
+  const int for_accuracy =
       norm > kSmallNorm ? static_cast<int>(std::ceil(std::log2(norm / kSmallNorm))) : 0;
-  const long double step = std::ldexp(1.0L, -doublings);
+  const int deepest = std::max(halvings, for_accuracy);
+  const long double step = std::ldexp(1.0L, -deepest);
   const SetupMatrix small = generator * step;
 
-  Propagator result;
-  result.increment = small_increment(small);
+  Propagator propagator;
+  propagator.increment = small_increment(small);
   for (const SetupMatrix& weight : weights) {
-    result.integrals.push_back(small_integral(small, weight, step));
+    propagator.integrals.push_back(small_integral(small, weight, step));
   }
-  for (int i = 0; i < doublings; ++i) {
-    const SetupMatrix& e = result.increment;
-    for (SetupMatrix& g : result.integrals) {
-      const SetupMatrix ge = g * e;
-      g = (2.0L * g + ge + ge.transpose() + e.transpose() * ge).eval();
-    }
-    result.increment = (2.0L * e + e * e).eval();
+  std::vector<Propagator> levels(static_cast<std::size_t>(halvings) + 1);
+  for (int level = deepest;; --level) {
+    if (level <= halvings) levels[static_cast<std::size_t>(level)] = propagator;
+    if (level == 0) return levels;
+    propagator = doubled(propagator);
   }
-  return result;
 }
 
 }  // namespace hapticwall

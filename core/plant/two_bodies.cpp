@@ -1,17 +1,11 @@
 #include "core/plant/two_bodies.h"
 
-#include "core/plant/propagator.h"
+#include "core/plant/ladder.h"
 
 namespace hapticwall {
 namespace {
 
 enum Index : Eigen::Index { kU1, kA1, kU2, kA2, kInt1, kInt2, kDouble, kSize };
-
-double stretch_within_reach(double rate_per_s, double period_s) {
-  double stretch_s = period_s;
-  while (rate_per_s * stretch_s > kTaylorReach) stretch_s *= 0.5;
-  return stretch_s;
-}
 
 // State (u1, a1 T, u2, a2 T, ∫u1/T, ∫u2/T, ∫∫(u2 - u1)/T²), time in ticks.
 SetupMatrix make_generator(const TwoBodyParameters& p, long double t) {
@@ -86,37 +80,103 @@ TwoBodies::TwoBodies(const TwoBodyParameters& parameters, double period_s)
       half_mass_kg_(0.5 * parameters.mass_kg),
       per_mass_(1.0 / parameters.mass_kg),
       per_hand_mass_(1.0 / parameters.hand_mass_kg) {
-  make_rows();
-  const double handle_stiffness = 2.0 * parameters.grip_stiffness_n_per_m / parameters.mass_kg;
-  const double hand_stiffness =
-      (2.0 * parameters.grip_stiffness_n_per_m + parameters.hand_stiffness_n_per_m) /
-      parameters.hand_mass_kg;
-  const double handle_damping =
-      (2.0 * parameters.grip_damping_n_s_per_m + parameters.damping_n_s_per_m) / parameters.mass_kg;
-  const double hand_damping =
-      (2.0 * parameters.grip_damping_n_s_per_m + parameters.hand_damping_n_s_per_m) /
-      parameters.hand_mass_kg;
-  natural_rate_per_s_ = std::sqrt(std::max(handle_stiffness, hand_stiffness));
-  // Row sums of the generator in the scaled state (u rate, a) are at most `rate`.
-  const double rate = natural_rate_per_s_ + std::max(handle_damping, hand_damping);
-  longest_stretch_s_ = stretch_within_reach(rate, period_s);
-  jerk_bound_ = 0.5 * period_s * period_s * rate * std::exp(rate * period_s);
+  const TwoBodyParameters& p = parameters;
+  const double stiffness =
+      std::max(2.0 * p.grip_stiffness_n_per_m * per_mass_,
+               (2.0 * p.grip_stiffness_n_per_m + p.hand_stiffness_n_per_m) * per_hand_mass_);
+  const double damping =
+      std::max((2.0 * p.grip_damping_n_s_per_m + p.damping_n_s_per_m) * per_mass_,
+               (2.0 * p.grip_damping_n_s_per_m + p.hand_damping_n_s_per_m) * per_hand_mass_);
+  // |m a'| = |k_g (u_h - u) + b_g (a_h - a) - b a|, each term at most this much times sqrt(2E).
+  jerk_per_root_energy_ =
+      per_mass_ * (std::sqrt(p.grip_stiffness_n_per_m) +
+                   p.grip_damping_n_s_per_m * (std::sqrt(per_hand_mass_) + std::sqrt(per_mass_)) +
+                   p.damping_n_s_per_m * std::sqrt(per_mass_));
+  const int halvings = halvings_within_reach(std::sqrt(stiffness) + damping, period_s);
+  make_levels(halvings);
+  make_stick_levels(halvings);
 }
 
-void TwoBodies::make_rows() {
+void TwoBodies::make_levels(int halvings) {
   const long double t = period_s_;
   SetupMatrix square = SetupMatrix::Zero(kSize, kSize);
   square(kU1, kU1) = 1.0L;
-  const Propagator propagator = make_propagator(
-      make_generator(parameters_, t), std::array{square, grip_work_weight(parameters_, t)});
+  double duration_s = period_s_;
+  for (const Propagator& propagator :
+       make_propagators(make_generator(parameters_, t),
+                        std::array{square, grip_work_weight(parameters_, t)}, halvings)) {
+    levels_.push_back(make_rows(propagator, duration_s));
+    duration_s *= 0.5;
+  }
+}
+
+TwoBodies::Rows TwoBodies::make_rows(const Propagator& propagator, double duration_s) const {
+  const long double t = period_s_;
   const SetupMatrix& e = propagator.increment;
-  rows_.velocity = row_of(e, kU1, 1.0L, t);
-  rows_.hand_velocity = row_of(e, kU2, 1.0L, t);
-  rows_.integral = row_of(e, kInt1, t, t);
-  rows_.hand_integral = row_of(e, kInt2, t, t);
-  rows_.difference_double_integral = row_of(e, kDouble, t * t, t);
-  rows_.square = form_of(propagator.integrals[0], t);
-  rows_.grip_work = form_of(propagator.integrals[1], t);
+  Rows rows;
+  rows.duration_s = duration_s;
+  rows.velocity = row_of(e, kU1, 1.0L, t);
+  rows.hand_velocity = row_of(e, kU2, 1.0L, t);
+  rows.integral = row_of(e, kInt1, t, t);
+  rows.hand_integral = row_of(e, kInt2, t, t);
+  rows.difference_double_integral = row_of(e, kDouble, t * t, t);
+  rows.square = form_of(propagator.integrals[0], t);
+  rows.grip_work = form_of(propagator.integrals[1], t);
+  return rows;
+}
+
+// m_h w'' = -(k_h + k_g)(w - w_end) - (b_h + b_g) w', state (w - w_end, w'T, ∫(w - w_end)/T).
+void TwoBodies::make_stick_levels(int halvings) {
+  const TwoBodyParameters& p = parameters_;
+  const long double t = period_s_;
+  const long double m = p.hand_mass_kg;
+  SetupMatrix generator = SetupMatrix::Zero(3, 3);
+  generator(0, 1) = 1.0L;
+  generator(1, 0) = -(static_cast<long double>(p.hand_stiffness_n_per_m) +
+                      static_cast<long double>(p.grip_stiffness_n_per_m)) /
+                    m * t * t;
+  generator(1, 1) = -(static_cast<long double>(p.hand_damping_n_s_per_m) +
+                      static_cast<long double>(p.grip_damping_n_s_per_m)) /
+                    m * t;
+  generator(2, 0) = 1.0L;
+  for (const Propagator& propagator : make_propagators(generator, {}, halvings)) {
+    const SetupMatrix& e = propagator.increment;
+    stick_levels_.push_back(
+        {{static_cast<double>(e(0, 0)), static_cast<double>(e(0, 1) * t)},
+         {static_cast<double>(e(2, 0) * t), static_cast<double>(e(2, 1) * t * t)}});
+  }
+}
+
+// The net force changes at the rate k_g w + b_g w', and ½m_h w'² + ½(k_h + k_g)(w - w_end)² never
+// grows: that bounds both.
+bool TwoBodies::surely_sticks(int level, const State& state, double force_n, const HandDrive& drive,
+                              double friction_n) const {
+  const TwoBodyParameters& p = parameters_;
+  const double h = levels_[static_cast<std::size_t>(level)].duration_s;
+  const double stiffness = p.hand_stiffness_n_per_m + p.grip_stiffness_n_per_m;
+  const double end = settling_velocity(drive);
+  const double u = state.hand_velocity_m_per_s - end;
+  const double a = hand_acceleration(state, drive);
+  const double root_energy = std::sqrt(p.hand_mass_kg * a * a + stiffness * u * u);
+  const double most_a = root_energy * std::sqrt(per_hand_mass_);
+  double most_w = std::abs(state.hand_velocity_m_per_s) + h * most_a;
+  if (stiffness > 0.0) {
+    most_w = std::min(most_w, std::abs(end) + root_energy / std::sqrt(stiffness));
+  }
+  const double change_n =
+      h * (p.grip_stiffness_n_per_m * most_w + p.grip_damping_n_s_per_m * most_a);
+  return std::abs(grip_force(state) - force_n) + change_n < friction_n;
+}
+
+void TwoBodies::advance_stick_level(int level, State& state, const HandDrive& drive) const {
+  const auto index = static_cast<std::size_t>(level);
+  const StickRows& rows = stick_levels_[index];
+  const double end = settling_velocity(drive);
+  const double u = state.hand_velocity_m_per_s - end;
+  const double a = hand_acceleration(state, drive);
+  state.hand_position_m +=
+      end * levels_[index].duration_s + (rows.integral[0] * u + rows.integral[1] * a);
+  state.hand_velocity_m_per_s += rows.velocity[0] * u + rows.velocity[1] * a;
 }
 
 TwoBodies::Slide TwoBodies::slide(const State& state, double load_n, const HandDrive& drive,

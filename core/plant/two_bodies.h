@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/plant/energy_totals.h"
+#include "core/plant/propagator.h"
 #include "core/plant/taylor_polynomial.h"
 
 namespace hapticwall {
@@ -64,10 +66,25 @@ class TwoBodies {
 
   // As in OneBody.
   [[nodiscard]] MotionIncrement advance_tick(State& state, double load_n,
-                                             const HandDrive& drive) const;
+                                             const HandDrive& drive) const {
+    return advance_by(levels_.front(), state, load_n, drive);
+  }
   [[nodiscard]] bool surely_keeps_direction(const State& state, double load_n,
-                                            const HandDrive& drive, double direction) const;
-  [[nodiscard]] double longest_stretch_s() const { return longest_stretch_s_; }
+                                            const HandDrive& drive, double direction) const {
+    return surely_slides(levels_.front(), state, load_n, drive, direction);
+  }
+  [[nodiscard]] int deepest_level() const { return static_cast<int>(levels_.size()) - 1; }
+  [[nodiscard]] MotionIncrement advance_level(int level, State& state, double load_n,
+                                              const HandDrive& drive) const {
+    return advance_by(levels_[static_cast<std::size_t>(level)], state, load_n, drive);
+  }
+  [[nodiscard]] bool surely_slides(int level, const State& state, double load_n,
+                                   const HandDrive& drive, double direction) const {
+    return surely_slides(levels_[static_cast<std::size_t>(level)], state, load_n, drive, direction);
+  }
+  [[nodiscard]] bool surely_sticks(int level, const State& state, double force_n,
+                                   const HandDrive& drive, double friction_n) const;
+  void advance_stick_level(int level, State& state, const HandDrive& drive) const;
   [[nodiscard]] Slide slide(const State& state, double load_n, const HandDrive& drive,
                             double duration_s, double minimum_acceleration_sign) const;
   [[nodiscard]] MotionIncrement advance(State& state, const Slide& slide, const HandDrive& drive,
@@ -110,9 +127,9 @@ class TwoBodies {
            w[1] * (f[4] * w[1] + f[5] * w[2] + f[6] * w[3]) + w[2] * (f[7] * w[2] + f[8] * w[3]) +
            f[9] * w[3] * w[3];
   }
-  void make_rows();
 
   struct Rows {
+    double duration_s = 0.0;
     Row velocity{};                    // v(T) - v(0)
     Row hand_velocity{};               // w(T) - w(0)
     Row integral{};                    // ∫u1
@@ -122,50 +139,75 @@ class TwoBodies {
     SymmetricForm grip_work{};         // ∫(k_g δ + b_g δ') u1, δ = ∫(u2 - u1)
   };
 
+  // The hand alone while the handle sticks, relative to the speed w that it would settle at.
+  struct StickRows {
+    double velocity[2];  // change of w from (w - w_end, dw/dt)
+    double integral[2];  // ∫(w - w_end)
+  };
+
+  [[nodiscard]] MotionIncrement advance_by(const Rows& rows, State& state, double load_n,
+                                           const HandDrive& drive) const;
+  [[nodiscard]] bool surely_slides(const Rows& rows, const State& state, double load_n,
+                                   const HandDrive& drive, double direction) const;
+  // The speed at which the hand's force on a handle at rest would stay constant.
+  [[nodiscard]] double settling_velocity(const HandDrive& drive) const {
+    const double total = parameters_.hand_stiffness_n_per_m + parameters_.grip_stiffness_n_per_m;
+    return total > 0.0 ? parameters_.hand_stiffness_n_per_m / total * drive.velocity_m_per_s : 0.0;
+  }
+  void make_levels(int halvings);
+  void make_stick_levels(int halvings);
+  [[nodiscard]] Rows make_rows(const Propagator& propagator, double duration_s) const;
+
   TwoBodyParameters parameters_;
   double period_s_;
   double half_mass_kg_;
   double per_mass_;
   double per_hand_mass_;
-  Rows rows_;
-  double longest_stretch_s_ = 0.0;
-  double natural_rate_per_s_ = 0.0;
-  double jerk_bound_ = 0.0;
+  double jerk_per_root_energy_ = 0.0;
+  std::vector<Rows> levels_;
+  std::vector<StickRows> stick_levels_;
 };
 
-[[gnu::always_inline]] inline MotionIncrement TwoBodies::advance_tick(
-    State& state, double load_n, const HandDrive& drive) const {
+[[gnu::always_inline]] inline MotionIncrement TwoBodies::advance_by(const Rows& rows, State& state,
+                                                                    double load_n,
+                                                                    const HandDrive& drive) const {
   const Relative w = relative_state(state, load_n, drive);
   const double s = drive.velocity_m_per_s;
-  const double drift_m = s * period_s_;
-  const double integral = dot(rows_.integral, w);
-  const double hand_integral = dot(rows_.hand_integral, w);
+  const double drift_m = s * rows.duration_s;
+  const double integral = dot(rows.integral, w);
+  const double hand_integral = dot(rows.hand_integral, w);
   const double stretch_m = state.hand_position_m - state.position_m;  // at the start
   MotionIncrement increment;
   increment.displacement_m = drift_m + integral;
-  increment.velocity_squared = s * (drift_m + 2.0 * integral) + form(rows_.square, w);
+  increment.velocity_squared = s * (drift_m + 2.0 * integral) + form(rows.square, w);
   increment.hand_work_j =
       parameters_.grip_stiffness_n_per_m *
           (stretch_m * integral +
-           s * (stretch_m * period_s_ + dot(rows_.difference_double_integral, w))) +
-      parameters_.grip_damping_n_s_per_m * s * (hand_integral - integral) +
-      form(rows_.grip_work, w);
+           s * (stretch_m * rows.duration_s + dot(rows.difference_double_integral, w))) +
+      parameters_.grip_damping_n_s_per_m * s * (hand_integral - integral) + form(rows.grip_work, w);
   state.position_m += increment.displacement_m;
   state.hand_position_m += drift_m + hand_integral;
-  state.velocity_m_per_s += dot(rows_.velocity, w);
-  state.hand_velocity_m_per_s += dot(rows_.hand_velocity, w);
+  state.velocity_m_per_s += dot(rows.velocity, w);
+  state.hand_velocity_m_per_s += dot(rows.hand_velocity, w);
   return increment;
 }
 
-[[gnu::always_inline]] inline bool TwoBodies::surely_keeps_direction(const State& state,
-                                                                     double load_n,
-                                                                     const HandDrive& drive,
-                                                                     double direction) const {
+// The energy E = ½m a² + ½m_h a_h² + ½k_g (u_h - u)² + ½k_h u_h² of the relative motion never
+// grows, so |a| ≤ sqrt(2E/m), and a' is bounded by a constant times sqrt(2E).
+[[gnu::always_inline]] inline bool TwoBodies::surely_slides(const Rows& rows, const State& state,
+                                                            double load_n, const HandDrive& drive,
+                                                            double direction) const {
   const Relative w = relative_state(state, load_n, drive);
-  const double bound =
-      jerk_bound_ * std::max(std::max(std::abs(w[0]), std::abs(w[2])) * natural_rate_per_s_,
-                             std::max(std::abs(w[1]), std::abs(w[3])));
-  return direction * state.velocity_m_per_s + std::min(0.0, direction * w[1] * period_s_) > bound;
+  const double grip = w[2] - w[0];
+  const double root_energy =
+      std::sqrt(parameters_.mass_kg * w[1] * w[1] + parameters_.hand_mass_kg * w[3] * w[3] +
+                parameters_.grip_stiffness_n_per_m * grip * grip +
+                parameters_.hand_stiffness_n_per_m * w[2] * w[2]);
+  const double h = rows.duration_s;
+  const double v = direction * state.velocity_m_per_s;
+  const double bend = 0.5 * h * h * jerk_per_root_energy_ * root_energy;
+  return v > h * root_energy * std::sqrt(per_mass_) ||
+         v + std::min(0.0, direction * w[1] * h) > bend;
 }
 
 }  // namespace hapticwall

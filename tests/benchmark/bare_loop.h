@@ -40,7 +40,7 @@ class BareLoop {
     generator(1, 1) = -(hand.damping_n_s_per_m + scene.device.damping_n_s_per_m) / mass * period;
     generator(1, 2) = hand.damping_n_s_per_m / mass * period;
     generator(1, 3) = -period / mass;
-    const SetupMatrix increment = make_propagator(generator, {}).increment;
+    const SetupMatrix increment = make_propagators(generator, {}, 0).front().increment;
     for (int i = 0; i < 4; ++i) {
       phi_x_[i] = static_cast<double>(increment(0, i));
       phi_v_[i] = static_cast<double>(increment(1, i));

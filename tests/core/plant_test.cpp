@@ -205,6 +205,33 @@ TEST(ExactPlant, SlidesToRestAsCoulombSays) {
   EXPECT_NEAR(plant.truth().dissipation_j, 0.14 * (0.002 + slide_m), 1e-15);
 }
 
+// Rates far beyond the sampling: pieces of a tick are taken by halves of halves where nothing can
+// happen in them. Rows of the same motion at a rate that needs no halving are the reference.
+TEST(ExactPlant, StiffHandlesWithFrictionEndWhereFineTicksDo) {
+  for (Scene scene : {spring_hand(), grip_hand()}) {
+    scene.device.mass_kg = 1e-4;
+    scene.device.damping_n_s_per_m = 5.0;
+    scene.device.friction_n = 0.2;
+    scene.hand->path = {{0.0, 0.03}, {0.02, 0.035}};
+    scene.sampling.rate_hz = 100.0;
+    Scene fine = scene;
+    constexpr int kFiner = 1024;
+    fine.sampling.rate_hz *= kFiner;
+    AnyPlant coarse_plant(scene);
+    AnyPlant fine_plant(fine);
+    for (int tick = 0; tick < 6; ++tick) {
+      const double force_n = 0.6 * reversing_force(4 * tick);
+      coarse_plant.advance(force_n);
+      for (int i = 0; i < kFiner; ++i) fine_plant.advance(force_n);
+      ASSERT_NEAR(coarse_plant.truth().position_m, fine_plant.truth().position_m, 1e-13) << tick;
+      ASSERT_NEAR(coarse_plant.truth().hand_work_j, fine_plant.truth().hand_work_j, 1e-13);
+      ASSERT_NEAR(coarse_plant.truth().dissipation_j, fine_plant.truth().dissipation_j, 1e-13);
+    }
+    EXPECT_GE(coarse_plant.friction_events(), 1U);
+    EXPECT_EQ(coarse_plant.friction_events(), fine_plant.friction_events());
+  }
+}
+
 // Cutting a tick in two must not change where it ends.
 TEST(ExactPlant, HalfTheStepTwiceIsTheSame) {
   for (Scene scene : {spring_hand(), grip_hand()}) {
