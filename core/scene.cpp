@@ -17,13 +17,6 @@ using Problem = std::optional<SceneProblem>;
 // A run of more ticks than this is a mistake (a week at 10 kHz has fewer).
 constexpr double kMaximumTicks = 1e10;
 
-std::string number_text(double value) {
-  if (std::isnan(value)) return "nan";
-  std::array<char, 32> buffer{};
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), end};
-}
-
 std::string range_text(const ValueRange& range, std::string_view unit) {
   std::string text = range.minimum_excluded
                          ? "more than " + number_text(range.minimum) + ", at most "
@@ -132,6 +125,21 @@ Problem check_algorithm(const Scene& scene) {
 }
 
 }  // namespace
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nan";
+  std::array<char, 32> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  std::string text(buffer.data(), end);
+  // 1e-06 and 1e+09 as people write them.
+  const std::size_t exponent = text.find('e');
+  if (exponent != std::string::npos) {
+    std::size_t digits = exponent + 2;
+    if (text[digits] == '0') text.erase(digits, 1);
+    if (text[exponent + 1] == '+') text.erase(exponent + 1, 1);
+  }
+  return text;
+}
 
 std::uint64_t Scene::tick_count() const {
   return static_cast<std::uint64_t>(std::max(1.0, std::round(duration_s * sampling.rate_hz)));

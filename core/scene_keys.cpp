@@ -5,7 +5,7 @@
 namespace hapticwall {
 namespace {
 
-constexpr ValueRange kMass{0.0, 1e3, true};
+constexpr ValueRange kMass{1e-6, 1e3};
 constexpr ValueRange kStiffness{0.0, 1e9};
 constexpr ValueRange kDamping{0.0, 1e4};
 constexpr ValueRange kFriction{0.0, 1e3};

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -21,6 +22,9 @@ struct ValueRange {
     return (minimum_excluded ? value > minimum : value >= minimum) && value <= maximum;
   }
 };
+
+// A number as people write it in a message: shortest that reads back the same, 1e9 and 1e-6.
+[[nodiscard]] std::string number_text(double value);
 
 // A number of the table Owner.
 template <typename Owner>

@@ -33,8 +33,8 @@ Failure check_duration(const std::string& text) {
   const auto [rest, code] = std::from_chars(text.data(), end, value);
   if (code == std::errc{} && rest == end && key.range.contains(value)) return {};
   return usage_error(fmt::format("--duration {}: it takes seconds, more than {} and at most {}",
-                                 file::in_quotes(text), file::number_text(key.range.minimum),
-                                 file::number_text(key.range.maximum)));
+                                 file::in_quotes(text), number_text(key.range.minimum),
+                                 number_text(key.range.maximum)));
 }
 
 // A validator of CLI11: what is wrong, or nothing.

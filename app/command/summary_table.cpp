@@ -74,9 +74,10 @@ constexpr std::size_t kTextColumns = 2;  // left-aligned; the rest are numbers
 }  // namespace
 
 std::string summary_lines(const Summary& s, const std::string& realtime_status) {
-  const std::string contact = fmt::format(
-      "{} contacts, at most {} mm deep, peak force {} N, {} ticks at the force limit", s.contacts,
-      millimetres(s.max_penetration_m), newtons(s.peak_force_n), s.saturated_ticks);
+  const std::string contact =
+      fmt::format("{} contact{}, at most {} mm deep, peak force {} N, {} ticks at the force limit",
+                  s.contacts, s.contacts == 1 ? "" : "s", millimetres(s.max_penetration_m),
+                  newtons(s.peak_force_n), s.saturated_ticks);
   return heading(s) +
          line("simulated",
               fmt::format("{:.6g} s, {} ticks{}", s.duration_s, s.ticks, speed_text(s))) +
