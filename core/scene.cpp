@@ -124,7 +124,26 @@ Problem check_algorithm(const Scene& scene) {
   return std::nullopt;
 }
 
+Problem check_simulator(const SimulatorSettings& simulator) {
+  const std::string key = "simulator.substeps";
+  if (simulator.substeps < 1 || simulator.substeps > kMaximumSubsteps) {
+    return SceneProblem{key, std::to_string(simulator.substeps) +
+                                 " is out of range; it takes 1 to " +
+                                 std::to_string(kMaximumSubsteps)};
+  }
+  if (simulator.integrator == Integrator::kExact && simulator.substeps != 1) {
+    return SceneProblem{key, "the exact integrator has no substeps: it takes 1"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::optional<Integrator> find_integrator(std::string_view name) {
+  const auto found = std::find(kIntegratorNames.begin(), kIntegratorNames.end(), name);
+  if (found == kIntegratorNames.end()) return std::nullopt;
+  return static_cast<Integrator>(std::distance(kIntegratorNames.begin(), found));
+}
 
 std::string number_text(double value) {
   if (std::isnan(value)) return "nan";
@@ -172,10 +191,7 @@ Problem validate(const Scene& scene) {
     }
   }
   if (auto problem = check_algorithm(scene)) return problem;
-  if (scene.simulator.integrator != "exact") {
-    return SceneProblem{"simulator.integrator", "it takes \"exact\""};
-  }
-  return std::nullopt;
+  return check_simulator(scene.simulator);
 }
 
 }  // namespace hapticwall

@@ -2,10 +2,12 @@
 // of every key live in scene_keys.h, the contradictions between keys in validate().
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/stabiliser/algorithm_settings.h"
@@ -57,9 +59,25 @@ struct WallSettings {
   double damping_n_s_per_m = 0.0;
 };
 
+// How the simulator moves the handle between two ticks.
+enum class Integrator : std::uint8_t { kExact, kSemiImplicitEuler, kRungeKutta4 };
+
+// The words of the scene file, in the order of Integrator.
+inline constexpr std::array<std::string_view, 3> kIntegratorNames{"exact", "semi-implicit-euler",
+                                                                  "rk4"};
+inline constexpr int kMaximumSubsteps = 1000;
+
 struct SimulatorSettings {
-  std::string integrator = "exact";
+  Integrator integrator = Integrator::kExact;
+  int substeps = 1;  // per tick, 1 to kMaximumSubsteps; the exact integrator needs none and takes 1
+
+  [[nodiscard]] std::string_view integrator_name() const {
+    return kIntegratorNames.at(static_cast<std::size_t>(integrator));
+  }
+  friend bool operator==(const SimulatorSettings&, const SimulatorSettings&) = default;
 };
+
+[[nodiscard]] std::optional<Integrator> find_integrator(std::string_view name);
 
 inline constexpr std::size_t kMaximumWalls = 8;
 

@@ -13,8 +13,8 @@
 
 namespace hapticwall {
 
-// A change of what a live session lets its user change, in force from `tick` on. Algorithm and walls
-// of `scene` are taken; device, hand and sampling stay those of the first scene.
+// A change of what a live session lets its user change, in force from `tick` on. Algorithm and
+// walls of `scene` are taken; device, hand and sampling stay those of the first scene.
 struct ScheduledChange {
   std::uint64_t tick = 0;
   Scene scene;

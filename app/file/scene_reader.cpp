@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <climits>
 #include <filesystem>
 #include <utility>
 
@@ -14,7 +16,6 @@ namespace {
 
 constexpr std::size_t kLongestName = 100;
 constexpr std::size_t kLongestDescription = 1000;
-constexpr std::uint64_t kOnlySubsteps = 1;
 
 std::string read_line(TableReader& reader, std::string_view key, std::size_t longest) {
   const toml::node* node = reader.node(key);
@@ -145,16 +146,19 @@ AlgorithmSettings read_algorithm(const toml::table& table, const std::string& pr
 SimulatorSettings read_simulator(const toml::table& table, const std::string& origin) {
   TableReader reader(table, "simulator.", origin);
   SimulatorSettings simulator;
-  if (const std::optional<std::string> integrator = reader.string("integrator")) {
-    if (*integrator != simulator.integrator) {
+  if (const std::optional<std::string> name = reader.string("integrator")) {
+    const std::optional<Integrator> integrator = find_integrator(*name);
+    if (!integrator) {
+      const std::vector<std::string_view> names(kIntegratorNames.begin(), kIntegratorNames.end());
       reader.fail(*table.get("integrator"), "integrator",
-                  fmt::format("{} is not supported by this version; \"{}\" is",
-                              in_quotes(*integrator), simulator.integrator));
+                  fmt::format("no integrator is called {}{}; known: {}", in_quotes(*name),
+                              suggestion(*name, names), joined(names)));
     }
+    simulator.integrator = *integrator;
   }
-  if (reader.count("substeps").value_or(kOnlySubsteps) != kOnlySubsteps) {
-    reader.fail(*table.get("substeps"), "substeps",
-                "other than 1 is not supported by this version");
+  if (const std::optional<std::uint64_t> substeps = reader.count("substeps")) {
+    // Out of range is for validate() to say; it must only survive the way there.
+    simulator.substeps = static_cast<int>(std::min<std::uint64_t>(*substeps, INT_MAX));
   }
   reader.finish();
   return simulator;

@@ -119,7 +119,8 @@ std::string scene_to_toml(const Scene& scene) {
   write_walls(out, "", scene.walls);
   write_algorithm(out, "", scene.algorithm);
   out.table("simulator");
-  out.string("integrator", scene.simulator.integrator);
+  out.string("integrator", scene.simulator.integrator_name());
+  out.integer("substeps", static_cast<std::uint64_t>(scene.simulator.substeps));
   return out.text();
 }
 

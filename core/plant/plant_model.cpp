@@ -17,12 +17,9 @@ HandPath make_path(const Scene& scene) {
   return {scene.hand->path, scene.sampling.rate_hz};
 }
 
-}  // namespace
-
-PlantVariant make_plant(const Scene& scene) {
+PlantVariant make_exact_plant(const Scene& scene, const HandPath& path) {
   const double period_s = scene.sampling.period_s();
   const DeviceSettings& device = scene.device;
-  const HandPath path = make_path(scene);
   if (scene.hand && scene.hand->has_grip()) {
     const HandSettings& hand = *scene.hand;
     const TwoBodyParameters parameters{device.mass_kg,
@@ -41,6 +38,57 @@ PlantVariant make_plant(const Scene& scene) {
     parameters.hand_damping_n_s_per_m = scene.hand->damping_n_s_per_m;
   }
   return with_friction_if_named(scene, OneBody(parameters, period_s), path);
+}
+
+SteppedParameters stepped_parameters(const Scene& scene) {
+  SteppedParameters parameters;
+  parameters.mass_kg = scene.device.mass_kg;
+  parameters.damping_n_s_per_m = scene.device.damping_n_s_per_m;
+  parameters.friction_n = scene.device.friction_n.value_or(0.0);
+  if (!scene.hand) return parameters;
+  const HandSettings& hand = *scene.hand;
+  parameters.hand_stiffness_n_per_m = hand.stiffness_n_per_m;
+  parameters.hand_damping_n_s_per_m = hand.damping_n_s_per_m;
+  if (hand.has_grip()) {
+    parameters.hand_mass_kg = hand.mass_kg.value_or(0.0);
+    parameters.grip_stiffness_n_per_m = *hand.grip_stiffness_n_per_m;
+    parameters.grip_damping_n_s_per_m = hand.grip_damping_n_s_per_m.value_or(0.0);
+  } else {
+    parameters.mass_kg += hand.mass_kg.value_or(0.0);
+  }
+  return parameters;
+}
+
+template <template <bool, bool> class Scheme>
+PlantVariant make_stepped_plant(const Scene& scene, const HandPath& path) {
+  const SteppedParameters parameters = stepped_parameters(scene);
+  const auto make = [&]<bool kGrip, bool kFriction>() -> PlantVariant {
+    return SteppedPlant<Scheme, kGrip, kFriction>(parameters, path, scene.sampling.period_s(),
+                                                  scene.device.start_m, scene.simulator.substeps);
+  };
+  const bool grip = scene.hand && scene.hand->has_grip();
+  const bool friction = parameters.friction_n > 0.0;
+  if (grip) {
+    return friction ? make.template operator()<true, true>()
+                    : make.template operator()<true, false>();
+  }
+  return friction ? make.template operator()<false, true>()
+                  : make.template operator()<false, false>();
+}
+
+}  // namespace
+
+PlantVariant make_plant(const Scene& scene) {
+  const HandPath path = make_path(scene);
+  switch (scene.simulator.integrator) {
+    case Integrator::kExact:
+      return make_exact_plant(scene, path);
+    case Integrator::kSemiImplicitEuler:
+      return make_stepped_plant<SemiImplicitEuler>(scene, path);
+    case Integrator::kRungeKutta4:
+      break;
+  }
+  return make_stepped_plant<RungeKutta4>(scene, path);
 }
 
 }  // namespace hapticwall

@@ -7,14 +7,21 @@
 #include "core/encoder.h"
 #include "core/plant/exact_plant.h"
 #include "core/plant/one_body.h"
+#include "core/plant/stepped_plant.h"
 #include "core/plant/two_bodies.h"
 #include "core/sample.h"
 #include "core/scene.h"
 
 namespace hapticwall {
 
-using PlantVariant = std::variant<ExactPlant<OneBody, false>, ExactPlant<OneBody, true>,
-                                  ExactPlant<TwoBodies, false>, ExactPlant<TwoBodies, true>>;
+// Every plant: integrator, with or without a hand that grips, with or without friction.
+using PlantVariant = std::variant<
+    ExactPlant<OneBody, false>, ExactPlant<OneBody, true>, ExactPlant<TwoBodies, false>,
+    ExactPlant<TwoBodies, true>, SteppedPlant<SemiImplicitEuler, false, false>,
+    SteppedPlant<SemiImplicitEuler, false, true>, SteppedPlant<SemiImplicitEuler, true, false>,
+    SteppedPlant<SemiImplicitEuler, true, true>, SteppedPlant<RungeKutta4, false, false>,
+    SteppedPlant<RungeKutta4, false, true>, SteppedPlant<RungeKutta4, true, false>,
+    SteppedPlant<RungeKutta4, true, true>>;
 
 // The plant of a validated scene. Realtime-safe: no (set-up mathematics).
 [[nodiscard]] PlantVariant make_plant(const Scene& scene);

@@ -148,11 +148,19 @@ TEST(SceneFile, SaysPlainlyWhatThisVersionDoesNotHave) {
             "x.toml:36: device.y is not supported by this version");
   EXPECT_EQ(message(replaced("axis = \"x\"", "axis = \"y\"")),
             "x.toml:24: wall[0].axis: only \"x\" is supported by this version");
+}
+
+TEST(SceneFile, KnowsTheIntegratorsAndTheirSubsteps) {
   EXPECT_EQ(message(replaced("substeps = 1", "substeps = 2")),
-            "x.toml:35: simulator.substeps: other than 1 is not supported by this version");
-  EXPECT_EQ(
-      message(replaced("\"exact\"", "\"rk4\"")),
-      "x.toml:34: simulator.integrator: 'rk4' is not supported by this version; \"exact\" is");
+            "x.toml:35: simulator.substeps: the exact integrator has no substeps: it takes 1");
+  EXPECT_EQ(message(replaced("substeps = 1", "substeps = 1001")),
+            "x.toml:35: simulator.substeps: 1001 is out of range; it takes 1 to 1000");
+  EXPECT_EQ(message(replaced("\"exact\"", "\"rk5\"")),
+            "x.toml:34: simulator.integrator: no integrator is called 'rk5'; did you mean 'rk4'?; "
+            "known: exact, semi-implicit-euler, rk4");
+  const auto loaded = parse_scene(replaced("\"exact\"", "\"rk4\""), "x.toml");
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_EQ(loaded->scene.simulator.integrator, Integrator::kRungeKutta4);
 }
 
 TEST(SceneFile, NamesTheAlgorithmsAndTheirChoices) {

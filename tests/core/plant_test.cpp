@@ -26,7 +26,12 @@ class AnyPlant {
     return truth;
   }
   [[nodiscard]] std::uint64_t friction_events() const {
-    return std::visit([](const auto& plant) { return plant.friction_events(); }, plant_);
+    return std::visit(
+        [](const auto& plant) -> std::uint64_t {
+          if constexpr (requires { plant.friction_events(); }) return plant.friction_events();
+          return 0;
+        },
+        plant_);
   }
 
  private:

@@ -83,7 +83,15 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
          s.algorithm.values[*find_algorithm_parameter("coupling_damping_n_s_per_m")] = 2.0;
        },
        "algorithm.coupling_damping_n_s_per_m"},
-      {[](Scene& s) { s.simulator.integrator = "magic"; }, "simulator.integrator"},
+      {[](Scene& s) { s.simulator.substeps = 2; }, "simulator.substeps"},
+      {[](Scene& s) {
+         s.simulator = {Integrator::kRungeKutta4, 0};
+       },
+       "simulator.substeps"},
+      {[](Scene& s) {
+         s.simulator = {Integrator::kRungeKutta4, 1001};
+       },
+       "simulator.substeps"},
   };
   for (const BadScene& bad : table) {
     Scene scene = good_scene();

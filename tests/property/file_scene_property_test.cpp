@@ -100,7 +100,7 @@ bool same_scene(const Scene& a, const Scene& b) {
          same_numbers(scene_number_keys(), a, b) &&
          same_numbers(sampling_number_keys(), a.sampling, b.sampling) &&
          same_numbers(device_number_keys(), a.device, b.device) && same_hand(a.hand, b.hand) &&
-         a.algorithm == b.algorithm && a.simulator.integrator == b.simulator.integrator;
+         a.algorithm == b.algorithm && a.simulator == b.simulator;
 }
 
 RC_GTEST_PROP(SceneFileProperty, WrittenAndReadAgainIsTheSame, ()) {

@@ -148,6 +148,23 @@ TEST_F(ApplicationTest, ANewRateStartsANewSessionAtRestAndABadOneDoesNot) {
   EXPECT_DOUBLE_EQ(fake_->scene().sampling.rate_hz, 2000.0);
 }
 
+TEST_F(ApplicationTest, TheIntegratorIsChosenAndItsSubstepsTyped) {
+  click("integrator");
+  click("semi-implicit-euler");
+  EXPECT_EQ(sessions, 2);
+  EXPECT_EQ(fake_->scene().simulator.integrator, Integrator::kSemiImplicitEuler);
+  scroll_down_at("rate");  // the panel is longer than this screen
+  type("substeps", "20");
+  EXPECT_EQ(sessions, 3);
+  EXPECT_EQ(fake_->scene().simulator.substeps, 20);
+  type("substeps", "1e9");
+  EXPECT_EQ(sessions, 3);
+  EXPECT_THAT(message().text, HasSubstr("substeps"));
+  click("integrator");
+  click("exact");
+  EXPECT_EQ(fake_->scene().simulator, SimulatorSettings{});
+}
+
 TEST_F(ApplicationTest, ASessionThatDoesNotStartLeavesTheOldOne) {
   refuse_session = "no loop to be had";
   type("rate", "2000");

@@ -128,6 +128,14 @@ class GuiTest : public ::testing::Test {
     mouse_button(false);
   }
 
+  // To the end of whatever scrolls under an item.
+  void scroll_down_at(const std::string& item) {
+    constexpr float kFar = -100.0F;
+    move_to(rect(item).centre());
+    ImGui::GetIO().AddMouseWheelEvent(0.0F, kFar);
+    frames(5);
+  }
+
   // Types into a field and confirms with Enter.
   void type(const std::string& item, const std::string& text) {
     click(item);
