@@ -15,12 +15,12 @@ void TickMetrics::write(Summary& summary, bool has_wall) const {
     summary.tail_force_mean_n = tail_mean_n_;
     summary.tail_force_std_n = std::sqrt(tail_square_n2_ / static_cast<double>(tail_ticks_));
   }
-  summary.verdict = summary.tail_peak_to_peak_m <= kSettledPeakToPeakM ? Verdict::kSettled
-                                                                       : Verdict::kOscillating;
+  const bool quiet = tail_ticks_ > 0 && *summary.tail_peak_to_peak_m <= kSettledPeakToPeakM;
+  summary.verdict = quiet ? Verdict::kSettled : Verdict::kOscillating;
   if (tail_contact_ticks_ > 0 && contact_penetration_m_ > 0.0) {
     summary.displayed_stiffness_n_per_m = contact_force_n_ / contact_penetration_m_;
   }
-  if (has_wall) summary.max_penetration_m = max_penetration_m_;
+  if (has_wall && max_penetration_m_ > -kInfinity) summary.max_penetration_m = max_penetration_m_;
   summary.peak_force_n = peak_force_n_;
   summary.saturated_ticks = saturated_ticks_;
   summary.contacts = contacts_;

@@ -46,6 +46,20 @@ Problem check_table(const std::string& prefix, const Owner& owner,
   return std::nullopt;
 }
 
+// Counts finer than this are beyond the digits of a position.
+constexpr double kFinestEncoderM = 1e-12;
+
+Problem check_device(const DeviceSettings& device) {
+  if (auto problem = check_table<DeviceSettings>("device.", device, device_number_keys())) {
+    return problem;
+  }
+  const double encoder_m = device.encoder_m.value_or(0.0);
+  if (encoder_m == 0.0 || encoder_m >= kFinestEncoderM) return std::nullopt;
+  return SceneProblem{"device.encoder_m", number_text(encoder_m) +
+                                              " is too fine; it takes 0 (none) or " +
+                                              number_text(kFinestEncoderM) + " m and more"};
+}
+
 Problem check_path(const HandSettings& hand) {
   const std::string key = "hand.path";
   if (hand.follows_mouse) {
@@ -173,9 +187,7 @@ Problem validate(const Scene& scene) {
   if (scene.duration_s * scene.sampling.rate_hz > kMaximumTicks) {
     return SceneProblem{"duration_s", "gives more than " + number_text(kMaximumTicks) + " ticks"};
   }
-  if (auto problem = check_table<DeviceSettings>("device.", scene.device, device_number_keys())) {
-    return problem;
-  }
+  if (auto problem = check_device(scene.device)) return problem;
   if (scene.hand) {
     if (auto problem = check_hand(*scene.hand)) return problem;
   }

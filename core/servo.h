@@ -21,7 +21,7 @@ struct TruthKeeper {
 };
 
 // Owns every algorithm and the state of the loop. Trivial to move at set-up, never allocates.
-// Realtime-safe: everything but nothing (constructor included).
+// Realtime-safe: yes, all of it (constructor included).
 class Servo {
  public:
   explicit Servo(const ServoSettings& settings);

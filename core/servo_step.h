@@ -72,6 +72,7 @@ struct ServoState {
   double budget_n_per_m = 0.0;  // b/T, b as the algorithm believes it
   EnergyLedger ledger;
   SwitchTransition transition;
+  bool position_known = false;  // a reading without fault has come since the reset
   bool parameters_changed = false;
   bool failed = false;  // a force that was not finite; sticky until reset
 };
@@ -112,11 +113,15 @@ template <typename Device, typename Stabiliser>
   TickOutcome out;
   const DeviceReading reading = device.read();
   out.tick = state.tick;
-  out.stale = !(reading.age_s <= settings.maximum_age_s);
-  out.fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
+  // A device may promise by its type that no reading of it is ever old or faulty; a simulator's
+  // loop then has no question in it that has one answer only.
+  if constexpr (!requires { typename Device::AlwaysSound; }) {
+    out.stale = !(reading.age_s <= settings.maximum_age_s);
+    out.fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
+  }
   out.position_m = out.fault ? state.previous_position_m : reading.position_m;
 
-  out.displacement_m = state.tick == 0 ? 0.0 : out.position_m - state.previous_position_m;
+  out.displacement_m = state.position_known ? out.position_m - state.previous_position_m : 0.0;
   out.velocity_m_per_s = out.displacement_m * settings.rate_hz;
   out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
 
@@ -140,6 +145,7 @@ template <typename Device, typename Stabiliser>
 
   state.ledger.add(out.force_n, state.previous_force_n, out.displacement_m, state.budget_n_per_m);
   state.previous_position_m = out.position_m;
+  state.position_known = state.position_known || !out.fault;
   state.previous_force_n = out.force_n;
   out.parameters_changed = state.parameters_changed;
   state.parameters_changed = false;
@@ -158,7 +164,11 @@ inline void write_sample(const ServoSettings& settings, const EnergyLedger& ledg
   sample.penetration_m = out.contact.penetration_m;
   sample.wall_force_n = out.contact.force_n;
   sample.force_n = out.force_n;
-  sample.stiffness_n_per_m = out.contact.in_contact ? out.force_n / out.contact.penetration_m : 0.0;
+  // A penetration may be the smallest number there is; what is recorded is finite.
+  constexpr double kMost = std::numeric_limits<double>::max();
+  sample.stiffness_n_per_m =
+      out.contact.in_contact ? std::clamp(out.force_n / out.contact.penetration_m, -kMost, kMost)
+                             : 0.0;
   sample.energy_cv_j = ledger.cv_j;
   sample.energy_hold_j = ledger.hold_j;
   sample.energy_scv_j = ledger.scv_j;

@@ -21,6 +21,8 @@ constexpr std::uint64_t kChunkTicks = 1024;
 template <typename Plant, bool kEncoder>
 class HeadlessDevice {
  public:
+  using AlwaysSound = void;  // the loop ends where the plant's position is no number any more
+
   HeadlessDevice(Plant& plant, double encoder_m)
       : plant_(plant), motion_(plant.motion()), encoder_m_(encoder_m) {}
 
@@ -84,6 +86,7 @@ class Simulation {
       if (change < options_.changes.size()) end = std::min(end, options_.changes[change].tick);
       run_until(end);
     }
+    check_end();
     result.summary = summary();
     result.final_state.tick = servo_.state().tick;
     result.final_state.time_s =
@@ -158,6 +161,12 @@ class Simulation {
     diverged_at_tick_ = diverged_at_tick;
   }
 
+  // The loop looks before a tick; what the last tick's hold has done is looked at here.
+  void check_end() {
+    const double position_m =
+        std::visit([](const auto& plant) { return plant.position_m(); }, plant_);
+    if (!diverged_at_tick_ && has_diverged(position_m)) diverged_at_tick_ = servo_.state().tick;
+  }
   [[nodiscard]] Summary summary() const;
 
   const Scene& scene_;

@@ -32,13 +32,13 @@ struct Summary {
   // Wall-clock figures, filled by whoever holds a clock.
   std::optional<double> simulated_seconds_per_second;
   std::optional<double> ns_per_tick;
-  // Over the last second ("tail").
-  double tail_peak_to_peak_m = 0.0;
-  double tail_force_mean_n = 0.0;
-  double tail_force_std_n = 0.0;
+  // Over the last second ("tail"); absent where the run ended before it.
+  std::optional<double> tail_peak_to_peak_m;
+  std::optional<double> tail_force_mean_n;
+  std::optional<double> tail_force_std_n;
   std::optional<double> displayed_stiffness_n_per_m;  // absent where the tail has no contact
   // Over the whole run.
-  std::optional<double> max_penetration_m;  // absent without a wall
+  std::optional<double> max_penetration_m;  // absent without a wall or a tick
   double peak_force_n = 0.0;
   std::uint64_t saturated_ticks = 0;
   std::uint64_t contacts = 0;  // entries into the wall

@@ -71,23 +71,31 @@ constexpr std::array<Column, 11> kColumns{
      {"margin", "mJ", [](const Summary& s) { return millijoules(s.passivity_margin_j); }}}};
 constexpr std::size_t kTextColumns = 2;  // left-aligned; the rest are numbers
 
+std::string tail_text(const Summary& s) {
+  if (!s.tail_peak_to_peak_m) return "not reached";
+  return fmt::format("{} mm peak to peak, force {} +/- {} N", millimetres(s.tail_peak_to_peak_m),
+                     newtons(s.tail_force_mean_n), newtons(s.tail_force_std_n));
+}
+
+std::string contact_text(const Summary& s) {
+  if (!s.max_penetration_m) return "none";
+  if (s.contacts == 0) return "not touched";
+  return fmt::format(
+      "{} contact{}, at most {} mm deep, peak force {} N, {} ticks at the force limit", s.contacts,
+      s.contacts == 1 ? "" : "s", millimetres(s.max_penetration_m), newtons(s.peak_force_n),
+      s.saturated_ticks);
+}
+
 }  // namespace
 
 std::string summary_lines(const Summary& s, const std::string& realtime_status) {
-  const std::string contact =
-      fmt::format("{} contact{}, at most {} mm deep, peak force {} N, {} ticks at the force limit",
-                  s.contacts, s.contacts == 1 ? "" : "s", millimetres(s.max_penetration_m),
-                  newtons(s.peak_force_n), s.saturated_ticks);
   return heading(s) +
          line("simulated",
               fmt::format("{:.6g} s, {} ticks{}", s.duration_s, s.ticks, speed_text(s))) +
-         line("last second",
-              fmt::format("{} mm peak to peak, force {} +/- {} N",
-                          millimetres(s.tail_peak_to_peak_m), newtons(s.tail_force_mean_n),
-                          newtons(s.tail_force_std_n))) +
+         line("last second", tail_text(s)) +
          line("displayed stiffness",
               kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
-         line("wall", contact) +
+         line("wall", contact_text(s)) +
          line("energy observed",
               fmt::format("{} mJ (Eq. 6), least {} mJ", millijoules(s.energy_cv_j),
                           millijoules(s.min_energy_cv_j))) +

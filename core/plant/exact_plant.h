@@ -147,8 +147,9 @@ class ExactPlant {
         if (done_s + step_s <= done_s) break;  // what is left is below the last digit
         const double fraction =
             advance_by_taylor(force_n, now, step_s, events_at_one_instant < kMaximumStalls);
-        events_at_one_instant = fraction > 0.0 ? 0 : events_at_one_instant + 1;
         step_s *= fraction;
+        // A stretch below the last digit of the time is no progress either.
+        events_at_one_instant = done_s + step_s > done_s ? 0 : events_at_one_instant + 1;
       }
       done_s += step_s;
       now.position_m = path_.position_m() + path_.velocity_m_per_s() * done_s;

@@ -18,7 +18,11 @@ double snap_to_tick(double ticks) {
 
 }  // namespace
 
-HandPath::HandPath(double position_m) : segments_{{0.0, position_m, 0.0}} { reset(); }
+HandPath::HandPath(double position_m, double rate_hz)
+    : rate_hz_(rate_hz), segments_{{0.0, position_m, 0.0}} {
+  now_.period_s = 1.0 / rate_hz;
+  reset();
+}
 
 HandPath::HandPath(const std::vector<PathPoint>& points, double rate_hz) : rate_hz_(rate_hz) {
   now_.period_s = 1.0 / rate_hz;

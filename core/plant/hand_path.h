@@ -39,8 +39,8 @@ struct StraightPath {
 
 class HandPath {
  public:
-  // A path that stays at `position_m` (a scene without a hand).
-  explicit HandPath(double position_m);
+  // A path that stays at `position_m`: a scene without a hand, or one whose hand a pointer leads.
+  HandPath(double position_m, double rate_hz);
   HandPath(const std::vector<PathPoint>& points, double rate_hz);
 
   // Realtime-safe: yes, all that follows.

@@ -13,7 +13,9 @@ PlantVariant with_friction_if_named(const Scene& scene, const Body& body, const 
 }
 
 HandPath make_path(const Scene& scene) {
-  if (!scene.hand || scene.hand->path.empty()) return HandPath(scene.device.start_m);
+  if (!scene.hand || scene.hand->path.empty()) {
+    return {scene.device.start_m, scene.sampling.rate_hz};
+  }
   return {scene.hand->path, scene.sampling.rate_hz};
 }
 

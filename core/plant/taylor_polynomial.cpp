@@ -52,7 +52,7 @@ Coefficients split_left(Coefficients& b) {
     left[level] = b[0];
     for (std::size_t i = 0; i + 1 + level < kTerms; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
   }
-  // The in-place scheme leaves the right half in place, read from the back.
+  // Every level leaves its last value behind: what stands in `b` now is the right half, in order.
   return left;
 }
 

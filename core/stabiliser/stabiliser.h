@@ -5,9 +5,15 @@
 //   class Name {
 //    public:
 //     static constexpr AlgorithmDescription kDescription{"name", "Title", "one line", kParameters};
-//     void configure(const StabiliserContext& context);   // parameters or scene changed; keeps
-//     state void reset();                                        // forget everything double
-//     step(const StabiliserInput& input);           // F_d(k), newtons
+//
+//     // The parameters or the scene have changed; keeps state.
+//     void configure(const StabiliserContext& context);
+//
+//     // Forgets everything.
+//     void reset();
+//
+//     // F_d(k), newtons.
+//     double step(const StabiliserInput& input);
 //   };
 //
 // All members are realtime-safe: O(1), no allocation, no lock, no system call. step() may return

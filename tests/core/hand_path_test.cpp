@@ -64,6 +64,18 @@ TEST(HandPath, FollowsThePointerAsFastAsAnArm) {
   EXPECT_DOUBLE_EQ(path.position_m(), 0.03);
 }
 
+// A hand of `path = "mouse"` has no script: it starts where the handle does.
+TEST(HandPath, WithoutAScriptFollowsThePointerJustAsFast) {
+  HandPath path(0.03, 1000.0);
+  path.lead_to(0.0325);
+  EXPECT_NEAR(path.velocity_m_per_s(), kMaximumPointerSpeedMPerS, 1e-12);
+  path.next_tick();
+  EXPECT_NEAR(path.position_m(), 0.031, 1e-15);
+  path.next_tick();
+  path.next_tick();
+  EXPECT_NEAR(path.position_m(), 0.0325, 1e-15);
+}
+
 TEST(HandPath, ReleasedReturnsToWhereTheScriptIsByThen) {
   HandPath path({{0.0, 0.03}, {0.1, 0.04}}, 1000.0);
   path.lead_to(0.02);
@@ -72,6 +84,31 @@ TEST(HandPath, ReleasedReturnsToWhereTheScriptIsByThen) {
   for (int i = 0; i < 40; ++i) path.next_tick();
   EXPECT_NEAR(path.position_m(), 0.03 + 0.1 * 0.09, 1e-15);
   EXPECT_NEAR(path.velocity_m_per_s(), 0.1, 1e-12);
+}
+
+TEST(HandPath, ResetGoesBackToTheBeginOfTheScriptAndLeavesThePointer) {
+  HandPath path({{0.0, 0.03}, {0.002, 0.05}, {0.004, 0.03}}, 1000.0);
+  for (int i = 0; i < 10; ++i) path.next_tick();
+  path.lead_to(0.0);
+  path.reset();
+  for (const double expected_m : {0.03, 0.04, 0.05, 0.04, 0.03, 0.03}) {
+    EXPECT_NEAR(path.position_m(), expected_m, 1e-15);
+    path.next_tick();
+  }
+}
+
+// 0.3 s at 7 kHz is tick 2099.9999999999998 in binary: a bend there would be rounding, not script.
+TEST(HandPath, TakesADecimalTimeForTheTickThatItMeans) {
+  for (const double rate_hz : {700.0, 1000.0, 1700.0, 3300.0, 7000.0}) {
+    for (int tenths = 1; tenths <= 30; ++tenths) {
+      HandPath path({{0.0, 0.0}, {0.1 * tenths, 0.5}}, rate_hz);
+      const int ticks = static_cast<int>(rate_hz) * tenths / 10;
+      for (int tick = 0; tick <= ticks; ++tick) {
+        ASSERT_FALSE(path.bends_within_tick()) << rate_hz << " Hz, tick " << tick;
+        path.next_tick();
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -36,9 +36,9 @@ TEST(Metrics, JudgesTheLastSecond) {
     metrics.add(at(k, k % 2 == 0 ? 0.051 : 0.052, k % 2 == 0 ? 1.0 : 3.0));
   const Summary summary = metrics.finish();
   EXPECT_EQ(summary.verdict, Verdict::kOscillating);
-  EXPECT_NEAR(summary.tail_peak_to_peak_m, 1e-3, 1e-15);
-  EXPECT_NEAR(summary.tail_force_mean_n, 2.0, 1e-12);
-  EXPECT_NEAR(summary.tail_force_std_n, 1.0, 1e-12);
+  EXPECT_NEAR(summary.tail_peak_to_peak_m.value(), 1e-3, 1e-15);
+  EXPECT_NEAR(summary.tail_force_mean_n.value(), 2.0, 1e-12);
+  EXPECT_NEAR(summary.tail_force_std_n.value(), 1.0, 1e-12);
   EXPECT_NEAR(summary.displayed_stiffness_n_per_m.value(), 2.0 / 1.5e-3, 1e-6);
   EXPECT_NEAR(summary.max_penetration_m.value(), 2e-3, 1e-15);
   EXPECT_EQ(summary.peak_force_n, 3.0);
@@ -91,6 +91,55 @@ TEST(Metrics, ADivergedRunStopsCounting) {
     EXPECT_EQ(summary.diverged_at_tick, std::optional<std::uint64_t>(1));
     EXPECT_EQ(summary.ticks, 1U);
   }
+}
+
+// The tail is exactly the last ten ticks: one before it and one inside it tell.
+TEST(Metrics, TheTailBeginsAtItsFirstTick) {
+  for (const std::uint64_t spike : {9U, 10U}) {
+    Metrics metrics(wall_at_ten_hertz(), 20, true);
+    for (std::uint64_t k = 0; k < 20; ++k) metrics.add(at(k, k == spike ? 0.01 : 0.0, 0.0));
+    EXPECT_EQ(metrics.finish().tail_peak_to_peak_m, spike < 10 ? 0.0 : 0.01);
+  }
+}
+
+TEST(Metrics, LeastEnergiesAndMarginAreThoseOfTheWholeRun) {
+  Metrics metrics(wall_at_ten_hertz(), 4, true);
+  const double energies[] = {0.0, -3.0, 2.0, 1.0};
+  for (std::uint64_t k = 0; k < 4; ++k) {
+    Sample sample = at(k, 0.0, k == 1 ? -4.0 : 1.0);
+    sample.energy_cv_j = energies[k];
+    sample.energy_scv_j = 2.0 * energies[k];
+    sample.truth.actuator_work_j = 3.0 * energies[k];
+    sample.truth.dissipation_j = 0.5 * static_cast<double>(k);
+    sample.truth.kinetic_j = 0.25 * static_cast<double>(k);
+    metrics.add(sample);
+  }
+  const Summary summary = metrics.finish();
+  EXPECT_EQ(summary.min_energy_cv_j, -3.0);
+  EXPECT_EQ(summary.min_energy_scv_j, -6.0);
+  EXPECT_EQ(summary.passivity_margin_j.value(), -9.0 + 0.5 + 0.25);
+  EXPECT_EQ(summary.peak_force_n, 4.0);
+}
+
+TEST(Metrics, WithoutATickThereIsNoPenetration) {
+  EXPECT_FALSE(Metrics(wall_at_ten_hertz(), 2, true).finish().max_penetration_m.has_value());
+}
+
+TEST(Metrics, DivergesToBothSides) {
+  for (const double bad : {-1.5, 1.5}) {
+    Metrics metrics(wall_at_ten_hertz(), 2, true);
+    metrics.add(at(0, bad, 0.0));
+    EXPECT_EQ(metrics.finish().verdict, Verdict::kDiverged) << bad;
+  }
+}
+
+TEST(Metrics, ARunThatEndsBeforeItsTailIsNotCalledSettled) {
+  Metrics metrics(wall_at_ten_hertz(), 20, true);
+  for (std::uint64_t k = 0; k < 5; ++k) metrics.add(at(k, 0.0, 0.0));
+  const Summary summary = metrics.finish();
+  EXPECT_FALSE(summary.tail_peak_to_peak_m.has_value());
+  EXPECT_FALSE(summary.tail_force_mean_n.has_value());
+  EXPECT_NE(summary.verdict, Verdict::kSettled);
 }
 
 }  // namespace

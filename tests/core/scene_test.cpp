@@ -49,6 +49,7 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
       {[&](Scene& s) { s.device.damping_n_s_per_m = infinity; }, "device.damping_n_s_per_m"},
       {[](Scene& s) { s.device.friction_n = -1.0; }, "device.friction_n"},
       {[](Scene& s) { s.device.encoder_m = 1.0; }, "device.encoder_m"},
+      {[](Scene& s) { s.device.encoder_m = 1e-320; }, "device.encoder_m"},
       {[](Scene& s) { s.device.force_limit_n = -1.0; }, "device.force_limit_n"},
       {[](Scene& s) { s.device.start_m = 2.0; }, "device.start_m"},
       {[](Scene& s) { s.walls[0].stiffness_n_per_m = 1e10; }, "wall.stiffness_n_per_m"},

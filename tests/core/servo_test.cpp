@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 namespace hapticwall {
@@ -153,6 +155,95 @@ TEST(Servo, ResetStartsAtTickZeroWithEmptyLedger) {
   EXPECT_EQ(sample.tick, 0U);
   EXPECT_EQ(sample.velocity_m_per_s, 0.0);
   EXPECT_EQ(sample.energy_cv_j, 0.0);
+}
+
+// Without a first position there is no displacement either: what comes after a faulty start is no
+// leap from 0.
+TEST(ServoStep, AFaultyStartIsNoMotion) {
+  Servo servo(stiff_wall());
+  ScriptedDevice device;
+  device.next = {std::nan(""), 0.0, DeviceState::kOk};
+  servo.tick(device);
+  device.next = {1e-4, 0.0, DeviceState::kOk};
+  const Sample sample = servo.tick(device);
+  EXPECT_EQ(sample.velocity_m_per_s, 0.0);
+  EXPECT_EQ(sample.energy_cv_j, 0.0);
+  EXPECT_EQ(sample.energy_budget_j, 0.0);
+  device.next.position_m = 2e-4;
+  EXPECT_NEAR(servo.tick(device).velocity_m_per_s, 0.1, 1e-12);
+}
+
+TEST(ServoStep, TheFirstTickHasNoVelocityWhereverItIs) {
+  Servo servo(stiff_wall());
+  ScriptedDevice device;
+  device.next.position_m = 0.03;
+  EXPECT_EQ(servo.tick(device).velocity_m_per_s, 0.0);
+}
+
+TEST(ServoStep, ActsOnAPositionOfTheGreatestAge) {
+  Servo servo(stiff_wall());
+  ScriptedDevice device;
+  device.next = {1e-4, kDefaultMaximumAgeS, DeviceState::kOk};
+  EXPECT_EQ(servo.tick(device).flags & kFlagStaleInput, 0U);
+  EXPECT_GT(device.forces.back(), 0.0);
+}
+
+struct ConstantForce {
+  double force_n = 0.0;
+  [[nodiscard]] double step(const StabiliserInput& /*input*/) const { return force_n; }
+};
+
+TEST(ServoStep, ClampsAPullAsItClampsAPush) {
+  for (const double wanted_n : {-100.0, -8.9, -3.0, 0.0, 3.5, 100.0}) {
+    ServoState state;
+    ConstantForce stabiliser{wanted_n};
+    ScriptedDevice device;
+    device.next.position_m = 1e-4;  // the wall asks for 3.5 N
+    const TickOutcome out = servo_step(stiff_wall(), state, stabiliser, device);
+    EXPECT_EQ(device.forces.back(), std::clamp(wanted_n, -8.9, 8.9));
+    EXPECT_EQ(out.saturated, std::abs(wanted_n) > 8.9) << wanted_n;
+    EXPECT_EQ(out.intervened, wanted_n != out.contact.force_n) << wanted_n;
+    EXPECT_EQ(state.previous_force_n, device.forces.back());
+  }
+}
+
+TEST(ServoStep, TellsWhetherTheAlgorithmIntervened) {
+  for (const char* algorithm : {"none", "virtual-coupling"}) {
+    Servo servo(stiff_wall(algorithm));
+    ScriptedDevice device;
+    device.next.position_m = 1e-4;
+    const Sample sample = servo.tick(device);
+    EXPECT_EQ((sample.flags & kFlagIntervened) != 0U, sample.force_n != sample.wall_force_n);
+    EXPECT_EQ((sample.flags & kFlagIntervened) != 0U, std::string_view(algorithm) != "none");
+  }
+}
+
+TEST(Servo, TheBudgetIsThatOfTheBelievedDamping) {
+  ServoSettings settings = stiff_wall();
+  settings.algorithm.values.at(*find_algorithm_parameter("damping_n_s_per_m")) = 3.0;
+  Servo servo(settings);
+  ScriptedDevice device;
+  servo.tick(device);
+  device.next.position_m = -1e-4;
+  EXPECT_NEAR(servo.tick(device).energy_budget_j, -3.0 * 1e-8 / 1e-3, 1e-18);  // b Δx²/T
+}
+
+// Passivity control remembers the deficit of an earlier contact, unless it was switched in between.
+TEST(Servo, ASwitchForgetsWhatTheAlgorithmRemembered) {
+  ServoSettings controlled = stiff_wall("passivity-control");
+  controlled.algorithm.values.at(*find_algorithm_parameter("observer")) = 1.0;
+  Servo servo(controlled);
+  ScriptedDevice device;
+  for (const double position_m : {0.0, 2e-4, -2e-4}) {
+    device.next.position_m = position_m;
+    servo.tick(device);
+  }
+  servo.apply(stiff_wall("none"));
+  for (int i = 0; i < 60; ++i) servo.tick(device);
+  servo.apply(controlled);
+  for (int i = 0; i < 60; ++i) servo.tick(device);
+  device.next.position_m = 1e-4;
+  EXPECT_EQ(servo.tick(device).flags & kFlagIntervened, 0U);
 }
 
 }  // namespace

@@ -167,6 +167,39 @@ TEST(VirtualCoupling, WithDampersSettlesOnTheSprings) {
   EXPECT_NEAR(force, 2e-3 * 5e3 * coupling / (5e3 + coupling), 1e-9);
 }
 
+// Two ticks of (B + B_c) q' = K_c (p - q) + B_c v - K q by hand, at 1 mm into the wall and then out
+// of the way of the first: the wall's damper carries, the coupling's damper pushes.
+TEST(VirtualCoupling, WithDampersTakesTheImplicitStep) {
+  constexpr double kWall = 5e3;
+  constexpr double kWallDamping = 2.0;
+  constexpr double kCouplingDamping = 0.25;
+  AlgorithmSettings settings;
+  set(settings, "coupling_damping_n_s_per_m", kCouplingDamping);
+  Bench<VirtualCoupling> bench({0.0, kWall, kWallDamping}, settings);
+  const double coupling = 2.0 * (1.0 - kCouplingDamping) / kPeriodS;
+  const double rate = (kWallDamping + kCouplingDamping) / kPeriodS;
+  double q = 0.0;
+  double x = 0.0;
+  for (const double next : {1e-3, 1.2e-3, 1.1e-3}) {
+    const double v = (next - x) / kPeriodS;
+    x = next;
+    const double before = q;
+    q = (coupling * x + kCouplingDamping * v + rate * before) / (kWall + coupling + rate);
+    EXPECT_NEAR(bench.move_to(x), kWall * q + kWallDamping * (q - before) / kPeriodS, 1e-12) << x;
+  }
+}
+
+TEST(VirtualCoupling, ForgetsTheProxyOutsideTheWall) {
+  AlgorithmSettings settings;
+  set(settings, "coupling_damping_n_s_per_m", 0.25);
+  Bench<VirtualCoupling> fresh({0.0, 5e3, 2.0}, settings);
+  Bench<VirtualCoupling> used({0.0, 5e3, 2.0}, settings);
+  for (int i = 0; i < 10; ++i) used.move_to(2e-3);
+  used.move_to(0.0);
+  used.move_to(0.0);
+  EXPECT_EQ(used.move_to(1e-3), fresh.move_to(1e-3));
+}
+
 TEST(VirtualCoupling, OfNoStiffnessAtAllGivesNoForce) {
   AlgorithmSettings settings;
   set(settings, "coupling_stiffness_n_per_m", 0.0);
@@ -235,6 +268,61 @@ TEST(PassivityControl, CreditFloorAndResetHoldItBack) {
     const double force = bench.move_to(0.1e-3);  // in again
     if (reset != 0.0) EXPECT_NEAR(force, 1.0, 1e-12);
   }
+}
+
+TEST(PassivityControl, ActsAboveItsVelocityFloorOnly) {
+  AlgorithmSettings settings;
+  set(settings, "observer", 1.0);
+  set(settings, "max_damping_n_s_per_m", 1e3);
+  for (const double floor : {0.25, std::nextafter(0.25, 0.0)}) {
+    set(settings, "velocity_floor_m_per_s", floor);
+    PassivityControl control;
+    StabiliserContext context;
+    context.settings = &settings;
+    control.configure(context);
+    control.reset();
+    // Exactly at 0.25 m/s: 1 N held through -0.25 mm.
+    const double force = control.step({0.5, 1e-4, -0.25e-3, -0.25, 1e-4, 1.0, true});
+    EXPECT_EQ(force != 0.5, floor < 0.25);
+  }
+}
+
+// b = 1 N s/m is the largest damper that the hold renders passively.
+TEST(PassivityControl, ItsDefaultCapIsTheBelievedDamping) {
+  AlgorithmSettings settings;
+  set(settings, "observer", 1.0);
+  Bench<PassivityControl> bench({0.0, 10e3, 0.0}, settings);
+  bench.move_to(0.1e-3);
+  EXPECT_NEAR(bench.move_to(0.05e-3), 0.5 - 1.0 * 0.05, 1e-12);
+}
+
+// A wall that is no spring: nothing on the way in, 1 N on the way out. The same-sample observer
+// sees that at once, and its damper takes the force away.
+TEST(PassivityControl, WithTheSameSampleObserverActsOnAnActiveWall) {
+  AlgorithmSettings settings;
+  set(settings, "max_damping_n_s_per_m", 1e3);
+  PassivityControl control;
+  StabiliserContext context;
+  context.settings = &settings;
+  control.configure(context);
+  control.reset();
+  EXPECT_EQ(control.step({0.0, 1e-4, 1e-4, 0.1, 1e-4, 0.0, true}), 0.0);
+  EXPECT_NEAR(control.step({1.0, 0.5e-4, -0.5e-4, -0.05, 0.5e-4, 0.0, true}), 0.0, 1e-12);
+}
+
+// Out of the wall the last displacement is forgotten with the rest.
+TEST(PassivityControl, ResetInFreeMotionForgetsTheLastMoveToo) {
+  AlgorithmSettings settings;
+  set(settings, "reset_in_free_motion", 1.0);
+  set(settings, "max_damping_n_s_per_m", 1e3);
+  PassivityControl control;
+  StabiliserContext context;
+  context.settings = &settings;
+  control.configure(context);
+  control.reset();
+  EXPECT_EQ(control.step({0.0, -1e-4, -1e-4, -0.1, -1e-4, 0.0, false}), 0.0);
+  // Were 5 N paired with the -0.1 mm before it, 0.5 mJ would be missing.
+  EXPECT_EQ(control.step({1.0, 1e-4, 2e-4, 0.2, 1e-4, 5.0, true}), 1.0);
 }
 
 TEST(PassivityControl, StaysFiniteForTheSmallestVelocity) {

@@ -119,7 +119,7 @@ TEST(SteppedPlant, EulerWithOneStepATickHidesTheLimitCycle) {
   scene.hand->path = {{0.0, 0.03}, {0.3, 0.06}};
   scene.walls = {{0.05, 35e3, 0.0}};
   const auto peak_to_peak_m = [&](Integrator integrator, int substeps) {
-    return simulate(under(scene, integrator, substeps)).summary.tail_peak_to_peak_m;
+    return simulate(under(scene, integrator, substeps)).summary.tail_peak_to_peak_m.value();
   };
   const double exact = peak_to_peak_m(Integrator::kExact, 1);
   EXPECT_GT(exact, 0.9e-3);
