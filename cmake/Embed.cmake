@@ -1,0 +1,77 @@
+# The files that the binary carries, so that it runs from any folder.
+
+set(embedded_folder ${CMAKE_BINARY_DIR}/generated/embedded)
+file(CONFIGURE OUTPUT ${embedded_folder}/embedded_file.h @ONLY
+     CONTENT [[// Generated: a file that the binary carries.
+#pragma once
+
+#include <string_view>
+
+namespace hapticwall {
+
+struct EmbeddedFile {
+  std::string_view name;   // without folder
+  std::string_view bytes;  // followed by a zero byte
+};
+
+}  // namespace hapticwall
+]])
+
+# hapticwall_embed(TARGET GROUP FILES...): gives TARGET the files and the header "embedded_GROUP.h" with
+#   std::span<const EmbeddedFile> hapticwall::embedded_GROUP();
+# in the order of FILES, each under its name without folder. The bytes are taken in by the assembler
+# (.incbin): no time to compile, and a changed file is seen at the next build.
+function(hapticwall_embed target group)
+  set(folder ${embedded_folder}/${group})
+  set(assembly "")
+  set(declarations "")
+  set(entries "")
+  set(index 0)
+  foreach(file ${ARGN})
+    get_filename_component(name ${file} NAME)
+    set(symbol hapticwall_embedded_${group}_${index})
+    string(APPEND assembly ".global ${symbol}\n.global ${symbol}_end\n${symbol}:\n"
+                           ".incbin \"${file}\"\n${symbol}_end:\n.byte 0\n")
+    string(APPEND declarations "extern const char ${symbol}[];\nextern const char ${symbol}_end[];\n")
+    string(APPEND entries "      {\"${name}\", {${symbol}, ${symbol}_end}},\n")
+    math(EXPR index "${index} + 1")
+  endforeach()
+
+  file(CONFIGURE OUTPUT ${folder}/embedded_${group}.S @ONLY
+       CONTENT ".section .rodata\n@assembly@.section .note.GNU-stack,\"\",@progbits\n")
+  file(CONFIGURE OUTPUT ${folder}/embedded_${group}.h @ONLY
+       CONTENT [[// Generated: the files of the group "@group@", for the life of the program.
+#pragma once
+
+#include <span>
+
+#include "embedded_file.h"
+
+namespace hapticwall {
+
+std::span<const EmbeddedFile> embedded_@group@();
+
+}  // namespace hapticwall
+]])
+  file(CONFIGURE OUTPUT ${folder}/embedded_${group}.cpp @ONLY
+       CONTENT [[#include "embedded_@group@.h"
+
+#include <array>
+
+extern "C" {
+@declarations@}
+
+namespace hapticwall {
+
+std::span<const EmbeddedFile> embedded_@group@() {
+  static const std::array<EmbeddedFile, @index@> kFiles{{
+@entries@  }};
+  return kFiles;
+}
+
+}  // namespace hapticwall
+]])
+  set_source_files_properties(${folder}/embedded_${group}.S PROPERTIES OBJECT_DEPENDS "${ARGN}")
+  target_sources(${target} PRIVATE ${folder}/embedded_${group}.S ${folder}/embedded_${group}.cpp)
+  target_include_directories(${target} PUBLIC ${embedded_folder} ${folder})
+endfunction()
