@@ -109,7 +109,8 @@ void draw_plots_panel(const PanelContext& context, const SampleHistory& history)
   const std::span<const PlotId> plots = plots_of(context.state.persisted.arrangement);
   // Four make a square; the paper's three stand in a column, as on its pages.
   const std::size_t columns = plots.size() == kAllPlots.size() ? 2 : 1;
-  const auto rows = static_cast<float>((plots.size() + columns - 1) / columns);
+  const std::size_t whole_rows = (plots.size() + columns - 1) / columns;
+  const auto rows = static_cast<float>(whole_rows);
   const ImVec2 free = ImGui::GetContentRegionAvail();
   const ImVec2 gap(1.6F * ImGui::GetFontSize(), ImGui::GetStyle().ItemSpacing.y);
   const auto count = static_cast<float>(columns);
@@ -118,7 +119,8 @@ void draw_plots_panel(const PanelContext& context, const SampleHistory& history)
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const auto column = static_cast<float>(i % columns);
-    const auto row = static_cast<float>(i / columns);
+    const std::size_t row_index = i / columns;
+    const auto row = static_cast<float>(row_index);
     ImGui::SetCursorScreenPos(
         ImVec2(corner.x + column * (each.x + gap.x), corner.y + row * (each.y + gap.y)));
     const std::string mark = columns == 1 ? fmt::format("({}) ", static_cast<char>('a' + i)) : "";

@@ -61,21 +61,21 @@ SteppedParameters stepped_parameters(const Scene& scene) {
   return parameters;
 }
 
+template <typename Plant>
+PlantVariant make_stepped(const Scene& scene, const HandPath& path) {
+  return Plant(stepped_parameters(scene), path, scene.sampling.period_s(), scene.device.start_m,
+               scene.simulator.substeps);
+}
+
 template <template <bool, bool> class Scheme>
 PlantVariant make_stepped_plant(const Scene& scene, const HandPath& path) {
-  const SteppedParameters parameters = stepped_parameters(scene);
-  const auto make = [&]<bool kGrip, bool kFriction>() -> PlantVariant {
-    return SteppedPlant<Scheme, kGrip, kFriction>(parameters, path, scene.sampling.period_s(),
-                                                  scene.device.start_m, scene.simulator.substeps);
-  };
-  const bool grip = scene.hand && scene.hand->has_grip();
-  const bool friction = parameters.friction_n > 0.0;
-  if (grip) {
-    return friction ? make.template operator()<true, true>()
-                    : make.template operator()<true, false>();
+  const bool friction = scene.device.friction_n.value_or(0.0) > 0.0;
+  if (scene.hand && scene.hand->has_grip()) {
+    return friction ? make_stepped<SteppedPlant<Scheme, true, true>>(scene, path)
+                    : make_stepped<SteppedPlant<Scheme, true, false>>(scene, path);
   }
-  return friction ? make.template operator()<false, true>()
-                  : make.template operator()<false, false>();
+  return friction ? make_stepped<SteppedPlant<Scheme, false, true>>(scene, path)
+                  : make_stepped<SteppedPlant<Scheme, false, false>>(scene, path);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 namespace hapticwall::command::test {
 namespace {
 
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
@@ -77,7 +76,9 @@ TEST_F(BadInput, ScenesThatAreNone) {
 }
 
 TEST_F(BadInput, TenMegabytesOfGarbage) {
-  std::string garbage(10'000'000, '\0');
+  constexpr std::size_t kGarbageBytes = 10'000'000;
+  std::string garbage;
+  garbage.resize(kGarbageBytes);
   std::mt19937 random(1);
   for (char& c : garbage) c = static_cast<char>(random() & 0xffU);
   put("garbage.toml", garbage);

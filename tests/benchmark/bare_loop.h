@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/plant/propagator.h"
@@ -28,7 +29,8 @@ class BareLoop {
     const HandSettings& hand = scene.hand.value();
     const double mass = scene.device.mass_kg + hand.mass_kg.value_or(0.0);
     const double period = scene.sampling.period_s();
-    ramp_ticks_ = static_cast<std::uint64_t>(hand.path.at(1).time_s * scene.sampling.rate_hz + 0.5);
+    ramp_ticks_ =
+        static_cast<std::uint64_t>(std::lround(hand.path.at(1).time_s * scene.sampling.rate_hz));
     ramp_m_per_tick_ = (hand.path.at(1).position_m - hand.path.at(0).position_m) /
                        static_cast<double>(ramp_ticks_);
     ramp_speed_ = ramp_m_per_tick_ * scene.sampling.rate_hz;

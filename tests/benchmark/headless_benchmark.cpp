@@ -101,13 +101,23 @@ void register_all() {
   }
 }
 
+// Google Benchmark has renamed this.
+template <typename Run>
+bool went_wrong(const Run& run) {
+  if constexpr (requires { run.error_occurred; }) {
+    return run.error_occurred;
+  } else {
+    return run.skipped != decltype(run.skipped){};
+  }
+}
+
 // Collects the medians and says what they mean: nanoseconds a tick, and the ratio to the bare loop
 // of the same run, with and without the set-up of a scene.
 class RatioReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
-      if (run.error_occurred) failed_ = true;
+      if (went_wrong(run)) failed_ = true;
       const bool median = run.run_type == Run::RT_Aggregate && run.aggregate_name == "median";
       if (!median && run.repetitions > 1) continue;
       const auto ticks = run.counters.find(kTicksCounter);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <ostream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -66,6 +67,10 @@ struct GoldenCase {
   std::string file;
   double position_tolerance_m;
 };
+
+std::ostream& operator<<(std::ostream& out, const GoldenCase& golden) {
+  return out << golden.scene;
+}
 
 class ReferenceTrajectory : public ::testing::TestWithParam<GoldenCase> {};
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <ostream>
 #include <string>
 
 #include "app/file/scene_file.h"
@@ -50,6 +51,10 @@ Summary run(const std::string& scene_name, const std::string& algorithm) {
   EXPECT_TRUE(loaded.ok());
   loaded->scene.algorithm.index = find_algorithm(algorithm).value();
   return simulate(loaded->scene).summary;
+}
+
+std::ostream& operator<<(std::ostream& out, const Expected& expected) {
+  return out << expected.scene << " under " << expected.algorithm;
 }
 
 class SceneTable : public ::testing::TestWithParam<Expected> {};
