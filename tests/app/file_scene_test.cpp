@@ -53,7 +53,7 @@ integrator = "exact"
 substeps = 1
 )";
 
-std::string message(const std::string& text, std::vector<std::string> overrides = {}) {
+std::string message(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const Result<LoadedScene> loaded = parse_scene(text, "x.toml", overrides);
   if (loaded) return "(no error)";
   EXPECT_EQ(loaded.error().kind, ErrorKind::kUsage);
