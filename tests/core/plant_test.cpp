@@ -181,6 +181,18 @@ TEST(ExactPlant, SticksAndSlipsLikeTheBruteForceMotion) {
   }
 }
 
+// The hand goes on while the handle sticks, until its pull is more than the friction.
+TEST(ExactPlant, AHandThatMovesOnBreaksAStuckHandleLooseWhenItShould) {
+  Scene scene = grip_hand();
+  scene.device.friction_n = 0.9;
+  scene.hand->path = {{0.0, 0.03}, {1.0, 0.04}};
+  int reference_events = 0;
+  const AnyPlant plant = compare(
+      scene, 500, 200, kFrictionTolerance, [](int) { return 0.0; }, &reference_events);
+  EXPECT_GE(plant.friction_events(), 1U);
+  EXPECT_EQ(plant.friction_events(), static_cast<std::uint64_t>(reference_events));
+}
+
 TEST(ExactPlant, SticksForEverUnderLessThanTheFriction) {
   Scene scene = spring_hand();
   scene.hand.reset();
