@@ -46,18 +46,32 @@ Problem check_table(const std::string& prefix, const Owner& owner,
   return std::nullopt;
 }
 
-// Counts finer than this are beyond the digits of a position.
+// Finer than this, and not 0, is beyond the digits of a position, a force or a tick.
 constexpr double kFinestEncoderM = 1e-12;
+constexpr double kFinestForceN = 1e-12;
+constexpr double kShortestTimeConstantS = 1e-9;
+
+Problem check_fineness(std::string_view key, std::optional<double> value, double finest,
+                       std::string_view unit) {
+  if (value.value_or(0.0) == 0.0 || *value >= finest) return std::nullopt;
+  return SceneProblem{"device." + std::string(key),
+                      number_text(*value) + " is too fine; it takes 0 (none) or " +
+                          number_text(finest) + " " + std::string(unit) + " and more"};
+}
 
 Problem check_device(const DeviceSettings& device) {
   if (auto problem = check_table<DeviceSettings>("device.", device, device_number_keys())) {
     return problem;
   }
-  const double encoder_m = device.encoder_m.value_or(0.0);
-  if (encoder_m == 0.0 || encoder_m >= kFinestEncoderM) return std::nullopt;
-  return SceneProblem{"device.encoder_m", number_text(encoder_m) +
-                                              " is too fine; it takes 0 (none) or " +
-                                              number_text(kFinestEncoderM) + " m and more"};
+  if (auto problem = check_fineness("encoder_m", device.encoder_m, kFinestEncoderM, "m")) {
+    return problem;
+  }
+  if (auto problem =
+          check_fineness("force_resolution_n", device.force_resolution_n, kFinestForceN, "N")) {
+    return problem;
+  }
+  return check_fineness("amplifier_time_constant_s", device.amplifier_time_constant_s,
+                        kShortestTimeConstantS, "s");
 }
 
 Problem check_path(const HandSettings& hand) {

@@ -20,6 +20,9 @@ struct SamplingSettings {
   [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
 };
 
+// An output is delayed by at most this many ticks.
+inline constexpr int kMaximumDelayTicks = 1000;
+
 // One axis of the haptic device. An absent optional is a part that the model leaves out.
 struct DeviceSettings {
   double mass_kg = 0.05;
@@ -27,7 +30,14 @@ struct DeviceSettings {
   std::optional<double> friction_n;
   std::optional<double> encoder_m;
   std::optional<double> force_limit_n;
+  // What lies between a command and the force on the handle: rounding to whole steps of force, a
+  // delay of whole ticks, and an amplifier that follows as a first-order lag.
+  std::optional<double> force_resolution_n;
+  std::optional<int> delay_ticks;
+  std::optional<double> amplifier_time_constant_s;
   double start_m = 0.03;
+
+  friend bool operator==(const DeviceSettings&, const DeviceSettings&) = default;
 };
 
 struct PathPoint {
@@ -51,6 +61,7 @@ struct HandSettings {
   bool follows_mouse = false;
 
   [[nodiscard]] bool has_grip() const { return grip_stiffness_n_per_m.has_value(); }
+  friend bool operator==(const HandSettings&, const HandSettings&) = default;
 };
 
 struct WallSettings {

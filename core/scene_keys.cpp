@@ -11,6 +11,9 @@ constexpr ValueRange kDamping{0.0, 1e4};
 constexpr ValueRange kFriction{0.0, 1e3};
 constexpr ValueRange kEncoder{0.0, 0.01};
 constexpr ValueRange kForceLimit{0.0, 1e6};
+constexpr ValueRange kForceResolution{0.0, 1e3};
+constexpr ValueRange kDelay{0.0, kMaximumDelayTicks};
+constexpr ValueRange kTimeConstant{0.0, 10.0};
 constexpr ValueRange kRate{10.0, 100e3};
 constexpr ValueRange kDuration{0.0, 1e6, true};
 
@@ -20,7 +23,7 @@ constexpr std::array<NumberKey<Scene>, 1> kSceneKeys{
 constexpr std::array<NumberKey<SamplingSettings>, 1> kSamplingKeys{
     NumberKey<SamplingSettings>{"rate_hz", "Hz", kRate, false, &SamplingSettings::rate_hz}};
 
-constexpr std::array<NumberKey<DeviceSettings>, 6> kDeviceKeys{
+constexpr std::array<NumberKey<DeviceSettings>, 9> kDeviceKeys{
     NumberKey<DeviceSettings>{"mass_kg", "kg", kMass, true, &DeviceSettings::mass_kg},
     NumberKey<DeviceSettings>{"damping_n_s_per_m", "N·s/m", kDamping, true,
                               &DeviceSettings::damping_n_s_per_m},
@@ -28,6 +31,11 @@ constexpr std::array<NumberKey<DeviceSettings>, 6> kDeviceKeys{
     NumberKey<DeviceSettings>{"encoder_m", "m", kEncoder, false, &DeviceSettings::encoder_m},
     NumberKey<DeviceSettings>{"force_limit_n", "N", kForceLimit, false,
                               &DeviceSettings::force_limit_n},
+    NumberKey<DeviceSettings>{"force_resolution_n", "N", kForceResolution, false,
+                              &DeviceSettings::force_resolution_n},
+    NumberKey<DeviceSettings>{"delay_ticks", "ticks", kDelay, false, &DeviceSettings::delay_ticks},
+    NumberKey<DeviceSettings>{"amplifier_time_constant_s", "s", kTimeConstant, false,
+                              &DeviceSettings::amplifier_time_constant_s},
     NumberKey<DeviceSettings>{"start_m", "m", kPositionRange, false, &DeviceSettings::start_m}};
 
 constexpr std::array<NumberKey<HandSettings>, 5> kHandKeys{

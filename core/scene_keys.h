@@ -3,6 +3,9 @@
 // (`[algorithm]` keys come from the algorithms themselves: algorithm_parameters().)
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,14 +36,23 @@ struct NumberKey {
   std::string_view unit;
   ValueRange range;
   bool required = false;  // in a scene file
-  std::variant<double Owner::*, std::optional<double> Owner::*> member;
+  std::variant<double Owner::*, std::optional<double> Owner::*, std::optional<int> Owner::*> member;
 
-  [[nodiscard]] std::optional<double> get(const Owner& owner) const {
-    if (const auto* plain = std::get_if<double Owner::*>(&member)) return owner.**plain;
-    return owner.*std::get<std::optional<double> Owner::*>(member);
+  // A key that counts: it takes whole numbers only.
+  [[nodiscard]] bool whole() const {
+    return std::holds_alternative<std::optional<int> Owner::*>(member);
   }
+  [[nodiscard]] std::optional<double> get(const Owner& owner) const {
+    return std::visit([&](auto place) { return std::optional<double>(owner.*place); }, member);
+  }
+  // A number that does not fit a counting key becomes the nearest that does; validate() then
+  // judges it.
   void set(Owner& owner, double value) const {
-    if (const auto* plain = std::get_if<double Owner::*>(&member)) {
+    if (whole()) {
+      constexpr double kMost = std::numeric_limits<int>::max();
+      owner.*std::get<std::optional<int> Owner::*>(member) =
+          static_cast<int>(std::clamp(std::round(value), -kMost, kMost));
+    } else if (const auto* plain = std::get_if<double Owner::*>(&member)) {
       owner.** plain = value;
     } else {
       owner.*std::get<std::optional<double> Owner::*>(member) = value;

@@ -13,8 +13,9 @@
 
 namespace hapticwall {
 
-// A change of what a live session lets its user change, in force from `tick` on. Algorithm and
-// walls of `scene` are taken; device, hand and sampling stay those of the first scene.
+// A change of what a live session lets its user change, in force from `tick` on: all of `scene` but
+// the sampling rate, the hand's path, the start and the duration, which stay the first scene's. The
+// handle goes on from where it is.
 struct ScheduledChange {
   std::uint64_t tick = 0;
   Scene scene;
@@ -39,5 +40,12 @@ struct SimulationResult {
 // precondition violated and throws std::invalid_argument). Deterministic: same scene, same bits.
 // Realtime-safe: no (allocates at set-up, never in the loop).
 [[nodiscard]] SimulationResult simulate(const Scene& scene, const SimulationOptions& options = {});
+
+// The same closed loop with the exact integrator, whatever the scene names, and the plant in
+// extended precision (long double, 64 bits of mantissa); the controller is a digital computer and
+// computes in double as ever. Samples and summary are rounded to double. The reference against
+// which integrators are measured; several times slower.
+[[nodiscard]] SimulationResult simulate_reference(const Scene& scene,
+                                                  const SimulationOptions& options = {});
 
 }  // namespace hapticwall

@@ -57,10 +57,7 @@ SamplingSettings read_sampling(const toml::table& table, const std::string& orig
 
 DeviceSettings read_device(const toml::table& table, const std::string& origin) {
   TableReader reader(table, "device.", origin);
-  for (const std::string_view key :
-       {"force_resolution_n", "delay_ticks", "amplifier_time_constant_s", "x", "y"}) {
-    reader.refuse_unsupported(key);
-  }
+  for (const std::string_view key : {"x", "y"}) reader.refuse_unsupported(key);
   DeviceSettings device;
   reader.numbers(device_number_keys(), device);
   reader.finish();

@@ -133,6 +133,10 @@ void TableReader::fail(const toml::node& node, std::string_view key,
   throw ReadFailure(fmt::format("{}: {}{}: {}", place_of(node, origin_), prefix_, key, message));
 }
 
+void TableReader::fail_fraction(std::string_view key, double value) const {
+  fail(*table_.get(key), key, fmt::format("{} where a whole number belongs", number_text(value)));
+}
+
 void TableReader::fail_type(const toml::node& node, std::string_view key,
                             std::string_view wanted) const {
   fail(node, key, fmt::format("{} where {} belongs", type_name(node), wanted));

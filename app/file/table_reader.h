@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -61,6 +62,7 @@ class TableReader {
   void numbers(std::span<const NumberKey<Owner>> keys, Owner& owner) {
     for (const NumberKey<Owner>& key : keys) {
       const std::optional<double> value = number(key.key, key.unit);
+      if (value && key.whole() && *value != std::round(*value)) fail_fraction(key.key, *value);
       if (value) key.set(owner, *value);
       if (!value && key.required) fail_missing(key.key, number_in(key.unit));
     }
@@ -69,6 +71,7 @@ class TableReader {
   [[nodiscard]] const std::string& origin() const { return origin_; }
 
  private:
+  [[noreturn]] void fail_fraction(std::string_view key, double value) const;
   [[noreturn]] void fail_type(const toml::node& node, std::string_view key,
                               std::string_view wanted) const;
 

@@ -39,7 +39,13 @@ std::string toml_string(std::string_view value) {
 template <typename Owner>
 void write_numbers(TomlText& out, std::span<const NumberKey<Owner>> keys, const Owner& owner) {
   for (const NumberKey<Owner>& key : keys) {
-    if (const std::optional<double> value = key.get(owner)) out.number(key.key, *value);
+    const std::optional<double> value = key.get(owner);
+    if (!value) continue;
+    if (key.whole()) {
+      out.integer(key.key, static_cast<std::uint64_t>(*value));
+    } else {
+      out.number(key.key, *value);
+    }
   }
 }
 

@@ -6,80 +6,68 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "core/plant/energy_totals.h"
-#include "core/plant/hand_path.h"
+#include "core/plant/moving_plant.h"
 #include "core/plant/taylor_polynomial.h"
 #include "core/sample.h"
 
 namespace hapticwall {
 
-// Body: OneBody or TwoBodies. With kFriction false nothing of friction is in the loop.
+// Body: BasicOneBody or BasicTwoBodies. With kFriction false nothing of friction is in the loop.
 // Realtime-safe: yes, after construction.
 template <typename Body, bool kFriction>
-class ExactPlant {
+class ExactPlant : public MovingPlant<typename Body::State, typename Body::Number> {
+  using Base = MovingPlant<typename Body::State, typename Body::Number>;
+  using Real = typename Body::Number;
+  using Drive = BasicHandDrive<Real>;
+  using Base::drive;
+  using Base::motion_;
+  using Base::path_;
+  using Base::period_s_;
+
  public:
-  // What changes from tick to tick. A loop may keep a copy of its own (of the plant's), pass ticks
-  // with try_tick() as long as that works, and give it back with resume().
-  struct Motion {
-    typename Body::State body;
-    EnergyTotals energy;
-    double direction = 0.0;  // of sliding: +1, -1, or 0 while the handle sticks
-    StraightPath path;       // of the hand
-  };
+  using typename Base::Motion;
 
   // `friction_n`: Coulomb friction f_c ≥ 0; not read where kFriction is false.
   ExactPlant(const Body& body, HandPath path, double period_s, double start_m, double friction_n)
-      : body_(body),
-        path_(std::move(path)),
-        period_s_(period_s),
-        start_m_(start_m),
-        friction_n_(friction_n) {
+      : Base(std::move(path), period_s, start_m), body_(body), friction_n_(friction_n) {
     reset();
   }
 
   void reset() {
     motion_ = {};
-    motion_.body = Body::at_rest(start_m_);
+    motion_.body = Body::at_rest(this->start_m_);
     path_.reset();
   }
 
-  [[nodiscard]] HandPath& path() { return path_; }
-  [[nodiscard]] double position_m() const { return motion_.body.position_m; }
-  [[nodiscard]] const EnergyTotals& energy() const { return motion_.energy; }
-  [[nodiscard]] double kinetic_j() const { return body_.kinetic_j(motion_.body); }
+  [[nodiscard]] Real kinetic_j() const { return body_.kinetic_j(motion_.body); }
   [[nodiscard]] std::uint64_t friction_events() const { return friction_events_; }
 
-  [[nodiscard]] Motion motion() const {
-    Motion motion = motion_;
-    motion.path = path_.straight();
-    return motion;
-  }
-  void resume(const Motion& motion) {
-    motion_ = motion;
-    path_.resume(motion.path);
-  }
   // Work that the hand has done on the handle so far by the plant's own account: what went into the
   // actuator and the device's losses, and what still moves.
-  [[nodiscard]] double net_work_j(const Motion& motion) const {
-    const EnergyTotals& energy = motion.energy;
-    const double loss_j = kFriction ? energy.dissipation_j() : energy.viscous_j;
+  [[nodiscard]] Real net_work_j(const Motion& motion) const {
+    const BasicEnergyTotals<Real>& energy = motion.energy;
+    const Real loss_j = kFriction ? energy.dissipation_j() : energy.viscous_j;
     return energy.actuator_work_j + loss_j + body_.kinetic_j(motion.body);
   }
   void write_truth(const Motion& motion, PlantTruth& truth) const {
-    truth.position_m = motion.body.position_m;
-    truth.velocity_m_per_s = motion.body.velocity_m_per_s;
-    truth.hand_path_m = motion.path.position_m;
-    truth.hand_force_n = body_.hand_force_n(motion.body, drive(motion));
-    truth.actuator_work_j = motion.energy.actuator_work_j;
-    truth.dissipation_j = motion.energy.dissipation_j();
-    truth.hand_work_j = motion.energy.hand_work_j;
-    truth.kinetic_j = body_.kinetic_j(motion.body);
+    Base::write_truth(motion, body_.hand_force_n(motion.body, drive(motion)),
+                      body_.kinetic_j(motion.body), truth);
+  }
+  [[nodiscard]] HandOver<Real> hand_over(Real force_n) const {
+    return Base::hand_over(force_n, kinetic_j());
+  }
+  void take_over(const HandOver<Real>& state, HandPath& path) {
+    this->go_on_from(state, path);
+    this->charge_hand_with(kinetic_j() - state.kinetic_j);
   }
 
   // A tick under the held actuator force, where nothing happens in its course: the path goes on
   // straight and the handle surely slides on. False: nothing was done, advance() is needed.
-  [[nodiscard, gnu::always_inline]] bool try_tick(Motion& motion, double force_n) const {
+  [[nodiscard, gnu::always_inline]] bool try_tick(Motion& motion, Real force_n) const {
     if (!motion.path.goes_on()) [[unlikely]] {
       return false;
     }
@@ -89,7 +77,7 @@ class ExactPlant {
   }
 
   // From this tick to the next under the held actuator force.
-  void advance(double force_n) {
+  void advance(Real force_n) {
     motion_.path = path_.straight();
     if (path_.bends_within_tick()) {
       do {
@@ -102,16 +90,14 @@ class ExactPlant {
   }
 
  private:
-  [[nodiscard]] static HandDrive drive(const Motion& motion) {
-    return {motion.path.position_m, motion.path.velocity_m_per_s};
-  }
-  [[nodiscard]] double load(const Motion& motion, double force_n) const {
-    return kFriction ? force_n + motion.direction * friction_n_ : force_n;
+  [[nodiscard]] Load<Real> load(const Motion& motion, Real force_n) const {
+    return {force_n, kFriction ? force_n + motion.direction * friction_n_ : force_n};
   }
 
-  [[gnu::always_inline]] void account(Motion& motion, double force_n,
-                                      const MotionIncrement& increment) const {
+  [[gnu::always_inline]] void account(Motion& motion, Real force_n,
+                                      const MotionIncrement<Real>& increment) const {
     motion.energy.actuator_work_j += force_n * increment.displacement_m;
+    if constexpr (Body::kHasLag) motion.energy.actuator_work_j += increment.lag_work_j;
     motion.energy.viscous_j += body_.damping_n_s_per_m() * increment.velocity_squared;
     if constexpr (kFriction) {
       motion.energy.friction_j += friction_n_ * std::abs(increment.displacement_m);
@@ -120,32 +106,32 @@ class ExactPlant {
   }
 
   // The whole tick by the scene's matrix; false where friction might interrupt it.
-  [[nodiscard, gnu::always_inline]] bool try_straight_tick(Motion& motion, double force_n) const {
-    const HandDrive now = drive(motion);
-    const double load_n = load(motion, force_n);
+  [[nodiscard, gnu::always_inline]] bool try_straight_tick(Motion& motion, Real force_n) const {
+    const Drive now = drive(motion);
+    const Load<Real> total = load(motion, force_n);
     if constexpr (kFriction) {
-      if (motion.direction == 0.0 ||
-          !body_.surely_keeps_direction(motion.body, load_n, now, motion.direction)) {
+      if (motion.direction == 0 ||
+          !body_.surely_slides(body_.level(0), motion.body, total, now, motion.direction)) {
         return false;
       }
     }
-    account(motion, force_n, body_.advance_tick(motion.body, load_n, now));
+    account(motion, force_n, body_.advance_by(body_.level(0), motion.body, total, now));
     return true;
   }
 
   // A stretch in which the path is straight: whole levels where nothing can happen in them, Taylor
   // pieces where something might.
-  void advance_piece(double force_n, double duration_s) {
-    HandDrive now{path_.position_m(), path_.velocity_m_per_s()};
-    double done_s = 0.0;
+  void advance_piece(Real force_n, Real duration_s) {
+    Drive now{path_.position_m(), path_.velocity_m_per_s()};
+    Real done_s = 0;
     int events_at_one_instant = 0;
     while (done_s < duration_s) {
-      const double rest_s = duration_s - done_s;
-      double step_s = try_levels(force_n, now, rest_s);
-      if (step_s == 0.0) {
+      const Real rest_s = duration_s - done_s;
+      Real step_s = try_levels(force_n, now, rest_s);
+      if (step_s == 0) {
         step_s = std::min(level_duration(body_.deepest_level()), rest_s);
         if (done_s + step_s <= done_s) break;  // what is left is below the last digit
-        const double fraction =
+        const Real fraction =
             advance_by_taylor(force_n, now, step_s, events_at_one_instant < kMaximumStalls);
         step_s *= fraction;
         // A stretch below the last digit of the time is no progress either.
@@ -156,79 +142,80 @@ class ExactPlant {
     }
   }
 
-  [[nodiscard]] double level_duration(int level) const { return std::ldexp(period_s_, -level); }
+  [[nodiscard]] Real level_duration(int level) const {
+    return std::ldexp(static_cast<Real>(period_s_), -level);
+  }
 
   // The longest level that fits and in which surely nothing happens; its duration, or 0 for none.
-  double try_levels(double force_n, const HandDrive& now, double rest_s) {
+  Real try_levels(Real force_n, const Drive& now, Real rest_s) {
     for (int level = 0; level <= body_.deepest_level(); ++level) {
-      const double step_s = level_duration(level);
+      const Real step_s = level_duration(level);
       if (step_s > rest_s || !surely_quiet(level, force_n, now)) continue;
-      if (kFriction && motion_.direction == 0.0) {
-        body_.advance_stick_level(level, motion_.body, now);
+      if (kFriction && motion_.direction == 0) {
+        body_.advance_stick_level(level, motion_.body, force_n, now);
       } else {
         account(motion_, force_n,
-                body_.advance_level(level, motion_.body, load(motion_, force_n), now));
+                body_.advance_by(body_.level(level), motion_.body, load(motion_, force_n), now));
       }
       return step_s;
     }
-    return 0.0;
+    return 0;
   }
 
-  [[nodiscard]] bool surely_quiet(int level, double force_n, const HandDrive& now) const {
+  [[nodiscard]] bool surely_quiet(int level, Real force_n, const Drive& now) const {
     if constexpr (!kFriction) return true;
-    if (motion_.direction == 0.0) {
+    if (motion_.direction == 0) {
       return body_.surely_sticks(level, motion_.body, force_n, now, friction_n_);
     }
-    return body_.surely_slides(level, motion_.body, load(motion_, force_n), now, motion_.direction);
+    return body_.surely_slides(body_.level(level), motion_.body, load(motion_, force_n), now,
+                               motion_.direction);
   }
 
   // Goes on to the end of the step or to the next event, whichever comes first; returns the
   // fraction of the step that was covered. Where rounding makes stop and break-loose alternate at
   // one instant, `may_break_loose` is false and the handle rests for this step.
-  double advance_by_taylor(double force_n, const HandDrive& now, double step_s,
-                           bool may_break_loose) {
+  Real advance_by_taylor(Real force_n, const Drive& now, Real step_s, bool may_break_loose) {
     if constexpr (!kFriction) {
-      const auto slide = body_.slide(motion_.body, force_n, now, step_s, 0.0);
-      account(motion_, force_n, body_.advance(motion_.body, slide, now, 1.0));
-      return 1.0;
+      const auto slide = body_.slide(motion_.body, load(motion_, force_n), now, step_s, 0);
+      account(motion_, force_n, body_.advance(motion_.body, slide, now, 1));
+      return 1;
     }
-    return motion_.direction == 0.0 ? advance_sticking(force_n, now, step_s, may_break_loose)
-                                    : advance_sliding(force_n, now, step_s);
+    return motion_.direction == 0 ? advance_sticking(force_n, now, step_s, may_break_loose)
+                                  : advance_sliding(force_n, now, step_s);
   }
 
-  double advance_sliding(double force_n, const HandDrive& now, double step_s) {
+  Real advance_sliding(Real force_n, const Drive& now, Real step_s) {
     // Just broken loose: the net force is the friction up to rounding, and must not pull back.
-    const double push = motion_.body.velocity_m_per_s == 0.0 ? motion_.direction : 0.0;
+    const Real push = motion_.body.velocity_m_per_s == 0 ? motion_.direction : 0;
     const auto slide = body_.slide(motion_.body, load(motion_, force_n), now, step_s, push);
     const auto stop = first_crossing(slide.velocity, motion_.direction);
-    account(motion_, force_n, body_.advance(motion_.body, slide, now, stop.value_or(1.0)));
-    if (!stop) return 1.0;
-    motion_.body.velocity_m_per_s = 0.0;
-    motion_.direction = 0.0;
+    account(motion_, force_n, body_.advance(motion_.body, slide, now, stop.value_or(1)));
+    if (!stop) return 1;
+    motion_.body.velocity_m_per_s = 0;
+    motion_.direction = 0;
     ++friction_events_;
     return *stop;
   }
 
-  double advance_sticking(double force_n, const HandDrive& now, double step_s,
-                          bool may_break_loose) {
+  Real advance_sticking(Real force_n, const Drive& now, Real step_s, bool may_break_loose) {
     const auto stick = body_.stick(motion_.body, force_n, now, step_s);
-    double theta = 1.0;
-    double direction = 0.0;
-    for (const double side : {1.0, -1.0}) {
+    Real theta = 1;
+    Real direction = 0;
+    for (const Real side : {Real(1), Real(-1)}) {
       if (!may_break_loose) break;
-      TaylorPolynomial reserve = stick.net_force;  // f_c - side * F_net
-      for (double& c : reserve.coefficient) c *= -side;
+      TaylorPolynomial<Real> reserve = stick.net_force;  // f_c - side * F_net
+      for (Real& c : reserve.coefficient) c *= -side;
       reserve.coefficient[0] += friction_n_;
       const auto loose = reserve.coefficient[0] < -kBreakTolerance * friction_n_
-                             ? std::optional<double>(0.0)
-                             : first_crossing(reserve, 1.0);
-      if (loose && (*loose < theta || direction == 0.0)) {
+                             ? std::optional<Real>(0)
+                             : first_crossing(reserve, Real(1));
+      if (loose && (*loose < theta || direction == 0)) {
         theta = *loose;
         direction = side;
       }
     }
     Body::advance(motion_.body, stick, theta);
-    if (direction != 0.0) {
+    if (direction != 0) {
       motion_.direction = direction;
       ++friction_events_;
     }
@@ -237,15 +224,11 @@ class ExactPlant {
 
   // A net force beyond friction by more than this fraction breaks loose at once, whatever its
   // trend.
-  static constexpr double kBreakTolerance = 1e-12;
+  static constexpr Real kBreakTolerance = 1e-12;
   static constexpr int kMaximumStalls = 8;
 
   Body body_;
-  HandPath path_;
-  double period_s_;
-  double start_m_;
-  double friction_n_;
-  Motion motion_;  // its path is set anew from path_ at every tick
+  Real friction_n_;
   std::uint64_t friction_events_ = 0;
 };
 

@@ -3,15 +3,6 @@
 namespace hapticwall {
 namespace {
 
-template <typename Body>
-PlantVariant with_friction_if_named(const Scene& scene, const Body& body, const HandPath& path) {
-  const double period_s = scene.sampling.period_s();
-  const double friction_n = scene.device.friction_n.value_or(0.0);
-  if (friction_n > 0.0)
-    return ExactPlant<Body, true>(body, path, period_s, scene.device.start_m, friction_n);
-  return ExactPlant<Body, false>(body, path, period_s, scene.device.start_m, 0.0);
-}
-
 HandPath make_path(const Scene& scene) {
   if (!scene.hand || scene.hand->path.empty()) {
     return {scene.device.start_m, scene.sampling.rate_hz};
@@ -19,34 +10,18 @@ HandPath make_path(const Scene& scene) {
   return {scene.hand->path, scene.sampling.rate_hz};
 }
 
-PlantVariant make_exact_plant(const Scene& scene, const HandPath& path) {
-  const double period_s = scene.sampling.period_s();
-  const DeviceSettings& device = scene.device;
-  if (scene.hand && scene.hand->has_grip()) {
-    const HandSettings& hand = *scene.hand;
-    const TwoBodyParameters parameters{device.mass_kg,
-                                       device.damping_n_s_per_m,
-                                       hand.mass_kg.value_or(0.0),
-                                       hand.stiffness_n_per_m,
-                                       hand.damping_n_s_per_m,
-                                       *hand.grip_stiffness_n_per_m,
-                                       hand.grip_damping_n_s_per_m.value_or(0.0)};
-    return with_friction_if_named(scene, TwoBodies(parameters, period_s), path);
-  }
-  OneBodyParameters parameters{device.mass_kg, device.damping_n_s_per_m, 0.0, 0.0};
-  if (scene.hand) {
-    parameters.mass_kg += scene.hand->mass_kg.value_or(0.0);
-    parameters.hand_stiffness_n_per_m = scene.hand->stiffness_n_per_m;
-    parameters.hand_damping_n_s_per_m = scene.hand->damping_n_s_per_m;
-  }
-  return with_friction_if_named(scene, OneBody(parameters, period_s), path);
+// Which optional parts a scene names.
+PlantParts parts_of(const Scene& scene) {
+  return {scene.hand && scene.hand->has_grip(), scene.device.friction_n.value_or(0.0) > 0.0,
+          scene.device.amplifier_time_constant_s.value_or(0.0) > 0.0};
 }
 
-SteppedParameters stepped_parameters(const Scene& scene) {
+SteppedParameters parameters_of(const Scene& scene) {
   SteppedParameters parameters;
   parameters.mass_kg = scene.device.mass_kg;
   parameters.damping_n_s_per_m = scene.device.damping_n_s_per_m;
   parameters.friction_n = scene.device.friction_n.value_or(0.0);
+  parameters.time_constant_s = scene.device.amplifier_time_constant_s.value_or(0.0);
   if (!scene.hand) return parameters;
   const HandSettings& hand = *scene.hand;
   parameters.hand_stiffness_n_per_m = hand.stiffness_n_per_m;
@@ -61,36 +36,92 @@ SteppedParameters stepped_parameters(const Scene& scene) {
   return parameters;
 }
 
-template <typename Plant>
-PlantVariant make_stepped(const Scene& scene, const HandPath& path) {
-  return Plant(stepped_parameters(scene), path, scene.sampling.period_s(), scene.device.start_m,
-               scene.simulator.substeps);
+template <typename Real, typename Body>
+ExactPlantVariant<Real> make_exact_with(const Scene& scene, const Body& body) {
+  const double period_s = scene.sampling.period_s();
+  const HandPath path = make_path(scene);
+  if (!parts_of(scene).friction) {
+    return ExactPlant<Body, false>(body, path, period_s, scene.device.start_m, 0.0);
+  }
+  return ExactPlant<Body, true>(body, path, period_s, scene.device.start_m,
+                                *scene.device.friction_n);
 }
 
-template <template <bool, bool> class Scheme>
-PlantVariant make_stepped_plant(const Scene& scene, const HandPath& path) {
-  const bool friction = scene.device.friction_n.value_or(0.0) > 0.0;
-  if (scene.hand && scene.hand->has_grip()) {
-    return friction ? make_stepped<SteppedPlant<Scheme, true, true>>(scene, path)
-                    : make_stepped<SteppedPlant<Scheme, true, false>>(scene, path);
+template <typename Real, bool kLag>
+ExactPlantVariant<Real> make_exact_with_lag(const Scene& scene) {
+  const SteppedParameters p = parameters_of(scene);
+  const double period_s = scene.sampling.period_s();
+  if (!parts_of(scene).grip) {
+    return make_exact_with<Real>(
+        scene, BasicOneBody<Real, kLag>({p.mass_kg, p.damping_n_s_per_m, p.hand_stiffness_n_per_m,
+                                         p.hand_damping_n_s_per_m, p.time_constant_s},
+                                        period_s));
   }
-  return friction ? make_stepped<SteppedPlant<Scheme, false, true>>(scene, path)
-                  : make_stepped<SteppedPlant<Scheme, false, false>>(scene, path);
+  return make_exact_with<Real>(
+      scene, BasicTwoBodies<Real, kLag>(
+                 {p.mass_kg, p.damping_n_s_per_m, p.hand_mass_kg, p.hand_stiffness_n_per_m,
+                  p.hand_damping_n_s_per_m, p.grip_stiffness_n_per_m, p.grip_damping_n_s_per_m,
+                  p.time_constant_s},
+                 period_s));
+}
+
+template <typename Real>
+ExactPlantVariant<Real> make_exact_plant(const Scene& scene) {
+  return parts_of(scene).lag ? make_exact_with_lag<Real, true>(scene)
+                             : make_exact_with_lag<Real, false>(scene);
+}
+
+template <template <PlantParts> class Scheme, PlantParts kParts>
+SteppedPlantVariant<Scheme> make_stepped(const Scene& scene) {
+  return SteppedPlant<Scheme, kParts>(parameters_of(scene), make_path(scene),
+                                      scene.sampling.period_s(), scene.device.start_m,
+                                      scene.simulator.substeps);
+}
+
+template <template <PlantParts> class Scheme, bool kGrip, bool kFriction>
+SteppedPlantVariant<Scheme> make_stepped_with(const Scene& scene) {
+  return parts_of(scene).lag ? make_stepped<Scheme, PlantParts{kGrip, kFriction, true}>(scene)
+                             : make_stepped<Scheme, PlantParts{kGrip, kFriction, false}>(scene);
+}
+
+template <template <PlantParts> class Scheme>
+SteppedPlantVariant<Scheme> make_stepped_plant(const Scene& scene) {
+  const PlantParts parts = parts_of(scene);
+  if (parts.grip) {
+    return parts.friction ? make_stepped_with<Scheme, true, true>(scene)
+                          : make_stepped_with<Scheme, true, false>(scene);
+  }
+  return parts.friction ? make_stepped_with<Scheme, false, true>(scene)
+                        : make_stepped_with<Scheme, false, false>(scene);
 }
 
 }  // namespace
 
 PlantVariant make_plant(const Scene& scene) {
-  const HandPath path = make_path(scene);
   switch (scene.simulator.integrator) {
     case Integrator::kExact:
-      return make_exact_plant(scene, path);
+      return make_exact_plant<double>(scene);
     case Integrator::kSemiImplicitEuler:
-      return make_stepped_plant<SemiImplicitEuler>(scene, path);
+      return make_stepped_plant<SemiImplicitEuler>(scene);
     case Integrator::kRungeKutta4:
       break;
   }
-  return make_stepped_plant<RungeKutta4>(scene, path);
+  return make_stepped_plant<RungeKutta4>(scene);
+}
+
+ReferencePlantVariant make_reference_plant(const Scene& scene) {
+  return make_exact_plant<long double>(scene);
+}
+
+void PlantModel::take_over(PlantModel& other) {
+  visit_plant(
+      [&](auto& old) {
+        const auto state = old.hand_over(other.output_.last_n());
+        visit_plant([&](auto& plant) { plant.take_over(state, old.path()); }, plant_);
+      },
+      other.plant_);
+  output_.take_over(other.output_, other.output_.last_n());
+  refresh();
 }
 
 }  // namespace hapticwall

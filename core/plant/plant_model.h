@@ -7,6 +7,7 @@
 #include "core/encoder.h"
 #include "core/plant/exact_plant.h"
 #include "core/plant/one_body.h"
+#include "core/plant/output_stage.h"
 #include "core/plant/stepped_plant.h"
 #include "core/plant/two_bodies.h"
 #include "core/sample.h"
@@ -14,23 +15,51 @@
 
 namespace hapticwall {
 
-// Every plant: integrator, with or without a hand that grips, with or without friction.
-using PlantVariant = std::variant<
-    ExactPlant<OneBody, false>, ExactPlant<OneBody, true>, ExactPlant<TwoBodies, false>,
-    ExactPlant<TwoBodies, true>, SteppedPlant<SemiImplicitEuler, false, false>,
-    SteppedPlant<SemiImplicitEuler, false, true>, SteppedPlant<SemiImplicitEuler, true, false>,
-    SteppedPlant<SemiImplicitEuler, true, true>, SteppedPlant<RungeKutta4, false, false>,
-    SteppedPlant<RungeKutta4, false, true>, SteppedPlant<RungeKutta4, true, false>,
-    SteppedPlant<RungeKutta4, true, true>>;
+// The exact plants: with or without a hand that grips, friction, an amplifier's lag.
+template <typename Real>
+using ExactPlantVariant = std::variant<
+    ExactPlant<BasicOneBody<Real, false>, false>, ExactPlant<BasicOneBody<Real, false>, true>,
+    ExactPlant<BasicOneBody<Real, true>, false>, ExactPlant<BasicOneBody<Real, true>, true>,
+    ExactPlant<BasicTwoBodies<Real, false>, false>, ExactPlant<BasicTwoBodies<Real, false>, true>,
+    ExactPlant<BasicTwoBodies<Real, true>, false>, ExactPlant<BasicTwoBodies<Real, true>, true>>;
+
+// The same with an integrator that steps: grip, friction, lag.
+template <template <PlantParts> class Scheme>
+using SteppedPlantVariant = std::variant<SteppedPlant<Scheme, PlantParts{false, false, false}>,
+                                         SteppedPlant<Scheme, PlantParts{false, false, true}>,
+                                         SteppedPlant<Scheme, PlantParts{false, true, false}>,
+                                         SteppedPlant<Scheme, PlantParts{false, true, true}>,
+                                         SteppedPlant<Scheme, PlantParts{true, false, false}>,
+                                         SteppedPlant<Scheme, PlantParts{true, false, true}>,
+                                         SteppedPlant<Scheme, PlantParts{true, true, false}>,
+                                         SteppedPlant<Scheme, PlantParts{true, true, true}>>;
+
+// By integrator, in the order of Integrator.
+using PlantVariant = std::variant<ExactPlantVariant<double>, SteppedPlantVariant<SemiImplicitEuler>,
+                                  SteppedPlantVariant<RungeKutta4>>;
+
+using ReferencePlantVariant = std::variant<ExactPlantVariant<long double>>;
+
+// Calls `visitor` with the plant itself.
+template <typename Visitor, typename Variant>
+decltype(auto) visit_plant(Visitor&& visitor, Variant& variant) {
+  return std::visit([&](auto& group) -> decltype(auto) { return std::visit(visitor, group); },
+                    variant);
+}
 
 // The plant of a validated scene. Realtime-safe: no (set-up mathematics).
 [[nodiscard]] PlantVariant make_plant(const Scene& scene);
+// The scene's plant with the exact integrator, whatever the scene says, in long double: the
+// reference against which all others are measured.
+[[nodiscard]] ReferencePlantVariant make_reference_plant(const Scene& scene);
 
 // The same behind one interface, for the live loop. Realtime-safe: yes, after construction.
 class PlantModel {
  public:
   explicit PlantModel(const Scene& scene)
-      : plant_(make_plant(scene)), encoder_m_(scene.device.encoder_m.value_or(0.0)) {
+      : plant_(make_plant(scene)),
+        output_(scene.device),
+        encoder_m_(scene.device.encoder_m.value_or(0.0)) {
     refresh();
   }
 
@@ -41,30 +70,38 @@ class PlantModel {
   // The state at the present tick.
   [[nodiscard]] const PlantTruth& truth() const { return truth_; }
 
-  // To the next tick under a held force (newtons, finite).
+  // To the next tick under a held command (newtons, finite).
   void advance(double force_n) {
-    std::visit([&](auto& plant) { plant.advance(force_n); }, plant_);
+    const double passed_n = output_.pass(force_n);
+    visit_plant([&](auto& plant) { plant.advance(passed_n); }, plant_);
     refresh();
   }
   void reset() {
-    std::visit([](auto& plant) { plant.reset(); }, plant_);
+    output_.reset();
+    visit_plant([](auto& plant) { plant.reset(); }, plant_);
     refresh();
   }
   void lead_hand_to(double position_m) {
-    std::visit([&](auto& plant) { plant.path().lead_to(position_m); }, plant_);
+    visit_plant([&](auto& plant) { plant.path().lead_to(position_m); }, plant_);
     refresh();
   }
   void release_hand() {
-    std::visit([](auto& plant) { plant.path().release(); }, plant_);
+    visit_plant([](auto& plant) { plant.path().release(); }, plant_);
     refresh();
   }
 
+  // Goes on from where `other` is, with its hand's path and what is on its way to the amplifier;
+  // `other` is good for nothing but its destruction after that. Both scenes have the same rate and
+  // path.
+  void take_over(PlantModel& other);
+
  private:
   void refresh() {
-    std::visit([&](auto& plant) { plant.write_truth(plant.motion(), truth_); }, plant_);
+    visit_plant([&](auto& plant) { plant.write_truth(plant.motion(), truth_); }, plant_);
   }
 
   PlantVariant plant_;
+  OutputStage output_;
   double encoder_m_;
   PlantTruth truth_;
 };

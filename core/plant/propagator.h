@@ -1,30 +1,106 @@
 // Set-up mathematics of the exact integrator: one matrix exponential per scene, and exact integrals
-// of quadratic forms along the motion (Van Loan 1978), in extended precision.
+// of quadratic forms along the motion, in extended precision.
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace hapticwall {
 
-using SetupMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+template <int kSize>
+using SetupMatrix = Eigen::Matrix<long double, kSize, kSize>;
 
-// A step of 2^-n, n the index in the list that make_propagators() gives.
+// A step of 2^-n ticks, n the index in the list that make_propagators() gives.
+template <int kSize, std::size_t kWeights>
 struct Propagator {
-  SetupMatrix increment;               // e^{A h} - 1, without the cancellation of that difference
-  std::vector<SetupMatrix> integrals;  // ∫_0^h e^{Aᵀt} S e^{At} dt, symmetric, one per weight S
+  SetupMatrix<kSize> increment;  // e^{A h} - 1, without the cancellation of that difference
+  // ∫_0^h e^{Aᵀt} S e^{At} dt, symmetric, one per weight S.
+  std::array<SetupMatrix<kSize>, kWeights> integrals;
 };
 
-// `generator`: A of dy/dt = A y, square, time measured in ticks. `weights`: symmetric matrices of
-// the same size. Gives the whole tick (first) and its `halvings` halves of halves.
+namespace detail {
+
+// With |A h| ≤ 1/2 what is left out of either series is below the last digit.
+inline constexpr long double kSmallNorm = 0.5L;
+inline constexpr int kIncrementTerms = 18;
+inline constexpr int kIntegralTerms = 24;
+
+// Σ (A h)^k / k!, k from 1.
+template <int kSize>
+SetupMatrix<kSize> small_increment(const SetupMatrix<kSize>& small) {
+  SetupMatrix<kSize> sum = small;
+  SetupMatrix<kSize> term = small;
+  for (int k = 2; k <= kIncrementTerms; ++k) {
+    term = (term * small).eval() / static_cast<long double>(k);
+    sum += term;
+  }
+  return sum;
+}
+
+// h Σ L^k(S) / (k+1)! with L(M) = (A h)ᵀM + M (A h): the series of the integral itself.
+template <int kSize>
+SetupMatrix<kSize> small_integral(const SetupMatrix<kSize>& small, const SetupMatrix<kSize>& weight,
+                                  long double step) {
+  SetupMatrix<kSize> term = weight * step;
+  SetupMatrix<kSize> sum = term;
+  for (int k = 1; k < kIntegralTerms; ++k) {
+    const SetupMatrix<kSize> half = (term * small).eval() / static_cast<long double>(k + 1);
+    term = half + half.transpose();
+    sum += term;
+  }
+  return sum;
+}
+
+template <int kSize, std::size_t kWeights>
+Propagator<kSize, kWeights> doubled(const Propagator<kSize, kWeights>& half) {
+  const SetupMatrix<kSize>& e = half.increment;
+  Propagator<kSize, kWeights> whole;
+  whole.increment = 2.0L * e + e * e;
+  for (std::size_t i = 0; i < kWeights; ++i) {
+    const SetupMatrix<kSize>& g = half.integrals[i];
+    const SetupMatrix<kSize> ge = g * e;
+    whole.integrals[i] = 2.0L * g + ge + ge.transpose() + e.transpose() * ge;
+  }
+  return whole;
+}
+
+}  // namespace detail
+
+// `generator`: A of dy/dt = A y, time measured in ticks. `weights`: symmetric matrices. Gives the
+// whole tick (first) and its `halvings` halves of halves.
 //
-// The shortest step, or a still shorter one with |A| h ≤ 1/2, is taken with Eigen's Padé
-// approximant and doubled: E(2h) = 2E + E², G(2h) = G + ΦᵀGΦ. Nothing grows on the way, however
-// stiff A is, and near-singular or critically damped matrices are nothing special. Realtime-safe:
-// no.
-[[nodiscard]] std::vector<Propagator> make_propagators(const SetupMatrix& generator,
-                                                       std::span<const SetupMatrix> weights,
-                                                       int halvings);
+// The shortest step, or a still shorter one with |A| h ≤ 1/2, is taken by its Taylor series and
+// doubled: E(2h) = 2E + E², G(2h) = G + ΦᵀGΦ. Nothing grows on the way, however stiff A is, and
+// near-singular or critically damped matrices are nothing special. Realtime-safe: no.
+template <int kSize, std::size_t kWeights>
+[[nodiscard]] std::vector<Propagator<kSize, kWeights>> make_propagators(
+    const SetupMatrix<kSize>& generator, const std::array<SetupMatrix<kSize>, kWeights>& weights,
+    int halvings) {
+  const auto absolute = generator.cwiseAbs();
+  const long double norm =
+      std::max(absolute.rowwise().sum().maxCoeff(), absolute.colwise().sum().maxCoeff());
+  const int for_accuracy = norm > detail::kSmallNorm
+                               ? static_cast<int>(std::ceil(std::log2(norm / detail::kSmallNorm)))
+                               : 0;
+  const int deepest = std::max(halvings, for_accuracy);
+  const long double step = std::ldexp(1.0L, -deepest);
+  const SetupMatrix<kSize> small = generator * step;
+
+  Propagator<kSize, kWeights> propagator;
+  propagator.increment = detail::small_increment(small);
+  for (std::size_t i = 0; i < kWeights; ++i) {
+    propagator.integrals[i] = detail::small_integral(small, weights[i], step);
+  }
+  std::vector<Propagator<kSize, kWeights>> levels(static_cast<std::size_t>(halvings) + 1);
+  for (int level = deepest;; --level) {
+    if (level <= halvings) levels[static_cast<std::size_t>(level)] = propagator;
+    if (level == 0) return levels;
+    propagator = detail::doubled(propagator);
+  }
+}
 
 }  // namespace hapticwall

@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
+#include "core/plant/amplifier_lag.h"
 #include "core/plant/energy_totals.h"
-#include "core/plant/hand_path.h"
-#include "core/sample.h"
+#include "core/plant/moving_plant.h"
 
 namespace hapticwall {
 
@@ -24,23 +23,32 @@ struct SteppedParameters {
   double hand_damping_n_s_per_m = 0.0;
   double grip_stiffness_n_per_m = 0.0;
   double grip_damping_n_s_per_m = 0.0;
+  double time_constant_s = 0.0;  // of the amplifier; not read without a lag
 };
 
-// Handle and, where it grips, hand.
-struct SteppedState {
-  double position_m = 0.0;
-  double velocity_m_per_s = 0.0;
+template <bool kGrip>
+struct GrippingHand {};
+template <>
+struct GrippingHand<true> {
   double hand_position_m = 0.0;
   double hand_velocity_m_per_s = 0.0;
 };
 
-// The equations of motion. kGrip: the hand has a mass of its own.
-template <bool kGrip>
+// Handle and, where it grips, hand.
+template <PlantParts kParts>
+struct SteppedState : GrippingHand<kParts.grip>, ActuatorState<double, kParts.lag> {
+  double position_m = 0.0;
+  double velocity_m_per_s = 0.0;
+};
+
+// The equations of motion.
+template <PlantParts kParts>
 struct SteppedMechanics {
+  using State = SteppedState<kParts>;
   SteppedParameters p;
 
-  [[nodiscard]] double hand_force_n(const SteppedState& y, const HandDrive& drive) const {
-    if constexpr (kGrip) {
+  [[nodiscard]] double hand_force_n(const State& y, const HandDrive& drive) const {
+    if constexpr (kParts.grip) {
       return p.grip_stiffness_n_per_m * (y.hand_position_m - y.position_m) +
              p.grip_damping_n_s_per_m * (y.hand_velocity_m_per_s - y.velocity_m_per_s);
     } else {
@@ -48,12 +56,17 @@ struct SteppedMechanics {
              p.hand_damping_n_s_per_m * (drive.velocity_m_per_s - y.velocity_m_per_s);
     }
   }
-  // Of the handle, less friction.
-  [[nodiscard]] double net_force_n(const SteppedState& y, double force_n,
-                                   const HandDrive& drive) const {
-    return hand_force_n(y, drive) - force_n - p.damping_n_s_per_m * y.velocity_m_per_s;
+  // What really acts where the actuator is told to give `force_n`.
+  [[nodiscard]] double actuator_n(const State& y, double force_n) const {
+    if constexpr (kParts.lag) return y.actuator_n;
+    return force_n;
   }
-  [[nodiscard]] double hand_acceleration(const SteppedState& y, const HandDrive& drive) const {
+  // Of the handle, less friction.
+  [[nodiscard]] double net_force_n(const State& y, double force_n, const HandDrive& drive) const {
+    return hand_force_n(y, drive) - actuator_n(y, force_n) -
+           p.damping_n_s_per_m * y.velocity_m_per_s;
+  }
+  [[nodiscard]] double hand_acceleration(const State& y, const HandDrive& drive) const {
     return (p.hand_stiffness_n_per_m * (drive.position_m - y.hand_position_m) +
             p.hand_damping_n_s_per_m * (drive.velocity_m_per_s - y.hand_velocity_m_per_s) -
             hand_force_n(y, drive)) /
@@ -61,28 +74,30 @@ struct SteppedMechanics {
   }
 };
 
-// v += h a(x, v), then x += h v. Friction as an impulse that can stop the handle but not turn it.
-// Energies are sums over substeps with the new velocity: as accurate as the method.
-template <bool kGrip, bool kFriction>
+// v += h a(x, v), then x += h v; an amplifier's force first. Friction as an impulse that can stop
+// the handle but not turn it. Energies are sums over substeps with the new velocity: as accurate as
+// the method.
+template <PlantParts kParts>
 struct SemiImplicitEuler {
-  static void step(const SteppedMechanics<kGrip>& m, SteppedState& y, EnergyTotals& energy,
+  static void step(const SteppedMechanics<kParts>& m, SteppedState<kParts>& y, EnergyTotals& energy,
                    double force_n, const HandDrive& drive, double h) {
     const double hand_force_n = m.hand_force_n(y, drive);
     double hand_acceleration = 0.0;
-    if constexpr (kGrip) hand_acceleration = m.hand_acceleration(y, drive);
+    if constexpr (kParts.grip) hand_acceleration = m.hand_acceleration(y, drive);
+    if constexpr (kParts.lag) y.actuator_n += h * (force_n - y.actuator_n) / m.p.time_constant_s;
     double v = y.velocity_m_per_s + h * m.net_force_n(y, force_n, drive) / m.p.mass_kg;
-    if constexpr (kFriction) {
+    if constexpr (kParts.friction) {
       const double stopping = h * m.p.friction_n / m.p.mass_kg;
       v = std::abs(v) <= stopping ? 0.0 : v - std::copysign(stopping, v);
     }
     const double dx = h * v;
     y.velocity_m_per_s = v;
     y.position_m += dx;
-    if constexpr (kGrip) {
+    if constexpr (kParts.grip) {
       y.hand_velocity_m_per_s += h * hand_acceleration;
       y.hand_position_m += h * y.hand_velocity_m_per_s;
     }
-    energy.actuator_work_j += force_n * dx;
+    energy.actuator_work_j += m.actuator_n(y, force_n) * dx;
     energy.viscous_j += m.p.damping_n_s_per_m * v * dx;
     energy.friction_j += m.p.friction_n * std::abs(dx);
     energy.hand_work_j += hand_force_n * dx;
@@ -91,41 +106,54 @@ struct SemiImplicitEuler {
 
 // The classical method, with the energies as further components. The direction of friction is that
 // of the substep's start; a handle that turns within a substep is stopped at its end.
-template <bool kGrip, bool kFriction>
+template <PlantParts kParts>
 struct RungeKutta4 {
+  using State = SteppedState<kParts>;
   struct Rate {
-    double x, v, y, w, viscous, hand;
+    double x, v, y, w, actuator, work, viscous, hand;
   };
 
-  static Rate rate(const SteppedMechanics<kGrip>& m, const SteppedState& s, double force_n,
+  static Rate rate(const SteppedMechanics<kParts>& m, const State& s, double force_n,
                    const HandDrive& drive, double direction) {
-    const bool sticks = kFriction && direction == 0.0;
+    const bool sticks = kParts.friction && direction == 0.0;
     const double v = sticks ? 0.0 : s.velocity_m_per_s;
-    Rate r{v, 0.0, 0.0, 0.0, m.p.damping_n_s_per_m * v * v, m.hand_force_n(s, drive) * v};
+    Rate r{};
+    r.x = v;
+    r.work = m.actuator_n(s, force_n) * v;
+    r.viscous = m.p.damping_n_s_per_m * v * v;
+    r.hand = m.hand_force_n(s, drive) * v;
     if (!sticks) {
       r.v = (m.net_force_n(s, force_n, drive) - direction * m.p.friction_n) / m.p.mass_kg;
     }
-    if constexpr (kGrip) {
+    if constexpr (kParts.grip) {
       r.y = s.hand_velocity_m_per_s;
       r.w = m.hand_acceleration(s, drive);
     }
+    if constexpr (kParts.lag) r.actuator = (force_n - s.actuator_n) / m.p.time_constant_s;
     return r;
   }
 
-  static SteppedState moved(const SteppedState& s, const Rate& r, double h) {
-    return {s.position_m + h * r.x, s.velocity_m_per_s + h * r.v, s.hand_position_m + h * r.y,
-            s.hand_velocity_m_per_s + h * r.w};
+  static State moved(const State& s, const Rate& r, double h) {
+    State next = s;
+    next.position_m += h * r.x;
+    next.velocity_m_per_s += h * r.v;
+    if constexpr (kParts.grip) {
+      next.hand_position_m += h * r.y;
+      next.hand_velocity_m_per_s += h * r.w;
+    }
+    if constexpr (kParts.lag) next.actuator_n += h * r.actuator;
+    return next;
   }
 
-  static double direction(const SteppedMechanics<kGrip>& m, const SteppedState& y, double force_n,
+  static double direction(const SteppedMechanics<kParts>& m, const State& y, double force_n,
                           const HandDrive& drive) {
-    if (!kFriction) return 0.0;
+    if (!kParts.friction) return 0.0;
     if (y.velocity_m_per_s != 0.0) return std::copysign(1.0, y.velocity_m_per_s);
     const double net_n = m.net_force_n(y, force_n, drive);
     return std::abs(net_n) <= m.p.friction_n ? 0.0 : std::copysign(1.0, net_n);
   }
 
-  static void step(const SteppedMechanics<kGrip>& m, SteppedState& y, EnergyTotals& energy,
+  static void step(const SteppedMechanics<kParts>& m, State& y, EnergyTotals& energy,
                    double force_n, const HandDrive& drive, double h) {
     const double sign = direction(m, y, force_n, drive);
     const HandDrive middle{drive.position_m + 0.5 * h * drive.velocity_m_per_s,
@@ -138,11 +166,12 @@ struct RungeKutta4 {
     const auto mean = [&](double Rate::*part) {
       return (a.*part + 2.0 * (b.*part) + 2.0 * (c.*part) + d.*part) / 6.0;
     };
-    const Rate average{mean(&Rate::x), mean(&Rate::v),       mean(&Rate::y),
-                       mean(&Rate::w), mean(&Rate::viscous), mean(&Rate::hand)};
+    const Rate average{mean(&Rate::x),       mean(&Rate::v),        mean(&Rate::y),
+                       mean(&Rate::w),       mean(&Rate::actuator), mean(&Rate::work),
+                       mean(&Rate::viscous), mean(&Rate::hand)};
     y = moved(y, average, h);
-    if (kFriction && y.velocity_m_per_s * sign < 0.0) y.velocity_m_per_s = 0.0;
-    energy.actuator_work_j += force_n * h * average.x;
+    if (kParts.friction && y.velocity_m_per_s * sign < 0.0) y.velocity_m_per_s = 0.0;
+    energy.actuator_work_j += kParts.lag ? h * average.work : force_n * h * average.x;
     energy.viscous_j += h * average.viscous;
     energy.friction_j += m.p.friction_n * std::abs(h * average.x);
     energy.hand_work_j += h * average.hand;
@@ -150,66 +179,53 @@ struct RungeKutta4 {
 };
 
 // A plant with the interface of ExactPlant. Realtime-safe: yes, after construction.
-template <template <bool, bool> class Scheme, bool kGrip, bool kFriction>
-class SteppedPlant {
+template <template <PlantParts> class Scheme, PlantParts kParts>
+class SteppedPlant : public MovingPlant<SteppedState<kParts>, double> {
+  using Base = MovingPlant<SteppedState<kParts>, double>;
+  using Base::drive;
+  using Base::motion_;
+  using Base::path_;
+  using Base::period_s_;
+
  public:
-  struct Motion {
-    SteppedState body;
-    EnergyTotals energy;
-    StraightPath path;
-  };
+  using typename Base::Motion;
 
   SteppedPlant(const SteppedParameters& parameters, HandPath path, double period_s, double start_m,
                int substeps)
-      : mechanics_{parameters},
-        path_(std::move(path)),
-        period_s_(period_s),
-        start_m_(start_m),
-        substeps_(substeps) {
+      : Base(std::move(path), period_s, start_m), mechanics_{parameters}, substeps_(substeps) {
     reset();
   }
 
   void reset() {
     motion_ = {};
-    motion_.body = {start_m_, 0.0, start_m_, 0.0};
+    motion_.body.position_m = this->start_m_;
+    if constexpr (kParts.grip) motion_.body.hand_position_m = this->start_m_;
     path_.reset();
   }
 
-  [[nodiscard]] HandPath& path() { return path_; }
-  [[nodiscard]] double position_m() const { return motion_.body.position_m; }
-  [[nodiscard]] const EnergyTotals& energy() const { return motion_.energy; }
   [[nodiscard]] double kinetic_j() const { return kinetic_j(motion_); }
 
-  [[nodiscard]] Motion motion() const {
-    Motion motion = motion_;
-    motion.path = path_.straight();
-    return motion;
-  }
-  void resume(const Motion& motion) {
-    motion_ = motion;
-    path_.resume(motion.path);
-  }
   [[nodiscard]] double net_work_j(const Motion& motion) const {
-    const double loss_j = kFriction ? motion.energy.dissipation_j() : motion.energy.viscous_j;
+    const double loss_j = kParts.friction ? motion.energy.dissipation_j() : motion.energy.viscous_j;
     return motion.energy.actuator_work_j + loss_j + kinetic_j(motion);
   }
   void write_truth(const Motion& motion, PlantTruth& truth) const {
-    const HandDrive drive{motion.path.position_m, motion.path.velocity_m_per_s};
-    truth.position_m = motion.body.position_m;
-    truth.velocity_m_per_s = motion.body.velocity_m_per_s;
-    truth.hand_path_m = motion.path.position_m;
-    truth.hand_force_n = mechanics_.hand_force_n(motion.body, drive);
-    truth.actuator_work_j = motion.energy.actuator_work_j;
-    truth.dissipation_j = motion.energy.dissipation_j();
-    truth.hand_work_j = motion.energy.hand_work_j;
-    truth.kinetic_j = kinetic_j(motion);
+    Base::write_truth(motion, mechanics_.hand_force_n(motion.body, drive(motion)),
+                      kinetic_j(motion), truth);
+  }
+  [[nodiscard]] HandOver<double> hand_over(double force_n) const {
+    return Base::hand_over(force_n, kinetic_j());
+  }
+  void take_over(const HandOver<double>& state, HandPath& path) {
+    this->go_on_from(state, path);
+    this->charge_hand_with(kinetic_j() - state.kinetic_j);
   }
 
   [[nodiscard, gnu::always_inline]] bool try_tick(Motion& motion, double force_n) const {
     if (!motion.path.goes_on()) [[unlikely]] {
       return false;
     }
-    pass(motion, force_n, {motion.path.position_m, motion.path.velocity_m_per_s}, period_s_);
+    pass(motion, force_n, drive(motion), period_s_);
     motion.path.next_tick();
     return true;
   }
@@ -226,22 +242,18 @@ class SteppedPlant {
     const double v = motion.body.velocity_m_per_s;
     return 0.5 * mechanics_.p.mass_kg * (v * v);
   }
-  [[gnu::always_inline]] void pass(Motion& motion, double force_n, HandDrive drive,
+  [[gnu::always_inline]] void pass(Motion& motion, double force_n, HandDrive now,
                                    double duration_s) const {
     const double h = duration_s / static_cast<double>(substeps_);
-    const double begin_m = drive.position_m;
+    const double begin_m = now.position_m;
     for (int i = 0; i < substeps_; ++i) {
-      drive.position_m = begin_m + drive.velocity_m_per_s * (h * static_cast<double>(i));
-      Scheme<kGrip, kFriction>::step(mechanics_, motion.body, motion.energy, force_n, drive, h);
+      now.position_m = begin_m + now.velocity_m_per_s * (h * static_cast<double>(i));
+      Scheme<kParts>::step(mechanics_, motion.body, motion.energy, force_n, now, h);
     }
   }
 
-  SteppedMechanics<kGrip> mechanics_;
-  HandPath path_;
-  double period_s_;
-  double start_m_;
+  SteppedMechanics<kParts> mechanics_;
   int substeps_;
-  Motion motion_;  // its path is set anew from path_ where it is asked for
 };
 
 }  // namespace hapticwall

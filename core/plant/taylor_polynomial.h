@@ -12,34 +12,38 @@ namespace hapticwall {
 inline constexpr int kTaylorDegree = 14;
 inline constexpr double kTaylorReach = 0.25;
 
+template <typename Real>
 struct TaylorPolynomial {
-  std::array<double, kTaylorDegree + 1> coefficient{};  // of θ^0 … θ^degree
+  std::array<Real, kTaylorDegree + 1> coefficient{};  // of θ^0 … θ^degree
 
-  [[nodiscard]] double at(double theta) const {
-    double value = 0.0;
+  [[nodiscard]] Real at(Real theta) const {
+    Real value = 0;
     for (auto c = coefficient.rbegin(); c != coefficient.rend(); ++c) value = value * theta + *c;
     return value;
   }
   // dP/dθ.
-  [[nodiscard]] double slope_at(double theta) const;
+  [[nodiscard]] Real slope_at(Real theta) const;
   // ∫_0^θ P.
-  [[nodiscard]] double integral_to(double theta) const;
+  [[nodiscard]] Real integral_to(Real theta) const;
   // ∫_0^θ ∫_0^φ P.
-  [[nodiscard]] double double_integral_to(double theta) const;
+  [[nodiscard]] Real double_integral_to(Real theta) const;
 };
 
-// ∫_0^θ P Q. Realtime-safe: yes.
-[[nodiscard]] double product_integral(const TaylorPolynomial& p, const TaylorPolynomial& q,
-                                      double theta);
+// ∫_0^θ P Q. Realtime-safe: yes, this and what follows.
+template <typename Real>
+[[nodiscard]] Real product_integral(const TaylorPolynomial<Real>& p,
+                                    const TaylorPolynomial<Real>& q, Real theta);
 
-// ∫_0^θ P(φ) (∫_0^φ Q) dφ. Realtime-safe: yes.
-[[nodiscard]] double lagged_product_integral(const TaylorPolynomial& p, const TaylorPolynomial& q,
-                                             double theta);
+// ∫_0^θ P(φ) (∫_0^φ Q) dφ.
+template <typename Real>
+[[nodiscard]] Real lagged_product_integral(const TaylorPolynomial<Real>& p,
+                                           const TaylorPolynomial<Real>& q, Real theta);
 
 // The first θ in [0, 1] at which `sign` * P turns from positive to negative, or nothing. `sign` is
 // +1 or -1. A start at zero, or on the wrong side by rounding, counts as zero: 0 is returned only
 // if P then leaves on the wrong side. No root is missed (Bernstein coefficients and subdivision;
-// then Newton, kept between its brackets). Realtime-safe: yes.
-[[nodiscard]] std::optional<double> first_crossing(const TaylorPolynomial& p, double sign);
+// then Newton, kept between its brackets).
+template <typename Real>
+[[nodiscard]] std::optional<Real> first_crossing(const TaylorPolynomial<Real>& p, Real sign);
 
 }  // namespace hapticwall

@@ -140,14 +140,33 @@ TEST(SceneFile, RefusesContradictionsAndDuplicates) {
 }
 
 TEST(SceneFile, SaysPlainlyWhatThisVersionDoesNotHave) {
-  for (const char* key : {"force_resolution_n", "delay_ticks", "amplifier_time_constant_s"}) {
-    EXPECT_EQ(message(replaced("start_m = 0.02", std::string(key) + " = 0")),
-              "x.toml:12: device." + std::string(key) + " is not supported by this version");
-  }
   EXPECT_EQ(message(std::string(kWhole) + "[device.y]\nmass_kg = 1\n"),
             "x.toml:36: device.y is not supported by this version");
   EXPECT_EQ(message(replaced("axis = \"x\"", "axis = \"y\"")),
             "x.toml:24: wall[0].axis: only \"x\" is supported by this version");
+}
+
+TEST(SceneFile, KnowsWhatLiesBetweenCommandAndHandle) {
+  const auto loaded = parse_scene(
+      replaced("start_m = 0.02",
+               "delay_ticks = 3\nforce_resolution_n = 0.01\namplifier_time_constant_s = 2e-3"),
+      "x.toml");
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_EQ(loaded->scene.device.delay_ticks, 3);
+  EXPECT_EQ(loaded->scene.device.force_resolution_n, 0.01);
+  EXPECT_EQ(loaded->scene.device.amplifier_time_constant_s, 2e-3);
+  EXPECT_EQ(message(replaced("start_m = 0.02", "delay_ticks = 1.5")),
+            "x.toml:12: device.delay_ticks: 1.5 where a whole number belongs");
+  EXPECT_EQ(message(replaced("start_m = 0.02", "delay_ticks = 1001")),
+            "x.toml:12: device.delay_ticks: 1001 is out of range; it takes 0 to 1000 ticks");
+  EXPECT_EQ(message(replaced("start_m = 0.02", "delay_ticks = 1e300")).substr(0, 33),
+            "x.toml:12: device.delay_ticks: 21");
+  EXPECT_EQ(message(replaced("start_m = 0.02", "amplifier_time_constant_s = 1e-10")),
+            "x.toml:12: device.amplifier_time_constant_s: 1e-10 is too fine; it takes 0 (none) or "
+            "1e-9 s and more");
+  EXPECT_EQ(message(replaced("start_m = 0.02", "force_resolution_n = 1e-13")),
+            "x.toml:12: device.force_resolution_n: 1e-13 is too fine; it takes 0 (none) or 1e-12 N "
+            "and more");
 }
 
 TEST(SceneFile, KnowsTheIntegratorsAndTheirSubsteps) {

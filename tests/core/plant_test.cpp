@@ -18,15 +18,15 @@ class AnyPlant {
  public:
   explicit AnyPlant(const Scene& scene) : plant_(make_plant(scene)) {}
   void advance(double force_n) {
-    std::visit([&](auto& plant) { plant.advance(force_n); }, plant_);
+    visit_plant([&](auto& plant) { plant.advance(force_n); }, plant_);
   }
   [[nodiscard]] PlantTruth truth() const {
     PlantTruth truth;
-    std::visit([&](const auto& plant) { plant.write_truth(plant.motion(), truth); }, plant_);
+    visit_plant([&](const auto& plant) { plant.write_truth(plant.motion(), truth); }, plant_);
     return truth;
   }
   [[nodiscard]] std::uint64_t friction_events() const {
-    return std::visit(
+    return visit_plant(
         [](const auto& plant) -> std::uint64_t {
           if constexpr (requires { plant.friction_events(); }) return plant.friction_events();
           return 0;

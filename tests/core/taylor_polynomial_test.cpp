@@ -10,8 +10,8 @@ namespace hapticwall {
 namespace {
 
 // scale * Π (θ - root)
-TaylorPolynomial with_roots(std::initializer_list<double> roots, double scale) {
-  TaylorPolynomial p;
+TaylorPolynomial<double> with_roots(std::initializer_list<double> roots, double scale) {
+  TaylorPolynomial<double> p;
   p.coefficient[0] = scale;
   std::size_t degree = 0;
   for (const double root : roots) {
@@ -24,10 +24,10 @@ TaylorPolynomial with_roots(std::initializer_list<double> roots, double scale) {
 }
 
 TEST(TaylorPolynomial, IntegralsAreThoseOfThePolynomial) {
-  TaylorPolynomial p;
+  TaylorPolynomial<double> p;
   p.coefficient[0] = 2.0;
   p.coefficient[3] = -4.0;
-  TaylorPolynomial q;
+  TaylorPolynomial<double> q;
   q.coefficient[1] = 3.0;
   EXPECT_DOUBLE_EQ(p.at(0.5), 2.0 - 0.5);
   EXPECT_DOUBLE_EQ(p.slope_at(0.5), -3.0);
@@ -49,7 +49,7 @@ TEST(FirstCrossing, SeesADipThatEndsBeforeTheEnd) {
 }
 
 TEST(FirstCrossing, IgnoresATouchAndWhatLiesOutside) {
-  TaylorPolynomial touch = with_roots({0.5, 0.5}, 1.0);
+  TaylorPolynomial<double> touch = with_roots({0.5, 0.5}, 1.0);
   touch.coefficient[0] += 1e-12;
   EXPECT_EQ(first_crossing(touch, 1.0), std::nullopt);
   EXPECT_EQ(first_crossing(with_roots({1.5}, -1.0), 1.0), std::nullopt);
@@ -57,14 +57,14 @@ TEST(FirstCrossing, IgnoresATouchAndWhatLiesOutside) {
 }
 
 TEST(FirstCrossing, FromZeroLooksWhereItLeads) {
-  TaylorPolynomial rises;
+  TaylorPolynomial<double> rises;
   rises.coefficient[1] = 1.0;
   EXPECT_EQ(first_crossing(rises, 1.0), std::nullopt);
   EXPECT_EQ(first_crossing(rises, -1.0), std::optional<double>(0.0));
-  TaylorPolynomial rises_and_returns = rises;  // θ - 2θ²: back at 1/2
+  TaylorPolynomial<double> rises_and_returns = rises;  // θ - 2θ²: back at 1/2
   rises_and_returns.coefficient[2] = -2.0;
   EXPECT_NEAR(first_crossing(rises_and_returns, 1.0).value(), 0.5, 1e-15);
-  EXPECT_EQ(first_crossing(TaylorPolynomial{}, 1.0), std::nullopt);
+  EXPECT_EQ(first_crossing(TaylorPolynomial<double>{}, 1.0), std::nullopt);
 }
 
 // Against a dense scan, for random polynomials with many sign changes.
@@ -74,7 +74,7 @@ TEST(FirstCrossing, AgreesWithADenseScan) {
   constexpr int kScan = 20000;
   int crossings = 0;
   for (int trial = 0; trial < 300; ++trial) {
-    TaylorPolynomial p;
+    TaylorPolynomial<double> p;
     for (int j = 0; j <= 8; ++j) {
       p.coefficient[static_cast<std::size_t>(j)] = coefficient(random) * std::pow(3.0, j);
     }

@@ -48,14 +48,14 @@ class PlantDevice {
  public:
   explicit PlantDevice(const Scene& scene) : plant_(make_plant(scene)) {}
   DeviceReading read() {
-    return {std::visit([](auto& plant) { return plant.position_m(); }, plant_), 0.0,
+    return {visit_plant([](auto& plant) { return plant.position_m(); }, plant_), 0.0,
             DeviceState::kOk};
   }
   void write(double force_n) {
-    std::visit([&](auto& plant) { plant.advance(force_n); }, plant_);
+    visit_plant([&](auto& plant) { plant.advance(force_n); }, plant_);
   }
   [[nodiscard]] double viscous_j() const {
-    return std::visit([](const auto& plant) { return plant.energy().viscous_j; }, plant_);
+    return visit_plant([](const auto& plant) { return plant.energy().viscous_j; }, plant_);
   }
 
  private:

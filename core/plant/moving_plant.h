@@ -1,0 +1,121 @@
+// What every plant has whatever integrates it: a state, energies, the hand's path, and how a plant
+// takes over from another while it moves.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "core/plant/energy_totals.h"
+#include "core/plant/hand_path.h"
+#include "core/sample.h"
+
+namespace hapticwall {
+
+// The optional parts of a plant that its type names.
+struct PlantParts {
+  bool grip = false;  // the hand has a mass of its own
+  bool friction = false;
+  bool lag = false;  // of the amplifier
+};
+
+// What one plant hands to the next when the scene's parameters change in the course of a session.
+template <typename Real>
+struct HandOver {
+  Real position_m = 0;
+  Real velocity_m_per_s = 0;
+  Real hand_position_m = 0;  // the handle's where the hand has no mass of its own
+  Real hand_velocity_m_per_s = 0;
+  Real actuator_n = 0;  // that really acts
+  Real kinetic_j = 0;
+  BasicEnergyTotals<Real> energy;
+};
+
+// State: of the body; what a body has not, its state has no member for. Realtime-safe: yes, all of
+// it after construction.
+template <typename State, typename Real>
+class MovingPlant {
+ public:
+  using Number = Real;
+
+  // What changes from tick to tick. A loop may keep a copy of its own (of the plant's), pass ticks
+  // with try_tick() as long as that works, and give it back with resume().
+  struct Motion {
+    State body;
+    BasicEnergyTotals<Real> energy;
+    Real direction = 0;  // of sliding: +1, -1, or 0 while the handle sticks
+    StraightPath path;   // of the hand
+  };
+
+  [[nodiscard]] HandPath& path() { return path_; }
+  [[nodiscard]] Real position_m() const { return motion_.body.position_m; }
+  [[nodiscard]] const BasicEnergyTotals<Real>& energy() const { return motion_.energy; }
+
+  [[nodiscard]] Motion motion() const {
+    Motion motion = motion_;
+    motion.path = path_.straight();
+    return motion;
+  }
+  void resume(const Motion& motion) {
+    motion_ = motion;
+    path_.resume(motion.path);
+  }
+
+ protected:
+  MovingPlant(HandPath path, double period_s, double start_m)
+      : path_(std::move(path)), period_s_(period_s), start_m_(start_m) {}
+
+  [[nodiscard]] static BasicHandDrive<Real> drive(const Motion& motion) {
+    return {motion.path.position_m, motion.path.velocity_m_per_s};
+  }
+
+  static void write_truth(const Motion& motion, Real hand_force_n, Real kinetic_j,
+                          PlantTruth& truth) {
+    truth.position_m = static_cast<double>(motion.body.position_m);
+    truth.velocity_m_per_s = static_cast<double>(motion.body.velocity_m_per_s);
+    truth.hand_path_m = motion.path.position_m;
+    truth.hand_force_n = static_cast<double>(hand_force_n);
+    truth.actuator_work_j = static_cast<double>(motion.energy.actuator_work_j);
+    truth.dissipation_j = static_cast<double>(motion.energy.dissipation_j());
+    truth.hand_work_j = static_cast<double>(motion.energy.hand_work_j);
+    truth.kinetic_j = static_cast<double>(kinetic_j);
+  }
+
+  // `force_n`: the last one that the actuator was told to give.
+  [[nodiscard]] HandOver<Real> hand_over(Real force_n, Real kinetic_j) const {
+    const State& body = motion_.body;
+    HandOver<Real> state{
+        body.position_m, body.velocity_m_per_s, body.position_m, body.velocity_m_per_s, force_n,
+        kinetic_j,       motion_.energy};
+    if constexpr (requires { body.hand_position_m; }) {
+      state.hand_position_m = body.hand_position_m;
+      state.hand_velocity_m_per_s = body.hand_velocity_m_per_s;
+    }
+    if constexpr (requires { body.actuator_n; }) state.actuator_n = body.actuator_n;
+    return state;
+  }
+  // Goes on from there, along the other's path.
+  void go_on_from(const HandOver<Real>& state, HandPath& path) {
+    std::swap(path_, path);
+    motion_.energy = state.energy;
+    State& body = motion_.body;
+    body.position_m = state.position_m;
+    body.velocity_m_per_s = state.velocity_m_per_s;
+    motion_.direction =
+        static_cast<Real>((state.velocity_m_per_s > 0) - (state.velocity_m_per_s < 0));
+    if constexpr (requires { body.hand_position_m; }) {
+      body.hand_position_m = state.hand_position_m;
+      body.hand_velocity_m_per_s = state.hand_velocity_m_per_s;
+    }
+    if constexpr (requires { body.actuator_n; }) body.actuator_n = state.actuator_n;
+  }
+  // Whoever makes a moving handle heavier or lighter gives or takes its kinetic energy; in the
+  // ledger that is the hand.
+  void charge_hand_with(Real energy_j) { motion_.energy.hand_work_j += energy_j; }
+
+  HandPath path_;
+  double period_s_;
+  double start_m_;
+  Motion motion_;  // its path is set anew from path_ where it is asked for
+};
+
+}  // namespace hapticwall

@@ -1,0 +1,71 @@
+// What lies between a command and the amplifier: rounding to whole steps of force, the actuator's
+// limit, and a delay of whole ticks.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/encoder.h"
+#include "core/scene.h"
+
+namespace hapticwall {
+
+// Realtime-safe: yes, after construction.
+class OutputStage {
+ public:
+  explicit OutputStage(const DeviceSettings& device)
+      : resolution_n_(device.force_resolution_n.value_or(0.0)),
+        limit_n_(device.force_limit_n.value_or(std::numeric_limits<double>::max())),
+        waiting_n_(static_cast<std::size_t>(device.delay_ticks.value_or(0)), 0.0) {}
+
+  // False: pass() gives back what it gets.
+  [[nodiscard]] bool present() const { return resolution_n_ > 0.0 || !waiting_n_.empty(); }
+
+  // The command of this tick goes in; what the amplifier is told in this tick comes out, newtons.
+  // Before the first command has come through that is 0.
+  [[nodiscard]] double pass(double commanded_n) {
+    double force_n = commanded_n;
+    if (resolution_n_ > 0.0) {
+      force_n = std::clamp(quantise(commanded_n, resolution_n_), -limit_n_, limit_n_);
+    }
+    if (!waiting_n_.empty()) {
+      std::swap(force_n, waiting_n_[next_]);
+      next_ = next_ + 1 == waiting_n_.size() ? 0 : next_ + 1;
+    }
+    last_n_ = force_n;
+    return force_n;
+  }
+  // What came out last; 0 before that.
+  [[nodiscard]] double last_n() const { return last_n_; }
+
+  void reset() {
+    std::fill(waiting_n_.begin(), waiting_n_.end(), 0.0);
+    next_ = 0;
+    last_n_ = 0.0;
+  }
+
+  // Goes on from another stage, out of which `last_n` came last: commands that are on their way
+  // arrive, at most a delay later; where this delay is longer, `last_n` goes on for the difference.
+  void take_over(const OutputStage& other, double last_n) {
+    reset();
+    last_n_ = last_n;
+    const std::size_t count = waiting_n_.size();
+    const std::size_t theirs = other.waiting_n_.size();
+    for (std::size_t age = 0; age < count; ++age) {  // 0: the newest
+      waiting_n_[count - 1 - age] =
+          age < theirs ? other.waiting_n_[(other.next_ + theirs - 1 - age) % theirs] : last_n_;
+    }
+  }
+
+ private:
+  double resolution_n_;  // 0: none
+  double limit_n_;
+  std::vector<double> waiting_n_;  // a ring; the oldest at next_
+  std::size_t next_ = 0;
+  double last_n_ = 0.0;
+};
+
+}  // namespace hapticwall
