@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -35,14 +36,15 @@ class BareLoop {
                        static_cast<double>(ramp_ticks_);
     ramp_speed_ = ramp_m_per_tick_ * scene.sampling.rate_hz;
     // (x - p, v, s, F), time in seconds: one matrix exponential.
-    SetupMatrix generator = SetupMatrix::Zero(4, 4);
+    SetupMatrix<4> generator = SetupMatrix<4>::Zero();
     generator(0, 1) = period;
     generator(0, 2) = -period;
     generator(1, 0) = -hand.stiffness_n_per_m / mass * period;
     generator(1, 1) = -(hand.damping_n_s_per_m + scene.device.damping_n_s_per_m) / mass * period;
     generator(1, 2) = hand.damping_n_s_per_m / mass * period;
     generator(1, 3) = -period / mass;
-    const SetupMatrix increment = make_propagators(generator, {}, 0).front().increment;
+    const SetupMatrix<4> increment =
+        make_propagators(generator, std::array<SetupMatrix<4>, 0>{}, 0).front().increment;
     for (int i = 0; i < 4; ++i) {
       phi_x_[i] = static_cast<double>(increment(0, i));
       phi_v_[i] = static_cast<double>(increment(1, i));
