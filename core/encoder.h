@@ -19,4 +19,30 @@ namespace hapticwall {
   return resolution_m * round_to_even(position_m / resolution_m);
 }
 
+// An encoder that remembers its last count: while the position surely stays within that count
+// nothing is divided. Gives exactly what quantise() gives, for |position| ≤ 1 m. Realtime-safe:
+// yes.
+class CountingEncoder {
+ public:
+  // `resolution_m`: at least 1e-12, or 0 for no encoder; read() then is not called.
+  explicit CountingEncoder(double resolution_m)
+      : resolution_m_(resolution_m), surely_within_m_(resolution_m * kSureFraction - kRounding) {}
+
+  [[nodiscard]] double read(double position_m) {
+    if (!(std::abs(position_m - last_m_) < surely_within_m_)) {
+      last_m_ = quantise(position_m, resolution_m_);
+    }
+    return last_m_;
+  }
+
+ private:
+  // Half a count, less than what the roundings of a position, a quotient and a product come to.
+  static constexpr double kSureFraction = 0.5 - 1e-9;
+  static constexpr double kRounding = 1e-15;
+
+  double resolution_m_;
+  double surely_within_m_;  // may be negative: then every position is divided
+  double last_m_ = 0.0;
+};
+
 }  // namespace hapticwall

@@ -18,7 +18,10 @@ void TickMetrics::write(Summary& summary, bool has_wall) const {
   const bool quiet = tail_ticks_ > 0 && *summary.tail_peak_to_peak_m <= kSettledPeakToPeakM;
   summary.verdict = quiet ? Verdict::kSettled : Verdict::kOscillating;
   if (tail_contact_ticks_ > 0 && contact_penetration_m_ > 0.0) {
-    summary.displayed_stiffness_n_per_m = contact_force_n_ / contact_penetration_m_;
+    // A penetration may be the smallest number there is; a summary is finite.
+    constexpr double kMost = std::numeric_limits<double>::max();
+    summary.displayed_stiffness_n_per_m =
+        std::clamp(contact_force_n_ / contact_penetration_m_, -kMost, kMost);
   }
   if (has_wall && max_penetration_m_ > -kInfinity) summary.max_penetration_m = max_penetration_m_;
   summary.peak_force_n = peak_force_n_;

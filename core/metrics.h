@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "core/energy_ledger.h"
+#include "core/plant/moving_plant.h"
 #include "core/sample.h"
 #include "core/scene.h"
 #include "core/summary.h"
@@ -19,8 +20,6 @@ namespace hapticwall {
 
 // Tail peak-to-peak at or below this is `settled`.
 inline constexpr double kSettledPeakToPeakM = 1e-4;
-// A position beyond this is `diverged`.
-inline constexpr double kDivergedPositionM = 1.0;
 // The tail of a run is its last second.
 inline constexpr double kTailS = 1.0;
 

@@ -104,26 +104,47 @@ namespace detail {
 
 }  // namespace detail
 
+// What a caller knows of its ticks beforehand; a question that has one answer only is then not in
+// the loop. Every such tick gives the same bits as one of which nothing is known.
+struct StepKnowledge {
+  bool sound_device = false;  // no reading is ever old or faulty
+  // A reading has come since the reset, no switch is being blended, and no force was ever other
+  // than finite; see is_steady(). Stays true from tick to tick while state.failed is false.
+  bool steady = false;
+  bool one_undamped_wall = false;
+};
+
+// Realtime-safe: yes, these two.
+[[nodiscard]] inline bool is_steady(const ServoState& state) {
+  return state.position_known && state.transition.ticks_left == 0 && !state.failed &&
+         !state.parameters_changed;
+}
+[[nodiscard]] inline bool has_one_undamped_wall(const ServoSettings& settings) {
+  const auto walls = settings.walls.walls();
+  return walls.size() == 1 && walls.front().damping_n_s_per_m == 0.0;
+}
+
 // One tick. `device` has `DeviceReading read()` and `void write(double)`. Realtime-safe: yes, if
 // the device is.
-template <typename Device, typename Stabiliser>
+template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stabiliser>
 [[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
                                                      ServoState& state, Stabiliser& stabiliser,
                                                      Device& device) {
   TickOutcome out;
   const DeviceReading reading = device.read();
   out.tick = state.tick;
-  // A device may promise by its type that no reading of it is ever old or faulty; a simulator's
-  // loop then has no question in it that has one answer only.
-  if constexpr (!requires { typename Device::AlwaysSound; }) {
+  if constexpr (!kKnown.sound_device) {
     out.stale = !(reading.age_s <= settings.maximum_age_s);
     out.fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
   }
   out.position_m = out.fault ? state.previous_position_m : reading.position_m;
 
-  out.displacement_m = state.position_known ? out.position_m - state.previous_position_m : 0.0;
+  const bool known = kKnown.steady || state.position_known;
+  out.displacement_m = known ? out.position_m - state.previous_position_m : 0.0;
   out.velocity_m_per_s = out.displacement_m * settings.rate_hz;
-  out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
+  out.contact = kKnown.one_undamped_wall
+                    ? evaluate_undamped_wall(settings.walls.walls().front(), out.position_m)
+                    : evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
 
   const StabiliserInput input{out.contact.force_n,       out.position_m,
                               out.displacement_m,        out.velocity_m_per_s,
@@ -131,12 +152,14 @@ template <typename Device, typename Stabiliser>
                               out.contact.in_contact};
   double wanted_n = stabiliser.step(input);
   out.intervened = wanted_n != out.contact.force_n;
-  if (state.transition.ticks_left > 0) [[unlikely]] {
-    wanted_n = state.transition.blend(wanted_n, state.previous_force_n);
+  if constexpr (!kKnown.steady) {
+    if (state.transition.ticks_left > 0) [[unlikely]] {
+      wanted_n = state.transition.blend(wanted_n, state.previous_force_n);
+    }
   }
   out.force_n = wanted_n;
-  if (out.stale || out.fault || state.failed || !(std::abs(wanted_n) <= settings.force_limit_n))
-      [[unlikely]] {
+  if (out.stale || out.fault || (!kKnown.steady && state.failed) ||
+      !(std::abs(wanted_n) <= settings.force_limit_n)) [[unlikely]] {
     out.saturated = std::abs(wanted_n) > settings.force_limit_n;
     out.force_n =
         detail::restrict_force(wanted_n, settings.force_limit_n, !out.stale && !out.fault, state);
@@ -145,10 +168,12 @@ template <typename Device, typename Stabiliser>
 
   state.ledger.add(out.force_n, state.previous_force_n, out.displacement_m, state.budget_n_per_m);
   state.previous_position_m = out.position_m;
-  state.position_known = state.position_known || !out.fault;
   state.previous_force_n = out.force_n;
-  out.parameters_changed = state.parameters_changed;
-  state.parameters_changed = false;
+  if constexpr (!kKnown.steady) {
+    state.position_known = state.position_known || !out.fault;
+    out.parameters_changed = state.parameters_changed;
+    state.parameters_changed = false;
+  }
   ++state.tick;
   return out;
 }

@@ -31,30 +31,52 @@ inline bool same_plant(const Scene& a, const Scene& b) {
 
 // What the type of a loop knows; a scene's other parts cost it nothing.
 struct LoopParts {
+  StepKnowledge known;
+  bool maybe_encoder = true;
   bool encoder = false;
-  bool output_stage = false;
+  bool maybe_output_stage = true;
   bool log = false;
 };
 
-// The plant as the servo step sees it: a position to read and a force to hold.
+// The loop for anything, and the one for the scenes that come most: an undamped wall, nothing
+// between command and handle, in its steady state.
+constexpr LoopParts any_loop(bool log) { return {.known = {.sound_device = true}, .log = log}; }
+constexpr LoopParts lean_loop(bool encoder, bool log) {
+  return {.known = {.sound_device = true, .steady = true, .one_undamped_wall = true},
+          .maybe_encoder = encoder,
+          .encoder = encoder,
+          .maybe_output_stage = false,
+          .log = log};
+}
+
+// The plant as the servo step sees it: a position to read and a force to hold. The loop ends where
+// the plant's position is no number any more, so that every reading is sound.
 template <typename Plant, LoopParts kParts>
 class HeadlessDevice {
  public:
-  using AlwaysSound = void;  // the loop ends where the plant's position is no number any more
-
   HeadlessDevice(Plant& plant, OutputStage& output, double encoder_m)
-      : plant_(plant), output_(output), motion_(plant.motion()), encoder_m_(encoder_m) {}
+      : plant_(plant),
+        output_(output),
+        motion_(plant.motion()),
+        has_encoder_(encoder_m > 0.0),
+        has_output_stage_(output.present()),
+        encoder_(encoder_m) {}
 
-  DeviceReading read() const {
+  DeviceReading read() {
     double position_m = true_position_m();
-    if constexpr (kParts.encoder) position_m = quantise(position_m, encoder_m_);
+    if (kParts.maybe_encoder && (kParts.encoder || has_encoder_)) {
+      position_m = encoder_.read(position_m);
+    }
     return {position_m, 0.0, DeviceState::kOk};
   }
-  void write(double force_n) { force_n_ = kParts.output_stage ? output_.pass(force_n) : force_n; }
+  void write(double force_n) {
+    force_n_ = kParts.maybe_output_stage && has_output_stage_ ? output_.pass(force_n) : force_n;
+  }
 
   [[nodiscard]] double true_position_m() const {
     return static_cast<double>(motion_.body.position_m);
   }
+  [[nodiscard]] bool in_reach() const { return Plant::in_reach(motion_); }
   [[nodiscard]] double net_work_j() const {
     return static_cast<double>(plant_.net_work_j(motion_));
   }
@@ -80,7 +102,9 @@ class HeadlessDevice {
   Plant& plant_;
   OutputStage& output_;
   typename Plant::Motion motion_;
-  double encoder_m_;
+  bool has_encoder_;
+  bool has_output_stage_;
+  CountingEncoder encoder_;
   double force_n_ = 0.0;
 };
 
@@ -173,14 +197,19 @@ class Simulation {
 
   template <bool kLog, typename Plant, typename Stabiliser>
   void choose_loop(Plant& plant, Stabiliser& stabiliser, std::uint64_t end) {
-    const bool encoder = servo_.settings().encoder_m > 0.0;
-    if (output_.present()) {
-      encoder ? run_loop<LoopParts{true, true, kLog}>(plant, stabiliser, end)
-              : run_loop<LoopParts{false, true, kLog}>(plant, stabiliser, end);
-    } else {
-      encoder ? run_loop<LoopParts{true, false, kLog}>(plant, stabiliser, end)
-              : run_loop<LoopParts{false, false, kLog}>(plant, stabiliser, end);
+    const bool lean = !output_.present() && has_one_undamped_wall(servo_.settings());
+    if constexpr (Plant::kPlain) {
+      if (lean && !is_steady(servo_.state())) {
+        const std::uint64_t unsteady = 1 + servo_.state().transition.ticks_left;
+        run_loop<any_loop(kLog)>(plant, stabiliser, std::min(end, servo_.state().tick + unsteady));
+      }
+      if (lean && is_steady(servo_.state())) {
+        return servo_.settings().encoder_m > 0.0
+                   ? run_loop<lean_loop(true, kLog)>(plant, stabiliser, end)
+                   : run_loop<lean_loop(false, kLog)>(plant, stabiliser, end);
+      }
     }
+    run_loop<any_loop(kLog)>(plant, stabiliser, end);
   }
 
   // Works on copies and gives them back at the end, so that the loop's state can live in registers.
@@ -195,11 +224,11 @@ class Simulation {
     Sample sample;
     while (state.tick < end) {
       const double true_position_m = device.true_position_m();
-      if (has_diverged(true_position_m)) [[unlikely]] {
+      if (!device.in_reach()) [[unlikely]] {
         diverged_at_tick = state.tick;
         break;
       }
-      const TickOutcome outcome = servo_step(settings, state, stabiliser, device);
+      const TickOutcome outcome = servo_step<kParts.known>(settings, state, stabiliser, device);
       if (state.failed) [[unlikely]] {
         diverged_at_tick = outcome.tick;
         break;
@@ -225,9 +254,9 @@ class Simulation {
 
   // The loop looks before a tick; what the last tick's hold has done is looked at here.
   void check_end() {
-    const double position_m = visit_plant(
-        [](const auto& plant) { return static_cast<double>(plant.position_m()); }, plant_);
-    if (!diverged_at_tick_ && has_diverged(position_m)) diverged_at_tick_ = servo_.state().tick;
+    const bool in_reach =
+        visit_plant([](const auto& plant) { return plant.in_reach(plant.motion()); }, plant_);
+    if (!diverged_at_tick_ && !in_reach) diverged_at_tick_ = servo_.state().tick;
   }
   [[nodiscard]] Summary summary() const;
 

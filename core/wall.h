@@ -63,4 +63,14 @@ struct WallContact {
   return contact;
 }
 
+// The same for a single wall without damping.
+[[nodiscard, gnu::always_inline]] inline WallContact evaluate_undamped_wall(
+    const WallSettings& wall, double position_m) {
+  WallContact contact;
+  contact.penetration_m = position_m - wall.position_m;
+  contact.in_contact = contact.penetration_m > 0.0;
+  if (contact.in_contact) contact.force_n = wall.stiffness_n_per_m * contact.penetration_m;
+  return contact;
+}
+
 }  // namespace hapticwall

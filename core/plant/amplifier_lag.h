@@ -43,7 +43,7 @@ template <typename Real, std::size_t kStates>
 struct LagRows<Real, true, kStates> {
   Real settled_fraction = 0;          // 1 - exp(-h/τ)
   Real integral_s = 0;                // ∫e dt per newton of excess: τ (1 - exp(-h/τ))
-  std::array<Real, kStates> cross{};  // ∫ e u dt per newton of excess, of the body's states
+  std::array<Real, kStates> cross{};  // ∫ e (v - v(0)) dt per newton of excess, of the states
 
   LagRows() = default;
   LagRows(long double duration_s, long double time_constant_s)
@@ -51,12 +51,11 @@ struct LagRows<Real, true, kStates> {
         integral_s(
             static_cast<Real>(-time_constant_s * std::expm1(-duration_s / time_constant_s))) {}
 
-  // ∫ e v dt with v = u + s.
-  [[nodiscard]] Real work(Real excess_n, Real speed_m_per_s,
-                          const std::array<Real, kStates>& states) const {
-    Real sum = speed_m_per_s * integral_s;
+  // ∫ e v dt.
+  [[nodiscard]] Real work(Real velocity_m_per_s, const std::array<Real, kStates>& states) const {
+    Real sum = velocity_m_per_s * integral_s;
     for (std::size_t i = 0; i < kStates; ++i) sum += cross[i] * states[i];
-    return excess_n * sum;
+    return states.back() * sum;
   }
   // F_a at the end of the step.
   void settle(ActuatorState<Real, true>& state, Real force_n) const {

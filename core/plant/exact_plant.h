@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -30,6 +31,8 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
 
  public:
   using typename Base::Motion;
+  // Nothing optional in it: its tick is so short that what is around it counts.
+  static constexpr bool kPlain = !kFriction && !Body::kHasLag;
 
   // `friction_n`: Coulomb friction f_c ≥ 0; not read where kFriction is false.
   ExactPlant(const Body& body, HandPath path, double period_s, double start_m, double friction_n)
@@ -122,24 +125,33 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
   // A stretch in which the path is straight: whole levels where nothing can happen in them, Taylor
   // pieces where something might.
   void advance_piece(Real force_n, Real duration_s) {
-    Drive now{path_.position_m(), path_.velocity_m_per_s()};
+    // Small displacements must not drown in a large position: the origin moves to the handle.
+    const Real origin_m = motion_.body.position_m;
+    Body::move_origin(motion_.body, origin_m);
+    const Real begin_m = path_.position_m() - origin_m;
+    Drive now{begin_m, path_.velocity_m_per_s()};
     Real done_s = 0;
     int events_at_one_instant = 0;
+    int stalls = 0;
+    stop_if_spent();
     while (done_s < duration_s) {
       const Real rest_s = duration_s - done_s;
       Real step_s = try_levels(force_n, now, rest_s);
+      if (step_s == 0 && events_at_one_instant > kMostEventsAtOneInstant) {
+        step_s = rest_for_a_while(force_n, now, rest_s, stalls++);
+        events_at_one_instant = 0;
+      }
       if (step_s == 0) {
         step_s = std::min(level_duration(body_.deepest_level()), rest_s);
         if (done_s + step_s <= done_s) break;  // what is left is below the last digit
-        const Real fraction =
-            advance_by_taylor(force_n, now, step_s, events_at_one_instant < kMaximumStalls);
-        step_s *= fraction;
+        step_s *= advance_by_taylor(force_n, now, step_s);
         // A stretch below the last digit of the time is no progress either.
         events_at_one_instant = done_s + step_s > done_s ? 0 : events_at_one_instant + 1;
       }
       done_s += step_s;
-      now.position_m = path_.position_m() + path_.velocity_m_per_s() * done_s;
+      now.position_m = begin_m + path_.velocity_m_per_s() * done_s;
     }
+    Body::move_origin(motion_.body, -origin_m);
   }
 
   [[nodiscard]] Real level_duration(int level) const {
@@ -156,31 +168,59 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
       } else {
         account(motion_, force_n,
                 body_.advance_by(body_.level(level), motion_.body, load(motion_, force_n), now));
+        stop_if_spent();
       }
       return step_s;
     }
     return 0;
   }
 
+  // Where rounding makes stop and break-loose alternate at one instant, the handle rests: for the
+  // shortest step at first, for twice as long whenever that happens again in the same stretch.
+  // Returns how long; 0 where even the shortest step is too long.
+  Real rest_for_a_while(Real force_n, const Drive& now, Real rest_s, int stalls) {
+    for (int level = std::max(0, body_.deepest_level() - stalls); level <= body_.deepest_level();
+         ++level) {
+      if (level_duration(level) > rest_s) continue;
+      if (motion_.direction != 0) stop();
+      body_.advance_stick_level(level, motion_.body, force_n, now);
+      return level_duration(level);
+    }
+    return 0;
+  }
+
+  // A handle that has crept until its velocity is nothing but rounding has come to rest.
+  void stop_if_spent() {
+    if constexpr (kFriction) {
+      if (motion_.direction * motion_.body.velocity_m_per_s > 0 || motion_.direction == 0) return;
+      stop();
+    }
+  }
+  void stop() {
+    motion_.body.velocity_m_per_s = 0;
+    motion_.direction = 0;
+    ++friction_events_;
+  }
+
   [[nodiscard]] bool surely_quiet(int level, Real force_n, const Drive& now) const {
     if constexpr (!kFriction) return true;
     if (motion_.direction == 0) {
-      return body_.surely_sticks(level, motion_.body, force_n, now, friction_n_);
+      return body_.surely_sticks(level, motion_.body, force_n, now,
+                                 friction_n_ + rounding_n(force_n, now));
     }
     return body_.surely_slides(body_.level(level), motion_.body, load(motion_, force_n), now,
                                motion_.direction);
   }
 
   // Goes on to the end of the step or to the next event, whichever comes first; returns the
-  // fraction of the step that was covered. Where rounding makes stop and break-loose alternate at
-  // one instant, `may_break_loose` is false and the handle rests for this step.
-  Real advance_by_taylor(Real force_n, const Drive& now, Real step_s, bool may_break_loose) {
+  // fraction of the step that was covered.
+  Real advance_by_taylor(Real force_n, const Drive& now, Real step_s) {
     if constexpr (!kFriction) {
       const auto slide = body_.slide(motion_.body, load(motion_, force_n), now, step_s, 0);
-      account(motion_, force_n, body_.advance(motion_.body, slide, now, 1));
+      account(motion_, force_n, body_.advance(motion_.body, slide, 1));
       return 1;
     }
-    return motion_.direction == 0 ? advance_sticking(force_n, now, step_s, may_break_loose)
+    return motion_.direction == 0 ? advance_sticking(force_n, now, step_s)
                                   : advance_sliding(force_n, now, step_s);
   }
 
@@ -188,27 +228,24 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
     // Just broken loose: the net force is the friction up to rounding, and must not pull back.
     const Real push = motion_.body.velocity_m_per_s == 0 ? motion_.direction : 0;
     const auto slide = body_.slide(motion_.body, load(motion_, force_n), now, step_s, push);
-    const auto stop = first_crossing(slide.velocity, motion_.direction);
-    account(motion_, force_n, body_.advance(motion_.body, slide, now, stop.value_or(1)));
-    if (!stop) return 1;
-    motion_.body.velocity_m_per_s = 0;
-    motion_.direction = 0;
-    ++friction_events_;
-    return *stop;
+    const auto stopped = first_crossing(slide.velocity, motion_.direction);
+    account(motion_, force_n, body_.advance(motion_.body, slide, stopped.value_or(1)));
+    if (!stopped) return 1;
+    stop();
+    return *stopped;
   }
 
-  Real advance_sticking(Real force_n, const Drive& now, Real step_s, bool may_break_loose) {
+  Real advance_sticking(Real force_n, const Drive& now, Real step_s) {
+    const Real rounding = rounding_n(force_n, now);
     const auto stick = body_.stick(motion_.body, force_n, now, step_s);
     Real theta = 1;
     Real direction = 0;
     for (const Real side : {Real(1), Real(-1)}) {
-      if (!may_break_loose) break;
       TaylorPolynomial<Real> reserve = stick.net_force;  // f_c - side * F_net
       for (Real& c : reserve.coefficient) c *= -side;
       reserve.coefficient[0] += friction_n_;
-      const auto loose = reserve.coefficient[0] < -kBreakTolerance * friction_n_
-                             ? std::optional<Real>(0)
-                             : first_crossing(reserve, Real(1));
+      const auto loose = reserve.coefficient[0] < -rounding ? std::optional<Real>(0)
+                                                            : first_crossing(reserve, Real(1));
       if (loose && (*loose < theta || direction == 0)) {
         theta = *loose;
         direction = side;
@@ -222,10 +259,15 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
     return theta;
   }
 
-  // A net force beyond friction by more than this fraction breaks loose at once, whatever its
-  // trend.
-  static constexpr Real kBreakTolerance = 1e-12;
-  static constexpr int kMaximumStalls = 8;
+  // What a net force is known to: beyond friction by more than this it breaks loose at once,
+  // whatever its trend.
+  [[nodiscard]] Real rounding_n(Real force_n, const Drive& now) const {
+    constexpr Real kLastDigits = 8 * std::numeric_limits<Real>::epsilon();
+    return kLastDigits *
+           (std::abs(body_.hand_force_n(motion_.body, now)) + std::abs(force_n) + friction_n_);
+  }
+
+  static constexpr int kMostEventsAtOneInstant = 8;
 
   Body body_;
   Real friction_n_;

@@ -2,6 +2,7 @@
 // takes over from another while it moves.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -17,6 +18,11 @@ struct PlantParts {
   bool friction = false;
   bool lag = false;  // of the amplifier
 };
+
+// A handle's position beyond this is `diverged`.
+inline constexpr double kDivergedPositionM = 1.0;
+// So is a hand's beyond this, which no path asks for: only an unstable integrator sends it there.
+inline constexpr double kRunawayHandM = 1e3;
 
 // What one plant hands to the next when the scene's parameters change in the course of a session.
 template <typename Real>
@@ -49,6 +55,16 @@ class MovingPlant {
   [[nodiscard]] HandPath& path() { return path_; }
   [[nodiscard]] Real position_m() const { return motion_.body.position_m; }
   [[nodiscard]] const BasicEnergyTotals<Real>& energy() const { return motion_.energy; }
+
+  // False where the motion has left what a scene can mean: a handle that is not within ±1 m, or a
+  // hand that has run away.
+  [[nodiscard]] static bool in_reach(const Motion& motion) {
+    bool in = std::abs(motion.body.position_m) <= static_cast<Real>(kDivergedPositionM);
+    if constexpr (requires { motion.body.hand_position_m; }) {
+      in = in && std::abs(motion.body.hand_position_m) <= static_cast<Real>(kRunawayHandM);
+    }
+    return in;
+  }
 
   [[nodiscard]] Motion motion() const {
     Motion motion = motion_;

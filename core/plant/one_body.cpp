@@ -1,51 +1,43 @@
 #include "core/plant/one_body.h"
 
+#include <limits>
+
 #include "core/plant/ladder.h"
 #include "core/plant/propagator.h"
 
 namespace hapticwall {
 namespace {
 
-// State (u, aT, [eT/m,] ∫u/T, ∫∫u/T²), time in ticks.
+// Scaled states (u, aT[, eT/m]).
 template <bool kLag>
-struct Generator {
-  static constexpr int kU = 0;
-  static constexpr int kA = 1;
-  static constexpr int kE = 2;  // with a lag only
-  static constexpr int kIntegral = kLag ? 3 : 2;
-  static constexpr int kDouble = kIntegral + 1;
-  static constexpr int kSize = kDouble + 1;
-  using Matrix = SetupMatrix<kSize>;
-
-  static Matrix make(const OneBodyParameters& p, long double t) {
-    const long double m = p.mass_kg;
-    const long double damping = static_cast<long double>(p.damping_n_s_per_m) +
-                                static_cast<long double>(p.hand_damping_n_s_per_m);
-    Matrix a = Matrix::Zero();
-    a(kU, kA) = 1.0L;
-    a(kA, kU) = -static_cast<long double>(p.hand_stiffness_n_per_m) / m * t * t;
-    a(kA, kA) = -damping / m * t;
-    a(kIntegral, kU) = 1.0L;
-    a(kDouble, kIntegral) = 1.0L;
-    if constexpr (kLag) {
-      a(kA, kE) = t / static_cast<long double>(p.time_constant_s);
-      a(kE, kE) = -a(kA, kE);
-    }
-    return a;
+auto make_generator(const OneBodyParameters& p, long double t) {
+  LinearGenerator<kLag ? 3 : 2> g;
+  constexpr int kU = 0;
+  constexpr int kA = 1;
+  const long double m = p.mass_kg;
+  const long double stiffness = static_cast<long double>(p.hand_stiffness_n_per_m) / m * t * t;
+  const long double hand_damping = static_cast<long double>(p.hand_damping_n_s_per_m) / m * t;
+  const long double damping = static_cast<long double>(p.damping_n_s_per_m) / m * t;
+  auto& a = g.matrix;
+  a(kU, kA) = 1.0L;
+  a(kA, kU) = -stiffness;
+  a(kA, kA) = -(damping + hand_damping);
+  a(g.kVelocity, kA) = 1.0L;
+  a(g.kHandForce, kU) = -stiffness;
+  a(g.kHandForce, kA) = -hand_damping;
+  g.unit[kU] = 1.0L;
+  g.unit[kA] = t / m;
+  if constexpr (kLag) {
+    constexpr int kE = 2;
+    a(kA, kE) = t / static_cast<long double>(p.time_constant_s);
+    a(kE, kE) = -a(kA, kE);
+    g.unit[kE] = t / m;
   }
-
-  static auto weights() {
-    Matrix u_squared = Matrix::Zero();
-    u_squared(kU, kU) = 1.0L;
-    if constexpr (kLag) {
-      Matrix excess_times_u = Matrix::Zero();
-      excess_times_u(kE, kU) = excess_times_u(kU, kE) = 0.5L;
-      return std::array{u_squared, excess_times_u};
-    } else {
-      return std::array{u_squared};
-    }
-  }
-};
+  g.period_s = t;
+  g.mass_kg = m;
+  g.time_constant_s = p.time_constant_s;
+  return g;
+}
 
 }  // namespace
 
@@ -60,51 +52,33 @@ BasicOneBody<Real, kLag>::BasicOneBody(const OneBodyParameters& parameters, doub
           std::sqrt(hand_stiffness_n_per_m_ / static_cast<Real>(parameters.mass_kg))),
       damping_rate_per_s_((damping_n_s_per_m_ + hand_damping_n_s_per_m_) /
                           static_cast<Real>(parameters.mass_kg)),
+      fast_rate_per_s_(-std::numeric_limits<Real>::infinity()),
       lag_(parameters.time_constant_s) {
-  using G = Generator<kLag>;
-  const long double t = period_s;
-  // What a unit of u, f = m a and e is in the scaled state.
-  std::array<long double, kStates> unit{1.0L, t / static_cast<long double>(parameters.mass_kg)};
-  Real rate_per_s = natural_rate_per_s_ + damping_rate_per_s_;
-  if constexpr (kLag) {
-    unit[2] = unit[1];
-    rate_per_s += lag_.rate_per_s;
+  const Real half = damping_rate_per_s_ / 2;
+  if (half > natural_rate_per_s_) {
+    fast_rate_per_s_ =
+        half + std::sqrt((half - natural_rate_per_s_) * (half + natural_rate_per_s_));
   }
-  const auto row = [&](const typename G::Matrix& e, int output, long double scale) {
-    Row numbers{};
-    for (std::size_t i = 0; i < kStates; ++i) {
-      numbers[i] = static_cast<Real>(e(output, static_cast<int>(i)) * unit[i] * scale);
-    }
-    return numbers;
-  };
-  long double duration_s = t;
-  for (const auto& propagator :
-       make_propagators(G::make(parameters, t), G::weights(),
+  Real rate_per_s = natural_rate_per_s_ + damping_rate_per_s_;
+  if constexpr (kLag) rate_per_s += lag_.rate_per_s;
+  const auto generator = make_generator<kLag>(parameters, static_cast<long double>(period_s));
+  long double duration_s = period_s;
+  for (const auto& step :
+       make_propagators(generator.matrix, generator.template weights<kLag>(),
                         halvings_within_reach(static_cast<double>(rate_per_s), period_s))) {
-    const auto& e = propagator.increment;
-    const auto& g = propagator.integrals.front();
     Rows rows;
-    rows.duration_s = static_cast<Real>(duration_s);
-    rows.velocity = row(e, G::kU, 1.0L);
-    rows.integral = row(e, G::kIntegral, t);
-    rows.double_integral = row(e, G::kDouble, t * t);
-    std::size_t k = 0;
-    for (std::size_t j = 0; j < kStates; ++j) {
-      for (std::size_t i = 0; i <= j; ++i) {
-        const long double twice = i == j ? 1.0L : 2.0L;
-        rows.square[k++] = static_cast<Real>(twice * g(static_cast<int>(i), static_cast<int>(j)) *
-                                             unit[i] * unit[j] * t);
-      }
-    }
-    if constexpr (kLag) {
-      rows.lag = {duration_s, static_cast<long double>(parameters.time_constant_s)};
-      const auto& cross = propagator.integrals[1];
-      for (std::size_t i = 0; i < kStates; ++i) {
-        const long double twice = i == G::kE ? 1.0L : 2.0L;
-        rows.lag.cross[i] =
-            static_cast<Real>(twice * cross(G::kE, static_cast<int>(i)) * unit[i] * t);
-      }
-    }
+    generator.template fill<Real, kLag>(rows, step, duration_s);
+    // u = v: the velocity's own terms join those of u.
+    const auto& drift = step.integral;
+    const auto& square = step.integrals[0];
+    const int v = generator.kVelocity;
+    auto integral = drift;
+    integral(v, 0) += duration_s / generator.period_s;
+    rows.integral_at_rest = generator.template row<Real>(integral, v, generator.period_s);
+    auto at_rest = square;
+    at_rest(0, 0) += duration_s / generator.period_s + 2.0L * drift(v, 0);
+    for (int i = 1; i < generator.kCore; ++i) at_rest(0, i) += drift(v, i);
+    rows.square_at_rest = generator.template form<Real>(at_rest, generator.period_s);
     levels_.push_back(rows);
     duration_s *= 0.5L;
   }
@@ -127,7 +101,7 @@ bool BasicOneBody<Real, kLag>::surely_sticks(int level, const State& state, Real
     most_n -= std::min(excess_n, rest_n);
     least_n -= std::max(excess_n, rest_n);
   }
-  return most_n < friction_n && least_n > -friction_n;
+  return most_n <= friction_n && least_n >= -friction_n;
 }
 
 template <typename Real, bool kLag>
@@ -138,44 +112,41 @@ auto BasicOneBody<Real, kLag>::slide(const State& state, const Load<Real>& load,
   slide.duration_s = duration_s;
   Real a = net_force_n(state, load, drive) * per_mass_;
   if (push * a < 0) a = 0;
-  auto& u = slide.relative_velocity.coefficient;
-  u[0] = state.velocity_m_per_s - drive.velocity_m_per_s;
-  u[1] = a * duration_s;
-  const Real stiffness = natural_rate_per_s_ * natural_rate_per_s_ * duration_s * duration_s;
-  const Real damping = damping_rate_per_s_ * duration_s;
+  const Real h = duration_s;
+  const Real stiffness = natural_rate_per_s_ * natural_rate_per_s_ * h * h;
+  const Real damping = damping_rate_per_s_ * h;
   if constexpr (kLag) {
-    slide.lag = {state.excess_n(load.force_n), load.force_n, duration_s, lag_.rate_per_s};
+    slide.lag = {state.excess_n(load.force_n), load.force_n, h, lag_.rate_per_s};
   }
-  for (std::size_t j = 0; j + 2 < u.size(); ++j) {
+  auto& v = slide.velocity.coefficient;
+  auto& force = slide.hand_force.coefficient;
+  Real u = state.velocity_m_per_s - drive.velocity_m_per_s;  // its coefficients differ in the first
+  v[0] = state.velocity_m_per_s;
+  v[1] = a * h;
+  force[0] = hand_force_n(state, drive);
+  for (std::size_t j = 0; j + 1 < v.size(); ++j) {
     const Real order = static_cast<Real>(j + 1);
-    Real force = -(stiffness * u[j] + damping * order * u[j + 1]);
-    if constexpr (kLag) {
-      force +=
-          duration_s * duration_s * lag_.rate_per_s * per_mass_ * slide.lag.excess.coefficient[j];
+    force[j + 1] = -(hand_stiffness_n_per_m_ * h * u / order + hand_damping_n_s_per_m_ * v[j + 1]);
+    if (j + 2 < v.size()) {
+      Real sum = -(stiffness * u + damping * order * v[j + 1]);
+      if constexpr (kLag) {
+        sum += h * h * lag_.rate_per_s * per_mass_ * slide.lag.excess.coefficient[j];
+      }
+      v[j + 2] = sum / (order * (order + 1));
     }
-    u[j + 2] = force / (order * (order + 1));
+    u = v[j + 1];
   }
-  slide.velocity = slide.relative_velocity;
-  slide.velocity.coefficient[0] = state.velocity_m_per_s;
   return slide;
 }
 
 template <typename Real, bool kLag>
 MotionIncrement<Real> BasicOneBody<Real, kLag>::advance(State& state, const Slide& slide,
-                                                        const BasicHandDrive<Real>& drive,
                                                         Real theta) const {
-  const Real h = slide.duration_s;
-  const Real integral_u = h * slide.relative_velocity.integral_to(theta);
-  const Real double_integral_u = h * h * slide.relative_velocity.double_integral_to(theta);
-  const Real u_squared =
-      h * product_integral(slide.relative_velocity, slide.relative_velocity, theta);
-  MotionIncrement<Real> increment;
-  increment.displacement_m = h * slide.velocity.integral_to(theta);
-  increment.velocity_squared = h * product_integral(slide.velocity, slide.velocity, theta);
-  increment.hand_work_j = hand_work(drive.position_m - state.position_m, drive.velocity_m_per_s,
-                                    h * theta, integral_u, double_integral_u, u_squared);
+  MotionIncrement<Real> increment =
+      integrate(slide.velocity, slide.hand_force, slide.duration_s, theta);
   if constexpr (kLag) {
-    increment.lag_work_j = h * product_integral(slide.lag.excess, slide.velocity, theta);
+    increment.lag_work_j =
+        slide.duration_s * product_integral(slide.lag.excess, slide.velocity, theta);
     slide.lag.settle(state, theta);
   }
   state.position_m += increment.displacement_m;

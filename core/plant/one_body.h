@@ -4,8 +4,8 @@
 //
 // F_a the actuator's force, f the friction of the present direction, and the intended path p moving
 // at a constant speed s. Without an amplifier's lag F_a is the force F that it is told to give;
-// with one, e = F_a - F and de/dt = -e/τ. With u = v - s and a = dv/dt the motion is homogeneous,
-// u'' = -(k_h/m) u - ((b + b_h)/m) u' + e/(τ m), so that x enters only through the balance of
+// with one, e = F_a - F and de/dt = -e/τ. Core states (linear_motion.h) are u = v - s, the net
+// force m a and e: m a' = -k_h u - (b + b_h) a + e/τ, so that x enters only through the balance of
 // forces at the start and all cancellation happens there.
 #pragma once
 
@@ -17,6 +17,7 @@
 
 #include "core/plant/amplifier_lag.h"
 #include "core/plant/energy_totals.h"
+#include "core/plant/linear_motion.h"
 #include "core/plant/taylor_polynomial.h"
 
 namespace hapticwall {
@@ -40,10 +41,10 @@ class BasicOneBody {
     Real position_m = 0;
     Real velocity_m_per_s = 0;
   };
-  // A piece of h seconds: u(θ), θ = t/h.
+  // A piece of h seconds, in θ = t/h.
   struct Slide {
-    TaylorPolynomial<Real> velocity;           // v, m/s
-    TaylorPolynomial<Real> relative_velocity;  // u
+    TaylorPolynomial<Real> velocity;    // v, m/s
+    TaylorPolynomial<Real> hand_force;  // F_h, newtons
     LagPiece<Real, kLag> lag;
     Real duration_s = 0;
   };
@@ -53,17 +54,12 @@ class BasicOneBody {
     Real duration_s = 0;
   };
 
-  // Rows of the scene's matrix for a step: what u, the net force f = m a and (with a lag) e at its
-  // start become.
-  static constexpr std::size_t kStates = kLag ? 3 : 2;
+  static constexpr std::size_t kStates = kLag ? 3 : 2;  // u, m a[, e]
   using Row = std::array<Real, kStates>;
-  struct Rows {
-    Real duration_s = 0;
-    Row velocity{};                                        // change of v
-    Row integral{};                                        // ∫u
-    Row double_integral{};                                 // ∫∫u
-    std::array<Real, kStates*(kStates + 1) / 2> square{};  // ∫u² of (uu, uf, ff, ue, fe, ee)
-    LagRows<Real, kLag, kStates> lag;
+  // While the path stands still, u = v: most of the time, and cheaper.
+  struct Rows : LinearRows<Real, kLag, kStates> {
+    Row integral_at_rest{};                         // ∫v
+    SymmetricForm<Real, kStates> square_at_rest{};  // ∫v²
   };
 
   BasicOneBody(const OneBodyParameters& parameters, double period_s);
@@ -74,6 +70,8 @@ class BasicOneBody {
     state.position_m = position_m;
     return state;
   }
+  // To coordinates that begin at `origin_m`, and back with its negative.
+  static void move_origin(State& state, Real origin_m) { state.position_m -= origin_m; }
   [[nodiscard]] Real kinetic_j(const State& state) const {
     return half_mass_kg_ * (state.velocity_m_per_s * state.velocity_m_per_s);
   }
@@ -107,8 +105,7 @@ class BasicOneBody {
   // against `push`, the sign of its direction (0: it moves already).
   [[nodiscard]] Slide slide(const State& state, const Load<Real>& load,
                             const BasicHandDrive<Real>& drive, Real duration_s, Real push) const;
-  [[nodiscard]] MotionIncrement<Real> advance(State& state, const Slide& slide,
-                                              const BasicHandDrive<Real>& drive, Real theta) const;
+  [[nodiscard]] MotionIncrement<Real> advance(State& state, const Slide& slide, Real theta) const;
   [[nodiscard]] Stick stick(const State& state, Real force_n, const BasicHandDrive<Real>& drive,
                             Real duration_s) const;
   static void advance(State& state, const Stick& stick, Real theta) {
@@ -124,11 +121,6 @@ class BasicOneBody {
     if constexpr (kLag) return net_n - state.excess_n(load.force_n);
     return net_n;
   }
-  // ∫F_h v dt from ∫u, ∫∫u, ∫u²: F_h = k_h e - b_h u with e = p - x, e' = -u, v = u + s.
-  // `stretch_m`: p - x at the start.
-  [[nodiscard]] Real hand_work(Real stretch_m, Real speed_m_per_s, Real duration_s, Real integral_u,
-                               Real double_integral_u, Real integral_u_squared) const;
-
   Real damping_n_s_per_m_;
   Real hand_stiffness_n_per_m_;
   Real hand_damping_n_s_per_m_;
@@ -136,6 +128,7 @@ class BasicOneBody {
   Real per_mass_;
   Real natural_rate_per_s_;  // sqrt(k_h/m)
   Real damping_rate_per_s_;  // (b + b_h)/m
+  Real fast_rate_per_s_;     // R where overdamped, else minus infinity
   AmplifierLag<Real, kLag> lag_;
   std::vector<Rows> levels_;
 };
@@ -145,58 +138,37 @@ using OneBody = BasicOneBody<double, false>;
 // ---- the step itself, inline: it is the inner loop ----
 
 template <typename Real, bool kLag>
-[[gnu::always_inline]] inline Real BasicOneBody<Real, kLag>::hand_work(
-    Real stretch_m, Real speed_m_per_s, Real duration_s, Real integral_u, Real double_integral_u,
-    Real integral_u_squared) const {
-  Real spring = integral_u * (stretch_m - integral_u / 2);
-  Real damper = integral_u_squared;
-  if (speed_m_per_s != 0) {
-    spring += speed_m_per_s * (stretch_m * duration_s - double_integral_u);
-    damper += speed_m_per_s * integral_u;
-  }
-  return hand_stiffness_n_per_m_ * spring - hand_damping_n_s_per_m_ * damper;
-}
-
-template <typename Real, bool kLag>
 [[gnu::always_inline]] inline MotionIncrement<Real> BasicOneBody<Real, kLag>::advance_by(
     const Rows& rows, State& state, const Load<Real>& load,
     const BasicHandDrive<Real>& drive) const {
-  const Real f = net_force_n(state, load, drive);
+  const Real v = state.velocity_m_per_s;
   const Real s = drive.velocity_m_per_s;
-  const Real u = state.velocity_m_per_s - s;
-  Real integral_u = rows.integral[0] * u + rows.integral[1] * f;
-  Real u_squared = u * (rows.square[0] * u + rows.square[1] * f) + rows.square[2] * (f * f);
-  Real velocity_m_per_s = (state.velocity_m_per_s + rows.velocity[0] * u) + rows.velocity[1] * f;
-  Real excess_n = 0;
-  if constexpr (kLag) {
-    excess_n = state.excess_n(load.force_n);
-    integral_u += rows.integral[2] * excess_n;
-    u_squared += excess_n * (rows.square[3] * u + rows.square[4] * f + rows.square[5] * excess_n);
-    velocity_m_per_s += rows.velocity[2] * excess_n;
-  }
-  MotionIncrement<Real> increment{integral_u, u_squared, 0, 0};
-  Real double_integral_u = 0;
-  if (s != 0) {  // most of the time a hand holds still
-    const Real drift_m = s * rows.duration_s;
-    double_integral_u = rows.double_integral[0] * u + rows.double_integral[1] * f;
-    if constexpr (kLag) double_integral_u += rows.double_integral[2] * excess_n;
-    increment.displacement_m = drift_m + integral_u;
-    increment.velocity_squared = s * (drift_m + 2 * integral_u) + u_squared;
-  }
-  increment.hand_work_j = hand_work(drive.position_m - state.position_m, s, rows.duration_s,
-                                    integral_u, double_integral_u, u_squared);
-  if constexpr (kLag) {
-    increment.lag_work_j = rows.lag.work(excess_n, s, {u, f, excess_n});
-    rows.lag.settle(state, load.force_n);
+  Row c{v - s, net_force_n(state, load, drive)};
+  if constexpr (kLag) c[2] = state.excess_n(load.force_n);
+  MotionIncrement<Real> increment;
+  if (s == 0) {
+    const Real dx = dot(rows.integral_at_rest, c);
+    increment.displacement_m = dx;
+    increment.velocity_squared = quadratic<Real, kStates>(rows.square_at_rest, c);
+    increment.hand_work_j =
+        hand_stiffness_n_per_m_ * (dx * ((drive.position_m - state.position_m) - dx / 2)) -
+        hand_damping_n_s_per_m_ * increment.velocity_squared;
+    if constexpr (kLag) increment.lag_work_j = rows.lag.work(v, c);
+  } else {
+    increment = rows.increment(v, hand_force_n(state, drive), c);
   }
   state.position_m += increment.displacement_m;
-  state.velocity_m_per_s = velocity_m_per_s;
+  state.velocity_m_per_s = v + dot(rows.velocity, c);
+  if constexpr (kLag) rows.lag.settle(state, load.force_n);
   return increment;
 }
 
 // With w = sqrt(a² + ω²u²): ½m w² is the energy of a damped oscillator, which a lag's e feeds with
-// at most |a e|/τ, so that w grows by at most ∫|e|/(τ m) dt. |v(t) - v(0)| ≤ t w, and |v(t) - v(0)
-// - a t| ≤ ½t² |a'| with |a'| = |ω²u + c a - e/(τ m)| ≤ (ω + c) w + |e|/(τ m).
+// at most |a e|/τ, so that w grows by at most ∫|e|/(τ m) dt. Each of four is enough: |v(t) - v(0)|
+// ≤ t w; |v(t) - v(0) - a t| ≤ ½t² |a'| with |a'| ≤ (ω + c) w + |e|/(τ m), c = (b + b_h)/m; for a
+// handle that creeps, g = a + c v keeps its sign: v' = g - c v, |g'| = |ω²u - e/(τ m)|; for an
+// overdamped one (rates r < R) whose path and excess do not pull back, a + R v has the sign of v:
+// then v(t) ≥ (a + R v)(exp(-r t) - exp(-R t))/(R - r) for ever.
 template <typename Real, bool kLag>
 [[gnu::always_inline]] inline bool BasicOneBody<Real, kLag>::surely_slides(
     const Rows& rows, const State& state, const Load<Real>& load, const BasicHandDrive<Real>& drive,
@@ -205,15 +177,22 @@ template <typename Real, bool kLag>
   const Real u = (state.velocity_m_per_s - drive.velocity_m_per_s) * natural_rate_per_s_;
   Real w = std::sqrt(a * a + u * u);
   Real jerk = 0;
+  Real settling = 0;
   const Real h = rows.duration_s;
   if constexpr (kLag) {
     const Real excess = std::abs(state.excess_n(load.force_n)) * per_mass_;
-    w += rows.lag.settled_fraction * excess;
+    settling = rows.lag.settled_fraction * excess;
+    w += settling;
     jerk = lag_.rate_per_s * excess;
   }
   const Real v = direction * state.velocity_m_per_s;
   const Real bend = h * h / 2 * ((natural_rate_per_s_ + damping_rate_per_s_) * w + jerk);
-  return v > h * w || v + std::min(Real(0), direction * a * h) > bend;
+  if (v > h * w || v + std::min(Real(0), direction * a * h) > bend) return true;
+  if (!(v > 0)) return false;
+  bool pulled_back = direction * drive.velocity_m_per_s < 0;
+  if constexpr (kLag) pulled_back = pulled_back || direction * state.excess_n(load.force_n) < 0;
+  return direction * a + damping_rate_per_s_ * v > h * natural_rate_per_s_ * w + settling ||
+         (!pulled_back && direction * a + fast_rate_per_s_ * v > 0);
 }
 
 }  // namespace hapticwall

@@ -70,6 +70,11 @@ class PlantModel {
   // The state at the present tick.
   [[nodiscard]] const PlantTruth& truth() const { return truth_; }
 
+  // True where a run ends as diverged.
+  [[nodiscard]] bool has_diverged() const {
+    return visit_plant([](const auto& plant) { return !plant.in_reach(plant.motion()); }, plant_);
+  }
+
   // To the next tick under a held command (newtons, finite).
   void advance(double force_n) {
     const double passed_n = output_.pass(force_n);

@@ -18,6 +18,7 @@ using SetupMatrix = Eigen::Matrix<long double, kSize, kSize>;
 template <int kSize, std::size_t kWeights>
 struct Propagator {
   SetupMatrix<kSize> increment;  // e^{A h} - 1, without the cancellation of that difference
+  SetupMatrix<kSize> integral;   // ∫_0^h e^{A t} dt
   // ∫_0^h e^{Aᵀt} S e^{At} dt, symmetric, one per weight S.
   std::array<SetupMatrix<kSize>, kWeights> integrals;
 };
@@ -29,16 +30,19 @@ inline constexpr long double kSmallNorm = 0.5L;
 inline constexpr int kIncrementTerms = 18;
 inline constexpr int kIntegralTerms = 24;
 
-// Σ (A h)^k / k!, k from 1.
-template <int kSize>
-SetupMatrix<kSize> small_increment(const SetupMatrix<kSize>& small) {
-  SetupMatrix<kSize> sum = small;
+// Σ (A h)^k / k! from k = 1, and h Σ (A h)^k / (k+1)! from k = 0.
+template <int kSize, std::size_t kWeights>
+void take_small_step(const SetupMatrix<kSize>& small, long double step,
+                     Propagator<kSize, kWeights>& propagator) {
   SetupMatrix<kSize> term = small;
+  propagator.increment = term;
+  propagator.integral = SetupMatrix<kSize>::Identity() + term / 2.0L;
   for (int k = 2; k <= kIncrementTerms; ++k) {
     term = (term * small).eval() / static_cast<long double>(k);
-    sum += term;
+    propagator.increment += term;
+    propagator.integral += term / static_cast<long double>(k + 1);
   }
-  return sum;
+  propagator.integral *= step;
 }
 
 // h Σ L^k(S) / (k+1)! with L(M) = (A h)ᵀM + M (A h): the series of the integral itself.
@@ -60,6 +64,7 @@ Propagator<kSize, kWeights> doubled(const Propagator<kSize, kWeights>& half) {
   const SetupMatrix<kSize>& e = half.increment;
   Propagator<kSize, kWeights> whole;
   whole.increment = 2.0L * e + e * e;
+  whole.integral = 2.0L * half.integral + e * half.integral;
   for (std::size_t i = 0; i < kWeights; ++i) {
     const SetupMatrix<kSize>& g = half.integrals[i];
     const SetupMatrix<kSize> ge = g * e;
@@ -74,8 +79,9 @@ Propagator<kSize, kWeights> doubled(const Propagator<kSize, kWeights>& half) {
 // whole tick (first) and its `halvings` halves of halves.
 //
 // The shortest step, or a still shorter one with |A| h ≤ 1/2, is taken by its Taylor series and
-// doubled: E(2h) = 2E + E², G(2h) = G + ΦᵀGΦ. Nothing grows on the way, however stiff A is, and
-// near-singular or critically damped matrices are nothing special. Realtime-safe: no.
+// doubled: E(2h) = 2E + E², I(2h) = I + ΦI, G(2h) = G + ΦᵀGΦ. Nothing grows on the way, however
+// stiff A is, and near-singular or critically damped matrices are nothing special. Realtime-safe:
+// no.
 template <int kSize, std::size_t kWeights>
 [[nodiscard]] std::vector<Propagator<kSize, kWeights>> make_propagators(
     const SetupMatrix<kSize>& generator, const std::array<SetupMatrix<kSize>, kWeights>& weights,
@@ -91,7 +97,7 @@ template <int kSize, std::size_t kWeights>
   const SetupMatrix<kSize> small = generator * step;
 
   Propagator<kSize, kWeights> propagator;
-  propagator.increment = detail::small_increment(small);
+  detail::take_small_step(small, step, propagator);
   for (std::size_t i = 0; i < kWeights; ++i) {
     propagator.integrals[i] = detail::small_integral(small, weights[i], step);
   }

@@ -189,6 +189,7 @@ class SteppedPlant : public MovingPlant<SteppedState<kParts>, double> {
 
  public:
   using typename Base::Motion;
+  static constexpr bool kPlain = false;
 
   SteppedPlant(const SteppedParameters& parameters, HandPath path, double period_s, double start_m,
                int substeps)
@@ -249,6 +250,10 @@ class SteppedPlant : public MovingPlant<SteppedState<kParts>, double> {
     for (int i = 0; i < substeps_; ++i) {
       now.position_m = begin_m + now.velocity_m_per_s * (h * static_cast<double>(i));
       Scheme<kParts>::step(mechanics_, motion.body, motion.energy, force_n, now, h);
+      // An unstable scheme multiplies by up to 1e50 in a step: it ends here, while it is finite.
+      if (!Base::in_reach(motion)) [[unlikely]] {
+        return;
+      }
     }
   }
 

@@ -126,15 +126,6 @@ Real TaylorPolynomial<Real>::integral_to(Real theta) const {
 }
 
 template <typename Real>
-Real TaylorPolynomial<Real>::double_integral_to(Real theta) const {
-  Real value = 0;
-  for (std::size_t j = kTerms; j > 0; --j) {
-    value = value * theta + coefficient[j - 1] / static_cast<Real>(j * (j + 1));
-  }
-  return value * theta * theta;
-}
-
-template <typename Real>
 Real product_integral(const TaylorPolynomial<Real>& p, const TaylorPolynomial<Real>& q,
                       Real theta) {
   Real total = 0;
@@ -148,17 +139,6 @@ Real product_integral(const TaylorPolynomial<Real>& p, const TaylorPolynomial<Re
     total = total * theta + term / static_cast<Real>(n);
   }
   return total * theta;
-}
-
-template <typename Real>
-Real lagged_product_integral(const TaylorPolynomial<Real>& p, const TaylorPolynomial<Real>& q,
-                             Real theta) {
-  // The antiderivative has one degree more; its highest term is below the reach of a double.
-  TaylorPolynomial<Real> antiderivative;
-  for (std::size_t j = 1; j < kTerms; ++j) {
-    antiderivative.coefficient[j] = q.coefficient[j - 1] / static_cast<Real>(j);
-  }
-  return product_integral(p, antiderivative, theta);
 }
 
 template <typename Real>
@@ -188,10 +168,6 @@ template double product_integral(const TaylorPolynomial<double>&, const TaylorPo
                                  double);
 template long double product_integral(const TaylorPolynomial<long double>&,
                                       const TaylorPolynomial<long double>&, long double);
-template double lagged_product_integral(const TaylorPolynomial<double>&,
-                                        const TaylorPolynomial<double>&, double);
-template long double lagged_product_integral(const TaylorPolynomial<long double>&,
-                                             const TaylorPolynomial<long double>&, long double);
 template std::optional<double> first_crossing(const TaylorPolynomial<double>&, double);
 template std::optional<long double> first_crossing(const TaylorPolynomial<long double>&,
                                                    long double);

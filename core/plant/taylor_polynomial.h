@@ -25,19 +25,12 @@ struct TaylorPolynomial {
   [[nodiscard]] Real slope_at(Real theta) const;
   // ∫_0^θ P.
   [[nodiscard]] Real integral_to(Real theta) const;
-  // ∫_0^θ ∫_0^φ P.
-  [[nodiscard]] Real double_integral_to(Real theta) const;
 };
 
 // ∫_0^θ P Q. Realtime-safe: yes, this and what follows.
 template <typename Real>
 [[nodiscard]] Real product_integral(const TaylorPolynomial<Real>& p,
                                     const TaylorPolynomial<Real>& q, Real theta);
-
-// ∫_0^θ P(φ) (∫_0^φ Q) dφ.
-template <typename Real>
-[[nodiscard]] Real lagged_product_integral(const TaylorPolynomial<Real>& p,
-                                           const TaylorPolynomial<Real>& q, Real theta);
 
 // The first θ in [0, 1] at which `sign` * P turns from positive to negative, or nothing. `sign` is
 // +1 or -1. A start at zero, or on the wrong side by rounding, counts as zero: 0 is returned only

@@ -6,74 +6,51 @@
 namespace hapticwall {
 namespace {
 
-// State (u1, a1 T, u2, a2 T, [eT/m,] ∫u1/T, ∫u2/T, ∫∫(u2 - u1)/T²), time in ticks.
+// Scaled states (aT, d, d'T, u[, eT/m]).
 template <bool kLag>
-struct Generator {
-  static constexpr int kU1 = 0;
-  static constexpr int kA1 = 1;
-  static constexpr int kU2 = 2;
-  static constexpr int kA2 = 3;
-  static constexpr int kE = 4;  // with a lag only
-  static constexpr int kIntegral1 = kLag ? 5 : 4;
-  static constexpr int kIntegral2 = kIntegral1 + 1;
-  static constexpr int kDouble = kIntegral1 + 2;
-  static constexpr int kSize = kDouble + 1;
-  using Matrix = SetupMatrix<kSize>;
-
-  static Matrix make(const TwoBodyParameters& p, long double t) {
-    const long double m1 = p.mass_kg;
-    const long double m2 = p.hand_mass_kg;
-    const long double kg = static_cast<long double>(p.grip_stiffness_n_per_m) * t * t;
-    const long double bg = static_cast<long double>(p.grip_damping_n_s_per_m) * t;
-    const long double kh = static_cast<long double>(p.hand_stiffness_n_per_m) * t * t;
-    const long double bh = static_cast<long double>(p.hand_damping_n_s_per_m) * t;
-    const long double b = static_cast<long double>(p.damping_n_s_per_m) * t;
-    Matrix a = Matrix::Zero();
-    a(kU1, kA1) = 1.0L;
-    a(kA1, kU1) = -kg / m1;
-    a(kA1, kA1) = -(bg + b) / m1;
-    a(kA1, kU2) = kg / m1;
-    a(kA1, kA2) = bg / m1;
-    a(kU2, kA2) = 1.0L;
-    a(kA2, kU1) = kg / m2;
-    a(kA2, kA1) = bg / m2;
-    a(kA2, kU2) = -(kg + kh) / m2;
-    a(kA2, kA2) = -(bg + bh) / m2;
-    a(kIntegral1, kU1) = 1.0L;
-    a(kIntegral2, kU2) = 1.0L;
-    a(kDouble, kIntegral1) = -1.0L;
-    a(kDouble, kIntegral2) = 1.0L;
-    if constexpr (kLag) {
-      a(kA1, kE) = t / static_cast<long double>(p.time_constant_s);
-      a(kE, kE) = -a(kA1, kE);
-    }
-    return a;
+auto make_generator(const TwoBodyParameters& p, long double t) {
+  LinearGenerator<kLag ? 5 : 4> g;
+  constexpr int kA = 0;
+  constexpr int kD = 1;
+  constexpr int kRate = 2;  // of d
+  constexpr int kU = 3;
+  const long double m1 = p.mass_kg;
+  const long double m2 = p.hand_mass_kg;
+  const long double kg = static_cast<long double>(p.grip_stiffness_n_per_m) * t * t;
+  const long double bg = static_cast<long double>(p.grip_damping_n_s_per_m) * t;
+  const long double kh = static_cast<long double>(p.hand_stiffness_n_per_m) * t * t;
+  const long double bh = static_cast<long double>(p.hand_damping_n_s_per_m) * t;
+  const long double b = static_cast<long double>(p.damping_n_s_per_m) * t;
+  auto& a = g.matrix;
+  a(kA, kA) = -b / m1;
+  a(kA, kD) = kg / m1;
+  a(kA, kRate) = bg / m1;
+  a(kD, kRate) = 1.0L;
+  // d'' = w'' - v''.
+  a(kRate, kA) = b / m1 - bh / m2;
+  a(kRate, kD) = -kg / m1 - kg / m2;
+  a(kRate, kRate) = -bg / m1 - bg / m2 - bh / m2;
+  a(kRate, kU) = -kh / m2;
+  a(kU, kA) = 1.0L;
+  a(kU, kRate) = 1.0L;
+  a(g.kVelocity, kA) = 1.0L;
+  a(g.kHandForce, kD) = kg / m1;
+  a(g.kHandForce, kRate) = bg / m1;
+  g.unit[kA] = g.unit[kRate] = t;
+  g.unit[kD] = g.unit[kU] = 1.0L;
+  if constexpr (kLag) {
+    constexpr int kE = 4;
+    const long double rate = t / static_cast<long double>(p.time_constant_s);
+    a(kA, kE) = rate;
+    a(kRate, kE) = -rate;
+    a(kE, kE) = -rate;
+    g.unit[kE] = t / m1;
   }
-
-  // The weight of ∫(k_g δ + b_g δ') u1 in units of the scaled state: δ = T(∫u2/T - ∫u1/T).
-  static Matrix grip_work(const TwoBodyParameters& p, long double t) {
-    const long double kg = static_cast<long double>(p.grip_stiffness_n_per_m) * t;
-    const long double bg = p.grip_damping_n_s_per_m;
-    Matrix s = Matrix::Zero();
-    s(kU1, kIntegral2) = s(kIntegral2, kU1) = 0.5L * kg;
-    s(kU1, kIntegral1) = s(kIntegral1, kU1) = -0.5L * kg;
-    s(kU1, kU2) = s(kU2, kU1) = 0.5L * bg;
-    s(kU1, kU1) = -bg;
-    return s;
-  }
-
-  static auto weights(const TwoBodyParameters& p, long double t) {
-    Matrix square = Matrix::Zero();
-    square(kU1, kU1) = 1.0L;
-    if constexpr (kLag) {
-      Matrix excess_times_u = Matrix::Zero();
-      excess_times_u(kE, kU1) = excess_times_u(kU1, kE) = 0.5L;
-      return std::array{square, grip_work(p, t), excess_times_u};
-    } else {
-      return std::array{square, grip_work(p, t)};
-    }
-  }
-};
+  g.period_s = t;
+  g.mass_kg = m1;
+  g.time_constant_s = p.time_constant_s;
+  return g;
+}
 
 }  // namespace
 
@@ -103,6 +80,10 @@ BasicTwoBodies<Real, kLag>::BasicTwoBodies(const TwoBodyParameters& p, double pe
       per_mass_ * (std::sqrt(q.grip_stiffness_n_per_m) +
                    q.grip_damping_n_s_per_m * (std::sqrt(per_hand_mass_) + std::sqrt(per_mass_)) +
                    q.damping_n_s_per_m * std::sqrt(per_mass_));
+  // |m g'| = |k_g d + b_g w'| likewise.
+  drive_rate_per_root_energy_ = per_mass_ * (std::sqrt(q.grip_stiffness_n_per_m) +
+                                             q.grip_damping_n_s_per_m * std::sqrt(per_hand_mass_));
+  self_damping_rate_per_s_ = (q.damping_n_s_per_m + q.grip_damping_n_s_per_m) * per_mass_;
   Real rate_per_s = std::sqrt(stiffness) + damping;
   if constexpr (kLag) rate_per_s += lag_.rate_per_s;
   const int halvings = halvings_within_reach(static_cast<double>(rate_per_s), period_s);
@@ -112,50 +93,15 @@ BasicTwoBodies<Real, kLag>::BasicTwoBodies(const TwoBodyParameters& p, double pe
 
 template <typename Real, bool kLag>
 void BasicTwoBodies<Real, kLag>::make_levels(const TwoBodyParameters& p, int halvings) {
-  using G = Generator<kLag>;
-  const long double t = period_s_;
-  // What a unit of u, a and e is in the scaled state.
-  std::array<long double, kStates> unit{1.0L, t, 1.0L, t};
-  if constexpr (kLag) unit[G::kE] = t / static_cast<long double>(p.mass_kg);
-  const auto row = [&](const typename G::Matrix& e, int output, long double scale) {
-    Row numbers{};
-    for (std::size_t i = 0; i < kStates; ++i) {
-      numbers[i] = static_cast<Real>(e(output, static_cast<int>(i)) * scale * unit[i]);
-    }
-    return numbers;
-  };
-  const auto form = [&](const typename G::Matrix& g) {
-    SymmetricForm numbers{};
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < kStates; ++i) {
-      for (std::size_t j = i; j < kStates; ++j) {
-        const long double twice = i == j ? 1.0L : 2.0L;
-        numbers[k++] = static_cast<Real>(g(static_cast<int>(i), static_cast<int>(j)) *
-                                         (unit[i] * unit[j] * t) * twice);
-      }
-    }
-    return numbers;
-  };
-  long double duration_s = t;
-  for (const auto& propagator : make_propagators(G::make(p, t), G::weights(p, t), halvings)) {
-    const auto& e = propagator.increment;
+  constexpr int kD = 1;
+  const auto generator = make_generator<kLag>(p, static_cast<long double>(period_s_));
+  long double duration_s = period_s_;
+  for (const auto& step :
+       make_propagators(generator.matrix, generator.template weights<kLag>(), halvings)) {
     Rows rows;
-    rows.duration_s = static_cast<Real>(duration_s);
-    rows.velocity = row(e, G::kU1, 1.0L);
-    rows.hand_velocity = row(e, G::kU2, 1.0L);
-    rows.integral = row(e, G::kIntegral1, t);
-    rows.hand_integral = row(e, G::kIntegral2, t);
-    rows.difference_double_integral = row(e, G::kDouble, t * t);
-    rows.square = form(propagator.integrals[0]);
-    rows.grip_work = form(propagator.integrals[1]);
-    if constexpr (kLag) {
-      rows.lag = {duration_s, static_cast<long double>(p.time_constant_s)};
-      for (std::size_t i = 0; i < kStates; ++i) {
-        const long double twice = i == G::kE ? 1.0L : 2.0L;
-        rows.lag.cross[i] = static_cast<Real>(
-            twice * propagator.integrals[2](G::kE, static_cast<int>(i)) * unit[i] * t);
-      }
-    }
+    generator.template fill<Real, kLag>(rows, step, duration_s);
+    rows.difference = generator.template row<Real>(step.increment, kD, 1.0L);
+    rows.stretch = generator.template row<Real>(step.integral, kD, generator.period_s);
     levels_.push_back(rows);
     duration_s *= 0.5L;
   }
@@ -209,7 +155,7 @@ bool BasicTwoBodies<Real, kLag>::surely_sticks(int level, const State& state, Re
     net_n -= excess_n;
     change_n += rows.lag.settled_fraction * std::abs(excess_n);
   }
-  return std::abs(net_n) + change_n < friction_n;
+  return std::abs(net_n) + change_n <= friction_n;
 }
 
 template <typename Real, bool kLag>
@@ -235,62 +181,55 @@ auto BasicTwoBodies<Real, kLag>::slide(const State& state, const Load<Real>& loa
                                        Real push) const -> Slide {
   const Parameters& p = parameters_;
   const Real h = duration_s;
-  Row w = relative_state(state, load, drive);
-  if (push * w[1] < 0) w[1] = 0;
+  const Row c = core_states(state, load, drive);
+  const Real hand_acceleration = c[0] + c[2];
+  const Real a = push * c[0] < 0 ? 0 : c[0];
   Slide slide;
   slide.duration_s = h;
-  if constexpr (kLag) slide.lag = {w[4], load.force_n, h, lag_.rate_per_s};
-  auto& u1 = slide.relative_velocity.coefficient;
-  auto& u2 = slide.hand_relative_velocity.coefficient;
-  u1[0] = w[0];
-  u1[1] = w[1] * h;
-  u2[0] = w[2];
-  u2[1] = w[3] * h;
-  for (std::size_t j = 0; j + 2 < u1.size(); ++j) {
+  if constexpr (kLag) slide.lag = {c[4], load.force_n, h, lag_.rate_per_s};
+  auto& v = slide.velocity.coefficient;
+  auto& d = slide.difference.coefficient;
+  auto& force = slide.hand_force.coefficient;
+  v[0] = state.velocity_m_per_s;
+  v[1] = a * h;
+  d[0] = c[1];
+  d[1] = (hand_acceleration - a) * h;
+  force[0] = grip_force(state);
+  Real u = c[3];  // of w - s, whose coefficients are those of v + d but the first
+  Real next_u = hand_acceleration * h;
+  for (std::size_t j = 0; j + 1 < v.size(); ++j) {
     const Real order = static_cast<Real>(j + 1);
+    force[j + 1] =
+        p.grip_stiffness_n_per_m * h * d[j] / order + p.grip_damping_n_s_per_m * d[j + 1];
+    if (j + 2 == v.size()) break;
+    // Forces' derivatives, times h²: of F_g it is the coefficient just found.
     const Real scale = 1 / (order * (order + 1));
-    const Real spring = h * h * p.grip_stiffness_n_per_m * (u2[j] - u1[j]) +
-                        h * order * p.grip_damping_n_s_per_m * (u2[j + 1] - u1[j + 1]);
-    Real force = spring - h * order * p.damping_n_s_per_m * u1[j + 1];
-    if constexpr (kLag) force += h * h * lag_.rate_per_s * slide.lag.excess.coefficient[j];
-    u1[j + 2] = scale * force / p.mass_kg;
-    u2[j + 2] = scale *
-                (-h * h * p.hand_stiffness_n_per_m * u2[j] -
-                 h * order * p.hand_damping_n_s_per_m * u2[j + 1] - spring) /
-                p.hand_mass_kg;
-  }
-  slide.velocity = slide.relative_velocity;
-  slide.velocity.coefficient[0] = state.velocity_m_per_s;
-  for (std::size_t j = 0; j < u1.size(); ++j) {
-    slide.velocity_difference.coefficient[j] = u2[j] - u1[j];
+    const Real grip = h * order * force[j + 1];
+    Real on_handle = grip - h * order * p.damping_n_s_per_m * v[j + 1];
+    if constexpr (kLag) on_handle += h * h * lag_.rate_per_s * slide.lag.excess.coefficient[j];
+    const Real on_hand = -h * h * p.hand_stiffness_n_per_m * u -
+                         h * order * p.hand_damping_n_s_per_m * next_u - grip;
+    v[j + 2] = scale * on_handle * per_mass_;
+    u = next_u;
+    next_u = scale * on_hand * per_hand_mass_;
+    d[j + 2] = next_u - v[j + 2];
   }
   return slide;
 }
 
 template <typename Real, bool kLag>
 MotionIncrement<Real> BasicTwoBodies<Real, kLag>::advance(State& state, const Slide& slide,
-                                                          const BasicHandDrive<Real>& drive,
                                                           Real theta) const {
   const Real h = slide.duration_s;
-  const Real stretch_m = state.hand_position_m - state.position_m;
-  MotionIncrement<Real> increment;
-  increment.displacement_m = h * slide.velocity.integral_to(theta);
-  increment.velocity_squared = h * product_integral(slide.velocity, slide.velocity, theta);
-  increment.hand_work_j =
-      parameters_.grip_stiffness_n_per_m *
-          (stretch_m * increment.displacement_m +
-           h * h * lagged_product_integral(slide.velocity, slide.velocity_difference, theta)) +
-      parameters_.grip_damping_n_s_per_m * h *
-          product_integral(slide.velocity_difference, slide.velocity, theta);
+  MotionIncrement<Real> increment = integrate(slide.velocity, slide.hand_force, h, theta);
   if constexpr (kLag) {
     increment.lag_work_j = h * product_integral(slide.lag.excess, slide.velocity, theta);
     slide.lag.settle(state, theta);
   }
   state.position_m += increment.displacement_m;
-  state.hand_position_m +=
-      drive.velocity_m_per_s * (h * theta) + h * slide.hand_relative_velocity.integral_to(theta);
+  state.hand_position_m += increment.displacement_m + h * slide.difference.integral_to(theta);
   state.velocity_m_per_s = slide.velocity.at(theta);
-  state.hand_velocity_m_per_s = drive.velocity_m_per_s + slide.hand_relative_velocity.at(theta);
+  state.hand_velocity_m_per_s = state.velocity_m_per_s + slide.difference.at(theta);
   return increment;
 }
 

@@ -3,9 +3,10 @@
 //   m   dv/dt   = F_g - F_a - f - b v,                             F_g = k_g (y - x) + b_g (w - v)
 //   m_h dw/dt   = k_h (p - y) + b_h (p' - w) - F_g
 //
-// x, v the handle's and y, w the hand's position and velocity; the rest as in one_body.h. The
-// velocities relative to the intended path, u = (v - s, w - s), obey a homogeneous equation.
-// The "hand force" F_h on the handle, whose work the ledger tells, is F_g.
+// x, v the handle's and y, w the hand's position and velocity; the rest as in one_body.h. Core
+// states (linear_motion.h) are a = v', d = w - v, d', u = w - s and e, so that a stiff grip, which
+// holds d small, is told by small numbers. The "hand force" F_h on the handle, whose work the
+// ledger tells, is F_g.
 #pragma once
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 
 #include "core/plant/amplifier_lag.h"
 #include "core/plant/energy_totals.h"
+#include "core/plant/linear_motion.h"
 #include "core/plant/taylor_polynomial.h"
 
 namespace hapticwall {
@@ -45,10 +47,9 @@ class BasicTwoBodies {
     Real hand_velocity_m_per_s = 0;
   };
   struct Slide {
-    TaylorPolynomial<Real> velocity;                // v
-    TaylorPolynomial<Real> relative_velocity;       // v - s
-    TaylorPolynomial<Real> hand_relative_velocity;  // w - s
-    TaylorPolynomial<Real> velocity_difference;     // w - v
+    TaylorPolynomial<Real> velocity;    // v
+    TaylorPolynomial<Real> hand_force;  // F_g, newtons
+    TaylorPolynomial<Real> difference;  // d = w - v
     LagPiece<Real, kLag> lag;
     Real duration_s = 0;
   };
@@ -59,21 +60,11 @@ class BasicTwoBodies {
     Real duration_s = 0;
   };
 
-  // (u1, a1, u2, a2[, e]): velocities relative to the path and accelerations, of handle and hand.
-  static constexpr std::size_t kStates = kLag ? 5 : 4;
+  static constexpr std::size_t kStates = kLag ? 5 : 4;  // a, d, d', u[, e]
   using Row = std::array<Real, kStates>;
-  // The upper triangle row by row: 11, 12, …, 22, …; off-diagonals doubled.
-  using SymmetricForm = std::array<Real, kStates*(kStates + 1) / 2>;
-  struct Rows {
-    Real duration_s = 0;
-    Row velocity{};                    // v(T) - v(0)
-    Row hand_velocity{};               // w(T) - w(0)
-    Row integral{};                    // ∫u1
-    Row hand_integral{};               // ∫u2
-    Row difference_double_integral{};  // ∫∫(u2 - u1)
-    SymmetricForm square{};            // ∫u1²
-    SymmetricForm grip_work{};         // ∫(k_g δ + b_g δ') u1, δ = ∫(u2 - u1)
-    LagRows<Real, kLag, kStates> lag;
+  struct Rows : LinearRows<Real, kLag, kStates> {
+    Row difference{};  // d(h) - d(0)
+    Row stretch{};     // ∫d
   };
 
   BasicTwoBodies(const TwoBodyParameters& parameters, double period_s);
@@ -83,6 +74,10 @@ class BasicTwoBodies {
     State state;
     state.position_m = state.hand_position_m = position_m;
     return state;
+  }
+  static void move_origin(State& state, Real origin_m) {
+    state.position_m -= origin_m;
+    state.hand_position_m -= origin_m;
   }
   [[nodiscard]] Real kinetic_j(const State& state) const {
     return half_mass_kg_ * (state.velocity_m_per_s * state.velocity_m_per_s);
@@ -105,8 +100,7 @@ class BasicTwoBodies {
                            const BasicHandDrive<Real>& drive) const;
   [[nodiscard]] Slide slide(const State& state, const Load<Real>& load,
                             const BasicHandDrive<Real>& drive, Real duration_s, Real push) const;
-  [[nodiscard]] MotionIncrement<Real> advance(State& state, const Slide& slide,
-                                              const BasicHandDrive<Real>& drive, Real theta) const;
+  [[nodiscard]] MotionIncrement<Real> advance(State& state, const Slide& slide, Real theta) const;
   [[nodiscard]] Stick stick(const State& state, Real force_n, const BasicHandDrive<Real>& drive,
                             Real duration_s) const;
   static void advance(State& state, const Stick& stick, Real theta);
@@ -125,33 +119,20 @@ class BasicTwoBodies {
             grip_force(state)) *
            per_hand_mass_;
   }
-  [[nodiscard]] Row relative_state(const State& state, const Load<Real>& load,
-                                   const BasicHandDrive<Real>& drive) const {
+  [[nodiscard]] Row core_states(const State& state, const Load<Real>& load,
+                                const BasicHandDrive<Real>& drive) const {
     Real net_n =
         (grip_force(state) - parameters_.damping_n_s_per_m * state.velocity_m_per_s) - load.total_n;
-    Row row{state.velocity_m_per_s - drive.velocity_m_per_s, 0,
-            state.hand_velocity_m_per_s - drive.velocity_m_per_s, hand_acceleration(state, drive)};
+    Row c{};
     if constexpr (kLag) {
-      row[4] = state.excess_n(load.force_n);
-      net_n -= row[4];
+      c[4] = state.excess_n(load.force_n);
+      net_n -= c[4];
     }
-    row[1] = net_n * per_mass_;
-    return row;
-  }
-  [[nodiscard]] static Real dot(const Row& row, const Row& w) {
-    Real sum = row[0] * w[0];
-    for (std::size_t i = 1; i < kStates; ++i) sum += row[i] * w[i];
-    return sum;
-  }
-  [[nodiscard]] static Real form(const SymmetricForm& f, const Row& w) {
-    Real sum = 0;
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < kStates; ++i) {
-      Real part = f[k++] * w[i];
-      for (std::size_t j = i + 1; j < kStates; ++j) part += f[k++] * w[j];
-      sum += w[i] * part;
-    }
-    return sum;
+    c[0] = net_n * per_mass_;
+    c[1] = state.hand_velocity_m_per_s - state.velocity_m_per_s;
+    c[2] = hand_acceleration(state, drive) - c[0];
+    c[3] = state.hand_velocity_m_per_s - drive.velocity_m_per_s;
+    return c;
   }
 
   // The hand alone while the handle sticks, relative to the speed w that it would settle at.
@@ -166,7 +147,7 @@ class BasicTwoBodies {
     return total > 0 ? parameters_.hand_stiffness_n_per_m / total * drive.velocity_m_per_s : 0;
   }
   // sqrt(2E) of the relative motion's energy E; see surely_slides().
-  [[nodiscard]] Real root_energy(const Row& w) const;
+  [[nodiscard]] Real root_energy(const Row& c) const;
   void make_levels(const TwoBodyParameters& parameters, int halvings);
   void make_stick_levels(const TwoBodyParameters& parameters, int halvings);
 
@@ -183,6 +164,8 @@ class BasicTwoBodies {
   Real per_mass_;
   Real per_hand_mass_;
   Real jerk_per_root_energy_ = 0;
+  Real drive_rate_per_root_energy_ = 0;  // bounds g' of surely_slides()
+  Real self_damping_rate_per_s_ = 0;     // (b + b_g)/m
   std::vector<Rows> levels_;
   std::vector<StickRows> stick_levels_;
 };
@@ -193,58 +176,52 @@ template <typename Real, bool kLag>
 [[gnu::always_inline]] inline MotionIncrement<Real> BasicTwoBodies<Real, kLag>::advance_by(
     const Rows& rows, State& state, const Load<Real>& load,
     const BasicHandDrive<Real>& drive) const {
-  const Row w = relative_state(state, load, drive);
-  const Real s = drive.velocity_m_per_s;
-  const Real drift_m = s * rows.duration_s;
-  const Real integral = dot(rows.integral, w);
-  const Real hand_integral = dot(rows.hand_integral, w);
-  const Real stretch_m = state.hand_position_m - state.position_m;  // at the start
-  MotionIncrement<Real> increment;
-  increment.displacement_m = drift_m + integral;
-  increment.velocity_squared = s * (drift_m + 2 * integral) + form(rows.square, w);
-  increment.hand_work_j =
-      parameters_.grip_stiffness_n_per_m *
-          (stretch_m * integral +
-           s * (stretch_m * rows.duration_s + dot(rows.difference_double_integral, w))) +
-      parameters_.grip_damping_n_s_per_m * s * (hand_integral - integral) + form(rows.grip_work, w);
-  if constexpr (kLag) {
-    increment.lag_work_j = rows.lag.work(w[4], s, w);
-    rows.lag.settle(state, load.force_n);
-  }
+  const Row c = core_states(state, load, drive);
+  const MotionIncrement<Real> increment =
+      rows.increment(state.velocity_m_per_s, grip_force(state), c);
+  const Real velocity_change = dot(rows.velocity, c);
   state.position_m += increment.displacement_m;
-  state.hand_position_m += drift_m + hand_integral;
-  state.velocity_m_per_s += dot(rows.velocity, w);
-  state.hand_velocity_m_per_s += dot(rows.hand_velocity, w);
+  state.hand_position_m += increment.displacement_m + dot(rows.stretch, c);
+  state.velocity_m_per_s += velocity_change;
+  state.hand_velocity_m_per_s += velocity_change + dot(rows.difference, c);
+  if constexpr (kLag) rows.lag.settle(state, load.force_n);
   return increment;
 }
 
 template <typename Real, bool kLag>
-[[gnu::always_inline]] inline Real BasicTwoBodies<Real, kLag>::root_energy(const Row& w) const {
-  const Real grip = w[2] - w[0];
-  return std::sqrt(parameters_.mass_kg * w[1] * w[1] + parameters_.hand_mass_kg * w[3] * w[3] +
-                   parameters_.grip_stiffness_n_per_m * grip * grip +
-                   parameters_.hand_stiffness_n_per_m * w[2] * w[2]);
+[[gnu::always_inline]] inline Real BasicTwoBodies<Real, kLag>::root_energy(const Row& c) const {
+  const Real hand_acceleration = c[0] + c[2];
+  return std::sqrt(parameters_.mass_kg * c[0] * c[0] +
+                   parameters_.hand_mass_kg * hand_acceleration * hand_acceleration +
+                   parameters_.grip_stiffness_n_per_m * c[1] * c[1] +
+                   parameters_.hand_stiffness_n_per_m * c[3] * c[3]);
 }
 
-// The energy E = ½m a² + ½m_h a_h² + ½k_g (u_h - u)² + ½k_h u_h² of the relative motion never grows
-// but by a lag's |a e|/τ, so that sqrt(2E) grows by at most ∫|e|/(τ sqrt(m)) dt; |a| ≤ sqrt(2E/m),
-// and a' is bounded by a constant times sqrt(2E), and |e|/(τ m).
+// The energy E = ½m a² + ½m_h (w')² + ½k_g d² + ½k_h u² of the relative motion never grows but by a
+// lag's |a e|/τ, so that sqrt(2E) grows by at most ∫|e|/(τ sqrt(m)) dt. It bounds a, a' and, for a
+// handle that creeps, the change of g = a + (b + b_g)/m v, the drive without the damping of v
+// itself: m g' = k_g d + b_g w' + e/τ. Each of three is enough, as in one_body.h.
 template <typename Real, bool kLag>
 [[gnu::always_inline]] inline bool BasicTwoBodies<Real, kLag>::surely_slides(
     const Rows& rows, const State& state, const Load<Real>& load, const BasicHandDrive<Real>& drive,
     Real direction) const {
-  const Row w = relative_state(state, load, drive);
-  Real root = root_energy(w);
+  const Row c = core_states(state, load, drive);
+  Real root = root_energy(c);
   Real jerk = 0;
+  Real settling = 0;
   if constexpr (kLag) {
-    const Real excess_n = std::abs(w[4]);
+    const Real excess_n = std::abs(c[4]);
     root += rows.lag.settled_fraction * excess_n * std::sqrt(per_mass_);
     jerk = lag_.rate_per_s * excess_n * per_mass_;
+    settling = rows.lag.settled_fraction * excess_n * per_mass_;
   }
   const Real h = rows.duration_s;
   const Real v = direction * state.velocity_m_per_s;
   const Real bend = h * h / 2 * (jerk_per_root_energy_ * root + jerk);
-  return v > h * root * std::sqrt(per_mass_) || v + std::min(Real(0), direction * w[1] * h) > bend;
+  return v > h * root * std::sqrt(per_mass_) ||
+         v + std::min(Real(0), direction * c[0] * h) > bend ||
+         (v > 0 && direction * c[0] + self_damping_rate_per_s_ * v >
+                       h * drive_rate_per_root_energy_ * root + settling);
 }
 
 }  // namespace hapticwall
