@@ -63,9 +63,9 @@ BasicOneBody<Real, kLag>::BasicOneBody(const OneBodyParameters& parameters, doub
   if constexpr (kLag) rate_per_s += lag_.rate_per_s;
   const auto generator = make_generator<kLag>(parameters, static_cast<long double>(period_s));
   long double duration_s = period_s;
-  for (const auto& step :
-       make_propagators(generator.matrix, generator.template weights<kLag>(),
-                        halvings_within_reach(static_cast<double>(rate_per_s), period_s))) {
+  for (const auto& step : make_propagators<generator.kCore>(
+           generator.matrix, generator.template weights<kLag>(),
+           halvings_within_reach(static_cast<double>(rate_per_s), period_s))) {
     Rows rows;
     generator.template fill<Real, kLag>(rows, step, duration_s);
     // u = v: the velocity's own terms join those of u.

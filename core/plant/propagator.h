@@ -25,64 +25,91 @@ struct Propagator {
 
 namespace detail {
 
-// With |A h| ≤ 1/2 what is left out of either series is below the last digit.
-inline constexpr long double kSmallNorm = 0.5L;
-inline constexpr int kIncrementTerms = 18;
-inline constexpr int kIntegralTerms = 24;
+// With |A h| ≤ 1/4 what is left out of either series is below the last digit.
+inline constexpr long double kSmallNorm = 0.25L;
+inline constexpr int kIncrementTerms = 14;
+inline constexpr int kIntegralTerms = 18;
+
+// The products below leave out what is known to be zero: a generator has columns only for the
+// kCore states that anything depends on, and so have all its powers.
+template <int kCore, int kSize>
+auto core_columns(const SetupMatrix<kSize>& matrix) {
+  return matrix.template leftCols<kCore>();
+}
+template <int kCore, int kSize>
+auto core_block(const SetupMatrix<kSize>& matrix) {
+  return matrix.template topLeftCorner<kCore, kCore>();
+}
 
 // Σ (A h)^k / k! from k = 1, and h Σ (A h)^k / (k+1)! from k = 0.
-template <int kSize, std::size_t kWeights>
+template <int kCore, int kSize, std::size_t kWeights>
 void take_small_step(const SetupMatrix<kSize>& small, long double step,
                      Propagator<kSize, kWeights>& propagator) {
-  SetupMatrix<kSize> term = small;
-  propagator.increment = term;
-  propagator.integral = SetupMatrix<kSize>::Identity() + term / 2.0L;
+  using Columns = Eigen::Matrix<long double, kSize, kCore>;
+  Columns term = core_columns<kCore>(small);
+  Columns increment = term;
+  Columns integral = term / 2.0L;
   for (int k = 2; k <= kIncrementTerms; ++k) {
-    term = (term * small).eval() / static_cast<long double>(k);
-    propagator.increment += term;
-    propagator.integral += term / static_cast<long double>(k + 1);
+    term =
+        (term.lazyProduct(core_block<kCore>(small)) * (1.0L / static_cast<long double>(k))).eval();
+    increment += term;
+    integral += term * (1.0L / static_cast<long double>(k + 1));
   }
+  propagator.increment.setZero();
+  propagator.increment.template leftCols<kCore>() = increment;
+  propagator.integral.setIdentity();
+  propagator.integral.template leftCols<kCore>() += integral;
   propagator.integral *= step;
 }
 
 // h Σ L^k(S) / (k+1)! with L(M) = (A h)ᵀM + M (A h): the series of the integral itself.
-template <int kSize>
+template <int kCore, int kSize>
 SetupMatrix<kSize> small_integral(const SetupMatrix<kSize>& small, const SetupMatrix<kSize>& weight,
                                   long double step) {
   SetupMatrix<kSize> term = weight * step;
   SetupMatrix<kSize> sum = term;
   for (int k = 1; k < kIntegralTerms; ++k) {
-    const SetupMatrix<kSize> half = (term * small).eval() / static_cast<long double>(k + 1);
-    term = half + half.transpose();
+    const Eigen::Matrix<long double, kSize, kCore> half =
+        term.lazyProduct(core_columns<kCore>(small)) * (1.0L / static_cast<long double>(k + 1));
+    term.setZero();
+    term.template leftCols<kCore>() = half;
+    term.template topRows<kCore>() += half.transpose();
     sum += term;
   }
   return sum;
 }
 
-template <int kSize, std::size_t kWeights>
+template <int kCore, int kSize, std::size_t kWeights>
 Propagator<kSize, kWeights> doubled(const Propagator<kSize, kWeights>& half) {
-  const SetupMatrix<kSize>& e = half.increment;
+  const Eigen::Matrix<long double, kSize, kCore> e = core_columns<kCore>(half.increment);
   Propagator<kSize, kWeights> whole;
-  whole.increment = 2.0L * e + e * e;
-  whole.integral = 2.0L * half.integral + e * half.integral;
+  whole.increment.setZero();
+  whole.increment.template leftCols<kCore>() =
+      2.0L * e + e.lazyProduct(core_block<kCore>(half.increment));
+  whole.integral = 2.0L * half.integral;
+  whole.integral.template leftCols<kCore>() += e.lazyProduct(core_block<kCore>(half.integral));
   for (std::size_t i = 0; i < kWeights; ++i) {
     const SetupMatrix<kSize>& g = half.integrals[i];
-    const SetupMatrix<kSize> ge = g * e;
-    whole.integrals[i] = 2.0L * g + ge + ge.transpose() + e.transpose() * ge;
+    const Eigen::Matrix<long double, kSize, kCore> ge = g.lazyProduct(e);
+    whole.integrals[i] = 2.0L * g;
+    whole.integrals[i].template leftCols<kCore>() += ge;
+    whole.integrals[i].template topRows<kCore>() += ge.transpose();
+    whole.integrals[i].template topLeftCorner<kCore, kCore>() += e.transpose().lazyProduct(ge);
   }
   return whole;
 }
 
 }  // namespace detail
 
-// `generator`: A of dy/dt = A y, time measured in ticks. `weights`: symmetric matrices. Gives the
-// whole tick (first) and its `halvings` halves of halves.
+// `generator`: A of dy/dt = A y, time measured in ticks; on the states after the first kCore
+// nothing depends (their columns are zero). `weights`: symmetric matrices. Gives the whole tick
+// (first) and its `halvings` halves of halves.
 //
-// The shortest step, or a still shorter one with |A| h ≤ 1/2, is taken by its Taylor series and
+// The shortest step, or a still shorter one with |A| h ≤ 1/4, is taken by its Taylor series and
 // doubled: E(2h) = 2E + E², I(2h) = I + ΦI, G(2h) = G + ΦᵀGΦ. Nothing grows on the way, however
 // stiff A is, and near-singular or critically damped matrices are nothing special. Realtime-safe:
 // no.
-template <int kSize, std::size_t kWeights>
+template <int kCore, int kSize, std::size_t kWeights>
 [[nodiscard]] std::vector<Propagator<kSize, kWeights>> make_propagators(
     const SetupMatrix<kSize>& generator, const std::array<SetupMatrix<kSize>, kWeights>& weights,
     int halvings) {
@@ -97,15 +124,15 @@ template <int kSize, std::size_t kWeights>
   const SetupMatrix<kSize> small = generator * step;
 
   Propagator<kSize, kWeights> propagator;
-  detail::take_small_step(small, step, propagator);
+  detail::take_small_step<kCore>(small, step, propagator);
   for (std::size_t i = 0; i < kWeights; ++i) {
-    propagator.integrals[i] = detail::small_integral(small, weights[i], step);
+    propagator.integrals[i] = detail::small_integral<kCore>(small, weights[i], step);
   }
   std::vector<Propagator<kSize, kWeights>> levels(static_cast<std::size_t>(halvings) + 1);
   for (int level = deepest;; --level) {
     if (level <= halvings) levels[static_cast<std::size_t>(level)] = propagator;
     if (level == 0) return levels;
-    propagator = detail::doubled(propagator);
+    propagator = detail::doubled<kCore>(propagator);
   }
 }
 

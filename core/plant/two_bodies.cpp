@@ -100,8 +100,8 @@ void BasicTwoBodies<Real, kLag>::make_levels(const TwoBodyParameters& p, int hal
   constexpr int kD = 1;
   const auto generator = make_generator<kLag>(p, static_cast<long double>(period_s_));
   long double duration_s = period_s_;
-  for (const auto& step :
-       make_propagators(generator.matrix, generator.template weights<kLag>(), halvings)) {
+  for (const auto& step : make_propagators<generator.kCore>(
+           generator.matrix, generator.template weights<kLag>(), halvings)) {
     Rows rows;
     generator.template fill<Real, kLag>(rows, step, duration_s);
     rows.difference = generator.template row<Real>(step.increment, kD, 1.0L);
@@ -126,7 +126,7 @@ void BasicTwoBodies<Real, kLag>::make_stick_levels(const TwoBodyParameters& p, i
                       static_cast<long double>(p.grip_damping_n_s_per_m)) /
                     m * t;
   generator(2, 0) = 1.0L;
-  for (const auto& propagator : make_propagators(generator, std::array<Matrix, 0>{}, halvings)) {
+  for (const auto& propagator : make_propagators<2>(generator, std::array<Matrix, 0>{}, halvings)) {
     const Matrix& e = propagator.increment;
     stick_levels_.push_back({{static_cast<Real>(e(0, 0)), static_cast<Real>(e(0, 1) * t)},
                              {static_cast<Real>(e(2, 0) * t), static_cast<Real>(e(2, 1) * t * t)}});

@@ -44,7 +44,7 @@ class BareLoop {
     generator(1, 2) = hand.damping_n_s_per_m / mass * period;
     generator(1, 3) = -period / mass;
     const SetupMatrix<4> increment =
-        make_propagators(generator, std::array<SetupMatrix<4>, 0>{}, 0).front().increment;
+        make_propagators<4>(generator, std::array<SetupMatrix<4>, 0>{}, 0).front().increment;
     for (int i = 0; i < 4; ++i) {
       phi_x_[i] = static_cast<double>(increment(0, i));
       phi_v_[i] = static_cast<double>(increment(1, i));
