@@ -18,6 +18,7 @@ struct Command {
 };
 [[nodiscard]] Command add_run(CLI::App& program);
 [[nodiscard]] Command add_compare(CLI::App& program);
+[[nodiscard]] Command add_accuracy(CLI::App& program);
 [[nodiscard]] Command add_scenes(CLI::App& program);
 
 }  // namespace hapticwall::command

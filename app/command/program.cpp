@@ -35,6 +35,7 @@ Examples:
   hapticwall run tap --algorithm virtual-coupling --set hand.mass_kg=0.3
   hapticwall run press --expect verdict=settled --expect 'tail_peak_to_peak_m<1e-4'
   hapticwall compare tap --json -
+  hapticwall accuracy golden-hard --plot a.png    what a tick costs, and what it is off by
 
 Exit status:
   0  fine                              3  device
@@ -94,7 +95,8 @@ int dispatch(int argc, const char* const* argv) {
   program.get_formatter()->label("REQUIRED", "(required)");
   program.footer(footer());
   const Action window = add_window(program);
-  const std::vector<Command> commands{add_run(program), add_compare(program), add_scenes(program)};
+  const std::vector<Command> commands{add_run(program), add_compare(program), add_accuracy(program),
+                                      add_scenes(program)};
   for (const Command& command : commands) command.app->group("Commands")->footer("");
   if (const auto error = check_first_word(argc, argv, program)) return report(*error);
   try {

@@ -1,0 +1,208 @@
+#include "app/command/accuracy_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "app/file/text.h"
+
+namespace hapticwall::command {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kIndent = 2;
+constexpr double kMillimetresPerMetre = 1e3;
+constexpr double kMicrosecondsPerNanosecond = 1e-3;
+constexpr double kPercent = 100.0;
+constexpr std::string_view kWrongVerdictMark = " !";
+
+Json number(std::optional<double> value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json();
+}
+
+template <typename T>
+Json value_or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+std::string_view name_of(Integrator integrator) {
+  return kIntegratorNames.at(static_cast<std::size_t>(integrator));
+}
+
+Json reference_object(const Summary& reference) {
+  return {{"scene", reference.scene},
+          {"algorithm", reference.algorithm},
+          {"duration_s", number(reference.duration_s)},
+          {"ticks", reference.ticks},
+          {"reference_verdict", verdict_name(reference.verdict)},
+          {"reference_tail_peak_to_peak_m", number(reference.tail_peak_to_peak_m)},
+          {"reference_diverged_at_tick", value_or_null(reference.diverged_at_tick)}};
+}
+
+Json row_object(const AccuracyRow& row) {
+  return {{"integrator", name_of(row.integrator)},
+          {"substeps", value_or_null(row.substeps)},
+          {"ns_per_tick", number(row.ns_per_tick)},
+          {"ratio_to_exact", number(row.ratio_to_exact)},
+          {"set_up_ns", number(row.set_up_ns)},
+          {"max_position_error_m", number(row.max_position_error_m)},
+          {"energy_balance_error_j", number(row.energy_balance_error_j)},
+          {"tail_peak_to_peak_m", number(row.tail_peak_to_peak_m)},
+          {"tail_peak_to_peak_relative_error", number(row.tail_peak_to_peak_relative_error)},
+          {"verdict", verdict_name(row.verdict)},
+          {"verdict_agrees", row.verdict_agrees},
+          {"diverged_at_tick", value_or_null(row.diverged_at_tick)}};
+}
+
+// RFC 4180; names of scenes are the user's.
+std::string csv_field(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_number_float()) return file::number_text(value.get<double>());
+  if (!value.is_string()) return value.dump();
+  const auto& text = value.get_ref<const std::string&>();
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string fixed(std::optional<double> value, double factor, int digits) {
+  if (!value || !std::isfinite(*value)) return "-";
+  const std::string text = fmt::format("{:.{}f}", *value * factor, digits);
+  // A rounding error below zero is shown as what it is.
+  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, digits)
+                                                            : text;
+}
+std::string scientific(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return "-";
+  return fmt::format("{:.1e}", *value);
+}
+
+std::string verdict_text(const AccuracyRow& row) {
+  std::string text(verdict_name(row.verdict));
+  if (row.diverged_at_tick) text += fmt::format(" at tick {}", *row.diverged_at_tick);
+  if (!row.verdict_agrees) text += kWrongVerdictMark;
+  return text;
+}
+
+struct Column {
+  std::string_view title;
+  std::string_view unit;
+  std::string (*text)(const AccuracyRow&);
+  bool left = false;  // aligned left
+};
+
+constexpr std::array<Column, 10> kColumns{
+    {{"integrator", "", [](const AccuracyRow& r) { return std::string(name_of(r.integrator)); },
+      true},
+     {"substeps", "",
+      [](const AccuracyRow& r) { return r.substeps ? fmt::format("{}", *r.substeps) : "-"; }},
+     {"a tick", "ns", [](const AccuracyRow& r) { return fixed(r.ns_per_tick, 1.0, 1); }},
+     {"to exact", "x", [](const AccuracyRow& r) { return fixed(r.ratio_to_exact, 1.0, 2); }},
+     {"set-up", "us",
+      [](const AccuracyRow& r) { return fixed(r.set_up_ns, kMicrosecondsPerNanosecond, 0); }},
+     {"position error", "m",
+      [](const AccuracyRow& r) { return scientific(r.max_position_error_m); }},
+     {"balance error", "J",
+      [](const AccuracyRow& r) { return scientific(r.energy_balance_error_j); }},
+     {"tail p-p", "mm",
+      [](const AccuracyRow& r) { return fixed(r.tail_peak_to_peak_m, kMillimetresPerMetre, 4); }},
+     {"its error", "%",
+      [](const AccuracyRow& r) { return fixed(r.tail_peak_to_peak_relative_error, kPercent, 2); }},
+     {"verdict", "", verdict_text, true}}};
+
+using Cells = std::array<std::string, kColumns.size()>;
+
+std::vector<Cells> table_cells(const AccuracyStudy& study) {
+  std::vector<Cells> rows(2 + study.rows.size());
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    const Column& column = kColumns.at(i);
+    rows[0].at(i) = column.title;
+    rows[1].at(i) = column.unit;
+    for (std::size_t r = 0; r < study.rows.size(); ++r) {
+      rows[2 + r].at(i) = column.text(study.rows[r]);
+    }
+  }
+  return rows;
+}
+
+std::string aligned(const std::vector<Cells>& rows) {
+  std::array<std::size_t, kColumns.size()> widths{};
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths.at(i) = std::max(widths.at(i), row.at(i).size());
+    }
+  }
+  std::string text;
+  for (const Cells& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) line += "  ";
+      line += kColumns.at(i).left ? fmt::format("{:<{}}", row.at(i), widths.at(i))
+                                  : fmt::format("{:>{}}", row.at(i), widths.at(i));
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+  }
+  return text;
+}
+
+std::string heading(const Summary& reference) {
+  std::string text =
+      fmt::format("{} under {}, {} ticks\nreference: {}", reference.scene, reference.algorithm,
+                  reference.ticks, verdict_name(reference.verdict));
+  if (reference.diverged_at_tick) {
+    return text + fmt::format(" at tick {}; errors of position and tail do not apply\n\n",
+                              *reference.diverged_at_tick);
+  }
+  return text + fmt::format(", {} mm peak to peak in the last second (tail)\n\n",
+                            fixed(reference.tail_peak_to_peak_m, kMillimetresPerMetre, 4));
+}
+
+}  // namespace
+
+std::string accuracy_table(const AccuracyStudy& study) {
+  const bool any_wrong = std::any_of(study.rows.begin(), study.rows.end(),
+                                     [](const AccuracyRow& row) { return !row.verdict_agrees; });
+  return heading(study.reference) + aligned(table_cells(study)) +
+         (any_wrong ? "\n! the reference's verdict is another\n" : "");
+}
+
+std::string accuracy_json(const AccuracyStudy& study) {
+  Json object = reference_object(study.reference);
+  Json& rows = object["rows"] = Json::array();
+  for (const AccuracyRow& row : study.rows) rows.push_back(row_object(row));
+  // Names of scenes are the user's: invalid UTF-8 is replaced, never thrown about.
+  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string accuracy_csv(const AccuracyStudy& study) {
+  std::string text;
+  const Json reference = reference_object(study.reference);
+  for (const AccuracyRow& row : study.rows) {
+    std::string header;
+    std::string line;
+    const auto add = [&](const Json& object) {
+      for (const auto& [key, value] : object.items()) {
+        const std::string_view separator = header.empty() ? "" : ",";
+        header += fmt::format("{}{}", separator, key);
+        line += fmt::format("{}{}", separator, csv_field(value));
+      }
+    };
+    add(reference);
+    add(row_object(row));
+    if (text.empty()) text = header + '\n';
+    text += line + '\n';
+  }
+  return text;
+}
+
+}  // namespace hapticwall::command

@@ -1,0 +1,19 @@
+// A study of speed against accuracy as text: for people, and for programs.
+#pragma once
+
+#include <string>
+
+#include "core/accuracy.h"
+
+namespace hapticwall::command {
+
+// Two lines of heading, one aligned table, and what its marks mean.
+[[nodiscard]] std::string accuracy_table(const AccuracyStudy& study);
+
+// One object with the reference and an array of rows (docs/command-line.md), with a line end.
+[[nodiscard]] std::string accuracy_json(const AccuracyStudy& study);
+
+// The same flat: a header and a line a row; `null` is an empty field.
+[[nodiscard]] std::string accuracy_csv(const AccuracyStudy& study);
+
+}  // namespace hapticwall::command

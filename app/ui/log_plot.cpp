@@ -1,0 +1,294 @@
+#include "app/ui/log_plot.h"
+
+#include <fmt/format.h>
+#include <implot.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr float kMarkRadius = 4.5F;  // pixels at scale 1
+constexpr float kLineWeight = 1.4F;
+constexpr double kAxisMargin = 0.09;          // beyond the outermost points, of the axis
+constexpr double kSmallestAxisMargin = 0.25;  // decades
+constexpr int kMostDecadeLabels = 9;
+
+// Of an axis, in powers of ten.
+struct Decades {
+  double from = 0.0;
+  double to = 1.0;
+  double zero = 0.0;  // where a 0 is drawn
+};
+
+// Nothing where no value is above zero.
+std::optional<Decades> decades_of(const LogPlot& plot, double LogPoint::*member) {
+  std::optional<Decades> range;
+  bool any_zero = false;
+  for (const LogSeries& series : plot.series) {
+    for (const LogPoint& point : series.points) {
+      const double value = point.*member;
+      if (!(value > 0.0)) any_zero = true;
+      if (!(value > 0.0)) continue;
+      const double power = std::log10(value);
+      if (!range) range = Decades{power, power, power};
+      range->from = std::min(range->from, power);
+      range->to = std::max(range->to, power);
+    }
+  }
+  if (!range) return range;
+  const double margin = std::max(kAxisMargin * (range->to - range->from), kSmallestAxisMargin);
+  range->zero = range->from - margin;
+  range->from -= any_zero ? 2.0 * margin : margin;
+  range->to += margin;
+  return range;
+}
+
+// "0.1", "1000", "10⁻⁹".
+std::string power_of_ten(int exponent) {
+  constexpr int kSmallestPlain = -2;
+  constexpr int kLargestPlain = 3;
+  if (exponent >= kSmallestPlain && exponent <= kLargestPlain) {
+    return fmt::format("{:g}", std::pow(10.0, exponent));
+  }
+  constexpr std::array<const char*, 10> kSuperscripts{"⁰", "¹", "²", "³", "⁴",
+                                                      "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : fmt::format("{}", std::abs(exponent))) {
+    text += kSuperscripts.at(static_cast<std::size_t>(digit - '0'));
+  }
+  return text;
+}
+
+void set_up_axis(ImAxis axis, const Decades& decades) {
+  ImPlot::SetupAxis(axis, nullptr, ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
+  ImPlot::SetupAxisScale(axis, ImPlotScale_Log10);
+  ImPlot::SetupAxisLimits(axis, std::pow(10.0, decades.from), std::pow(10.0, decades.to),
+                          ImPlotCond_Always);
+  const int first = static_cast<int>(std::ceil(decades.from));
+  const int last = static_cast<int>(std::floor(decades.to));
+  const int step = (last - first) / kMostDecadeLabels + 1;
+  // Whatever the range, the labels are those of whole steps: one of them is 1.
+  const int lowest = static_cast<int>(std::ceil(static_cast<double>(first) / step)) * step;
+  std::vector<double> values;
+  std::vector<std::string> texts;
+  for (int exponent = lowest; exponent <= last; exponent += step) {
+    values.push_back(std::pow(10.0, exponent));
+    texts.push_back(power_of_ten(exponent));
+  }
+  std::vector<const char*> labels;
+  labels.reserve(texts.size());
+  for (const std::string& text : texts) labels.push_back(text.c_str());
+  if (values.empty()) return;
+  ImPlot::SetupAxisTicks(axis, values.data(), static_cast<int>(values.size()), labels.data());
+}
+
+ImPlotMarker plot_marker(Mark mark) {
+  if (mark == Mark::kCircle) return ImPlotMarker_Circle;
+  return mark == Mark::kSquare ? ImPlotMarker_Square : ImPlotMarker_Diamond;
+}
+
+void draw_goal(const Theme& theme, const LogPlot& plot) {
+  if (!plot.goal) return;
+  ImPlotSpec spec;
+  spec.LineColor = theme.colour(Tone::kMuted);
+  spec.LineColor.w = 0.7F;
+  spec.Flags = ImPlotInfLinesFlags_Horizontal | ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  const double goal = *plot.goal;
+  ImPlot::PlotInfLines("##goal", &goal, 1, spec);
+  const std::string text = fmt::format("{:g} {}", goal, plot.unit);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 end = ImPlot::PlotToPixels(ImPlot::GetPlotLimits().X.Max, goal);
+  ImPlot::PushPlotClipRect();
+  ImPlot::GetPlotDrawList()->AddText(ImVec2(end.x - size.x - 0.5F * size.y, end.y - 1.1F * size.y),
+                                     theme.packed(Tone::kMuted), text.c_str());
+  ImPlot::PopPlotClipRect();
+}
+
+void draw_series(const Theme& theme, const LogSeries& series, float scale) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const LogPoint& point : series.points) {
+    x.push_back(point.x);
+    y.push_back(point.y);
+  }
+  ImPlotSpec line;
+  line.LineColor = theme.colour(series.tone);
+  line.LineWeight = kLineWeight * scale;
+  line.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  ImPlot::PlotLine(series.name.c_str(), x.data(), y.data(), static_cast<int>(x.size()), line);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    ImPlotSpec mark = line;
+    mark.Marker = plot_marker(series.mark);
+    mark.MarkerSize = series.radius * kMarkRadius * scale;
+    mark.MarkerLineColor = theme.colour(series.tone);
+    mark.MarkerFillColor = theme.colour(series.points[i].filled ? series.tone : Tone::kBackground);
+    ImPlot::PlotScatter(fmt::format("##{}{}", series.name, i).c_str(), &x[i], &y[i], 1, mark);
+  }
+}
+
+struct Box {
+  ImVec2 from;
+  ImVec2 to;
+};
+
+float overlap(const Box& a, const Box& b) {
+  const float width = std::min(a.to.x, b.to.x) - std::max(a.from.x, b.from.x);
+  const float height = std::min(a.to.y, b.to.y) - std::max(a.from.y, b.from.y);
+  return width > 0.0F && height > 0.0F ? width * height : 0.0F;
+}
+
+// The place around `mark` where the text covers least of what is `taken`, the preferred side first.
+Box place_label(const Box& mark, ImVec2 text, bool above, const std::vector<Box>& taken) {
+  const ImVec2 centre(0.5F * (mark.from.x + mark.to.x), 0.5F * (mark.from.y + mark.to.y));
+  const float over = mark.from.y - text.y;
+  const float under = mark.to.y;
+  const std::array<ImVec2, 2> preferred{{{centre.x, over}, {centre.x - text.x, under}}};
+  std::vector<ImVec2> corners{preferred.at(above ? 0 : 1)};
+  corners.insert(corners.end(), {{centre.x - 0.5F * text.x, above ? over : under},
+                                 {above ? centre.x - text.x : centre.x, above ? over : under},
+                                 preferred.at(above ? 1 : 0),
+                                 {centre.x - 0.5F * text.x, above ? under : over},
+                                 {mark.to.x + 0.2F * text.y, centre.y - 0.5F * text.y},
+                                 {mark.from.x - text.x - 0.2F * text.y, centre.y - 0.5F * text.y}});
+  Box best;
+  float least = -1.0F;
+  for (const ImVec2& corner : corners) {
+    const Box box{corner, ImVec2(corner.x + text.x, corner.y + text.y)};
+    float covered = 0.0F;
+    for (const Box& other : taken) covered += overlap(box, other);
+    if (least >= 0.0F && covered >= least) continue;
+    best = box;
+    least = covered;
+  }
+  return best;
+}
+
+// The lines of a series as a chain of small boxes.
+void add_lines(const LogSeries& series, float scale, std::vector<Box>& taken) {
+  constexpr int kBoxes = 32;  // a segment
+  for (std::size_t i = 1; i < series.points.size(); ++i) {
+    const ImVec2 a = ImPlot::PlotToPixels(series.points[i - 1].x, series.points[i - 1].y);
+    const ImVec2 b = ImPlot::PlotToPixels(series.points[i].x, series.points[i].y);
+    for (int box = 0; box <= kBoxes; ++box) {
+      const float share = static_cast<float>(box) / static_cast<float>(kBoxes);
+      const ImVec2 c(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y));
+      taken.push_back({ImVec2(c.x - scale, c.y - scale), ImVec2(c.x + scale, c.y + scale)});
+    }
+  }
+}
+
+void draw_labels(const Theme& theme, const LogPlot& plot, float scale) {
+  std::vector<Box> taken;
+  const auto mark_of = [&](const LogSeries& series, const LogPoint& point) {
+    const ImVec2 centre = ImPlot::PlotToPixels(point.x, point.y);
+    const float reach = (series.radius * kMarkRadius + 1.0F) * scale;
+    return Box{ImVec2(centre.x - reach, centre.y - reach),
+               ImVec2(centre.x + reach, centre.y + reach)};
+  };
+  for (const LogSeries& series : plot.series) {
+    for (const LogPoint& point : series.points) taken.push_back(mark_of(series, point));
+    add_lines(series, scale, taken);
+  }
+  ImPlot::PushPlotClipRect();
+  for (const LogSeries& series : plot.series) {
+    for (const LogPoint& point : series.points) {
+      const ImVec2 size = ImGui::CalcTextSize(point.label.c_str());
+      const Box box = place_label(mark_of(series, point), size, series.labels_above, taken);
+      taken.push_back(box);
+      ImPlot::GetPlotDrawList()->AddText(box.from, theme.packed(series.tone), point.label.c_str());
+    }
+  }
+  ImPlot::PopPlotClipRect();
+}
+
+// A logarithm has no zero: it is drawn at the foot, and says so.
+LogPlot with_zeros_shown(LogPlot plot, const Decades& y) {
+  for (LogSeries& series : plot.series) {
+    for (LogPoint& point : series.points) {
+      if (point.y > 0.0) continue;
+      point.y = std::pow(10.0, y.zero);
+      point.label += " (0)";
+    }
+  }
+  return plot;
+}
+
+void draw_heading(const Theme& theme, const LogPlot& plot) {
+  ImGui::PushFont(theme.fonts.strong, 0.0F);
+  ImGui::TextUnformatted(plot.title.c_str());
+  ImGui::PopFont();
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", plot.unit.c_str());
+}
+
+void draw_plot_area(const Theme& theme, const LogPlot& plot, const Decades& x, const Decades& y,
+                    float scale) {
+  const ImVec2 free = ImGui::GetContentRegionAvail();
+  const ImVec2 area(free.x, free.y - ImGui::GetTextLineHeightWithSpacing());
+  const ImPlotFlags flags = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame | ImPlotFlags_NoInputs;
+  if (ImPlot::BeginPlot("##plot", area, flags)) {
+    set_up_axis(ImAxis_X1, x);
+    set_up_axis(ImAxis_Y1, y);
+    ImPlot::SetupFinish();
+    draw_goal(theme, plot);
+    const LogPlot shown = with_zeros_shown(plot, y);
+    for (const LogSeries& series : shown.series) {
+      if (!series.points.empty()) draw_series(theme, series, scale);
+    }
+    draw_labels(theme, shown, scale);
+    ImPlot::EndPlot();
+  }
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free.x -
+                       ImGui::CalcTextSize(plot.x_title.c_str()).x);
+  ImGui::TextDisabled("%s", plot.x_title.c_str());
+}
+
+}  // namespace
+
+void draw_log_plot(const Theme& theme, const LogPlot& plot, ImVec2 size, float scale) {
+  ImGui::BeginChild(plot.title.c_str(), size);
+  draw_heading(theme, plot);
+  const std::optional<Decades> x = decades_of(plot, &LogPoint::x);
+  const std::optional<Decades> y = decades_of(plot, &LogPoint::y);
+  ImGui::PushFont(theme.fonts.text, kSmallFontSize);
+  if (x && y) {
+    draw_plot_area(theme, plot, *x, *y, scale);
+  } else {
+    ImGui::TextDisabled("%s", plot.nothing.c_str());
+  }
+  ImGui::PopFont();
+  ImGui::EndChild();
+}
+
+void draw_legend_mark(const Theme& theme, Tone tone, Mark mark, bool filled) {
+  const float em = ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 c(corner.x + 0.5F * em, corner.y + 0.5F * ImGui::GetTextLineHeight());
+  const float r = 0.34F * em;
+  std::array<ImVec2, 4> corners{
+      {{c.x - r, c.y - r}, {c.x + r, c.y - r}, {c.x + r, c.y + r}, {c.x - r, c.y + r}}};
+  if (mark == Mark::kDiamond) {
+    corners = {{{c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}}};
+  }
+  constexpr int kCorners = static_cast<int>(corners.size());
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImU32 colour = theme.packed(tone);
+  const float weight = 0.1F * em;
+  if (mark == Mark::kCircle && filled) {
+    list->AddCircleFilled(c, r, colour);
+  } else if (mark == Mark::kCircle) {
+    list->AddCircle(c, r, colour, 0, weight);
+  } else if (filled) {
+    list->AddConvexPolyFilled(corners.data(), kCorners, colour);
+  } else {
+    list->AddPolyline(corners.data(), kCorners, colour, ImDrawFlags_Closed, weight);
+  }
+  ImGui::Dummy(ImVec2(em, ImGui::GetTextLineHeight()));
+  ImGui::SameLine(0.0F, 0.35F * em);
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,97 @@
+#include "app/ui/page.h"
+
+#include <fmt/format.h>
+#include <imgui_impl_opengl3.h>
+#include <implot.h>
+
+#include <algorithm>
+
+#include "app/ui/gl_objects.h"
+#include "app/ui/offscreen.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr int kSmallestPage = 200;   // pixels
+constexpr int kLargestPage = 16384;  // what OpenGL 3.3 drivers take, in practice
+constexpr int kFrames = 3;           // until ImGui's and ImPlot's sizes have settled
+constexpr float kFrameTimeS = 1.0F / 60.0F;
+constexpr float kMargin = 24.0F;
+
+// A context of ImGui and ImPlot of its own; whichever was current before is so again afterwards.
+class GuiContext {
+ public:
+  explicit GuiContext(ImVec2 size)
+      : previous_(ImGui::GetCurrentContext()), previous_plot_(ImPlot::GetCurrentContext()) {
+    gui_ = ImGui::CreateContext();
+    ImGui::SetCurrentContext(gui_);
+    plot_ = ImPlot::CreateContext();
+    ImPlot::SetCurrentContext(plot_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.DisplaySize = size;
+    io.DeltaTime = kFrameTimeS;
+    ready_ = ImGui_ImplOpenGL3_Init("#version 330 core");
+  }
+  GuiContext(const GuiContext&) = delete;
+  GuiContext& operator=(const GuiContext&) = delete;
+  ~GuiContext() {
+    if (ready_) ImGui_ImplOpenGL3_Shutdown();
+    ImPlot::DestroyContext(plot_);
+    ImGui::DestroyContext(gui_);
+    ImGui::SetCurrentContext(previous_);
+    ImPlot::SetCurrentContext(previous_plot_);
+  }
+  [[nodiscard]] bool ready() const { return ready_; }
+
+ private:
+  ImGuiContext* previous_;
+  ImPlotContext* previous_plot_;
+  ImGuiContext* gui_ = nullptr;
+  ImPlotContext* plot_ = nullptr;
+  bool ready_ = false;
+};
+
+void draw_frame(const Theme& theme, ImVec2 size, float scale, const DrawPage& draw) {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  ImGui::SetNextWindowPos(ImVec2(0.0F, 0.0F));
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(kMargin * scale, kMargin * scale));
+  ImGui::Begin("page", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
+  draw(theme);
+  ImGui::End();
+  ImGui::PopStyleVar();
+  ImGui::Render();
+}
+
+}  // namespace
+
+Result<file::Picture> draw_page(FigureSize size, float scale, const DrawPage& draw) {
+  if (std::min(size.width, size.height) < kSmallestPage ||
+      std::max(size.width, size.height) > kLargestPage) {
+    return Error{ErrorKind::kUsage,
+                 fmt::format("a figure of {}x{} pixels: both must be from {} to {}", size.width,
+                             size.height, kSmallestPage, kLargestPage)};
+  }
+  const auto context = OffscreenContext::create();
+  if (!context) return context.error();
+  const Result<GlTarget> target = GlTarget::create(size.width, size.height, 0);
+  if (!target) return target.error();
+  const ImVec2 pixels(static_cast<float>(size.width), static_cast<float>(size.height));
+  const GuiContext gui(pixels);
+  if (!gui.ready()) return Error{ErrorKind::kFile, "the figure's OpenGL could not be set up"};
+  const Theme theme = apply_theme(Look::kPrint, scale);
+  for (int frame = 0; frame < kFrames; ++frame) {
+    draw_frame(theme, pixels, scale, draw);
+    target->bind();
+    glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  }
+  target->resolve();
+  return read_pixels(target->resolved_framebuffer(), size.width, size.height);
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,20 @@
+// A printed page: ImGui and ImPlot into a picture, without a display (EGL, no window).
+#pragma once
+
+#include <functional>
+
+#include "app/file/picture.h"
+#include "app/ui/figure.h"
+#include "app/ui/theme.h"
+#include "core/result.h"
+
+namespace hapticwall::ui {
+
+// What one frame of the page shows, below the margin; called a few times for one picture.
+using DrawPage = std::function<void(const Theme& theme)>;
+
+// `scale` enlarges fonts, spacing and margin. Fails with a sentence where no off-screen OpenGL 3.3
+// is to be had (ErrorKind::kFile) or the size is none (ErrorKind::kUsage).
+[[nodiscard]] Result<file::Picture> draw_page(FigureSize size, float scale, const DrawPage& draw);
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,168 @@
+#include "app/ui/work_precision.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/ui/log_plot.h"
+#include "app/ui/page.h"
+#include "app/ui/theme.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr float kDesignWidth = 1200.0F;  // figure of scale 1
+constexpr float kDesignHeight = 600.0F;
+constexpr double kPercent = 100.0;
+constexpr double kMillimetresPerMetre = 1e3;
+
+struct SeriesStyle {
+  Integrator integrator;
+  Tone tone;
+  Mark mark;
+  float radius;
+  bool labels_above;
+};
+constexpr std::array<SeriesStyle, 3> kSeries{
+    {{Integrator::kSemiImplicitEuler, Tone::kForce, Mark::kCircle, 1.0F, true},
+     {Integrator::kRungeKutta4, Tone::kPosition, Mark::kSquare, 1.0F, false},
+     {Integrator::kExact, Tone::kGood, Mark::kDiamond, 1.7F, true}}};
+
+std::string_view name_of(Integrator integrator) {
+  return kIntegratorNames.at(static_cast<std::size_t>(integrator));
+}
+
+using ErrorOf = std::optional<double> (*)(const AccuracyRow&);
+
+std::optional<double> position_error_m(const AccuracyRow& row) { return row.max_position_error_m; }
+
+std::optional<double> amplitude_error_percent(const AccuracyRow& row) {
+  if (!row.tail_peak_to_peak_relative_error) return {};
+  return kPercent * std::abs(*row.tail_peak_to_peak_relative_error);
+}
+
+LogSeries series_of(const AccuracyStudy& study, const SeriesStyle& style, ErrorOf error_of) {
+  LogSeries series{.name = std::string(name_of(style.integrator)),
+                   .tone = style.tone,
+                   .mark = style.mark,
+                   .radius = style.radius,
+                   .labels_above = style.labels_above,
+                   .points = {}};
+  for (const AccuracyRow& row : study.rows) {
+    const std::optional<double> error = error_of(row);
+    if (row.integrator != style.integrator || !error || !std::isfinite(*error)) continue;
+    if (!row.ns_per_tick || !(*row.ns_per_tick > 0.0)) continue;
+    series.points.push_back({.x = *row.ns_per_tick,
+                             .y = *error,
+                             .label = row.substeps ? fmt::format("{}", *row.substeps) : series.name,
+                             .filled = row.verdict_agrees});
+  }
+  return series;
+}
+
+LogPlot plot_of(const AccuracyStudy& study, const char* title, const char* unit, ErrorOf error_of) {
+  LogPlot plot;
+  plot.title = title;
+  plot.unit = unit;
+  plot.x_title = "cost, ns per tick";
+  plot.nothing = "no run has an error to show";
+  for (const SeriesStyle& style : kSeries) {
+    plot.series.push_back(series_of(study, style, error_of));
+  }
+  return plot;
+}
+
+std::string reference_text(const Summary& reference) {
+  std::string text = fmt::format("reference, the exact propagator in extended precision: {}",
+                                 verdict_name(reference.verdict));
+  if (reference.diverged_at_tick) {
+    text += fmt::format(" at tick {}", *reference.diverged_at_tick);
+  } else if (reference.tail_peak_to_peak_m) {
+    text += fmt::format(", {:.4g} mm peak to peak in the last second (the tail)",
+                        *reference.tail_peak_to_peak_m * kMillimetresPerMetre);
+  }
+  return text;
+}
+
+void draw_title(const Theme& theme, const Scene& scene, const AccuracyStudy& study) {
+  ImGui::PushFont(theme.fonts.strong, kTitleFontSize);
+  ImGui::Text("%s  ·  %s", scene.name.c_str(), study.reference.algorithm.c_str());
+  ImGui::PopFont();
+  ImGui::SameLine();
+  ImGui::TextDisabled("  speed against accuracy");
+  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::TextDisabled("%s", reference_text(study.reference).c_str());
+  ImGui::PopFont();
+}
+
+void draw_legend(const Theme& theme) {
+  ImGui::PushFont(nullptr, kSmallFontSize);
+  const float gap = 1.6F * ImGui::GetFontSize();
+  for (const SeriesStyle& style : kSeries) {
+    draw_legend_mark(theme, style.tone, style.mark, true);
+    const std::string name(name_of(style.integrator));
+    ImGui::TextColored(theme.colour(style.tone), "%s", name.c_str());
+    ImGui::SameLine(0.0F, gap);
+  }
+  draw_legend_mark(theme, kSeries.front().tone, kSeries.front().mark, false);
+  ImGui::TextDisabled("hollow: not the reference's verdict");
+  ImGui::SameLine(0.0F, gap);
+  ImGui::TextDisabled("numbers: substeps a tick");
+  ImGui::PopFont();
+}
+
+// What the plots cannot show, in a line; empty where they show all.
+std::string diverged_runs(const AccuracyStudy& study) {
+  std::string text;
+  for (const AccuracyRow& row : study.rows) {
+    if (row.verdict != Verdict::kDiverged) continue;
+    text +=
+        fmt::format("{}{}", text.empty() ? "diverged, not shown: " : ", ", name_of(row.integrator));
+    if (row.substeps) text += fmt::format(" {}", *row.substeps);
+  }
+  return text;
+}
+
+void draw_contents(const Theme& theme, const Scene& scene, const AccuracyStudy& study,
+                   float scale) {
+  draw_title(theme, scene, study);
+  draw_legend(theme);
+  const std::string diverged = diverged_runs(study);
+  if (!diverged.empty()) {
+    ImGui::PushFont(nullptr, kSmallFontSize);
+    ImGui::TextWrapped("%s", diverged.c_str());
+    ImGui::PopFont();
+  }
+  ImGui::Spacing();
+  LogPlot position = plot_of(study, "(a) Largest error of position", "m", position_error_m);
+  LogPlot amplitude =
+      plot_of(study, "(b) Error of the tail's amplitude", "%", amplitude_error_percent);
+  amplitude.goal = 1.0;  // percent: good enough for most
+  if (study.reference.verdict == Verdict::kSettled) {
+    amplitude.nothing = "the reference is settled: there is no oscillation to be off from";
+  }
+  const ImVec2 free = ImGui::GetContentRegionAvail();
+  const float gap = 3.0F * ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 half(0.5F * (free.x - gap), free.y);
+  draw_log_plot(theme, position, half, scale);
+  ImGui::SameLine(0.0F, gap);
+  draw_log_plot(theme, amplitude, half, scale);
+}
+
+}  // namespace
+
+Result<file::Picture> draw_work_precision(const Scene& scene, const AccuracyStudy& study,
+                                          FigureSize size) {
+  const float scale = std::min(static_cast<float>(size.width) / kDesignWidth,
+                               static_cast<float>(size.height) / kDesignHeight);
+  return draw_page(size, scale,
+                   [&](const Theme& theme) { draw_contents(theme, scene, study, scale); });
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,181 @@
+// `accuracy` as a script sees it: table, JSON, CSV, picture, refusals.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/app/command_binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class AccuracyCommand : public ProgramTest {
+ protected:
+  void expect_refused(std::vector<std::string> arguments, int status, const std::string& line) {
+    arguments.insert(arguments.begin(), "accuracy");
+    const Answer answer = hapticwall(std::move(arguments));
+    EXPECT_EQ(answer.status, status) << answer.err;
+    EXPECT_EQ(answer.err, "error: " + line + "\n");
+    EXPECT_THAT(answer.out, IsEmpty());
+    EXPECT_THAT(files(), IsEmpty());
+  }
+};
+
+TEST_F(AccuracyCommand, ShowsThatTheLimitCycleVanishes) {
+  const Answer answer = hapticwall({"accuracy", "golden-hard", "--substeps", "1,10"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_THAT(answer.err, IsEmpty());
+  EXPECT_THAT(answer.out,
+              AllOf(StartsWith("golden-hard under none, 5000 ticks\nreference: oscillating, 0.9903 "
+                               "mm peak to peak"),
+                    HasSubstr("\nexact "), HasSubstr("\nsemi-implicit-euler        10 "),
+                    HasSubstr("  0.0000    -100.00  settled !\n"), HasSubstr("\nrk4 ")));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(AccuracyCommand, JsonOnStandardOutputIsAllThereIs) {
+  const Answer answer =
+      hapticwall({"accuracy", "golden-hard", "--substeps", "10,1,10", "--json", "-"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto json = nlohmann::json::parse(answer.out);
+  EXPECT_EQ(json.at("scene"), "golden-hard");
+  EXPECT_EQ(json.at("reference_verdict"), "oscillating");
+  std::vector<std::string> rows;
+  for (const auto& row : json.at("rows")) {
+    rows.push_back(row.at("integrator").get<std::string>() + " " + row.at("substeps").dump());
+    EXPECT_GT(row.at("ns_per_tick").get<double>(), 0.0);
+    EXPECT_GT(row.at("ratio_to_exact").get<double>(), 0.0);
+    EXPECT_GE(row.at("set_up_ns").get<double>(), 0.0);
+    EXPECT_TRUE(row.at("max_position_error_m").is_number());
+  }
+  // In ascending order, each count once.
+  EXPECT_THAT(rows, ElementsAre("exact null", "semi-implicit-euler 1", "semi-implicit-euler 10",
+                                "rk4 1", "rk4 10"));
+  EXPECT_EQ(json.at("rows")[1].at("verdict"), "settled");
+  EXPECT_EQ(json.at("rows")[1].at("verdict_agrees"), false);
+  EXPECT_LE(json.at("rows")[0].at("max_position_error_m").get<double>(), 1e-14);
+}
+
+TEST_F(AccuracyCommand, FilesAreWritten) {
+  const Answer answer = hapticwall({"accuracy", "golden-hard", "--substeps", "1,2", "--csv",
+                                    "a.csv", "--json", "a.json", "--plot", "a.png", "--quiet"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out, IsEmpty());
+  EXPECT_THAT(answer.err, IsEmpty());
+  EXPECT_THAT(files(), ElementsAre("a.csv", "a.json", "a.png"));
+  EXPECT_EQ(nlohmann::json::parse(content("a.json")).at("rows").size(), 5U);
+  EXPECT_THAT(content("a.csv"), StartsWith("scene,algorithm,"));
+  EXPECT_THAT(content("a.png"), StartsWith("\x89PNG\r\n"));
+}
+
+TEST_F(AccuracyCommand, SettingsReachTheStudyAndTheScenesIntegratorDoesNotMatter) {
+  const auto study = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{
+        "accuracy", "press",      "--substeps", "1",     "--json",
+        "-",        "--duration", "2",          "--set", "wall.position_m=0.04"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return nlohmann::json::parse(hapticwall(arguments).out);
+  };
+  const auto json = study({"--algorithm", "none"});
+  EXPECT_EQ(json.at("algorithm"), "none");
+  EXPECT_EQ(json.at("ticks"), 2000);
+  const auto other =
+      study({"--algorithm", "none", "--set", "simulator.integrator=semi-implicit-euler", "--set",
+             "simulator.substeps=3"});
+  for (std::size_t i = 0; i < json.at("rows").size(); ++i) {
+    EXPECT_EQ(json.at("rows")[i].at("tail_peak_to_peak_m"),
+              other.at("rows")[i].at("tail_peak_to_peak_m"));
+  }
+}
+
+TEST_F(AccuracyCommand, ADivergedRunIsARowLikeAnother) {
+  const Answer answer = hapticwall({"accuracy", "press", "--substeps", "1", "--duration", "2",
+                                    "--set", "hand.grip_stiffness_n_per_m=1e7", "--json", "-"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto rows = nlohmann::json::parse(answer.out).at("rows");
+  EXPECT_NE(rows[0].at("verdict"), "diverged");
+  EXPECT_EQ(rows[1].at("verdict"), "diverged");
+  EXPECT_TRUE(rows[1].at("diverged_at_tick").is_number());
+  EXPECT_TRUE(rows[1].at("max_position_error_m").is_null());
+}
+
+TEST_F(AccuracyCommand, BadSubstepsAreOneLine) {
+  for (const std::string list : {"", "0", "-1", "1001", "1,", ",1", "1,,2", "1 2", "1;2", "ten",
+                                 "1.5", "1e2", "99999999999999999999", "1,2,x", "+1"}) {
+    expect_refused(
+        {"golden-hard", "--json", "a.json", "--substeps", list}, 2,
+        "--substeps '" + list + "': it takes whole numbers from 1 to 1000, separated by commas");
+  }
+}
+
+TEST_F(AccuracyCommand, RefusesLikeRun) {
+  expect_refused({"press", "--set", "hand.path=mouse", "--csv", "a.csv"}, 2,
+                 "press: hand.path: the hand follows the mouse, which only the window has; --set "
+                 "'hand.path=[[0, 0.03], [1, 0.06]]' gives it a path");
+  expect_refused({"pres"}, 2,
+                 "'pres' is neither a file nor a built-in scene; did you mean 'press'?; built in: "
+                 "light, press, tap, tap-slow, golden-hard, golden-soft, golden-soft-fric");
+  expect_refused({}, 2, "SCENE is required");
+  expect_refused({"press", "--device", "ie2000"}, 3,
+                 "--device 'ie2000': this version knows only the simulator, 'sim'");
+  expect_refused({"press", "--json", "a", "--plot", "a"}, 2,
+                 "--json and --plot are the same file, 'a'");
+  expect_refused({"press", "--plot", "-"}, 2, "--plot -: it takes the name of a file");
+  expect_refused({"press", "--csv", "a.csv", "--plot", "no/a.png"}, 4,
+                 "no/a.png: cannot be written: No such file or directory");
+  expect_refused({"press", "--duration", "10001"}, 2,
+                 "accuracy: it takes at most 10000000 ticks, this scene has 10001000; --duration "
+                 "shortens it");
+  expect_refused({"press", "--expect", "verdict=settled"}, 2,
+                 "--expect: 'accuracy' has no single summary; 'hapticwall run SCENE --expect EXPR' "
+                 "has, with --set simulator.integrator=NAME");
+}
+
+TEST_F(AccuracyCommand, RefusesARecordingInWhichParametersChanged) {
+  ASSERT_EQ(hapticwall({"run", "press", "--csv", "a.csv", "--quiet"}).status, 0);
+  put("s.toml", content("a.toml") +
+                    "\n[[recording.change]]\ntick = 2000\n[recording.change.algorithm]\n"
+                    "name = \"none\"\n[[recording.change.wall]]\nposition_m = 0.05\n"
+                    "stiffness_n_per_m = 35000.0\n");
+  const Answer answer = hapticwall({"accuracy", "s.toml"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.err, StartsWith("error: the scene is a recording in which parameters"));
+  EXPECT_EQ(answer.error_lines(), 1);
+}
+
+TEST_F(AccuracyCommand, Help) {
+  const Answer answer = hapticwall({"accuracy", "--help"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_THAT(answer.out, AllOf(HasSubstr("hapticwall accuracy [OPTIONS] SCENE"),
+                                HasSubstr("--substeps N,N,..."), HasSubstr("--plot FILE.png"),
+                                HasSubstr("--algorithm")));
+  EXPECT_THAT(hapticwall({"--help"}).out, HasSubstr("accuracy"));
+}
+
+TEST_F(AccuracyCommand, CtrlCEndsItAndNothingIsWritten) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = start({HAPTICWALL_BINARY, "accuracy", "press", "--duration", "10000",
+                               "--json", "a.json", "--csv", "a.csv"});
+    // Signals are caught before a file is opened.
+    while (files().empty() && is_running(child)) sched_yield();
+    kill(child, signal);
+    const Answer answer = wait_for(child);
+    EXPECT_EQ(answer.status, 128 + signal);
+    EXPECT_THAT(answer.err, AllOf(StartsWith("ended early by "), HasSubstr("nothing was written")));
+    EXPECT_EQ(answer.error_lines(), 1);
+    EXPECT_THAT(answer.out, IsEmpty());
+    EXPECT_THAT(files(), IsEmpty());
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test
