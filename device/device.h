@@ -7,6 +7,10 @@
 #include "core/result.h"
 #include "core/sample.h"
 
+namespace hapticwall {
+class PlantModel;
+}
+
 namespace hapticwall::device {
 
 struct DeviceInfo {
@@ -39,6 +43,12 @@ class Device {
 
   // Back to the start of the scene; a real device ignores it. Realtime-safe: yes.
   virtual void reset() {}
+
+  // From this tick on `plant` is what moves; it takes over from the one before, where that is and
+  // with what is under way. A real device has a plant of its own and ignores it. The plant stays
+  // the caller's: it lives until another one has replaced it, or the device is gone.
+  // Realtime-safe: yes.
+  virtual void change_plant(PlantModel& plant) { (void)plant; }
 
   // The hand is led by a pointer at this position from now on (simulators only). Realtime-safe:
   // yes.

@@ -4,19 +4,22 @@
 
 namespace hapticwall::device {
 
-SimulatedDevice::SimulatedDevice(const Scene& scene) : plant_(scene) {}
+SimulatedDevice::SimulatedDevice(const Scene& scene) : first_plant_(scene) {}
 
 DeviceInfo SimulatedDevice::info() const { return {"simulator", true}; }
 
 Failure SimulatedDevice::open() { return std::nullopt; }
 
+void SimulatedDevice::pass_tick() {
+  if (!held_force_n_) return;
+  plant_->advance(*held_force_n_);
+  held_force_n_.reset();
+}
+
 DeviceReading SimulatedDevice::read() {
-  if (held_force_n_) {
-    plant_.advance(*held_force_n_);
-    held_force_n_.reset();
-  }
-  const bool diverged = has_diverged(plant_.truth().position_m);
-  return {plant_.measured_position_m(), 0.0, diverged ? DeviceState::kFault : DeviceState::kOk};
+  pass_tick();
+  const bool diverged = has_diverged(plant_->truth().position_m);
+  return {plant_->measured_position_m(), 0.0, diverged ? DeviceState::kFault : DeviceState::kOk};
 }
 
 void SimulatedDevice::write(double force_n) { held_force_n_ = force_n; }
@@ -25,13 +28,19 @@ void SimulatedDevice::close() { held_force_n_.reset(); }
 
 void SimulatedDevice::reset() {
   held_force_n_.reset();
-  plant_.reset();
+  plant_->reset();
 }
 
-void SimulatedDevice::lead_hand_to(double position_m) { plant_.lead_hand_to(position_m); }
+void SimulatedDevice::change_plant(PlantModel& plant) {
+  pass_tick();
+  plant.take_over(*plant_);
+  plant_ = &plant;
+}
 
-void SimulatedDevice::release_hand() { plant_.release_hand(); }
+void SimulatedDevice::lead_hand_to(double position_m) { plant_->lead_hand_to(position_m); }
 
-const PlantTruth* SimulatedDevice::truth() const { return &plant_.truth(); }
+void SimulatedDevice::release_hand() { plant_->release_hand(); }
+
+const PlantTruth* SimulatedDevice::truth() const { return &plant_->truth(); }
 
 }  // namespace hapticwall::device

@@ -28,12 +28,17 @@ class SimulatedDevice : public Device {
   void write(double force_n) override;
   void close() override;
   void reset() override;
+  // The tick that is passing belongs to the plant before.
+  void change_plant(PlantModel& plant) override;
   void lead_hand_to(double position_m) override;
   void release_hand() override;
   [[nodiscard]] const PlantTruth* truth() const override;
 
  private:
-  PlantModel plant_;
+  void pass_tick();
+
+  PlantModel first_plant_;
+  PlantModel* plant_ = &first_plant_;
   // Written and not yet acted upon: truth() stays that of the last read() until the next one.
   std::optional<double> held_force_n_;
 };

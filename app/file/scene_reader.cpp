@@ -55,8 +55,9 @@ SamplingSettings read_sampling(const toml::table& table, const std::string& orig
   return sampling;
 }
 
-DeviceSettings read_device(const toml::table& table, const std::string& origin) {
-  TableReader reader(table, "device.", origin);
+DeviceSettings read_device(const toml::table& table, const std::string& prefix,
+                           const std::string& origin) {
+  TableReader reader(table, prefix + "device.", origin);
   for (const std::string_view key : {"x", "y"}) reader.refuse_unsupported(key);
   DeviceSettings device;
   reader.numbers(device_number_keys(), device);
@@ -140,8 +141,9 @@ AlgorithmSettings read_algorithm(const toml::table& table, const std::string& pr
   return settings;
 }
 
-SimulatorSettings read_simulator(const toml::table& table, const std::string& origin) {
-  TableReader reader(table, "simulator.", origin);
+SimulatorSettings read_simulator(const toml::table& table, const std::string& prefix,
+                                 const std::string& origin) {
+  TableReader reader(table, prefix + "simulator.", origin);
   SimulatorSettings simulator;
   if (const std::optional<std::string> name = reader.string("integrator")) {
     const std::optional<Integrator> integrator = find_integrator(*name);
@@ -187,6 +189,37 @@ void check(const Scene& scene, const toml::table& root, const std::string& prefi
       fmt::format("{}: {}: {}", place_of(node_at(root, key), origin), key, problem->message));
 }
 
+// The hand of a change: all of it but the path, which stays that of the start.
+HandSettings read_changed_hand(const toml::table& table, const std::string& prefix,
+                               const HandSettings& first, const std::string& origin) {
+  TableReader reader(table, prefix + "hand.", origin);
+  HandSettings hand;
+  reader.numbers(hand_number_keys(), hand);
+  reader.finish();
+  hand.path = first.path;
+  hand.follows_mouse = first.follows_mouse;
+  return hand;
+}
+
+// The plant of a change; a table that is not there is that of the start.
+void read_changed_plant(TableReader& reader, const std::string& prefix, const std::string& origin,
+                        Scene& scene) {
+  const Scene first = scene;
+  if (const toml::table* device = reader.table("device")) {
+    scene.device = read_device(*device, prefix, origin);
+    if (scene.device.start_m != first.device.start_m) {
+      reader.fail(*device, "device.start_m", "a change leaves the start as it was");
+    }
+  }
+  if (const toml::table* hand = reader.table("hand")) {
+    if (!first.hand) reader.fail(*hand, "hand", "the scene began without a hand");
+    scene.hand = read_changed_hand(*hand, prefix, *first.hand, origin);
+  }
+  if (const toml::table* simulator = reader.table("simulator")) {
+    scene.simulator = read_simulator(*simulator, prefix, origin);
+  }
+}
+
 ScheduledChange read_change(const toml::table& table, const std::string& prefix, const Scene& first,
                             const std::string& origin) {
   TableReader reader(table, prefix, origin);
@@ -195,6 +228,7 @@ ScheduledChange read_change(const toml::table& table, const std::string& prefix,
   if (const toml::table* algorithm = reader.table("algorithm")) {
     change.scene.algorithm = read_algorithm(*algorithm, prefix, origin);
   }
+  read_changed_plant(reader, prefix, origin, change.scene);
   change.scene.walls = read_walls(reader, prefix);
   reader.finish();
   return change;
@@ -235,14 +269,14 @@ Scene read_tables(TableReader& reader, const std::string& origin) {
   if (const auto* table = reader.table("sampling")) scene.sampling = read_sampling(*table, origin);
   const toml::table absent_device;
   const toml::table* device = reader.table("device");
-  scene.device = read_device(device == nullptr ? absent_device : *device, origin);
+  scene.device = read_device(device == nullptr ? absent_device : *device, "", origin);
   if (const auto* table = reader.table("hand")) scene.hand = read_hand(*table, origin);
   scene.walls = read_walls(reader, "");
   if (const auto* table = reader.table("algorithm")) {
     scene.algorithm = read_algorithm(*table, "", origin);
   }
   if (const auto* table = reader.table("simulator")) {
-    scene.simulator = read_simulator(*table, origin);
+    scene.simulator = read_simulator(*table, "", origin);
   }
   return scene;
 }

@@ -13,11 +13,18 @@
 namespace hapticwall::file {
 namespace {
 
-void write_change(TomlText& out, const RecordedChange& change) {
+// Algorithm and walls as they are from this tick on; of the plant only the tables that differ from
+// those of the start.
+void write_change(TomlText& out, const Scene& start, const RecordedChange& change) {
+  constexpr std::string_view kPrefix = "recording.change.";
+  const Scene& scene = change.scene;
   out.table_of_array("recording.change");
   out.integer("tick", change.tick);
-  write_algorithm(out, "recording.change.", change.scene.algorithm);
-  write_walls(out, "recording.change.", change.scene.walls);
+  if (scene.device != start.device) write_device(out, kPrefix, scene.device);
+  if (scene.hand && scene.hand != start.hand) write_hand_numbers(out, kPrefix, *scene.hand);
+  if (scene.simulator != start.simulator) write_simulator(out, kPrefix, scene.simulator);
+  write_algorithm(out, kPrefix, scene.algorithm);
+  write_walls(out, kPrefix, scene.walls);
 }
 
 }  // namespace
@@ -44,7 +51,7 @@ std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
     out.string("not_repeatable_because", metadata.not_repeatable_because);
   }
   out.string("csv_sha256", recorded.csv_sha256);
-  for (const RecordedChange& change : metadata.changes) write_change(out, change);
+  for (const RecordedChange& change : metadata.changes) write_change(out, scene, change);
   return scene_to_toml(scene) + out.text();
 }
 

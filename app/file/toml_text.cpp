@@ -50,8 +50,7 @@ void write_numbers(TomlText& out, std::span<const NumberKey<Owner>> keys, const 
 }
 
 void write_hand(TomlText& out, const HandSettings& hand) {
-  out.table("hand");
-  write_numbers(out, hand_number_keys(), hand);
+  write_hand_numbers(out, "", hand);
   if (hand.follows_mouse) {
     out.string("path", "mouse");
   } else {
@@ -105,6 +104,22 @@ void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSett
   }
 }
 
+void write_device(TomlText& out, std::string_view prefix, const DeviceSettings& device) {
+  out.table(fmt::format("{}device", prefix));
+  write_numbers(out, device_number_keys(), device);
+}
+
+void write_hand_numbers(TomlText& out, std::string_view prefix, const HandSettings& hand) {
+  out.table(fmt::format("{}hand", prefix));
+  write_numbers(out, hand_number_keys(), hand);
+}
+
+void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSettings& simulator) {
+  out.table(fmt::format("{}simulator", prefix));
+  out.string("integrator", simulator.integrator_name());
+  out.integer("substeps", static_cast<std::uint64_t>(simulator.substeps));
+}
+
 void write_walls(TomlText& out, std::string_view prefix, const std::vector<WallSettings>& walls) {
   for (const WallSettings& wall : walls) {
     out.table_of_array(fmt::format("{}wall", prefix));
@@ -119,14 +134,11 @@ std::string scene_to_toml(const Scene& scene) {
   write_numbers(out, scene_number_keys(), scene);
   out.table("sampling");
   write_numbers(out, sampling_number_keys(), scene.sampling);
-  out.table("device");
-  write_numbers(out, device_number_keys(), scene.device);
+  write_device(out, "", scene.device);
   if (scene.hand) write_hand(out, *scene.hand);
   write_walls(out, "", scene.walls);
   write_algorithm(out, "", scene.algorithm);
-  out.table("simulator");
-  out.string("integrator", scene.simulator.integrator_name());
-  out.integer("substeps", static_cast<std::uint64_t>(scene.simulator.substeps));
+  write_simulator(out, "", scene.simulator);
   return out.text();
 }
 

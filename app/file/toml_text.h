@@ -29,7 +29,11 @@ class TomlText {
 };
 
 // The tables that a live session may change, each under `prefix` ("" or "recording.change.").
+void write_device(TomlText& out, std::string_view prefix, const DeviceSettings& device);
+// Less the path, which no session changes.
+void write_hand_numbers(TomlText& out, std::string_view prefix, const HandSettings& hand);
 void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSettings& algorithm);
 void write_walls(TomlText& out, std::string_view prefix, const std::vector<WallSettings>& walls);
+void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSettings& simulator);
 
 }  // namespace hapticwall::file

@@ -10,16 +10,21 @@
 #include "app/runtime/session.h"
 #include "app/runtime/spsc_queue.h"
 #include "app/runtime/triple_buffer.h"
+#include "core/plant/plant_model.h"
 #include "core/sample.h"
 #include "core/servo_step.h"
 
 namespace hapticwall::runtime {
 
-// What the loop runs with. The owner numbers them from 1; the loop puts the number into its
-// samples.
+// What the loop runs with, controller and plant at the same tick. The owner numbers them from 1;
+// the loop puts the number into its samples.
 struct LoopParameters {
   ServoSettings servo;
   std::uint32_t generation = 1;
+  // The owner's, built for these parameters and untouched until the loop takes it; the loop's to
+  // use from then on, and the owner's to free once a later generation is echoed. nullptr: the plant
+  // that the device has brought itself.
+  PlantModel* plant = nullptr;
 };
 
 enum class CommandKind : std::uint8_t {

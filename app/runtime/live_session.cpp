@@ -7,6 +7,7 @@
 #include <future>
 #include <utility>
 
+#include "app/runtime/scene_change.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall::runtime {
@@ -24,24 +25,16 @@ std::string utc_now() {
   return {text, length};
 }
 
-bool same_walls(std::span<const WallSettings> a, std::span<const WallSettings> b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const WallSettings& left, const WallSettings& right) {
-                      return left.position_m == right.position_m &&
-                             left.stiffness_n_per_m == right.stiffness_n_per_m &&
-                             left.damping_n_s_per_m == right.damping_n_s_per_m;
-                    });
-}
-
-LoopParameters parameters_of(const ParameterHistory& history) {
-  return {servo_settings(history.newest()), history.generation()};
+LoopParameters parameters_of(const ParameterHistory& history, PlantModel* plant = nullptr) {
+  return {servo_settings(history.newest()), history.generation(), plant};
 }
 
 }  // namespace
 
 LiveSession::LiveSession(std::unique_ptr<device::Device> device, const Scene& scene,
                          const SessionOptions& options)
-    : device_(std::move(device)),
+    : plants_(scene),
+      device_(std::move(device)),
       device_info_(device_->info()),
       history_(scene),
       exchange_(options, parameters_of(history_)),
@@ -66,24 +59,35 @@ LiveSession::~LiveSession() {
 }
 
 std::optional<SceneProblem> LiveSession::set_algorithm(const AlgorithmSettings& algorithm) {
-  if (algorithm == scene().algorithm) return std::nullopt;
   Scene changed = scene();
   changed.algorithm = algorithm;
-  return publish(changed);
+  return change_scene(changed);
 }
 
 std::optional<SceneProblem> LiveSession::set_walls(std::span<const WallSettings> walls) {
-  if (same_walls(walls, scene().walls)) return std::nullopt;
   Scene changed = scene();
   changed.walls.assign(walls.begin(), walls.end());
-  return publish(changed);
+  return change_scene(changed);
 }
 
-std::optional<SceneProblem> LiveSession::publish(const Scene& changed) {
-  if (std::optional<SceneProblem> problem = validate(changed)) return problem;
+// What the loop has not seen is taken back first: then this side knows which plant the loop will be
+// running with when it takes the new parameters.
+std::optional<SceneProblem> LiveSession::change_scene(const Scene& wanted) {
+  if (std::optional<SceneProblem> problem = needs_new_session(scene(), wanted)) return problem;
+  if (same_parameters(wanted, scene())) return std::nullopt;
+  if (std::optional<SceneProblem> problem = validate(wanted)) return problem;
   exchange_news();
-  history_.add(changed);
-  exchange_.parameters.publish(parameters_of(history_));
+  Scene changed = wanted;
+  changed.name = scene().name;
+  changed.description = scene().description;
+  changed.duration_s = scene().duration_s;
+  const bool unread = exchange_.parameters.withdraw();
+  history_.add(changed, unread);
+  PlantModel* plant = nullptr;
+  if (device_info_.is_simulated) {
+    plant = plants_.plant_for(history_.newest(), history_.generation(), unread);
+  }
+  exchange_.parameters.publish(parameters_of(history_, plant));
   return std::nullopt;
 }
 
@@ -116,7 +120,10 @@ void LiveSession::send(const Command& command) {
 void LiveSession::exchange_news() {
   while (!unsent_.empty() && exchange_.commands.try_push(unsent_.front())) unsent_.pop_front();
   ParameterEcho echo;
-  while (exchange_.echoes.try_pop(echo)) history_.came_into_force(echo);
+  while (exchange_.echoes.try_pop(echo)) {
+    history_.came_into_force(echo);
+    plants_.came_into_force(echo.generation);
+  }
 }
 
 Snapshot LiveSession::snapshot() {

@@ -12,6 +12,7 @@
 
 #include "app/runtime/exchange.h"
 #include "app/runtime/parameter_history.h"
+#include "app/runtime/plant_keeper.h"
 #include "app/runtime/realtime_setup.h"
 #include "app/runtime/recorder.h"
 #include "app/runtime/servo_loop.h"
@@ -29,6 +30,7 @@ class LiveSession final : public Session {
   [[nodiscard]] const Scene& scene() const override { return history_.newest(); }
   std::optional<SceneProblem> set_algorithm(const AlgorithmSettings& algorithm) override;
   std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls) override;
+  std::optional<SceneProblem> change_scene(const Scene& wanted) override;
   void lead_hand(std::optional<double> position_m) override;
   void pause(bool paused) override;
   void step(std::uint32_t ticks) override;
@@ -44,8 +46,10 @@ class LiveSession final : public Session {
   // start_recording() with a writer of the caller's. Precondition: no recording runs.
   void record_into(std::unique_ptr<file::RecordingWriter> writer);
 
+  // Plants that are kept for the loop at this moment, without the device's own.
+  [[nodiscard]] std::size_t plants_kept() const { return plants_.count(); }
+
  private:
-  std::optional<SceneProblem> publish(const Scene& scene);
   void send(const Command& command);
   void exchange_news();
   void wait_for_recording_switch();
@@ -53,6 +57,7 @@ class LiveSession final : public Session {
   [[nodiscard]] file::RecordingMetadata metadata() const;
   [[nodiscard]] std::uint64_t dropped_rows() const;
 
+  PlantKeeper plants_;  // outlives the device
   std::unique_ptr<device::Device> device_;
   const device::DeviceInfo device_info_;
   ParameterHistory history_;

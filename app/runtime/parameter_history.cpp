@@ -2,14 +2,24 @@
 
 namespace hapticwall::runtime {
 
-ParameterHistory::ParameterHistory(const Scene& first)
-    : newest_(first), at_start_{first.algorithm, first.walls} {
+ParameterHistory::Adjustment::Adjustment(const Scene& scene)
+    : device(scene.device),
+      walls(scene.walls),
+      algorithm(scene.algorithm),
+      simulator(scene.simulator) {
+  if (!scene.hand) return;
+  hand = *scene.hand;
+  hand->path = std::vector<PathPoint>();
+}
+
+ParameterHistory::ParameterHistory(const Scene& first) : newest_(first), at_start_(first) {
   published_.push_back({generation_, at_start_});
 }
 
-void ParameterHistory::add(const Scene& scene) {
+void ParameterHistory::add(const Scene& scene, bool unread) {
   newest_ = scene;
-  published_.push_back({++generation_, {scene.algorithm, scene.walls}});
+  if (unread && published_.size() > 1) published_.pop_back();
+  published_.push_back({++generation_, Adjustment(scene)});
 }
 
 void ParameterHistory::came_into_force(const ParameterEcho& echo) {
@@ -34,8 +44,13 @@ std::vector<file::RecordedChange> ParameterHistory::changes_before(std::uint64_t
 
 Scene ParameterHistory::scene_with(const Adjustment& adjustment) const {
   Scene scene = newest_;
-  scene.algorithm = adjustment.algorithm;
+  scene.device = adjustment.device;
   scene.walls = adjustment.walls;
+  scene.algorithm = adjustment.algorithm;
+  scene.simulator = adjustment.simulator;
+  if (!adjustment.hand) return scene;
+  scene.hand = adjustment.hand;
+  scene.hand->path = newest_.hand->path;
   return scene;
 }
 

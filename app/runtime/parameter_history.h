@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "app/file/recording_writer.h"
@@ -23,9 +24,9 @@ class ParameterHistory {
   [[nodiscard]] const Scene& newest() const { return newest_; }
   [[nodiscard]] std::uint32_t generation() const { return generation_; }
 
-  // A newer scene is about to be published; only algorithm and walls may differ from the one
-  // before.
-  void add(const Scene& scene);
+  // A newer scene is about to be published; only what may change in a session (scene_change.h)
+  // differs from the one before. `unread`: the loop has not seen the one before and never will.
+  void add(const Scene& scene, bool unread = false);
 
   // The loop's word. Echoes come in the order in which they were sent.
   void came_into_force(const ParameterEcho& echo);
@@ -38,15 +39,20 @@ class ParameterHistory {
  private:
   // What a live session lets its user change; the rest of the scene (a long path) is kept once.
   struct Adjustment {
-    AlgorithmSettings algorithm;
+    explicit Adjustment(const Scene& scene);
+
+    DeviceSettings device;
+    std::optional<HandSettings> hand;  // less its path
     std::vector<WallSettings> walls;
+    AlgorithmSettings algorithm;
+    SimulatorSettings simulator;
   };
   struct Published {
-    std::uint32_t generation = 0;
+    std::uint32_t generation;
     Adjustment adjustment;
   };
   struct Change {
-    std::uint64_t tick = 0;
+    std::uint64_t tick;
     Adjustment adjustment;
   };
 

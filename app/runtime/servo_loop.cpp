@@ -29,14 +29,15 @@ ServoLoop::ServoLoop(device::Device& device, Exchange& exchange, const LoopParam
 
 void ServoLoop::cycle(const Wake& wake, Clock& clock) {
   take_commands();
-  if (!snapshot_.paused || steps_left_ > 0) {
+  const bool ticks = !snapshot_.paused || steps_left_ > 0;
+  if (ticks) {
     tick();
     if (steps_left_ > 0) --steps_left_;
     ++snapshot_.timing.ticks;
   } else {
     idle();
   }
-  count(wake, clock.now_ns());
+  count(wake, clock.now_ns(), ticks);
   exchange_.snapshots.publish(snapshot_);
 }
 
@@ -98,6 +99,10 @@ void ServoLoop::take_parameters() {
   if (exchange_.echoes.size() >= kFreeEchoPlaces || !exchange_.parameters.update()) return;
   const LoopParameters& parameters = exchange_.parameters.current();
   servo_.apply(parameters.servo);
+  if (parameters.plant != plant_ && parameters.plant != nullptr) {
+    plant_ = parameters.plant;
+    device_.change_plant(*plant_);
+  }
   // Before tick 0 nothing is in force yet: no change to flag, no force to lead over from.
   if (at_start_) servo_.reset();
   snapshot_.generation = parameters.generation;
@@ -148,13 +153,19 @@ void ServoLoop::idle() {
   device_.write(0.0);
 }
 
-void ServoLoop::count(const Wake& wake, std::int64_t done_ns) {
+void ServoLoop::count(const Wake& wake, std::int64_t done_ns, bool ticked) {
   TimingStatistics& timing = snapshot_.timing;
   timing.missed_ticks += wake.missed;
   timing.wake_latency_s = seconds(wake.latency_ns);
   timing.maximum_wake_latency_s = std::max(timing.maximum_wake_latency_s, timing.wake_latency_s);
   timing.compute_time_s = seconds(done_ns - wake.now_ns);
   timing.maximum_compute_time_s = std::max(timing.maximum_compute_time_s, timing.compute_time_s);
+  if (!ticked) return;
+  cost_.add(wake.now_ns, done_ns - wake.now_ns);
+  const CostFigures& cost = cost_.figures();
+  timing.cost_ticks = cost.ticks;
+  timing.median_cost_s = seconds(cost.median_ns);
+  timing.maximum_cost_s = seconds(cost.maximum_ns);
 }
 
 void ServoLoop::shut_down(bool by_itself) noexcept {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "app/runtime/clock.h"
+#include "app/runtime/cost_window.h"
 #include "app/runtime/cycle_scheduler.h"
 #include "app/runtime/exchange.h"
 #include "core/servo.h"
@@ -36,12 +37,14 @@ class ServoLoop {
   void hand_out(const Sample& sample);
   void idle();
   void show_start();
-  void count(const Wake& wake, std::int64_t done_ns);
+  void count(const Wake& wake, std::int64_t done_ns, bool ticked);
 
   device::Device& device_;
   Exchange& exchange_;
   Servo servo_;
+  PlantModel* plant_ = nullptr;  // in use; nullptr: the device's own
   Snapshot snapshot_;
+  CostWindow cost_;
   std::uint32_t steps_left_ = 0;
   bool hand_led_ = false;
   bool recording_ = false;

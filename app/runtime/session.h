@@ -36,6 +36,10 @@ struct TimingStatistics {
   double maximum_wake_latency_s = 0.0;
   double compute_time_s = 0.0;  // of the newest tick
   double maximum_compute_time_s = 0.0;
+  // Compute time of the ticks of the last second in which it ticked, told four times a second.
+  std::uint32_t cost_ticks = 0;  // how many these are; 0: nothing is known yet
+  double median_cost_s = 0.0;    // within 4 %
+  double maximum_cost_s = 0.0;
 };
 
 // The newest tick and the state of the loop. Trivially copyable.
@@ -82,6 +86,11 @@ class Session {
   // Take effect at a tick boundary, without a force jump. A problem leaves everything as it was.
   virtual std::optional<SceneProblem> set_algorithm(const AlgorithmSettings& algorithm) = 0;
   virtual std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls) = 0;
+  // All of `wanted` that may change while it runs (scene_change.h), at one tick: device, hand,
+  // walls, algorithm, simulator. The handle goes on from where it is. Where something else differs
+  // that is a problem; name, description and duration are not looked at. A real device's own plant
+  // does not change.
+  virtual std::optional<SceneProblem> change_scene(const Scene& wanted) = 0;
   // The pointer leads the simulated hand (metres, newest wins, kept within a metre); nothing, or
   // not a finite number: the script does. Without effect in a scene without a hand.
   virtual void lead_hand(std::optional<double> position_m) = 0;

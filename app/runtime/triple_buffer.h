@@ -2,7 +2,8 @@
 //
 // The producer always has a slot of its own to write, the consumer one of its own to read, and the
 // third lies between them. Each side exchanges its slot for the middle one; a value is read whole
-// or not at all, and a consumer that is slow sees the newest and misses those between.
+// or not at all, and a consumer that is slow sees the newest and misses those between. The producer
+// can take back what the consumer has not seen, and so knows what it has.
 #pragma once
 
 #include <array>
@@ -36,10 +37,25 @@ class TripleBuffer {
     back_ = middle_.exchange(fresh, std::memory_order_acq_rel) & kIndexMask;
   }
 
-  // Consumer only: moves on to the newest value; false where there is none since the last call.
+  // Producer only: takes the newest value back, unless the consumer has moved on to it already.
+  // True: it never will; from now on there is no news. False: it has seen everything published.
+  bool withdraw() {
+    const std::uint8_t previous = middle_.exchange(back_, std::memory_order_acq_rel);
+    back_ = previous & kIndexMask;
+    return (previous & kFreshBit) != 0;
+  }
+
+  // Consumer only: moves on to the newest value; false where there is none since the last call, or
+  // where the producer is exchanging it at this very instant (then the next call finds it).
   bool update() {
-    if ((middle_.load(std::memory_order_relaxed) & kFreshBit) == 0) return false;
-    front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndexMask;
+    std::uint8_t middle = middle_.load(std::memory_order_relaxed);
+    if ((middle & kFreshBit) == 0) return false;
+    // Only a value that is still fresh: the producer may have withdrawn it since the look.
+    if (!middle_.compare_exchange_strong(middle, front_, std::memory_order_acq_rel,
+                                         std::memory_order_relaxed)) {
+      return false;
+    }
+    front_ = middle & kIndexMask;
     return true;
   }
 

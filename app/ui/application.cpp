@@ -51,6 +51,7 @@ Application::Application(SessionStarter start_session, std::unique_ptr<runtime::
       history_(history_capacity(session_->scene())),
       incoming_(kSamplesAtATime) {
   state_.transient.recording_folder = recording_folder;
+  state_.transient.loaded_scene = session_->scene();
 }
 
 void Application::take_samples() {
@@ -127,6 +128,7 @@ void Application::draw_left(const PanelContext& context, float height) {
   draw_algorithm_section(context);
   draw_wall_section(context);
   draw_hand_section(context);
+  draw_device_section(context);
   draw_loop_section(context);
   ImGui::EndChild();
 }
@@ -173,7 +175,7 @@ void Application::draw_views(const PanelContext& context) {
 
 void Application::start_wanted_scene() {
   if (!state_.transient.wanted_scene) return;
-  const Scene scene = *std::exchange(state_.transient.wanted_scene, std::nullopt);
+  const auto [scene, loaded] = *std::exchange(state_.transient.wanted_scene, std::nullopt);
   if (const auto problem = validate(scene)) {
     tell(state_, *problem);
     return;
@@ -185,6 +187,11 @@ void Application::start_wanted_scene() {
   }
   session_ = std::move(*started);
   history_ = SampleHistory(history_capacity(scene));
+  if (loaded) {
+    state_.transient.loaded_scene = scene;
+    state_.transient.switched_off.clear();
+  }
+  state_.transient.refusal.reset();
   state_.transient.hand_m.reset();
   state_.transient.dragging_hand = false;
   state_.transient.follow = true;

@@ -1,10 +1,13 @@
 // The simulated hand: its script, or the pointer.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "app/ui/control_panel.h"
+#include "app/ui/parameter_rows.h"
 #include "app/ui/widgets.h"
 
 namespace hapticwall::ui {
@@ -39,7 +42,7 @@ void want_approach(const PanelContext& context, const Approach& approach) {
   to.position_m = approach.end_m;
   to.time_s = changed.hand->path.front().time_s +
               std::abs(approach.end_m - approach.start_m) / approach.speed_m_per_s;
-  context.state.transient.wanted_scene = std::move(changed);
+  context.state.transient.wanted_scene = WantedScene{std::move(changed)};
 }
 
 void draw_approach(const PanelContext& context, Approach approach) {
@@ -87,10 +90,54 @@ void draw_pointer(const PanelContext& context, const HandSettings& hand) {
       "was.");
 }
 
+const std::array kRows{
+    ParameterText{"mass_kg", "mass",
+                  "of the hand: joined to the handle, or holding it through the grip", 0.4},
+    ParameterText{"stiffness_n_per_m", "spring", "of the arm, to where the hand wants to be",
+                  250.0},
+    ParameterText{"damping_n_s_per_m", "damping", "of the arm", 33.0},
+    ParameterText{"grip_stiffness_n_per_m", "grip", "the grip's spring, from hand to handle",
+                  1000.0},
+    ParameterText{"grip_damping_n_s_per_m", "grip damping", "of the grip", 1.0}};
+
+// A grip takes its damping with it when it goes.
+void edit_hand(HandSettings& hand, const NumberKey<HandSettings>& key, const ParameterEdit& edit) {
+  assign(key, hand, edit.value);
+  if (!hand.has_grip() && key.key == "grip_stiffness_n_per_m") hand.grip_damping_n_s_per_m.reset();
+}
+
+void draw_body(const PanelContext& context) {
+  const auto& loaded = context.state.transient.loaded_scene.hand;
+  for (const ParameterText& text : kRows) {
+    const auto& key = key_called(hand_number_keys(), text.key);
+    const HandSettings& in_force = *context.session.scene().hand;
+    const ParameterRow row =
+        parameter_row("hand.", key, text, in_force, loaded ? *loaded : in_force);
+    const auto edit = draw_parameter_row(context, row);
+    if (!edit) continue;
+    change_parameters(context, row.key, [&](Scene& scene) { edit_hand(*scene.hand, key, *edit); });
+  }
+}
+
+// Who leads the hand, in a word or two.
+std::string summary(const PanelContext& context) {
+  const auto& hand = context.session.scene().hand;
+  if (!hand) return "none";
+  if (const auto hand_m = context.state.transient.hand_m) {
+    return fmt::format("led by the pointer, {:.1f} mm", *hand_m * kMillimetresPerMetre);
+  }
+  if (hand->follows_mouse) return "waits for the pointer";
+  if (const auto approach = approach_of(*hand)) {
+    return fmt::format("to {} mm at {} mm/s", number_text(approach->end_m * kMillimetresPerMetre),
+                       number_text(approach->speed_m_per_s * kMillimetresPerMetre));
+  }
+  return fmt::format("a script of {} points", hand->path.size());
+}
+
 }  // namespace
 
 void draw_hand_section(const PanelContext& context) {
-  section(context, "Hand");
+  if (!folding_section(context, "Hand", summary(context))) return;
   const auto& hand = context.session.scene().hand;
   if (!hand) {
     muted_text(context, "This scene has no hand: nothing holds the handle.");
@@ -102,6 +149,7 @@ void draw_hand_section(const PanelContext& context) {
     muted_text(context, fmt::format("A script of {} points, from the scene.", hand->path.size()));
   }
   draw_pointer(context, *hand);
+  draw_body(context);
 }
 
 }  // namespace hapticwall::ui

@@ -1,14 +1,14 @@
-// Scene and sampling: what needs a new session.
+// The scene, and the way back to it.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/file/scene_file.h"
 #include "app/ui/control_panel.h"
+#include "app/ui/parameter_rows.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -51,7 +51,7 @@ void want_builtin(const PanelContext& context, const std::string& name,
     if (!index) return;
     scene.algorithm.index = *index;
   }
-  context.state.transient.wanted_scene = std::move(scene);
+  context.state.transient.wanted_scene = WantedScene{std::move(scene), true};
 }
 
 void draw_figure_buttons(const PanelContext& context) {
@@ -69,10 +69,31 @@ void draw_figure_buttons(const PanelContext& context) {
   }
 }
 
+// Beside the heading, so that nothing moves when it comes and goes.
+void draw_way_back(const PanelContext& context) {
+  const Scene& loaded = context.state.transient.loaded_scene;
+  const std::vector<std::string> changed = changed_values(context.session.scene(), loaded);
+  if (changed.empty()) return;
+  const std::string label = fmt::format("Reset to scene ({})###way-back", changed.size());
+  ImGui::PushFont(nullptr, kSmallFontSize);
+  const float width =
+      ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
+  const bool clicked = ImGui::SmallButton(label.c_str());
+  ImGui::PopFont();
+  remember_item(context.state, "reset to scene");
+  explain(fmt::format("Back to the scene's values, while it runs:\n{}", fmt::join(changed, "\n")));
+  if (!clicked) return;
+  context.state.transient.refusal.reset();
+  const Scene back = with_loaded_values(context.session.scene(), loaded);
+  if (const auto problem = context.session.change_scene(back)) tell(context.state, *problem);
+}
+
 }  // namespace
 
 void draw_scene_section(const PanelContext& context) {
   section(context, "Scene");
+  draw_way_back(context);
   const Scene& scene = context.session.scene();
   ImGui::SetNextItemWidth(-1.0F);
   if (ImGui::BeginCombo("##scene", scene.name.c_str())) {
@@ -88,83 +109,6 @@ void draw_scene_section(const PanelContext& context) {
   explain("A built-in scene starts a new session, at rest.");
   if (!scene.description.empty()) muted_text(context, scene.description);
   draw_figure_buttons(context);
-}
-
-namespace {
-
-void draw_rate(const PanelContext& context) {
-  field_label(
-      context, "sampling rate",
-      "Ticks of the real-time loop a second, 100 Hz to 10 kHz. A new rate starts a new session, at "
-      "rest.",
-      "Hz");
-  const Scene& scene = context.session.scene();
-  const auto rate_hz = number_field(context, "##rate", scene.sampling.rate_hz);
-  remember_item(context.state, "rate");
-  unit_label("Hz");
-  if (!rate_hz) return;
-  Scene changed = scene;
-  changed.sampling.rate_hz = *rate_hz;
-  context.state.transient.wanted_scene = std::move(changed);
-}
-
-void want_simulator(const PanelContext& context, const SimulatorSettings& simulator) {
-  Scene changed = context.session.scene();
-  changed.simulator = simulator;
-  context.state.transient.wanted_scene = std::move(changed);
-}
-
-void draw_integrator(const PanelContext& context) {
-  const SimulatorSettings& simulator = context.session.scene().simulator;
-  ImGui::SetNextItemWidth(-1.0F);
-  if (ImGui::BeginCombo("##integrator", std::string(simulator.integrator_name()).c_str())) {
-    for (const std::string_view name : kIntegratorNames) {
-      const bool chosen = name == simulator.integrator_name();
-      if (ImGui::Selectable(std::string(name).c_str(), chosen) && !chosen) {
-        want_simulator(context, {*find_integrator(name), 1});
-      }
-      remember_item(context.state, name);
-    }
-    ImGui::EndCombo();
-  }
-  remember_item(context.state, "integrator");
-  explain(
-      "How the simulator moves the handle between two ticks. The others show what a simulator that "
-      "uses them would have shown: at one substep semi-implicit Euler hides a chattering wall. A "
-      "new choice starts a new session, at rest.");
-}
-
-void draw_substeps(const PanelContext& context) {
-  const SimulatorSettings& simulator = context.session.scene().simulator;
-  if (simulator.integrator == Integrator::kExact) return;
-  field_label(context, "substeps", "Steps of the integrator in a tick, 1 to 1000.", "per tick");
-  const auto substeps =
-      number_field(context, "##substeps", static_cast<double>(simulator.substeps));
-  remember_item(context.state, "substeps");
-  unit_label("per tick");
-  if (!substeps) return;
-  // What is not a whole number in range is for the scene's own check to say.
-  const double whole = std::clamp(std::floor(*substeps), -1.0, kMaximumSubsteps + 1.0);
-  want_simulator(context, {simulator.integrator, static_cast<int>(whole)});
-}
-
-// What the integrator has lost or made so far: hand work less kinetic energy, losses and actuator
-// work.
-void draw_balance(const PanelContext& context) {
-  const PlantTruth& truth = context.snapshot.sample.truth;
-  const double error_j =
-      truth.hand_work_j - (truth.kinetic_j + truth.dissipation_j + truth.actuator_work_j);
-  muted_text(context, fmt::format("Energy balance off by {:.1e} J", error_j));
-}
-
-}  // namespace
-
-void draw_loop_section(const PanelContext& context) {
-  section(context, "Loop");
-  draw_rate(context);
-  draw_integrator(context);
-  draw_substeps(context);
-  draw_balance(context);
 }
 
 }  // namespace hapticwall::ui

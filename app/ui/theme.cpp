@@ -68,6 +68,7 @@ void set_colours(const Theme& theme, Look look) {
   colours[ImGuiCol_ScrollbarBg] = faded(text, 0.0F);
   colours[ImGuiCol_ScrollbarGrab] = faded(text, 0.18F);
   colours[ImGuiCol_CheckMark] = accent;
+  colours[ImGuiCol_CheckboxSelectedBg] = faded(accent, 0.22F);
   colours[ImGuiCol_SliderGrab] = faded(accent, 0.80F);
   colours[ImGuiCol_SliderGrabActive] = accent;
   colours[ImGuiCol_Button] = frame;

@@ -45,7 +45,8 @@ void draw_transport(const PanelContext& context) {
   ImGui::EndDisabled();
   ImGui::SameLine();
   if (button(context, "Reset", "reset", kButtonEms,
-             "Back to tick 0, at rest (key R). A recording goes on.")) {
+             "Back to tick 0, at rest, with the values that are set (key R). A recording ends "
+             "here.")) {
     reset_session(context);
   }
   ImGui::SameLine();

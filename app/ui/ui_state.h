@@ -52,15 +52,30 @@ struct ItemRect {
   [[nodiscard]] ImVec2 centre() const { return {0.5F * (from.x + to.x), 0.5F * (from.y + to.y)}; }
 };
 
+// A scene that needs a new session.
+struct WantedScene {
+  Scene scene;
+  bool loaded = false;  // as it was written, not the running one with a change
+};
+
+// Why the last value that was typed into a field is not in force.
+struct Refusal {
+  std::string key;  // of the field
+  std::string why;
+};
+
 // What lasts as long as the window.
 struct TransientState {
   Message message;
   TextEdit edit;
-  std::optional<Scene> wanted_scene;  // to be started at rest after this frame
+  std::optional<WantedScene> wanted_scene;  // to be started at rest after this frame
+  Scene loaded_scene;                       // to which changed values can be reset
+  std::optional<Refusal> refusal;
+  // What the parts that were switched off had, by key.
+  std::map<std::string, double, std::less<>> switched_off;
   std::string recording_folder;
   std::string recording_name;  // empty: named after scene and algorithm
   std::size_t chosen_wall = 0;
-  std::string chosen_scene;  // the name of the built-in scene
   bool dragging_hand = false;
   std::optional<double> hand_m;  // where the pointer leads the hand
   double magnifier_span_m = 2e-3;

@@ -10,8 +10,8 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kLabelShare = 0.37F;  // of the width of the panel
-constexpr float kUnitEms = 3.1F;      // width kept free for the unit
+constexpr float kUnitEms = 3.1F;         // width kept free for the unit
+constexpr float kArrowAndGapEms = 2.2F;  // of a heading that folds: before and after its title
 constexpr float kTooltipWidthEms = 26.0F;
 
 }  // namespace
@@ -21,6 +21,28 @@ void section(const PanelContext& context, const char* title) {
   ImGui::PushFont(context.theme.fonts.strong, 0.0F);
   ImGui::TextColored(context.theme.colour(Tone::kAccent), "%s", title);
   ImGui::PopFont();
+}
+
+bool folding_section(const PanelContext& context, const char* title, std::string_view summary) {
+  ImGui::PushFont(context.theme.fonts.strong, 0.0F);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kAccent));
+  // The arrow stands where the other headings begin.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0F, 2.0F));
+  const bool open = ImGui::TreeNodeEx(title, ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                                                 ImGuiTreeNodeFlags_FramePadding |
+                                                 ImGuiTreeNodeFlags_SpanAvailWidth);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  remember_item(context.state, std::string("section ") + title);
+  if (open) return true;
+  const float text_width = ImGui::CalcTextSize(title).x + kArrowAndGapEms * ImGui::GetFontSize();
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + text_width);
+  ImGui::PushFont(nullptr, kSmallFontSize);
+  const std::string text(summary);
+  ImGui::TextColored(context.theme.colour(Tone::kMuted), "%s", text.c_str());
+  ImGui::PopFont();
+  return false;
 }
 
 void muted_text(const PanelContext& context, std::string_view text) {
@@ -67,8 +89,25 @@ void field_label(const PanelContext& context, std::string_view label, std::strin
   const float start = std::max(left + kLabelShare * width,
                                left + ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x);
   ImGui::SameLine(start);
-  const float unit_width = unit.empty() ? 0.0F : kUnitEms * ImGui::GetFontSize();
-  ImGui::SetNextItemWidth(left + width - start - unit_width);
+  ImGui::SetNextItemWidth(left + width - start - unit_width(unit));
+}
+
+float unit_width(std::string_view unit) {
+  return unit.empty() ? 0.0F : kUnitEms * ImGui::GetFontSize();
+}
+
+void figure_row(const PanelContext& context, std::string_view name, const std::string& text,
+                Tone tone, std::string_view tooltip) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::BeginGroup();
+  muted_text(context, name);
+  // Under the text of the fields above; inside a group the row begins at 0.
+  ImGui::SameLine(kLabelShare * width + ImGui::GetStyle().FramePadding.x);
+  ImGui::PushFont(context.theme.fonts.digits, kSmallFontSize);
+  ImGui::TextColored(context.theme.colour(tone), "%s", text.c_str());
+  ImGui::PopFont();
+  ImGui::EndGroup();
+  explain(tooltip);
 }
 
 void unit_label(std::string_view unit) {

@@ -9,8 +9,16 @@
 
 namespace hapticwall::ui {
 
+// Where a row's field begins, of the width of the panel.
+inline constexpr float kLabelShare = 0.37F;
+
 // A heading of a section of the control panel.
 void section(const PanelContext& context, const char* title);
+
+// A heading that opens and closes its section; closed at first, with `summary` beside it. True:
+// open.
+[[nodiscard]] bool folding_section(const PanelContext& context, const char* title,
+                                   std::string_view summary);
 
 // Text in the colour of secondary things, wrapped at the edge of the panel.
 void muted_text(const PanelContext& context, std::string_view text);
@@ -26,6 +34,12 @@ void explain(std::string_view text);
 void field_label(const PanelContext& context, std::string_view label, std::string_view tooltip,
                  std::string_view unit);
 void unit_label(std::string_view unit);
+// The width that a field leaves free for its unit.
+[[nodiscard]] float unit_width(std::string_view unit);
+
+// A figure that is looked at and not typed: name, and digits of constant width.
+void figure_row(const PanelContext& context, std::string_view name, const std::string& text,
+                Tone tone, std::string_view tooltip);
 
 // A field that shows `shown` and is typed into. Returns the new text once, when the user has
 // confirmed it (Enter, Tab, or a click elsewhere); Escape leaves things as they are.

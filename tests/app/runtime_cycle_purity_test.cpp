@@ -1,6 +1,6 @@
 // No allocation, no lock and no system call inside a cycle: counted over every algorithm, switch,
-// command, parameter change and record push, and once more in a child process which the kernel
-// kills at its first system call.
+// command, parameter change, change of plant and record push, and once more in a child process
+// which the kernel kills at its first system call.
 #include <gtest/gtest.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -49,6 +49,32 @@ std::vector<Scene> scenes() {
   return {contact_scene(), rigid, frictionless, free};
 }
 
+// Plants of all types there are, each several times, in an order in which most take over from one
+// of another integrator and other parts.
+std::vector<Scene> plant_kinds(const Scene& scene) {
+  constexpr int kKinds = 24;
+  constexpr int kStep = 7;  // no divisor of the kinds: all are met
+  std::vector<Scene> kinds;
+  for (int i = 0; i < 2 * kKinds; ++i) {
+    const int kind = (i * kStep + i / kKinds) % kKinds;
+    Scene& next = kinds.emplace_back(scene);
+    const auto integrator = static_cast<Integrator>(kind % 3);
+    next.simulator = {integrator, integrator == Integrator::kExact ? 1 : 1 + i % 3};
+    next.device.friction_n = (kind / 3) % 2 == 0 ? 0.0 : 0.2;
+    next.device.amplifier_time_constant_s = (kind / 6) % 2 == 0 ? 0.0 : 1e-3;
+    next.device.delay_ticks = i % 5;
+    next.device.force_resolution_n = 0.01 * (i % 2);
+    next.device.encoder_m = 1e-4 * (i % 3);
+    next.device.mass_kg = 0.05 + 0.01 * i;
+    if (!next.hand) continue;
+    next.hand->mass_kg = 0.4;
+    next.hand->grip_stiffness_n_per_m.reset();
+    next.hand->grip_damping_n_s_per_m.reset();
+    if (kind / 12 == 1) next.hand->grip_stiffness_n_per_m = 1000.0;
+  }
+  return kinds;
+}
+
 // A loop with everything prepared that happens in a session, and a script of it all.
 struct ScriptedLoop {
   explicit ScriptedLoop(const Scene& scene)
@@ -61,11 +87,19 @@ struct ScriptedLoop {
         for (const std::size_t index : {from, to}) {
           changed.algorithm.index = index;
           changed.walls[0].stiffness_n_per_m = 20'000.0 + 1000.0 * static_cast<double>(to);
-          parameters.push_back(
-              {servo_settings(changed), static_cast<std::uint32_t>(parameters.size() + 2)});
+          add(changed, nullptr);
         }
       }
     }
+    for (const Scene& kind : plant_kinds(changed)) {
+      plants.push_back(std::make_unique<PlantModel>(kind));
+      add(kind, plants.back().get());
+    }
+  }
+
+  void add(const Scene& changed, PlantModel* plant) {
+    parameters.push_back(
+        {servo_settings(changed), static_cast<std::uint32_t>(parameters.size() + 2), plant});
   }
 
   // The plot queue overflows, the recorder's does not.
@@ -119,6 +153,7 @@ struct ScriptedLoop {
   Exchange exchange;
   ServoLoop loop;
   FakeClock clock;
+  std::vector<std::unique_ptr<PlantModel>> plants;
   std::vector<LoopParameters> parameters;
   std::uint32_t newest_generation = 0;
   bool ok = true;

@@ -31,5 +31,40 @@ TEST(ParameterHistory, KnowsTheStartAndTheChangesOfTheRunThatGoesOn) {
   EXPECT_EQ(history.newest().algorithm, third.algorithm);
 }
 
+TEST(ParameterHistory, KeepsEveryPartThatChangedAndThePathOfTheStart) {
+  const Scene first = contact_scene();
+  ParameterHistory history(first);
+  history.came_into_force({0, 1});
+  std::uint64_t tick = 0;
+  const std::vector<Scene> changes = test::plant_changes(first);
+  for (const Scene& changed : changes) {
+    history.add(changed);
+    history.came_into_force({++tick, history.generation()});
+  }
+  const auto told = history.changes_before(1000);
+  ASSERT_EQ(told.size(), changes.size());
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    EXPECT_EQ(told[i].scene.device, changes[i].device);
+    EXPECT_EQ(told[i].scene.hand, changes[i].hand);
+    EXPECT_EQ(told[i].scene.simulator, changes[i].simulator);
+    EXPECT_EQ(told[i].scene.algorithm, changes[i].algorithm);
+  }
+  EXPECT_EQ(history.scene_at_start().device, first.device);
+  EXPECT_EQ(history.scene_at_start().hand, first.hand);
+}
+
+TEST(ParameterHistory, WhatWasTakenBackUnreadIsNowhereTold) {
+  const Scene first = contact_scene();
+  ParameterHistory history(first);
+  history.came_into_force({0, 1});
+  history.add(test::with_algorithm(first, 0));
+  history.add(test::with_algorithm(first, 1), true);
+  history.add(test::with_algorithm(first, 2), true);
+  EXPECT_EQ(history.generation(), 4U);
+  history.came_into_force({9, 4});
+  ASSERT_EQ(history.changes_before(1000).size(), 1U);
+  EXPECT_EQ(history.changes_before(1000)[0].scene.algorithm.index, 2U);
+}
+
 }  // namespace
 }  // namespace hapticwall::runtime

@@ -4,87 +4,19 @@
 #include <cstring>
 #include <vector>
 
-#include "app/runtime/servo_loop.h"
-#include "core/simulate.h"
-#include "device/simulated_device.h"
-#include "tests/app/runtime_support.h"
+#include "tests/app/runtime_servo_loop_support.h"
 
 namespace hapticwall::runtime {
 namespace {
 
 using test::contact_scene;
-using test::FakeClock;
+using test::expect_same;
+using test::Harness;
+using test::headless;
 using test::with_algorithm;
 
 // A tick by which contact_scene() is in the wall.
 constexpr int kInContactTicks = 200;
-
-struct Harness {
-  explicit Harness(const Scene& first, const SessionOptions& options = {})
-      : scene(first),
-        device(first),
-        exchange(options, {servo_settings(first), 1}),
-        loop(device, exchange, {servo_settings(first), 1}, options.start_paused) {}
-
-  void cycles(int count) {
-    for (int i = 0; i < count; ++i) loop.cycle({clock.now_ns(), 0, 0}, clock);
-  }
-  void command(CommandKind kind, std::uint32_t ticks = 0) {
-    ASSERT_TRUE(exchange.commands.try_push({kind, ticks}));
-  }
-  void publish(const Scene& changed) {
-    exchange.parameters.publish({servo_settings(changed), ++generation});
-  }
-  Snapshot snapshot() {
-    exchange.snapshots.update();
-    return exchange.snapshots.current();
-  }
-  static std::vector<Sample> taken(SpscQueue<Sample>& queue) {
-    std::vector<Sample> samples;
-    for (Sample sample; queue.try_pop(sample);) samples.push_back(sample);
-    return samples;
-  }
-  std::vector<Sample> samples() { return taken(exchange.plot); }
-  std::vector<ParameterEcho> echoes() {
-    std::vector<ParameterEcho> all;
-    for (ParameterEcho echo; exchange.echoes.try_pop(echo);) all.push_back(echo);
-    return all;
-  }
-
-  Scene scene;
-  device::SimulatedDevice device;
-  Exchange exchange;
-  ServoLoop loop;
-  FakeClock clock;
-  std::uint32_t generation = 1;
-};
-
-std::vector<Sample> headless(Scene scene, std::size_t ticks,
-                             const std::vector<ScheduledChange>& changes = {}) {
-  scene.duration_s = static_cast<double>(ticks) / scene.sampling.rate_hz;
-  std::vector<Sample> samples;
-  SimulationOptions options;
-  options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
-  options.changes = changes;
-  static_cast<void>(simulate(scene, options));
-  return samples;
-}
-
-// Every field, bit for bit, but for the generation that only a live session has.
-void expect_same(const std::vector<Sample>& live, const std::vector<Sample>& reference) {
-  static_assert(sizeof(Sample) == 21 * sizeof(double), "no padding: bytes can be compared");
-  ASSERT_EQ(live.size(), reference.size());
-  for (std::size_t i = 0; i < live.size(); ++i) {
-    Sample sample = live[i];
-    sample.generation = 0;
-    // Bits and not values: also a zero has its sign.
-    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
-    ASSERT_EQ(std::memcmp(&sample, &reference[i], sizeof sample), 0)
-        << "tick " << i << ": position " << sample.position_m << " / " << reference[i].position_m
-        << ", force " << sample.force_n << " / " << reference[i].force_n << ", flags "
-        << sample.flags << " / " << reference[i].flags;
-  }
-}
 
 TEST(ServoLoop, TicksAreThoseOfAHeadlessRun) {
   Harness harness(contact_scene());
@@ -322,9 +254,28 @@ TEST(ServoLoop, ComputeTimeIsFromWakingToTheEndOfTheTick) {
   harness.clock.advance_ns(5000);
   harness.loop.cycle({woke_ns, 0, 0}, harness.clock);
   EXPECT_DOUBLE_EQ(harness.snapshot().timing.compute_time_s, 5e-6);
+  EXPECT_EQ(harness.snapshot().timing.cost_ticks, 0U) << "no quarter of a second is over yet";
   harness.cycles(1);
   EXPECT_EQ(harness.snapshot().timing.compute_time_s, 0.0);
   EXPECT_DOUBLE_EQ(harness.snapshot().timing.maximum_compute_time_s, 5e-6);
+}
+
+TEST(ServoLoop, TheCostIsThatOfTheTicksAndNotOfThePause) {
+  Harness harness(contact_scene());
+  constexpr std::int64_t kTickNs = 7000;
+  const auto cycle = [&](std::int64_t cost_ns) {
+    const std::int64_t woke_ns = harness.clock.now_ns();
+    harness.clock.advance_ns(cost_ns);
+    harness.loop.cycle({woke_ns, 0, 0}, harness.clock);
+    harness.clock.advance_ns(1'000'000 - cost_ns);
+  };
+  for (int i = 0; i < 1500; ++i) cycle(i % 10 == 0 ? 3 * kTickNs : kTickNs);
+  harness.command(CommandKind::kPause);
+  for (int i = 0; i < 3000; ++i) cycle(10);
+  const TimingStatistics timing = harness.snapshot().timing;
+  EXPECT_EQ(timing.cost_ticks, 1000U);
+  EXPECT_NEAR(timing.median_cost_s, 7e-6, 0.04 * 7e-6);
+  EXPECT_DOUBLE_EQ(timing.maximum_cost_s, 21e-6);
 }
 
 }  // namespace

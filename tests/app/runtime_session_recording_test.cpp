@@ -22,6 +22,8 @@ using test::FakeWriter;
 using test::flags_of;
 using test::lines_of;
 using test::live_session;
+using test::moving_scene;
+using test::plant_changes;
 using test::repeated_rows;
 using test::started;
 using test::started_paused;
@@ -29,6 +31,7 @@ using test::TemporaryFolder;
 using test::text_of;
 using test::tick_of;
 using test::ticks_reach;
+using test::with_algorithm;
 using test::WriterLog;
 using testing::HasSubstr;
 
@@ -77,6 +80,45 @@ TEST(SessionRecording, EveryAlgorithmInTurnIsCompleteAndRepeatsBitForBit) {
   for (std::size_t i = 0; i < repeated.size(); ++i) ASSERT_EQ(lines[i + 1], repeated[i]);
 }
 
+// Mass, damping, friction, hand, grip, encoder, limit, resolution, delay, lag, integrator,
+// substeps: all changed while it moves and is recorded, and as often as not several times between
+// two ticks.
+TEST(SessionRecording, EveryPartOfThePlantChangedInMotionRepeatsBitForBit) {
+  const TemporaryFolder folder;
+  const auto session = started_paused(moving_scene());
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  session->pause(false);
+  const std::vector<Scene> changes = plant_changes(moving_scene());
+  constexpr std::uint64_t kLeg = 40;
+  std::uint32_t generation = 1;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    ASSERT_TRUE(ticks_reach(*session, kLeg * (i + 1)));
+    ASSERT_FALSE(session->change_scene(changes[i]));
+    ++generation;
+    if (i % 3 == 2) {  // there and back; the loop may see any of it
+      ASSERT_FALSE(session->change_scene(changes[i - 1]));
+      ASSERT_FALSE(session->change_scene(changes[i]));
+      generation += 2;
+    }
+    ASSERT_TRUE(eventually([&] { return session->snapshot().generation == generation; }));
+  }
+  ASSERT_TRUE(ticks_reach(*session, kLeg * (changes.size() + 5)));
+  ASSERT_FALSE(session->stop_recording());
+
+  const auto lines = lines_of(folder.file("a.csv"));
+  expect_without_gap(lines, 0);
+  const auto loaded = file::load_scene(folder.file("a.toml"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_GE(loaded->changes.size(), changes.size());
+  EXPECT_EQ(loaded->changes.back().scene.hand, changes.back().hand);
+  EXPECT_EQ(loaded->changes.back().scene.device, changes.back().device);
+  EXPECT_EQ(loaded->scene.device, moving_scene().device) << "as it was at the start";
+  EXPECT_THAT(text_of(folder.file("a.toml")), HasSubstr("repeatable = true"));
+  const auto repeated = repeated_rows(folder.file("a.toml"));
+  ASSERT_EQ(repeated.size() + 1, lines.size());
+  for (std::size_t i = 0; i < repeated.size(); ++i) ASSERT_EQ(lines[i + 1], repeated[i]);
+}
+
 TEST(SessionRecording, BegunLaterItStillTellsTheChangesSinceTickZero) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
@@ -110,7 +152,9 @@ TEST(SessionRecording, ResetFinishesItAndTheNextOneStartsWithTheNewTickZero) {
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("one.csv")));
   ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 50; }));
-  ASSERT_FALSE(session->set_algorithm(algorithm(0)));
+  Scene changed = with_algorithm(session->scene(), 0);
+  changed.device.mass_kg = 0.2;
+  ASSERT_FALSE(session->change_scene(changed));
   ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
   session->reset();
   EXPECT_EQ(session->recording_status().state, RecordingState::kIdle);
@@ -128,6 +172,7 @@ TEST(SessionRecording, ResetFinishesItAndTheNextOneStartsWithTheNewTickZero) {
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_TRUE(loaded->changes.empty());
   EXPECT_EQ(loaded->scene.algorithm.index, 0U) << "as it was at the new tick 0";
+  EXPECT_EQ(loaded->scene.device.mass_kg, 0.2) << "as it was at the new tick 0";
 }
 
 TEST(SessionRecording, WhatThePointerLedIsMarkedAsNotRepeatable) {

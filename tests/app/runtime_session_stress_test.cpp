@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/runtime/session.h"
 #include "tests/app/runtime_support.h"
@@ -13,6 +14,7 @@ namespace hapticwall::runtime {
 namespace {
 
 using test::contact_scene;
+using test::plant_changes;
 using test::TemporaryFolder;
 
 constexpr std::uint64_t kTicks = 6000;
@@ -22,6 +24,7 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
   auto started = Session::start(contact_scene(10000.0));
   ASSERT_TRUE(started) << started.error().message;
   Session& session = **started;
+  const std::vector<Scene> plants = plant_changes(contact_scene());
   std::array<Sample, 256> samples;
   std::uint64_t round = 0;
   std::uint64_t out_of_order = 0;
@@ -35,6 +38,15 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
     auto walls = session.scene().walls;
     walls[0].stiffness_n_per_m = 1000.0 * static_cast<double>(1 + round % 20);
     ASSERT_FALSE(session.set_walls(walls));
+    // Every other round leaves the loop some time to take what the owner changes next.
+    for (std::uint64_t i = 0; i <= round % 2; ++i) {
+      const Scene& plant = plants[(round / 2 + i) % plants.size()];
+      Scene changed = session.scene();
+      changed.device = plant.device;
+      changed.hand = plant.hand;
+      changed.simulator = plant.simulator;
+      ASSERT_FALSE(session.change_scene(changed));
+    }
     if (round % 3 == 0) {
       session.lead_hand(0.04 + 1e-3 * static_cast<double>(round % 20));
     } else {

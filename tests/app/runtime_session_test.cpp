@@ -19,6 +19,8 @@ using test::algorithm;
 using test::all_samples;
 using test::contact_scene;
 using test::eventually;
+using test::FakeDevice;
+using test::live_session;
 using test::started;
 using test::started_paused;
 using test::ticks_reach;
@@ -123,6 +125,87 @@ TEST(Session, ChangesTakeEffectAndProblemsLeaveEverythingAsItWas) {
   EXPECT_FALSE(session->set_walls(walls));
   ASSERT_TRUE(eventually([&] { return session->snapshot().generation >= 4; }));
   EXPECT_EQ(session->snapshot().generation, 4U);
+}
+
+TEST(Session, ThePlantChangesWhileItRunsAndProblemsLeaveItAsItWas) {
+  const auto session = started(contact_scene());
+  Scene wanted = session->scene();
+  wanted.device.mass_kg = -1.0;
+  const auto invalid = session->change_scene(wanted);
+  ASSERT_TRUE(invalid);
+  EXPECT_EQ(invalid->key, "device.mass_kg");
+  wanted = session->scene();
+  wanted.hand->mass_kg.reset();
+  const auto contradiction = session->change_scene(wanted);
+  ASSERT_TRUE(contradiction);
+  EXPECT_THAT(contradiction->message, HasSubstr("hand.mass_kg is missing"));
+  wanted = session->scene();
+  wanted.sampling.rate_hz = 2000.0;
+  const auto fixed = session->change_scene(wanted);
+  ASSERT_TRUE(fixed);
+  EXPECT_EQ(fixed->key, "sampling.rate_hz");
+  EXPECT_EQ(session->scene().device.mass_kg, 0.05);
+  EXPECT_FALSE(session->change_scene(session->scene())) << "the same again is no change";
+
+  wanted = session->scene();
+  wanted.name = "another";
+  wanted.device.friction_n = 1000.0;
+  wanted.simulator = {Integrator::kSemiImplicitEuler, 5};
+  ASSERT_FALSE(session->change_scene(wanted));
+  EXPECT_EQ(session->scene().simulator, wanted.simulator);
+  EXPECT_EQ(session->scene().name, "contact");
+  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  // So much friction holds anything.
+  const std::uint64_t ticks = session->snapshot().timing.ticks;
+  ASSERT_TRUE(ticks_reach(*session, ticks + 50));
+  EXPECT_EQ(session->snapshot().sample.truth.velocity_m_per_s, 0.0);
+  EXPECT_EQ(session->snapshot().generation, 2U);
+}
+
+TEST(Session, ChangesFasterThanTheLoopLeaveNothingBehindAndTheLastOneWins) {
+  const auto session = live_session(100.0);
+  Scene wanted = session->scene();
+  constexpr int kChanges = 3000;
+  for (int i = 0; i < kChanges; ++i) {
+    wanted.device.mass_kg = 0.1 + 1e-4 * i;
+    ASSERT_FALSE(session->change_scene(wanted));
+    ASSERT_LE(session->plants_kept(), 3U);
+  }
+  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == kChanges + 1U; }));
+  EXPECT_TRUE(eventually([&] {
+    static_cast<void>(session->snapshot());
+    return session->plants_kept() == 1U;
+  }));
+  EXPECT_EQ(session->scene().device.mass_kg, wanted.device.mass_kg);
+}
+
+TEST(Session, WhilePausedNothingPilesUpEither) {
+  const auto session = started_paused(contact_scene());
+  Scene wanted = session->scene();
+  constexpr int kChanges = 300;
+  for (int i = 0; i < kChanges; ++i) {
+    wanted.device.mass_kg = 0.1 + 1e-4 * i;
+    ASSERT_FALSE(session->change_scene(wanted));
+  }
+  EXPECT_LE(static_cast<LiveSession&>(*session).plants_kept(), 1U);
+  session->step(1);
+  ASSERT_TRUE(ticks_reach(*session, 1));
+  EXPECT_EQ(session->snapshot().generation, kChanges + 1U);
+  EXPECT_EQ(all_samples(*session).front().flags & kFlagParametersChanged, 0U);
+}
+
+// A device of the real world has its own mass, whatever the scene says.
+TEST(Session, ARealDeviceGetsNoPlantButTheControllersPart) {
+  auto device = std::make_unique<FakeDevice>();
+  device->position_m = 0.051;
+  LiveSession session(std::move(device), contact_scene(), SessionOptions{});
+  Scene wanted = session.scene();
+  wanted.device.mass_kg = 0.3;
+  wanted.device.force_limit_n = 0.5;
+  ASSERT_FALSE(session.change_scene(wanted));
+  EXPECT_EQ(session.plants_kept(), 0U);
+  ASSERT_TRUE(eventually([&] { return session.snapshot().generation == 2; }));
+  EXPECT_LE(session.snapshot().sample.force_n, 0.5);
 }
 
 TEST(Session, ThePointerLeadsTheHand) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "app/runtime/clock.h"
+#include "core/sample.h"
 #include "core/scene.h"
 #include "core/stabiliser/stabiliser.h"
 #include "device/device.h"
@@ -48,6 +49,74 @@ inline Scene contact_scene(double rate_hz = 1000.0) {
 inline Scene with_algorithm(Scene scene, std::size_t index) {
   scene.algorithm.index = index;
   return scene;
+}
+
+// A hand that goes into the wall and out of it for ten seconds, so that the handle moves whenever
+// something is changed.
+inline Scene moving_scene(double rate_hz = 1000.0) {
+  Scene scene = contact_scene(rate_hz);
+  scene.name = "moving";
+  scene.hand->path.clear();
+  for (int turn = 0; turn < 50; ++turn) {
+    scene.hand->path.push_back({0.2 * turn, turn % 2 == 0 ? 0.045 : 0.058});
+  }
+  return scene;
+}
+
+// `scene` again and again, each time with something else changed of what a plant is made of, alone
+// or with the algorithm or the wall: mass, damping, friction, hand, grip, encoder, limit,
+// resolution, delay, lag, integrator and substeps. Precondition: a hand and a wall.
+inline std::vector<Scene> plant_changes(Scene scene) {
+  std::vector<Scene> changes;
+  const auto change = [&](const std::function<void(Scene&)>& edit) {
+    edit(scene);
+    changes.push_back(scene);
+  };
+  change([](Scene& s) { s.device.mass_kg = 0.2; });
+  change([](Scene& s) { s.device.damping_n_s_per_m = 2.5; });
+  change([](Scene& s) { s.device.friction_n.reset(); });
+  change([](Scene& s) { s.hand->grip_damping_n_s_per_m = 3.0; });
+  change([](Scene& s) {
+    s.hand->grip_stiffness_n_per_m.reset();
+    s.hand->grip_damping_n_s_per_m.reset();
+  });
+  change([](Scene& s) { s.hand->mass_kg.reset(); });
+  change([](Scene& s) { s.device.friction_n = 0.3; });
+  change([](Scene& s) { s.device.delay_ticks = 3; });
+  change([](Scene& s) { s.device.force_limit_n = 4.0; });
+  change([](Scene& s) { s.device.amplifier_time_constant_s = 2e-3; });
+  change([](Scene& s) { s.device.encoder_m.reset(); });
+  change([](Scene& s) {
+    s.hand->mass_kg = 0.3;
+    s.hand->grip_stiffness_n_per_m = 2000.0;
+  });
+  change([](Scene& s) { s.device.force_resolution_n = 0.05; });
+  change([](Scene& s) { s.device.delay_ticks = 1; });
+  change([](Scene& s) { s.simulator = {Integrator::kSemiImplicitEuler, 1}; });
+  change([](Scene& s) { s.simulator.substeps = 10; });
+  change([](Scene& s) { s.simulator = {Integrator::kRungeKutta4, 4}; });
+  change([](Scene& s) { s.device.friction_n.reset(); });
+  change([](Scene& s) { s.device.amplifier_time_constant_s.reset(); });
+  change([](Scene& s) { s.simulator = {}; });
+  change([](Scene& s) { s.device.encoder_m = 1e-4; });
+  change([](Scene& s) {
+    s.device.force_limit_n.reset();
+    s.algorithm.index = (s.algorithm.index + 1) % algorithms().size();
+  });
+  change([](Scene& s) {
+    s.device.delay_ticks.reset();
+    s.device.force_resolution_n.reset();
+    s.walls[0].stiffness_n_per_m = 10'000.0;
+  });
+  change([](Scene& s) { s.hand->stiffness_n_per_m = 400.0; });
+  change([](Scene& s) { s.hand->damping_n_s_per_m = 10.0; });
+  return changes;
+}
+
+// What the energies of a tick do not account for.
+inline double balance_error_j(const Sample& sample) {
+  const PlantTruth& truth = sample.truth;
+  return truth.hand_work_j - (truth.kinetic_j + truth.dissipation_j + truth.actuator_work_j);
 }
 
 // Time that passes only when somebody sleeps.

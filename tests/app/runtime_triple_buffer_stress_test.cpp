@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <thread>
+#include <vector>
 
 #include "app/runtime/triple_buffer.h"
 
@@ -45,6 +47,62 @@ TEST(TripleBuffer, WhatTheConsumerLooksAtStaysWhileTheProducerGoesOn) {
     buffer.publish(value);
     ASSERT_EQ(looked_at, 1);
   }
+}
+
+TEST(TripleBuffer, WhatWasNotSeenCanBeTakenBack) {
+  TripleBuffer<int> buffer(7);
+  EXPECT_FALSE(buffer.withdraw()) << "there was nothing to take back";
+  buffer.publish(1);
+  ASSERT_TRUE(buffer.update());
+  EXPECT_FALSE(buffer.withdraw()) << "it was seen";
+  EXPECT_FALSE(buffer.update());
+  EXPECT_EQ(buffer.current(), 1);
+  buffer.publish(2);
+  EXPECT_TRUE(buffer.withdraw());
+  EXPECT_FALSE(buffer.withdraw());
+  EXPECT_FALSE(buffer.update());
+  EXPECT_EQ(buffer.current(), 1);
+  buffer.publish(3);
+  EXPECT_TRUE(buffer.update());
+  EXPECT_EQ(buffer.current(), 3);
+}
+
+// Either the producer has a value back or the consumer gets it, never both and never neither; and
+// no old value comes back in its place.
+TEST(TripleBufferStress, AValueIsSeenOrTakenBackAndNeverBoth) {
+  constexpr std::uint64_t kValues = 4'000'000;
+  constexpr std::uint64_t kYieldEvery = 1U << 16U;
+  TripleBuffer<std::uint64_t> buffer;
+  std::vector<bool> taken_back(kValues + 1);
+  std::atomic<bool> done{false};
+  std::thread producer([&] {
+    for (std::uint64_t number = 1; number <= kValues; ++number) {
+      buffer.publish(number);
+      if (number % kYieldEvery == 0) std::this_thread::yield();  // for a machine of one core
+      taken_back[number] = buffer.withdraw();
+    }
+    done.store(true, std::memory_order_release);
+  });
+  std::vector<bool> seen(kValues + 1);
+  std::uint64_t newest = 0;
+  std::uint64_t backwards = 0;
+  const auto look = [&] {
+    if (!buffer.update()) return;
+    backwards += buffer.current() > newest ? 0U : 1U;
+    newest = buffer.current();
+    seen.at(newest) = true;
+  };
+  while (!done.load(std::memory_order_acquire)) look();
+  look();
+  producer.join();
+  EXPECT_EQ(backwards, 0U);
+  std::uint64_t wrong = 0;
+  for (std::uint64_t number = 1; number <= kValues; ++number) {
+    wrong += seen[number] != taken_back[number] ? 0U : 1U;
+  }
+  EXPECT_EQ(wrong, 0U);
+  EXPECT_GT(std::count(seen.begin(), seen.end(), true), 0);
+  EXPECT_GT(std::count(taken_back.begin(), taken_back.end(), true), 0);
 }
 
 TEST(TripleBufferStress, ValuesAreWholeNeverGoBackAndTheLastOneArrives) {

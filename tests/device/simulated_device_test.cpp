@@ -105,6 +105,50 @@ TEST(SimulatedDevice, ThePointerLeadsTheHandUntilItIsReleased) {
   EXPECT_NEAR(device.truth()->position_m, 0.03, 1e-4);
 }
 
+TEST(SimulatedDevice, ANewPlantGoesOnWhereTheOldOneIsAfterTheTickThatPasses) {
+  Scene heavy = held_scene();
+  heavy.device.mass_kg = 0.4;
+  PlantModel before(held_scene());
+  PlantModel after(heavy);
+  PlantModel next(heavy);
+  SimulatedDevice device(held_scene());
+  for (int tick = 0; tick < 100; ++tick) {
+    static_cast<void>(device.read());
+    if (tick < 50) {
+      ASSERT_EQ(device.truth()->position_m, before.truth().position_m) << tick;
+      before.advance(kPushN);
+    }
+    device.write(kPushN);
+    if (tick == 49) {
+      device.change_plant(next);  // the force of tick 49 acts on the plant before
+      after.take_over(before);
+    }
+    if (tick >= 50) {
+      ASSERT_EQ(device.truth()->position_m, after.truth().position_m) << tick;
+      ASSERT_EQ(device.truth()->kinetic_j, after.truth().kinetic_j) << tick;
+      after.advance(kPushN);
+    }
+  }
+  EXPECT_NE(after.truth().velocity_m_per_s, 0.0);
+  device.reset();
+  EXPECT_EQ(device.read().position_m, PlantModel(heavy).measured_position_m());
+}
+
+TEST(Device, OneWithAPlantOfItsOwnIgnoresAnother) {
+  class RealDevice : public Device {
+   public:
+    [[nodiscard]] DeviceInfo info() const override { return {"real", false}; }
+    [[nodiscard]] Failure open() override { return std::nullopt; }
+    [[nodiscard]] DeviceReading read() override { return {0.04, 0.0, DeviceState::kOk}; }
+    void write(double force_n) override { (void)force_n; }
+    void close() override {}
+  } device;
+  PlantModel plant(held_scene());
+  device.change_plant(plant);
+  EXPECT_EQ(device.read().position_m, 0.04);
+  EXPECT_EQ(device.truth(), nullptr);
+}
+
 // An unstable wall without a force limit would grow beyond every number.
 TEST(SimulatedDevice, OutsideTheWorkspaceItIsAtFaultAndStaysFinite) {
   Scene scene = held_scene();

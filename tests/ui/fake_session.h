@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/runtime/scene_change.h"
 #include "app/runtime/session.h"
 #include "core/servo.h"
 #include "device/simulated_device.h"
@@ -44,6 +45,10 @@ class FakeSession final : public runtime::Session {
     changed.walls.assign(walls.begin(), walls.end());
     return take(changed);
   }
+  std::optional<SceneProblem> change_scene(const Scene& wanted) override {
+    if (auto problem = runtime::needs_new_session(scene_, wanted)) return problem;
+    return take(wanted);
+  }
   void lead_hand(std::optional<double> position_m) override {
     lead = position_m;
     ++lead_calls;
@@ -67,6 +72,7 @@ class FakeSession final : public runtime::Session {
   [[nodiscard]] runtime::Snapshot snapshot() override {
     runtime::Snapshot snapshot;
     snapshot.sample = newest_;
+    snapshot.timing = timing;
     snapshot.paused = is_paused;
     return snapshot;
   }
@@ -91,6 +97,7 @@ class FakeSession final : public runtime::Session {
     return realtime_;
   }
 
+  runtime::TimingStatistics timing;  // what the next snapshots say
   bool is_paused = false;
   int steps = 0;
   int resets = 0;
@@ -101,12 +108,17 @@ class FakeSession final : public runtime::Session {
  private:
   std::optional<SceneProblem> take(const Scene& changed) {
     if (auto problem = validate(changed)) return problem;
+    if (!runtime::same_plant(scene_, changed)) {
+      plants_.push_back(std::make_unique<PlantModel>(changed));
+      device_.change_plant(*plants_.back());
+    }
     scene_ = changed;
     servo_.apply(servo_settings(scene_));
     return std::nullopt;
   }
 
   Scene scene_;
+  std::vector<std::unique_ptr<PlantModel>> plants_;
   device::SimulatedDevice device_;
   Servo servo_;
   Sample newest_;

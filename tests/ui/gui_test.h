@@ -148,6 +148,10 @@ class GuiTest : public ::testing::Test {
     return application_->state().transient.message;
   }
 
+  [[nodiscard]] const std::optional<ui::Refusal>& refusal() const {
+    return application_->state().transient.refusal;
+  }
+
   std::string refuse_session;  // the error of the next sessions
   int sessions = 0;
   std::unique_ptr<ui::OffscreenContext> context_;

@@ -5,7 +5,9 @@
 #include <fstream>
 
 #include "app/file/scene_file.h"
+#include "app/ui/control_panel.h"
 #include "app/ui/magnifier.h"
+#include "app/ui/parameter_rows.h"
 #include "app/ui/plot.h"
 #include "app/ui/plots_panel.h"
 #include "app/ui/toolbar.h"
@@ -127,6 +129,51 @@ TEST(UnusedRecordingPath, NeverTakesANameThatIsInUse) {
   touch("a-3.csv.partial");
   EXPECT_EQ(unused_recording_path(folder, "a"), folder / "a-4.csv");
   std::filesystem::remove_all(folder);
+}
+
+TEST(CostText, TellsMedianAndMaximumInMicroseconds) {
+  runtime::TimingStatistics timing;
+  EXPECT_EQ(cost_text(timing), "–");
+  timing.cost_ticks = 1000;
+  timing.median_cost_s = 1.25e-6;
+  timing.maximum_cost_s = 83.4e-6;
+  EXPECT_EQ(cost_text(timing), "  1.2 µs, most   83 µs");
+}
+
+TEST(EnergyError, IsWhatTheHandPutInAndNobodyHas) {
+  PlantTruth truth;
+  truth.hand_work_j = 10.0;
+  truth.kinetic_j = 1.0;
+  truth.dissipation_j = 2.0;
+  truth.actuator_work_j = 4.0;
+  EXPECT_EQ(energy_error_j(truth), 3.0);
+}
+
+TEST(ChangedValues, TellsWhatIsNotTheScenesAndTakesItBack) {
+  const Scene loaded = file::load_scene("press")->scene;
+  Scene running = loaded;
+  EXPECT_TRUE(changed_values(running, loaded).empty());
+  running.device.friction_n.reset();
+  running.hand->stiffness_n_per_m = 300.0;
+  running.walls[0].stiffness_n_per_m = 1000.0;
+  running.simulator = {Integrator::kRungeKutta4, 4};
+  // What a session cannot change, and the choice of the algorithm, do not count.
+  running.algorithm.index = 0;
+  running.sampling.rate_hz = 2000.0;
+  running.device.start_m = 0.02;
+  running.hand->path = {{0.0, 0.02}};
+  const std::vector<std::string> changed = changed_values(running, loaded);
+  EXPECT_EQ(changed, (std::vector<std::string>{"device.friction_n = none, in the scene 0.14",
+                                               "hand.stiffness_n_per_m = 300, in the scene 250",
+                                               "wall.stiffness_n_per_m = 1000, in the scene 35000",
+                                               "simulator: rk4 × 4, in the scene exact × 1"}));
+  const Scene back = with_loaded_values(running, loaded);
+  EXPECT_TRUE(changed_values(back, loaded).empty());
+  EXPECT_EQ(back.device.friction_n, 0.14);
+  EXPECT_EQ(back.hand->path, running.hand->path);
+  EXPECT_EQ(back.device.start_m, 0.02);
+  EXPECT_EQ(back.algorithm.index, 0U);
+  EXPECT_EQ(back.sampling.rate_hz, 2000.0);
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+#include "app/runtime/plant_keeper.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/runtime/scene_change.h"
+
+namespace hapticwall::runtime {
+
+PlantKeeper::PlantKeeper(const Scene& first) { kept_.push_back(kept(first, 1, nullptr)); }
+
+PlantKeeper::Kept PlantKeeper::kept(const Scene& scene, std::uint32_t generation,
+                                    std::unique_ptr<PlantModel> plant) {
+  Kept entry;
+  entry.scene.device = scene.device;
+  entry.scene.hand = scene.hand;
+  entry.scene.simulator = scene.simulator;
+  entry.generation = generation;
+  entry.plant = std::move(plant);
+  return entry;
+}
+
+PlantModel* PlantKeeper::plant_for(const Scene& scene, std::uint32_t generation, bool unread) {
+  // A plant that was first offered with unread parameters has never been touched.
+  const bool untouched =
+      unread && kept_.size() > 1 && kept_.back().generation == newest_generation_;
+  newest_generation_ = generation;
+  if (untouched && same_plant(kept_.back().scene, scene)) {
+    kept_.back().generation = generation;
+    return kept_.back().plant.get();
+  }
+  // What the loop runs with decides, as it does in a headless run: a change and back again, both
+  // unseen, are no change.
+  if (untouched) kept_.pop_back();
+  if (!same_plant(kept_.back().scene, scene)) {
+    kept_.push_back(kept(scene, generation, std::make_unique<PlantModel>(scene)));
+  }
+  return kept_.back().plant.get();
+}
+
+void PlantKeeper::came_into_force(std::uint32_t generation) {
+  while (kept_.size() > 1 && kept_[1].generation <= generation) kept_.pop_front();
+}
+
+std::size_t PlantKeeper::count() const {
+  return static_cast<std::size_t>(std::count_if(
+      kept_.begin(), kept_.end(), [](const Kept& entry) { return entry.plant != nullptr; }));
+}
+
+}  // namespace hapticwall::runtime

@@ -1,0 +1,122 @@
+// Rate and integrator, and beside them what they cost and what they lose.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "app/ui/control_panel.h"
+#include "app/ui/parameter_rows.h"
+#include "app/ui/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kMicrosecondsPerSecond = 1e6;
+constexpr const char* kSubstepsKey = "simulator.substeps";
+
+void draw_rate(const PanelContext& context) {
+  field_label(
+      context, "sampling rate",
+      "Ticks of the real-time loop a second, 10 Hz to 100 kHz. A new rate starts a new session, at "
+      "rest.",
+      "Hz");
+  const Scene& scene = context.session.scene();
+  const auto rate_hz = number_field(context, "##rate", scene.sampling.rate_hz);
+  remember_item(context.state, "rate");
+  unit_label("Hz");
+  if (!rate_hz) return;
+  Scene changed = scene;
+  changed.sampling.rate_hz = *rate_hz;
+  context.state.transient.wanted_scene = WantedScene{std::move(changed)};
+}
+
+void set_simulator(const PanelContext& context, const SimulatorSettings& simulator) {
+  change_parameters(context, kSubstepsKey, [&](Scene& scene) { scene.simulator = simulator; });
+}
+
+void draw_integrator(const PanelContext& context) {
+  const SimulatorSettings simulator = context.session.scene().simulator;
+  ImGui::SetNextItemWidth(-1.0F);
+  if (ImGui::BeginCombo("##integrator", std::string(simulator.integrator_name()).c_str())) {
+    for (const std::string_view name : kIntegratorNames) {
+      const bool chosen = name == simulator.integrator_name();
+      if (ImGui::Selectable(std::string(name).c_str(), chosen) && !chosen) {
+        const Integrator integrator = *find_integrator(name);
+        // The exact one has no substeps; the others keep what was chosen.
+        set_simulator(context,
+                      {integrator, integrator == Integrator::kExact ? 1 : simulator.substeps});
+      }
+      remember_item(context.state, name);
+    }
+    ImGui::EndCombo();
+  }
+  remember_item(context.state, "integrator");
+  explain(
+      "How the simulator moves the handle between two ticks. The others show what a simulator that "
+      "uses them would have shown: at one substep semi-implicit Euler hides a chattering wall. "
+      "Changes while it runs.");
+}
+
+void draw_substeps(const PanelContext& context) {
+  const SimulatorSettings simulator = context.session.scene().simulator;
+  if (simulator.integrator == Integrator::kExact) return;
+  field_label(context, "substeps",
+              fmt::format("Steps of the integrator in a tick, 1 to {}. Changes while it runs.",
+                          kMaximumSubsteps),
+              "per tick");
+  const auto substeps =
+      number_field(context, "##substeps", static_cast<double>(simulator.substeps));
+  remember_item(context.state, "substeps");
+  unit_label("per tick");
+  if (substeps && *substeps != std::floor(*substeps)) {
+    refuse(context, kSubstepsKey, fmt::format("{} is no whole number", number_text(*substeps)));
+  } else if (substeps) {
+    // What is out of range is for the scene's own check to say.
+    const double within_reach = std::clamp(*substeps, -1.0, kMaximumSubsteps + 1.0);
+    set_simulator(context, {simulator.integrator, static_cast<int>(within_reach)});
+  }
+  draw_refusal(context, kSubstepsKey);
+}
+
+void draw_cost(const PanelContext& context) {
+  const runtime::TimingStatistics& timing = context.snapshot.timing;
+  const bool too_slow = timing.median_cost_s > context.session.scene().sampling.period_s();
+  figure_row(
+      context, "cost of a tick", cost_text(timing), too_slow ? Tone::kWarning : Tone::kText,
+      "What the loop computes in a tick, simulator, controller and recording together: median "
+      "and maximum of the last second. More than a period, and the simulation falls behind.");
+  remember_item(context.state, "cost");
+}
+
+void draw_balance(const PanelContext& context) {
+  figure_row(context, "energy error",
+             fmt::format("{:+.1e} J", energy_error_j(context.snapshot.sample.truth)), Tone::kText,
+             "Energy that the integrator has lost (+) or made (-) since tick 0: the hand's work, "
+             "less what moves, what was dissipated and what the actuator took.");
+  remember_item(context.state, "energy error");
+}
+
+}  // namespace
+
+std::string cost_text(const runtime::TimingStatistics& timing) {
+  if (timing.cost_ticks == 0) return "–";
+  return fmt::format("{:5.1f} µs, most {:4.0f} µs", timing.median_cost_s * kMicrosecondsPerSecond,
+                     timing.maximum_cost_s * kMicrosecondsPerSecond);
+}
+
+double energy_error_j(const PlantTruth& truth) {
+  return truth.hand_work_j - (truth.kinetic_j + truth.dissipation_j + truth.actuator_work_j);
+}
+
+void draw_loop_section(const PanelContext& context) {
+  section(context, "Loop");
+  draw_rate(context);
+  draw_integrator(context);
+  draw_substeps(context);
+  draw_cost(context);
+  draw_balance(context);
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,111 @@
+// What a sidecar says of changes while a session ran, and what of it reads back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "app/file/recording_writer.h"
+#include "app/file/scene_file.h"
+#include "app/file/sidecar.h"
+
+namespace hapticwall::file {
+namespace {
+
+using ::testing::HasSubstr;
+
+Scene scene_with_everything() {
+  Scene scene;
+  scene.name = "everything";
+  scene.device.friction_n = 0.14;
+  scene.device.encoder_m = 0.254e-3;
+  scene.device.delay_ticks = 2;
+  HandSettings hand;
+  hand.mass_kg = 0.4;
+  hand.stiffness_n_per_m = 250.0;
+  hand.grip_stiffness_n_per_m = 1000.0;
+  hand.path = {{0.0, 0.03}, {0.5, 0.06}};
+  scene.hand = hand;
+  return scene;
+}
+
+// `changes` as they read back from a sidecar.
+std::vector<ScheduledChange> through_a_sidecar(const Scene& start,
+                                               const std::vector<RecordedChange>& changes) {
+  RecordingMetadata metadata;
+  metadata.changes = changes;
+  const Result<LoadedScene> loaded =
+      parse_scene(sidecar_toml(start, metadata, {8, 0, 8, "0"}), "a.toml");
+  EXPECT_TRUE(loaded) << loaded.error().message;
+  return loaded ? loaded->changes : std::vector<ScheduledChange>();
+}
+
+TEST(Sidecar, ChangesOfThePlantReadBackTheSame) {
+  const Scene start = scene_with_everything();
+  Scene device = start;
+  device.device.mass_kg = 0.1 + 0.2;
+  device.device.friction_n.reset();
+  device.device.delay_ticks = 7;
+  device.device.amplifier_time_constant_s = 1e-3;
+  Scene hand = device;
+  hand.hand->grip_stiffness_n_per_m.reset();
+  hand.hand->damping_n_s_per_m = 12.5;
+  Scene simulator = hand;
+  simulator.simulator = {Integrator::kRungeKutta4, 17};
+  simulator.algorithm.index = 0;
+  const std::vector<RecordedChange> changes{{2, device}, {3, hand}, {4, simulator}, {5, start}};
+  const std::vector<ScheduledChange> read = through_a_sidecar(start, changes);
+  ASSERT_EQ(read.size(), changes.size());
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    EXPECT_EQ(read[i].tick, changes[i].tick);
+    EXPECT_EQ(read[i].scene.device, changes[i].scene.device) << i;
+    EXPECT_EQ(read[i].scene.hand, changes[i].scene.hand) << i;
+    EXPECT_EQ(read[i].scene.simulator, changes[i].scene.simulator) << i;
+    EXPECT_EQ(read[i].scene.algorithm, changes[i].scene.algorithm) << i;
+  }
+}
+
+TEST(Sidecar, AChangeSaysOfThePlantOnlyWhatDiffersFromTheStart) {
+  const Scene start = scene_with_everything();
+  Scene wall = start;
+  wall.walls = {{0.05, 1000.0, 0.0}};
+  Scene grip = start;
+  grip.hand->grip_stiffness_n_per_m = 500.0;
+  RecordingMetadata metadata;
+  metadata.changes = {{2, wall}, {3, grip}};
+  const std::string text = sidecar_toml(start, metadata, {8, 0, 8, "0"});
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("[recording.change.device]")));
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("[recording.change.simulator]")));
+  const std::size_t hand = text.find("[recording.change.hand]");
+  ASSERT_NE(hand, std::string::npos);
+  EXPECT_EQ(text.find("[recording.change.hand]", hand + 1), std::string::npos);
+  EXPECT_GT(hand, text.find("tick = 3"));
+  EXPECT_EQ(text.find("path", hand), std::string::npos);
+}
+
+// What older versions wrote, and what nobody should have.
+TEST(Sidecar, AChangeWithoutAPlantKeepsThatOfTheStart) {
+  const std::string start = scene_to_toml(scene_with_everything());
+  const auto read = [&](const std::string& table) {
+    return parse_scene(start + "\n[recording]\n[[recording.change]]\ntick = 3\n" + table, "a.toml");
+  };
+  const Result<LoadedScene> old = read("[recording.change.algorithm]\nname = \"none\"\n");
+  ASSERT_TRUE(old) << old.error().message;
+  EXPECT_EQ(old->changes.at(0).scene.device, scene_with_everything().device);
+  EXPECT_EQ(old->changes.at(0).scene.hand, scene_with_everything().hand);
+  const auto problem = [&](const std::string& table) {
+    const Result<LoadedScene> loaded = read("[recording.change." + table);
+    return loaded ? "none" : loaded.error().message;
+  };
+  EXPECT_THAT(problem("device]\nmass_kg = -1\ndamping_n_s_per_m = 1\n"),
+              HasSubstr("recording.change[0].device.mass_kg: -1 is out of range"));
+  EXPECT_THAT(problem("device]\nmass_kg = 1\ndamping_n_s_per_m = 1\nstart_m = 0.04\n"),
+              HasSubstr("leaves the start as it was"));
+  EXPECT_THAT(problem("hand]\npath = \"mouse\"\n"),
+              HasSubstr("recording.change[0].hand.path: unknown key"));
+  EXPECT_THAT(problem("simulator]\nintegrator = \"eulre\"\n"),
+              HasSubstr("recording.change[0].simulator.integrator: no integrator"));
+}
+
+}  // namespace
+}  // namespace hapticwall::file

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/runtime/cost_window.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+constexpr std::int64_t kMillisecondNs = 1'000'000;
+
+TEST(CostWindow, BinsAreInOrderAndRightToAThirtySecond) {
+  std::size_t previous = 0;
+  for (std::int64_t cost_ns = 0; cost_ns < 3'000'000'000; cost_ns += 1 + cost_ns / 50) {
+    const std::size_t bin = CostWindow::bin_of(cost_ns);
+    ASSERT_GE(bin, previous) << cost_ns;
+    previous = bin;
+    const auto exact = static_cast<double>(cost_ns);
+    ASSERT_NEAR(static_cast<double>(CostWindow::cost_of(bin)), exact, exact / 32.0) << cost_ns;
+  }
+}
+
+TEST(CostWindow, TellsNothingBeforeAQuarterIsOver) {
+  CostWindow window;
+  window.add(5, 100);
+  window.add(5 + CostWindow::kQuarterNs - 1, 100);
+  EXPECT_EQ(window.figures().ticks, 0U);
+  window.add(5 + CostWindow::kQuarterNs, 100);
+  EXPECT_EQ(window.figures().ticks, 2U);
+}
+
+TEST(CostWindow, MedianAndMaximumOfTheLastSecondOnly) {
+  CostWindow window;
+  std::int64_t now_ns = 0;
+  const auto pass = [&](int ticks, std::int64_t cost_ns) {
+    for (int i = 0; i < ticks; ++i) window.add(now_ns += kMillisecondNs, cost_ns);
+  };
+  pass(1, 90'000);
+  pass(999, 20'000);
+  pass(1, 1000);
+  EXPECT_EQ(window.figures().maximum_ns, 90'000);
+  pass(1000, 1000);
+  EXPECT_EQ(window.figures().ticks, 1000U);
+  EXPECT_EQ(window.figures().maximum_ns, 1000);
+  EXPECT_NEAR(static_cast<double>(window.figures().median_ns), 1000.0, 32.0);
+}
+
+TEST(CostWindow, HalfOfTheTicksAreNotAboveTheMedian) {
+  CostWindow window;
+  for (std::int64_t i = 0; i < 1001; ++i) {
+    window.add(i * kMillisecondNs / 2, i % 100 < 49 ? 500 : 30);
+  }
+  EXPECT_EQ(window.figures().median_ns, 30);
+  EXPECT_EQ(window.figures().maximum_ns, 500);
+}
+
+// What was before a pause is forgotten; a cost that no clock can have does no harm.
+TEST(CostWindow, AfterAPauseItStartsAnew) {
+  CostWindow window;
+  std::int64_t now_ns = 0;
+  for (int i = 0; i < 2000; ++i) window.add(now_ns += kMillisecondNs, 50'000);
+  now_ns += 3'600'000'000'000;
+  for (int i = 0; i < 300; ++i) window.add(now_ns += kMillisecondNs, -3);
+  EXPECT_EQ(window.figures().maximum_ns, 0);
+  EXPECT_EQ(window.figures().median_ns, 0);
+  EXPECT_EQ(window.figures().ticks, 250U);
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "app/runtime/scene_change.h"
+#include "tests/app/runtime_support.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+using test::contact_scene;
+using test::plant_changes;
+
+TEST(SceneChange, EverythingOfAPlantMayChange) {
+  Scene before = contact_scene();
+  for (const Scene& after : plant_changes(before)) {
+    EXPECT_FALSE(same_plant(before, after));
+    EXPECT_FALSE(same_parameters(before, after));
+    EXPECT_FALSE(needs_new_session(before, after));
+    before = after;
+  }
+}
+
+TEST(SceneChange, AWallOrAnAlgorithmIsNoOtherPlant) {
+  const Scene scene = contact_scene();
+  Scene wall = scene;
+  wall.walls[0].damping_n_s_per_m = 1.0;
+  const Scene algorithm = test::with_algorithm(scene, 0);
+  for (const Scene& changed : {wall, algorithm}) {
+    EXPECT_TRUE(same_plant(scene, changed));
+    EXPECT_FALSE(same_parameters(scene, changed));
+  }
+  EXPECT_TRUE(same_parameters(scene, scene));
+}
+
+TEST(SceneChange, WhatNeedsANewSessionIsNamed) {
+  const Scene scene = contact_scene();
+  Scene rate = scene;
+  rate.sampling.rate_hz = 2000.0;
+  Scene start = scene;
+  start.device.start_m = 0.04;
+  Scene path = scene;
+  path.hand->path.back().position_m = 0.06;
+  Scene mouse = scene;
+  mouse.hand->follows_mouse = true;
+  Scene free = scene;
+  free.hand.reset();
+  const auto key = [&](const Scene& wanted) {
+    const auto problem = needs_new_session(scene, wanted);
+    return problem ? problem->key : "none";
+  };
+  EXPECT_EQ(key(scene), "none");
+  EXPECT_EQ(key(rate), "sampling.rate_hz");
+  EXPECT_EQ(key(start), "device.start_m");
+  EXPECT_EQ(key(path), "hand.path");
+  EXPECT_EQ(key(mouse), "hand.path");
+  EXPECT_EQ(key(free), "hand");
+  EXPECT_TRUE(needs_new_session(free, scene));
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime

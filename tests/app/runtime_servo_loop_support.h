@@ -1,0 +1,92 @@
+// One cycle of the loop at a time, without a thread and with a clock of the test's own.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "app/runtime/plant_keeper.h"
+#include "app/runtime/servo_loop.h"
+#include "core/simulate.h"
+#include "device/simulated_device.h"
+#include "tests/app/runtime_support.h"
+
+namespace hapticwall::runtime::test {
+
+struct Harness {
+  explicit Harness(const Scene& first, const SessionOptions& options = {})
+      : scene(first),
+        device(first),
+        exchange(options, {servo_settings(first), 1}),
+        loop(device, exchange, {servo_settings(first), 1}, options.start_paused),
+        plants(first) {}
+
+  void cycles(int count) {
+    for (int i = 0; i < count; ++i) loop.cycle({clock.now_ns(), 0, 0}, clock);
+  }
+  void command(CommandKind kind, std::uint32_t ticks = 0) {
+    ASSERT_TRUE(exchange.commands.try_push({kind, ticks}));
+  }
+  void publish(const Scene& changed) {
+    const bool unread = exchange.parameters.withdraw();
+    ++generation;
+    PlantModel* plant = plants.plant_for(changed, generation, unread);
+    exchange.parameters.publish({servo_settings(changed), generation, plant});
+  }
+  Snapshot snapshot() {
+    exchange.snapshots.update();
+    return exchange.snapshots.current();
+  }
+  static std::vector<Sample> taken(SpscQueue<Sample>& queue) {
+    std::vector<Sample> samples;
+    for (Sample sample; queue.try_pop(sample);) samples.push_back(sample);
+    return samples;
+  }
+  std::vector<Sample> samples() { return taken(exchange.plot); }
+  std::vector<ParameterEcho> echoes() {
+    std::vector<ParameterEcho> all;
+    for (ParameterEcho echo; exchange.echoes.try_pop(echo);) {
+      all.push_back(echo);
+      plants.came_into_force(echo.generation);
+    }
+    return all;
+  }
+
+  Scene scene;
+  device::SimulatedDevice device;
+  Exchange exchange;
+  ServoLoop loop;
+  PlantKeeper plants;
+  FakeClock clock;
+  std::uint32_t generation = 1;
+};
+
+inline std::vector<Sample> headless(Scene scene, std::size_t ticks,
+                                    const std::vector<ScheduledChange>& changes = {}) {
+  scene.duration_s = static_cast<double>(ticks) / scene.sampling.rate_hz;
+  std::vector<Sample> samples;
+  SimulationOptions options;
+  options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
+  options.changes = changes;
+  static_cast<void>(simulate(scene, options));
+  return samples;
+}
+
+// Every field, bit for bit, but for the generation that only a live session has.
+inline void expect_same(const std::vector<Sample>& live, const std::vector<Sample>& reference) {
+  static_assert(sizeof(Sample) == 21 * sizeof(double), "no padding: bytes can be compared");
+  ASSERT_EQ(live.size(), reference.size());
+  for (std::size_t i = 0; i < live.size(); ++i) {
+    Sample sample = live[i];
+    sample.generation = 0;
+    // Bits and not values: also a zero has its sign.
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
+    ASSERT_EQ(std::memcmp(&sample, &reference[i], sizeof sample), 0)
+        << "tick " << i << ": position " << sample.position_m << " / " << reference[i].position_m
+        << ", force " << sample.force_n << " / " << reference[i].force_n << ", flags "
+        << sample.flags << " / " << reference[i].flags;
+  }
+}
+
+}  // namespace hapticwall::runtime::test
