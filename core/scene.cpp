@@ -188,6 +188,10 @@ std::string number_text(double value) {
   return text;
 }
 
+bool same_plant(const Scene& a, const Scene& b) {
+  return a.device == b.device && a.hand == b.hand && a.simulator == b.simulator;
+}
+
 std::uint64_t Scene::tick_count() const {
   return static_cast<std::uint64_t>(std::max(1.0, std::round(duration_s * sampling.rate_hz)));
 }

@@ -107,6 +107,10 @@ struct Scene {
   [[nodiscard]] std::uint64_t tick_count() const;
 };
 
+// True where both have the same plant: where two scenes of a session differ in this, the plant
+// changes.
+[[nodiscard]] bool same_plant(const Scene& a, const Scene& b);
+
 // One thing that is wrong with a scene: the dotted key and a sentence that says what would be
 // right.
 struct SceneProblem {

@@ -24,11 +24,6 @@ inline void refuse_pointer(const Scene& scene) {
   }
 }
 
-// Where two scenes differ in this, the plant changes.
-inline bool same_plant(const Scene& a, const Scene& b) {
-  return a.device == b.device && a.hand == b.hand && a.simulator == b.simulator;
-}
-
 // What the type of a loop knows; a scene's other parts cost it nothing.
 struct LoopParts {
   StepKnowledge known;

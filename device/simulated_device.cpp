@@ -1,7 +1,5 @@
 #include "device/simulated_device.h"
 
-#include "core/metrics.h"
-
 namespace hapticwall::device {
 
 SimulatedDevice::SimulatedDevice(const Scene& scene) : first_plant_(scene) {}
@@ -18,8 +16,8 @@ void SimulatedDevice::pass_tick() {
 
 DeviceReading SimulatedDevice::read() {
   pass_tick();
-  const bool diverged = has_diverged(plant_->truth().position_m);
-  return {plant_->measured_position_m(), 0.0, diverged ? DeviceState::kFault : DeviceState::kOk};
+  return {plant_->measured_position_m(), 0.0,
+          plant_->has_diverged() ? DeviceState::kFault : DeviceState::kOk};
 }
 
 void SimulatedDevice::write(double force_n) { held_force_n_ = force_n; }

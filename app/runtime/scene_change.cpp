@@ -12,10 +12,6 @@ bool same_wall(const WallSettings& a, const WallSettings& b) {
 
 }  // namespace
 
-bool same_plant(const Scene& a, const Scene& b) {
-  return a.device == b.device && a.hand == b.hand && a.simulator == b.simulator;
-}
-
 bool same_parameters(const Scene& a, const Scene& b) {
   return same_plant(a, b) && a.algorithm == b.algorithm &&
          std::equal(a.walls.begin(), a.walls.end(), b.walls.begin(), b.walls.end(), same_wall);

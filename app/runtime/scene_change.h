@@ -8,10 +8,6 @@
 
 namespace hapticwall::runtime {
 
-// True where both scenes have the same plant: the same criterion as that of a headless run, so that
-// both change the plant at the same ticks.
-[[nodiscard]] bool same_plant(const Scene& a, const Scene& b);
-
 // True where nothing differs of what may change in a session.
 [[nodiscard]] bool same_parameters(const Scene& a, const Scene& b);
 

@@ -108,7 +108,7 @@ class FakeSession final : public runtime::Session {
  private:
   std::optional<SceneProblem> take(const Scene& changed) {
     if (auto problem = validate(changed)) return problem;
-    if (!runtime::same_plant(scene_, changed)) {
+    if (!same_plant(scene_, changed)) {
       plants_.push_back(std::make_unique<PlantModel>(changed));
       device_.change_plant(*plants_.back());
     }
