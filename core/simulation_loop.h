@@ -30,18 +30,18 @@ struct LoopParts {
   bool maybe_encoder = true;
   bool encoder = false;
   bool maybe_output_stage = true;
-  bool log = false;
+  bool maybe_log = true;
 };
 
 // The loop for anything, and the one for the scenes that come most: an undamped wall, nothing
 // between command and handle, in its steady state.
-constexpr LoopParts any_loop(bool log) { return {.known = {.sound_device = true}, .log = log}; }
+inline constexpr LoopParts kAnyLoop{.known = {.sound_device = true}};
 constexpr LoopParts lean_loop(bool encoder, bool log) {
   return {.known = {.sound_device = true, .steady = true, .one_undamped_wall = true},
           .maybe_encoder = encoder,
           .encoder = encoder,
           .maybe_output_stage = false,
-          .log = log};
+          .maybe_log = log};
 }
 
 // The plant as the servo step sees it: a position to read and a force to hold. The loop ends where
@@ -179,32 +179,32 @@ class Simulation {
   void run_until(std::uint64_t end) {
     visit_plant(
         [&](auto& plant) {
-          servo_.with_algorithm([&](auto& stabiliser) {
-            if (options_.on_sample) {
-              choose_loop<true>(plant, stabiliser, end);
-            } else {
-              choose_loop<false>(plant, stabiliser, end);
-            }
-          });
+          servo_.with_algorithm([&](auto& stabiliser) { choose_loop(plant, stabiliser, end); });
         },
         plant_);
   }
 
-  template <bool kLog, typename Plant, typename Stabiliser>
+  template <typename Plant, typename Stabiliser>
   void choose_loop(Plant& plant, Stabiliser& stabiliser, std::uint64_t end) {
-    const bool lean = !output_.present() && has_one_undamped_wall(servo_.settings());
     if constexpr (Plant::kPlain) {
+      const bool lean = !output_.present() && has_one_undamped_wall(servo_.settings());
       if (lean && !is_steady(servo_.state())) {
         const std::uint64_t unsteady = 1 + servo_.state().transition.ticks_left;
-        run_loop<any_loop(kLog)>(plant, stabiliser, std::min(end, servo_.state().tick + unsteady));
+        run_loop<kAnyLoop>(plant, stabiliser, std::min(end, servo_.state().tick + unsteady));
       }
       if (lean && is_steady(servo_.state())) {
-        return servo_.settings().encoder_m > 0.0
-                   ? run_loop<lean_loop(true, kLog)>(plant, stabiliser, end)
-                   : run_loop<lean_loop(false, kLog)>(plant, stabiliser, end);
+        return options_.on_sample ? choose_lean_loop<true>(plant, stabiliser, end)
+                                  : choose_lean_loop<false>(plant, stabiliser, end);
       }
     }
-    run_loop<any_loop(kLog)>(plant, stabiliser, end);
+    run_loop<kAnyLoop>(plant, stabiliser, end);
+  }
+
+  template <bool kLog, typename Plant, typename Stabiliser>
+  void choose_lean_loop(Plant& plant, Stabiliser& stabiliser, std::uint64_t end) {
+    return servo_.settings().encoder_m > 0.0
+               ? run_loop<lean_loop(true, kLog)>(plant, stabiliser, end)
+               : run_loop<lean_loop(false, kLog)>(plant, stabiliser, end);
   }
 
   // Works on copies and gives them back at the end, so that the loop's state can live in registers.
@@ -228,7 +228,7 @@ class Simulation {
         diverged_at_tick = outcome.tick;
         break;
       }
-      if constexpr (kParts.log) {
+      if (kParts.maybe_log && options_.on_sample) {
         write_sample(settings, state.ledger, outcome, sample);
         device.write_truth(sample.truth);
         options_.on_sample(sample);
