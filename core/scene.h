@@ -68,6 +68,8 @@ struct WallSettings {
   double position_m = 0.05;
   double stiffness_n_per_m = 0.0;
   double damping_n_s_per_m = 0.0;
+
+  friend bool operator==(const WallSettings&, const WallSettings&) = default;
 };
 
 // How the simulator moves the handle between two ticks.

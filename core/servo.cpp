@@ -21,17 +21,22 @@ StabiliserContext stabiliser_context(const ServoSettings& settings) {
 }
 
 Servo::Servo(const ServoSettings& settings) : settings_(settings) {
-  apply(settings);
+  configure();
   reset();
 }
 
-void Servo::apply(const ServoSettings& settings) {
-  const bool switched = settings.algorithm.index != settings_.algorithm.index;
-  settings_ = settings;
+void Servo::configure() {
   const StabiliserContext context = stabiliser_context(settings_);
   stabilisers_.configure(context);
   state_.budget_n_per_m = believed_damping(context) * settings_.rate_hz;
+}
+
+void Servo::apply(const ServoSettings& settings) {
   state_.parameters_changed = true;
+  if (settings == settings_) return;
+  const bool switched = settings.algorithm.index != settings_.algorithm.index;
+  settings_ = settings;
+  configure();
   if (switched) {
     stabilisers_.visit(settings_.algorithm.index, [](auto& stabiliser) { stabiliser.reset(); });
   }

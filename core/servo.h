@@ -28,7 +28,8 @@ class Servo {
 
   // Takes new settings at a tick boundary; the rate must be the old one. A change of algorithm
   // resets the new one. Any change starts a transition in which the force begins exactly where it
-  // was (no kick) and blends into the new law's over settings.transition_s.
+  // was (no kick) and blends into the new law's over settings.transition_s. Settings that are the
+  // old ones change no bit of what follows.
   void apply(const ServoSettings& settings);
 
   // Back to tick 0: algorithms, ledger and previous force are forgotten.
@@ -59,6 +60,8 @@ class Servo {
   [[nodiscard]] const ServoState& state() const { return state_; }
 
  private:
+  void configure();
+
   ServoSettings settings_;
   ServoState state_;
   StabiliserBank stabilisers_;

@@ -39,6 +39,7 @@ struct ServoSettings {
   AlgorithmSettings algorithm;
 
   [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
+  friend bool operator==(const ServoSettings&, const ServoSettings&) = default;
 };
 
 [[nodiscard]] ServoSettings servo_settings(const Scene& scene);

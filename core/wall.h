@@ -28,6 +28,7 @@ class WallSet {
 
   [[nodiscard]] std::span<const WallSettings> walls() const { return {walls_.data(), count_}; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
+  friend bool operator==(const WallSet&, const WallSet&) = default;
 
  private:
   std::array<WallSettings, kMaximumWalls> walls_{};

@@ -2,15 +2,43 @@
 // integrated by Runge-Kutta in extended precision with very many small steps. Tests only.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <deque>
 #include <functional>
 
 namespace hapticwall::testing {
 
 using Real = long double;
 
-// m dv/dt = F_h - F - b v - f_c sgn(v). With hand_mass > 0 the hand grips through kg, bg; else its
-// spring-damper acts on the handle itself.
+// What lies between a command and the amplifier, written straight from its definition: to the
+// nearest whole multiple of the resolution (the even one of two), within the limit, as many ticks
+// later as the delay says, nothing before that.
+struct BruteForceOutput {
+  Real resolution = 0, limit = 0;  // 0: none
+  std::size_t delay = 0;
+  std::deque<Real> waiting{};
+
+  [[nodiscard]] Real rounded(Real force) const {
+    if (resolution <= 0) return force;
+    const Real below = std::floor(force / resolution);
+    const Real rest = force / resolution - below;
+    const bool up = rest > 0.5L || (rest == 0.5L && std::fmod(below, 2.0L) != 0);
+    return resolution * (up ? below + 1 : below);
+  }
+  Real pass(Real command) {
+    const Real force = rounded(command);
+    waiting.push_back(limit > 0 ? std::min(std::max(force, -limit), limit) : force);
+    if (waiting.size() <= delay) return 0;
+    const Real oldest = waiting.front();
+    waiting.pop_front();
+    return oldest;
+  }
+};
+
+// m dv/dt = F_h - F_a - b v - f_c sgn(v). With hand_mass > 0 the hand grips through kg, bg; else
+// its spring-damper acts on the handle itself. With a time_constant the amplifier's force F_a lags
+// behind the one that it is told, F_a' = (F - F_a)/tau; else it is that.
 struct BruteForcePlant {
   Real mass = 1, damping = 0, friction = 0;
   Real hand_mass = 0, hand_stiffness = 0, hand_damping = 0, grip_stiffness = 0, grip_damping = 0;
@@ -18,7 +46,9 @@ struct BruteForcePlant {
   std::function<Real(Real, Real)> path = [](Real, Real) { return Real{0}; };
   std::function<Real(Real)> path_velocity = [](Real) { return Real{0}; };
 
-  Real time = 0, x = 0, v = 0, y = 0, w = 0;
+  Real time_constant = 0;
+
+  Real time = 0, x = 0, v = 0, y = 0, w = 0, actuator = 0;
   Real actuator_work = 0, dissipation = 0, hand_work = 0;
   bool sticks = true;
   int events = 0;
@@ -29,34 +59,41 @@ struct BruteForcePlant {
   }
 
   struct Derivative {
-    Real x, v, y, w, work, dissipation, hand;
+    Real x, v, y, w, actuator, work, dissipation, hand;
   };
+  [[nodiscard]] Real acting(Real force, Real lagging) const {
+    return time_constant > 0 ? lagging : force;
+  }
 
-  [[nodiscard]] Derivative derive(Real t, Real px, Real pv, Real py, Real pw, Real force,
+  [[nodiscard]] Derivative derive(Real t, Real px, Real pv, Real py, Real pw, Real pa, Real force,
                                   Real sign) const {
     const Real fh = hand_force(t, px, pv, py, pw);
     const bool still = sign == 0 && friction > 0;
     Derivative d{};
     d.x = still ? 0 : pv;
-    d.v = still ? 0 : (fh - force - damping * pv - friction * sign) / mass;
+    d.v = still ? 0 : (fh - acting(force, pa) - damping * pv - friction * sign) / mass;
     d.y = pw;
     d.w = hand_mass > 0 ? (hand_stiffness * (path(t, middle_) - py) +
                            hand_damping * (path_velocity(middle_) - pw) - fh) /
                               hand_mass
                         : 0;
-    d.work = force * d.x;
+    d.actuator = time_constant > 0 ? (force - pa) / time_constant : 0;
+    d.work = acting(force, pa) * d.x;
     d.dissipation = damping * d.x * d.x + friction * std::abs(d.x);
     d.hand = fh * d.x;
     return d;
   }
 
-  [[nodiscard]] Real net_at_rest(Real force) const { return hand_force(time, x, 0, y, w) - force; }
+  [[nodiscard]] Real net_at_rest(Real force) const {
+    return hand_force(time, x, 0, y, w) - acting(force, actuator);
+  }
 
   void runge_kutta(Real force, Real h) {
     const Real sign = friction > 0 ? (sticks ? 0 : sign_) : 0;
-    const Derivative a = derive(time, x, v, y, w, force, sign);
+    const Derivative a = derive(time, x, v, y, w, actuator, force, sign);
     const auto at = [&](const Derivative& d, Real f) {
-      return derive(time + f, x + f * d.x, v + f * d.v, y + f * d.y, w + f * d.w, force, sign);
+      return derive(time + f, x + f * d.x, v + f * d.v, y + f * d.y, w + f * d.w,
+                    actuator + f * d.actuator, force, sign);
     };
     const Derivative b = at(a, h / 2);
     const Derivative c = at(b, h / 2);
@@ -68,6 +105,7 @@ struct BruteForcePlant {
     v += mean(&Derivative::v);
     y += mean(&Derivative::y);
     w += mean(&Derivative::w);
+    actuator += mean(&Derivative::actuator);
     actuator_work += mean(&Derivative::work);
     dissipation += mean(&Derivative::dissipation);
     hand_work += mean(&Derivative::hand);

@@ -1,20 +1,8 @@
 #include "app/runtime/scene_change.h"
 
-#include <algorithm>
-
 namespace hapticwall::runtime {
-namespace {
-
-bool same_wall(const WallSettings& a, const WallSettings& b) {
-  return a.position_m == b.position_m && a.stiffness_n_per_m == b.stiffness_n_per_m &&
-         a.damping_n_s_per_m == b.damping_n_s_per_m;
-}
-
-}  // namespace
-
 bool same_parameters(const Scene& a, const Scene& b) {
-  return same_plant(a, b) && a.algorithm == b.algorithm &&
-         std::equal(a.walls.begin(), a.walls.end(), b.walls.begin(), b.walls.end(), same_wall);
+  return same_plant(a, b) && a.algorithm == b.algorithm && a.walls == b.walls;
 }
 
 std::optional<SceneProblem> needs_new_session(const Scene& running, const Scene& wanted) {

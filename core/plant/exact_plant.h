@@ -110,7 +110,6 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
 
   // The whole tick by the scene's matrix; false where friction might interrupt it.
   [[nodiscard, gnu::always_inline]] bool try_straight_tick(Motion& motion, Real force_n) const {
-    if (body_.first_level() != 0) return false;
     const Drive now = drive(motion);
     const Load<Real> total = load(motion, force_n);
     if constexpr (kFriction) {
@@ -161,7 +160,7 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
 
   // The longest level that fits and in which surely nothing happens; its duration, or 0 for none.
   Real try_levels(Real force_n, const Drive& now, Real rest_s) {
-    for (int level = body_.first_level(); level <= body_.deepest_level(); ++level) {
+    for (int level = 0; level <= body_.deepest_level(); ++level) {
       const Real step_s = level_duration(level);
       if (step_s > rest_s || !surely_quiet(level, force_n, now)) continue;
       if (kFriction && motion_.direction == 0) {
@@ -180,8 +179,8 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
   // shortest step at first, for twice as long whenever that happens again in the same stretch.
   // Returns how long; 0 where even the shortest step is too long.
   Real rest_for_a_while(Real force_n, const Drive& now, Real rest_s, int stalls) {
-    for (int level = std::max(body_.first_level(), body_.deepest_level() - stalls);
-         level <= body_.deepest_level(); ++level) {
+    for (int level = std::max(0, body_.deepest_level() - stalls); level <= body_.deepest_level();
+         ++level) {
       if (level_duration(level) > rest_s) continue;
       if (motion_.direction != 0) stop();
       body_.advance_stick_level(level, motion_.body, force_n, now);

@@ -81,8 +81,7 @@ class BasicOneBody {
            hand_damping_n_s_per_m_ * (drive.velocity_m_per_s - state.velocity_m_per_s);
   }
 
-  // Level n lasts T/2^n; level 0 is the whole tick. first_level() is the longest to be taken.
-  [[nodiscard]] static constexpr int first_level() { return 0; }
+  // Level n lasts T/2^n; level 0 is the whole tick.
   [[nodiscard]] int deepest_level() const { return static_cast<int>(levels_.size()) - 1; }
   [[nodiscard]] const Rows& level(int n) const { return levels_[static_cast<std::size_t>(n)]; }
 

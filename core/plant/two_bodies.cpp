@@ -87,10 +87,6 @@ BasicTwoBodies<Real, kLag>::BasicTwoBodies(const TwoBodyParameters& p, double pe
   Real rate_per_s = std::sqrt(stiffness) + damping;
   if constexpr (kLag) rate_per_s += lag_.rate_per_s;
   const int halvings = halvings_within_reach(static_cast<double>(rate_per_s), period_s);
-  while (std::sqrt(stiffness) * static_cast<Real>(std::ldexp(period_s, -first_level_)) >
-         static_cast<Real>(kMostRadians)) {
-    ++first_level_;
-  }
   make_levels(p, halvings);
   make_stick_levels(p, halvings);
 }

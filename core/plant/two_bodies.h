@@ -87,11 +87,6 @@ class BasicTwoBodies {
     return grip_force(state);
   }
 
-  // Where handle and hand swing against each other by more than this many radians in a tick, the
-  // tick is taken in parts: a and d' then cancel, and take the square of that many digits with
-  // them.
-  static constexpr double kMostRadians = 1e3;
-  [[nodiscard]] int first_level() const { return first_level_; }
   [[nodiscard]] int deepest_level() const { return static_cast<int>(levels_.size()) - 1; }
   [[nodiscard]] const Rows& level(int n) const { return levels_[static_cast<std::size_t>(n)]; }
   [[nodiscard]] MotionIncrement<Real> advance_by(const Rows& rows, State& state,
@@ -171,7 +166,6 @@ class BasicTwoBodies {
   Real jerk_per_root_energy_ = 0;
   Real drive_rate_per_root_energy_ = 0;  // bounds g' of surely_slides()
   Real self_damping_rate_per_s_ = 0;     // (b + b_g)/m
-  int first_level_ = 0;
   std::vector<Rows> levels_;
   std::vector<StickRows> stick_levels_;
 };

@@ -198,6 +198,7 @@ RC_GTEST_PROP(ScheduledChange, TakesEffectAtItsTickWithoutAKick, ()) {
   change.tick = *rc::gen::inRange<std::uint64_t>(1, scene.tick_count() - 1);
   change.scene = scene;
   change.scene.algorithm.index = find_algorithm(any_algorithm()).value();
+  RC_PRE(change.scene.algorithm.index != scene.algorithm.index);
   const Run plain = run(scene);
   std::vector<Sample> changed;
   SimulationOptions options;
