@@ -1,6 +1,7 @@
 # Fails when an #include line goes against the arrows of the house:
 #   core <- device <- app/runtime <- app/ui, app/command; app/file stands on core alone.
-# `core` is pure: the standard library without clocks, files and threads, Eigen, Highway and itself.
+# `core` is pure: the standard library without clocks, files and threads, Eigen, Highway and itself;
+# core/batch alone spreads scenes over the cores, with oneTBB.
 # Only app/ui knows that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -43,7 +44,8 @@ function(objection file layer header out)
   elseif(layer STREQUAL "core" AND NOT target)
     if(header MATCHES "${impure}")
       set(${out} "has a clock, files or threads, and core is pure" PARENT_SCOPE)
-    elseif(NOT header MATCHES "^((unsupported/)?Eigen/.*|hwy/.*|[a-z_0-9]+)$")
+    elseif(NOT header MATCHES "^((unsupported/)?Eigen/.*|hwy/.*|[a-z_0-9]+)$"
+           AND NOT (file MATCHES "^core/batch/" AND header MATCHES "^oneapi/tbb/"))
       set(${out} "is neither the standard library, Eigen, Highway nor core" PARENT_SCOPE)
     endif()
   endif()

@@ -73,7 +73,7 @@ ExactPlantVariant<Real> make_exact_plant(const Scene& scene) {
 
 template <template <PlantParts> class Scheme, PlantParts kParts>
 SteppedPlantVariant<Scheme> make_stepped(const Scene& scene) {
-  return SteppedPlant<Scheme, kParts>(parameters_of(scene), make_path(scene),
+  return SteppedPlant<Scheme<kParts>>(parameters_of(scene), make_path(scene),
                                       scene.sampling.period_s(), scene.device.start_m,
                                       scene.simulator.substeps);
 }

@@ -25,14 +25,14 @@ using ExactPlantVariant = std::variant<
 
 // The same with an integrator that steps: grip, friction, lag.
 template <template <PlantParts> class Scheme>
-using SteppedPlantVariant = std::variant<SteppedPlant<Scheme, PlantParts{false, false, false}>,
-                                         SteppedPlant<Scheme, PlantParts{false, false, true}>,
-                                         SteppedPlant<Scheme, PlantParts{false, true, false}>,
-                                         SteppedPlant<Scheme, PlantParts{false, true, true}>,
-                                         SteppedPlant<Scheme, PlantParts{true, false, false}>,
-                                         SteppedPlant<Scheme, PlantParts{true, false, true}>,
-                                         SteppedPlant<Scheme, PlantParts{true, true, false}>,
-                                         SteppedPlant<Scheme, PlantParts{true, true, true}>>;
+using SteppedPlantVariant = std::variant<SteppedPlant<Scheme<PlantParts{false, false, false}>>,
+                                         SteppedPlant<Scheme<PlantParts{false, false, true}>>,
+                                         SteppedPlant<Scheme<PlantParts{false, true, false}>>,
+                                         SteppedPlant<Scheme<PlantParts{false, true, true}>>,
+                                         SteppedPlant<Scheme<PlantParts{true, false, false}>>,
+                                         SteppedPlant<Scheme<PlantParts{true, false, true}>>,
+                                         SteppedPlant<Scheme<PlantParts{true, true, false}>>,
+                                         SteppedPlant<Scheme<PlantParts{true, true, true}>>>;
 
 // By integrator, in the order of Integrator.
 using PlantVariant = std::variant<ExactPlantVariant<double>, SteppedPlantVariant<SemiImplicitEuler>,

@@ -79,6 +79,9 @@ struct SteppedMechanics {
 // the method.
 template <PlantParts kParts>
 struct SemiImplicitEuler {
+  using State = SteppedState<kParts>;
+  static constexpr PlantParts kPlantParts = kParts;
+
   static void step(const SteppedMechanics<kParts>& m, SteppedState<kParts>& y, EnergyTotals& energy,
                    double force_n, const HandDrive& drive, double h) {
     const double hand_force_n = m.hand_force_n(y, drive);
@@ -109,6 +112,8 @@ struct SemiImplicitEuler {
 template <PlantParts kParts>
 struct RungeKutta4 {
   using State = SteppedState<kParts>;
+  static constexpr PlantParts kPlantParts = kParts;
+
   struct Rate {
     double x, v, y, w, actuator, work, viscous, hand;
   };
@@ -178,10 +183,12 @@ struct RungeKutta4 {
   }
 };
 
-// A plant with the interface of ExactPlant. Realtime-safe: yes, after construction.
-template <template <PlantParts> class Scheme, PlantParts kParts>
-class SteppedPlant : public MovingPlant<SteppedState<kParts>, double> {
-  using Base = MovingPlant<SteppedState<kParts>, double>;
+// A plant with the interface of ExactPlant. Scheme: SemiImplicitEuler or RungeKutta4 with the parts
+// of the plant. Realtime-safe: yes, after construction.
+template <typename Scheme>
+class SteppedPlant : public MovingPlant<typename Scheme::State, double> {
+  using Base = MovingPlant<typename Scheme::State, double>;
+  static constexpr PlantParts kParts = Scheme::kPlantParts;
   using Base::drive;
   using Base::motion_;
   using Base::path_;
@@ -249,7 +256,7 @@ class SteppedPlant : public MovingPlant<SteppedState<kParts>, double> {
     const double begin_m = now.position_m;
     for (int i = 0; i < substeps_; ++i) {
       now.position_m = begin_m + now.velocity_m_per_s * (h * static_cast<double>(i));
-      Scheme<kParts>::step(mechanics_, motion.body, motion.energy, force_n, now, h);
+      Scheme::step(mechanics_, motion.body, motion.energy, force_n, now, h);
       // An unstable scheme multiplies by up to 1e50 in a step: it ends here, while it is finite.
       if (!Base::in_reach(motion)) [[unlikely]] {
         return;

@@ -1,0 +1,212 @@
+#include "core/batch/lane_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+
+#include "core/encoder.h"
+#include "core/servo_step.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::batch {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// A wall that is never met.
+constexpr double kNowhereM = std::numeric_limits<double>::max();
+
+using LawNumbers = std::array<double, kLawParameters>;
+
+LawNumbers no_parameters(const StabiliserContext& /*context*/) { return {}; }
+
+LawNumbers virtual_coupling_parameters(const StabiliserContext& context) {
+  const double damping = context.value_or("coupling_damping_n_s_per_m", 0.0);
+  const double largest =
+      std::max(0.0, 2.0 * (believed_damping(context) - damping) / context.period_s);
+  const double stiffness = context.value_or("coupling_stiffness_n_per_m", largest);
+  const auto walls = context.walls.walls();
+  const WallSettings wall = walls.empty() ? WallSettings{} : walls.front();
+  const double rate_n_per_m = (wall.damping_n_s_per_m + damping) / context.period_s;
+  return {stiffness, rate_n_per_m, wall.stiffness_n_per_m + stiffness + rate_n_per_m,
+          context.period_s, damping};
+}
+
+LawNumbers passivity_control_parameters(const StabiliserContext& context) {
+  const double damping = believed_damping(context);
+  return {damping,
+          context.value_or("max_damping_n_s_per_m", damping),
+          context.value_or("velocity_floor_m_per_s", 0.0),
+          context.value_or("observer", 0.0),
+          context.value_or("damping_credit", 0.0),
+          context.value_or("reset_in_free_motion", 0.0)};
+}
+
+LawNumbers energy_bounding_parameters(const StabiliserContext& context) {
+  const double damping = believed_damping(context);
+  const double rest_force_step = context.encoder_m > 0.0
+                                     ? damping * context.encoder_m / context.period_s
+                                     : std::numeric_limits<double>::max();
+  return {damping, context.value_or("rest_force_step_n", rest_force_step)};
+}
+
+// The algorithms that have lanes, and the parameters that these read (lane_laws-inl.h).
+struct LawDescription {
+  std::string_view name;
+  LaneLaw law;
+  LawNumbers (*parameters)(const StabiliserContext& context);
+};
+constexpr std::array<LawDescription, 4> kLaws{
+    LawDescription{"none", LaneLaw::kNone, no_parameters},
+    LawDescription{"virtual-coupling", LaneLaw::kVirtualCoupling, virtual_coupling_parameters},
+    LawDescription{"passivity-control", LaneLaw::kPassivityControl, passivity_control_parameters},
+    LawDescription{"energy-bounding", LaneLaw::kEnergyBounding, energy_bounding_parameters}};
+
+const LawDescription* find_law(const Scene& scene) {
+  const std::string_view name = algorithms()[scene.algorithm.index].name;
+  const auto found = std::find_if(kLaws.begin(), kLaws.end(),
+                                  [&](const LawDescription& law) { return law.name == name; });
+  return found == kLaws.end() ? nullptr : &*found;
+}
+
+bool names(std::optional<double> part) { return part.value_or(0.0) != 0.0; }
+
+template <std::size_t kCount, typename Numbers>
+void set_rows(std::array<LaneNumbers, kCount>& rows, std::size_t lane, const Numbers& numbers) {
+  for (std::size_t i = 0; i < kCount; ++i) rows[i][lane] = numbers[i];
+}
+
+void set_servo(const Scene& scene, std::size_t lane, LaneParameters& parameters) {
+  const ServoSettings settings = servo_settings(scene);
+  const StabiliserContext context = stabiliser_context(settings);
+  parameters.rate_hz[lane] = settings.rate_hz;
+  parameters.encoder_m[lane] = settings.encoder_m;
+  parameters.force_limit_n[lane] = settings.force_limit_n;
+  parameters.budget_n_per_m[lane] = believed_damping(context) * settings.rate_hz;
+  const WallSettings wall =
+      scene.walls.empty() ? WallSettings{kNowhereM, 0.0, 0.0} : scene.walls.front();
+  parameters.wall_m[lane] = wall.position_m;
+  parameters.wall_stiffness_n_per_m[lane] = wall.stiffness_n_per_m;
+  parameters.wall_damping_n_s_per_m[lane] = wall.damping_n_s_per_m;
+  set_rows(parameters.law, lane, find_law(scene)->parameters(context));
+}
+
+void set_plant(const Scene& scene, const OneBody& body, std::size_t lane,
+               LaneParameters& parameters) {
+  const OneBodyParameters plant = one_body_parameters(scene);
+  const auto& tick = body.level(0);
+  parameters.damping_n_s_per_m[lane] = plant.damping_n_s_per_m;
+  parameters.hand_stiffness_n_per_m[lane] = plant.hand_stiffness_n_per_m;
+  parameters.hand_damping_n_s_per_m[lane] = plant.hand_damping_n_s_per_m;
+  parameters.half_mass_kg[lane] = plant.mass_kg / 2.0;
+  parameters.duration_s[lane] = tick.duration_s;
+  set_rows(parameters.velocity, lane, tick.velocity);
+  set_rows(parameters.drift, lane, tick.drift);
+  set_rows(parameters.hand_force_drift, lane, tick.hand_force_drift);
+  set_rows(parameters.integral_at_rest, lane, tick.integral_at_rest);
+  set_rows(parameters.square, lane, tick.square);
+  set_rows(parameters.hand_work, lane, tick.hand_work);
+  set_rows(parameters.square_at_rest, lane, tick.square_at_rest);
+  parameters.period_s[lane] = scene.sampling.period_s();
+}
+
+void reset_state(std::size_t lane, LaneState& state) {
+  LaneMotion& m = state.motion;
+  LaneAccount& a = state.account;
+  for (LaneNumbers* numbers :
+       {&m.position_m, &m.velocity_m_per_s, &m.measured_m, &m.force_n,     &m.saturated_ticks,
+        &a.measured_m, &a.force_n,          &a.in_contact, &a.contacts,    &a.peak_force_n,
+        &a.cv_j,       &a.hold_j,           &a.scv_j,      &a.budget_j,    &a.min_cv_j,
+        &a.min_scv_j,  &a.actuator_work_j,  &a.viscous_j,  &a.hand_work_j, &a.margin_j}) {
+    (*numbers)[lane] = 0.0;
+  }
+  for (LaneNumbers& numbers : m.law) numbers[lane] = 0.0;
+  state.reach.maximum_m[lane] = -kInfinity;
+  begin_tail(lane, state);
+}
+
+void clear_parameters(std::size_t lane, LaneParameters& p) {
+  for (LaneNumbers* numbers :
+       {&p.rate_hz, &p.force_limit_n, &p.budget_n_per_m, &p.wall_m, &p.wall_stiffness_n_per_m,
+        &p.wall_damping_n_s_per_m, &p.damping_n_s_per_m, &p.hand_stiffness_n_per_m,
+        &p.hand_damping_n_s_per_m, &p.half_mass_kg, &p.duration_s, &p.path_m, &p.path_speed_m_per_s,
+        &p.segment_begin_tick, &p.segment_m, &p.period_s}) {
+    (*numbers)[lane] = 0.0;
+  }
+  p.encoder_m[lane] = 1.0;  // is divided by
+  const std::array<double, kLawParameters> none{};
+  set_rows(p.law, lane, none);
+  set_rows(p.velocity, lane, none);
+  for (auto* rows : {&p.drift, &p.hand_force_drift, &p.integral_at_rest})
+    set_rows(*rows, lane, none);
+  for (auto* rows : {&p.square, &p.hand_work, &p.square_at_rest}) set_rows(*rows, lane, none);
+}
+
+}  // namespace
+
+std::optional<LaneKind> lane_kind(const Scene& scene) {
+  const DeviceSettings& device = scene.device;
+  const LawDescription* law = find_law(scene);
+  const bool fits = law != nullptr && scene.simulator.integrator == Integrator::kExact &&
+                    scene.walls.size() <= 1 && !names(device.friction_n) &&
+                    !names(device.amplifier_time_constant_s) && !names(device.force_resolution_n) &&
+                    device.delay_ticks.value_or(0) == 0 &&
+                    !(scene.hand && (scene.hand->has_grip() || scene.hand->follows_mouse));
+  if (!fits) return std::nullopt;
+  const bool damped = !scene.walls.empty() && scene.walls.front().damping_n_s_per_m != 0.0;
+  return LaneKind{law->law, names(device.encoder_m), damped};
+}
+
+OneBodyParameters one_body_parameters(const Scene& scene) {
+  OneBodyParameters parameters;
+  parameters.mass_kg = scene.device.mass_kg;
+  parameters.damping_n_s_per_m = scene.device.damping_n_s_per_m;
+  if (scene.hand) {
+    parameters.mass_kg += scene.hand->mass_kg.value_or(0.0);
+    parameters.hand_stiffness_n_per_m = scene.hand->stiffness_n_per_m;
+    parameters.hand_damping_n_s_per_m = scene.hand->damping_n_s_per_m;
+  }
+  return parameters;
+}
+
+const OneBody& PlantCache::plant(const OneBodyParameters& p, double period_s) {
+  const Key key{p.mass_kg, p.damping_n_s_per_m, p.hand_stiffness_n_per_m, p.hand_damping_n_s_per_m,
+                period_s};
+  const auto place = plants_.lower_bound(key);
+  if (place != plants_.end() && place->first == key) return place->second;
+  if (plants_.size() < kMostEntries)
+    return plants_.emplace_hint(place, key, OneBody(p, period_s))->second;
+  plants_.clear();
+  return plants_.emplace(key, OneBody(p, period_s)).first->second;
+}
+
+void set_lane(const Scene& scene, const OneBody& body, std::size_t lane, LaneBlock& block) {
+  reset_state(lane, block.state);
+  set_servo(scene, lane, block.parameters);
+  set_plant(scene, body, lane, block.parameters);
+  const double start_m = scene.device.start_m;
+  const double encoder_m = block.parameters.encoder_m[lane];
+  const double measured_m = encoder_m > 0.0 ? quantise(start_m, encoder_m) : start_m;
+  block.state.motion.position_m[lane] = start_m;
+  block.state.motion.measured_m[lane] = measured_m;
+  block.state.account.measured_m[lane] = measured_m;
+}
+
+void clear_lane(std::size_t lane, LaneBlock& block) {
+  reset_state(lane, block.state);
+  clear_parameters(lane, block.parameters);
+}
+
+void begin_tail(std::size_t lane, LaneState& state) {
+  LaneAccount& a = state.account;
+  for (LaneNumbers* numbers : {&a.tail_ticks, &a.tail_mean_n, &a.tail_square_n2,
+                               &a.tail_contact_force_n, &a.tail_contact_penetration_m}) {
+    (*numbers)[lane] = 0.0;
+  }
+  LaneReach& reach = state.reach;
+  reach.maximum_before_tail_m[lane] = reach.maximum_m[lane];
+  reach.maximum_m[lane] = -kInfinity;
+  reach.minimum_m[lane] = kInfinity;
+}
+
+}  // namespace hapticwall::batch

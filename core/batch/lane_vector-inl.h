@@ -1,0 +1,72 @@
+// The vocabulary of the lanes' loops: vectors of doubles, one number per lane. Compiled once per
+// instruction set.
+#if defined(HAPTICWALL_LANE_VECTOR_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAPTICWALL_LANE_VECTOR_INL_H_
+#undef HAPTICWALL_LANE_VECTOR_INL_H_
+#else
+#define HAPTICWALL_LANE_VECTOR_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/batch/lane_block.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hapticwall::batch::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::ScalableTag<double>;
+using Vector = hn::Vec<Tag>;
+using Flags = hn::Mask<Tag>;
+
+inline constexpr Tag kTag;
+
+HWY_INLINE Vector constant(double value) { return hn::Set(kTag, value); }
+HWY_INLINE Vector load(const LaneNumbers& numbers, std::size_t first_lane) {
+  return hn::Load(kTag, numbers.lane.data() + first_lane);
+}
+HWY_INLINE void store(Vector value, LaneNumbers& numbers, std::size_t first_lane) {
+  hn::Store(value, kTag, numbers.lane.data() + first_lane);
+}
+// `positive_only` where it is more than 0, else 0.
+HWY_INLINE Vector positive_part(Vector value) {
+  return hn::IfThenElseZero(hn::Gt(value, hn::Zero(kTag)), value);
+}
+
+// As std::max(maximum, value) and std::min(minimum, value).
+HWY_INLINE void keep_maximum(Vector& maximum, Vector value) { maximum = hn::Max(value, maximum); }
+HWY_INLINE void keep_minimum(Vector& minimum, Vector value) { minimum = hn::Min(value, minimum); }
+HWY_INLINE Vector one_where(Flags flags) { return hn::IfThenElseZero(flags, constant(1.0)); }
+
+// core/plant/linear_motion.h: dot() and quadratic() of the states (u, f).
+HWY_INLINE Vector dot(const std::array<LaneNumbers, 2>& row, std::size_t first_lane, Vector u,
+                      Vector f) {
+  return load(row[0], first_lane) * u + load(row[1], first_lane) * f;
+}
+HWY_INLINE Vector quadratic(const std::array<LaneNumbers, 3>& form, std::size_t first_lane,
+                            Vector u, Vector f) {
+  return u * (load(form[0], first_lane) * u + load(form[1], first_lane) * f) +
+         f * (load(form[2], first_lane) * f);
+}
+
+// core/plant/hand_path.h: the intended position at a tick. A path that rests does so at path_m.
+template <bool kMoving>
+HWY_INLINE Vector path_position(const LaneParameters& parameters, std::size_t first_lane,
+                                std::uint64_t tick) {
+  if constexpr (!kMoving) return load(parameters.path_m, first_lane);
+  const Vector now = constant(static_cast<double>(static_cast<std::int64_t>(tick)));
+  const Vector ticks = now - load(parameters.segment_begin_tick, first_lane);
+  return load(parameters.segment_m, first_lane) +
+         load(parameters.path_speed_m_per_s, first_lane) *
+             (ticks * load(parameters.period_s, first_lane));
+}
+
+}  // namespace hapticwall::batch::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // HAPTICWALL_LANE_VECTOR_INL_H_

@@ -1,0 +1,76 @@
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/batch/batch_simulator.h"
+#include "core/batch/lane_targets.h"
+#include "tests/benchmark/rows.h"
+
+namespace hapticwall::benchmark_rows {
+namespace {
+
+constexpr std::size_t kScenes = 128;
+
+// A row of a stability map: the scene with one stiffness after the other.
+std::vector<Scene> varied(const Scene& scene) {
+  std::vector<Scene> scenes(kScenes, scene);
+  for (std::size_t i = 0; i < kScenes; ++i) {
+    scenes[i].walls.front().stiffness_n_per_m *= 0.5 + 0.01 * static_cast<double>(i);
+  }
+  return scenes;
+}
+
+// On one core, as every row of the table. `target`: the only instruction set that is used; 0: the
+// best one.
+template <typename Figures>
+void measure(benchmark::State& state, const std::vector<Scene>& scenes, std::int64_t target) {
+  BatchOptions options;
+  options.threads = 1;
+  hwy::SetSupportedTargetsForTest(target);
+  for (auto _ : state) benchmark::DoNotOptimize(simulate_batch<Figures>(scenes, options));
+  hwy::SetSupportedTargetsForTest(0);
+  state.counters[kTicksCounter] = static_cast<double>(kScenes * scenes.front().tick_count());
+}
+
+template <typename Figures>
+void add_details(const std::string& name, const Scene& scene, std::int64_t target = 0) {
+  const std::vector<Scene> scenes = varied(scene);
+  Scene one_tick = scene;
+  one_tick.duration_s = scene.sampling.period_s();
+  const std::vector<Scene> set_ups = varied(one_tick);
+  benchmark::RegisterBenchmark(name.c_str(), [scenes, target](benchmark::State& state) {
+    measure<Figures>(state, scenes, target);
+  });
+  benchmark::RegisterBenchmark(
+      (name + kSetUpSuffix).c_str(),
+      [set_ups, target](benchmark::State& state) { measure<Figures>(state, set_ups, target); });
+}
+
+Scene with_encoder(Scene scene) {
+  scene.device.encoder_m = 0.254e-3;
+  return scene;
+}
+
+}  // namespace
+
+void add_batch() {
+  const Scene soft = builtin("golden-soft");
+  for (const char* algorithm :
+       {"none", "virtual-coupling", "passivity-control", "energy-bounding"}) {
+    const Scene scene = under(algorithm, soft);
+    const std::string name = std::string(", ") + algorithm;
+    add_details<BatchVerdict>("batch, verdict" + name, scene);
+    add_details<BatchVerdict>("batch, verdict" + name + ", encoder", with_encoder(scene));
+    add_details<Summary>("batch, summary" + name, scene);
+    add_details<Summary>("batch, summary" + name + ", encoder", with_encoder(scene));
+  }
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    const std::string name = std::string(" by ") + hwy::TargetName(target) + ", none";
+    add_details<BatchVerdict>("batch, verdict" + name, soft, target);
+    add_details<Summary>("batch, summary" + name, soft, target);
+  }
+}
+
+}  // namespace hapticwall::benchmark_rows

@@ -1,0 +1,35 @@
+// The scenes that are measured, and the rows of the table that they become.
+#pragma once
+
+#include <string>
+
+#include "core/scene.h"
+
+namespace hapticwall::benchmark_rows {
+
+// What a row counts, beside its time.
+inline constexpr const char* kTicksCounter = "ticks";
+inline constexpr const char* kEventsCounter = "events";
+// Rows that another row is told with: what is paid before the first tick, and the same scene
+// without what the row is about.
+inline constexpr const char* kSetUpSuffix = " (set-up)";
+inline constexpr const char* kWithoutSuffix = " (without)";
+// All rows are ratios to this one.
+inline constexpr const char* kBareLoop = "bare loop, golden-soft";
+
+// A built-in scene; ends the program where it is missing.
+[[nodiscard]] Scene builtin(const char* name);
+[[nodiscard]] Scene under(const char* algorithm, Scene scene);
+
+// One scene under simulate(), and its set-up.
+void add_scene(const std::string& name, const Scene& scene);
+
+// Linear → encoder → force limit → friction → grip → delay → lag: each with all before it, then
+// each alone on the linear scene.
+void add_ladder();
+// What an event of friction costs.
+void add_friction_events();
+// Many scenes at once, on one core: both details, by algorithm, by instruction set.
+void add_batch();
+
+}  // namespace hapticwall::benchmark_rows

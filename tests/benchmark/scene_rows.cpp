@@ -1,0 +1,139 @@
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <type_traits>
+
+#include "app/file/scene_file.h"
+#include "core/plant/plant_model.h"
+#include "core/servo.h"
+#include "core/simulate.h"
+#include "core/stabiliser/stabiliser.h"
+#include "tests/benchmark/rows.h"
+
+namespace hapticwall::benchmark_rows {
+namespace {
+
+void measure(benchmark::State& state, const Scene& scene) {
+  if (simulate(scene).summary.verdict == Verdict::kDiverged) {
+    state.SkipWithError("a scene that ends early measures nothing");
+    return;
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(simulate(scene));
+  state.counters[kTicksCounter] = static_cast<double>(scene.tick_count());
+}
+
+void register_row(const std::string& name, const Scene& scene) {
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [scene](benchmark::State& state) { measure(state, scene); });
+}
+
+// golden-soft without its force limit: a mass, a hand's spring and damper, a wall.
+Scene linear_scene() {
+  Scene scene = builtin("golden-soft");
+  scene.device.force_limit_n.reset();
+  return scene;
+}
+
+struct Feature {
+  const char* name;
+  void (*add)(Scene& scene);
+};
+constexpr std::array<Feature, 6> kFeatures{
+    Feature{"encoder", [](Scene& scene) { scene.device.encoder_m = 0.254e-3; }},
+    Feature{"force limit", [](Scene& scene) { scene.device.force_limit_n = 8.9; }},
+    Feature{"friction", [](Scene& scene) { scene.device.friction_n = 0.14; }},
+    Feature{"grip",
+            [](Scene& scene) {
+              scene.hand->grip_stiffness_n_per_m = 1000.0;
+              scene.hand->grip_damping_n_s_per_m = 1.0;
+            }},
+    Feature{"delay", [](Scene& scene) { scene.device.delay_ticks = 2; }},
+    Feature{"lag", [](Scene& scene) { scene.device.amplifier_time_constant_s = 1e-3; }}};
+
+// A plant behind the servo's tick, as the live loop has it.
+template <typename Plant>
+struct PlantDevice {
+  Plant& plant;
+
+  [[nodiscard]] DeviceReading read() const { return {plant.position_m(), 0.0, DeviceState::kOk}; }
+  void write(double force_n) { plant.advance(force_n); }
+};
+
+// Stops and breaks of friction in a run of a scene without encoder.
+std::uint64_t count_friction_events(const Scene& scene) {
+  PlantVariant variant = make_plant(scene);
+  std::uint64_t events = 0;
+  visit_plant(
+      [&](auto& plant) {
+        if constexpr (requires { plant.friction_events(); }) {
+          Servo servo(servo_settings(scene));
+          PlantDevice<std::remove_reference_t<decltype(plant)>> device{plant};
+          for (std::uint64_t tick = 0; tick < scene.tick_count(); ++tick) (void)servo.tick(device);
+          events = plant.friction_events();
+        }
+      },
+      variant);
+  return events;
+}
+
+}  // namespace
+
+Scene builtin(const char* name) {
+  const auto loaded = file::load_scene(name);
+  if (!loaded) {
+    std::fprintf(stderr, "%s\n", loaded.error().message.c_str());
+    std::exit(EXIT_FAILURE);
+  }
+  return loaded->scene;
+}
+
+Scene under(const char* algorithm, Scene scene) {
+  scene.algorithm.index = find_algorithm(algorithm).value();
+  return scene;
+}
+
+void add_scene(const std::string& name, const Scene& scene) {
+  register_row(name, scene);
+  // The same scene for one tick: what is paid before the loop begins.
+  Scene one_tick = scene;
+  one_tick.duration_s = scene.sampling.period_s();
+  register_row(name + kSetUpSuffix, one_tick);
+}
+
+void add_ladder() {
+  const Scene linear = linear_scene();
+  Scene scene = linear;
+  add_scene("ladder: linear", scene);
+  for (const Feature& feature : kFeatures) {
+    feature.add(scene);
+    add_scene(std::string("ladder: + ") + feature.name, scene);
+  }
+  for (const Feature& feature : kFeatures) {
+    scene = linear;
+    feature.add(scene);
+    add_scene(std::string("linear and ") + feature.name + " alone", scene);
+  }
+}
+
+// Handles that a stiff wall throws to and fro for ever: they stop and break loose at every turn.
+void add_friction_events() {
+  const auto add = [](const std::string& name, Scene scene) {
+    scene.device.encoder_m.reset();
+    const auto events = static_cast<double>(count_friction_events(scene));
+    benchmark::RegisterBenchmark(name.c_str(), [scene, events](benchmark::State& state) {
+      measure(state, scene);
+      state.counters[kEventsCounter] = events;
+    });
+    scene.device.friction_n.reset();
+    register_row(name + kWithoutSuffix, scene);
+  };
+  Scene light = under("none", builtin("light"));
+  light.device.friction_n = 0.5;
+  add("friction events, handle alone (light)", light);
+  add("friction events, grip (tap)", under("none", builtin("tap")));
+}
+
+}  // namespace hapticwall::benchmark_rows

@@ -1,0 +1,281 @@
+#include "core/batch/batch_simulator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "core/batch/lane_block.h"
+#include "core/batch/lane_scene.h"
+#include "core/stabiliser/stabiliser.h"
+#include "tests/batch_support.h"
+
+namespace hapticwall {
+namespace {
+
+using testing::first_difference;
+using testing::one_by_one;
+
+// A press of two seconds, without friction and grip.
+Scene press(double stiffness_n_per_m) {
+  Scene scene;
+  scene.name = "press";
+  scene.duration_s = 2.0;
+  scene.device.mass_kg = 0.05;
+  scene.device.force_limit_n = 8.9;
+  scene.device.encoder_m = 0.254e-3;
+  scene.hand = HandSettings{};
+  scene.hand->mass_kg = 0.4;
+  scene.hand->stiffness_n_per_m = 250.0;
+  scene.hand->damping_n_s_per_m = 33.0;
+  scene.hand->path = {{0.0, 0.03}, {0.5, 0.075}};
+  scene.walls = {{0.05, stiffness_n_per_m, 0.0}};
+  return scene;
+}
+
+std::size_t index_of(std::string_view algorithm) { return find_algorithm(algorithm).value(); }
+
+// A map: stiffness by sampling rate, two algorithms.
+std::vector<Scene> map() {
+  std::vector<Scene> scenes;
+  for (const char* algorithm : {"none", "energy-bounding"}) {
+    for (int row = 0; row < 7; ++row) {
+      for (int column = 0; column < 9; ++column) {
+        Scene scene = press(500.0 * (column + 1));
+        scene.sampling.rate_hz = 600.0 + 137.0 * row;
+        scene.algorithm.index = index_of(algorithm);
+        scenes.push_back(scene);
+      }
+    }
+  }
+  return scenes;
+}
+
+template <typename Figures>
+BatchResult<Figures> on_threads(const std::vector<Scene>& scenes, int threads) {
+  BatchOptions options;
+  options.threads = threads;
+  return simulate_batch<Figures>(scenes, options);
+}
+
+TEST(BatchSimulator, OfNoScenesIsEmpty) {
+  const auto batch = simulate_batch<Summary>({});
+  EXPECT_TRUE(batch.figures.empty());
+  EXPECT_FALSE(batch.stopped_early);
+}
+
+TEST(BatchSimulator, GivesTheSameOnAnyNumberOfThreads) {
+  const std::vector<Scene> scenes = map();
+  const std::vector<Summary> wanted = one_by_one(scenes);
+  for (const int threads : {1, 2, 7}) {
+    EXPECT_EQ(first_difference(on_threads<Summary>(scenes, threads), wanted), "") << threads;
+    EXPECT_EQ(first_difference(on_threads<BatchVerdict>(scenes, threads), wanted), "") << threads;
+  }
+}
+
+TEST(BatchSimulator, GivesTheSameInAnyOrderAndCompany) {
+  std::vector<Scene> scenes = map();
+  std::reverse(scenes.begin(), scenes.end());
+  EXPECT_EQ(first_difference(simulate_batch<Summary>(scenes), one_by_one(scenes)), "");
+  const std::vector<Scene> alone{scenes[17]};
+  EXPECT_EQ(first_difference(simulate_batch<Summary>(alone), one_by_one(alone)), "");
+}
+
+TEST(BatchSimulator, GivesTheSameWithEveryInstructionSet) {
+  const std::vector<Scene> scenes = map();
+  const std::vector<Summary> wanted = one_by_one(scenes);
+  for (const std::int64_t target : testing::lane_targets()) {
+    const testing::OnlyTarget only(target);
+    EXPECT_EQ(first_difference(simulate_batch<Summary>(scenes), wanted), "")
+        << hwy::TargetName(target);
+    EXPECT_EQ(first_difference(simulate_batch<BatchVerdict>(scenes), wanted), "")
+        << hwy::TargetName(target);
+  }
+}
+
+// A loose hand on an undamped handle, flung out of ±1 m by a stiff wall.
+Scene flung(double stiffness_n_per_m) {
+  Scene scene = press(stiffness_n_per_m);
+  scene.device.encoder_m.reset();
+  scene.device.force_limit_n.reset();
+  scene.device.damping_n_s_per_m = 0.01;
+  scene.hand->mass_kg.reset();
+  scene.hand->stiffness_n_per_m = 5.0;
+  scene.hand->damping_n_s_per_m = 0.0;
+  return scene;
+}
+
+// Among neighbours that go on; before its last second and in it.
+TEST(BatchSimulator, ADivergedLaneEndsAtItsTickAndNoOther) {
+  std::vector<Scene> scenes;
+  for (int i = 0; i < 70; ++i) {
+    scenes.push_back(i % 3 == 0 ? flung(2e5 + 4e4 * i) : press(300.0));
+    scenes.back().device.encoder_m.reset();
+    scenes.back().duration_s = 0.5 + 0.03 * i;
+  }
+  const std::vector<Summary> wanted = one_by_one(scenes);
+  std::size_t before_tail = 0;
+  std::size_t in_tail = 0;
+  for (const Summary& summary : wanted) {
+    if (summary.verdict != Verdict::kDiverged) continue;
+    ++(summary.tail_peak_to_peak_m ? in_tail : before_tail);
+  }
+  ASSERT_GT(before_tail, 3U);
+  ASSERT_GT(in_tail, 3U);
+  EXPECT_EQ(first_difference(simulate_batch<Summary>(scenes), wanted), "");
+  EXPECT_EQ(first_difference(simulate_batch<BatchVerdict>(scenes), wanted), "");
+}
+
+// A point of the path between two ticks, several in one tick, one on the first and one on the last.
+TEST(BatchSimulator, FollowsAPathThatBendsWithinATick) {
+  std::vector<Scene> scenes;
+  for (int i = 0; i < 40; ++i) {
+    Scene scene = press(1000.0 + 50.0 * i);
+    const double bend_s = 0.4 + 0.00013 * i;
+    scene.hand->path = {{0.0001 * i, 0.03},        {bend_s, 0.06}, {bend_s + 0.0002, 0.061},
+                        {bend_s + 0.0005, 0.0605}, {0.9, 0.055},   {1.9999, 0.06}};
+    scenes.push_back(scene);
+  }
+  EXPECT_EQ(first_difference(simulate_batch<Summary>(scenes), one_by_one(scenes)), "");
+  EXPECT_EQ(first_difference(simulate_batch<BatchVerdict>(scenes), one_by_one(scenes)), "");
+}
+
+TEST(BatchSimulator, KnowsWhichScenesHaveLanes) {
+  const Scene plain = press(1000.0);
+  ASSERT_TRUE(batch::lane_kind(plain).has_value());
+  EXPECT_TRUE(batch::lane_kind(plain)->encoder);
+  for (const AlgorithmDescription& algorithm : algorithms()) {
+    Scene scene = plain;
+    scene.algorithm.index = index_of(algorithm.name);
+    const bool has_lanes = algorithm.name == "none" || algorithm.name == "virtual-coupling" ||
+                           algorithm.name == "passivity-control" ||
+                           algorithm.name == "energy-bounding";
+    EXPECT_EQ(batch::lane_kind(scene).has_value(), has_lanes) << algorithm.name;
+  }
+  const auto has_lanes_with = [&](auto change) {
+    Scene scene = plain;
+    change(scene);
+    return batch::lane_kind(scene).has_value();
+  };
+  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.walls.clear(); }));
+  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.hand.reset(); }));
+  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.device.delay_ticks = 0; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.device.friction_n = 0.1; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.device.delay_ticks = 1; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.device.amplifier_time_constant_s = 1e-3; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.device.force_resolution_n = 0.01; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.hand->grip_stiffness_n_per_m = 1000.0; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.walls.push_back({0.06, 1.0, 0.0}); }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.simulator.integrator = Integrator::kRungeKutta4; }));
+}
+
+TEST(BatchSimulator, KeepsPlantsApart) {
+  batch::PlantCache plants;
+  const Scene scene = press(1000.0);
+  const OneBodyParameters parameters = batch::one_body_parameters(scene);
+  const double first = plants.plant(parameters, 1e-3).level(0).velocity[1];
+  EXPECT_EQ(plants.plant(parameters, 1e-3).level(0).velocity[1], first);
+  EXPECT_NE(plants.plant(parameters, 2e-3).level(0).velocity[1], first);
+  OneBodyParameters softer = parameters;
+  for (int i = 0; i < 3000; ++i) {  // more than it keeps
+    softer.hand_stiffness_n_per_m += 1.0;
+    EXPECT_EQ(plants.plant(softer, 1e-3).level(0).velocity[1],
+              OneBody(softer, 1e-3).level(0).velocity[1]);
+  }
+  EXPECT_EQ(plants.plant(parameters, 1e-3).level(0).velocity[1], first);
+}
+
+TEST(BatchSimulator, StopsWhenAsked) {
+  const std::vector<Scene> scenes = map();
+  for (const int threads : {1, 4}) {
+    int questions = 0;
+    BatchOptions options;
+    options.threads = threads;
+    options.should_stop = [&] { return ++questions > 5; };
+    const auto batch = simulate_batch<Summary>(scenes, options);
+    EXPECT_TRUE(batch.stopped_early);
+    ASSERT_EQ(batch.figures.size(), scenes.size());
+    const std::vector<Summary> wanted = one_by_one(scenes);
+    std::size_t missing = 0;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      if (!batch.figures[i]) {
+        ++missing;
+      } else {
+        EXPECT_EQ(testing::differences(*batch.figures[i], wanted[i]), "");
+      }
+    }
+    EXPECT_GT(missing, 0U);
+  }
+}
+
+// A scene that would run for hours must not keep Ctrl-C waiting.
+TEST(BatchSimulator, StopsInTheMiddleOfALongScene) {
+  for (const bool lanes : {true, false}) {
+    Scene scene = press(1000.0);
+    scene.duration_s = 1e6;
+    if (!lanes) scene.device.friction_n = 0.1;
+    int questions = 0;
+    BatchOptions options;
+    options.threads = 1;
+    options.should_stop = [&] { return ++questions > 3; };
+    const auto batch = simulate_batch<BatchVerdict>({&scene, 1}, options);
+    EXPECT_TRUE(batch.stopped_early);
+    EXPECT_FALSE(batch.figures.front().has_value());
+  }
+}
+
+TEST(BatchSimulator, TellsItsProgressInOrderAndToTheEnd) {
+  std::vector<Scene> scenes = map();
+  scenes.front().device.friction_n = 0.1;
+  for (const int threads : {1, 4}) {
+    std::vector<std::size_t> told;
+    BatchOptions options;
+    options.threads = threads;
+    options.progress = [&](std::size_t done, std::size_t total) {
+      EXPECT_EQ(total, scenes.size());
+      told.push_back(done);
+    };
+    (void)simulate_batch<BatchVerdict>(scenes, options);
+    ASSERT_FALSE(told.empty());
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(std::adjacent_find(told.begin(), told.end()), told.end());
+    EXPECT_EQ(told.back(), scenes.size());
+  }
+}
+
+TEST(BatchSimulator, NeverCallsBackFromTwoThreadsAtATime) {
+  const std::vector<Scene> scenes = map();
+  std::atomic<int> inside = 0;
+  std::atomic<bool> met = false;
+  const auto call = [&] {
+    ++inside;
+    constexpr int kPatience = 1000;  // so often another thread may come and be met
+    for (int i = 0; i < kPatience && inside == 1; ++i) std::this_thread::yield();
+    if (inside > 1) met = true;
+    --inside;
+  };
+  BatchOptions options;
+  options.threads = 4;
+  options.should_stop = [&] {
+    call();
+    return false;
+  };
+  options.progress = [&](std::size_t, std::size_t) { call(); };
+  (void)simulate_batch<BatchVerdict>(scenes, options);
+  EXPECT_FALSE(met);
+}
+
+TEST(BatchSimulator, RefusesAHandThatFollowsTheMouse) {
+  Scene scene = press(1000.0);
+  scene.hand->follows_mouse = true;
+  scene.hand->path.clear();
+  EXPECT_THROW((void)simulate_batch<Summary>({&scene, 1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hapticwall
