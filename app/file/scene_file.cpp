@@ -1,17 +1,15 @@
 #include "app/file/scene_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "app/file/scene_reader.h"
+#include "app/file/small_file.h"
 #include "app/file/table_reader.h"
 #include "app/file/text.h"
 #include "embedded_scenes.h"
@@ -23,40 +21,9 @@ constexpr std::size_t kLargestSceneBytes = std::size_t{1} << 20U;
 
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
-// At most one byte more than a scene may have.
-Result<std::string> read_beginning(const std::string& path) {
-  const auto failure = [&](int code) {
-    return usage_error(
-        fmt::format("{}: cannot be read: {}", shown(path), std::generic_category().message(code)));
-  };
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return failure(errno);
-  std::string text(kLargestSceneBytes + 1, '\0');
-  std::size_t size = 0;
-  while (size < text.size()) {
-    const ssize_t count = read(descriptor, text.data() + size, text.size() - size);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      const int code = errno;
-      close(descriptor);
-      return failure(code);
-    }
-    if (count == 0) break;
-    size += static_cast<std::size_t>(count);
-  }
-  close(descriptor);
-  text.resize(size);
-  return text;
-}
-
 Result<LoadedScene> load_file(const std::string& path, std::span<const std::string> overrides) {
-  const Result<std::string> text = read_beginning(path);
+  const Result<std::string> text = read_small_file(path, "scene", kLargestSceneBytes);
   if (!text) return text.error();
-  if (text->size() > kLargestSceneBytes) {
-    return usage_error(
-        fmt::format("{}: not a scene: larger than {} bytes", shown(path), kLargestSceneBytes));
-  }
-  if (text->empty()) return usage_error(fmt::format("{}: not a scene: empty", shown(path)));
   return parse_scene(*text, path, overrides);
 }
 

@@ -17,19 +17,6 @@ namespace {
 constexpr std::size_t kLongestName = 100;
 constexpr std::size_t kLongestDescription = 1000;
 
-std::string read_line(TableReader& reader, std::string_view key, std::size_t longest) {
-  const toml::node* node = reader.node(key);
-  std::string text = reader.string(key).value_or("");
-  if (text.size() > longest) {
-    reader.fail(*node, key, fmt::format("longer than {} bytes", longest));
-  }
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20U || code == 0x7fU) reader.fail(*node, key, "has a control character");
-  }
-  return text;
-}
-
 std::vector<PathPoint> read_path(const TableReader& reader, const toml::node& node,
                                  std::string_view key) {
   const toml::array* array = node.as_array();
@@ -262,9 +249,9 @@ void read_recording(const toml::table& table, const toml::table& root, const std
 
 Scene read_tables(TableReader& reader, const std::string& origin) {
   Scene scene;
-  scene.name = read_line(reader, "name", kLongestName);
+  scene.name = reader.line("name", kLongestName);
   if (scene.name.empty()) scene.name = shown(std::filesystem::path(origin).stem().string());
-  scene.description = read_line(reader, "description", kLongestDescription);
+  scene.description = reader.line("description", kLongestDescription);
   reader.numbers(scene_number_keys(), scene);
   if (const auto* table = reader.table("sampling")) scene.sampling = read_sampling(*table, origin);
   const toml::table absent_device;

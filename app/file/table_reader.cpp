@@ -88,6 +88,17 @@ std::optional<std::string> TableReader::string(std::string_view key) {
   return **found->as_string();
 }
 
+std::string TableReader::line(std::string_view key, std::size_t longest) {
+  const toml::node* found = node(key);
+  std::string text = string(key).value_or("");
+  if (text.size() > longest) fail(*found, key, fmt::format("longer than {} bytes", longest));
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20U || code == 0x7fU) fail(*found, key, "has a control character");
+  }
+  return text;
+}
+
 const toml::table* TableReader::table(std::string_view key) {
   const toml::node* found = node(key);
   if (found != nullptr && !found->is_table())

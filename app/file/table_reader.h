@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -29,8 +30,10 @@ class ReadFailure : public std::runtime_error {
 // "a number in kg".
 [[nodiscard]] std::string number_in(std::string_view unit);
 
-// Parses a text; throws ReadFailure for what is not TOML or nested beyond reason.
-[[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& origin);
+// Parses a text; throws ReadFailure for what is not TOML or nested beyond reason. `kind` names what
+// it should have been.
+[[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& origin,
+                                     std::string_view kind = "scene");
 
 class TableReader {
  public:
@@ -43,6 +46,8 @@ class TableReader {
   [[nodiscard]] std::optional<std::uint64_t> count(std::string_view key);
   [[nodiscard]] std::optional<bool> boolean(std::string_view key);
   [[nodiscard]] std::optional<std::string> string(std::string_view key);
+  // A string without control characters, of at most so many bytes; "" where it is absent.
+  [[nodiscard]] std::string line(std::string_view key, std::size_t longest);
   [[nodiscard]] const toml::table* table(std::string_view key);
   [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key);
   [[nodiscard]] const toml::node* node(std::string_view key);

@@ -60,10 +60,10 @@ std::size_t deepest_key(std::string_view text) {
 
 }  // namespace
 
-toml::table parse_toml(std::string_view text, const std::string& origin) {
+toml::table parse_toml(std::string_view text, const std::string& origin, std::string_view kind) {
   if (deepest_key(text) > kDeepestKey) {
     throw ReadFailure(
-        fmt::format("{}: not a scene: keys of more than {} parts", shown(origin), kDeepestKey));
+        fmt::format("{}: not a {}: keys of more than {} parts", shown(origin), kind, kDeepestKey));
   }
   try {
     return toml::parse(text, std::string_view(origin));

@@ -1,0 +1,154 @@
+#include "app/file/device_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "app/file/small_file.h"
+#include "app/file/table_reader.h"
+#include "app/file/text.h"
+#include "core/scene_keys.h"
+#include "embedded_devices.h"
+
+namespace hapticwall::file {
+namespace {
+
+constexpr std::size_t kLargestBytes = std::size_t{1} << 16U;
+constexpr std::size_t kLongestName = 100;
+constexpr std::size_t kLongestSource = 1000;
+constexpr std::size_t kLongestSerial = 126;  // of a USB string descriptor
+
+constexpr ValueRange kRate{10.0, 10e3};
+constexpr std::array<NumberKey<DeviceDescription>, 1> kDeviceKeys{
+    NumberKey<DeviceDescription>{"rate_hz", "Hz", kRate, false, &DeviceDescription::rate_hz}};
+
+constexpr ValueRange kEncoder{1e-9, 0.01};
+constexpr ValueRange kForceLimit{0.0, 32.767, true};  // a report carries no more
+constexpr std::array<NumberKey<AxisDescription>, 2> kAxisKeys{
+    NumberKey<AxisDescription>{"encoder_m", "m", kEncoder, true, &AxisDescription::encoder_m},
+    NumberKey<AxisDescription>{"force_limit_n", "N", kForceLimit, true,
+                               &AxisDescription::force_limit_n}};
+
+std::string range_text(const ValueRange& range, std::string_view unit) {
+  return fmt::format(
+      "{}{}{} {}", range.minimum_excluded ? "more than " : "",
+      hapticwall::number_text(range.minimum),
+      (range.minimum_excluded ? ", at most " : " to ") + hapticwall::number_text(range.maximum),
+      unit);
+}
+
+template <typename Owner>
+void read_numbers(TableReader& reader, const toml::table& table,
+                  std::span<const NumberKey<Owner>> keys, Owner& owner) {
+  reader.numbers(keys, owner);
+  for (const NumberKey<Owner>& key : keys) {
+    const toml::node* node = table.get(key.key);
+    const double value = *key.get(owner);
+    if (node == nullptr || key.range.contains(value)) continue;
+    reader.fail(*node, key.key,
+                fmt::format("{} is out of range; it takes {}", hapticwall::number_text(value),
+                            range_text(key.range, key.unit)));
+  }
+}
+
+AxisDescription read_axis(const toml::table& table, const std::string& name,
+                          const std::string& origin) {
+  TableReader reader(table, name + ".", origin);
+  AxisDescription axis;
+  read_numbers<AxisDescription>(reader, table, kAxisKeys, axis);
+  reader.finish();
+  return axis;
+}
+
+std::uint16_t read_id(TableReader& reader, std::string_view key) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint16_t>::max();
+  const std::optional<std::uint64_t> id = reader.count(key);
+  if (!id) reader.fail_missing(key, "a number from 0x0001 to 0xffff");
+  if (*id < 1 || *id > kMost) {
+    reader.fail(*reader.node(key), key,
+                fmt::format("{} is out of range; it takes 0x0001 to 0xffff", *id));
+  }
+  return static_cast<std::uint16_t>(*id);
+}
+
+void read_usb(const toml::table& table, const std::string& origin, DeviceDescription& device) {
+  TableReader reader(table, "usb.", origin);
+  device.vendor_id = read_id(reader, "vendor_id");
+  device.product_id = read_id(reader, "product_id");
+  device.serial = reader.line("serial", kLongestSerial);
+  reader.finish();
+}
+
+DeviceDescription read_device(const toml::table& root, const std::string& origin) {
+  TableReader reader(root, "", origin);
+  DeviceDescription device;
+  device.name = reader.line("name", kLongestName);
+  if (device.name.empty()) device.name = shown(std::filesystem::path(origin).stem().string());
+  device.source = reader.line("source", kLongestSource);
+  if (device.source.empty()) {
+    reader.fail_missing("source", "a line that says where the numbers come from");
+  }
+  read_numbers<DeviceDescription>(reader, root, kDeviceKeys, device);
+  const toml::table* usb = reader.table("usb");
+  if (usb == nullptr) reader.fail_missing("usb", "a table [usb]");
+  read_usb(*usb, origin, device);
+  const toml::table* x = reader.table("x");
+  if (x == nullptr) reader.fail_missing("x", "a table [x], the first axis");
+  device.x = read_axis(*x, "x", origin);
+  if (const toml::table* y = reader.table("y")) device.y = read_axis(*y, "y", origin);
+  reader.finish();
+  return device;
+}
+
+}  // namespace
+
+Result<DeviceDescription> parse_device(std::string_view toml_text, const std::string& origin) {
+  try {
+    return read_device(parse_toml(toml_text, origin, "device description"), origin);
+  } catch (const ReadFailure& failure) {
+    return Error{ErrorKind::kUsage, failure.what()};
+  }
+}
+
+Result<DeviceDescription> load_device(const std::string& name_or_path) {
+  std::vector<std::string_view> names;
+  for (const BuiltinDevice& device : builtin_devices()) {
+    if (device.name == name_or_path) {
+      return parse_device(device.toml_text, device.name + " (built in)");
+    }
+    names.push_back(device.name);
+  }
+  std::error_code ignored;
+  const bool looks_like_a_path = name_or_path.find_first_of("/.") != std::string::npos;
+  if (!looks_like_a_path && !std::filesystem::exists(name_or_path, ignored)) {
+    return Error{
+        ErrorKind::kUsage,
+        fmt::format("{} is neither a file nor a built-in device{}; built in: {}",
+                    in_quotes(name_or_path), suggestion(name_or_path, names), joined(names))};
+  }
+  const Result<std::string> text =
+      read_small_file(name_or_path, "device description", kLargestBytes);
+  if (!text) return text.error();
+  return parse_device(*text, name_or_path);
+}
+
+const std::vector<BuiltinDevice>& builtin_devices() {
+  static const std::vector<BuiltinDevice> kDevices = [] {
+    std::vector<BuiltinDevice> devices;
+    for (const EmbeddedFile& file : embedded_devices()) {
+      devices.push_back({std::filesystem::path(file.name).stem().string(), file.bytes});
+    }
+    std::sort(devices.begin(), devices.end(),
+              [](const BuiltinDevice& a, const BuiltinDevice& b) { return a.name < b.name; });
+    return devices;
+  }();
+  return kDevices;
+}
+
+}  // namespace hapticwall::file

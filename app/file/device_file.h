@@ -1,0 +1,48 @@
+// Descriptions of haptic devices as TOML files, and the built-in ones: for a device that cannot
+// describe itself (docs/hid-protocol.md), or to correct what it says.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace hapticwall::file {
+
+struct AxisDescription {
+  double encoder_m = 0.0;      // the hand's travel a count, 1e-9 to 0.01
+  double force_limit_n = 0.0;  // more than 0, at most 32.767
+
+  friend bool operator==(const AxisDescription&, const AxisDescription&) = default;
+};
+
+struct DeviceDescription {
+  std::string name;
+  std::string source;  // where the numbers come from
+  double rate_hz = 1000.0;
+  std::uint16_t vendor_id = 0;
+  std::uint16_t product_id = 0;
+  std::string serial;  // empty: any
+  AxisDescription x;
+  std::optional<AxisDescription> y;
+
+  friend bool operator==(const DeviceDescription&, const DeviceDescription&) = default;
+};
+
+// `origin` names the text in messages ("paddle.toml:12: x.encoder_m …"). Realtime-safe: no.
+[[nodiscard]] Result<DeviceDescription> parse_device(std::string_view toml_text,
+                                                     const std::string& origin);
+
+// A built-in description's name, or a path. Realtime-safe: no.
+[[nodiscard]] Result<DeviceDescription> load_device(const std::string& name_or_path);
+
+struct BuiltinDevice {
+  std::string name;  // of the file, without ".toml"
+  std::string_view toml_text;
+};
+[[nodiscard]] const std::vector<BuiltinDevice>& builtin_devices();
+
+}  // namespace hapticwall::file

@@ -1,0 +1,58 @@
+#include "app/file/small_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "app/file/text.h"
+
+namespace hapticwall::file {
+namespace {
+
+Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
+
+// At most one byte more than `largest_bytes`.
+Result<std::string> read_beginning(const std::string& path, std::size_t largest_bytes) {
+  const auto failure = [&](int code) {
+    return usage_error(
+        fmt::format("{}: cannot be read: {}", shown(path), std::generic_category().message(code)));
+  };
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return failure(errno);
+  std::string text(largest_bytes + 1, '\0');
+  std::size_t size = 0;
+  while (size < text.size()) {
+    const ssize_t count = read(descriptor, text.data() + size, text.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const int code = errno;
+      close(descriptor);
+      return failure(code);
+    }
+    if (count == 0) break;
+    size += static_cast<std::size_t>(count);
+  }
+  close(descriptor);
+  text.resize(size);
+  return text;
+}
+
+}  // namespace
+
+Result<std::string> read_small_file(const std::string& path, std::string_view kind,
+                                    std::size_t largest_bytes) {
+  Result<std::string> text = read_beginning(path, largest_bytes);
+  if (!text) return text;
+  if (text->size() > largest_bytes) {
+    return usage_error(
+        fmt::format("{}: not a {}: larger than {} bytes", shown(path), kind, largest_bytes));
+  }
+  if (text->empty()) return usage_error(fmt::format("{}: not a {}: empty", shown(path), kind));
+  return text;
+}
+
+}  // namespace hapticwall::file

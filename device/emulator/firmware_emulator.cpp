@@ -1,0 +1,214 @@
+#include "device/emulator/firmware_emulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hapticwall::device::hid {
+namespace {
+
+constexpr double kMicrosecondsPerSecond = 1e6;
+constexpr double kFinestEncoderM = 1e-6;
+constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
+constexpr std::uint64_t kBusLossUs = 3 * kMicrosecondsPerMillisecond;
+constexpr std::uint32_t kFirmwareVersion = 0x00010000;
+constexpr std::size_t kShortBytes = 12;
+constexpr std::size_t kOverLongBytes = InputReport::kMostBytes;
+constexpr std::uint8_t kNoId = 0x07;
+constexpr std::uint8_t kNextMajor = (kProtocolMajor + 1) << 4U;
+
+const Scene& scene_of(const EmulatorSettings& settings, std::size_t axis) {
+  return axis == 0 ? settings.x : *settings.y;
+}
+
+double encoder_of(const Scene& scene) {
+  const double encoder_m = scene.device.encoder_m.value_or(0.0);
+  return encoder_m > 0.0 ? encoder_m : kFinestEncoderM;
+}
+
+InfoReport info_of(const EmulatorSettings& settings) {
+  InfoReport info;
+  info.axes = settings.y ? 2 : 1;
+  info.flags = kInfoMeasuresVelocity | kInfoCalibrates;
+  info.firmware = kFirmwareVersion;
+  for (std::size_t axis = 0; axis < info.axes; ++axis) {
+    const Scene& scene = scene_of(settings, axis);
+    info.counts_per_metre[axis] = saturated_count(1.0 / encoder_of(scene));
+    info.maximum_force_n[axis] =
+        std::min(scene.device.force_limit_n.value_or(kLargestForceN), kLargestForceN);
+  }
+  info.tick_us =
+      static_cast<std::uint16_t>(std::lround(kMicrosecondsPerSecond / settings.x.sampling.rate_hz));
+  info.watchdog_ms = settings.watchdog_ms;
+  return info;
+}
+
+}  // namespace
+
+FirmwareEmulator::FirmwareEmulator(const EmulatorSettings& settings, FaultScript script)
+    : script_(std::move(script)), settings_(settings), firmware_(info_of(settings)) {
+  for (std::size_t axis = 0; axis < firmware_.info().axes; ++axis) {
+    plants_.emplace_back(scene_of(settings, axis));
+    encoder_m_[axis] = encoder_of(scene_of(settings, axis));
+  }
+  tick_us_ = firmware_.info().tick_us;
+  next_tick_us_ = tick_us_;
+  read_encoders();
+}
+
+void FirmwareEmulator::step(std::uint64_t microseconds) {
+  const std::uint64_t end_us = now_us_ + microseconds;
+  while (next_tick_us_ <= end_us) {
+    now_us_ = next_tick_us_;
+    next_tick_us_ += tick_us_;
+    pass_tick();
+  }
+  now_us_ = end_us;
+}
+
+std::optional<InputReport> FirmwareEmulator::take_input() {
+  if (on_the_wire_.empty()) return std::nullopt;
+  const InputReport report = on_the_wire_.front();
+  on_the_wire_.pop_front();
+  return report;
+}
+
+bool FirmwareEmulator::is_plugged() const { return !lasts(FaultKind::kUnplugged) && has_power(); }
+
+bool FirmwareEmulator::accepts_output() const {
+  return is_plugged() && !lasts(FaultKind::kNoOutput) && !lasts(FaultKind::kFrozen);
+}
+
+bool FirmwareEmulator::write_output(std::span<const std::uint8_t> bytes) {
+  if (!accepts_output()) return false;
+  firmware_.receive(bytes, now_us_ - power_up_us_);
+  return true;
+}
+
+std::optional<ReportBytes> FirmwareEmulator::get_feature(std::uint8_t id) const {
+  if (!is_plugged() || lasts(FaultKind::kFrozen) || !settings_.has_info || id != kInfoId) {
+    return std::nullopt;
+  }
+  return encode_info(firmware_.info());
+}
+
+std::array<double, kMostAxes> FirmwareEmulator::amplifier_force_n() const {
+  if (!has_power() || lasts(FaultKind::kEmergencyStop)) return {};
+  return firmware_.force_n();
+}
+
+// The plant's positive force pushes out of the wall, towards smaller positions.
+void FirmwareEmulator::move_plants() {
+  const std::array<double, kMostAxes> force_n = amplifier_force_n();
+  for (std::size_t axis = 0; axis < plants_.size(); ++axis) {
+    plants_[axis].advance(-force_n[axis]);
+  }
+}
+
+void FirmwareEmulator::read_encoders() {
+  if (lasts(FaultKind::kEncoderFault)) return;
+  for (std::size_t axis = 0; axis < plants_.size(); ++axis) {
+    encoder_counts_[axis] =
+        saturated_count(round_to_even(truth(axis).position_m / encoder_m_[axis]));
+  }
+}
+
+HardwareState FirmwareEmulator::hardware() const {
+  HardwareState state;
+  state.bus_alive = now_us_ - on_bus_us_ < kBusLossUs;
+  const auto present = [&](FaultKind kind, StatusFlag bit) {
+    if (lasts(kind)) state.faults |= bit;
+  };
+  present(FaultKind::kEmergencyStop, kStatusEmergencyStop);
+  present(FaultKind::kOverTemperature, kStatusOverTemperature);
+  present(FaultKind::kOverCurrent, kStatusOverCurrent);
+  present(FaultKind::kEncoderFault, kStatusEncoderFault);
+  return state;
+}
+
+// Incremental encoders: count 0 is where the handle was when the power came back.
+void FirmwareEmulator::lose_power() {
+  firmware_.restart();
+  counts_at_power_up_ = encoder_counts_;
+  calibrated_ = false;
+  overrun_ = false;
+  power_up_us_ = now_us_;
+  alive_us_ = now_us_;
+}
+
+StateReport FirmwareEmulator::latch() {
+  StateReport state = firmware_.state(now_us_ - power_up_us_);
+  for (std::size_t axis = 0; axis < plants_.size(); ++axis) {
+    state.position_counts[axis] =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(encoder_counts_[axis]) -
+                                  static_cast<std::uint32_t>(counts_at_power_up_[axis]));
+    state.velocity_counts_per_s[axis] =
+        saturated_count(truth(axis).velocity_m_per_s / encoder_m_[axis]);
+  }
+  if (calibrated_) state.status |= kStatusCalibrated;
+  state.temperature_c = settings_.temperature_c;
+  state.supply_v = settings_.supply_v;
+  return state;
+}
+
+void FirmwareEmulator::pass_tick() {
+  move_plants();
+  read_encoders();
+  const std::uint64_t watchdog_us = firmware_.info().watchdog_ms * kMicrosecondsPerMillisecond;
+  const bool frozen = lasts(FaultKind::kFrozen);
+  hung_ = frozen && (hung_ || now_us_ - alive_us_ >= watchdog_us);
+  const bool powered = has_power();
+  if (!powered) {
+    lose_power();
+    return;
+  }
+  if (!lasts(FaultKind::kUnplugged)) on_bus_us_ = now_us_;
+  if (frozen) return;
+  alive_us_ = now_us_;
+  firmware_.tick(now_us_ - power_up_us_, hardware());
+  send(latch());
+}
+
+void FirmwareEmulator::send(const StateReport& state) {
+  if (!is_plugged() || lasts(FaultKind::kSilent)) return;
+  if (lasts(FaultKind::kNotPolled)) {
+    overrun_ = true;
+    return;
+  }
+  if (script_.strikes(FaultKind::kSkipped, now_us_, tick_us_)) return;
+  StateReport told = state;
+  if (overrun_) told.status |= kStatusReportOverrun;
+  overrun_ = false;
+  const ReportBytes bytes = encode_state(told);
+  InputReport report;
+  report.time_us = now_us_;
+  report.size = bytes.size();
+  std::copy(bytes.begin(), bytes.end(), report.bytes.begin());
+  if (last_sent_ && script_.strikes(FaultKind::kRepeated, now_us_, tick_us_)) {
+    report = *last_sent_;
+    report.time_us = now_us_;
+  }
+  last_sent_ = report;
+  spoil(report);
+  on_the_wire_.push_back(report);
+}
+
+void FirmwareEmulator::spoil(InputReport& report) const {
+  const auto strikes = [&](FaultKind kind) { return script_.strikes(kind, now_us_, tick_us_); };
+  const auto change = [&](std::size_t at, std::uint8_t value) {
+    ReportBytes bytes{};
+    std::copy_n(report.bytes.begin(), bytes.size(), bytes.begin());
+    bytes.at(at) = value;
+    seal(bytes);
+    std::copy(bytes.begin(), bytes.end(), report.bytes.begin());
+  };
+  if (strikes(FaultKind::kWrongId)) change(0, kNoId);
+  if (strikes(FaultKind::kWrongMajor)) change(1, kNextMajor);
+  if (strikes(FaultKind::kBadCrc)) report.bytes[kReportBytes - 1] ^= 1U;
+  if (strikes(FaultKind::kAllZero)) report.bytes = {};
+  if (strikes(FaultKind::kOverLong)) report.size = kOverLongBytes;
+  if (strikes(FaultKind::kShort)) report.size = kShortBytes;
+  if (strikes(FaultKind::kEmpty)) report.size = 0;
+}
+
+}  // namespace hapticwall::device::hid
