@@ -40,9 +40,10 @@ constexpr std::array<Coefficients<Real>, kTerms> kToBernstein = rounded_bernstei
 
 template <typename Real>
 Coefficients<Real> to_bernstein(const Coefficients<Real>& power) {
+  const auto& matrix = kToBernstein<Real>;
   Coefficients<Real> result{};
   for (std::size_t i = 0; i < kTerms; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) result[i] += kToBernstein<Real>[i][j] * power[j];
+    for (std::size_t j = 0; j <= i; ++j) result[i] += matrix[i][j] * power[j];
   }
   return result;
 }
