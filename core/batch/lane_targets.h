@@ -2,11 +2,6 @@
 // The best one that the processor has is chosen while the program runs.
 #pragma once
 
-// Static analysis learns nothing from the same loops in another width.
-#ifdef __clang_analyzer__
-#define HWY_COMPILE_ONLY_STATIC
-#endif
-
 #include <hwy/detect_targets.h>
 
 // Not in every version of Highway.

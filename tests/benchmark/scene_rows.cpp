@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <string>
 #include <type_traits>
 
@@ -16,18 +17,22 @@
 namespace hapticwall::benchmark_rows {
 namespace {
 
-void measure(benchmark::State& state, const Scene& scene) {
+// `events`: of friction in a run; 0 where they are not of interest.
+void measure(benchmark::State& state, const Scene& scene, double events) {
   if (simulate(scene).summary.verdict == Verdict::kDiverged) {
     state.SkipWithError("a scene that ends early measures nothing");
     return;
   }
   for (auto _ : state) benchmark::DoNotOptimize(simulate(scene));
   state.counters[kTicksCounter] = static_cast<double>(scene.tick_count());
+  if (events > 0.0) state.counters[kEventsCounter] = events;
 }
 
-void register_row(const std::string& name, const Scene& scene) {
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [scene](benchmark::State& state) { measure(state, scene); });
+void register_row(const std::string& name, const Scene& scene, double events = 0.0) {
+  const std::function<void(benchmark::State&)> run = [scene, events](benchmark::State& state) {
+    measure(state, scene, events);
+  };
+  benchmark::RegisterBenchmark(name.c_str(), run);
 }
 
 // golden-soft without its force limit: a mass, a hand's spring and damper, a wall.
@@ -79,6 +84,14 @@ std::uint64_t count_friction_events(const Scene& scene) {
   return events;
 }
 
+// A scene with friction, which is counted, and the same without.
+void add_events(const std::string& name, Scene scene) {
+  scene.device.encoder_m.reset();
+  register_row(name, scene, static_cast<double>(count_friction_events(scene)));
+  scene.device.friction_n.reset();
+  register_row(name + kWithoutSuffix, scene);
+}
+
 }  // namespace
 
 Scene builtin(const char* name) {
@@ -120,20 +133,10 @@ void add_ladder() {
 
 // Handles that a stiff wall throws to and fro for ever: they stop and break loose at every turn.
 void add_friction_events() {
-  const auto add = [](const std::string& name, Scene scene) {
-    scene.device.encoder_m.reset();
-    const auto events = static_cast<double>(count_friction_events(scene));
-    benchmark::RegisterBenchmark(name.c_str(), [scene, events](benchmark::State& state) {
-      measure(state, scene);
-      state.counters[kEventsCounter] = events;
-    });
-    scene.device.friction_n.reset();
-    register_row(name + kWithoutSuffix, scene);
-  };
   Scene light = under("none", builtin("light"));
   light.device.friction_n = 0.5;
-  add("friction events, handle alone (light)", light);
-  add("friction events, grip (tap)", under("none", builtin("tap")));
+  add_events("friction events, handle alone (light)", light);
+  add_events("friction events, grip (tap)", under("none", builtin("tap")));
 }
 
 }  // namespace hapticwall::benchmark_rows
