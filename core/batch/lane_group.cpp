@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/metrics.h"
-#include "core/plant/exact_plant.h"
+#include "core/plant/plant_model.h"
 
 namespace hapticwall::batch {
 namespace {
@@ -32,13 +32,6 @@ void advance_scalar(std::size_t lane, const LaneState& before, LanePlant& plant,
   after.account.margin_j[lane] = std::min(before.account.margin_j[lane], plant.net_work_j(motion));
 }
 
-HandPath path_of(const Scene& scene) {
-  if (!scene.hand || scene.hand->path.empty()) {
-    return {scene.device.start_m, scene.sampling.rate_hz};
-  }
-  return {scene.hand->path, scene.sampling.rate_hz};
-}
-
 }  // namespace
 
 bool LaneGroup::run(std::span<const Scene* const> scenes, const LaneKind& kind, bool account,
@@ -60,8 +53,8 @@ void LaneGroup::set_lanes(std::span<const Scene* const> scenes) {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Scene& scene = *scenes[i];
     const std::uint64_t ticks = scene.tick_count();
-    lanes_.push_back({&scene, path_of(scene), ticks, tail_begin_tick(ticks, scene.sampling.rate_hz),
-                      false, true});
+    lanes_.push_back({&scene, hand_path(scene), ticks,
+                      tail_begin_tick(ticks, scene.sampling.rate_hz), false, true});
     set_lane(scene, plants_.plant(one_body_parameters(scene), scene.sampling.period_s()), i,
              block_);
     write_path(i);

@@ -17,6 +17,7 @@
 #include "core/batch/lane_laws-inl.h"
 #include "core/batch/lane_motion-inl.h"
 #include "core/batch/lane_vector-inl.h"
+#include "core/plant/moving_plant.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hapticwall::batch::HWY_NAMESPACE {
@@ -35,7 +36,7 @@ template <typename P, std::size_t... kIndex>
 HWY_INLINE std::uint64_t move_vectors(LaneBlock& block, std::uint64_t begin, std::uint64_t end,
                                       std::index_sequence<kIndex...> /*vectors*/) {
   Motion<P> vectors[] = {Motion<P>(block, kIndex * hn::Lanes(kTag))...};
-  const Vector limit_m = constant(1.0);  // kDivergedPositionM
+  const Vector limit_m = constant(kDivergedPositionM);
   std::uint64_t tick = begin;
   for (; tick < end; ++tick) {
     Flags within = vectors[0].within(limit_m);

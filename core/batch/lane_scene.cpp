@@ -6,8 +6,9 @@
 #include <string_view>
 
 #include "core/encoder.h"
+#include "core/plant/plant_model.h"
 #include "core/servo_step.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/stabiliser/stabiliser_list.h"
 
 namespace hapticwall::batch {
 namespace {
@@ -21,10 +22,8 @@ using LawNumbers = std::array<double, kLawParameters>;
 LawNumbers no_parameters(const StabiliserContext& /*context*/) { return {}; }
 
 LawNumbers virtual_coupling_parameters(const StabiliserContext& context) {
-  const double damping = context.value_or("coupling_damping_n_s_per_m", 0.0);
-  const double largest =
-      std::max(0.0, 2.0 * (believed_damping(context) - damping) / context.period_s);
-  const double stiffness = context.value_or("coupling_stiffness_n_per_m", largest);
+  const double damping = VirtualCoupling::coupling_damping(context);
+  const double stiffness = VirtualCoupling::coupling_stiffness(context);
   const auto walls = context.walls.walls();
   const WallSettings wall = walls.empty() ? WallSettings{} : walls.front();
   const double rate_n_per_m = (wall.damping_n_s_per_m + damping) / context.period_s;
@@ -33,9 +32,8 @@ LawNumbers virtual_coupling_parameters(const StabiliserContext& context) {
 }
 
 LawNumbers passivity_control_parameters(const StabiliserContext& context) {
-  const double damping = believed_damping(context);
-  return {damping,
-          context.value_or("max_damping_n_s_per_m", damping),
+  return {believed_damping(context),
+          PassivityControl::max_damping(context),
           context.value_or("velocity_floor_m_per_s", 0.0),
           context.value_or("observer", 0.0),
           context.value_or("damping_credit", 0.0),
@@ -43,11 +41,7 @@ LawNumbers passivity_control_parameters(const StabiliserContext& context) {
 }
 
 LawNumbers energy_bounding_parameters(const StabiliserContext& context) {
-  const double damping = believed_damping(context);
-  const double rest_force_step = context.encoder_m > 0.0
-                                     ? damping * context.encoder_m / context.period_s
-                                     : std::numeric_limits<double>::max();
-  return {damping, context.value_or("rest_force_step_n", rest_force_step)};
+  return {believed_damping(context), EnergyBounding::rest_force_step(context)};
 }
 
 // The algorithms that have lanes, and the parameters that these read (lane_laws-inl.h).
@@ -155,18 +149,6 @@ std::optional<LaneKind> lane_kind(const Scene& scene) {
   if (!fits) return std::nullopt;
   const bool damped = !scene.walls.empty() && scene.walls.front().damping_n_s_per_m != 0.0;
   return LaneKind{law->law, names(device.encoder_m), damped};
-}
-
-OneBodyParameters one_body_parameters(const Scene& scene) {
-  OneBodyParameters parameters;
-  parameters.mass_kg = scene.device.mass_kg;
-  parameters.damping_n_s_per_m = scene.device.damping_n_s_per_m;
-  if (scene.hand) {
-    parameters.mass_kg += scene.hand->mass_kg.value_or(0.0);
-    parameters.hand_stiffness_n_per_m = scene.hand->stiffness_n_per_m;
-    parameters.hand_damping_n_s_per_m = scene.hand->damping_n_s_per_m;
-  }
-  return parameters;
 }
 
 const OneBody& PlantCache::plant(const OneBodyParameters& p, double period_s) {

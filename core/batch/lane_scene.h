@@ -39,8 +39,6 @@ class PlantCache {
   std::map<Key, OneBody> plants_;
 };
 
-[[nodiscard]] OneBodyParameters one_body_parameters(const Scene& scene);
-
 // Sets lane `lane` to tick 0 of `scene`, whose lane_kind() is something.
 void set_lane(const Scene& scene, const OneBody& body, std::size_t lane, LaneBlock& block);
 // A lane that rests for ever.

@@ -3,13 +3,6 @@
 namespace hapticwall {
 namespace {
 
-HandPath make_path(const Scene& scene) {
-  if (!scene.hand || scene.hand->path.empty()) {
-    return {scene.device.start_m, scene.sampling.rate_hz};
-  }
-  return {scene.hand->path, scene.sampling.rate_hz};
-}
-
 // Which optional parts a scene names.
 PlantParts parts_of(const Scene& scene) {
   return {scene.hand && scene.hand->has_grip(), scene.device.friction_n.value_or(0.0) > 0.0,
@@ -39,7 +32,7 @@ SteppedParameters parameters_of(const Scene& scene) {
 template <typename Real, typename Body>
 ExactPlantVariant<Real> make_exact_with(const Scene& scene, const Body& body) {
   const double period_s = scene.sampling.period_s();
-  const HandPath path = make_path(scene);
+  const HandPath path = hand_path(scene);
   if (!parts_of(scene).friction) {
     return ExactPlant<Body, false>(body, path, period_s, scene.device.start_m, 0.0);
   }
@@ -52,10 +45,8 @@ ExactPlantVariant<Real> make_exact_with_lag(const Scene& scene) {
   const SteppedParameters p = parameters_of(scene);
   const double period_s = scene.sampling.period_s();
   if (!parts_of(scene).grip) {
-    return make_exact_with<Real>(
-        scene, BasicOneBody<Real, kLag>({p.mass_kg, p.damping_n_s_per_m, p.hand_stiffness_n_per_m,
-                                         p.hand_damping_n_s_per_m, p.time_constant_s},
-                                        period_s));
+    return make_exact_with<Real>(scene,
+                                 BasicOneBody<Real, kLag>(one_body_parameters(scene), period_s));
   }
   return make_exact_with<Real>(
       scene, BasicTwoBodies<Real, kLag>(
@@ -73,7 +64,7 @@ ExactPlantVariant<Real> make_exact_plant(const Scene& scene) {
 
 template <template <PlantParts> class Scheme, PlantParts kParts>
 SteppedPlantVariant<Scheme> make_stepped(const Scene& scene) {
-  return SteppedPlant<Scheme<kParts>>(parameters_of(scene), make_path(scene),
+  return SteppedPlant<Scheme<kParts>>(parameters_of(scene), hand_path(scene),
                                       scene.sampling.period_s(), scene.device.start_m,
                                       scene.simulator.substeps);
 }
@@ -96,6 +87,19 @@ SteppedPlantVariant<Scheme> make_stepped_plant(const Scene& scene) {
 }
 
 }  // namespace
+
+HandPath hand_path(const Scene& scene) {
+  if (!scene.hand || scene.hand->path.empty()) {
+    return {scene.device.start_m, scene.sampling.rate_hz};
+  }
+  return {scene.hand->path, scene.sampling.rate_hz};
+}
+
+OneBodyParameters one_body_parameters(const Scene& scene) {
+  const SteppedParameters p = parameters_of(scene);
+  return {p.mass_kg, p.damping_n_s_per_m, p.hand_stiffness_n_per_m, p.hand_damping_n_s_per_m,
+          p.time_constant_s};
+}
 
 PlantVariant make_plant(const Scene& scene) {
   switch (scene.simulator.integrator) {

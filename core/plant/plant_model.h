@@ -47,6 +47,13 @@ decltype(auto) visit_plant(Visitor&& visitor, Variant& variant) {
                     variant);
 }
 
+// Of a scene whose hand does not grip. Realtime-safe: yes.
+[[nodiscard]] OneBodyParameters one_body_parameters(const Scene& scene);
+
+// The path of a scene's hand; one that stays at the start where a scene has none. Realtime-safe:
+// no.
+[[nodiscard]] HandPath hand_path(const Scene& scene);
+
 // The plant of a validated scene. Realtime-safe: no (set-up mathematics).
 [[nodiscard]] PlantVariant make_plant(const Scene& scene);
 // The scene's plant with the exact integrator, whatever the scene says, in long double: the

@@ -34,9 +34,18 @@ class EnergyBounding {
       "limits the change of force in a tick to what the device's damping can dissipate",
       kParameters};
 
+  // α_max, named or by default. The largest motion that one count hides is Δ a tick: b Δ/T. Without
+  // an encoder v_k = 0 means rest, and the paper needs no bound.
+  [[nodiscard]] static double rest_force_step(const StabiliserContext& context) {
+    const double hidden_n = context.encoder_m > 0.0
+                                ? believed_damping(context) * context.encoder_m / context.period_s
+                                : std::numeric_limits<double>::max();
+    return context.value_or("rest_force_step_n", hidden_n);
+  }
+
   void configure(const StabiliserContext& context) {
     damping_n_s_per_m_ = believed_damping(context);
-    rest_force_step_n_ = context.value_or("rest_force_step_n", default_rest_force_step(context));
+    rest_force_step_n_ = rest_force_step(context);
   }
   void reset() {}
 
@@ -51,13 +60,6 @@ class EnergyBounding {
   }
 
  private:
-  // The largest motion that one count hides is Δ a tick: b Δ/T. Without an encoder v_k = 0 means
-  // rest, and the paper needs no bound.
-  [[nodiscard]] static double default_rest_force_step(const StabiliserContext& context) {
-    if (context.encoder_m <= 0.0) return std::numeric_limits<double>::max();
-    return believed_damping(context) * context.encoder_m / context.period_s;
-  }
-
   double damping_n_s_per_m_ = 0.0;
   double rest_force_step_n_ = 0.0;
 };

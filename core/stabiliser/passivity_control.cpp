@@ -11,8 +11,7 @@ void PassivityControl::configure(const StabiliserContext& context) {
   held_force_ = context.value_or("observer", 0.0) != 0.0;
   damping_credit_ = context.value_or("damping_credit", 0.0) != 0.0;
   reset_in_free_motion_ = context.value_or("reset_in_free_motion", 0.0) != 0.0;
-  // b ≥ K T/2 + B with K = 0 [paper, Eq. 18].
-  max_damping_n_s_per_m_ = context.value_or("max_damping_n_s_per_m", damping_n_s_per_m_);
+  max_damping_n_s_per_m_ = max_damping(context);
   velocity_floor_m_per_s_ = context.value_or("velocity_floor_m_per_s", 0.0);
 }
 

@@ -65,6 +65,12 @@ class PassivityControl {
       "watches the energy that the wall returns and damps the handle when it is too much",
       kParameters};
 
+  // The largest damping that it injects, named or by default: b, because b ≥ K T/2 + B with K = 0
+  // [paper, Eq. 18].
+  [[nodiscard]] static double max_damping(const StabiliserContext& context) {
+    return context.value_or("max_damping_n_s_per_m", believed_damping(context));
+  }
+
   void configure(const StabiliserContext& context);
   void reset();
   [[nodiscard]] double step(const StabiliserInput& input);

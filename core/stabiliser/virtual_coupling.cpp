@@ -2,13 +2,21 @@
 
 namespace hapticwall {
 
+double VirtualCoupling::coupling_damping(const StabiliserContext& context) {
+  return context.value_or("coupling_damping_n_s_per_m", 0.0);
+}
+
+double VirtualCoupling::coupling_stiffness(const StabiliserContext& context) {
+  const double spare = believed_damping(context) - coupling_damping(context);
+  const double largest = std::max(0.0, 2.0 * spare / context.period_s);
+  return context.value_or("coupling_stiffness_n_per_m", largest);
+}
+
 void VirtualCoupling::configure(const StabiliserContext& context) {
   walls_ = context.walls;
   period_s_ = context.period_s;
-  damping_n_s_per_m_ = context.value_or("coupling_damping_n_s_per_m", 0.0);
-  const double largest =
-      std::max(0.0, 2.0 * (believed_damping(context) - damping_n_s_per_m_) / context.period_s);
-  stiffness_n_per_m_ = context.value_or("coupling_stiffness_n_per_m", largest);
+  damping_n_s_per_m_ = coupling_damping(context);
+  stiffness_n_per_m_ = coupling_stiffness(context);
 }
 
 double VirtualCoupling::step(const StabiliserInput& input) {

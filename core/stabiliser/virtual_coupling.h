@@ -45,6 +45,10 @@ class VirtualCoupling {
       "virtual-coupling", "Virtual coupling",
       "a spring between handle and wall, as soft as the device's damping requires", kParameters};
 
+  // K_c and B_c as a scene has them, named or by default.
+  [[nodiscard]] static double coupling_stiffness(const StabiliserContext& context);
+  [[nodiscard]] static double coupling_damping(const StabiliserContext& context);
+
   void configure(const StabiliserContext& context);
   void reset() { proxies_.fill(Proxy{}); }
   [[nodiscard]] double step(const StabiliserInput& input);

@@ -12,6 +12,7 @@
 
 #include "core/batch/lane_block.h"
 #include "core/batch/lane_scene.h"
+#include "core/plant/plant_model.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/batch_support.h"
 
@@ -177,7 +178,7 @@ TEST(BatchSimulator, KnowsWhichScenesHaveLanes) {
 TEST(BatchSimulator, KeepsPlantsApart) {
   batch::PlantCache plants;
   const Scene scene = press(1000.0);
-  const OneBodyParameters parameters = batch::one_body_parameters(scene);
+  const OneBodyParameters parameters = one_body_parameters(scene);
   const double first = plants.plant(parameters, 1e-3).level(0).velocity[1];
   EXPECT_EQ(plants.plant(parameters, 1e-3).level(0).velocity[1], first);
   EXPECT_NE(plants.plant(parameters, 2e-3).level(0).velocity[1], first);
