@@ -11,6 +11,7 @@ struct DeviceReading {
   double position_m = 0.0;  // as the encoder tells it
   double age_s = 0.0;       // of the position; 0 for the simulator
   DeviceState state = DeviceState::kOk;
+  double device_time_s = 0.0;  // of the position, by the device's own clock; 0 for the simulator
 };
 
 }  // namespace hapticwall

@@ -40,6 +40,10 @@ struct Sample {
   double energy_scv_j = 0.0;       // Eq. 10
   double energy_budget_j = 0.0;    // -T Σ b v²
   PlantTruth truth;
+  // Only a real device's: when the position was latched, by its own clock since it was opened, and
+  // how old the position was when it was acted upon. 0 from the simulator.
+  double device_time_s = 0.0;
+  double read_age_s = 0.0;
   std::uint32_t flags = 0;
   std::uint32_t generation = 0;  // of the parameters in force (live sessions; 0 in headless runs)
 };

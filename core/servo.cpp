@@ -49,8 +49,10 @@ void Servo::apply(const ServoSettings& settings) {
 void Servo::reset() {
   stabilisers_.reset();
   const double budget_n_per_m = state_.budget_n_per_m;
+  const double force_gain = state_.force_gain;
   state_ = ServoState{};
   state_.budget_n_per_m = budget_n_per_m;
+  state_.force_gain = force_gain;
 }
 
 }  // namespace hapticwall

@@ -73,7 +73,10 @@ struct ServoState {
   double budget_n_per_m = 0.0;  // b/T, b as the algorithm believes it
   EnergyLedger ledger;
   SwitchTransition transition;
-  bool position_known = false;  // a reading without fault has come since the reset
+  // What reaches the device of the force, 0 to 1: less than 1 while a device is not or not yet
+  // fully armed.
+  double force_gain = 1.0;
+  bool position_known = false;  // the last reading was without fault
   bool parameters_changed = false;
   bool failed = false;  // a force that was not finite; sticky until reset
 };
@@ -82,6 +85,8 @@ struct ServoState {
 struct TickOutcome {
   std::uint64_t tick = 0;
   double position_m = 0.0;
+  double age_s = 0.0;          // of the position
+  double device_time_s = 0.0;  // of the position, by the device's clock
   double displacement_m = 0.0;
   double velocity_m_per_s = 0.0;
   WallContact contact;
@@ -103,22 +108,28 @@ namespace detail {
   return std::clamp(wanted_n, -limit_n, limit_n);
 }
 
+// No negative zero, and what is not finite stays so. Realtime-safe: yes.
+[[nodiscard]] inline double scale_force(double wanted_n, double gain) {
+  return gain == 0.0 && std::isfinite(wanted_n) ? 0.0 : wanted_n * gain;
+}
+
 }  // namespace detail
 
 // What a caller knows of its ticks beforehand; a question that has one answer only is then not in
 // the loop. Every such tick gives the same bits as one of which nothing is known.
 struct StepKnowledge {
   bool sound_device = false;  // no reading is ever old or faulty
-  // A reading has come since the reset, no switch is being blended, and no force was ever other
-  // than finite; see is_steady(). Stays true from tick to tick while state.failed is false.
+  // The last reading was sound, no switch is being blended, all of the force reaches the device,
+  // and none was ever other than finite; see is_steady(). Stays true from tick to tick while
+  // state.failed is false and the device is sound.
   bool steady = false;
   bool one_undamped_wall = false;
 };
 
 // Realtime-safe: yes, these two.
 [[nodiscard]] inline bool is_steady(const ServoState& state) {
-  return state.position_known && state.transition.ticks_left == 0 && !state.failed &&
-         !state.parameters_changed;
+  return state.position_known && state.transition.ticks_left == 0 && state.force_gain == 1.0 &&
+         !state.failed && !state.parameters_changed;
 }
 [[nodiscard]] inline bool has_one_undamped_wall(const ServoSettings& settings) {
   const auto walls = settings.walls.walls();
@@ -137,6 +148,8 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
   if constexpr (!kKnown.sound_device) {
     out.stale = !(reading.age_s <= settings.maximum_age_s);
     out.fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
+    out.age_s = reading.age_s;
+    out.device_time_s = reading.device_time_s;
   }
   out.position_m = out.fault ? state.previous_position_m : reading.position_m;
 
@@ -157,6 +170,9 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
     if (state.transition.ticks_left > 0) [[unlikely]] {
       wanted_n = state.transition.blend(wanted_n, state.previous_force_n);
     }
+    if (state.force_gain < 1.0) [[unlikely]] {
+      wanted_n = detail::scale_force(wanted_n, state.force_gain);
+    }
   }
   out.force_n = wanted_n;
   if (out.stale || out.fault || (!kKnown.steady && state.failed) ||
@@ -171,7 +187,8 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
   state.previous_position_m = out.position_m;
   state.previous_force_n = out.force_n;
   if constexpr (!kKnown.steady) {
-    state.position_known = state.position_known || !out.fault;
+    // Where the handle was meanwhile is not known: the first reading after a fault is no move.
+    state.position_known = !out.fault;
     out.parameters_changed = state.parameters_changed;
     state.parameters_changed = false;
   }
@@ -199,6 +216,8 @@ inline void write_sample(const ServoSettings& settings, const EnergyLedger& ledg
   sample.energy_hold_j = ledger.hold_j;
   sample.energy_scv_j = ledger.scv_j;
   sample.energy_budget_j = ledger.budget_j;
+  sample.device_time_s = out.device_time_s;
+  sample.read_age_s = out.age_s;
   const auto flag = [](bool set, SampleFlag bit) {
     return set ? static_cast<std::uint32_t>(bit) : 0U;
   };
