@@ -6,6 +6,7 @@
 #include "core/device_reading.h"
 #include "core/result.h"
 #include "core/sample.h"
+#include "device/link_figures.h"
 
 namespace hapticwall {
 class PlantModel;
@@ -16,6 +17,9 @@ namespace hapticwall::device {
 struct DeviceInfo {
   std::string name;  // for people and for the sidecar
   bool is_simulated = false;
+  // What a real device knows of itself once it is open, for the loop's axis; 0: nothing.
+  double encoder_m = 0.0;
+  double force_limit_n = 0.0;  // smaller than the scene's: it holds
 };
 
 // Life: open() once, then read() and write() in turn once a tick from one thread, then close().
@@ -37,6 +41,18 @@ class Device {
   // Commands `force_n` (newtons, positive pushes out of the wall) until the next write.
   // Precondition: finite and within the limit (the servo step sees to it). Realtime-safe: yes.
   virtual void write(double force_n) = 0;
+
+  // Whether the force of the next writes may act at all; not, after open(). A real device tells its
+  // amplifiers so, a simulator has none to tell. Realtime-safe: yes.
+  virtual void enable(bool enabled) { (void)enabled; }
+
+  // What the link has shown up to the newest read(); all zero where there is none. Realtime-safe:
+  // yes.
+  [[nodiscard]] virtual LinkFigures link() const { return {}; }
+
+  // What trouble there is now, in one line for people: the path, the reason, what would help. Empty
+  // where all is well. Any thread. Realtime-safe: no.
+  [[nodiscard]] virtual std::string trouble_details() const { return {}; }
 
   // Zero force, then closed; harmless when not open. Realtime-safe: no.
   virtual void close() = 0;

@@ -9,10 +9,10 @@
 
 #include "app/runtime/session.h"
 #include "app/runtime/spsc_queue.h"
-#include "app/runtime/triple_buffer.h"
 #include "core/plant/plant_model.h"
 #include "core/sample.h"
 #include "core/servo_step.h"
+#include "device/triple_buffer.h"
 
 namespace hapticwall::runtime {
 
@@ -32,6 +32,8 @@ enum class CommandKind : std::uint8_t {
   kResume,
   kStep,
   kReset,
+  kArm,
+  kDisarm,
   kStartRecording,
   kStopRecording
 };

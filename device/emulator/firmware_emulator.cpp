@@ -46,7 +46,10 @@ InfoReport info_of(const EmulatorSettings& settings) {
 }  // namespace
 
 FirmwareEmulator::FirmwareEmulator(const EmulatorSettings& settings, FaultScript script)
-    : script_(std::move(script)), settings_(settings), firmware_(info_of(settings)) {
+    : script_(std::move(script)),
+      settings_(settings),
+      firmware_(info_of(settings)),
+      hand_waits_(settings.hand_waits) {
   for (std::size_t axis = 0; axis < firmware_.info().axes; ++axis) {
     plants_.emplace_back(scene_of(settings, axis));
     encoder_m_[axis] = encoder_of(scene_of(settings, axis));
@@ -99,6 +102,7 @@ std::array<double, kMostAxes> FirmwareEmulator::amplifier_force_n() const {
 
 // The plant's positive force pushes out of the wall, towards smaller positions.
 void FirmwareEmulator::move_plants() {
+  if (hand_waits_) return;
   const std::array<double, kMostAxes> force_n = amplifier_force_n();
   for (std::size_t axis = 0; axis < plants_.size(); ++axis) {
     plants_[axis].advance(-force_n[axis]);
@@ -166,17 +170,19 @@ void FirmwareEmulator::pass_tick() {
   if (frozen) return;
   alive_us_ = now_us_;
   firmware_.tick(now_us_ - power_up_us_, hardware());
-  send(latch());
+  state_ = latch();
+  if ((state_.status & kStatusEnabled) != 0) hand_waits_ = false;
+  send();
 }
 
-void FirmwareEmulator::send(const StateReport& state) {
+void FirmwareEmulator::send() {
   if (!is_plugged() || lasts(FaultKind::kSilent)) return;
-  if (lasts(FaultKind::kNotPolled)) {
+  if (held_ || lasts(FaultKind::kNotPolled)) {
     overrun_ = true;
     return;
   }
   if (script_.strikes(FaultKind::kSkipped, now_us_, tick_us_)) return;
-  StateReport told = state;
+  StateReport told = state_;
   if (overrun_) told.status |= kStatusReportOverrun;
   overrun_ = false;
   const ReportBytes bytes = encode_state(told);

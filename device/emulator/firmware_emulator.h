@@ -27,6 +27,9 @@ struct EmulatorSettings {
   std::optional<Scene> y;
   std::uint16_t watchdog_ms = 50;
   bool has_info = true;  // false: a device that must be described by a file
+  // The hand and the handle stand still until the amplifiers are enabled for the first time: what
+  // follows is the scene from its start, however long the host took to come.
+  bool hand_waits = false;
   double temperature_c = 25.0;
   double supply_v = 24.0;
 };
@@ -52,10 +55,15 @@ class FirmwareEmulator {
   void step(std::uint64_t microseconds);
   [[nodiscard]] std::uint64_t now_us() const { return now_us_; }
   [[nodiscard]] std::uint64_t next_tick_us() const { return next_tick_us_; }
+  [[nodiscard]] std::uint64_t tick_us() const { return tick_us_; }
+  [[nodiscard]] std::size_t axes() const { return plants_.size(); }
 
   // The oldest report that has not been taken yet. The bus of a host that never takes one keeps
   // them all.
   [[nodiscard]] std::optional<InputReport> take_input();
+
+  // While held nobody fetches reports: none goes out, and the next one that does tells of it.
+  void hold_reports(bool held) { held_ = held; }
 
   // True where a packet of the output endpoint would be taken at this moment; else a host waits.
   [[nodiscard]] bool accepts_output() const;
@@ -70,6 +78,8 @@ class FirmwareEmulator {
 
   // Really at the amplifiers now, newtons towards growing counts.
   [[nodiscard]] std::array<double, kMostAxes> amplifier_force_n() const;
+  // What the firmware latched last, sent or not; all zero before its first tick.
+  [[nodiscard]] const StateReport& state() const { return state_; }
   // Axis 0 or, where there is a second one, 1.
   [[nodiscard]] const PlantTruth& truth(std::size_t axis) const { return plants_.at(axis).truth(); }
   [[nodiscard]] PlantModel& plant(std::size_t axis) { return plants_.at(axis); }
@@ -83,7 +93,7 @@ class FirmwareEmulator {
   void move_plants();
   void read_encoders();
   void lose_power();
-  void send(const StateReport& state);
+  void send();
   void spoil(InputReport& report) const;
 
   FaultScript script_;
@@ -102,6 +112,9 @@ class FirmwareEmulator {
   bool calibrated_ = true;
   bool hung_ = false;  // the watchdog in hardware has struck, the firmware is not back yet
   bool overrun_ = false;
+  bool held_ = false;
+  bool hand_waits_ = false;  // still
+  StateReport state_;
   std::deque<InputReport> on_the_wire_;
   std::optional<InputReport> last_sent_;
 };

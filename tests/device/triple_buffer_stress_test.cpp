@@ -7,9 +7,9 @@
 #include <thread>
 #include <vector>
 
-#include "app/runtime/triple_buffer.h"
+#include "device/triple_buffer.h"
 
-namespace hapticwall::runtime {
+namespace hapticwall {
 namespace {
 
 // Large enough that a copy is no single instruction: a torn one has unequal words.
@@ -137,4 +137,4 @@ TEST(TripleBufferStress, ValuesAreWholeNeverGoBackAndTheLastOneArrives) {
 }
 
 }  // namespace
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall

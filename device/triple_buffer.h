@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace hapticwall::runtime {
+namespace hapticwall {
 
 // Keeps what two threads write apart, so that neither slows the other down.
 inline constexpr std::size_t kCacheLineBytes = 64;
@@ -76,4 +76,4 @@ class TripleBuffer {
   alignas(kCacheLineBytes) std::uint8_t front_ = 2;                // the consumer's
 };
 
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall

@@ -1,0 +1,43 @@
+#include "device/hid_port.h"
+
+#include <algorithm>
+
+namespace hapticwall::device::hid {
+
+std::string obstacle_text(const std::string& path, Obstacle obstacle) {
+  switch (obstacle) {
+    case Obstacle::kNone:
+      return "";
+    case Obstacle::kPermission:
+      return path +
+             " may not be opened: permission denied; install the udev rule 70-hapticwall.rules, "
+             "then plug the device in again";
+    case Obstacle::kBusy:
+      return path + " is in use: close the program that has it";
+    case Obstacle::kGone:
+      return path + " is not there any more: plug the device in again";
+  }
+  return "";
+}
+
+bool may_be_haptic(const Listing& listing) {
+  if (listing.usage_page == 0) return true;
+  return listing.usage_page == kUsagePage && (listing.usage == kUsage || listing.usage == 0);
+}
+
+std::vector<Listing> each_path_once(const std::vector<Listing>& listings) {
+  std::vector<Listing> once;
+  for (const Listing& listing : listings) {
+    const auto same = std::find_if(once.begin(), once.end(), [&](const Listing& earlier) {
+      return earlier.path == listing.path;
+    });
+    if (same == once.end()) {
+      once.push_back(listing);
+    } else if (!may_be_haptic(*same) && may_be_haptic(listing)) {
+      *same = listing;
+    }
+  }
+  return once;
+}
+
+}  // namespace hapticwall::device::hid

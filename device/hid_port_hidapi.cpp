@@ -1,0 +1,209 @@
+// hidapi behind the port. What it needs to be protected from:
+//   reading and writing one handle from two threads ends in a double free of its error text after
+//   an unplug; on hidraw every open() is a handle of its own, on libusb, where only one is
+//   possible, a mutex keeps the two apart; list, open and close keep global state without a lock:
+//   all of one thread, one port at a time; a path that was not listed can crash it.
+#include <fcntl.h>
+#include <hidapi.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "device/hid_port.h"
+#include "device/utf8.h"
+
+namespace hapticwall::device::hid {
+namespace {
+
+constexpr std::string_view kTransport = HAPTICWALL_HIDAPI;
+constexpr bool kIsLibusb = kTransport == "libusb";
+static_assert(kIsLibusb || kTransport == "hidraw", "HAPTICWALL_HIDAPI is hidraw or libusb");
+
+// How often a reader looks that shares its handle with a writer.
+constexpr std::chrono::microseconds kSharedPoll{250};
+
+struct CloseDevice {
+  void operator()(hid_device* device) const { hid_close(device); }
+};
+using OpenDevice = std::unique_ptr<hid_device, CloseDevice>;
+
+// An open device and, where two handles share it, what keeps them apart.
+struct SharedDevice {
+  OpenDevice device;
+  std::mutex mutex;
+  // One of the handles is closed: the other one is on its way, and nobody joins it.
+  std::atomic<bool> closing{false};
+};
+
+ReadOutcome outcome_of(int result) {
+  if (result < 0) return {ReadKind::kFailed, 0};
+  // hidapi does not tell a time-out from an empty packet.
+  if (result == 0) return {ReadKind::kNothing, 0};
+  return {ReadKind::kReport, static_cast<std::size_t>(result)};
+}
+
+class HidapiHandle : public Handle {
+ public:
+  explicit HidapiHandle(std::shared_ptr<SharedDevice> shared) : shared_(std::move(shared)) {}
+  ~HidapiHandle() override { shared_->closing = true; }
+
+  ReadOutcome read(std::span<std::uint8_t> bytes, int wait_ms) override {
+    if constexpr (!kIsLibusb) return outcome_of(read_now(bytes, wait_ms));
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(wait_ms);
+    while (true) {
+      const int result = read_now(bytes, 0);
+      if (result != 0 || std::chrono::steady_clock::now() >= end) return outcome_of(result);
+      std::this_thread::sleep_for(kSharedPoll);
+    }
+  }
+
+  bool write(const ReportBytes& bytes) override {
+    const std::lock_guard lock(shared_->mutex);
+    return hid_write(shared_->device.get(), bytes.data(), bytes.size()) ==
+           static_cast<int>(bytes.size());
+  }
+
+  std::size_t get_feature(std::uint8_t id, std::span<std::uint8_t> bytes) override {
+    if (bytes.empty()) return 0;
+    bytes[0] = id;
+    const std::lock_guard lock(shared_->mutex);
+    const int size = hid_get_feature_report(shared_->device.get(), bytes.data(), bytes.size());
+    return static_cast<std::size_t>(std::max(size, 0));
+  }
+
+ private:
+  int read_now(std::span<std::uint8_t> bytes, int wait_ms) {
+    const std::lock_guard lock(shared_->mutex);
+    return hid_read_timeout(shared_->device.get(), bytes.data(), bytes.size(), wait_ms);
+  }
+
+  std::shared_ptr<SharedDevice> shared_;
+};
+
+// The file that has to be opened: of hidraw the path itself; libusb's ("1-4.2:1.0") names the
+// device as sysfs does, which knows its number on the bus.
+std::string node_of(const std::string& path) {
+  if constexpr (!kIsLibusb) return path;
+  const std::string folder = "/sys/bus/usb/devices/" + path.substr(0, path.find(':'));
+  const auto three_digits = [&](const char* name) {
+    std::string number;
+    std::ifstream(folder + "/" + name) >> number;
+    return std::string(3 - std::min<std::size_t>(number.size(), 3), '0') + number;
+  };
+  return "/dev/bus/usb/" + three_digits("busnum") + "/" + three_digits("devnum");
+}
+
+Obstacle obstacle_at(const std::string& path) {
+  if (faccessat(AT_FDCWD, node_of(path).c_str(), R_OK | W_OK, AT_EACCESS) == 0) {
+    return Obstacle::kNone;
+  }
+  return errno == EACCES || errno == EPERM ? Obstacle::kPermission : Obstacle::kGone;
+}
+
+Listing listing_of(const hid_device_info& info) {
+  Listing listing;
+  listing.path = info.path;
+  listing.vendor_id = info.vendor_id;
+  listing.product_id = info.product_id;
+  listing.serial = to_utf8(info.serial_number);
+  listing.manufacturer = to_utf8(info.manufacturer_string);
+  listing.product = to_utf8(info.product_string);
+  listing.usage_page = info.usage_page;
+  listing.usage = info.usage;
+  return listing;
+}
+
+std::atomic<bool>& port_exists() {
+  static std::atomic<bool> exists{false};
+  return exists;
+}
+
+class HidapiPort : public Port {
+ public:
+  HidapiPort() = default;
+  ~HidapiPort() override {
+    hid_exit();
+    port_exists() = false;
+  }
+
+  Result<std::vector<Listing>> list() override {
+    std::vector<Listing> listings;
+    hid_device_info* const first = hid_enumerate(0, 0);
+    for (const hid_device_info* info = first; info != nullptr; info = info->next) {
+      if (info->path != nullptr && info->path[0] != '\0') listings.push_back(listing_of(*info));
+    }
+    hid_free_enumeration(first);
+    listings = each_path_once(listings);
+    listed_.clear();
+    for (const Listing& listing : listings) listed_.insert(listing.path);
+    return listings;
+  }
+
+  Result<std::unique_ptr<Handle>> open(const std::string& path) override {
+    if (!listed_.contains(path)) {
+      return Error{ErrorKind::kDevice, path + " is not in the list of HID devices"};
+    }
+    if (auto shared = shared_device(path)) return handle_on(std::move(shared));
+    if (const Obstacle obstacle = obstacle_at(path); obstacle != Obstacle::kNone) {
+      return Error{ErrorKind::kDevice, obstacle_text(path, obstacle)};
+    }
+    auto shared = std::make_shared<SharedDevice>();
+    shared->device.reset(hid_open_path(path.c_str()));
+    if (!shared->device) return not_opened(path);
+    open_[path] = shared;
+    return handle_on(std::move(shared));
+  }
+
+  Obstacle obstacle(const std::string& path) override { return obstacle_at(path); }
+
+ private:
+  static Result<std::unique_ptr<Handle>> handle_on(std::shared_ptr<SharedDevice> shared) {
+    return std::unique_ptr<Handle>(std::make_unique<HidapiHandle>(std::move(shared)));
+  }
+
+  // On libusb, what is open at that path.
+  std::shared_ptr<SharedDevice> shared_device(const std::string& path) {
+    if constexpr (!kIsLibusb) return nullptr;
+    const auto found = open_.find(path);
+    std::shared_ptr<SharedDevice> shared = found == open_.end() ? nullptr : found->second.lock();
+    return shared && !shared->closing ? shared : nullptr;
+  }
+
+  static Error not_opened(const std::string& path) {
+    const Obstacle now = obstacle_at(path);
+    if (now != Obstacle::kNone) return {ErrorKind::kDevice, obstacle_text(path, now)};
+    if (kIsLibusb) return {ErrorKind::kDevice, obstacle_text(path, Obstacle::kBusy)};
+    return {ErrorKind::kDevice, path + " cannot be opened: " + to_utf8(hid_error(nullptr))};
+  }
+
+  std::set<std::string> listed_;
+  std::map<std::string, std::weak_ptr<SharedDevice>> open_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Port>> open_system_port() {
+  if (port_exists().exchange(true)) {
+    return Error{ErrorKind::kDevice,
+                 "the HID transport is in use by another session of this program: end it first"};
+  }
+  if (hid_init() != 0) {
+    port_exists() = false;
+    return Error{ErrorKind::kDevice, "the HID transport (" + std::string(kTransport) +
+                                         ") does not work on this machine"};
+  }
+  return std::unique_ptr<Port>(std::make_unique<HidapiPort>());
+}
+
+std::string_view transport_name() { return kTransport; }
+
+}  // namespace hapticwall::device::hid

@@ -1,0 +1,264 @@
+#include "device/link_owner.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "device/hid_match.h"
+
+namespace hapticwall::device {
+namespace {
+
+// How often the owner looks at a link that is up, and at what is about to happen.
+constexpr std::int64_t kWatchNs = 5 * kMillisecondNs;
+constexpr std::int64_t kSoonNs = kMillisecondNs;
+// More writers than this in writes that do not end: wait for them before the next attempt.
+constexpr std::size_t kMostLeftAlone = 4;
+
+std::string four_digits(std::uint16_t number) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (int shift = 12; shift >= 0; shift -= 4) text += kDigits[(number >> shift) & 0xFU];
+  return text;
+}
+
+std::string nobody_there(const ImpulseEngineOptions& options) {
+  std::string text = "no haptic device";
+  if (options.vendor_id != 0) {
+    text += " " + four_digits(options.vendor_id) + ":" + four_digits(options.product_id);
+  }
+  if (!options.serial.empty()) text += " with the serial number " + options.serial;
+  if (!options.path.empty()) text += " at " + options.path;
+  return text + " is connected; 'hapticwall devices' lists what is there";
+}
+
+}  // namespace
+
+LinkOwner::LinkOwner(LinkExchange& exchange, LinkReader& reader, ImpulseEngineOptions options,
+                     hid::PortOpener open_port, const HostClock& now_ns, StartWriter start_writer)
+    : exchange_(exchange),
+      reader_(reader),
+      options_(std::move(options)),
+      open_port_(std::move(open_port)),
+      now_ns_(now_ns),
+      start_writer_(std::move(start_writer)),
+      next_attempt_ns_(now_ns()) {}
+
+std::string LinkOwner::words() const {
+  const std::lock_guard lock(mutex_);
+  return words_;
+}
+
+std::optional<hid::DeviceFigures> LinkOwner::figures() const {
+  const std::lock_guard lock(mutex_);
+  return figures_;
+}
+
+void LinkOwner::say(const std::string& words) {
+  const std::lock_guard lock(mutex_);
+  words_ = words;
+}
+
+std::int64_t LinkOwner::step() {
+  const std::int64_t now_ns = now_ns_();
+  bury();
+  if (stop_.load(std::memory_order_acquire)) {
+    if (phase_ == Phase::kStarting || phase_ == Phase::kUp) {
+      take_down(Trouble::kNotFound, "", now_ns);
+    }
+    if (phase_ == Phase::kClosing) go_on_closing(now_ns);
+    if (phase_ == Phase::kLooking) end_when_closed();
+    return next_step_ns(now_ns);
+  }
+  switch (phase_) {
+    case Phase::kLooking:
+      if (now_ns >= next_attempt_ns_ && left_alone_.size() < kMostLeftAlone) look(now_ns);
+      break;
+    case Phase::kStarting:
+      watch_start(now_ns);
+      break;
+    case Phase::kUp:
+      watch(now_ns);
+      break;
+    case Phase::kClosing:
+      go_on_closing(now_ns);
+      break;
+  }
+  return next_step_ns(now_ns);
+}
+
+std::int64_t LinkOwner::next_step_ns(std::int64_t now_ns) const {
+  if (ending() == Ending::kEnded) return now_ns;
+  const std::int64_t soon_ns = now_ns + kSoonNs;
+  switch (phase_) {
+    case Phase::kLooking:
+      if (stop_.load(std::memory_order_acquire)) return soon_ns;
+      return std::max(next_attempt_ns_, soon_ns);
+    case Phase::kUp:
+      return now_ns + kWatchNs;
+    case Phase::kStarting:
+    case Phase::kClosing:
+      break;
+  }
+  return soon_ns;
+}
+
+void LinkOwner::look(std::int64_t now_ns) {
+  next_attempt_ns_ = now_ns + back_off_ns_;
+  back_off_ns_ = std::min(2 * back_off_ns_, kLongestBackOffNs);
+  ++attempts_;
+  const Failure failure = bring_up(now_ns);
+  if (!failure) return;
+  say(failure->message);
+  exchange_.show({0, reason_});
+  if (opening() == Opening::kPending && attempts_ >= kAttemptsToOpen) {
+    opening_.store(Opening::kFailed, std::memory_order_release);
+  }
+}
+
+// Not found is a failure too, of its own reason: before the first link-up nothing was there, after
+// it what was there is gone.
+Failure LinkOwner::bring_up(std::int64_t now_ns) {
+  const Trouble before = reason_;
+  reason_ = Trouble::kRefused;
+  if (!port_) {
+    auto port = open_port_();
+    if (!port) return port.error();
+    port_ = std::move(*port);
+  }
+  const auto listed = port_->list();
+  if (!listed) return listed.error();
+  tried_ = hid::choose(hid::each_path_once(*listed), options_, known_);
+  if (!tried_) {
+    reason_ = known_ ? Trouble::kSilent : Trouble::kNotFound;
+    return Error{ErrorKind::kDevice,
+                 known_ ? known_->path + " is not connected any more: plug the device in again"
+                        : nobody_there(options_)};
+  }
+  auto to_read = port_->open(tried_->path);
+  if (!to_read) return to_read.error();
+  auto to_write = port_->open(tried_->path);
+  if (!to_write) return to_write.error();
+  const auto figures = hid::describe(*tried_, **to_read, options_);
+  if (!figures) return figures.error();
+  // A device file alone may allow more force than the device did.
+  if (known_describes_itself_ && !figures->describes_itself) {
+    return Error{ErrorKind::kDevice,
+                 tried_->path + " does not say any more what it is: plug the device in again"};
+  }
+  reason_ = before;
+  try {
+    start(*tried_, *figures, std::move(*to_read), std::move(*to_write), now_ns);
+  } catch (const std::system_error&) {
+    return Error{ErrorKind::kDevice, "no thread to write to " + tried_->path + ": too many run"};
+  }
+  return std::nullopt;
+}
+
+void LinkOwner::start(const hid::Listing& listing, const hid::DeviceFigures& figures,
+                      std::unique_ptr<hid::Handle> to_read, std::unique_ptr<hid::Handle> to_write,
+                      std::int64_t now_ns) {
+  ++session_number_;
+  const auto sent = std::make_shared<SentCommands>();
+  Writer writer;
+  writer.session =
+      std::make_shared<WriteSession>(session_number_, std::move(to_write), sent, exchange_);
+  writer.join = start_writer_(writer.session);
+  write_ = std::move(writer);
+  read_ = std::make_shared<ReadSession>();
+  read_->link = {session_number_, figures, options_.start_m, sent};
+  read_->handle = std::move(to_read);
+  exchange_.show({session_number_, reason_});
+  reader_.give(read_);
+  tried_ = listing;
+  phase_ = Phase::kStarting;
+  since_ns_ = now_ns;
+}
+
+void LinkOwner::watch_start(std::int64_t now_ns) {
+  if (read_->newest_ns.load(std::memory_order_acquire) != 0) {
+    known_ = tried_;
+    known_describes_itself_ = read_->link.device.describes_itself;
+    back_off_ns_ = kFirstBackOffNs;
+    phase_ = Phase::kUp;
+    {
+      const std::lock_guard lock(mutex_);
+      words_.clear();
+      figures_ = read_->link.device;
+    }
+    if (opening() == Opening::kPending) opening_.store(Opening::kUp, std::memory_order_release);
+    watch(now_ns);
+    return;
+  }
+  if (now_ns - since_ns_ <= kFirstStateNs) return;
+  const bool speaks = read_->packets.load(std::memory_order_relaxed) != 0;
+  take_down(Trouble::kRefused,
+            tried_->path + (speaks ? " sends reports, but none is a STATE of the protocol"
+                                   : " was opened, but sends nothing"),
+            now_ns);
+  if (opening() == Opening::kPending && attempts_ >= kAttemptsToOpen) {
+    opening_.store(Opening::kFailed, std::memory_order_release);
+  }
+}
+
+void LinkOwner::watch(std::int64_t now_ns) {
+  Trouble trouble = read_->ended.load(std::memory_order_acquire);
+  const std::int64_t silent_ns = now_ns - read_->newest_ns.load(std::memory_order_acquire);
+  const bool loop_lost_it =
+      exchange_.lost_session.load(std::memory_order_acquire) == session_number_;
+  if (trouble == Trouble::kNone && (loop_lost_it || silent_ns > kLinkLostNs)) {
+    trouble = Trouble::kSilent;
+  }
+  if (trouble == Trouble::kNone) return;
+  exchange_.losses.fetch_add(1, std::memory_order_relaxed);
+  take_down(trouble, known_->path + ": " + std::string(trouble_text(trouble)), now_ns);
+}
+
+// The loop learns first, and commands nothing more; then the writer takes the force away.
+void LinkOwner::take_down(Trouble reason, const std::string& words, std::int64_t now_ns) {
+  reason_ = reason;
+  exchange_.show({0, reason});
+  say(words);
+  write_->session->stop();
+  exchange_.command_signal.post();
+  read_->stop.store(true, std::memory_order_release);
+  reader_.wake();
+  phase_ = Phase::kClosing;
+  since_ns_ = now_ns;
+  next_attempt_ns_ = std::max(next_attempt_ns_, now_ns + back_off_ns_);
+}
+
+void LinkOwner::go_on_closing(std::int64_t now_ns) {
+  if (read_ && read_->released.load(std::memory_order_acquire)) {
+    read_->handle.reset();  // here, whoever holds the rest a moment longer
+    read_.reset();
+  }
+  if (write_ && write_->session->done()) {
+    left_alone_.push_back(std::move(*write_));
+    write_.reset();
+    bury();
+  } else if (write_ && now_ns - since_ns_ > kLastCommandNs && write_->session->abandon()) {
+    left_alone_.push_back(std::move(*write_));
+    write_.reset();
+  }
+  if (!read_ && !write_) phase_ = Phase::kLooking;
+}
+
+// Closes what has come back from a write.
+void LinkOwner::bury() {
+  for (Writer& writer : left_alone_) {
+    if (!writer.session->done()) continue;
+    writer.join();
+    writer.session->close();
+    writer.session.reset();
+  }
+  std::erase_if(left_alone_, [](const Writer& writer) { return !writer.session; });
+}
+
+void LinkOwner::end_when_closed() {
+  if (left_alone_.empty()) port_.reset();
+  ending_.store(left_alone_.empty() ? Ending::kEnded : Ending::kLeftAlone,
+                std::memory_order_release);
+}
+
+}  // namespace hapticwall::device

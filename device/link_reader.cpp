@@ -1,0 +1,83 @@
+#include "device/link_reader.h"
+
+#include <array>
+#include <span>
+#include <utility>
+
+namespace hapticwall::device {
+namespace {
+
+// More than a report, so that one that is too long shows.
+constexpr std::size_t kInputRoom = hid::kReportBytes + 64;
+// The queues below hold 63 reports (hidraw) or some 30 (libusb); a device that is faster than this
+// loop would else never let it go.
+constexpr int kMostAtOnce = 256;
+
+}  // namespace
+
+void LinkReader::give(std::shared_ptr<ReadSession> session) {
+  const std::lock_guard lock(mutex_);
+  next_ = std::move(session);
+  awake_ = true;
+  news_.notify_all();
+}
+
+void LinkReader::wake() {
+  const std::lock_guard lock(mutex_);
+  awake_ = true;
+  news_.notify_all();
+}
+
+void LinkReader::rest(std::chrono::milliseconds longest) {
+  std::unique_lock lock(mutex_);
+  news_.wait_for(lock, longest, [this] { return awake_; });
+  awake_ = false;
+}
+
+void LinkReader::take_session() {
+  const std::lock_guard lock(mutex_);
+  if (!next_) return;
+  session_ = std::move(next_);
+  tracker_.begin(session_->link);
+}
+
+LinkReader::Step LinkReader::step(int wait_ms) {
+  if (!session_) take_session();
+  if (!session_) return Step::kNothingToDo;
+  if (session_->stop.load(std::memory_order_acquire)) {
+    const std::shared_ptr<ReadSession> session = std::move(session_);
+    session_.reset();
+    session->released.store(true, std::memory_order_release);
+    return Step::kNothingToDo;
+  }
+  const bool works = drain(wait_ms);
+  session_->ended.store(tracker_.ended(), std::memory_order_release);
+  return works ? Step::kWorked : Step::kFailed;
+}
+
+// Waits for the first report only, then takes what is there: the newest is what counts.
+bool LinkReader::drain(int wait_ms) {
+  std::array<std::uint8_t, kInputRoom> room{};
+  bool news = false;
+  bool works = true;
+  for (int i = 0; i < kMostAtOnce; ++i) {
+    const hid::ReadOutcome outcome = session_->handle->read(room, i == 0 ? wait_ms : 0);
+    works = outcome.kind != hid::ReadKind::kFailed;
+    if (outcome.kind != hid::ReadKind::kReport) break;
+    session_->packets.fetch_add(1, std::memory_order_relaxed);
+    const std::int64_t now_ns = now_ns_();
+    tracker_.take(std::span<const std::uint8_t>(room).first(std::min(outcome.size, room.size())),
+                  now_ns);
+    news = true;
+  }
+  if (news) {
+    const LinkView& view = tracker_.view();
+    exchange_.views.publish(view);
+    if (view.session == session_->link.number) {
+      session_->newest_ns.store(view.received_ns, std::memory_order_release);
+    }
+  }
+  return works;
+}
+
+}  // namespace hapticwall::device

@@ -1,0 +1,173 @@
+#include "device/link_state.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hapticwall::device {
+namespace {
+
+constexpr double kMicrosecondsPerSecond = 1e6;
+// A clock that moves on by more between two states, or a way there and back that takes longer, is
+// not of this life of the device.
+constexpr std::int32_t kLongestStepUs = 1'000'000;
+// More ticks than any device makes in that time.
+constexpr int kLongestStepTicks = 20'000;
+// The mean of the delay follows the last hundred or so.
+constexpr double kDelayWeight = 1.0 / 64.0;
+
+Trouble trouble_of(std::uint8_t fault_code) {
+  switch (fault_code) {
+    case hid::kNoFault:
+      return Trouble::kNone;
+    case hid::kFaultWatchdog:
+      return Trouble::kWatchdog;
+    case hid::kFaultEmergencyStop:
+      return Trouble::kEmergencyStop;
+    case hid::kFaultOverTemperature:
+      return Trouble::kOverTemperature;
+    case hid::kFaultOverCurrent:
+      return Trouble::kOverCurrent;
+    case hid::kFaultEncoder:
+      return Trouble::kEncoder;
+    default:
+      return Trouble::kOwnFault;
+  }
+}
+
+bool is_calibrated(const hid::StateReport& state) {
+  return (state.status & hid::kStatusCalibrated) != 0;
+}
+
+double seconds(std::int32_t microseconds) {
+  return static_cast<double>(microseconds) / kMicrosecondsPerSecond;
+}
+
+}  // namespace
+
+Trouble fault_in(const hid::StateReport& state) {
+  if (const Trouble told = trouble_of(state.fault); told != Trouble::kNone) return told;
+  constexpr std::pair<std::uint16_t, Trouble> kFaults[] = {
+      {hid::kStatusEmergencyStop, Trouble::kEmergencyStop},
+      {hid::kStatusEncoderFault, Trouble::kEncoder},
+      {hid::kStatusOverTemperature, Trouble::kOverTemperature},
+      {hid::kStatusOverCurrent, Trouble::kOverCurrent},
+      {hid::kStatusWatchdog, Trouble::kWatchdog}};
+  for (const auto& [flag, trouble] : kFaults) {
+    if ((state.status & flag) != 0) return trouble;
+  }
+  return Trouble::kNone;
+}
+
+void StateTracker::begin(const LinkSession& session) {
+  session_ = session;
+  ended_ = Trouble::kNone;
+  newest_.reset();
+  // What is shown as the newest measurement is this link's.
+  LinkFigures& figures = view_.figures;
+  figures.round_trip_s = 0.0;
+  figures.delay_s = 0.0;
+  figures.device_period_s = 0.0;
+}
+
+bool StateTracker::take(std::span<const std::uint8_t> bytes, std::int64_t received_ns) {
+  if (ended_ != Trouble::kNone) return false;
+  const hid::Decoded<hid::StateReport> decoded = hid::decode_state(bytes);
+  const hid::StateReport* state = decoded.report();
+  if (state == nullptr) {
+    ++view_.figures.void_reports;
+    return false;
+  }
+  if (newest_) {
+    if (state->sequence == newest_->sequence) {
+      ++view_.figures.repeated_states;
+      return false;
+    }
+    ended_ = objection(*state, received_ns);
+    if (ended_ != Trouble::kNone) {
+      view_.trouble = ended_;
+      return false;
+    }
+    follow(*state);
+  } else {
+    begin_with(*state);
+  }
+  accept(*state, received_ns);
+  return true;
+}
+
+// Why a state is not the successor of the one before.
+Trouble StateTracker::objection(const hid::StateReport& state, std::int64_t received_ns) const {
+  if (received_ns - view_.received_ns > kLinkLostNs) return Trouble::kSilent;
+  const std::int32_t step_us = hid::clock_step_us(newest_->time_us, state.time_us);
+  const int ticks = hid::sequence_step(newest_->sequence, state.sequence);
+  if (step_us <= 0 || step_us > kLongestStepUs || ticks <= 0 || ticks > kLongestStepTicks) {
+    return Trouble::kRestarted;
+  }
+  if (is_calibrated(state) != is_calibrated(*newest_)) return Trouble::kCalibration;
+  return Trouble::kNone;
+}
+
+void StateTracker::begin_with(const hid::StateReport& state) {
+  view_.session = session_.number;
+  view_.device_time_us = state.time_us;
+  first_time_us_ = state.time_us;
+  ticks_ = 0;
+  for (std::size_t axis = 0; axis < origin_m_.size(); ++axis) {
+    const bool tells_its_place = is_calibrated(state) || axis >= session_.device.axes;
+    origin_counts_[axis] = tells_its_place ? 0 : state.position_counts[axis];
+    origin_m_[axis] = tells_its_place ? 0.0 : session_.start_m[axis];
+    view_.limit_n[axis] = session_.device.axis[axis].force_limit_n;
+  }
+}
+
+void StateTracker::follow(const hid::StateReport& state) {
+  LinkFigures& figures = view_.figures;
+  const auto ticks =
+      static_cast<std::uint64_t>(hid::sequence_step(newest_->sequence, state.sequence));
+  figures.missing_states += ticks - 1;
+  ticks_ += ticks;
+  view_.device_time_us = hid::unwrapped_us(view_.device_time_us, state.time_us);
+  figures.device_period_s = static_cast<double>(view_.device_time_us - first_time_us_) /
+                            kMicrosecondsPerSecond / static_cast<double>(ticks_);
+  figures.rejected_commands +=
+      static_cast<std::uint16_t>(state.rejected_commands - newest_->rejected_commands);
+  const bool acknowledges = state.acknowledged_sequence != newest_->acknowledged_sequence ||
+                            state.acknowledged_time_us != newest_->acknowledged_time_us;
+  if (acknowledges) measure(state, ticks == 1);
+}
+
+void StateTracker::accept(const hid::StateReport& state, std::int64_t received_ns) {
+  newest_ = state;
+  view_.received_ns = received_ns;
+  view_.latch_us = state.time_us;
+  view_.sequence = state.sequence;
+  view_.trouble = fault_in(state);
+  for (std::size_t axis = 0; axis < view_.position_m.size(); ++axis) {
+    const std::int64_t counts = std::int64_t{state.position_counts[axis]} - origin_counts_[axis];
+    view_.position_m[axis] =
+        static_cast<double>(counts) * session_.device.axis[axis].encoder_m + origin_m_[axis];
+  }
+  LinkFigures& figures = view_.figures;
+  ++figures.states;
+  figures.calibrated = is_calibrated(state);
+  figures.enabled = (state.status & hid::kStatusEnabled) != 0;
+}
+
+// By the device's own clock, and only from commands of this session: what another one sent is not
+// among those sent, or came in before the state that ours went back to.
+void StateTracker::measure(const hid::StateReport& state, bool next_tick) {
+  const auto latch_us = session_.sent->latch_us(state.acknowledged_sequence);
+  if (!latch_us) return;
+  const std::int32_t round_trip_us = hid::clock_step_us(*latch_us, state.acknowledged_time_us);
+  const std::int32_t since_us = hid::clock_step_us(state.acknowledged_time_us, state.time_us);
+  if (round_trip_us < 0 || round_trip_us > kLongestStepUs || since_us < 0) return;
+  LinkFigures& figures = view_.figures;
+  figures.round_trip_s = seconds(round_trip_us);
+  figures.maximum_round_trip_s = std::max(figures.maximum_round_trip_s, figures.round_trip_s);
+  if (!next_tick) return;  // it acted at a tick that was not told of
+  const double delay_s = seconds(hid::clock_step_us(*latch_us, state.time_us));
+  figures.delay_s += (delay_s - figures.delay_s) * (figures.delay_s > 0.0 ? kDelayWeight : 1.0);
+  figures.maximum_delay_s = std::max(figures.maximum_delay_s, delay_s);
+}
+
+}  // namespace hapticwall::device

@@ -1,0 +1,58 @@
+#include "device/link_writer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hapticwall::device {
+
+WriteSession::WriteSession(std::uint32_t number, std::unique_ptr<hid::Handle> handle,
+                           std::shared_ptr<SentCommands> sent, LinkExchange& exchange)
+    : number_(number), handle_(std::move(handle)), sent_(std::move(sent)), exchange_(exchange) {}
+
+// The first command and the last one take force away; between them the mailbox says what to send.
+// What is left in it from the session before is not for this one.
+bool WriteSession::next_command(LinkCommand& command) {
+  const bool news = exchange_.commands.update();
+  const LinkCommand& found = exchange_.commands.current();
+  const bool ours = found.session == number_;
+  if (ours) newest_ = found;
+  command = newest_;
+  if (begun_ && !last_) return news && ours;
+  command.enable = false;
+  command.clear_faults = false;
+  return true;
+}
+
+std::optional<hid::ReportBytes> WriteSession::begin(std::int64_t now_ns) {
+  if (last_ || !move(State::kIdle, State::kTaking)) return std::nullopt;
+  last_ = stop_.load(std::memory_order_acquire);
+  LinkCommand command;
+  if (!next_command(command)) {
+    state_.store(State::kIdle, std::memory_order_release);
+    return std::nullopt;
+  }
+  const bool goes_back_to_a_state = newest_.session == number_;
+  begun_ = true;
+  ++sequence_;
+  if (goes_back_to_a_state) sent_->note(sequence_, command.state_latch_us);
+  began_ns_ = now_ns;
+  state_.store(State::kWriting, std::memory_order_release);
+  return hid::encode_force(force_report(command, sequence_, now_ns));
+}
+
+void WriteSession::finish(std::int64_t now_ns) {
+  if (!move(State::kWriting, State::kTaking)) {
+    state_.store(State::kDone, std::memory_order_release);
+    return;
+  }
+  const std::int64_t took_ns = now_ns - began_ns_;
+  exchange_.write_ns.store(took_ns, std::memory_order_relaxed);
+  exchange_.longest_write_ns.store(
+      std::max(took_ns, exchange_.longest_write_ns.load(std::memory_order_relaxed)),
+      std::memory_order_relaxed);
+  state_.store(last_ ? State::kDone : State::kIdle, std::memory_order_release);
+}
+
+bool WriteSession::abandon() { return move(State::kWriting, State::kAbandoned); }
+
+}  // namespace hapticwall::device

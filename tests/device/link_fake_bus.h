@@ -1,0 +1,186 @@
+// A HID bus in virtual time with emulated devices on it, behind the port that hidapi is behind. One
+// thread; whoever drives it moves the time of all of it.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "device/emulator/firmware_emulator.h"
+#include "device/hid_port.h"
+
+namespace hapticwall::device::hid::testing {
+
+class FakeHandle;
+
+// One place on the bus, and what the operating system makes of it.
+struct Plug {
+  Plug(Listing its_listing, const EmulatorSettings& settings, FaultScript script = {})
+      : listing(std::move(its_listing)), device(settings, std::move(script)) {}
+
+  Listing listing;
+  FirmwareEmulator device;
+  bool hidden = false;            // not on the bus, whatever the device does
+  bool denied = false;            // listed, and may not be opened
+  bool bridged = false;           // what it is plugged in by has power of its own: handles live on
+  bool tells_empty = false;       // an empty packet is not silence
+  bool feature_is_void = false;   // INFO arrives with a bit flipped
+  bool feature_is_newer = false;  // INFO of the next major version
+  bool feature_is_missing = false;
+  bool writes_hang = false;  // no write to it returns, unplugged or not
+  int listed_times = 1;
+  std::vector<FakeHandle*> handles;  // open ones
+
+  [[nodiscard]] bool is_there() const { return !hidden && (bridged || device.is_plugged()); }
+};
+
+inline Listing usual_listing(const std::string& path = "/dev/hidraw0",
+                             const std::string& serial = "0001") {
+  Listing listing;
+  listing.path = path;
+  listing.vendor_id = kTestVendorId;
+  listing.product_id = kTestProductId;
+  listing.serial = serial;
+  listing.product = "Emulated device";
+  listing.usage_page = kUsagePage;
+  listing.usage = kUsage;
+  return listing;
+}
+
+class FakeHandle : public Handle {
+ public:
+  // As deep as the kernel's, which keeps the oldest.
+  static constexpr std::size_t kQueue = 63;
+
+  explicit FakeHandle(Plug& plug) : plug_(plug) { plug_.handles.push_back(this); }
+  ~FakeHandle() override { std::erase(plug_.handles, this); }
+
+  ReadOutcome read(std::span<std::uint8_t> bytes, int /*wait_ms*/) override {
+    if (!alive_) return {ReadKind::kFailed, 0};
+    if (queue_.empty()) return {};
+    const InputReport report = queue_.front();
+    queue_.pop_front();
+    if (report.size == 0 && !plug_.tells_empty) return {};
+    const std::size_t size = std::min(bytes.size(), report.size);
+    std::copy_n(report.bytes.begin(), size, bytes.begin());
+    return {ReadKind::kReport, size};
+  }
+
+  // Whether a write would return at once.
+  [[nodiscard]] bool write_returns() const {
+    return !plug_.writes_hang && (!alive_ || plug_.device.accepts_output());
+  }
+  bool write(const ReportBytes& bytes) override {
+    return alive_ && plug_.device.write_output(bytes);
+  }
+
+  std::size_t get_feature(std::uint8_t id, std::span<std::uint8_t> bytes) override {
+    auto report = alive_ ? plug_.device.get_feature(id) : std::nullopt;
+    if (!report || plug_.feature_is_missing) return 0;
+    if (plug_.feature_is_newer) {
+      (*report)[1] = (kProtocolMajor + 1) << 4U;
+      seal(*report);
+    }
+    if (plug_.feature_is_void) report->back() ^= 1U;
+    const std::size_t size = std::min(bytes.size(), report->size());
+    std::copy_n(report->begin(), size, bytes.begin());
+    return size;
+  }
+
+  void push(const InputReport& report) {
+    if (queue_.size() < kQueue) queue_.push_back(report);
+  }
+  void unplug() { alive_ = false; }
+  [[nodiscard]] bool is_alive() const { return alive_; }
+
+ private:
+  Plug& plug_;
+  std::deque<InputReport> queue_;
+  bool alive_ = true;
+};
+
+class FakeBus {
+ public:
+  Plug& add(Listing listing, const EmulatorSettings& settings, FaultScript script = {}) {
+    plugs_.push_back(std::make_unique<Plug>(std::move(listing), settings, std::move(script)));
+    return *plugs_.back();
+  }
+
+  // Every device to the same instant; reports go to whoever has it open.
+  void move_to(std::uint64_t time_us) {
+    for (const auto& plug : plugs_) {
+      plug->device.step(time_us - plug->device.now_us());
+      while (const auto report = plug->device.take_input()) {
+        for (FakeHandle* handle : plug->handles) {
+          if (handle->is_alive()) handle->push(*report);
+        }
+      }
+      if (plug->is_there()) continue;
+      for (FakeHandle* handle : plug->handles) handle->unplug();
+    }
+  }
+
+  [[nodiscard]] std::size_t open_handles() const {
+    std::size_t count = 0;
+    for (const auto& plug : plugs_) count += plug->handles.size();
+    return count;
+  }
+  [[nodiscard]] const std::vector<std::unique_ptr<Plug>>& plugs() const { return plugs_; }
+
+  int lists = 0;  // how often it was asked
+
+ private:
+  std::vector<std::unique_ptr<Plug>> plugs_;
+};
+
+class FakePort : public Port {
+ public:
+  explicit FakePort(FakeBus& bus) : bus_(bus) {}
+
+  Result<std::vector<Listing>> list() override {
+    ++bus_.lists;
+    std::vector<Listing> listings;
+    for (const auto& plug : bus_.plugs()) {
+      if (!plug->is_there()) continue;
+      for (int i = 0; i < plug->listed_times; ++i) listings.push_back(plug->listing);
+    }
+    for (const Listing& listing : listings) listed_.insert(listing.path);
+    return listings;
+  }
+
+  Result<std::unique_ptr<Handle>> open(const std::string& path) override {
+    // Where hidapi would crash, a test is to fail.
+    if (!listed_.contains(path)) ++never_listed;
+    if (const Obstacle found = obstacle(path); found != Obstacle::kNone) {
+      return Error{ErrorKind::kDevice, obstacle_text(path, found)};
+    }
+    return std::unique_ptr<Handle>(std::make_unique<FakeHandle>(*plug_at(path)));
+  }
+
+  Obstacle obstacle(const std::string& path) override {
+    const Plug* plug = plug_at(path);
+    if (plug == nullptr) return Obstacle::kGone;
+    return plug->denied ? Obstacle::kPermission : Obstacle::kNone;
+  }
+
+  int never_listed = 0;
+
+ private:
+  [[nodiscard]] Plug* plug_at(const std::string& path) const {
+    for (const auto& plug : bus_.plugs()) {
+      if (plug->is_there() && plug->listing.path == path) return plug.get();
+    }
+    return nullptr;
+  }
+
+  FakeBus& bus_;
+  std::set<std::string> listed_;
+};
+
+}  // namespace hapticwall::device::hid::testing
