@@ -40,7 +40,7 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
   if (Failure failed = outputs.json_.open(options.json)) return *failed;
   if (Failure failed = outputs.plot_.open(options.plot)) return *failed;
   if (!options.csv.empty() && !session_records) {
-    auto recording = file::RecordingWriter::create(options.csv, true);
+    auto recording = file::RecordingWriter::create(options.csv, file::MoreColumns::kSimulator);
     if (!recording) return recording.error();
     outputs.recording_ = std::move(*recording);
   }

@@ -1,6 +1,7 @@
 #include <array>
 #include <charconv>
 #include <concepts>
+#include <initializer_list>
 
 #include "app/file/recording_writer.h"
 #include "app/file/text.h"
@@ -14,7 +15,15 @@ constexpr std::string_view kHeader =
 constexpr std::string_view kTruthHeader =
     ",true_position_m,true_velocity_m_per_s,hand_path_m,hand_force_n,true_actuator_work_j,"
     "true_dissipation_j,true_hand_work_j,kinetic_j";
+constexpr std::string_view kDeviceHeader = ",device_time_s,read_age_s";
 constexpr std::size_t kLongestInteger = 20;
+
+void append_numbers(std::string& text, std::initializer_list<double> values) {
+  for (const double value : values) {
+    text += ',';
+    append_number(text, value);
+  }
+}
 
 void append_integer(std::string& text, std::unsigned_integral auto value) {
   std::array<char, kLongestInteger> digits{};
@@ -24,31 +33,27 @@ void append_integer(std::string& text, std::unsigned_integral auto value) {
 
 }  // namespace
 
-std::string csv_header(bool with_truth) {
+std::string csv_header(MoreColumns columns) {
   std::string header(kHeader);
-  if (with_truth) header += kTruthHeader;
+  header += columns == MoreColumns::kSimulator ? kTruthHeader : kDeviceHeader;
   return header;
 }
 
-void append_csv_row(std::string& text, const Sample& sample, bool with_truth) {
+void append_csv_row(std::string& text, const Sample& sample, MoreColumns columns) {
   append_integer(text, sample.tick);
-  for (const double value :
-       {sample.time_s, sample.position_m, sample.velocity_m_per_s, sample.penetration_m,
-        sample.wall_force_n, sample.force_n, sample.stiffness_n_per_m, sample.energy_cv_j,
-        sample.energy_hold_j, sample.energy_scv_j, sample.energy_budget_j}) {
-    text += ',';
-    append_number(text, value);
-  }
+  append_numbers(text,
+                 {sample.time_s, sample.position_m, sample.velocity_m_per_s, sample.penetration_m,
+                  sample.wall_force_n, sample.force_n, sample.stiffness_n_per_m, sample.energy_cv_j,
+                  sample.energy_hold_j, sample.energy_scv_j, sample.energy_budget_j});
   text += ',';
   append_integer(text, sample.flags);
-  if (with_truth) {
+  if (columns == MoreColumns::kSimulator) {
     const PlantTruth& truth = sample.truth;
-    for (const double value :
-         {truth.position_m, truth.velocity_m_per_s, truth.hand_path_m, truth.hand_force_n,
-          truth.actuator_work_j, truth.dissipation_j, truth.hand_work_j, truth.kinetic_j}) {
-      text += ',';
-      append_number(text, value);
-    }
+    append_numbers(
+        text, {truth.position_m, truth.velocity_m_per_s, truth.hand_path_m, truth.hand_force_n,
+               truth.actuator_work_j, truth.dissipation_j, truth.hand_work_j, truth.kinetic_j});
+  } else {
+    append_numbers(text, {sample.device_time_s, sample.read_age_s});
   }
   text += '\n';
 }
@@ -58,12 +63,27 @@ bool is_finite(const Sample& sample) {
   // A sum of finite numbers can overflow, but none of these comes near that; times zero it is zero
   // exactly when every one is finite.
   double zero = 0.0;
-  for (const double value :
-       {sample.time_s, sample.position_m, sample.velocity_m_per_s, sample.penetration_m,
-        sample.wall_force_n, sample.force_n, sample.stiffness_n_per_m, sample.energy_cv_j,
-        sample.energy_hold_j, sample.energy_scv_j, sample.energy_budget_j, truth.position_m,
-        truth.velocity_m_per_s, truth.hand_path_m, truth.hand_force_n, truth.actuator_work_j,
-        truth.dissipation_j, truth.hand_work_j, truth.kinetic_j}) {
+  for (const double value : {sample.time_s,
+                             sample.position_m,
+                             sample.velocity_m_per_s,
+                             sample.penetration_m,
+                             sample.wall_force_n,
+                             sample.force_n,
+                             sample.stiffness_n_per_m,
+                             sample.energy_cv_j,
+                             sample.energy_hold_j,
+                             sample.energy_scv_j,
+                             sample.energy_budget_j,
+                             truth.position_m,
+                             truth.velocity_m_per_s,
+                             truth.hand_path_m,
+                             truth.hand_force_n,
+                             truth.actuator_work_j,
+                             truth.dissipation_j,
+                             truth.hand_work_j,
+                             truth.kinetic_j,
+                             sample.device_time_s,
+                             sample.read_age_s}) {
     zero += value * 0.0;
   }
   return zero == 0.0;

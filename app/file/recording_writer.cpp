@@ -18,10 +18,10 @@ constexpr std::size_t kLongestRowBytes = 512;
 
 class CsvRecordingWriter final : public RecordingWriter {
  public:
-  CsvRecordingWriter(AtomicFile csv, AtomicFile sidecar, bool with_truth)
-      : csv_(std::move(csv)), sidecar_(std::move(sidecar)), with_truth_(with_truth) {
+  CsvRecordingWriter(AtomicFile csv, AtomicFile sidecar, MoreColumns columns)
+      : csv_(std::move(csv)), sidecar_(std::move(sidecar)), columns_(columns) {
     buffer_.reserve(kBufferBytes + kLongestRowBytes);
-    buffer_ = csv_header(with_truth_) + '\n';
+    buffer_ = csv_header(columns_) + '\n';
   }
 
   Failure append(const Sample& sample) override {
@@ -31,7 +31,7 @@ class CsvRecordingWriter final : public RecordingWriter {
       return {};
     }
     dropped_rows_ += std::exchange(skipped_rows_, 0);
-    append_csv_row(buffer_, sample, with_truth_);
+    append_csv_row(buffer_, sample, columns_);
     if (rows_++ == 0) csv_.keep_partial();
     session_ticks_ = std::max(session_ticks_, sample.tick + 1);
     return buffer_.size() < kBufferBytes ? Failure{} : flush();
@@ -63,7 +63,7 @@ class CsvRecordingWriter final : public RecordingWriter {
  private:
   AtomicFile csv_;
   AtomicFile sidecar_;
-  bool with_truth_;
+  MoreColumns columns_;
   Sha256 digest_;
   std::string buffer_;
   Failure failed_;
@@ -76,7 +76,7 @@ class CsvRecordingWriter final : public RecordingWriter {
 }  // namespace
 
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& csv_path,
-                                                                 bool with_truth) {
+                                                                 MoreColumns columns) {
   const std::string sidecar_path = sidecar_path_of(csv_path);
   if (!may_replace_sidecar(sidecar_path)) {
     return Error{ErrorKind::kFile,
@@ -89,7 +89,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::stri
   Result<AtomicFile> sidecar = AtomicFile::create(sidecar_path);
   if (!sidecar) return sidecar.error();
   return std::unique_ptr<RecordingWriter>(
-      std::make_unique<CsvRecordingWriter>(std::move(*csv), std::move(*sidecar), with_truth));
+      std::make_unique<CsvRecordingWriter>(std::move(*csv), std::move(*sidecar), columns));
 }
 
 }  // namespace hapticwall::file

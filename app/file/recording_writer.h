@@ -13,14 +13,18 @@
 
 namespace hapticwall::file {
 
-// The CSV header line without its line end; `with_truth` adds the simulator's columns.
-[[nodiscard]] std::string csv_header(bool with_truth);
+// The columns after those that every recording has: what only a simulator knows, or what only a
+// real device's link does.
+enum class MoreColumns : std::uint8_t { kSimulator, kDevice };
+
+// The CSV header line without its line end.
+[[nodiscard]] std::string csv_header(MoreColumns columns);
 
 // Appends one row with its line end to `text`; numbers in the shortest form that reads back to the
 // same double, whatever the locale.
-void append_csv_row(std::string& text, const Sample& sample, bool with_truth);
+void append_csv_row(std::string& text, const Sample& sample, MoreColumns columns);
 
-// Whether every number of the sample, the simulator's included, is finite.
+// Whether every number of the sample, simulator's and device's included, is finite.
 [[nodiscard]] bool is_finite(const Sample& sample);
 
 // A change of parameters during a session: in force from `tick` on. The scene as it was from then.
@@ -53,7 +57,7 @@ class RecordingWriter {
   // Refuses what cannot be written, and a sidecar that would replace a file which is not a
   // recording's.
   [[nodiscard]] static Result<std::unique_ptr<RecordingWriter>> create(const std::string& csv_path,
-                                                                       bool with_truth);
+                                                                       MoreColumns columns);
   virtual ~RecordingWriter() = default;
 
   // Buffers; fails (exit status 4) when the disk does, and then again at every later call. A sample

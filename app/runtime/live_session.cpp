@@ -72,7 +72,8 @@ std::optional<SceneProblem> LiveSession::set_walls(std::span<const WallSettings>
 
 // What the loop has not seen is taken back first: then this side knows which plant the loop will be
 // running with when it takes the new parameters.
-std::optional<SceneProblem> LiveSession::change_scene(const Scene& wanted) {
+std::optional<SceneProblem> LiveSession::change_scene(const Scene& asked) {
+  const Scene wanted = scene_on(asked, device_info_);
   if (std::optional<SceneProblem> problem = needs_new_session(scene(), wanted)) return problem;
   if (same_parameters(wanted, scene())) return std::nullopt;
   if (std::optional<SceneProblem> problem = validate(wanted)) return problem;
@@ -99,6 +100,8 @@ void LiveSession::lead_hand(std::optional<double> position_m) {
   }
   exchange_.pointer_m.store(pointer_m, std::memory_order_relaxed);
 }
+
+void LiveSession::arm(bool armed) { send({armed ? CommandKind::kArm : CommandKind::kDisarm, 0}); }
 
 void LiveSession::pause(bool paused) {
   send({paused ? CommandKind::kPause : CommandKind::kResume, 0});
@@ -154,7 +157,9 @@ Failure LiveSession::start_recording(const std::string& csv_path) {
     return Error{ErrorKind::kUsage,
                  "a recording to " + recording_path_ + " is running: stop it first"};
   }
-  auto writer = file::RecordingWriter::create(csv_path, device_info_.is_simulated);
+  auto writer = file::RecordingWriter::create(csv_path, device_info_.is_simulated
+                                                            ? file::MoreColumns::kSimulator
+                                                            : file::MoreColumns::kDevice);
   if (!writer) return writer.error();
   record_into(std::move(*writer));
   return std::nullopt;

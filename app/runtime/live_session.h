@@ -22,7 +22,8 @@ namespace hapticwall::runtime {
 
 class LiveSession final : public Session {
  public:
-  // Precondition: the scene is valid, the device open. Returns when the loop's set-up is done.
+  // Precondition: the scene is valid and one of this device (scene_on()), the device open. Returns
+  // when the loop's set-up is done.
   LiveSession(std::unique_ptr<device::Device> device, const Scene& scene,
               const SessionOptions& options);
   ~LiveSession() override;
@@ -32,6 +33,7 @@ class LiveSession final : public Session {
   std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls) override;
   std::optional<SceneProblem> change_scene(const Scene& wanted) override;
   void lead_hand(std::optional<double> position_m) override;
+  void arm(bool armed) override;
   void pause(bool paused) override;
   void step(std::uint32_t ticks) override;
   void reset() override;
@@ -42,6 +44,9 @@ class LiveSession final : public Session {
   [[nodiscard]] Failure stop_recording() override;
   [[nodiscard]] RecordingStatus recording_status() const override;
   [[nodiscard]] const RealtimeStatus& realtime_status() const override { return realtime_; }
+  [[nodiscard]] const device::DeviceInfo& device_info() const override { return device_info_; }
+
+  [[nodiscard]] std::string device_trouble() const override { return device_->trouble_details(); }
 
   // start_recording() with a writer of the caller's. Precondition: no recording runs.
   void record_into(std::unique_ptr<file::RecordingWriter> writer);

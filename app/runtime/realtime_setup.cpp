@@ -120,6 +120,13 @@ RealtimeStatus describe(const RealtimeOutcome& outcome) {
   return status;
 }
 
+Failure refuse_without_realtime(const device::DeviceInfo& device, const RealtimeStatus& status,
+                                bool allowed) {
+  if (device.is_simulated || status.fifo_priority || allowed) return std::nullopt;
+  return Error{ErrorKind::kDevice, device.name + ": " + status.text + ": " + status.advice +
+                                       "; --allow-no-realtime drives the device all the same"};
+}
+
 RealtimeOutcome set_up_realtime_thread(int affinity_core) {
   RealtimeOutcome outcome;
   use_default_floating_point();
@@ -133,6 +140,13 @@ RealtimeOutcome set_up_realtime_thread(int affinity_core) {
   parameters.sched_priority = outcome.priority;
   outcome.priority_error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
   return outcome;
+}
+
+void set_up_device_thread() {
+  block_signals();
+  sched_param parameters{};
+  parameters.sched_priority = std::max(permitted_priority() - 1, 1);
+  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
 }
 
 void use_default_floating_point() { std::fesetenv(FE_DFL_ENV); }

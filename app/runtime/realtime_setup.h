@@ -26,11 +26,20 @@ struct RealtimeOutcome {
 // The outcome in words, with advice where something was refused. Realtime-safe: no.
 [[nodiscard]] RealtimeStatus describe(const RealtimeOutcome& outcome);
 
+// Why a session on this device is not to be, or nothing: a late force is a wrong force, and a hand
+// is on the other end. Realtime-safe: no.
+[[nodiscard]] Failure refuse_without_realtime(const device::DeviceInfo& device,
+                                              const RealtimeStatus& status, bool allowed);
+
 // Sets the calling thread up as the real-time loop, as far as the system permits: the default
 // floating-point environment, a touched stack, no signals, SCHED_FIFO, memory lock (for the whole
 // process, and for good), affinity. Nothing here is needed to run; what is refused is told.
 // `affinity_core` -1: left to the scheduler. Realtime-safe: no.
 RealtimeOutcome set_up_realtime_thread(int affinity_core);
+
+// Sets the calling thread up as one that carries a device's reports: just below the loop, as far as
+// the system permits. Realtime-safe: no.
+void set_up_device_thread();
 
 // Round to nearest, denormals kept: every machine and every thread gets the same bits. A library
 // built with -ffast-math may have switched denormals off for the whole process before.

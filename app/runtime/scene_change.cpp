@@ -1,6 +1,10 @@
 #include "app/runtime/scene_change.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace hapticwall::runtime {
+
 bool same_parameters(const Scene& a, const Scene& b) {
   return same_plant(a, b) && a.algorithm == b.algorithm && a.walls == b.walls;
 }
@@ -17,6 +21,17 @@ std::optional<SceneProblem> needs_new_session(const Scene& running, const Scene&
     return refused("hand.path");
   }
   return std::nullopt;
+}
+
+Scene scene_on(Scene scene, const device::DeviceInfo& device) {
+  if (device.is_simulated) return scene;
+  scene.hand.reset();
+  if (device.encoder_m > 0.0) scene.device.encoder_m = device.encoder_m;
+  if (device.force_limit_n > 0.0) {
+    scene.device.force_limit_n =
+        std::min(scene.device.force_limit_n.value_or(device.force_limit_n), device.force_limit_n);
+  }
+  return scene;
 }
 
 }  // namespace hapticwall::runtime

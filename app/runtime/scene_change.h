@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/scene.h"
+#include "device/device.h"
 
 namespace hapticwall::runtime {
 
@@ -14,5 +15,9 @@ namespace hapticwall::runtime {
 // Why `wanted` cannot follow on `running` without a new session, or nothing.
 [[nodiscard]] std::optional<SceneProblem> needs_new_session(const Scene& running,
                                                             const Scene& wanted);
+
+// The scene as it runs on an open device. A real one: its resolution in place of the scene's, its
+// force limit where that is the smaller one, and no hand, for a person's own is there.
+[[nodiscard]] Scene scene_on(Scene scene, const device::DeviceInfo& device);
 
 }  // namespace hapticwall::runtime

@@ -20,7 +20,10 @@ std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
 
 ServoLoop::ServoLoop(device::Device& device, Exchange& exchange, const LoopParameters& initial,
                      bool start_paused)
-    : device_(device), exchange_(exchange), servo_(initial.servo) {
+    : device_(device),
+      exchange_(exchange),
+      servo_(initial.servo),
+      arming_(!device.info().is_simulated, initial.servo.rate_hz) {
   snapshot_.generation = initial.generation;
   snapshot_.paused = start_paused;
   show_start();
@@ -37,6 +40,8 @@ void ServoLoop::cycle(const Wake& wake, Clock& clock) {
   } else {
     idle();
   }
+  show_arming();
+  snapshot_.link = device_.link();
   count(wake, clock.now_ns(), ticks);
   exchange_.snapshots.publish(snapshot_);
 }
@@ -63,6 +68,12 @@ void ServoLoop::execute(const Command& command) {
     case CommandKind::kReset:
       reset();
       break;
+    case CommandKind::kArm:
+      arming_.ask();
+      break;
+    case CommandKind::kDisarm:
+      disarm(ArmingNote::kAsked);
+      break;
     case CommandKind::kStartRecording:
     case CommandKind::kStopRecording:
       recording_ = command.kind == CommandKind::kStartRecording;
@@ -73,6 +84,7 @@ void ServoLoop::execute(const Command& command) {
 }
 
 void ServoLoop::reset() {
+  disarm(ArmingNote::kAsked);
   device_.reset();
   servo_.reset();
   steps_left_ = 0;
@@ -121,10 +133,30 @@ void ServoLoop::lead_hand() {
   }
 }
 
+// A simulator's amplifiers need no leave.
+void ServoLoop::disarm(ArmingNote why) {
+  arming_.disarm(why);
+  if (!arming_.enabled()) device_.enable(false);
+}
+
+void ServoLoop::show_arming() {
+  ArmingStatus& shown = snapshot_.arming;
+  shown.state = arming_.state();
+  shown.note = arming_.note();
+  shown.gain = arming_.gain();
+  shown.asked = arming_.answers();
+}
+
 void ServoLoop::tick() {
   take_parameters();
   lead_hand();
+  servo_.state().force_gain = arming_.gain();
+  device_.enable(arming_.enabled());
   Sample sample = servo_.tick(device_);
+  if (arming_.after_tick(arming_facts(sample, servo_.state().failed))) {
+    device_.enable(false);
+    device_.write(0.0);
+  }
   sample.generation = snapshot_.generation;
   at_start_ = false;
   hand_out(sample);
@@ -145,12 +177,16 @@ void ServoLoop::hand_out(const Sample& sample) {
 }
 
 // Paused. A simulated plant stands still with the force that it has; in a real device's hands time
-// goes on, so its force is zero and its watchdog is fed.
+// goes on, so it is disarmed, its force is zero and its watchdog is fed.
 void ServoLoop::idle() {
   if (device_.truth() != nullptr) return;
+  disarm(ArmingNote::kPaused);
   snapshot_.sample.position_m = device_.read().position_m;
   snapshot_.sample.force_n = 0.0;
   device_.write(0.0);
+  // The handle is moved meanwhile: the next tick's position is no step from the last one's.
+  servo_.state().position_known = false;
+  servo_.state().previous_force_n = 0.0;
 }
 
 void ServoLoop::count(const Wake& wake, std::int64_t done_ns, bool ticked) {
@@ -171,6 +207,7 @@ void ServoLoop::count(const Wake& wake, std::int64_t done_ns, bool ticked) {
 void ServoLoop::shut_down(bool by_itself) noexcept {
   // A device that throws here as well is still to be closed, and the owner to be told.
   try {
+    device_.enable(false);
     device_.write(0.0);
   } catch (...) {
     by_itself = true;
@@ -182,6 +219,8 @@ void ServoLoop::shut_down(bool by_itself) noexcept {
   }
   snapshot_.ended_by_fault = by_itself;
   snapshot_.sample.force_n = 0.0;
+  arming_.disarm(by_itself ? ArmingNote::kDevice : ArmingNote::kAsked);
+  show_arming();
   if (by_itself) snapshot_.sample.flags |= kFlagDeviceFault;
   exchange_.snapshots.publish(snapshot_);
   exchange_.finished.store(true, std::memory_order_release);

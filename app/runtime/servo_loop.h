@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "app/runtime/arming.h"
 #include "app/runtime/clock.h"
 #include "app/runtime/cost_window.h"
 #include "app/runtime/cycle_scheduler.h"
@@ -33,6 +34,8 @@ class ServoLoop {
   void reset();
   void take_parameters();
   void lead_hand();
+  void disarm(ArmingNote why);
+  void show_arming();
   void tick();
   void hand_out(const Sample& sample);
   void idle();
@@ -42,6 +45,7 @@ class ServoLoop {
   device::Device& device_;
   Exchange& exchange_;
   Servo servo_;
+  Arming arming_;
   PlantModel* plant_ = nullptr;  // in use; nullptr: the device's own
   Snapshot snapshot_;
   CostWindow cost_;

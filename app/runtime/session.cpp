@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "app/runtime/live_session.h"
+#include "app/runtime/realtime_setup.h"
+#include "app/runtime/scene_change.h"
 #include "device/simulated_device.h"
 
 namespace hapticwall::runtime {
@@ -23,9 +25,18 @@ Result<std::unique_ptr<Session>> Session::start_on(std::unique_ptr<device::Devic
     return Error{ErrorKind::kUsage, problem->key + ": " + problem->message};
   }
   if (Failure failure = device->open()) return *std::move(failure);
+  const Scene scene_here = scene_on(scene, device->info());
+  if (const std::optional<SceneProblem> problem = validate(scene_here)) {
+    return Error{ErrorKind::kDevice,
+                 device->info().name + ": " + problem->key + ": " + problem->message};
+  }
   try {
-    return std::unique_ptr<Session>(
-        std::make_unique<LiveSession>(std::move(device), scene, options));
+    auto session = std::make_unique<LiveSession>(std::move(device), scene_here, options);
+    if (Failure refused = refuse_without_realtime(
+            session->device_info(), session->realtime_status(), options.allow_no_realtime)) {
+      return *std::move(refused);
+    }
+    return std::unique_ptr<Session>(std::move(session));
   } catch (const std::exception& problem) {  // no memory for the queues, no thread to be had
     return Error{ErrorKind::kDevice, std::string("the loop did not start: ") + problem.what()};
   }

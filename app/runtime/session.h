@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "app/runtime/arming.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
@@ -42,10 +43,20 @@ struct TimingStatistics {
   double maximum_cost_s = 0.0;
 };
 
+// Whether the force of a real device acts, and why not.
+struct ArmingStatus {
+  ArmingState state = ArmingState::kNotNeeded;
+  ArmingNote note = ArmingNote::kNone;
+  double gain = 1.0;        // of the force, 0 to 1
+  std::uint32_t asked = 0;  // how many requests to arm were answered, either way
+};
+
 // The newest tick and the state of the loop. Trivially copyable.
 struct Snapshot {
   Sample sample;
   TimingStatistics timing;
+  ArmingStatus arming;
+  device::LinkFigures link;      // of a real device
   std::uint32_t generation = 0;  // of the parameters in force
   std::uint32_t resets = 0;      // how often the session went back to tick 0
   bool paused = false;
@@ -67,6 +78,7 @@ struct SessionOptions {
   std::size_t recorder_queue_capacity = 1U << 17U;
   int affinity_core = -1;  // -1: left to the scheduler
   bool start_paused = false;
+  bool allow_no_realtime = false;  // a real device without real-time priority; simulators never ask
 };
 
 class Session {
@@ -74,7 +86,9 @@ class Session {
   // Opens the simulator for a validated scene, sets the loop up and starts it.
   [[nodiscard]] static Result<std::unique_ptr<Session>> start(const Scene& scene,
                                                               const SessionOptions& options = {});
-  // The same on a device that is not open yet. Fails where it does not open (exit status 3).
+  // The same on a device that is not open yet. Fails where it does not open, and where a real one
+  // would run without real-time priority that was not allowed (exit status 3). The device's
+  // resolution and, where it is smaller, its force limit take the place of the scene's.
   [[nodiscard]] static Result<std::unique_ptr<Session>> start_on(
       std::unique_ptr<device::Device> device, const Scene& scene,
       const SessionOptions& options = {});
@@ -95,10 +109,14 @@ class Session {
   // not a finite number: the script does. Without effect in a scene without a hand.
   virtual void lead_hand(std::optional<double> position_m) = 0;
 
+  // Asks for the force of a real device (arming.h), or takes it away at the next tick. The answer
+  // is in the snapshot. Without effect on a simulator.
+  virtual void arm(bool armed) = 0;
+
   virtual void pause(bool paused) = 0;
   virtual void step(std::uint32_t ticks = 1) = 0;  // while paused: exactly so many; else ignored
-  // Back to tick 0, at rest. A running recording is finished first (its ticks are numbered without
-  // a gap); how that went is in recording_status(). Paused stays paused.
+  // Back to tick 0, at rest, disarmed. A running recording is finished first (its ticks are
+  // numbered without a gap); how that went is in recording_status(). Paused stays paused.
   virtual void reset() = 0;
 
   [[nodiscard]] virtual Snapshot snapshot() = 0;
@@ -116,6 +134,9 @@ class Session {
   [[nodiscard]] virtual RecordingStatus recording_status() const = 0;
 
   [[nodiscard]] virtual const RealtimeStatus& realtime_status() const = 0;
+  [[nodiscard]] virtual const device::DeviceInfo& device_info() const = 0;
+  // What is wrong with the device at this moment, in one line; empty where nothing is.
+  [[nodiscard]] virtual std::string device_trouble() const = 0;
 };
 
 }  // namespace hapticwall::runtime

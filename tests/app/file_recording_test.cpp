@@ -100,11 +100,12 @@ std::uint64_t bits_of(const std::string& text) {
 }
 
 TEST_F(Recording, HeaderIsThePromisedOne) {
-  EXPECT_EQ(csv_header(false),
-            "tick,time_s,position_m,velocity_m_per_s,penetration_m,wall_force_n,force_n,"
-            "stiffness_n_per_m,energy_cv_j,energy_hold_j,energy_scv_j,energy_budget_j,flags");
-  EXPECT_EQ(csv_header(true),
-            csv_header(false) +
+  const std::string common =
+      "tick,time_s,position_m,velocity_m_per_s,penetration_m,wall_force_n,force_n,"
+      "stiffness_n_per_m,energy_cv_j,energy_hold_j,energy_scv_j,energy_budget_j,flags";
+  EXPECT_EQ(csv_header(MoreColumns::kDevice), common + ",device_time_s,read_age_s");
+  EXPECT_EQ(csv_header(MoreColumns::kSimulator),
+            common +
                 ",true_position_m,true_velocity_m_per_s,hand_path_m,hand_force_n,"
                 "true_actuator_work_j,true_dissipation_j,true_hand_work_j,kinetic_j");
 }
@@ -126,12 +127,14 @@ TEST_F(Recording, ColumnsStandUnderTheirNames) {
                             &truth.hand_force_n, &truth.actuator_work_j,  &truth.dissipation_j,
                             &truth.hand_work_j,  &truth.kinetic_j};
   for (double* number : truths) *number = next++;
+  sample.device_time_s = 22.0;
+  sample.read_age_s = 23.0;
   std::string row;
-  append_csv_row(row, sample, true);
+  append_csv_row(row, sample, MoreColumns::kSimulator);
   EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21\n");
   row.clear();
-  append_csv_row(row, sample, false);
-  EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13\n");
+  append_csv_row(row, sample, MoreColumns::kDevice);
+  EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13,22,23\n");
 }
 
 class CommaDecimal : public std::numpunct<char> {
@@ -145,7 +148,7 @@ TEST_F(Recording, NumbersAreExactWhateverTheLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaDecimal));
   std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where the machine has it
   std::string row;
-  append_csv_row(row, sample_at(1234567), true);
+  append_csv_row(row, sample_at(1234567), MoreColumns::kSimulator);
   std::setlocale(LC_NUMERIC, "C");
   std::locale::global(before);
 
@@ -175,12 +178,12 @@ TEST_F(Recording, ScenesAreWrittenTheSameWhateverTheLocale) {
 
 TEST_F(Recording, TakesItsNamesWhenItIsWhole) {
   put("a.csv", "old");
-  auto writer = RecordingWriter::create(path("a.csv"), true);
+  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
   ASSERT_TRUE(writer) << writer.error().message;
   for (std::uint64_t tick = 0; tick < 10; ++tick) ASSERT_FALSE((*writer)->append(sample_at(tick)));
   ASSERT_FALSE((*writer)->flush());
   EXPECT_EQ(content("a.csv"), "old");
-  EXPECT_THAT(content("a.csv.partial"), StartsWith(csv_header(true) + "\n0,0,"));
+  EXPECT_THAT(content("a.csv.partial"), StartsWith(csv_header(MoreColumns::kSimulator) + "\n0,0,"));
   ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
   EXPECT_EQ((*writer)->rows(), 10U);
   EXPECT_THAT(files(), ::testing::UnorderedElementsAre("a.csv", "a.toml"));
@@ -196,7 +199,7 @@ TEST_F(Recording, TakesItsNamesWhenItIsWhole) {
 }
 
 TEST_F(Recording, SidecarSaysHowToRepeat) {
-  auto writer = RecordingWriter::create(path("a.csv"), true);
+  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
   ASSERT_TRUE(writer);
   for (std::uint64_t tick = 5; tick < 8; ++tick) ASSERT_FALSE((*writer)->append(sample_at(tick)));
   RecordingMetadata metadata = headless();
@@ -223,18 +226,20 @@ TEST_F(Recording, SidecarSaysHowToRepeat) {
 
 TEST_F(Recording, AbandonedItTakesNoName) {
   {
-    auto writer = RecordingWriter::create(path("a.csv"), true);
+    auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
     ASSERT_TRUE(writer);
     ASSERT_FALSE((*writer)->append(sample_at(0)));
     ASSERT_FALSE((*writer)->flush());
   }
   EXPECT_THAT(files(), ::testing::ElementsAre("a.csv.partial"));
-  { ASSERT_TRUE(RecordingWriter::create(path("a.csv"), true)); }  // without a row
+  {
+    ASSERT_TRUE(RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator));
+  }  // without a row
   EXPECT_TRUE(files().empty());
 }
 
 TEST_F(Recording, NanIsNeverWritten) {
-  auto writer = RecordingWriter::create(path("a.csv"), true);
+  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
   ASSERT_TRUE(writer);
   Sample bad = sample_at(1);
   bad.truth.position_m = std::numeric_limits<double>::quiet_NaN();
@@ -246,7 +251,7 @@ TEST_F(Recording, NanIsNeverWritten) {
 }
 
 TEST_F(Recording, AHoleIsToldOf) {
-  auto writer = RecordingWriter::create(path("a.csv"), true);
+  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
   ASSERT_TRUE(writer);
   Sample bad = sample_at(1);
   bad.force_n = std::numeric_limits<double>::infinity();
@@ -259,7 +264,7 @@ TEST_F(Recording, AHoleIsToldOf) {
 
 TEST_F(Recording, AFullDiskIsAnErrorAndStaysOne) {
   fs::create_symlink("/dev/full", path("a.csv.partial"));
-  auto writer = RecordingWriter::create(path("a.csv"), true);
+  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
   ASSERT_TRUE(writer) << writer.error().message;
   ASSERT_FALSE((*writer)->append(sample_at(0)));
   const Failure failed = (*writer)->flush();
@@ -273,7 +278,7 @@ TEST_F(Recording, AFullDiskIsAnErrorAndStaysOne) {
 
 TEST_F(Recording, AUsersSceneIsNotReplacedByASidecar) {
   put("mine.toml", "name = 'mine'\n");
-  const auto writer = RecordingWriter::create(path("mine.csv"), true);
+  const auto writer = RecordingWriter::create(path("mine.csv"), MoreColumns::kSimulator);
   ASSERT_FALSE(writer);
   EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
   EXPECT_THAT(writer.error().message, HasSubstr("would replace a file that is not a recording's"));
@@ -290,7 +295,7 @@ TEST_F(Recording, OneWriterAtATime) {
 
 TEST_F(Recording, UnwritablePathsAreRefusedAtOnce) {
   for (const std::string& name : {path("no/a.csv"), path(""), std::string("/dev/null")}) {
-    const auto writer = RecordingWriter::create(name, true);
+    const auto writer = RecordingWriter::create(name, MoreColumns::kSimulator);
     ASSERT_FALSE(writer) << name;
     EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
   }

@@ -14,6 +14,10 @@ using test::contact_scene;
 using test::FakeClock;
 using test::FakeDevice;
 
+constexpr int kArmedTicks = 510;  // the ramp is over
+constexpr double kFreeM = 0.03;
+constexpr double kInsideM = 0.051;
+
 struct BodyHarness {
   explicit BodyHarness(bool start_paused = false)
       : scene(contact_scene()),
@@ -34,6 +38,14 @@ struct BodyHarness {
     exchange.snapshots.update();
     return exchange.snapshots.current();
   }
+  // Outside the wall until the force is on, then inside it.
+  void arm_and_press() {
+    ASSERT_TRUE(exchange.commands.try_push({CommandKind::kArm, 0}));
+    lateness_ns = [this](int cycle) {
+      device.position_m = cycle <= kArmedTicks ? kFreeM : kInsideM;
+      return 0;
+    };
+  }
   void expect_safe_end() const {
     EXPECT_TRUE(exchange.finished);
     ASSERT_FALSE(device.log.empty());
@@ -52,9 +64,10 @@ struct BodyHarness {
 
 TEST(ServoLoopBody, EndsWithZeroForceAndAClosedDevice) {
   BodyHarness harness;
-  harness.run(50);
-  ASSERT_EQ(harness.device.forces_n.size(), 51U);
-  EXPECT_GT(harness.device.forces_n[49], 0.0);
+  harness.arm_and_press();
+  harness.run(kArmedTicks + 50);
+  ASSERT_EQ(harness.device.forces_n.size(), kArmedTicks + 51U);
+  EXPECT_GT(harness.device.forces_n[kArmedTicks + 49], 0.0);
   harness.expect_safe_end();
   EXPECT_FALSE(harness.snapshot().ended_by_fault);
 }
@@ -94,19 +107,20 @@ TEST(ServoLoopBody, HolesAreCountedAndNotCaughtUp) {
 
 TEST(ServoLoopBody, APausedDeviceHasNoForceAndIsKeptAwake) {
   BodyHarness harness;
-  harness.clock.after_sleep = [&, slept = 0](FakeClock&) mutable {
-    ++slept;
-    if (slept == 10) {
-      ASSERT_TRUE(harness.exchange.commands.try_push({CommandKind::kPause, 0}));
+  harness.arm_and_press();
+  constexpr int kPauseAt = kArmedTicks + 10;
+  const auto press = harness.lateness_ns;
+  harness.lateness_ns = [&](int cycle) {
+    if (cycle == kPauseAt) {
+      EXPECT_TRUE(harness.exchange.commands.try_push({CommandKind::kPause, 0}));
     }
-    if (slept == 30) harness.exchange.stop = true;
+    return press(cycle);
   };
-  run_servo_loop(harness.loop, harness.exchange, 1000.0, harness.clock);
-  ASSERT_EQ(harness.device.forces_n.size(), 31U) << "one write a cycle, and the last";
-  EXPECT_GT(harness.device.forces_n[8], 0.0);
-  for (std::size_t i = 9; i < harness.device.forces_n.size(); ++i) {
-    ASSERT_EQ(harness.device.forces_n[i], 0.0) << i;
-  }
+  harness.run(kPauseAt + 20);
+  const std::vector<double>& forces_n = harness.device.forces_n;
+  ASSERT_EQ(forces_n.size(), kPauseAt + 21U) << "one write a cycle, and the last";
+  EXPECT_GT(forces_n[kPauseAt - 2], 0.0);
+  for (std::size_t i = kPauseAt; i < forces_n.size(); ++i) ASSERT_EQ(forces_n[i], 0.0) << i;
 }
 
 TEST(ServoLoopBody, StaleInputHasNoForce) {

@@ -7,8 +7,10 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/runtime/realtime_setup.h"
 #include "app/runtime/session.h"
 #include "tests/app/runtime_fake_writer.h"
 #include "tests/app/runtime_session_support.h"
@@ -68,6 +70,7 @@ TEST(SessionEnd, AFailedRecordingGetsNoName) {
 // What is seen of a device from outside, also after the session has taken it with it.
 struct DeviceView {
   std::atomic<bool> unplugged{false};
+  std::atomic<double> position_m{0.03};
   std::vector<std::string> log;  // after the end
 };
 
@@ -80,6 +83,7 @@ class WatchedDevice : public FakeDevice {
   }
   [[nodiscard]] DeviceReading read() override {
     if (view_->unplugged) throw std::runtime_error("unplugged");
+    position_m = view_->position_m;
     return FakeDevice::read();
   }
 
@@ -88,9 +92,9 @@ class WatchedDevice : public FakeDevice {
 };
 
 struct WatchedSession {
-  explicit WatchedSession(const SessionOptions& options = {}) {
+  explicit WatchedSession(SessionOptions options = {}) {
     auto device = std::make_unique<WatchedDevice>(view);
-    device->position_m = 0.051;
+    options.allow_no_realtime = true;
     auto result = Session::start_on(std::move(device), contact_scene(), options);
     if (result) session = std::move(*result);
   }
@@ -110,6 +114,10 @@ struct WatchedSession {
 
 TEST(SessionEnd, RunningItLeavesZeroForceAndAClosedDevice) {
   WatchedSession watched;
+  watched.session->arm(true);
+  ASSERT_TRUE(
+      eventually([&] { return watched.session->snapshot().arming.state == ArmingState::kOn; }));
+  watched.view->position_m = 0.051;
   ASSERT_TRUE(eventually([&] { return watched.session->snapshot().sample.force_n > 0.0; }));
   watched.expect_safe_end();
 }
@@ -149,6 +157,46 @@ TEST(SessionStart, RefusesAnInvalidSceneAndADeviceThatDoesNotOpen) {
   const auto closed = Session::start_on(std::move(device), contact_scene());
   ASSERT_FALSE(closed);
   EXPECT_EQ(closed.error().kind, ErrorKind::kDevice);
+}
+
+// A late force is a wrong force: only who asks for it gets a device without real-time priority.
+TEST(SessionStart, HardwareWithoutRealtimePriorityIsRefusedUnlessAllowed) {
+  RealtimeStatus status;
+  status.text = "no real-time priority (Operation not permitted)";
+  status.advice = "allow it";
+  const device::DeviceInfo hardware{"paddle", false};
+  const Failure refused = refuse_without_realtime(hardware, status, false);
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->kind, ErrorKind::kDevice);
+  EXPECT_THAT(refused->message, HasSubstr("paddle: no real-time priority"));
+  EXPECT_THAT(refused->message, HasSubstr("--allow-no-realtime"));
+  EXPECT_FALSE(refuse_without_realtime(hardware, status, true));
+  EXPECT_FALSE(refuse_without_realtime({"simulator", true}, status, false));
+  status.fifo_priority = true;
+  EXPECT_FALSE(refuse_without_realtime(hardware, status, false));
+}
+
+// What a device says of itself holds, but it cannot allow more force than the scene does.
+TEST(SessionStart, TheDevicesResolutionAndSmallerLimitTakeThePlaceOfTheScenes) {
+  for (const auto& [device_limit_n, expected_n] :
+       {std::pair{5.0, 5.0}, std::pair{20.0, 8.9}, std::pair{0.0, 8.9}}) {
+    auto device = std::make_unique<FakeDevice>();
+    device->encoder_m = 1e-5;
+    device->force_limit_n = device_limit_n;
+    SessionOptions options;
+    options.allow_no_realtime = true;
+    const auto session = Session::start_on(std::move(device), contact_scene(), options);
+    ASSERT_TRUE(session);
+    EXPECT_EQ((*session)->scene().device.encoder_m, 1e-5);
+    EXPECT_EQ((*session)->scene().device.force_limit_n, expected_n);
+    Scene wanted = contact_scene();
+    wanted.device.force_limit_n = 100.0;
+    wanted.device.encoder_m = 1e-3;
+    EXPECT_FALSE((*session)->change_scene(wanted));
+    EXPECT_EQ((*session)->scene().device.encoder_m, 1e-5);
+    EXPECT_EQ((*session)->scene().device.force_limit_n,
+              device_limit_n > 0.0 ? device_limit_n : 100.0);
+  }
 }
 
 TEST(SessionStart, ACoreThatIsNotThereIsSaidAndTheLoopRunsAllTheSame) {

@@ -68,7 +68,7 @@ inline std::vector<std::string> repeated_rows(const std::string& sidecar_path) {
   options.changes = loaded->changes;
   options.on_sample = [&](const Sample& sample) {
     if (sample.tick < loaded->first_recorded_tick) return;
-    file::append_csv_row(rows.emplace_back(), sample, true);
+    file::append_csv_row(rows.emplace_back(), sample, file::MoreColumns::kSimulator);
     rows.back().pop_back();  // the line end
   };
   static_cast<void>(simulate(loaded->scene, options));

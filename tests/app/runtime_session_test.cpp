@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/runtime/scene_change.h"
 #include "app/runtime/session.h"
 #include "tests/app/runtime_session_support.h"
 
@@ -197,15 +198,17 @@ TEST(Session, WhilePausedNothingPilesUpEither) {
 // A device of the real world has its own mass, whatever the scene says.
 TEST(Session, ARealDeviceGetsNoPlantButTheControllersPart) {
   auto device = std::make_unique<FakeDevice>();
-  device->position_m = 0.051;
-  LiveSession session(std::move(device), contact_scene(), SessionOptions{});
+  device->position_m = 0.03;
+  const Scene scene = scene_on(contact_scene(), device->info());
+  EXPECT_FALSE(scene.hand) << "a person's own is there";
+  LiveSession session(std::move(device), scene, SessionOptions{});
   Scene wanted = session.scene();
   wanted.device.mass_kg = 0.3;
   wanted.device.force_limit_n = 0.5;
   ASSERT_FALSE(session.change_scene(wanted));
   EXPECT_EQ(session.plants_kept(), 0U);
   ASSERT_TRUE(eventually([&] { return session.snapshot().generation == 2; }));
-  EXPECT_LE(session.snapshot().sample.force_n, 0.5);
+  EXPECT_EQ(session.scene().device.force_limit_n, 0.5);
 }
 
 TEST(Session, ThePointerLeadsTheHand) {

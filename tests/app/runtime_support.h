@@ -138,29 +138,40 @@ class FakeClock : public Clock {
 // A device without a plant, which remembers what it was told.
 class FakeDevice : public device::Device {
  public:
-  [[nodiscard]] device::DeviceInfo info() const override { return {"fake", false}; }
+  [[nodiscard]] device::DeviceInfo info() const override {
+    return {"fake", false, encoder_m, force_limit_n};
+  }
   [[nodiscard]] Failure open() override {
     log.emplace_back("open");
     return open_failure;
   }
   [[nodiscard]] DeviceReading read() override {
     if (throw_at_read != 0 && ++reads == throw_at_read) throw std::runtime_error("unplugged");
-    return {position_m, age_s, DeviceState::kOk};
+    return {position_m, age_s, state, 2.0 * position_m};
   }
+  void enable(bool wanted) override { enabled = wanted; }
+  [[nodiscard]] device::LinkFigures link() const override { return figures; }
   void write(double force_n) override {
     if (throw_at_write) throw std::runtime_error("unplugged");
     forces_n.push_back(force_n);
+    enabled_at_write.push_back(enabled);
     log.emplace_back("write");
   }
   void close() override { log.emplace_back("close"); }
 
   double position_m = 0.0;
   double age_s = 0.0;
+  DeviceState state = DeviceState::kOk;
+  double encoder_m = 0.0;
+  double force_limit_n = 0.0;
+  device::LinkFigures figures;
   Failure open_failure;
   int throw_at_read = 0;  // 0: never; else the how manieth
   bool throw_at_write = false;
   int reads = 0;
+  bool enabled = false;
   std::vector<double> forces_n;
+  std::vector<bool> enabled_at_write;
   std::vector<std::string> log;
 };
 

@@ -25,6 +25,12 @@ class FakeSession final : public runtime::Session {
     realtime_.advice = "nothing is to be done";
   }
 
+  ~FakeSession() override {
+    if (open_count != nullptr) --*open_count;
+  }
+  FakeSession(const FakeSession&) = delete;
+  FakeSession& operator=(const FakeSession&) = delete;
+
   // Lets `ticks` pass, whether paused or not.
   void advance(int ticks) {
     for (int i = 0; i < ticks; ++i) {
@@ -58,6 +64,7 @@ class FakeSession final : public runtime::Session {
       device_.release_hand();
     }
   }
+  void arm(bool armed) override { arm_requests.push_back(armed); }
   void pause(bool paused) override { is_paused = paused; }
   void step(std::uint32_t ticks) override {
     steps += static_cast<int>(ticks);
@@ -73,6 +80,8 @@ class FakeSession final : public runtime::Session {
     runtime::Snapshot snapshot;
     snapshot.sample = newest_;
     snapshot.timing = timing;
+    snapshot.arming = arming;
+    snapshot.link = link;
     snapshot.paused = is_paused;
     return snapshot;
   }
@@ -97,6 +106,15 @@ class FakeSession final : public runtime::Session {
     return realtime_;
   }
 
+  [[nodiscard]] const device::DeviceInfo& device_info() const override { return info; }
+  [[nodiscard]] std::string device_trouble() const override { return trouble; }
+
+  device::DeviceInfo info{"simulator", true};
+  std::string trouble;
+  int* open_count = nullptr;     // one less when this session has ended
+  runtime::ArmingStatus arming;  // what the next snapshots say, like these
+  device::LinkFigures link;
+  std::vector<bool> arm_requests;
   runtime::TimingStatistics timing;  // what the next snapshots say
   bool is_paused = false;
   int steps = 0;

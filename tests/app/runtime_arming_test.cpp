@@ -1,0 +1,290 @@
+// When the force of a real device may act.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "app/runtime/arming.h"
+#include "app/runtime/servo_loop.h"
+#include "tests/app/runtime_support.h"
+
+namespace hapticwall::runtime::test {
+namespace {
+
+constexpr double kRateHz = 1000.0;
+constexpr int kRampTicks = 500;
+constexpr double kFreeM = 0.03;
+constexpr double kInsideM = 0.0502;
+constexpr double kStiffness = 10'000.0;
+
+void ticks(Arming& arming, int count, const ArmingFacts& facts = {}) {
+  for (int i = 0; i < count; ++i) arming.after_tick(facts);
+}
+
+Arming armed() {
+  Arming arming(true, kRateHz);
+  arming.ask();
+  ticks(arming, kRampTicks + 1);
+  EXPECT_EQ(arming.state(), ArmingState::kOn);
+  return arming;
+}
+
+TEST(Arming, ASimulatorNeverNeedsIt) {
+  Arming arming(false, kRateHz);
+  EXPECT_EQ(arming.gain(), 1.0);
+  EXPECT_FALSE(arming.after_tick({.fault = true}));
+  arming.disarm(ArmingNote::kAsked);
+  EXPECT_EQ(arming.state(), ArmingState::kNotNeeded);
+  EXPECT_EQ(arming.gain(), 1.0);
+}
+
+TEST(Arming, IsOffUntilAskedFor) {
+  Arming arming(true, kRateHz);
+  ticks(arming, 1000);
+  EXPECT_EQ(arming.state(), ArmingState::kOff);
+  EXPECT_EQ(arming.gain(), 0.0);
+  EXPECT_FALSE(arming.enabled());
+}
+
+TEST(Arming, RisesEvenlyOverHalfASecond) {
+  Arming arming(true, kRateHz);
+  arming.ask();
+  double before = arming.gain();
+  for (int tick = 0; tick < kRampTicks; ++tick) {
+    EXPECT_FALSE(arming.after_tick({}));
+    EXPECT_NEAR(arming.gain() - before, 1.0 / kRampTicks, 1e-12);
+    before = arming.gain();
+  }
+  ticks(arming, 1);
+  EXPECT_EQ(arming.gain(), 1.0);
+  EXPECT_EQ(arming.state(), ArmingState::kOn);
+  EXPECT_EQ(arming.answers(), 1U);
+}
+
+TEST(Arming, IsRefusedWhereItMustNotBe) {
+  struct Case {
+    ArmingFacts facts;
+    ArmingNote note;
+  };
+  for (const Case& one :
+       {Case{{.in_contact = true}, ArmingNote::kInsideWall},
+        Case{{.fault = true}, ArmingNote::kNotReady}, Case{{.stale = true}, ArmingNote::kNotReady},
+        Case{{.stale = true, .in_contact = true}, ArmingNote::kNotReady},
+        Case{{.failed = true}, ArmingNote::kForce}}) {
+    Arming arming(true, kRateHz);
+    arming.ask();
+    arming.after_tick(one.facts);
+    EXPECT_EQ(arming.state(), ArmingState::kOff);
+    EXPECT_EQ(arming.note(), one.note);
+    EXPECT_EQ(arming.answers(), 1U);
+    ticks(arming, 10);  // a refusal is final: nothing happens when the cause has gone
+    EXPECT_FALSE(arming.enabled());
+  }
+}
+
+TEST(Arming, EveryFaultTakesTheForceAwayForGood) {
+  struct Case {
+    ArmingFacts facts;
+    ArmingNote note;
+  };
+  for (const Case& one :
+       {Case{{.fault = true}, ArmingNote::kDevice}, Case{{.stale = true}, ArmingNote::kStale},
+        Case{{.failed = true}, ArmingNote::kForce},
+        Case{{.in_contact = true, .parameters_changed = true}, ArmingNote::kWallMoved}}) {
+    Arming arming = armed();
+    EXPECT_TRUE(arming.after_tick(one.facts));
+    EXPECT_EQ(arming.note(), one.note);
+    EXPECT_EQ(arming.gain(), 0.0);
+    ticks(arming, 1000);
+    EXPECT_FALSE(arming.enabled());
+    arming.ask();
+    ticks(arming, 1);
+    EXPECT_EQ(arming.state(), ArmingState::kRamping);
+    EXPECT_EQ(arming.note(), ArmingNote::kNone);
+  }
+}
+
+TEST(Arming, ContactAndChangesOfTheWallInsideItAreWhatItIsFor) {
+  Arming arming = armed();
+  ticks(arming, 1, {.in_contact = true});
+  ticks(arming, 1, {.in_contact = true, .parameters_changed = true});
+  ticks(arming, 1, {.parameters_changed = true});
+  EXPECT_EQ(arming.state(), ArmingState::kOn);
+}
+
+TEST(Arming, EveryNoteHasWords) {
+  for (int note = 1; note <= static_cast<int>(ArmingNote::kWallMoved); ++note) {
+    EXPECT_FALSE(arming_note_text(static_cast<ArmingNote>(note)).empty()) << note;
+  }
+  EXPECT_TRUE(arming_note_text(ArmingNote::kNone).empty());
+}
+
+Scene bare_wall() {
+  Scene scene;
+  scene.walls = {{0.05, kStiffness, 0.0}};
+  scene.algorithm.index = find_algorithm("none").value();
+  return scene;
+}
+
+// The loop on a device that shows what it was told.
+struct RealLoop {
+  RealLoop() : RealLoop(SessionOptions{}) {}
+  explicit RealLoop(const SessionOptions& options)
+      : exchange(options, {servo_settings(bare_wall()), 1}),
+        loop(device, exchange, {servo_settings(bare_wall()), 1}, options.start_paused) {
+    device.position_m = kFreeM;
+  }
+  void cycles(int count) {
+    for (int i = 0; i < count; ++i) loop.cycle({clock.now_ns(), 0, 0}, clock);
+  }
+  void command(CommandKind kind, std::uint32_t how_many = 0) {
+    ASSERT_TRUE(exchange.commands.try_push({kind, how_many}));
+  }
+  void arm() {
+    command(CommandKind::kArm);
+    cycles(kRampTicks + 2);
+    ASSERT_EQ(snapshot().arming.state, ArmingState::kOn);
+  }
+  Snapshot snapshot() {
+    exchange.snapshots.update();
+    return exchange.snapshots.current();
+  }
+
+  FakeDevice device;
+  Exchange exchange;
+  ServoLoop loop;
+  FakeClock clock;
+};
+
+TEST(ArmedLoop, PushesNothingAndEnablesNothingBeforeItIsArmed) {
+  RealLoop real;
+  real.device.position_m = kInsideM;
+  real.cycles(20);
+  for (std::size_t i = 0; i < real.device.forces_n.size(); ++i) {
+    EXPECT_EQ(real.device.forces_n[i], 0.0);
+    EXPECT_FALSE(real.device.enabled_at_write[i]);
+  }
+  // The samples tell what was commanded, and what the wall would have asked for.
+  EXPECT_EQ(real.snapshot().sample.force_n, 0.0);
+  EXPECT_NEAR(real.snapshot().sample.wall_force_n, 2.0, 1e-9);
+}
+
+TEST(ArmedLoop, RampsInAndThenPushesWithAllOfIt) {
+  RealLoop real;
+  real.command(CommandKind::kArm);
+  real.cycles(kRampTicks / 2 + 1);
+  real.device.position_m = kInsideM;
+  real.cycles(1);
+  EXPECT_TRUE(real.device.enabled);
+  EXPECT_NEAR(real.device.forces_n.back(), 1.0, 0.02);
+  real.cycles(kRampTicks);
+  EXPECT_NEAR(real.device.forces_n.back(), 2.0, 1e-9);
+}
+
+TEST(ArmedLoop, DisarmActsAtTheNextTick) {
+  RealLoop real;
+  real.arm();
+  real.device.position_m = kInsideM;
+  real.cycles(1);
+  EXPECT_NEAR(real.device.forces_n.back(), 2.0, 1e-9);
+  real.command(CommandKind::kDisarm);
+  real.cycles(1);
+  EXPECT_EQ(real.device.forces_n.back(), 0.0);
+  EXPECT_FALSE(real.device.enabled_at_write.back());
+  EXPECT_EQ(real.snapshot().arming.note, ArmingNote::kAsked);
+}
+
+TEST(ArmedLoop, AFaultIsAnsweredInTheSameTick) {
+  for (const bool stale : {false, true}) {
+    RealLoop real;
+    real.arm();
+    real.device.position_m = kInsideM;
+    real.cycles(1);
+    if (stale) {
+      real.device.age_s = 1.0;
+    } else {
+      real.device.state = DeviceState::kFault;
+      real.device.figures.trouble = device::Trouble::kSilent;
+    }
+    real.cycles(1);
+    EXPECT_EQ(real.device.forces_n.back(), 0.0);
+    EXPECT_FALSE(real.device.enabled_at_write.back());
+    EXPECT_EQ(real.snapshot().arming.note, stale ? ArmingNote::kStale : ArmingNote::kDevice);
+    real.device.age_s = 0.0;
+    real.device.state = DeviceState::kOk;
+    real.cycles(100);  // well again, and still off
+    EXPECT_EQ(real.device.forces_n.back(), 0.0);
+    EXPECT_FALSE(real.device.enabled_at_write.back());
+  }
+}
+
+// Where the handle went while nobody could see it is no move: it has no velocity and no energy.
+TEST(ArmedLoop, TheFirstPositionAfterAFaultIsNoMove) {
+  RealLoop real;
+  real.cycles(10);
+  real.device.state = DeviceState::kFault;
+  real.cycles(10);
+  real.device.state = DeviceState::kOk;
+  real.device.position_m = 0.01;
+  real.cycles(1);
+  EXPECT_EQ(real.snapshot().sample.velocity_m_per_s, 0.0);
+  EXPECT_EQ(real.snapshot().sample.position_m, 0.01);
+}
+
+TEST(ArmedLoop, APauseDisarmsAndWhatMovesMeanwhileIsNoMove) {
+  RealLoop real;
+  real.arm();
+  real.command(CommandKind::kPause);
+  real.cycles(5);
+  EXPECT_EQ(real.snapshot().arming.note, ArmingNote::kPaused);
+  EXPECT_FALSE(real.device.enabled);
+  real.command(CommandKind::kArm);
+  real.cycles(1);
+  EXPECT_EQ(real.snapshot().arming.state, ArmingState::kOff);
+  EXPECT_EQ(real.snapshot().arming.asked, 2U);
+  real.device.position_m = kInsideM;
+  real.command(CommandKind::kResume);
+  real.cycles(1);
+  EXPECT_EQ(real.snapshot().sample.velocity_m_per_s, 0.0);
+  EXPECT_EQ(real.device.forces_n.back(), 0.0);
+}
+
+TEST(ArmedLoop, AResetDisarms) {
+  RealLoop real;
+  real.arm();
+  real.command(CommandKind::kReset);
+  real.cycles(3);
+  EXPECT_EQ(real.snapshot().arming.state, ArmingState::kOff);
+}
+
+TEST(ArmedLoop, AWallThatIsMovedOverTheHandleTakesTheForceAway) {
+  RealLoop real;
+  real.arm();
+  Scene changed = bare_wall();
+  changed.walls[0].position_m = 0.02;
+  real.exchange.parameters.publish({servo_settings(changed), 2, nullptr});
+  real.cycles(1);
+  EXPECT_EQ(real.snapshot().arming.note, ArmingNote::kWallMoved);
+  EXPECT_EQ(real.device.forces_n.back(), 0.0);
+  EXPECT_FALSE(real.device.enabled_at_write.back());
+}
+
+TEST(ArmedLoop, TheSampleTellsAgeAndDeviceTime) {
+  RealLoop real;
+  real.device.age_s = 0.003;
+  real.cycles(1);
+  EXPECT_EQ(real.snapshot().sample.read_age_s, 0.003);
+  EXPECT_EQ(real.snapshot().sample.device_time_s, 2.0 * kFreeM);
+}
+
+TEST(ArmedLoop, TheEndTakesTheForceAway) {
+  RealLoop real;
+  real.arm();
+  real.loop.shut_down(false);
+  EXPECT_EQ(real.device.forces_n.back(), 0.0);
+  EXPECT_FALSE(real.device.enabled_at_write.back());
+  EXPECT_EQ(real.device.log.back(), "close");
+  EXPECT_EQ(real.snapshot().arming.state, ArmingState::kOff);
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime::test
