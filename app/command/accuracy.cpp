@@ -14,6 +14,7 @@
 #include "app/command/accuracy_report.h"
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
+#include "app/command/device_choice.h"
 #include "app/command/output_file.h"
 #include "app/command/processor_time.h"
 #include "app/command/progress.h"
@@ -122,6 +123,8 @@ int accuracy(const CommandOptions& options) {
   if (const Failure failed = check_outputs(options.output)) return report(*failed);
   Result<std::vector<int>> substeps = parse_substeps(options.substeps);
   if (!substeps) return report(substeps.error());
+  if (const Failure failed = check_simulator("accuracy", options.scene.device))
+    return report(*failed);
   const Result<file::LoadedScene> loaded = load_headless(options.scene);
   if (!loaded) return report(loaded.error());
   if (const Failure failed = check_scene(*loaded)) return report(*failed);
@@ -147,6 +150,7 @@ Command add_accuracy(CLI::App& program) {
   add_headless_options(*app, options->scene);
   add_algorithm_option(*app, options->scene);
   add_scene_options(*app, options->scene);
+  add_simulator_option(*app, options->scene);
   app->add_option("--substeps", options->substeps,
                   fmt::format("Substeps a tick to measure, 1 to {}; default {}", kMaximumSubsteps,
                               kDefaultSubsteps))

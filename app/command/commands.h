@@ -19,6 +19,8 @@ struct Command {
 [[nodiscard]] Command add_run(CLI::App& program);
 [[nodiscard]] Command add_compare(CLI::App& program);
 [[nodiscard]] Command add_accuracy(CLI::App& program);
+[[nodiscard]] Command add_timing(CLI::App& program);
+[[nodiscard]] Command add_devices(CLI::App& program);
 [[nodiscard]] Command add_scenes(CLI::App& program);
 
 }  // namespace hapticwall::command

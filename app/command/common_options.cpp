@@ -15,16 +15,7 @@
 namespace hapticwall::command {
 namespace {
 
-constexpr std::string_view kSimulator = "sim";
-
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
-
-Failure check_device(const std::string& device) {
-  if (device == kSimulator) return {};
-  return Error{ErrorKind::kDevice,
-               fmt::format("--device {}: this version knows only the simulator, 'sim'",
-                           file::in_quotes(device))};
-}
 
 Failure check_duration(const std::string& text) {
   const NumberKey<Scene>& key = scene_number_keys().front();
@@ -62,8 +53,19 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
                  "A key of the scene, e.g. hand.mass_kg=0.3 (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--device", options.device, "Device; this version knows only the simulator, sim")
+}
+
+void add_simulator_option(CLI::App& app, SceneOptions& options) {
+  app.add_option("--device", options.device, "Only the simulator, sim")->type_name("NAME");
+}
+
+void add_device_options(CLI::App& app, SceneOptions& options) {
+  app.add_option("--device", options.device,
+                 "sim, the simulator; ie2000, a device on the bus; ie2000:PATH, that one, or as a "
+                 "device file describes it")
       ->type_name("NAME");
+  app.add_flag("--allow-no-realtime", options.allow_no_realtime,
+               "Drive a device without real-time priority too: its force may come late");
 }
 
 void add_algorithm_option(CLI::App& app, SceneOptions& options) {
@@ -94,7 +96,6 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
 }
 
 Result<file::LoadedScene> load(const SceneOptions& options) {
-  if (Failure failed = check_device(options.device)) return *failed;
   std::vector<std::string> overrides = options.settings;
   if (!options.algorithm.empty()) {
     if (Failure failed = check_algorithm_name("--algorithm", options.algorithm)) return *failed;

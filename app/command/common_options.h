@@ -19,6 +19,7 @@ struct SceneOptions {
   std::string duration;
   std::vector<std::string> settings;  // of --set
   std::string device = "sim";
+  bool allow_no_realtime = false;
 };
 
 // What is done with the outcome.
@@ -33,19 +34,22 @@ struct OutputOptions {
 
 inline constexpr const char* kStandardOutput = "-";
 
-// --set and --device.
+// --set.
 void add_scene_options(CLI::App& app, SceneOptions& options);
+// --device alone: accepted for scripts by commands that compute on the simulator.
+void add_simulator_option(CLI::App& app, SceneOptions& options);
+// --device and --allow-no-realtime.
+void add_device_options(CLI::App& app, SceneOptions& options);
 void add_algorithm_option(CLI::App& app, SceneOptions& options);
 // The required SCENE of a command, and --duration.
 void add_headless_options(CLI::App& app, SceneOptions& options);
 // --json, --expect, --seed, --quiet.
 void add_output_options(CLI::App& app, OutputOptions& options);
 
-// The scene with --set, then --algorithm and --duration, applied; a device other than the simulator
-// fails with ErrorKind::kDevice.
+// The scene with --set, then --algorithm and --duration, applied.
 [[nodiscard]] Result<file::LoadedScene> load(const SceneOptions& options);
 
-// The same for runs without a window, where no pointer can lead the hand.
+// The same for runs of the simulator without a window, where no pointer can lead the hand.
 [[nodiscard]] Result<file::LoadedScene> load_headless(const SceneOptions& options);
 
 // Two outputs into one file, and --csv or --plot to standard output, are usage errors.

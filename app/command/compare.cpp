@@ -6,6 +6,7 @@
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
+#include "app/command/device_choice.h"
 #include "app/command/headless.h"
 #include "app/command/output_file.h"
 #include "app/command/signals.h"
@@ -79,6 +80,8 @@ int compare(const CompareOptions& options) {
   if (const Failure failed = check_outputs(options.output)) return report(*failed);
   const Result<std::vector<std::size_t>> indices = chosen_algorithms(options.algorithms);
   if (!indices) return report(indices.error());
+  if (const Failure failed = check_simulator("compare", options.scene.device))
+    return report(*failed);
   const Result<file::LoadedScene> loaded = load_headless(options.scene);
   if (!loaded) return report(loaded.error());
   if (!loaded->changes.empty()) {
@@ -115,6 +118,7 @@ Command add_compare(CLI::App& program) {
       ->delimiter(',')
       ->allow_extra_args(false);
   add_scene_options(*app, options->scene);
+  add_simulator_option(*app, options->scene);
   app->add_option("--csv", options->output.csv, "Write the table as CSV, a line an algorithm")
       ->type_name("FILE");
   // Not offered, but known: whoever asks is told where to find it.

@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <memory>
 #include <thread>
+#include <utility>
 
+#include "app/command/device_choice.h"
 #include "app/command/progress.h"
 #include "app/command/signals.h"
 #include "app/runtime/session.h"
@@ -21,10 +23,21 @@ constexpr std::chrono::milliseconds kPollInterval{5};
 constexpr std::size_t kSamplesPerPoll = 4096;
 constexpr double kMicrosecondsPerSecond = 1e6;
 
-std::string status_text(const runtime::Session& session, const runtime::TimingStatistics& timing) {
-  return fmt::format("{}; {} ticks missed, woken at most {:.0f} us late",
-                     session.realtime_status().text, timing.missed_ticks,
-                     timing.maximum_wake_latency_s * kMicrosecondsPerSecond);
+// Of a real device too: how old its positions were, and what of its reports never came.
+std::string link_text(const runtime::Session& session, const device::LinkFigures& link) {
+  return fmt::format("; {}: {} states, {} missing, {} void, at most {:.0f} us old, delay {:.0f} us",
+                     session.device_info().name, link.states, link.missing_states,
+                     link.void_reports, link.maximum_age_s * kMicrosecondsPerSecond,
+                     link.delay_s * kMicrosecondsPerSecond);
+}
+
+std::string status_text(const runtime::Session& session, const runtime::Snapshot& snapshot) {
+  const runtime::TimingStatistics& timing = snapshot.timing;
+  std::string text = fmt::format("{}; {} ticks missed, woken at most {:.0f} us late",
+                                 session.realtime_status().text, timing.missed_ticks,
+                                 timing.maximum_wake_latency_s * kMicrosecondsPerSecond);
+  if (!session.device_info().is_simulated) text += link_text(session, snapshot.link);
+  return text;
 }
 
 // Takes what the loop has produced; returns how many samples that was.
@@ -38,6 +51,42 @@ std::uint64_t take_samples(runtime::Session& session, Metrics& metrics, const Re
   return count;
 }
 
+Result<std::unique_ptr<runtime::Session>> start_session(const RealtimeRun& run) {
+  runtime::SessionOptions options;
+  options.start_paused = true;  // the recording begins with tick 0
+  options.allow_no_realtime = run.allow_no_realtime;
+  if (!run.hardware) return runtime::Session::start(run.scene, options);
+  return runtime::Session::start_on(make_device(*run.hardware, run.scene), run.scene, options);
+}
+
+// What ends a run before its time, apart from a signal.
+Failure trouble_in(const runtime::Session& session, const runtime::Snapshot& snapshot,
+                   const RealtimeRun& run) {
+  const auto failed = [](std::string text) { return Error{ErrorKind::kDevice, std::move(text)}; };
+  if (snapshot.ended_by_fault) {
+    return failed(fmt::format("the loop gave up after {} ticks", snapshot.sample.tick));
+  }
+  if (session.dropped_plot_samples() > 0) {
+    return failed("samples were lost: this machine is too slow for the rate");
+  }
+  const runtime::ArmingStatus& arming = snapshot.arming;
+  const std::string& name = session.device_info().name;
+  if (snapshot.link.trouble != device::Trouble::kNone) {
+    const std::string details = session.device_trouble();
+    return failed(
+        fmt::format("{}: {}; the force is off since {:.3f} s", name,
+                    details.empty() ? device::trouble_text(snapshot.link.trouble) : details,
+                    snapshot.sample.time_s));
+  }
+  // The last tick's pause is no trouble.
+  if (run.arm && arming.asked > 0 && arming.state == runtime::ArmingState::kOff &&
+      arming.note != runtime::ArmingNote::kPaused) {
+    return failed(fmt::format("{}: the force is off since {:.3f} s: {}", name,
+                              snapshot.sample.time_s, runtime::arming_note_text(arming.note)));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
@@ -45,33 +94,29 @@ Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
   if (ticks > UINT32_MAX) {
     return Error{ErrorKind::kUsage, fmt::format("--realtime runs at most {} ticks", UINT32_MAX)};
   }
-  runtime::SessionOptions options;
-  options.start_paused = true;  // the recording begins with tick 0
-  Result<std::unique_ptr<runtime::Session>> started = runtime::Session::start(run.scene, options);
+  Result<std::unique_ptr<runtime::Session>> started = start_session(run);
   if (!started) return started.error();
   runtime::Session& session = **started;
   if (!run.csv.empty()) {
     if (Failure failed = session.start_recording(run.csv)) return *failed;
   }
 
-  Metrics metrics(run.scene, ticks, true);
+  Metrics metrics(session.scene(), ticks, session.device_info().is_simulated);
   Progress progress(run.scene.name, run.show_progress);
   session.step(static_cast<std::uint32_t>(ticks));
+  if (run.arm) session.arm(true);
+  Failure trouble;
   std::uint64_t done = 0;
-  while (done < ticks && stop_signal() == 0) {
+  while (done < ticks && stop_signal() == 0 && !trouble) {
     done += take_samples(session, metrics, run);
-    if (session.dropped_plot_samples() > 0) {
-      return Error{ErrorKind::kDevice, "samples were lost: this machine is too slow for the rate"};
-    }
-    if (session.snapshot().ended_by_fault) {
-      return Error{ErrorKind::kDevice, fmt::format("the loop gave up after {} ticks", done)};
-    }
+    trouble = trouble_in(session, session.snapshot(), run);
     progress.show(static_cast<double>(done) / static_cast<double>(ticks));
-    if (done < ticks) std::this_thread::sleep_for(kPollInterval);
+    if (done < ticks && !trouble) std::this_thread::sleep_for(kPollInterval);
   }
+  session.arm(false);
   if (Failure failed = session.stop_recording()) return *failed;
-  return RealtimeOutcome{metrics.finish(), status_text(session, session.snapshot().timing),
-                         done < ticks};
+  if (trouble) return *trouble;
+  return RealtimeOutcome{metrics.finish(), status_text(session, session.snapshot()), done < ticks};
 }
 
 }  // namespace hapticwall::command

@@ -1,20 +1,25 @@
-// A session in real time without a window.
+// A session in real time without a window, on the simulator or on a device.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
 #include "core/summary.h"
+#include "device/impulse_engine.h"
 
 namespace hapticwall::command {
 
 struct RealtimeRun {
   const Scene& scene;
-  std::string csv;                               // empty: no recording
-  std::function<void(const Sample&)> on_sample;  // may be empty
+  std::string csv;                                       // empty: no recording
+  std::function<void(const Sample&)> on_sample;          // may be empty
+  std::optional<device::ImpulseEngineOptions> hardware;  // nothing: the simulator
+  bool arm = false;  // the device's force, at the first tick; else it stays off
+  bool allow_no_realtime = false;
   bool show_progress = false;
 };
 
@@ -24,7 +29,9 @@ struct RealtimeOutcome {
   bool stopped_early = false;
 };
 
-// Runs exactly scene.tick_count() ticks (fewer after a stop signal) and finishes the recording.
+// Runs exactly scene.tick_count() ticks (fewer after a stop signal) and finishes the recording. A
+// device that cannot be armed, or is lost on the way, ends the run with ErrorKind::kDevice; its
+// force is zero then, and the recording is whole for what was run.
 [[nodiscard]] Result<RealtimeOutcome> run_realtime(const RealtimeRun& run);
 
 }  // namespace hapticwall::command

@@ -6,6 +6,7 @@
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
+#include "app/command/device_choice.h"
 #include "app/command/headless.h"
 #include "app/command/realtime_run.h"
 #include "app/command/run_outputs.h"
@@ -22,6 +23,7 @@ struct RunOptions {
   SceneOptions scene;
   OutputOptions output;
   bool realtime = false;
+  bool arm = false;
 };
 
 // What was run, however it was run.
@@ -31,12 +33,18 @@ struct Outcome {
   std::string realtime_status;
 };
 
+Failure check_arming(const RunOptions& options, const DeviceChoice& device) {
+  if (!options.arm || device.hardware) return {};
+  return Error{ErrorKind::kUsage,
+               "--arm: the simulator needs no arming; it is for --device ie2000"};
+}
+
 Failure check_realtime(const file::LoadedScene& loaded) {
   if (loaded.changes.empty() && loaded.first_recorded_tick == 0) return {};
-  return Error{
-      ErrorKind::kUsage,
-      "--realtime: the scene is a part of a session or one in which parameters changed; only "
-      "a run without --realtime repeats it tick by tick"};
+  return Error{ErrorKind::kUsage,
+               "a run in real time: the scene is a part of a session or one in which parameters "
+               "changed; only "
+               "a run without --realtime repeats it tick by tick"};
 }
 
 std::function<void(const Sample&)> sample_sink(RunOutputs& outputs) {
@@ -44,12 +52,16 @@ std::function<void(const Sample&)> sample_sink(RunOutputs& outputs) {
   return [&outputs](const Sample& sample) { outputs.take(sample); };
 }
 
-Result<Outcome> run_in_real_time(const RunOptions& options, const Scene& scene,
-                                 RunOutputs& outputs) {
-  const Result<RealtimeOutcome> result = run_realtime({.scene = scene,
-                                                       .csv = options.output.csv,
-                                                       .on_sample = sample_sink(outputs),
-                                                       .show_progress = !options.output.quiet});
+Result<Outcome> run_in_real_time(const RunOptions& options, const DeviceChoice& device,
+                                 const Scene& scene, RunOutputs& outputs) {
+  const Result<RealtimeOutcome> result =
+      run_realtime({.scene = scene,
+                    .csv = options.output.csv,
+                    .on_sample = sample_sink(outputs),
+                    .hardware = device.hardware,
+                    .arm = options.arm,
+                    .allow_no_realtime = options.scene.allow_no_realtime,
+                    .show_progress = !options.output.quiet});
   if (!result) return result.error();
   return Outcome{result->summary, result->stopped_early, result->status};
 }
@@ -87,21 +99,26 @@ int run(const RunOptions& options) {
       parse_expectations(options.output.expectations);
   if (!expectations) return report(expectations.error());
   if (const Failure failed = check_outputs(options.output)) return report(*failed);
-  const Result<file::LoadedScene> loaded = load_headless(options.scene);
+  const Result<DeviceChoice> device = parse_device_choice(options.scene.device);
+  if (!device) return report(device.error());
+  if (const Failure failed = check_arming(options, *device)) return report(*failed);
+  const bool in_real_time = options.realtime || device->hardware.has_value();
+  const Result<file::LoadedScene> loaded =
+      device->hardware ? load(options.scene) : load_headless(options.scene);
   if (!loaded) return report(loaded.error());
-  if (options.realtime) {
+  if (in_real_time) {
     if (const Failure failed = check_realtime(*loaded)) return report(*failed);
   }
-  Result<RunOutputs> outputs = RunOutputs::open(options.output, *loaded, options.realtime);
+  Result<RunOutputs> outputs = RunOutputs::open(options.output, *loaded, in_real_time);
   if (!outputs) return report(outputs.error());
-  if (!loaded->not_repeatable_because.empty() && !options.output.quiet) {
+  if (!loaded->not_repeatable_because.empty() && !options.output.quiet && !device->hardware) {
     tell(fmt::format("note: this will differ from the recorded session: {}",
                      file::shown(loaded->not_repeatable_because)));
   }
 
   catch_stop_signals();
-  const Result<Outcome> outcome = options.realtime
-                                      ? run_in_real_time(options, loaded->scene, *outputs)
+  const Result<Outcome> outcome = in_real_time
+                                      ? run_in_real_time(options, *device, loaded->scene, *outputs)
                                       : run_headless(options, *loaded, *outputs);
   if (!outcome) return report(outcome.error());
   if (outcome->stopped_early) return tell_stopped(*outcome, loaded->scene, options.output.csv);
@@ -120,8 +137,12 @@ Command add_run(CLI::App& program) {
   add_headless_options(*app, options->scene);
   add_algorithm_option(*app, options->scene);
   add_scene_options(*app, options->scene);
+  add_device_options(*app, options->scene);
   app->add_flag("--realtime", options->realtime,
-                "In real time, through the loop that the window uses");
+                "In real time, through the loop that the window uses; always so on a device");
+  app->add_flag("--arm", options->arm,
+                "Let a device push, as soon as its handle is seen outside the wall; without it the "
+                "force stays off");
   app->add_option("--csv", options->output.csv,
                   "Record every tick; the sidecar FILE.toml repeats the run")
       ->type_name("FILE");

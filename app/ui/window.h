@@ -1,8 +1,11 @@
 // The window: opens on a scene, runs until it is closed.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
 
+#include "app/runtime/session.h"
 #include "core/result.h"
 #include "core/scene.h"
 
@@ -10,6 +13,8 @@ namespace hapticwall::ui {
 
 struct WindowOptions {
   Scene scene;
+  // Starts a session on a device; empty: the simulator.
+  std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)> start_on_device;
   std::string recording_folder;  // where the record button puts its files; empty: the current one
 };
 

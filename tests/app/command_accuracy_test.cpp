@@ -126,7 +126,8 @@ TEST_F(AccuracyCommand, RefusesLikeRun) {
                  "light, press, tap, tap-slow, golden-hard, golden-soft, golden-soft-fric");
   expect_refused({}, 2, "SCENE is required");
   expect_refused({"press", "--device", "ie2000"}, 3,
-                 "--device 'ie2000': this version knows only the simulator, 'sim'");
+                 "--device 'ie2000': 'accuracy' computes on the simulator only, 'sim'; 'hapticwall "
+                 "run' and the window drive a device");
   expect_refused({"press", "--json", "a", "--plot", "a"}, 2,
                  "--json and --plot are the same file, 'a'");
   expect_refused({"press", "--plot", "-"}, 2, "--plot -: it takes the name of a file");

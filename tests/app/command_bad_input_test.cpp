@@ -122,8 +122,17 @@ TEST_F(BadInput, Options) {
   expect_refused({"run", "press", "--bogus"}, 2,
                  "The following argument was not expected: --bogus");
   expect_refused({"run"}, 2, "SCENE is required");
-  expect_refused({"run", "press", "--device", "ie2000"}, 3,
-                 "--device 'ie2000': this version knows only the simulator, 'sim'");
+  for (const std::string device : {"ie3000", "ie2000:", "", "simulator"}) {
+    expect_refused({"run", "press", "--device", device}, 3,
+                   "--device '" + device +
+                       "': it takes sim, ie2000 or ie2000:PATH; 'hapticwall devices' lists what "
+                       "is connected");
+  }
+  expect_refused({"compare", "press", "--device", "ie2000"}, 3,
+                 "--device 'ie2000': 'compare' computes on the simulator only, 'sim'; 'hapticwall "
+                 "run' and the window drive a device");
+  expect_refused({"run", "press", "--arm"}, 2,
+                 "--arm: the simulator needs no arming; it is for --device ie2000");
   expect_refused({"compare", "press", "--plot", "a.png"}, 2,
                  "--plot: 'compare' draws no figure; 'hapticwall run SCENE --plot FILE.png' does");
   expect_refused({"run", "press", "--plot", "a.png", "--duration", "1001"}, 2,

@@ -1,0 +1,130 @@
+#include "app/command/device_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/file/text.h"
+#include "embedded_rules.h"
+
+namespace hapticwall::command {
+namespace {
+
+using device::hid::DeviceFigures;
+using device::hid::Listing;
+using device::hid::Obstacle;
+using Json = nlohmann::ordered_json;
+
+constexpr double kMillimetresPerMetre = 1e3;
+constexpr int kIndent = 2;
+
+ListedDevice look_at(device::hid::Port& port, const Listing& listing) {
+  ListedDevice device;
+  device.listing = listing;
+  device.obstacle = port.obstacle(listing.path);
+  if (device.obstacle != Obstacle::kNone) {
+    device.problem = device::hid::obstacle_text(listing.path, device.obstacle);
+    return device;
+  }
+  const auto handle = port.open(listing.path);
+  if (!handle) {
+    device.problem = handle.error().message;
+    return device;
+  }
+  const Result<DeviceFigures> figures = device::hid::describe(listing, **handle, {});
+  if (figures) {
+    device.figures = *figures;
+  } else {
+    device.problem = figures.error().message;
+  }
+  return device;
+}
+
+std::string name_of(const Listing& listing) {
+  const std::string name =
+      listing.manufacturer.empty() ? listing.product : listing.manufacturer + " " + listing.product;
+  std::string text =
+      fmt::format("ie2000:{}  {:04x}:{:04x}  {}", file::shown(listing.path), listing.vendor_id,
+                  listing.product_id, name.empty() ? "(no name)" : file::shown(name));
+  if (!listing.serial.empty()) text += "  serial " + file::shown(listing.serial);
+  return text;
+}
+
+std::string axes_text(const DeviceFigures& figures) {
+  std::string text = figures.axes == 1 ? "one axis" : fmt::format("{} axes", figures.axes);
+  for (std::size_t axis = 0; axis < figures.axes; ++axis) {
+    text += fmt::format("{} {:.4g} mm a count, {:.4g} N", axis == 0 ? ":" : ";",
+                        figures.axis[axis].encoder_m * kMillimetresPerMetre,
+                        figures.axis[axis].force_limit_n);
+  }
+  return text;
+}
+
+std::string rule_text() {
+  std::string text =
+      "\nThe rule that lets you open it (assets/70-hapticwall.rules). As root, write it to\n"
+      "/etc/udev/rules.d/70-hapticwall.rules, then 'udevadm control --reload && udevadm trigger',\n"
+      "and plug the device in again:\n\n";
+  for (const EmbeddedFile& file : embedded_rules()) text += file.bytes;
+  return text;
+}
+
+}  // namespace
+
+Result<DeviceList> look_at_devices(device::hid::Port& port) {
+  const auto listings = port.list();
+  if (!listings) return listings.error();
+  DeviceList list;
+  for (const Listing& listing : *listings) {
+    if (device::hid::may_be_haptic(listing)) {
+      list.haptic.push_back(look_at(port, listing));
+    } else {
+      ++list.others;
+    }
+  }
+  return list;
+}
+
+std::string device_list_text(const DeviceList& list) {
+  std::string text = "sim  the simulator\n  usable\n";
+  for (const ListedDevice& device : list.haptic) {
+    text += name_of(device.listing) + "\n  " +
+            (device.figures ? "usable: " + axes_text(*device.figures)
+                            : "not usable: " + file::shown(device.problem, 400)) +
+            "\n";
+  }
+  if (list.haptic.empty()) text += "no haptic device is connected\n";
+  if (list.others > 0) {
+    text += fmt::format("{} other HID device{} of no concern here (transport: {})\n", list.others,
+                        list.others == 1 ? "" : "s", device::hid::transport_name());
+  }
+  const bool denied = std::any_of(list.haptic.begin(), list.haptic.end(), [](const auto& device) {
+    return device.obstacle == Obstacle::kPermission;
+  });
+  return denied ? text + rule_text() : text;
+}
+
+std::string device_list_json(const DeviceList& list) {
+  Json array = Json::array();
+  for (const ListedDevice& device : list.haptic) {
+    Json object = {{"device", "ie2000:" + device.listing.path},
+                   {"vendor_id", device.listing.vendor_id},
+                   {"product_id", device.listing.product_id},
+                   {"serial", device.listing.serial},
+                   {"manufacturer", device.listing.manufacturer},
+                   {"product", device.listing.product},
+                   {"usable", device.figures.has_value()},
+                   {"problem", device.problem.empty() ? Json() : Json(device.problem)}};
+    Json axes = Json::array();
+    for (std::size_t axis = 0; device.figures && axis < device.figures->axes; ++axis) {
+      axes.push_back({{"encoder_m", device.figures->axis[axis].encoder_m},
+                      {"force_limit_n", device.figures->axis[axis].force_limit_n}});
+    }
+    object["axes"] = axes;
+    array.push_back(object);
+  }
+  return array.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace hapticwall::command

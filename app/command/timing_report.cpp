@@ -1,0 +1,251 @@
+#include "app/command/timing_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace hapticwall::command {
+namespace {
+
+using runtime::Quantiles;
+using runtime::TimingPlan;
+using runtime::TimingRecord;
+using Json = nlohmann::ordered_json;
+
+constexpr int kIndent = 2;
+constexpr double kNanoseconds = 1e9;
+constexpr double kNanosecondsPerMicrosecond = 1e3;
+constexpr double kMicrosecondsPerSecond = 1e6;
+constexpr std::size_t kBarWidth = 50;
+constexpr double kRateTolerance = 0.01;
+
+// Of the period, but for the last, which are shares of the ticks.
+struct Marks {
+  double latency;
+  double age;
+  double write;
+  double missed_ticks;
+  double missing_states;
+};
+constexpr Marks kGoodMarks{0.1, 1.5, 0.5, 0.0, 0.0};
+constexpr Marks kUsableMarks{0.5, 3.0, 1.0, 1e-4, 1e-3};
+
+double microseconds(std::int64_t nanoseconds) {
+  return static_cast<double>(nanoseconds) / kNanosecondsPerMicrosecond;
+}
+
+// One thing that is measured against its marks: what it is, and what may help where it is too much.
+struct Measure {
+  double value;
+  double good;
+  double usable;
+  std::string reason;
+  std::string advice;
+};
+
+void judge(const Measure& measure, TimingJudgement& judgement) {
+  if (measure.value <= measure.good) return;
+  const TimingVerdict verdict =
+      measure.value <= measure.usable ? TimingVerdict::kUsable : TimingVerdict::kPoor;
+  judgement.verdict = std::max(judgement.verdict, verdict);
+  judgement.reasons.push_back(measure.reason);
+  if (!measure.advice.empty() && std::find(judgement.advice.begin(), judgement.advice.end(),
+                                           measure.advice) == judgement.advice.end()) {
+    judgement.advice.push_back(measure.advice);
+  }
+}
+
+double share(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+void judge_loop(const TimingPlan& plan, const TimingRecord& record, TimingJudgement& judgement) {
+  const double period_ns = kNanoseconds / plan.rate_hz;
+  const Quantiles latency = runtime::quantiles(record.latency_ns);
+  const std::string advice = record.status.advice.empty()
+                                 ? "close what else is busy; a virtual machine or a laptop on "
+                                   "battery cannot keep better time"
+                                 : record.status.advice;
+  judge(
+      {static_cast<double>(latency.p999_ns), kGoodMarks.latency * period_ns,
+       kUsableMarks.latency * period_ns,
+       fmt::format("one wake-up in 1000 is {:.0f} us late or more", microseconds(latency.p999_ns)),
+       advice},
+      judgement);
+  const std::uint64_t planned = latency.count + record.missed_ticks;
+  judge({share(record.missed_ticks, planned), kGoodMarks.missed_ticks, kUsableMarks.missed_ticks,
+         fmt::format("{} of {} ticks were missed", record.missed_ticks, planned), advice},
+        judgement);
+}
+
+void judge_device(const TimingPlan& plan, const TimingRecord& record, TimingJudgement& judgement) {
+  const double period_ns = kNanoseconds / plan.rate_hz;
+  const device::LinkFigures& link = record.link;
+  const std::uint64_t lost = link.missing_states + link.void_reports;
+  judge({share(lost, link.states + lost), kGoodMarks.missing_states, kUsableMarks.missing_states,
+         fmt::format("{} of {} reports never came, {} more were void", link.missing_states,
+                     link.states + lost, link.void_reports),
+         "plug the device straight into the machine, without a hub, and try another cable"},
+        judgement);
+  const Quantiles age = runtime::quantiles(record.age_ns);
+  judge({static_cast<double>(age.p99_ns), kGoodMarks.age * period_ns, kUsableMarks.age * period_ns,
+         fmt::format("one position in 100 is {:.0f} us old or more", microseconds(age.p99_ns)),
+         "give the device a USB port of its own"},
+        judgement);
+  const Quantiles write = runtime::quantiles(record.write_ns);
+  judge({static_cast<double>(write.p99_ns), kGoodMarks.write * period_ns,
+         kUsableMarks.write * period_ns,
+         fmt::format("one command in 100 takes {:.0f} us or more to be written",
+                     microseconds(write.p99_ns)),
+         "give the device a USB port of its own"},
+        judgement);
+  if (link.device_period_s <= 0.0) return;
+  const double device_rate_hz = 1.0 / link.device_period_s;
+  if (std::abs(device_rate_hz / plan.rate_hz - 1.0) > kRateTolerance) {
+    judgement.verdict = std::max(judgement.verdict, TimingVerdict::kUsable);
+    judgement.reasons.push_back(fmt::format("the device ticks at {:.1f} Hz, the loop at {:g} Hz",
+                                            device_rate_hz, plan.rate_hz));
+    judgement.advice.push_back(fmt::format(
+        "run scenes at the device's rate: --set sampling.rate_hz={:.0f}", device_rate_hz));
+  }
+}
+
+std::string quantile_row(std::string_view name, const std::vector<std::int64_t>& values_ns) {
+  const Quantiles row = runtime::quantiles(values_ns);
+  if (row.count == 0) return fmt::format("{:<16}{:>10}\n", name, "-");
+  return fmt::format("{:<16}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", name,
+                     microseconds(row.median_ns), microseconds(row.p99_ns),
+                     microseconds(row.p999_ns), microseconds(row.maximum_ns));
+}
+
+// Bin 0 is below a microsecond, bin n from 2^(n-1) to 2^n microseconds.
+std::string histogram(const std::vector<std::int64_t>& values_ns) {
+  std::vector<std::size_t> bins;
+  for (const std::int64_t value_ns : values_ns) {
+    const auto whole_us = static_cast<std::uint64_t>(std::max<std::int64_t>(value_ns, 0)) / 1000;
+    const auto bin = static_cast<std::size_t>(std::bit_width(whole_us));
+    if (bin >= bins.size()) bins.resize(bin + 1);
+    ++bins[bin];
+  }
+  const std::size_t most = bins.empty() ? 1 : *std::max_element(bins.begin(), bins.end());
+  std::string text = "\nwoken late, us        ticks\n";
+  for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+    const std::size_t from = bin == 0 ? 0 : std::size_t{1} << (bin - 1);
+    // A bar is never empty where there is something.
+    const std::size_t length = (bins[bin] * kBarWidth + most - 1) / most;
+    text += fmt::format("{:>6} - {:<6}{:>12}  {:#<{}}\n", from, std::size_t{1} << bin, bins[bin],
+                        "", length);
+  }
+  return text;
+}
+
+std::string link_text(const device::LinkFigures& link) {
+  std::string text = fmt::format(
+      "\n{} states, {} missing, {} void, {} repeated; {} commands rejected; link lost {} times\n",
+      link.states, link.missing_states, link.void_reports, link.repeated_states,
+      link.rejected_commands, link.losses);
+  if (link.device_period_s > 0.0) {
+    text += fmt::format("the device's own rate: {:.2f} Hz\n", 1.0 / link.device_period_s);
+  }
+  if (link.delay_s > 0.0) {
+    text += fmt::format(
+        "from a position to its force, t_d: {:.0f} us, most {:.0f} us (the device's clock)\n",
+        link.delay_s * kMicrosecondsPerSecond, link.maximum_delay_s * kMicrosecondsPerSecond);
+  }
+  return text;
+}
+
+Json quantiles_object(const std::vector<std::int64_t>& values_ns) {
+  const Quantiles row = runtime::quantiles(values_ns);
+  if (row.count == 0) return nullptr;
+  const auto seconds = [](std::int64_t nanoseconds) {
+    return static_cast<double>(nanoseconds) / kNanoseconds;
+  };
+  return {{"count", row.count},
+          {"median_s", seconds(row.median_ns)},
+          {"p99_s", seconds(row.p99_ns)},
+          {"p999_s", seconds(row.p999_ns)},
+          {"maximum_s", seconds(row.maximum_ns)}};
+}
+
+Json device_object(const TimingRecord& record, const std::string& what) {
+  const device::LinkFigures& link = record.link;
+  return {{"name", what},
+          {"states", link.states},
+          {"missing_states", link.missing_states},
+          {"void_reports", link.void_reports},
+          {"repeated_states", link.repeated_states},
+          {"rejected_commands", link.rejected_commands},
+          {"losses", link.losses},
+          {"device_period_s", link.device_period_s},
+          {"delay_s", link.delay_s},
+          {"age", quantiles_object(record.age_ns)},
+          {"round_trip", quantiles_object(record.round_trip_ns)},
+          {"write", quantiles_object(record.write_ns)}};
+}
+
+}  // namespace
+
+std::string_view timing_verdict_name(TimingVerdict verdict) {
+  switch (verdict) {
+    case TimingVerdict::kGood:
+      return "good";
+    case TimingVerdict::kUsable:
+      return "usable";
+    case TimingVerdict::kPoor:
+      break;
+  }
+  return "poor";
+}
+
+TimingJudgement judge_timing(const TimingPlan& plan, const TimingRecord& record, bool has_device) {
+  TimingJudgement judgement;
+  judge_loop(plan, record, judgement);
+  if (has_device) judge_device(plan, record, judgement);
+  return judgement;
+}
+
+std::string timing_text(const TimingPlan& plan, const TimingRecord& record,
+                        const std::string& what) {
+  const std::size_t ticks = record.latency_ns.size();
+  std::string text = fmt::format("{} at {:g} Hz for {:.4g} s: {} ticks, {} missed\n{}\n\n",
+                                 what.empty() ? "the loop" : what, plan.rate_hz,
+                                 static_cast<double>(ticks + record.missed_ticks) / plan.rate_hz,
+                                 ticks, record.missed_ticks, record.status.text);
+  text += fmt::format("{:<16}{:>10}{:>10}{:>10}{:>10}\n", "us", "median", "p99", "p99.9", "most");
+  text += quantile_row("woken late", record.latency_ns);
+  text += quantile_row("a tick's work", record.compute_ns);
+  if (!what.empty()) {
+    text += quantile_row("position's age", record.age_ns);
+    text += quantile_row("round trip", record.round_trip_ns);
+    text += quantile_row("write", record.write_ns);
+    text += link_text(record.link);
+  }
+  text += histogram(record.latency_ns);
+  const TimingJudgement judgement = judge_timing(plan, record, !what.empty());
+  text += fmt::format("\nverdict: {}\n", timing_verdict_name(judgement.verdict));
+  for (const std::string& reason : judgement.reasons) text += "  because " + reason + "\n";
+  for (const std::string& advice : judgement.advice) text += "  advice: " + advice + "\n";
+  return text;
+}
+
+std::string timing_json(const TimingPlan& plan, const TimingRecord& record,
+                        const std::string& what) {
+  const TimingJudgement judgement = judge_timing(plan, record, !what.empty());
+  const Json object = {{"rate_hz", plan.rate_hz},
+                       {"ticks", record.latency_ns.size()},
+                       {"missed_ticks", record.missed_ticks},
+                       {"realtime", record.status.text},
+                       {"verdict", timing_verdict_name(judgement.verdict)},
+                       {"reasons", judgement.reasons},
+                       {"advice", judgement.advice},
+                       {"latency", quantiles_object(record.latency_ns)},
+                       {"compute", quantiles_object(record.compute_ns)},
+                       {"device", what.empty() ? Json() : device_object(record, what)}};
+  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace hapticwall::command
