@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include "app/ui/arming_strip.h"
 #include "app/ui/control_panel.h"
 #include "app/ui/magnifier.h"
 #include "app/ui/plots_panel.h"
@@ -26,25 +28,31 @@ std::size_t history_capacity(const Scene& scene) {
   return static_cast<std::size_t>(std::ceil(kHistoryS * scene.sampling.rate_hz));
 }
 
+// Nobody knows the true place of a real handle.
+void draw_where_measured(Sample& sample) {
+  sample.truth.position_m = sample.position_m;
+  sample.truth.velocity_m_per_s = sample.velocity_m_per_s;
+  sample.truth.hand_path_m = sample.position_m;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Application>> Application::create(const Scene& scene,
                                                          const std::string& recording_folder,
-                                                         const Theme& theme,
-                                                         SessionStarter start_session) {
+                                                         const Theme& theme, Sessions sessions) {
   Result<std::unique_ptr<WallRenderer>> renderer = WallRenderer::create();
   if (!renderer) return renderer.error();
-  Result<std::unique_ptr<runtime::Session>> session = start_session(scene);
+  Result<std::unique_ptr<runtime::Session>> session =
+      sessions.start_on_device ? sessions.start_on_device(scene) : sessions.simulate(scene);
   if (!session) return session.error();
-  return std::unique_ptr<Application>(new Application(std::move(start_session), std::move(*session),
-                                                      std::move(*renderer), theme,
-                                                      recording_folder));
+  return std::unique_ptr<Application>(new Application(
+      std::move(sessions), std::move(*session), std::move(*renderer), theme, recording_folder));
 }
 
-Application::Application(SessionStarter start_session, std::unique_ptr<runtime::Session> session,
+Application::Application(Sessions sessions, std::unique_ptr<runtime::Session> session,
                          std::unique_ptr<WallRenderer> renderer, const Theme& theme,
                          const std::string& recording_folder)
-    : start_session_(std::move(start_session)),
+    : sessions_(std::move(sessions)),
       session_(std::move(session)),
       renderer_(std::move(renderer)),
       theme_(theme),
@@ -55,8 +63,12 @@ Application::Application(SessionStarter start_session, std::unique_ptr<runtime::
 }
 
 void Application::take_samples() {
+  const bool measured = !session_->device_info().is_simulated;
   for (int batch = 0; batch < kMostBatches; ++batch) {
     const std::size_t count = session_->take_samples(incoming_);
+    if (measured) {
+      for (Sample& sample : std::span(incoming_).first(count)) draw_where_measured(sample);
+    }
     history_.push(std::span<const Sample>(incoming_).first(count));
     if (count < incoming_.size()) break;
   }
@@ -64,7 +76,8 @@ void Application::take_samples() {
 
 void Application::frame() {
   take_samples();
-  const runtime::Snapshot snapshot = session_->snapshot();
+  runtime::Snapshot snapshot = session_->snapshot();
+  if (!session_->device_info().is_simulated) draw_where_measured(snapshot.sample);
   const PanelContext context{*session_, snapshot, theme_, state_};
   state_.transient.items.clear();
   handle_keys(context);
@@ -74,8 +87,10 @@ void Application::frame() {
 }
 
 void Application::handle_keys(const PanelContext& context) {
-  if (ImGui::GetIO().WantTextInput) return;
   const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(key, false); };
+  // Whatever else is being typed: nobody looks for the right field while a handle runs away.
+  if (pressed(ImGuiKey_Space)) disarm(context);
+  if (ImGui::GetIO().WantTextInput) return;
   constexpr std::size_t kDigitKeys = 9;
   for (std::size_t i = 0; i < std::min(kDigitKeys, algorithms().size()); ++i) {
     const int offset = static_cast<int>(i);
@@ -84,6 +99,7 @@ void Application::handle_keys(const PanelContext& context) {
       choose_algorithm(context, i);
     }
   }
+  if (pressed(ImGuiKey_A)) ask_to_arm(context);
   if (pressed(ImGuiKey_P)) toggle_pause(context);
   if (pressed(ImGuiKey_R)) reset_session(context);
   // Held down, the step repeats.
@@ -136,6 +152,7 @@ void Application::draw_left(const PanelContext& context, float height) {
 void Application::draw_right(const PanelContext& context, float height) {
   ImGui::BeginChild("right", ImVec2(0.0F, height), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
+  draw_arming_strip(context);
   draw_toolbar(context);
   draw_views(context);
   ImGui::BeginChild("plots", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders);
@@ -180,12 +197,7 @@ void Application::start_wanted_scene() {
     tell(state_, *problem);
     return;
   }
-  Result<std::unique_ptr<runtime::Session>> started = start_session_(scene);
-  if (!started) {
-    tell(state_, MessageKind::kProblem, started.error().message);
-    return;
-  }
-  session_ = std::move(*started);
+  if (!start_anew(scene)) return;
   history_ = SampleHistory(history_capacity(scene));
   if (loaded) {
     state_.transient.loaded_scene = scene;
@@ -195,7 +207,35 @@ void Application::start_wanted_scene() {
   state_.transient.hand_m.reset();
   state_.transient.dragging_hand = false;
   state_.transient.follow = true;
-  if (state_.transient.message.kind == MessageKind::kProblem) state_.transient.message = {};
+}
+
+// There is one device: the session that has it ends before the next one begins. Where the next one
+// cannot, the window goes on with the simulator and says so. False: the session is the old one.
+bool Application::start_anew(const Scene& scene) {
+  Message& message = state_.transient.message;
+  const bool on_device = !session_->device_info().is_simulated;
+  if (on_device) {
+    const SessionStarter starter = std::exchange(sessions_.start_on_device, nullptr);
+    session_.reset();
+    Result<std::unique_ptr<runtime::Session>> started = starter(scene);
+    if (started) {
+      session_ = std::move(*started);
+      sessions_.start_on_device = starter;
+      return true;
+    }
+    tell(state_, MessageKind::kProblem,
+         started.error().message +
+             "; this is the simulator now: start the program again for the device");
+  }
+  Result<std::unique_ptr<runtime::Session>> started = sessions_.simulate(scene);
+  if (!started) {
+    if (on_device) throw std::runtime_error(started.error().message);  // nothing is left to show
+    tell(state_, MessageKind::kProblem, started.error().message);
+    return false;
+  }
+  session_ = std::move(*started);
+  if (!on_device && message.kind == MessageKind::kProblem) message = {};
+  return true;
 }
 
 }  // namespace hapticwall::ui

@@ -20,11 +20,16 @@ namespace hapticwall::ui {
 class Application {
  public:
   using SessionStarter = std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)>;
+  struct Sessions {
+    SessionStarter simulate;
+    SessionStarter start_on_device;  // empty: everything is simulated
+  };
 
-  // Needs current contexts of OpenGL 3.3, ImGui and ImPlot, for its whole life. Starts a session.
+  // Needs current contexts of OpenGL 3.3, ImGui and ImPlot, for its whole life. Starts a session,
+  // on the device where there is one to be driven.
   [[nodiscard]] static Result<std::unique_ptr<Application>> create(
       const Scene& scene, const std::string& recording_folder, const Theme& theme,
-      SessionStarter start_session);
+      Sessions sessions);
 
   // Draws one frame, between ImGui::NewFrame() and ImGui::Render(); never waits for the loop.
   void frame();
@@ -38,7 +43,7 @@ class Application {
   [[nodiscard]] const WallRenderer& renderer() const { return *renderer_; }
 
  private:
-  Application(SessionStarter start_session, std::unique_ptr<runtime::Session> session,
+  Application(Sessions sessions, std::unique_ptr<runtime::Session> session,
               std::unique_ptr<WallRenderer> renderer, const Theme& theme,
               const std::string& recording_folder);
 
@@ -48,8 +53,9 @@ class Application {
   void draw_right(const PanelContext& context, float height);
   void draw_views(const PanelContext& context);
   void start_wanted_scene();
+  [[nodiscard]] bool start_anew(const Scene& scene);
 
-  SessionStarter start_session_;
+  Sessions sessions_;
   std::unique_ptr<runtime::Session> session_;
   std::unique_ptr<WallRenderer> renderer_;
   Theme theme_;

@@ -122,7 +122,7 @@ void draw_body(const PanelContext& context) {
 // Who leads the hand, in a word or two.
 std::string summary(const PanelContext& context) {
   const auto& hand = context.session.scene().hand;
-  if (!hand) return "none";
+  if (!hand) return context.session.device_info().is_simulated ? "none" : "yours";
   if (const auto hand_m = context.state.transient.hand_m) {
     return fmt::format("led by the pointer, {:.1f} mm", *hand_m * kMillimetresPerMetre);
   }
@@ -140,7 +140,9 @@ void draw_hand_section(const PanelContext& context) {
   if (!folding_section(context, "Hand", summary(context))) return;
   const auto& hand = context.session.scene().hand;
   if (!hand) {
-    muted_text(context, "This scene has no hand: nothing holds the handle.");
+    muted_text(context, context.session.device_info().is_simulated
+                            ? "This scene has no hand: nothing holds the handle."
+                            : "A person's own hand is on the handle.");
     return;
   }
   if (const auto approach = approach_of(*hand)) {

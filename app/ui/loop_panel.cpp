@@ -113,10 +113,13 @@ double energy_error_j(const PlantTruth& truth) {
 void draw_loop_section(const PanelContext& context) {
   section(context, "Loop");
   draw_rate(context);
-  draw_integrator(context);
-  draw_substeps(context);
+  const bool simulated = context.session.device_info().is_simulated;
+  if (simulated) {
+    draw_integrator(context);
+    draw_substeps(context);
+  }
   draw_cost(context);
-  draw_balance(context);
+  if (simulated) draw_balance(context);
 }
 
 }  // namespace hapticwall::ui

@@ -36,6 +36,24 @@ void dot(const PanelContext& context, Tone tone) {
   ImGui::SetCursorScreenPos(ImVec2(corner.x + 0.85F * size, corner.y));
 }
 
+// What moves: the simulator, or which device and whether its reports come.
+void draw_device_state(const PanelContext& context) {
+  const device::DeviceInfo& info = context.session.device_info();
+  const bool lost = context.snapshot.link.trouble != device::Trouble::kNone;
+  dot(context, lost ? Tone::kBad : Tone::kAccent);
+  std::string text = info.is_simulated ? "Simulator" : info.name;
+  if (context.snapshot.paused) text += ", paused";
+  ImGui::TextUnformatted(text.c_str());
+  remember_item(context.state, "device state");
+  if (info.is_simulated) {
+    explain("Everything on this screen is simulated: no haptic device is connected or moved.");
+  } else {
+    explain(lost ? device::trouble_text(context.snapshot.link.trouble)
+                 : "A real device: the strip on top says whether it pushes.");
+  }
+  ImGui::SameLine(0.0F, 1.3F * ImGui::GetFontSize());
+}
+
 // The rest of the row; what does not fit is in the tooltip.
 void draw_realtime_state(const PanelContext& context) {
   const runtime::RealtimeStatus& status = context.session.realtime_status();
@@ -60,9 +78,9 @@ void draw_message_row(const PanelContext& context) {
   const Message& message = context.state.transient.message;
   if (message.kind == MessageKind::kNone) {
     ImGui::TextDisabled(
-        "Keys:  1–%zu algorithm   P pause   S or → step   R reset      Drag in the view to lead "
-        "the hand",
-        algorithms().size());
+        "Keys:  1–%zu algorithm   P pause   S or → step   R reset      %s", algorithms().size(),
+        context.session.device_info().is_simulated ? "Drag in the view to lead the hand"
+                                                   : "A arm   Space force off");
     return;
   }
   const bool problem = message.kind == MessageKind::kProblem;
@@ -81,10 +99,7 @@ void draw_status_row(const PanelContext& context) {
                        most_s * kMicrosecondsPerSecond);
   };
   const std::uint64_t dropped = context.session.dropped_plot_samples();
-  dot(context, Tone::kAccent);
-  ImGui::TextUnformatted(context.snapshot.paused ? "Simulator, paused" : "Simulator");
-  explain("Everything on this screen is simulated: no haptic device is connected or moved.");
-  ImGui::SameLine(0.0F, 1.3F * ImGui::GetFontSize());
+  draw_device_state(context);
   value(context, "rate", fmt::format("{:g} Hz", context.session.scene().sampling.rate_hz),
         Tone::kText, "Ticks of the loop a second");
   value(context, "missed", fmt::format("{}", timing.missed_ticks),

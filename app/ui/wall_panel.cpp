@@ -1,16 +1,21 @@
-// Stiffness, damping and position of a wall.
+// Stiffness, damping and position of a wall, and what theory says of them.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/ui/control_panel.h"
 #include "app/ui/widgets.h"
+#include "core/stability_bounds.h"
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr double kMillimetresPerMetre = 1e3;
+constexpr double kMicrosecondsPerSecond = 1e6;
 // Of the slider; any valid value can be typed.
 constexpr double kSoftestN = 100.0;
 constexpr double kStiffestN = 1e6;
@@ -73,6 +78,43 @@ void draw_position(const PanelContext& context, std::size_t index, WallSettings 
   unit_label("mm");
 }
 
+std::string stiffness_text(double stiffness_n_per_m) {
+  return fmt::format("{:.0f} N/m", stiffness_n_per_m);
+}
+
+double delay_s(const PanelContext& context) {
+  return context.session.device_info().is_simulated ? delay_of(context.session.scene())
+                                                    : context.snapshot.link.delay_s;
+}
+
+void draw_bound(const PanelContext& context, std::string_view name,
+                const std::optional<double>& bound_n_per_m, double stiffness_n_per_m,
+                const std::string& tooltip) {
+  if (!bound_n_per_m) return;
+  const bool over = stiffness_n_per_m > *bound_n_per_m;
+  figure_row(context, name, stiffness_text(*bound_n_per_m), over ? Tone::kWarning : Tone::kText,
+             tooltip +
+                 "\n\nOf the bare wall, without an algorithm. In this colour where the wall "
+                 "is stiffer.");
+  remember_item(context.state, name);
+}
+
+void draw_bounds(const PanelContext& context, const WallSettings& wall) {
+  const StabilityBounds bounds = stability_bounds(context.session.scene(), wall, delay_s(context));
+  const double stiffness = wall.stiffness_n_per_m;
+  draw_bound(context, "bound, passive", bounds.passive_n_per_m, stiffness,
+             "2 (b - B) / T: makes no energy whatever the hand does, but for the encoder.");
+  draw_bound(
+      context, "bound, delay", bounds.delayed_n_per_m, stiffness,
+      fmt::format("(b + B) / (T/2 + t_d), t_d = {:.0f} µs {}.",
+                  delay_s(context) * kMicrosecondsPerSecond,
+                  context.session.device_info().is_simulated ? "as simulated" : "as measured"));
+  draw_bound(context, "bound, friction", bounds.friction_n_per_m, stiffness,
+             "2 f_c / Δ: what the friction can hold still between two counts.");
+  draw_bound(context, "bound, resolution", bounds.resolution_n_per_m, stiffness,
+             "F_max / Δ: one count is all of the force.");
+}
+
 }  // namespace
 
 void draw_wall_section(const PanelContext& context) {
@@ -89,6 +131,7 @@ void draw_wall_section(const PanelContext& context) {
   draw_stiffness(context, chosen, context.session.scene().walls[chosen]);
   draw_damping(context, chosen, context.session.scene().walls[chosen]);
   draw_position(context, chosen, context.session.scene().walls[chosen]);
+  draw_bounds(context, context.session.scene().walls[chosen]);
 }
 
 }  // namespace hapticwall::ui

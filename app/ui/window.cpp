@@ -181,9 +181,11 @@ Failure run_window(const WindowOptions& options) {
   float scale = 1.0F;
   glfwGetWindowContentScale(window.get(), &scale, nullptr);
   const Theme theme = apply_theme(Look::kScreen, std::max(scale, 1.0F));
-  const auto start_session = [](const Scene& scene) { return runtime::Session::start(scene); };
+  Application::Sessions sessions;
+  sessions.simulate = [](const Scene& scene) { return runtime::Session::start(scene); };
+  sessions.start_on_device = options.start_on_device;
   const auto application =
-      Application::create(options.scene, options.recording_folder, theme, start_session);
+      Application::create(options.scene, options.recording_folder, theme, sessions);
   if (!application) return application.error();
   run_loop(window.get(), **application);
   return std::nullopt;

@@ -58,9 +58,28 @@ class GuiTest : public ::testing::Test {
       ++sessions;
       return std::unique_ptr<runtime::Session>(std::move(session));
     };
+    ui::Application::Sessions starters;
+    starters.simulate = start;
+    if (with_device) {
+      starters.start_on_device = [this, start](const Scene& scene) {
+        EXPECT_EQ(devices_open, 0) << "there is one device only";
+        if (!refuse_device.empty()) {
+          return Result<std::unique_ptr<runtime::Session>>(
+              Error{ErrorKind::kDevice, refuse_device});
+        }
+        auto session = start(scene);
+        if (session) {
+          fake_->info = {"paddle", false};
+          fake_->arming.state = runtime::ArmingState::kOff;
+          ++devices_open;
+          fake_->open_count = &devices_open;
+        }
+        return session;
+      };
+    }
     const ui::Theme theme = ui::apply_theme(ui::Look::kScreen, 1.0F);
     auto application =
-        ui::Application::create(file::load_scene(scene_name)->scene, "", theme, start);
+        ui::Application::create(file::load_scene(scene_name)->scene, "", theme, starters);
     ASSERT_TRUE(application.ok()) << application.error().message;
     application_ = std::move(*application);
     frames(3);
@@ -153,7 +172,10 @@ class GuiTest : public ::testing::Test {
   }
 
   std::string refuse_session;  // the error of the next sessions
+  std::string refuse_device;   // of those on the device alone
   int sessions = 0;
+  bool with_device = false;  // the next open() is on a real one
+  int devices_open = 0;
   std::unique_ptr<ui::OffscreenContext> context_;
   std::optional<ui::GlTarget> target_;
   std::unique_ptr<ui::Application> application_;

@@ -1,0 +1,97 @@
+#include "app/ui/arming_strip.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/ui/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using runtime::ArmingState;
+
+constexpr float kHeightEms = 2.3F;
+constexpr float kButtonEms = 9.0F;
+constexpr float kPercent = 100.0F;
+
+// Off is calm, on is not to be overlooked.
+Tone tone_of(ArmingState state) {
+  switch (state) {
+    case ArmingState::kRamping:
+      return Tone::kWarning;
+    case ArmingState::kOn:
+      return Tone::kBad;
+    default:
+      return Tone::kFaint;
+  }
+}
+
+// All of the strip's width for the force's share of it.
+void draw_background(const PanelContext& context, const ImVec2& corner, const ImVec2& size) {
+  const runtime::ArmingStatus& arming = context.snapshot.arming;
+  const float share = std::clamp(static_cast<float>(arming.gain), 0.0F, 1.0F);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const ImVec2 end(corner.x + size.x, corner.y + size.y);
+  list->AddRectFilled(corner, end, context.theme.packed(Tone::kFaint, 0.6F), rounding);
+  if (share > 0.0F && arming.state != ArmingState::kOff) {
+    list->AddRectFilled(corner, ImVec2(corner.x + share * size.x, end.y),
+                        context.theme.packed(tone_of(arming.state), 0.75F), rounding);
+  }
+}
+
+void draw_button(const PanelContext& context) {
+  const bool off = context.snapshot.arming.state == ArmingState::kOff;
+  const ImVec2 size(kButtonEms * ImGui::GetFontSize(), 0.0F);
+  if (ImGui::Button(off ? "Arm (A)###arm" : "Stop (Space)###arm", size)) {
+    off ? ask_to_arm(context) : disarm(context);
+  }
+  remember_item(context.state, "arm");
+  explain(
+      off ? "Lets the device push, rising over half a second. Refused while the handle is inside "
+            "the wall. Anything that goes wrong takes the force away."
+          : "Takes the force away at once (Space, whatever else has the keyboard).");
+}
+
+}  // namespace
+
+std::string arming_text(const runtime::Snapshot& snapshot) {
+  const runtime::ArmingStatus& arming = snapshot.arming;
+  if (arming.state == ArmingState::kOn) return "FORCE ON";
+  if (arming.state == ArmingState::kRamping) {
+    return fmt::format("FORCE RISING  {:.0f} %", kPercent * arming.gain);
+  }
+  std::string why(runtime::arming_note_text(arming.note));
+  if (snapshot.link.trouble != device::Trouble::kNone) {
+    why = device::trouble_text(snapshot.link.trouble);
+  }
+  return why.empty() ? "FORCE OFF" : "FORCE OFF: " + why;
+}
+
+void draw_arming_strip(const PanelContext& context) {
+  if (context.snapshot.arming.state == ArmingState::kNotNeeded) return;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float em = ImGui::GetFontSize();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, kHeightEms * em);
+  draw_background(context, corner, size);
+  const float inset = 0.5F * (size.y - ImGui::GetFrameHeight());
+  ImGui::SetCursorScreenPos(ImVec2(corner.x + inset, corner.y + inset));
+  draw_button(context);
+  ImGui::SameLine(0.0F, em);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);
+  ImGui::TextUnformatted(arming_text(context.snapshot).c_str());
+  ImGui::PopFont();
+  remember_item(context.state, "arming");
+  const std::string details = context.session.device_trouble();
+  if (!details.empty()) explain(details);
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y + ImGui::GetStyle().ItemSpacing.y));
+  ImGui::Dummy(ImVec2(size.x, 0.0F));
+}
+
+void ask_to_arm(const PanelContext& context) { context.session.arm(true); }
+
+void disarm(const PanelContext& context) { context.session.arm(false); }
+
+}  // namespace hapticwall::ui

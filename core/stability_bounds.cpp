@@ -1,0 +1,27 @@
+#include "core/stability_bounds.h"
+
+#include <algorithm>
+
+namespace hapticwall {
+
+StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall, double delay_s) {
+  const DeviceSettings& device = scene.device;
+  const double half_period_s = 0.5 * scene.sampling.period_s();
+  const double damping = device.damping_n_s_per_m;
+  StabilityBounds bounds;
+  bounds.passive_n_per_m = std::max(0.0, damping - wall.damping_n_s_per_m) / half_period_s;
+  bounds.delayed_n_per_m = (damping + wall.damping_n_s_per_m) / (half_period_s + delay_s);
+  const double encoder_m = device.encoder_m.value_or(0.0);
+  if (encoder_m > 0.0) {
+    if (device.friction_n) bounds.friction_n_per_m = 2.0 * *device.friction_n / encoder_m;
+    if (device.force_limit_n) bounds.resolution_n_per_m = *device.force_limit_n / encoder_m;
+  }
+  return bounds;
+}
+
+double delay_of(const Scene& scene) {
+  return scene.device.delay_ticks.value_or(0) * scene.sampling.period_s() +
+         scene.device.amplifier_time_constant_s.value_or(0.0);
+}
+
+}  // namespace hapticwall

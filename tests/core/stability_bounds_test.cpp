@@ -1,0 +1,60 @@
+#include "core/stability_bounds.h"
+
+#include <gtest/gtest.h>
+
+namespace hapticwall {
+namespace {
+
+Scene papers_device() {
+  Scene scene;
+  scene.sampling.rate_hz = 1000.0;
+  scene.device.damping_n_s_per_m = 1.0;
+  return scene;
+}
+
+TEST(StabilityBounds, AreThoseOfThePapersDevice) {
+  Scene scene = papers_device();
+  scene.device.encoder_m = 0.254e-3;
+  scene.device.force_limit_n = 8.9;
+  scene.device.friction_n = 0.14;
+  const StabilityBounds bounds = stability_bounds(scene, {}, 0.0);
+  EXPECT_DOUBLE_EQ(*bounds.passive_n_per_m, 2000.0);
+  EXPECT_DOUBLE_EQ(*bounds.delayed_n_per_m, 2000.0);
+  EXPECT_NEAR(*bounds.friction_n_per_m, 1102.4, 0.1);
+  EXPECT_NEAR(*bounds.resolution_n_per_m, 35039.4, 0.1);
+}
+
+// A whole tick of delay leaves a third of the stiffness.
+TEST(StabilityBounds, FallWithTheDelay) {
+  EXPECT_NEAR(*stability_bounds(papers_device(), {}, 1e-3).delayed_n_per_m, 2000.0 / 3.0, 1e-9);
+}
+
+TEST(StabilityBounds, WallDampingTakesFromPassivityAndAddsToTheOther) {
+  WallSettings wall;
+  wall.damping_n_s_per_m = 0.25;
+  const StabilityBounds bounds = stability_bounds(papers_device(), wall, 0.0);
+  EXPECT_DOUBLE_EQ(*bounds.passive_n_per_m, 1500.0);
+  EXPECT_DOUBLE_EQ(*bounds.delayed_n_per_m, 2500.0);
+  wall.damping_n_s_per_m = 3.0;
+  EXPECT_DOUBLE_EQ(*stability_bounds(papers_device(), wall, 0.0).passive_n_per_m, 0.0);
+}
+
+TEST(StabilityBounds, NothingLimitsWhatTheSceneDoesNotName) {
+  Scene scene = papers_device();
+  EXPECT_FALSE(stability_bounds(scene, {}, 0.0).friction_n_per_m);
+  EXPECT_FALSE(stability_bounds(scene, {}, 0.0).resolution_n_per_m);
+  scene.device.encoder_m = 0.0;
+  scene.device.force_limit_n = 8.9;
+  EXPECT_FALSE(stability_bounds(scene, {}, 0.0).resolution_n_per_m);
+}
+
+TEST(StabilityBounds, DelayOfASimulatedDeviceIsItsTicksAndItsLag) {
+  Scene scene = papers_device();
+  EXPECT_DOUBLE_EQ(delay_of(scene), 0.0);
+  scene.device.delay_ticks = 2;
+  scene.device.amplifier_time_constant_s = 0.5e-3;
+  EXPECT_DOUBLE_EQ(delay_of(scene), 2.5e-3);
+}
+
+}  // namespace
+}  // namespace hapticwall
