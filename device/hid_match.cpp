@@ -36,7 +36,7 @@ std::optional<Listing> choose(const std::vector<Listing>& listings,
     return found == listings.end() ? std::nullopt : std::optional(*found);
   };
   if (!known) return first([&](const Listing& listing) { return fits(listing, options); });
-  const auto same_place = first([&](const Listing& listing) {
+  auto same_place = first([&](const Listing& listing) {
     return is_same_device(listing, *known) && listing.path == known->path;
   });
   if (same_place) return same_place;

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <mutex>
@@ -182,7 +183,11 @@ class HidapiPort : public Port {
     const Obstacle now = obstacle_at(path);
     if (now != Obstacle::kNone) return {ErrorKind::kDevice, obstacle_text(path, now)};
     if (kIsLibusb) return {ErrorKind::kDevice, obstacle_text(path, Obstacle::kBusy)};
-    return {ErrorKind::kDevice, path + " cannot be opened: " + to_utf8(hid_error(nullptr))};
+    // The system call may have worked, and what it opened be something else.
+    const std::string reason = to_utf8(hid_error(nullptr));
+    const bool told = !reason.empty() && reason != std::strerror(0);
+    return {ErrorKind::kDevice,
+            path + " cannot be opened: " + (told ? reason : "it does not answer as a HID device")};
   }
 
   std::set<std::string> listed_;

@@ -120,6 +120,12 @@ bool reserved_is_zero(std::span<const std::uint8_t> bytes, std::size_t from) {
   return only_zeros(bytes.subspan(from, kCrcAt - from));
 }
 
+// -32768 mN is none: it has no counterpart of the other sign.
+bool are_forces(const std::array<double, kMostAxes>& force_n) {
+  return std::all_of(force_n.begin(), force_n.end(),
+                     [](double axis_n) { return axis_n >= -kLargestForceN; });
+}
+
 bool makes_sense(const InfoReport& info) {
   if (info.axes < 1 || info.axes > kMostAxes || info.tick_us == 0) return false;
   if (info.watchdog_ms < 1 || info.watchdog_ms > kLongestTimeToLiveMs) return false;
@@ -214,6 +220,7 @@ Decoded<StateReport> decode_state(std::span<const std::uint8_t> bytes) {
     return Refusal::kReserved;
   }
   state.status &= kStatusKnown;
+  if (!are_forces(state.applied_force_n)) return Refusal::kValue;
   return state;
 }
 
@@ -263,6 +270,7 @@ Decoded<ForceReport> decode_force(std::span<const std::uint8_t> bytes) {
   if (force.time_to_live_ms < 1 || force.time_to_live_ms > kLongestTimeToLiveMs) {
     return Refusal::kValue;
   }
+  if (!are_forces(force.force_n)) return Refusal::kValue;
   return force;
 }
 

@@ -54,9 +54,7 @@ class ImpulseEngine : public Device {
   // end by itself. At most about a second. Realtime-safe: no.
   void close() override;
 
-  // One line for people about what trouble there is now: the path, the reason, what would help.
-  // Empty where all is well. Any thread. Realtime-safe: no.
-  [[nodiscard]] std::string trouble_details() const;
+  [[nodiscard]] std::string trouble_details() const override;
 
  private:
   [[nodiscard]] std::shared_ptr<LinkMachine> machine() const;

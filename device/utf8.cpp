@@ -1,6 +1,7 @@
 #include "device/utf8.h"
 
 #include <cstdint>
+#include <type_traits>
 
 namespace hapticwall::device {
 namespace {
@@ -14,8 +15,19 @@ constexpr std::uint32_t kOneByte = 0x7F;
 constexpr std::uint32_t kTwoBytes = 0x7FF;
 constexpr std::uint32_t kThreeBytes = 0xFFFF;
 
+// Controls: below a space, and from DEL to the end of the second row of them.
+constexpr std::uint32_t kSpace = 0x20;
+constexpr std::uint32_t kDelete = 0x7F;
+constexpr std::uint32_t kLastControl = 0x9F;
+
 constexpr unsigned kTailBits = 6;  // of a character in each byte but the first
 constexpr std::uint32_t kTailMask = (1U << kTailBits) - 1;
+
+bool may_be_shown(std::uint32_t character) {
+  const bool control = character < kSpace || (character >= kDelete && character <= kLastControl);
+  const bool surrogate = character >= kFirstSurrogate && character <= kLastSurrogate;
+  return !control && !surrogate && character <= kLastCharacter;
+}
 
 void append(std::string& text, std::uint32_t character) {
   const auto first = [&](std::uint32_t mark, unsigned tails) {
@@ -41,9 +53,9 @@ std::string to_utf8(const wchar_t* text) {
   std::string result;
   if (text == nullptr) return result;
   for (; *text != L'\0'; ++text) {
-    auto character = static_cast<std::uint32_t>(*text);
-    const bool surrogate = character >= kFirstSurrogate && character <= kLastSurrogate;
-    if (surrogate || character > kLastCharacter) character = kReplacement;
+    // A negative one is none, whatever sign the type has.
+    auto character = static_cast<std::uint32_t>(static_cast<std::make_unsigned_t<wchar_t>>(*text));
+    if (!may_be_shown(character)) character = kReplacement;
     append(result, character);
   }
   return result;

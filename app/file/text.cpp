@@ -30,7 +30,12 @@ std::size_t utf8_length(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((static_cast<unsigned char>(text[i]) & 0xc0U) != 0x80U) return 0;
   }
-  return length;
+  if (length < 3) return length;
+  // Longer than need be, a surrogate, or beyond U+10FFFF: the second byte tells.
+  const auto second = static_cast<unsigned char>(text[1]);
+  const bool too_long = (lead == 0xe0 && second < 0xa0) || (lead == 0xf0 && second < 0x90);
+  const bool no_character = (lead == 0xed && second >= 0xa0) || (lead == 0xf4 && second >= 0x90);
+  return too_long || no_character ? 0 : length;
 }
 
 std::string cleaned(std::string_view text, std::size_t longest) {

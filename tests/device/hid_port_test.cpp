@@ -49,8 +49,10 @@ TEST(HidPort, WideTextBecomesUtf8) {
   EXPECT_EQ(to_utf8(L""), "");
   EXPECT_EQ(to_utf8(L"Impulse"), "Impulse");
   EXPECT_EQ(to_utf8(L"\u00e9\u0394\u20ac\U0001F600"), "\u00e9\u0394\u20ac\U0001F600");
-  EXPECT_EQ(to_utf8(L"\x7f\u0080\u07ff\u0800\uffff\U00010000\U0010ffff"),
-            "\x7f\u0080\u07ff\u0800\uffff\U00010000\U0010ffff");
+  EXPECT_EQ(to_utf8(L"\u00a0\u07ff\u0800\uffff\U00010000\U0010ffff"),
+            "\u00a0\u07ff\u0800\uffff\U00010000\U0010ffff");
+  // What a terminal would obey.
+  EXPECT_EQ(to_utf8(L"a\x1b[2J\x7f\u009b"), "a\uFFFD[2J\uFFFD\uFFFD");
   const wchar_t bad[] = {L'a',
                          static_cast<wchar_t>(0xD800),
                          static_cast<wchar_t>(0x110000),

@@ -12,7 +12,6 @@ namespace {
 using hid::FaultKind;
 using testing::kMillisecondUs;
 using testing::Rig;
-using testing::VirtualHost;
 
 hid::ForceReport decoded(const hid::ReportBytes& bytes) {
   const auto report = hid::decode_force(bytes);

@@ -50,6 +50,10 @@ TEST(LinkStress, StartsAndStopsManyTimesAndLeavesNothingOpen) {
     const Failure failure = engine->open();
     ASSERT_FALSE(failure) << failure->message;
     EXPECT_EQ(bus->open_handles(), 2);
+    EXPECT_EQ(engine->info().name, "Emulated device");
+    EXPECT_EQ(engine->info().encoder_m, 1.0 / 3937.0);
+    EXPECT_EQ(engine->info().force_limit_n, 8.9);
+    EXPECT_FALSE(engine->info().is_simulated);
     if (round % 2 == 0) {
       ASSERT_TRUE(loop_until(*engine, is_ok));
     }

@@ -43,7 +43,7 @@ class VirtualHost {
             [this]() -> Result<std::shared_ptr<hid::Port>> {
               return std::shared_ptr<hid::Port>(port);
             },
-            clock, [this](std::shared_ptr<WriteSession> session) { return start(session); }),
+            clock, [this](const std::shared_ptr<WriteSession>& session) { return start(session); }),
         loop(exchange, clock) {}
 
   // One millisecond of everything, or of the devices alone.
