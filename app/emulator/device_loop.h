@@ -1,0 +1,64 @@
+// The emulated device on a bus, in real time.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "core/result.h"
+#include "device/emulator/firmware_emulator.h"
+#include "device/emulator/virtual_bus.h"
+
+namespace hapticwall::emulator {
+
+struct LoopSettings {
+  std::uint64_t duration_us = 0;  // 0: until it is stopped
+  // Moves the tick once, by at most half of it, when the first command with enable comes: to where
+  // that command lies in the middle between two ticks. Host and device then keep in step, and a
+  // session can be repeated tick by tick.
+  bool in_step = false;
+};
+
+struct LoopFigures {
+  std::uint64_t ticks = 0;
+  std::uint64_t late_ticks = 0;         // more than a tick behind: their reports were not sent
+  std::uint64_t commands = 0;           // taken from the bus
+  std::int64_t largest_latency_ns = 0;  // of a tick after its deadline
+};
+
+class DeviceLoop {
+ public:
+  // Both outlive the loop.
+  DeviceLoop(device::hid::FirmwareEmulator& device, device::hid::VirtualBus& bus,
+             const LoopSettings& settings);
+
+  // Called after every tick.
+  std::function<void()> on_tick;
+  // Asked at least once a tick.
+  std::function<bool()> should_stop;
+
+  // Plugs the device in and follows the clock, tick k at k ticks after now; unplugged when it
+  // returns. Fails where the bus does not take the device.
+  [[nodiscard]] Failure run();
+
+  [[nodiscard]] const LoopFigures& figures() const { return figures_; }
+
+ private:
+  [[nodiscard]] bool is_over() const;
+  [[nodiscard]] std::int64_t deadline_ns() const;
+  [[nodiscard]] Failure keep_plugged();
+  void take_requests();
+  void take(const device::hid::BusRequest& request);
+  void come_in_step(const device::hid::BusRequest& request);
+  void pass_ticks();
+
+  device::hid::FirmwareEmulator& device_;
+  device::hid::VirtualBus& bus_;
+  LoopSettings settings_;
+  LoopFigures figures_;
+  std::int64_t start_ns_ = 0;
+  std::int64_t tick_ns_ = 0;
+  bool plugged_ = false;
+  bool in_step_ = false;
+};
+
+}  // namespace hapticwall::emulator
