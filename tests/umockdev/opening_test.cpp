@@ -1,0 +1,126 @@
+// Devices that are listed and cannot be opened: what stands in the way is named.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#define HAPTICWALL_LEAKS(word) __lsan_##word()
+#else
+#define HAPTICWALL_LEAKS(word) static_cast<void>(0)
+#endif
+
+#include <string>
+
+#include "tests/umockdev/hidraw_test.h"
+
+namespace hapticwall::device::hid::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr uid_t kNobody = 65534;
+
+// Root may open anything: for its life the process is somebody else.
+class NobodysRights {
+ public:
+  NobodysRights() : changed_(::geteuid() == 0 && ::setresuid(kNobody, kNobody, 0) == 0) {}
+  NobodysRights(const NobodysRights&) = delete;
+  NobodysRights& operator=(const NobodysRights&) = delete;
+  ~NobodysRights() {
+    if (changed_) EXPECT_EQ(::setresuid(0, 0, 0), 0);
+  }
+
+ private:
+  bool changed_;
+};
+
+// libhidapi-hidraw 0.13 forgets the text of one of its errors.
+class LibrarysOwnLeak {
+ public:
+  LibrarysOwnLeak() { HAPTICWALL_LEAKS(disable); }
+  LibrarysOwnLeak(const LibrarysOwnLeak&) = delete;
+  LibrarysOwnLeak& operator=(const LibrarysOwnLeak&) = delete;
+  ~LibrarysOwnLeak() { HAPTICWALL_LEAKS(enable); }
+};
+
+class HidrawOpening : public HidrawTest {};
+
+TEST_F(HidrawOpening, ADeviceThatIsThereOpens) {
+  const MockDevice& device = bus_.plug();
+  static_cast<void>(listed());
+  EXPECT_EQ(port_->obstacle(device.path()), Obstacle::kNone);
+  EXPECT_NE(opened(device), nullptr);
+}
+
+TEST_F(HidrawOpening, OneThatMayNotBeOpenedNamesTheRule) {
+  const MockDevice& device = bus_.plug();
+  ASSERT_EQ(::chmod(device.node_file().c_str(), 0), 0);
+  const NobodysRights guard;
+  EXPECT_EQ(listing_of(device.path()).vendor_id, kTestVendorId);
+  EXPECT_EQ(port_->obstacle(device.path()), Obstacle::kPermission);
+  EXPECT_EQ(refusal_of(device.path()), obstacle_text(device.path(), Obstacle::kPermission));
+}
+
+TEST_F(HidrawOpening, OneThatMayOnlyBeReadNamesTheRuleToo) {
+  const MockDevice& device = bus_.plug();
+  ASSERT_EQ(::chmod(device.node_file().c_str(), 0444), 0);
+  const NobodysRights guard;
+  EXPECT_EQ(listing_of(device.path()).vendor_id, kTestVendorId);
+  EXPECT_EQ(port_->obstacle(device.path()), Obstacle::kPermission);
+  EXPECT_EQ(refusal_of(device.path()), obstacle_text(device.path(), Obstacle::kPermission));
+}
+
+TEST_F(HidrawOpening, OneThatWentAfterItWasListedIsGone) {
+  MockDevice& device = bus_.plug();
+  EXPECT_EQ(listed().size(), 1U);
+  bus_.unplug(device);
+  EXPECT_EQ(port_->obstacle(device.path()), Obstacle::kGone);
+  EXPECT_EQ(refusal_of(device.path()), obstacle_text(device.path(), Obstacle::kGone));
+}
+
+TEST_F(HidrawOpening, WhatWasNeverListedIsNotOpened) {
+  EXPECT_THAT(listed(), ::testing::IsEmpty());
+  for (const char* path : {"/dev/hidraw7", "/dev/null", "/etc/hostname", "", "hidraw0"}) {
+    SCOPED_TRACE(path);
+    EXPECT_NE(refusal_of(path), "");
+  }
+}
+
+TEST_F(HidrawOpening, ANodeThatIsNoHidrawIsRefused) {
+  MockDevice& device = bus_.plug();
+  EXPECT_EQ(listed().size(), 1U);
+  bus_.make_deaf(device);
+  const LibrarysOwnLeak ignored;
+  EXPECT_THAT(refusal_of(device.path()), Not(HasSubstr("Success")));
+}
+
+TEST_F(HidrawOpening, AfterARefusalAnotherDeviceOpens) {
+  MockDevice& gone = bus_.plug();
+  const MockDevice& good = bus_.plug();
+  EXPECT_EQ(listed().size(), 2U);
+  bus_.unplug(gone);
+  EXPECT_NE(refusal_of(gone.path()), "");
+  EXPECT_NE(opened(good), nullptr);
+}
+
+TEST_F(HidrawOpening, ADeviceOpensTwiceAndAgainAfterItWasClosed) {
+  const MockDevice& device = bus_.plug();
+  EXPECT_EQ(listed().size(), 1U);
+  {
+    const auto first = opened(device);
+    const auto second = opened(device);
+    EXPECT_NE(first, nullptr);
+    EXPECT_NE(second, nullptr);
+  }
+  EXPECT_NE(opened(device), nullptr);
+}
+
+TEST_F(HidrawOpening, ThereIsOneSystemPortAtATime) {
+  EXPECT_FALSE(open_system_port());
+  port_.reset();
+  EXPECT_TRUE(open_system_port());
+}
+
+}  // namespace
+}  // namespace hapticwall::device::hid::testing
