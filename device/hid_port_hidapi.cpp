@@ -199,7 +199,8 @@ class HidapiPort : public Port {
 Result<std::unique_ptr<Port>> open_system_port() {
   if (port_exists().exchange(true)) {
     return Error{ErrorKind::kDevice,
-                 "the HID transport is in use by another session of this program: end it first"};
+                 "this program still uses the HID transport: end its other session, or wait a few "
+                 "seconds for a write that does not end"};
   }
   if (hid_init() != 0) {
     port_exists() = false;

@@ -152,9 +152,7 @@ Failure take_faults(const EmulatorOptions& options, Plan& plan) {
   return {};
 }
 
-}  // namespace
-
-void add_options(CLI::App& program, EmulatorOptions& options) {
+void add_scenes(CLI::App& program, EmulatorOptions& options) {
   program
       .add_option("SCENE", options.scene,
                   "Handle and hand: a scene file or the name of a built-in scene")
@@ -166,6 +164,9 @@ void add_options(CLI::App& program, EmulatorOptions& options) {
       .add_option("--set", options.settings, "A key of SCENE, e.g. hand.mass_kg=0.3 (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+void add_identity(CLI::App& program, EmulatorOptions& options) {
   program.add_option("--vendor", options.vendor, "Vendor id, hexadecimal")
       ->type_name("ID")
       ->capture_default_str();
@@ -178,6 +179,13 @@ void add_options(CLI::App& program, EmulatorOptions& options) {
   program.add_option("--name", options.name, "What the device calls itself")
       ->type_name("TEXT")
       ->capture_default_str();
+}
+
+}  // namespace
+
+void add_options(CLI::App& program, EmulatorOptions& options) {
+  add_scenes(program, options);
+  add_identity(program, options);
   program
       .add_option("--fault", options.faults,
                   "KIND@BEGIN+DURATION, seconds since the start; /EVERY behind it for every so "

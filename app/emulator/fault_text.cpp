@@ -51,6 +51,7 @@ static_assert(kKinds.size() == static_cast<std::size_t>(FaultKind::kEncoderFault
 
 std::vector<std::string_view> names() {
   std::vector<std::string_view> names;
+  names.reserve(kKinds.size());
   for (const NamedKind& known : kKinds) names.push_back(known.name);
   return names;
 }

@@ -42,14 +42,14 @@ void copy_text(std::uint8_t (&to)[size], const std::string& text) {  // NOLINT(*
   std::memcpy(to, text.data(), std::min(text.size(), size - 1));
 }
 
-class UhidBus : public VirtualBus {
+class UhidBus final : public VirtualBus {
  public:
   UhidBus(int descriptor, HidIdentity identity)
       : descriptor_(descriptor), identity_(std::move(identity)) {}
   UhidBus(const UhidBus&) = delete;
   UhidBus& operator=(const UhidBus&) = delete;
   ~UhidBus() override {
-    UhidBus::unplug();
+    unplug();
     close(descriptor_);
   }
 

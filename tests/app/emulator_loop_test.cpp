@@ -64,14 +64,14 @@ class FakeBus : public VirtualBus {
     ForceReport command;
     command.enable = enable;
     command.sequence = sequence;
-    command.echoed_state_sequence = static_cast<std::uint16_t>((time_ns - start_ns) / kTickNs);
+    command.echoed_state_sequence = static_cast<std::uint16_t>((time_ns - kStartNs) / kTickNs);
     command.force_n = {kPushN, 0.0};
     const auto bytes = device::hid::encode_force(command);
     requests.emplace_back(
         time_ns, BusRequest{RequestKind::kOutput, 0, bytes[0], {bytes.begin(), bytes.end()}});
   }
 
-  static constexpr std::int64_t start_ns = 7'000'123;
+  static constexpr std::int64_t kStartNs = 7'000'123;
   bool refuses = false;
   std::int64_t wake_late_ns = 0;  // of the next wait
   std::deque<std::pair<std::int64_t, BusRequest>> requests;
@@ -82,7 +82,7 @@ class FakeBus : public VirtualBus {
   std::vector<std::pair<std::uint32_t, bool>> set;
 
  private:
-  std::int64_t now_ns_ = start_ns;
+  std::int64_t now_ns_ = kStartNs;
 };
 
 // A device that runs for so many ticks.
@@ -105,7 +105,7 @@ struct Table {
 };
 
 constexpr std::int64_t at(double ticks) {
-  return FakeBus::start_ns + static_cast<std::int64_t>(ticks * kTickNs);
+  return FakeBus::kStartNs + static_cast<std::int64_t>(ticks * kTickNs);
 }
 
 TEST(EmulatorLoop, ATickIsSentAtItsTimeAndTheEndUnplugs) {

@@ -3,6 +3,7 @@
 // somebody asks for it anew.
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "tests/device/link_rig.h"
@@ -64,7 +65,7 @@ struct Case {
            (disarms ? "AndALoopThatDisarms" : "AndALoopThatGoesOnAsking");
   }
 };
-void PrintTo(const Case& tested, std::ostream* out) { *out << tested.name(); }
+std::ostream& operator<<(std::ostream& out, const Case& tested) { return out << tested.name(); }
 
 class LinkFault : public ::testing::TestWithParam<Case> {};
 

@@ -2,6 +2,7 @@
 // ThreadSanitizer. What a test waits for is a condition, never a time.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <thread>
@@ -145,6 +146,18 @@ TEST(LinkStress, ABlockedWriteDoesNotKeepTheLinkFromComingBack) {
   engine->close();
   EXPECT_EQ(bus->open_handles(), 0);
   EXPECT_EQ(bus->take_owners(), 1U);
+}
+
+TEST(LinkStress, TheThreadsThatReadAndWriteCanBePrepared) {
+  const auto bus = std::make_shared<RealBus>();
+  std::atomic<int> prepared{0};
+  ImpulseEngineOptions options;
+  options.prepare_thread = [&] { ++prepared; };
+  const auto engine = make_impulse_engine(options, std::make_unique<RealPort>(bus), slow_ns);
+  ASSERT_FALSE(engine->open());
+  EXPECT_TRUE(wait_for([&] { return prepared == 2; }));
+  engine->close();
+  EXPECT_EQ(prepared, 2);
 }
 
 TEST(LinkStress, NothingConnectedIsOneClearSentence) {
