@@ -11,7 +11,6 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <mutex>
@@ -31,6 +30,9 @@ static_assert(kIsLibusb || kTransport == "hidraw", "HAPTICWALL_HIDAPI is hidraw 
 
 // How often a reader looks that shares its handle with a writer.
 constexpr std::chrono::microseconds kSharedPoll{250};
+
+// What hidapi says where nothing went wrong that it knows of.
+constexpr std::string_view kNoReason = "Success";
 
 struct CloseDevice {
   void operator()(hid_device* device) const { hid_close(device); }
@@ -185,7 +187,7 @@ class HidapiPort : public Port {
     if (kIsLibusb) return {ErrorKind::kDevice, obstacle_text(path, Obstacle::kBusy)};
     // The system call may have worked, and what it opened be something else.
     const std::string reason = to_utf8(hid_error(nullptr));
-    const bool told = !reason.empty() && reason != std::strerror(0);
+    const bool told = !reason.empty() && reason != kNoReason;
     return {ErrorKind::kDevice,
             path + " cannot be opened: " + (told ? reason : "it does not answer as a HID device")};
   }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/file/text.h"
+#include "device/hid_match.h"
 #include "embedded_rules.h"
 
 namespace hapticwall::command {
@@ -77,7 +78,9 @@ Result<DeviceList> look_at_devices(device::hid::Port& port) {
   if (!listings) return listings.error();
   DeviceList list;
   for (const Listing& listing : *listings) {
-    if (device::hid::may_be_haptic(listing)) {
+    // Only what --device ie2000 would take: where the transport tells no usage page, anything else
+    // may be somebody's keyboard, and opening it would take it away.
+    if (device::hid::fits(listing, {})) {
       list.haptic.push_back(look_at(port, listing));
     } else {
       ++list.others;

@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -61,6 +62,11 @@ int lock_memory() {
   if (!may_lock_without_limit()) return EPERM;
   return mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0 ? 0 : errno;
 }
+
+// The kernel's collector of huge pages holds the process's memory map while it works, at the lowest
+// priority there is; a tick that meets a page then waits for it, for milliseconds. Locked memory
+// does not help.
+void keep_small_pages() { prctl(PR_SET_THP_DISABLE, 1UL, 0UL, 0UL, 0UL); }
 
 int set_affinity(int core) {
   if (core < 0 || core >= CPU_SETSIZE) return core == -1 ? 0 : EINVAL;
@@ -133,6 +139,7 @@ RealtimeOutcome set_up_realtime_thread(int affinity_core) {
   block_signals();
   outcome.affinity_core = std::max(affinity_core, -1);
   outcome.affinity_error = set_affinity(outcome.affinity_core);
+  keep_small_pages();
   outcome.lock_error = lock_memory();
   touch_stack();
   outcome.priority = permitted_priority();
