@@ -116,7 +116,8 @@ TEST_F(HidrawListing, ADescriptorThatEndsTooEarlyIsNoHarm) {
     identity.descriptor.assign(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
     bus_.plug(identity);
   }
-  for (const std::uint8_t item : {0x07, 0x0B, 0xA3, 0xFE, 0xFF}) {  // the head of a long one
+  for (const std::uint8_t item :
+       std::to_array<std::uint8_t>({0x07, 0x0B, 0xA3, 0xFE, 0xFF})) {  // the head of a long one
     MockIdentity identity;
     identity.descriptor.assign(1, item);
     bus_.plug(identity);
