@@ -1,4 +1,5 @@
 // What the real libhidapi makes of /sys, through the program's port.
+#include <array>
 #include <clocale>
 #include <string>
 #include <vector>
