@@ -1,6 +1,7 @@
 // The promises themselves: what breaks one is found.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,8 @@ ReportPromises<StateReport> usual() {
 
 std::vector<std::uint8_t> input() {
   const auto report = device::hid::encode_state({});
-  std::vector<std::uint8_t> bytes{0};
-  bytes.insert(bytes.end(), report.begin(), report.end());
+  std::vector<std::uint8_t> bytes(1 + report.size());  // the first one: nothing is to be repaired
+  std::copy(report.begin(), report.end(), bytes.begin() + 1);
   return bytes;
 }
 
