@@ -36,6 +36,7 @@ Examples:
   hapticwall run press --expect verdict=settled --expect 'tail_peak_to_peak_m<1e-4'
   hapticwall compare tap --json -
   hapticwall accuracy golden-hard --plot a.png    what a tick costs, and what it is off by
+  hapticwall replay a.csv --algorithm none        the recorded hand under another algorithm
   hapticwall timing --seconds 60                  how well this machine keeps time
   hapticwall run press --device ie2000 --arm      the same on a haptic device ('devices' lists them)
 
@@ -97,9 +98,9 @@ int dispatch(int argc, const char* const* argv) {
   program.get_formatter()->label("REQUIRED", "(required)");
   program.footer(footer());
   const Action window = add_window(program);
-  const std::vector<Command> commands{add_run(program),      add_compare(program),
-                                      add_accuracy(program), add_timing(program),
-                                      add_devices(program),  add_scenes(program)};
+  const std::vector<Command> commands{
+      add_run(program),    add_compare(program), add_accuracy(program), add_replay(program),
+      add_timing(program), add_devices(program), add_scenes(program)};
   for (const Command& command : commands) command.app->group("Commands")->footer("");
   if (const auto error = check_first_word(argc, argv, program)) return report(*error);
   try {

@@ -1,0 +1,225 @@
+// hapticwall replay RECORDING.csv: shows a recording, or re-runs its hand under another algorithm.
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/command/commands.h"
+#include "app/command/common_options.h"
+#include "app/command/progress.h"
+#include "app/command/replay_rerun.h"
+#include "app/command/run_outputs.h"
+#include "app/command/signals.h"
+#include "app/command/summary_fields.h"
+#include "app/command/summary_table.h"
+#include "app/command/terminal.h"
+#include "app/file/recording_reader.h"
+#include "app/file/sidecar.h"
+#include "app/file/text.h"
+#include "app/runtime/replay_session.h"
+#include "app/ui/window.h"
+#include "core/metrics.h"
+
+namespace hapticwall::command {
+namespace {
+
+struct ReplayCommand {
+  std::string recording;
+  std::string algorithm;
+  std::vector<std::string> settings;  // of --set
+  double speed = 1.0;
+  OutputOptions output;
+
+  [[nodiscard]] bool reruns() const { return !algorithm.empty() || !settings.empty(); }
+  [[nodiscard]] bool shows_no_window() const {
+    return !output.csv.empty() || !output.json.empty() || !output.plot.empty() ||
+           !output.expectations.empty() || output.quiet;
+  }
+};
+
+Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
+
+// No output takes the place of what is read.
+Failure check_originals(const ReplayCommand& command) {
+  const std::array originals{command.recording, file::sidecar_path_of(command.recording)};
+  const std::array<std::pair<std::string_view, std::string>, 4> outputs{
+      {{"--csv", command.output.csv},
+       {"--csv", command.output.csv.empty() ? "" : file::sidecar_path_of(command.output.csv)},
+       {"--json", command.output.json},
+       {"--plot", command.output.plot}}};
+  for (const auto& [option, path] : outputs) {
+    for (const std::string& original : originals) {
+      std::error_code ignored;
+      if (path.empty() || !std::filesystem::equivalent(path, original, ignored)) continue;
+      return usage_error(fmt::format("{} {}: that is the recording itself; choose another name",
+                                     option, file::in_quotes(path)));
+    }
+  }
+  return {};
+}
+
+Failure check(const ReplayCommand& command) {
+  if (!command.algorithm.empty()) {
+    if (Failure failed = check_algorithm_name("--algorithm", command.algorithm)) return failed;
+  }
+  if (!command.output.csv.empty() && !command.reruns()) {
+    return usage_error("--csv: only a re-run is recorded; --algorithm NAME asks for one");
+  }
+  if (Failure failed = check_outputs(command.output)) return failed;
+  return check_originals(command);
+}
+
+Result<std::unique_ptr<file::RecordingReader>> open_recording(const ReplayCommand& command) {
+  Progress progress("reading", !command.output.quiet);
+  return file::RecordingReader::open(command.recording, [&](double fraction) {
+    progress.show(fraction);
+    return stop_signal() == 0;
+  });
+}
+
+void tell_notes(const ReplayCommand& command, const file::RecordingInfo& info) {
+  if (command.output.quiet) return;
+  for (const std::string& note : info.notes) {
+    tell(fmt::format("note: {}: {}", file::shown(command.recording), note));
+  }
+}
+
+struct Outcome {
+  Summary summary;
+  std::string comparison;  // a line more, of a re-run
+  bool stopped_early = false;
+};
+
+// The figures of the rows as they were recorded.
+Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs) {
+  const file::RecordingInfo& info = recording.info();
+  Metrics metrics(info.loaded.scene, recording.rows(), info.of_simulator());
+  std::vector<Sample> rows(file::kRowsPerBlock);
+  for (std::uint64_t row = 0; row < recording.rows() && stop_signal() == 0;) {
+    const Result<std::size_t> count = recording.read(row, rows);
+    if (!count) return count.error();
+    for (const Sample& sample : std::span(rows).first(*count)) {
+      metrics.add(sample);
+      if (outputs.wants_samples()) outputs.take(sample);
+    }
+    row += *count;
+  }
+  Outcome outcome{metrics.finish(), "", stop_signal() != 0};
+  if (!info.has_sidecar) outcome.summary.algorithm = "unknown";
+  return outcome;
+}
+
+Result<Outcome> rerun(const ReplayCommand& command, file::RecordingReader& recording,
+                      const file::LoadedScene& loaded, RunOutputs& outputs) {
+  const auto outcome =
+      rerun_recorded({recording, loaded, command.output.csv, !command.output.quiet}, outputs);
+  if (!outcome) return outcome.error();
+  return Outcome{outcome->summary, comparison_line(*outcome, loaded.scene.sampling.rate_hz),
+                 outcome->stopped_early};
+}
+
+// What the rows are of, or what their hand is to meet instead.
+Result<file::LoadedScene> scene_of(const ReplayCommand& command, const file::RecordingInfo& info) {
+  if (command.reruns()) return runtime::rerun_scene(info, command.algorithm, command.settings);
+  file::LoadedScene loaded = info.loaded;
+  loaded.first_recorded_tick = info.scanned.first_tick;
+  return loaded;
+}
+
+int tell_stopped() {
+  tell(fmt::format("ended early by {}", signal_name(stop_signal())));
+  return signal_exit_status(stop_signal());
+}
+
+Failure print(const OutputOptions& options, const Outcome& outcome) {
+  if (options.json == kStandardOutput) return write_output(summary_json(outcome.summary));
+  if (options.quiet) return {};
+  return write_output(summary_lines(outcome.summary, "") + outcome.comparison);
+}
+
+// With --json, --plot, ... and without a window.
+int run_headless(const ReplayCommand& command) {
+  const auto expectations = parse_expectations(command.output.expectations);
+  if (!expectations) return report(expectations.error());
+  catch_stop_signals();
+  const auto recording = open_recording(command);
+  if (!recording) return stop_signal() == 0 ? report(recording.error()) : tell_stopped();
+  tell_notes(command, (*recording)->info());
+  const Result<file::LoadedScene> loaded = scene_of(command, (*recording)->info());
+  if (!loaded) return report(loaded.error());
+  Result<RunOutputs> outputs = RunOutputs::open(command.output, *loaded, true);
+  if (!outputs) return report(outputs.error());
+
+  const Result<Outcome> outcome = command.reruns() ? rerun(command, **recording, *loaded, *outputs)
+                                                   : summarise(**recording, *outputs);
+  if (!outcome) return report(outcome.error());
+  if (outcome->stopped_early) return tell_stopped();
+  if (const Failure failed = outputs->finish(loaded->scene, outcome->summary)) {
+    return report(*failed);
+  }
+  if (const Failure failed = print(command.output, *outcome)) return report(*failed);
+  return judge(*expectations, {&outcome->summary, 1});
+}
+
+int open_window(const ReplayCommand& command) {
+  auto recording = open_recording(command);
+  if (!recording) return report(recording.error());
+  tell_notes(command, (*recording)->info());
+  std::optional<runtime::Overlay> overlay;
+  if (command.reruns()) {
+    auto laid_over = rerun_as_overlay(**recording, command.algorithm, command.settings);
+    if (!laid_over) return report(laid_over.error());
+    overlay = std::move(*laid_over);
+  }
+  ui::WindowOptions window;
+  window.scene = (*recording)->info().loaded.scene;
+  window.start_on_device = [&](const Scene&) -> Result<std::unique_ptr<runtime::Session>> {
+    runtime::ReplayOptions options;
+    options.speed = command.speed;
+    auto session = runtime::start_replay(command.recording, options);
+    if (!session) return session.error();
+    (*session)->lay_over(overlay);
+    return std::unique_ptr<runtime::Session>(std::move(*session));
+  };
+  const Failure failed = ui::run_window(window);
+  return failed ? report(*failed) : 0;
+}
+
+int replay(const ReplayCommand& command) {
+  if (const Failure failed = check(command)) return report(*failed);
+  return command.shows_no_window() ? run_headless(command) : open_window(command);
+}
+
+}  // namespace
+
+Command add_replay(CLI::App& program) {
+  const auto command = std::make_shared<ReplayCommand>();
+  CLI::App* app = program.add_subcommand(
+      "replay", "Show a recording; --algorithm re-runs its hand under another algorithm");
+  app->add_option("RECORDING", command->recording, "NAME.csv, or NAME.csv.partial")
+      ->type_name("")
+      ->required();
+  app->add_option("--algorithm", command->algorithm,
+                  "Re-run the recorded hand under this algorithm, and lay it over the recording")
+      ->type_name("NAME");
+  app->add_option("--set", command->settings,
+                  "Re-run it with another key of the scene, e.g. wall.stiffness_n_per_m=5000 "
+                  "(repeatable)")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app->add_option("--speed", command->speed, "Recorded seconds a second, 0.01 to 100")
+      ->type_name("X")
+      ->check(CLI::Range(runtime::kSlowestReplay, runtime::kFastestReplay));
+  app->add_option("--csv", command->output.csv, "Record the re-run; without a window")
+      ->type_name("FILE");
+  app->add_option("--plot", command->output.plot, "Draw the figure; needs no display, no window")
+      ->type_name("FILE.png");
+  add_output_options(*app, command->output);
+  return {app, [command] { return replay(*command); }};
+}
+
+}  // namespace hapticwall::command

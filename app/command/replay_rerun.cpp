@@ -1,0 +1,117 @@
+#include "app/command/replay_rerun.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "app/command/progress.h"
+#include "app/command/signals.h"
+#include "app/command/terminal.h"
+#include "app/file/recording_writer.h"
+#include "app/file/text.h"
+#include "app/runtime/comparison.h"
+
+namespace hapticwall::command {
+namespace {
+
+constexpr std::uint64_t kMostOverlaidTicks = 1'000'000;
+constexpr std::size_t kLabelWidth = 22;  // as in the summary
+constexpr double kMillimetresPerMetre = 1e3;
+
+file::RecordingMetadata metadata_of(const RecordedRerun& rerun,
+                                    const runtime::RerunOutcome& outcome) {
+  const std::string name =
+      std::filesystem::path(rerun.recording.info().csv_path).filename().string();
+  file::RecordingMetadata metadata;
+  metadata.device = "simulator";
+  metadata.realtime_status = "not in real time: the hand of " + file::shown(name) + ", re-run";
+  metadata.first_tick = rerun.loaded.first_recorded_tick;
+  metadata.session_ticks = outcome.ticks;
+  if (outcome.pointer_led) {
+    metadata.repeatable = false;
+    metadata.not_repeatable_because =
+        "the pointer led the hand in " + file::shown(name) + "; `hapticwall replay` repeats it";
+  }
+  for (const ScheduledChange& change : rerun.loaded.changes) {
+    if (change.tick < outcome.ticks) metadata.changes.push_back({change.tick, change.scene});
+  }
+  return metadata;
+}
+
+void tell_what_is_not_known(const RecordedRerun& rerun) {
+  const file::LoadedScene& recorded = rerun.recording.info().loaded;
+  if (rerun.loaded.first_recorded_tick == 0 || recorded.not_repeatable_because.empty()) return;
+  tell(fmt::format(
+      "note: {} begins at tick {} of its session; where the pointer led the hand before "
+      "that is not known",
+      file::shown(rerun.recording.info().csv_path), rerun.loaded.first_recorded_tick));
+}
+
+}  // namespace
+
+Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutputs& outputs) {
+  std::unique_ptr<file::RecordingWriter> writer;
+  if (!rerun.csv.empty()) {
+    auto created = file::RecordingWriter::create(rerun.csv, file::MoreColumns::kSimulator);
+    if (!created) return created.error();
+    writer = std::move(*created);
+  }
+  if (rerun.talks) tell_what_is_not_known(rerun);
+  Progress progress(rerun.loaded.scene.name, rerun.talks);
+  Failure failed;
+  runtime::RerunOptions options;
+  options.keep_going = [&](double fraction) {
+    progress.show(fraction);
+    return stop_signal() == 0 && !failed;
+  };
+  options.on_sample = [&](const Sample& sample) {
+    if (writer && !failed) failed = writer->append(sample);
+    if (outputs.wants_samples()) outputs.take(sample);
+  };
+  auto outcome = runtime::rerun_hand(rerun.recording, rerun.loaded, options);
+  if (failed) return *std::move(failed);
+  if (!outcome) return outcome;
+  if (writer) {
+    failed = writer->finish(rerun.loaded.scene, metadata_of(rerun, *outcome));
+    if (failed) return *std::move(failed);
+  }
+  return outcome;
+}
+
+std::string comparison_line(const runtime::RerunOutcome& outcome, double rate_hz) {
+  std::string text = "the recording again, bit for bit";
+  if (outcome.first_different_tick) {
+    text = fmt::format("leaves the recording at tick {} ({:.6g} s), at most {:.3g} mm apart",
+                       *outcome.first_different_tick,
+                       static_cast<double>(*outcome.first_different_tick) / rate_hz,
+                       outcome.largest_distance_m * kMillimetresPerMetre);
+  }
+  return fmt::format("  {:<{}}{}\n", "re-run", kLabelWidth, text);
+}
+
+Result<runtime::Overlay> rerun_as_overlay(file::RecordingReader& recording,
+                                          const std::string& algorithm,
+                                          const std::vector<std::string>& settings) {
+  const std::uint64_t rows = recording.rows();
+  if (rows > kMostOverlaidTicks) {
+    return Error{
+        ErrorKind::kUsage,
+        fmt::format("{}: at most {} ticks are laid over a recording, this one has {}; --csv "
+                    "records the re-run of any",
+                    file::shown(recording.info().csv_path), kMostOverlaidTicks, rows)};
+  }
+  const auto scene = runtime::rerun_scene(recording.info(), algorithm, settings);
+  if (!scene) return scene.error();
+  runtime::Overlay overlay;
+  overlay.label = runtime::describe(scene->scene.algorithm);
+  overlay.samples.reserve(rows);
+  runtime::RerunOptions options;
+  options.on_sample = [&](const Sample& sample) { overlay.samples.push_back(sample); };
+  const auto outcome = runtime::rerun_hand(recording, *scene, options);
+  if (!outcome) return outcome.error();
+  return overlay;
+}
+
+}  // namespace hapticwall::command

@@ -1,0 +1,60 @@
+#include "app/runtime/comparison_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticwall::runtime {
+namespace {
+
+// Where `rises` of p goes from false to true, to the last digit: a double has fewer bits than this.
+template <typename Rises>
+double crossing(const Rises& rises) {
+  constexpr int kHalvings = 1100;  // down to the smallest number there is
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (middle == low || middle == high) break;
+    (rises(middle) ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double binomial_at_least(std::uint32_t k, std::uint32_t n, double p) {
+  if (k == 0) return 1.0;
+  if (k > n || p <= 0.0) return 0.0;
+  if (p >= 1.0) return 1.0;
+  // Term by term from the logarithm of the first: p^n alone may be too small for a double.
+  const double log_odds = std::log(p) - std::log1p(-p);
+  double log_term = n * std::log1p(-p);
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    if (i >= k) sum += std::exp(log_term);
+    log_term += std::log(static_cast<double>(n - i) / static_cast<double>(i + 1)) + log_odds;
+  }
+  return std::min(sum, 1.0);
+}
+
+Proportion clopper_pearson(std::uint32_t k, std::uint32_t n, double confidence) {
+  Proportion result;
+  if (n == 0) return result;
+  const double tail = 0.5 * (1.0 - confidence);
+  result.share = static_cast<double>(k) / static_cast<double>(n);
+  if (k > 0) {
+    result.low = crossing([&](double p) { return binomial_at_least(k, n, p) >= tail; });
+  }
+  if (k < n) {
+    // P(X <= k) is P(n - X >= n - k), with the chance of the other side.
+    result.high = 1.0 - crossing([&](double q) { return binomial_at_least(n - k, n, q) >= tail; });
+  }
+  return result;
+}
+
+double binomial_two_sided(std::uint32_t k, std::uint32_t n) {
+  constexpr double kHalf = 0.5;
+  return std::min(1.0, 2.0 * binomial_at_least(std::max(k, n - k), n, kHalf));
+}
+
+}  // namespace hapticwall::runtime

@@ -1,0 +1,307 @@
+#include "app/runtime/hand_rerun.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "app/file/sidecar.h"
+#include "app/file/text.h"
+#include "core/metrics.h"
+#include "core/servo.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+constexpr std::uint64_t kTicksPerQuestion = 1024;
+
+Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
+
+Failure check_recording(const file::RecordingInfo& recording) {
+  const std::string name = file::shown(recording.csv_path);
+  if (!recording.of_simulator()) {
+    return usage_error(name +
+                       ": a person's hand cannot be re-run; only a recording of the "
+                       "simulator has its hand's path in it");
+  }
+  if (!recording.has_sidecar) {
+    return usage_error(
+        fmt::format("{}: cannot be re-run without its scene: {}", name, recording.notes.front()));
+  }
+  if (recording.scanned.missing_rows > 0) {
+    return usage_error(
+        fmt::format("{}: cannot be re-run: {} rows are missing, and the hand's path "
+                    "with them",
+                    name, recording.scanned.missing_rows));
+  }
+  return {};
+}
+
+Failure check_overrides(const Scene& recorded, const Scene& wanted) {
+  const auto refused = [](std::string_view key) {
+    return usage_error(fmt::format("--set {}: that is as it was recorded; `run` takes it", key));
+  };
+  if (wanted.sampling.rate_hz != recorded.sampling.rate_hz) return refused("sampling.rate_hz");
+  if (wanted.duration_s != recorded.duration_s) return refused("duration_s");
+  if (wanted.hand.has_value() != recorded.hand.has_value()) return refused("hand");
+  if (wanted.hand && (wanted.hand->path != recorded.hand->path ||
+                      wanted.hand->follows_mouse != recorded.hand->follows_mouse)) {
+    return refused("hand.path");
+  }
+  return {};
+}
+
+// The loop's device: one write() is one tick, and the hand is led before it passes.
+struct RerunDevice {
+  PlantModel* plant = nullptr;
+  double force_n = 0.0;
+
+  [[nodiscard]] DeviceReading read() const {
+    return {plant->measured_position_m(), 0.0, DeviceState::kOk};
+  }
+  void write(double newtons) { force_n = newtons; }
+  [[nodiscard]] const PlantTruth* truth() const { return &plant->truth(); }
+};
+
+// The numbers of a recording, less hand_force_n.
+bool same_numbers(const Sample& a, const Sample& b) {
+  const PlantTruth& p = a.truth;
+  const PlantTruth& q = b.truth;
+  return a.tick == b.tick && a.flags == b.flags && a.position_m == b.position_m &&
+         a.velocity_m_per_s == b.velocity_m_per_s && a.penetration_m == b.penetration_m &&
+         a.wall_force_n == b.wall_force_n && a.force_n == b.force_n &&
+         a.stiffness_n_per_m == b.stiffness_n_per_m && a.energy_cv_j == b.energy_cv_j &&
+         a.energy_hold_j == b.energy_hold_j && a.energy_scv_j == b.energy_scv_j &&
+         a.energy_budget_j == b.energy_budget_j && p.position_m == q.position_m &&
+         p.velocity_m_per_s == q.velocity_m_per_s && p.hand_path_m == q.hand_path_m &&
+         p.actuator_work_j == q.actuator_work_j && p.dissipation_j == q.dissipation_j &&
+         p.hand_work_j == q.hand_work_j && p.kinetic_j == q.kinetic_j;
+}
+
+// The rows in order, a block at a time.
+class RowStream {
+ public:
+  explicit RowStream(file::RecordingReader& recording) : recording_(recording) {}
+
+  // Null at the end, and where failure() is.
+  const Sample* next() {
+    if (at_ == count_) {
+      const auto count = recording_.read(row_, samples_);
+      if (!count) failure_ = count.error();
+      count_ = count ? *count : 0;
+      row_ += count_;
+      at_ = 0;
+      if (count_ == 0) return nullptr;
+    }
+    return &samples_[at_++];
+  }
+  [[nodiscard]] const Failure& failure() const { return failure_; }
+
+ private:
+  file::RecordingReader& recording_;
+  std::array<Sample, file::kRowsPerBlock> samples_;
+  std::uint64_t row_ = 0;
+  std::size_t at_ = 0;
+  std::size_t count_ = 0;
+  Failure failure_;
+};
+
+Result<std::vector<double>> recorded_path(file::RecordingReader& recording) {
+  std::vector<double> positions_m;
+  positions_m.reserve(recording.rows());
+  RowStream rows(recording);
+  while (const Sample* row = rows.next()) positions_m.push_back(row->truth.hand_path_m);
+  if (rows.failure()) return *rows.failure();
+  return positions_m;
+}
+
+class Rerun {
+ public:
+  Rerun(file::RecordingReader& recording, const file::LoadedScene& loaded,
+        const RerunOptions& options, std::vector<double> positions_m)
+      : recording_(recording.info()),
+        loaded_(loaded),
+        options_(options),
+        rows_(recording),
+        end_tick_(recording_.scanned.last_tick + 1),
+        scene_(loaded.scene),
+        servo_(servo_settings(loaded.scene)),
+        plant_(std::make_unique<PlantModel>(loaded.scene)),
+        hand_(loaded.scene, recording_.scanned.first_tick, std::move(positions_m)),
+        metrics_(loaded.scene, end_tick_, true) {}
+
+  Result<RerunOutcome> run() {
+    while (servo_.state().tick < end_tick_ && pass_tick()) {
+    }
+    if (rows_.failure()) return *rows_.failure();
+    outcome_.summary = metrics_.finish();
+    if (diverged_at_tick_) {
+      outcome_.summary.verdict = Verdict::kDiverged;
+      outcome_.summary.diverged_at_tick = diverged_at_tick_;
+    }
+    outcome_.ticks = outcome_.summary.ticks;
+    outcome_.pointer_led = hand_.has_led();
+    return outcome_;
+  }
+
+ private:
+  bool pass_tick() {
+    const std::uint64_t tick = servo_.state().tick;
+    if (tick % kTicksPerQuestion == 0 && options_.keep_going &&
+        !options_.keep_going(static_cast<double>(tick) / static_cast<double>(end_tick_))) {
+      outcome_.stopped_early = true;
+      return false;
+    }
+    apply_changes(tick);
+    RerunDevice device{plant_.get()};
+    const bool in_reach = !plant_->has_diverged();
+    const Sample sample = in_reach ? servo_.tick(device) : Sample{};
+    if (!in_reach || servo_.state().failed) {
+      diverged_at_tick_ = tick;
+      return false;
+    }
+    metrics_.add(sample);
+    if (tick >= recording_.scanned.first_tick && !tell(sample)) return false;
+    hand_.lead(*plant_);
+    plant_->advance(device.force_n);
+    return true;
+  }
+
+  bool tell(const Sample& sample) {
+    if (options_.on_sample) options_.on_sample(sample);
+    const Sample* row = rows_.next();
+    if (row == nullptr) return false;
+    if (!outcome_.first_different_tick && !same_numbers(sample, *row)) {
+      outcome_.first_different_tick = sample.tick;
+    }
+    outcome_.largest_distance_m = std::max(
+        outcome_.largest_distance_m, std::abs(sample.truth.position_m - row->truth.position_m));
+    return true;
+  }
+
+  // As a live session does it: the plant goes on from where it is.
+  void apply_changes(std::uint64_t tick) {
+    while (change_ < loaded_.changes.size() && loaded_.changes[change_].tick <= tick) {
+      Scene changed = loaded_.changes[change_++].scene;
+      changed.sampling = scene_.sampling;
+      servo_.apply(servo_settings(changed));
+      if (same_plant(changed, scene_)) continue;
+      auto plant = std::make_unique<PlantModel>(changed);
+      plant->take_over(*plant_);
+      plant_ = std::move(plant);
+      scene_ = std::move(changed);
+    }
+  }
+
+  const file::RecordingInfo& recording_;
+  const file::LoadedScene& loaded_;
+  const RerunOptions& options_;
+  RowStream rows_;
+  std::uint64_t end_tick_;
+  Scene scene_;  // the plant's
+  Servo servo_;
+  std::unique_ptr<PlantModel> plant_;
+  RecordedHand hand_;
+  Metrics metrics_;
+  std::size_t change_ = 0;
+  std::optional<std::uint64_t> diverged_at_tick_;
+  RerunOutcome outcome_;
+};
+
+}  // namespace
+
+RecordedHand::RecordedHand(const Scene& scene, std::uint64_t first_tick,
+                           std::vector<double> positions_m)
+    : script_(hand_path(scene)),
+      reach_m_(kMaximumPointerSpeedMPerS * scene.sampling.period_s()),
+      first_tick_(first_tick),
+      positions_m_(std::move(positions_m)) {
+  HandPath before = script_;
+  const double start_m = before.position_m();
+  for (std::uint64_t tick = 0; tick < first_tick; ++tick) before.next_tick();
+  if (before.position_m() != positions_m_.front()) start_m_ = start_m;
+  script_.next_tick();
+}
+
+std::optional<double> RecordedHand::position_m(std::uint64_t tick) const {
+  if (tick >= first_tick_) {
+    const std::uint64_t row = tick - first_tick_;
+    return row < positions_m_.size() ? std::optional(positions_m_[row]) : std::nullopt;
+  }
+  if (!start_m_) return std::nullopt;
+  const double fraction = static_cast<double>(tick) / static_cast<double>(first_tick_);
+  return *start_m_ + fraction * (positions_m_.front() - *start_m_);
+}
+
+// HandPath's own arithmetic.
+double RecordedHand::reached_m(double from_m, double target_m) const {
+  return from_m + std::clamp(target_m - from_m, -reach_m_, reach_m_);
+}
+
+// Where the pointer is to be so that the hand gets from one position exactly to the other. It is
+// beyond that one where the hand goes on the same way afterwards.
+double RecordedHand::target_m(double from_m, double to_m) const {
+  constexpr double kFar = 2.0;
+  const std::optional<double> after_m = position_m(tick_ + 2);
+  const double up_m = std::nextafter(to_m, kFar);
+  const double down_m = std::nextafter(to_m, -kFar);
+  for (const double target_m : {after_m.value_or(to_m), to_m, up_m, down_m,
+                                std::nextafter(up_m, kFar), std::nextafter(down_m, -kFar)}) {
+    if (reached_m(from_m, target_m) == to_m) return target_m;
+  }
+  return to_m;
+}
+
+void RecordedHand::lead(PlantModel& plant) {
+  const double scripted_m = script_.position_m();
+  const double from_m = plant.truth().hand_path_m;
+  const double to_m = position_m(tick_ + 1).value_or(leads_ ? from_m : scripted_m);
+  if (to_m == scripted_m && (!leads_ || reached_m(from_m, to_m) == to_m)) {
+    if (leads_) plant.release_hand();
+    leads_ = false;
+  } else {
+    plant.lead_hand_to(target_m(from_m, to_m));
+    leads_ = true;
+    has_led_ = true;
+  }
+  script_.next_tick();
+  ++tick_;
+}
+
+Result<file::LoadedScene> rerun_scene(const file::RecordingInfo& recording,
+                                      const std::string& algorithm,
+                                      const std::vector<std::string>& overrides) {
+  if (Failure failed = check_recording(recording)) return *std::move(failed);
+  file::LoadedScene wanted = recording.loaded;
+  if (!overrides.empty()) {
+    if (!wanted.changes.empty()) {
+      return usage_error(fmt::format("--set: parameters change {} times in {}, which would undo it",
+                                     wanted.changes.size(), file::shown(recording.csv_path)));
+    }
+    auto loaded = file::load_scene(file::sidecar_path_of(recording.csv_path), overrides);
+    if (!loaded) return loaded;
+    if (Failure failed = check_overrides(wanted.scene, loaded->scene)) return *std::move(failed);
+    wanted = std::move(*loaded);
+  }
+  wanted.first_recorded_tick = recording.scanned.first_tick;
+  if (algorithm.empty()) return wanted;
+  const std::optional<std::size_t> index = find_algorithm(algorithm);
+  if (!index) return usage_error("no algorithm is called " + file::in_quotes(algorithm));
+  wanted.scene.algorithm.index = *index;
+  for (ScheduledChange& change : wanted.changes) change.scene.algorithm.index = *index;
+  return wanted;
+}
+
+Result<RerunOutcome> rerun_hand(file::RecordingReader& recording, const file::LoadedScene& scene,
+                                const RerunOptions& options) {
+  Result<std::vector<double>> positions_m = recorded_path(recording);
+  if (!positions_m) return positions_m.error();
+  return Rerun(recording, scene, options, std::move(*positions_m)).run();
+}
+
+}  // namespace hapticwall::runtime

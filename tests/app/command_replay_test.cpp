@@ -1,0 +1,199 @@
+// `replay` as a script sees it: the recording again, the hand under another algorithm, and what is
+// refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/app/command_binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class ReplayCommand : public ProgramTest {
+ protected:
+  void record(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"run", "press", "--csv", "a.csv", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    ASSERT_EQ(hapticwall(arguments).status, 0);
+  }
+  // a.csv with a hand that was led: its recorded path in place of the sidecar's script.
+  void record_led() const {
+    record();
+    std::string sidecar = content("a.toml");
+    const std::size_t path = sidecar.find("path = ");
+    sidecar.replace(path, sidecar.find('\n', path) - path, "path = \"mouse\"");
+    const std::string repeatable = "repeatable = true";
+    sidecar.replace(sidecar.find(repeatable), repeatable.size(),
+                    "repeatable = false\nnot_repeatable_because = \"the pointer led the hand\"");
+    put("a.toml", sidecar);
+  }
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& why) const {
+    std::vector<std::string> all{"replay"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Answer answer = hapticwall(all);
+    EXPECT_EQ(answer.status, 2) << why;
+    EXPECT_EQ(answer.error_lines(), 1);
+    EXPECT_THAT(answer.err, AllOf(StartsWith("error: "), HasSubstr(why)));
+    EXPECT_THAT(answer.out, IsEmpty());
+  }
+};
+
+TEST_F(ReplayCommand, SummarisesARecordingAsItIs) {
+  record({"--json", "run.json"});
+  const Answer answer = hapticwall({"replay", "a.csv", "--json", "-"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.err, IsEmpty());
+  const auto run = nlohmann::json::parse(content("run.json"));
+  const auto replay = nlohmann::json::parse(answer.out);
+  for (const char* key : {"scene", "algorithm", "verdict", "ticks", "tail_peak_to_peak_m",
+                          "tail_force_mean_n", "displayed_stiffness_n_per_m", "contacts",
+                          "max_penetration_m", "peak_force_n", "energy_scv_j", "energy_budget_j"}) {
+    EXPECT_EQ(replay[key], run[key]) << key;
+  }
+  EXPECT_TRUE(replay["ns_per_tick"].is_null());
+  EXPECT_EQ(hapticwall({"replay", "a.csv", "--expect", "verdict=settled", "--quiet"}).status, 0);
+  EXPECT_EQ(hapticwall({"replay", "a.csv", "--expect", "verdict=diverged"}).status, 1);
+}
+
+TEST_F(ReplayCommand, UnderItsOwnAlgorithmTheBytesComeOutAgain) {
+  record();
+  const Answer answer =
+      hapticwall({"replay", "a.csv", "--algorithm", "energy-bounding", "--csv", "b.csv"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out,
+              AllOf(StartsWith("press under energy-bounding: settled"),
+                    HasSubstr("re-run                the recording again, bit for bit")));
+  EXPECT_TRUE(content("a.csv") == content("b.csv"));
+}
+
+TEST_F(ReplayCommand, SoDoTheyWhereThePointerLed) {
+  record_led();
+  ASSERT_EQ(
+      hapticwall({"replay", "a.csv", "--algorithm", "energy-bounding", "--csv", "b.csv"}).status,
+      0);
+  const std::string again = content("b.csv");
+  // A script's speed has more digits than its positions: not the same bytes as the script gave, but
+  // the same as any later re-run of this hand.
+  ASSERT_EQ(
+      hapticwall({"replay", "b.csv", "--algorithm", "energy-bounding", "--csv", "c.csv"}).status,
+      0);
+  EXPECT_TRUE(again == content("c.csv"));
+  EXPECT_THAT(content("b.toml"), AllOf(HasSubstr("repeatable = false"),
+                                       HasSubstr("the pointer led the hand in a.csv")));
+}
+
+TEST_F(ReplayCommand, UnderAnotherAlgorithmItIsWhatRunGives) {
+  record();
+  const Answer answer =
+      hapticwall({"replay", "a.csv", "--algorithm", "none", "--csv", "b.csv", "--json", "b.json"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out, AllOf(StartsWith("press under none: oscillating"),
+                                HasSubstr("leaves the recording at tick 69")));
+  ASSERT_EQ(
+      hapticwall({"run", "a.toml", "--algorithm", "none", "--csv", "c.csv", "--quiet"}).status, 0);
+  EXPECT_TRUE(content("b.csv") == content("c.csv"));
+  ASSERT_EQ(hapticwall({"run", "b.toml", "--csv", "d.csv", "--quiet"}).status, 0);
+  EXPECT_TRUE(content("b.csv") == content("d.csv"));
+  EXPECT_EQ(nlohmann::json::parse(content("b.json"))["algorithm"], "none");
+}
+
+TEST_F(ReplayCommand, OtherKeysToo) {
+  record();
+  const Answer answer = hapticwall({"replay", "a.csv", "--algorithm", "none", "--set",
+                                    "wall.stiffness_n_per_m=500", "--expect", "verdict=settled"});
+  EXPECT_EQ(answer.status, 0) << answer.err << answer.out;
+}
+
+TEST_F(ReplayCommand, DrawsAFigure) {
+  record();
+  ASSERT_EQ(hapticwall({"replay", "a.csv", "--plot", "a.png", "--quiet"}).status, 0);
+  EXPECT_GT(size("a.png"), 10'000U);
+  ASSERT_EQ(
+      hapticwall({"replay", "a.csv", "--algorithm", "none", "--plot", "b.png", "--quiet"}).status,
+      0);
+  EXPECT_GT(size("b.png"), 10'000U);
+  EXPECT_THAT(files(), ElementsAre("a.csv", "a.png", "a.toml", "b.png"));
+}
+
+TEST_F(ReplayCommand, NotesAreToldAndQuietIsQuiet) {
+  record();
+  std::filesystem::remove(path("a.toml"));
+  const Answer answer = hapticwall({"replay", "a.csv", "--json", "-"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_EQ(answer.err,
+            "note: a.csv: no sidecar a.toml: scene, walls and algorithm are not known\n");
+  EXPECT_EQ(nlohmann::json::parse(answer.out)["algorithm"], "unknown");
+  EXPECT_THAT(hapticwall({"replay", "a.csv", "--quiet"}).err, IsEmpty());
+}
+
+TEST_F(ReplayCommand, ARecordingThatBeganWhileThePointerLedSaysSo) {
+  record_led();
+  std::string sidecar = content("a.toml");
+  const std::string first_tick = "first_tick = 0";
+  sidecar.replace(sidecar.find(first_tick), first_tick.size(), "first_tick = 1000");
+  put("a.toml", sidecar);
+  std::string csv = content("a.csv");
+  const std::size_t row = csv.find("\n1000,");
+  csv.erase(csv.find('\n'), row - csv.find('\n'));
+  put("a.csv", csv);
+  const Answer answer = hapticwall({"replay", "a.csv", "--algorithm", "none", "--json", "-"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_THAT(answer.err, AllOf(HasSubstr("SHA-256 differs"), HasSubstr("begins at tick 1000")));
+}
+
+TEST_F(ReplayCommand, WhatCannotBeIsRefusedInALine) {
+  record();
+  expect_refused({}, "RECORDING is required");
+  expect_refused({"b.csv", "--quiet"}, "b.csv: cannot be read");
+  expect_refused({"a.toml", "--quiet"}, "a.toml:1: not a recording");
+  expect_refused({"a.csv", "--algorithm", "nune", "--quiet"}, "did you mean 'none'?");
+  expect_refused({"a.csv", "--csv", "b.csv"}, "--csv: only a re-run is recorded");
+  expect_refused({"a.csv", "--algorithm", "none", "--csv", "./a.csv"}, "the recording itself");
+  expect_refused({"a.csv", "--json", "a.toml"}, "the recording itself");
+  expect_refused({"a.csv", "--speed", "0", "--quiet"}, "--speed");
+  expect_refused({"a.csv", "--set", "duration_s=1", "--quiet"}, "--set duration_s");
+  expect_refused({"a.csv", "--expect", "x=1"}, "--expect");
+  put("b.csv", content("a.csv").substr(0, 5000));
+  expect_refused({"b.csv", "--quiet"}, "the last line is cut off");
+  EXPECT_THAT(files(), ElementsAre("a.csv", "a.toml", "b.csv"));
+}
+
+TEST_F(ReplayCommand, ADevicesRecordingIsShownAndNotRerun) {
+  put("d.csv",
+      "tick,time_s,position_m,velocity_m_per_s,penetration_m,wall_force_n,force_n,stiffness_n_per_"
+      "m,"
+      "energy_cv_j,energy_hold_j,energy_scv_j,energy_budget_j,flags,device_time_s,read_age_s\n"
+      "0,0,0.05,0,0,0,0,0,0,0,0,0,0,0,0.0001\n");
+  EXPECT_EQ(hapticwall({"replay", "d.csv", "--quiet", "--expect", "ticks=1"}).status, 0);
+  expect_refused({"d.csv", "--algorithm", "none", "--quiet"}, "a person's hand cannot be re-run");
+}
+
+TEST_F(ReplayCommand, AFullDiskIsAnErrorOfTheFile) {
+  record();
+  const Answer answer =
+      shell("ulimit -f 100; \"$P\" replay a.csv --algorithm none --csv b.csv --quiet");
+  EXPECT_EQ(answer.status, 4);
+  EXPECT_THAT(answer.err, HasSubstr("error: b.csv"));
+  EXPECT_THAT(files(), Not(::testing::Contains("b.csv")));
+}
+
+TEST_F(ReplayCommand, TheWindowNeedsADisplay) {
+  record();
+  const Answer answer = shell("unset DISPLAY WAYLAND_DISPLAY; \"$P\" replay a.csv");
+  EXPECT_NE(answer.status, 0);
+  EXPECT_THAT(answer.err, HasSubstr("error: no window"));
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test

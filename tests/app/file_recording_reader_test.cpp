@@ -1,0 +1,349 @@
+// Recordings read back: every digit, every complaint, any stretch.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "app/file/recording_reader.h"
+#include "app/file/recording_rows.h"
+
+namespace hapticwall::file {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+namespace fs = std::filesystem;
+Sample random_sample(std::uint64_t tick, std::mt19937_64& random) {
+  const auto number = [&] {
+    double value = 0.0;
+    do {
+      value = std::bit_cast<double>(random());
+    } while (!std::isfinite(value));
+    return value;
+  };
+  Sample sample;
+  sample.tick = tick;
+  sample.time_s = static_cast<double>(tick) / 1000.0;
+  for (double* value : {&sample.position_m,
+                        &sample.velocity_m_per_s,
+                        &sample.penetration_m,
+                        &sample.wall_force_n,
+                        &sample.force_n,
+                        &sample.stiffness_n_per_m,
+                        &sample.energy_cv_j,
+                        &sample.energy_hold_j,
+                        &sample.energy_scv_j,
+                        &sample.energy_budget_j,
+                        &sample.truth.position_m,
+                        &sample.truth.velocity_m_per_s,
+                        &sample.truth.hand_path_m,
+                        &sample.truth.hand_force_n,
+                        &sample.truth.actuator_work_j,
+                        &sample.truth.dissipation_j,
+                        &sample.truth.hand_work_j,
+                        &sample.truth.kinetic_j,
+                        &sample.device_time_s,
+                        &sample.read_age_s}) {
+    *value = number();
+  }
+  sample.flags = static_cast<std::uint32_t>(random() % 64);
+  return sample;
+}
+
+std::string row_of(const Sample& sample, MoreColumns columns = MoreColumns::kSimulator) {
+  std::string text;
+  append_csv_row(text, sample, columns);
+  return text;
+}
+
+class RecordingReading : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("hapticwall_" + std::string(info->name()) + "_" + std::to_string(getpid()));
+    fs::create_directory(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+  [[nodiscard]] std::string content(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  // a.csv and its sidecar, as the writer makes them.
+  void record(std::uint64_t first_tick, std::uint64_t rows, MoreColumns columns,
+              RecordingMetadata metadata = {}) {
+    std::mt19937_64 random(1);
+    auto writer = RecordingWriter::create(path("a.csv"), columns);
+    ASSERT_TRUE(writer) << writer.error().message;
+    samples_.clear();
+    for (std::uint64_t i = 0; i < rows; ++i) {
+      samples_.push_back(random_sample(first_tick + i, random));
+      ASSERT_FALSE((*writer)->append(samples_.back()));
+    }
+    Scene scene;
+    scene.name = "ten";
+    scene.sampling.rate_hz = 500.0;
+    scene.walls.push_back({0.05, 1000.0, 0.0});
+    metadata.device = "simulator";
+    metadata.realtime_status = "real-time priority 80";
+    metadata.first_tick = first_tick;
+    ASSERT_FALSE((*writer)->finish(scene, metadata));
+  }
+  [[nodiscard]] std::unique_ptr<RecordingReader> opened(const std::string& name = "a.csv") const {
+    auto reader = RecordingReader::open(path(name));
+    if (!reader) throw std::runtime_error(reader.error().message);
+    return std::move(*reader);
+  }
+  // What open() says against it, less the folder.
+  [[nodiscard]] std::string refusal(const std::string& name = "a.csv") const {
+    const auto reader = RecordingReader::open(path(name));
+    if (reader) return "";
+    EXPECT_EQ(reader.error().kind, ErrorKind::kUsage);
+    const std::size_t folder = reader.error().message.find(folder_.string() + "/");
+    return folder == 0 ? reader.error().message.substr(folder_.string().size() + 1)
+                       : reader.error().message;
+  }
+  [[nodiscard]] static std::string header() { return csv_header(MoreColumns::kSimulator) + '\n'; }
+
+  std::vector<Sample> samples_;
+
+ private:
+  fs::path folder_;
+};
+
+void expect_equal(const Sample& read, const Sample& written, MoreColumns columns) {
+  EXPECT_EQ(row_of(read, columns), row_of(written, columns));
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(read.force_n),
+            std::bit_cast<std::uint64_t>(written.force_n));
+}
+
+TEST_F(RecordingReading, GivesBackEveryDigit) {
+  for (const MoreColumns columns : {MoreColumns::kSimulator, MoreColumns::kDevice}) {
+    record(7, 3000, columns);
+    const auto reader = opened();
+    ASSERT_EQ(reader->rows(), 3000U);
+    EXPECT_EQ(reader->info().of_simulator(), columns == MoreColumns::kSimulator);
+    std::vector<Sample> read(4000);
+    ASSERT_EQ(*reader->read(0, read), 3000U);
+    for (std::size_t i = 0; i < samples_.size(); ++i) expect_equal(read[i], samples_[i], columns);
+    EXPECT_EQ(*reader->read(3000, read), 0U);
+  }
+}
+
+TEST_F(RecordingReading, AnyStretchAcrossTheBlocksIsThere) {
+  record(100, 2 * kRowsPerBlock + 5, MoreColumns::kSimulator);
+  const auto reader = opened();
+  std::array<Sample, 20> some;
+  for (const std::uint64_t first : {std::uint64_t{0}, kRowsPerBlock - 7, 2 * kRowsPerBlock - 1,
+                                    2 * kRowsPerBlock, kRowsPerBlock}) {
+    const std::size_t count = *reader->read(first, some);
+    EXPECT_EQ(count, std::min<std::uint64_t>(some.size(), reader->rows() - first));
+    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(some[i].tick, 100 + first + i);
+  }
+  EXPECT_EQ(*reader->row_at(0), 0U);
+  EXPECT_EQ(*reader->row_at(100), 0U);
+  EXPECT_EQ(*reader->row_at(100 + kRowsPerBlock), kRowsPerBlock);
+  EXPECT_EQ(*reader->row_at(99 + kRowsPerBlock), kRowsPerBlock - 1);
+  EXPECT_EQ(*reader->row_at(1'000'000), reader->rows());
+}
+
+TEST_F(RecordingReading, TheSidecarSaysTheRest) {
+  RecordingMetadata metadata;
+  metadata.start_time = "2024-05-06T07:08:09Z";
+  Scene changed;
+  changed.walls.push_back({0.04, 500.0, 0.0});
+  metadata.changes = {{3, changed}, {5, changed}};
+  record(0, 10, MoreColumns::kSimulator, metadata);
+  const auto reader = opened();
+  const RecordingInfo& info = reader->info();
+  EXPECT_TRUE(info.has_sidecar);
+  EXPECT_THAT(info.notes, IsEmpty());
+  EXPECT_EQ(info.rate_hz, 500.0);
+  EXPECT_EQ(info.loaded.scene.name, "ten");
+  EXPECT_THAT(info.loaded.changes, SizeIs(2));
+  EXPECT_EQ(info.device, "simulator");
+  EXPECT_EQ(info.realtime, "real-time priority 80");
+  EXPECT_EQ(info.start_time, "2024-05-06T07:08:09Z");
+  std::array<Sample, 10> read;
+  ASSERT_EQ(*reader->read(0, read), 10U);
+  std::vector<std::uint32_t> generations;
+  for (const Sample& sample : read) generations.push_back(sample.generation);
+  EXPECT_THAT(generations, ElementsAre(0, 0, 0, 1, 1, 2, 2, 2, 2, 2));
+}
+
+TEST_F(RecordingReading, WithoutASidecarTheRowsAreShownAllTheSame) {
+  record(0, 10, MoreColumns::kSimulator);
+  fs::remove(path("a.toml"));
+  const auto reader = opened();
+  EXPECT_FALSE(reader->info().has_sidecar);
+  EXPECT_THAT(reader->info().notes,
+              ElementsAre(AllOf(HasSubstr("no sidecar"), HasSubstr("a.toml"))));
+  EXPECT_EQ(reader->info().rate_hz, 1000.0);  // 9 / 0.009
+  EXPECT_THAT(reader->info().loaded.scene.walls, IsEmpty());
+  EXPECT_EQ(reader->info().loaded.scene.name, "a");
+}
+
+TEST_F(RecordingReading, AWrongSidecarIsSaidAndLeftOut) {
+  record(0, 10, MoreColumns::kSimulator);
+  put("a.toml", "name = 3");
+  EXPECT_THAT(opened()->info().notes, ElementsAre(HasSubstr("a.toml:1: name")));
+  put("a.toml", "duration_s = 1.0\n[device]\nmass_kg = 0.05\ndamping_n_s_per_m = 1.0\n");
+  const auto reader = opened();
+  EXPECT_FALSE(reader->info().has_sidecar);
+  EXPECT_THAT(reader->info().notes, ElementsAre(HasSubstr("not this recording's sidecar")));
+}
+
+TEST_F(RecordingReading, ACsvThatWasChangedIsSaid) {
+  record(0, 10, MoreColumns::kSimulator);
+  std::string csv = content("a.csv");
+  csv[csv.size() - 2] = csv[csv.size() - 2] == '1' ? '2' : '1';
+  put("a.csv", csv);
+  const auto reader = opened();
+  EXPECT_TRUE(reader->info().has_sidecar);
+  EXPECT_THAT(reader->info().notes, ElementsAre(HasSubstr("SHA-256 differs")));
+}
+
+TEST_F(RecordingReading, HolesAreForgivenWhereTheSidecarTellsOfThem) {
+  std::mt19937_64 random(1);
+  const std::string rows = row_of(random_sample(4, random)) + row_of(random_sample(8, random));
+  put("a.csv", header() + rows);
+  EXPECT_EQ(refusal(), "a.csv:3: tick 8 follows tick 4: 3 rows are missing");
+  RecordingMetadata metadata;
+  metadata.dropped_rows = 3;
+  record(0, 1, MoreColumns::kSimulator, metadata);
+  put("a.csv", header() + rows);
+  const auto reader = opened();
+  EXPECT_EQ(reader->info().scanned.missing_rows, 3U);
+  EXPECT_THAT(reader->info().notes, ::testing::Contains("incomplete: 3 rows are missing"));
+  EXPECT_EQ(*reader->row_at(5), 1U);
+}
+
+TEST_F(RecordingReading, TicksDoNotGoBack) {
+  std::mt19937_64 random(1);
+  put("a.csv", header() + row_of(random_sample(4, random)) + row_of(random_sample(4, random)));
+  EXPECT_EQ(refusal(), "a.csv:3: tick 4 follows tick 4; it should be 5");
+}
+
+TEST_F(RecordingReading, APartialFileIsReadUpToItsLastWholeLine) {
+  record(0, 10, MoreColumns::kSimulator);
+  const std::string csv = content("a.csv");
+  put("b.csv.partial", csv.substr(0, csv.size() - 40));
+  put("b.toml", content("a.toml"));  // of an older b.csv: not this one's
+  const auto reader = opened("b.csv.partial");
+  EXPECT_EQ(reader->rows(), 9U);
+  EXPECT_FALSE(reader->info().has_sidecar);
+  EXPECT_THAT(reader->info().notes, ElementsAre(HasSubstr("never finished"), HasSubstr("cut off")));
+  put("b.csv", csv.substr(0, csv.size() - 40));
+  EXPECT_EQ(refusal("b.csv"), "b.csv:11: the last line is cut off: it has no line end");
+}
+
+TEST_F(RecordingReading, WhatIsNoRecordingIsRefusedInALine) {
+  EXPECT_THAT(refusal(), HasSubstr("a.csv: cannot be read: No such file"));
+  EXPECT_EQ(refusal("."), ".: not a recording: not a file");
+  put("a.csv", "");
+  EXPECT_EQ(refusal(), "a.csv: not a recording: empty");
+  put("a.csv", header().substr(0, 30));
+  EXPECT_EQ(refusal(), "a.csv: not a recording: its header has no line end");
+  put("a.csv", header());
+  EXPECT_EQ(refusal(), "a.csv: a recording without rows");
+  put("a.csv", "name = 'press'\n");
+  EXPECT_EQ(refusal(), "a.csv:1: not a recording: column 1 is 'name = 'press'', it should be tick");
+  put("a.csv", std::string(5000, 'x'));
+  EXPECT_THAT(refusal(), HasSubstr("a.csv:1: longer than 1024 bytes"));
+}
+
+TEST_F(RecordingReading, AWrongHeaderIsNamedColumnByColumn) {
+  std::string text = header();
+  put("a.csv", text.substr(0, text.rfind(',')) + "\n");
+  EXPECT_EQ(refusal(), "a.csv:1: the column kinetic_j is missing");
+  put("a.csv", text.substr(0, text.size() - 1) + ",y_position_m\n");
+  EXPECT_EQ(refusal(), "a.csv:1: column 22, 'y_position_m', is one too many");
+  text.replace(text.find("force_n"), 7, "force");
+  put("a.csv", text);
+  EXPECT_THAT(refusal(), HasSubstr("it should be wall_force_n"));
+}
+
+TEST_F(RecordingReading, AWrongRowIsNamedWithItsColumn) {
+  std::mt19937_64 random(1);
+  const std::string good = row_of(random_sample(0, random));
+  const auto said = [&](const std::string& row) {
+    put("a.csv", header() + good + row + "\n");
+    return refusal();
+  };
+  const std::string row = "1,0.001,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0";
+  EXPECT_EQ(said(row), "");
+  EXPECT_EQ(said(row + ",0"), "a.csv:3: 22 columns; it should be 21");
+  EXPECT_EQ(said(row + ","), "a.csv:3: 22 columns; it should be 21");
+  EXPECT_EQ(said(row.substr(0, row.size() - 2)), "a.csv:3: 20 columns; it should be 21");
+  EXPECT_EQ(said("x" + row), "a.csv:3: tick: 'x1' is no whole number");
+  EXPECT_EQ(said("1.5" + row.substr(1)), "a.csv:3: tick: '1.5' is no whole number");
+  EXPECT_EQ(said(""), "a.csv:3: tick: '' is no whole number");
+  EXPECT_EQ(said(row + "\r"), "a.csv:3: kinetic_j: '0?' is no finite number");
+  for (const char* value : {"nan", "inf", "-inf", "1e999", "0x1", " 1", "1,5x"}) {
+    EXPECT_THAT(said("1," + std::string(value) + row.substr(row.find(',', 2))),
+                HasSubstr("is no finite number"))
+        << value;
+  }
+  EXPECT_EQ(said("1,0.001,0,0,0,0,0,0,0,0,0,0,-1,0,0,0,0,0,0,0,0"),
+            "a.csv:3: flags: '-1' is no whole number");
+}
+
+TEST_F(RecordingReading, AFileThatShrinksIsFoundOut) {
+  record(0, 3000, MoreColumns::kSimulator);
+  const auto reader = opened();
+  fs::resize_file(path("a.csv"), 2000);
+  std::array<Sample, 10> some;
+  const auto read = reader->read(2500, some);
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, HasSubstr("a.csv: changed while it was read"));
+}
+
+TEST_F(RecordingReading, TheFirstPassCanBeEnded) {
+  record(0, 10, MoreColumns::kSimulator);
+  double told = -1.0;
+  const auto reader = RecordingReader::open(path("a.csv"), [&](double fraction) {
+    told = fraction;
+    return false;
+  });
+  ASSERT_FALSE(reader);
+  EXPECT_THAT(reader.error().message, HasSubstr("ended early"));
+  EXPECT_EQ(told, 1.0);
+}
+
+// However the bytes come in, the outcome is the same.
+TEST(RecordingScanning, PiecesMayBeCutAnywhere) {
+  std::mt19937_64 random(1);
+  std::string text = csv_header(MoreColumns::kSimulator) + '\n';
+  for (std::uint64_t tick = 5; tick < 8; ++tick) text += row_of(random_sample(tick, random));
+  for (std::size_t cut = 0; cut <= text.size(); ++cut) {
+    RecordingScan scan("a.csv", {});
+    ASSERT_FALSE(scan.take(std::string_view(text).substr(0, cut)));
+    ASSERT_FALSE(scan.take(std::string_view(text).substr(cut)));
+    const auto rows = scan.finish();
+    ASSERT_TRUE(rows);
+    EXPECT_EQ(rows->rows, 3U);
+    EXPECT_EQ(rows->first_tick, 5U);
+    EXPECT_EQ(rows->last_tick, 7U);
+    EXPECT_EQ(rows->end_offset, text.size());
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::file
