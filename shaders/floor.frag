@@ -3,30 +3,53 @@
 in vec3 world_position;
 in vec3 world_normal;
 
-uniform vec4 colour;
+uniform vec4 colour;        // towards the far end it fades into what lies behind
 uniform vec4 line_colour;
-uniform vec4 backdrop;      // what the floor fades into
-uniform float grid_origin;  // x of a grid line
+uniform vec2 grid_origin;   // x and z of a crossing of grid lines
 uniform float grid_step;    // distance of grid lines
-uniform vec4 shadow;        // x from, x to, radius, strength
+uniform vec4 block_x;       // where the walls of an axis stand: x from, x to, z from, z to; or 0
+uniform vec4 block_y;
+uniform float darkness;     // of the shadows
 
 out vec4 fragment;
 
-const float kFadeFrom = 6.0;
-const float kFadeTo = 17.0;
+const float kFadeFrom = 6.5;
+const float kFadeTo = 16.0;
+const vec2 kShadowReach = vec2(1.05, -1.40);  // of the walls' upper edges, away from the key light
+const int kShadowSteps = 4;
 
 float grid_line(float coordinate) {
   float distance_to_line = abs(fract(coordinate - 0.5) - 0.5);
   return 1.0 - smoothstep(0.0, 1.5 * fwidth(coordinate), distance_to_line);
 }
 
+// From a point to a block, 0 inside.
+float distance_to(vec4 block, vec2 point) {
+  vec2 outside = max(max(block.xz - point, point - block.yw), vec2(0.0));
+  return length(outside);
+}
+
+// Light that the walls keep away: near their feet from all sides, behind them from the key light.
+float shadow_of(vec4 block, vec2 point) {
+  float feet = 0.42 * exp(-1.9 * distance_to(block, point));
+  float behind = 0.0;
+  for (int i = 0; i < kShadowSteps; ++i) {
+    float height = float(i) / float(kShadowSteps - 1);
+    float away = distance_to(block, point - height * kShadowReach);
+    behind = max(behind, 0.55 * (1.0 - 0.35 * height) * (1.0 - smoothstep(0.0, 0.15 + 0.7 * height, away)));
+  }
+  return max(feet, behind);
+}
+
 void main() {
-  vec2 cell = vec2(world_position.x - grid_origin, world_position.z) / grid_step;
+  vec2 point = world_position.xz;
+  vec2 cell = (point - grid_origin) / grid_step;
   float line = max(grid_line(cell.x), grid_line(cell.y));
-  vec3 base = mix(colour.rgb, line_colour.rgb, 0.35 * line);
-  float along = clamp(world_position.x, shadow.x, shadow.y);
-  float away = distance(world_position.xz, vec2(along, 0.0));
-  base *= 1.0 - shadow.w * (1.0 - smoothstep(0.2 * shadow.z, 2.2 * shadow.z, away));
-  float fade = smoothstep(kFadeFrom, kFadeTo, length(world_position.xz)) + 0.0 * world_normal.y;
-  fragment = vec4(mix(base, backdrop.rgb, clamp(fade, 0.0, 1.0)), 1.0);
+  vec3 base = mix(colour.rgb, line_colour.rgb, line_colour.a * line);
+  float shadow = 0.0;
+  if (block_x.y > block_x.x) shadow = shadow_of(block_x, point);
+  if (block_y.y > block_y.x) shadow = max(shadow, shadow_of(block_y, point));
+  base *= 1.0 - darkness * shadow;
+  float fade = smoothstep(kFadeFrom, kFadeTo, length(point)) + 0.0 * world_normal.y;
+  fragment = vec4(base, 1.0 - clamp(fade, 0.0, 1.0));
 }

@@ -4,30 +4,30 @@ in vec3 world_position;
 in vec3 world_normal;
 
 uniform vec3 eye;
-uniform vec4 colour;        // straight alpha
-uniform float shininess;    // 0: matt
-uniform float flatness;     // 0: lit; 1: its colour, whatever the light
-uniform vec4 glow;          // centre of a glow on the surface, and its strength
-uniform vec4 glow_colour;
+uniform vec4 colour;      // straight alpha
+uniform float shininess;  // 0: matt
+uniform float flatness;   // 0: lit; 1: its colour, whatever the light
+uniform float shell;      // 0: filled; 1: thin, to be seen at its outline only
 
 out vec4 fragment;
 
-const vec3 kKeyLight = normalize(vec3(-0.45, 0.85, 0.60));
-const vec3 kSky = vec3(0.62, 0.68, 0.76);
-const vec3 kGround = vec3(0.26, 0.27, 0.30);
-const float kGlowRadius = 1.3;
+const vec3 kKeyLight = vec3(-0.3970, 0.7500, 0.5294);  // towards it, of length 1
+const vec3 kSky = vec3(0.66, 0.70, 0.76);
+const vec3 kGround = vec3(0.34, 0.34, 0.36);
 
 void main() {
   vec3 normal = normalize(world_normal);
   vec3 to_eye = normalize(eye - world_position);
+  float facing = max(dot(normal, to_eye), 0.0);
   float key = max(dot(normal, kKeyLight), 0.0);
   vec3 ambient = mix(kGround, kSky, 0.5 + 0.5 * normal.y);
-  vec3 lit = colour.rgb * (ambient * 0.75 + key * 0.75);
-  float highlight = pow(max(dot(normal, normalize(kKeyLight + to_eye)), 0.0), 48.0);
-  float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 3.0);
-  lit += shininess * (0.55 * highlight + 0.12 * rim);
-  lit = mix(lit, colour.rgb, flatness);
-  float near = 1.0 - smoothstep(0.0, kGlowRadius, distance(world_position, glow.xyz));
-  lit = mix(lit, glow_colour.rgb, glow.w * near * near);
-  fragment = vec4(lit, colour.a);
+  vec3 lit = colour.rgb * (0.75 * ambient + 0.70 * key);
+  // The 48th power, by squaring.
+  float h = max(dot(normal, normalize(kKeyLight + to_eye)), 0.0);
+  float h4 = h * h * h * h;
+  float h16 = h4 * h4 * h4 * h4;
+  float rim = (1.0 - facing) * (1.0 - facing) * (1.0 - facing);
+  lit += shininess * (0.5 * h16 * h16 * h16 + 0.10 * rim);
+  float outline = (1.0 - facing) * (1.0 - facing);
+  fragment = vec4(mix(lit, colour.rgb, flatness), colour.a * mix(1.0, 0.12 + outline, shell));
 }

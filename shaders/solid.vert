@@ -4,6 +4,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 
 uniform mat4 model;
+uniform mat3 normal_matrix;
 uniform mat4 view_projection;
 
 out vec3 world_position;
@@ -12,7 +13,6 @@ out vec3 world_normal;
 void main() {
   vec4 world = model * vec4(position, 1.0);
   world_position = world.xyz;
-  // The inverse transpose: parts are stretched along their axes.
-  world_normal = transpose(inverse(mat3(model))) * normal;
+  world_normal = normal_matrix * normal;
   gl_Position = view_projection * world;
 }

@@ -1,13 +1,18 @@
 // hapticwall [SCENE]: the window.
 #include "app/ui/window.h"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
+#include <system_error>
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
 #include "app/command/device_choice.h"
 #include "app/command/terminal.h"
+#include "app/file/user_folders.h"
+#include "app/ui/scale_range.h"
 
 namespace hapticwall::command {
 namespace {
@@ -25,7 +30,20 @@ std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)> session_s
   };
 }
 
-int open_window(const SceneOptions& options) {
+constexpr float kPercent = 100.0F;
+
+// Of the window alone.
+struct LookOptions {
+  double scale = 0.0;  // 0: not given
+};
+
+// The scene is a file that the user may want to open again.
+std::string opened_file(const std::string& scene) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(scene, error) ? scene : std::string();
+}
+
+int open_window(const SceneOptions& options, const LookOptions& look) {
   const Result<DeviceChoice> device = parse_device_choice(options.device);
   if (!device) return report(device.error());
   Result<file::LoadedScene> loaded = load(options);
@@ -33,6 +51,9 @@ int open_window(const SceneOptions& options) {
   ui::WindowOptions window;
   window.scene = loaded->scene;
   window.start_on_device = session_starter(*device, options.allow_no_realtime);
+  window.settings_path = file::settings_path(file::process_environment);
+  window.opened_file = opened_file(options.scene);
+  if (look.scale > 0.0) window.forced_scale = static_cast<float>(look.scale);
   const Failure failed = ui::run_window(window);
   return failed ? report(*failed) : 0;
 }
@@ -41,6 +62,7 @@ int open_window(const SceneOptions& options) {
 
 Action add_window(CLI::App& program) {
   const auto options = std::make_shared<SceneOptions>();
+  const auto look = std::make_shared<LookOptions>();
   program
       .add_option("SCENE", options->scene,
                   "Scene file, or the name of a built-in scene (default: press)")
@@ -48,9 +70,16 @@ Action add_window(CLI::App& program) {
   add_algorithm_option(program, *options);
   add_scene_options(program, *options);
   add_device_options(program, *options);
-  return [options] {
+  constexpr float kSmallest = ui::kSmallestScalePercent / kPercent;
+  constexpr float kLargest = ui::kLargestScalePercent / kPercent;
+  program
+      .add_option("--scale", look->scale,
+                  "How large the window's content is drawn: 1 as designed, 0.5 to 3")
+      ->check(CLI::Range(kSmallest, kLargest))
+      ->type_name("FACTOR");
+  return [options, look] {
     if (options->scene.empty()) options->scene = kDefaultScene;
-    return open_window(*options);
+    return open_window(*options, *look);
   };
 }
 

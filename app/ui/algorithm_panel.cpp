@@ -93,7 +93,7 @@ void draw_parameter(const PanelContext& context, const ParameterDescription& par
     draw_choice(context, parameter, *index, value);
   }
   remember_item(context.state, "algorithm." + key);
-  explain(tooltip);
+  if (parameter.kind != ParameterKind::kNumber) explain(tooltip);
   unit_label(parameter.unit);
   ImGui::PopID();
 }

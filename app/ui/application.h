@@ -4,11 +4,15 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/runtime/session.h"
 #include "app/ui/sample_history.h"
+#include "app/ui/settings_file.h"
 #include "app/ui/theme.h"
 #include "app/ui/ui_state.h"
 #include "app/ui/wall_renderer.h"
@@ -25,17 +29,41 @@ class Application {
     SessionStarter start_on_device;  // empty: everything is simulated
   };
 
+  // What the window keeps and was told, besides the scene.
+  struct Options {
+    std::string settings_path;          // empty: settings are neither read nor kept
+    std::string recording_folder;       // empty: the one of the settings
+    std::optional<float> forced_scale;  // empty: the settings, or the screen
+    std::string opened_file;            // that the scene came from; empty: it is built in
+  };
+
   // Needs current contexts of OpenGL 3.3, ImGui and ImPlot, for its whole life. Starts a session,
   // on the device where there is one to be driven.
-  [[nodiscard]] static Result<std::unique_ptr<Application>> create(
-      const Scene& scene, const std::string& recording_folder, const Theme& theme,
-      Sessions sessions);
+  [[nodiscard]] static Result<std::unique_ptr<Application>> create(const Scene& scene,
+                                                                   const Options& options,
+                                                                   const Theme& theme,
+                                                                   Sessions sessions);
 
   // Draws one frame, between ImGui::NewFrame() and ImGui::Render(); never waits for the loop.
   void frame();
 
   // Takes what the session has measured without drawing anything (a window that nobody sees).
   void take_samples();
+
+  // What the screen asks for: 1 where everything has the size that it was designed with.
+  void set_screen_scale(float scale) { state_.transient.screen_scale = scale; }
+
+  // Files that were let go over the window: scenes, or recordings.
+  void drop(std::span<const std::string> paths);
+  // Takes recordings from now on; else the user is told which command replays them.
+  void on_recording(std::function<void(const std::string& csv_path)> open) {
+    open_recording_ = std::move(open);
+  }
+
+  // Something moves: the session, or a message that fades.
+  [[nodiscard]] bool moving() const;
+  // Writes the settings, where they have changed.
+  void save_settings() { settings_.save(state_); }
 
   [[nodiscard]] runtime::Session& session() { return *session_; }
   [[nodiscard]] UiState& state() { return state_; }
@@ -44,24 +72,25 @@ class Application {
 
  private:
   Application(Sessions sessions, std::unique_ptr<runtime::Session> session,
-              std::unique_ptr<WallRenderer> renderer, const Theme& theme,
-              const std::string& recording_folder);
+              std::unique_ptr<WallRenderer> renderer, const Theme& theme, const Options& options);
 
-  void handle_keys(const PanelContext& context);
-  void draw_layout(const PanelContext& context);
-  void draw_left(const PanelContext& context, float height);
-  void draw_right(const PanelContext& context, float height);
-  void draw_views(const PanelContext& context);
+  void keep_appearance();
   void start_wanted_scene();
   [[nodiscard]] bool start_anew(const Scene& scene);
+  void open_wanted_recording();
 
   Sessions sessions_;
   std::unique_ptr<runtime::Session> session_;
   std::unique_ptr<WallRenderer> renderer_;
   Theme theme_;
+  Look look_ = Look::kScreen;  // in force, like the scale
+  float scale_ = 0.0F;
+  SettingsFile settings_;
+  std::function<void(const std::string&)> open_recording_;
   UiState state_;
   SampleHistory history_;
   std::vector<Sample> incoming_;
+  bool samples_came_ = false;  // in the last frame
 };
 
 }  // namespace hapticwall::ui

@@ -15,18 +15,26 @@ namespace hapticwall::ui {
 namespace {
 
 const std::array kRows{
-    ParameterText{"mass_kg", "mass", "m, of the handle and all that moves with it", 0.05},
-    ParameterText{"damping_n_s_per_m", "damping", "b, viscous: what makes stiff walls possible",
-                  1.0},
-    ParameterText{"friction_n", "friction", "f_c, Coulomb friction: the handle sticks and slips",
+    ParameterText{"mass_kg", "mass",
+                  "m in m dv/dt = F_h - F_a - b v - f_c sgn(v): the handle and all that moves with "
+                  "it",
+                  0.05},
+    ParameterText{"damping_n_s_per_m", "damping",
+                  "b, viscous: what makes stiff walls possible, b >= K T/2 + B (Eq. 18)", 1.0},
+    ParameterText{"friction_n", "friction",
+                  "f_c, Coulomb friction: the handle sticks while |F_h - F_a| <= f_c, and slips",
                   0.14},
-    ParameterText{"encoder_m", "encoder", "Δ, the count of the position sensor", 0.254e-3},
-    ParameterText{"force_limit_n", "force limit", "what the actuator can give at most", 8.9},
+    ParameterText{"encoder_m", "encoder",
+                  "Δ, the count of the position sensor: x = Δ round(x / Δ) is all that the "
+                  "controller sees",
+                  0.254e-3},
+    ParameterText{"force_limit_n", "force limit", "F_max: what the actuator can give at most", 8.9},
     ParameterText{"force_resolution_n", "force step",
                   "the actuator's force comes in whole steps of this", 0.01},
-    ParameterText{"delay_ticks", "delay", "whole ticks between a command and the amplifier", 1.0},
+    ParameterText{"delay_ticks", "delay",
+                  "whole ticks between a command and the amplifier, each of them T long", 1.0},
     ParameterText{"amplifier_time_constant_s", "lag",
-                  "τ of an amplifier that follows as a first-order lag", 1e-3}};
+                  "τ in τ dF_a/dt = F - F_a: the amplifier follows as a first-order lag", 1e-3}};
 
 // Of a real device everything else is its own and cannot be set.
 constexpr std::size_t kBelievedRows = 3;

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "app/ui/page.h"
+#include "app/ui/phase_plot.h"
 #include "app/ui/plot.h"
 #include "app/ui/theme.h"
 #include "core/stabiliser/stabiliser.h"
@@ -17,6 +19,7 @@ namespace {
 
 constexpr float kDesignHeight = 880.0F;  // figure of scale 1
 constexpr float kPrintLineWeight = 1.2F;
+constexpr float kPhaseShare = 0.38F;  // of the width, for the force over the penetration
 constexpr std::array kOrder{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
                             PlotId::kPassivity};
 
@@ -55,36 +58,78 @@ void draw_title(const Theme& theme, const Scene& scene) {
   ImGui::PopFont();
 }
 
-void draw_contents(const Theme& theme, const Scene& scene, PlotSurface& surface) {
-  draw_title(theme, scene);
-  ImGui::Spacing();
-  const ImVec2 free = ImGui::GetContentRegionAvail();
+void draw_plots(PlotSurface& surface, std::span<const PlotId> plots, ImVec2 free) {
   const float gap = ImGui::GetStyle().ItemSpacing.y;
-  const auto count = static_cast<float>(kOrder.size());
+  const auto count = static_cast<float>(plots.size());
   const ImVec2 each(free.x, (free.y - (count - 1.0F) * gap) / count);
-  for (std::size_t i = 0; i < kOrder.size(); ++i) {
+  for (std::size_t i = 0; i < plots.size(); ++i) {
     const std::string mark = fmt::format("({}) ", static_cast<char>('a' + i));
-    surface.time_labels = i + 1 == kOrder.size();
-    draw_plot(surface, plot_description(kOrder[i]), mark, each);
+    surface.time_labels = i + 1 == plots.size();
+    draw_plot(surface, plot_description(plots[i]), mark, each);
   }
+}
+
+void draw_contents(const Scene& scene, PlotSurface& surface, const FigureView& view) {
+  draw_title(*surface.theme, scene);
+  ImGui::Spacing();
+  ImVec2 free = ImGui::GetContentRegionAvail();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  if (view.phase.shown) {
+    const float side = std::min(free.y, kPhaseShare * free.x);
+    const float gap = 2.0F * ImGui::GetFontSize();
+    ImGui::SetCursorScreenPos(ImVec2(corner.x + free.x - side, corner.y));
+    PhaseSettings settings = view.phase;
+    PhaseView memory;
+    draw_phase_plot({surface.theme,
+                     surface.history,
+                     surface.walls,
+                     *surface.window,
+                     surface.simulated,
+                     false,
+                     surface.line_weight,
+                     {}},
+                    settings, memory, ImVec2(side, side));
+    ImGui::SetCursorScreenPos(corner);
+    free.x -= side + gap;
+  }
+  draw_plots(surface, view.plots, free);
 }
 
 }  // namespace
 
 Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
                                   FigureSize size) {
-  const float scale = static_cast<float>(size.height) / kDesignHeight;
   SampleHistory history(samples.size());
   history.push(samples);
-  double from_s = samples.empty() ? 0.0 : samples.front().time_s;
-  double to_s = std::max(history.newest_time_s(), from_s + scene.sampling.period_s());
-  HiddenLines hidden = 0;
+  const double from_s = history.oldest_time_s();
+  FigureView view;
+  view.window = {from_s, std::max(history.newest_time_s(), from_s + scene.sampling.period_s())};
+  view.plots = kOrder;
+  return draw_figure(scene, history, view, size);
+}
+
+Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& history,
+                                  const FigureView& view, FigureSize size) {
+  const float scale = static_cast<float>(size.height) / kDesignHeight;
+  // Drawing an axis writes to it.
+  FigureView copy = view;
   Trace scratch;
-  PlotSurface surface{nullptr, &history, scene.walls, &from_s, &to_s,
-                      &hidden, &scratch, true,        false,   kPrintLineWeight * scale};
+  std::vector<PixelColumn> columns;
+  PlotSurface surface;
+  surface.history = &history;
+  surface.walls = scene.walls;
+  surface.window = &copy.window;
+  surface.chosen = &copy.lines;
+  surface.hidden = &copy.hidden;
+  surface.axes = &copy.axes;
+  surface.scratch = &scratch;
+  surface.columns = &columns;
+  surface.bounds = view.bounds;
+  surface.interactive = false;
+  surface.line_weight = kPrintLineWeight * scale;
   return draw_page(size, scale, [&](const Theme& theme) {
     surface.theme = &theme;
-    draw_contents(theme, scene, surface);
+    draw_contents(scene, surface, copy);
   });
 }
 

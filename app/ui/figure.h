@@ -4,8 +4,12 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/file/picture.h"
+#include "app/ui/phase_plot.h"
+#include "app/ui/plot.h"
+#include "app/ui/sample_history.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
@@ -20,5 +24,19 @@ struct FigureSize {
 // Fails (ErrorKind::kFile) with a sentence where no off-screen OpenGL 3.3 is to be had.
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
                                                 FigureSize size = {});
+
+// What of a history a figure shows.
+struct FigureView {
+  TimeWindow window;
+  std::span<const PlotId> plots;  // from top to bottom
+  ChosenLines lines = usual_lines();
+  HiddenLines hidden = 0;
+  AllPlotAxes axes;               // where the user has put the axes of values
+  std::vector<BoundLine> bounds;  // of the stiffness plot
+  PhaseSettings phase;            // the plane stands beside the plots where it is shown
+};
+
+[[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& history,
+                                                const FigureView& view, FigureSize size = {});
 
 }  // namespace hapticwall::ui

@@ -118,11 +118,18 @@ void GlProgram::set(const char* uniform, const glm::mat4& value) const {
   glUniformMatrix4fv(glGetUniformLocation(name_.get(), uniform), 1, GL_FALSE,
                      glm::value_ptr(value));
 }
+void GlProgram::set(const char* uniform, const glm::mat3& value) const {
+  glUniformMatrix3fv(glGetUniformLocation(name_.get(), uniform), 1, GL_FALSE,
+                     glm::value_ptr(value));
+}
 void GlProgram::set(const char* uniform, const glm::vec4& value) const {
   glUniform4fv(glGetUniformLocation(name_.get(), uniform), 1, glm::value_ptr(value));
 }
 void GlProgram::set(const char* uniform, const glm::vec3& value) const {
   glUniform3fv(glGetUniformLocation(name_.get(), uniform), 1, glm::value_ptr(value));
+}
+void GlProgram::set(const char* uniform, const glm::vec2& value) const {
+  glUniform2fv(glGetUniformLocation(name_.get(), uniform), 1, glm::value_ptr(value));
 }
 void GlProgram::set(const char* uniform, float value) const {
   glUniform1f(glGetUniformLocation(name_.get(), uniform), value);
@@ -164,17 +171,22 @@ Result<GlTarget> GlTarget::create(int width, int height, int samples) {
   target.height_ = height;
   target.texture_ = GlName<release_texture>(new_texture(width, height));
   target.resolved_ = GlName<release_framebuffer>(new_framebuffer());
-  target.drawn_ = GlName<release_framebuffer>(new_framebuffer());
-  target.colour_ = GlName<release_renderbuffer>(new_renderbuffer(GL_RGBA8, width, height, samples));
-  target.depth_ =
-      GlName<release_renderbuffer>(new_renderbuffer(GL_DEPTH_COMPONENT24, width, height, samples));
+  const bool separate = samples > 1;
+  target.depth_ = GlName<release_renderbuffer>(
+      new_renderbuffer(GL_DEPTH_COMPONENT24, width, height, separate ? samples : 0));
   glBindFramebuffer(GL_FRAMEBUFFER, target.resolved_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.texture_.get(),
                          0);
-  bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  glBindFramebuffer(GL_FRAMEBUFFER, target.drawn_.get());
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                            target.colour_.get());
+  bool complete = true;
+  if (separate) {
+    complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    target.drawn_ = GlName<release_framebuffer>(new_framebuffer());
+    target.colour_ =
+        GlName<release_renderbuffer>(new_renderbuffer(GL_RGBA8, width, height, samples));
+    glBindFramebuffer(GL_FRAMEBUFFER, target.drawn_.get());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              target.colour_.get());
+  }
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                             target.depth_.get());
   complete = complete && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
@@ -185,14 +197,24 @@ Result<GlTarget> GlTarget::create(int width, int height, int samples) {
 }
 
 void GlTarget::bind() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.get());
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.get() != 0 ? drawn_.get() : resolved_.get());
   glViewport(0, 0, width_, height_);
 }
 
-void GlTarget::resolve() const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.get());
+void GlTarget::copy_colours(const GlTarget& from) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.resolved_.get());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.get());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_.get());
+}
+
+void GlTarget::resolve() const {
+  if (drawn_.get() != 0) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.get());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.get());
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+  }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

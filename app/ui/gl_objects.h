@@ -50,9 +50,12 @@ class GlProgram {
   [[nodiscard]] static Result<GlProgram> create(std::string_view vertex_file,
                                                 std::string_view fragment_file);
   void use() const;
+  // All of these set the program in use.
   void set(const char* uniform, const glm::mat4& value) const;
+  void set(const char* uniform, const glm::mat3& value) const;
   void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::vec3& value) const;
+  void set(const char* uniform, const glm::vec2& value) const;
   void set(const char* uniform, float value) const;
 
  private:
@@ -78,13 +81,16 @@ class GlMesh {
   GLsizei count_ = 0;
 };
 
-// A picture to draw into: smooth edges by several samples a pixel, resolved into one texture.
+// A picture to draw into, with depth: smooth edges by several samples a pixel, resolved into one
+// texture; or, without further samples, that texture itself.
 class GlTarget {
  public:
-  // Sizes in pixels, at least 1. Fails where the driver refuses.
+  // Sizes in pixels, at least 1. `samples` 0 or 1: one. Fails where the driver refuses.
   [[nodiscard]] static Result<GlTarget> create(int width, int height, int samples);
 
-  void bind() const;     // draw here from now on
+  void bind() const;  // draw here from now on
+  // Takes over the colours of a target of the same size; both have one sample a pixel.
+  void copy_colours(const GlTarget& from) const;
   void resolve() const;  // the texture shows what was drawn; the default framebuffer is bound again
   [[nodiscard]] GLuint texture() const { return texture_.get(); }
   [[nodiscard]] GLuint resolved_framebuffer() const { return resolved_.get(); }

@@ -47,7 +47,8 @@ void want_approach(const PanelContext& context, const Approach& approach) {
 
 void draw_approach(const PanelContext& context, Approach approach) {
   const char* tooltip_end =
-      "Where the hand wants to be in the end. Starts the script anew, from rest.";
+      "The last point of p(t), where the hand wants to be in the end, in mm. Starts the script "
+      "anew, from rest.";
   field_label(context, "end position", tooltip_end, "mm");
   if (const auto typed = number_field(context, "##end", approach.end_m * kMillimetresPerMetre)) {
     approach.end_m = *typed / kMillimetresPerMetre;
@@ -56,7 +57,8 @@ void draw_approach(const PanelContext& context, Approach approach) {
   remember_item(context.state, "end position");
   unit_label("mm");
   field_label(context, "approach speed",
-              "How fast it goes there. Starts the script anew, from rest.", "mm/s");
+              "p', how fast the hand goes there, in mm/s. Starts the script anew, from rest.",
+              "mm/s");
   if (const auto typed =
           number_field(context, "##speed", approach.speed_m_per_s * kMillimetresPerMetre)) {
     approach.speed_m_per_s = *typed / kMillimetresPerMetre;
@@ -92,13 +94,19 @@ void draw_pointer(const PanelContext& context, const HandSettings& hand) {
 
 const std::array kRows{
     ParameterText{"mass_kg", "mass",
-                  "of the hand: joined to the handle, or holding it through the grip", 0.4},
-    ParameterText{"stiffness_n_per_m", "spring", "of the arm, to where the hand wants to be",
+                  "m_h of the hand: joined to the handle, or holding it through the grip", 0.4},
+    ParameterText{"stiffness_n_per_m", "spring",
+                  "k_h in F_h = k_h (p - x) + b_h (p' - v): of the arm, to where the hand wants to "
+                  "be",
                   250.0},
-    ParameterText{"damping_n_s_per_m", "damping", "of the arm", 33.0},
-    ParameterText{"grip_stiffness_n_per_m", "grip", "the grip's spring, from hand to handle",
+    ParameterText{"damping_n_s_per_m", "damping",
+                  "b_h in F_h = k_h (p - x) + b_h (p' - v): of the arm", 33.0},
+    ParameterText{"grip_stiffness_n_per_m", "grip",
+                  "k_g in F_h = k_g (x_h - x) + b_g (v_h - v): the spring from hand to handle",
                   1000.0},
-    ParameterText{"grip_damping_n_s_per_m", "grip damping", "of the grip", 1.0}};
+    ParameterText{"grip_damping_n_s_per_m", "grip damping",
+                  "b_g in F_h = k_g (x_h - x) + b_g (v_h - v): the damper beside the grip's spring",
+                  1.0}};
 
 // A grip takes its damping with it when it goes.
 void edit_hand(HandSettings& hand, const NumberKey<HandSettings>& key, const ParameterEdit& edit) {

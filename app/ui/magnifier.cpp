@@ -3,158 +3,83 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
+
+#include "app/ui/wall_strip.h"
+#include "app/ui/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr std::array kSpansM{1e-3, 2e-3, 5e-3};
-constexpr double kFreeShare = 0.35;  // of the strip, in front of the wall
-constexpr double kRoomToSpare =
-    0.6;                             // of a span's depth: shrink when it would be filled no further
-constexpr double kLookBackS = 0.5;   // for the choice of the span
-constexpr double kTrailS = 0.1;      // of the handle's motion, shown as a band: longer than a frame
-constexpr float kTickShare = 0.10F;  // length of an encoder tick, of the strip's height
-constexpr double kScaleBarM = 1e-4;
-constexpr double kMillimetresPerMetre = 1e3;
+constexpr double kFreeShare = 0.35;   // of the strip, in front of the face
+constexpr double kRoomToSpare = 0.8;  // magnify more when even then this share is enough
+constexpr double kLookBackS = 0.5;    // for the choice of the magnification
+constexpr double kFollowS = 0.1;      // of the handle's motion, which has to fit to be followed
+constexpr double kNearerShare = 0.5;  // another face is looked at when it is so much nearer
+constexpr double kStayWithin = 0.40;  // of the span, from its middle: the handle moves in there
+constexpr double kWithinFace = 0.47;  // the same while the face is in its place
 
-// The strip: from metres along the axis to pixels.
-struct Strip {
-  ImVec2 from;
-  ImVec2 to;
-  double face_m = 0.0;
-  double span_m = 1e-3;
+double depth_share(double unmagnified_m, int magnification) {
+  return (1.0 - kFreeShare) * unmagnified_m / magnification;
+}
 
-  [[nodiscard]] double pixels_per_m() const { return static_cast<double>(to.x - from.x) / span_m; }
-  [[nodiscard]] float x_of(double position_m) const {
-    const double left_m = face_m - kFreeShare * span_m;
-    const double x = static_cast<double>(from.x) + (position_m - left_m) * pixels_per_m();
-    // Far outside is as good as just outside, and safe for floats.
-    return static_cast<float>(
-        std::clamp(x, static_cast<double>(from.x) - 1e4, static_cast<double>(to.x) + 1e4));
+// Where the handle was from `seconds` ago until now.
+Extremes recent_positions(const SampleHistory& history, double seconds, double now_m) {
+  const double newest_s = history.newest_time_s();
+  const IndexRange recent = history.range(newest_s - seconds, newest_s);
+  if (recent.count() == 0) return {now_m, now_m};
+  return history.extremes(Quantity::kTruePosition, recent);
+}
+
+// How much is magnified from now on.
+int choose_magnification(WallState& state, double deepest_m, double unmagnified_m) {
+  int& magnification = state.transient.magnification;
+  if (state.persisted.magnification > 0) {
+    magnification = next_magnification(state.persisted.magnification, 0);
+  } else if (deepest_m > 0.0 || magnification == 0) {
+    magnification = suitable_magnification(deepest_m, unmagnified_m, magnification);
   }
-  [[nodiscard]] float height() const { return to.y - from.y; }
-};
-
-void draw_wall(const PanelContext& context, const Strip& strip, ImDrawList* list) {
-  const float face = strip.x_of(strip.face_m);
-  list->AddRectFilled(ImVec2(face, strip.from.y), strip.to,
-                      context.theme.packed(Tone::kWall, 0.22F));
-  list->AddLine(ImVec2(face, strip.from.y), ImVec2(face, strip.to.y),
-                context.theme.packed(Tone::kWall), 2.0F);
+  return magnification;
 }
 
-// Where the encoder can tell the handle to be.
-void draw_counts(const PanelContext& context, const Strip& strip, double encoder_m,
-                 ImDrawList* list) {
-  constexpr double kClosestPixels = 3.0;
-  if (encoder_m * strip.pixels_per_m() < kClosestPixels) return;
-  const auto first =
-      static_cast<long>(std::ceil((strip.face_m - kFreeShare * strip.span_m) / encoder_m));
-  const auto last =
-      static_cast<long>(std::floor((strip.face_m + (1.0 - kFreeShare) * strip.span_m) / encoder_m));
-  const float length = kTickShare * strip.height();
-  for (long count = first; count <= last; ++count) {
-    const float x = strip.x_of(static_cast<double>(count) * encoder_m);
-    list->AddLine(ImVec2(x, strip.from.y), ImVec2(x, strip.to.y),
-                  context.theme.packed(Tone::kText, 0.07F));
-    list->AddLine(ImVec2(x, strip.to.y - length), ImVec2(x, strip.to.y),
-                  context.theme.packed(Tone::kMuted), 1.5F);
-  }
+void draw_choice(const PanelContext& context) {
+  WallState& state = context.state.wall;
+  const int now = state.transient.magnification;
+  const auto button = [&](const char* label, const char* item, const char* tip) {
+    ImGui::SameLine();
+    const bool pressed = ImGui::SmallButton(label);
+    remember_item(context.state, item);
+    explain(tip);
+    return pressed;
+  };
+  if (button("–", "magnify less", "Magnify less; so does the wheel over the picture."))
+    state.persisted.magnification = next_magnification(now, -1);
+  ImGui::SameLine();
+  ImGui::TextColored(context.theme.colour(Tone::kAccent), "×%d", now);
+  explain("How much larger than the wall view shows the scene at first.");
+  if (button("+", "magnify more", "Magnify more; so does the wheel over the picture."))
+    state.persisted.magnification = next_magnification(now, 1);
+  const bool automatic = state.persisted.magnification == 0;
+  if (!automatic &&
+      button("auto", "magnify automatically",
+             "As suits the depth of the last half second; so does a double click on the picture."))
+    state.persisted.magnification = 0;
 }
 
-// The tip of the handle at its true position; behind it, where it was a moment ago.
-void draw_handle(const PanelContext& context, const SampleHistory& history, const Strip& strip,
-                 ImDrawList* list) {
-  const float middle = strip.from.y + 0.5F * strip.height();
-  const float half = 0.20F * strip.height();
-  const double now_s = history.newest_time_s();
-  const IndexRange recent = history.range(now_s - kTrailS, now_s);
-  if (recent.count() > 0) {
-    const Extremes trail = history.extremes(Quantity::kTruePosition, recent);
-    list->AddRectFilled(ImVec2(strip.x_of(trail.minimum), middle - half),
-                        ImVec2(strip.x_of(trail.maximum), middle + half),
-                        context.theme.packed(Tone::kText, 0.16F), 0.3F * half);
-  }
-  const float tip = strip.x_of(context.snapshot.sample.truth.position_m);
-  list->AddRectFilled(ImVec2(strip.from.x - half, middle - half), ImVec2(tip, middle + half),
-                      context.theme.packed(Tone::kText, 0.85F), 0.45F * half,
-                      ImDrawFlags_RoundCornersRight);
-}
-
-void draw_measured(const PanelContext& context, const Strip& strip, ImDrawList* list) {
-  const float x = strip.x_of(context.snapshot.sample.position_m);
-  const float reach = 0.29F * strip.height();
-  const float middle = strip.from.y + 0.5F * strip.height();
-  const ImU32 colour = context.theme.packed(Tone::kPosition);
-  list->AddLine(ImVec2(x, middle - reach), ImVec2(x, middle + reach), colour, 2.0F);
-  const float size = 0.3F * ImGui::GetFontSize();
-  list->AddTriangleFilled(ImVec2(x - size, middle - reach - size),
-                          ImVec2(x + size, middle - reach - size), ImVec2(x, middle - reach),
-                          colour);
-}
-
-// The hand is often millimetres deeper than the strip is long: then the edge says how far.
-void draw_hand(const PanelContext& context, const Strip& strip, ImDrawList* list) {
-  if (!context.session.scene().hand) return;
-  const double hand_m = context.snapshot.sample.truth.hand_path_m;
-  const ImU32 colour = context.theme.packed(Tone::kHand);
-  const float x = strip.x_of(hand_m);
-  const float line = ImGui::GetFontSize();
-  if (x > strip.from.x && x < strip.to.x) {
-    list->AddLine(ImVec2(x, strip.from.y), ImVec2(x, strip.to.y), colour, 1.5F);
-    return;
-  }
-  const bool deeper = x >= strip.to.x;
-  const double distance_m = deeper ? hand_m - strip.face_m : strip.face_m - hand_m;
-  const double distance_mm = distance_m * kMillimetresPerMetre;
-  const std::string text = deeper ? fmt::format("hand {:.1f} mm inside →", distance_mm)
-                                  : fmt::format("← hand {:.1f} mm outside", distance_mm);
-  const float width = ImGui::CalcTextSize(text.c_str()).x;
-  const float left = deeper ? strip.to.x - width - 0.5F * line : strip.from.x + 0.5F * line;
-  list->AddText(ImVec2(left, strip.from.y + 0.35F * line), colour, text.c_str());
-}
-
-void draw_true_penetration(const PanelContext& context, const Strip& strip, ImDrawList* list) {
-  const double penetration_m = context.snapshot.sample.truth.position_m - strip.face_m;
-  if (penetration_m <= 0.0) return;
-  const float line = ImGui::GetFontSize();
-  const std::string text =
-      fmt::format("true depth {:.3f} mm", penetration_m * kMillimetresPerMetre);
-  list->AddText(ImVec2(strip.from.x + 0.5F * line, strip.from.y + 0.35F * line),
-                context.theme.packed(Tone::kText), text.c_str());
-}
-
-void draw_scale_bar(const PanelContext& context, const Strip& strip, ImDrawList* list) {
-  const float line = ImGui::GetFontSize();
-  const auto length = static_cast<float>(kScaleBarM * strip.pixels_per_m());
-  const ImVec2 start(strip.from.x + 0.7F * line,
-                     strip.to.y - kTickShare * strip.height() - 0.8F * line);
-  const ImU32 colour = context.theme.packed(Tone::kText);
-  const float tick = 0.25F * line;
-  list->AddLine(start, ImVec2(start.x + length, start.y), colour, 2.0F);
-  for (const float x : {start.x, start.x + length}) {
-    list->AddLine(ImVec2(x, start.y - tick), ImVec2(x, start.y + tick), colour, 1.5F);
-  }
-  list->AddText(ImVec2(start.x + length + 0.5F * line, start.y - 0.55F * line), colour, "0.1 mm");
-}
-
-void draw_heading(const PanelContext& context, const Strip* strip, double view_pixels_per_m) {
+void draw_heading(const PanelContext& context, bool with_choice) {
   ImGui::PushFont(context.theme.fonts.strong, 0.0F);
   ImGui::TextUnformatted("Contact");
   ImGui::PopFont();
-  if (strip == nullptr) return;
-  ImGui::SameLine();
-  const double magnification = strip->pixels_per_m() / std::max(view_pixels_per_m, 1.0);
-  ImGui::TextColored(context.theme.colour(Tone::kAccent), "magnified ×%.0f", magnification);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("against the view on the left");
+  if (with_choice) draw_choice(context);
 }
 
+// As many entries as there is room for.
 void draw_legend(const PanelContext& context) {
+  const float size = ImGui::GetFontSize();
   const auto entry = [&](Tone tone, const std::string& text) {
-    const float size = ImGui::GetFontSize();
+    if (ImGui::GetContentRegionAvail().x < 0.9F * size + ImGui::CalcTextSize(text.c_str()).x)
+      return;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(
         ImVec2(corner.x, corner.y + 0.3F * size),
@@ -163,69 +88,130 @@ void draw_legend(const PanelContext& context) {
     ImGui::TextDisabled("%s", text.c_str());
     ImGui::SameLine(0.0F, size);
   };
-  entry(Tone::kText, "handle");
+  entry(Tone::kText, "true");
   entry(Tone::kPosition, "measured");
-  if (const auto& encoder_m = context.session.scene().device.encoder_m) {
-    entry(Tone::kMuted, fmt::format("counts of {:.4g} mm", *encoder_m * kMillimetresPerMetre));
-  }
+  entry(Tone::kAccent, "proxy");
+  if (const auto& encoder_m = context.session.scene().device.encoder_m)
+    entry(Tone::kMuted, fmt::format("counts of {}", length_text(*encoder_m)));
   ImGui::NewLine();
+}
+
+// The wheel over the strip, and a double click.
+void take_pointer(const PanelContext& context, const Strip& strip) {
+  WallState& state = context.state.wall;
+  ImGui::SetCursorScreenPos(strip.from);
+  ImGui::InvisibleButton("##magnifier",
+                         ImVec2(strip.to.x - strip.from.x, strip.to.y - strip.from.y));
+  remember_item(context.state, "magnifier");
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::SetItemKeyOwner(ImGuiKey_MouseWheelY);
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (wheel != 0.0F) {
+    state.persisted.magnification =
+        next_magnification(state.transient.magnification, wheel > 0.0F ? 1 : -1);
+  }
+  if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) state.persisted.magnification = 0;
+}
+
+Strip place_strip(const PanelContext& context, const SampleHistory& history,
+                  const WallPicture& picture, double view_pixels_per_m) {
+  WallState& state = context.state.wall;
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 free = ImGui::GetContentRegionAvail();
+  Strip strip{corner,
+              ImVec2(corner.x + std::max(free.x, 1.0F), corner.y + std::max(free.y - line, 1.0F))};
+  const double width = static_cast<double>(strip.to.x - strip.from.x);
+  const double unmagnified_m = width / std::max(view_pixels_per_m, 1.0);
+  const double tip_m = picture.handle_m.x;
+  Magnified& magnified = state.transient.magnified;
+  const double deepest_m = recent_positions(history, kLookBackS, tip_m).maximum - magnified.face_m;
+  strip.span_m = unmagnified_m / choose_magnification(state, deepest_m, unmagnified_m);
+  const Extremes recent = recent_positions(history, kFollowS, tip_m);
+  magnified = look_at_contact(picture, recent.minimum, recent.maximum, strip.span_m, magnified);
+  strip.middle_m = magnified.middle_m;
+  return strip;
+}
+
+// The wall whose face is nearest to the handle; the one before, unless another is much nearer.
+double face_to_look_at(const WallPicture& picture, double tip_m, double before_m) {
+  const auto distance = [tip_m](double face_m) { return std::abs(tip_m - face_m); };
+  const PictureWall* nearest = nullptr;
+  bool before_is_there = false;
+  for (const PictureWall& wall : picture.walls) {
+    if (wall.axis != Axis::kX) continue;
+    before_is_there = before_is_there || wall.face_m == before_m;
+    if (nearest == nullptr || distance(wall.face_m) < distance(nearest->face_m)) nearest = &wall;
+  }
+  if (nearest == nullptr) return before_m;
+  const bool stays =
+      before_is_there && distance(nearest->face_m) > kNearerShare * distance(before_m);
+  return stays ? before_m : nearest->face_m;
 }
 
 }  // namespace
 
-double magnifier_span(double deepest_m, double current_span_m) {
-  for (const double span_m : kSpansM) {
-    const double depth_m = (1.0 - kFreeShare) * span_m;
-    const double limit_m = span_m < current_span_m ? kRoomToSpare * depth_m : depth_m;
-    if (deepest_m <= limit_m) return span_m;
+int next_magnification(int current, int steps) {
+  int index = 0;
+  for (std::size_t i = 0; i < kMagnifications.size(); ++i)
+    if (kMagnifications.at(i) <= current) index = static_cast<int>(i);
+  const int last = static_cast<int>(kMagnifications.size()) - 1;
+  return kMagnifications.at(static_cast<std::size_t>(std::clamp(index + steps, 0, last)));
+}
+
+int suitable_magnification(double deepest_m, double unmagnified_m, int current) {
+  for (auto magnification = kMagnifications.rbegin(); magnification != kMagnifications.rend();
+       ++magnification) {
+    const bool grows = current > 0 && *magnification > current;
+    const double limit_m =
+        (grows ? kRoomToSpare : 1.0) * depth_share(unmagnified_m, *magnification);
+    if (deepest_m <= limit_m) return *magnification;
   }
-  return kSpansM.back();
+  return kMagnifications.front();
+}
+
+Magnified look_at_contact(const WallPicture& picture, double least_m, double most_m, double span_m,
+                          const Magnified& before) {
+  Magnified result;
+  const double tip_m = picture.handle_m.x;
+  result.face_m = face_to_look_at(picture, tip_m, before.face_m);
+  const double at_face_m = result.face_m + (0.5 - kFreeShare) * span_m;
+  result.middle_m = at_face_m;
+  const bool beyond = most_m > at_face_m + kWithinFace * span_m;
+  const bool can_be_followed = most_m - least_m < 2.0 * kStayWithin * span_m;
+  if (!beyond || !can_be_followed) return result;
+  const bool still_within = std::abs(most_m - before.middle_m) < kStayWithin * span_m &&
+                            std::abs(least_m - before.middle_m) < kStayWithin * span_m;
+  result.middle_m = still_within ? before.middle_m : 0.5 * (least_m + most_m);
+  return result;
 }
 
 void draw_magnifier(const PanelContext& context, const SampleHistory& history,
                     double view_pixels_per_m) {
-  const std::vector<WallSettings>& walls = context.session.scene().walls;
-  if (walls.empty()) {
-    draw_heading(context, nullptr, view_pixels_per_m);
+  WallPicture picture = wall_picture(context.session.scene(), context.snapshot.sample);
+  if (outermost_wall(picture, Axis::kX) == nullptr) {
+    draw_heading(context, false);
     ImGui::TextDisabled("This scene has no wall.");
     return;
   }
-  const auto outermost =
-      std::min_element(walls.begin(), walls.end(),
-                       [](const auto& a, const auto& b) { return a.position_m < b.position_m; });
-  double& span_m = context.state.transient.magnifier_span_m;
-  const double now_s = history.newest_time_s();
-  const IndexRange recent = history.range(now_s - kLookBackS, now_s);
-  if (recent.count() > 0) {
-    const double deepest_m =
-        history.extremes(Quantity::kTruePosition, recent).maximum - outermost->position_m;
-    if (deepest_m > 0.0) span_m = magnifier_span(deepest_m, span_m);
-  }
-  const float line = ImGui::GetTextLineHeightWithSpacing();
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 free = ImGui::GetContentRegionAvail();
-  const Strip strip{
-      ImVec2(corner.x, corner.y + line),
-      ImVec2(corner.x + std::max(free.x, 1.0F), corner.y + std::max(free.y - line, line + 1.0F)),
-      outermost->position_m, span_m};
-  draw_heading(context, &strip, view_pixels_per_m);
+  WallState& state = context.state.wall;
+  picture.shown = state.transient.shown;
+  draw_heading(context, true);
+  const Strip strip = place_strip(context, history, picture, view_pixels_per_m);
+  take_pointer(context, strip);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(strip.from, strip.to, context.theme.packed(Tone::kBackground));
   list->PushClipRect(strip.from, strip.to, true);
   ImGui::PushFont(nullptr, kSmallFontSize);
-  draw_wall(context, strip, list);
-  if (const auto& encoder_m = context.session.scene().device.encoder_m)
-    draw_counts(context, strip, *encoder_m, list);
-  draw_handle(context, history, strip, list);
-  draw_measured(context, strip, list);
-  draw_hand(context, strip, list);
-  draw_true_penetration(context, strip, list);
-  draw_scale_bar(context, strip, list);
+  const StripContent content{&picture, state.transient.magnified.face_m,
+                             context.snapshot.sample.position_m,
+                             context.session.scene().device.encoder_m};
+  draw_strip(context.theme, strip, content, list);
+  draw_trail(context.theme, strip, history, state.transient.trail, list);
   list->PopClipRect();
   ImGui::SetCursorScreenPos(ImVec2(strip.from.x, strip.to.y + 3.0F));
   draw_legend(context);
   ImGui::PopFont();
-  context.state.transient.items.insert_or_assign("magnifier", ItemRect{strip.from, strip.to});
 }
 
 }  // namespace hapticwall::ui

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/ui/sliders.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -44,9 +45,25 @@ std::optional<ParameterEdit> draw_switch(const PanelContext& context, const Para
   return edit;
 }
 
+constexpr const char* kField = "##value";
+
+// What counts has too few values for a slider, and what is absent has none.
+std::optional<ParameterEdit> draw_slider(const PanelContext& context, const ParameterRow& row,
+                                         float from, float to) {
+  if (!row.value || row.whole || row.text.suggestion <= 0.0) return std::nullopt;
+  const bool may_be_zero = row.range.minimum <= 0.0 && !row.range.minimum_excluded;
+  LogRange range = range_around(row.text.suggestion, may_be_zero);
+  range.minimum = std::max(range.minimum, row.range.minimum);
+  range.maximum = std::min(range.maximum, row.range.maximum);
+  const auto value = thin_slider(context, kField, *row.value, range, from, to);
+  remember_item(context.state, row.key + "-slider");
+  return value ? std::optional(ParameterEdit{*value}) : std::nullopt;
+}
+
 std::optional<ParameterEdit> draw_field(const PanelContext& context, const ParameterRow& row) {
   ImGui::BeginDisabled(!row.value);
-  const auto text = text_field(context, "##value", row.value ? "" : kAbsent,
+  type_where_asked(context, kField);
+  const auto text = text_field(context, kField, row.value ? "" : kAbsent,
                                row.value ? number_text(*row.value) : "");
   ImGui::EndDisabled();
   remember_item(context.state, row.key);
@@ -82,11 +99,14 @@ std::optional<ParameterEdit> draw_parameter_row(const PanelContext& context,
   ImGui::SameLine(left + field_at);
   ImGui::SetNextItemWidth(switch_at - field_at - unit_width(row.unit));
   std::optional<ParameterEdit> edit = draw_field(context, row);
+  const float from = ImGui::GetItemRectMin().x;
+  const float to = ImGui::GetItemRectMax().x;
   unit_label(row.unit);
   if (row.optional) {
     ImGui::SameLine(left + switch_at);
     if (const auto switched = draw_switch(context, row)) edit = switched;
   }
+  if (const auto slid = draw_slider(context, row, from, to)) edit = slid;
   draw_refusal(context, row.key);
   ImGui::PopID();
   return edit;

@@ -22,7 +22,8 @@ struct ParameterText {
   std::string key;
   std::string label;
   std::string meaning;
-  double suggestion = 0.0;  // for a part that is switched on and never had a value
+  // For a part that is switched on and never had a value; the middle of its slider.
+  double suggestion = 0.0;
 };
 
 // One row: what is in force, and what the loaded scene says.

@@ -4,137 +4,104 @@
 #include <implot.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+
+#include "app/ui/plot_heading.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr std::array kPositionLines{
-    PlotLine{Quantity::kHandPath, "hand",
-             "where the hand intends to be; the value axis does not stretch for it", Tone::kHand},
-    PlotLine{Quantity::kPosition, "handle", "x, the position as the encoder tells it",
-             Tone::kPosition}};
-constexpr std::array kForceLines{
-    PlotLine{Quantity::kWallForce, "wall F_e", "F_e, what the virtual wall asks for",
-             Tone::kWallForce},
-    PlotLine{Quantity::kForce, "actuator F_d",
-             "F_d, what the algorithm makes of it: the force on the handle", Tone::kForce}};
-constexpr std::array kStiffnessLines{PlotLine{Quantity::kStiffness, "force / penetration",
-                                              "F_d over penetration; 0 out of contact",
-                                              Tone::kStiffness}};
-constexpr std::array kPassivityLines{
-    PlotLine{Quantity::kEnergyBudget, "budget",
-             "−T Σ b v²: the most that the hold may generate (Eq. 22)", Tone::kBudget},
-    PlotLine{Quantity::kEnergyHold, "hold (9)", "Eq. 9: energy of the sample-and-hold",
-             Tone::kHold},
-    PlotLine{Quantity::kEnergyScv, "SCV (10)",
-             "Eq. 10: what handle and actuator really exchanged, as the encoder sees it",
-             Tone::kScv},
-    PlotLine{Quantity::kEnergyCv, "observer (6)",
-             "Eq. 6: the passivity observer of Hannaford and Ryu; blind to the hold",
-             Tone::kObserver}};
+constexpr double kMoved = 1e-9;  // of an axis' span: what is not a rounding error
+constexpr double kShortestTimeAxisS = 1e-4;
+constexpr double kLongestTimeAxisS = 1e6;
 
-const std::array<PlotDescription, 4> kPlots{
-    PlotDescription{PlotId::kPosition, "Position", "mm", 1e3, 1.0, kPositionLines},
-    PlotDescription{PlotId::kForce, "Force", "N", 1.0, 1.0, kForceLines},
-    PlotDescription{PlotId::kStiffness, "Stiffness", "kN/m", 1e-3, 1.0, kStiffnessLines},
-    PlotDescription{PlotId::kPassivity, "Passivity", "mJ", 1e3, 0.1, kPassivityLines}};
-
-bool is_hidden(const PlotSurface& surface, const PlotLine& line) {
-  return (*surface.hidden & line_bit(line.quantity)) != 0U;
+bool has_right_axis(const PlotSurface& surface, const PlotDescription& plot) {
+  return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
+    return line.on_right && is_drawn(surface, plot, line);
+  });
 }
 
-// One entry of the legend, right to left from `right`; a click hides or shows the line.
-float draw_legend_entry(const PlotSurface& surface, const PlotLine& line, float right, float top) {
-  const float size = ImGui::GetFontSize();
-  const float width = ImGui::CalcTextSize(line.name).x + 1.7F * size;
-  const ImVec2 corner(right - width, top);
-  ImGui::SetCursorScreenPos(corner);
-  ImGui::PushID(line.name);
-  if (ImGui::InvisibleButton("##legend", ImVec2(width, 1.2F * size))) {
-    *surface.hidden ^= line_bit(line.quantity);
-  }
-  ImGui::PopID();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\nclick to hide or show", line.meaning);
-  const float alpha = is_hidden(surface, line) ? 0.3F : 1.0F;
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const float middle = top + 0.6F * size;
-  list->AddLine(ImVec2(corner.x, middle), ImVec2(corner.x + 1.2F * size, middle),
-                surface.theme->packed(line.tone, alpha), 0.17F * size);
-  list->AddText(ImVec2(corner.x + 1.5F * size, top),
-                surface.theme->packed(Tone::kText, 0.85F * alpha), line.name);
-  return corner.x - 0.6F * size;
+// Other than penetrations, which begin at the wall.
+bool shows_positions(const PlotSurface& surface, const PlotDescription& plot) {
+  return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
+    const bool position =
+        line.quantity == Quantity::kPosition || line.quantity == Quantity::kTruePosition;
+    return position && is_drawn(surface, plot, line);
+  });
 }
 
-Extremes value_range(const PlotSurface& surface, const PlotDescription& plot) {
-  const SampleHistory& history = *surface.history;
+// What the automatic axis shows of the visible range.
+Extremes fitted_values(const PlotSurface& surface, const PlotDescription& plot, IndexRange range,
+                       bool right) {
   std::optional<Extremes> all;
   const auto include = [&](double low, double high) {
     if (!all) all = Extremes{low, high};
     all = Extremes{std::min(all->minimum, low), std::max(all->maximum, high)};
   };
-  const IndexRange range = history.range(*surface.time_from_s, *surface.time_to_s);
+  const ValueScale& scale = right ? plot.right : plot.left;
   for (const PlotLine& line : plot.lines) {
     // The hand's intention lies far inside a stiff wall; the contact is what is to be seen.
-    if (line.quantity == Quantity::kHandPath) continue;
-    if (range.count() == 0 || is_hidden(surface, line)) continue;
-    const Extremes extremes = history.extremes(line.quantity, range);
-    include(extremes.minimum * plot.scale, extremes.maximum * plot.scale);
+    if (line.on_right != right || line.quantity == Quantity::kHandPath) continue;
+    if (range.count() == 0 || !is_drawn(surface, plot, line)) continue;
+    const Extremes extremes = surface.history->extremes(line.quantity, range);
+    include(extremes.minimum * scale.scale, extremes.maximum * scale.scale);
   }
-  if (plot.id != PlotId::kPosition) {
+  if (plot.id != PlotId::kPosition || right) {
     include(0.0, 0.0);
-  } else if (!surface.walls.empty()) {
-    const double face = surface.walls.front().position_m * plot.scale;
+  } else if (!surface.walls.empty() && (!all || shows_positions(surface, plot))) {
+    const double face = surface.walls.front().position_m * scale.scale;
     include(face, face);
   }
-  return round_range(all.value_or(Extremes{}), plot.smallest_span);
+  return round_range(all.value_or(Extremes{}), scale.smallest_span);
 }
 
-// Where the hand is beyond the value axis: how far, beside the title.
-void note_hand_outside(const PlotSurface& surface, const PlotDescription& plot, Extremes values) {
-  const IndexRange range = surface.history->range(*surface.time_from_s, *surface.time_to_s);
-  if (plot.id != PlotId::kPosition || range.count() == 0) return;
-  const double highest = surface.history->extremes(Quantity::kHandPath, range).maximum * plot.scale;
-  if (highest <= values.maximum || (*surface.hidden & line_bit(Quantity::kHandPath)) != 0U) return;
-  ImGui::SameLine(0.0F, ImGui::GetFontSize());
-  ImGui::PushFont(nullptr, kSmallFontSize);
-  ImGui::TextColored(surface.theme->colour(Tone::kHand), "hand up to %.4g %s ↑", highest,
-                     plot.unit);
-  ImGui::PopFont();
+void fit(const PlotSurface& surface, const PlotDescription& plot, IndexRange range, bool right,
+         ValueAxis& axis) {
+  if (axis.manual) return;
+  const Extremes values = fitted_values(surface, plot, range, right);
+  axis.minimum = values.minimum;
+  axis.maximum = values.maximum;
 }
 
-void draw_heading(const PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
-                  Extremes values, float width) {
-  const Theme& theme = *surface.theme;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::PushFont(theme.fonts.strong, 0.0F);
-  ImGui::TextUnformatted(fmt::format("{}{}", mark, plot.title).c_str());
-  ImGui::PopFont();
-  ImGui::SameLine();
-  ImGui::TextDisabled("%s", plot.unit);
-  note_hand_outside(surface, plot, values);
-  const ImVec2 below(corner.x, ImGui::GetCursorScreenPos().y);
-  ImGui::PushFont(nullptr, kSmallFontSize);
-  float right = corner.x + width;
-  for (auto line = plot.lines.rbegin(); line != plot.lines.rend(); ++line) {
-    right = draw_legend_entry(surface, *line, right, corner.y + 1.0F);
-  }
-  ImGui::PopFont();
-  ImGui::SetCursorScreenPos(below);
+// Where the hand is beyond the value axis: how far.
+std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot, IndexRange range,
+                         double axis_maximum) {
+  if (plot.id != PlotId::kPosition || range.count() == 0) return {};
+  if (!is_drawn(surface, plot, plot.lines.front())) return {};
+  const double highest =
+      surface.history->extremes(Quantity::kHandPath, range).maximum * plot.left.scale;
+  if (highest <= axis_maximum) return {};
+  return fmt::format("hand up to {:.4g} {} ↑", highest, plot.left.unit);
 }
 
-void set_up_axes(const PlotSurface& surface, Extremes values) {
+// A wheel or a drag that began between the axes is about time.
+ImPlotAxisFlags value_lock(const PlotSurface& surface, const PlotAxes& axes) {
+  if (!surface.interactive) return 0;
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool selecting =
+      io.MouseDown[ImGuiMouseButton_Right] || io.MouseReleased[ImGuiMouseButton_Right];
+  const ImVec2 began =
+      io.MouseDown[ImGuiMouseButton_Left] ? io.MouseClickedPos[ImGuiMouseButton_Left] : io.MousePos;
+  return !selecting && axes.area.contains(began) ? ImPlotAxisFlags_Lock : 0;
+}
+
+void set_up_axes(PlotSurface& surface, PlotAxes& axes, double* length_s, bool right) {
   const ImPlotAxisFlags flags = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight;
   const ImPlotAxisFlags time_labels = surface.time_labels ? 0 : ImPlotAxisFlags_NoTickLabels;
+  const ImPlotAxisFlags lock = value_lock(surface, axes);
   ImPlot::SetupAxis(ImAxis_X1, nullptr, flags | time_labels);
-  ImPlot::SetupAxis(ImAxis_Y1, nullptr, flags);
-  ImPlot::SetupAxisLinks(ImAxis_X1, surface.time_from_s, surface.time_to_s);
-  ImPlot::SetupAxisFormat(ImAxis_X1, "%g s");
+  ImPlot::SetupAxis(ImAxis_Y1, nullptr, flags | lock);
+  ImPlot::SetupAxisLinks(ImAxis_X1, &surface.window->from_s, &surface.window->to_s);
+  ImPlot::SetupAxisZoomConstraints(ImAxis_X1, kShortestTimeAxisS, kLongestTimeAxisS);
+  ImPlot::SetupAxisFormat(ImAxis_X1, format_time, length_s);
+  ImPlot::SetupAxisLinks(ImAxis_Y1, &axes.left.minimum, &axes.left.maximum);
   ImPlot::SetupAxisFormat(ImAxis_Y1, "%6.4g");
-  ImPlot::SetupAxisLimits(ImAxis_Y1, values.minimum, values.maximum,
-                          surface.fit_values ? ImPlotCond_Always : ImPlotCond_Once);
+  if (right) {
+    ImPlot::SetupAxis(ImAxis_Y2, nullptr,
+                      flags | lock | ImPlotAxisFlags_Opposite | ImPlotAxisFlags_NoGridLines);
+    ImPlot::SetupAxisLinks(ImAxis_Y2, &axes.right.minimum, &axes.right.maximum);
+    ImPlot::SetupAxisFormat(ImAxis_Y2, "%.4g");
+  }
   ImPlot::SetupFinish();
 }
 
@@ -144,7 +111,7 @@ void draw_walls(const PlotSurface& surface, const PlotDescription& plot) {
   ImDrawList* list = ImPlot::GetPlotDrawList();
   ImPlot::PushPlotClipRect();
   for (const WallSettings& wall : surface.walls) {
-    const double face = wall.position_m * plot.scale;
+    const double face = wall.position_m * plot.left.scale;
     const ImVec2 face_left = ImPlot::PlotToPixels(limits.X.Min, face);
     const ImVec2 far_right = ImPlot::PlotToPixels(limits.X.Max, std::max(limits.Y.Max, face));
     list->AddRectFilled(ImVec2(face_left.x, far_right.y), ImVec2(far_right.x, face_left.y),
@@ -164,46 +131,133 @@ void draw_zero_line(const PlotSurface& surface) {
   ImPlot::PlotInfLines("##zero", &zero, 1, spec);
 }
 
-void draw_lines(const PlotSurface& surface, const PlotDescription& plot) {
-  const IndexRange range = surface.history->range(*surface.time_from_s, *surface.time_to_s);
+PixelScale pixel_scale(double first, double second, float first_pixel, float second_pixel) {
+  PixelScale result;
+  result.scale = static_cast<double>(second_pixel - first_pixel) / (second - first);
+  result.origin = static_cast<double>(first_pixel) - result.scale * first;
+  return result;
+}
+
+void draw_band_or_line(const PlotSurface& surface, const PlotLine& line, ImAxis value_axis) {
+  const Trace& trace = *surface.scratch;
+  const ImPlotRect limits = ImPlot::GetPlotLimits(ImAxis_X1, value_axis);
+  const ImVec2 corner = ImPlot::GetPlotPos();
+  const ImVec2 size = ImPlot::GetPlotSize();
+  const PixelScale x = pixel_scale(limits.X.Min, limits.X.Max, corner.x, corner.x + size.x);
+  const PixelScale y = pixel_scale(limits.Y.Max, limits.Y.Min, corner.y, corner.y + size.y);
+  if (is_band(trace, x, y)) {
+    band_of(trace, x, y, *surface.columns);
+    ImPlot::PushPlotClipRect();
+    draw_band(ImPlot::GetPlotDrawList(), *surface.columns, surface.theme->packed(line.tone),
+              surface.line_weight);
+    ImPlot::PopPlotClipRect();
+    return;
+  }
+  ImPlotSpec spec;
+  spec.LineColor = surface.theme->colour(line.tone);
+  spec.LineWeight = surface.line_weight;
+  spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  ImPlot::SetAxes(ImAxis_X1, value_axis);
+  ImPlot::PlotLine(line.name, trace.time_s.data(), trace.value.data(),
+                   static_cast<int>(trace.time_s.size()), spec);
+}
+
+void draw_lines(const PlotSurface& surface, const PlotDescription& plot, IndexRange range) {
   if (range.count() == 0) return;
   const auto columns = static_cast<std::size_t>(std::max(2.0F, ImPlot::GetPlotSize().x));
   for (const PlotLine& line : plot.lines) {
-    if (is_hidden(surface, line)) continue;
-    Trace& trace = *surface.scratch;
-    surface.history->decimate(line.quantity, range, columns, plot.scale, trace);
-    ImPlotSpec spec;
-    spec.LineColor = surface.theme->colour(line.tone);
-    spec.LineWeight = surface.line_weight;
-    spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
-    ImPlot::PlotLine(line.name, trace.time_s.data(), trace.value.data(),
-                     static_cast<int>(trace.time_s.size()), spec);
+    if (!is_drawn(surface, plot, line)) continue;
+    surface.history->decimate(line.quantity, range, columns, plot.scale_of(line).scale,
+                              *surface.scratch);
+    draw_band_or_line(surface, line, line.on_right ? ImAxis_Y2 : ImAxis_Y1);
   }
+  ImPlot::SetAxes(ImAxis_X1, ImAxis_Y1);
 }
 
-// Values of all lines at the sample under the pointer.
+// Where the scope stands: a small triangle at the top, and a faint line.
+void draw_contact_mark(const PlotSurface& surface) {
+  if (!surface.contact_s) return;
+  const ImVec2 top = ImPlot::GetPlotPos();
+  const float x = ImPlot::PlotToPixels(*surface.contact_s, 0.0).x;
+  const float size = 0.4F * ImGui::GetFontSize();
+  ImDrawList* list = ImPlot::GetPlotDrawList();
+  ImPlot::PushPlotClipRect();
+  list->AddLine(ImVec2(x, top.y), ImVec2(x, top.y + ImPlot::GetPlotSize().y),
+                surface.theme->packed(Tone::kWarning, 0.35F));
+  list->AddTriangleFilled(ImVec2(x - size, top.y), ImVec2(x + size, top.y),
+                          ImVec2(x, top.y + 1.4F * size), surface.theme->packed(Tone::kWarning));
+  ImPlot::PopPlotClipRect();
+}
+
+// True: the pointer is at one of them.
+bool draw_cursors(const PlotSurface& surface) {
+  if (surface.cursors == nullptr || !surface.cursors->shown) return false;
+  constexpr std::array kNames{"A", "B"};
+  bool touched = false;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    bool hovered = false;
+    bool held = false;
+    double& time_s = surface.cursors->time_s[i];
+    ImPlot::DragLineX(static_cast<int>(i), &time_s, surface.theme->colour(Tone::kText), 1.0F,
+                      ImPlotDragToolFlags_NoFit, nullptr, &hovered, &held);
+    touched = touched || hovered || held;
+    const float x = ImPlot::PlotToPixels(time_s, 0.0).x;
+    ImPlot::PushPlotClipRect();
+    ImPlot::GetPlotDrawList()->AddText(
+        ImVec2(x + 0.3F * ImGui::GetFontSize(), ImPlot::GetPlotPos().y),
+        surface.theme->packed(Tone::kText), kNames[i]);
+    ImPlot::PopPlotClipRect();
+  }
+  return touched;
+}
+
+// Values of all lines at the sample that is nearest to the pointer.
 void draw_readout(const PlotSurface& surface, const PlotDescription& plot) {
   if (!surface.interactive || surface.history->empty() || !ImPlot::IsPlotHovered()) return;
+  const SampleHistory& history = *surface.history;
   const double pointed_s = ImPlot::GetPlotMousePos().x;
-  const std::span<const double> time = surface.history->column(Quantity::kTime);
-  if (pointed_s < time.front() || pointed_s > time.back()) return;
-  const auto index = static_cast<std::size_t>(
-      std::lower_bound(time.begin(), time.end(), pointed_s) - time.begin());
+  if (pointed_s < history.oldest_time_s() || pointed_s > history.newest_time_s()) return;
+  const std::size_t index = *history.nearest(pointed_s);
   ImGui::BeginTooltip();
   ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
-  ImGui::Text("%-20s %10.4f s", "time", time[index]);
+  ImGui::Text("%-20s %10.4f s", "time", history.value(Quantity::kTime, index));
   for (const PlotLine& line : plot.lines) {
-    const double value = surface.history->column(line.quantity)[index] * plot.scale;
-    ImGui::TextColored(surface.theme->colour(line.tone), "%-20s %10.4f %s", line.name, value,
-                       plot.unit);
+    if (!is_chosen(surface, plot, line)) continue;
+    const ValueScale& scale = plot.scale_of(line);
+    ImGui::TextColored(surface.theme->colour(line.tone), "%-20s %10.4f %s", line.name,
+                       history.value(line.quantity, index) * scale.scale, scale.unit);
   }
   ImGui::PopFont();
   ImGui::EndTooltip();
 }
 
-}  // namespace
+// An axis that is not where it was put has been moved by the user.
+void notice_moves(ValueAxis& axis, const ImPlotRange& now) {
+  const double moved = std::abs(now.Min - axis.minimum) + std::abs(now.Max - axis.maximum);
+  if (moved > kMoved * (axis.maximum - axis.minimum)) axis.manual = true;
+}
 
-const PlotDescription& plot_description(PlotId id) { return kPlots[static_cast<std::size_t>(id)]; }
+void notice_input(PlotSurface& surface, PlotAxes& axes, bool right) {
+  notice_moves(axes.left, ImPlot::GetPlotLimits(ImAxis_X1, ImAxis_Y1).Y);
+  if (right) notice_moves(axes.right, ImPlot::GetPlotLimits(ImAxis_X1, ImAxis_Y2).Y);
+  if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
+  const bool inside = ImPlot::IsPlotHovered();
+  if (inside || ImPlot::IsAxisHovered(ImAxis_Y1)) axes.left.manual = false;
+  if (right && (inside || ImPlot::IsAxisHovered(ImAxis_Y2))) axes.right.manual = false;
+  if (inside || ImPlot::IsAxisHovered(ImAxis_X1)) surface.wants_newest = true;
+}
+
+void draw_contents(const PlotSurface& surface, const PlotDescription& plot, IndexRange range) {
+  if (plot.id == PlotId::kPosition) draw_walls(surface, plot);
+  if (plot.id == PlotId::kPassivity) draw_zero_line(surface);
+  draw_lines(surface, plot, range);
+  if (plot.id == PlotId::kStiffness && (surface.show_bounds == nullptr || *surface.show_bounds))
+    draw_bounds(*surface.theme, surface.bounds, plot.left.scale);
+  draw_contact_mark(surface);
+  if (!draw_cursors(surface)) draw_readout(surface, plot);
+}
+
+}  // namespace
 
 Extremes round_range(Extremes data, double smallest_span) {
   constexpr double kMargin = 0.05;  // of the span, on either side
@@ -219,29 +273,52 @@ Extremes round_range(Extremes data, double smallest_span) {
           std::ceil((middle + 0.5 * span) / step) * step};
 }
 
-PlotArea draw_plot(const PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
+int format_time(double value, char* text, int size, void* length_s) {
+  const double length = *static_cast<const double*>(length_s);
+  // About ten ticks to the length; one more digit tells them apart.
+  constexpr int kMostDigits = 9;
+  const int digits =
+      std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(length))), 0, kMostDigits);
+  std::string label = fmt::format("{:.{}f}", value, digits);
+  if (digits > 0) {
+    label.erase(label.find_last_not_of('0') + 1);
+    if (label.back() == '.') label.pop_back();
+  }
+  if (label == "-0") label = "0";
+  const auto end = fmt::format_to_n(text, static_cast<std::size_t>(size) - 1, "{} s", label);
+  *end.out = '\0';
+  return static_cast<int>(end.out - text);
+}
+
+PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                    ImVec2 size) {
   ImGui::PushID(plot.title);
+  PlotAxes& axes = (*surface.axes)[static_cast<std::size_t>(plot.id)];
   const float top = ImGui::GetCursorPosY();
-  const Extremes values = value_range(surface, plot);
-  draw_heading(surface, plot, mark, values, size.x);
-  const float height = size.y - (ImGui::GetCursorPosY() - top);
+  const IndexRange range = surface.history->range(surface.window->from_s, surface.window->to_s);
+  fit(surface, plot, range, false, axes.left);
+  draw_plot_heading(surface, plot, mark, hand_outside(surface, plot, range, axes.left.maximum),
+                    size.x);
+  const bool right = has_right_axis(surface, plot);
+  if (right) fit(surface, plot, range, true, axes.right);
+  const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));
   ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
   ImPlotFlags flags = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame;
+  if (surface.interactive) flags &= ~ImPlotFlags_NoBoxSelect;
   if (!surface.interactive) flags |= ImPlotFlags_NoInputs;
-  PlotArea area;
-  if (ImPlot::BeginPlot("##plot", ImVec2(size.x, height), flags)) {
-    set_up_axes(surface, values);
-    area = {ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
-    if (plot.id == PlotId::kPosition) draw_walls(surface, plot);
-    if (plot.id == PlotId::kPassivity) draw_zero_line(surface);
-    draw_lines(surface, plot);
-    draw_readout(surface, plot);
+  double length_s = surface.window->length_s();
+  const bool visible = ImPlot::BeginPlot("##plot", ImVec2(size.x, height), flags);
+  if (!visible) axes.area = {};
+  if (visible) {
+    set_up_axes(surface, axes, &length_s, right);
+    draw_contents(surface, plot, range);
+    if (surface.interactive) notice_input(surface, axes, right);
+    axes.area = {ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
     ImPlot::EndPlot();
   }
   ImGui::PopFont();
   ImGui::PopID();
-  return area;
+  return axes.area;
 }
 
 }  // namespace hapticwall::ui

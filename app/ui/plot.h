@@ -3,71 +3,89 @@
 
 #include <imgui.h>
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "app/ui/plot_bounds.h"
+#include "app/ui/plot_cursors.h"
+#include "app/ui/plot_envelope.h"
+#include "app/ui/plot_lines.h"
+#include "app/ui/plot_trigger.h"
 #include "app/ui/sample_history.h"
 #include "app/ui/theme.h"
 #include "core/scene.h"
 
 namespace hapticwall::ui {
 
-enum class PlotId : std::uint8_t { kPosition, kForce, kStiffness, kPassivity };
-
-struct PlotLine {
-  Quantity quantity = Quantity::kPosition;
-  const char* name = "";
-  const char* meaning = "";
-  Tone tone = Tone::kText;
-};
-
-struct PlotDescription {
-  PlotId id = PlotId::kPosition;
-  const char* title = "";
-  const char* unit = "";
-  double scale = 1.0;          // of SI values into `unit`
-  double smallest_span = 1.0;  // of the value axis, in `unit`
-  std::span<const PlotLine> lines;
-};
-
-[[nodiscard]] const PlotDescription& plot_description(PlotId id);
-
-// One bit for each Quantity.
-using HiddenLines = std::uint32_t;
-[[nodiscard]] constexpr HiddenLines line_bit(Quantity quantity) {
-  return HiddenLines{1} << static_cast<unsigned>(quantity);
-}
-
 inline constexpr float kLineWeight = 1.6F;  // pixels at scale 1
-
-// What all plots of a frame share. Owned by the caller; all pointers must be valid.
-struct PlotSurface {
-  const Theme* theme = nullptr;
-  const SampleHistory* history = nullptr;
-  std::span<const WallSettings> walls;
-  double* time_from_s = nullptr;  // linked time axes: read, and written when the user drags one
-  double* time_to_s = nullptr;
-  HiddenLines* hidden = nullptr;
-  Trace* scratch = nullptr;
-  bool fit_values = true;  // false: the value axes stay where the user put them
-  bool interactive = true;
-  float line_weight = kLineWeight;
-  bool time_labels = true;  // below the plot
-};
 
 // Where the plot area (between the axes) was drawn, for whoever wants to look at its pixels.
 struct PlotArea {
   ImVec2 position;
   ImVec2 size;
+
+  [[nodiscard]] bool contains(ImVec2 place) const {
+    return place.x >= position.x && place.x < position.x + size.x && place.y >= position.y &&
+           place.y < position.y + size.y;
+  }
+};
+
+// An axis of values: fitted to what is seen, or where the user has put it.
+struct ValueAxis {
+  bool manual = false;
+  double minimum = 0.0;
+  double maximum = 1.0;
+};
+
+// What a plot remembers from frame to frame.
+struct PlotAxes {
+  ValueAxis left;
+  ValueAxis right;
+  PlotArea area;
+};
+using AllPlotAxes = std::array<PlotAxes, kPlotCount>;  // by PlotId
+
+// What all plots of a frame share. Owned by the caller; pointers must be valid, or null where that
+// is told.
+struct PlotSurface {
+  const Theme* theme = nullptr;
+  const SampleHistory* history = nullptr;
+  std::span<const WallSettings> walls;
+  TimeWindow* window = nullptr;  // linked time axes: read, and written when the user drags one
+  ChosenLines* chosen = nullptr;
+  HiddenLines* hidden = nullptr;
+  AllPlotAxes* axes = nullptr;
+  Trace* scratch = nullptr;
+  std::vector<PixelColumn>* columns = nullptr;  // scratch, too
+  Cursors* cursors = nullptr;                   // null: none
+  std::optional<double> contact_s;              // the contact that the window stands at
+  std::vector<BoundLine> bounds;                // of the stiffness plot
+  bool* show_bounds = nullptr;                  // null: no choice; shown where there are any
+  bool simulated = true;                        // false: nobody knows what only a simulator does
+  bool interactive = true;
+  bool time_labels = true;  // below the plot
+  float line_weight = kLineWeight;
+  // Called after items that somebody may want to find again; may be empty.
+  std::function<void(std::string_view)> remember;
+  bool wants_newest = false;  // set where the user asks for the automatic time axis
 };
 
 // Draws a heading with the legend and the plot below it into `size`. `mark` stands before the
-// title: the paper's "(a)".
-PlotArea draw_plot(const PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
+// title: the paper's "(a)". A wheel or a drag in the plot moves time, over the value axis values; a
+// right drag zooms into a rectangle; a double click makes both automatic again.
+PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                    ImVec2 size);
 
 // The range of the value axis: the extremes enlarged a little and rounded outwards to a round step.
 [[nodiscard]] Extremes round_range(Extremes data, double smallest_span);
+
+// Labels of a time axis whose visible length is a double at `length_s`: as many digits as it takes.
+int format_time(double value, char* text, int size, void* length_s);
 
 }  // namespace hapticwall::ui

@@ -3,120 +3,94 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
+#include "app/ui/plot_controls.h"
 #include "app/ui/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr std::array kTimeWindowsS{0.5, 1.0, 2.0, 4.0, 6.0, 8.0, 10.0};
-static_assert(kTimeWindowsS.front() == kShortestTimeWindowS &&
-              kTimeWindowsS.back() == kLongestTimeWindowS);
 constexpr double kAxisMovedS = 1e-9;  // what is not a rounding error
+constexpr float kGapEms = 1.6F;       // between two columns of plots
+constexpr float kSideShare = 0.38F;   // of the width, for the plane and the table of cursors
+constexpr float kNarrowestSideEms = 20.0F;
+constexpr float kWidestSideEms = 34.0F;
+constexpr float kTableShare = 0.45F;  // of the height, below the plane
 
-constexpr std::array kAllPlots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
-                               PlotId::kPassivity};
-constexpr std::array kFigure4Plots{PlotId::kPosition, PlotId::kForce, PlotId::kPassivity};
-constexpr std::array kFigure5And6Plots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness};
-
-std::span<const PlotId> plots_of(PlotArrangement arrangement) {
-  switch (arrangement) {
-    case PlotArrangement::kFigure4:
-      return kFigure4Plots;
-    case PlotArrangement::kFigure5And6:
-      return kFigure5And6Plots;
-    case PlotArrangement::kAll:
-      break;
-  }
-  return kAllPlots;
+TimeWindow window_of(const UiState& state) {
+  return {state.transient.time_from_s, state.transient.time_to_s};
 }
 
-void draw_arrangement(const PanelContext& context) {
-  PlotArrangement& arrangement = context.state.persisted.arrangement;
-  const auto choice = [&](const char* label, PlotArrangement value, const char* tooltip) {
-    if (choice_button(context, label, arrangement == value)) arrangement = value;
-    remember_item(context.state, label);
-    explain(tooltip);
-    ImGui::SameLine();
-  };
-  choice("all plots", PlotArrangement::kAll, "Position, force, stiffness and passivity");
-  choice("as Figure 4", PlotArrangement::kFigure4,
-         "The panels of the paper's Figure 4: position, force, passivity");
-  choice("as Figures 5, 6", PlotArrangement::kFigure5And6,
-         "The panels of the paper's Figures 5 and 6: position, force, stiffness");
+void set_window(UiState& state, TimeWindow window) {
+  state.transient.time_from_s = window.from_s;
+  state.transient.time_to_s = window.to_s;
 }
 
-void draw_time_window(const PanelContext& context) {
-  TransientState& transient = context.state.transient;
-  double& window_s = context.state.persisted.time_window_s;
-  const float em = ImGui::GetFontSize();
-  const float width = 17.0F * em;
-  ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
-  ImGui::BeginDisabled(transient.follow);
-  if (ImGui::Button("Follow")) transient.follow = true;
-  ImGui::EndDisabled();
-  remember_item(context.state, "follow");
-  explain(transient.follow
-              ? "The plots follow the newest samples. Drag or scroll in a plot to look closer."
-              : "Back to the newest samples");
-  ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("newest");
-  ImGui::SameLine();
-  ImGui::SetNextItemWidth(-1.0F);
-  if (ImGui::BeginCombo("##window", fmt::format("{:g} s", window_s).c_str())) {
-    for (const double choice_s : kTimeWindowsS) {
-      if (!ImGui::Selectable(fmt::format("{:g} s", choice_s).c_str(), choice_s == window_s))
-        continue;
-      window_s = choice_s;
-      transient.follow = true;
+double window_length_s(const UiState& state) {
+  return std::clamp(state.persisted.time_window_s, kTimeWindowsS.front(), kTimeWindowsS.back());
+}
+
+// Where the time axes go by themselves: to the newest samples, or to a contact.
+void move_window(UiState& state, const SampleHistory& history) {
+  PlotsState::Transient& plots = state.plots.transient;
+  const TriggerSettings& settings = state.plots.persisted.trigger;
+  const TimeWindow before = window_of(state);
+  if (settings.mode == TriggerMode::kOff) {
+    follow_newest(state, history.newest_time_s());
+  } else {
+    if (!plots.was_following) plots.trigger = armed_trigger(settings, history.newest_time_s());
+    if (const auto window = run_trigger(history, settings, window_length_s(state), plots.trigger)) {
+      set_window(state, *window);
     }
-    ImGui::EndCombo();
+    // What single has caught stays, and may be looked at closely.
+    if (plots.trigger.stage == TriggerStage::kDone) state.transient.follow = false;
   }
-  remember_item(context.state, "time window");
+  carry_cursors(plots.cursors, before, window_of(state));
 }
 
-}  // namespace
-
-void follow_newest(UiState& state, double newest_time_s) {
-  const double window_s =
-      std::clamp(state.persisted.time_window_s, kShortestTimeWindowS, kLongestTimeWindowS);
-  state.transient.time_to_s = std::max(newest_time_s, window_s);
-  state.transient.time_from_s = state.transient.time_to_s - window_s;
+PlotSurface surface_of(const PanelContext& context, const SampleHistory& history,
+                       TimeWindow& window) {
+  UiState& state = context.state;
+  PlotsState& plots = state.plots;
+  PlotSurface surface;
+  surface.theme = &context.theme;
+  surface.history = &history;
+  surface.walls = context.session.scene().walls;
+  surface.window = &window;
+  surface.chosen = &plots.persisted.lines;
+  surface.hidden = &state.persisted.hidden_lines;
+  surface.axes = &plots.transient.axes;
+  surface.scratch = &state.transient.scratch;
+  surface.columns = &plots.transient.columns;
+  surface.cursors = &plots.transient.cursors;
+  if (plots.persisted.trigger.mode != TriggerMode::kOff)
+    surface.contact_s = plots.transient.trigger.contact_s;
+  surface.bounds = bounds_of(context);
+  surface.show_bounds = &plots.persisted.show_bounds;
+  surface.simulated = context.session.device_info().is_simulated;
+  surface.line_weight = kLineWeight * ImGui::GetStyle().FontScaleMain;
+  surface.remember = [&state](std::string_view name) { remember_item(state, name); };
+  return surface;
 }
 
-void draw_plots_panel(const PanelContext& context, const SampleHistory& history) {
-  TransientState& transient = context.state.transient;
-  draw_arrangement(context);
-  draw_time_window(context);
-  if (transient.follow) follow_newest(context.state, history.newest_time_s());
-  const double from_s = transient.time_from_s;
-  const double to_s = transient.time_to_s;
-  PlotSurface surface{&context.theme,
-                      &history,
-                      context.session.scene().walls,
-                      &transient.time_from_s,
-                      &transient.time_to_s,
-                      &context.state.persisted.hidden_lines,
-                      &transient.scratch,
-                      transient.follow,
-                      true,
-                      kLineWeight * ImGui::GetStyle().FontScaleMain};
+void remember_area(UiState& state, const std::string& name, const PlotArea& area) {
+  state.transient.items.insert_or_assign(
+      name, ItemRect{area.position,
+                     ImVec2(area.position.x + area.size.x, area.position.y + area.size.y)});
+}
 
-  const std::span<const PlotId> plots = plots_of(context.state.persisted.arrangement);
-  // Four make a square; the paper's three stand in a column, as on its pages.
-  const std::size_t columns = plots.size() == kAllPlots.size() ? 2 : 1;
+// Four make a square; the paper's three stand in a column, as on its pages.
+void draw_plots(UiState& state, PlotSurface& surface, ImVec2 corner, ImVec2 free) {
+  const std::span<const PlotId> plots = plots_of(state.persisted.arrangement);
+  const std::size_t columns = plots.size() == kPlotCount ? 2 : 1;
   const std::size_t whole_rows = (plots.size() + columns - 1) / columns;
-  const auto rows = static_cast<float>(whole_rows);
-  const ImVec2 free = ImGui::GetContentRegionAvail();
-  const ImVec2 gap(1.6F * ImGui::GetFontSize(), ImGui::GetStyle().ItemSpacing.y);
+  const ImVec2 gap(kGapEms * ImGui::GetFontSize(), ImGui::GetStyle().ItemSpacing.y);
   const auto count = static_cast<float>(columns);
+  const auto rows = static_cast<float>(whole_rows);
   const ImVec2 each((free.x - (count - 1.0F) * gap.x) / count,
                     (free.y - (rows - 1.0F) * gap.y) / rows);
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const auto column = static_cast<float>(i % columns);
     const std::size_t row_index = i / columns;
@@ -127,16 +101,70 @@ void draw_plots_panel(const PanelContext& context, const SampleHistory& history)
     const PlotDescription& plot = plot_description(plots[i]);
     surface.time_labels = i + columns >= plots.size();  // linked axes need them once
     const PlotArea area = draw_plot(surface, plot, mark, each);
-    transient.items.insert_or_assign(
-        std::string("plot ") + plot.title,
-        ItemRect{area.position,
-                 ImVec2(area.position.x + area.size.x, area.position.y + area.size.y)});
+    remember_area(state, std::string("plot ") + plot.title, area);
   }
+}
+
+// The plane on top of the table of cursors, or whichever is shown.
+void draw_side(const PanelContext& context, const PlotSurface& surface, ImVec2 corner,
+               ImVec2 size) {
+  UiState& state = context.state;
+  PlotsState& plots = state.plots;
+  ImGui::SetCursorScreenPos(corner);
+  const bool table = plots.transient.cursors.shown;
+  if (plots.persisted.phase.shown) {
+    const float height = table ? (1.0F - kTableShare) * size.y : size.y;
+    const PhaseSurface phase{surface.theme,       surface.history,   surface.walls,
+                             window_of(state),    surface.simulated, true,
+                             surface.line_weight, surface.remember};
+    remember_area(state, "plot Phase",
+                  draw_phase_plot(phase, plots.persisted.phase, plots.transient.phase,
+                                  ImVec2(size.x, height)));
+    ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + height));
+  }
+  if (!table) return;
+  ImGui::BeginChild("cursors", ImVec2(size.x, 0.0F));
+  draw_cursor_table(
+      context.theme,
+      read_cursors(*surface.history, plots.transient.cursors, plots_of(state.persisted.arrangement),
+                   plots.persisted.lines, state.persisted.hidden_lines));
+  ImGui::EndChild();
+  remember_item(state, "cursor table");
+}
+
+}  // namespace
+
+void follow_newest(UiState& state, double newest_time_s) {
+  set_window(state, newest_window(newest_time_s, window_length_s(state)));
+}
+
+void draw_plots_panel(const PanelContext& context, const SampleHistory& history) {
+  UiState& state = context.state;
+  notice_exported(context);
+  draw_plot_controls(context, history);
+  const bool following = state.transient.follow;
+  if (following) move_window(state, history);
+  state.plots.transient.was_following = following;
+
+  const TimeWindow before = window_of(state);
+  TimeWindow window = before;
+  PlotSurface surface = surface_of(context, history, window);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImVec2 free = ImGui::GetContentRegionAvail();
+  if (state.plots.persisted.phase.shown || state.plots.transient.cursors.shown) {
+    const float em = ImGui::GetFontSize();
+    const float side = std::clamp(kSideShare * free.x, kNarrowestSideEms * em, kWidestSideEms * em);
+    draw_side(context, surface, ImVec2(corner.x + free.x - side, corner.y), ImVec2(side, free.y));
+    free.x -= side + kGapEms * em;
+  }
+  draw_plots(state, surface, corner, free);
+  set_window(state, window);
   // Whoever drags an axis wants to look, not to follow.
-  if (std::abs(transient.time_from_s - from_s) > kAxisMovedS ||
-      std::abs(transient.time_to_s - to_s) > kAxisMovedS) {
-    transient.follow = false;
+  if (std::abs(window.from_s - before.from_s) > kAxisMovedS ||
+      std::abs(window.to_s - before.to_s) > kAxisMovedS) {
+    state.transient.follow = false;
   }
+  if (surface.wants_newest) state.transient.follow = true;
 }
 
 }  // namespace hapticwall::ui

@@ -6,111 +6,188 @@
 namespace hapticwall::ui {
 namespace {
 
+// In the order of Quantity.
 std::array<double, kQuantityCount> quantities_of(const Sample& sample) {
-  return {
-      sample.time_s,        sample.position_m,   sample.truth.position_m,  sample.truth.hand_path_m,
-      sample.force_n,       sample.wall_force_n, sample.stiffness_n_per_m, sample.energy_cv_j,
-      sample.energy_hold_j, sample.energy_scv_j, sample.energy_budget_j};
+  const PlantTruth& truth = sample.truth;
+  return {sample.time_s,
+          sample.position_m,
+          truth.position_m,
+          truth.hand_path_m,
+          sample.force_n,
+          sample.wall_force_n,
+          sample.stiffness_n_per_m,
+          sample.energy_cv_j,
+          sample.energy_hold_j,
+          sample.energy_scv_j,
+          sample.energy_budget_j,
+          sample.velocity_m_per_s,
+          sample.penetration_m,
+          truth.velocity_m_per_s,
+          truth.hand_force_n,
+          truth.actuator_work_j,
+          truth.dissipation_j,
+          truth.hand_work_j,
+          truth.kinetic_j,
+          static_cast<double>(sample.tick),
+          sample.device_time_s,
+          sample.read_age_s,
+          static_cast<double>(sample.flags)};
 }
 
 }  // namespace
+
+std::size_t decimation_group(std::size_t samples, std::size_t columns) {
+  const std::size_t most = std::max<std::size_t>(samples / std::max<std::size_t>(columns, 1), 1);
+  std::size_t unit = 1;
+  for (std::size_t level = 0; level < SamplePyramid::kLevels; ++level) {
+    if (SamplePyramid::size_of(level) * SamplePyramid::kFan <= most)
+      unit = static_cast<std::size_t>(SamplePyramid::size_of(level));
+  }
+  return most / unit * unit;
+}
 
 SampleHistory::SampleHistory(std::size_t capacity)
     : capacity_(std::max<std::size_t>(capacity, 1)) {}
 
 void SampleHistory::push(const Sample& sample) {
   if (!empty() && sample.tick <= newest_tick_) clear();
-  // The front is cut off only once a whole capacity has piled up: a cheap step, taken seldom.
-  if (size() >= 2 * capacity_) forget_old();
   const auto values = quantities_of(sample);
   for (std::size_t i = 0; i < kQuantityCount; ++i) columns_[i].push_back(values[i]);
   newest_tick_ = sample.tick;
+  if (size() >= capacity_ + BlockArray<double>::kBlock) {
+    for (SamplePyramid& column : columns_) column.forget_before(column.end() - capacity_);
+  }
 }
 
 void SampleHistory::push(std::span<const Sample> samples) {
   for (const Sample& sample : samples) push(sample);
 }
 
-void SampleHistory::clear() {
-  for (auto& column : columns_) column.clear();
-  forgotten_ = 0;
+void SampleHistory::clear() { columns_.fill(SamplePyramid()); }
+
+std::size_t SampleHistory::size() const {
+  return static_cast<std::size_t>(columns_.front().end() - columns_.front().first());
 }
 
-void SampleHistory::forget_old() {
-  const std::size_t surplus = size() - capacity_;
-  for (auto& column : columns_) {
-    column.erase(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(surplus));
-  }
-  forgotten_ += surplus;
-}
+double SampleHistory::oldest_time_s() const { return empty() ? 0.0 : value(Quantity::kTime, 0); }
 
 double SampleHistory::newest_time_s() const {
-  return empty() ? 0.0 : column(Quantity::kTime).back();
+  return empty() ? 0.0 : value(Quantity::kTime, size() - 1);
 }
 
-std::span<const double> SampleHistory::column(Quantity quantity) const {
-  return columns_[static_cast<std::size_t>(quantity)];
+Sample SampleHistory::sample(std::size_t index) const {
+  const auto of = [&](Quantity quantity) { return value(quantity, index); };
+  Sample sample;
+  sample.tick = static_cast<std::uint64_t>(of(Quantity::kTick));
+  sample.time_s = of(Quantity::kTime);
+  sample.position_m = of(Quantity::kPosition);
+  sample.velocity_m_per_s = of(Quantity::kVelocity);
+  sample.penetration_m = of(Quantity::kPenetration);
+  sample.wall_force_n = of(Quantity::kWallForce);
+  sample.force_n = of(Quantity::kForce);
+  sample.stiffness_n_per_m = of(Quantity::kStiffness);
+  sample.energy_cv_j = of(Quantity::kEnergyCv);
+  sample.energy_hold_j = of(Quantity::kEnergyHold);
+  sample.energy_scv_j = of(Quantity::kEnergyScv);
+  sample.energy_budget_j = of(Quantity::kEnergyBudget);
+  sample.truth.position_m = of(Quantity::kTruePosition);
+  sample.truth.velocity_m_per_s = of(Quantity::kTrueVelocity);
+  sample.truth.hand_path_m = of(Quantity::kHandPath);
+  sample.truth.hand_force_n = of(Quantity::kHandForce);
+  sample.truth.actuator_work_j = of(Quantity::kActuatorWork);
+  sample.truth.dissipation_j = of(Quantity::kDissipation);
+  sample.truth.hand_work_j = of(Quantity::kHandWork);
+  sample.truth.kinetic_j = of(Quantity::kKinetic);
+  sample.device_time_s = of(Quantity::kDeviceTime);
+  sample.read_age_s = of(Quantity::kReadAge);
+  sample.flags = static_cast<std::uint32_t>(of(Quantity::kFlags));
+  return sample;
+}
+
+std::size_t SampleHistory::first_not_before(double time_s) const {
+  std::size_t first = 0;
+  std::size_t last = size();
+  while (first < last) {
+    const std::size_t middle = first + (last - first) / 2;
+    if (value(Quantity::kTime, middle) < time_s) {
+      first = middle + 1;
+    } else {
+      last = middle;
+    }
+  }
+  return first;
+}
+
+IndexRange SampleHistory::range_within(double from_s, double to_s) const {
+  const std::size_t first = first_not_before(from_s);
+  std::size_t last = first_not_before(to_s);
+  if (last < size() && value(Quantity::kTime, last) == to_s) ++last;
+  return {first, std::max(first, last)};
 }
 
 IndexRange SampleHistory::range(double from_s, double to_s) const {
-  const std::span<const double> time = column(Quantity::kTime);
-  const auto begin = std::lower_bound(time.begin(), time.end(), from_s);
-  const auto end = std::upper_bound(begin, time.end(), to_s);
-  IndexRange result{static_cast<std::size_t>(begin - time.begin()),
-                    static_cast<std::size_t>(end - time.begin())};
+  IndexRange result = range_within(from_s, to_s);
   if (result.first > 0) --result.first;
-  if (result.last < time.size()) ++result.last;
+  if (result.last < size()) ++result.last;
   return result;
 }
 
+std::optional<std::size_t> SampleHistory::nearest(double time_s) const {
+  if (empty()) return std::nullopt;
+  const std::size_t after = std::min(first_not_before(time_s), size() - 1);
+  if (after == 0) return after;
+  const double before_s = time_s - value(Quantity::kTime, after - 1);
+  return value(Quantity::kTime, after) - time_s < before_s ? after : after - 1;
+}
+
 Extremes SampleHistory::extremes(Quantity quantity, IndexRange range) const {
-  const std::span<const double> values = column(quantity).subspan(range.first, range.count());
-  Extremes result{values.front(), values.front()};
-  for (const double value : values) {
-    result.minimum = std::min(result.minimum, value);
-    result.maximum = std::max(result.maximum, value);
-  }
-  return result;
+  return column(quantity).extremes(oldest() + range.first, oldest() + range.last);
+}
+
+std::optional<std::size_t> SampleHistory::by_age(std::optional<std::uint64_t> index) const {
+  if (!index) return std::nullopt;
+  return static_cast<std::size_t>(*index - oldest());
+}
+
+std::optional<std::size_t> SampleHistory::newest_above(Quantity quantity, IndexRange range,
+                                                       double threshold) const {
+  return by_age(
+      column(quantity).newest_above(oldest() + range.first, oldest() + range.last, threshold));
+}
+
+std::optional<std::size_t> SampleHistory::newest_not_above(Quantity quantity, IndexRange range,
+                                                           double threshold) const {
+  return by_age(
+      column(quantity).newest_not_above(oldest() + range.first, oldest() + range.last, threshold));
 }
 
 void SampleHistory::decimate(Quantity quantity, IndexRange range, std::size_t columns, double scale,
                              Trace& trace) const {
   trace.time_s.clear();
   trace.value.clear();
-  const std::span<const double> time = column(Quantity::kTime);
-  const std::span<const double> values = column(quantity);
-  const auto add = [&](std::size_t index) {
+  const SamplePyramid& time = column(Quantity::kTime);
+  const SamplePyramid& values = column(quantity);
+  const std::uint64_t group = decimation_group(range.count(), columns);
+  const std::uint64_t end = oldest() + range.last;
+  const auto add = [&](std::uint64_t index, double value) {
     trace.time_s.push_back(time[index]);
-    trace.value.push_back(values[index] * scale);
+    trace.value.push_back(value * scale);
   };
-  // One group fewer than columns: the first and the last group may be cut by the edges of the
-  // range.
-  const std::size_t groups = std::max<std::size_t>(columns, 2) - 1;
-  const std::size_t group = (range.count() + groups - 1) / groups;
-  if (group <= 2) {
-    for (std::size_t i = range.first; i < range.last; ++i) add(i);
-    return;
-  }
-  std::size_t first = range.first;
-  while (first < range.last) {
-    const std::size_t used = static_cast<std::size_t>((forgotten_ + first) % group);
-    const std::size_t last = std::min(first + group - used, range.last);
-    std::size_t lowest = first;
-    std::size_t highest = first;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      if (values[i] < values[lowest]) lowest = i;
-      if (values[i] > values[highest]) highest = i;
+  std::uint64_t first = oldest() + range.first;
+  while (first < end) {
+    const std::uint64_t last = std::min((first / group + 1) * group, end);
+    if (last - first <= 2) {
+      for (; first < last; ++first) add(first, values[first]);
+      continue;
     }
+    const Extremes found = values.extremes(first, last);
     // Whichever extreme is nearer to where the line stands comes first: the line then crosses a
     // column once instead of twice, which halves what a software renderer has to paint.
     const double stands = trace.value.empty() ? values[first] : trace.value.back() / scale;
-    const bool low_first = std::abs(stands - values[lowest]) <= std::abs(stands - values[highest]);
-    trace.time_s.push_back(time[std::min(lowest, highest)]);
-    trace.value.push_back(values[low_first ? lowest : highest] * scale);
-    if (lowest != highest) {
-      trace.time_s.push_back(time[std::max(lowest, highest)]);
-      trace.value.push_back(values[low_first ? highest : lowest] * scale);
-    }
+    const bool low_first = std::abs(stands - found.minimum) <= std::abs(stands - found.maximum);
+    const std::uint64_t middle = first + (last - first) / 2;
+    add(middle, low_first ? found.minimum : found.maximum);
+    if (found.minimum != found.maximum) add(middle, low_first ? found.maximum : found.minimum);
     first = last;
   }
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "app/file/scene_file.h"
 #include "app/ui/control_panel.h"
 #include "app/ui/parameter_rows.h"
+#include "app/ui/recent_files.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -89,6 +91,47 @@ void draw_way_back(const PanelContext& context) {
   if (const auto problem = context.session.change_scene(back)) tell(context.state, *problem);
 }
 
+void draw_builtin_choices(const PanelContext& context) {
+  const std::string& current = context.session.scene().name;
+  for (const file::BuiltinScene& builtin : file::builtin_scenes()) {
+    if (ImGui::Selectable(builtin.name.c_str(), builtin.name == current))
+      want_builtin(context, builtin.name, {});
+    remember_item(context.state, "scene " + builtin.name);
+    explain(builtin.description);
+  }
+}
+
+void draw_recent_choices(const PanelContext& context) {
+  std::string chosen;
+  const std::vector<std::string>& recent = context.state.persisted.recent;
+  if (!recent.empty()) {
+    ImGui::Separator();
+    ImGui::TextDisabled("Opened before");
+  }
+  for (std::size_t i = 0; i < recent.size(); ++i) {
+    const std::string name = std::filesystem::path(recent[i]).filename().string();
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(name.c_str())) chosen = recent[i];
+    ImGui::PopID();
+    remember_item(context.state, fmt::format("recent {}", i + 1));
+    explain(recent[i]);
+  }
+  if (!chosen.empty()) open_file(context.state, chosen);
+}
+
+void draw_path_field(const PanelContext& context) {
+  ImGui::Separator();
+  ImGui::SetNextItemWidth(-1.0F);
+  const auto path = text_field(context, "##path", "path of a scene or a recording", "");
+  remember_item(context.state, "open path");
+  explain(
+      "Opens this file: a scene (.toml) or a recording (.csv). A file can also be dragged onto "
+      "the window.");
+  if (!path || path->empty()) return;
+  open_file(context.state, *path);
+  ImGui::CloseCurrentPopup();
+}
+
 }  // namespace
 
 void draw_scene_section(const PanelContext& context) {
@@ -96,17 +139,15 @@ void draw_scene_section(const PanelContext& context) {
   draw_way_back(context);
   const Scene& scene = context.session.scene();
   ImGui::SetNextItemWidth(-1.0F);
-  if (ImGui::BeginCombo("##scene", scene.name.c_str())) {
-    for (const file::BuiltinScene& builtin : file::builtin_scenes()) {
-      if (ImGui::Selectable(builtin.name.c_str(), builtin.name == scene.name)) {
-        want_builtin(context, builtin.name, {});
-      }
-      explain(builtin.description);
-    }
+  const bool open = ImGui::BeginCombo("##scene", scene.name.c_str(), ImGuiComboFlags_HeightLargest);
+  if (open) {
+    draw_builtin_choices(context);
+    draw_recent_choices(context);
+    draw_path_field(context);
     ImGui::EndCombo();
   }
   remember_item(context.state, "scene");
-  explain("A built-in scene starts a new session, at rest.");
+  explain("A scene starts a new session, at rest: a built-in one, or one of your own.");
   if (!scene.description.empty()) muted_text(context, scene.description);
   draw_figure_buttons(context);
 }

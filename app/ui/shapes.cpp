@@ -7,8 +7,8 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr std::uint32_t kSegments = 40;  // around an axis
-constexpr std::uint32_t kRings = 20;     // of a sphere, pole to pole
+constexpr std::uint32_t kSegments = 32;  // around an axis
+constexpr std::uint32_t kRings = 16;     // of a sphere, pole to pole
 
 // A ring of vertices around the x axis.
 void add_ring(Shape& shape, float x, float radius, float normal_x) {
@@ -40,25 +40,66 @@ void add_lid(Shape& shape, float x, float normal_x) {
   join_rings(shape);
 }
 
+// One side of the box around the origin.
+void add_side(Shape& shape, int axis, float side) {
+  glm::vec3 normal(0.0F);
+  normal[axis] = side;
+  glm::vec3 first(0.0F);
+  first[(axis + 1) % 3] = 0.5F;
+  const glm::vec3 second = glm::cross(normal, first);
+  const auto start = static_cast<std::uint32_t>(shape.vertices.size());
+  for (const glm::vec2 corner :
+       {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
+    shape.vertices.push_back({0.5F * normal + corner.x * first + corner.y * second, normal});
+  }
+  for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) shape.indices.push_back(start + i);
+}
+
 }  // namespace
 
 Shape make_box() {
   Shape shape;
   for (int axis = 0; axis < 3; ++axis) {
-    for (const float side : {-1.0F, 1.0F}) {
-      glm::vec3 normal(0.0F);
-      normal[axis] = side;
-      glm::vec3 first(0.0F);
-      first[(axis + 1) % 3] = 0.5F;
-      const glm::vec3 second = glm::cross(normal, first);
-      const auto start = static_cast<std::uint32_t>(shape.vertices.size());
-      for (const glm::vec2 corner :
-           {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
-        shape.vertices.push_back({0.5F * normal + corner.x * first + corner.y * second, normal});
-      }
-      for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) shape.indices.push_back(start + i);
+    for (const float side : {-1.0F, 1.0F}) add_side(shape, axis, side);
+  }
+  return shape;
+}
+
+Shape make_plane() {
+  Shape shape;
+  add_side(shape, 1, 1.0F);
+  for (Vertex& vertex : shape.vertices) vertex.position.y = 0.0F;
+  return shape;
+}
+
+Shape make_face(std::uint32_t parts) {
+  Shape shape;
+  const std::uint32_t in_row = parts + 1;
+  for (std::uint32_t row = 0; row < in_row; ++row) {
+    for (std::uint32_t column = 0; column < in_row; ++column) {
+      const auto share = [parts](std::uint32_t i) {
+        return static_cast<float>(i) / static_cast<float>(parts) - 0.5F;
+      };
+      shape.vertices.push_back({{0.0F, share(row), share(column)}, {-1.0F, 0.0F, 0.0F}});
     }
   }
+  for (std::uint32_t row = 0; row < parts; ++row) {
+    for (std::uint32_t column = 0; column < parts; ++column) {
+      const std::uint32_t i = row * in_row + column;
+      for (const std::uint32_t corner : {i, i + 1, i + in_row + 1, i, i + in_row + 1, i + in_row})
+        shape.indices.push_back(corner);
+    }
+  }
+  return shape;
+}
+
+Shape make_sides() {
+  Shape shape;
+  add_side(shape, 0, 1.0F);
+  for (const int axis : {1, 2}) {
+    for (const float side : {-1.0F, 1.0F}) add_side(shape, axis, side);
+  }
+  for (Vertex& vertex : shape.vertices) vertex.position.x += 0.5F;
   return shape;
 }
 

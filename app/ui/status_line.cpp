@@ -23,6 +23,7 @@ void value(const PanelContext& context, const char* name, const std::string& tex
   ImGui::TextColored(context.theme.colour(tone), "%s", text.c_str());
   ImGui::PopFont();
   ImGui::EndGroup();
+  remember_item(context.state, std::string(name) + " state");
   explain(tooltip);
   ImGui::SameLine(0.0F, 1.3F * ImGui::GetFontSize());
 }
@@ -74,22 +75,13 @@ void draw_realtime_state(const PanelContext& context) {
 
 }  // namespace
 
-void draw_message_row(const PanelContext& context) {
-  const Message& message = context.state.transient.message;
-  if (message.kind == MessageKind::kNone) {
-    ImGui::TextDisabled(
-        "Keys:  1–%zu algorithm   P pause   S or → step   R reset      %s", algorithms().size(),
-        context.session.device_info().is_simulated ? "Drag in the view to lead the hand"
-                                                   : "A arm   Space force off");
-    return;
-  }
-  const bool problem = message.kind == MessageKind::kProblem;
-  dot(context, problem ? Tone::kBad : Tone::kGood);
-  ImGui::TextColored(context.theme.colour(problem ? Tone::kBad : Tone::kText), "%s",
-                     message.text.c_str());
-  remember_item(context.state, "message");
-  explain(message.text + "\n(click to put away)");
-  if (ImGui::IsItemClicked()) context.state.transient.message = {};
+void draw_hint_row(const PanelContext& context) {
+  ImGui::TextDisabled(
+      "F1 all keys   1–%zu algorithm   P pause   S or → step   R reset   "
+      "Ctrl+Z undo      %s",
+      algorithms().size(),
+      context.session.device_info().is_simulated ? "Drag in the view to lead the hand"
+                                                 : "A arm   Space force off");
 }
 
 void draw_status_row(const PanelContext& context) {

@@ -2,6 +2,7 @@
 
 #include <implot.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "embedded_fonts.h"
@@ -15,6 +16,12 @@ constexpr ImVec4 rgb(unsigned hex) {
           static_cast<float>(hex & 0xFFU) / 255.0F, 1.0F};
 }
 
+// Some of `b` in `a`.
+constexpr ImVec4 mixed(const ImVec4& a, const ImVec4& b, float share) {
+  const auto mix = [share](float x, float y) { return x + share * (y - x); };
+  return {mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z), a.w};
+}
+
 constexpr ImVec4 faded(ImVec4 colour, float alpha) {
   colour.w = alpha;
   return colour;
@@ -26,6 +33,12 @@ constexpr std::array<ImVec4, kToneCount> kScreenColours{
     rgb(0x4FB6C9), rgb(0x6CC08B), rgb(0xE9B45A), rgb(0xF0716B), rgb(0x6FB1FF),
     rgb(0xB7A3E8), rgb(0x5FBFA8), rgb(0xF2B25C), rgb(0x5C6B7E), rgb(0x8FD17F),
     rgb(0x6FB1FF), rgb(0xC792EA), rgb(0xF0716B), rgb(0xD9C56B)};
+// In light rooms: the same hues, as dark as it takes to be read on white.
+constexpr std::array<ImVec4, kToneCount> kLightColours{
+    rgb(0x1B222A), rgb(0x56616D), rgb(0xDDE2E8), rgb(0xF2F4F7), rgb(0xFFFFFF),
+    rgb(0x0B6E86), rgb(0x1E7A45), rgb(0x8F5A00), rgb(0xB3261E), rgb(0x1F69B8),
+    rgb(0x7455BE), rgb(0x007A68), rgb(0xB05400), rgb(0x6B7A8C), rgb(0x3B7D2B),
+    rgb(0x1F69B8), rgb(0x8A3FB0), rgb(0xB3261E), rgb(0x857000)};
 // Distinct in grey, too, and for the colour-blind.
 constexpr std::array<ImVec4, kToneCount> kPrintColours{
     rgb(0x1A1D21), rgb(0x4A525C), rgb(0xC9CFD6), rgb(0xFFFFFF), rgb(0xFFFFFF),
@@ -47,10 +60,10 @@ ImFont* load_font(std::string_view name) {
 }
 
 void set_colours(const Theme& theme, Look look) {
-  if (look == Look::kPrint) {
-    ImGui::StyleColorsLight();
-  } else {
+  if (look == Look::kScreen) {
     ImGui::StyleColorsDark();
+  } else {
+    ImGui::StyleColorsLight();
   }
   const ImVec4 text = theme.colour(Tone::kText);
   const ImVec4 accent = theme.colour(Tone::kAccent);
@@ -60,8 +73,9 @@ void set_colours(const Theme& theme, Look look) {
   colours[ImGuiCol_TextDisabled] = theme.colour(Tone::kMuted);
   colours[ImGuiCol_WindowBg] = theme.colour(Tone::kBackground);
   colours[ImGuiCol_ChildBg] = theme.colour(Tone::kPanel);
-  colours[ImGuiCol_PopupBg] = theme.colour(Tone::kPanel);
-  colours[ImGuiCol_Border] = faded(text, 0.10F);
+  colours[ImGuiCol_PopupBg] = raised(theme);
+  colours[ImGuiCol_Border] = faded(text, 0.14F);
+  colours[ImGuiCol_ModalWindowDimBg] = faded(theme.colour(Tone::kBackground), 0.6F);
   colours[ImGuiCol_FrameBg] = frame;
   colours[ImGuiCol_FrameBgHovered] = faded(accent, 0.30F);
   colours[ImGuiCol_FrameBgActive] = faded(accent, 0.40F);
@@ -103,6 +117,9 @@ void set_spacing(float scale) {
   style.ChildBorderSize = 1.0F;
   style.DisabledAlpha = 0.45F;
   style.ScaleAllSizes(scale);
+  // Without a border a part of the window has no padding either.
+  style.ChildBorderSize = std::max(style.ChildBorderSize, 1.0F);
+  style.PopupBorderSize = std::max(style.PopupBorderSize, 1.0F);
   style.FontSizeBase = kFontSize;
   style.FontScaleMain = scale;
 }
@@ -125,21 +142,53 @@ void set_plot_style(const Theme& theme, float scale) {
 
 }  // namespace
 
+// A little lighter than a panel where that is dark; white on white stands out by its border.
+ImVec4 raised(const Theme& theme) {
+  constexpr float kLift = 0.05F;
+  const ImVec4 panel = theme.colour(Tone::kPanel);
+  return panel.x < 0.5F ? mixed(panel, theme.colour(Tone::kText), kLift) : panel;
+}
+
+void begin_raised(const Theme& theme) {
+  constexpr float kBorderAlpha = 0.28F;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().ChildRounding);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, raised(theme));
+  ImGui::PushStyleColor(ImGuiCol_Border, faded(theme.colour(Tone::kText), kBorderAlpha));
+}
+
+void end_raised() {
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar(2);
+}
+
 const std::array<ImVec4, kToneCount>& theme_colours(Look look) {
-  return look == Look::kPrint ? kPrintColours : kScreenColours;
+  switch (look) {
+    case Look::kPrint:
+      return kPrintColours;
+    case Look::kLight:
+      return kLightColours;
+    case Look::kScreen:
+      break;
+  }
+  return kScreenColours;
 }
 
 Theme apply_theme(Look look, float scale) {
   Theme theme;
-  theme.colours = theme_colours(look);
   theme.fonts.text = load_font("Inter-Regular.otf");
   theme.fonts.strong = load_font("Inter-SemiBold.otf");
   theme.fonts.digits = load_font("JetBrainsMono-Regular.ttf");
+  restyle(theme, look, scale);
+  return theme;
+}
+
+void restyle(Theme& theme, Look look, float scale) {
+  theme.colours = theme_colours(look);
   ImGui::GetStyle() = ImGuiStyle();
   set_colours(theme, look);
   set_spacing(scale);
   set_plot_style(theme, scale);
-  return theme;
 }
 
 }  // namespace hapticwall::ui

@@ -33,7 +33,8 @@ enum class Tone : std::uint8_t {
 };
 inline constexpr std::size_t kToneCount = 19;
 
-enum class Look : std::uint8_t { kScreen, kPrint };  // dark; light
+// The dark one of the screen, the one of printed figures, and the light one of the screen.
+enum class Look : std::uint8_t { kScreen, kPrint, kLight };
 
 struct Fonts {
   ImFont* text = nullptr;
@@ -64,5 +65,14 @@ inline constexpr float kTitleFontSize = 17.0F;
 // Loads the embedded fonts into the current ImGui context and sets the styles of ImGui and ImPlot.
 // `scale` enlarges everything (screens with many pixels per inch).
 [[nodiscard]] Theme apply_theme(Look look, float scale);
+
+// The same for a theme that has its fonts, between two frames.
+void restyle(Theme& theme, Look look, float scale);
+
+// The background of what stands over the window.
+[[nodiscard]] ImVec4 raised(const Theme& theme);
+// Around the ImGui window of such a thing.
+void begin_raised(const Theme& theme);
+void end_raised();
 
 }  // namespace hapticwall::ui

@@ -76,11 +76,14 @@ void draw_recording_status(const PanelContext& context, const RecordingStatus& s
 void draw_recording(const PanelContext& context) {
   const RecordingStatus status = context.session.recording_status();
   const bool recording = status.state == RecordingState::kRecording;
-  ImGui::SameLine(0.0F, 2.0F * ImGui::GetFontSize());
+  // In a narrow window it takes a row of its own.
+  const float em = ImGui::GetFontSize();
+  ImGui::SameLine(0.0F, 2.0F * em);
+  if (ImGui::GetContentRegionAvail().x < (kRecordButtonEms + kNameEms) * em) ImGui::NewLine();
   if (recording) ImGui::PushStyleColor(ImGuiCol_Button, context.theme.packed(Tone::kBad, 0.55F));
   const bool clicked =
       button(context, recording ? "Stop###record" : "Record###record", "record", kRecordButtonEms,
-             "Writes every tick to a CSV file, with a sidecar that repeats the session");
+             "Writes every tick to a CSV file, with a sidecar that repeats the session (Ctrl+R)");
   if (recording) ImGui::PopStyleColor();
   if (clicked) toggle_recording(context);
   ImGui::SameLine();

@@ -7,13 +7,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/runtime/session.h"
 #include "app/ui/plot.h"
+#include "app/ui/plots_state.h"
+#include "app/ui/scale_range.h"
 #include "app/ui/theme.h"
+#include "app/ui/toasts.h"
+#include "app/ui/undo.h"
+#include "app/ui/wall_state.h"
 #include "core/scene.h"
 
 namespace hapticwall::ui {
@@ -30,18 +37,23 @@ struct PersistedState {
   PlotArrangement arrangement = PlotArrangement::kAll;
   HiddenLines hidden_lines = 0;
   bool hand_stays_where_released = false;
-};
-
-enum class MessageKind : std::uint8_t { kNone, kNote, kProblem };
-
-struct Message {
-  MessageKind kind = MessageKind::kNone;
-  std::string text;
+  Look look = Look::kScreen;
+  int scale_percent = 0;            // of everything; 0: as the screen says
+  double panel_ems = 21.5;          // width of the control panel, in sizes of the text
+  double view_share = 0.40;         // height of the views, of what is there
+  double picture_share = 0.62;      // width of the wall's picture, of the views
+  std::string recording_folder;     // empty: the current one
+  std::vector<std::string> recent;  // scene files and recordings, the newest first
+  int window_width = 0;             // in pixels at scale 1; 0: as fits the screen
+  int window_height = 0;
+  bool window_maximised = false;
 };
 
 // The one text field that is being edited; all others show what is in force.
 struct TextEdit {
   ImGuiID field = 0;
+  ImGuiID asked = 0;    // the field that shall have the keyboard next
+  std::string tooltip;  // of the label that was just drawn, for its field
   std::array<char, 256> text{};
 };
 
@@ -56,6 +68,8 @@ struct ItemRect {
 struct WantedScene {
   Scene scene;
   bool loaded = false;  // as it was written, not the running one with a change
+  // Else the scene that its values can be reset to, where that is another one.
+  std::shared_ptr<const Scene> back_to = nullptr;
 };
 
 // Why the last value that was typed into a field is not in force.
@@ -66,20 +80,25 @@ struct Refusal {
 
 // What lasts as long as the window.
 struct TransientState {
-  Message message;
+  Toasts toasts;
+  UndoHistory undo;
+  bool help_shown = false;
+  std::string settings_path;          // empty: they are not kept
+  float screen_scale = 1.0F;          // what the screen asks for
+  std::optional<float> forced_scale;  // of the command line, until the user chooses another
   TextEdit edit;
   std::optional<WantedScene> wanted_scene;  // to be started at rest after this frame
+  std::string wanted_recording;             // to be opened after this frame; empty: none
   Scene loaded_scene;                       // to which changed values can be reset
   std::optional<Refusal> refusal;
   // What the parts that were switched off had, by key.
   std::map<std::string, double, std::less<>> switched_off;
-  std::string recording_folder;
-  std::string recording_name;  // empty: named after scene and algorithm
+  std::string recording_folder;  // of the command line; empty: the persisted one
+  std::string recording_name;    // empty: named after scene and algorithm
   std::size_t chosen_wall = 0;
   bool dragging_hand = false;
   std::optional<double> hand_m;  // where the pointer leads the hand
-  double magnifier_span_m = 2e-3;
-  bool follow = true;  // the plots follow the newest samples
+  bool follow = true;            // the plots follow the newest samples
   double time_from_s = 0.0;
   double time_to_s = 0.0;
   Trace scratch;
@@ -89,6 +108,8 @@ struct TransientState {
 struct UiState {
   PersistedState persisted;
   TransientState transient;
+  PlotsState plots;
+  WallState wall;
 };
 
 // What a panel is given.
@@ -100,7 +121,7 @@ struct PanelContext {
 };
 
 inline void tell(UiState& state, MessageKind kind, std::string text) {
-  state.transient.message = {kind, std::move(text)};
+  state.transient.toasts.tell(kind, std::move(text));
 }
 
 // A problem that a session or the validation found, in one line.

@@ -1,47 +1,92 @@
-// From metres along the device's axis to the picture and back.
+// From metres along the device's axes to the picture and back.
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "core/scene.h"
 
 namespace hapticwall::ui {
 
-// The part of the axis that the picture shows, metres.
+// The part of an axis that the picture shows, metres.
 struct AxisExtent {
   double from_m = 0.0;
   double to_m = 0.0;
 
+  [[nodiscard]] double length_m() const { return to_m - from_m; }
+  [[nodiscard]] double middle_m() const { return 0.5 * (from_m + to_m); }
   friend bool operator==(const AxisExtent&, const AxisExtent&) = default;
 };
 
 // Everything that a scene names (start, walls, the hand's path) with some air around it.
 [[nodiscard]] AxisExtent axis_extent(const Scene& scene);
 
-// Looks at the axis from the side of free space, from a little above. The extent is kLength long in
-// the picture's own units, whatever it is in metres; the axis is the line y = z = 0.
+// What the picture shows of the device's one or two axes.
+struct WallSpace {
+  AxisExtent x;
+  std::optional<AxisExtent> y;
+
+  friend bool operator==(const WallSpace&, const WallSpace&) = default;
+};
+[[nodiscard]] WallSpace wall_space(const Scene& scene);
+
+// How far the user has turned, zoomed and moved the picture from how a scene is first shown.
+struct WallOrbit {
+  double yaw_rad = 0.0;    // positive: the eye goes round to the wall's side
+  double pitch_rad = 0.0;  // positive: the eye goes up
+  double zoom = 1.0;
+  glm::dvec2 shift{0.0};  // of the picture, in halves of its width and height, to the right and up
+
+  friend bool operator==(const WallOrbit&, const WallOrbit&) = default;
+};
+
+// As near to `orbit` as one may go without getting lost: the axes are never seen end-on, nor from
+// below, and some of the scene is always within the picture.
+[[nodiscard]] WallOrbit limited(const WallOrbit& orbit, bool two_axes);
+// The same, zoomed by `factor`, so that what is under the pointer stays there. `pointer` as
+// WallOrbit::shift.
+[[nodiscard]] WallOrbit zoomed(const WallOrbit& orbit, double factor, glm::dvec2 pointer);
+
+// Looks at the axes from the side of free space, from a little above. The longer extent is kLength
+// long in the picture's own units, whatever it is in metres. The axes lie in the level y = 0: the
+// device's x to the right (x), its y away from the viewer (-z). With one axis that is the line
+// y = z = 0. Zoom and shift act on the finished picture: the eye comes never near to anything.
 class WallCamera {
  public:
   static constexpr float kLength = 10.0F;
 
-  // `width` and `height` of the picture in pixels, at least 1.
-  WallCamera(AxisExtent extent, float width, float height);
+  // `width` and `height` of the picture in pixels, at least 1. `orbit` is limited().
+  WallCamera(const WallSpace& space, const WallOrbit& orbit, float width, float height);
+  WallCamera(AxisExtent extent, float width, float height)
+      : WallCamera(WallSpace{extent, std::nullopt}, WallOrbit{}, width, height) {}
 
-  [[nodiscard]] float x_of(double position_m) const;
+  [[nodiscard]] float x_of(double x_m) const;
+  [[nodiscard]] float z_of(double y_m) const;  // 0 on a single axis
+  // The point of a place on the axes, `height` units above their level.
+  [[nodiscard]] glm::vec3 point_of(glm::dvec2 place_m, float height = 0.0F) const {
+    return {x_of(place_m.x), height, z_of(place_m.y)};
+  }
+  [[nodiscard]] const WallSpace& space() const { return space_; }
   [[nodiscard]] double units_per_m() const { return units_per_m_; }
+  // In the middle of the picture, across the line of sight.
+  [[nodiscard]] double pixels_per_unit() const { return pixels_per_unit_; }
   [[nodiscard]] const glm::mat4& view_projection() const { return view_projection_; }
   [[nodiscard]] const glm::vec3& eye() const { return eye_; }
 
   // Pixels from the upper left corner.
   [[nodiscard]] glm::vec2 pixel_of(glm::vec3 point) const;
-  // The position on the axis under a pixel, within the extent.
+  // The position on a single axis that is nearest to a pixel, within the extent.
   [[nodiscard]] double position_at(glm::vec2 pixel) const;
+  // The place on two axes under a pixel, within the extents; on a single axis position_at(), 0.
+  [[nodiscard]] glm::dvec2 place_at(glm::vec2 pixel) const;
 
  private:
-  AxisExtent extent_;
-  glm::vec2 size_;
+  WallSpace space_;
+  glm::dvec2 size_;
   double units_per_m_;
+  double pixels_per_unit_ = 1.0;
   glm::vec3 eye_{0.0F};
+  glm::dmat4 exact_{1.0};
   glm::mat4 view_projection_{1.0F};
 };
 

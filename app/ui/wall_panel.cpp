@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/ui/control_panel.h"
+#include "app/ui/sliders.h"
 #include "app/ui/widgets.h"
 #include "core/stability_bounds.h"
 
@@ -16,9 +17,9 @@ namespace {
 
 constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kMicrosecondsPerSecond = 1e6;
-// Of the slider; any valid value can be typed.
-constexpr double kSoftestN = 100.0;
-constexpr double kStiffestN = 1e6;
+// Of the sliders; any valid value can be typed.
+constexpr LogRange kStiffness{100.0, 1e6};
+constexpr LogRange kDamping{0.01, 1000.0, true};
 
 void set_wall(const PanelContext& context, std::size_t index, const WallSettings& wall) {
   std::vector<WallSettings> walls = context.session.scene().walls;
@@ -30,45 +31,42 @@ void draw_chooser(const PanelContext& context, std::size_t count) {
   std::size_t& chosen = context.state.transient.chosen_wall;
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) ImGui::SameLine();
-    if (ImGui::RadioButton(fmt::format("wall {}", i + 1).c_str(), chosen == i)) chosen = i;
+    const std::string label = fmt::format("wall {}", i + 1);
+    if (ImGui::RadioButton(label.c_str(), chosen == i)) chosen = i;
+    remember_item(context.state, label);
+    explain("The wall that the fields below are of");
   }
 }
 
 void draw_stiffness(const PanelContext& context, std::size_t index, WallSettings wall) {
-  field_label(context, "stiffness",
-              "K, how many newtons a metre of penetration costs. Typed: any valid value.", "N/m");
-  if (const auto typed = number_field(context, "##stiffness", wall.stiffness_n_per_m)) {
-    wall.stiffness_n_per_m = *typed;
-    set_wall(context, index, wall);
-  }
-  remember_item(context.state, "stiffness");
-  unit_label("N/m");
-  ImGui::SetNextItemWidth(-1.0F);
-  double slid = wall.stiffness_n_per_m;
-  if (ImGui::SliderScalar("##stiffness-slider", ImGuiDataType_Double, &slid, &kSoftestN,
-                          &kStiffestN, "",
-                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput)) {
-    wall.stiffness_n_per_m = slid;
-    set_wall(context, index, wall);
-  }
-  remember_item(context.state, "stiffness-slider");
-  explain("Stiffness from 100 N/m to 1 MN/m, logarithmic.");
+  const auto value = slider_row(
+      context,
+      {"stiffness", "stiffness", "N/m",
+       "K in F_e = K p + B v (Eq. 11): how many newtons a metre of penetration p costs. From 0 to "
+       "1e9 N/m.",
+       wall.stiffness_n_per_m, kStiffness});
+  if (!value) return;
+  wall.stiffness_n_per_m = *value;
+  set_wall(context, index, wall);
 }
 
 void draw_damping(const PanelContext& context, std::size_t index, WallSettings wall) {
-  field_label(context, "damping",
-              "B, the wall's own damping. The hold turns it into energy, too (Eq. 13).", "N·s/m");
-  if (const auto typed = number_field(context, "##damping", wall.damping_n_s_per_m)) {
-    wall.damping_n_s_per_m = *typed;
-    set_wall(context, index, wall);
-  }
-  remember_item(context.state, "damping");
-  unit_label("N·s/m");
+  const auto value = slider_row(
+      context,
+      {"damping", "damping", "N·s/m",
+       "B in F_e = K p + B v (Eq. 11): the wall's own damping, from 0 to 1e4 N·s/m. The hold turns "
+       "it into energy, too (Eq. 13).",
+       wall.damping_n_s_per_m, kDamping});
+  if (!value) return;
+  wall.damping_n_s_per_m = *value;
+  set_wall(context, index, wall);
 }
 
 void draw_position(const PanelContext& context, std::size_t index, WallSettings wall) {
-  field_label(context, "position", "x_w, where the face of the wall is; x grows into the wall.",
-              "mm");
+  const char* tooltip =
+      "x_w in p = x - x_w: where the face of the wall is, in mm, from -1000 to 1000; x grows into "
+      "the wall.";
+  field_label(context, "position", tooltip, "mm");
   if (const auto typed =
           number_field(context, "##position", wall.position_m * kMillimetresPerMetre)) {
     wall.position_m = *typed / kMillimetresPerMetre;
@@ -103,16 +101,17 @@ void draw_bounds(const PanelContext& context, const WallSettings& wall) {
   const StabilityBounds bounds = stability_bounds(context.session.scene(), wall, delay_s(context));
   const double stiffness = wall.stiffness_n_per_m;
   draw_bound(context, "bound, passive", bounds.passive_n_per_m, stiffness,
-             "2 (b - B) / T: makes no energy whatever the hand does, but for the encoder.");
+             "K < 2 (b - B) / T, in N/m (Eq. 18): makes no energy whatever the hand does, but for "
+             "the encoder.");
   draw_bound(
       context, "bound, delay", bounds.delayed_n_per_m, stiffness,
-      fmt::format("(b + B) / (T/2 + t_d), t_d = {:.0f} µs {}.",
+      fmt::format("K < (b + B) / (T/2 + t_d), in N/m, t_d = {:.0f} µs {}.",
                   delay_s(context) * kMicrosecondsPerSecond,
                   context.session.device_info().is_simulated ? "as simulated" : "as measured"));
   draw_bound(context, "bound, friction", bounds.friction_n_per_m, stiffness,
-             "2 f_c / Δ: what the friction can hold still between two counts.");
+             "K < 2 f_c / Δ, in N/m: what the friction can hold still between two counts.");
   draw_bound(context, "bound, resolution", bounds.resolution_n_per_m, stiffness,
-             "F_max / Δ: one count is all of the force.");
+             "K < F_max / Δ, in N/m: one count is all of the force.");
 }
 
 }  // namespace

@@ -2,250 +2,189 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <limits>
+#include <optional>
+#include <string_view>
 
-#include "app/ui/shapes.h"
+#include "app/ui/wall_floor.h"
+#include "app/ui/wall_solids.h"
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr int kSamplesPerPixel = 4;
-constexpr double kGridStepM = 0.01;
-constexpr double kDefaultFullScaleN = 10.0;  // where the device has no force limit
-constexpr float kInvisibleArrow = 0.04F;
-constexpr float kArrowRadius = 0.085F;
-constexpr float kArrowHeadRadius = 0.24F;
-constexpr float kArrowHeadLength = 0.52F;
-constexpr float kWallAlpha = 0.62F;
-constexpr float kGhostAlpha = 0.45F;
-constexpr float kGhostFlatness = 0.5F;
-constexpr float kArrowFlatness = 0.7F;  // the force's colour is to be recognised at once
-constexpr float kFarEnd = 0.5F * WallCamera::kLength + 1.2F;  // of the last wall
-const glm::vec4 kHandleColour(0.80F, 0.84F, 0.88F, 1.0F);
-const glm::vec4 kGripColour(0.30F, 0.34F, 0.40F, 1.0F);
+constexpr int kStillCalls = 10;         // before a draft is refined
+constexpr double kStepsPerPixel = 8.0;  // of what moves
+constexpr double kForceSteps = 2000.0;  // of the full scale
+constexpr double kLeastFullScaleN = 1e-9;
+constexpr double kShades = 200.0;  // of the tint
 
-glm::vec4 vector_of(const ImVec4& colour, float alpha = 1.0F) {
-  return {colour.x, colour.y, colour.z, alpha};
+double in_steps(double value, double step) { return step * std::round(value / step); }
+
+bool same_colours(const Theme& a, const Theme& b) {
+  return std::equal(a.colours.begin(), a.colours.end(), b.colours.begin(),
+                    [](const ImVec4& one, const ImVec4& other) {
+                      return one.x == other.x && one.y == other.y && one.z == other.z;
+                    });
 }
+
+// Drawn by the processor: every pixel costs.
+bool draws_by_software() {
+  const GLubyte* name = glGetString(GL_RENDERER);
+  if (name == nullptr) return false;
+  const std::string_view text(reinterpret_cast<const char*>(name));
+  return text.find("llvmpipe") != std::string_view::npos ||
+         text.find("softpipe") != std::string_view::npos;
+}
+
+// All that a picture depends on.
+struct Drawn {
+  WallPicture picture;
+  glm::mat4 view_projection{0.0F};
+  std::array<ImVec4, kToneCount> colours{};
+  int width = 0;
+  int height = 0;
+
+  [[nodiscard]] bool same_ground(const Drawn& other) const {
+    return view_projection == other.view_projection && width == other.width &&
+           height == other.height && same_colours({colours, {}}, {other.colours, {}}) &&
+           picture.two_axes == other.picture.two_axes && picture.walls == other.picture.walls;
+  }
+  [[nodiscard]] bool same_as(const Drawn& other) const {
+    return same_ground(other) && picture == other.picture;
+  }
+};
 
 class Renderer final : public WallRenderer {
  public:
-  Renderer(GlProgram solid, GlProgram floor)
-      : solid_(std::move(solid)),
-        floor_(std::move(floor)),
-        box_(mesh(make_box())),
-        sphere_(mesh(make_sphere())),
-        cylinder_(mesh(make_cylinder())),
-        cone_(mesh(make_cone())) {}
+  Renderer(WallFloor floor, WallSolids solids)
+      : floor_(std::move(floor)), solids_(std::move(solids)), drafts_first_(draws_by_software()) {}
 
   GLuint draw(const WallPicture& picture, const WallCamera& camera, const Theme& theme, int width,
               int height) override;
+  [[nodiscard]] bool refined() const override { return refined_; }
+  [[nodiscard]] std::uint64_t times_drawn() const override { return times_drawn_; }
   [[nodiscard]] GLuint framebuffer() const override {
-    return target_ ? target_->resolved_framebuffer() : 0;
+    const std::optional<GlTarget>& target = refined_ ? fine_ : draft_;
+    return target ? target->resolved_framebuffer() : 0;
   }
 
  private:
-  static GlMesh mesh(const Shape& shape) { return {shape.vertices, shape.indices}; }
-  bool ensure_target(int width, int height);
-  void part(const GlMesh& mesh, glm::vec3 position, glm::vec3 size, glm::vec4 colour) const;
-  void draw_floor(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
-  void draw_handle(float tip, glm::vec4 ball, glm::vec4 grip) const;
-  void draw_arrow(const WallPicture& picture, float tip, glm::vec4 colour) const;
-  void draw_walls(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
-  void draw_face_edges(float face, glm::vec4 colour) const;
+  [[nodiscard]] bool needs_drawing(const Drawn& wanted);
+  static bool ensure(std::optional<GlTarget>& target, int width, int height, int samples);
+  bool draw_draft(const WallPicture& picture, const WallCamera& camera, const Theme& theme);
+  bool draw_fine(const WallPicture& picture, const WallCamera& camera, const Theme& theme);
+  void draw_solids(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
 
-  GlProgram solid_;
-  GlProgram floor_;
-  GlMesh box_;
-  GlMesh sphere_;
-  GlMesh cylinder_;
-  GlMesh cone_;
-  std::optional<GlTarget> target_;
+  WallFloor floor_;
+  WallSolids solids_;
+  bool drafts_first_;
+  std::optional<GlTarget> ground_;  // the floor of the last draft, which seldom changes
+  std::optional<GlTarget> draft_;
+  std::optional<GlTarget> fine_;
+  Drawn last_;
+  std::optional<Drawn> last_ground_;
+  bool valid_ = false;
+  bool refined_ = false;
+  int calls_without_change_ = 0;
+  std::uint64_t times_drawn_ = 0;
 };
 
-bool Renderer::ensure_target(int width, int height) {
-  if (target_ && target_->width() == width && target_->height() == height) return true;
-  target_.reset();
-  Result<GlTarget> created = GlTarget::create(width, height, kSamplesPerPixel);
-  if (created) target_ = std::move(*created);
+bool Renderer::ensure(std::optional<GlTarget>& target, int width, int height, int samples) {
+  if (target && target->width() == width && target->height() == height) return true;
+  target.reset();
+  Result<GlTarget> created = GlTarget::create(width, height, samples);
+  if (created) target = std::move(*created);
   return created.ok();
 }
 
-void Renderer::part(const GlMesh& mesh, glm::vec3 position, glm::vec3 size,
-                    glm::vec4 colour) const {
-  solid_.set("model", glm::scale(glm::translate(glm::mat4(1.0F), position), size));
-  solid_.set("colour", colour);
-  mesh.draw();
-}
-
-void Renderer::draw_floor(const WallPicture& picture, const WallCamera& camera,
-                          const Theme& theme) const {
-  constexpr float kFloorSize = 60.0F;
-  const float tip = camera.x_of(picture.handle_m);
-  floor_.use();
-  floor_.set("view_projection", camera.view_projection());
-  floor_.set("model", glm::scale(glm::translate(glm::mat4(1.0F),
-                                                {0.0F, WallMeasures::kFloor - 0.005F, 0.0F}),
-                                 {kFloorSize, 0.01F, kFloorSize}));
-  floor_.set("colour", vector_of(theme.colour(Tone::kPanel)) * 1.15F);
-  floor_.set("line_colour", vector_of(theme.colour(Tone::kMuted)));
-  floor_.set("backdrop", vector_of(theme.colour(Tone::kPanel)));
-  floor_.set("grid_origin", camera.x_of(0.0));
-  floor_.set("grid_step", static_cast<float>(kGridStepM * camera.units_per_m()));
-  floor_.set("shadow",
-             glm::vec4(tip - WallMeasures::kHandleLength, tip - WallMeasures::kHandleRadius,
-                       WallMeasures::kHandleRadius, 0.55F));
-  box_.draw();
-}
-
-void Renderer::draw_handle(float tip, glm::vec4 ball, glm::vec4 grip) const {
-  constexpr float kRadius = WallMeasures::kHandleRadius;
-  constexpr float kNeck = 0.62F * kRadius;
-  const float centre = tip - kRadius;
-  const float end = tip - WallMeasures::kHandleLength;
-  part(sphere_, {centre, 0.0F, 0.0F}, glm::vec3(kRadius), ball);
-  part(cylinder_, {end, 0.0F, 0.0F}, {centre - end, kNeck, kNeck}, grip);
-  part(sphere_, {end, 0.0F, 0.0F}, glm::vec3(kNeck), grip);
-}
-
-void Renderer::draw_arrow(const WallPicture& picture, float tip, glm::vec4 colour) const {
-  const float length = arrow_length(picture);
-  if (std::abs(length) < kInvisibleArrow) return;
-  const float direction = length < 0.0F ? -1.0F : 1.0F;
-  // A short arrow is all head.
-  const float head = std::min(kArrowHeadLength, std::abs(length));
-  const float thickness = head / kArrowHeadLength;
-  const float shaft = std::abs(length) - head;
-  const glm::mat4 frame =
-      glm::scale(glm::translate(glm::mat4(1.0F), {tip, WallMeasures::kArrowHeight, 0.0F}),
-                 {direction, 1.0F, 1.0F});
-  const auto draw_part = [&](const GlMesh& mesh, float from, float along, float radius) {
-    solid_.set("model",
-               glm::scale(glm::translate(frame, {from, 0.0F, 0.0F}), {along, radius, radius}));
-    solid_.set("colour", colour);
-    mesh.draw();
-  };
-  // Mirroring turns the front of every triangle to the back.
-  glFrontFace(direction < 0.0F ? GL_CW : GL_CCW);
-  if (shaft > 0.0F) draw_part(cylinder_, 0.0F, shaft, kArrowRadius);
-  draw_part(cone_, shaft, head, kArrowHeadRadius * thickness);
-  glFrontFace(GL_CCW);
-}
-
-void Renderer::draw_face_edges(float face, glm::vec4 colour) const {
-  constexpr float kEdge = 0.035F;
-  constexpr float kHeight = WallMeasures::kWallTop - WallMeasures::kFloor;
-  constexpr float kMiddle = 0.5F * (WallMeasures::kWallTop + WallMeasures::kFloor);
-  constexpr float kDepth = WallMeasures::kWallHalfDepth;
-  for (const float side : {-kDepth, kDepth}) {
-    part(box_, {face, kMiddle, side}, {kEdge, kHeight, kEdge}, colour);
+// Also counts how long the picture has stayed the same.
+bool Renderer::needs_drawing(const Drawn& wanted) {
+  if (!valid_ || !wanted.same_as(last_)) {
+    calls_without_change_ = 0;
+    return true;
   }
-  for (const float level : {WallMeasures::kFloor, WallMeasures::kWallTop}) {
-    part(box_, {face, level, 0.0F}, {kEdge, kEdge, 2.0F * kDepth}, colour);
-  }
+  if (refined_) return false;
+  ++calls_without_change_;
+  return calls_without_change_ >= kStillCalls;
 }
 
-// Transparent, so drawn last and the deepest first; the handle stays visible inside.
-void Renderer::draw_walls(const WallPicture& picture, const WallCamera& camera,
-                          const Theme& theme) const {
-  constexpr float kHeight = WallMeasures::kWallTop - WallMeasures::kFloor;
-  constexpr float kMiddle = 0.5F * (WallMeasures::kWallTop + WallMeasures::kFloor);
-  const glm::vec4 colour = vector_of(theme.colour(Tone::kWall));
-  float end = kFarEnd;
-  for (auto face_m = picture.wall_faces_m.rbegin(); face_m != picture.wall_faces_m.rend();
-       ++face_m) {
-    const float face = camera.x_of(*face_m);
-    draw_face_edges(face, colour * 1.15F);
-    if (end > face) {
-      part(box_, {0.5F * (face + end), kMiddle, 0.0F},
-           {end - face, kHeight, 2.0F * WallMeasures::kWallHalfDepth},
-           glm::vec4(glm::vec3(colour) * 0.72F, kWallAlpha));
-    }
-    end = face;
+void Renderer::draw_solids(const WallPicture& picture, const WallCamera& camera,
+                           const Theme& theme) const {
+  floor_.draw_shadow(picture, camera, theme);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  solids_.draw(picture, camera, theme);
+}
+
+bool Renderer::draw_draft(const WallPicture& picture, const WallCamera& camera,
+                          const Theme& theme) {
+  if (!ensure(draft_, last_.width, last_.height, 1)) return false;
+  if (!last_ground_ || !last_ground_->same_ground(last_)) {
+    last_ground_.reset();
+    if (!ensure(ground_, last_.width, last_.height, 1)) return false;
+    ground_->bind();
+    floor_.draw(picture, camera, theme, last_.height);
+    last_ground_ = last_;
   }
+  draft_->copy_colours(*ground_);
+  draft_->bind();
+  draw_solids(picture, camera, theme);
+  draft_->resolve();
+  return true;
+}
+
+bool Renderer::draw_fine(const WallPicture& picture, const WallCamera& camera, const Theme& theme) {
+  if (!ensure(fine_, last_.width, last_.height, kSamplesPerPixel)) return false;
+  fine_->bind();
+  floor_.draw(picture, camera, theme, last_.height);
+  draw_solids(picture, camera, theme);
+  fine_->resolve();
+  return true;
 }
 
 GLuint Renderer::draw(const WallPicture& picture, const WallCamera& camera, const Theme& theme,
                       int width, int height) {
-  if (!ensure_target(width, height)) return 0;
-  target_->bind();
-  const ImVec4 backdrop = theme.colour(Tone::kPanel);
-  glClearColor(backdrop.x, backdrop.y, backdrop.z, 1.0F);
-  glDisable(GL_SCISSOR_TEST);
-  glEnable(GL_DEPTH_TEST);
-  glEnable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  draw_floor(picture, camera, theme);
-
-  const float tip = camera.x_of(picture.handle_m);
-  const glm::vec4 force_colour =
-      vector_of(theme.colour(picture.saturated ? Tone::kBad : Tone::kForce));
-  solid_.use();
-  solid_.set("view_projection", camera.view_projection());
-  solid_.set("eye", camera.eye());
-  solid_.set("shininess", 1.0F);
-  solid_.set("flatness", 0.0F);
-  solid_.set("glow", glm::vec4(0.0F));
-  solid_.set("glow_colour", force_colour);
-  draw_handle(tip, kHandleColour, kGripColour);
-  solid_.set("shininess", 0.3F);
-  solid_.set("flatness", kArrowFlatness);
-  draw_arrow(picture, tip, force_colour);
-  solid_.set("flatness", 0.0F);
-
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  glDepthMask(GL_FALSE);
-  const float strength = picture.in_contact ? 0.85F : 0.0F;
-  solid_.set("shininess", 0.15F);
-  const float face =
-      picture.wall_faces_m.empty() ? 0.0F : camera.x_of(picture.wall_faces_m.front());
-  solid_.set("glow", glm::vec4(face, 0.0F, 0.0F, strength));
-  draw_walls(picture, camera, theme);
-  if (picture.hand_m) {
-    // Over the walls, as it is only an intention; the handle itself hides it.
-    solid_.set("glow", glm::vec4(0.0F));
-    const glm::vec4 ghost = vector_of(theme.colour(Tone::kHand), kGhostAlpha);
-    solid_.set("flatness", kGhostFlatness);
-    draw_handle(camera.x_of(*picture.hand_m), ghost, ghost);
+  const double step_m = 1.0 / (kStepsPerPixel * camera.pixels_per_unit() * camera.units_per_m());
+  const Drawn wanted{in_visible_steps(picture, step_m), camera.view_projection(), theme.colours,
+                     width, height};
+  if (needs_drawing(wanted)) {
+    last_ = wanted;
+    refined_ = !drafts_first_ || calls_without_change_ > 0;
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    valid_ = refined_ ? draw_fine(picture, camera, theme) : draw_draft(picture, camera, theme);
+    ++times_drawn_;
   }
-  glDepthMask(GL_TRUE);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  target_->resolve();
-  return target_->texture();
+  if (!valid_) return 0;
+  return (refined_ ? fine_ : draft_)->texture();
 }
 
 }  // namespace
 
-WallPicture wall_picture(const Scene& scene, const Sample& sample) {
-  WallPicture picture;
-  picture.handle_m = sample.truth.position_m;
-  if (scene.hand) picture.hand_m = sample.truth.hand_path_m;
-  for (const WallSettings& wall : scene.walls) picture.wall_faces_m.push_back(wall.position_m);
-  std::sort(picture.wall_faces_m.begin(), picture.wall_faces_m.end());
-  picture.force_n = sample.force_n;
-  picture.full_scale_n = scene.device.force_limit_n.value_or(kDefaultFullScaleN);
-  picture.saturated = (sample.flags & kFlagForceLimit) != 0U;
-  picture.in_contact = (sample.flags & kFlagInContact) != 0U;
-  return picture;
-}
-
-float arrow_length(const WallPicture& picture) {
-  const double share =
-      std::clamp(picture.force_n / std::max(picture.full_scale_n, 1e-9), -1.0, 1.0);
-  return -WallMeasures::kLongestArrow * static_cast<float>(share);
+WallPicture in_visible_steps(const WallPicture& picture, double step_m) {
+  WallPicture result = picture;
+  const double force_step_n = std::max(picture.full_scale_n, kLeastFullScaleN) / kForceSteps;
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    result.handle_m[axis] = in_steps(picture.handle_m[axis], step_m);
+    if (picture.hand_m) (*result.hand_m)[axis] = in_steps((*picture.hand_m)[axis], step_m);
+    result.force_n[axis] = in_steps(picture.force_n[axis], force_step_n);
+  }
+  const StiffnessScale scale = stiffness_scale(picture);
+  for (ShownStiffness& shown : result.shown) {
+    shown.strength = in_steps(shown.strength, 1.0 / kShades);
+    const double shade = in_steps(static_cast<double>(scale.share(shown.n_per_m)), 1.0 / kShades);
+    shown.n_per_m = shown.strength > 0.0 ? scale.at(shade) : 0.0;
+  }
+  return result;
 }
 
 Result<std::unique_ptr<WallRenderer>> WallRenderer::create() {
-  Result<GlProgram> solid = GlProgram::create("solid.vert", "solid.frag");
-  if (!solid) return solid.error();
-  Result<GlProgram> floor = GlProgram::create("solid.vert", "floor.frag");
+  Result<WallFloor> floor = WallFloor::create();
   if (!floor) return floor.error();
+  Result<WallSolids> solids = WallSolids::create();
+  if (!solids) return solids.error();
   return std::unique_ptr<WallRenderer>(
-      std::make_unique<Renderer>(std::move(*solid), std::move(*floor)));
+      std::make_unique<Renderer>(std::move(*floor), std::move(*solids)));
 }
 
 }  // namespace hapticwall::ui

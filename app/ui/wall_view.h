@@ -1,4 +1,4 @@
-// The picture of the wall, with its labels, and the pointer as the hand.
+// The picture of the wall with its labels; the pointer leads the hand and turns the picture.
 #pragma once
 
 #include "app/ui/ui_state.h"
@@ -6,10 +6,12 @@
 
 namespace hapticwall::ui {
 
-// Fills the current child window. Dragging in it leads the hand.
+// Fills the current child window. A drag with the left button leads the hand, with the right one
+// turns the picture, with the middle one moves it; the wheel zooms; a double click of the right or
+// middle button shows the scene as at first.
 void draw_wall_view(const PanelContext& context, WallRenderer& renderer);
 
-// The camera that draw_wall_view() uses for a picture of this size.
+// How draw_wall_view() shows a scene at first in a picture of this size.
 [[nodiscard]] WallCamera wall_view_camera(const Scene& scene, ImVec2 size);
 
 }  // namespace hapticwall::ui

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 namespace hapticwall::ui {
 namespace {
@@ -85,6 +86,7 @@ void field_label(const PanelContext& context, std::string_view label, std::strin
   ImGui::TextUnformatted(label.data(), label.data() + label.size());
   ImGui::PopStyleColor();
   explain(tooltip);
+  context.state.transient.edit.tooltip = tooltip;
   // A long label pushes its field to the right instead of running into it.
   const float start = std::max(left + kLabelShare * width,
                                left + ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x);
@@ -128,9 +130,13 @@ std::optional<std::string> text_field(const PanelContext& context, const char* i
   }
   ImGui::InputTextWithHint(id, hint.c_str(), text.data(), text.size(),
                            ImGuiInputTextFlags_AutoSelectAll);
-  if (ImGui::IsItemActive()) edit = {field, text};
+  if (ImGui::IsItemActive()) {
+    edit.field = field;
+    edit.text = text;
+  }
+  explain(std::exchange(edit.tooltip, {}));
   if (!ImGui::IsItemDeactivated()) return std::nullopt;
-  edit = {};
+  edit.field = 0;
   // Escape has put the old text back, which is then no edit.
   if (!ImGui::IsItemDeactivatedAfterEdit() || shown == text.data()) return std::nullopt;
   return std::string(text.data());

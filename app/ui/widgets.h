@@ -30,7 +30,7 @@ void muted_text(const PanelContext& context, std::string_view text);
 void explain(std::string_view text);
 
 // A label on the left; the next item fills the rest of the row but for `unit`, which unit_label()
-// adds.
+// adds. A text or number field that follows has the same tooltip.
 void field_label(const PanelContext& context, std::string_view label, std::string_view tooltip,
                  std::string_view unit);
 void unit_label(std::string_view unit);

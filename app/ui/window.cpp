@@ -6,6 +6,7 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 #include <implot.h>
 
 #include <algorithm>
@@ -14,8 +15,11 @@
 #include <csignal>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/ui/application.h"
+#include "app/ui/idleness.h"
+#include "app/ui/settings_file.h"
 #include "app/ui/theme.h"
 
 namespace hapticwall::ui {
@@ -25,7 +29,6 @@ constexpr int kWidth = 1600;
 constexpr int kHeight = 1000;
 constexpr int kSmallestWidth = 1000;
 constexpr int kSmallestHeight = 640;
-constexpr double kFrameS = 1.0 / 60.0;
 constexpr double kUnseenFrameS = 0.1;  // how often samples are taken while minimised
 
 // A signal handler may touch nothing but this.
@@ -81,24 +84,39 @@ struct DestroyWindow {
 };
 using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
-WindowHandle open_window() {
+// What the settings say of the window itself.
+PersistedState kept_window(const std::string& settings_path) {
+  UiState state;
+  SettingsFile(settings_path).load(state);
+  return state.persisted;
+}
+
+// As large as the user has left it, but for what does not fit the screen.
+ImVec2 wanted_size(const PersistedState& kept) {
+  int width = kept.window_width > 0 ? kept.window_width : kWidth;
+  int height = kept.window_height > 0 ? kept.window_height : kHeight;
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+    int x = 0;
+    int y = 0;
+    int available_width = width;
+    int available_height = height;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &available_width, &available_height);
+    width = std::min(width, available_width);
+    height = std::min(height, available_height);
+  }
+  return {static_cast<float>(width), static_cast<float>(height)};
+}
+
+WindowHandle open_window(const PersistedState& kept) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  int width = kWidth;
-  int height = kHeight;
-  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
-    int x = 0;
-    int y = 0;
-    int available_width = kWidth;
-    int available_height = kHeight;
-    glfwGetMonitorWorkarea(monitor, &x, &y, &available_width, &available_height);
-    width = std::min(width, available_width);
-    height = std::min(height, available_height);
-  }
-  WindowHandle window(glfwCreateWindow(width, height, "Haptic Wall", nullptr, nullptr));
+  glfwWindowHint(GLFW_MAXIMIZED, kept.window_maximised ? GLFW_TRUE : GLFW_FALSE);
+  const ImVec2 size = wanted_size(kept);
+  WindowHandle window(glfwCreateWindow(static_cast<int>(size.x), static_cast<int>(size.y),
+                                       "Haptic Wall", nullptr, nullptr));
   if (!window) return window;
   glfwSetWindowSizeLimits(window.get(), kSmallestWidth, kSmallestHeight, GLFW_DONT_CARE,
                           GLFW_DONT_CARE);
@@ -106,6 +124,45 @@ WindowHandle open_window() {
   glfwSwapInterval(1);
   return window;
 }
+
+// For the next start. A maximised window keeps the size that it had before.
+void keep_window(GLFWwindow* window, PersistedState& kept) {
+  kept.window_maximised = glfwGetWindowAttrib(window, GLFW_MAXIMIZED) == GLFW_TRUE;
+  if (kept.window_maximised || glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE) return;
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(window, &width, &height);
+  // A new window is enlarged by this again.
+  const float scale = std::max(ImGui_ImplGlfw_GetContentScaleForWindow(window), 1.0F);
+  kept.window_width = static_cast<int>(static_cast<float>(width) / scale);
+  kept.window_height = static_cast<int>(static_cast<float>(height) / scale);
+}
+
+// GLFW calls it while the application lives.
+void take_dropped_files(GLFWwindow* window, int count, const char** paths) {
+  auto* application = static_cast<Application*>(glfwGetWindowUserPointer(window));
+  if (application == nullptr) return;
+  const std::vector<std::string> files(paths, paths + count);
+  application->drop(files);
+}
+
+// Lets the application have what is dropped onto the window.
+class DropTarget {
+ public:
+  DropTarget(GLFWwindow* window, Application& application) : window_(window) {
+    glfwSetWindowUserPointer(window_, &application);
+    glfwSetDropCallback(window_, take_dropped_files);
+  }
+  DropTarget(const DropTarget&) = delete;
+  DropTarget& operator=(const DropTarget&) = delete;
+  ~DropTarget() {
+    glfwSetDropCallback(window_, nullptr);
+    glfwSetWindowUserPointer(window_, nullptr);
+  }
+
+ private:
+  GLFWwindow* window_;
+};
 
 // ImGui and ImPlot with their backends for the window.
 class Gui {
@@ -149,7 +206,11 @@ bool is_seen(GLFWwindow* window) {
          glfwGetWindowAttrib(window, GLFW_VISIBLE) == GLFW_TRUE;
 }
 
+// The user does something: what has arrived since the last frame is still to be handled.
+bool user_acts() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
+
 void run_loop(GLFWwindow* window, Application& application) {
+  Idleness idleness;
   while (glfwWindowShouldClose(window) == GLFW_FALSE &&
          !end_requested.load(std::memory_order_relaxed)) {
     glfwPollEvents();
@@ -159,11 +220,17 @@ void run_loop(GLFWwindow* window, Application& application) {
       continue;
     }
     const double start_s = glfwGetTime();
+    application.set_screen_scale(std::max(ImGui_ImplGlfw_GetContentScaleForWindow(window), 1.0F));
+    const bool acts = user_acts();
     draw_frame(window, application);
+    if (acts || application.moving()) idleness.wake(glfwGetTime());
     // Where swapping does not wait for the screen, we do; events end the wait early.
-    const double rest_s = kFrameS - (glfwGetTime() - start_s);
+    const double now_s = glfwGetTime();
+    const double rest_s = idleness.frame_s(now_s) - (now_s - start_s);
     if (rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
   }
+  keep_window(window, application.state().persisted);
+  application.save_settings();
 }
 
 }  // namespace
@@ -175,18 +242,19 @@ Failure run_window(const WindowOptions& options) {
     return Error{ErrorKind::kDevice,
                  "no window: " + glfw_message() + " (`hapticwall run` needs no display)"};
   }
-  const WindowHandle window = open_window();
+  const WindowHandle window = open_window(kept_window(options.settings_path));
   if (!window) return Error{ErrorKind::kDevice, "no window with OpenGL 3.3: " + glfw_message()};
   const Gui gui(window.get());
-  float scale = 1.0F;
-  glfwGetWindowContentScale(window.get(), &scale, nullptr);
-  const Theme theme = apply_theme(Look::kScreen, std::max(scale, 1.0F));
+  const Theme theme = apply_theme(Look::kScreen, 1.0F);  // the application knows better
   Application::Sessions sessions;
   sessions.simulate = [](const Scene& scene) { return runtime::Session::start(scene); };
   sessions.start_on_device = options.start_on_device;
-  const auto application =
-      Application::create(options.scene, options.recording_folder, theme, sessions);
+  const auto application = Application::create(
+      options.scene,
+      {options.settings_path, options.recording_folder, options.forced_scale, options.opened_file},
+      theme, sessions);
   if (!application) return application.error();
+  const DropTarget drops(window.get(), **application);
   run_loop(window.get(), **application);
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/runtime/session.h"
@@ -15,7 +16,11 @@ struct WindowOptions {
   Scene scene;
   // Starts a session on a device; empty: the simulator.
   std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)> start_on_device;
-  std::string recording_folder;  // where the record button puts its files; empty: the current one
+  // Where the record button puts its files; empty: as the settings say, or the current folder.
+  std::string recording_folder;
+  std::string settings_path;          // empty: settings are neither read nor kept
+  std::optional<float> forced_scale;  // of everything; empty: as the settings or the screen say
+  std::string opened_file;            // that the scene came from; empty: it is built in
 };
 
 // Returns when the user closes the window or the process is asked to end (SIGINT, SIGTERM).

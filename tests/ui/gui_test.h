@@ -79,7 +79,7 @@ class GuiTest : public ::testing::Test {
     }
     const ui::Theme theme = ui::apply_theme(ui::Look::kScreen, 1.0F);
     auto application =
-        ui::Application::create(file::load_scene(scene_name)->scene, "", theme, starters);
+        ui::Application::create(file::load_scene(scene_name)->scene, options, theme, starters);
     ASSERT_TRUE(application.ok()) << application.error().message;
     application_ = std::move(*application);
     frames(3);
@@ -163,16 +163,18 @@ class GuiTest : public ::testing::Test {
     press(ImGuiKey_Enter);
   }
 
-  [[nodiscard]] const ui::Message& message() const {
-    return application_->state().transient.message;
+  // The newest; of kind kNone where there is none.
+  [[nodiscard]] ui::Message message() const {
+    return application_->state().transient.toasts.newest();
   }
 
   [[nodiscard]] const std::optional<ui::Refusal>& refusal() const {
     return application_->state().transient.refusal;
   }
 
-  std::string refuse_session;  // the error of the next sessions
-  std::string refuse_device;   // of those on the device alone
+  std::string refuse_session;        // the error of the next sessions
+  std::string refuse_device;         // of those on the device alone
+  ui::Application::Options options;  // of the next open()
   int sessions = 0;
   bool with_device = false;  // the next open() is on a real one
   int devices_open = 0;

@@ -6,13 +6,10 @@
 
 #include "app/file/scene_file.h"
 #include "app/ui/control_panel.h"
-#include "app/ui/magnifier.h"
 #include "app/ui/parameter_rows.h"
 #include "app/ui/plot.h"
 #include "app/ui/plots_panel.h"
 #include "app/ui/toolbar.h"
-#include "app/ui/wall_camera.h"
-#include "app/ui/wall_renderer.h"
 #include "app/ui/widgets.h"
 
 namespace hapticwall::ui {
@@ -46,63 +43,6 @@ TEST(NumberText, ShowsNoNoiseOfTheLastDigits) {
   EXPECT_EQ(number_text(0.05 * 1e3), "50");
   EXPECT_EQ(number_text(0.1 + 0.2), "0.3");
   EXPECT_EQ(number_text(35000.0), "35000");
-}
-
-TEST(WallCamera, AClickOnAPointOfTheAxisGivesItsPosition) {
-  const AxisExtent extent{0.02, 0.08};
-  for (const float width : {400.0F, 900.0F}) {
-    const WallCamera camera(extent, width, 390.0F);
-    for (const double position_m : {0.021, 0.0345, 0.05, 0.0777}) {
-      const glm::vec2 pixel = camera.pixel_of({camera.x_of(position_m), 0.0F, 0.0F});
-      EXPECT_GT(pixel.x, 0.0F);
-      EXPECT_LT(pixel.x, width);
-      EXPECT_NEAR(camera.position_at(pixel), position_m, 2e-6);
-    }
-    // Beyond the picture: its edge.
-    const double left_m = camera.position_at({-5000.0F, 200.0F});
-    EXPECT_GE(left_m, extent.from_m);
-    EXPECT_LT(left_m, 0.025);
-    const double right_m = camera.position_at({9000.0F, 200.0F});
-    EXPECT_LE(right_m, extent.to_m);
-    EXPECT_GT(right_m, 0.075);
-  }
-}
-
-TEST(WallCamera, TheExtentHoldsEverythingThatEveryBuiltinSceneNames) {
-  for (const file::BuiltinScene& builtin : file::builtin_scenes()) {
-    const Scene scene = file::load_scene(builtin.name)->scene;
-    const AxisExtent extent = axis_extent(scene);
-    EXPECT_LT(extent.from_m, scene.device.start_m) << builtin.name;
-    for (const WallSettings& wall : scene.walls) {
-      EXPECT_LT(extent.from_m, wall.position_m);
-      EXPECT_GT(extent.to_m, wall.position_m);
-    }
-    if (!scene.hand) continue;
-    for (const PathPoint& point : scene.hand->path) EXPECT_GT(extent.to_m, point.position_m);
-  }
-}
-
-TEST(ArrowLength, GrowsWithTheForceOutOfTheWallAndEndsAtFullScale) {
-  WallPicture picture;
-  picture.full_scale_n = 8.9;
-  EXPECT_EQ(arrow_length(picture), 0.0F);
-  picture.force_n = 4.45;
-  EXPECT_NEAR(arrow_length(picture), -0.5F * WallMeasures::kLongestArrow, 1e-5);
-  picture.force_n = 20.0;
-  EXPECT_EQ(arrow_length(picture), -WallMeasures::kLongestArrow);
-  picture.force_n = -8.9;
-  EXPECT_EQ(arrow_length(picture), WallMeasures::kLongestArrow);
-}
-
-TEST(MagnifierSpan, ShowsATenthOfAMillimetreAndDoesNotFlicker) {
-  const double small_m = magnifier_span(0.1e-3, 5e-3);
-  EXPECT_LE(small_m, 1e-3);
-  const double large_m = magnifier_span(2.8e-3, small_m);
-  EXPECT_GT(large_m, 2.8e-3);
-  // Just at the limit of a smaller span: stays, where a fresh start would take the smaller one.
-  const double between_m = 0.6e-3;
-  EXPECT_LT(magnifier_span(between_m, 1e-3), magnifier_span(between_m, 2e-3));
-  EXPECT_EQ(magnifier_span(1.0, 1e-3), magnifier_span(1.0, 5e-3));  // the longest there is
 }
 
 TEST(FollowNewest, ShowsTheNewestSecondsAndStartsAtTheLeft) {

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <random>
+#include <string>
+
+#include "app/file/recording_writer.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -35,90 +39,197 @@ SampleHistory noisy_history(std::size_t capacity, std::uint64_t count) {
 }
 
 TEST(SampleHistory, KeepsAtLeastTheNewestOfItsCapacityInOrder) {
-  const SampleHistory history = noisy_history(100, 1234);
-  ASSERT_GE(history.size(), 100U);
-  ASSERT_LE(history.size(), 200U);
-  const auto time = history.column(Quantity::kTime);
-  EXPECT_TRUE(std::is_sorted(time.begin(), time.end()));
-  EXPECT_DOUBLE_EQ(history.newest_time_s(), 1233 * kPeriodS);
-  EXPECT_DOUBLE_EQ(history.column(Quantity::kForce).back(), noise(1233));
+  constexpr std::size_t kCapacity = 5000;
+  SampleHistory history(kCapacity);
+  for (std::uint64_t tick = 0; tick < 30000; ++tick) {
+    history.push(sample_at(tick, noise(tick)));
+    ASSERT_GE(history.size(), std::min<std::size_t>(kCapacity, tick + 1));
+    ASSERT_LE(history.size(), kCapacity + BlockArray<double>::kBlock);
+  }
+  const std::size_t newest = history.size() - 1;
+  for (std::size_t i = 0; i <= newest; ++i) {
+    const std::uint64_t tick = 29999 - (newest - i);
+    ASSERT_EQ(history.value(Quantity::kTick, i), static_cast<double>(tick));
+    ASSERT_EQ(history.value(Quantity::kForce, i), noise(tick));
+  }
+  EXPECT_DOUBLE_EQ(history.newest_time_s(), 29999 * kPeriodS);
+  EXPECT_DOUBLE_EQ(history.oldest_time_s(), static_cast<double>(29999 - newest) * kPeriodS);
 }
 
 TEST(SampleHistory, ForgetsEverythingWhenTheTicksStartAgain) {
   SampleHistory history = noisy_history(100, 50);
   history.push(sample_at(0, 7.0));
   ASSERT_EQ(history.size(), 1U);
-  EXPECT_DOUBLE_EQ(history.column(Quantity::kForce).front(), 7.0);
+  EXPECT_DOUBLE_EQ(history.value(Quantity::kForce, 0), 7.0);
+  EXPECT_DOUBLE_EQ(history.extremes(Quantity::kForce, {0, 1}).minimum, 7.0);
 }
 
-TEST(SampleHistory, KeepsEveryQuantityInItsOwnColumn) {
+// All numbers differ: none is kept in the place of another.
+TEST(SampleHistory, GivesBackTheSampleThatWasPushed) {
   Sample sample;
-  sample.time_s = 1;
-  sample.position_m = 2;
-  sample.truth.position_m = 3;
-  sample.truth.hand_path_m = 4;
-  sample.force_n = 5;
-  sample.wall_force_n = 6;
-  sample.stiffness_n_per_m = 7;
-  sample.energy_cv_j = 8;
-  sample.energy_hold_j = 9;
-  sample.energy_scv_j = 10;
-  sample.energy_budget_j = 11;
+  double next = 1.0;
+  PlantTruth& truth = sample.truth;
+  for (double* number : {&sample.time_s,
+                         &sample.position_m,
+                         &sample.velocity_m_per_s,
+                         &sample.penetration_m,
+                         &sample.wall_force_n,
+                         &sample.force_n,
+                         &sample.stiffness_n_per_m,
+                         &sample.energy_cv_j,
+                         &sample.energy_hold_j,
+                         &sample.energy_scv_j,
+                         &sample.energy_budget_j,
+                         &truth.position_m,
+                         &truth.velocity_m_per_s,
+                         &truth.hand_path_m,
+                         &truth.hand_force_n,
+                         &truth.actuator_work_j,
+                         &truth.dissipation_j,
+                         &truth.hand_work_j,
+                         &truth.kinetic_j,
+                         &sample.device_time_s,
+                         &sample.read_age_s}) {
+    *number = next++;
+  }
+  sample.tick = (std::uint64_t{1} << 53U) - 1;
+  sample.flags = kFlagInContact | kFlagDeviceFault;
   SampleHistory history(10);
   history.push(sample);
-  for (std::size_t i = 0; i < kQuantityCount; ++i) {
-    EXPECT_DOUBLE_EQ(history.column(static_cast<Quantity>(i)).front(),
-                     static_cast<double>(i) + 1.0);
+  const Sample again = history.sample(0);
+  for (const file::MoreColumns columns :
+       {file::MoreColumns::kSimulator, file::MoreColumns::kDevice}) {
+    std::string pushed;
+    std::string kept;
+    file::append_csv_row(pushed, sample, columns);
+    file::append_csv_row(kept, again, columns);
+    EXPECT_EQ(kept, pushed);
   }
+}
+
+TEST(SampleHistory, ACopyStaysAsItWasWhileTheOriginalGoesOn) {
+  SampleHistory history = noisy_history(3000, 2500);
+  const SampleHistory copy = history;
+  for (std::uint64_t tick = 2500; tick < 20000; ++tick) history.push(sample_at(tick, 5.0));
+  ASSERT_EQ(copy.size(), 2500U);
+  for (std::size_t i = 0; i < copy.size(); ++i)
+    ASSERT_EQ(copy.value(Quantity::kForce, i), noise(i));
+}
+
+TEST(SampleHistory, TheNearestSampleIsOnEitherSide) {
+  const SampleHistory history = noisy_history(100, 50);
+  EXPECT_EQ(history.nearest(0.0204), 20U);
+  EXPECT_EQ(history.nearest(0.0206), 21U);
+  EXPECT_EQ(history.nearest(-3.0), 0U);
+  EXPECT_EQ(history.nearest(9.0), 49U);
+  EXPECT_FALSE(SampleHistory(10).nearest(0.0).has_value());
+}
+
+TEST(SampleHistory, ARangeWithinHasNothingBeyondItsEdges) {
+  const SampleHistory history = noisy_history(1000, 1000);
+  const IndexRange range = history.range_within(0.1, 0.2);
+  EXPECT_EQ(history.value(Quantity::kTime, range.first), 0.1);
+  EXPECT_EQ(history.value(Quantity::kTime, range.last - 1), 0.2);
+  EXPECT_EQ(history.range_within(0.1001, 0.1009).count(), 0U);
+  EXPECT_EQ(history.range_within(5.0, 6.0).count(), 0U);
+  EXPECT_EQ(history.range_within(0.5, 0.1).count(), 0U);
 }
 
 TEST(SampleHistory, ARangeReachesOneSampleBeyondEitherEdge) {
   const SampleHistory history = noisy_history(1000, 1000);
   const IndexRange range = history.range(0.1005, 0.2005);
-  const auto time = history.column(Quantity::kTime);
-  EXPECT_LT(time[range.first], 0.1005);
-  EXPECT_GE(time[range.first + 1], 0.1005);
-  EXPECT_GT(time[range.last - 1], 0.2005);
-  EXPECT_LE(time[range.last - 2], 0.2005);
+  const auto time_s = [&](std::size_t i) { return history.value(Quantity::kTime, i); };
+  EXPECT_LT(time_s(range.first), 0.1005);
+  EXPECT_GE(time_s(range.first + 1), 0.1005);
+  EXPECT_GT(time_s(range.last - 1), 0.2005);
+  EXPECT_LE(time_s(range.last - 2), 0.2005);
   EXPECT_EQ(history.range(-5.0, 100.0).count(), 1000U);
   EXPECT_EQ(SampleHistory(10).range(0.0, 1.0).count(), 0U);
 }
 
-// Against brute force: the points are exactly the extremes of their group, for every group.
-TEST(SampleHistory, DecimationKeepsTheExtremesOfEveryColumn) {
-  constexpr double kScale = 1e3;
-  for (const std::uint64_t count : {1000ULL, 4321ULL, 100000ULL}) {
-    for (const std::size_t columns : {7U, 100U, 433U}) {
-      const SampleHistory history = noisy_history(100000, count);
-      const IndexRange range = history.range(0.0123, static_cast<double>(count) * kPeriodS * 0.9);
-      Trace trace;
-      history.decimate(Quantity::kForce, range, columns, kScale, trace);
-      ASSERT_EQ(trace.time_s.size(), trace.value.size());
-      ASSERT_LE(trace.value.size(), 2 * columns);
-      EXPECT_TRUE(std::is_sorted(trace.time_s.begin(), trace.time_s.end()));
+struct ColumnExtremes {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
 
-      const std::size_t group = (range.count() + columns - 2) / (columns - 1);
-      std::size_t point = 0;
-      for (std::size_t first = range.first; first < range.last;) {
-        const std::size_t last = std::min(range.last, (first / group + 1) * group);
-        double low = std::numeric_limits<double>::infinity();
-        double high = -low;
-        for (std::size_t i = first; i < last; ++i) {
-          low = std::min(low, noise(i));
-          high = std::max(high, noise(i));
-        }
-        const std::size_t points = low == high ? 1 : 2;
-        ASSERT_LE(point + points, trace.value.size());
-        EXPECT_EQ(std::min(trace.value[point], trace.value[point + points - 1]), low * kScale);
-        EXPECT_EQ(std::max(trace.value[point], trace.value[point + points - 1]), high * kScale);
-        EXPECT_GE(trace.time_s[point], static_cast<double>(first) * kPeriodS);
-        EXPECT_LE(trace.time_s[point + points - 1], static_cast<double>(last - 1) * kPeriodS);
-        point += points;
-        first = last;
-      }
-      EXPECT_EQ(point, trace.value.size());
-    }
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
   }
+};
+
+TEST(DecimationGroup, IsNeverWiderThanAColumnAndNotMuchNarrower) {
+  std::mt19937_64 random(20240607);
+  for (int trial = 0; trial < 5000; ++trial) {
+    const std::size_t columns = 1 + random() % 2000;
+    const std::size_t samples = random() % 3'600'001;
+    const std::size_t group = decimation_group(samples, columns);
+    ASSERT_GE(group, 1U);
+    ASSERT_LE(group, std::max<std::size_t>(samples / columns, 1));
+    ASSERT_GT(5 * group, 4 * (samples / columns)) << samples << " in " << columns;
+  }
+}
+
+// Against brute force, over random ranges and widths: of every group exactly the smallest and the
+// largest sample are drawn, at times within the group.
+TEST(SampleHistory, DecimationKeepsTheExtremesOfEveryGroupOverRandomRanges) {
+  constexpr double kScale = 1e3;
+  constexpr std::uint64_t kCount = 100000;
+  const SampleHistory history = noisy_history(kCount, kCount);
+  std::mt19937_64 random(20240608);
+  Trace trace;
+  for (int trial = 0; trial < 300; ++trial) {
+    const std::size_t columns = 2 + random() % 1500;
+    const std::size_t first = random() % (kCount - 1);
+    const std::size_t most = trial % 2 == 0 ? kCount : 6 * columns;
+    const std::size_t end = first + 1 + random() % std::min(kCount - first, most);
+    history.decimate(Quantity::kForce, {first, end}, columns, kScale, trace);
+    const std::size_t group = decimation_group(end - first, columns);
+    std::size_t point = 0;
+    for (std::size_t from = first; from < end;) {
+      const std::size_t to = std::min((from / group + 1) * group, end);
+      ColumnExtremes there;
+      for (std::size_t i = from; i < to; ++i) there.include(noise(i) * kScale);
+      const std::size_t points = std::min<std::size_t>(to - from, 2);
+      ASSERT_LE(point + points, trace.value.size());
+      ColumnExtremes drawn;
+      for (std::size_t i = point; i < point + points; ++i) drawn.include(trace.value[i]);
+      ASSERT_EQ(drawn.low, there.low);
+      ASSERT_EQ(drawn.high, there.high);
+      for (std::size_t i = point; i < point + points; ++i) {
+        ASSERT_GE(trace.time_s[i], static_cast<double>(from) * kPeriodS);
+        ASSERT_LE(trace.time_s[i], static_cast<double>(to - 1) * kPeriodS);
+      }
+      from = to;
+      point += points;
+    }
+    ASSERT_EQ(point, trace.value.size());
+  }
+}
+
+// Large groups are made of whole blocks: as exact, and not much smaller than a column.
+TEST(SampleHistory, DecimationOfAnHourIsExactAndHasTwoPointsAColumn) {
+  constexpr std::uint64_t kCount = 3'600'000;
+  constexpr std::size_t kColumns = 1000;
+  const SampleHistory history = noisy_history(kCount, kCount);
+  Trace trace;
+  history.decimate(Quantity::kForce, {123, kCount - 77}, kColumns, 1.0, trace);
+  EXPECT_GE(trace.value.size(), 2 * kColumns);
+  EXPECT_LE(trace.value.size(), 2 * kColumns * 5 / 4 + 4);
+  ColumnExtremes drawn;
+  for (const double value : trace.value) drawn.include(value);
+  ColumnExtremes all;
+  for (std::uint64_t tick = 123; tick < kCount - 77; ++tick) all.include(noise(tick));
+  EXPECT_EQ(drawn.low, all.low);
+  EXPECT_EQ(drawn.high, all.high);
+  EXPECT_EQ(history.extremes(Quantity::kForce, {123, kCount - 77}).minimum, all.low);
+}
+
+TEST(SampleHistory, AtTwoSamplesAColumnEverySampleIsDrawn) {
+  const SampleHistory history = noisy_history(5000, 5000);
+  Trace trace;
+  history.decimate(Quantity::kForce, {100, 1900}, 650, 1.0, trace);
+  ASSERT_EQ(trace.value.size(), 1800U);
+  for (std::size_t i = 0; i < 1800; ++i) ASSERT_EQ(trace.value[i], noise(100 + i));
 }
 
 TEST(SampleHistory, FewSamplesArePlottedAsTheyAre) {
@@ -144,22 +255,25 @@ TEST(SampleHistory, GroupsDoNotMoveWithTheWindow) {
   // The next samples push the oldest out, by a count that is no multiple of a group.
   SampleHistory history = noisy_history(2003, 10000);
   constexpr std::size_t kColumns = 100;
-  const auto points_within = [&](double from_s, double to_s) {
+  const auto points_within = [&](double first_s, double last_s) {
     Trace trace;
     const double newest_s = history.newest_time_s();
     history.decimate(Quantity::kForce, history.range(newest_s - 1.5, newest_s), kColumns, 1.0,
                      trace);
     std::vector<double> values;
     for (std::size_t i = 0; i < trace.value.size(); ++i) {
-      if (trace.time_s[i] > from_s && trace.time_s[i] < to_s) values.push_back(trace.value[i]);
+      if (trace.time_s[i] > first_s && trace.time_s[i] < last_s) values.push_back(trace.value[i]);
     }
     std::sort(values.begin(), values.end());
     return values;
   };
-  const std::vector<double> before = points_within(9.0, 9.5);
+  // From the first sample of a group of 15 to the last of another.
+  const double from_s = 8.9995;
+  const double to_s = 9.4945;
+  const std::vector<double> before = points_within(from_s, to_s);
   for (std::uint64_t tick = 10000; tick < 10020; ++tick) history.push(sample_at(tick, noise(tick)));
-  EXPECT_FALSE(before.empty());
-  EXPECT_EQ(points_within(9.0, 9.5), before);
+  EXPECT_EQ(before.size(), 2U * 33U);
+  EXPECT_EQ(points_within(from_s, to_s), before);
 }
 
 }  // namespace

@@ -1,0 +1,91 @@
+#include "app/ui/export.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::ui {
+namespace {
+
+// Ticks between the first and the last of the range that never came to the plots.
+std::uint64_t missing_ticks(const SampleHistory& history, IndexRange range) {
+  const double ticks =
+      history.value(Quantity::kTick, range.last - 1) - history.value(Quantity::kTick, range.first);
+  return static_cast<std::uint64_t>(ticks) + 1 - range.count();
+}
+
+file::RecordingMetadata metadata_of(const SampleHistory& history, IndexRange range,
+                                    const ExportSource& source) {
+  file::RecordingMetadata metadata;
+  metadata.device = source.device;
+  metadata.realtime_status = "exported from the window";
+  metadata.first_tick = static_cast<std::uint64_t>(history.value(Quantity::kTick, range.first));
+  metadata.dropped_rows = missing_ticks(history, range);
+  metadata.repeatable = false;
+  metadata.not_repeatable_because = "it is a range of a session, exported from its plots";
+  return metadata;
+}
+
+}  // namespace
+
+Result<std::uint64_t> export_csv(const SampleHistory& history, IndexRange range,
+                                 const ExportSource& source, const std::string& csv_path) {
+  if (range.count() == 0)
+    return Error{ErrorKind::kUsage, "nothing to export: no sample in the visible range"};
+  const auto columns =
+      source.simulated ? file::MoreColumns::kSimulator : file::MoreColumns::kDevice;
+  auto writer = file::RecordingWriter::create(csv_path, columns);
+  if (!writer) return writer.error();
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    if (Failure failure = (*writer)->append(history.sample(i))) return *failure;
+  }
+  if (Failure failure = (*writer)->finish(source.scene, metadata_of(history, range, source)))
+    return *failure;
+  return (*writer)->rows();
+}
+
+std::string export_name(const Scene& scene, double from_s, double to_s) {
+  const auto list = algorithms();
+  const bool known = scene.algorithm.index < list.size();
+  std::string name =
+      fmt::format("{}-{}-{:.3f}-{:.3f}s", scene.name,
+                  known ? list[scene.algorithm.index].name : "unknown", from_s, to_s);
+  for (char& c : name) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (!plain && c != '-' && c != '_' && c != '.') c = '-';
+  }
+  return name;
+}
+
+std::string unused_path(const std::string& folder, const std::string& name,
+                        const std::string& ending) {
+  const std::filesystem::path stem = std::filesystem::path(folder) / name;
+  std::string path = stem.string() + ending;
+  std::error_code ignored;
+  for (int number = 2; std::filesystem::exists(path, ignored); ++number)
+    path = fmt::format("{}-{}{}", stem.string(), number, ending);
+  return path;
+}
+
+void ExportJob::start(const SampleHistory& history, IndexRange range, const ExportSource& source,
+                      const std::string& csv_path) {
+  auto copy = std::make_shared<const SampleHistory>(history);
+  future_ = std::async(std::launch::async, [copy = std::move(copy), range, source, csv_path] {
+              return Outcome{csv_path, export_csv(*copy, range, source, csv_path)};
+            }).share();
+}
+
+std::optional<ExportJob::Outcome> ExportJob::take() {
+  if (!running() || future_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return std::nullopt;
+  return std::exchange(future_, {}).get();
+}
+
+}  // namespace hapticwall::ui

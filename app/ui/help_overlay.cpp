@@ -1,0 +1,132 @@
+#include "app/ui/help_overlay.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "app/ui/keys.h"
+#include "app/ui/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr float kWidthEms = 52.0F;
+constexpr float kMarginEms = 2.0F;  // to the edges of the window, where that is small
+constexpr float kKeyColumnShare = 0.36F;
+
+struct Gesture {
+  const char* where;
+  const char* what;
+};
+constexpr std::array kGestures{Gesture{"drag in the view", "leads the hand"},
+                               Gesture{"right drag, wheel", "turns the view, zooms it"},
+                               Gesture{"drag, wheel in a plot", "moves and zooms its time"},
+                               Gesture{"… over its value axis", "moves and zooms its values"},
+                               Gesture{"click on a legend", "hides the line"},
+                               Gesture{"Ctrl+click on a slider", "types its value"},
+                               Gesture{"drag a file to the window", "opens a scene or a recording"},
+                               Gesture{"rest on anything", "says what it is"}};
+
+void heading(const PanelContext& context, const char* title) {
+  ImGui::Dummy(ImVec2(0.0F, 0.3F * ImGui::GetFontSize()));
+  ImGui::PushFont(context.theme.fonts.strong, 0.0F);
+  ImGui::TextColored(context.theme.colour(Tone::kAccent), "%s", title);
+  ImGui::PopFont();
+}
+
+void row(const PanelContext& context, const char* left, const char* right) {
+  const float start = ImGui::GetCursorPosX();
+  const float column = kKeyColumnShare * ImGui::GetContentRegionAvail().x;
+  ImGui::TextUnformatted(left);
+  ImGui::SameLine();
+  // What is longer than its column pushes its neighbour.
+  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), start + column));
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kMuted));
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(right);
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void draw_keys(const PanelContext& context) {
+  std::optional<KeyGroup> group;
+  for (const KeyBinding& binding : key_bindings()) {
+    if (binding.group == KeyGroup::kPlots && group != KeyGroup::kPlots) ImGui::TableNextColumn();
+    if (binding.group != group) heading(context, group_title(binding.group));
+    group = binding.group;
+    row(context, keys_text(binding).c_str(), binding.what.c_str());
+    remember_item(context.state, "help: " + binding.what);
+  }
+}
+
+void draw_gestures(const PanelContext& context) {
+  heading(context, "Pointer");
+  for (const Gesture& gesture : kGestures) row(context, gesture.where, gesture.what);
+}
+
+void draw_content(const PanelContext& context) {
+  ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);
+  ImGui::TextUnformatted("Keys and pointer");
+  ImGui::PopFont();
+  ImGui::SameLine();
+  const char* close = "Close (Esc)";
+  const float width = ImGui::CalcTextSize(close).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
+  if (ImGui::Button(close)) context.state.transient.help_shown = false;
+  remember_item(context.state, "close help");
+  if (ImGui::BeginTable("help", 2)) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    draw_keys(context);
+    draw_gestures(context);
+    ImGui::EndTable();
+  }
+  ImGui::Spacing();
+  muted_text(context,
+             "Space takes the force of a real device away, whatever else is going on. While a text "
+             "is typed, the other keys are letters.");
+}
+
+}  // namespace
+
+void draw_help(const PanelContext& context) {
+  if (!context.state.transient.help_shown) return;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoCollapse;
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const float em = ImGui::GetFontSize();
+  const ImVec2 most(viewport->WorkSize.x - kMarginEms * em, viewport->WorkSize.y - kMarginEms * em);
+  ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0F, 0.0F), most);
+  ImGui::SetNextWindowSize(ImVec2(std::min(kWidthEms * em, most.x), 0.0F));
+  begin_raised(context.theme);
+  ImGui::Begin("##help", nullptr, kFlags);
+  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+  draw_content(context);
+  const bool elsewhere = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
+                         !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+  if (elsewhere && !ImGui::IsWindowAppearing()) context.state.transient.help_shown = false;
+  ImGui::End();
+  end_raised();
+}
+
+void toggle_help(const PanelContext& context) {
+  bool& shown = context.state.transient.help_shown;
+  shown = !shown;
+}
+
+void put_away(const PanelContext& context) {
+  TransientState& transient = context.state.transient;
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    ImGui::ClosePopupsExceptModals();
+  } else if (transient.help_shown) {
+    transient.help_shown = false;
+  } else {
+    transient.toasts.put_newest_away();
+  }
+}
+
+}  // namespace hapticwall::ui

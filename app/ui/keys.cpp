@@ -1,0 +1,190 @@
+#include "app/ui/keys.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "app/ui/appearance.h"
+#include "app/ui/arming_strip.h"
+#include "app/ui/control_panel.h"
+#include "app/ui/help_overlay.h"
+#include "app/ui/plot_controls.h"
+#include "app/ui/toolbar.h"
+#include "app/ui/ui_state.h"
+#include "app/ui/undo_controls.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr std::size_t kDigitKeys = 9;
+
+ImGuiKeyChord ctrl(ImGuiKeyChord key) { return ImGuiMod_Ctrl | key; }
+
+std::vector<KeyBinding> force_keys() {
+  return {{KeyGroup::kForce, "force off, at once", {ImGuiKey_Space}, disarm, {}, 0, false, true},
+          {KeyGroup::kForce, "arm a real device: the force rises", {ImGuiKey_A}, ask_to_arm}};
+}
+
+std::vector<KeyBinding> session_keys() {
+  return {{KeyGroup::kSession, "pause, or run on", {ImGuiKey_P}, toggle_pause},
+          {KeyGroup::kSession,
+           "one tick, while paused",
+           {ImGuiKey_S, ImGuiKey_RightArrow},
+           single_step,
+           {},
+           0,
+           true},
+          {KeyGroup::kSession, "reset: back to tick 0, at rest", {ImGuiKey_R}, reset_session},
+          {KeyGroup::kSession, "record, or stop recording", {ctrl(ImGuiKey_R)}, toggle_recording}};
+}
+
+std::vector<KeyBinding> algorithm_keys() {
+  std::vector<KeyBinding> keys;
+  for (std::size_t i = 0; i < std::min(kDigitKeys, algorithms().size()); ++i) {
+    const int offset = static_cast<int>(i);
+    keys.push_back({KeyGroup::kAlgorithm,
+                    std::string(algorithms()[i].name),
+                    {ImGuiKey_1 + offset},
+                    [i](const PanelContext& context) { choose_algorithm(context, i); },
+                    {ImGuiKey_Keypad1 + offset}});
+  }
+  return keys;
+}
+
+std::vector<KeyBinding> parameter_keys() {
+  return {{KeyGroup::kParameters, "undo the last change", {ctrl(ImGuiKey_Z)}, undo_change},
+          {KeyGroup::kParameters,
+           "redo it",
+           {ctrl(ImGuiMod_Shift | ImGuiKey_Z), ctrl(ImGuiKey_Y)},
+           redo_change}};
+}
+
+std::vector<KeyBinding> window_keys() {
+  return {{KeyGroup::kWindow, "this help", {ImGuiKey_F1}, toggle_help, {}, U'?'},
+          {KeyGroup::kWindow, "dark or light", {ImGuiKey_F2}, toggle_look},
+          {KeyGroup::kWindow,
+           "everything larger",
+           {ctrl(ImGuiKey_Equal)},
+           [](const PanelContext& context) { step_scale(context.state, 1); },
+           {ctrl(ImGuiKey_KeypadAdd), ctrl(ImGuiMod_Shift | ImGuiKey_Equal)},
+           0,
+           true},
+          {KeyGroup::kWindow,
+           "everything smaller",
+           {ctrl(ImGuiKey_Minus)},
+           [](const PanelContext& context) { step_scale(context.state, -1); },
+           {ctrl(ImGuiKey_KeypadSubtract)},
+           0,
+           true},
+          {KeyGroup::kWindow,
+           "as large as the screen says",
+           {ctrl(ImGuiKey_0)},
+           [](const PanelContext& context) { set_scale(context.state, 0); },
+           {ctrl(ImGuiKey_Keypad0)}},
+          {KeyGroup::kWindow,
+           "close a list, the help, or the newest message",
+           {ImGuiKey_Escape},
+           put_away}};
+}
+
+std::vector<KeyBinding> all_keys() {
+  std::vector<KeyBinding> all;
+  for (auto&& part : {force_keys(), session_keys(), algorithm_keys(), parameter_keys(), plot_keys(),
+                      window_keys()})
+    std::copy(part.begin(), part.end(), std::back_inserter(all));
+  return all;
+}
+
+// Shift counts only where a key is named with Ctrl: a letter is a letter with and without it.
+bool modifiers_fit(ImGuiKeyChord chord) {
+  constexpr ImGuiKeyChord kStrong = ImGuiMod_Ctrl | ImGuiMod_Alt | ImGuiMod_Super;
+  const ImGuiKeyChord held = ImGui::GetIO().KeyMods;
+  const ImGuiKeyChord wanted = chord & ImGuiMod_Mask_;
+  if ((held & kStrong) != (wanted & kStrong)) return false;
+  return wanted == 0 || (held & ImGuiMod_Shift) == (wanted & ImGuiMod_Shift);
+}
+
+bool typed(ImWchar character) {
+  const ImVector<ImWchar>& queue = ImGui::GetIO().InputQueueCharacters;
+  return character != 0 && std::find(queue.begin(), queue.end(), character) != queue.end();
+}
+
+bool pressed(const KeyBinding& binding) {
+  const auto chord_pressed = [&](ImGuiKeyChord chord) {
+    return (binding.always || modifiers_fit(chord)) &&
+           ImGui::IsKeyPressed(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), binding.repeats);
+  };
+  return std::any_of(binding.chords.begin(), binding.chords.end(), chord_pressed) ||
+         std::any_of(binding.more.begin(), binding.more.end(), chord_pressed) ||
+         typed(binding.character);
+}
+
+std::string chord_text(ImGuiKeyChord chord) {
+  std::string text;
+  if ((chord & ImGuiMod_Ctrl) != 0) text += "Ctrl+";
+  if ((chord & ImGuiMod_Shift) != 0) text += "Shift+";
+  const auto key = static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_);
+  switch (key) {
+    case ImGuiKey_LeftArrow:
+      return text + "←";
+    case ImGuiKey_RightArrow:
+      return text + "→";
+    case ImGuiKey_UpArrow:
+      return text + "↑";
+    case ImGuiKey_DownArrow:
+      return text + "↓";
+    case ImGuiKey_Escape:
+      return text + "Esc";
+    case ImGuiKey_Equal:
+      return "Ctrl and +";
+    case ImGuiKey_Minus:
+      return "Ctrl and −";
+    default:
+      return text + ImGui::GetKeyName(key);
+  }
+}
+
+}  // namespace
+
+const std::vector<KeyBinding>& key_bindings() {
+  static const std::vector<KeyBinding> kBindings = all_keys();
+  return kBindings;
+}
+
+void handle_keys(const PanelContext& context, std::span<const KeyBinding> bindings) {
+  const bool typing = ImGui::GetIO().WantTextInput;
+  for (const KeyBinding& binding : bindings) {
+    if ((!typing || binding.always) && pressed(binding)) binding.act(context);
+  }
+}
+
+std::string keys_text(const KeyBinding& binding) {
+  std::string text;
+  for (const ImGuiKeyChord chord : binding.chords) {
+    if (!text.empty()) text += " or ";
+    text += chord_text(chord);
+  }
+  if (binding.character != 0) text += std::string(" or ") + static_cast<char>(binding.character);
+  return text;
+}
+
+const char* group_title(KeyGroup group) {
+  switch (group) {
+    case KeyGroup::kForce:
+      return "Force";
+    case KeyGroup::kSession:
+      return "Session";
+    case KeyGroup::kAlgorithm:
+      return "Algorithm";
+    case KeyGroup::kParameters:
+      return "Parameters";
+    case KeyGroup::kPlots:
+      return "Plots";
+    case KeyGroup::kWindow:
+      break;
+  }
+  return "Window";
+}
+
+}  // namespace hapticwall::ui

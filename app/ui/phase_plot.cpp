@@ -1,0 +1,295 @@
+#include "app/ui/phase_plot.h"
+
+#include <fmt/format.h>
+#include <implot.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kMillimetresPerMetre = 1e3;
+constexpr double kMillijoulesPerJoule = 1e3;
+constexpr double kSmallestSpanMm = 0.05;
+constexpr double kSmallestSpanN = 1.0;
+constexpr double kMoved = 1e-9;  // of an axis' span
+
+// Of one coordinate of the path. The way to the wall, where there is no force, is of no interest,
+// and 0 always is.
+Extremes extremes_of(const PhasePath& path, const std::vector<double>& values, double scale) {
+  Extremes all;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (path.force_n[i] == 0.0 && path.penetration_m[i] <= 0.0) continue;
+    all.minimum = std::min(all.minimum, values[i] * scale);
+    all.maximum = std::max(all.maximum, values[i] * scale);
+  }
+  return all;
+}
+
+void fit(ValueAxis& axis, Extremes data, double smallest_span) {
+  if (axis.manual) return;
+  const Extremes rounded = round_range(data, smallest_span);
+  axis.minimum = rounded.minimum;
+  axis.maximum = rounded.maximum;
+}
+
+void remember(const PhaseSurface& surface, const char* item) {
+  if (surface.remember) surface.remember(item);
+}
+
+bool toggle(const PhaseSurface& surface, const char* label, bool& value, const char* tooltip) {
+  const ImU32 background =
+      value ? surface.theme->packed(Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
+  ImGui::PushStyleColor(ImGuiCol_Button, background);
+  const bool clicked = ImGui::SmallButton(label);
+  ImGui::PopStyleColor();
+  if (clicked) value = !value;
+  remember(surface, label);
+  ImGui::SetItemTooltip("%s", tooltip);
+  return clicked;
+}
+
+void draw_energy(const PhaseSurface& surface, const PhaseView& view, bool whole) {
+  const double energy_mj = view.energy_j * kMillijoulesPerJoule;
+  const bool gave = energy_mj < 0.0;
+  const Tone tone = gave ? Tone::kBad : Tone::kGood;
+  ImGui::TextColored(surface.theme->colour(tone), "%s %.4g mJ", gave ? "out" : "in",
+                     std::abs(energy_mj));
+  if (surface.interactive) {
+    ImGui::SetItemTooltip(
+        "The area of the path, ∫ F dp, of %zu samples.\n"
+        "in: the handle has put energy into the wall; out: the wall has given it energy.",
+        view.samples);
+  }
+  remember(surface, "loop energy");
+  if (whole) return;
+  ImGui::SameLine();
+  ImGui::TextDisabled("newest %zu samples", view.samples);
+}
+
+void draw_heading(const PhaseSurface& surface, PhaseSettings& settings, const PhaseView& view,
+                  bool whole) {
+  ImGui::PushFont(surface.theme->fonts.strong, 0.0F);
+  ImGui::TextUnformatted("Force over penetration");
+  ImGui::PopFont();
+  ImGui::PushFont(nullptr, kSmallFontSize);
+  draw_energy(surface, view, whole);
+  if (surface.interactive) {
+    ImGui::SameLine();
+    toggle(surface, "last contact", settings.last_contact,
+           "The newest contact of the visible range alone");
+    if (surface.simulated) {
+      ImGui::SameLine();
+      toggle(surface, "true", settings.true_position,
+             "Over the true penetration, which only a simulator knows,\n"
+             "instead of the one that the encoder tells");
+    }
+  }
+  ImGui::PopFont();
+}
+
+// What the walls ask for at rest: straight pieces that bend at each face.
+void draw_walls(const PhaseSurface& surface) {
+  if (surface.walls.empty()) return;
+  const double face_m = surface.walls.front().position_m;
+  const double deepest_m = ImPlot::GetPlotLimits().X.Max / kMillimetresPerMetre;
+  std::vector<double> depths_m{0.0, std::max(deepest_m, 0.0)};
+  for (const WallSettings& wall : surface.walls) depths_m.push_back(wall.position_m - face_m);
+  std::sort(depths_m.begin(), depths_m.end());
+  PhasePath line;
+  for (const double depth_m : depths_m) {
+    double force_n = 0.0;
+    for (const WallSettings& wall : surface.walls) {
+      const double into_m = depth_m - (wall.position_m - face_m);
+      force_n += std::max(into_m, 0.0) * wall.stiffness_n_per_m;
+    }
+    line.add(depth_m * kMillimetresPerMetre, force_n);
+  }
+  ImPlotSpec spec;
+  spec.LineColor = surface.theme->colour(Tone::kWall);
+  spec.LineColor.w = 0.7F;
+  spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  ImPlot::PlotLine("##wall", line.penetration_m.data(), line.force_n.data(),
+                   static_cast<int>(line.penetration_m.size()), spec);
+}
+
+int pixel_of(float place) {
+  constexpr float kFar = 1e5F;  // as good as just outside
+  return static_cast<int>(std::floor(std::clamp(place, -kFar, kFar)));
+}
+
+void trace_pixels(PhaseView& view) {
+  view.rows.clear();
+  view.columns.clear();
+  ImVec2 before;
+  for (std::size_t i = 0; i < view.path.force_n.size(); ++i) {
+    const ImVec2 now = ImPlot::PlotToPixels(view.path.penetration_m[i] * kMillimetresPerMetre,
+                                            view.path.force_n[i]);
+    if (i > 0) {
+      const auto [left, right] = std::minmax({pixel_of(before.x), pixel_of(now.x)});
+      const auto [top, bottom] = std::minmax({pixel_of(before.y), pixel_of(now.y)});
+      if (view.path.force_n[i] == view.path.force_n[i - 1]) {
+        view.rows.push_back({top, left, right + 1});
+      } else {
+        view.columns.push_back({left, top, bottom + 1});
+      }
+    }
+    before = now;
+  }
+  join_spans(view.rows);
+  join_spans(view.columns);
+}
+
+void draw_path(const PhaseSurface& surface, PhaseView& view) {
+  if (view.path.force_n.empty()) return;
+  trace_pixels(view);
+  ImDrawList* list = ImPlot::GetPlotDrawList();
+  const ImU32 colour = surface.theme->packed(Tone::kForce);
+  const auto rectangle = [&](int left, int top, int right, int bottom) {
+    list->PrimRect(ImVec2(static_cast<float>(left), static_cast<float>(top)),
+                   ImVec2(static_cast<float>(right), static_cast<float>(bottom)), colour);
+  };
+  const int weight = std::max(1, static_cast<int>(std::lround(surface.line_weight)));
+  ImPlot::PushPlotClipRect();
+  const auto count = static_cast<int>(view.rows.size() + view.columns.size());
+  list->PrimReserve(6 * count, 4 * count);
+  for (const PixelSpan& row : view.rows) rectangle(row.from, row.line, row.to, row.line + weight);
+  for (const PixelSpan& column : view.columns)
+    rectangle(column.line, column.from, column.line + weight, column.to);
+  // Where it ends: now, while the plots follow.
+  const ImVec2 tip = ImPlot::PlotToPixels(view.path.penetration_m.back() * kMillimetresPerMetre,
+                                          view.path.force_n.back());
+  list->AddCircleFilled(tip, 2.5F * surface.line_weight, surface.theme->packed(Tone::kText));
+  ImPlot::PopPlotClipRect();
+}
+
+void set_up_axis(ImAxis id, ValueAxis& axis, const char* format) {
+  ImPlot::SetupAxis(id, nullptr, ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
+  ImPlot::SetupAxisLinks(id, &axis.minimum, &axis.maximum);
+  ImPlot::SetupAxisFormat(id, format);
+}
+
+void notice_moves(ValueAxis& axis, const ImPlotRange& now) {
+  const double moved = std::abs(now.Min - axis.minimum) + std::abs(now.Max - axis.maximum);
+  if (moved > kMoved * (axis.maximum - axis.minimum)) axis.manual = true;
+}
+
+void notice_input(PhaseView& view) {
+  const ImPlotRect limits = ImPlot::GetPlotLimits();
+  notice_moves(view.penetration, limits.X);
+  notice_moves(view.force, limits.Y);
+  if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
+  const bool inside = ImPlot::IsPlotHovered();
+  if (inside || ImPlot::IsAxisHovered(ImAxis_X1)) view.penetration.manual = false;
+  if (inside || ImPlot::IsAxisHovered(ImAxis_Y1)) view.force.manual = false;
+}
+
+PlotArea draw_plane(const PhaseSurface& surface, PhaseView& view, ImVec2 size) {
+  ImPlotFlags flags = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame;
+  if (surface.interactive) flags &= ~ImPlotFlags_NoBoxSelect;
+  if (!surface.interactive) flags |= ImPlotFlags_NoInputs;
+  PlotArea area;
+  if (!ImPlot::BeginPlot("##plane", size, flags)) return area;
+  set_up_axis(ImAxis_X1, view.penetration, "%g mm");
+  set_up_axis(ImAxis_Y1, view.force, "%g N");
+  ImPlot::SetupFinish();
+  draw_walls(surface);
+  draw_path(surface, view);
+  if (surface.interactive) notice_input(view);
+  area = {ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
+  ImPlot::EndPlot();
+  return area;
+}
+
+}  // namespace
+
+void PhasePath::clear() {
+  penetration_m.clear();
+  force_n.clear();
+}
+
+void PhasePath::add(double x_m, double y_n) {
+  penetration_m.push_back(x_m);
+  force_n.push_back(y_n);
+}
+
+void join_spans(std::vector<PixelSpan>& spans) {
+  std::sort(spans.begin(), spans.end(), [](const PixelSpan& a, const PixelSpan& b) {
+    return std::tie(a.line, a.from) < std::tie(b.line, b.from);
+  });
+  std::size_t joined = 0;
+  for (const PixelSpan& span : spans) {
+    if (joined > 0 && spans[joined - 1].line == span.line && spans[joined - 1].to >= span.from) {
+      spans[joined - 1].to = std::max(spans[joined - 1].to, span.to);
+    } else {
+      spans[joined++] = span;
+    }
+  }
+  spans.resize(joined);
+}
+
+void trace_phase(const SampleHistory& history, IndexRange range, bool true_position,
+                 PhasePath& path) {
+  path.clear();
+  double held_n = 0.0;
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    double penetration_m = history.value(Quantity::kPenetration, i);
+    if (true_position) {
+      penetration_m +=
+          history.value(Quantity::kTruePosition, i) - history.value(Quantity::kPosition, i);
+    }
+    const double force_n = history.value(Quantity::kForce, i);
+    if (i > range.first) path.add(penetration_m, held_n);
+    if (i == range.first || force_n != held_n) path.add(penetration_m, force_n);
+    held_n = force_n;
+  }
+}
+
+double phase_energy_j(const PhasePath& path) {
+  double energy_j = 0.0;
+  for (std::size_t i = 1; i < path.force_n.size(); ++i) {
+    energy_j += 0.5 * (path.force_n[i] + path.force_n[i - 1]) *
+                (path.penetration_m[i] - path.penetration_m[i - 1]);
+  }
+  return energy_j;
+}
+
+IndexRange phase_range(const SampleHistory& history, const PhaseSettings& settings,
+                       TimeWindow window) {
+  IndexRange range = history.range_within(window.from_s, window.to_s);
+  if (settings.last_contact) {
+    const auto contact = newest_contact(history, range);
+    if (!contact) return {range.last, range.last};
+    // One sample on either side: the path begins and ends in front of the wall.
+    range = {contact->first - 1, std::min(contact->last + 1, range.last)};
+  }
+  if (range.count() > kMostPhaseSamples) range.first = range.last - kMostPhaseSamples;
+  return range;
+}
+
+PlotArea draw_phase_plot(const PhaseSurface& surface, PhaseSettings& settings, PhaseView& view,
+                         ImVec2 size) {
+  ImGui::PushID("phase");
+  const IndexRange range = phase_range(*surface.history, settings, surface.window);
+  trace_phase(*surface.history, range, settings.true_position && surface.simulated, view.path);
+  view.energy_j = phase_energy_j(view.path);
+  view.samples = range.count();
+  fit(view.penetration, extremes_of(view.path, view.path.penetration_m, kMillimetresPerMetre),
+      kSmallestSpanMm);
+  fit(view.force, extremes_of(view.path, view.path.force_n, 1.0), kSmallestSpanN);
+  ImGui::BeginGroup();  // its rows begin where the first one does
+  const float top = ImGui::GetCursorPosY();
+  draw_heading(surface, settings, view, range.count() < kMostPhaseSamples);
+  const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));
+  ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
+  const PlotArea area = draw_plane(surface, view, ImVec2(size.x, height));
+  ImGui::PopFont();
+  ImGui::EndGroup();
+  ImGui::PopID();
+  return area;
+}
+
+}  // namespace hapticwall::ui

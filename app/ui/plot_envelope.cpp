@@ -1,0 +1,70 @@
+#include "app/ui/plot_envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace hapticwall::ui {
+namespace {
+
+// Pixels up and down for a pixel to the right from which on a line is a band.
+constexpr double kBandTravel = 3.0;
+constexpr std::size_t kFewestPoints = 16;
+// Far outside is as good as just outside, and safe for the whole numbers and floats of a screen.
+constexpr double kFarPixels = 1e5;
+
+double near_screen(double pixel) { return std::clamp(pixel, -kFarPixels, kFarPixels); }
+
+}  // namespace
+
+bool is_band(const Trace& trace, const PixelScale& x, const PixelScale& y) {
+  if (trace.value.size() < kFewestPoints) return false;
+  const double width = std::abs(x(trace.time_s.back()) - x(trace.time_s.front()));
+  if (width > static_cast<double>(trace.value.size())) return false;  // there is room for strokes
+  double travel = 0.0;
+  for (std::size_t i = 1; i < trace.value.size(); ++i)
+    travel += std::abs(trace.value[i] - trace.value[i - 1]);
+  return travel * std::abs(y.scale) > kBandTravel * width;
+}
+
+void band_of(const Trace& trace, const PixelScale& x, const PixelScale& y,
+             std::vector<PixelColumn>& columns) {
+  columns.clear();
+  for (std::size_t i = 0; i < trace.value.size(); ++i) {
+    const int column = static_cast<int>(std::floor(near_screen(x(trace.time_s[i]))));
+    const double pixel = near_screen(y(trace.value[i]));
+    if (columns.empty() || columns.back().x != column) columns.push_back({column, pixel, pixel});
+    columns.back().top = std::min(columns.back().top, pixel);
+    columns.back().bottom = std::max(columns.back().bottom, pixel);
+  }
+  // The way between two columns that have nothing in common belongs to the later one.
+  std::pair<double, double> before;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    PixelColumn& column = columns[i];
+    const std::pair<double, double> own{column.top, column.bottom};
+    if (i > 0) {
+      column.top = std::min(column.top, before.second);
+      column.bottom = std::max(column.bottom, before.first);
+    }
+    before = own;
+  }
+}
+
+void draw_band(ImDrawList* list, const std::vector<PixelColumn>& columns, ImU32 colour,
+               float weight) {
+  if (columns.empty()) return;
+  const auto count = static_cast<int>(columns.size());
+  list->PrimReserve(6 * count, 4 * count);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const PixelColumn& column = columns[i];
+    // Up to the next column, which is the next pixel but where samples are missing.
+    const int right = i + 1 < columns.size() ? columns[i + 1].x : column.x + 1;
+    list->PrimRect(
+        ImVec2(static_cast<float>(column.x), static_cast<float>(column.top) - 0.5F * weight),
+        ImVec2(static_cast<float>(right), static_cast<float>(column.bottom) + 0.5F * weight),
+        colour);
+  }
+}
+
+}  // namespace hapticwall::ui

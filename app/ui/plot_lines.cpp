@@ -1,0 +1,78 @@
+#include "app/ui/plot_lines.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using enum LineKind;
+
+constexpr std::array kPositionLines{
+    PlotLine{Quantity::kHandPath, "hand",
+             "where the hand intends to be; the value axis does not stretch for it", Tone::kHand},
+    PlotLine{Quantity::kPosition, "handle", "x, the position as the encoder tells it",
+             Tone::kPosition},
+    PlotLine{Quantity::kTruePosition, "true position", "where the handle is, between two counts",
+             Tone::kAccent, kSimulator},
+    PlotLine{Quantity::kPenetration, "penetration", "p = x - x_w, into the outermost wall",
+             Tone::kBad, kExtra},
+    PlotLine{Quantity::kVelocity, "velocity", "v, the backward difference of the position",
+             Tone::kWarning, kExtra, true},
+    PlotLine{Quantity::kTrueVelocity, "true velocity", "how fast the handle is at the tick",
+             Tone::kGood, kSimulator, true}};
+constexpr std::array kForceLines{
+    PlotLine{Quantity::kWallForce, "wall F_e", "F_e, what the virtual wall asks for",
+             Tone::kWallForce},
+    PlotLine{Quantity::kForce, "actuator F_d",
+             "F_d, what the algorithm makes of it: the force on the handle", Tone::kForce},
+    PlotLine{Quantity::kHandForce, "hand F_h", "F_h, of the hand on the handle", Tone::kHand,
+             kSimulator}};
+constexpr std::array kStiffnessLines{PlotLine{Quantity::kStiffness, "force / penetration",
+                                              "F_d over penetration; 0 out of contact",
+                                              Tone::kStiffness}};
+constexpr std::array kPassivityLines{
+    PlotLine{Quantity::kEnergyBudget, "budget",
+             "−T Σ b v²: the most that the hold may generate (Eq. 22)", Tone::kBudget},
+    PlotLine{Quantity::kEnergyHold, "hold (9)", "Eq. 9: energy of the sample-and-hold",
+             Tone::kHold},
+    PlotLine{Quantity::kEnergyScv, "SCV (10)",
+             "Eq. 10: what handle and actuator really exchanged, as the encoder sees it",
+             Tone::kScv},
+    PlotLine{Quantity::kEnergyCv, "observer (6)",
+             "Eq. 6: the passivity observer of Hannaford and Ryu; blind to the hold",
+             Tone::kObserver},
+    PlotLine{Quantity::kActuatorWork, "actuator work",
+             "∫ F_d v dt: what the handle has given to the actuator. Below 0: what it was given",
+             Tone::kForce, kSimulator},
+    PlotLine{Quantity::kDissipation, "losses", "∫ (b v² + f_c |v|) dt: heat in the device",
+             Tone::kGood, kSimulator},
+    PlotLine{Quantity::kHandWork, "hand's work",
+             "∫ F_h v dt: what the hand has put in. Below 0: what it has extracted", Tone::kHand,
+             kSimulator},
+    PlotLine{Quantity::kKinetic, "kinetic", "½ m v² of the handle", Tone::kAccent, kSimulator}};
+
+const std::array<PlotDescription, kPlotCount> kPlots{
+    PlotDescription{
+        PlotId::kPosition, "Position", {"mm", 1e3, 1.0}, {"mm/s", 1e3, 1.0}, kPositionLines},
+    PlotDescription{PlotId::kForce, "Force", {"N", 1.0, 1.0}, {}, kForceLines},
+    PlotDescription{PlotId::kStiffness, "Stiffness", {"kN/m", 1e-3, 1.0}, {}, kStiffnessLines},
+    PlotDescription{PlotId::kPassivity, "Passivity", {"mJ", 1e3, 0.1}, {}, kPassivityLines}};
+
+ChosenLines find_usual_lines() {
+  ChosenLines usual{};
+  for (std::size_t i = 0; i < kPlotCount; ++i) {
+    for (const PlotLine& line : kPlots[i].lines) {
+      if (line.kind == kUsual) usual[i] |= line_bit(line.quantity);
+    }
+  }
+  return usual;
+}
+
+}  // namespace
+
+const PlotDescription& plot_description(PlotId id) { return kPlots[static_cast<std::size_t>(id)]; }
+
+const ChosenLines& usual_lines() {
+  static const ChosenLines kUsualLines = find_usual_lines();
+  return kUsualLines;
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,66 @@
+// Which signals there are to plot, in which of the four plots, and in which unit.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "app/ui/sample_history.h"
+#include "app/ui/theme.h"
+
+namespace hapticwall::ui {
+
+enum class PlotId : std::uint8_t { kPosition, kForce, kStiffness, kPassivity };
+inline constexpr std::size_t kPlotCount = 4;
+
+// A set of lines: one bit for each Quantity.
+using LineSet = std::uint32_t;
+using HiddenLines = LineSet;
+static_assert(kQuantityCount <= 32);
+[[nodiscard]] constexpr LineSet line_bit(Quantity quantity) {
+  return LineSet{1} << static_cast<unsigned>(quantity);
+}
+
+enum class LineKind : std::uint8_t {
+  kUsual,      // shown unless the user chooses otherwise
+  kExtra,      // shown where chosen
+  kSimulator,  // the same, and nobody but a simulator knows it
+};
+
+// An axis of values, on the left or on the right.
+struct ValueScale {
+  const char* unit = "";
+  double scale = 1.0;          // of SI values into `unit`
+  double smallest_span = 1.0;  // of the axis, in `unit`
+};
+
+struct PlotLine {
+  Quantity quantity = Quantity::kPosition;
+  const char* name = "";
+  const char* meaning = "";
+  Tone tone = Tone::kText;
+  LineKind kind = LineKind::kUsual;
+  bool on_right = false;  // of the second axis
+};
+
+struct PlotDescription {
+  PlotId id = PlotId::kPosition;
+  const char* title = "";
+  ValueScale left;
+  ValueScale right;  // of the lines that say so
+  std::span<const PlotLine> lines;
+
+  [[nodiscard]] const ValueScale& scale_of(const PlotLine& line) const {
+    return line.on_right ? right : left;
+  }
+};
+
+[[nodiscard]] const PlotDescription& plot_description(PlotId id);
+
+// By PlotId.
+using ChosenLines = std::array<LineSet, kPlotCount>;
+[[nodiscard]] const ChosenLines& usual_lines();
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,68 @@
+// An array that grows at its end and is forgotten at its front, in blocks: nothing is moved when it
+// grows, and a copy shares what both have.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace hapticwall::ui {
+
+// Elements keep their index for life: the n-th that was ever pushed is n. A block of which all
+// elements have the same bits (a quantity that nobody measures, a force in free motion) costs no
+// memory. A copy is cheap and stays as it was while the original grows, on another thread too, as
+// long as only one of the two is pushed to. Realtime-safe: no.
+template <typename T>
+class BlockArray {
+ public:
+  static constexpr std::uint64_t kBlock = 1024;  // elements
+
+  [[nodiscard]] std::uint64_t first() const { return first_; }  // the oldest that is kept
+  [[nodiscard]] std::uint64_t end() const { return end_; }
+
+  // Precondition: first() <= index < end().
+  [[nodiscard]] const T& operator[](std::uint64_t index) const {
+    const Block& block = blocks_[static_cast<std::size_t>((index - first_) / kBlock)];
+    return block.values != nullptr ? block.values[static_cast<std::ptrdiff_t>(index % kBlock)]
+                                   : block.same;
+  }
+
+  void push_back(const T& value) {
+    const auto place = static_cast<std::ptrdiff_t>(end_ % kBlock);
+    if (place == 0) blocks_.push_back({nullptr, value});
+    Block& block = blocks_.back();
+    if (block.values == nullptr && !same_bits(block.same, value)) {
+      block.values = std::make_shared<T[]>(kBlock);
+      std::fill_n(block.values.get(), place, block.same);
+    }
+    if (block.values != nullptr) block.values[place] = value;
+    ++end_;
+  }
+
+  // Forgets the blocks of which no element has this index or a later one.
+  void forget_before(std::uint64_t index) {
+    const std::uint64_t whole = (std::min(index, end_) - std::min(index, first_)) / kBlock;
+    blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(whole));
+    first_ += whole * kBlock;
+  }
+
+ private:
+  struct Block {
+    std::shared_ptr<T[]> values;  // none: all are `same`
+    T same;
+  };
+  static bool same_bits(const T& a, const T& b) {
+    using Bits = std::array<std::byte, sizeof(T)>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+  }
+
+  std::vector<Block> blocks_;
+  std::uint64_t first_ = 0;  // a multiple of kBlock
+  std::uint64_t end_ = 0;
+};
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,80 @@
+#include "app/ui/sample_pyramid.h"
+
+#include <algorithm>
+
+namespace hapticwall::ui {
+namespace {
+
+static_assert(SamplePyramid::kFan == 4, "size_of() shifts by two bits a level");
+
+void include(Extremes& all, const Extremes& more) {
+  all.minimum = std::min(all.minimum, more.minimum);
+  all.maximum = std::max(all.maximum, more.maximum);
+}
+
+}  // namespace
+
+void SamplePyramid::push_back(double value) {
+  samples_.push_back(value);
+  Extremes carried{value, value};
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    include(growing_[level], carried);
+    if (samples_.end() % size_of(level) != 0) return;
+    carried = growing_[level];
+    levels_[level].push_back(carried);
+    growing_[level] = kNothing;
+  }
+}
+
+void SamplePyramid::forget_before(std::uint64_t index) {
+  samples_.forget_before(index);
+  // A block that is cut by the new beginning is never asked for, and may go or stay.
+  for (std::size_t level = 0; level < kLevels; ++level)
+    levels_[level].forget_before(samples_.first() / size_of(level));
+}
+
+Extremes SamplePyramid::extremes(std::uint64_t first, std::uint64_t last) const {
+  Extremes all = kNothing;
+  visit_parts(
+      first, last, [&](const Extremes& block) { include(all, block); },
+      [&](double value) {
+        include(all, {value, value});
+      });
+  return all;
+}
+
+// `wanted` tells of extremes whether a sample within them may be wanted, and of a sample as its own
+// extremes whether it is.
+template <typename Wanted>
+std::optional<std::uint64_t> SamplePyramid::newest(std::uint64_t first, std::uint64_t last,
+                                                   Wanted&& wanted) const {
+  std::size_t highest = kLevels;
+  while (last > first) {
+    std::size_t level = 0;  // as in visit_parts(), from the other end
+    while (level < highest && last % size_of(level) == 0 && last - first >= size_of(level)) ++level;
+    const std::uint64_t size = level > 0 ? size_of(level - 1) : 1;
+    const Extremes part = level > 0 ? levels_[level - 1][last / size - 1]
+                                    : Extremes{samples_[last - 1], samples_[last - 1]};
+    if (!wanted(part)) {
+      last -= size;
+    } else if (level == 0) {
+      return last - 1;
+    } else {
+      highest = level - 1;  // it is in this block
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::uint64_t> SamplePyramid::newest_above(std::uint64_t first, std::uint64_t last,
+                                                         double threshold) const {
+  return newest(first, last, [=](const Extremes& part) { return part.maximum > threshold; });
+}
+
+std::optional<std::uint64_t> SamplePyramid::newest_not_above(std::uint64_t first,
+                                                             std::uint64_t last,
+                                                             double threshold) const {
+  return newest(first, last, [=](const Extremes& part) { return part.minimum <= threshold; });
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,87 @@
+// A column of samples with the extremes of its blocks, so that those of any range cost a few steps.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "app/ui/sample_blocks.h"
+
+namespace hapticwall::ui {
+
+struct Extremes {
+  double minimum = 0.0;
+  double maximum = 0.0;
+};
+
+// Over the samples lie levels of blocks, of 16 samples, of 64, of 256 and so on; each knows the
+// smallest and the largest of its samples. Built as the samples come: a push costs less than two
+// comparisons of pairs. Indices are those of BlockArray. All values must be finite.
+class SamplePyramid {
+ public:
+  static constexpr std::uint64_t kSmallestBlock = 16;  // samples
+  static constexpr std::uint64_t kFan = 4;             // blocks that make one of the next level
+  static constexpr std::size_t kLevels = 9;            // the largest block: 2^20 samples
+
+  void push_back(double value);
+  void forget_before(std::uint64_t index);
+
+  [[nodiscard]] std::uint64_t first() const { return samples_.first(); }
+  [[nodiscard]] std::uint64_t end() const { return samples_.end(); }
+  [[nodiscard]] double operator[](std::uint64_t index) const { return samples_[index]; }
+
+  // Of the samples [first, last). Precondition: there is one.
+  [[nodiscard]] Extremes extremes(std::uint64_t first, std::uint64_t last) const;
+
+  // The newest of the samples [first, last) that is above `threshold`, or that is not.
+  [[nodiscard]] std::optional<std::uint64_t> newest_above(std::uint64_t first, std::uint64_t last,
+                                                          double threshold) const;
+  [[nodiscard]] std::optional<std::uint64_t> newest_not_above(std::uint64_t first,
+                                                              std::uint64_t last,
+                                                              double threshold) const;
+
+  // Calls `block(extremes)` and `sample(value)` for the few parts that make up [first, last), in
+  // order.
+  template <typename Block, typename SingleSample>
+  void visit_parts(std::uint64_t first, std::uint64_t last, Block&& block,
+                   SingleSample&& sample) const {
+    while (first < last) {
+      std::size_t level = 0;  // blocks of this level, plus 1; 0: single samples
+      while (level < kLevels && first % size_of(level) == 0 && first + size_of(level) <= last)
+        ++level;
+      if (level > 0) {
+        block(levels_[level - 1][first / size_of(level - 1)]);
+        first += size_of(level - 1);
+        continue;
+      }
+      const std::uint64_t next = (first / kSmallestBlock + 1) * kSmallestBlock;
+      for (const std::uint64_t stop = next < last ? next : last; first < stop; ++first)
+        sample(samples_[first]);
+    }
+  }
+
+  [[nodiscard]] static constexpr std::uint64_t size_of(std::size_t level) {
+    return kSmallestBlock << (2 * level);
+  }
+
+ private:
+  template <typename Wanted>
+  [[nodiscard]] std::optional<std::uint64_t> newest(std::uint64_t first, std::uint64_t last,
+                                                    Wanted&& wanted) const;
+
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static constexpr Extremes kNothing{kInfinity, -kInfinity};
+  static constexpr std::array<Extremes, kLevels> all_nothing() {
+    std::array<Extremes, kLevels> all{};
+    all.fill(kNothing);
+    return all;
+  }
+
+  BlockArray<double> samples_;
+  std::array<BlockArray<Extremes>, kLevels> levels_;
+  std::array<Extremes, kLevels> growing_ = all_nothing();  // the blocks that are not whole yet
+};
+
+}  // namespace hapticwall::ui

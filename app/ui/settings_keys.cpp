@@ -1,0 +1,277 @@
+// The keys of the settings file and where their values live.
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "app/file/text.h"
+#include "app/ui/magnifier.h"
+#include "app/ui/recent_files.h"
+#include "app/ui/settings_file.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using file::Settings;
+using file::SettingValue;
+
+constexpr const char* kRecent = "recent.file_";
+constexpr double kMostPixels = 16384.0;
+constexpr double kMostPanelEms = 60.0;
+constexpr double kLeastPanelEms = 14.0;
+constexpr double kLeastShare = 0.1;
+constexpr double kMostShare = 0.9;
+
+struct Key {
+  const char* name;
+  std::function<SettingValue(const UiState&)> get;
+  // Sets the value, or says what would be right.
+  std::function<std::optional<std::string>(UiState&, const SettingValue&)> set;
+};
+
+// `place(state)` is a reference to a number, kept within [least, most].
+template <typename Place>
+Key number(const char* name, Place place, double least, double most) {
+  return {name,
+          [place](const UiState& state) { return SettingValue(static_cast<double>(place(state))); },
+          [place, least, most](UiState& state,
+                               const SettingValue& value) -> std::optional<std::string> {
+            const double* found = std::get_if<double>(&value);
+            if (found == nullptr || *found < least || *found > most)
+              return fmt::format("must be a number from {} to {}", least, most);
+            auto& owner = place(state);
+            owner = static_cast<std::remove_reference_t<decltype(owner)>>(*found);
+            return std::nullopt;
+          }};
+}
+
+template <typename Place>
+Key flag(const char* name, Place place) {
+  return {name,
+          [place](const UiState& state) { return SettingValue(static_cast<bool>(place(state))); },
+          [place](UiState& state, const SettingValue& value) -> std::optional<std::string> {
+            const bool* found = std::get_if<bool>(&value);
+            if (found == nullptr) return "must be true or false";
+            place(state) = *found;
+            return std::nullopt;
+          }};
+}
+
+template <typename Value>
+struct Word {
+  std::string_view name;
+  Value value;
+};
+
+// One of a few words.
+template <typename Value, std::size_t kCount, typename Place>
+Key word(const char* name, const std::array<Word<Value>, kCount>& words, Place place) {
+  return {name,
+          [&words, place](const UiState& state) {
+            const Value value = place(state);
+            for (const Word<Value>& candidate : words) {
+              if (candidate.value == value) return SettingValue(std::string(candidate.name));
+            }
+            return SettingValue(std::string(words.front().name));
+          },
+          [&words, place](UiState& state, const SettingValue& value) -> std::optional<std::string> {
+            std::string names;
+            const auto* found = std::get_if<std::string>(&value);
+            for (const Word<Value>& candidate : words) {
+              if (found != nullptr && *found == candidate.name) {
+                place(state) = candidate.value;
+                return std::nullopt;
+              }
+              names += (names.empty() ? "" : ", ") + std::string(candidate.name);
+            }
+            return "must be one of: " + names;
+          }};
+}
+
+constexpr std::array kLooks{Word<Look>{"dark", Look::kScreen}, Word<Look>{"light", Look::kLight}};
+constexpr std::array kArrangements{
+    Word<PlotArrangement>{"all", PlotArrangement::kAll},
+    Word<PlotArrangement>{"figure-4", PlotArrangement::kFigure4},
+    Word<PlotArrangement>{"figures-5-6", PlotArrangement::kFigure5And6}};
+constexpr std::array kTriggers{Word<TriggerMode>{"off", TriggerMode::kOff},
+                               Word<TriggerMode>{"auto", TriggerMode::kAuto},
+                               Word<TriggerMode>{"normal", TriggerMode::kNormal},
+                               Word<TriggerMode>{"single", TriggerMode::kSingle}};
+
+Key recording_folder() {
+  return {"recording.folder",
+          [](const UiState& state) { return SettingValue(state.persisted.recording_folder); },
+          [](UiState& state, const SettingValue& value) -> std::optional<std::string> {
+            const auto* found = std::get_if<std::string>(&value);
+            if (found == nullptr) return "must be a string";
+            state.persisted.recording_folder = *found;
+            return std::nullopt;
+          }};
+}
+
+std::vector<Key> window_keys() {
+  constexpr double kMostPercent = kLargestScalePercent;
+  return {word(
+              "window.theme", kLooks, [](auto& s) -> auto& { return s.persisted.look; }),
+          number(
+              "window.scale_percent", [](auto& s) -> auto& { return s.persisted.scale_percent; },
+              0.0, kMostPercent),
+          number(
+              "window.width", [](auto& s) -> auto& { return s.persisted.window_width; }, 0.0,
+              kMostPixels),
+          number(
+              "window.height", [](auto& s) -> auto& { return s.persisted.window_height; }, 0.0,
+              kMostPixels),
+          flag(
+              "window.maximised", [](auto& s) -> auto& { return s.persisted.window_maximised; }),
+          number(
+              "window.panel_ems", [](auto& s) -> auto& { return s.persisted.panel_ems; },
+              kLeastPanelEms, kMostPanelEms),
+          number(
+              "window.view_share", [](auto& s) -> auto& { return s.persisted.view_share; },
+              kLeastShare, kMostShare),
+          number(
+              "window.picture_share", [](auto& s) -> auto& { return s.persisted.picture_share; },
+              kLeastShare, kMostShare),
+          flag(
+              "hand.stays_where_released",
+              [](auto& s) -> auto& { return s.persisted.hand_stays_where_released; }),
+          recording_folder()};
+}
+
+std::vector<Key> plot_setting_keys() {
+  return {
+      number(
+          "plots.time_window_s", [](auto& s) -> auto& { return s.persisted.time_window_s; },
+          kTimeWindowsS.front(), kTimeWindowsS.back()),
+      word(
+          "plots.arrangement", kArrangements,
+          [](auto& s) -> auto& { return s.persisted.arrangement; }),
+      flag(
+          "plots.loop", [](auto& s) -> auto& { return s.plots.persisted.phase.shown; }),
+      flag(
+          "plots.loop_of_last_contact",
+          [](auto& s) -> auto& { return s.plots.persisted.phase.last_contact; }),
+      flag(
+          "plots.bounds", [](auto& s) -> auto& { return s.plots.persisted.show_bounds; }),
+      word(
+          "plots.trigger", kTriggers,
+          [](auto& s) -> auto& { return s.plots.persisted.trigger.mode; }),
+      number(
+          "plots.before_trigger",
+          [](auto& s) -> auto& { return s.plots.persisted.trigger.pre_share; }, 0.0, kMostShare),
+      number(
+          "wall.magnification", [](auto& s) -> auto& { return s.wall.persisted.magnification; },
+          0.0, kMagnifications.back())};
+}
+
+// A list of lines by their names: the bits are of no use to another version of the program.
+std::string names_of(PlotId id, LineSet set) {
+  std::string names;
+  for (const PlotLine& line : plot_description(id).lines) {
+    if ((set & line_bit(line.quantity)) == 0) continue;
+    names += (names.empty() ? "" : ", ") + std::string(line.name);
+  }
+  return names;
+}
+
+LineSet lines_called(PlotId id, std::string_view names) {
+  LineSet set = 0;
+  for (const PlotLine& line : plot_description(id).lines) {
+    std::string_view rest = names;
+    while (!rest.empty()) {
+      const std::size_t comma = std::min(rest.find(", "), rest.size());
+      if (rest.substr(0, comma) == line.name) set |= line_bit(line.quantity);
+      rest.remove_prefix(std::min(comma + 2, rest.size()));
+    }
+  }
+  return set;
+}
+
+Key plot_lines(PlotId id, const char* name) {
+  const auto index = static_cast<std::size_t>(id);
+  return {name,
+          [id, index](const UiState& state) {
+            return SettingValue(names_of(id, state.plots.persisted.lines.at(index)));
+          },
+          [id, index](UiState& state, const SettingValue& value) -> std::optional<std::string> {
+            const auto* found = std::get_if<std::string>(&value);
+            if (found == nullptr) return "must be a string";
+            state.plots.persisted.lines.at(index) = lines_called(id, *found);
+            return std::nullopt;
+          }};
+}
+
+// Which of them are hidden is one set for all plots.
+Key hidden_lines(PlotId id, const char* name) {
+  return {name,
+          [id](const UiState& state) {
+            return SettingValue(names_of(id, state.persisted.hidden_lines));
+          },
+          [id](UiState& state, const SettingValue& value) -> std::optional<std::string> {
+            const auto* found = std::get_if<std::string>(&value);
+            if (found == nullptr) return "must be a string";
+            state.persisted.hidden_lines |= lines_called(id, *found);
+            return std::nullopt;
+          }};
+}
+
+std::vector<Key> line_keys() {
+  return {plot_lines(PlotId::kPosition, "lines.position"),
+          plot_lines(PlotId::kForce, "lines.force"),
+          plot_lines(PlotId::kStiffness, "lines.stiffness"),
+          plot_lines(PlotId::kPassivity, "lines.passivity"),
+          hidden_lines(PlotId::kPosition, "hidden_lines.position"),
+          hidden_lines(PlotId::kForce, "hidden_lines.force"),
+          hidden_lines(PlotId::kStiffness, "hidden_lines.stiffness"),
+          hidden_lines(PlotId::kPassivity, "hidden_lines.passivity")};
+}
+
+const std::vector<Key>& all_keys() {
+  static const std::vector<Key> kKeys = [] {
+    std::vector<Key> all = window_keys();
+    for (auto&& part : {plot_setting_keys(), line_keys()})
+      all.insert(all.end(), part.begin(), part.end());
+    return all;
+  }();
+  return kKeys;
+}
+
+void apply_recent(const Settings& settings, std::vector<std::string>& recent) {
+  recent.clear();
+  for (std::size_t i = 1; i <= kMostRecentFiles; ++i) {
+    const auto found = settings.find(fmt::format("{}{}", kRecent, i));
+    if (found == settings.end()) continue;
+    if (const auto* path = std::get_if<std::string>(&found->second)) recent.push_back(*path);
+  }
+}
+
+}  // namespace
+
+Settings settings_of(const UiState& state) {
+  Settings settings;
+  for (const Key& key : all_keys()) settings.insert_or_assign(key.name, key.get(state));
+  const std::vector<std::string>& recent = state.persisted.recent;
+  for (std::size_t i = 0; i < recent.size(); ++i)
+    settings.insert_or_assign(fmt::format("{}{}", kRecent, i + 1), recent[i]);
+  return settings;
+}
+
+std::vector<std::string> apply_settings(const Settings& settings, UiState& state) {
+  std::vector<std::string> problems;
+  state.persisted.hidden_lines = 0;
+  for (const Key& key : all_keys()) {
+    const auto found = settings.find(key.name);
+    if (found == settings.end()) continue;
+    if (const auto problem = key.set(state, found->second))
+      problems.push_back(fmt::format("{} {}", key.name, *problem));
+  }
+  apply_recent(settings, state.persisted.recent);
+  return problems;
+}
+
+}  // namespace hapticwall::ui

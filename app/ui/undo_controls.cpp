@@ -1,0 +1,45 @@
+#include "app/ui/undo_controls.h"
+
+#include <utility>
+
+#include "app/runtime/scene_change.h"
+
+namespace hapticwall::ui {
+namespace {
+
+void go_to(const PanelContext& context, std::optional<SceneStep> step) {
+  if (!step) return;
+  TransientState& transient = context.state.transient;
+  transient.refusal.reset();
+  const Scene& running = context.session.scene();
+  const bool other =
+      running.name != step->scene.name || running.walls.size() != step->scene.walls.size();
+  if (other || runtime::needs_new_session(running, step->scene)) {
+    WantedScene wanted{std::move(step->scene)};
+    wanted.back_to = std::make_shared<const Scene>(std::move(step->loaded));
+    transient.wanted_scene = std::move(wanted);
+    return;
+  }
+  if (const auto problem = context.session.change_scene(step->scene)) {
+    tell(context.state, *problem);
+    return;
+  }
+  transient.loaded_scene = std::move(step->loaded);
+}
+
+}  // namespace
+
+void undo_change(const PanelContext& context) {
+  go_to(context, context.state.transient.undo.undo());
+}
+
+void redo_change(const PanelContext& context) {
+  go_to(context, context.state.transient.undo.redo());
+}
+
+void notice_changes(UiState& state, const Scene& scene) {
+  const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left) && ImGui::IsAnyItemActive();
+  state.transient.undo.observe(scene, state.transient.loaded_scene, dragging);
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,331 @@
+#include "app/ui/wall_labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/ui/wall_floor.h"
+#include "app/ui/wall_solids.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kMillimetresPerMetre = 1e3;
+constexpr float kRulerFront = 0.25F;  // of the ruler, in front of the walls
+constexpr float kLeastArrow = 0.04F;  // without a figure below
+constexpr float kEdge = 4.0F;         // pixels that are kept free
+
+// Places in the picture's units become pixels of the window.
+class Pen {
+ public:
+  Pen(const Theme& theme, const WallCamera& camera, const ViewArea& area)
+      : theme_(theme), camera_(camera), area_(area), list_(ImGui::GetWindowDrawList()) {}
+
+  [[nodiscard]] ImVec2 screen(glm::vec3 point) const {
+    const glm::vec2 pixel = camera_.pixel_of(point);
+    return {area_.corner.x + pixel.x, area_.corner.y + pixel.y};
+  }
+  [[nodiscard]] bool within(ImVec2 place) const {
+    return place.x >= area_.corner.x && place.x <= area_.corner.x + area_.size.x &&
+           place.y >= area_.corner.y && place.y <= area_.corner.y + area_.size.y;
+  }
+  // Nothing is to be read right of and below this place.
+  void cover_from(ImVec2 place) { covered_ = place; }
+  [[nodiscard]] bool is_covered(ImVec2 place) const {
+    return place.x > covered_.x && place.y > covered_.y;
+  }
+  // Centred at `place`, kept inside the picture.
+  void write(ImVec2 place, Tone tone, const std::string& text) const {
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    const float x = kept(place.x - 0.5F * extent.x, area_.corner.x, area_.size.x - extent.x);
+    const float y = kept(place.y - 0.5F * extent.y, area_.corner.y, area_.size.y - extent.y);
+    list_->AddRectFilled(ImVec2(x - 2.0F, y), ImVec2(x + extent.x + 2.0F, y + extent.y),
+                         theme_.packed(Tone::kPanel, kBehindText), 3.0F);
+    list_->AddText(ImVec2(x, y), theme_.packed(tone), text.c_str());
+  }
+  void line(ImVec2 from, ImVec2 to, Tone tone, float alpha = 1.0F) const {
+    list_->AddLine(from, to, theme_.packed(tone, alpha), 1.0F);
+  }
+  [[nodiscard]] const Theme& theme() const { return theme_; }
+  [[nodiscard]] ImDrawList* list() const { return list_; }
+  [[nodiscard]] const ViewArea& area() const { return area_; }
+
+ private:
+  static float kept(float from, float edge, float room) {
+    return std::clamp(from, edge + kEdge, std::max(edge + kEdge, edge + room - kEdge));
+  }
+  const Theme& theme_;
+  const WallCamera& camera_;
+  const ViewArea& area_;
+  ImDrawList* list_;
+  ImVec2 covered_{1e6F, 1e6F};
+};
+
+// Along one axis, on the floor; as many marks as have room for their figures.
+void draw_ruler(const Pen& pen, const WallCamera& camera, Axis axis, bool two_axes) {
+  const AxisExtent extent = axis == Axis::kX ? camera.space().x : *camera.space().y;
+  const double step_m = grid_step_m(extent.length_m());
+  const float aside =
+      (two_axes ? WallMeasures::kCornerFront : WallMeasures::kWallHalfDepth) + kRulerFront;
+  const auto place_of = [&](double position_m) {
+    const glm::vec3 point = axis == Axis::kX
+                                ? glm::vec3(camera.x_of(position_m), WallMeasures::kFloor, aside)
+                                : glm::vec3(-aside, WallMeasures::kFloor, camera.z_of(position_m));
+    return pen.screen(point);
+  };
+  const float line = ImGui::GetFontSize();
+  ImVec2 last(-1e6F, -1e6F);
+  const auto first = static_cast<int>(std::ceil(extent.from_m / step_m));
+  const auto end = static_cast<int>(std::floor(extent.to_m / step_m)) + 1;
+  for (int mark = first; mark < end; ++mark) {
+    const ImVec2 place = place_of(mark * step_m);
+    if (!pen.within(ImVec2(place.x, place.y + 1.5F * line))) continue;
+    if (pen.is_covered(ImVec2(place.x + 2.0F * line, place.y + line))) continue;
+    pen.line(ImVec2(place.x, place.y - 3.0F), ImVec2(place.x, place.y + 3.0F), Tone::kMuted);
+    const std::string text = fmt::format("{:g} mm", mark * step_m * kMillimetresPerMetre);
+    if (std::abs(place.x - last.x) < ImGui::CalcTextSize(text.c_str()).x + line &&
+        std::abs(place.y - last.y) < 1.2F * line)
+      continue;
+    pen.write(ImVec2(place.x, place.y + 0.9F * line), Tone::kMuted, text);
+    last = place;
+  }
+}
+
+// A name and what it belongs to.
+struct Name {
+  ImVec2 thing;
+  Tone tone;
+  std::string text;
+};
+bool is_left_of(const Name& a, const Name& b) { return a.thing.x < b.thing.x; }
+
+// Above the walls, from left to right; where faces are near to each other, the names are pushed
+// apart and lines lead to them.
+void draw_wall_names(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
+  const float line = ImGui::GetFontSize();
+  const float top = WallMeasures::wall_top(picture);
+  std::vector<Name> names;
+  for (const PictureWall& wall : picture.walls) {
+    const WallSlab slab = wall_slab(picture, camera, wall);
+    const bool on_x = wall.axis == Axis::kX;
+    const float along = picture.two_axes && on_x ? slab.along_to : slab.along_from;
+    const ImVec2 foot =
+        pen.screen(on_x ? glm::vec3(slab.face, top, along) : glm::vec3(along, top, -slab.face));
+    const char* axis = on_x ? "x " : "y ";
+    names.push_back(
+        {foot, Tone::kWall,
+         fmt::format("{}{:.4g} mm · {}", picture.two_axes ? axis : "",
+                     wall.face_m * kMillimetresPerMetre, stiffness_text(wall.stiffness_n_per_m))});
+  }
+  std::sort(names.begin(), names.end(), is_left_of);
+  float free_from = -1e6F;
+  for (const Name& name : names) {
+    // A wall whose upper edge is above the picture is named at its edge.
+    if (!pen.within(ImVec2(name.thing.x, std::max(name.thing.y, pen.area().corner.y)))) continue;
+    const float half = 0.5F * ImGui::CalcTextSize(name.text.c_str()).x;
+    const float x = picture.two_axes ? name.thing.x : std::max(name.thing.x, free_from + half);
+    free_from = x + half + 0.7F * line;
+    const ImVec2 text(x, std::max(name.thing.y - 1.2F * line, pen.area().corner.y + 0.7F * line));
+    pen.line(name.thing, ImVec2(x, text.y + 0.5F * line), name.tone, 0.6F);
+    pen.write(text, name.tone, name.text);
+  }
+}
+
+// Side by side under what they name: pushed apart where they would overlap.
+void draw_names_below(const Pen& pen, std::vector<Name> names, float level) {
+  const float gap = ImGui::GetFontSize();
+  std::sort(names.begin(), names.end(), is_left_of);
+  float free_from = -1e6F;
+  for (const Name& name : names) {
+    if (!pen.within(name.thing)) continue;
+    const float half = 0.5F * ImGui::CalcTextSize(name.text.c_str()).x;
+    const ImVec2 text(std::max(name.thing.x, free_from + half),
+                      std::max(level, name.thing.y + 0.5F * gap));
+    free_from = text.x + half + gap;
+    pen.line(name.thing, ImVec2(text.x, text.y - 0.1F * gap), name.tone, 0.8F);
+    pen.write(ImVec2(text.x, text.y + 0.5F * gap), name.tone, name.text);
+  }
+}
+
+// `side` -1: to the left of what it names; 1: to the right.
+void draw_name_beside(const Pen& pen, const Name& name, float side) {
+  if (!pen.within(name.thing)) return;
+  const float gap = 1.2F * ImGui::GetFontSize();
+  const float half = 0.5F * ImGui::CalcTextSize(name.text.c_str()).x;
+  pen.line(name.thing, ImVec2(name.thing.x + side * gap, name.thing.y), name.tone, 0.8F);
+  pen.write(ImVec2(name.thing.x + side * (gap + half + 3.0F), name.thing.y), name.tone, name.text);
+}
+
+void draw_things_on_axis(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
+  constexpr float kRadius = WallMeasures::kHandleRadius;
+  constexpr float kNeckHalf = 0.62F * kRadius;
+  constexpr float kAtRod = -0.75F;  // of the handle's name, from the ball
+  constexpr float kSleeve = kRadius - 0.5F * (WallMeasures::kSleeveFrom + WallMeasures::kSleeveTo);
+  const glm::vec3 handle = ball_centre(false, camera, picture.handle_m);
+  std::vector<Name> names;
+  names.push_back(
+      {pen.screen(handle + glm::vec3(kAtRod, -kNeckHalf, 0.0F)), Tone::kText, "handle"});
+  if (const auto proxy_m = proxy_of(picture)) {
+    const glm::vec3 proxy = ball_centre(false, camera, *proxy_m);
+    names.push_back({pen.screen(proxy + 1.1F * kRadius * glm::vec3(0.35F, -1.0F, 0.0F)),
+                     Tone::kAccent, "proxy"});
+  }
+  if (picture.hand_m) {
+    const glm::vec3 hand = ball_centre(false, camera, *picture.hand_m);
+    names.push_back({pen.screen(hand + glm::vec3(kSleeve, -WallMeasures::kSleeveRadius, 0.0F)),
+                     Tone::kHand, "hand"});
+  }
+  draw_names_below(pen, std::move(names),
+                   pen.screen(handle - glm::vec3(0.0F, 2.0F * kRadius, 0.0F)).y);
+}
+
+void draw_things_on_plane(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
+  constexpr float kRadius = WallMeasures::kHandleRadius;
+  const glm::vec3 rod = rod_direction(true);
+  const glm::vec3 handle = ball_centre(true, camera, picture.handle_m);
+  draw_name_beside(
+      pen, {pen.screen(handle + 0.92F * WallMeasures::kStylusLength * rod), Tone::kText, "handle"},
+      -1.0F);
+  if (const auto proxy_m = proxy_of(picture)) {
+    const glm::vec3 proxy = ball_centre(true, camera, *proxy_m);
+    draw_name_beside(
+        pen, {pen.screen(proxy - glm::vec3(kRadius, 0.0F, 0.0F)), Tone::kAccent, "proxy"}, -1.0F);
+  }
+  if (!picture.hand_m) return;
+  const glm::vec3 hand = ball_centre(true, camera, *picture.hand_m);
+  const float back = 0.5F * (WallMeasures::kSleeveFrom + WallMeasures::kSleeveTo) - kRadius;
+  const glm::vec3 aside(WallMeasures::kSleeveRadius, 0.0F, 0.0F);
+  draw_name_beside(pen, {pen.screen(hand + back * rod + aside), Tone::kHand, "hand"}, 1.0F);
+}
+
+void draw_force(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
+  const glm::vec2 arrow = arrow_of(picture);
+  if (glm::length(arrow) < kLeastArrow) return;
+  const glm::vec3 from = picture.two_axes
+                             ? ball_centre(true, camera, picture.handle_m)
+                             : camera.point_of(picture.handle_m, WallMeasures::kArrowHeight);
+  // Above its middle; on two axes, where it may point towards the viewer, beyond its tip.
+  const glm::vec3 along(arrow.x, 0.0F, -arrow.y);
+  const glm::vec3 beside = picture.two_axes ? from + (1.0F + 0.8F / glm::length(along)) * along
+                                            : from + 0.5F * along + glm::vec3(0.0F, 0.3F, 0.0F);
+  ImVec2 place = pen.screen(beside);
+  if (!picture.two_axes) place.y -= 0.5F * ImGui::GetFontSize();
+  const double size_n = picture.two_axes ? glm::length(picture.force_n) : picture.force_n.x;
+  pen.write(place, picture.saturated ? Tone::kBad : Tone::kForce,
+            fmt::format("{:.2f} N{}", size_n, picture.saturated ? "  limit" : ""));
+}
+
+// The colours of stiffness as a bar at the right, with what is displayed at the moment.
+class StiffnessBar {
+ public:
+  StiffnessBar(const Pen& pen, const WallPicture& picture)
+      : pen_(pen), scale_(stiffness_scale(picture)), line_(ImGui::GetFontSize()) {
+    const ViewArea& area = pen.area();
+    length_ = std::min(0.45F * area.size.y, 7.0F * line_);
+    right_ = area.corner.x + area.size.x - 0.8F * line_;
+    left_ = right_ - 0.6F * line_;
+    bottom_ = area.corner.y + area.size.y - 1.2F * line_;
+    from_ = ImVec2(left_ - 5.6F * line_, bottom_ - length_ - 2.2F * line_);
+  }
+  [[nodiscard]] ImVec2 from() const { return from_; }
+  [[nodiscard]] bool has_room() const { return length_ > 3.0F * line_; }
+
+  void draw_colours() const {
+    constexpr int kSteps = 16;
+    const float part = length_ / kSteps;
+    const ImU32 behind = pen_.theme().packed(Tone::kPanel, 0.85F);
+    pen_.list()->AddRectFilled(from_, ImVec2(right_ + 0.4F * line_, bottom_ + 0.8F * line_), behind,
+                               4.0F);
+    const char* title = "stiffness";
+    pen_.list()->AddText(
+        ImVec2(right_ - ImGui::CalcTextSize(title).x, bottom_ - length_ - 1.9F * line_),
+        pen_.theme().packed(Tone::kMuted), title);
+    const auto shade = [&](int step) {
+      const float share = static_cast<float>(step) / kSteps;
+      return ImGui::ColorConvertFloat4ToU32(stiffness_colour(pen_.theme(), share));
+    };
+    for (int step = 0; step < kSteps; ++step) {
+      const float lower = bottom_ - part * static_cast<float>(step);
+      pen_.list()->AddRectFilledMultiColor(ImVec2(left_, lower - part), ImVec2(right_, lower),
+                                           shade(step + 1), shade(step + 1), shade(step),
+                                           shade(step));
+    }
+  }
+  void mark(double n_per_m) const {
+    const float y = level(n_per_m);
+    pen_.list()->AddTriangleFilled(
+        ImVec2(left_ - 0.1F * line_, y), ImVec2(left_ - 0.55F * line_, y - 0.3F * line_),
+        ImVec2(left_ - 0.55F * line_, y + 0.3F * line_), pen_.theme().packed(Tone::kText));
+  }
+  // Left of the bar, unless another one is there.
+  void write(double n_per_m, Tone tone, const std::string& text) {
+    const float y = level(n_per_m);
+    for (const float other : taken_)
+      if (std::abs(other - y) < 1.1F * line_) return;
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    pen_.list()->AddText(ImVec2(left_ - 0.8F * line_ - extent.x, y - 0.5F * extent.y),
+                         pen_.theme().packed(tone), text.c_str());
+    taken_.push_back(y);
+  }
+
+ private:
+  [[nodiscard]] float level(double n_per_m) const {
+    return bottom_ - length_ * scale_.share(n_per_m);
+  }
+  const Pen& pen_;
+  StiffnessScale scale_;
+  float line_;
+  float length_ = 0.0F;
+  float left_ = 0.0F;
+  float right_ = 0.0F;
+  float bottom_ = 0.0F;
+  ImVec2 from_;
+  std::vector<float> taken_;
+};
+
+void draw_stiffness_bar(StiffnessBar& bar, const WallPicture& picture) {
+  bar.draw_colours();
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const ShownStiffness& shown = picture.shown.at(axis);
+    if (shown.strength <= 0.0) continue;
+    const char* name = axis == 0 ? "x " : "y ";
+    bar.mark(shown.n_per_m);
+    bar.write(shown.n_per_m, Tone::kText,
+              (picture.two_axes ? name : "") + stiffness_text(shown.n_per_m));
+  }
+  const StiffnessScale scale = stiffness_scale(picture);
+  for (const double end : {scale.softest_n_per_m(), scale.stiffest_n_per_m})
+    bar.write(end, Tone::kMuted, stiffness_text(end));
+}
+
+}  // namespace
+
+std::string stiffness_text(double n_per_m) {
+  constexpr double kNewtonsPerKilonewton = 1e3;
+  if (n_per_m >= kNewtonsPerKilonewton)
+    return fmt::format("{:.3g} kN/m", n_per_m / kNewtonsPerKilonewton);
+  return fmt::format("{:.3g} N/m", n_per_m);
+}
+
+void draw_wall_labels(const Theme& theme, const WallPicture& picture, const WallCamera& camera,
+                      const ViewArea& area) {
+  Pen pen(theme, camera, area);
+  StiffnessBar bar(pen, picture);
+  const bool with_bar = !picture.walls.empty() && bar.has_room();
+  if (with_bar) pen.cover_from(bar.from());
+  draw_ruler(pen, camera, Axis::kX, picture.two_axes);
+  if (camera.space().y) draw_ruler(pen, camera, Axis::kY, picture.two_axes);
+  draw_wall_names(pen, picture, camera);
+  if (picture.two_axes) {
+    draw_things_on_plane(pen, picture, camera);
+  } else {
+    draw_things_on_axis(pen, picture, camera);
+  }
+  draw_force(pen, picture, camera);
+  if (with_bar) draw_stiffness_bar(bar, picture);
+}
+
+}  // namespace hapticwall::ui

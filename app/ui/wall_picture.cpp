@@ -1,0 +1,117 @@
+#include "app/ui/wall_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kDefaultFullScaleN = 10.0;  // where the device has no force limit
+constexpr double kLeastFullScaleN = 1e-9;
+constexpr double kLeastStiffnessNPerM = 1.0;
+constexpr double kSettled = 1e-3;  // a fading tint is there when it is this near
+// Where along the colours of stiffness the middle one lies.
+constexpr float kMiddleShare = 0.5F;
+
+double towards(double from, double to, double share) {
+  const double value = from + share * (to - from);
+  return std::abs(to - value) < kSettled * std::max(std::abs(to), 1.0) ? to : value;
+}
+
+}  // namespace
+
+WallPicture wall_picture(const Scene& scene, const Sample& sample) {
+  WallPicture picture;
+  picture.handle_m = {sample.truth.position_m, 0.0};
+  if (scene.hand) picture.hand_m = glm::dvec2(sample.truth.hand_path_m, 0.0);
+  for (const WallSettings& wall : scene.walls)
+    picture.walls.push_back({Axis::kX, wall.position_m, wall.stiffness_n_per_m});
+  std::sort(picture.walls.begin(), picture.walls.end(),
+            [](const PictureWall& a, const PictureWall& b) { return a.face_m < b.face_m; });
+  picture.force_n = {sample.force_n, 0.0};
+  picture.full_scale_n = scene.device.force_limit_n.value_or(kDefaultFullScaleN);
+  picture.saturated = (sample.flags & kFlagForceLimit) != 0U;
+  if ((sample.flags & kFlagInContact) != 0U) {
+    picture.shown.front() = {std::max(sample.stiffness_n_per_m, 0.0), 1.0};
+  }
+  return picture;
+}
+
+const PictureWall* outermost_wall(const WallPicture& picture, Axis axis) {
+  const PictureWall* outermost = nullptr;
+  for (const PictureWall& wall : picture.walls) {
+    if (wall.axis != axis) continue;
+    if (outermost == nullptr || wall.face_m < outermost->face_m) outermost = &wall;
+  }
+  return outermost;
+}
+
+double true_penetration_m(const WallPicture& picture, Axis axis) {
+  const PictureWall* wall = outermost_wall(picture, axis);
+  if (wall == nullptr) return 0.0;
+  return std::max(0.0, picture.handle_m[index_of(axis)] - wall->face_m);
+}
+
+std::optional<glm::dvec2> proxy_of(const WallPicture& picture) {
+  const glm::dvec2 depth_m(true_penetration_m(picture, Axis::kX),
+                           true_penetration_m(picture, Axis::kY));
+  if (depth_m.x <= 0.0 && depth_m.y <= 0.0) return std::nullopt;
+  return picture.handle_m - depth_m;
+}
+
+glm::vec2 arrow_of(const WallPicture& picture) {
+  const glm::dvec2 share = picture.force_n / std::max(picture.full_scale_n, kLeastFullScaleN);
+  const double length = std::max(1.0, glm::length(share));
+  return -WallMeasures::kLongestArrow * glm::vec2(share / length);
+}
+
+ShownStiffness faded(const ShownStiffness& shown, const ShownStiffness& now, double passed_s) {
+  const double share = 1.0 - std::exp(-std::max(passed_s, 0.0) / kTintTimeS);
+  ShownStiffness next;
+  next.strength = towards(shown.strength, now.strength, share);
+  if (now.strength <= 0.0) {
+    next.n_per_m = shown.n_per_m;  // a tint fades in its colour
+  } else if (shown.strength <= 0.0) {
+    next.n_per_m = now.n_per_m;
+  } else {
+    next.n_per_m = towards(shown.n_per_m, now.n_per_m, share);
+  }
+  return next;
+}
+
+double StiffnessScale::softest_n_per_m() const {
+  return stiffest_n_per_m / std::pow(10.0, kDecades);
+}
+
+float StiffnessScale::share(double n_per_m) const {
+  if (n_per_m <= softest_n_per_m()) return 0.0F;
+  const double decades = std::log10(n_per_m / softest_n_per_m());
+  return static_cast<float>(std::min(decades / kDecades, 1.0));
+}
+
+double StiffnessScale::at(double share) const {
+  return softest_n_per_m() * std::pow(10.0, share * kDecades);
+}
+
+StiffnessScale stiffness_scale(const WallPicture& picture) {
+  StiffnessScale scale{kLeastStiffnessNPerM};
+  for (const PictureWall& wall : picture.walls)
+    scale.stiffest_n_per_m = std::max(scale.stiffest_n_per_m, wall.stiffness_n_per_m);
+  return scale;
+}
+
+ImVec4 mixed(const ImVec4& first, const ImVec4& second, float share) {
+  const auto between = [share](float a, float b) { return a + share * (b - a); };
+  return {between(first.x, second.x), between(first.y, second.y), between(first.z, second.z),
+          between(first.w, second.w)};
+}
+
+ImVec4 stiffness_colour(const Theme& theme, float share) {
+  const ImVec4 soft = mixed(theme.colour(Tone::kPanel), theme.colour(Tone::kMuted), 0.55F);
+  const ImVec4 middle = mixed(theme.colour(Tone::kBudget), soft, 0.15F);
+  const ImVec4& stiff = theme.colour(Tone::kWall);
+  if (share < kMiddleShare) return mixed(soft, middle, share / kMiddleShare);
+  return mixed(middle, stiff, (share - kMiddleShare) / (1.0F - kMiddleShare));
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,118 @@
+// What there is to be seen of walls, handle and hand, in metres and newtons: drawn by WallRenderer,
+// labelled by the wall view. Knows nothing of OpenGL.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "app/ui/theme.h"
+#include "core/sample.h"
+#include "core/scene.h"
+
+namespace hapticwall::ui {
+
+// The device's axes. A device of one axis stays at y = 0.
+enum class Axis : std::uint8_t { kX, kY };
+inline constexpr std::size_t kAxisCount = 2;
+[[nodiscard]] inline int index_of(Axis axis) { return static_cast<int>(axis); }
+
+// Free space is on the side of the smaller coordinates.
+struct PictureWall {
+  Axis axis = Axis::kX;
+  double face_m = 0.0;
+  double stiffness_n_per_m = 0.0;
+
+  friend bool operator==(const PictureWall&, const PictureWall&) = default;
+};
+
+// What the walls of one axis display to the hand.
+struct ShownStiffness {
+  double n_per_m = 0.0;   // F_d / penetration
+  double strength = 0.0;  // 0: nothing is displayed; 1: in contact; between while a tint fades
+
+  friend bool operator==(const ShownStiffness&, const ShownStiffness&) = default;
+};
+
+// The tip of the handle is its position; the proxy is where the walls would hold that tip.
+struct WallPicture {
+  bool two_axes = false;
+  glm::dvec2 handle_m{0.0};  // in truth
+  std::optional<glm::dvec2> hand_m;
+  std::vector<PictureWall> walls;  // on each axis the outermost first
+  glm::dvec2 force_n{0.0};         // F_d; positive pushes out of the wall
+  double full_scale_n = 10.0;      // the force with the longest arrow
+  bool saturated = false;
+  std::array<ShownStiffness, kAxisCount> shown{};
+
+  friend bool operator==(const WallPicture&, const WallPicture&) = default;
+};
+
+[[nodiscard]] WallPicture wall_picture(const Scene& scene, const Sample& sample);
+
+// The wall that is met first on an axis; null where there is none.
+[[nodiscard]] const PictureWall* outermost_wall(const WallPicture& picture, Axis axis);
+
+// How deep the true position is in the outermost wall of an axis, metres; 0 in front of it.
+[[nodiscard]] double true_penetration_m(const WallPicture& picture, Axis axis);
+
+// Where the walls would hold the handle: on every face that it is beyond. Nothing out of contact.
+[[nodiscard]] std::optional<glm::dvec2> proxy_of(const WallPicture& picture);
+
+// The force arrow in the picture's units along the device's axes, positive into the wall; as long
+// as WallMeasures::kLongestArrow at full scale, never longer.
+[[nodiscard]] glm::vec2 arrow_of(const WallPicture& picture);
+
+// Moves what is shown towards what is displayed now, `passed_s` later: a force that chatters would
+// make the tint flicker. Strength and stiffness settle within about kTintTimeS.
+inline constexpr double kTintTimeS = 0.12;
+[[nodiscard]] ShownStiffness faded(const ShownStiffness& shown, const ShownStiffness& now,
+                                   double passed_s);
+
+// The colours of stiffness: logarithmic over two decades, up to the stiffest wall's own.
+struct StiffnessScale {
+  static constexpr double kDecades = 2.0;
+  double stiffest_n_per_m = 1.0;
+
+  [[nodiscard]] double softest_n_per_m() const;
+  // From 0 at the softest to 1 at the stiffest; what lies beyond counts as the end.
+  [[nodiscard]] float share(double n_per_m) const;
+  // The stiffness of a share.
+  [[nodiscard]] double at(double share) const;
+};
+[[nodiscard]] StiffnessScale stiffness_scale(const WallPicture& picture);
+// The colour of a share.
+[[nodiscard]] ImVec4 stiffness_colour(const Theme& theme, float share);
+// Between two colours; share 0 is the first.
+[[nodiscard]] ImVec4 mixed(const ImVec4& first, const ImVec4& second, float share);
+
+// Measures in the picture's units, shared with whoever writes labels beside things.
+struct WallMeasures {
+  static constexpr float kHandleRadius = 0.42F;
+  static constexpr float kHandleLength = 2.7F;
+  static constexpr float kStylusLength = 2.6F;  // of a handle that moves on two axes
+  static constexpr float kSleeveFrom = 2.3F;    // of the hand around the handle, behind the tip
+  static constexpr float kSleeveTo = 1.35F;
+  static constexpr float kSleeveRadius = 0.46F;
+  static constexpr float kArrowHeight = 0.95F;  // of the arrow above a single axis
+  static constexpr float kLongestArrow = 3.4F;
+  static constexpr float kFloor = -1.25F;
+  static constexpr float kWallTop = 1.65F;
+  static constexpr float kWallHalfDepth = 1.5F;  // of a wall on a single axis
+  static constexpr float kFarEnd = 6.2F;         // where the last wall ends
+  static constexpr float kCornerTop = 0.75F;     // of walls on two axes: lower, to look over them
+  static constexpr float kCornerFront = 4.6F;    // where they end in free space
+
+  [[nodiscard]] static float wall_top(const WallPicture& picture) {
+    return picture.two_axes ? kCornerTop : kWallTop;
+  }
+  // Of the arrow's line above the floor of the axes.
+  [[nodiscard]] static float arrow_height(const WallPicture& picture) {
+    return picture.two_axes ? 0.0F : kArrowHeight;
+  }
+};
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,73 @@
+// What stands on the floor: walls, handle, the hand's intention, the proxy, the force.
+#pragma once
+
+#include <vector>
+
+#include "app/ui/gl_objects.h"
+#include "app/ui/theme.h"
+#include "app/ui/wall_camera.h"
+#include "app/ui/wall_picture.h"
+#include "core/result.h"
+
+namespace hapticwall::ui {
+
+// The middle of a handle's ball whose tip is at a place: the ball touches a face that is there.
+[[nodiscard]] glm::vec3 ball_centre(bool two_axes, const WallCamera& camera, glm::dvec2 place_m);
+// From the ball along the handle's rod, of length 1.
+[[nodiscard]] glm::vec3 rod_direction(bool two_axes);
+
+// A wall in its own directions: into it, and along its face (z for the x axis, x for the y axis).
+struct WallSlab {
+  const PictureWall* wall = nullptr;
+  float face = 0.0F;
+  float end = 0.0F;  // where the next wall's face is, or the last wall's end
+  float along_from = 0.0F;
+  float along_to = 0.0F;
+  float tip = 0.0F;         // of the handle, into the wall
+  float tip_along = 0.0F;   // where the handle touches
+  float dent = 0.0F;        // how far the face gives way: the true penetration
+  float dent_width = 0.0F;  // of the outermost wall's dent; deeper faces follow it
+};
+[[nodiscard]] WallSlab wall_slab(const WallPicture& picture, const WallCamera& camera,
+                                 const PictureWall& wall);
+// In the order in which they are to be drawn: what is behind comes first.
+[[nodiscard]] std::vector<WallSlab> wall_slabs(const WallPicture& picture,
+                                               const WallCamera& camera);
+
+class WallSolids {
+ public:
+  // Needs a current OpenGL 3.3 context, for its whole life. Fails with a sentence.
+  [[nodiscard]] static Result<WallSolids> create();
+
+  // Into the bound target, whose depth is clear.
+  void draw(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
+
+ private:
+  WallSolids(GlProgram solid, GlProgram wall);
+
+  void part(const GlMesh& mesh, const glm::mat4& model, const glm::vec4& colour) const;
+  void rod(const GlMesh& mesh, glm::vec3 from, glm::vec3 to, float radius,
+           const glm::vec4& colour) const;
+  void ball(glm::vec3 centre, float radius, const glm::vec4& colour) const;
+  void surface(float shininess, float flatness, float shell) const;
+  void draw_handle(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
+  void draw_hand(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
+  void draw_proxy(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
+  void draw_arrow(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
+  void draw_edges(const WallPicture& picture, const WallSlab& slab, const glm::vec4& colour) const;
+  void draw_walls(const WallPicture& picture, const WallCamera& camera, const Theme& theme,
+                  const std::vector<WallSlab>& slabs) const;
+  void draw_slab(const WallPicture& picture, const WallSlab& slab) const;
+
+  GlProgram solid_;
+  GlProgram wall_;
+  GlMesh box_;
+  GlMesh sphere_;
+  GlMesh cylinder_;
+  GlMesh cone_;
+  GlMesh flat_face_;
+  GlMesh bent_face_;
+  GlMesh sides_;
+};
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,317 @@
+#include "app/ui/wall_strip.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kMillimetresPerMetre = 1e3;
+constexpr double kMicrometresPerMetre = 1e6;
+constexpr float kPieceHeight = 4.0F;    // pixels of a wall that gives way
+constexpr float kDentWidth = 0.16F;     // of the strip's height
+constexpr float kTickShare = 0.08F;     // length of an encoder tick, of the strip's height
+constexpr double kClosestCounts = 3.0;  // pixels; closer ones are not drawn
+constexpr double kBarPixels = 110.0;
+constexpr float kWallAlpha = 0.42F;
+
+ImU32 packed(const ImVec4& colour, float alpha) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(colour.x, colour.y, colour.z, alpha));
+}
+
+// What a strip is drawn with.
+struct Brush {
+  const Theme& theme;
+  const Strip& strip;
+  const StripContent& content;
+  ImDrawList* list;
+  float line = ImGui::GetFontSize();
+
+  // The width of a line on a screen of many pixels per inch.
+  [[nodiscard]] float pixels(float usual) const { return usual * line / kSmallFontSize; }
+  void text(ImVec2 place, Tone tone, const std::string& words) const {
+    list->AddText(place, theme.packed(tone), words.c_str());
+  }
+};
+
+// How much of the handle's depth a face takes over at this level.
+float dent_share(const Strip& strip, float level) {
+  const float away = (level - strip.handle_level()) / (kDentWidth * strip.height());
+  return std::exp(-0.5F * away * away);
+}
+
+// Between two faces, or from a face to the right edge: only where the handle is, they are bent.
+void draw_layer(const Brush& brush, double face_m, const double* next_m, ImU32 fill, ImU32 edge) {
+  const Strip& strip = brush.strip;
+  const double tip_m = brush.content.picture->handle_m.x;
+  const auto x_at = [&](double at_m, float level) {
+    const double bent_m = std::max(0.0, tip_m - at_m);
+    return strip.x_of(at_m + static_cast<double>(dent_share(strip, level)) * bent_m);
+  };
+  const auto end_at = [&](float level) { return next_m ? x_at(*next_m, level) : strip.to.x; };
+  // Pieces without smooth edges, which would show as seams; the line along the face is smooth.
+  const ImDrawListFlags flags = brush.list->Flags;
+  brush.list->Flags &= ~ImDrawListFlags_AntiAliasedFill;
+  const int pieces =
+      static_cast<int>(std::ceil((strip.trail_from() - strip.from.y) / kPieceHeight));
+  const auto level = [&](int piece) {
+    return std::min(strip.from.y + kPieceHeight * static_cast<float>(piece), strip.trail_from());
+  };
+  for (int piece = 0; piece < pieces; ++piece) {
+    const float upper = level(piece);
+    const float lower = level(piece + 1);
+    const std::array<float, 4> x{x_at(face_m, upper), end_at(upper), end_at(lower),
+                                 x_at(face_m, lower)};
+    if (x[0] < x[1] || x[3] < x[2]) {
+      brush.list->AddQuadFilled(ImVec2(x[0], upper), ImVec2(std::max(x[0], x[1]), upper),
+                                ImVec2(std::max(x[2], x[3]), lower), ImVec2(x[3], lower), fill);
+    }
+  }
+  brush.list->Flags = flags;
+  for (int piece = 0; piece <= pieces; ++piece)
+    brush.list->PathLineTo(ImVec2(x_at(face_m, level(piece)), level(piece)));
+  brush.list->PathStroke(edge, brush.pixels(1.5F));
+}
+
+void draw_walls(const Brush& brush) {
+  const WallPicture& picture = *brush.content.picture;
+  const Strip& strip = brush.strip;
+  const StiffnessScale scale = stiffness_scale(picture);
+  const ShownStiffness& shown = picture.shown.front();
+  const ImVec4 displayed = stiffness_colour(brush.theme, scale.share(shown.n_per_m));
+  for (std::size_t i = 0; i < picture.walls.size(); ++i) {
+    const PictureWall& wall = picture.walls[i];
+    if (wall.axis != Axis::kX) continue;
+    const bool last = i + 1 == picture.walls.size() || picture.walls[i + 1].axis != Axis::kX;
+    const double* next_m = last ? nullptr : &picture.walls[i + 1].face_m;
+    const ImVec4 own = stiffness_colour(brush.theme, scale.share(wall.stiffness_n_per_m));
+    const ImVec4 tint = mixed(own, displayed, static_cast<float>(shown.strength));
+    draw_layer(brush, wall.face_m, next_m, packed(tint, kWallAlpha), packed(own, 0.6F));
+    const float face = strip.x_of(wall.face_m);
+    const float end = next_m ? strip.x_of(*next_m) : strip.to.x;
+    if (end > face) {
+      brush.list->AddRectFilled(ImVec2(face, strip.trail_from()), ImVec2(end, strip.to.y),
+                                packed(tint, 0.45F * kWallAlpha));
+    }
+    brush.list->AddLine(ImVec2(face, strip.from.y), ImVec2(face, strip.to.y), packed(own, 1.0F),
+                        brush.pixels(1.5F));
+  }
+}
+
+// Where the encoder can tell the handle to be, and which part of the axis it calls by the count it
+// has just read.
+void draw_counts(const Brush& brush) {
+  const Strip& strip = brush.strip;
+  if (!brush.content.encoder_m) return;
+  const double encoder_m = *brush.content.encoder_m;
+  const double apart = encoder_m * strip.pixels_per_m();
+  if (apart < kClosestCounts) return;
+  const float from = strip.x_of(brush.content.measured_m - 0.5 * encoder_m);
+  const float to = strip.x_of(brush.content.measured_m + 0.5 * encoder_m);
+  brush.list->AddRectFilled(ImVec2(from, strip.from.y), ImVec2(to, strip.to.y),
+                            brush.theme.packed(Tone::kPosition, 0.10F));
+  const double left_m = strip.middle_m - 0.5 * strip.span_m;
+  const auto first = static_cast<long>(std::ceil(left_m / encoder_m));
+  const auto last = static_cast<long>(std::floor((left_m + strip.span_m) / encoder_m));
+  const std::string widest = fmt::format("{}", last);
+  const float text_width = ImGui::CalcTextSize(widest.c_str()).x;
+  const bool numbered = apart > 1.6 * static_cast<double>(text_width);
+  const float length = kTickShare * strip.height();
+  for (long count = first; count <= last; ++count) {
+    const float x = strip.x_of(static_cast<double>(count) * encoder_m);
+    brush.list->AddLine(ImVec2(x, strip.from.y), ImVec2(x, strip.to.y),
+                        brush.theme.packed(Tone::kText, 0.09F));
+    brush.list->AddLine(ImVec2(x, strip.to.y - length), ImVec2(x, strip.to.y),
+                        brush.theme.packed(Tone::kMuted), brush.pixels(1.5F));
+    if (!numbered) continue;
+    const std::string number = fmt::format("{}", count);
+    brush.text(ImVec2(x + 3.0F, strip.to.y - 1.05F * brush.line), Tone::kMuted, number);
+  }
+}
+
+// The handle up to its true position, and the outline of where the walls would hold it.
+void draw_handle(const Brush& brush) {
+  const WallPicture& picture = *brush.content.picture;
+  const Strip& strip = brush.strip;
+  const float middle = strip.handle_level();
+  const float half = Strip::kHandleHalf * strip.height();
+  const float outside = strip.from.x - 2.0F * half;
+  const float tip = strip.x_of(picture.handle_m.x);
+  brush.list->AddRectFilled(ImVec2(outside, middle - half), ImVec2(tip, middle + half),
+                            brush.theme.packed(Tone::kText, 0.80F), 0.9F * half,
+                            ImDrawFlags_RoundCornersRight);
+  brush.list->AddLine(ImVec2(tip, middle - 1.5F * half), ImVec2(tip, strip.trail_from()),
+                      brush.theme.packed(Tone::kText), brush.pixels(1.0F));
+  if (const auto proxy_m = proxy_of(picture)) {
+    const float face = strip.x_of(proxy_m->x);
+    brush.list->AddRect(ImVec2(outside, middle - 1.25F * half), ImVec2(face, middle + 1.25F * half),
+                        brush.theme.packed(Tone::kAccent), 1.1F * half,
+                        ImDrawFlags_RoundCornersRight, brush.pixels(2.0F));
+  }
+}
+
+void draw_measured(const Brush& brush) {
+  const Strip& strip = brush.strip;
+  const float x = strip.x_of(brush.content.measured_m);
+  const float half = Strip::kHandleHalf * strip.height();
+  const float upper = strip.handle_level() - 1.5F * half;
+  const ImU32 colour = brush.theme.packed(Tone::kPosition);
+  brush.list->AddLine(ImVec2(x, upper), ImVec2(x, strip.trail_from()), colour, brush.pixels(2.0F));
+  const float size = 0.3F * brush.line;
+  brush.list->AddTriangleFilled(ImVec2(x - size, upper - size), ImVec2(x + size, upper - size),
+                                ImVec2(x, upper), colour);
+}
+
+// Whatever is beyond an edge is named there, with its distance from the face.
+void draw_beyond(const Brush& brush, const char* name, double position_m, Tone tone, float row) {
+  const Strip& strip = brush.strip;
+  if (strip.shows(position_m)) return;
+  const double depth_m = position_m - brush.content.face_m;
+  const std::string place =
+      fmt::format("{} {:.2f} mm {}", name, std::abs(depth_m) * kMillimetresPerMetre,
+                  depth_m >= 0.0 ? "inside" : "outside");
+  const bool right = position_m > strip.middle_m;
+  const std::string words = right ? place + " →" : "← " + place;
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  const float x = right ? strip.to.x - width - 0.5F * brush.line : strip.from.x + 0.5F * brush.line;
+  brush.text(ImVec2(x, strip.from.y + (0.25F + 1.1F * row) * brush.line), tone, words);
+}
+
+void draw_face_beyond(const Brush& brush) {
+  const Strip& strip = brush.strip;
+  if (strip.shows(brush.content.face_m)) return;
+  const std::string distance = length_text(std::abs(strip.middle_m - brush.content.face_m));
+  const bool right = brush.content.face_m > strip.middle_m;
+  const std::string words = right ? "face " + distance + " →" : "← face " + distance;
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  brush.text(
+      ImVec2(right ? strip.to.x - width - 0.5F * brush.line : strip.from.x + 0.5F * brush.line,
+             strip.trail_from() - 1.2F * brush.line),
+      Tone::kWall, words);
+}
+
+void draw_true_depth(const Brush& brush) {
+  const double depth_m = brush.content.picture->handle_m.x - brush.content.face_m;
+  if (depth_m <= 0.0 || !brush.strip.shows(brush.content.picture->handle_m.x)) return;
+  brush.text(
+      ImVec2(brush.strip.from.x + 0.5F * brush.line, brush.strip.from.y + 0.25F * brush.line),
+      Tone::kText, fmt::format("true depth {:.4f} mm", depth_m * kMillimetresPerMetre));
+}
+
+void draw_scale_bar(const Brush& brush) {
+  const Strip& strip = brush.strip;
+  const double length_m =
+      scale_bar_m(strip.pixels_per_m(),
+                  std::min(kBarPixels, 0.3 * static_cast<double>(strip.to.x - strip.from.x)));
+  const auto length = static_cast<float>(length_m * strip.pixels_per_m());
+  const ImVec2 start(strip.from.x + 0.7F * brush.line, strip.to.y - 1.9F * brush.line);
+  const ImU32 colour = brush.theme.packed(Tone::kText);
+  const float tick = 0.25F * brush.line;
+  const std::string words = length_text(length_m);
+  const float reach = length + brush.line + ImGui::CalcTextSize(words.c_str()).x;
+  brush.list->AddRectFilled(ImVec2(start.x - 0.3F * brush.line, start.y - 0.65F * brush.line),
+                            ImVec2(start.x + reach, start.y + 0.65F * brush.line),
+                            brush.theme.packed(Tone::kBackground, 0.75F), 3.0F);
+  brush.list->AddLine(start, ImVec2(start.x + length, start.y), colour, brush.pixels(2.0F));
+  for (const float x : {start.x, start.x + length})
+    brush.list->AddLine(ImVec2(x, start.y - tick), ImVec2(x, start.y + tick), colour,
+                        brush.pixels(1.5F));
+  brush.text(ImVec2(start.x + length + 0.5F * brush.line, start.y - 0.55F * brush.line),
+             Tone::kText, words);
+}
+
+// One quantity against age, in pieces that are fainter the older they are.
+void draw_trail_line(const Strip& strip, const Trace& trace, double newest_s, ImVec4 colour,
+                     bool steps, ImDrawList* list) {
+  constexpr double kPieces = 10.0;
+  constexpr float kNewestAlpha = 0.95F;
+  const float height = strip.to.y - strip.trail_from();
+  const auto age = [&](std::size_t i) { return (newest_s - trace.time_s[i]) / kTrailS; };
+  const auto level = [&](double share) {
+    return strip.trail_from() + height * static_cast<float>(share);
+  };
+  std::size_t i = trace.time_s.size();
+  while (i > 1) {
+    const double piece = std::floor(std::max(age(i - 1), 0.0) * kPieces);
+    list->PathLineTo(ImVec2(strip.x_of(trace.value[i - 1]), level(age(i - 1))));
+    // A piece ends with the first point of the next one, so that there is no gap.
+    while (i > 1) {
+      --i;
+      const float x = strip.x_of(trace.value[i - 1]);
+      if (steps) list->PathLineTo(ImVec2(strip.x_of(trace.value[i]), level(age(i - 1))));
+      list->PathLineTo(ImVec2(x, level(age(i - 1))));
+      if (age(i - 1) * kPieces >= piece + 1.0) break;
+    }
+    const auto faded = static_cast<float>(1.0 - std::min(piece / kPieces, 1.0));
+    list->PathStroke(packed(colour, kNewestAlpha * faded), 1.5F);
+  }
+}
+
+}  // namespace
+
+float Strip::x_of(double position_m) const {
+  constexpr double kFarPixels = 1e4;  // safe for floats
+  const double x =
+      0.5 * static_cast<double>(from.x + to.x) + (position_m - middle_m) * pixels_per_m();
+  return static_cast<float>(std::clamp(x, static_cast<double>(from.x) - kFarPixels,
+                                       static_cast<double>(to.x) + kFarPixels));
+}
+
+bool Strip::shows(double position_m) const {
+  return std::abs(position_m - middle_m) <= 0.5 * span_m;
+}
+
+void draw_strip(const Theme& theme, const Strip& strip, const StripContent& content,
+                ImDrawList* list) {
+  const Brush brush{theme, strip, content, list};
+  const WallPicture& picture = *content.picture;
+  draw_walls(brush);
+  draw_counts(brush);
+  draw_handle(brush);
+  draw_measured(brush);
+  if (picture.hand_m && strip.shows(picture.hand_m->x)) {
+    const float x = strip.x_of(picture.hand_m->x);
+    list->AddLine(ImVec2(x, strip.from.y), ImVec2(x, strip.to.y), theme.packed(Tone::kHand), 1.5F);
+  }
+  draw_true_depth(brush);
+  draw_beyond(brush, "handle", picture.handle_m.x, Tone::kText, 0.0F);
+  const bool both_right = !strip.shows(picture.handle_m.x) && picture.handle_m.x > strip.middle_m;
+  if (picture.hand_m)
+    draw_beyond(brush, "hand", picture.hand_m->x, Tone::kHand,
+                both_right || picture.hand_m->x < strip.middle_m ? 1.0F : 0.0F);
+  draw_face_beyond(brush);
+  draw_scale_bar(brush);
+}
+
+void draw_trail(const Theme& theme, const Strip& strip, const SampleHistory& history,
+                Trace& scratch, ImDrawList* list) {
+  const double newest_s = history.newest_time_s();
+  const IndexRange recent = history.range(newest_s - kTrailS, newest_s);
+  if (recent.count() < 2) return;
+  const auto rows = static_cast<std::size_t>(std::max(strip.to.y - strip.trail_from(), 1.0F));
+  history.decimate(Quantity::kPosition, recent, rows, 1.0, scratch);
+  draw_trail_line(strip, scratch, newest_s, theme.colour(Tone::kPosition), true, list);
+  history.decimate(Quantity::kTruePosition, recent, rows, 1.0, scratch);
+  draw_trail_line(strip, scratch, newest_s, theme.colour(Tone::kText), false, list);
+}
+
+double scale_bar_m(double pixels_per_m, double pixels) {
+  const double longest_m = pixels / pixels_per_m;
+  const double power = std::pow(10.0, std::floor(std::log10(longest_m)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * power <= longest_m) return step * power;
+  }
+  return power;
+}
+
+std::string length_text(double length_m) {
+  constexpr double kSmallM = 0.095e-3;
+  if (length_m < kSmallM) return fmt::format("{:.3g} µm", length_m * kMicrometresPerMetre);
+  return fmt::format("{:.3g} mm", length_m * kMillimetresPerMetre);
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,224 @@
+// Dark and light, small and large, and the parts of the window as wide as the user wants them.
+#include "app/ui/appearance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/ui/gui_test.h"
+#include "tests/ui/pixels.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ui::Look;
+using ui::Tone;
+
+// Relative luminance and contrast as the Web Content Accessibility Guidelines (2.1) define them.
+double luminance(const ImVec4& colour) {
+  const auto linear = [](float channel) {
+    const auto value = static_cast<double>(channel);
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour.x) + 0.7152 * linear(colour.y) + 0.0722 * linear(colour.z);
+}
+
+double contrast(const ImVec4& a, const ImVec4& b) {
+  const double first = luminance(a);
+  const double second = luminance(b);
+  return (std::max(first, second) + 0.05) / (std::min(first, second) + 0.05);
+}
+
+ImVec4 over(const ImVec4& top, float alpha, const ImVec4& below) {
+  const auto mix = [alpha](float a, float b) { return alpha * a + (1.0F - alpha) * b; };
+  return {mix(top.x, below.x), mix(top.y, below.y), mix(top.z, below.z), 1.0F};
+}
+
+const ImVec4& colour(Look look, Tone tone) {
+  return ui::theme_colours(look).at(static_cast<std::size_t>(tone));
+}
+
+TEST(Contrast, IsThatOfTheGuidelines) {
+  const ImVec4 black(0.0F, 0.0F, 0.0F, 1.0F);
+  const ImVec4 white(1.0F, 1.0F, 1.0F, 1.0F);
+  const ImVec4 grey(0x76 / 255.0F, 0x76 / 255.0F, 0x76 / 255.0F, 1.0F);
+  EXPECT_NEAR(contrast(black, white), 21.0, 1e-9);
+  EXPECT_NEAR(contrast(grey, white), 4.54, 0.01);  // the lightest grey that passes
+}
+
+class ThemeOf : public ::testing::TestWithParam<Look> {};
+
+TEST_P(ThemeOf, TextCanBeReadOnEverythingThatItStandsOn) {
+  constexpr double kEnough = 4.5;
+  for (const Tone ground : {Tone::kPanel, Tone::kBackground}) {
+    for (const Tone text : {Tone::kText, Tone::kMuted, Tone::kAccent, Tone::kGood, Tone::kWarning,
+                            Tone::kBad, Tone::kHand, Tone::kForce, Tone::kPosition}) {
+      EXPECT_GE(contrast(colour(GetParam(), text), colour(GetParam(), ground)), kEnough)
+          << "tone " << static_cast<int>(text) << " on " << static_cast<int>(ground);
+    }
+  }
+  // Buttons and fields, also under the pointer, and what is chosen.
+  const ImVec4& text = colour(GetParam(), Tone::kText);
+  const ImVec4& panel = colour(GetParam(), Tone::kPanel);
+  EXPECT_GE(contrast(text, colour(GetParam(), Tone::kFaint)), kEnough);
+  for (const float alpha : {0.22F, 0.30F, 0.35F, 0.42F})
+    EXPECT_GE(contrast(text, over(colour(GetParam(), Tone::kAccent), alpha, panel)), kEnough);
+}
+
+TEST_P(ThemeOf, LinesStandOutFromTheirPlot) {
+  constexpr double kEnough = 3.0;  // graphical objects
+  const ImVec4& plot = colour(GetParam(), Tone::kBackground);
+  for (const Tone line :
+       {Tone::kPosition, Tone::kHand, Tone::kForce, Tone::kWallForce, Tone::kStiffness,
+        Tone::kObserver, Tone::kHold, Tone::kScv, Tone::kBudget, Tone::kWall}) {
+    EXPECT_GE(contrast(colour(GetParam(), line), plot), kEnough)
+        << "tone " << static_cast<int>(line);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Screen, ThemeOf, ::testing::Values(Look::kScreen, Look::kLight));
+
+TEST(Scale, TheCommandLineComesBeforeTheSettingsAndTheseBeforeTheScreen) {
+  ui::UiState state;
+  EXPECT_EQ(ui::scale_in_force(state), 1.0F);
+  state.transient.screen_scale = 1.5F;
+  EXPECT_EQ(ui::scale_in_force(state), 1.5F);
+  ui::set_scale(state, 125);
+  EXPECT_EQ(ui::scale_in_force(state), 1.25F);
+  state.transient.forced_scale = 2.0F;
+  EXPECT_EQ(ui::scale_in_force(state), 2.0F);
+  ui::step_scale(state, 1);
+  EXPECT_EQ(ui::scale_percent_in_force(state), 210);
+  EXPECT_FALSE(state.transient.forced_scale.has_value());
+  ui::set_scale(state, 125);
+  ui::step_scale(state, -1);
+  EXPECT_EQ(state.persisted.scale_percent, 120);
+  ui::set_scale(state, 5000);
+  EXPECT_EQ(state.persisted.scale_percent, ui::kLargestScalePercent);
+  ui::set_scale(state, 1);
+  EXPECT_EQ(state.persisted.scale_percent, ui::kSmallestScalePercent);
+  ui::set_scale(state, 0);
+  EXPECT_EQ(ui::scale_in_force(state), 1.5F);
+}
+
+class AppearanceTest : public GuiTest {
+ protected:
+  [[nodiscard]] ui::PersistedState& kept() { return application_->state().persisted; }
+  void drag(const std::string& item, ImVec2 by) {
+    const ImVec2 from = rect(item).centre();
+    move_to(from);
+    mouse_button(true);
+    move_to(ImVec2(from.x + by.x, from.y + by.y));
+    mouse_button(false);
+  }
+  void expect_all_within() const {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    for (const auto& [name, item] : application_->state().transient.items) {
+      EXPECT_GE(item.from.x, 0.0F) << name;
+      EXPECT_LE(item.to.x, size.x) << name;
+    }
+  }
+};
+
+TEST_F(AppearanceTest, BothLooksAreDrawnInTheirOwnColours) {
+  live(1500);
+  for (const Look look : {Look::kScreen, Look::kLight}) {
+    kept().look = look;
+    move_to(ImVec2(2.0F, 2.0F));
+    const file::Picture picture = screen();
+    const auto count = [&](Tone tone, const ui::ItemRect& area) {
+      return count_pixels(picture, colour_of(colour(look, tone)), static_cast<int>(area.from.x),
+                          static_cast<int>(area.from.y), static_cast<int>(area.to.x),
+                          static_cast<int>(area.to.y));
+    };
+    constexpr int kEnoughPixels = 300;
+    EXPECT_GT(count(Tone::kBackground, rect("plot Position")), kEnoughPixels);
+    EXPECT_GT(count(Tone::kPosition, rect("plot Position")), 100);
+    const ui::ItemRect panel{ImVec2(20.0F, 20.0F), ImVec2(300.0F, 700.0F)};
+    EXPECT_GT(count(Tone::kPanel, panel), kEnoughPixels);
+    EXPECT_GT(count(Tone::kFaint, rect("scene")), kEnoughPixels);
+  }
+}
+
+TEST_F(AppearanceTest, TheButtonsOfTheSettingsDoWhatTheySay) {
+  click("settings");
+  frames(2);
+  click("light");
+  EXPECT_EQ(kept().look, Look::kLight);
+  click("dark");
+  EXPECT_EQ(kept().look, Look::kScreen);
+  type("scale percent", "150");
+  EXPECT_EQ(kept().scale_percent, 150);
+  frames(3);
+  EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.5F);
+  click("smaller");
+  EXPECT_EQ(kept().scale_percent, 140);
+  click("automatic scale");
+  EXPECT_EQ(kept().scale_percent, 0);
+  frames(2);
+  EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.0F);
+  application_->set_screen_scale(1.25F);
+  frames(2);
+  EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.25F);
+}
+
+TEST_F(AppearanceTest, TwiceAsLargeIsTheSamePictureOfTwiceTheSize) {
+  const auto places = application_->state().transient.items;
+  kept().scale_percent = 200;
+  ImGui::GetIO().DisplaySize = ImVec2(2.0F * kScreenWidth, 2.0F * kScreenHeight);
+  frames(3);
+  constexpr float kRounding = 6.0F;  // pixels, of many small parts
+  for (const auto& [name, small] : places) {
+    const auto large = find(name);
+    ASSERT_TRUE(large.has_value()) << name;
+    EXPECT_NEAR(large->from.x, 2.0F * small.from.x, kRounding) << name;
+    EXPECT_NEAR(large->to.x, 2.0F * small.to.x, 2.0F * kRounding) << name;
+  }
+  expect_all_within();
+}
+
+TEST_F(AppearanceTest, EverythingFitsFromHalfToOneAndAHalf) {
+  for (const int percent : {50, 75, 100, 125, 150}) {
+    kept().scale_percent = percent;
+    ImGui::GetIO().DisplaySize = ImVec2(static_cast<float>(kScreenWidth * percent) / 100.0F,
+                                        static_cast<float>(kScreenHeight * percent) / 100.0F);
+    frames(3);
+    expect_all_within();
+  }
+}
+
+TEST_F(AppearanceTest, TheGapsBetweenThePartsAreDragged) {
+  const double panel = kept().panel_ems;
+  drag("panel splitter", ImVec2(60.0F, 0.0F));
+  EXPECT_NEAR(kept().panel_ems, panel + 60.0 / ImGui::GetStyle().FontSizeBase, 0.2);
+  const double view = kept().view_share;
+  drag("view splitter", ImVec2(0.0F, 50.0F));
+  EXPECT_GT(kept().view_share, view + 0.03);
+  const double picture = kept().picture_share;
+  drag("picture splitter", ImVec2(-80.0F, 0.0F));
+  EXPECT_LT(kept().picture_share, picture - 0.05);
+  // Nothing can be dragged out of sight.
+  drag("panel splitter", ImVec2(3000.0F, 0.0F));
+  drag("view splitter", ImVec2(0.0F, -3000.0F));
+  for (const char* item : {"panel splitter", "view splitter", "picture splitter", "pause"}) {
+    EXPECT_GT(rect(item).from.x, 0.0F) << item;
+    EXPECT_LT(rect(item).to.x, static_cast<float>(kScreenWidth)) << item;
+  }
+  EXPECT_GE(kept().view_share, 0.15);
+  click("settings");
+  frames(2);
+  click("reset layout");
+  EXPECT_EQ(kept().panel_ems, panel);
+  EXPECT_EQ(kept().view_share, view);
+  EXPECT_EQ(kept().picture_share, picture);
+}
+
+TEST_F(AppearanceTest, TheCommandLinesScaleIsInForceAndNotKept) {
+  options.forced_scale = 1.5F;
+  open("press");
+  EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.5F);
+  EXPECT_EQ(kept().scale_percent, 0);
+}
+
+}  // namespace
+}  // namespace hapticwall::test

@@ -1,0 +1,172 @@
+// The two export buttons, on the real disk.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/ui/figure.h"
+#include "tests/ui/gui_test.h"
+#include "tests/ui/pixels.h"
+
+namespace hapticwall::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class PlotExportTest : public GuiTest {
+ protected:
+  void SetUp() override {
+    GuiTest::SetUp();
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) / (std::string("hapticwall_plots_") + info->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    application_->state().transient.recording_folder = folder_.string();
+  }
+  void TearDown() override {
+    GuiTest::TearDown();
+    fs::remove_all(folder_);
+  }
+
+  [[nodiscard]] std::vector<std::string> files(const std::string& ending) const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      if (entry.path().extension() == ending) names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  // Frames go by until the export is done; it is on a thread of its own.
+  void export_csv() {
+    click("export csv");
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (application_->state().plots.transient.exporting.running() &&
+           std::chrono::steady_clock::now() < give_up) {
+      frames(1);
+    }
+  }
+  [[nodiscard]] static std::size_t count_lines(const fs::path& path) {
+    std::ifstream stream(path);
+    std::size_t lines = 0;
+    for (std::string line; std::getline(stream, line);) ++lines;
+    return lines;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(PlotExportTest, TheVisibleSamplesGoIntoACsvOfTheirOwnEachTime) {
+  press(ImGuiKey_1);
+  live(8000);
+  click("follow");
+  export_csv();
+  const std::vector<std::string> first = files(".csv");
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_THAT(first[0], HasSubstr("press-none-"));
+  EXPECT_EQ(count_lines(folder_ / first[0]), 1U + 6001U);
+  EXPECT_EQ(files(".toml").size(), 1U);
+  EXPECT_EQ(message().kind, ui::MessageKind::kNote);
+  EXPECT_THAT(message().text, HasSubstr(first[0]));
+  EXPECT_THAT(message().text, HasSubstr("6001 rows"));
+  export_csv();
+  EXPECT_EQ(files(".csv").size(), 2U) << "nothing is overwritten";
+}
+
+TEST_F(PlotExportTest, WithoutSamplesInTheWindowNothingIsWritten) {
+  live(500);
+  click("follow");
+  application_->state().transient.time_from_s = 50.0;
+  application_->state().transient.time_to_s = 56.0;
+  export_csv();
+  EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
+  EXPECT_THAT(message().text, HasSubstr("no sample"));
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(PlotExportTest, AFolderThatIsNotThereIsTold) {
+  live(500);
+  application_->state().transient.recording_folder = (folder_ / "nowhere").string();
+  export_csv();
+  EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
+  EXPECT_THAT(message().text, HasSubstr("nowhere"));
+  click("export png");
+  EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
+  EXPECT_THAT(message().text, HasSubstr("nowhere"));
+}
+
+TEST_F(PlotExportTest, TheFigureGoesIntoAPngAndTheWindowGoesOn) {
+  press(ImGuiKey_1);
+  live(3000);
+  for (int i = 0; i < 2; ++i) {
+    click("export png");
+    ASSERT_EQ(files(".png").size(), static_cast<std::size_t>(i + 1)) << message().text;
+    EXPECT_THAT(message().text, HasSubstr(".png"));
+  }
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_file(&image, (folder_ / files(".png")[0]).c_str()), 0);
+  EXPECT_EQ(image.width, 1600U);
+  png_image_free(&image);
+  // The window's own OpenGL is still there and paints.
+  live(100);
+  const ui::ItemRect area = rect("plot Force");
+  const ImVec4 tone =
+      ui::theme_colours(ui::Look::kScreen)[static_cast<std::size_t>(ui::Tone::kForce)];
+  move_to(ImVec2(2.0F, 2.0F));
+  EXPECT_GT(count_pixels(screen(), colour_of(tone), static_cast<int>(area.from.x),
+                         static_cast<int>(area.from.y), static_cast<int>(area.to.x),
+                         static_cast<int>(area.to.y)),
+            100);
+}
+
+// What is drawn is what is seen: range, plots, signals, axes of values.
+TEST(FigureOfAHistory, ShowsTheVisibleRangeThePlotsAndTheSignalsThatAreAskedFor) {
+  const Scene scene = file::load_scene("press")->scene;
+  ui::SampleHistory history(10000);
+  FakeSession session(scene);
+  session.advance(3000);
+  std::vector<Sample> samples(3000);
+  history.push(std::span<const Sample>(samples).first(session.take_samples(samples)));
+  constexpr std::array kForceOnly{ui::PlotId::kForce};
+  constexpr ui::FigureSize kSize{800, 400};
+  const auto count = [&](const ui::FigureView& view, ui::Tone tone) {
+    const auto figure = ui::draw_figure(scene, history, view, kSize);
+    EXPECT_TRUE(figure.ok());
+    if (!figure) return 0;
+    const ImVec4 colour = ui::theme_colours(ui::Look::kPrint)[static_cast<std::size_t>(tone)];
+    return count_pixels(*figure, colour_of(colour), 0, 80, kSize.width, kSize.height);
+  };
+  ui::FigureView view;
+  view.window = {0.0, 3.0};
+  view.plots = kForceOnly;
+  EXPECT_GT(count(view, ui::Tone::kForce), 100);
+  EXPECT_EQ(count(view, ui::Tone::kPosition), 0);
+  EXPECT_EQ(count(view, ui::Tone::kHand), 0);
+  view.lines[static_cast<std::size_t>(ui::PlotId::kForce)] |=
+      ui::line_bit(ui::Quantity::kHandForce);
+  EXPECT_GT(count(view, ui::Tone::kHand), 100);
+  view.hidden = ui::line_bit(ui::Quantity::kForce);
+  EXPECT_LT(count(view, ui::Tone::kForce), 20);
+  view.hidden = 0;
+  view.window = {10.0, 13.0};  // nothing is there
+  EXPECT_LT(count(view, ui::Tone::kForce), 20);
+  view.window = {0.0, 3.0};
+  view.axes[static_cast<std::size_t>(ui::PlotId::kForce)].left = {true, 100.0, 200.0};
+  EXPECT_LT(count(view, ui::Tone::kForce), 20) << "beyond the axis that the user has put";
+  view.axes = {};
+  view.plots = {};
+  view.phase.shown = true;
+  EXPECT_GT(count(view, ui::Tone::kForce), 100) << "the plane alone";
+}
+
+}  // namespace
+}  // namespace hapticwall::test

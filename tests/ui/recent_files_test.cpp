@@ -1,0 +1,141 @@
+// Files that are dropped, typed, or opened once more.
+#include "app/ui/recent_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/ui/gui_test.h"
+
+namespace hapticwall::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+TEST(RecentFiles, TheNewestComesFirstAndOnlyOnce) {
+  std::vector<std::string> recent;
+  ui::remember_recent(recent, "/a");
+  ui::remember_recent(recent, "/b");
+  ui::remember_recent(recent, "/x/../a");
+  EXPECT_EQ(recent, (std::vector<std::string>{"/a", "/b"}));
+  for (int i = 0; i < 30; ++i) ui::remember_recent(recent, "/" + std::to_string(i));
+  EXPECT_EQ(recent.size(), ui::kMostRecentFiles);
+  EXPECT_EQ(recent.front(), "/29");
+}
+
+TEST(RecentFiles, AreWholePaths) {
+  std::vector<std::string> recent;
+  ui::remember_recent(recent, "here.toml");
+  EXPECT_EQ(recent.front(), (fs::current_path() / "here.toml").string());
+}
+
+class FilesTest : public GuiTest {
+ protected:
+  void SetUp() override {
+    GuiTest::SetUp();
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) / (std::string("hapticwall_files_") + info->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    Scene scene = file::load_scene("press")->scene;
+    scene.name = "mine";
+    scene.walls[0].stiffness_n_per_m = 4321.0;
+    put("mine.toml", file::scene_to_toml(scene));
+  }
+  void TearDown() override {
+    fs::remove_all(folder_);
+    GuiTest::TearDown();
+  }
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  void drop(const std::string& name) {
+    const std::array paths{path(name)};
+    application_->drop(paths);
+    frames(2);
+  }
+  [[nodiscard]] const std::vector<std::string>& recent() const {
+    return application_->state().persisted.recent;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(FilesTest, ADroppedSceneStartsFromRest) {
+  live(500);
+  drop("mine.toml");
+  EXPECT_EQ(sessions, 2);
+  EXPECT_EQ(fake_->scene().name, "mine");
+  EXPECT_EQ(fake_->scene().walls[0].stiffness_n_per_m, 4321.0);
+  EXPECT_FALSE(find("reset to scene").has_value()) << "it is the one to go back to";
+  EXPECT_EQ(recent(), std::vector<std::string>{path("mine.toml")});
+}
+
+TEST_F(FilesTest, WhatIsNoSceneIsToldAndTheSessionGoesOn) {
+  put("broken.toml", "[device]\nmass_kg = \"heavy\"\n");
+  live(300);
+  drop("broken.toml");
+  EXPECT_EQ(sessions, 1);
+  EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
+  EXPECT_THAT(message().text, HasSubstr("broken.toml:2"));
+  EXPECT_TRUE(recent().empty());
+  drop("nothing.toml");
+  EXPECT_THAT(message().text, HasSubstr("nothing.toml"));
+  EXPECT_EQ(fake_->snapshot().sample.tick, 299U);
+}
+
+TEST_F(FilesTest, ADroppedRecordingGoesToWhoTakesRecordings) {
+  put("trial.csv", "tick\n");
+  drop("trial.csv");
+  EXPECT_THAT(message().text, HasSubstr("hapticwall replay '" + path("trial.csv") + "'"));
+  std::vector<std::string> opened;
+  application_->on_recording([&](const std::string& csv) { opened.push_back(csv); });
+  drop("trial.csv");
+  EXPECT_EQ(opened, std::vector<std::string>{path("trial.csv")});
+  EXPECT_EQ(recent(), std::vector<std::string>{path("trial.csv")});
+  drop("nothing.csv");
+  EXPECT_THAT(message().text, HasSubstr("there is no such recording"));
+  EXPECT_EQ(opened.size(), 1U);
+}
+
+TEST_F(FilesTest, WhatWasOpenedIsInTheListOfScenes) {
+  drop("mine.toml");
+  click("scene");
+  frames(2);
+  click("scene press");
+  frames(2);
+  EXPECT_EQ(fake_->scene().name, "press");
+  click("scene");
+  frames(2);
+  click("recent 1");
+  frames(2);
+  EXPECT_EQ(fake_->scene().name, "mine");
+  fs::remove(path("mine.toml"));
+  click("scene");
+  frames(2);
+  click("recent 1");
+  frames(2);
+  EXPECT_TRUE(recent().empty()) << "what is gone is not offered again";
+}
+
+TEST_F(FilesTest, APathCanBeTyped) {
+  click("scene");
+  frames(2);
+  type("open path", path("mine.toml"));
+  frames(2);
+  EXPECT_EQ(fake_->scene().name, "mine");
+}
+
+TEST_F(FilesTest, TheFileOfTheCommandLineIsTheNewest) {
+  options.opened_file = path("mine.toml");
+  open("press");
+  EXPECT_EQ(recent(), std::vector<std::string>{path("mine.toml")});
+}
+
+}  // namespace
+}  // namespace hapticwall::test

@@ -1,0 +1,117 @@
+#include "app/ui/toasts.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/ui/gui_test.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ui::MessageKind;
+using ui::Toasts;
+
+TEST(Toasts, NotesFadeAndProblemsStay) {
+  Toasts toasts;
+  toasts.tell(MessageKind::kNote, "done");
+  toasts.tell(MessageKind::kProblem, "wrong");
+  EXPECT_FALSE(toasts.moving());
+  toasts.pass(ui::kNoteLifeS - 0.5 * ui::kFadeS, 0);
+  EXPECT_TRUE(toasts.moving());
+  EXPECT_NEAR(ui::opacity(toasts.list()[0]), 0.5, 1e-6);
+  EXPECT_EQ(ui::opacity(toasts.list()[1]), 1.0F);
+  toasts.pass(ui::kFadeS, 0);
+  ASSERT_EQ(toasts.list().size(), 1U);
+  EXPECT_EQ(toasts.newest().text, "wrong");
+  toasts.pass(1e6, 0);
+  EXPECT_EQ(toasts.list().size(), 1U);
+  EXPECT_FALSE(toasts.moving());
+}
+
+TEST(Toasts, WhatIsLookedAtStaysYoung) {
+  Toasts toasts;
+  toasts.tell(MessageKind::kNote, "done");
+  const std::uint64_t id = toasts.list()[0].id;
+  for (int i = 0; i < 10; ++i) toasts.pass(ui::kNoteLifeS, id);
+  EXPECT_EQ(toasts.list().size(), 1U);
+}
+
+TEST(Toasts, TheSameIsCountedAndBecomesTheNewest) {
+  Toasts toasts;
+  toasts.tell(MessageKind::kProblem, "a");
+  toasts.tell(MessageKind::kProblem, "b");
+  toasts.tell(MessageKind::kProblem, "a");
+  ASSERT_EQ(toasts.list().size(), 2U);
+  EXPECT_EQ(toasts.list()[1].message.text, "a");
+  EXPECT_EQ(toasts.list()[1].times, 2);
+  toasts.tell(MessageKind::kNote, "a");
+  EXPECT_EQ(toasts.list().size(), 3U) << "a note is something else";
+}
+
+TEST(Toasts, ManyMoreThanAnyoneReadsAreNotKept) {
+  Toasts toasts;
+  for (std::size_t i = 0; i < 10 * ui::kMostToasts; ++i)
+    toasts.tell(MessageKind::kProblem, std::to_string(i));
+  EXPECT_EQ(toasts.list().size(), ui::kMostToasts);
+}
+
+class ToastsTest : public GuiTest {
+ protected:
+  void tell(MessageKind kind, const std::string& text) {
+    ui::tell(application_->state(), kind, text);
+    frames(3);
+  }
+  [[nodiscard]] std::size_t count() const {
+    return application_->state().transient.toasts.list().size();
+  }
+};
+
+TEST_F(ToastsTest, ANoteGoesByItselfAndAProblemWaitsForAClick) {
+  tell(MessageKind::kNote, "done");
+  tell(MessageKind::kProblem, "wrong");
+  EXPECT_EQ(count(), 2U);
+  move_to(ImVec2(2.0F, 2.0F));
+  frames(60 * 10);
+  EXPECT_EQ(count(), 1U);
+  click("message");
+  EXPECT_EQ(count(), 0U);
+}
+
+TEST_F(ToastsTest, TheStackIsWithinTheWindowAndNoneCoversAnother) {
+  for (int i = 0; i < 12; ++i) tell(MessageKind::kProblem, "problem " + std::to_string(i));
+  float below = static_cast<float>(kScreenHeight);
+  std::size_t shown = 0;
+  for (auto toast = application_->state().transient.toasts.list().rbegin();
+       toast != application_->state().transient.toasts.list().rend(); ++toast) {
+    const auto place = find("toast " + std::to_string(toast->id));
+    if (!place) continue;
+    ++shown;
+    EXPECT_LE(place->to.y, below);
+    EXPECT_GE(place->from.x, 0.0F);
+    EXPECT_LE(place->to.x, static_cast<float>(kScreenWidth));
+    below = place->from.y;
+  }
+  EXPECT_EQ(shown, 5U);
+  click("put all away");
+  EXPECT_EQ(count(), 0U);
+}
+
+TEST_F(ToastsTest, TheTextCanBeCopied) {
+  tell(MessageKind::kProblem, "scene.toml:3: wall.position_m is missing");
+  click("copy message");
+  EXPECT_STREQ(ImGui::GetClipboardText(), "scene.toml:3: wall.position_m is missing");
+  EXPECT_EQ(count(), 1U) << "it is still to be read";
+}
+
+TEST_F(ToastsTest, AClickOnAMessageDoesNotReachWhatIsUnderIt) {
+  tell(MessageKind::kProblem, "wrong");
+  const double before_s = application_->state().transient.time_from_s;
+  move_to(rect("message").centre());
+  mouse_button(true);
+  move_to(ImVec2(rect("message").centre().x - 200.0F, rect("message").centre().y));
+  mouse_button(false);
+  EXPECT_EQ(application_->state().transient.time_from_s, before_s);
+  EXPECT_TRUE(application_->state().transient.follow);
+}
+
+}  // namespace
+}  // namespace hapticwall::test

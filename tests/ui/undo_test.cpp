@@ -1,0 +1,255 @@
+#include "app/ui/undo.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "core/scene_keys.h"
+#include "core/stabiliser/stabiliser.h"
+#include "tests/ui/gui_test.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ui::same_scene;
+using ui::UndoHistory;
+
+Scene press_scene() { return file::load_scene("press")->scene; }
+
+Scene with_stiffness(double stiffness_n_per_m) {
+  Scene scene = press_scene();
+  scene.walls[0].stiffness_n_per_m = stiffness_n_per_m;
+  return scene;
+}
+
+// A change of the kind that the window makes, any of them.
+Scene edited(Scene scene, std::mt19937& random) {
+  const auto pick = [&](std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+  };
+  const double factor = std::uniform_real_distribution<double>(0.5, 2.0)(random);
+  switch (pick(7)) {
+    case 0:
+      scene.walls[0].stiffness_n_per_m = std::min(1e5, scene.walls[0].stiffness_n_per_m * factor);
+      break;
+    case 1:
+      scene.walls[0].damping_n_s_per_m += 0.1;
+      break;
+    case 2:
+      scene.device.friction_n =
+          scene.device.friction_n ? std::nullopt : std::optional(0.1 * factor);
+      break;
+    case 3:
+      scene.algorithm.index = pick(algorithms().size());
+      break;
+    case 4:
+      scene.simulator = {Integrator::kRungeKutta4, static_cast<int>(pick(20)) + 1};
+      break;
+    case 5:
+      scene.hand->stiffness_n_per_m = std::min(1e4, scene.hand->stiffness_n_per_m * factor);
+      break;
+    default:
+      scene.sampling.rate_hz = 500.0 * static_cast<double>(pick(6) + 1);  // takes a new session
+      break;
+  }
+  return scene;
+}
+
+TEST(UndoHistory, GoesBackAndForthAndForgetsWhatWasUndone) {
+  UndoHistory history;
+  const Scene loaded = press_scene();
+  for (const double stiffness : {1000.0, 2000.0, 3000.0})
+    history.observe(with_stiffness(stiffness), loaded, false);
+  EXPECT_FALSE(history.can_redo());
+  EXPECT_EQ(history.undo()->scene.walls[0].stiffness_n_per_m, 2000.0);
+  history.observe(with_stiffness(2000.0), loaded, false);
+  EXPECT_EQ(history.redo()->scene.walls[0].stiffness_n_per_m, 3000.0);
+  history.observe(with_stiffness(2000.0), loaded, false);  // the session has refused
+  EXPECT_EQ(history.undo()->scene.walls[0].stiffness_n_per_m, 1000.0);
+  history.observe(with_stiffness(1000.0), loaded, false);
+  EXPECT_FALSE(history.can_undo());
+  history.observe(with_stiffness(7000.0), loaded, false);
+  EXPECT_FALSE(history.can_redo());
+  EXPECT_EQ(history.size(), 2U);
+  EXPECT_EQ(history.undo()->scene.walls[0].stiffness_n_per_m, 1000.0);
+}
+
+TEST(UndoHistory, ADragIsOneStepAndTheNextDragAnother) {
+  UndoHistory history;
+  const Scene loaded = press_scene();
+  history.observe(with_stiffness(1000.0), loaded, false);
+  for (int i = 1; i <= 10; ++i) history.observe(with_stiffness(1000.0 + i), loaded, true);
+  history.observe(with_stiffness(1010.0), loaded, false);
+  for (int i = 1; i <= 10; ++i) history.observe(with_stiffness(2000.0 + i), loaded, true);
+  history.observe(with_stiffness(2010.0), loaded, false);
+  EXPECT_EQ(history.size(), 3U);
+  EXPECT_EQ(history.undo()->scene.walls[0].stiffness_n_per_m, 1010.0);
+}
+
+TEST(UndoHistory, WhatADeviceMakesOfAStepIsThatStep) {
+  UndoHistory history;
+  const Scene loaded = press_scene();
+  history.observe(with_stiffness(1000.0), loaded, false);
+  history.observe(with_stiffness(2000.0), loaded, false);
+  ASSERT_TRUE(history.undo());
+  Scene near = with_stiffness(1000.0);
+  near.device.force_limit_n = 1.0;
+  history.observe(near, loaded, false);
+  EXPECT_FALSE(history.can_undo());
+  EXPECT_TRUE(history.can_redo());
+}
+
+TEST(UndoHistory, KeepsTheNewestSteps) {
+  UndoHistory history;
+  const Scene loaded = press_scene();
+  for (std::size_t i = 0; i < ui::kMostUndoSteps + 50; ++i)
+    history.observe(with_stiffness(1.0 + static_cast<double>(i)), loaded, false);
+  EXPECT_EQ(history.size(), ui::kMostUndoSteps);
+  EXPECT_EQ(history.undo()->scene.walls[0].stiffness_n_per_m,
+            static_cast<double>(ui::kMostUndoSteps + 49));
+}
+
+TEST(UndoHistory, TellsWhatItWouldChange) {
+  UndoHistory history;
+  const Scene loaded = press_scene();
+  EXPECT_EQ(history.undo_text(), "");
+  history.observe(loaded, loaded, false);
+  history.observe(with_stiffness(2000.0), loaded, false);
+  EXPECT_THAT(history.undo_text(), HasSubstr("wall.stiffness_n_per_m = 35000"));
+  Scene other = with_stiffness(2000.0);
+  other.sampling.rate_hz = 2000.0;
+  history.observe(other, loaded, false);
+  EXPECT_EQ(history.undo_text(), "sampling rate 1000 Hz");
+}
+
+TEST(SameScene, SeesEveryPart) {
+  std::mt19937 random(3);
+  const Scene scene = press_scene();
+  EXPECT_TRUE(same_scene(scene, press_scene()));
+  for (int round = 0; round < 100; ++round) {
+    const Scene other = edited(scene, random);
+    const bool changed = other.walls != scene.walls || other.device != scene.device ||
+                         other.hand != scene.hand || !(other.algorithm == scene.algorithm) ||
+                         !(other.simulator == scene.simulator) ||
+                         other.sampling.rate_hz != scene.sampling.rate_hz;
+    EXPECT_EQ(same_scene(scene, other), !changed);
+  }
+}
+
+class UndoTest : public GuiTest {
+ protected:
+  void press_ctrl(ImGuiKey key) {
+    ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, true);
+    press(key);
+    ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, false);
+    frames(1);
+  }
+  [[nodiscard]] double stiffness() const { return fake_->scene().walls[0].stiffness_n_per_m; }
+};
+
+TEST_F(UndoTest, KeysAndButtonsTakeBackAndDoAgain) {
+  type("stiffness", "20000");
+  type("damping", "2");
+  press_ctrl(ImGuiKey_Z);
+  EXPECT_EQ(fake_->scene().walls[0].damping_n_s_per_m, 0.0);
+  EXPECT_EQ(stiffness(), 20000.0);
+  click("undo");
+  EXPECT_EQ(stiffness(), 35000.0);
+  press_ctrl(ImGuiKey_Z);  // there is nothing more
+  EXPECT_EQ(stiffness(), 35000.0);
+  press_ctrl(ImGuiKey_Y);
+  EXPECT_EQ(stiffness(), 20000.0);
+  click("redo");
+  EXPECT_EQ(fake_->scene().walls[0].damping_n_s_per_m, 2.0);
+  EXPECT_EQ(sessions, 1) << "all of it while it ran";
+}
+
+TEST_F(UndoTest, WhatIsTypedIsNotUndoneByTheWindow) {
+  type("stiffness", "20000");
+  click("damping");
+  ImGui::GetIO().AddInputCharacter('7');
+  frames(2);
+  press_ctrl(ImGuiKey_Z);
+  EXPECT_EQ(stiffness(), 20000.0);
+}
+
+TEST_F(UndoTest, ADragOfASliderIsOneStep) {
+  const ui::ItemRect slider = rect("stiffness-slider");
+  const float middle = slider.centre().y;
+  move_to(ImVec2(slider.from.x + 0.3F * (slider.to.x - slider.from.x), middle));
+  mouse_button(true);
+  for (const float share : {0.4F, 0.5F, 0.6F, 0.7F, 0.8F}) {
+    move_to(ImVec2(slider.from.x + share * (slider.to.x - slider.from.x), middle));
+    EXPECT_NEAR(std::log10(stiffness()), 2.0 + 4.0 * static_cast<double>(share), 0.15);
+  }
+  mouse_button(false);
+  EXPECT_EQ(application_->state().transient.undo.size(), 2U);
+  press_ctrl(ImGuiKey_Z);
+  EXPECT_EQ(stiffness(), 35000.0);
+}
+
+TEST_F(UndoTest, ARateTakesItsSessionBackAndAnotherSceneToo) {
+  type("rate", "2000");
+  EXPECT_EQ(sessions, 2);
+  press_ctrl(ImGuiKey_Z);
+  EXPECT_EQ(sessions, 3);
+  EXPECT_EQ(fake_->scene().sampling.rate_hz, 1000.0);
+  type("stiffness", "20000");
+  click("Figure 5");
+  frames(2);
+  EXPECT_FALSE(find("reset to scene").has_value());
+  press_ctrl(ImGuiKey_Z);
+  EXPECT_EQ(stiffness(), 20000.0);
+  EXPECT_TRUE(find("reset to scene").has_value());
+  click("reset to scene");
+  EXPECT_EQ(stiffness(), 35000.0);
+  press_ctrl(ImGuiKey_Z);
+  EXPECT_EQ(stiffness(), 20000.0) << "the way back is a change like others";
+}
+
+TEST_F(UndoTest, ASessionThatDoesNotStartLeavesTheStepThere) {
+  type("rate", "2000");
+  refuse_session = "no loop to be had";
+  press_ctrl(ImGuiKey_Z);
+  EXPECT_EQ(message().text, "no loop to be had");
+  EXPECT_EQ(application_->session().scene().sampling.rate_hz, 2000.0);
+  refuse_session.clear();
+  press_ctrl(ImGuiKey_Z);
+  EXPECT_EQ(application_->session().scene().sampling.rate_hz, 1000.0);
+}
+
+// The property: whatever was done, undo leads back through every state to the first one, and redo
+// to the last.
+TEST_F(UndoTest, AnyEditsAreUndoneAndRedoneStateByState) {
+  std::mt19937 random(20240);
+  for (int round = 0; round < 5; ++round) {
+    open("press");
+    std::vector<Scene> states{fake_->scene()};
+    while (states.size() < 15) {
+      const Scene wanted = edited(fake_->scene(), random);
+      if (same_scene(wanted, fake_->scene())) continue;
+      if (runtime::needs_new_session(fake_->scene(), wanted)) {
+        application_->state().transient.wanted_scene = ui::WantedScene{wanted};
+      } else {
+        ASSERT_FALSE(fake_->change_scene(wanted));
+      }
+      frames(1);
+      states.push_back(fake_->scene());
+    }
+    for (std::size_t i = states.size() - 1; i-- > 0;) {
+      press_ctrl(ImGuiKey_Z);
+      ASSERT_TRUE(same_scene(fake_->scene(), states[i])) << "back to " << i;
+    }
+    for (std::size_t i = 1; i < states.size(); ++i) {
+      press_ctrl(ImGuiKey_Y);
+      ASSERT_TRUE(same_scene(fake_->scene(), states[i])) << "on to " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::test
