@@ -51,31 +51,30 @@ constexpr double kFinestEncoderM = 1e-12;
 constexpr double kFinestForceN = 1e-12;
 constexpr double kShortestTimeConstantS = 1e-9;
 
-Problem check_fineness(std::string_view key, std::optional<double> value, double finest,
+Problem check_fineness(const std::string& key, std::optional<double> value, double finest,
                        std::string_view unit) {
   if (value.value_or(0.0) == 0.0 || *value >= finest) return std::nullopt;
-  return SceneProblem{"device." + std::string(key),
-                      number_text(*value) + " is too fine; it takes 0 (none) or " +
-                          number_text(finest) + " " + std::string(unit) + " and more"};
+  return SceneProblem{key, number_text(*value) + " is too fine; it takes 0 (none) or " +
+                               number_text(finest) + " " + std::string(unit) + " and more"};
 }
 
-Problem check_device(const DeviceSettings& device) {
-  if (auto problem = check_table<DeviceSettings>("device.", device, device_number_keys())) {
+// `prefix`: "device." or "device.y."
+Problem check_device(const std::string& prefix, const DeviceSettings& device) {
+  if (auto problem = check_table<DeviceSettings>(prefix, device, device_number_keys())) {
     return problem;
   }
-  if (auto problem = check_fineness("encoder_m", device.encoder_m, kFinestEncoderM, "m")) {
+  if (auto problem = check_fineness(prefix + "encoder_m", device.encoder_m, kFinestEncoderM, "m")) {
     return problem;
   }
-  if (auto problem =
-          check_fineness("force_resolution_n", device.force_resolution_n, kFinestForceN, "N")) {
+  if (auto problem = check_fineness(prefix + "force_resolution_n", device.force_resolution_n,
+                                    kFinestForceN, "N")) {
     return problem;
   }
-  return check_fineness("amplifier_time_constant_s", device.amplifier_time_constant_s,
+  return check_fineness(prefix + "amplifier_time_constant_s", device.amplifier_time_constant_s,
                         kShortestTimeConstantS, "s");
 }
 
-Problem check_path(const HandSettings& hand) {
-  const std::string key = "hand.path";
+Problem check_path(const std::string& key, const HandSettings& hand) {
   if (hand.follows_mouse) {
     if (hand.path.empty()) return std::nullopt;
     return SceneProblem{key, "a hand that follows the mouse has no points"};
@@ -99,17 +98,51 @@ Problem check_path(const HandSettings& hand) {
   return std::nullopt;
 }
 
-Problem check_hand(const HandSettings& hand) {
-  if (auto problem = check_table<HandSettings>("hand.", hand, hand_number_keys())) return problem;
+// `prefix`: "hand." or "hand.y."
+Problem check_hand(const std::string& prefix, const HandSettings& hand) {
+  if (auto problem = check_table<HandSettings>(prefix, hand, hand_number_keys())) return problem;
   if (hand.has_grip() && !hand.mass_kg) {
-    return SceneProblem{"hand.grip_stiffness_n_per_m",
-                        "a grip holds the handle with a hand's mass: hand.mass_kg is missing"};
+    return SceneProblem{
+        prefix + "grip_stiffness_n_per_m",
+        "a grip holds the handle with a hand's mass: " + prefix + "mass_kg is missing"};
   }
   if (hand.grip_damping_n_s_per_m && !hand.has_grip()) {
-    return SceneProblem{"hand.grip_damping_n_s_per_m",
-                        "a grip needs its spring: hand.grip_stiffness_n_per_m is missing"};
+    return SceneProblem{prefix + "grip_damping_n_s_per_m",
+                        "a grip needs its spring: " + prefix + "grip_stiffness_n_per_m is missing"};
   }
-  return check_path(hand);
+  return check_path(prefix + "path", hand);
+}
+
+Problem check_wall_count(std::string_view axis, std::size_t count) {
+  if (count <= kMaximumWalls) return std::nullopt;
+  return SceneProblem{"wall", std::to_string(count) + " walls" + std::string(axis) + "; at most " +
+                                  std::to_string(kMaximumWalls) + " are taken"};
+}
+
+// Walls are counted as a scene is written: those of axis x first.
+Problem check_walls(const Scene& scene) {
+  if (auto problem = check_wall_count(scene.y ? " on axis x" : "", scene.walls.size())) {
+    return problem;
+  }
+  std::vector<WallSettings> walls = scene.walls;
+  if (scene.y) {
+    if (auto problem = check_wall_count(" on axis y", scene.y->walls.size())) return problem;
+    walls.insert(walls.end(), scene.y->walls.begin(), scene.y->walls.end());
+  }
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const std::string prefix = walls.size() == 1 ? "wall." : "wall[" + std::to_string(i) + "].";
+    if (auto problem = check_table<WallSettings>(prefix, walls[i], wall_number_keys())) {
+      return problem;
+    }
+  }
+  return std::nullopt;
+}
+
+Problem check_second_axis(const Scene& scene) {
+  if (!scene.y) return std::nullopt;
+  if (auto problem = check_device("device.y.", scene.y->device)) return problem;
+  if (!scene.y->hand) return std::nullopt;
+  return check_hand("hand.y.", *scene.y->hand);
 }
 
 std::string choice_text(const ParameterDescription& parameter) {
@@ -192,6 +225,15 @@ bool same_plant(const Scene& a, const Scene& b) {
   return a.device == b.device && a.hand == b.hand && a.simulator == b.simulator;
 }
 
+Scene second_axis(const Scene& scene) {
+  Scene axis = scene;
+  axis.device = scene.y->device;
+  axis.hand = scene.y->hand;
+  axis.walls = scene.y->walls;
+  axis.y.reset();
+  return axis;
+}
+
 std::uint64_t Scene::tick_count() const {
   return static_cast<std::uint64_t>(std::max(1.0, std::round(duration_s * sampling.rate_hz)));
 }
@@ -205,22 +247,16 @@ Problem validate(const Scene& scene) {
   if (scene.duration_s * scene.sampling.rate_hz > kMaximumTicks) {
     return SceneProblem{"duration_s", "gives more than " + number_text(kMaximumTicks) + " ticks"};
   }
-  if (auto problem = check_device(scene.device)) return problem;
+  if (auto problem = check_device("device.", scene.device)) return problem;
   if (scene.hand) {
-    if (auto problem = check_hand(*scene.hand)) return problem;
+    if (auto problem = check_hand("hand.", *scene.hand)) return problem;
   }
-  if (scene.walls.size() > kMaximumWalls) {
-    return SceneProblem{"wall", std::to_string(scene.walls.size()) + " walls; at most " +
-                                    std::to_string(kMaximumWalls) + " are taken"};
-  }
-  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
-    const std::string prefix =
-        scene.walls.size() == 1 ? "wall." : "wall[" + std::to_string(i) + "].";
-    if (auto problem = check_table<WallSettings>(prefix, scene.walls[i], wall_number_keys())) {
-      return problem;
-    }
-  }
+  if (auto problem = check_second_axis(scene)) return problem;
+  if (auto problem = check_walls(scene)) return problem;
   if (auto problem = check_algorithm(scene)) return problem;
+  if (scene.y) {
+    if (auto problem = check_algorithm(second_axis(scene))) return problem;
+  }
   return check_simulator(scene.simulator);
 }
 

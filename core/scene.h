@@ -92,7 +92,17 @@ struct SimulatorSettings {
 
 [[nodiscard]] std::optional<Integrator> find_integrator(std::string_view name);
 
-inline constexpr std::size_t kMaximumWalls = 8;
+inline constexpr std::size_t kMaximumWalls = 8;  // on an axis
+
+// The second axis of a corner: a handle, a hand and walls of its own. It is a loop of its own too;
+// rate, duration, algorithm and integrator are those of the scene.
+struct SecondAxis {
+  DeviceSettings device;
+  std::optional<HandSettings> hand;
+  std::vector<WallSettings> walls;
+
+  friend bool operator==(const SecondAxis&, const SecondAxis&) = default;
+};
 
 struct Scene {
   std::string name;
@@ -102,6 +112,7 @@ struct Scene {
   DeviceSettings device;
   std::optional<HandSettings> hand;
   std::vector<WallSettings> walls;
+  std::optional<SecondAxis> y;  // device, hand and walls above are those of axis x
   AlgorithmSettings algorithm;
   SimulatorSettings simulator;
 
@@ -109,8 +120,11 @@ struct Scene {
   [[nodiscard]] std::uint64_t tick_count() const;
 };
 
-// True where both have the same plant: where two scenes of a session differ in this, the plant
-// changes.
+// Axis y as a scene of one axis. Precondition: scene.y. Realtime-safe: no.
+[[nodiscard]] Scene second_axis(const Scene& scene);
+
+// True where both have the same plant on axis x: where two scenes of a session differ in this, the
+// plant changes.
 [[nodiscard]] bool same_plant(const Scene& a, const Scene& b);
 
 // One thing that is wrong with a scene: the dotted key and a sentence that says what would be

@@ -41,6 +41,24 @@ struct SimulationResult {
 // Realtime-safe: no (allocates at set-up, never in the loop).
 [[nodiscard]] SimulationResult simulate(const Scene& scene, const SimulationOptions& options = {});
 
+struct AxesOptions {
+  // Called once a tick with the samples of both axes, in order; empty: they are not even assembled.
+  std::function<void(const Sample& x, const Sample& y)> on_samples;
+  std::function<bool()> should_stop;         // as in SimulationOptions
+  std::span<const ScheduledChange> changes;  // of scenes with both axes, sorted by tick
+};
+
+struct AxesResult {
+  SimulationResult x;
+  SimulationResult y;
+};
+
+// Both axes of a corner, each as simulate() would run it alone: they share nothing but the clock.
+// Where one diverges both end with it, the other at most kAxesApartTicks later.
+// Preconditions: as those of simulate(), and scene.y. Realtime-safe: no.
+[[nodiscard]] AxesResult simulate_axes(const Scene& scene, const AxesOptions& options = {});
+inline constexpr std::uint64_t kAxesApartTicks = 1024;
+
 // The same closed loop with the exact integrator, whatever the scene names, and the plant in
 // extended precision (long double, 64 bits of mantissa); the controller is a digital computer and
 // computes in double as ever. Samples and summary are rounded to double. The reference against

@@ -119,22 +119,35 @@ class Simulation {
         metrics_(tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz)) {}
 
   SimulationResult run() {
-    const std::uint64_t ticks = scene_.tick_count();
-    SimulationResult result;
-    std::size_t change = 0;
-    while (servo_.state().tick < ticks && !diverged_at_tick_) {
+    while (!over() && !stopped_early_) {
       if (options_.should_stop && options_.should_stop()) {
-        result.stopped_early = true;
-        break;
+        stopped_early_ = true;
+      } else {
+        advance();
       }
-      while (change < options_.changes.size() &&
-             options_.changes[change].tick <= servo_.state().tick) {
-        apply(options_.changes[change++].scene);
-      }
-      std::uint64_t end = std::min(ticks, servo_.state().tick + kChunkTicks);
-      if (change < options_.changes.size()) end = std::min(end, options_.changes[change].tick);
-      run_until(end);
     }
+    return finish();
+  }
+
+  // A chunk at a time: up to the next change, and at most kChunkTicks.
+  void advance() {
+    while (next_change_ < options_.changes.size() &&
+           options_.changes[next_change_].tick <= servo_.state().tick) {
+      apply(options_.changes[next_change_++].scene);
+    }
+    std::uint64_t end = std::min(scene_.tick_count(), servo_.state().tick + kChunkTicks);
+    if (next_change_ < options_.changes.size()) {
+      end = std::min(end, options_.changes[next_change_].tick);
+    }
+    run_until(end);
+  }
+  [[nodiscard]] bool over() const {
+    return servo_.state().tick >= scene_.tick_count() || diverged_at_tick_.has_value();
+  }
+
+  SimulationResult finish() {
+    SimulationResult result;
+    result.stopped_early = stopped_early_;
     check_end();
     result.summary = summary();
     result.final_state.tick = servo_.state().tick;
@@ -262,6 +275,8 @@ class Simulation {
   Variant plant_;
   OutputStage output_;
   TickMetrics metrics_;
+  std::size_t next_change_ = 0;
+  bool stopped_early_ = false;
   std::optional<std::uint64_t> diverged_at_tick_;
 };
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hapticwall {
 
@@ -55,6 +56,8 @@ struct Summary {
   std::optional<double> kinetic_j;
   std::optional<double> energy_balance_error_j;
   std::optional<double> passivity_margin_j;
+  // Of a corner: the summary of axis y alone; the rest is that of axis x.
+  std::vector<Summary> y;
 };
 
 }  // namespace hapticwall

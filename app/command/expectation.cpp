@@ -44,9 +44,9 @@ std::optional<double> finite_number(std::string_view text) {
   return value;
 }
 
-// The field of a key; a summary of nothing has all keys and the types of their values.
-std::optional<SummaryField> field_of(std::string_view key, const Summary& summary) {
-  for (const SummaryField& field : summary_fields(summary)) {
+std::optional<SummaryField> field_of(std::string_view key,
+                                     const std::vector<SummaryField>& fields) {
+  for (const SummaryField& field : fields) {
     if (field.key == key) return field;
   }
   return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<Error> check_word(const Expectation& expectation, std::string_view
     return problem(expectation.text,
                    fmt::format("{} is a word; it is compared with =", expectation.key));
   }
-  if (expectation.key != "verdict") return std::nullopt;
+  if (!expectation.key.ends_with("verdict")) return std::nullopt;
   static constexpr std::array kVerdicts{verdict_name(Verdict::kSettled),
                                         verdict_name(Verdict::kOscillating),
                                         verdict_name(Verdict::kDiverged)};
@@ -108,10 +108,11 @@ Result<Expectation> parse_expectation(const std::string& text) {
   Expectation expectation;
   expectation.text = text;
   expectation.key = std::string(trimmed(std::string_view(text).substr(0, sign_at)));
-  const std::optional<SummaryField> field = field_of(expectation.key, {});
+  const std::optional<SummaryField> field = field_of(expectation.key, all_summary_fields());
   if (!field) {
+    const std::vector<SummaryField> known = all_summary_fields();
     std::vector<std::string_view> keys;
-    for (const SummaryField& known : summary_fields({})) keys.push_back(known.key);
+    for (const SummaryField& one : known) keys.push_back(one.key);
     const std::string hint = file::suggestion(expectation.key, keys);
     return problem(text,
                    fmt::format("the summary has no key {}{}", file::in_quotes(expectation.key),
@@ -143,7 +144,7 @@ Result<std::vector<Expectation>> parse_expectations(const std::vector<std::strin
 }
 
 std::optional<std::string> unmet(const Expectation& expectation, const Summary& summary) {
-  const std::optional<SummaryField> field = field_of(expectation.key, summary);
+  const std::optional<SummaryField> field = field_of(expectation.key, summary_fields(summary));
   if (field && holds(expectation, field->value)) return std::nullopt;
   const std::string found = field ? value_text(field->value) : "null";
   return fmt::format("expected {}, found {} = {} ({} under {})", file::shown(expectation.text),

@@ -12,8 +12,9 @@ namespace hapticwall::command {
 struct HeadlessRun {
   const Scene& scene;
   std::span<const ScheduledChange> changes;
-  std::function<void(const Sample&)> on_sample;  // empty: samples are not assembled
-  std::function<bool()> should_stop;             // beside signals; may be empty
+  // `y`: of a scene's second axis. Empty: samples are not assembled.
+  std::function<void(const Sample& x, const Sample& y)> on_sample;
+  std::function<bool()> should_stop;  // beside signals; may be empty
   std::string progress_label;
   bool show_progress = false;
 };

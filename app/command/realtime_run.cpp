@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include "app/command/axes_metrics.h"
 #include "app/command/device_choice.h"
 #include "app/command/progress.h"
 #include "app/command/signals.h"
 #include "app/runtime/session.h"
-#include "core/metrics.h"
 
 namespace hapticwall::command {
 namespace {
@@ -40,16 +42,29 @@ std::string status_text(const runtime::Session& session, const runtime::Snapshot
   return text;
 }
 
-// Takes what the loop has produced; returns how many samples that was.
-std::uint64_t take_samples(runtime::Session& session, Metrics& metrics, const RealtimeRun& run) {
-  static thread_local std::array<Sample, kSamplesPerPoll> buffer;
-  const std::size_t count = session.take_samples(buffer);
-  for (std::size_t i = 0; i < count; ++i) {
-    metrics.add(buffer.at(i));
-    if (run.on_sample) run.on_sample(buffer.at(i));
+// Takes what the loop has produced.
+class SampleTaker {
+ public:
+  SampleTaker(const Scene& scene, bool has_truth)
+      : metrics_(scene, scene.tick_count(), has_truth), x_(kSamplesPerPoll), y_(kSamplesPerPoll) {}
+
+  // Returns how many samples that was.
+  std::uint64_t take(runtime::Session& session, const RealtimeRun& run) {
+    const std::size_t count = session.take_samples(x_);
+    static_cast<void>(session.take_second_axis(std::span(y_).first(count)));
+    for (std::size_t i = 0; i < count; ++i) {
+      metrics_.add(x_[i], y_[i]);
+      if (run.on_sample) run.on_sample(x_[i], y_[i]);
+    }
+    return count;
   }
-  return count;
-}
+  [[nodiscard]] Summary summary() const { return metrics_.finish(); }
+
+ private:
+  AxesMetrics metrics_;
+  std::vector<Sample> x_;
+  std::vector<Sample> y_;  // all zero where there is one axis
+};
 
 Result<std::unique_ptr<runtime::Session>> start_session(const RealtimeRun& run) {
   runtime::SessionOptions options;
@@ -101,14 +116,14 @@ Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
     if (Failure failed = session.start_recording(run.csv)) return *failed;
   }
 
-  Metrics metrics(session.scene(), ticks, session.device_info().is_simulated);
+  SampleTaker taker(session.scene(), session.device_info().is_simulated);
   Progress progress(run.scene.name, run.show_progress);
   session.step(static_cast<std::uint32_t>(ticks));
   if (run.arm) session.arm(true);
   Failure trouble;
   std::uint64_t done = 0;
   while (done < ticks && stop_signal() == 0 && !trouble) {
-    done += take_samples(session, metrics, run);
+    done += taker.take(session, run);
     trouble = trouble_in(session, session.snapshot(), run);
     progress.show(static_cast<double>(done) / static_cast<double>(ticks));
     if (done < ticks && !trouble) std::this_thread::sleep_for(kPollInterval);
@@ -116,7 +131,7 @@ Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
   session.arm(false);
   if (Failure failed = session.stop_recording()) return *failed;
   if (trouble) return *trouble;
-  return RealtimeOutcome{metrics.finish(), status_text(session, session.snapshot()), done < ticks};
+  return RealtimeOutcome{taker.summary(), status_text(session, session.snapshot()), done < ticks};
 }
 
 }  // namespace hapticwall::command

@@ -15,9 +15,9 @@ namespace hapticwall::command {
 
 struct RealtimeRun {
   const Scene& scene;
-  std::string csv;                                       // empty: no recording
-  std::function<void(const Sample&)> on_sample;          // may be empty
-  std::optional<device::ImpulseEngineOptions> hardware;  // nothing: the simulator
+  std::string csv;                                                  // empty: no recording
+  std::function<void(const Sample& x, const Sample& y)> on_sample;  // as in HeadlessRun
+  std::optional<device::ImpulseEngineOptions> hardware;             // nothing: the simulator
   bool arm = false;  // the device's force, at the first tick; else it stays off
   bool allow_no_realtime = false;
   bool show_progress = false;

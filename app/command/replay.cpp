@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/command/axes_metrics.h"
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
 #include "app/command/progress.h"
@@ -22,7 +23,6 @@
 #include "app/file/text.h"
 #include "app/runtime/replay_session.h"
 #include "app/ui/window.h"
-#include "core/metrics.h"
 
 namespace hapticwall::command {
 namespace {
@@ -97,14 +97,15 @@ struct Outcome {
 // The figures of the rows as they were recorded.
 Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs) {
   const file::RecordingInfo& info = recording.info();
-  Metrics metrics(info.loaded.scene, recording.rows(), info.of_simulator());
+  AxesMetrics metrics(info.loaded.scene, recording.rows(), info.of_simulator());
   std::vector<Sample> rows(file::kRowsPerBlock);
+  std::vector<Sample> y_rows(file::kRowsPerBlock);
   for (std::uint64_t row = 0; row < recording.rows() && stop_signal() == 0;) {
-    const Result<std::size_t> count = recording.read(row, rows);
+    const Result<std::size_t> count = recording.read(row, rows, y_rows);
     if (!count) return count.error();
-    for (const Sample& sample : std::span(rows).first(*count)) {
-      metrics.add(sample);
-      if (outputs.wants_samples()) outputs.take(sample);
+    for (std::size_t i = 0; i < *count; ++i) {
+      metrics.add(rows[i], y_rows[i]);
+      if (outputs.wants_samples()) outputs.take(rows[i], y_rows[i]);
     }
     row += *count;
   }

@@ -59,6 +59,9 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
     writer = std::move(*created);
   }
   if (rerun.talks) tell_what_is_not_known(rerun);
+  if (rerun.talks && rerun.recording.info().loaded.scene.y) {
+    tell("note: the recording has two axes; axis x is run again, axis y is left out");
+  }
   Progress progress(rerun.loaded.scene.name, rerun.talks);
   Failure failed;
   runtime::RerunOptions options;
@@ -68,7 +71,7 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
   };
   options.on_sample = [&](const Sample& sample) {
     if (writer && !failed) failed = writer->append(sample);
-    if (outputs.wants_samples()) outputs.take(sample);
+    if (outputs.wants_samples()) outputs.take(sample, Sample{});
   };
   auto outcome = runtime::rerun_hand(rerun.recording, rerun.loaded, options);
   if (failed) return *std::move(failed);

@@ -47,9 +47,9 @@ Failure check_realtime(const file::LoadedScene& loaded) {
                "a run without --realtime repeats it tick by tick"};
 }
 
-std::function<void(const Sample&)> sample_sink(RunOutputs& outputs) {
+std::function<void(const Sample&, const Sample&)> sample_sink(RunOutputs& outputs) {
   if (!outputs.wants_samples()) return {};
-  return [&outputs](const Sample& sample) { outputs.take(sample); };
+  return [&outputs](const Sample& x, const Sample& y) { outputs.take(x, y); };
 }
 
 Result<Outcome> run_in_real_time(const RunOptions& options, const DeviceChoice& device,

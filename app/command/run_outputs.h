@@ -7,6 +7,7 @@
 
 #include "app/command/common_options.h"
 #include "app/command/output_file.h"
+#include "app/file/picture.h"
 #include "app/file/recording_writer.h"
 #include "app/file/scene_file.h"
 #include "core/simulate.h"
@@ -22,7 +23,8 @@ class RunOutputs {
 
   // Whether anything wants samples; take() is called for every one of them then.
   [[nodiscard]] bool wants_samples() const { return recording_ || plot_.is_open(); }
-  void take(const Sample& sample);
+  // `y`: of the second axis, where the scene has one.
+  void take(const Sample& x, const Sample& y);
   // A file could not be written: the run may as well end.
   [[nodiscard]] const Failure& failure() const { return failure_; }
 
@@ -32,11 +34,15 @@ class RunOutputs {
   [[nodiscard]] Failure finish(const Scene& scene, const Summary& summary);
 
  private:
+  [[nodiscard]] Result<file::Picture> draw(const Scene& scene) const;
+
   std::unique_ptr<file::RecordingWriter> recording_;
   std::uint64_t first_recorded_tick_ = 0;
   OutputFile json_;
   OutputFile plot_;
-  std::vector<Sample> samples_;  // of the figure
+  std::vector<Sample> samples_;    // of the figure
+  std::vector<Sample> y_samples_;  // the same of a second axis
+  bool second_axis_ = false;
   Failure failure_;
 };
 

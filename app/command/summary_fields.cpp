@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -26,7 +28,7 @@ SummaryValue count(std::optional<std::uint64_t> value) {
 nlohmann::ordered_json json_object(const Summary& summary) {
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
   for (const SummaryField& field : summary_fields(summary)) {
-    nlohmann::ordered_json& member = object[std::string(field.key)];
+    nlohmann::ordered_json& member = object[field.key];
     std::visit(
         [&](const auto& value) {
           if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
@@ -51,9 +53,16 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-}  // namespace
+constexpr std::string_view kSecondAxisPrefix = "y_";
 
-std::vector<SummaryField> summary_fields(const Summary& s) {
+// Figures of a run, not of an axis.
+bool is_shared(std::string_view key) {
+  static constexpr std::array<std::string_view, 4> kShared{
+      "scene", "algorithm", "simulated_seconds_per_second", "ns_per_tick"};
+  return std::find(kShared.begin(), kShared.end(), key) != kShared.end();
+}
+
+std::vector<SummaryField> axis_fields(const Summary& s) {
   return {{"scene", s.scene},
           {"algorithm", s.algorithm},
           {"verdict", std::string(verdict_name(s.verdict))},
@@ -84,6 +93,25 @@ std::vector<SummaryField> summary_fields(const Summary& s) {
           {"diverged_at_tick", count(s.diverged_at_tick)}};
 }
 
+}  // namespace
+
+std::vector<SummaryField> summary_fields(const Summary& summary) {
+  std::vector<SummaryField> fields = axis_fields(summary);
+  for (const Summary& y : summary.y) {
+    for (SummaryField& field : axis_fields(y)) {
+      if (is_shared(field.key)) continue;
+      fields.push_back({std::string(kSecondAxisPrefix) + field.key, std::move(field.value)});
+    }
+  }
+  return fields;
+}
+
+std::vector<SummaryField> all_summary_fields() {
+  Summary corner;
+  corner.y.emplace_back();
+  return summary_fields(corner);
+}
+
 std::string value_text(const SummaryValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* integer = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *integer);
@@ -101,7 +129,7 @@ std::string summaries_json(const std::vector<Summary>& summaries) {
 
 std::string summaries_csv(const std::vector<Summary>& summaries) {
   std::string text;
-  for (const SummaryField& field : summary_fields({})) {
+  for (const SummaryField& field : summary_fields(summaries.empty() ? Summary{} : summaries[0])) {
     text += fmt::format("{}{}", text.empty() ? "" : ",", field.key);
   }
   text += '\n';

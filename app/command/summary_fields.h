@@ -16,11 +16,14 @@ namespace hapticwall::command {
 using SummaryValue = std::variant<std::monostate, std::string, std::uint64_t, double>;
 
 struct SummaryField {
-  std::string_view key;
+  std::string key;
   SummaryValue value;
 };
 
+// Where there is a second axis, its fields follow with the prefix y_, less those that both share.
 [[nodiscard]] std::vector<SummaryField> summary_fields(const Summary& summary);
+// What can be asked for of some summary: the fields of one with two axes.
+[[nodiscard]] std::vector<SummaryField> all_summary_fields();
 
 // "oscillating", "12", "0.0028", "null".
 [[nodiscard]] std::string value_text(const SummaryValue& value);

@@ -43,11 +43,14 @@ std::string speed_text(const Summary& summary) {
                      *summary.simulated_seconds_per_second, *summary.ns_per_tick);
 }
 
-std::string heading(const Summary& summary) {
-  std::string text = fmt::format("{} under {}: {}", summary.scene, summary.algorithm,
-                                 verdict_name(summary.verdict));
+std::string verdict_text(const Summary& summary) {
+  std::string text(verdict_name(summary.verdict));
   if (summary.diverged_at_tick) text += fmt::format(" at tick {}", *summary.diverged_at_tick);
-  return text + "\n";
+  return text;
+}
+
+std::string heading(const Summary& summary) {
+  return fmt::format("{} under {}: {}\n", summary.scene, summary.algorithm, verdict_text(summary));
 }
 
 struct Column {
@@ -86,13 +89,8 @@ std::string contact_text(const Summary& s) {
       s.saturated_ticks);
 }
 
-}  // namespace
-
-std::string summary_lines(const Summary& s, const std::string& realtime_status) {
-  return heading(s) +
-         line("simulated",
-              fmt::format("{:.6g} s, {} ticks{}", s.duration_s, s.ticks, speed_text(s))) +
-         line("last second", tail_text(s)) +
+std::string axis_lines(const Summary& s) {
+  return line("last second", tail_text(s)) +
          line("displayed stiffness",
               kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
          line("wall", contact_text(s)) +
@@ -109,8 +107,19 @@ std::string summary_lines(const Summary& s, const std::string& realtime_status) 
               fmt::format("hand {} mJ, actuator {} mJ, dissipated {} mJ",
                           millijoules(s.true_hand_work_j), millijoules(s.true_actuator_work_j),
                           millijoules(s.true_dissipation_j))) +
-         line("passivity margin", millijoules(s.passivity_margin_j) + " mJ") +
-         (realtime_status.empty() ? "" : line("real time", realtime_status));
+         line("passivity margin", millijoules(s.passivity_margin_j) + " mJ");
+}
+
+}  // namespace
+
+std::string summary_lines(const Summary& s, const std::string& realtime_status) {
+  std::string text =
+      heading(s) +
+      line("simulated", fmt::format("{:.6g} s, {} ticks{}", s.duration_s, s.ticks, speed_text(s))) +
+      axis_lines(s);
+  for (const Summary& y : s.y) text += fmt::format("axis y: {}\n", verdict_text(y)) + axis_lines(y);
+  if (!realtime_status.empty()) text += line("real time", realtime_status);
+  return text;
 }
 
 std::string comparison_table(const std::vector<Summary>& summaries) {
@@ -119,9 +128,16 @@ std::string comparison_table(const std::vector<Summary>& summaries) {
     rows[0].emplace_back(column.title);
     rows[1].emplace_back(column.unit);
   }
-  for (const Summary& summary : summaries) {
+  const auto add_row = [&](const Summary& summary) {
     std::vector<std::string>& row = rows.emplace_back();
     for (const Column& column : kColumns) row.push_back(column.text(summary));
+  };
+  for (const Summary& summary : summaries) {
+    add_row(summary);
+    for (Summary y : summary.y) {
+      y.algorithm = "  axis y";
+      add_row(y);
+    }
   }
   std::array<std::size_t, kColumns.size()> widths{};
   for (const auto& row : rows) {

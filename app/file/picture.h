@@ -16,6 +16,9 @@ struct Picture {
   std::vector<std::uint8_t> rgba;
 };
 
+// Two pictures side by side; the space below a lower one is white. Realtime-safe: no.
+[[nodiscard]] Picture beside(const Picture& left, const Picture& right);
+
 // The bytes of a PNG file. Realtime-safe: no.
 [[nodiscard]] Result<std::string> encode_png(const Picture& picture);
 

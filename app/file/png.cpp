@@ -1,12 +1,31 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "app/file/atomic_file.h"
 #include "app/file/picture.h"
 
 namespace hapticwall::file {
+
+Picture beside(const Picture& left, const Picture& right) {
+  constexpr std::size_t kBytesPerPixel = 4;
+  constexpr std::uint8_t kWhite = 255;
+  Picture both{left.width + right.width, std::max(left.height, right.height), {}};
+  const std::size_t row = static_cast<std::size_t>(both.width) * kBytesPerPixel;
+  both.rgba.assign(row * static_cast<std::size_t>(both.height), kWhite);
+  const auto copy = [&](const Picture& from, std::size_t offset) {
+    const std::size_t length = static_cast<std::size_t>(from.width) * kBytesPerPixel;
+    for (std::size_t y = 0; y < static_cast<std::size_t>(from.height); ++y) {
+      std::copy_n(from.rgba.begin() + static_cast<std::ptrdiff_t>(y * length), length,
+                  both.rgba.begin() + static_cast<std::ptrdiff_t>(y * row + offset));
+    }
+  };
+  copy(left, 0);
+  copy(right, static_cast<std::size_t>(left.width) * kBytesPerPixel);
+  return both;
+}
 
 Result<std::string> encode_png(const Picture& picture) {
   png_image image;

@@ -183,27 +183,33 @@ Failure RecordingReader::load_block(std::uint64_t block) {
 
 bool RecordingReader::parse_block(std::uint64_t wanted_rows) {
   samples_.clear();
+  y_samples_.clear();
   for (std::string_view rest = text_; !rest.empty();) {
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos) return false;
-    if (parse_csv_row(rest.substr(0, end), info_.scanned.columns, samples_.emplace_back())) {
+    if (parse_csv_row(rest.substr(0, end), info_.scanned.columns, samples_.emplace_back(),
+                      &y_samples_.emplace_back())) {
       return false;
     }
     samples_.back().generation = generation_at(samples_.back().tick);
+    y_samples_.back().generation = samples_.back().generation;
     rest.remove_prefix(end + 1);
   }
   return samples_.size() == wanted_rows;
 }
 
-Result<std::size_t> RecordingReader::read(std::uint64_t first_row, std::span<Sample> out) {
+Result<std::size_t> RecordingReader::read(std::uint64_t first_row, std::span<Sample> out,
+                                          std::span<Sample> y) {
   std::size_t done = 0;
   while (done < out.size() && first_row + done < rows()) {
     const std::uint64_t row = first_row + done;
     if (Failure failed = load_block(row / kRowsPerBlock)) return *std::move(failed);
-    const auto from = samples_.begin() + static_cast<std::ptrdiff_t>(row % kRowsPerBlock);
-    const std::size_t count =
-        std::min(static_cast<std::size_t>(samples_.end() - from), out.size() - done);
-    std::copy_n(from, count, out.begin() + static_cast<std::ptrdiff_t>(done));
+    const std::size_t from = row % kRowsPerBlock;
+    const std::size_t count = std::min(samples_.size() - from, out.size() - done);
+    std::ranges::copy(std::span(samples_).subspan(from, count), out.subspan(done).begin());
+    if (!y.empty()) {
+      std::ranges::copy(std::span(y_samples_).subspan(from, count), y.subspan(done).begin());
+    }
     done += count;
   }
   return done;

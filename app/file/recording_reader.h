@@ -34,7 +34,7 @@ struct RecordingInfo {
   // What a person should know before believing what is shown; a line each.
   std::vector<std::string> notes;
 
-  [[nodiscard]] bool of_simulator() const { return scanned.columns == MoreColumns::kSimulator; }
+  [[nodiscard]] bool of_simulator() const { return file::of_simulator(scanned.columns); }
 };
 
 // How the first pass goes on: told a fraction from 0 to 1 now and then; false ends it.
@@ -61,7 +61,10 @@ class RecordingReader {
   // The rows from `first_row` on, up to out.size() of them; returns how many, 0 behind the last.
   // A sample's `generation` counts the parameter changes up to its tick. Fails (exit status 2)
   // where the file is no longer what it was.
-  [[nodiscard]] Result<std::size_t> read(std::uint64_t first_row, std::span<Sample> out);
+  // `y`: as many places for the same rows of the second axis, or none; all zero but tick and time
+  // where the recording has one axis.
+  [[nodiscard]] Result<std::size_t> read(std::uint64_t first_row, std::span<Sample> out,
+                                         std::span<Sample> y = {});
 
   // The first row of `tick` or later; rows() behind the last. Fails as read() does.
   [[nodiscard]] Result<std::uint64_t> row_at(std::uint64_t tick);
@@ -83,7 +86,8 @@ class RecordingReader {
 
   static constexpr std::uint64_t kNoBlock = ~std::uint64_t{0};
   std::uint64_t loaded_block_ = kNoBlock;
-  std::vector<Sample> samples_;  // of the loaded block
+  std::vector<Sample> samples_;    // of the loaded block
+  std::vector<Sample> y_samples_;  // the same rows of the second axis
   std::string text_;
 };
 

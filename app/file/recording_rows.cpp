@@ -13,12 +13,11 @@
 namespace hapticwall::file {
 namespace {
 
-constexpr std::array kCommonNumbers{&Sample::time_s,           &Sample::position_m,
-                                    &Sample::velocity_m_per_s, &Sample::penetration_m,
-                                    &Sample::wall_force_n,     &Sample::force_n,
-                                    &Sample::energy_cv_j,      &Sample::energy_hold_j,
-                                    &Sample::energy_scv_j,     &Sample::energy_budget_j};
-constexpr std::size_t kNumbersBeforeStiffness = 6;
+constexpr std::array kAxisNumbers{&Sample::position_m,    &Sample::velocity_m_per_s,
+                                  &Sample::penetration_m, &Sample::wall_force_n,
+                                  &Sample::force_n,       &Sample::stiffness_n_per_m,
+                                  &Sample::energy_cv_j,   &Sample::energy_hold_j,
+                                  &Sample::energy_scv_j,  &Sample::energy_budget_j};
 constexpr std::array kTruthNumbers{&PlantTruth::position_m,      &PlantTruth::velocity_m_per_s,
                                    &PlantTruth::hand_path_m,     &PlantTruth::hand_force_n,
                                    &PlantTruth::actuator_work_j, &PlantTruth::dissipation_j,
@@ -54,20 +53,12 @@ class Fields {
   bool ended_ = false;
 };
 
-bool take_common(Fields& fields, Sample& sample) {
-  if (!fields.take(sample.tick)) return false;
-  for (std::size_t i = 0; i < kNumbersBeforeStiffness; ++i) {
-    if (!fields.take(sample.*kCommonNumbers[i])) return false;
+bool take_axis(Fields& fields, MoreColumns columns, Sample& sample) {
+  for (const auto number : kAxisNumbers) {
+    if (!fields.take(sample.*number)) return false;
   }
-  if (!fields.take(sample.stiffness_n_per_m)) return false;
-  for (std::size_t i = kNumbersBeforeStiffness; i < kCommonNumbers.size(); ++i) {
-    if (!fields.take(sample.*kCommonNumbers[i])) return false;
-  }
-  return fields.take(sample.flags);
-}
-
-bool take_more(Fields& fields, MoreColumns columns, Sample& sample) {
-  if (columns == MoreColumns::kDevice) {
+  if (!fields.take(sample.flags)) return false;
+  if (!of_simulator(columns)) {
     return fields.take(sample.device_time_s) && fields.take(sample.read_age_s);
   }
   for (const auto number : kTruthNumbers) {
@@ -104,8 +95,8 @@ std::string problem_of(std::string_view line, MoreColumns columns) {
     if (name == "tick" && !is_number<std::uint64_t>(fields[i])) {
       return fmt::format("tick: {} is no whole number", in_quotes(fields[i]));
     }
-    if (name == "flags" && !is_number<std::uint32_t>(fields[i])) {
-      return fmt::format("flags: {} is no whole number", in_quotes(fields[i]));
+    if (name.ends_with("flags") && !is_number<std::uint32_t>(fields[i])) {
+      return fmt::format("{}: {} is no whole number", name, in_quotes(fields[i]));
     }
     if (!is_number<double>(fields[i])) {
       return fmt::format("{}: {} is no finite number", name, in_quotes(fields[i]));
@@ -119,12 +110,14 @@ Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(me
 }  // namespace
 
 Result<MoreColumns> parse_csv_header(std::string_view line) {
-  for (const MoreColumns columns : {MoreColumns::kSimulator, MoreColumns::kDevice}) {
-    if (line == csv_header(columns)) return columns;
+  for (const bool simulated : {true, false}) {
+    for (const bool second_axis : {false, true}) {
+      const MoreColumns columns = more_columns(simulated, second_axis);
+      if (line == csv_header(columns)) return columns;
+    }
   }
-  const MoreColumns meant = line.find("device_time_s") != std::string_view::npos
-                                ? MoreColumns::kDevice
-                                : MoreColumns::kSimulator;
+  const MoreColumns meant = more_columns(line.find("device_time_s") == std::string_view::npos,
+                                         line.find(",y_") != std::string_view::npos);
   const std::string header = csv_header(meant);
   const std::vector<std::string_view> wanted = split(header);
   const std::vector<std::string_view> found = split(line.substr(0, kLongestCsvLine));
@@ -139,13 +132,18 @@ Result<MoreColumns> parse_csv_header(std::string_view line) {
                                  in_quotes(found[wanted.size()])));
 }
 
-std::optional<std::string> parse_csv_row(std::string_view line, MoreColumns columns,
-                                         Sample& sample) {
+std::optional<std::string> parse_csv_row(std::string_view line, MoreColumns columns, Sample& sample,
+                                         Sample* y) {
   sample = Sample{};
+  Sample second;
   Fields fields(line);
-  if (take_common(fields, sample) && take_more(fields, columns, sample) && fields.at_end()) {
-    return std::nullopt;
-  }
+  bool whole =
+      fields.take(sample.tick) && fields.take(sample.time_s) && take_axis(fields, columns, sample);
+  second.tick = sample.tick;
+  second.time_s = sample.time_s;
+  if (whole && has_second_axis(columns)) whole = take_axis(fields, columns, second);
+  if (y != nullptr) *y = second;
+  if (whole && fields.at_end()) return std::nullopt;
   return problem_of(line, columns);
 }
 

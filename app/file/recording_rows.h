@@ -11,17 +11,15 @@
 
 namespace hapticwall::file {
 
-// No row that the writer writes is longer.
-inline constexpr std::size_t kLongestCsvLine = 1024;  // bytes, without the line end
-
 // Which recording a header line (without its end) is of. The error has no place yet: the caller
 // puts "NAME.csv:1: " in front of it.
 [[nodiscard]] Result<MoreColumns> parse_csv_header(std::string_view line);
 
 // One row (without its line end). Nothing, or what is wrong with it, without a place; `sample` is
 // good for nothing then. Numbers as std::from_chars takes them, whatever the locale, and finite.
-// What the columns do not hold is zero.
+// What the columns do not hold is zero. `y`: the same tick of the second axis, where the columns
+// have one; may be null.
 [[nodiscard]] std::optional<std::string> parse_csv_row(std::string_view line, MoreColumns columns,
-                                                       Sample& sample);
+                                                       Sample& sample, Sample* y = nullptr);
 
 }  // namespace hapticwall::file

@@ -14,24 +14,24 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
-constexpr std::size_t kLongestRowBytes = 512;
 
 class CsvRecordingWriter final : public RecordingWriter {
  public:
   CsvRecordingWriter(AtomicFile csv, AtomicFile sidecar, MoreColumns columns)
       : csv_(std::move(csv)), sidecar_(std::move(sidecar)), columns_(columns) {
-    buffer_.reserve(kBufferBytes + kLongestRowBytes);
+    buffer_.reserve(kBufferBytes + kLongestCsvLine + 1);
     buffer_ = csv_header(columns_) + '\n';
   }
 
-  Failure append(const Sample& sample) override {
+  using RecordingWriter::append;
+  Failure append(const Sample& sample, const Sample& y) override {
     if (failed_) return failed_;
-    if (!is_finite(sample)) {
+    if (!is_finite(sample) || !is_finite(y)) {
       ++skipped_rows_;
       return {};
     }
     dropped_rows_ += std::exchange(skipped_rows_, 0);
-    append_csv_row(buffer_, sample, columns_);
+    append_csv_row(buffer_, sample, columns_, y);
     if (rows_++ == 0) csv_.keep_partial();
     session_ticks_ = std::max(session_ticks_, sample.tick + 1);
     return buffer_.size() < kBufferBytes ? Failure{} : flush();

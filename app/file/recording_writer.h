@@ -15,14 +15,32 @@ namespace hapticwall::file {
 
 // The columns after those that every recording has: what only a simulator knows, or what only a
 // real device's link does.
-enum class MoreColumns : std::uint8_t { kSimulator, kDevice };
+// Where a scene has a second axis all columns but tick and time follow once more, with the prefix
+// y_.
+enum class MoreColumns : std::uint8_t { kSimulator, kDevice, kSimulatorTwoAxes, kDeviceTwoAxes };
+
+[[nodiscard]] constexpr MoreColumns more_columns(bool simulated, bool second_axis) {
+  if (second_axis) return simulated ? MoreColumns::kSimulatorTwoAxes : MoreColumns::kDeviceTwoAxes;
+  return simulated ? MoreColumns::kSimulator : MoreColumns::kDevice;
+}
+[[nodiscard]] constexpr bool of_simulator(MoreColumns columns) {
+  return columns == MoreColumns::kSimulator || columns == MoreColumns::kSimulatorTwoAxes;
+}
+[[nodiscard]] constexpr bool has_second_axis(MoreColumns columns) {
+  return columns == MoreColumns::kSimulatorTwoAxes || columns == MoreColumns::kDeviceTwoAxes;
+}
+
+// No row that the writer writes is longer.
+inline constexpr std::size_t kLongestCsvLine = 1024;  // bytes, without the line end
 
 // The CSV header line without its line end.
 [[nodiscard]] std::string csv_header(MoreColumns columns);
 
 // Appends one row with its line end to `text`; numbers in the shortest form that reads back to the
-// same double, whatever the locale.
-void append_csv_row(std::string& text, const Sample& sample, MoreColumns columns);
+// same double, whatever the locale. `y`: the same tick's sample of the second axis; looked at where
+// the columns have one.
+void append_csv_row(std::string& text, const Sample& sample, MoreColumns columns,
+                    const Sample& y = {});
 
 // Whether every number of the sample, simulator's and device's included, is finite.
 [[nodiscard]] bool is_finite(const Sample& sample);
@@ -62,7 +80,9 @@ class RecordingWriter {
 
   // Buffers; fails (exit status 4) when the disk does, and then again at every later call. A sample
   // that is not finite gets no row; where finite ones follow, the recording counts as incomplete.
-  virtual Failure append(const Sample& sample) = 0;
+  // `y`: of the second axis, where the columns have one.
+  virtual Failure append(const Sample& sample, const Sample& y) = 0;
+  Failure append(const Sample& sample) { return append(sample, Sample{}); }
   // Hands everything buffered to the operating system.
   virtual Failure flush() = 0;
   // `scene`: as it was at tick 0.

@@ -42,18 +42,28 @@ SamplingSettings read_sampling(const toml::table& table, const std::string& orig
   return sampling;
 }
 
-DeviceSettings read_device(const toml::table& table, const std::string& prefix,
-                           const std::string& origin) {
-  TableReader reader(table, prefix + "device.", origin);
-  for (const std::string_view key : {"x", "y"}) reader.refuse_unsupported(key);
+// A table of axis x holds that of axis y; this is whether it holds anything of its own.
+bool is_of_axis_x(const toml::table& table) {
+  return table.empty() || table.size() > 1 || !table.contains("y");
+}
+
+enum class TableAxis : std::uint8_t { kX, kY };
+
+// `name`: "device." or "device.y.", with what stands before it.
+DeviceSettings read_device(const toml::table& table, const std::string& name,
+                           const std::string& origin, TableAxis axis) {
+  TableReader reader(table, name, origin);
+  if (axis == TableAxis::kX) static_cast<void>(reader.table("y"));  // read by itself
   DeviceSettings device;
   reader.numbers(device_number_keys(), device);
   reader.finish();
   return device;
 }
 
-HandSettings read_hand(const toml::table& table, const std::string& origin) {
-  TableReader reader(table, "hand.", origin);
+HandSettings read_hand(const toml::table& table, const std::string& name, const std::string& origin,
+                       TableAxis axis) {
+  TableReader reader(table, name, origin);
+  if (axis == TableAxis::kX) static_cast<void>(reader.table("y"));
   HandSettings hand;
   reader.numbers(hand_number_keys(), hand);
   const toml::node* path = reader.node("path");
@@ -65,21 +75,29 @@ HandSettings read_hand(const toml::table& table, const std::string& origin) {
   return hand;
 }
 
-std::vector<WallSettings> read_walls(TableReader& parent, const std::string& prefix) {
+// All walls of the scene, or of a change of it.
+void read_walls(TableReader& parent, const std::string& prefix, Scene& scene) {
+  scene.walls.clear();
+  if (scene.y) scene.y->walls.clear();
   const std::vector<const toml::table*> tables = parent.tables("wall");
-  std::vector<WallSettings> walls;
-  for (const toml::table* table : tables) {
-    const std::string name = tables.size() == 1 ? "wall." : fmt::format("wall[{}].", walls.size());
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const toml::table* table = tables[i];
+    const std::string name = tables.size() == 1 ? "wall." : fmt::format("wall[{}].", i);
     TableReader reader(*table, prefix + name, parent.origin());
     WallSettings wall;
     reader.numbers(wall_number_keys(), wall);
-    if (reader.string("axis").value_or("x") != "x") {
-      reader.fail(*table->get("axis"), "axis", "only \"x\" is supported by this version");
+    const std::string axis = reader.string("axis").value_or("x");
+    if (axis != "x" && axis != "y") {
+      reader.fail(*table->get("axis"), "axis",
+                  fmt::format("{} is no axis; it takes \"x\" or \"y\"", in_quotes(axis)));
+    }
+    if (axis == "y" && !scene.y) {
+      reader.fail(*table->get("axis"), "axis",
+                  "the scene has no second axis: it takes a table [device.y]");
     }
     reader.finish();
-    walls.push_back(wall);
+    (axis == "y" ? scene.y->walls : scene.walls).push_back(wall);
   }
-  return walls;
 }
 
 std::vector<std::string_view> algorithm_names() {
@@ -167,19 +185,40 @@ const toml::node& node_at(const toml::table& root, std::string key) {
   return root;
 }
 
+// validate() counts the walls of axis x first; a file may have them in any order.
+std::string in_order_of_file(const std::string& key, const toml::table& root,
+                             const std::string& prefix) {
+  constexpr std::string_view kWall = "wall[";
+  const toml::array* walls = toml::at_path(root, prefix + "wall").as_array();
+  if (!key.starts_with(kWall) || walls == nullptr) return key;
+  const std::size_t end = key.find(']');
+  const auto counted = static_cast<std::size_t>(std::stoul(key.substr(kWall.size())));
+  std::vector<std::size_t> order;
+  for (const bool second : {false, true}) {
+    for (std::size_t i = 0; i < walls->size(); ++i) {
+      const toml::table* wall = walls->get(i)->as_table();
+      if (wall != nullptr && ((*wall)["axis"].value_or(std::string_view("x")) == "y") == second) {
+        order.push_back(i);
+      }
+    }
+  }
+  return counted < order.size() ? fmt::format("wall[{}{}", order[counted], key.substr(end)) : key;
+}
+
 void check(const Scene& scene, const toml::table& root, const std::string& prefix,
            const std::string& origin) {
   const std::optional<SceneProblem> problem = validate(scene);
   if (!problem) return;
-  const std::string key = prefix + problem->key;
+  const std::string key = prefix + in_order_of_file(problem->key, root, prefix);
   throw ReadFailure(
       fmt::format("{}: {}: {}", place_of(node_at(root, key), origin), key, problem->message));
 }
 
 // The hand of a change: all of it but the path, which stays that of the start.
-HandSettings read_changed_hand(const toml::table& table, const std::string& prefix,
+HandSettings read_changed_hand(const toml::table& table, const std::string& name,
                                const HandSettings& first, const std::string& origin) {
-  TableReader reader(table, prefix + "hand.", origin);
+  TableReader reader(table, name, origin);
+  static_cast<void>(reader.table("y"));
   HandSettings hand;
   reader.numbers(hand_number_keys(), hand);
   reader.finish();
@@ -188,20 +227,48 @@ HandSettings read_changed_hand(const toml::table& table, const std::string& pref
   return hand;
 }
 
+DeviceSettings read_changed_device(const TableReader& parent, const toml::table& table,
+                                   const std::string& prefix, const std::string& name,
+                                   const DeviceSettings& first, TableAxis axis) {
+  DeviceSettings device = read_device(table, prefix + name + ".", parent.origin(), axis);
+  if (device.start_m != first.start_m) {
+    parent.fail(table, name + ".start_m", "a change leaves the start as it was");
+  }
+  return device;
+}
+
+// The second axis of a change, out of the tables of the first one.
+void read_changed_second_axis(const TableReader& reader, const toml::table* device,
+                              const toml::table* hand, const std::string& prefix, Scene& scene) {
+  const toml::table* y_device = device != nullptr ? (*device)["y"].as_table() : nullptr;
+  const toml::table* y_hand = hand != nullptr ? (*hand)["y"].as_table() : nullptr;
+  for (const toml::table* table : {y_device, y_hand}) {
+    if (table != nullptr && !scene.y) reader.fail(*table, "y", "the scene began with one axis");
+  }
+  if (y_device != nullptr) {
+    scene.y->device =
+        read_changed_device(reader, *y_device, prefix, "device.y", scene.y->device, TableAxis::kY);
+  }
+  if (y_hand != nullptr) {
+    if (!scene.y->hand) reader.fail(*y_hand, "hand.y", "the scene began without it");
+    scene.y->hand = read_changed_hand(*y_hand, prefix + "hand.y.", *scene.y->hand, reader.origin());
+  }
+}
+
 // The plant of a change; a table that is not there is that of the start.
 void read_changed_plant(TableReader& reader, const std::string& prefix, const std::string& origin,
                         Scene& scene) {
-  const Scene first = scene;
-  if (const toml::table* device = reader.table("device")) {
-    scene.device = read_device(*device, prefix, origin);
-    if (scene.device.start_m != first.device.start_m) {
-      reader.fail(*device, "device.start_m", "a change leaves the start as it was");
-    }
+  const toml::table* device = reader.table("device");
+  const toml::table* hand = reader.table("hand");
+  if (device != nullptr && is_of_axis_x(*device)) {
+    scene.device =
+        read_changed_device(reader, *device, prefix, "device", scene.device, TableAxis::kX);
   }
-  if (const toml::table* hand = reader.table("hand")) {
-    if (!first.hand) reader.fail(*hand, "hand", "the scene began without a hand");
-    scene.hand = read_changed_hand(*hand, prefix, *first.hand, origin);
+  if (hand != nullptr && is_of_axis_x(*hand)) {
+    if (!scene.hand) reader.fail(*hand, "hand", "the scene began without a hand");
+    scene.hand = read_changed_hand(*hand, prefix + "hand.", *scene.hand, origin);
   }
+  read_changed_second_axis(reader, device, hand, prefix, scene);
   if (const toml::table* simulator = reader.table("simulator")) {
     scene.simulator = read_simulator(*simulator, prefix, origin);
   }
@@ -216,7 +283,7 @@ ScheduledChange read_change(const toml::table& table, const std::string& prefix,
     change.scene.algorithm = read_algorithm(*algorithm, prefix, origin);
   }
   read_changed_plant(reader, prefix, origin, change.scene);
-  change.scene.walls = read_walls(reader, prefix);
+  read_walls(reader, prefix, change.scene);
   reader.finish();
   return change;
 }
@@ -247,6 +314,22 @@ void read_recording(const toml::table& table, const toml::table& root, const std
   reader.finish();
 }
 
+// Out of the tables of the first axis.
+void read_second_axis(const TableReader& reader, const toml::table& device, const toml::table* hand,
+                      Scene& scene) {
+  const toml::table* y_hand = hand != nullptr ? (*hand)["y"].as_table() : nullptr;
+  const toml::table* y_device = device["y"].as_table();
+  if (y_device != nullptr) {
+    scene.y.emplace();
+    scene.y->device = read_device(*y_device, "device.y.", reader.origin(), TableAxis::kY);
+  }
+  if (y_hand == nullptr) return;
+  if (!scene.y) {
+    reader.fail(*y_hand, "hand.y", "the scene has no second axis: it takes a table [device.y]");
+  }
+  scene.y->hand = read_hand(*y_hand, "hand.y.", reader.origin(), TableAxis::kY);
+}
+
 Scene read_tables(TableReader& reader, const std::string& origin) {
   Scene scene;
   scene.name = reader.line("name", kLongestName);
@@ -256,9 +339,14 @@ Scene read_tables(TableReader& reader, const std::string& origin) {
   if (const auto* table = reader.table("sampling")) scene.sampling = read_sampling(*table, origin);
   const toml::table absent_device;
   const toml::table* device = reader.table("device");
-  scene.device = read_device(device == nullptr ? absent_device : *device, "", origin);
-  if (const auto* table = reader.table("hand")) scene.hand = read_hand(*table, origin);
-  scene.walls = read_walls(reader, "");
+  if (device == nullptr) device = &absent_device;
+  scene.device = read_device(*device, "device.", origin, TableAxis::kX);
+  const toml::table* hand = reader.table("hand");
+  if (hand != nullptr && is_of_axis_x(*hand)) {
+    scene.hand = read_hand(*hand, "hand.", origin, TableAxis::kX);
+  }
+  read_second_axis(reader, *device, hand, scene);
+  read_walls(reader, "", scene);
   if (const auto* table = reader.table("algorithm")) {
     scene.algorithm = read_algorithm(*table, "", origin);
   }

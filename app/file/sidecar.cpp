@@ -13,18 +13,27 @@
 namespace hapticwall::file {
 namespace {
 
+constexpr std::string_view kChangePrefix = "recording.change.";
+
+void write_second_change(TomlText& out, const SecondAxis& start, const SecondAxis& axis) {
+  if (axis.device != start.device) write_second_device(out, kChangePrefix, axis.device);
+  if (axis.hand && axis.hand != start.hand) {
+    write_second_hand_numbers(out, kChangePrefix, *axis.hand);
+  }
+}
+
 // Algorithm and walls as they are from this tick on; of the plant only the tables that differ from
 // those of the start.
 void write_change(TomlText& out, const Scene& start, const RecordedChange& change) {
-  constexpr std::string_view kPrefix = "recording.change.";
   const Scene& scene = change.scene;
   out.table_of_array("recording.change");
   out.integer("tick", change.tick);
-  if (scene.device != start.device) write_device(out, kPrefix, scene.device);
-  if (scene.hand && scene.hand != start.hand) write_hand_numbers(out, kPrefix, *scene.hand);
-  if (scene.simulator != start.simulator) write_simulator(out, kPrefix, scene.simulator);
-  write_algorithm(out, kPrefix, scene.algorithm);
-  write_walls(out, kPrefix, scene.walls);
+  if (scene.device != start.device) write_device(out, kChangePrefix, scene.device);
+  if (scene.hand && scene.hand != start.hand) write_hand_numbers(out, kChangePrefix, *scene.hand);
+  if (scene.y && start.y) write_second_change(out, *start.y, *scene.y);
+  if (scene.simulator != start.simulator) write_simulator(out, kChangePrefix, scene.simulator);
+  write_algorithm(out, kChangePrefix, scene.algorithm);
+  write_walls(out, kChangePrefix, scene);
 }
 
 }  // namespace

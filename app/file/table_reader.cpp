@@ -121,13 +121,6 @@ std::vector<const toml::table*> TableReader::tables(std::string_view key) {
   return all;
 }
 
-void TableReader::refuse_unsupported(std::string_view key) {
-  const toml::node* found = table_.get(key);
-  if (found == nullptr) return;
-  throw ReadFailure(fmt::format("{}: {}{} is not supported by this version",
-                                place_of(*found, origin_), prefix_, key));
-}
-
 void TableReader::finish() const {
   for (const auto& [key, value] : table_) {
     const std::string_view name = key.str();

@@ -52,9 +52,6 @@ class TableReader {
   [[nodiscard]] std::vector<const toml::table*> tables(std::string_view key);
   [[nodiscard]] const toml::node* node(std::string_view key);
 
-  // A key that the file format has and this version of the program has not.
-  void refuse_unsupported(std::string_view key);
-
   // Throws for a key that nobody asked for.
   void finish() const;
 

@@ -49,8 +49,7 @@ void write_numbers(TomlText& out, std::span<const NumberKey<Owner>> keys, const 
   }
 }
 
-void write_hand(TomlText& out, const HandSettings& hand) {
-  write_hand_numbers(out, "", hand);
+void write_path(TomlText& out, const HandSettings& hand) {
   if (hand.follows_mouse) {
     out.string("path", "mouse");
   } else {
@@ -120,11 +119,25 @@ void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSett
   out.integer("substeps", static_cast<std::uint64_t>(simulator.substeps));
 }
 
-void write_walls(TomlText& out, std::string_view prefix, const std::vector<WallSettings>& walls) {
-  for (const WallSettings& wall : walls) {
+void write_second_device(TomlText& out, std::string_view prefix, const DeviceSettings& device) {
+  out.table(fmt::format("{}device.y", prefix));
+  write_numbers(out, device_number_keys(), device);
+}
+
+void write_second_hand_numbers(TomlText& out, std::string_view prefix, const HandSettings& hand) {
+  out.table(fmt::format("{}hand.y", prefix));
+  write_numbers(out, hand_number_keys(), hand);
+}
+
+void write_walls(TomlText& out, std::string_view prefix, const Scene& scene) {
+  const auto write = [&](const WallSettings& wall, const char* axis) {
     out.table_of_array(fmt::format("{}wall", prefix));
+    if (scene.y) out.string("axis", axis);
     write_numbers(out, wall_number_keys(), wall);
-  }
+  };
+  for (const WallSettings& wall : scene.walls) write(wall, "x");
+  if (!scene.y) return;
+  for (const WallSettings& wall : scene.y->walls) write(wall, "y");
 }
 
 std::string scene_to_toml(const Scene& scene) {
@@ -135,8 +148,16 @@ std::string scene_to_toml(const Scene& scene) {
   out.table("sampling");
   write_numbers(out, sampling_number_keys(), scene.sampling);
   write_device(out, "", scene.device);
-  if (scene.hand) write_hand(out, *scene.hand);
-  write_walls(out, "", scene.walls);
+  if (scene.y) write_second_device(out, "", scene.y->device);
+  if (scene.hand) {
+    write_hand_numbers(out, "", *scene.hand);
+    write_path(out, *scene.hand);
+  }
+  if (scene.y && scene.y->hand) {
+    write_second_hand_numbers(out, "", *scene.y->hand);
+    write_path(out, *scene.y->hand);
+  }
+  write_walls(out, "", scene);
   write_algorithm(out, "", scene.algorithm);
   write_simulator(out, "", scene.simulator);
   return out.text();

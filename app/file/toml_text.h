@@ -32,8 +32,12 @@ class TomlText {
 void write_device(TomlText& out, std::string_view prefix, const DeviceSettings& device);
 // Less the path, which no session changes.
 void write_hand_numbers(TomlText& out, std::string_view prefix, const HandSettings& hand);
+// The same of axis y.
+void write_second_device(TomlText& out, std::string_view prefix, const DeviceSettings& device);
+void write_second_hand_numbers(TomlText& out, std::string_view prefix, const HandSettings& hand);
 void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSettings& algorithm);
-void write_walls(TomlText& out, std::string_view prefix, const std::vector<WallSettings>& walls);
+// Those of axis x, then those of axis y.
+void write_walls(TomlText& out, std::string_view prefix, const Scene& scene);
 void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSettings& simulator);
 
 }  // namespace hapticwall::file

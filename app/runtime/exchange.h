@@ -25,6 +25,9 @@ struct LoopParameters {
   // use from then on, and the owner's to free once a later generation is echoed. nullptr: the plant
   // that the device has brought itself.
   PlantModel* plant = nullptr;
+  // Of the second axis; without meaning where the session has one.
+  ServoSettings y_servo{};
+  PlantModel* y_plant = nullptr;
 };
 
 enum class CommandKind : std::uint8_t {
@@ -59,21 +62,25 @@ inline constexpr std::size_t kFreeEchoPlaces = kEchoQueueCapacity / 2;
 inline constexpr double kNoPointer = std::numeric_limits<double>::quiet_NaN();
 
 struct Exchange {
-  Exchange(const SessionOptions& options, const LoopParameters& initial)
+  Exchange(const SessionOptions& options, const LoopParameters& initial, bool second_axis = false)
       : parameters(initial),
         plot(options.plot_queue_capacity),
-        recorder(options.recorder_queue_capacity) {}
+        y_plot(second_axis ? options.plot_queue_capacity : 1),
+        recorder(options.recorder_queue_capacity),
+        y_recorder(second_axis ? options.recorder_queue_capacity : 1) {}
 
   // Owner to loop.
   TripleBuffer<LoopParameters> parameters;
   SpscQueue<Command> commands{kCommandQueueCapacity};
   std::atomic<double> pointer_m{
       kNoPointer};  // newest wins; not a number: the script leads the hand
+  std::atomic<double> y_pointer_m{kNoPointer};
   std::atomic<bool> stop{false};
 
   // Loop to owner.
   TripleBuffer<Snapshot> snapshots;
   SpscQueue<Sample> plot;
+  SpscQueue<Sample> y_plot;  // see push_both()
   SpscQueue<ParameterEcho> echoes{kEchoQueueCapacity};
   std::atomic<std::uint64_t> dropped_plot_samples{0};
   std::atomic<std::uint64_t> dropped_rows{0};        // of all recordings
@@ -83,9 +90,17 @@ struct Exchange {
 
   // Loop to recorder.
   SpscQueue<Sample> recorder;
+  SpscQueue<Sample> y_recorder;
 
   static_assert(std::atomic<double>::is_always_lock_free);
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 };
+
+// Both axes of a tick into two queues of the same capacity, or neither. The taker takes x first and
+// then y: what is there of x has its y, and where y finds a place x does too. Realtime-safe: yes.
+[[nodiscard]] inline bool push_both(SpscQueue<Sample>& x_queue, SpscQueue<Sample>& y_queue,
+                                    const Sample& x, const Sample& y) {
+  return y_queue.try_push(y) && x_queue.try_push(x);
+}
 
 }  // namespace hapticwall::runtime

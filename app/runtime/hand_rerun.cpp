@@ -289,6 +289,9 @@ Result<file::LoadedScene> rerun_scene(const file::RecordingInfo& recording,
     wanted = std::move(*loaded);
   }
   wanted.first_recorded_tick = recording.scanned.first_tick;
+  // Axis x alone is run again.
+  wanted.scene.y.reset();
+  for (ScheduledChange& change : wanted.changes) change.scene.y.reset();
   if (algorithm.empty()) return wanted;
   const std::optional<std::size_t> index = find_algorithm(algorithm);
   if (!index) return usage_error("no algorithm is called " + file::in_quotes(algorithm));

@@ -15,6 +15,7 @@
 //   - hand_force_n of a hand without a grip but with a damper, at the ticks at which the pointer
 //     jumps, or the plant changes, before the hand has caught up with the pointer: it is told for
 //     the speed that the hand was about to have, which is not recorded. Nothing follows from it.
+//   - of a recording with two axes axis x alone is run again.
 //   - a pointer that within one tick comes upon the script, digit for digit, and leaves it.
 #pragma once
 

@@ -25,21 +25,37 @@ std::string utc_now() {
   return {text, length};
 }
 
-LoopParameters parameters_of(const ParameterHistory& history, PlantModel* plant = nullptr) {
-  return {servo_settings(history.newest()), history.generation(), plant};
+LoopParameters parameters_of(const ParameterHistory& history) {
+  const Scene& scene = history.newest();
+  LoopParameters parameters;
+  parameters.servo = servo_settings(scene);
+  parameters.generation = history.generation();
+  if (scene.y) parameters.y_servo = servo_settings(second_axis(scene));
+  return parameters;
 }
+
+// Where a pointer leads a hand.
+double pointer_place(std::optional<double> position_m) {
+  if (!position_m || !std::isfinite(*position_m)) return kNoPointer;
+  return std::clamp(*position_m, kPositionRange.minimum, kPositionRange.maximum);
+}
+
+bool follows_mouse(const std::optional<HandSettings>& hand) { return hand && hand->follows_mouse; }
 
 }  // namespace
 
-LiveSession::LiveSession(std::unique_ptr<device::Device> device, const Scene& scene,
+LiveSession::LiveSession(std::unique_ptr<device::Device> device,
+                         std::unique_ptr<device::Device> y_device, const Scene& scene,
                          const SessionOptions& options)
     : plants_(scene),
+      y_plants_(scene.y ? std::optional<PlantKeeper>(second_axis(scene)) : std::nullopt),
       device_(std::move(device)),
+      y_device_(std::move(y_device)),
       device_info_(device_->info()),
       history_(scene),
-      exchange_(options, parameters_of(history_)),
-      loop_(*device_, exchange_, parameters_of(history_), options.start_paused),
-      recorder_(exchange_.recorder) {
+      exchange_(options, parameters_of(history_), y_device_ != nullptr),
+      loop_(*device_, exchange_, parameters_of(history_), options.start_paused, y_device_.get()),
+      recorder_(exchange_.recorder, y_device_ != nullptr ? &exchange_.y_recorder : nullptr) {
   std::promise<RealtimeOutcome> set_up;
   std::future<RealtimeOutcome> outcome = set_up.get_future();
   const int core = options.affinity_core;
@@ -84,21 +100,26 @@ std::optional<SceneProblem> LiveSession::change_scene(const Scene& asked) {
   changed.duration_s = scene().duration_s;
   const bool unread = exchange_.parameters.withdraw();
   history_.add(changed, unread);
-  PlantModel* plant = nullptr;
+  LoopParameters parameters = parameters_of(history_);
   if (device_info_.is_simulated) {
-    plant = plants_.plant_for(history_.newest(), history_.generation(), unread);
+    parameters.plant = plants_.plant_for(history_.newest(), history_.generation(), unread);
+    if (y_plants_) {
+      parameters.y_plant =
+          y_plants_->plant_for(second_axis(history_.newest()), history_.generation(), unread);
+    }
   }
-  exchange_.parameters.publish(parameters_of(history_, plant));
+  exchange_.parameters.publish(parameters);
   return std::nullopt;
 }
 
 void LiveSession::lead_hand(std::optional<double> position_m) {
   if (!scene().hand) return;
-  double pointer_m = kNoPointer;
-  if (position_m && std::isfinite(*position_m)) {
-    pointer_m = std::clamp(*position_m, kPositionRange.minimum, kPositionRange.maximum);
-  }
-  exchange_.pointer_m.store(pointer_m, std::memory_order_relaxed);
+  exchange_.pointer_m.store(pointer_place(position_m), std::memory_order_relaxed);
+}
+
+void LiveSession::lead_second_hand(std::optional<double> position_m) {
+  if (!scene().y || !scene().y->hand) return;
+  exchange_.y_pointer_m.store(pointer_place(position_m), std::memory_order_relaxed);
 }
 
 void LiveSession::arm(bool armed) { send({armed ? CommandKind::kArm : CommandKind::kDisarm, 0}); }
@@ -126,6 +147,7 @@ void LiveSession::exchange_news() {
   while (exchange_.echoes.try_pop(echo)) {
     history_.came_into_force(echo);
     plants_.came_into_force(echo.generation);
+    if (y_plants_) y_plants_->came_into_force(echo.generation);
   }
 }
 
@@ -139,6 +161,12 @@ std::size_t LiveSession::take_samples(std::span<Sample> out) {
   exchange_news();
   std::size_t count = 0;
   while (count < out.size() && exchange_.plot.try_pop(out[count])) ++count;
+  return count;
+}
+
+std::size_t LiveSession::take_second_axis(std::span<Sample> out) {
+  std::size_t count = 0;
+  while (count < out.size() && exchange_.y_plot.try_pop(out[count])) ++count;
   return count;
 }
 
@@ -157,9 +185,8 @@ Failure LiveSession::start_recording(const std::string& csv_path) {
     return Error{ErrorKind::kUsage,
                  "a recording to " + recording_path_ + " is running: stop it first"};
   }
-  auto writer = file::RecordingWriter::create(csv_path, device_info_.is_simulated
-                                                            ? file::MoreColumns::kSimulator
-                                                            : file::MoreColumns::kDevice);
+  auto writer = file::RecordingWriter::create(
+      csv_path, file::more_columns(device_info_.is_simulated, y_device_ != nullptr));
   if (!writer) return writer.error();
   record_into(std::move(*writer));
   return std::nullopt;
@@ -214,7 +241,8 @@ file::RecordingMetadata LiveSession::metadata() const {
   metadata.dropped_rows = dropped_rows();
   metadata.changes = history_.changes_before(recorder_.end_tick());
   const bool led = exchange_.pointer_led.load(std::memory_order_relaxed) ||
-                   (history_.newest().hand && history_.newest().hand->follows_mouse);
+                   follows_mouse(history_.newest().hand) ||
+                   (history_.newest().y && follows_mouse(history_.newest().y->hand));
   if (!device_info_.is_simulated) {
     metadata.not_repeatable_because = "a device was used, not the simulator";
   } else if (led) {

@@ -24,8 +24,9 @@ class LiveSession final : public Session {
  public:
   // Precondition: the scene is valid and one of this device (scene_on()), the device open. Returns
   // when the loop's set-up is done.
-  LiveSession(std::unique_ptr<device::Device> device, const Scene& scene,
-              const SessionOptions& options);
+  // `y_device`: of the second axis, where the scene has one.
+  LiveSession(std::unique_ptr<device::Device> device, std::unique_ptr<device::Device> y_device,
+              const Scene& scene, const SessionOptions& options);
   ~LiveSession() override;
 
   [[nodiscard]] const Scene& scene() const override { return history_.newest(); }
@@ -33,12 +34,14 @@ class LiveSession final : public Session {
   std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls) override;
   std::optional<SceneProblem> change_scene(const Scene& wanted) override;
   void lead_hand(std::optional<double> position_m) override;
+  void lead_second_hand(std::optional<double> position_m) override;
   void arm(bool armed) override;
   void pause(bool paused) override;
   void step(std::uint32_t ticks) override;
   void reset() override;
   [[nodiscard]] Snapshot snapshot() override;
   std::size_t take_samples(std::span<Sample> out) override;
+  std::size_t take_second_axis(std::span<Sample> out) override;
   [[nodiscard]] std::uint64_t dropped_plot_samples() const override;
   [[nodiscard]] Failure start_recording(const std::string& csv_path) override;
   [[nodiscard]] Failure stop_recording() override;
@@ -52,7 +55,9 @@ class LiveSession final : public Session {
   void record_into(std::unique_ptr<file::RecordingWriter> writer);
 
   // Plants that are kept for the loop at this moment, without the device's own.
-  [[nodiscard]] std::size_t plants_kept() const { return plants_.count(); }
+  [[nodiscard]] std::size_t plants_kept() const {
+    return plants_.count() + (y_plants_ ? y_plants_->count() : 0);
+  }
 
  private:
   void send(const Command& command);
@@ -63,7 +68,9 @@ class LiveSession final : public Session {
   [[nodiscard]] std::uint64_t dropped_rows() const;
 
   PlantKeeper plants_;  // outlives the device
+  std::optional<PlantKeeper> y_plants_;
   std::unique_ptr<device::Device> device_;
+  std::unique_ptr<device::Device> y_device_;
   const device::DeviceInfo device_info_;
   ParameterHistory history_;
   Exchange exchange_;

@@ -2,14 +2,30 @@
 
 namespace hapticwall::runtime {
 
+namespace {
+
+std::optional<HandSettings> without_path(std::optional<HandSettings> hand) {
+  if (hand) hand->path = std::vector<PathPoint>();
+  return hand;
+}
+
+// The hand of a change, on the path of the scene's.
+std::optional<HandSettings> on_path(std::optional<HandSettings> hand,
+                                    const std::optional<HandSettings>& whole) {
+  if (hand && whole) hand->path = whole->path;
+  return hand;
+}
+
+}  // namespace
+
 ParameterHistory::Adjustment::Adjustment(const Scene& scene)
     : device(scene.device),
+      hand(without_path(scene.hand)),
       walls(scene.walls),
+      y(scene.y),
       algorithm(scene.algorithm),
       simulator(scene.simulator) {
-  if (!scene.hand) return;
-  hand = *scene.hand;
-  hand->path = std::vector<PathPoint>();
+  if (y) y->hand = without_path(y->hand);
 }
 
 ParameterHistory::ParameterHistory(const Scene& first) : newest_(first), at_start_(first) {
@@ -48,9 +64,11 @@ Scene ParameterHistory::scene_with(const Adjustment& adjustment) const {
   scene.walls = adjustment.walls;
   scene.algorithm = adjustment.algorithm;
   scene.simulator = adjustment.simulator;
-  if (!adjustment.hand) return scene;
-  scene.hand = adjustment.hand;
-  scene.hand->path = newest_.hand->path;
+  if (adjustment.hand) scene.hand = on_path(adjustment.hand, newest_.hand);
+  if (adjustment.y && newest_.y) {
+    scene.y = adjustment.y;
+    scene.y->hand = on_path(adjustment.y->hand, newest_.y->hand);
+  }
   return scene;
 }
 

@@ -44,6 +44,7 @@ class ParameterHistory {
     DeviceSettings device;
     std::optional<HandSettings> hand;  // less its path
     std::vector<WallSettings> walls;
+    std::optional<SecondAxis> y;  // less its hand's path
     AlgorithmSettings algorithm;
     SimulatorSettings simulator;
   };

@@ -22,7 +22,7 @@ Recorder::~Recorder() { drain_and_join(); }
 
 void Recorder::start(std::unique_ptr<file::RecordingWriter> writer) {
   Sample left_over;
-  while (queue_.try_pop(left_over)) {
+  while (take(left_over, left_over)) {
   }
   writer_ = std::move(writer);
   rows_ = 0;
@@ -50,18 +50,24 @@ void Recorder::work() {
   }
 }
 
+bool Recorder::take(Sample& x, Sample& y) {
+  if (!queue_.try_pop(x)) return false;
+  return y_queue_ == nullptr || y_queue_->try_pop(y);
+}
+
 void Recorder::move_samples() {
-  Sample sample;
-  while (queue_.try_pop(sample)) {
-    if (writable_) write(sample);
+  Sample x;
+  Sample y;
+  while (take(x, y)) {
+    if (writable_) write(x, y);
   }
 }
 
-void Recorder::write(const Sample& sample) {
-  keep(guarded([&] { return writer_->append(sample); }));
+void Recorder::write(const Sample& x, const Sample& y) {
+  keep(guarded([&] { return writer_->append(x, y); }));
   if (!writable_) return;
-  if (rows() == 0) first_tick_ = sample.tick;
-  end_tick_ = sample.tick + 1;
+  if (rows() == 0) first_tick_ = x.tick;
+  end_tick_ = x.tick + 1;
   rows_.fetch_add(1, std::memory_order_relaxed);
 }
 

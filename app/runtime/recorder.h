@@ -26,7 +26,9 @@ class Recorder {
   static constexpr std::chrono::milliseconds kDrainInterval{50};
   static constexpr std::chrono::milliseconds kFlushInterval{250};
 
-  explicit Recorder(SpscQueue<Sample>& queue) : queue_(queue) {}
+  // `y_queue`: of the second axis, filled by push_both(); null: there is none.
+  explicit Recorder(SpscQueue<Sample>& queue, SpscQueue<Sample>* y_queue = nullptr)
+      : queue_(queue), y_queue_(y_queue) {}
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder();  // without finish() the partial file stays
@@ -55,10 +57,12 @@ class Recorder {
  private:
   void work();
   void move_samples();
-  void write(const Sample& sample);
+  [[nodiscard]] bool take(Sample& x, Sample& y);
+  void write(const Sample& x, const Sample& y);
   void keep(Failure failure);
 
   SpscQueue<Sample>& queue_;
+  SpscQueue<Sample>* y_queue_;
   std::unique_ptr<file::RecordingWriter> writer_;
   std::thread thread_;
 

@@ -97,7 +97,7 @@ void ReplaySession::show_place() {
   const auto behind = recording_->row_at(tick_now() + 1);
   if (!behind) return fail(behind.error());
   shown_row_ = *behind == 0 ? 0 : *behind - 1;
-  const auto count = recording_->read(shown_row_, {&shown_, 1});
+  const auto count = recording_->read(shown_row_, {&shown_, 1}, {&shown_y_, 1});
   if (!count) fail(count.error());
 }
 
@@ -152,6 +152,7 @@ Snapshot ReplaySession::snapshot() {
   advance();
   Snapshot snapshot;
   snapshot.sample = shown_;
+  snapshot.y = shown_y_;
   snapshot.timing.ticks = shown_row_ + 1;
   snapshot.generation = shown_.generation;
   snapshot.resets = resets_;
@@ -164,14 +165,22 @@ std::size_t ReplaySession::take_samples(std::span<Sample> out) {
   advance();
   if (failure_ || next_row_ > shown_row_) return 0;
   const std::uint64_t due = shown_row_ + 1 - next_row_;
-  const auto count =
-      recording_->read(next_row_, out.first(std::min<std::uint64_t>(out.size(), due)));
+  const auto places = static_cast<std::size_t>(std::min<std::uint64_t>(out.size(), due));
+  taken_y_.resize(has_second_axis() ? places : 0);
+  const auto count = recording_->read(next_row_, out.first(places), taken_y_);
   if (!count) {
     fail(count.error());
     return 0;
   }
   next_row_ += *count;
   return *count;
+}
+
+std::size_t ReplaySession::take_second_axis(std::span<Sample> out) {
+  const std::size_t count = std::min(out.size(), taken_y_.size());
+  std::copy_n(taken_y_.begin(), count, out.begin());
+  taken_y_.clear();
+  return count;
 }
 
 Failure ReplaySession::start_recording(const std::string& /*csv_path*/) {

@@ -79,6 +79,7 @@ class ReplaySession final : public Session {
   std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls) override;
   std::optional<SceneProblem> change_scene(const Scene& wanted) override;
   void lead_hand(std::optional<double> /*position_m*/) override {}
+  void lead_second_hand(std::optional<double> /*position_m*/) override {}
   void arm(bool /*armed*/) override {}
 
   // Going on at the end begins anew. At the end it pauses by itself, unless it loops.
@@ -90,6 +91,7 @@ class ReplaySession final : public Session {
   [[nodiscard]] Snapshot snapshot() override;
   // Every row up to the present place, however fast it plays.
   std::size_t take_samples(std::span<Sample> out) override;
+  std::size_t take_second_axis(std::span<Sample> out) override;
   [[nodiscard]] std::uint64_t dropped_plot_samples() const override { return 0; }
 
   [[nodiscard]] Failure start_recording(const std::string& csv_path) override;
@@ -101,6 +103,9 @@ class ReplaySession final : public Session {
   [[nodiscard]] std::string device_trouble() const override;
 
  private:
+  [[nodiscard]] bool has_second_axis() const {
+    return file::has_second_axis(recording().scanned.columns);
+  }
   [[nodiscard]] std::uint64_t first_tick() const { return recording().scanned.first_tick; }
   [[nodiscard]] std::uint64_t last_tick() const { return recording().scanned.last_tick; }
   [[nodiscard]] double seconds(std::uint64_t tick) const {
@@ -128,7 +133,9 @@ class ReplaySession final : public Session {
   double place_ticks_ = 0.0;    // from first_tick() to last_tick()
   std::uint64_t next_row_ = 0;  // the next to be handed out
   std::uint32_t resets_ = 0;
-  Sample shown_;  // of the present place
+  Sample shown_;                 // of the present place
+  Sample shown_y_;               // the same of the second axis
+  std::vector<Sample> taken_y_;  // of the newest take_samples()
   std::uint64_t shown_row_ = 0;
   Failure failure_;
 };

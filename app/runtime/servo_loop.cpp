@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hapticwall::runtime {
 namespace {
@@ -18,12 +19,44 @@ std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
+void LoopAxis::apply(const ServoSettings& settings, PlantModel* new_plant) {
+  servo.apply(settings);
+  if (new_plant == plant || new_plant == nullptr) return;
+  plant = new_plant;
+  device.change_plant(*plant);
+}
+
+bool LoopAxis::lead_hand(double pointer_m) {
+  if (std::isnan(pointer_m)) {
+    if (hand_led) device.release_hand();
+    hand_led = false;
+    return false;
+  }
+  device.lead_hand_to(pointer_m);
+  return !std::exchange(hand_led, true);
+}
+
+void LoopAxis::reset() {
+  device.reset();
+  servo.reset();
+  hand_led = false;
+}
+
+Sample LoopAxis::at_rest() {
+  Sample sample;
+  sample.position_m = device.read().position_m;
+  sample.penetration_m =
+      evaluate_walls(servo.settings().walls, sample.position_m, 0.0).penetration_m;
+  if (const PlantTruth* truth = device.truth()) sample.truth = *truth;
+  return sample;
+}
+
 ServoLoop::ServoLoop(device::Device& device, Exchange& exchange, const LoopParameters& initial,
-                     bool start_paused)
-    : device_(device),
+                     bool start_paused, device::Device* y_device)
+    : x_{device, Servo(initial.servo)},
       exchange_(exchange),
-      servo_(initial.servo),
       arming_(!device.info().is_simulated, initial.servo.rate_hz) {
+  if (y_device != nullptr) y_.emplace(LoopAxis{*y_device, Servo(initial.y_servo)});
   snapshot_.generation = initial.generation;
   snapshot_.paused = start_paused;
   show_start();
@@ -41,7 +74,7 @@ void ServoLoop::cycle(const Wake& wake, Clock& clock) {
     idle();
   }
   show_arming();
-  snapshot_.link = device_.link();
+  snapshot_.link = x_.device.link();
   count(wake, clock.now_ns(), ticks);
   exchange_.snapshots.publish(snapshot_);
 }
@@ -85,10 +118,8 @@ void ServoLoop::execute(const Command& command) {
 
 void ServoLoop::reset() {
   disarm(ArmingNote::kAsked);
-  device_.reset();
-  servo_.reset();
+  for_each_axis([](LoopAxis& axis) { axis.reset(); });
   steps_left_ = 0;
-  hand_led_ = false;
   echo_due_ = true;
   at_start_ = true;
   ++snapshot_.resets;
@@ -96,47 +127,35 @@ void ServoLoop::reset() {
   show_start();
 }
 
-// The snapshot before tick 0: where the device rests, no force, no energies.
 void ServoLoop::show_start() {
-  Sample sample;
-  sample.position_m = device_.read().position_m;
-  sample.penetration_m =
-      evaluate_walls(servo_.settings().walls, sample.position_m, 0.0).penetration_m;
-  if (const PlantTruth* truth = device_.truth()) sample.truth = *truth;
-  sample.generation = snapshot_.generation;
-  snapshot_.sample = sample;
+  snapshot_.sample = x_.at_rest();
+  snapshot_.sample.generation = snapshot_.generation;
+  if (!y_) return;
+  snapshot_.y = y_->at_rest();
+  snapshot_.y.generation = snapshot_.generation;
 }
 
 void ServoLoop::take_parameters() {
   if (exchange_.echoes.size() >= kFreeEchoPlaces || !exchange_.parameters.update()) return;
   const LoopParameters& parameters = exchange_.parameters.current();
-  servo_.apply(parameters.servo);
-  if (parameters.plant != plant_ && parameters.plant != nullptr) {
-    plant_ = parameters.plant;
-    device_.change_plant(*plant_);
-  }
+  x_.apply(parameters.servo, parameters.plant);
+  if (y_) y_->apply(parameters.y_servo, parameters.y_plant);
   // Before tick 0 nothing is in force yet: no change to flag, no force to lead over from.
-  if (at_start_) servo_.reset();
+  if (at_start_) for_each_axis([](LoopAxis& axis) { axis.servo.reset(); });
   snapshot_.generation = parameters.generation;
   echo_due_ = true;
 }
 
 void ServoLoop::lead_hand() {
-  const double pointer_m = exchange_.pointer_m.load(std::memory_order_relaxed);
-  if (!std::isnan(pointer_m)) {
-    device_.lead_hand_to(pointer_m);
-    if (!hand_led_) exchange_.pointer_led.store(true, std::memory_order_relaxed);
-    hand_led_ = true;
-  } else if (hand_led_) {
-    device_.release_hand();
-    hand_led_ = false;
-  }
+  bool begun = x_.lead_hand(exchange_.pointer_m.load(std::memory_order_relaxed));
+  if (y_ && y_->lead_hand(exchange_.y_pointer_m.load(std::memory_order_relaxed))) begun = true;
+  if (begun) exchange_.pointer_led.store(true, std::memory_order_relaxed);
 }
 
 // A simulator's amplifiers need no leave.
 void ServoLoop::disarm(ArmingNote why) {
   arming_.disarm(why);
-  if (!arming_.enabled()) device_.enable(false);
+  if (!arming_.enabled()) for_each_axis([](LoopAxis& axis) { axis.device.enable(false); });
 }
 
 void ServoLoop::show_arming() {
@@ -147,31 +166,56 @@ void ServoLoop::show_arming() {
   shown.asked = arming_.answers();
 }
 
+// The arming of both axes is one: what is wrong with either concerns both.
+ArmingFacts ServoLoop::facts(const Sample& x, const Sample& y) const {
+  ArmingFacts both = arming_facts(x, x_.servo.state().failed);
+  if (!y_) return both;
+  const ArmingFacts second = arming_facts(y, y_->servo.state().failed);
+  both.fault = both.fault || second.fault;
+  both.stale = both.stale || second.stale;
+  both.failed = both.failed || second.failed;
+  both.in_contact = both.in_contact || second.in_contact;
+  both.parameters_changed = both.parameters_changed || second.parameters_changed;
+  return both;
+}
+
+Sample ServoLoop::tick_axis(LoopAxis& axis) {
+  axis.servo.state().force_gain = arming_.gain();
+  axis.device.enable(arming_.enabled());
+  Sample sample = axis.servo.tick(axis.device);
+  sample.generation = snapshot_.generation;
+  return sample;
+}
+
 void ServoLoop::tick() {
   take_parameters();
   lead_hand();
-  servo_.state().force_gain = arming_.gain();
-  device_.enable(arming_.enabled());
-  Sample sample = servo_.tick(device_);
-  if (arming_.after_tick(arming_facts(sample, servo_.state().failed))) {
-    device_.enable(false);
-    device_.write(0.0);
+  const Sample x = tick_axis(x_);
+  const Sample y = y_ ? tick_axis(*y_) : Sample{};
+  if (arming_.after_tick(facts(x, y))) {
+    for_each_axis([](LoopAxis& axis) {
+      axis.device.enable(false);
+      axis.device.write(0.0);
+    });
   }
-  sample.generation = snapshot_.generation;
   at_start_ = false;
-  hand_out(sample);
+  hand_out(x, y);
 }
 
-void ServoLoop::hand_out(const Sample& sample) {
-  snapshot_.sample = sample;
+void ServoLoop::hand_out(const Sample& x, const Sample& y) {
+  snapshot_.sample = x;
+  snapshot_.y = y;
   if (echo_due_) {
     // Cannot fail: nothing makes an echo due while there is no room for it.
-    echo_due_ = !exchange_.echoes.try_push({sample.tick, sample.generation});
+    echo_due_ = !exchange_.echoes.try_push({x.tick, x.generation});
   }
-  if (!exchange_.plot.try_push(sample)) {
+  const auto push = [&](SpscQueue<Sample>& x_queue, SpscQueue<Sample>& y_queue) {
+    return y_ ? push_both(x_queue, y_queue, x, y) : x_queue.try_push(x);
+  };
+  if (!push(exchange_.plot, exchange_.y_plot)) {
     exchange_.dropped_plot_samples.fetch_add(1, std::memory_order_relaxed);
   }
-  if (recording_ && !exchange_.recorder.try_push(sample)) {
+  if (recording_ && !push(exchange_.recorder, exchange_.y_recorder)) {
     exchange_.dropped_rows.fetch_add(1, std::memory_order_relaxed);
   }
 }
@@ -179,14 +223,17 @@ void ServoLoop::hand_out(const Sample& sample) {
 // Paused. A simulated plant stands still with the force that it has; in a real device's hands time
 // goes on, so it is disarmed, its force is zero and its watchdog is fed.
 void ServoLoop::idle() {
-  if (device_.truth() != nullptr) return;
+  if (x_.device.truth() != nullptr) return;
   disarm(ArmingNote::kPaused);
-  snapshot_.sample.position_m = device_.read().position_m;
-  snapshot_.sample.force_n = 0.0;
-  device_.write(0.0);
-  // The handle is moved meanwhile: the next tick's position is no step from the last one's.
-  servo_.state().position_known = false;
-  servo_.state().previous_force_n = 0.0;
+  for_each_axis([this](LoopAxis& axis) {
+    Sample& shown = &axis == &x_ ? snapshot_.sample : snapshot_.y;
+    shown.position_m = axis.device.read().position_m;
+    shown.force_n = 0.0;
+    axis.device.write(0.0);
+    // The handle is moved meanwhile: the next tick's position is no step from the last one's.
+    axis.servo.state().position_known = false;
+    axis.servo.state().previous_force_n = 0.0;
+  });
 }
 
 void ServoLoop::count(const Wake& wake, std::int64_t done_ns, bool ticked) {
@@ -206,19 +253,22 @@ void ServoLoop::count(const Wake& wake, std::int64_t done_ns, bool ticked) {
 
 void ServoLoop::shut_down(bool by_itself) noexcept {
   // A device that throws here as well is still to be closed, and the owner to be told.
-  try {
-    device_.enable(false);
-    device_.write(0.0);
-  } catch (...) {
-    by_itself = true;
-  }
-  try {
-    device_.close();
-  } catch (...) {
-    by_itself = true;
-  }
+  for_each_axis([&](LoopAxis& axis) {
+    try {
+      axis.device.enable(false);
+      axis.device.write(0.0);
+    } catch (...) {
+      by_itself = true;
+    }
+    try {
+      axis.device.close();
+    } catch (...) {
+      by_itself = true;
+    }
+  });
   snapshot_.ended_by_fault = by_itself;
   snapshot_.sample.force_n = 0.0;
+  snapshot_.y.force_n = 0.0;
   arming_.disarm(by_itself ? ArmingNote::kDevice : ArmingNote::kAsked);
   show_arming();
   if (by_itself) snapshot_.sample.flags |= kFlagDeviceFault;

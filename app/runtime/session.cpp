@@ -9,6 +9,15 @@
 #include "device/simulated_device.h"
 
 namespace hapticwall::runtime {
+namespace {
+
+// The simulator of the second axis; null where the scene has one axis.
+std::unique_ptr<device::Device> second_device(const Scene& scene) {
+  if (!scene.y) return nullptr;
+  return std::make_unique<device::SimulatedDevice>(second_axis(scene));
+}
+
+}  // namespace
 
 Result<std::unique_ptr<Session>> Session::start(const Scene& scene, const SessionOptions& options) {
   // Before the plant is built: it relies on a valid scene.
@@ -24,6 +33,11 @@ Result<std::unique_ptr<Session>> Session::start_on(std::unique_ptr<device::Devic
   if (const std::optional<SceneProblem> problem = validate(scene)) {
     return Error{ErrorKind::kUsage, problem->key + ": " + problem->message};
   }
+  if (scene.y && !device->info().is_simulated) {
+    return Error{ErrorKind::kUsage,
+                 "the scene has a second axis, which sessions on a device do not drive yet; "
+                 "the simulator does"};
+  }
   if (Failure failure = device->open()) return *std::move(failure);
   const Scene scene_here = scene_on(scene, device->info());
   if (const std::optional<SceneProblem> problem = validate(scene_here)) {
@@ -31,7 +45,8 @@ Result<std::unique_ptr<Session>> Session::start_on(std::unique_ptr<device::Devic
                  device->info().name + ": " + problem->key + ": " + problem->message};
   }
   try {
-    auto session = std::make_unique<LiveSession>(std::move(device), scene_here, options);
+    auto session = std::make_unique<LiveSession>(std::move(device), second_device(scene_here),
+                                                 scene_here, options);
     if (Failure refused = refuse_without_realtime(
             session->device_info(), session->realtime_status(), options.allow_no_realtime)) {
       return *std::move(refused);

@@ -54,6 +54,7 @@ struct ArmingStatus {
 // The newest tick and the state of the loop. Trivially copyable.
 struct Snapshot {
   Sample sample;
+  Sample y;  // the same tick of the second axis, where the scene has one
   TimingStatistics timing;
   ArmingStatus arming;
   device::LinkFigures link;      // of a real device
@@ -109,6 +110,9 @@ class Session {
   // not a finite number: the script does. Without effect in a scene without a hand.
   virtual void lead_hand(std::optional<double> position_m) = 0;
 
+  // The same for the hand of the second axis.
+  virtual void lead_second_hand(std::optional<double> position_m) = 0;
+
   // Asks for the force of a real device (arming.h), or takes it away at the next tick. The answer
   // is in the snapshot. Without effect on a simulator.
   virtual void arm(bool armed) = 0;
@@ -123,6 +127,9 @@ class Session {
   // Moves up to out.size() samples, oldest first, and returns how many. Every tick appears here
   // unless the owner was too slow: then dropped_plot_samples() counts.
   virtual std::size_t take_samples(std::span<Sample> out) = 0;
+  // Of the second axis: the same ticks, to be called after take_samples() with as many places as
+  // that has filled. 0 where the scene has one axis.
+  virtual std::size_t take_second_axis(std::span<Sample> out) = 0;
   [[nodiscard]] virtual std::uint64_t dropped_plot_samples() const = 0;
 
   // From the next tick on, every tick. Fails while another recording runs.

@@ -82,6 +82,7 @@ void draw_pointer(const PanelContext& context, const HandSettings& hand) {
   bool& stays = context.state.persisted.hand_stays_where_released;
   if (ImGui::Checkbox("stays where it is let go", &stays) && !stays && !transient.dragging_hand) {
     transient.hand_m.reset();
+    context.session.lead_second_hand(std::nullopt);
     context.session.lead_hand(std::nullopt);
   }
   remember_item(context.state, "hand stays");

@@ -188,7 +188,8 @@ Magnified look_at_contact(const WallPicture& picture, double least_m, double mos
 
 void draw_magnifier(const PanelContext& context, const SampleHistory& history,
                     double view_pixels_per_m) {
-  WallPicture picture = wall_picture(context.session.scene(), context.snapshot.sample);
+  WallPicture picture =
+      wall_picture(context.session.scene(), context.snapshot.sample, context.snapshot.y);
   if (outermost_wall(picture, Axis::kX) == nullptr) {
     draw_heading(context, false);
     ImGui::TextDisabled("This scene has no wall.");

@@ -62,7 +62,11 @@ AxisExtent axis_extent(const Scene& scene) {
   return with_margins(from_m, to_m);
 }
 
-WallSpace wall_space(const Scene& scene) { return {axis_extent(scene), std::nullopt}; }
+WallSpace wall_space(const Scene& scene) {
+  WallSpace space{axis_extent(scene), std::nullopt};
+  if (scene.y) space.y = axis_extent(second_axis(scene));
+  return space;
+}
 
 WallOrbit limited(const WallOrbit& orbit, bool two_axes) {
   const View& view = view_of(two_axes);

@@ -18,22 +18,46 @@ double towards(double from, double to, double share) {
   return std::abs(to - value) < kSettled * std::max(std::abs(to), 1.0) ? to : value;
 }
 
+void add_walls(WallPicture& picture, Axis axis, const std::vector<WallSettings>& walls) {
+  for (const WallSettings& wall : walls)
+    picture.walls.push_back({axis, wall.position_m, wall.stiffness_n_per_m});
+}
+
+ShownStiffness shown_now(const Sample& sample) {
+  if ((sample.flags & kFlagInContact) == 0U) return {};
+  return {std::max(sample.stiffness_n_per_m, 0.0), 1.0};
+}
+
+void add_second_axis(WallPicture& picture, const Scene& scene, const Sample& y) {
+  picture.two_axes = true;
+  picture.handle_m.y = y.truth.position_m;
+  // A hand on one axis only stays beside the handle on the other.
+  if (scene.hand || scene.y->hand) {
+    if (!picture.hand_m) picture.hand_m = glm::dvec2(picture.handle_m.x, 0.0);
+    picture.hand_m->y = scene.y->hand ? y.truth.hand_path_m : y.truth.position_m;
+  }
+  add_walls(picture, Axis::kY, scene.y->walls);
+  picture.force_n.y = y.force_n;
+  picture.full_scale_n =
+      std::max(picture.full_scale_n, scene.y->device.force_limit_n.value_or(kDefaultFullScaleN));
+  picture.saturated = picture.saturated || (y.flags & kFlagForceLimit) != 0U;
+  picture.shown.back() = shown_now(y);
+}
+
 }  // namespace
 
-WallPicture wall_picture(const Scene& scene, const Sample& sample) {
+WallPicture wall_picture(const Scene& scene, const Sample& sample, const Sample& y) {
   WallPicture picture;
   picture.handle_m = {sample.truth.position_m, 0.0};
   if (scene.hand) picture.hand_m = glm::dvec2(sample.truth.hand_path_m, 0.0);
-  for (const WallSettings& wall : scene.walls)
-    picture.walls.push_back({Axis::kX, wall.position_m, wall.stiffness_n_per_m});
-  std::sort(picture.walls.begin(), picture.walls.end(),
-            [](const PictureWall& a, const PictureWall& b) { return a.face_m < b.face_m; });
+  add_walls(picture, Axis::kX, scene.walls);
   picture.force_n = {sample.force_n, 0.0};
   picture.full_scale_n = scene.device.force_limit_n.value_or(kDefaultFullScaleN);
   picture.saturated = (sample.flags & kFlagForceLimit) != 0U;
-  if ((sample.flags & kFlagInContact) != 0U) {
-    picture.shown.front() = {std::max(sample.stiffness_n_per_m, 0.0), 1.0};
-  }
+  picture.shown.front() = shown_now(sample);
+  if (scene.y) add_second_axis(picture, scene, y);
+  std::stable_sort(picture.walls.begin(), picture.walls.end(),
+                   [](const PictureWall& a, const PictureWall& b) { return a.face_m < b.face_m; });
   return picture;
 }
 

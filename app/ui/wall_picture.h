@@ -51,7 +51,9 @@ struct WallPicture {
   friend bool operator==(const WallPicture&, const WallPicture&) = default;
 };
 
-[[nodiscard]] WallPicture wall_picture(const Scene& scene, const Sample& sample);
+// `y`: the same tick's sample of the second axis, looked at where the scene has one.
+[[nodiscard]] WallPicture wall_picture(const Scene& scene, const Sample& sample,
+                                       const Sample& y = {});
 
 // The wall that is met first on an axis; null where there is none.
 [[nodiscard]] const PictureWall* outermost_wall(const WallPicture& picture, Axis axis);

@@ -17,23 +17,26 @@ constexpr double kZoomPerNotch = 1.15;
 void lead_hand(const PanelContext& context, const WallCamera& camera, ImVec2 corner, bool held) {
   UiState& state = context.state;
   TransientState& transient = state.transient;
-  const auto& hand = context.session.scene().hand;
-  if (held && !hand) {
+  const Scene& scene = context.session.scene();
+  const auto& hand = scene.hand;
+  const bool any_hand = hand || (scene.y && scene.y->hand);
+  if (held && !any_hand) {
     tell(state, MessageKind::kNote, "this scene has no hand that the pointer could lead");
     return;
   }
   if (held) {
     const ImVec2 pointer = ImGui::GetIO().MousePos;
-    const double position_m = camera.place_at({pointer.x - corner.x, pointer.y - corner.y}).x;
-    if (!transient.dragging_hand || transient.hand_m != position_m)
-      context.session.lead_hand(position_m);
-    transient.hand_m = position_m;
+    const glm::dvec2 place = camera.place_at({pointer.x - corner.x, pointer.y - corner.y});
+    if (!transient.dragging_hand || transient.hand_m != place.x) context.session.lead_hand(place.x);
+    if (scene.y) context.session.lead_second_hand(place.y);
+    transient.hand_m = place.x;
     transient.dragging_hand = true;
   } else if (transient.dragging_hand) {
     transient.dragging_hand = false;
     if (state.persisted.hand_stays_where_released || (hand && hand->follows_mouse)) return;
     transient.hand_m.reset();
     context.session.lead_hand(std::nullopt);
+    context.session.lead_second_hand(std::nullopt);
   }
 }
 
@@ -117,7 +120,8 @@ void draw_reset_button(const PanelContext& context, const ViewArea& area) {
 }
 
 WallPicture fading_picture(const PanelContext& context) {
-  WallPicture picture = wall_picture(context.session.scene(), context.snapshot.sample);
+  WallPicture picture =
+      wall_picture(context.session.scene(), context.snapshot.sample, context.snapshot.y);
   WallState::Transient& transient = context.state.wall.transient;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     ShownStiffness& shown = transient.shown.at(axis);
@@ -156,7 +160,8 @@ void take_pointer(const PanelContext& context, const WallCamera& camera, const V
   if (turning) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   } else if (ImGui::IsItemHovered() && context.session.scene().hand) {
-    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    ImGui::SetMouseCursor(camera.space().y ? ImGuiMouseCursor_ResizeAll
+                                           : ImGuiMouseCursor_ResizeEW);
   }
 }
 

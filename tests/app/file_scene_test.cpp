@@ -139,11 +139,93 @@ TEST(SceneFile, RefusesContradictionsAndDuplicates) {
               StartsWith("x.toml:19: hand.path[1]: times must increase"));
 }
 
-TEST(SceneFile, SaysPlainlyWhatThisVersionDoesNotHave) {
-  EXPECT_EQ(message(std::string(kWhole) + "[device.y]\nmass_kg = 1\n"),
-            "x.toml:36: device.y is not supported by this version");
+// The whole scene with a second axis; its walls come before, between and after those of the first.
+std::string corner() {
+  return replaced("[hand]\n", R"([device.y]
+mass_kg = 0.1
+damping_n_s_per_m = 2
+start_m = 0.01
+[hand.y]
+stiffness_n_per_m = 100
+damping_n_s_per_m = 3
+path = [[0, 0.01], [1, 0.06]]
+[[wall]]
+axis = "y"
+position_m = 0.055
+stiffness_n_per_m = 700
+[hand]
+)") + R"([[wall]]
+axis = "y"
+position_m = 0.056
+stiffness_n_per_m = 800
+)";
+}
+
+TEST(SceneFile, ASecondAxisHasItsOwnDeviceHandAndWalls) {
+  const auto loaded = parse_scene(corner(), "x.toml");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  const Scene& scene = loaded->scene;
+  ASSERT_TRUE(scene.y.has_value());
+  EXPECT_EQ(scene.walls.size(), 2U);
+  EXPECT_EQ(scene.device.mass_kg, 0.05);
+  EXPECT_EQ(scene.y->device.mass_kg, 0.1);
+  EXPECT_EQ(scene.y->device.friction_n, std::nullopt) << "nothing is taken over from axis x";
+  ASSERT_TRUE(scene.y->hand.has_value());
+  EXPECT_EQ(scene.y->hand->path.back(), (PathPoint{1.0, 0.06}));
+  EXPECT_EQ(scene.y->walls, (std::vector<WallSettings>{{0.055, 700.0, 0.0}, {0.056, 800.0, 0.0}}));
+  const Scene axis = second_axis(scene);
+  EXPECT_FALSE(axis.y.has_value());
+  EXPECT_EQ(axis.device, scene.y->device);
+  EXPECT_EQ(axis.algorithm, scene.algorithm);
+  EXPECT_EQ(axis.sampling.rate_hz, 2000.0);
+}
+
+TEST(SceneFile, ASecondAxisSurvivesTheWayThroughAFile) {
+  const auto first = parse_scene(corner(), "x.toml");
+  ASSERT_TRUE(first.ok());
+  const std::string text = scene_to_toml(first->scene);
+  const auto second = parse_scene(text, "x.toml");
+  ASSERT_TRUE(second.ok()) << second.error().message;
+  EXPECT_EQ(second->scene.y, first->scene.y);
+  EXPECT_EQ(second->scene.walls, first->scene.walls);
+  EXPECT_EQ(scene_to_toml(second->scene), text);
+}
+
+TEST(SceneFile, AHandMayBeOnTheSecondAxisOnly) {
+  const auto loaded = parse_scene(
+      "[device]\nmass_kg = 1\ndamping_n_s_per_m = 1\nstart_m = 0\n"
+      "[device.y]\nmass_kg = 1\ndamping_n_s_per_m = 1\nstart_m = 0\n"
+      "[hand.y]\nstiffness_n_per_m = 100\ndamping_n_s_per_m = 3\npath = [[0, 0]]\n",
+      "x.toml");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  EXPECT_FALSE(loaded->scene.hand.has_value());
+  ASSERT_TRUE(loaded->scene.y->hand.has_value());
+  const auto again = parse_scene(scene_to_toml(loaded->scene), "x.toml");
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  EXPECT_FALSE(again->scene.hand.has_value());
+  EXPECT_EQ(again->scene.y, loaded->scene.y);
+}
+
+TEST(SceneFile, WhatIsWrongWithASecondAxisIsSaidWhereItStands) {
   EXPECT_EQ(message(replaced("axis = \"x\"", "axis = \"y\"")),
-            "x.toml:24: wall[0].axis: only \"x\" is supported by this version");
+            "x.toml:24: wall[0].axis: the scene has no second axis: it takes a table [device.y]");
+  EXPECT_EQ(message(replaced("axis = \"x\"", "axis = \"z\"")),
+            "x.toml:24: wall[0].axis: 'z' is no axis; it takes \"x\" or \"y\"");
+  EXPECT_EQ(message(corner(), {"device.y.mass_kg=-1"}),
+            "--set device.y.mass_kg=-1: device.y.mass_kg: -1 is out of range; it takes 1e-6 to 100 "
+            "kg");
+  EXPECT_EQ(
+      message(corner(), {"hand.y.path=[]"}),
+      "--set hand.y.path=[]: hand.y.path: missing; it takes points [[time s, position m], …]");
+  EXPECT_THAT(message(corner(), {"wall[0].stiffness_n_per_m=-1"}),
+              HasSubstr("wall[0].stiffness_n_per_m: -1 is out of range"))
+      << "counted as in the file, where axis y comes first";
+  EXPECT_THAT(message(corner(), {"wall[1].stiffness_n_per_m=-2"}),
+              HasSubstr("wall[1].stiffness_n_per_m: -2 is out of range"));
+  EXPECT_THAT(message(corner(), {"wall[3].stiffness_n_per_m=-3"}),
+              HasSubstr("wall[3].stiffness_n_per_m: -3 is out of range"));
+  EXPECT_EQ(message(std::string(kWhole) + "[hand.y]\n"),
+            "x.toml:36: hand.y: the scene has no second axis: it takes a table [device.y]");
 }
 
 TEST(SceneFile, KnowsWhatLiesBetweenCommandAndHandle) {
@@ -253,8 +335,8 @@ TEST(SceneFile, BuiltinScenesAreAllThereAndNamedAsTheirFiles) {
     EXPECT_FALSE(scene.description.empty());
   }
   EXPECT_THAT(names,
-              ::testing::UnorderedElementsAre("press", "tap", "tap-slow", "light", "golden-soft",
-                                              "golden-hard", "golden-soft-fric"));
+              ::testing::UnorderedElementsAre("press", "tap", "tap-slow", "light", "corner", "layers",
+                                              "golden-soft", "golden-hard", "golden-soft-fric"));
 }
 
 // docs/physics.md gives the rates at which the paths rise.

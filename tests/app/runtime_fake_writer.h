@@ -26,7 +26,9 @@ class FakeWriter : public file::RecordingWriter {
  public:
   explicit FakeWriter(std::shared_ptr<WriterLog> log) : log_(std::move(log)) {}
 
-  Failure append(const Sample& sample) override {
+  using RecordingWriter::append;
+  Failure append(const Sample& sample, const Sample& y) override {
+    static_cast<void>(y);
     const std::uint64_t row = log_->ticks.size() + 1;
     if (row == log_->throw_at_row) throw std::runtime_error("no memory");
     if (row == log_->fail_at_row) return Error{ErrorKind::kFile, "disk full"};

@@ -55,8 +55,8 @@ inline std::vector<Sample> all_samples(Session& session) {
 
 inline std::unique_ptr<LiveSession> live_session(double rate_hz = 1000.0) {
   const Scene scene = contact_scene(rate_hz);
-  return std::make_unique<LiveSession>(std::make_unique<device::SimulatedDevice>(scene), scene,
-                                       SessionOptions{});
+  return std::make_unique<LiveSession>(std::make_unique<device::SimulatedDevice>(scene), nullptr,
+                                       scene, SessionOptions{});
 }
 
 // The rows that a headless run of the sidecar gives from the first recorded tick on.

@@ -201,7 +201,7 @@ TEST(Session, ARealDeviceGetsNoPlantButTheControllersPart) {
   device->position_m = 0.03;
   const Scene scene = scene_on(contact_scene(), device->info());
   EXPECT_FALSE(scene.hand) << "a person's own is there";
-  LiveSession session(std::move(device), scene, SessionOptions{});
+  LiveSession session(std::move(device), nullptr, scene, SessionOptions{});
   Scene wanted = session.scene();
   wanted.device.mass_kg = 0.3;
   wanted.device.force_limit_n = 0.5;

@@ -21,6 +21,7 @@ class FakeSession final : public runtime::Session {
  public:
   explicit FakeSession(const Scene& scene)
       : scene_(scene), device_(scene), servo_(servo_settings(scene)) {
+    if (scene.y) y_ = std::make_unique<SecondAxisLoop>(second_axis(scene));
     realtime_.text = "driven by the test";
     realtime_.advice = "nothing is to be done";
   }
@@ -36,6 +37,10 @@ class FakeSession final : public runtime::Session {
     for (int i = 0; i < ticks; ++i) {
       newest_ = servo_.tick(device_);
       queue_.push_back(newest_);
+      if (y_) {
+        newest_y_ = y_->servo.tick(y_->device);
+        y_queue_.push_back(newest_y_);
+      }
       if (recording_.state == runtime::RecordingState::kRecording) ++recording_.rows;
     }
   }
@@ -64,6 +69,7 @@ class FakeSession final : public runtime::Session {
       device_.release_hand();
     }
   }
+  void lead_second_hand(std::optional<double> position_m) override { y_lead = position_m; }
   void arm(bool armed) override { arm_requests.push_back(armed); }
   void pause(bool paused) override { is_paused = paused; }
   void step(std::uint32_t ticks) override {
@@ -75,10 +81,16 @@ class FakeSession final : public runtime::Session {
     device_.reset();
     servo_.reset();
     newest_ = {};
+    if (y_) {
+      y_->device.reset();
+      y_->servo.reset();
+    }
+    newest_y_ = {};
   }
   [[nodiscard]] runtime::Snapshot snapshot() override {
     runtime::Snapshot snapshot;
     snapshot.sample = newest_;
+    snapshot.y = newest_y_;
     snapshot.timing = timing;
     snapshot.arming = arming;
     snapshot.link = link;
@@ -89,6 +101,12 @@ class FakeSession final : public runtime::Session {
     const std::size_t count = std::min(out.size(), queue_.size());
     std::copy_n(queue_.begin(), count, out.begin());
     queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+  std::size_t take_second_axis(std::span<Sample> out) override {
+    const std::size_t count = std::min(out.size(), y_queue_.size());
+    std::copy_n(y_queue_.begin(), count, out.begin());
+    y_queue_.erase(y_queue_.begin(), y_queue_.begin() + static_cast<std::ptrdiff_t>(count));
     return count;
   }
   [[nodiscard]] std::uint64_t dropped_plot_samples() const override { return 0; }
@@ -121,6 +139,7 @@ class FakeSession final : public runtime::Session {
   int resets = 0;
   int lead_calls = 0;
   std::optional<double> lead;
+  std::optional<double> y_lead;
   std::string refuse_recording;  // the error of the next recordings
 
  private:
@@ -132,6 +151,7 @@ class FakeSession final : public runtime::Session {
     }
     scene_ = changed;
     servo_.apply(servo_settings(scene_));
+    if (y_) y_->servo.apply(servo_settings(second_axis(scene_)));
     return std::nullopt;
   }
 
@@ -141,6 +161,15 @@ class FakeSession final : public runtime::Session {
   Servo servo_;
   Sample newest_;
   std::deque<Sample> queue_;
+  // The second axis, where the scene has one.
+  struct SecondAxisLoop {
+    explicit SecondAxisLoop(const Scene& scene) : device(scene), servo(servo_settings(scene)) {}
+    device::SimulatedDevice device;
+    Servo servo;
+  };
+  std::unique_ptr<SecondAxisLoop> y_;
+  Sample newest_y_;
+  std::deque<Sample> y_queue_;
   runtime::RecordingStatus recording_;
   runtime::RealtimeStatus realtime_;
 };
