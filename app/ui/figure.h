@@ -34,6 +34,7 @@ struct FigureView {
   AllPlotAxes axes;               // where the user has put the axes of values
   std::vector<BoundLine> bounds;  // of the stiffness plot
   std::vector<ExtraTrace> extra_traces;
+  PlotMarks marks;
   PhaseSettings phase;  // the plane stands beside the plots where it is shown
 };
 

@@ -229,6 +229,7 @@ void draw_contents(const PlotSurface& surface, const PlotDescription& plot, Inde
   if (plot.id == PlotId::kStiffness && (surface.show_bounds == nullptr || *surface.show_bounds))
     draw_bounds(*surface.theme, surface.bounds, plot.left.scale);
   draw_contact_mark(surface);
+  draw_plot_marks(*surface.theme, surface.marks, surface.line_weight);
   if (!draw_cursors(surface)) draw_readout(surface, plot);
 }
 

@@ -17,6 +17,7 @@
 #include "app/ui/plot_cursors.h"
 #include "app/ui/plot_envelope.h"
 #include "app/ui/plot_lines.h"
+#include "app/ui/plot_marks.h"
 #include "app/ui/plot_trigger.h"
 #include "app/ui/sample_history.h"
 #include "app/ui/theme.h"
@@ -68,6 +69,7 @@ struct PlotSurface {
   std::optional<double> contact_s;              // the contact that the window stands at
   std::vector<BoundLine> bounds;                // of the stiffness plot
   std::span<const ExtraTrace> extra_traces;     // of other runs
+  PlotMarks marks;                              // of recordings
   bool* show_bounds = nullptr;                  // null: no choice; shown where there are any
   bool simulated = true;                        // false: nobody knows what only a simulator does
   bool interactive = true;
