@@ -12,6 +12,9 @@
 
 namespace hapticwall::command {
 
+// Of the window, where nothing is asked for.
+inline constexpr const char* kDefaultScene = "press";
+
 // What chooses a scene; the window takes these too.
 struct SceneOptions {
   std::string scene;

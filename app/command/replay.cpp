@@ -13,6 +13,7 @@
 #include "app/command/common_options.h"
 #include "app/command/progress.h"
 #include "app/command/replay_rerun.h"
+#include "app/command/replay_window.h"
 #include "app/command/run_outputs.h"
 #include "app/command/signals.h"
 #include "app/command/summary_fields.h"
@@ -22,7 +23,7 @@
 #include "app/file/sidecar.h"
 #include "app/file/text.h"
 #include "app/runtime/replay_session.h"
-#include "app/ui/window.h"
+#include "app/runtime/rerun_overlay.h"
 
 namespace hapticwall::command {
 namespace {
@@ -170,24 +171,14 @@ int open_window(const ReplayCommand& command) {
   auto recording = open_recording(command);
   if (!recording) return report(recording.error());
   tell_notes(command, (*recording)->info());
-  std::optional<runtime::Overlay> overlay;
+  ReplayWindow window;
   if (command.reruns()) {
-    auto laid_over = rerun_as_overlay(**recording, command.algorithm, command.settings);
+    auto laid_over = runtime::rerun_as_overlay(**recording, command.algorithm, command.settings);
     if (!laid_over) return report(laid_over.error());
-    overlay = std::move(*laid_over);
+    window.overlay = std::move(*laid_over);
   }
-  ui::WindowOptions window;
-  window.scene = (*recording)->info().loaded.scene;
-  window.start_on_device = [&](const Scene&) -> Result<std::unique_ptr<runtime::Session>> {
-    runtime::ReplayOptions options;
-    options.speed = command.speed;
-    auto session = runtime::start_replay(command.recording, options);
-    if (!session) return session.error();
-    (*session)->lay_over(overlay);
-    return std::unique_ptr<runtime::Session>(std::move(*session));
-  };
-  const Failure failed = ui::run_window(window);
-  return failed ? report(*failed) : 0;
+  window.speed = command.speed;
+  return run_replay_window(std::move(*recording), std::move(window));
 }
 
 int replay(const ReplayCommand& command) {

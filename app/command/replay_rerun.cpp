@@ -11,12 +11,10 @@
 #include "app/command/terminal.h"
 #include "app/file/recording_writer.h"
 #include "app/file/text.h"
-#include "app/runtime/comparison.h"
 
 namespace hapticwall::command {
 namespace {
 
-constexpr std::uint64_t kMostOverlaidTicks = 1'000'000;
 constexpr std::size_t kLabelWidth = 22;  // as in the summary
 constexpr double kMillimetresPerMetre = 1e3;
 
@@ -92,29 +90,6 @@ std::string comparison_line(const runtime::RerunOutcome& outcome, double rate_hz
                        outcome.largest_distance_m * kMillimetresPerMetre);
   }
   return fmt::format("  {:<{}}{}\n", "re-run", kLabelWidth, text);
-}
-
-Result<runtime::Overlay> rerun_as_overlay(file::RecordingReader& recording,
-                                          const std::string& algorithm,
-                                          const std::vector<std::string>& settings) {
-  const std::uint64_t rows = recording.rows();
-  if (rows > kMostOverlaidTicks) {
-    return Error{
-        ErrorKind::kUsage,
-        fmt::format("{}: at most {} ticks are laid over a recording, this one has {}; --csv "
-                    "records the re-run of any",
-                    file::shown(recording.info().csv_path), kMostOverlaidTicks, rows)};
-  }
-  const auto scene = runtime::rerun_scene(recording.info(), algorithm, settings);
-  if (!scene) return scene.error();
-  runtime::Overlay overlay;
-  overlay.label = runtime::describe(scene->scene.algorithm);
-  overlay.samples.reserve(rows);
-  runtime::RerunOptions options;
-  options.on_sample = [&](const Sample& sample) { overlay.samples.push_back(sample); };
-  const auto outcome = runtime::rerun_hand(recording, *scene, options);
-  if (!outcome) return outcome.error();
-  return overlay;
 }
 
 }  // namespace hapticwall::command

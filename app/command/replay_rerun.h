@@ -2,12 +2,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "app/command/run_outputs.h"
 #include "app/file/recording_reader.h"
 #include "app/runtime/hand_rerun.h"
-#include "app/runtime/replay_session.h"
 #include "core/result.h"
 
 namespace hapticwall::command {
@@ -26,10 +24,5 @@ struct RecordedRerun {
 // "the recording again, bit for bit", or where and how far it leaves it; a line like those of the
 // summary.
 [[nodiscard]] std::string comparison_line(const runtime::RerunOutcome& outcome, double rate_hz);
-
-// For the window, which keeps all of it in memory: of at most a million ticks.
-[[nodiscard]] Result<runtime::Overlay> rerun_as_overlay(file::RecordingReader& recording,
-                                                        const std::string& algorithm,
-                                                        const std::vector<std::string>& settings);
 
 }  // namespace hapticwall::command

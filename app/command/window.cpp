@@ -1,23 +1,28 @@
 // hapticwall [SCENE]: the window.
 #include "app/ui/window.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
 #include "app/command/device_choice.h"
+#include "app/command/replay_window.h"
 #include "app/command/terminal.h"
+#include "app/file/text.h"
 #include "app/file/user_folders.h"
+#include "app/ui/recent_files.h"
 #include "app/ui/scale_range.h"
 
 namespace hapticwall::command {
 namespace {
-
-constexpr const char* kDefaultScene = "press";
 
 // Every session of the window on the device that was chosen.
 std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)> session_starter(
@@ -31,6 +36,7 @@ std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)> session_s
 }
 
 constexpr float kPercent = 100.0F;
+constexpr const char* kSimulator = "sim";
 
 // Of the window alone.
 struct LookOptions {
@@ -43,7 +49,25 @@ std::string opened_file(const std::string& scene) {
   return std::filesystem::is_regular_file(scene, error) ? scene : std::string();
 }
 
+std::optional<float> forced_scale(const LookOptions& look) {
+  return look.scale > 0.0 ? std::optional(static_cast<float>(look.scale)) : std::nullopt;
+}
+
+// A recording in the place of a scene: nothing of it can be chosen.
+int open_recording(const SceneOptions& options, const LookOptions& look) {
+  if (!options.algorithm.empty() || !options.settings.empty() || options.device != kSimulator) {
+    return report({ErrorKind::kUsage,
+                   fmt::format("{}: a recording is shown as it is; `hapticwall replay` re-runs its "
+                               "hand with --algorithm and --set",
+                               file::shown(options.scene))});
+  }
+  ReplayWindow window;
+  window.scale = forced_scale(look);
+  return run_replay_window(options.scene, std::move(window));
+}
+
 int open_window(const SceneOptions& options, const LookOptions& look) {
+  if (ui::is_recording(options.scene)) return open_recording(options, look);
   const Result<DeviceChoice> device = parse_device_choice(options.device);
   if (!device) return report(device.error());
   Result<file::LoadedScene> loaded = load(options);
@@ -53,7 +77,7 @@ int open_window(const SceneOptions& options, const LookOptions& look) {
   window.start_on_device = session_starter(*device, options.allow_no_realtime);
   window.settings_path = file::settings_path(file::process_environment);
   window.opened_file = opened_file(options.scene);
-  if (look.scale > 0.0) window.forced_scale = static_cast<float>(look.scale);
+  window.forced_scale = forced_scale(look);
   const Failure failed = ui::run_window(window);
   return failed ? report(*failed) : 0;
 }
@@ -65,7 +89,7 @@ Action add_window(CLI::App& program) {
   const auto look = std::make_shared<LookOptions>();
   program
       .add_option("SCENE", options->scene,
-                  "Scene file, or the name of a built-in scene (default: press)")
+                  "Scene file, name of a built-in scene (default: press), or a recording")
       ->type_name("");
   add_algorithm_option(program, *options);
   add_scene_options(program, *options);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/file/mark.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
@@ -64,6 +65,7 @@ struct RecordingMetadata {
   bool repeatable = true;  // false where the hand followed the pointer
   std::string not_repeatable_because;
   std::vector<RecordedChange> changes;  // since tick 0, in order
+  std::vector<Mark> marks;              // in order, at most kMostMarks
 };
 
 // Writes NAME.csv.partial while it grows; finish() gives CSV and sidecar NAME.toml their names.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/file/mark.h"
 #include "core/result.h"
 #include "core/scene.h"
 #include "core/simulate.h"
@@ -19,6 +20,7 @@ struct LoadedScene {
   std::vector<ScheduledChange> changes;
   std::uint64_t first_recorded_tick = 0;
   std::string not_repeatable_because;  // why a repetition will differ; empty: it will not
+  std::vector<Mark> marks;             // of the recording, in order
 };
 
 // Parses and validates; `origin` names the text in messages ("scene.toml:12: wall.stiffness_n_per_m

@@ -288,6 +288,32 @@ ScheduledChange read_change(const toml::table& table, const std::string& prefix,
   return change;
 }
 
+Mark read_mark(const toml::table& table, std::size_t index, const std::string& origin) {
+  TableReader reader(table, fmt::format("recording.mark[{}].", index), origin);
+  Mark mark;
+  mark.tick = reader.count("tick").value_or(0);
+  if (reader.node("tick") == nullptr) reader.fail_missing("tick", "a whole number");
+  static_cast<void>(reader.number("time_s", "s"));  // for people
+  mark.text = reader.line("text", kLongestMarkBytes);
+  reader.finish();
+  return mark;
+}
+
+std::vector<Mark> read_marks(TableReader& parent) {
+  std::vector<Mark> marks;
+  for (const toml::table* table : parent.tables("mark")) {
+    if (marks.size() == kMostMarks) {
+      parent.fail(*table, "mark", fmt::format("more than {} of them", kMostMarks));
+    }
+    Mark mark = read_mark(*table, marks.size(), parent.origin());
+    if (!marks.empty() && mark.tick < marks.back().tick) {
+      parent.fail(*table, "mark", "the ticks of the marks are not in order");
+    }
+    marks.push_back(std::move(mark));
+  }
+  return marks;
+}
+
 void read_recording(const toml::table& table, const toml::table& root, const std::string& origin,
                     LoadedScene& loaded) {
   TableReader reader(table, "recording.", origin);
@@ -311,6 +337,7 @@ void read_recording(const toml::table& table, const toml::table& root, const std
     check(read.scene, root, prefix, origin);
     loaded.changes.push_back(std::move(read));
   }
+  loaded.marks = read_marks(reader);
   reader.finish();
 }
 

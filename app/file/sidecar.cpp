@@ -36,6 +36,14 @@ void write_change(TomlText& out, const Scene& start, const RecordedChange& chang
   write_walls(out, kChangePrefix, scene);
 }
 
+// The tick is what counts; the time is for people.
+void write_mark(TomlText& out, const Mark& mark, double rate_hz) {
+  out.table_of_array("recording.mark");
+  out.integer("tick", mark.tick);
+  out.number("time_s", static_cast<double>(mark.tick) / rate_hz);
+  if (!mark.text.empty()) out.string("text", mark.text);
+}
+
 }  // namespace
 
 std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
@@ -61,6 +69,7 @@ std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
   }
   out.string("csv_sha256", recorded.csv_sha256);
   for (const RecordedChange& change : metadata.changes) write_change(out, scene, change);
+  for (const Mark& mark : metadata.marks) write_mark(out, mark, scene.sampling.rate_hz);
   return scene_to_toml(scene) + out.text();
 }
 

@@ -22,26 +22,6 @@ constexpr std::uint64_t kTicksPerQuestion = 1024;
 
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
-Failure check_recording(const file::RecordingInfo& recording) {
-  const std::string name = file::shown(recording.csv_path);
-  if (!recording.of_simulator()) {
-    return usage_error(name +
-                       ": a person's hand cannot be re-run; only a recording of the "
-                       "simulator has its hand's path in it");
-  }
-  if (!recording.has_sidecar) {
-    return usage_error(
-        fmt::format("{}: cannot be re-run without its scene: {}", name, recording.notes.front()));
-  }
-  if (recording.scanned.missing_rows > 0) {
-    return usage_error(
-        fmt::format("{}: cannot be re-run: {} rows are missing, and the hand's path "
-                    "with them",
-                    name, recording.scanned.missing_rows));
-  }
-  return {};
-}
-
 Failure check_overrides(const Scene& recorded, const Scene& wanted) {
   const auto refused = [](std::string_view key) {
     return usage_error(fmt::format("--set {}: that is as it was recorded; `run` takes it", key));
@@ -273,10 +253,30 @@ void RecordedHand::lead(PlantModel& plant) {
   ++tick_;
 }
 
+Failure check_rerun(const file::RecordingInfo& recording) {
+  const std::string name = file::shown(recording.csv_path);
+  if (!recording.of_simulator()) {
+    return usage_error(name +
+                       ": a person's hand cannot be re-run; only a recording of the "
+                       "simulator has its hand's path in it");
+  }
+  if (!recording.has_sidecar) {
+    return usage_error(
+        fmt::format("{}: cannot be re-run without its scene: {}", name, recording.notes.front()));
+  }
+  if (recording.scanned.missing_rows > 0) {
+    return usage_error(
+        fmt::format("{}: cannot be re-run: {} rows are missing, and the hand's path "
+                    "with them",
+                    name, recording.scanned.missing_rows));
+  }
+  return {};
+}
+
 Result<file::LoadedScene> rerun_scene(const file::RecordingInfo& recording,
                                       const std::string& algorithm,
                                       const std::vector<std::string>& overrides) {
-  if (Failure failed = check_recording(recording)) return *std::move(failed);
+  if (Failure failed = check_rerun(recording)) return *std::move(failed);
   file::LoadedScene wanted = recording.loaded;
   if (!overrides.empty()) {
     if (!wanted.changes.empty()) {

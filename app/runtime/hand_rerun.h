@@ -54,6 +54,10 @@ struct RerunOutcome {
   double largest_distance_m = 0.0;
 };
 
+// Why the hand of this recording cannot be re-run at all (exit status 2): it is of a device, has no
+// sidecar, or has holes.
+[[nodiscard]] Failure check_rerun(const file::RecordingInfo& recording);
+
 // What the hand meets: the recording's own scene and changes, with `overrides` (texts of --set),
 // and under `algorithm` throughout where that is not empty (its parameters stay those of the
 // recording). Fails (exit status 2) for a recording of a device or without a sidecar or with holes;

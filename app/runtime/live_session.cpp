@@ -132,6 +132,9 @@ void LiveSession::step(std::uint32_t ticks) { send({CommandKind::kStep, ticks});
 
 void LiveSession::reset() {
   if (recorder_.running()) static_cast<void>(stop_recording());
+  marks_.clear();
+  first_mark_ = 0;
+  ++resets_sent_;
   send({CommandKind::kReset, 0});
 }
 
@@ -196,6 +199,7 @@ void LiveSession::record_into(std::unique_ptr<file::RecordingWriter> writer) {
   recording_path_ = writer->csv_path();
   recording_start_time_ = utc_now();
   recording_failure_.reset();
+  first_mark_ = marks_.size();
   dropped_rows_before_ = exchange_.dropped_rows.load(std::memory_order_relaxed);
   recorder_.start(std::move(writer));
   ++recording_switches_sent_;
@@ -240,6 +244,7 @@ file::RecordingMetadata LiveSession::metadata() const {
   metadata.realtime_status = realtime_.text;
   metadata.dropped_rows = dropped_rows();
   metadata.changes = history_.changes_before(recorder_.end_tick());
+  metadata.marks = recorded_marks();
   const bool led = exchange_.pointer_led.load(std::memory_order_relaxed) ||
                    follows_mouse(history_.newest().hand) ||
                    (history_.newest().y && follows_mouse(history_.newest().y->hand));
@@ -250,6 +255,32 @@ file::RecordingMetadata LiveSession::metadata() const {
   }
   metadata.repeatable = metadata.not_repeatable_because.empty();
   return metadata;
+}
+
+Failure LiveSession::mark(std::string_view text) {
+  if (!recorder_.running()) {
+    return Error{ErrorKind::kUsage, "marks belong to a recording: start one first"};
+  }
+  if (marks_.size() - first_mark_ >= file::kMostMarks) {
+    return Error{ErrorKind::kUsage, "a recording has at most " + std::to_string(file::kMostMarks) +
+                                        " marks, and this one has them"};
+  }
+  // Until the loop has gone back its newest sample is one of before.
+  const Snapshot newest = snapshot();
+  const std::uint64_t tick = newest.resets == resets_sent_ ? newest.sample.tick : 0;
+  marks_.push_back({tick, file::mark_text(text)});
+  return std::nullopt;
+}
+
+// Every mark is at a row: the loop may have begun, or ended, a moment later than the owner asked.
+std::vector<file::Mark> LiveSession::recorded_marks() const {
+  if (recorder_.rows() == 0) return {};
+  std::vector<file::Mark> marks(marks_.begin() + static_cast<std::ptrdiff_t>(first_mark_),
+                                marks_.end());
+  for (file::Mark& mark : marks) {
+    mark.tick = std::clamp(mark.tick, recorder_.first_tick(), recorder_.end_tick() - 1);
+  }
+  return marks;
 }
 
 RecordingStatus LiveSession::recording_status() const {

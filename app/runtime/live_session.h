@@ -8,7 +8,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 #include "app/runtime/exchange.h"
 #include "app/runtime/parameter_history.h"
@@ -46,6 +48,8 @@ class LiveSession final : public Session {
   [[nodiscard]] Failure start_recording(const std::string& csv_path) override;
   [[nodiscard]] Failure stop_recording() override;
   [[nodiscard]] RecordingStatus recording_status() const override;
+  [[nodiscard]] Failure mark(std::string_view text) override;
+  [[nodiscard]] std::span<const file::Mark> marks() const override { return marks_; }
   [[nodiscard]] const RealtimeStatus& realtime_status() const override { return realtime_; }
   [[nodiscard]] const device::DeviceInfo& device_info() const override { return device_info_; }
 
@@ -65,6 +69,7 @@ class LiveSession final : public Session {
   void wait_for_recording_switch();
   [[nodiscard]] Failure finish_recording();
   [[nodiscard]] file::RecordingMetadata metadata() const;
+  [[nodiscard]] std::vector<file::Mark> recorded_marks() const;
   [[nodiscard]] std::uint64_t dropped_rows() const;
 
   PlantKeeper plants_;  // outlives the device
@@ -85,6 +90,9 @@ class LiveSession final : public Session {
   std::string recording_start_time_;
   std::string recording_path_;
   Failure recording_failure_;  // of the newest recording, once it is over
+  std::vector<file::Mark> marks_;
+  std::size_t first_mark_ = 0;  // of the newest recording
+  std::uint32_t resets_sent_ = 0;
 
   std::thread thread_;
 };

@@ -56,7 +56,11 @@ bool ReplaySession::at_end() {
 void ReplaySession::seek(double time_s) {
   if (!std::isfinite(time_s)) return;
   advance();
-  go_to(time_s * recording().rate_hz, history_s_ * recording().rate_hz);
+  // The time of a tick is that tick, whatever the rounding of a product.
+  constexpr double kSameTick = 1e-6;
+  const double ticks = time_s * recording().rate_hz;
+  const double nearest = std::round(ticks);
+  go_to(std::abs(ticks - nearest) < kSameTick ? nearest : ticks, history_s_ * recording().rate_hz);
 }
 
 void ReplaySession::set_speed(double speed) {
@@ -186,6 +190,10 @@ std::size_t ReplaySession::take_second_axis(std::span<Sample> out) {
 Failure ReplaySession::start_recording(const std::string& /*csv_path*/) {
   return Error{ErrorKind::kUsage,
                "this is a recording already: " + file::shown(recording().csv_path)};
+}
+
+Failure ReplaySession::mark(std::string_view /*text*/) {
+  return Error{ErrorKind::kUsage, "marks are made while a recording runs; this one is finished"};
 }
 
 std::string ReplaySession::device_trouble() const { return failure_ ? failure_->message : ""; }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/file/recording_reader.h"
@@ -65,6 +66,8 @@ class ReplaySession final : public Session {
   void set_speed(double speed);  // kept within its range; not a number: without effect
   [[nodiscard]] bool loops() const { return loop_; }
   void set_loop(bool loop) { loop_ = loop; }
+  // So much before the place follows again after the next seek.
+  void set_history(double history_s) { history_s_ = history_s; }
 
   // Null where nothing is laid over.
   [[nodiscard]] const Overlay* overlay() const { return overlay_ ? &*overlay_ : nullptr; }
@@ -97,6 +100,11 @@ class ReplaySession final : public Session {
   [[nodiscard]] Failure start_recording(const std::string& csv_path) override;
   [[nodiscard]] Failure stop_recording() override { return std::nullopt; }
   [[nodiscard]] RecordingStatus recording_status() const override { return {}; }
+  [[nodiscard]] Failure mark(std::string_view text) override;
+  // Of the recording, whatever its place.
+  [[nodiscard]] std::span<const file::Mark> marks() const override {
+    return recording().loaded.marks;
+  }
   [[nodiscard]] const RealtimeStatus& realtime_status() const override { return realtime_; }
   [[nodiscard]] const device::DeviceInfo& device_info() const override { return device_info_; }
   // Why it stopped, where the file is no longer what it was.

@@ -10,7 +10,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
+#include "app/file/mark.h"
 #include "app/runtime/arming.h"
 #include "core/result.h"
 #include "core/sample.h"
@@ -139,6 +141,13 @@ class Session {
   // idle.
   [[nodiscard]] virtual Failure stop_recording() = 0;
   [[nodiscard]] virtual RecordingStatus recording_status() const = 0;
+
+  // Notes the newest sample's place in the running recording, with a few words: for its sidecar.
+  // The text is kept as far as it may be (file::mark_text()). Fails where nothing is recorded, and
+  // where there are file::kMostMarks already. The loop does not notice.
+  [[nodiscard]] virtual Failure mark(std::string_view text) = 0;
+  // Those of all recordings since the last reset, in order.
+  [[nodiscard]] virtual std::span<const file::Mark> marks() const = 0;
 
   [[nodiscard]] virtual const RealtimeStatus& realtime_status() const = 0;
   [[nodiscard]] virtual const device::DeviceInfo& device_info() const = 0;

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "app/ui/control_panel.h"
+#include "app/ui/replay_panel.h"
+#include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -102,6 +104,10 @@ void draw_parameter(const PanelContext& context, const ParameterDescription& par
 
 void choose_algorithm(const PanelContext& context, std::size_t index) {
   if (index >= algorithms().size()) return;
+  if (const runtime::ReplaySession* replay = replay_of(context.session)) {
+    start_rerun(context.state, *replay, std::string(algorithms()[index].name));
+    return;
+  }
   AlgorithmSettings changed = context.session.scene().algorithm;
   changed.index = index;
   if (const auto problem = context.session.set_algorithm(changed)) tell(context.state, *problem);

@@ -7,6 +7,8 @@
 #include "app/ui/appearance.h"
 #include "app/ui/keys.h"
 #include "app/ui/recent_files.h"
+#include "app/ui/replay_panel.h"
+#include "app/ui/replay_state.h"
 #include "app/ui/undo_controls.h"
 #include "app/ui/window_layout.h"
 
@@ -29,11 +31,18 @@ Result<std::unique_ptr<Application>> Application::create(const Scene& scene, con
                                                          const Theme& theme, Sessions sessions) {
   Result<std::unique_ptr<WallRenderer>> renderer = WallRenderer::create();
   if (!renderer) return renderer.error();
-  Result<std::unique_ptr<runtime::Session>> session =
-      sessions.start_on_device ? sessions.start_on_device(scene) : sessions.simulate(scene);
+  Result<std::unique_ptr<runtime::Session>> session = sessions.first ? sessions.first()
+                                                      : sessions.start_on_device
+                                                          ? sessions.start_on_device(scene)
+                                                          : sessions.simulate(scene);
   if (!session) return session.error();
-  return std::unique_ptr<Application>(new Application(std::move(sessions), std::move(*session),
-                                                      std::move(*renderer), theme, options));
+  std::unique_ptr<Application> application(new Application(std::move(sessions), std::move(*session),
+                                                           std::move(*renderer), theme, options));
+  if (replay_of(*application->session_) != nullptr) {
+    application->before_ = Before{scene, scene};
+    application->show_recording(std::move(application->session_));
+  }
+  return application;
 }
 
 Application::Application(Sessions sessions, std::unique_ptr<runtime::Session> session,
@@ -54,12 +63,13 @@ Application::Application(Sessions sessions, std::unique_ptr<runtime::Session> se
   transient.recording_folder = options.recording_folder.empty() ? state_.persisted.recording_folder
                                                                 : options.recording_folder;
   if (!options.opened_file.empty()) remember_recent(state_.persisted.recent, options.opened_file);
-  notice_changes(state_, session_->scene());
+  if (replay_of(*session_) == nullptr) notice_changes(state_, session_->scene());
 }
 
 void Application::take_samples() {
-  const bool measured = !session_->device_info().is_simulated;
+  const bool measured = this->measured();
   samples_came_ = false;
+  notice_jumps();
   for (int batch = 0; batch < kMostBatches; ++batch) {
     const std::size_t count = session_->take_samples(incoming_);
     if (measured) {
@@ -75,15 +85,17 @@ void Application::frame() {
   keep_appearance();
   take_samples();
   runtime::Snapshot snapshot = session_->snapshot();
-  if (!session_->device_info().is_simulated) draw_where_measured(snapshot.sample);
+  if (measured()) draw_where_measured(snapshot.sample);
   const PanelContext context{*session_, snapshot, theme_, state_};
   state_.transient.items.clear();
   handle_keys(context, key_bindings());
   draw_window(context, history_, *renderer_);
   // Last: the panels hold references to the session that this replaces.
+  go_back();
   start_wanted_scene();
   open_wanted_recording();
-  notice_changes(state_, session_->scene());
+  take_opened_recording();
+  if (replay_of(*session_) == nullptr) notice_changes(state_, session_->scene());
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
 }
 
@@ -97,22 +109,13 @@ void Application::keep_appearance() {
 }
 
 bool Application::moving() const {
-  return samples_came_ || state_.transient.toasts.moving() || !state_.wall.transient.view_refined;
+  return samples_came_ || state_.transient.toasts.moving() || !state_.wall.transient.view_refined ||
+         state_.replay.opening.running() || state_.replay.rerun.running();
 }
 
 void Application::drop(std::span<const std::string> paths) {
   // One session runs: of many files the last one is opened.
   for (const std::string& path : paths) open_file(state_, path);
-}
-
-void Application::open_wanted_recording() {
-  const std::string path = std::exchange(state_.transient.wanted_recording, {});
-  if (path.empty()) return;
-  if (open_recording_) {
-    open_recording_(path);
-  } else {
-    tell(state_, MessageKind::kNote, "to replay this recording: hapticwall replay '" + path + "'");
-  }
 }
 
 void Application::start_wanted_scene() {
@@ -124,21 +127,44 @@ void Application::start_wanted_scene() {
     return;
   }
   if (!start_anew(wanted.scene)) return;
-  history_ = SampleHistory(kHistoryCapacity);
+  state_.replay.opening.give_up();
+  forget_session();
+  before_.reset();
   if (wanted.loaded) {
     state_.transient.loaded_scene = session_->scene();
     state_.transient.switched_off.clear();
   }
   if (wanted.back_to) state_.transient.loaded_scene = *wanted.back_to;
+}
+
+// What belongs to the session that was.
+void Application::forget_session() {
+  history_ = SampleHistory(kHistoryCapacity);
   state_.transient.refusal.reset();
   state_.transient.hand_m.reset();
   state_.transient.dragging_hand = false;
+  state_.transient.mark_text.clear();
   state_.transient.follow = true;
+  state_.replay.rerun.give_up();
+  draw_overlay_in_plots(state_, nullptr, nullptr);
+}
+
+// A replay takes the device from nobody: it stays where the scene does not start.
+bool Application::start_beside_replay(const Scene& scene) {
+  Result<std::unique_ptr<runtime::Session>> started =
+      sessions_.start_on_device ? sessions_.start_on_device(scene) : sessions_.simulate(scene);
+  if (!started) {
+    tell(state_, MessageKind::kProblem, started.error().message);
+    return false;
+  }
+  session_ = std::move(*started);
+  return true;
 }
 
 // There is one device: the session that has it ends before the next one begins. Where the next one
 // cannot, the window goes on with the simulator and says so. False: the session is the old one.
 bool Application::start_anew(const Scene& scene) {
+  if (replay_of(*session_) != nullptr) return start_beside_replay(scene);
   const bool on_device = !session_->device_info().is_simulated;
   if (on_device) {
     const SessionStarter starter = std::exchange(sessions_.start_on_device, nullptr);

@@ -2,14 +2,15 @@
 // it. Knows nothing of GLFW.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "app/file/recording_reader.h"
 #include "app/runtime/session.h"
 #include "app/ui/sample_history.h"
 #include "app/ui/settings_file.h"
@@ -24,9 +25,16 @@ namespace hapticwall::ui {
 class Application {
  public:
   using SessionStarter = std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)>;
+  // Called on a thread of its own, for a large recording takes a while to read.
+  using RecordingOpener = std::function<Result<std::unique_ptr<runtime::Session>>(
+      const std::string& csv_path, const file::ReadProgress& progress)>;
   struct Sessions {
     SessionStarter simulate;
     SessionStarter start_on_device;  // empty: everything is simulated
+    RecordingOpener open_recording;  // empty: runtime::start_replay()
+    // What is shown at first; empty: a session of the scene. Of a replay the scene is the one to go
+    // back to.
+    std::function<Result<std::unique_ptr<runtime::Session>>()> first;
   };
 
   // What the window keeps and was told, besides the scene.
@@ -55,10 +63,6 @@ class Application {
 
   // Files that were let go over the window: scenes, or recordings.
   void drop(std::span<const std::string> paths);
-  // Takes recordings from now on; else the user is told which command replays them.
-  void on_recording(std::function<void(const std::string& csv_path)> open) {
-    open_recording_ = std::move(open);
-  }
 
   // Something moves: the session, or a message that fades.
   [[nodiscard]] bool moving() const;
@@ -77,7 +81,17 @@ class Application {
   void keep_appearance();
   void start_wanted_scene();
   [[nodiscard]] bool start_anew(const Scene& scene);
+  [[nodiscard]] bool start_beside_replay(const Scene& scene);
+  void forget_session();
+
+  // application_recordings.cpp
   void open_wanted_recording();
+  void take_opened_recording();
+  void show_recording(std::unique_ptr<runtime::Session> replay);
+  void end_live_session();
+  void go_back();
+  void notice_jumps();
+  [[nodiscard]] bool measured() const;
 
   Sessions sessions_;
   std::unique_ptr<runtime::Session> session_;
@@ -86,7 +100,13 @@ class Application {
   Look look_ = Look::kScreen;  // in force, like the scale
   float scale_ = 0.0F;
   SettingsFile settings_;
-  std::function<void(const std::string&)> open_recording_;
+  // The scene that ran before a replay, and the one that its values can be reset to.
+  struct Before {
+    Scene scene;
+    Scene loaded;
+  };
+  std::optional<Before> before_;
+  std::uint32_t jumps_ = 0;  // of the replay, that were noticed
   UiState state_;
   SampleHistory history_;
   std::vector<Sample> incoming_;

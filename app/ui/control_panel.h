@@ -20,7 +20,8 @@ void draw_loop_section(const PanelContext& context);       // loop_panel.cpp
 // lost.
 [[nodiscard]] double energy_error_j(const PlantTruth& truth);
 
-// Selects algorithms()[index], if there is one, with the parameters that are set.
+// Selects algorithms()[index], if there is one, with the parameters that are set. Of a replay:
+// re-runs its hand under it.
 void choose_algorithm(const PanelContext& context, std::size_t index);
 
 }  // namespace hapticwall::ui

@@ -9,6 +9,7 @@
 #include "app/ui/control_panel.h"
 #include "app/ui/help_overlay.h"
 #include "app/ui/plot_controls.h"
+#include "app/ui/replay_bar.h"
 #include "app/ui/toolbar.h"
 #include "app/ui/ui_state.h"
 #include "app/ui/undo_controls.h"
@@ -36,7 +37,24 @@ std::vector<KeyBinding> session_keys() {
            0,
            true},
           {KeyGroup::kSession, "reset: back to tick 0, at rest", {ImGuiKey_R}, reset_session},
-          {KeyGroup::kSession, "record, or stop recording", {ctrl(ImGuiKey_R)}, toggle_recording}};
+          {KeyGroup::kSession, "record, or stop recording", {ctrl(ImGuiKey_R)}, toggle_recording},
+          {KeyGroup::kSession, "mark this moment in the recording", {ImGuiKey_M}, add_mark}};
+}
+
+// Besides those of a session, which mean the same.
+std::vector<KeyBinding> replay_keys() {
+  return {{KeyGroup::kReplay,
+           "one tick back, while paused",
+           {ImGuiKey_LeftArrow},
+           step_back,
+           {},
+           0,
+           true},
+          {KeyGroup::kReplay, "slower", {ImGuiKey_LeftBracket}, slower, {}, U'['},
+          {KeyGroup::kReplay, "faster", {ImGuiKey_RightBracket}, faster, {}, U']'},
+          {KeyGroup::kReplay, "begin anew at the end, or not", {ImGuiKey_L}, toggle_loop},
+          {KeyGroup::kReplay, "to the mark before", {ImGuiKey_PageUp}, previous_mark},
+          {KeyGroup::kReplay, "to the next mark", {ImGuiKey_PageDown}, next_mark}};
 }
 
 std::vector<KeyBinding> algorithm_keys() {
@@ -90,8 +108,8 @@ std::vector<KeyBinding> window_keys() {
 
 std::vector<KeyBinding> all_keys() {
   std::vector<KeyBinding> all;
-  for (auto&& part : {force_keys(), session_keys(), algorithm_keys(), parameter_keys(), plot_keys(),
-                      window_keys()})
+  for (auto&& part : {force_keys(), session_keys(), replay_keys(), algorithm_keys(),
+                      parameter_keys(), plot_keys(), window_keys()})
     std::copy(part.begin(), part.end(), std::back_inserter(all));
   return all;
 }
@@ -140,6 +158,10 @@ std::string chord_text(ImGuiKeyChord chord) {
       return "Ctrl and +";
     case ImGuiKey_Minus:
       return "Ctrl and −";
+    case ImGuiKey_LeftBracket:
+      return "[";
+    case ImGuiKey_RightBracket:
+      return "]";
     default:
       return text + ImGui::GetKeyName(key);
   }
@@ -165,7 +187,8 @@ std::string keys_text(const KeyBinding& binding) {
     if (!text.empty()) text += " or ";
     text += chord_text(chord);
   }
-  if (binding.character != 0) text += std::string(" or ") + static_cast<char>(binding.character);
+  const std::string character(binding.character != 0 ? 1 : 0, static_cast<char>(binding.character));
+  if (!character.empty() && text != character) text += " or " + character;
   return text;
 }
 
@@ -175,6 +198,8 @@ const char* group_title(KeyGroup group) {
       return "Force";
     case KeyGroup::kSession:
       return "Session";
+    case KeyGroup::kReplay:
+      return "Replay";
     case KeyGroup::kAlgorithm:
       return "Algorithm";
     case KeyGroup::kParameters:

@@ -13,7 +13,15 @@ namespace hapticwall::ui {
 
 struct PanelContext;
 
-enum class KeyGroup : std::uint8_t { kForce, kSession, kAlgorithm, kParameters, kPlots, kWindow };
+enum class KeyGroup : std::uint8_t {
+  kForce,
+  kSession,
+  kReplay,
+  kAlgorithm,
+  kParameters,
+  kPlots,
+  kWindow
+};
 
 struct KeyBinding {
   KeyGroup group = KeyGroup::kWindow;

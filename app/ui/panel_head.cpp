@@ -10,6 +10,7 @@
 
 #include "app/ui/appearance.h"
 #include "app/ui/help_overlay.h"
+#include "app/ui/replay_state.h"
 #include "app/ui/undo_controls.h"
 #include "app/ui/widgets.h"
 
@@ -124,11 +125,12 @@ void draw_settings(const PanelContext& context, const ItemRect& button) {
 
 void draw_panel_head(const PanelContext& context) {
   const UndoHistory& undo = context.state.transient.undo;
+  const bool changeable = replay_of(context.session) == nullptr;
   const std::array buttons{
-      Button{"Undo", "undo", undo.can_undo(), "Takes back (Ctrl+Z):\n" + undo.undo_text(),
-             undo_change},
-      Button{"Redo", "redo", undo.can_redo(), "Does again (Ctrl+Y):\n" + undo.redo_text(),
-             redo_change},
+      Button{"Undo", "undo", undo.can_undo() && changeable,
+             "Takes back (Ctrl+Z):\n" + undo.undo_text(), undo_change},
+      Button{"Redo", "redo", undo.can_redo() && changeable,
+             "Does again (Ctrl+Y):\n" + undo.redo_text(), redo_change},
       Button{"Settings", "settings", true, "Colours, size, folder of recordings", open_settings},
       Button{"?", "help", true, "All keys (F1)", toggle_help}};
   ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);

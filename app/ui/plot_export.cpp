@@ -9,6 +9,7 @@
 #include "app/ui/export.h"
 #include "app/ui/figure.h"
 #include "app/ui/plot_controls.h"
+#include "app/ui/replay_state.h"
 #include "app/ui/toolbar.h"
 #include "core/stability_bounds.h"
 
@@ -38,6 +39,8 @@ FigureView figure_view(const PanelContext& context) {
   view.hidden = context.state.persisted.hidden_lines;
   view.axes = plots.transient.axes;
   if (plots.persisted.show_bounds) view.bounds = bounds_of(context);
+  view.extra_traces = plots.transient.extra_traces;
+  view.marks = {context.session.marks(), context.session.scene().sampling.rate_hz};
   view.phase = plots.persisted.phase;
   return view;
 }
@@ -68,7 +71,7 @@ void export_samples(const PanelContext& context, const SampleHistory& history) {
   if (job.running()) return;
   const TimeWindow window = visible_window(context);
   const IndexRange range = history.range_within(window.from_s, window.to_s);
-  const bool simulated = context.session.device_info().is_simulated;
+  const bool simulated = knows_truth(context.session);
   const ExportSource source{context.session.scene(), simulated, context.session.device_info().name};
   job.start(history, range, source,
             unused_recording_path(context.state.transient.recording_folder,

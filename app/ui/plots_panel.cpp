@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/ui/plot_controls.h"
+#include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
 
 namespace hapticwall::ui {
@@ -68,8 +69,10 @@ PlotSurface surface_of(const PanelContext& context, const SampleHistory& history
   if (plots.persisted.trigger.mode != TriggerMode::kOff)
     surface.contact_s = plots.transient.trigger.contact_s;
   surface.bounds = bounds_of(context);
+  surface.extra_traces = plots.transient.extra_traces;
+  surface.marks = {context.session.marks(), context.session.scene().sampling.rate_hz};
   surface.show_bounds = &plots.persisted.show_bounds;
-  surface.simulated = context.session.device_info().is_simulated;
+  surface.simulated = knows_truth(context.session);
   surface.line_weight = kLineWeight * ImGui::GetStyle().FontScaleMain;
   surface.remember = [&state](std::string_view name) { remember_item(state, name); };
   return surface;

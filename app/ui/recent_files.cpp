@@ -30,7 +30,7 @@ void open_scene(UiState& state, const std::string& path) {
 }  // namespace
 
 bool is_recording(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".csv";
+  return path.ends_with(".csv") || path.ends_with(".csv.partial");
 }
 
 void remember_recent(std::vector<std::string>& recent, const std::string& path) {

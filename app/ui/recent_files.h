@@ -11,7 +11,7 @@ namespace hapticwall::ui {
 
 inline constexpr std::size_t kMostRecentFiles = 8;
 
-// A file ends with .csv: a recording. Everything else is taken for a scene.
+// A file ends with .csv, or with .csv.partial: a recording. Everything else is taken for a scene.
 [[nodiscard]] bool is_recording(const std::string& path);
 
 // To the front of the list, under its whole path; the oldest goes. A path that is there already

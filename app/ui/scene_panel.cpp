@@ -11,6 +11,7 @@
 #include "app/ui/control_panel.h"
 #include "app/ui/parameter_rows.h"
 #include "app/ui/recent_files.h"
+#include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -73,6 +74,7 @@ void draw_figure_buttons(const PanelContext& context) {
 
 // Beside the heading, so that nothing moves when it comes and goes.
 void draw_way_back(const PanelContext& context) {
+  if (replay_of(context.session) != nullptr) return;
   const Scene& loaded = context.state.transient.loaded_scene;
   const std::vector<std::string> changed = changed_values(context.session.scene(), loaded);
   if (changed.empty()) return;

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -42,11 +43,14 @@ void draw_device_state(const PanelContext& context) {
   const device::DeviceInfo& info = context.session.device_info();
   const bool lost = context.snapshot.link.trouble != device::Trouble::kNone;
   dot(context, lost ? Tone::kBad : Tone::kAccent);
-  std::string text = info.is_simulated ? "Simulator" : info.name;
+  const bool replaying = replay_of(context.session) != nullptr;
+  std::string text = info.is_simulated && !replaying ? "Simulator" : info.name;
   if (context.snapshot.paused) text += ", paused";
   ImGui::TextUnformatted(text.c_str());
   remember_item(context.state, "device state");
-  if (info.is_simulated) {
+  if (replaying) {
+    explain("What was recorded: nothing is simulated or moved.");
+  } else if (info.is_simulated) {
     explain("Everything on this screen is simulated: no haptic device is connected or moved.");
   } else {
     explain(lost ? device::trouble_text(context.snapshot.link.trouble)
@@ -76,6 +80,13 @@ void draw_realtime_state(const PanelContext& context) {
 }  // namespace
 
 void draw_hint_row(const PanelContext& context) {
+  if (replay_of(context.session) != nullptr) {
+    ImGui::TextDisabled(
+        "F1 all keys   P play   ← → step   R to the start   [ ] slower, faster   L repeat   "
+        "1–%zu re-run under an algorithm",
+        algorithms().size());
+    return;
+  }
   ImGui::TextDisabled(
       "F1 all keys   1–%zu algorithm   P pause   S or → step   R reset   "
       "Ctrl+Z undo      %s",

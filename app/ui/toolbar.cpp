@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/ui/replay_bar.h"
+#include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -16,6 +18,7 @@ using runtime::RecordingStatus;
 
 constexpr float kButtonEms = 6.0F;
 constexpr float kRecordButtonEms = 7.0F;
+constexpr float kMarkButtonEms = 4.0F;
 constexpr float kNameEms = 15.0F;
 
 bool button(const PanelContext& context, const char* label, const char* name, float width_ems,
@@ -73,6 +76,37 @@ void draw_recording_status(const PanelContext& context, const RecordingStatus& s
   explain(status.path);
 }
 
+void draw_name(const PanelContext& context) {
+  TransientState& transient = context.state.transient;
+  ImGui::SetNextItemWidth(kNameEms * ImGui::GetFontSize());
+  const std::string hint = automatic_name(context.session.scene());
+  if (const auto name = text_field(context, "##recording-name", hint, transient.recording_name)) {
+    transient.recording_name = *name;
+  }
+  remember_item(context.state, "recording name");
+  explain(
+      "Name of the file; empty: after scene and algorithm. An existing file is never overwritten.");
+}
+
+// In the place of the name, which a running recording keeps.
+void draw_mark(const PanelContext& context) {
+  constexpr const char* kTooltip =
+      "Notes this moment in the recording, with a few words where there are some: a line in the "
+      "plots, and in the sidecar (key M)";
+  if (button(context, "Mark", "mark", kMarkButtonEms, kTooltip)) add_mark(context);
+  ImGui::SameLine();
+  const float width = kNameEms * ImGui::GetFontSize() - ImGui::GetItemRectSize().x;
+  ImGui::SetNextItemWidth(width - ImGui::GetStyle().ItemSpacing.x);
+  std::string& text = context.state.transient.mark_text;
+  const auto typed = text_field(context, "##mark-text", "what happens here", text);
+  remember_item(context.state, "mark text");
+  explain("What the next mark says; Enter sets it.");
+  if (!typed) return;
+  text = *typed;
+  if (ImGui::IsKeyPressed(ImGuiKey_Enter) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter))
+    add_mark(context);
+}
+
 void draw_recording(const PanelContext& context) {
   const RecordingStatus status = context.session.recording_status();
   const bool recording = status.state == RecordingState::kRecording;
@@ -87,25 +121,24 @@ void draw_recording(const PanelContext& context) {
   if (recording) ImGui::PopStyleColor();
   if (clicked) toggle_recording(context);
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(kNameEms * ImGui::GetFontSize());
-  ImGui::BeginDisabled(recording);
-  TransientState& transient = context.state.transient;
-  const std::string hint = automatic_name(context.session.scene());
-  if (const auto name = text_field(context, "##recording-name", hint, transient.recording_name)) {
-    transient.recording_name = *name;
+  if (recording) {
+    draw_mark(context);
+  } else {
+    draw_name(context);
   }
-  remember_item(context.state, "recording name");
-  explain(
-      "Name of the file; empty: after scene and algorithm. An existing file is never overwritten.");
-  ImGui::EndDisabled();
   draw_recording_status(context, status);
 }
 
 }  // namespace
 
 void draw_toolbar(const PanelContext& context) {
-  draw_transport(context);
-  draw_recording(context);
+  if (runtime::ReplaySession* replay = replay_of(context.session)) {
+    draw_replay_bar(context, *replay);
+  } else {
+    draw_transport(context);
+    draw_recording(context);
+  }
+  draw_opening(context);
 }
 
 void toggle_pause(const PanelContext& context) { context.session.pause(!context.snapshot.paused); }
@@ -135,6 +168,15 @@ void toggle_recording(const PanelContext& context) {
   const Failure failure = context.session.start_recording(path);
   tell(state, failure ? MessageKind::kProblem : MessageKind::kNote,
        failure ? failure->message : "recording to " + path);
+}
+
+void add_mark(const PanelContext& context) {
+  TransientState& transient = context.state.transient;
+  if (const Failure failure = context.session.mark(transient.mark_text)) {
+    tell(context.state, MessageKind::kNote, failure->message);
+    return;
+  }
+  transient.mark_text.clear();
 }
 
 std::string unused_recording_path(const std::string& folder, const std::string& name) {

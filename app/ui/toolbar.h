@@ -14,6 +14,7 @@ void toggle_pause(const PanelContext& context);
 void single_step(const PanelContext& context);
 void reset_session(const PanelContext& context);
 void toggle_recording(const PanelContext& context);
+void add_mark(const PanelContext& context);
 
 // A path in `folder` for a recording of this name (".csv" is added where it lacks), which no file
 // has yet: "-2", "-3" … are appended.

@@ -16,6 +16,7 @@
 #include "app/runtime/session.h"
 #include "app/ui/plot.h"
 #include "app/ui/plots_state.h"
+#include "app/ui/replay_state.h"
 #include "app/ui/scale_range.h"
 #include "app/ui/theme.h"
 #include "app/ui/toasts.h"
@@ -95,6 +96,7 @@ struct TransientState {
   std::map<std::string, double, std::less<>> switched_off;
   std::string recording_folder;  // of the command line; empty: the persisted one
   std::string recording_name;    // empty: named after scene and algorithm
+  std::string mark_text;         // of the next mark
   std::size_t chosen_wall = 0;
   bool dragging_hand = false;
   std::optional<double> hand_m;  // where the pointer leads the hand
@@ -110,6 +112,7 @@ struct UiState {
   TransientState transient;
   PlotsState plots;
   WallState wall;
+  ReplayState replay;
 };
 
 // What a panel is given.

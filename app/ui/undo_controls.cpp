@@ -3,12 +3,13 @@
 #include <utility>
 
 #include "app/runtime/scene_change.h"
+#include "app/ui/replay_state.h"
 
 namespace hapticwall::ui {
 namespace {
 
 void go_to(const PanelContext& context, std::optional<SceneStep> step) {
-  if (!step) return;
+  if (!step || replay_of(context.session) != nullptr) return;
   TransientState& transient = context.state.transient;
   transient.refusal.reset();
   const Scene& running = context.session.scene();

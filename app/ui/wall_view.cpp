@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/replay_state.h"
 #include "app/ui/wall_labels.h"
 #include "app/ui/widgets.h"
 
@@ -15,6 +16,7 @@ constexpr double kZoomPerNotch = 1.15;
 
 // While the button is down the pointer leads; then the script again, or the hand stays.
 void lead_hand(const PanelContext& context, const WallCamera& camera, ImVec2 corner, bool held) {
+  if (replay_of(context.session) != nullptr) return;
   UiState& state = context.state;
   TransientState& transient = state.transient;
   const Scene& scene = context.session.scene();
@@ -159,7 +161,8 @@ void take_pointer(const PanelContext& context, const WallCamera& camera, const V
   const bool turning = ImGui::IsItemActive() && state.transient.drag != ViewDrag::kLeadHand;
   if (turning) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  } else if (ImGui::IsItemHovered() && context.session.scene().hand) {
+  } else if (ImGui::IsItemHovered() && context.session.scene().hand &&
+             replay_of(context.session) == nullptr) {
     ImGui::SetMouseCursor(camera.space().y ? ImGuiMouseCursor_ResizeAll
                                            : ImGuiMouseCursor_ResizeEW);
   }

@@ -1,6 +1,7 @@
 #include "app/ui/widgets.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <charconv>
@@ -25,6 +26,9 @@ void section(const PanelContext& context, const char* title) {
 }
 
 bool folding_section(const PanelContext& context, const char* title, std::string_view summary) {
+  // What cannot be changed can still be looked at.
+  const bool locked = (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
+  if (locked) ImGui::EndDisabled();
   ImGui::PushFont(context.theme.fonts.strong, 0.0F);
   ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kAccent));
   // The arrow stands where the other headings begin.
@@ -36,6 +40,7 @@ bool folding_section(const PanelContext& context, const char* title, std::string
   ImGui::PopStyleColor();
   ImGui::PopFont();
   remember_item(context.state, std::string("section ") + title);
+  if (locked) ImGui::BeginDisabled();
   if (open) return true;
   const float text_width = ImGui::CalcTextSize(title).x + kArrowAndGapEms * ImGui::GetFontSize();
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + text_width);

@@ -249,6 +249,7 @@ Failure run_window(const WindowOptions& options) {
   Application::Sessions sessions;
   sessions.simulate = [](const Scene& scene) { return runtime::Session::start(scene); };
   sessions.start_on_device = options.start_on_device;
+  sessions.first = options.first;
   const auto application = Application::create(
       options.scene,
       {options.settings_path, options.recording_folder, options.forced_scale, options.opened_file},

@@ -16,6 +16,8 @@ struct WindowOptions {
   Scene scene;
   // Starts a session on a device; empty: the simulator.
   std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)> start_on_device;
+  // What is shown at first, a replay perhaps; empty: a session of the scene.
+  std::function<Result<std::unique_ptr<runtime::Session>>()> first;
   // Where the record button puts its files; empty: as the settings say, or the current folder.
   std::string recording_folder;
   std::string settings_path;          // empty: settings are neither read nor kept

@@ -9,6 +9,8 @@
 #include "app/ui/magnifier.h"
 #include "app/ui/panel_head.h"
 #include "app/ui/plots_panel.h"
+#include "app/ui/replay_panel.h"
+#include "app/ui/replay_state.h"
 #include "app/ui/splitter.h"
 #include "app/ui/status_line.h"
 #include "app/ui/toasts.h"
@@ -19,6 +21,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kNarrowestPanelEms = 14.0F;
+constexpr float kLockedAlpha = 0.7F;       // of what was recorded and does not change
 constexpr float kWidestPanelShare = 0.5F;  // of the window
 
 float panel_width(const PanelContext& context, float window_width) {
@@ -32,11 +35,17 @@ void draw_panel(const PanelContext& context, float width, float height) {
   ImGui::BeginChild("controls", ImVec2(width, height), ImGuiChildFlags_Borders);
   draw_panel_head(context);
   draw_scene_section(context);
+  runtime::ReplaySession* replay = replay_of(context.session);
+  if (replay != nullptr) draw_replay_section(context, *replay);
+  ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, kLockedAlpha);
+  ImGui::BeginDisabled(replay != nullptr);
   draw_algorithm_section(context);
   draw_wall_section(context);
   draw_hand_section(context);
   draw_device_section(context);
   draw_loop_section(context);
+  ImGui::EndDisabled();
+  ImGui::PopStyleVar();
   ImGui::EndChild();
 }
 

@@ -212,7 +212,7 @@ TEST(SceneFile, WhatIsWrongWithASecondAxisIsSaidWhereItStands) {
   EXPECT_EQ(message(replaced("axis = \"x\"", "axis = \"z\"")),
             "x.toml:24: wall[0].axis: 'z' is no axis; it takes \"x\" or \"y\"");
   EXPECT_EQ(message(corner(), {"device.y.mass_kg=-1"}),
-            "--set device.y.mass_kg=-1: device.y.mass_kg: -1 is out of range; it takes 1e-6 to 100 "
+            "--set device.y.mass_kg=-1: device.y.mass_kg: -1 is out of range; it takes 1e-6 to 1000 "
             "kg");
   EXPECT_EQ(
       message(corner(), {"hand.y.path=[]"}),

@@ -120,6 +120,14 @@ class FakeSession final : public runtime::Session {
     return std::nullopt;
   }
   [[nodiscard]] runtime::RecordingStatus recording_status() const override { return recording_; }
+  [[nodiscard]] Failure mark(std::string_view text) override {
+    if (recording_.state != runtime::RecordingState::kRecording) {
+      return Error{ErrorKind::kUsage, "marks belong to a recording: start one first"};
+    }
+    marks_.push_back({newest_.tick, file::mark_text(text)});
+    return std::nullopt;
+  }
+  [[nodiscard]] std::span<const file::Mark> marks() const override { return marks_; }
   [[nodiscard]] const runtime::RealtimeStatus& realtime_status() const override {
     return realtime_;
   }
@@ -171,6 +179,7 @@ class FakeSession final : public runtime::Session {
   Sample newest_y_;
   std::deque<Sample> y_queue_;
   runtime::RecordingStatus recording_;
+  std::vector<file::Mark> marks_;
   runtime::RealtimeStatus realtime_;
 };
 

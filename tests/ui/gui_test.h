@@ -60,6 +60,7 @@ class GuiTest : public ::testing::Test {
     };
     ui::Application::Sessions starters;
     starters.simulate = start;
+    starters.open_recording = open_recording;
     if (with_device) {
       starters.start_on_device = [this, start](const Scene& scene) {
         EXPECT_EQ(devices_open, 0) << "there is one device only";
@@ -175,6 +176,7 @@ class GuiTest : public ::testing::Test {
   std::string refuse_session;        // the error of the next sessions
   std::string refuse_device;         // of those on the device alone
   ui::Application::Options options;  // of the next open()
+  ui::Application::RecordingOpener open_recording;
   int sessions = 0;
   bool with_device = false;  // the next open() is on a real one
   int devices_open = 0;

@@ -89,18 +89,11 @@ TEST_F(FilesTest, WhatIsNoSceneIsToldAndTheSessionGoesOn) {
   EXPECT_EQ(fake_->snapshot().sample.tick, 299U);
 }
 
-TEST_F(FilesTest, ADroppedRecordingGoesToWhoTakesRecordings) {
-  put("trial.csv", "tick\n");
-  drop("trial.csv");
-  EXPECT_THAT(message().text, HasSubstr("hapticwall replay '" + path("trial.csv") + "'"));
-  std::vector<std::string> opened;
-  application_->on_recording([&](const std::string& csv) { opened.push_back(csv); });
-  drop("trial.csv");
-  EXPECT_EQ(opened, std::vector<std::string>{path("trial.csv")});
-  EXPECT_EQ(recent(), std::vector<std::string>{path("trial.csv")});
+TEST_F(FilesTest, ARecordingThatIsNotThereIsNotLookedFor) {
   drop("nothing.csv");
   EXPECT_THAT(message().text, HasSubstr("there is no such recording"));
-  EXPECT_EQ(opened.size(), 1U);
+  EXPECT_FALSE(application_->state().replay.opening.running());
+  EXPECT_TRUE(recent().empty());
 }
 
 TEST_F(FilesTest, WhatWasOpenedIsInTheListOfScenes) {

@@ -1,0 +1,84 @@
+// Work that takes a while, on a thread of its own, while the window goes on.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/result.h"
+
+namespace hapticwall::ui {
+
+// One piece of work at a time. All members are called from the owner's thread and never wait, but
+// for the destructor, which waits for the end.
+template <typename T>
+class Background {
+ public:
+  // Told a fraction from 0 to 1 now and then; false: nobody wants the outcome any more.
+  using Progress = std::function<bool(double fraction)>;
+  using Work = std::function<Result<T>(const Progress& progress)>;
+
+  Background() = default;
+  Background(const Background&) = delete;
+  Background& operator=(const Background&) = delete;
+  ~Background() { give_up(); }
+
+  // What still goes on is given up.
+  void start(Work work) {
+    give_up();
+    state_ = std::make_shared<State>();
+    future_ = std::async(std::launch::async, [state = state_, work = std::move(work)] {
+      return guarded(work, [&state](double fraction) {
+        state->fraction.store(fraction, std::memory_order_relaxed);
+        return !state->given_up.load(std::memory_order_relaxed);
+      });
+    });
+  }
+
+  // The outcome is of no interest; the thread ends when it next asks.
+  void give_up() {
+    std::erase_if(ending_, is_ready);
+    if (!future_.valid()) return;
+    state_->given_up.store(true, std::memory_order_relaxed);
+    ending_.push_back(std::move(future_));
+  }
+
+  [[nodiscard]] bool running() const { return future_.valid(); }
+  [[nodiscard]] double fraction() const {
+    return state_ == nullptr ? 0.0 : state_->fraction.load(std::memory_order_relaxed);
+  }
+  // What became of it, once, when it is done.
+  [[nodiscard]] std::optional<Result<T>> take() {
+    if (!future_.valid() || !is_ready(future_)) return std::nullopt;
+    return future_.get();
+  }
+
+ private:
+  struct State {
+    std::atomic<double> fraction{0.0};
+    std::atomic<bool> given_up{false};
+  };
+
+  static bool is_ready(const std::future<Result<T>>& future) {
+    return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  }
+  static Result<T> guarded(const Work& work, const Progress& progress) {
+    try {
+      return work(progress);
+    } catch (const std::exception& problem) {  // no memory
+      return Error{ErrorKind::kFile, problem.what()};
+    }
+  }
+
+  std::shared_ptr<State> state_;
+  std::future<Result<T>> future_;
+  std::vector<std::future<Result<T>>> ending_;  // given up, and not at its end yet
+};
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,312 @@
+#include "app/ui/replay_bar.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/file/mark.h"
+#include "app/ui/replay_state.h"
+#include "app/ui/toolbar.h"
+#include "app/ui/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using runtime::kFastestReplay;
+using runtime::kSlowestReplay;
+using runtime::ReplaySession;
+
+constexpr std::array kSpeeds{kSlowestReplay, 0.02, 0.05, 0.1,           0.2, 0.5, 1.0, 2.0, 5.0,
+                             10.0,           20.0, 50.0, kFastestReplay};
+// After a jump so much before the place is read, or as much as the plots show, within reason.
+constexpr double kShortestHistoryS = 10.0;
+constexpr double kLongestHistoryS = 120.0;
+constexpr double kSameSpeed = 1e-9;  // of it: what is not a rounding error
+
+constexpr float kButtonEms = 4.6F;
+constexpr float kToStartEms = 5.2F;
+constexpr float kSpeedEms = 3.6F;
+constexpr float kSpeedGroupEms = 10.0F;  // with its list and "Repeat"
+constexpr float kBackEms = 9.0F;
+constexpr float kTrackEms = 0.5F;     // how thick the track is
+constexpr float kSliderEms = 1.5F;    // how high all of it is
+constexpr float kNearMarkEms = 0.4F;  // a click so near to a mark is one on it
+constexpr double kQuietOpeningS = 0.3;
+
+float ems(float count) { return count * ImGui::GetFontSize(); }
+
+// What is so wide stands beside the item before, or begins a row where there is no room.
+void beside(float width, float gap = -1.0F) {
+  ImGui::SameLine(0.0F, gap);
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+double time_of(const ReplaySession& replay, const file::Mark& mark) {
+  return static_cast<double>(mark.tick) / replay.recording().rate_hz;
+}
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+bool button(const PanelContext& context, const char* label, const char* name, float width_ems,
+            const char* tooltip) {
+  const bool clicked = ImGui::Button(label, ImVec2(ems(width_ems), 0.0F));
+  remember_item(context.state, name);
+  explain(tooltip);
+  return clicked;
+}
+
+void draw_transport(const PanelContext& context) {
+  const bool paused = context.snapshot.paused;
+  if (button(context, paused ? "Play###pause" : "Pause###pause", "pause", kButtonEms,
+             "Plays the recording, or halts it (key P). Plays from the beginning again where it is "
+             "at the end."))
+    toggle_pause(context);
+  beside(ems(kButtonEms));
+  ImGui::BeginDisabled(!paused);
+  if (button(context, "Step", "step", kButtonEms,
+             "The next row, while paused (key S or →); ← goes back to the last one"))
+    single_step(context);
+  ImGui::EndDisabled();
+  beside(ems(kToStartEms));
+  if (button(context, "To start", "reset", kToStartEms, "To the first row (key R)"))
+    reset_session(context);
+}
+
+void draw_time(const PanelContext& context, ReplaySession& replay) {
+  const std::string time = fmt::format("{:8.3f} / {:.3f} s", replay.position_s(), replay.end_s());
+  ImGui::PushFont(context.theme.fonts.digits, 0.0F);
+  beside(ImGui::CalcTextSize(time.c_str()).x);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(time.c_str());
+  ImGui::PopFont();
+  remember_item(context.state, "replay time");
+  explain(
+      fmt::format("Time of the session that was recorded. This recording goes from {:.3f} s to "
+                  "{:.3f} s.",
+                  replay.begin_s(), replay.end_s()));
+}
+
+void set_speed(const PanelContext& context, ReplaySession& replay, double speed) {
+  if (speed >= kSlowestReplay && speed <= kFastestReplay) {
+    replay.set_speed(speed);
+    return;
+  }
+  tell(context.state, MessageKind::kProblem,
+       fmt::format("speed: from {:g} to {:g} times; {} stays", kSlowestReplay, kFastestReplay,
+                   number_text(replay.speed())));
+}
+
+void draw_speed(const PanelContext& context, ReplaySession& replay) {
+  constexpr const char* kTooltip =
+      "How fast it plays: recorded seconds a second, 0.01 to 100 (keys [ and ])";
+  beside(ems(kSpeedGroupEms));
+  ImGui::SetNextItemWidth(ems(kSpeedEms));
+  if (const auto typed = number_field(context, "##speed", replay.speed()))
+    set_speed(context, replay, *typed);
+  remember_item(context.state, "speed");
+  explain(kTooltip);
+  ImGui::SameLine(0.0F, 1.0F);
+  if (ImGui::BeginCombo("##speeds", "", ImGuiComboFlags_NoPreview | ImGuiComboFlags_HeightLarge)) {
+    for (const double speed : kSpeeds) {
+      const std::string label = fmt::format("{:g}x", speed);
+      if (ImGui::Selectable(label.c_str(), std::abs(speed - replay.speed()) < kSameSpeed * speed))
+        replay.set_speed(speed);
+      remember_item(context.state, "speed " + label);
+    }
+    ImGui::EndCombo();
+  }
+  remember_item(context.state, "speeds");
+  explain(kTooltip);
+  ImGui::SameLine();
+  const bool loops = replay.loops();
+  if (choice_button(context, "Repeat###repeat", loops)) replay.set_loop(!loops);
+  remember_item(context.state, "repeat");
+  explain("Begins anew at the end (key L)");
+}
+
+void draw_way_back(const PanelContext& context, const ReplaySession& replay) {
+  const float back = ems(kBackEms);
+  beside(back, ems(1.0F));
+  const std::string name = file_name(replay.recording().csv_path);
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  // Flush right; in a narrow window the name is cut.
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float room = std::max(0.0F, ImGui::GetContentRegionAvail().x - back - gap);
+  ImGui::PushClipRect(corner, ImVec2(corner.x + room, corner.y + ImGui::GetFrameHeight()), true);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kAccent));
+  ImGui::TextUnformatted(name.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopClipRect();
+  explain(replay.recording().csv_path);
+  ImGui::SetCursorScreenPos(ImVec2(corner.x + room + gap, corner.y));
+  if (ImGui::Button("Back to the scene", ImVec2(back, 0.0F)))
+    context.state.replay.wants_back = true;
+  remember_item(context.state, "back to the scene");
+  explain("Ends the replay and starts the scene that ran before, at rest.");
+}
+
+// The mark that a pointer at this pixel is on.
+const file::Mark* mark_at(const ReplaySession& replay, std::span<const file::Mark> marks,
+                          float pixel, const ImVec2& corner, float width) {
+  const double duration_s = std::max(replay.duration_s(), 1e-9);
+  const file::Mark* nearest = nullptr;
+  float distance = ems(kNearMarkEms);
+  for (const file::Mark& mark : marks) {
+    const double share = (time_of(replay, mark) - replay.begin_s()) / duration_s;
+    const float away = std::abs(corner.x + static_cast<float>(share) * width - pixel);
+    if (away > distance) continue;
+    distance = away;
+    nearest = &mark;
+  }
+  return nearest;
+}
+
+void draw_track(const PanelContext& context, ReplaySession& replay, const ImVec2& corner,
+                const ImVec2& size) {
+  const double duration_s = std::max(replay.duration_s(), 1e-9);
+  const auto x_of = [&](double time_s) {
+    return corner.x + static_cast<float>((time_s - replay.begin_s()) / duration_s) * size.x;
+  };
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float middle = corner.y + 0.5F * size.y;
+  const float half = 0.5F * ems(kTrackEms);
+  const float now = x_of(replay.position_s());
+  list->AddRectFilled(ImVec2(corner.x, middle - half), ImVec2(corner.x + size.x, middle + half),
+                      context.theme.packed(Tone::kFaint), half);
+  list->AddRectFilled(ImVec2(corner.x, middle - half), ImVec2(now, middle + half),
+                      context.theme.packed(Tone::kAccent, 0.55F), half);
+  for (const file::Mark& mark : replay.marks()) {
+    const float x = x_of(time_of(replay, mark));
+    list->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + size.y),
+                  context.theme.packed(Tone::kWarning), std::max(1.0F, ems(0.12F)));
+  }
+  list->AddCircleFilled(ImVec2(now, middle), ems(0.55F), context.theme.packed(Tone::kAccent));
+}
+
+// Over the whole recording; a click on a mark goes to it.
+void draw_slider(const PanelContext& context, ReplaySession& replay) {
+  const float inset = ems(0.55F);
+  const ImVec2 outer = ImGui::GetCursorScreenPos();
+  const ImVec2 corner(outer.x + inset, outer.y);
+  const ImVec2 size(std::max(1.0F, ImGui::GetContentRegionAvail().x - 2.0F * inset),
+                    ems(kSliderEms));
+  ImGui::InvisibleButton("##time", ImVec2(size.x + 2.0F * inset, size.y));
+  remember_item(context.state, "time slider");
+  const ImGuiIO& io = ImGui::GetIO();
+  const double share =
+      std::clamp(static_cast<double>((io.MousePos.x - corner.x) / size.x), 0.0, 1.0);
+  const double pointed_s = replay.begin_s() + share * replay.duration_s();
+  const file::Mark* mark = ImGui::IsItemHovered()
+                               ? mark_at(replay, replay.marks(), io.MousePos.x, corner, size.x)
+                               : nullptr;
+  const bool moved = io.MouseDelta.x != 0.0F;
+  if (ImGui::IsItemActivated()) {
+    go_to(context, replay, mark != nullptr ? time_of(replay, *mark) : pointed_s);
+  } else if (ImGui::IsItemActive() && moved) {
+    go_to(context, replay, pointed_s);
+  }
+  draw_track(context, replay, corner, size);
+  if (!ImGui::IsItemHovered()) return;
+  if (mark != nullptr) {
+    ImGui::SetTooltip("%.3f s  %s", time_of(replay, *mark), mark->text.c_str());
+  } else {
+    ImGui::SetTooltip("%.3f s", pointed_s);
+  }
+}
+
+ReplaySession* replay_in(const PanelContext& context) { return replay_of(context.session); }
+
+}  // namespace
+
+double slower_than(double speed) {
+  const auto above = std::find_if(kSpeeds.begin(), kSpeeds.end(), [speed](double usual) {
+    return usual >= speed * (1.0 - kSameSpeed);
+  });
+  return above == kSpeeds.begin() ? kSpeeds.front() : *(above - 1);
+}
+
+double faster_than(double speed) {
+  const auto above = std::find_if(kSpeeds.begin(), kSpeeds.end(), [speed](double usual) {
+    return usual > speed * (1.0 + kSameSpeed);
+  });
+  return above == kSpeeds.end() ? kSpeeds.back() : *above;
+}
+
+void draw_replay_bar(const PanelContext& context, ReplaySession& replay) {
+  draw_transport(context);
+  draw_time(context, replay);
+  draw_speed(context, replay);
+  draw_way_back(context, replay);
+  draw_slider(context, replay);
+}
+
+void draw_opening(const PanelContext& context) {
+  ReplayState& state = context.state.replay;
+  if (!state.opening.running() || state.opening_s < kQuietOpeningS) return;
+  ImGui::AlignTextToFramePadding();
+  ImGui::Text("reading %s  %.0f %%", file_name(state.opening_path).c_str(),
+              100.0 * state.opening.fraction());
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel###cancel-opening")) state.opening.give_up();
+  remember_item(context.state, "cancel opening");
+  explain("What runs now goes on.");
+}
+
+void go_to(const PanelContext& context, ReplaySession& replay, double time_s) {
+  replay.set_history(
+      std::clamp(context.state.persisted.time_window_s, kShortestHistoryS, kLongestHistoryS));
+  replay.seek(time_s);
+  context.state.transient.follow = true;
+}
+
+void slower(const PanelContext& context) {
+  if (ReplaySession* replay = replay_in(context)) replay->set_speed(slower_than(replay->speed()));
+}
+
+void faster(const PanelContext& context) {
+  if (ReplaySession* replay = replay_in(context)) replay->set_speed(faster_than(replay->speed()));
+}
+
+void toggle_loop(const PanelContext& context) {
+  if (ReplaySession* replay = replay_in(context)) replay->set_loop(!replay->loops());
+}
+
+void step_back(const PanelContext& context) {
+  ReplaySession* replay = replay_in(context);
+  if (replay == nullptr || !context.snapshot.paused) return;
+  const auto tick = static_cast<double>(context.snapshot.sample.tick);
+  go_to(context, *replay, (tick - 1.0) / replay->recording().rate_hz);
+}
+
+void previous_mark(const PanelContext& context) {
+  ReplaySession* replay = replay_in(context);
+  if (replay == nullptr) return;
+  const std::uint64_t tick = context.snapshot.sample.tick;
+  const auto marks = replay->marks();
+  const auto from = std::lower_bound(
+      marks.begin(), marks.end(), tick,
+      [](const file::Mark& mark, std::uint64_t value) { return mark.tick < value; });
+  if (from != marks.begin()) go_to(context, *replay, time_of(*replay, *(from - 1)));
+}
+
+void next_mark(const PanelContext& context) {
+  ReplaySession* replay = replay_in(context);
+  if (replay == nullptr) return;
+  const std::uint64_t tick = context.snapshot.sample.tick;
+  const auto marks = replay->marks();
+  const auto next = std::upper_bound(
+      marks.begin(), marks.end(), tick,
+      [](std::uint64_t value, const file::Mark& mark) { return value < mark.tick; });
+  if (next != marks.end()) go_to(context, *replay, time_of(*replay, *next));
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,175 @@
+#include "app/ui/replay_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "app/runtime/hand_rerun.h"
+#include "app/runtime/rerun_overlay.h"
+#include "app/ui/extra_traces.h"
+#include "app/ui/replay_state.h"
+#include "app/ui/widgets.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using runtime::ReplaySession;
+
+constexpr double kReadShare = 0.3;  // of the work: the file once more
+constexpr double kPercent = 100.0;
+constexpr const char* kNothing = "nothing";
+
+using Progress = Background<LaidOver>::Progress;
+
+Result<LaidOver> rerun(const file::RecordingInfo& shown, const std::string& algorithm,
+                       const Progress& progress) {
+  // A reader of its own: the session's is used while this goes on.
+  auto reader = file::RecordingReader::open(
+      shown.csv_path, [&](double fraction) { return progress(kReadShare * fraction); });
+  if (!reader) return reader.error();
+  const file::ScannedRows& rows = (*reader)->info().scanned;
+  if (rows.rows != shown.scanned.rows || rows.first_tick != shown.scanned.first_tick) {
+    return Error{ErrorKind::kUsage,
+                 shown.csv_path + ": not the file any more that was opened; open it again"};
+  }
+  auto overlay = runtime::rerun_as_overlay(**reader, algorithm, {}, [&](double fraction) {
+    return progress(kReadShare + (1.0 - kReadShare) * fraction);
+  });
+  if (!overlay) return overlay.error();
+  auto history = history_of(*overlay);
+  return LaidOver{std::move(*overlay), std::move(history)};
+}
+
+void take_away(UiState& state, ReplaySession& replay) {
+  state.replay.rerun.give_up();
+  replay.lay_over(std::nullopt);
+  draw_overlay_in_plots(state, nullptr, nullptr);
+}
+
+void draw_choices(const PanelContext& context, ReplaySession& replay, const std::string& current) {
+  if (ImGui::Selectable(kNothing, current == kNothing)) take_away(context.state, replay);
+  remember_item(context.state, "re-run nothing");
+  for (const AlgorithmDescription& algorithm : algorithms()) {
+    const std::string name(algorithm.name);
+    if (ImGui::Selectable(name.c_str(), current == name)) start_rerun(context.state, replay, name);
+    remember_item(context.state, "re-run " + name);
+    explain(fmt::format("{}\n{}", algorithm.title, algorithm.idea));
+  }
+}
+
+void draw_rerun(const PanelContext& context, ReplaySession& replay) {
+  const ReplayState& state = context.state.replay;
+  const Failure impossible = runtime::check_rerun(replay.recording());
+  const std::string tooltip =
+      impossible ? impossible->message
+                 : "The recorded hand once more, under another algorithm: drawn over the plots as "
+                   "wide, soft lines.";
+  field_label(context, "re-run under", tooltip, "");
+  const std::string current = state.rerun.running()         ? state.rerun_algorithm
+                              : replay.overlay() != nullptr ? replay.overlay()->label
+                                                            : kNothing;
+  ImGui::BeginDisabled(impossible.has_value());
+  if (ImGui::BeginCombo("##re-run", current.c_str(), ImGuiComboFlags_HeightLargest)) {
+    draw_choices(context, replay, current);
+    ImGui::EndCombo();
+  }
+  ImGui::EndDisabled();
+  remember_item(context.state, "re-run");
+  explain(tooltip);
+}
+
+void draw_progress(const PanelContext& context) {
+  ReplayState& state = context.state.replay;
+  if (!state.rerun.running()) return;
+  const float fraction = static_cast<float>(state.rerun.fraction());
+  const float cancel = ImGui::CalcTextSize("Cancel").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  const float width = ImGui::GetContentRegionAvail().x - cancel - ImGui::GetStyle().ItemSpacing.x;
+  ImGui::ProgressBar(fraction, ImVec2(std::max(width, 1.0F), 0.0F),
+                     fmt::format("{:.0f} %", kPercent * state.rerun.fraction()).c_str());
+  remember_item(context.state, "re-run progress");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel###cancel-rerun")) state.rerun.give_up();
+  remember_item(context.state, "cancel re-run");
+}
+
+// Of what, and when.
+std::string origin(const file::RecordingInfo& recording) {
+  std::string text = recording.device.empty() ? "Of an unknown device" : "Of " + recording.device;
+  if (!recording.start_time.empty()) text += ", " + recording.start_time;
+  const std::size_t marks = recording.loaded.marks.size();
+  const std::size_t changes = recording.loaded.changes.size();
+  text += fmt::format(". {} rows", recording.scanned.rows);
+  if (changes > 0) text += fmt::format(", {} change{}", changes, changes == 1 ? "" : "s");
+  if (marks > 0) text += fmt::format(", {} mark{}", marks, marks == 1 ? "" : "s");
+  return text + ".";
+}
+
+}  // namespace
+
+void draw_replay_section(const PanelContext& context, ReplaySession& replay) {
+  const file::RecordingInfo& recording = replay.recording();
+  section(context, "Recording");
+  const std::string name = std::filesystem::path(recording.csv_path).filename().string();
+  ImGui::TextUnformatted(name.c_str());
+  remember_item(context.state, "recording file");
+  explain(recording.csv_path);
+  muted_text(context, origin(recording));
+  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kWarning));
+  ImGui::PushTextWrapPos(0.0F);
+  for (const std::string& note : recording.notes) ImGui::TextUnformatted(note.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  draw_rerun(context, replay);
+  draw_progress(context);
+  muted_text(context,
+             "Everything below is as it was at this place; what was recorded does not change.");
+}
+
+void start_rerun(UiState& state, const ReplaySession& replay, const std::string& algorithm) {
+  if (const Failure impossible = runtime::check_rerun(replay.recording())) {
+    tell(state, MessageKind::kProblem, impossible->message);
+    return;
+  }
+  state.replay.rerun_algorithm = algorithm;
+  state.replay.rerun.start([shown = replay.recording(), algorithm](const Progress& progress) {
+    return rerun(shown, algorithm, progress);
+  });
+}
+
+void notice_rerun(UiState& state, ReplaySession& replay) {
+  auto outcome = state.replay.rerun.take();
+  if (!outcome) return;
+  if (!*outcome) {
+    tell(state, MessageKind::kProblem, outcome->error().message);
+    return;
+  }
+  LaidOver laid = std::move(**outcome);
+  draw_overlay_in_plots(state, &laid.overlay, std::move(laid.history));
+  replay.lay_over(std::move(laid.overlay));
+}
+
+void draw_overlay_in_plots(UiState& state, const runtime::Overlay* overlay,
+                           std::shared_ptr<const SampleHistory> history) {
+  std::vector<ExtraTrace> traces;
+  if (overlay != nullptr) {
+    ExtraTrace trace;
+    trace.label = "under " + overlay->label;
+    trace.history = std::move(history);
+    traces.push_back(std::move(trace));
+  }
+  replace_extra_traces(state.plots.transient.extra_traces, ExtraSource::kReplay, std::move(traces));
+}
+
+std::shared_ptr<const SampleHistory> history_of(const runtime::Overlay& overlay) {
+  auto history = std::make_shared<SampleHistory>(std::max<std::size_t>(overlay.samples.size(), 1));
+  history->push(overlay.samples);
+  return history;
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,90 @@
+// Work beside the window: its outcome, its progress, and an end that nobody waits for.
+#include "app/ui/background.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <future>
+#include <new>
+#include <string>
+
+#include "tests/app/runtime_support.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using runtime::test::eventually;
+
+using Work = Background<std::string>;
+
+TEST(Background, TellsItsOutcomeOnce) {
+  Work work;
+  EXPECT_FALSE(work.running());
+  EXPECT_FALSE(work.take());
+  work.start([](const Work::Progress& progress) {
+    EXPECT_TRUE(progress(0.25));
+    return Result<std::string>("done");
+  });
+  std::optional<Result<std::string>> outcome;
+  ASSERT_TRUE(eventually([&] { return (outcome = work.take()).has_value(); }));
+  ASSERT_TRUE(*outcome);
+  EXPECT_EQ(**outcome, "done");
+  EXPECT_EQ(work.fraction(), 0.25);
+  EXPECT_FALSE(work.running());
+  EXPECT_FALSE(work.take());
+}
+
+TEST(Background, WhatItThrowsIsAnError) {
+  Work work;
+  work.start([](const Work::Progress&) -> Result<std::string> { throw std::bad_alloc(); });
+  std::optional<Result<std::string>> outcome;
+  ASSERT_TRUE(eventually([&] { return (outcome = work.take()).has_value(); }));
+  EXPECT_FALSE(*outcome);
+}
+
+TEST(Background, WhatIsGivenUpEndsAndIsNotHeardOf) {
+  Work work;
+  std::atomic<bool> ended{false};
+  work.start([&](const Work::Progress& progress) {
+    while (progress(0.5)) {
+    }
+    ended = true;
+    return Result<std::string>("too late");
+  });
+  EXPECT_TRUE(work.running());
+  work.give_up();
+  EXPECT_FALSE(work.running());
+  EXPECT_TRUE(eventually([&] { return ended.load(); }));
+  EXPECT_FALSE(work.take());
+}
+
+TEST(Background, ANewPieceTakesThePlaceOfTheOldOne) {
+  Work work;
+  work.start([](const Work::Progress& progress) {
+    while (progress(0.9)) {
+    }
+    return Result<std::string>("old");
+  });
+  work.start([](const Work::Progress&) { return Result<std::string>("new"); });
+  std::optional<Result<std::string>> outcome;
+  ASSERT_TRUE(eventually([&] { return (outcome = work.take()).has_value(); }));
+  EXPECT_EQ(**outcome, "new");
+}
+
+// The owner may go at any time: the thread is given up, and waited for.
+TEST(Background, EndsWithItsOwner) {
+  std::atomic<bool> ended{false};
+  {
+    Work work;
+    work.start([&](const Work::Progress& progress) {
+      while (progress(0.0)) {
+      }
+      ended = true;
+      return Result<std::string>("nobody");
+    });
+  }
+  EXPECT_TRUE(ended);
+}
+
+}  // namespace
+}  // namespace hapticwall::ui

@@ -1,0 +1,109 @@
+// Marks that are set while the window records, and how the plots show them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "app/ui/figure.h"
+#include "tests/ui/gui_test.h"
+#include "tests/ui/pixels.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class MarksTest : public GuiTest {
+ protected:
+  // How many pixels of a column of the force plot have the colour of a mark.
+  [[nodiscard]] int marked_pixels(double time_s) {
+    const ui::TransientState& transient = application_->state().transient;
+    const ui::ItemRect area = rect("plot Force");
+    const double share =
+        (time_s - transient.time_from_s) / (transient.time_to_s - transient.time_from_s);
+    const int x = static_cast<int>(
+        std::lround(area.from.x + static_cast<float>(share) * (area.to.x - area.from.x)));
+    const ImVec4 tone =
+        ui::theme_colours(ui::Look::kScreen)[static_cast<std::size_t>(ui::Tone::kWarning)];
+    constexpr int kTolerance = 80;
+    return count_pixels(screen(), colour_of(tone), x - 2, static_cast<int>(area.from.y), x + 3,
+                        static_cast<int>(area.to.y), kTolerance);
+  }
+};
+
+TEST_F(MarksTest, AButtonAndAKeySetThemWhileItRecords) {
+  EXPECT_FALSE(find("mark").has_value());
+  press(ImGuiKey_M);
+  EXPECT_THAT(message().text, HasSubstr("start one first"));
+  click("record");
+  EXPECT_FALSE(find("recording name").has_value());
+  live(300);
+  press(ImGuiKey_M);
+  live(200);
+  click("mark");
+  const auto marks = fake_->marks();
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[0].tick, 299U);
+  EXPECT_EQ(marks[1].tick, 499U);
+  EXPECT_EQ(marks[1].text, "");
+  click("record");
+  EXPECT_FALSE(find("mark").has_value());
+}
+
+TEST_F(MarksTest, TheWordsAreTypedAndOfOneMark) {
+  click("record");
+  live(100);
+  type("mark text", "touch");
+  ASSERT_EQ(fake_->marks().size(), 1U);
+  EXPECT_EQ(fake_->marks()[0].text, "touch");
+  // Typed, and then set by the button; M is a letter meanwhile.
+  click("mark text");
+  press(ImGuiKey_M);
+  for (const char c : std::string("me")) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
+  frames(3);
+  EXPECT_EQ(fake_->marks().size(), 1U);
+  click("mark");
+  ASSERT_EQ(fake_->marks().size(), 2U);
+  EXPECT_EQ(fake_->marks()[1].text, "me");
+  press(ImGuiKey_M);
+  ASSERT_EQ(fake_->marks().size(), 3U);
+  EXPECT_EQ(fake_->marks()[2].text, "") << "each word counts once";
+}
+
+TEST_F(MarksTest, ThePlotsShowThem) {
+  click("record");
+  live(3000);
+  press(ImGuiKey_M);
+  live(4000);
+  move_to(ImVec2(2.0F, 2.0F));
+  const double time_s = static_cast<double>(fake_->marks()[0].tick) / 1000.0;
+  const ui::ItemRect area = rect("plot Force");
+  const int height = static_cast<int>(area.to.y - area.from.y);
+  EXPECT_GT(marked_pixels(time_s), height / 2);
+  EXPECT_LT(marked_pixels(time_s + 1.0), height / 4);
+}
+
+TEST_F(MarksTest, TheFigureShowsThem) {
+  const Scene scene = file::load_scene("press")->scene;
+  ui::SampleHistory history(10);
+  constexpr std::array kForceOnly{ui::PlotId::kForce};
+  ui::FigureView view;
+  view.window = {0.0, 1.0};
+  view.plots = kForceOnly;
+  const auto marked = [&] {
+    const auto figure = ui::draw_figure(scene, history, view, {800, 400});
+    EXPECT_TRUE(figure.ok());
+    const ImVec4 tone =
+        ui::theme_colours(ui::Look::kPrint)[static_cast<std::size_t>(ui::Tone::kWarning)];
+    constexpr int kTolerance = 90;
+    return count_pixels(*figure, colour_of(tone), 0, 80, 800, 400, kTolerance);
+  };
+  const int without = marked();  // the force has a colour much like it
+  const std::array marks{file::Mark{500, "half"}};
+  view.marks = {marks, 1000.0};
+  EXPECT_GT(marked(), without + 100);
+}
+
+}  // namespace
+}  // namespace hapticwall::test

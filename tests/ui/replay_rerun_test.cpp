@@ -1,0 +1,122 @@
+// The recorded hand under another algorithm, laid over the plots while the window goes on.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "app/runtime/hand_rerun.h"
+#include "tests/ui/replay_support.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ui::ExtraTrace;
+using ui::Quantity;
+
+class ReplayRerunTest : public ReplayGuiTest {
+ protected:
+  void SetUp() override {
+    ReplayGuiTest::SetUp();
+    record("trial.csv", 900);
+    drop("trial.csv");
+    ASSERT_TRUE(replaying());
+  }
+  [[nodiscard]] const std::vector<ExtraTrace>& traces() {
+    return application_->state().plots.transient.extra_traces;
+  }
+  void wait_for_rerun() {
+    frames_until([&] { return !application_->state().replay.rerun.running(); });
+    frames(2);
+  }
+  // What `hapticwall replay --algorithm` computes.
+  [[nodiscard]] std::vector<Sample> rerun(const std::string& algorithm) {
+    std::vector<Sample> samples;
+    const auto reader = file::RecordingReader::open(path("trial.csv"));
+    const auto scene = runtime::rerun_scene((*reader)->info(), algorithm, {});
+    runtime::RerunOptions options;
+    options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
+    EXPECT_TRUE(runtime::rerun_hand(**reader, *scene, options));
+    return samples;
+  }
+};
+
+TEST_F(ReplayRerunTest, IsChosenFromTheListAndIsWhatTheCommandComputes) {
+  click("re-run");
+  frames(2);
+  click("re-run none");
+  wait_for_rerun();
+  ASSERT_NE(replay().overlay(), nullptr) << message().text;
+  EXPECT_EQ(replay().overlay()->label, "none");
+  const std::vector<Sample> expected = rerun("none");
+  const std::vector<Sample>& laid = replay().overlay()->samples;
+  ASSERT_EQ(laid.size(), expected.size());
+  ASSERT_EQ(traces().size(), 1U);
+  const ui::SampleHistory& history = *traces().front().history;
+  ASSERT_EQ(history.size(), expected.size());
+  bool differs = false;
+  pass_ms(899);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_EQ(laid[i].position_m, expected[i].position_m);
+    ASSERT_EQ(history.value(Quantity::kForce, i), expected[i].force_n);
+    differs = differs || application_->history().value(Quantity::kForce, i) != expected[i].force_n;
+  }
+  EXPECT_TRUE(differs) << "another algorithm";
+  EXPECT_TRUE(find("legend under none").has_value());
+}
+
+TEST_F(ReplayRerunTest, UnderItsOwnAlgorithmItIsTheRecordingAgain) {
+  click("re-run");
+  frames(2);
+  click("re-run virtual-coupling");
+  wait_for_rerun();
+  pass_ms(899);
+  ASSERT_EQ(application_->history().size(), 900U);
+  ASSERT_EQ(traces().size(), 1U);
+  for (std::size_t i = 0; i < 900; ++i) {
+    ASSERT_EQ(traces().front().history->value(Quantity::kPosition, i),
+              application_->history().value(Quantity::kPosition, i));
+  }
+}
+
+TEST_F(ReplayRerunTest, TheKeyOfAnAlgorithmDoesItAndTheNextOneReplacesIt) {
+  press(ImGuiKey_1);
+  wait_for_rerun();
+  ASSERT_NE(replay().overlay(), nullptr);
+  const std::string first = replay().overlay()->label;
+  press(ImGuiKey_2);
+  wait_for_rerun();
+  EXPECT_NE(replay().overlay()->label, first);
+  EXPECT_EQ(traces().size(), 1U);
+  EXPECT_EQ(traces().front().label, "under " + replay().overlay()->label);
+}
+
+TEST_F(ReplayRerunTest, IsTakenAwayByHandAndWithTheRecording) {
+  press(ImGuiKey_1);
+  wait_for_rerun();
+  ASSERT_EQ(traces().size(), 1U);
+  click("re-run");
+  frames(2);
+  click("re-run nothing");
+  EXPECT_EQ(replay().overlay(), nullptr);
+  EXPECT_TRUE(traces().empty());
+  press(ImGuiKey_1);
+  wait_for_rerun();
+  ASSERT_EQ(traces().size(), 1U);
+  click("back to the scene");
+  frames(2);
+  EXPECT_TRUE(traces().empty());
+}
+
+TEST_F(ReplayRerunTest, AFileThatHasChangedSinceIsToldAndNothingIsLaidOver) {
+  std::filesystem::rename(path("trial.csv"), path("old.csv"));
+  record("trial.csv", 500);
+  press(ImGuiKey_1);
+  wait_for_rerun();
+  EXPECT_EQ(replay().overlay(), nullptr);
+  EXPECT_THAT(message().text, HasSubstr("not the file any more that was opened"));
+}
+
+}  // namespace
+}  // namespace hapticwall::test

@@ -1,0 +1,97 @@
+// Real recordings in a folder of the test's own, replayed in the window by a clock that stands
+// until it is told to go on.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/runtime/replay_session.h"
+#include "app/runtime/session.h"
+#include "app/ui/replay_state.h"
+#include "tests/app/runtime_support.h"
+#include "tests/ui/gui_test.h"
+
+namespace hapticwall::test {
+
+class ReplayGuiTest : public GuiTest {
+ protected:
+  class Clock final : public runtime::Clock {
+   public:
+    explicit Clock(const std::int64_t& now_ns) : now_ns_(now_ns) {}
+    [[nodiscard]] std::int64_t now_ns() override { return now_ns_; }
+    void sleep_until_ns(std::int64_t /*deadline_ns*/) override {}
+
+   private:
+    const std::int64_t& now_ns_;
+  };
+
+  void SetUp() override {
+    open_recording =
+        [this](const std::string& csv_path,
+               const file::ReadProgress& progress) -> Result<std::unique_ptr<runtime::Session>> {
+      auto reader = file::RecordingReader::open(csv_path, progress);
+      if (!reader) return reader.error();
+      return std::unique_ptr<runtime::Session>(std::make_unique<runtime::ReplaySession>(
+          std::move(*reader), std::make_unique<Clock>(now_ns_)));
+    };
+    options.recording_folder = folder_.file("");
+    GuiTest::SetUp();
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
+
+  // By a session with its loop and its recorder, from tick 0 on; the marks evenly between its ends.
+  void record(const std::string& name, std::uint64_t ticks,
+              const std::vector<std::string>& marks = {}) {
+    runtime::SessionOptions paused;
+    paused.start_paused = true;
+    auto session = runtime::Session::start(runtime::test::contact_scene(), paused);
+    ASSERT_TRUE(session) << session.error().message;
+    ASSERT_FALSE((*session)->start_recording(path(name)));
+    const std::uint64_t leg = ticks / (marks.size() + 1);
+    std::uint64_t done = 0;
+    const auto go_on = [&](std::uint64_t more) {
+      (*session)->step(static_cast<std::uint32_t>(more));
+      done += more;
+      return runtime::test::eventually([&] { return (*session)->snapshot().timing.ticks >= done; });
+    };
+    for (const std::string& mark : marks) {
+      ASSERT_TRUE(go_on(leg));
+      ASSERT_FALSE((*session)->mark(mark));
+    }
+    ASSERT_TRUE(go_on(ticks - done));
+    ASSERT_FALSE((*session)->stop_recording());
+  }
+
+  // Frames until the condition holds; bounded for a broken program, not for a slow one.
+  void frames_until(const std::function<bool()>& condition) {
+    EXPECT_TRUE(runtime::test::eventually([&] {
+      frames(1);
+      return condition();
+    }));
+  }
+  void drop(const std::string& name) {
+    const std::array paths{path(name)};
+    application_->drop(paths);
+    frames_until([&] { return !application_->state().replay.opening.running(); });
+    frames(2);
+  }
+  [[nodiscard]] bool replaying() { return ui::replay_of(application_->session()) != nullptr; }
+  [[nodiscard]] runtime::ReplaySession& replay() { return *ui::replay_of(application_->session()); }
+  void pass_ms(std::int64_t milliseconds) {
+    now_ns_ += milliseconds * 1'000'000;
+    frames(2);
+  }
+
+  runtime::test::TemporaryFolder folder_;
+  std::int64_t now_ns_ = 1;
+};
+
+}  // namespace hapticwall::test
