@@ -125,6 +125,7 @@ Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& histo
   surface.scratch = &scratch;
   surface.columns = &columns;
   surface.bounds = view.bounds;
+  surface.extra_traces = view.extra_traces;
   surface.interactive = false;
   surface.line_weight = kPrintLineWeight * scale;
   return draw_page(size, scale, [&](const Theme& theme) {

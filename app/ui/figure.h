@@ -33,7 +33,8 @@ struct FigureView {
   HiddenLines hidden = 0;
   AllPlotAxes axes;               // where the user has put the axes of values
   std::vector<BoundLine> bounds;  // of the stiffness plot
-  PhaseSettings phase;            // the plane stands beside the plots where it is shown
+  std::vector<ExtraTrace> extra_traces;
+  PhaseSettings phase;  // the plane stands beside the plots where it is shown
 };
 
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& history,

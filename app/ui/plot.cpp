@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/ui/plot_heading.h"
+#include "app/ui/plot_trace.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -42,7 +43,10 @@ Extremes fitted_values(const PlotSurface& surface, const PlotDescription& plot, 
   for (const PlotLine& line : plot.lines) {
     // The hand's intention lies far inside a stiff wall; the contact is what is to be seen.
     if (line.on_right != right || line.quantity == Quantity::kHandPath) continue;
-    if (range.count() == 0 || !is_drawn(surface, plot, line)) continue;
+    if (!is_drawn(surface, plot, line)) continue;
+    if (const auto extra = extra_extremes(surface, line))
+      include(extra->minimum * scale.scale, extra->maximum * scale.scale);
+    if (range.count() == 0) continue;
     const Extremes extremes = surface.history->extremes(line.quantity, range);
     include(extremes.minimum * scale.scale, extremes.maximum * scale.scale);
   }
@@ -131,45 +135,14 @@ void draw_zero_line(const PlotSurface& surface) {
   ImPlot::PlotInfLines("##zero", &zero, 1, spec);
 }
 
-PixelScale pixel_scale(double first, double second, float first_pixel, float second_pixel) {
-  PixelScale result;
-  result.scale = static_cast<double>(second_pixel - first_pixel) / (second - first);
-  result.origin = static_cast<double>(first_pixel) - result.scale * first;
-  return result;
-}
-
-void draw_band_or_line(const PlotSurface& surface, const PlotLine& line, ImAxis value_axis) {
-  const Trace& trace = *surface.scratch;
-  const ImPlotRect limits = ImPlot::GetPlotLimits(ImAxis_X1, value_axis);
-  const ImVec2 corner = ImPlot::GetPlotPos();
-  const ImVec2 size = ImPlot::GetPlotSize();
-  const PixelScale x = pixel_scale(limits.X.Min, limits.X.Max, corner.x, corner.x + size.x);
-  const PixelScale y = pixel_scale(limits.Y.Max, limits.Y.Min, corner.y, corner.y + size.y);
-  if (is_band(trace, x, y)) {
-    band_of(trace, x, y, *surface.columns);
-    ImPlot::PushPlotClipRect();
-    draw_band(ImPlot::GetPlotDrawList(), *surface.columns, surface.theme->packed(line.tone),
-              surface.line_weight);
-    ImPlot::PopPlotClipRect();
-    return;
-  }
-  ImPlotSpec spec;
-  spec.LineColor = surface.theme->colour(line.tone);
-  spec.LineWeight = surface.line_weight;
-  spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
-  ImPlot::SetAxes(ImAxis_X1, value_axis);
-  ImPlot::PlotLine(line.name, trace.time_s.data(), trace.value.data(),
-                   static_cast<int>(trace.time_s.size()), spec);
-}
-
 void draw_lines(const PlotSurface& surface, const PlotDescription& plot, IndexRange range) {
   if (range.count() == 0) return;
-  const auto columns = static_cast<std::size_t>(std::max(2.0F, ImPlot::GetPlotSize().x));
   for (const PlotLine& line : plot.lines) {
     if (!is_drawn(surface, plot, line)) continue;
-    surface.history->decimate(line.quantity, range, columns, plot.scale_of(line).scale,
+    surface.history->decimate(line.quantity, range, plot_columns(), plot.scale_of(line).scale,
                               *surface.scratch);
-    draw_band_or_line(surface, line, line.on_right ? ImAxis_Y2 : ImAxis_Y1);
+    draw_trace(*surface.scratch, {line.name, surface.theme->colour(line.tone), surface.line_weight},
+               line.on_right ? ImAxis_Y2 : ImAxis_Y1, *surface.columns);
   }
   ImPlot::SetAxes(ImAxis_X1, ImAxis_Y1);
 }
@@ -226,6 +199,7 @@ void draw_readout(const PlotSurface& surface, const PlotDescription& plot) {
     const ValueScale& scale = plot.scale_of(line);
     ImGui::TextColored(surface.theme->colour(line.tone), "%-20s %10.4f %s", line.name,
                        history.value(line.quantity, index) * scale.scale, scale.unit);
+    draw_extra_readout(surface, plot, line, pointed_s);
   }
   ImGui::PopFont();
   ImGui::EndTooltip();
@@ -250,6 +224,7 @@ void notice_input(PlotSurface& surface, PlotAxes& axes, bool right) {
 void draw_contents(const PlotSurface& surface, const PlotDescription& plot, IndexRange range) {
   if (plot.id == PlotId::kPosition) draw_walls(surface, plot);
   if (plot.id == PlotId::kPassivity) draw_zero_line(surface);
+  draw_extra_traces(surface, plot);
   draw_lines(surface, plot, range);
   if (plot.id == PlotId::kStiffness && (surface.show_bounds == nullptr || *surface.show_bounds))
     draw_bounds(*surface.theme, surface.bounds, plot.left.scale);

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/ui/extra_traces.h"
 #include "app/ui/plot_bounds.h"
 #include "app/ui/plot_cursors.h"
 #include "app/ui/plot_envelope.h"
@@ -66,6 +67,7 @@ struct PlotSurface {
   Cursors* cursors = nullptr;                   // null: none
   std::optional<double> contact_s;              // the contact that the window stands at
   std::vector<BoundLine> bounds;                // of the stiffness plot
+  std::span<const ExtraTrace> extra_traces;     // of other runs
   bool* show_bounds = nullptr;                  // null: no choice; shown where there are any
   bool simulated = true;                        // false: nobody knows what only a simulator does
   bool interactive = true;

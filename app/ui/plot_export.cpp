@@ -38,6 +38,7 @@ FigureView figure_view(const PanelContext& context) {
   view.hidden = context.state.persisted.hidden_lines;
   view.axes = plots.transient.axes;
   if (plots.persisted.show_bounds) view.bounds = bounds_of(context);
+  view.extra_traces = plots.transient.extra_traces;
   view.phase = plots.persisted.phase;
   return view;
 }

@@ -7,7 +7,9 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kDashEms = 1.2F;       // a legend entry's piece of line
+constexpr float kDashEms = 1.2F;      // a legend entry's piece of line
+constexpr float kDashWeight = 0.17F;  // of the text's size
+constexpr float kExtraDashWeight = 0.36F;
 constexpr float kTextAtEms = 1.5F;     // where its name begins
 constexpr float kEntryGapEms = 0.6F;   // between two entries
 constexpr float kEntryTailEms = 0.2F;  // behind its name
@@ -25,6 +27,24 @@ float entry_width(const std::string& text) {
   return ImGui::CalcTextSize(text.c_str()).x + (kTextAtEms + kEntryTailEms) * ImGui::GetFontSize();
 }
 
+struct LegendEntry {
+  ImVec2 corner;
+  const std::string& text;
+  ImU32 colour;
+  float weight;  // of the dash
+  float alpha;   // of the text
+};
+
+void draw_dash(const PlotSurface& surface, const LegendEntry& entry) {
+  const float em = ImGui::GetFontSize();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float middle = entry.corner.y + 0.6F * em;
+  list->AddLine(ImVec2(entry.corner.x, middle), ImVec2(entry.corner.x + kDashEms * em, middle),
+                entry.colour, entry.weight * em);
+  list->AddText(ImVec2(entry.corner.x + kTextAtEms * em, entry.corner.y),
+                surface.theme->packed(Tone::kText, 0.85F * entry.alpha), entry.text.c_str());
+}
+
 // One entry of the legend; a click hides or shows the line.
 void draw_legend_entry(PlotSurface& surface, const PlotDescription& plot, const PlotLine& line,
                        const std::string& text, ImVec2 corner) {
@@ -40,13 +60,55 @@ void draw_legend_entry(PlotSurface& surface, const PlotDescription& plot, const 
   if (surface.interactive && ImGui::IsItemHovered())
     ImGui::SetTooltip("%s\nclick to hide or show", line.meaning);
   const float alpha = is_drawn(surface, plot, line) ? 1.0F : 0.3F;
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const float middle = corner.y + 0.6F * em;
-  list->AddLine(ImVec2(corner.x, middle), ImVec2(corner.x + kDashEms * em, middle),
-                surface.theme->packed(line.tone, alpha), 0.17F * em);
-  list->AddText(ImVec2(corner.x + kTextAtEms * em, corner.y),
-                surface.theme->packed(Tone::kText, 0.85F * alpha), text.c_str());
+  draw_dash(surface, {corner, text, surface.theme->packed(line.tone, alpha), kDashWeight, alpha});
 }
+
+// The same of a trace of another run, which takes no click.
+void draw_extra_entry(PlotSurface& surface, const PlotDescription& plot, const ExtraTrace& trace,
+                      ImVec2 corner) {
+  const auto line = std::find_if(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& each) {
+    return (trace.lines & line_bit(each.quantity)) != 0U && is_drawn(surface, plot, each);
+  });
+  const ImVec4 colour = extra_colour(*surface.theme, trace, line->tone);
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::Dummy(ImVec2(entry_width(trace.label), 1.2F * ImGui::GetFontSize()));
+  remember(surface, fmt::format("legend {}", trace.label));
+  draw_dash(surface,
+            {corner, trace.label, ImGui::ColorConvertFloat4ToU32(colour), kExtraDashWeight, 1.0F});
+}
+
+float extra_legend_width(const PlotSurface& surface, const PlotDescription& plot) {
+  float width = 0.0F;
+  for (const ExtraTrace& trace : surface.extra_traces) {
+    if (is_drawn(surface, plot, trace))
+      width += entry_width(trace.label) + kEntryGapEms * ImGui::GetFontSize();
+  }
+  return width;
+}
+
+// The rows of a legend, as they fill.
+class LegendRows {
+ public:
+  LegendRows(ImVec2 corner, float start, float right)
+      : left_(corner.x), right_(right), place_(start, corner.y + 1.0F) {}
+
+  // Where an entry so wide stands.
+  ImVec2 next(float width) {
+    if (place_.x + width > right_ + 1.0F && place_.x > left_) {
+      place_ = ImVec2(left_, place_.y + row());
+    }
+    const ImVec2 place = place_;
+    place_.x += width + kEntryGapEms * ImGui::GetFontSize();
+    return place;
+  }
+  [[nodiscard]] float bottom() const { return place_.y + row(); }
+
+ private:
+  [[nodiscard]] static float row() { return 1.25F * ImGui::GetFontSize(); }
+  float left_;
+  float right_;
+  ImVec2 place_;
+};
 
 // From `left` on, flush right where one row is enough; else in as many rows as it takes. Returns
 // the bottom.
@@ -59,19 +121,18 @@ float draw_legend(PlotSurface& surface, const PlotDescription& plot, float left,
     if (is_chosen(surface, plot, line)) total += entry_width(entry_text(plot, line)) + gap;
   }
   const float right = corner.x + width;
-  const float row = 1.25F * em;
-  ImVec2 place(std::max(left, right - total), corner.y + 1.0F);
+  total += extra_legend_width(surface, plot);
+  LegendRows rows(corner, std::max(left, right - total), right);
   for (const PlotLine& line : plot.lines) {
     if (!is_chosen(surface, plot, line)) continue;
     const std::string text = entry_text(plot, line);
-    const float entry = entry_width(text);
-    if (place.x + entry > right + 1.0F && place.x > corner.x) {
-      place = ImVec2(corner.x, place.y + row);
-    }
-    draw_legend_entry(surface, plot, line, text, place);
-    place.x += entry + gap;
+    draw_legend_entry(surface, plot, line, text, rows.next(entry_width(text)));
   }
-  return place.y + row;
+  for (const ExtraTrace& trace : surface.extra_traces) {
+    if (is_drawn(surface, plot, trace))
+      draw_extra_entry(surface, plot, trace, rows.next(entry_width(trace.label)));
+  }
+  return rows.bottom();
 }
 
 void draw_choice_of_lines(PlotSurface& surface, const PlotDescription& plot) {

@@ -68,6 +68,7 @@ PlotSurface surface_of(const PanelContext& context, const SampleHistory& history
   if (plots.persisted.trigger.mode != TriggerMode::kOff)
     surface.contact_s = plots.transient.trigger.contact_s;
   surface.bounds = bounds_of(context);
+  surface.extra_traces = plots.transient.extra_traces;
   surface.show_bounds = &plots.persisted.show_bounds;
   surface.simulated = context.session.device_info().is_simulated;
   surface.line_weight = kLineWeight * ImGui::GetStyle().FontScaleMain;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/ui/export.h"
+#include "app/ui/extra_traces.h"
 #include "app/ui/phase_plot.h"
 #include "app/ui/plot.h"
 #include "app/ui/plot_cursors.h"
@@ -35,6 +36,7 @@ struct PlotsState {
     Cursors cursors;
     PhaseView phase;
     std::vector<PixelColumn> columns;
+    std::vector<ExtraTrace> extra_traces;  // see replace_extra_traces()
     ExportJob exporting;
   } transient;
 };

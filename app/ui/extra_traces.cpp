@@ -1,0 +1,103 @@
+#include "app/ui/extra_traces.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <implot.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "app/ui/plot.h"
+#include "app/ui/plot_heading.h"
+#include "app/ui/plot_trace.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr float kWidth = 2.4F;  // of a line of the session
+
+bool has(const ExtraTrace& trace, const PlotLine& line) {
+  return trace.history != nullptr && !trace.history->empty() &&
+         (trace.lines & line_bit(line.quantity)) != 0U;
+}
+
+IndexRange visible_range(const PlotSurface& surface, const ExtraTrace& trace) {
+  return trace.history->range(surface.window->from_s - trace.shift_s,
+                              surface.window->to_s - trace.shift_s);
+}
+
+}  // namespace
+
+void replace_extra_traces(std::vector<ExtraTrace>& all, ExtraSource source,
+                          std::vector<ExtraTrace> traces) {
+  std::erase_if(all, [source](const ExtraTrace& trace) { return trace.source == source; });
+  for (ExtraTrace& trace : traces) trace.source = source;
+  std::move(traces.begin(), traces.end(), std::back_inserter(all));
+}
+
+bool is_drawn(const PlotSurface& surface, const PlotDescription& plot, const ExtraTrace& trace) {
+  return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
+    return has(trace, line) && is_drawn(surface, plot, line);
+  });
+}
+
+std::optional<Extremes> extra_extremes(const PlotSurface& surface, const PlotLine& line) {
+  std::optional<Extremes> all;
+  for (const ExtraTrace& trace : surface.extra_traces) {
+    if (!has(trace, line)) continue;
+    const IndexRange range = visible_range(surface, trace);
+    if (range.count() == 0) continue;
+    const Extremes own = trace.history->extremes(line.quantity, range);
+    if (!all) all = own;
+    all = Extremes{std::min(all->minimum, own.minimum), std::max(all->maximum, own.maximum)};
+  }
+  return all;
+}
+
+void draw_extra_traces(const PlotSurface& surface, const PlotDescription& plot) {
+  int index = 0;  // names apart what has the same label
+  for (const ExtraTrace& trace : surface.extra_traces) {
+    ++index;
+    for (const PlotLine& line : plot.lines) {
+      if (!has(trace, line) || !is_drawn(surface, plot, line)) continue;
+      const IndexRange range = visible_range(surface, trace);
+      if (range.count() == 0) continue;
+      Trace& points = *surface.scratch;
+      trace.history->decimate(line.quantity, range, plot_columns(), plot.scale_of(line).scale,
+                              points);
+      for (double& time_s : points.time_s) time_s += trace.shift_s;
+      const std::string name = fmt::format("{}##extra{}", line.name, index);
+      draw_trace(points,
+                 {name.c_str(), extra_colour(*surface.theme, trace, line.tone),
+                  kWidth * surface.line_weight},
+                 line.on_right ? ImAxis_Y2 : ImAxis_Y1, *surface.columns);
+    }
+  }
+  ImPlot::SetAxes(ImAxis_X1, ImAxis_Y1);
+}
+
+void draw_extra_readout(const PlotSurface& surface, const PlotDescription& plot,
+                        const PlotLine& line, double time_s) {
+  for (const ExtraTrace& trace : surface.extra_traces) {
+    if (!has(trace, line) || !is_drawn(surface, plot, line)) continue;
+    const double own_s = time_s - trace.shift_s;
+    const SampleHistory& history = *trace.history;
+    if (own_s < history.oldest_time_s() || own_s > history.newest_time_s()) continue;
+    const ValueScale& scale = plot.scale_of(line);
+    ImGui::TextColored(extra_colour(*surface.theme, trace, line.tone), "%-20s %10.4f %s",
+                       ("  " + trace.label).c_str(),
+                       history.value(line.quantity, *history.nearest(own_s)) * scale.scale,
+                       scale.unit);
+  }
+}
+
+// Mixed, not transparent: where two pieces of a line overlap they are not darker than elsewhere.
+ImVec4 extra_colour(const Theme& theme, const ExtraTrace& trace, Tone of_line) {
+  const ImVec4& full = theme.colour(trace.tone.value_or(of_line));
+  const ImVec4& ground = theme.colour(Tone::kBackground);
+  const auto mix = [&](float from, float to) { return from + trace.strength * (to - from); };
+  return {mix(ground.x, full.x), mix(ground.y, full.y), mix(ground.z, full.z), 1.0F};
+}
+
+}  // namespace hapticwall::ui

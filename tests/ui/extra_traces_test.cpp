@@ -1,0 +1,106 @@
+// Traces of other runs in the plots, on the screen and in the exported figure.
+#include "app/ui/extra_traces.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/stabiliser/stabiliser.h"
+#include "tests/ui/gui_test.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ui::ExtraSource;
+using ui::ExtraTrace;
+using ui::PlotId;
+using ui::Quantity;
+
+constexpr int kTicks = 6000;
+
+// Scene 'press' under an algorithm, as long as the session of the test.
+std::shared_ptr<const ui::SampleHistory> run(const std::string& algorithm) {
+  Scene scene = file::load_scene("press")->scene;
+  scene.algorithm.index = *find_algorithm(algorithm);
+  FakeSession session(scene);
+  session.advance(kTicks);
+  std::vector<Sample> samples(kTicks);
+  EXPECT_EQ(session.take_samples(samples), samples.size());
+  auto history = std::make_shared<ui::SampleHistory>(samples.size());
+  history->push(samples);
+  return history;
+}
+
+ExtraTrace trace(std::string label, std::shared_ptr<const ui::SampleHistory> history) {
+  ExtraTrace made;
+  made.label = std::move(label);
+  made.history = std::move(history);
+  return made;
+}
+
+class ExtraTracesTest : public GuiTest {
+ protected:
+  [[nodiscard]] std::vector<ExtraTrace>& all() {
+    return application_->state().plots.transient.extra_traces;
+  }
+  [[nodiscard]] double force_axis() {
+    return application_->state()
+        .plots.transient.axes[static_cast<std::size_t>(PlotId::kForce)]
+        .left.maximum;
+  }
+};
+
+TEST(ExtraTraces, EachSourceReplacesItsOwn) {
+  std::vector<ExtraTrace> all;
+  replace_extra_traces(all, ExtraSource::kReplay, {trace("a", nullptr)});
+  replace_extra_traces(all, ExtraSource::kComparison, {trace("b", nullptr), trace("c", nullptr)});
+  replace_extra_traces(all, ExtraSource::kReplay, {trace("d", nullptr)});
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].label + all[1].label + all[2].label, "bcd");
+  replace_extra_traces(all, ExtraSource::kComparison, {});
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].source, ExtraSource::kReplay);
+}
+
+TEST_F(ExtraTracesTest, TheLegendNamesThemWhereTheyAre) {
+  live(kTicks);
+  EXPECT_FALSE(find("legend under none").has_value());
+  replace_extra_traces(all(), ExtraSource::kReplay, {trace("under none", run("none"))});
+  frames(1);
+  EXPECT_TRUE(find("legend under none").has_value());
+  for (const Quantity quantity :
+       {Quantity::kPosition, Quantity::kForce, Quantity::kStiffness, Quantity::kEnergyCv})
+    application_->state().persisted.hidden_lines |= ui::line_bit(quantity);
+  frames(1);
+  EXPECT_FALSE(find("legend under none").has_value()) << "hidden with the session's own lines";
+}
+
+TEST_F(ExtraTracesTest, TheValueAxesHaveRoomForThem) {
+  press(ImGuiKey_2);
+  live(kTicks);
+  const double alone_n = force_axis();
+  const auto other = run("none");
+  replace_extra_traces(all(), ExtraSource::kReplay, {trace("under none", other)});
+  frames(2);
+  const auto highest_n = other->extremes(Quantity::kForce, {0, other->size()}).maximum;
+  ASSERT_GT(highest_n, alone_n);
+  EXPECT_GE(force_axis(), highest_n);
+  all().front().shift_s = 100.0;  // out of sight
+  frames(2);
+  EXPECT_EQ(force_axis(), alone_n);
+}
+
+TEST_F(ExtraTracesTest, NothingIsDrawnOfOneWithoutSamples) {
+  live(1000);
+  replace_extra_traces(all(), ExtraSource::kReplay,
+                       {trace("no history", nullptr),
+                        trace("empty", std::make_shared<const ui::SampleHistory>(10))});
+  frames(2);
+  EXPECT_FALSE(find("legend no history").has_value());
+  EXPECT_FALSE(find("legend empty").has_value());
+}
+
+}  // namespace
+}  // namespace hapticwall::test
