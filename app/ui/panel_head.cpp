@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "app/ui/appearance.h"
+#include "app/ui/blind_test.h"
 #include "app/ui/help_overlay.h"
 #include "app/ui/undo_controls.h"
 #include "app/ui/widgets.h"
@@ -124,10 +125,11 @@ void draw_settings(const PanelContext& context, const ItemRect& button) {
 
 void draw_panel_head(const PanelContext& context) {
   const UndoHistory& undo = context.state.transient.undo;
+  const bool blind = blind_test_runs(context.state);
   const std::array buttons{
-      Button{"Undo", "undo", undo.can_undo(), "Takes back (Ctrl+Z):\n" + undo.undo_text(),
+      Button{"Undo", "undo", undo.can_undo() && !blind, "Takes back (Ctrl+Z):\n" + undo.undo_text(),
              undo_change},
-      Button{"Redo", "redo", undo.can_redo(), "Does again (Ctrl+Y):\n" + undo.redo_text(),
+      Button{"Redo", "redo", undo.can_redo() && !blind, "Does again (Ctrl+Y):\n" + undo.redo_text(),
              redo_change},
       Button{"Settings", "settings", true, "Colours, size, folder of recordings", open_settings},
       Button{"?", "help", true, "All keys (F1)", toggle_help}};

@@ -35,6 +35,7 @@ class FakeSession final : public runtime::Session {
   void advance(int ticks) {
     for (int i = 0; i < ticks; ++i) {
       newest_ = servo_.tick(device_);
+      newest_.generation = generation_;
       queue_.push_back(newest_);
       if (recording_.state == runtime::RecordingState::kRecording) ++recording_.rows;
     }
@@ -130,6 +131,7 @@ class FakeSession final : public runtime::Session {
       plants_.push_back(std::make_unique<PlantModel>(changed));
       device_.change_plant(*plants_.back());
     }
+    if (!runtime::same_parameters(scene_, changed)) ++generation_;
     scene_ = changed;
     servo_.apply(servo_settings(scene_));
     return std::nullopt;
@@ -140,6 +142,7 @@ class FakeSession final : public runtime::Session {
   device::SimulatedDevice device_;
   Servo servo_;
   Sample newest_;
+  std::uint32_t generation_ = 1;
   std::deque<Sample> queue_;
   runtime::RecordingStatus recording_;
   runtime::RealtimeStatus realtime_;
