@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/file/text.h"
+#include "core/energy_story.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::runtime {
@@ -89,7 +90,7 @@ void Comparison::append(const Sample& sample) {
 std::optional<Ghost> Comparison::ghost() const {
   const Slot shown = other(active_);
   if (!onset_tick_ || trace(shown).empty()) return std::nullopt;
-  return Ghost{shown, *onset_tick_, trace(shown)};
+  return Ghost{shown, *onset_tick_, trace(shown), ledger_of(before_onset_)};
 }
 
 }  // namespace hapticwall::runtime

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/runtime/comparison_trials.h"
+#include "core/energy_ledger.h"
 #include "core/sample.h"
 #include "core/stabiliser/algorithm_settings.h"
 
@@ -37,6 +38,7 @@ struct Ghost {
   Slot slot = Slot::kA;
   std::uint64_t present_onset_tick = 0;
   std::span<const TracePoint> points;  // valid until the next add()
+  EnergyLedger before;                 // the present contact's, to which the points' are added
 };
 
 // No member throws but for want of memory at construction; add() does not allocate.

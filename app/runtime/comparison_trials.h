@@ -57,6 +57,11 @@ class BlindTrials {
   [[nodiscard]] std::size_t trial() const { return done_.size(); }
   [[nodiscard]] bool finished() const { return done_.size() == plan_.trials; }
 
+  // Of the trial that goes on now.
+  [[nodiscard]] bool felt(Presentation presentation) const {
+    return presentation == Presentation::kFirst ? felt_first_ : felt_second_;
+  }
+
   // Someone feels this presentation now, at this time (seconds from any instant that stays the
   // same, never going back). Returns what it is: for the session, not for eyes. Precondition: not
   // finished.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/ui/appearance.h"
+#include "app/ui/comparing.h"
 #include "app/ui/keys.h"
 #include "app/ui/recent_files.h"
 #include "app/ui/replay_panel.h"
@@ -63,6 +64,7 @@ Application::Application(Sessions sessions, std::unique_ptr<runtime::Session> se
   transient.recording_folder = options.recording_folder.empty() ? state_.persisted.recording_folder
                                                                 : options.recording_folder;
   if (!options.opened_file.empty()) remember_recent(state_.persisted.recent, options.opened_file);
+  begin_comparison(state_, session_->scene(), slots_for(session_->scene()));
   if (replay_of(*session_) == nullptr) notice_changes(state_, session_->scene());
 }
 
@@ -76,6 +78,7 @@ void Application::take_samples() {
       for (Sample& sample : std::span(incoming_).first(count)) draw_where_measured(sample);
     }
     history_.push(std::span<const Sample>(incoming_).first(count));
+    note_samples(state_, session_->scene(), std::span<const Sample>(incoming_).first(count));
     samples_came_ = samples_came_ || count > 0;
     if (count < incoming_.size()) break;
   }
@@ -88,7 +91,7 @@ void Application::frame() {
   if (measured()) draw_where_measured(snapshot.sample);
   const PanelContext context{*session_, snapshot, theme_, state_};
   state_.transient.items.clear();
-  handle_keys(context, key_bindings());
+  handle_keys(context, bindings_in_force(state_));
   draw_window(context, history_, *renderer_);
   // Last: the panels hold references to the session that this replaces.
   go_back();
@@ -130,6 +133,7 @@ void Application::start_wanted_scene() {
   state_.replay.opening.give_up();
   forget_session();
   before_.reset();
+  begin_comparison(state_, session_->scene(), slots_after(state_, wanted));
   if (wanted.loaded) {
     state_.transient.loaded_scene = session_->scene();
     state_.transient.switched_off.clear();

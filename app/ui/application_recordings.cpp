@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/ui/application.h"
+#include "app/ui/comparing.h"
 #include "app/ui/recent_files.h"
 #include "app/ui/replay_panel.h"
 #include "app/ui/replay_state.h"
@@ -62,6 +63,7 @@ void Application::end_live_session() {
 void Application::show_recording(std::unique_ptr<runtime::Session> session) {
   session_ = std::move(session);
   forget_session();
+  begin_comparison(state_, session_->scene(), slots_of(state_));
   runtime::ReplaySession* replay = replay_of(*session_);
   state_.transient.loaded_scene = session_->scene();
   jumps_ = session_->snapshot().resets;

@@ -9,6 +9,7 @@ namespace hapticwall::ui {
 
 void draw_scene_section(const PanelContext& context);      // scene_panel.cpp
 void draw_algorithm_section(const PanelContext& context);  // algorithm_panel.cpp
+void draw_compare_section(const PanelContext& context);    // compare_panel.cpp
 void draw_wall_section(const PanelContext& context);       // wall_panel.cpp
 void draw_hand_section(const PanelContext& context);       // hand_panel.cpp
 void draw_device_section(const PanelContext& context);     // device_panel.cpp

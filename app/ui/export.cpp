@@ -51,17 +51,20 @@ Result<std::uint64_t> export_csv(const SampleHistory& history, IndexRange range,
   return (*writer)->rows();
 }
 
-std::string export_name(const Scene& scene, double from_s, double to_s) {
-  const auto list = algorithms();
-  const bool known = scene.algorithm.index < list.size();
-  std::string name =
-      fmt::format("{}-{}-{:.3f}-{:.3f}s", scene.name,
-                  known ? list[scene.algorithm.index].name : "unknown", from_s, to_s);
+std::string plain_file_name(std::string name) {
   for (char& c : name) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (!plain && c != '-' && c != '_' && c != '.') c = '-';
   }
   return name;
+}
+
+std::string export_name(const Scene& scene, double from_s, double to_s) {
+  const auto list = algorithms();
+  const bool known = scene.algorithm.index < list.size();
+  return plain_file_name(fmt::format("{}-{}-{:.3f}-{:.3f}s", scene.name,
+                                     known ? list[scene.algorithm.index].name : "unknown", from_s,
+                                     to_s));
 }
 
 std::string unused_path(const std::string& folder, const std::string& name,

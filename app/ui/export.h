@@ -27,6 +27,9 @@ struct ExportSource {
                                                const ExportSource& source,
                                                const std::string& csv_path);
 
+// What no file system takes, or a shell reads otherwise, becomes '-'.
+[[nodiscard]] std::string plain_file_name(std::string name);
+
 // "SCENE-ALGORITHM-FROM-TOs", in characters that every file system takes.
 [[nodiscard]] std::string export_name(const Scene& scene, double from_s, double to_s);
 

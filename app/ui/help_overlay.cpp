@@ -52,7 +52,7 @@ void row(const PanelContext& context, const char* left, const char* right) {
 
 void draw_keys(const PanelContext& context) {
   std::optional<KeyGroup> group;
-  for (const KeyBinding& binding : key_bindings()) {
+  for (const KeyBinding& binding : bindings_in_force(context.state)) {
     if (binding.group == KeyGroup::kPlots && group != KeyGroup::kPlots) ImGui::TableNextColumn();
     if (binding.group != group) heading(context, group_title(binding.group));
     group = binding.group;

@@ -1,11 +1,15 @@
 #include "app/ui/keys.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "app/ui/appearance.h"
 #include "app/ui/arming_strip.h"
+#include "app/ui/blind_test.h"
+#include "app/ui/comparing.h"
 #include "app/ui/control_panel.h"
 #include "app/ui/help_overlay.h"
 #include "app/ui/plot_controls.h"
@@ -67,6 +71,10 @@ std::vector<KeyBinding> algorithm_keys() {
                     [i](const PanelContext& context) { choose_algorithm(context, i); },
                     {ImGuiKey_Keypad1 + offset}});
   }
+  keys.push_back({KeyGroup::kAlgorithm,
+                  "slot A or B of Compare; in a field: the next field",
+                  {ImGuiKey_Tab},
+                  toggle_slot});
   return keys;
 }
 
@@ -110,6 +118,20 @@ std::vector<KeyBinding> all_keys() {
   std::vector<KeyBinding> all;
   for (auto&& part : {force_keys(), session_keys(), replay_keys(), algorithm_keys(),
                       parameter_keys(), plot_keys(), window_keys()})
+    std::copy(part.begin(), part.end(), std::back_inserter(all));
+  return all;
+}
+
+// → feels the second wall.
+std::vector<KeyBinding> blind_session_keys() {
+  std::vector<KeyBinding> keys = session_keys();
+  for (KeyBinding& binding : keys) std::erase(binding.chords, ImGuiKey_RightArrow);
+  return keys;
+}
+
+std::vector<KeyBinding> all_blind_keys() {
+  std::vector<KeyBinding> all;
+  for (auto&& part : {force_keys(), blind_session_keys(), blind_test_keys(), window_keys()})
     std::copy(part.begin(), part.end(), std::back_inserter(all));
   return all;
 }
@@ -174,8 +196,19 @@ const std::vector<KeyBinding>& key_bindings() {
   return kBindings;
 }
 
+const std::vector<KeyBinding>& blind_key_bindings() {
+  static const std::vector<KeyBinding> kBindings = all_blind_keys();
+  return kBindings;
+}
+
+const std::vector<KeyBinding>& bindings_in_force(const UiState& state) {
+  return blind_test_runs(state) ? blind_key_bindings() : key_bindings();
+}
+
 void handle_keys(const PanelContext& context, std::span<const KeyBinding> bindings) {
   const bool typing = ImGui::GetIO().WantTextInput;
+  // Else Tab would give the keyboard to the first field that there is.
+  if (!typing) ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("keys of the window"));
   for (const KeyBinding& binding : bindings) {
     if ((!typing || binding.always) && pressed(binding)) binding.act(context);
   }
@@ -204,6 +237,8 @@ const char* group_title(KeyGroup group) {
       return "Algorithm";
     case KeyGroup::kParameters:
       return "Parameters";
+    case KeyGroup::kBlindTest:
+      return "Blind test";
     case KeyGroup::kPlots:
       return "Plots";
     case KeyGroup::kWindow:

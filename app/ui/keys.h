@@ -12,6 +12,7 @@
 namespace hapticwall::ui {
 
 struct PanelContext;
+struct UiState;
 
 enum class KeyGroup : std::uint8_t {
   kForce,
@@ -19,6 +20,7 @@ enum class KeyGroup : std::uint8_t {
   kReplay,
   kAlgorithm,
   kParameters,
+  kBlindTest,  // only while one runs
   kPlots,
   kWindow
 };
@@ -36,6 +38,10 @@ struct KeyBinding {
 
 // The first is what takes the force away.
 [[nodiscard]] const std::vector<KeyBinding>& key_bindings();
+
+// Those while a blind test runs: without whatever could give its order away, with its own.
+[[nodiscard]] const std::vector<KeyBinding>& blind_key_bindings();
+[[nodiscard]] const std::vector<KeyBinding>& bindings_in_force(const UiState& state);
 
 // Does what the keys that were pressed in this frame stand for.
 void handle_keys(const PanelContext& context, std::span<const KeyBinding> bindings);

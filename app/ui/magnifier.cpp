@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/ui/blind_test.h"
 #include "app/ui/wall_strip.h"
 #include "app/ui/widgets.h"
 
@@ -188,6 +189,11 @@ Magnified look_at_contact(const WallPicture& picture, double least_m, double mos
 
 void draw_magnifier(const PanelContext& context, const SampleHistory& history,
                     double view_pixels_per_m) {
+  if (blind_test_runs(context.state)) {
+    draw_heading(context, false);
+    ImGui::TextDisabled("Hidden during the blind test.");
+    return;
+  }
   WallPicture picture =
       wall_picture(context.session.scene(), context.snapshot.sample, context.snapshot.y);
   if (outermost_wall(picture, Axis::kX) == nullptr) {

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "app/ui/appearance.h"
+#include "app/ui/blind_test.h"
 #include "app/ui/help_overlay.h"
 #include "app/ui/replay_state.h"
 #include "app/ui/undo_controls.h"
@@ -125,7 +126,7 @@ void draw_settings(const PanelContext& context, const ItemRect& button) {
 
 void draw_panel_head(const PanelContext& context) {
   const UndoHistory& undo = context.state.transient.undo;
-  const bool changeable = replay_of(context.session) == nullptr;
+  const bool changeable = replay_of(context.session) == nullptr && !blind_test_runs(context.state);
   const std::array buttons{
       Button{"Undo", "undo", undo.can_undo() && changeable,
              "Takes back (Ctrl+Z):\n" + undo.undo_text(), undo_change},

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "app/file/text.h"
+#include "app/ui/blind_test_page.h"
 #include "app/ui/magnifier.h"
 #include "app/ui/recent_files.h"
 #include "app/ui/settings_file.h"
@@ -97,20 +98,39 @@ constexpr std::array kArrangements{
     Word<PlotArrangement>{"all", PlotArrangement::kAll},
     Word<PlotArrangement>{"figure-4", PlotArrangement::kFigure4},
     Word<PlotArrangement>{"figures-5-6", PlotArrangement::kFigure5And6}};
+constexpr std::array kLowerPages{Word<LowerPage>{"plots", LowerPage::kPlots},
+                                 Word<LowerPage>{"blind-test", LowerPage::kBlindTest}};
 constexpr std::array kTriggers{Word<TriggerMode>{"off", TriggerMode::kOff},
                                Word<TriggerMode>{"auto", TriggerMode::kAuto},
                                Word<TriggerMode>{"normal", TriggerMode::kNormal},
                                Word<TriggerMode>{"single", TriggerMode::kSingle}};
 
-Key recording_folder() {
-  return {"recording.folder",
-          [](const UiState& state) { return SettingValue(state.persisted.recording_folder); },
-          [](UiState& state, const SettingValue& value) -> std::optional<std::string> {
+template <typename Place>
+Key text(const char* name, Place place) {
+  return {name, [place](const UiState& state) { return SettingValue(std::string(place(state))); },
+          [place](UiState& state, const SettingValue& value) -> std::optional<std::string> {
             const auto* found = std::get_if<std::string>(&value);
             if (found == nullptr) return "must be a string";
-            state.persisted.recording_folder = *found;
+            place(state) = *found;
             return std::nullopt;
           }};
+}
+
+std::vector<Key> compare_keys() {
+  return {
+      word(
+          "window.lower_page", kLowerPages,
+          [](auto& s) -> auto& { return s.persisted.lower_page; }),
+      flag(
+          "compare.ghost", [](auto& s) -> auto& { return s.compare.persisted.ghost_shown; }),
+      text(
+          "blind_test.question", [](auto& s) -> auto& { return s.compare.persisted.question; }),
+      number(
+          "blind_test.trials", [](auto& s) -> auto& { return s.compare.persisted.trials; }, 1.0,
+          static_cast<double>(runtime::kMostTrials)),
+      number(
+          "blind_test.confidence", [](auto& s) -> auto& { return s.compare.persisted.confidence; },
+          kLeastConfidence, kMostConfidence)};
 }
 
 std::vector<Key> window_keys() {
@@ -140,7 +160,8 @@ std::vector<Key> window_keys() {
           flag(
               "hand.stays_where_released",
               [](auto& s) -> auto& { return s.persisted.hand_stays_where_released; }),
-          recording_folder()};
+          text(
+              "recording.folder", [](auto& s) -> auto& { return s.persisted.recording_folder; })};
 }
 
 std::vector<Key> plot_setting_keys() {
@@ -234,7 +255,7 @@ std::vector<Key> line_keys() {
 const std::vector<Key>& all_keys() {
   static const std::vector<Key> kKeys = [] {
     std::vector<Key> all = window_keys();
-    for (auto&& part : {plot_setting_keys(), line_keys()})
+    for (auto&& part : {plot_setting_keys(), line_keys(), compare_keys()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

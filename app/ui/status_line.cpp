@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/ui/blind_test.h"
 #include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
@@ -87,6 +88,12 @@ void draw_hint_row(const PanelContext& context) {
         algorithms().size());
     return;
   }
+  if (blind_test_runs(context.state)) {
+    ImGui::TextDisabled(
+        "F1 all keys   1 or ← first wall   2 or → second wall   with Ctrl: choose it   P pause   "
+        "R reset   Space force off");
+    return;
+  }
   ImGui::TextDisabled(
       "F1 all keys   1–%zu algorithm   P pause   S or → step   R reset   "
       "Ctrl+Z undo      %s",
@@ -111,7 +118,11 @@ void draw_status_row(const PanelContext& context) {
                     timing.ticks));
   value(context, "wake-up", microseconds(timing.wake_latency_s, timing.maximum_wake_latency_s),
         Tone::kText, "How late the loop woke up, newest tick and worst since the start");
-  value(context, "compute", microseconds(timing.compute_time_s, timing.maximum_compute_time_s),
+  // The algorithms differ in it.
+  value(context, "compute",
+        blind_test_runs(context.state)
+            ? "hidden"
+            : microseconds(timing.compute_time_s, timing.maximum_compute_time_s),
         Tone::kText, "How long a tick's work took, newest tick and worst since the start");
   value(context, "plot drops", fmt::format("{}", dropped),
         dropped > 0 ? Tone::kWarning : Tone::kText,

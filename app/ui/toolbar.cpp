@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/ui/blind_test.h"
 #include "app/ui/replay_bar.h"
 #include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
@@ -29,7 +30,9 @@ bool button(const PanelContext& context, const char* label, const char* name, fl
   return clicked;
 }
 
-std::string automatic_name(const Scene& scene) {
+std::string automatic_name(const PanelContext& context) {
+  const Scene& scene = context.session.scene();
+  if (blind_test_runs(context.state)) return scene.name + "-blind-test.csv";
   const auto list = algorithms();
   const bool known = scene.algorithm.index < list.size();
   return fmt::format("{}-{}.csv", scene.name, known ? list[scene.algorithm.index].name : "unknown");
@@ -79,7 +82,7 @@ void draw_recording_status(const PanelContext& context, const RecordingStatus& s
 void draw_name(const PanelContext& context) {
   TransientState& transient = context.state.transient;
   ImGui::SetNextItemWidth(kNameEms * ImGui::GetFontSize());
-  const std::string hint = automatic_name(context.session.scene());
+  const std::string hint = automatic_name(context);
   if (const auto name = text_field(context, "##recording-name", hint, transient.recording_name)) {
     transient.recording_name = *name;
   }
@@ -162,9 +165,8 @@ void toggle_recording(const PanelContext& context) {
     return;
   }
   const std::string& typed = state.transient.recording_name;
-  const std::string path =
-      unused_recording_path(state.transient.recording_folder,
-                            typed.empty() ? automatic_name(context.session.scene()) : typed);
+  const std::string path = unused_recording_path(state.transient.recording_folder,
+                                                 typed.empty() ? automatic_name(context) : typed);
   const Failure failure = context.session.start_recording(path);
   tell(state, failure ? MessageKind::kProblem : MessageKind::kNote,
        failure ? failure->message : "recording to " + path);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/runtime/session.h"
+#include "app/ui/compare_state.h"
 #include "app/ui/plot.h"
 #include "app/ui/plots_state.h"
 #include "app/ui/replay_state.h"
@@ -29,6 +30,9 @@ namespace hapticwall::ui {
 // Which plots are shown: all, or the panels (a), (b), (c) of the paper's figures.
 enum class PlotArrangement : std::uint8_t { kAll, kFigure4, kFigure5And6 };
 
+// What stands below the views.
+enum class LowerPage : std::uint8_t { kPlots, kBlindTest };
+
 inline constexpr double kShortestTimeWindowS = 0.5;
 inline constexpr double kLongestTimeWindowS = 10.0;
 
@@ -36,6 +40,7 @@ inline constexpr double kLongestTimeWindowS = 10.0;
 struct PersistedState {
   double time_window_s = 6.0;
   PlotArrangement arrangement = PlotArrangement::kAll;
+  LowerPage lower_page = LowerPage::kPlots;
   HiddenLines hidden_lines = 0;
   bool hand_stays_where_released = false;
   Look look = Look::kScreen;
@@ -71,6 +76,8 @@ struct WantedScene {
   bool loaded = false;  // as it was written, not the running one with a change
   // Else the scene that its values can be reset to, where that is another one.
   std::shared_ptr<const Scene> back_to = nullptr;
+  // What the slots of the comparison hold then; nothing: as they are, or as suits a loaded scene.
+  std::optional<std::array<AlgorithmSettings, 2>> slots = std::nullopt;
 };
 
 // Why the last value that was typed into a field is not in force.
@@ -113,6 +120,7 @@ struct UiState {
   PlotsState plots;
   WallState wall;
   ReplayState replay;
+  CompareState compare;
 };
 
 // What a panel is given.

@@ -5,15 +5,34 @@
 #include <utility>
 
 #include "app/runtime/scene_change.h"
+#include "app/ui/comparing.h"
 #include "app/ui/parameter_rows.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
 namespace {
 
-std::string difference(const Scene& from, const Scene& to) {
+// Toggling between the slots is no change of what they hold.
+bool same_step(const SceneStep& step, const Scene& scene, const CompareSlots& slots) {
+  if (step.slots.settings != slots.settings) return false;
+  if (step.slots.active == slots.active) return same_scene(step.scene, scene);
+  Scene with_its_slot = scene;
+  with_its_slot.algorithm = step.scene.algorithm;
+  return same_scene(step.scene, with_its_slot);
+}
+
+std::string difference(const SceneStep& from_step, const SceneStep& to_step) {
+  const Scene& from = from_step.scene;
+  Scene to = to_step.scene;
   if (from.name != to.name) return "scene " + to.name;
+  const runtime::Slot active = from_step.slots.active;
+  const runtime::Slot passive = runtime::other(active);
+  to.algorithm = to_step.slots.of(active);
   std::vector<std::string> lines = changed_values(to, from);
+  if (from_step.slots.of(passive) != to_step.slots.of(passive)) {
+    lines.push_back(fmt::format("slot {}: {}", runtime::slot_name(passive),
+                                runtime::describe(to_step.slots.of(passive))));
+  }
   const auto list = algorithms();
   if (from.algorithm.index != to.algorithm.index && to.algorithm.index < list.size())
     lines.push_back(fmt::format("algorithm {}", list[to.algorithm.index].name));
@@ -32,28 +51,31 @@ bool same_scene(const Scene& a, const Scene& b) {
          a.simulator == b.simulator && runtime::same_parameters(a, b);
 }
 
-void UndoHistory::observe(const Scene& scene, const Scene& loaded, bool dragging) {
+void UndoHistory::observe(const Scene& scene, const Scene& loaded, bool dragging,
+                          const CompareSlots& slots) {
   const std::optional<std::size_t> wanted = std::exchange(wanted_, std::nullopt);
   const bool was_within = std::exchange(within_drag_, within_drag_ && dragging);
   if (steps_.empty()) {
-    steps_.push_back({scene, loaded});
+    steps_.push_back({scene, loaded, slots});
     return;
   }
-  if (same_scene(scene, steps_[present_].scene)) {
+  if (same_step(steps_[present_], scene, slots)) {
+    steps_[present_].scene.algorithm = scene.algorithm;
+    steps_[present_].slots.active = slots.active;
     steps_[present_].loaded = loaded;
     return;
   }
   if (wanted) {
     // A device may have made of it what it can do.
     present_ = *wanted;
-    steps_[present_] = {scene, loaded};
+    steps_[present_] = {scene, loaded, slots};
     return;
   }
   if (was_within && dragging) {
-    steps_[present_] = {scene, loaded};
+    steps_[present_] = {scene, loaded, slots};
     return;
   }
-  add({scene, loaded});
+  add({scene, loaded, slots});
   within_drag_ = dragging;
 }
 
@@ -79,11 +101,11 @@ std::optional<SceneStep> UndoHistory::redo() {
 }
 
 std::string UndoHistory::undo_text() const {
-  return can_undo() ? difference(steps_[present_].scene, steps_[present_ - 1].scene) : "";
+  return can_undo() ? difference(steps_[present_], steps_[present_ - 1]) : "";
 }
 
 std::string UndoHistory::redo_text() const {
-  return can_redo() ? difference(steps_[present_].scene, steps_[present_ + 1].scene) : "";
+  return can_redo() ? difference(steps_[present_], steps_[present_ + 1]) : "";
 }
 
 }  // namespace hapticwall::ui

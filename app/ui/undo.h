@@ -6,14 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/compare_state.h"
 #include "core/scene.h"
 
 namespace hapticwall::ui {
 
-// A scene, and the one that its values can be reset to.
+// A scene, and the one that its values can be reset to. The scene's algorithm is that of the slot
+// that was active; undo puts the one of the slot that is active into its place.
 struct SceneStep {
   Scene scene;
   Scene loaded;
+  CompareSlots slots;
 };
 
 // Everything of two scenes is the same.
@@ -23,8 +26,12 @@ struct SceneStep {
 // to say what it does. All that changes within one drag of the pointer is one step.
 class UndoHistory {
  public:
-  // `dragging`: the pointer holds an item.
-  void observe(const Scene& scene, const Scene& loaded, bool dragging);
+  // `dragging`: the pointer holds an item. The scene's algorithm is that of the active slot; which
+  // one that is makes no step. Without slots there is one algorithm.
+  void observe(const Scene& scene, const Scene& loaded, bool dragging, const CompareSlots& slots);
+  void observe(const Scene& scene, const Scene& loaded, bool dragging) {
+    observe(scene, loaded, dragging, {{}, {scene.algorithm, {}}});
+  }
 
   // The step before or after the present one, or nothing. It is asked for, not done: the next
   // observe() finds out whether the session has taken it.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/runtime/scene_change.h"
+#include "app/ui/comparing.h"
 #include "app/ui/replay_state.h"
 
 namespace hapticwall::ui {
@@ -13,11 +14,13 @@ void go_to(const PanelContext& context, std::optional<SceneStep> step) {
   TransientState& transient = context.state.transient;
   transient.refusal.reset();
   const Scene& running = context.session.scene();
+  step->scene.algorithm = step->slots.of(slots_of(context.state).active);
   const bool other =
       running.name != step->scene.name || running.walls.size() != step->scene.walls.size();
   if (other || runtime::needs_new_session(running, step->scene)) {
     WantedScene wanted{std::move(step->scene)};
     wanted.back_to = std::make_shared<const Scene>(std::move(step->loaded));
+    wanted.slots = step->slots.settings;
     transient.wanted_scene = std::move(wanted);
     return;
   }
@@ -25,6 +28,7 @@ void go_to(const PanelContext& context, std::optional<SceneStep> step) {
     tell(context.state, *problem);
     return;
   }
+  set_slots(context.state, step->slots.settings);
   transient.loaded_scene = std::move(step->loaded);
 }
 
@@ -40,7 +44,8 @@ void redo_change(const PanelContext& context) {
 
 void notice_changes(UiState& state, const Scene& scene) {
   const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left) && ImGui::IsAnyItemActive();
-  state.transient.undo.observe(scene, state.transient.loaded_scene, dragging);
+  keep_slots(state, scene);
+  state.transient.undo.observe(scene, state.transient.loaded_scene, dragging, slots_of(state));
 }
 
 }  // namespace hapticwall::ui

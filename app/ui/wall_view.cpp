@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/blind_test.h"
 #include "app/ui/replay_state.h"
 #include "app/ui/wall_labels.h"
 #include "app/ui/widgets.h"
@@ -103,6 +104,7 @@ void draw_readout(const PanelContext& context, ImVec2 corner) {
   row("force", sample.force_n, 3, "N", true);
   row("stiffness", sample.stiffness_n_per_m / 1e3, 2, "kN/m", contact);
   ImGui::EndGroup();
+  remember_item(context.state, "readout");
   ImGui::PopStyleVar();
   ImGui::PopFont();
 }
@@ -125,6 +127,14 @@ WallPicture fading_picture(const PanelContext& context) {
   WallPicture picture =
       wall_picture(context.session.scene(), context.snapshot.sample, context.snapshot.y);
   WallState::Transient& transient = context.state.wall.transient;
+  if (blind_test_runs(context.state)) {
+    // Neither an arrow nor a tint, now or when it ends.
+    picture.force_n = {};
+    picture.saturated = false;
+    picture.shown = {};
+    transient.shown = {};
+    return picture;
+  }
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     ShownStiffness& shown = transient.shown.at(axis);
     shown = faded(shown, picture.shown.at(axis), static_cast<double>(ImGui::GetIO().DeltaTime));
@@ -186,7 +196,7 @@ void draw_wall_view(const PanelContext& context, WallRenderer& renderer) {
   ImGui::PushFont(nullptr, kSmallFontSize);
   draw_wall_labels(context.theme, picture, camera, area);
   ImGui::PopFont();
-  draw_readout(context, area.corner);
+  if (!blind_test_runs(context.state)) draw_readout(context, area.corner);
   draw_reset_button(context, area);
 }
 

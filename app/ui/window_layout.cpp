@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "app/ui/arming_strip.h"
+#include "app/ui/blind_test.h"
 #include "app/ui/control_panel.h"
 #include "app/ui/help_overlay.h"
+#include "app/ui/lower_page.h"
 #include "app/ui/magnifier.h"
 #include "app/ui/panel_head.h"
-#include "app/ui/plots_panel.h"
 #include "app/ui/replay_panel.h"
 #include "app/ui/replay_state.h"
 #include "app/ui/splitter.h"
@@ -16,6 +17,7 @@
 #include "app/ui/toasts.h"
 #include "app/ui/toolbar.h"
 #include "app/ui/wall_view.h"
+#include "app/ui/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -34,12 +36,20 @@ float panel_width(const PanelContext& context, float window_width) {
 void draw_panel(const PanelContext& context, float width, float height) {
   ImGui::BeginChild("controls", ImVec2(width, height), ImGuiChildFlags_Borders);
   draw_panel_head(context);
+  if (blind_test_runs(context.state)) {
+    muted_text(context,
+               "A blind test runs. What stands here at other times would give the order of the two "
+               "walls away; it comes back when the test ends.");
+    ImGui::EndChild();
+    return;
+  }
   draw_scene_section(context);
   runtime::ReplaySession* replay = replay_of(context.session);
   if (replay != nullptr) draw_replay_section(context, *replay);
   ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, kLockedAlpha);
   ImGui::BeginDisabled(replay != nullptr);
   draw_algorithm_section(context);
+  draw_compare_section(context);
   draw_wall_section(context);
   draw_hand_section(context);
   draw_device_section(context);
@@ -105,9 +115,7 @@ void draw_right(const PanelContext& context, const SampleHistory& history, WallR
   const ImVec2 free = ImGui::GetContentRegionAvail();
   const ImVec2 views(free.x, std::floor(static_cast<float>(share) * free.y));
   draw_views(context, history, renderer, views);
-  ImGui::BeginChild("plots", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders);
-  draw_plots_panel(context, history);
-  ImGui::EndChild();
+  draw_lower_page(context, history);
   const Split split = draw_splitter(context, "view splitter", SplitWay::kRows,
                                     ImVec2(corner.x, corner.y + views.y), free.x);
   move_share(share, split, free.y, PersistedState{}.view_share);

@@ -36,6 +36,7 @@ class FakeSession final : public runtime::Session {
   void advance(int ticks) {
     for (int i = 0; i < ticks; ++i) {
       newest_ = servo_.tick(device_);
+      newest_.generation = generation_;
       queue_.push_back(newest_);
       if (y_) {
         newest_y_ = y_->servo.tick(y_->device);
@@ -157,6 +158,7 @@ class FakeSession final : public runtime::Session {
       plants_.push_back(std::make_unique<PlantModel>(changed));
       device_.change_plant(*plants_.back());
     }
+    if (!runtime::same_parameters(scene_, changed)) ++generation_;
     scene_ = changed;
     servo_.apply(servo_settings(scene_));
     if (y_) y_->servo.apply(servo_settings(second_axis(scene_)));
@@ -168,6 +170,7 @@ class FakeSession final : public runtime::Session {
   device::SimulatedDevice device_;
   Servo servo_;
   Sample newest_;
+  std::uint32_t generation_ = 1;
   std::deque<Sample> queue_;
   // The second axis, where the scene has one.
   struct SecondAxisLoop {

@@ -1,0 +1,18 @@
+// The page of the blind test: set-up, trials, result.
+#pragma once
+
+#include "app/ui/ui_state.h"
+
+namespace hapticwall::ui {
+
+// What can be chosen for the interval.
+inline constexpr double kLeastConfidence = 0.5;
+inline constexpr double kMostConfidence = 0.999;
+
+void draw_blind_test_page(const PanelContext& context);  // blind_test_page.cpp
+
+void draw_blind_setup(const PanelContext& context);   // blind_test_page.cpp
+void draw_blind_trial(const PanelContext& context);   // blind_trial.cpp
+void draw_blind_result(const PanelContext& context);  // blind_result.cpp
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,164 @@
+// A trial of the blind test: two walls to be felt, and the choice.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/ui/blind_test.h"
+#include "app/ui/blind_test_page.h"
+#include "app/ui/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using runtime::Presentation;
+
+constexpr float kBigFontSize = 22.0F;
+constexpr float kProgressEms = 0.3F;   // height
+constexpr float kChooseEms = 2.4F;     // height of the buttons below
+constexpr float kLeastFeelEms = 4.0F;  // height of the big buttons, at least
+constexpr float kMostFeelEms = 12.0F;  // and at most
+constexpr float kWidestEms = 62.0F;    // of it all
+
+struct Words {
+  Presentation presentation;
+  const char* wall;
+  const char* key;
+  const char* feel;  // the item
+  const char* choice;
+  const char* choose;  // the item
+  const char* choice_tooltip;
+};
+constexpr std::array kWords{
+    Words{Presentation::kFirst, "First wall", "1 or ←", "feel first", "Choose the first",
+          "choose first", "The answer is the first wall: on to the next trial (Ctrl+1)"},
+    Words{Presentation::kSecond, "Second wall", "2 or →", "feel second", "Choose the second",
+          "choose second", "The answer is the second wall: on to the next trial (Ctrl+2)"}};
+
+void draw_centred(ImVec2 middle, ImFont* font, float size, ImU32 colour, const char* text) {
+  ImGui::PushFont(font, size);
+  const ImVec2 extent = ImGui::CalcTextSize(text);
+  ImGui::GetWindowDrawList()->AddText(
+      ImVec2(middle.x - 0.5F * extent.x, middle.y - 0.5F * extent.y), colour, text);
+  ImGui::PopFont();
+}
+
+// What is felt now is lit; what was felt says so.
+void draw_feel_button(const PanelContext& context, const BlindTest& test, const Words& words,
+                      ImVec2 size) {
+  const Theme& theme = context.theme;
+  const bool now = test.felt == words.presentation;
+  const bool felt = test.trials.felt(words.presentation);
+  if (now) ImGui::PushStyleColor(ImGuiCol_Button, theme.packed(Tone::kAccent, 0.30F));
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const bool clicked = ImGui::Button(fmt::format("##{}", words.feel).c_str(), size);
+  if (now) ImGui::PopStyleColor();
+  remember_item(context.state, words.feel);
+  explain(fmt::format("Puts this wall in force, as often as you like (key {})", words.key));
+  const ImVec2 middle(corner.x + 0.5F * size.x, corner.y + 0.5F * size.y);
+  const float em = ImGui::GetFontSize();
+  draw_centred(ImVec2(middle.x, middle.y - 0.6F * em), theme.fonts.strong, kBigFontSize,
+               theme.packed(Tone::kText), words.wall);
+  const std::string below = std::string(now    ? "felt now"
+                                        : felt ? "felt"
+                                               : "not felt yet") +
+                            "   " + words.key;
+  draw_centred(ImVec2(middle.x, middle.y + 1.1F * em), theme.fonts.text, kSmallFontSize,
+               theme.packed(now ? Tone::kAccent : Tone::kMuted), below.c_str());
+  if (clicked) feel(context, words.presentation);
+}
+
+bool both_felt(const BlindTest& test) {
+  return test.trials.felt(Presentation::kFirst) && test.trials.felt(Presentation::kSecond);
+}
+
+void draw_choose_button(const PanelContext& context, const BlindTest& test, const Words& words,
+                        ImVec2 size) {
+  ImGui::BeginDisabled(!both_felt(test));
+  const bool clicked = ImGui::Button(words.choice, size);
+  ImGui::EndDisabled();
+  remember_item(context.state, words.choose);
+  explain(both_felt(test) ? words.choice_tooltip : "Feel both first");
+  if (clicked) choose(context, words.presentation);
+}
+
+void draw_head(const PanelContext& context, const BlindTest& test, float width) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const char* stop = "Stop and show";
+  const float stop_width = ImGui::CalcTextSize(stop).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  const std::string progress =
+      fmt::format("trial {} of {}", test.trials.trial() + 1, test.trials.plan().trials);
+  const float gap = ImGui::GetFontSize();
+  const float progress_at = width - stop_width - gap - ImGui::CalcTextSize(progress.c_str()).x;
+  ImGui::PushClipRect(corner, ImVec2(corner.x + progress_at - gap, corner.y + 3.0F * gap), true);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);
+  ImGui::TextUnformatted(test.trials.plan().question.c_str());
+  ImGui::PopFont();
+  ImGui::PopClipRect();
+  ImGui::SetCursorScreenPos(ImVec2(corner.x + progress_at, corner.y));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", progress.c_str());
+  remember_item(context.state, "blind progress");
+  ImGui::SetCursorScreenPos(ImVec2(corner.x + width - stop_width, corner.y));
+  if (ImGui::Button(stop)) end_blind_test(context);
+  remember_item(context.state, "stop and show");
+  explain("Ends the test with the trials that were answered, and shows their order");
+}
+
+void draw_progress(const PanelContext& context, const BlindTest& test, float width) {
+  const float height = kProgressEms * ImGui::GetFontSize();
+  const float share = static_cast<float>(test.trials.trial()) /
+                      static_cast<float>(std::max<std::size_t>(1, test.trials.plan().trials));
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(from, ImVec2(from.x + width, from.y + height),
+                      context.theme.packed(Tone::kFaint), 0.5F * height);
+  if (share > 0.0F) {
+    list->AddRectFilled(from, ImVec2(from.x + share * width, from.y + height),
+                        context.theme.packed(Tone::kAccent), 0.5F * height);
+  }
+  ImGui::Dummy(ImVec2(width, height + ImGui::GetStyle().ItemSpacing.y));
+}
+
+void draw_buttons(const PanelContext& context, float width) {
+  const float em = ImGui::GetFontSize();
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float each = 0.5F * (width - style.ItemSpacing.x);
+  const float hint = 2.0F * kSmallFontSize * style.FontScaleMain + 2.0F * style.ItemSpacing.y;
+  const float free = ImGui::GetContentRegionAvail().y - kChooseEms * em - hint;
+  const float height = std::clamp(free, kLeastFeelEms * em, kMostFeelEms * em);
+  // A click may end the test or the trial: each button looks at what there is then.
+  const auto test = [&]() -> const BlindTest& { return *context.state.compare.transient.test; };
+  const auto row = [&](auto draw, ImVec2 size) {
+    for (const Words& words : kWords) {
+      if (&words != kWords.data()) ImGui::SameLine();
+      draw(context, test(), words, size);
+    }
+  };
+  row(draw_feel_button, ImVec2(each, height));
+  row(draw_choose_button, ImVec2(each, kChooseEms * em));
+}
+
+}  // namespace
+
+void draw_blind_trial(const PanelContext& context) {
+  const float em = ImGui::GetFontSize();
+  const float free = ImGui::GetContentRegionAvail().x;
+  const float width = std::min(free, kWidestEms * em);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (free - width));
+  ImGui::BeginChild("trial", ImVec2(width, 0.0F), ImGuiChildFlags_None,
+                    ImGuiWindowFlags_NoBackground);
+  const BlindTest& test = *context.state.compare.transient.test;
+  draw_head(context, test, width);
+  draw_progress(context, test, width);
+  // Also where the head has just ended it: a finished test has no trial any more.
+  if (blind_test_runs(context.state)) draw_buttons(context, width);
+  muted_text(context,
+             "Feel each as often as you like, in any order. To begin from rest, leave the wall "
+             "before you switch, or reset (R).");
+  ImGui::EndChild();
+}
+
+}  // namespace hapticwall::ui

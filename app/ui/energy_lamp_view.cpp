@@ -1,0 +1,163 @@
+#include "app/ui/energy_lamp_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+#include "app/ui/blind_test.h"
+#include "app/ui/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kMillijoulesPerJoule = 1e3;
+constexpr float kRadiusEms = 0.36F;
+constexpr float kGlowEms = 0.62F;
+constexpr float kGlowAlpha = 0.22F;
+constexpr float kTextAtEms = 1.25F;  // behind the lamp
+constexpr const char* kRemarkMark = " · ";
+
+// Three digits at least, and no exponent.
+std::string energy_text(double energy_j) {
+  if (std::abs(energy_j) >= 1.0) return fmt::format("{:.2f} J", energy_j);
+  return fmt::format("{:.1f} mJ", energy_j * kMillijoulesPerJoule);
+}
+
+const char* blame_text(EnergyBlame blame) {
+  switch (blame) {
+    case EnergyBlame::kHold:
+      return "the hold";
+    case EnergyBlame::kControlLaw:
+      return "the control law";
+    case EnergyBlame::kBoth:
+      return "the hold and the control law";
+    case EnergyBlame::kNobody:
+      break;
+  }
+  return "nobody";
+}
+
+// The paper's own story: one of the two is blind to what the other does.
+std::string remark_of(const EnergyStory& story) {
+  if (story.blame == EnergyBlame::kHold && story.control_law_j <= 0.0)
+    return "the observer (Eq. 6) sees nothing";
+  if (story.blame == EnergyBlame::kControlLaw && story.hold_beyond_budget_j <= 0.0)
+    return "the hold keeps its bound (Eq. 22)";
+  return fmt::format("the hold {}, the control law {}", energy_text(story.hold_beyond_budget_j),
+                     energy_text(story.control_law_j));
+}
+
+LampWords active_words(const EnergyStory& story) {
+  const std::string took = energy_text(story.extracted_j);
+  const std::string blame = blame_text(story.blame);
+  return {Tone::kBad, fmt::format("active: the hand has extracted {}, {} to blame", took, blame),
+          remark_of(story), fmt::format("active: {}, {}", took, blame), "active"};
+}
+
+LampWords spending_words(const EnergyStory& story) {
+  // In the budget's unit, so that the two can be compared.
+  const bool whole = story.budget_j >= 1.0;
+  const double scale = whole ? 1.0 : kMillijoulesPerJoule;
+  const std::string share = fmt::format("{:.{}f} of {}", story.given_out_j * scale, whole ? 2 : 1,
+                                        energy_text(story.budget_j));
+  return {Tone::kWarning, "spending the budget: " + share, {}, "spending " + share, "spending"};
+}
+
+// As wide as its widest digits: what fits must not depend on which digits these are.
+float steady_width(std::string text) {
+  for (char& c : text) {
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0) c = '0';
+  }
+  return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+void draw_light(const PanelContext& context, Tone tone, bool glows) {
+  const float em = ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 centre(corner.x + kGlowEms * em, corner.y + 0.5F * ImGui::GetFrameHeight());
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (glows) list->AddCircleFilled(centre, kGlowEms * em, context.theme.packed(tone, kGlowAlpha));
+  list->AddCircleFilled(centre, kRadiusEms * em, context.theme.packed(tone));
+  ImGui::SetCursorScreenPos(ImVec2(corner.x + (kTextAtEms + kGlowEms - kRadiusEms) * em, corner.y));
+}
+
+void draw_words(const PanelContext& context, const LampWords& words, float room) {
+  const std::string* chosen = &words.shortest;
+  if (steady_width(words.shorter) <= room) chosen = &words.shorter;
+  if (steady_width(words.text) <= room) chosen = &words.text;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(chosen->c_str());
+  const std::string remark = kRemarkMark + words.remark;
+  if (words.remark.empty() || chosen != &words.text || steady_width(words.text + remark) > room)
+    return;
+  ImGui::SameLine(0.0F, 0.0F);
+  ImGui::TextColored(context.theme.colour(Tone::kMuted), "%s", remark.c_str());
+}
+
+void draw_story(const PanelContext& context, const EnergyLamp& lamp) {
+  const LampWords words = lamp_words(lamp.story());
+  ImGui::BeginGroup();
+  draw_light(context, words.tone, words.tone != Tone::kGood);
+  draw_words(context, words, ImGui::GetContentRegionAvail().x);
+  ImGui::EndGroup();
+  remember_item(context.state, "energy lamp");
+  if (ImGui::IsItemHovered()) {
+    explain(lamp_tooltip(lamp.story(), static_cast<double>(lamp.since_tick()) /
+                                           context.session.scene().sampling.rate_hz));
+  }
+}
+
+}  // namespace
+
+LampWords lamp_words(const EnergyStory& story) {
+  switch (story.state) {
+    case EnergyState::kActive:
+      return active_words(story);
+    case EnergyState::kSpendingBudget:
+      return spending_words(story);
+    case EnergyState::kPassive:
+      break;
+  }
+  return {Tone::kGood, "passive", {}, "passive", "passive"};
+}
+
+std::string lamp_tooltip(const EnergyStory& story, double since_s) {
+  const LampWords words = lamp_words(story);
+  std::string text = words.text + (words.remark.empty() ? "" : "\n" + words.remark);
+  text += fmt::format(
+      "\n\nOf the contact that begins at {:.3f} s, as a controller can know it: measured "
+      "displacements, its own forces, the damping that its algorithm believes in.\n"
+      "\ngiven out, -E_scv: {}\nbudget, T Σ b v²: {}\n"
+      "beyond the hold's budget: {}\nby the control law, -E_cv: {}\n",
+      since_s, energy_text(story.given_out_j), energy_text(story.budget_j),
+      energy_text(story.hold_beyond_budget_j), energy_text(story.control_law_j));
+  return text +
+         "\nE_scv = E_cv + E_hold (Eq. 10) is what handle and actuator exchanged; the device's "
+         "damping has eaten T Σ b v² (Eq. 16, 22).\n"
+         "passive: E_scv ≥ 0\n"
+         "spending the budget: -T Σ b v² ≤ E_scv < 0\n"
+         "active: E_scv < -T Σ b v². The hand has taken out the rest, and it can only come from "
+         "two terms: the hold, by as much as it went beyond the budget, and the control law, by "
+         "as much as E_cv (Eq. 6, the passivity observer) fell below zero. Where one of them is in "
+         "credit, it has paid for a part of the other's debt.";
+}
+
+void draw_energy_lamp(const PanelContext& context) {
+  const auto& lamp = context.state.compare.transient.lamp;
+  if (blind_test_runs(context.state)) {
+    ImGui::BeginGroup();
+    draw_light(context, Tone::kFaint, false);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("energy: hidden");
+    ImGui::EndGroup();
+    remember_item(context.state, "energy hidden");
+  } else if (lamp) {
+    draw_story(context, *lamp);
+  }
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,75 @@
+#include "app/ui/ghosts.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "app/ui/comparing.h"
+#include "app/ui/extra_traces.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using runtime::Ghost;
+using runtime::TracePoint;
+
+constexpr float kStrength = 0.42F;  // of a line's colour
+constexpr LineSet kGhostLines = kExtraLines | line_bit(Quantity::kPenetration) |
+                                line_bit(Quantity::kEnergyHold) | line_bit(Quantity::kEnergyScv) |
+                                line_bit(Quantity::kEnergyBudget);
+
+// At the present contact's time, on top of what the ledger had when it began.
+Sample sample_at(const Ghost& ghost, const TracePoint& point, double rate_hz) {
+  Sample sample;
+  sample.tick = ghost.present_onset_tick + point.ticks;
+  sample.time_s = static_cast<double>(sample.tick) / rate_hz;
+  sample.position_m = point.position_m;
+  sample.penetration_m = point.penetration_m;
+  sample.force_n = point.force_n;
+  sample.stiffness_n_per_m = point.stiffness_n_per_m;
+  sample.energy_cv_j = ghost.before.cv_j + point.energy_cv_j;
+  sample.energy_hold_j = ghost.before.hold_j + point.energy_hold_j;
+  sample.energy_scv_j = ghost.before.scv_j + point.energy_scv_j;
+  sample.energy_budget_j = ghost.before.budget_j + point.energy_budget_j;
+  return sample;
+}
+
+ExtraTrace trace_of(const Ghost& ghost, double rate_hz, const AlgorithmSettings& settings) {
+  auto history = std::make_shared<SampleHistory>(ghost.points.size());
+  for (const TracePoint& point : ghost.points) history->push(sample_at(ghost, point, rate_hz));
+  ExtraTrace trace;
+  trace.label =
+      fmt::format("ghost of {}: {}", runtime::slot_name(ghost.slot), algorithm_name(settings));
+  trace.history = std::move(history);
+  trace.strength = kStrength;
+  trace.lines = kGhostLines;
+  return trace;
+}
+
+}  // namespace
+
+void show_ghost(const PanelContext& context) {
+  CompareState& compare = context.state.compare;
+  std::optional<Ghost> ghost;
+  if (compare.transient.comparison && compare.persisted.ghost_shown)
+    ghost = compare.transient.comparison->ghost();
+  std::optional<ShownGhost> wanted;
+  if (ghost) {
+    const AlgorithmSettings& settings = compare.transient.comparison->settings(ghost->slot);
+    wanted =
+        ShownGhost{ghost->slot, ghost->present_onset_tick, ghost->points.size(), settings.index};
+  }
+  if (wanted == compare.transient.shown_ghost) return;
+  compare.transient.shown_ghost = wanted;
+  std::vector<ExtraTrace> traces;
+  if (ghost) {
+    traces.push_back(trace_of(*ghost, context.session.scene().sampling.rate_hz,
+                              compare.transient.comparison->settings(ghost->slot)));
+  }
+  replace_extra_traces(context.state.plots.transient.extra_traces, ExtraSource::kComparison,
+                       std::move(traces));
+}
+
+}  // namespace hapticwall::ui

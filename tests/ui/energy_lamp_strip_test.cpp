@@ -1,0 +1,147 @@
+// The strip below the views: the choice of the page, and the energy lamp with the paper's story.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/ui/energy_lamp_view.h"
+#include "core/stabiliser/stabiliser.h"
+#include "tests/ui/gui_test.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using ui::lamp_words;
+
+class EnergyLampStripTest : public GuiTest {
+ protected:
+  // To the end of the scene's script, under an algorithm.
+  void run_scene(const std::string& scene, const std::string& algorithm) {
+    open(scene);
+    AlgorithmSettings settings = fake_->scene().algorithm;
+    settings.index = *find_algorithm(algorithm);
+    ASSERT_FALSE(fake_->set_algorithm(settings));
+    constexpr int kScript = 6000;
+    live(kScript);
+  }
+  [[nodiscard]] const EnergyStory& story() const {
+    return application_->state().compare.transient.lamp->story();
+  }
+  // The same by hand: from the row before the first contact to the newest.
+  [[nodiscard]] EnergyStory story_of_history() const {
+    const ui::SampleHistory& history = application_->history();
+    EnergyLedger since;
+    for (std::size_t i = 0; i < history.size(); ++i) {
+      const Sample sample = history.sample(i);
+      if ((sample.flags & kFlagInContact) != 0) break;
+      since = ledger_of(sample);
+    }
+    return tell_energy_story(ledger_of(history.sample(history.size() - 1)), since);
+  }
+  void expect_story_of_history() const {
+    const EnergyStory by_hand = story_of_history();
+    EXPECT_EQ(story().state, by_hand.state);
+    EXPECT_DOUBLE_EQ(story().extracted_j, by_hand.extracted_j);
+    EXPECT_DOUBLE_EQ(story().budget_j, by_hand.budget_j);
+  }
+};
+
+TEST_F(EnergyLampStripTest, UnderNoneTheHoldIsToBlameAndTheObserverSeesNothing) {
+  run_scene("press", "none");
+  expect_story_of_history();
+  EXPECT_EQ(story().state, EnergyState::kActive);
+  EXPECT_EQ(story().blame, EnergyBlame::kHold);
+  EXPECT_GT(fake_->snapshot().sample.energy_cv_j, 1.0) << "the observer is positive";
+  const ui::LampWords words = lamp_words(story());
+  EXPECT_EQ(words.tone, ui::Tone::kBad);
+  EXPECT_THAT(words.text, StartsWith("active: the hand has extracted "));
+  EXPECT_THAT(words.text, HasSubstr("J, the hold to blame"));
+  EXPECT_THAT(words.remark, HasSubstr("observer (Eq. 6) sees nothing"));
+}
+
+TEST_F(EnergyLampStripTest, UnderEnergyBoundingASlowPressIsNotActive) {
+  run_scene("press", "energy-bounding");
+  expect_story_of_history();
+  EXPECT_NE(story().state, EnergyState::kActive);
+  EXPECT_EQ(story().blame, EnergyBlame::kNobody);
+  EXPECT_NE(lamp_words(story()).tone, ui::Tone::kBad);
+}
+
+TEST_F(EnergyLampStripTest, UnderEnergyBoundingATapIsActiveThroughTheControlLaw) {
+  run_scene("tap", "energy-bounding");
+  expect_story_of_history();
+  EXPECT_EQ(story().state, EnergyState::kActive);
+  EXPECT_EQ(story().blame, EnergyBlame::kControlLaw);
+  EXPECT_EQ(story().hold_beyond_budget_j, 0.0) << "the bound holds at every row";
+  const ui::LampWords words = lamp_words(story());
+  EXPECT_THAT(words.text, HasSubstr("the control law to blame"));
+  EXPECT_THAT(words.remark, HasSubstr("the hold keeps its bound"));
+}
+
+TEST_F(EnergyLampStripTest, TheBudgetIsToldInOneUnit) {
+  EnergyStory story;
+  EXPECT_EQ(lamp_words(story).text, "passive");
+  story.state = EnergyState::kSpendingBudget;
+  story.given_out_j = 0.0123;
+  story.budget_j = 0.0541;
+  EXPECT_EQ(lamp_words(story).text, "spending the budget: 12.3 of 54.1 mJ");
+  story.budget_j = 2.5;
+  EXPECT_EQ(lamp_words(story).text, "spending the budget: 0.01 of 2.50 J");
+}
+
+TEST_F(EnergyLampStripTest, BothToBlameIsToldWithBothFigures) {
+  EnergyStory story;
+  story.state = EnergyState::kActive;
+  story.blame = EnergyBlame::kBoth;
+  story.extracted_j = 0.05;
+  story.hold_beyond_budget_j = 0.02;
+  story.control_law_j = 0.03;
+  const ui::LampWords words = lamp_words(story);
+  EXPECT_EQ(words.text,
+            "active: the hand has extracted 50.0 mJ, the hold and the control law to blame");
+  EXPECT_EQ(words.remark, "the hold 20.0 mJ, the control law 30.0 mJ");
+}
+
+TEST_F(EnergyLampStripTest, TheTooltipSaysHowItIsComputed) {
+  const std::string text = ui::lamp_tooltip({}, 0.25);
+  for (const char* part : {"E_scv = E_cv + E_hold (Eq. 10)", "T Σ b v²", "0.250 s", "Eq. 6"})
+    EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST_F(EnergyLampStripTest, StaysInsideANarrowWindow) {
+  run_scene("tap", "energy-bounding");
+  for (const float width : {1000.0F, 1280.0F}) {
+    ImGui::GetIO().DisplaySize.x = width;
+    frames(3);
+    const ui::ItemRect lamp = rect("energy lamp");
+    EXPECT_LE(lamp.to.x, width) << width;
+    EXPECT_GT(lamp.to.x - lamp.from.x, 100.0F) << "more than the light";
+    EXPECT_GT(lamp.from.x, rect("page Blind test").to.x);
+  }
+}
+
+TEST_F(EnergyLampStripTest, StartsAnewWithASessionAndAnotherEncoder) {
+  run_scene("press", "none");
+  ASSERT_EQ(story().state, EnergyState::kActive);
+  click("Figure 6");
+  frames(2);
+  EXPECT_EQ(story().state, EnergyState::kPassive);
+  live(3000);
+  Scene finer = fake_->scene();
+  finer.device.encoder_m = 1e-5;
+  ASSERT_FALSE(fake_->change_scene(finer));
+  live(10);
+  EXPECT_EQ(application_->state().compare.transient.lamp_encoder_m, 1e-5);
+}
+
+TEST_F(EnergyLampStripTest, ChoosesThePageBelow) {
+  EXPECT_TRUE(find("plot Position").has_value());
+  click("page Blind test");
+  EXPECT_FALSE(find("plot Position").has_value());
+  EXPECT_TRUE(find("blind start").has_value());
+  click("page Plots");
+  EXPECT_TRUE(find("plot Position").has_value());
+}
+
+}  // namespace
+}  // namespace hapticwall::test
