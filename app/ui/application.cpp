@@ -76,6 +76,7 @@ void Application::frame() {
   take_samples();
   runtime::Snapshot snapshot = session_->snapshot();
   if (!session_->device_info().is_simulated) draw_where_measured(snapshot.sample);
+  note_timing(state_.timing, *session_, snapshot.timing);
   const PanelContext context{*session_, snapshot, theme_, state_};
   state_.transient.items.clear();
   handle_keys(context, key_bindings());
@@ -125,6 +126,7 @@ void Application::start_wanted_scene() {
   }
   if (!start_anew(wanted.scene)) return;
   history_ = SampleHistory(kHistoryCapacity);
+  state_.timing.cleared = {};
   if (wanted.loaded) {
     state_.transient.loaded_scene = session_->scene();
     state_.transient.switched_off.clear();

@@ -18,6 +18,7 @@
 #include "app/ui/plots_state.h"
 #include "app/ui/scale_range.h"
 #include "app/ui/theme.h"
+#include "app/ui/timing_state.h"
 #include "app/ui/toasts.h"
 #include "app/ui/undo.h"
 #include "app/ui/wall_state.h"
@@ -110,6 +111,7 @@ struct UiState {
   TransientState transient;
   PlotsState plots;
   WallState wall;
+  TimingState timing;
 };
 
 // What a panel is given.
