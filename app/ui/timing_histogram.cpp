@@ -19,7 +19,10 @@ constexpr std::size_t kBars = LatencyBins::kCount / kBinsABar;
 constexpr double kShortestNs = 100.0;  // what is shorter stands in the first bar
 constexpr double kLeastCount = 0.6;    // the foot of the count axis: a count of 1 is seen
 constexpr double kDecade = 10.0;
-constexpr int kLabelRows = 4;  // one a quantile, so that no two labels collide
+constexpr int kLabelRows = 4;          // one a quantile, so that no two labels collide
+constexpr float kTimeLabelEms = 4.5F;  // of an axis, for one label
+constexpr float kCountLabelEms = 2.0F;
+constexpr float kRoomForTimesEms = 19.0F;  // of a plot, for labels that tell their times
 
 struct Bar {
   std::int64_t from_ns;
@@ -68,14 +71,17 @@ int format_count_tick(double count, char* text, int size, void* /*unused*/) {
   return static_cast<int>(result.out - text);
 }
 
-// Every power of ten from `from` to `to`, which are such.
-void set_up_ticks(ImAxis axis, double from, double to) {
+// Powers of ten from `from` on and below `to`, both of them such: as many as have `room` for their
+// labels.
+void set_up_ticks(ImAxis axis, double from, double to, int room) {
+  const int decades = static_cast<int>(std::lround(std::log10(to / from)));
+  const int step = (decades - 1) / std::max(room, 1) + 1;
   std::vector<double> ticks;
-  for (double tick = from; tick <= to * std::sqrt(kDecade); tick *= kDecade) ticks.push_back(tick);
+  for (int i = 0; i < decades; i += step) ticks.push_back(from * std::pow(kDecade, i));
   ImPlot::SetupAxisTicks(axis, ticks.data(), static_cast<int>(ticks.size()));
 }
 
-void set_up_axes(const TimingHistogram& histogram, const std::vector<Bar>& bars) {
+void set_up_axes(const TimingHistogram& histogram, const std::vector<Bar>& bars, ImVec2 size) {
   const auto flags = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight;
   std::uint64_t most = 1;
   for (const Bar& bar : bars) most = std::max(most, bar.count);
@@ -94,8 +100,9 @@ void set_up_axes(const TimingHistogram& histogram, const std::vector<Bar>& bars)
   ImPlot::SetupAxisLimits(ImAxis_X1, from_ns, to_ns, ImPlotCond_Always);
   // Above the highest bar there is room for the labels of the quantiles.
   ImPlot::SetupAxisLimits(ImAxis_Y1, kLeastCount, top * kDecade, ImPlotCond_Always);
-  set_up_ticks(ImAxis_X1, from_ns, to_ns);
-  set_up_ticks(ImAxis_Y1, 1.0, top);
+  const float em = ImGui::GetFontSize();
+  set_up_ticks(ImAxis_X1, from_ns, to_ns, static_cast<int>(size.x / (kTimeLabelEms * em)));
+  set_up_ticks(ImAxis_Y1, 1.0, top * kDecade, static_cast<int>(size.y / (kCountLabelEms * em)));
   ImPlot::SetupFinish();
 }
 
@@ -152,10 +159,12 @@ void draw_marks(const Theme& theme, const TimingHistogram& histogram) {
                                              {"p99", quantiles.p99_ns},
                                              {"p99.9", quantiles.p999_ns},
                                              {"most", quantiles.maximum_ns}}};
+  const bool times = ImPlot::GetPlotSize().x > kRoomForTimesEms * ImGui::GetFontSize();
   for (int row = 0; row < kLabelRows; ++row) {
     const Named& mark = named[static_cast<std::size_t>(row)];
-    draw_mark(theme, mark.time_ns, fmt::format("{} {}", mark.name, time_text(mark.time_ns)), row,
-              Tone::kText);
+    const std::string label =
+        times ? fmt::format("{} {}", mark.name, time_text(mark.time_ns)) : mark.name;
+    draw_mark(theme, mark.time_ns, label, row, Tone::kText);
   }
 }
 
@@ -209,8 +218,9 @@ void draw_timing_histogram(const Theme& theme, const TimingHistogram& histogram,
   constexpr ImPlotFlags kFlags =
       ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame | ImPlotFlags_NoInputs;
   const Bar* under = nullptr;
-  if (ImPlot::BeginPlot("##histogram", ImGui::GetContentRegionAvail(), kFlags)) {
-    set_up_axes(histogram, bars);
+  const ImVec2 free = ImGui::GetContentRegionAvail();
+  if (ImPlot::BeginPlot("##histogram", free, kFlags)) {
+    set_up_axes(histogram, bars, free);
     ImPlot::PushPlotClipRect();
     under = draw_bars(theme, bars, histogram.tone);
     draw_marks(theme, histogram);

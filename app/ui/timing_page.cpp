@@ -23,6 +23,9 @@ constexpr float kSideShare = 0.34F;  // of the width, for the figures
 constexpr float kNarrowestSideEms = 24.0F;
 constexpr float kWidestSideEms = 34.0F;
 constexpr float kLowestPlotEms = 9.0F;
+constexpr float kColumnGapEms = 1.5F;
+constexpr float kNarrowestRowEms = 54.0F;  // where less is free, the figures stand below the plots
+constexpr float kStackedPlotEms = 14.0F;   // height of the plots then
 constexpr float kLowestFramesEms = 5.0F;
 
 runtime::TimingJudgement judgement_of(const TimingState& timing, double rate_hz,
@@ -33,41 +36,44 @@ runtime::TimingJudgement judgement_of(const TimingState& timing, double rate_hz,
   return judgement;
 }
 
-void draw_clear(const PanelContext& context) {
+// Ends at the right edge; returns where it begins.
+float draw_clear(const PanelContext& context) {
   TimingState& timing = context.state.timing;
   const char* label = "Clear";
-  const std::string since =
-      timing.since_start() ? "since the start of the session" : "since it was cleared";
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const float width = ImGui::CalcTextSize(label).x + 2.0F * style.FramePadding.x;
-  const float text = ImGui::CalcTextSize(since.c_str()).x + style.ItemSpacing.x;
-  const float left = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width;
-  ImGui::SetCursorPosX(std::max(left - text, ImGui::GetCursorPosX()));
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextDisabled("%s", since.c_str());
-  ImGui::SameLine();
+  const ImVec2 corner = ImGui::GetCursorPos();
+  const float width = ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  const float left = std::max(corner.x, corner.x + ImGui::GetContentRegionAvail().x - width);
+  ImGui::SetCursorPosX(left);
   if (ImGui::Button(label)) timing.clear_asked = true;
-  remember_item(context.state, "clear timing");
+  remember_item(context.state, "timing clear");
   explain(
       "Counts everything on this page anew from now on. The session and its recording do not "
       "notice.");
+  ImGui::SetCursorPos(corner);
+  return ImGui::GetCursorScreenPos().x + left - corner.x;
 }
 
-void draw_verdict(const PanelContext& context) {
+void draw_head(const PanelContext& context) {
   Tone tone = Tone::kText;
   const std::string sentence =
       timing_sentence(context.state.timing, context.session.scene().sampling.rate_hz, tone);
+  const float right = draw_clear(context) - ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(corner, ImVec2(right, corner.y + ImGui::GetFrameHeight()), true);
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(context.theme.fonts.strong, 0.0F);
   ImGui::TextColored(context.theme.colour(tone), "%s", sentence.c_str());
   ImGui::PopFont();
-  remember_item(context.state, "timing verdict");
+  ImGui::PopClipRect();
+  context.state.transient.items.insert_or_assign(
+      "timing verdict", ItemRect{corner, ImVec2(std::min(right, ImGui::GetItemRectMax().x),
+                                                ImGui::GetItemRectMax().y)});
+  // What does not fit is in the tooltip.
   explain(
-      "Good: no tick missed, and 999 of 1000 wake-ups within a tenth of the period. Usable: at "
-      "most one tick in 10 000 missed, 999 of 1000 within half of it. As `hapticwall timing` has "
-      "it.");
-  ImGui::SameLine();
-  draw_clear(context);
+      sentence +
+      "\n\nGood: no tick missed, and 999 of 1000 wake-ups within a tenth of the period. Usable: "
+      "at most one tick in 10 000 missed, 999 of 1000 within half of it. The same as "
+      "`hapticwall timing` has it.");
 }
 
 void quantile_cells(const PanelContext& context, const runtime::Quantiles& quantiles) {
@@ -128,17 +134,26 @@ void draw_quantiles(const PanelContext& context) {
   ImGui::EndTable();
 }
 
+void counter_row(const PanelContext& context, const char* name, const std::string& text, Tone tone,
+                 const char* tooltip) {
+  figure_row(context, name, text, tone, tooltip);
+  remember_item(context.state, std::string("timing ") + name);
+}
+
 void draw_counters(const PanelContext& context) {
-  const TimingCounters& shown = context.state.timing.shown;
+  const TimingState& timing = context.state.timing;
+  const TimingCounters& shown = timing.shown;
   const auto tone = [](std::uint64_t count) { return count > 0 ? Tone::kWarning : Tone::kText; };
-  figure_row(context, "ticks", fmt::format("{}", shown.ticks), Tone::kText,
-             "Ticks of the loop that were done; a pause has none");
-  figure_row(context, "missed ticks", fmt::format("{}", shown.missed_ticks),
-             tone(shown.missed_ticks),
-             "Ticks that the loop slept through; they are left out, never caught up with. A "
-             "simulation stays right, it only falls behind the clock.");
-  figure_row(context, "plot drops", fmt::format("{}", shown.plot_drops), tone(shown.plot_drops),
-             "Samples that the window was too slow to take; the recording has a queue of its own");
+  counter_row(context, "ticks",
+              fmt::format("{} since {}", shown.ticks,
+                          timing.since_start() ? "the start" : "it was cleared"),
+              Tone::kText, "Ticks of the loop that were done; a pause has none");
+  counter_row(context, "missed ticks", fmt::format("{}", shown.missed_ticks),
+              tone(shown.missed_ticks),
+              "Ticks that the loop slept through; they are left out, never caught up with. A "
+              "simulation stays right, it only falls behind the clock.");
+  counter_row(context, "plot drops", fmt::format("{}", shown.plot_drops), tone(shown.plot_drops),
+              "Samples that the window was too slow to take; the recording has a queue of its own");
 }
 
 void draw_realtime(const PanelContext& context) {
@@ -224,14 +239,21 @@ void draw_histograms(const PanelContext& context, ImVec2 size) {
       {"Wake-up latency", "How late the loop woke up: how many cycles, by how much",
        &timing.shown.histograms.wake_latency, timing.wake_latency, period_ns, Tone::kAccent},
       each);
-  remember_item(context.state, "timing histogram wake-up");
+  remember_item(context.state, "histogram wake-up");
   ImGui::SameLine(0.0F, gap);
   draw_timing_histogram(
       context.theme,
       {"Compute time", "How long the work of a cycle took: how many cycles, how long",
        &timing.shown.histograms.compute_time, timing.compute_time, period_ns, Tone::kStiffness},
       each);
-  remember_item(context.state, "timing histogram compute");
+  remember_item(context.state, "histogram compute");
+}
+
+void draw_figures(const PanelContext& context) {
+  draw_quantiles(context);
+  draw_counters(context);
+  draw_realtime(context);
+  draw_frames(context);
 }
 
 }  // namespace
@@ -269,18 +291,20 @@ std::string timing_sentence(const TimingState& timing, double rate_hz, Tone& ton
 }
 
 void draw_timing_page(const PanelContext& context) {
-  draw_verdict(context);
+  draw_head(context);
   const float em = ImGui::GetFontSize();
   const ImVec2 free = ImGui::GetContentRegionAvail();
+  if (free.x < kNarrowestRowEms * em) {
+    draw_histograms(context, ImVec2(free.x, kStackedPlotEms * em));
+    draw_figures(context);
+    return;
+  }
   const float side = std::clamp(kSideShare * free.x, kNarrowestSideEms * em, kWidestSideEms * em);
   const float height = std::max(free.y, kLowestPlotEms * em);
-  draw_histograms(context, ImVec2(std::max(1.0F, free.x - side - 1.5F * em), height));
-  ImGui::SameLine(0.0F, 1.5F * em);
+  draw_histograms(context, ImVec2(free.x - side - kColumnGapEms * em, height));
+  ImGui::SameLine(0.0F, kColumnGapEms * em);
   ImGui::BeginChild("timing figures", ImVec2(0.0F, height));
-  draw_quantiles(context);
-  draw_counters(context);
-  draw_realtime(context);
-  draw_frames(context);
+  draw_figures(context);
   ImGui::EndChild();
 }
 

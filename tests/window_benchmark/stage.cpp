@@ -5,6 +5,7 @@
 #include <implot.h>
 
 #include <chrono>
+#include <ctime>
 #include <utility>
 
 namespace hapticwall::window_benchmark {
@@ -38,8 +39,9 @@ Stage::~Stage() {
   ImGui::DestroyContext();
 }
 
-double Stage::frame(const std::function<void()>& content) {
+FrameCost Stage::frame(const std::function<void()>& content) {
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t processor_start = std::clock();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   content();
@@ -50,7 +52,8 @@ double Stage::frame(const std::function<void()>& content) {
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glFinish();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  return {wall.count(), static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC};
 }
 
 std::string Stage::renderer() const {

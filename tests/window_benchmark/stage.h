@@ -13,6 +13,11 @@
 
 namespace hapticwall::window_benchmark {
 
+struct FrameCost {
+  double wall_s = 0.0;
+  double processor_s = 0.0;  // of all threads together: what else the machine does is not in it
+};
+
 class Stage {
  public:
   [[nodiscard]] static Result<std::unique_ptr<Stage>> create(int width, int height);
@@ -20,9 +25,8 @@ class Stage {
   Stage& operator=(const Stage&) = delete;
   ~Stage();
 
-  // Draws and paints what `content` says; returns when the last pixel is there. Returns the seconds
-  // that it took.
-  double frame(const std::function<void()>& content);
+  // Draws and paints what `content` says; returns when the last pixel is there.
+  FrameCost frame(const std::function<void()>& content);
 
   [[nodiscard]] const ui::Theme& theme() const { return theme_; }
   [[nodiscard]] std::string renderer() const;  // the driver's words
