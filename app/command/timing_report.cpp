@@ -10,6 +10,7 @@
 namespace hapticwall::command {
 namespace {
 
+using runtime::Measure;
 using runtime::Quantiles;
 using runtime::TimingPlan;
 using runtime::TimingRecord;
@@ -22,85 +23,45 @@ constexpr double kMicrosecondsPerSecond = 1e6;
 constexpr std::size_t kBarWidth = 50;
 constexpr double kRateTolerance = 0.01;
 
-// Of the period, but for the last, which are shares of the ticks.
-struct Marks {
-  double latency;
-  double age;
+struct DeviceMarks {
+  double age;  // of the period, like the next
   double write;
-  double missed_ticks;
-  double missing_states;
+  double missing_states;  // of all
 };
-constexpr Marks kGoodMarks{0.1, 1.5, 0.5, 0.0, 0.0};
-constexpr Marks kUsableMarks{0.5, 3.0, 1.0, 1e-4, 1e-3};
+constexpr DeviceMarks kGoodMarks{1.5, 0.5, 0.0};
+constexpr DeviceMarks kUsableMarks{3.0, 1.0, 1e-3};
 
 double microseconds(std::int64_t nanoseconds) {
   return static_cast<double>(nanoseconds) / kNanosecondsPerMicrosecond;
-}
-
-// One thing that is measured against its marks: what it is, and what may help where it is too much.
-struct Measure {
-  double value;
-  double good;
-  double usable;
-  std::string reason;
-  std::string advice;
-};
-
-void judge(const Measure& measure, TimingJudgement& judgement) {
-  if (measure.value <= measure.good) return;
-  const TimingVerdict verdict =
-      measure.value <= measure.usable ? TimingVerdict::kUsable : TimingVerdict::kPoor;
-  judgement.verdict = std::max(judgement.verdict, verdict);
-  judgement.reasons.push_back(measure.reason);
-  if (!measure.advice.empty() && std::find(judgement.advice.begin(), judgement.advice.end(),
-                                           measure.advice) == judgement.advice.end()) {
-    judgement.advice.push_back(measure.advice);
-  }
 }
 
 double share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-void judge_loop(const TimingPlan& plan, const TimingRecord& record, TimingJudgement& judgement) {
-  const double period_ns = kNanoseconds / plan.rate_hz;
-  const Quantiles latency = runtime::quantiles(record.latency_ns);
-  const std::string advice = record.status.advice.empty()
-                                 ? "close what else is busy; a virtual machine or a laptop on "
-                                   "battery cannot keep better time"
-                                 : record.status.advice;
-  judge(
-      {static_cast<double>(latency.p999_ns), kGoodMarks.latency * period_ns,
-       kUsableMarks.latency * period_ns,
-       fmt::format("one wake-up in 1000 is {:.0f} us late or more", microseconds(latency.p999_ns)),
-       advice},
-      judgement);
-  const std::uint64_t planned = latency.count + record.missed_ticks;
-  judge({share(record.missed_ticks, planned), kGoodMarks.missed_ticks, kUsableMarks.missed_ticks,
-         fmt::format("{} of {} ticks were missed", record.missed_ticks, planned), advice},
-        judgement);
-}
-
 void judge_device(const TimingPlan& plan, const TimingRecord& record, TimingJudgement& judgement) {
   const double period_ns = kNanoseconds / plan.rate_hz;
   const device::LinkFigures& link = record.link;
   const std::uint64_t lost = link.missing_states + link.void_reports;
-  judge({share(lost, link.states + lost), kGoodMarks.missing_states, kUsableMarks.missing_states,
-         fmt::format("{} of {} reports never came, {} more were void", link.missing_states,
-                     link.states + lost, link.void_reports),
-         "plug the device straight into the machine, without a hub, and try another cable"},
+  judge(Measure{share(lost, link.states + lost), kGoodMarks.missing_states,
+                kUsableMarks.missing_states,
+                fmt::format("{} of {} reports never came, {} more were void", link.missing_states,
+                            link.states + lost, link.void_reports),
+                "plug the device straight into the machine, without a hub, and try another cable"},
         judgement);
   const Quantiles age = runtime::quantiles(record.age_ns);
-  judge({static_cast<double>(age.p99_ns), kGoodMarks.age * period_ns, kUsableMarks.age * period_ns,
-         fmt::format("one position in 100 is {:.0f} us old or more", microseconds(age.p99_ns)),
-         "give the device a USB port of its own"},
-        judgement);
+  judge(
+      Measure{static_cast<double>(age.p99_ns), kGoodMarks.age * period_ns,
+              kUsableMarks.age * period_ns,
+              fmt::format("one position in 100 is {:.0f} us old or more", microseconds(age.p99_ns)),
+              "give the device a USB port of its own"},
+      judgement);
   const Quantiles write = runtime::quantiles(record.write_ns);
-  judge({static_cast<double>(write.p99_ns), kGoodMarks.write * period_ns,
-         kUsableMarks.write * period_ns,
-         fmt::format("one command in 100 takes {:.0f} us or more to be written",
-                     microseconds(write.p99_ns)),
-         "give the device a USB port of its own"},
+  judge(Measure{static_cast<double>(write.p99_ns), kGoodMarks.write * period_ns,
+                kUsableMarks.write * period_ns,
+                fmt::format("one command in 100 takes {:.0f} us or more to be written",
+                            microseconds(write.p99_ns)),
+                "give the device a USB port of its own"},
         judgement);
   if (link.device_period_s <= 0.0) return;
   const double device_rate_hz = 1.0 / link.device_period_s;
@@ -189,21 +150,11 @@ Json device_object(const TimingRecord& record, const std::string& what) {
 
 }  // namespace
 
-std::string_view timing_verdict_name(TimingVerdict verdict) {
-  switch (verdict) {
-    case TimingVerdict::kGood:
-      return "good";
-    case TimingVerdict::kUsable:
-      return "usable";
-    case TimingVerdict::kPoor:
-      break;
-  }
-  return "poor";
-}
-
 TimingJudgement judge_timing(const TimingPlan& plan, const TimingRecord& record, bool has_device) {
   TimingJudgement judgement;
-  judge_loop(plan, record, judgement);
+  runtime::judge(runtime::LoopTiming{plan.rate_hz, runtime::quantiles(record.latency_ns),
+                                     record.missed_ticks, record.status.advice},
+                 judgement);
   if (has_device) judge_device(plan, record, judgement);
   return judgement;
 }

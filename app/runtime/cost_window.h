@@ -1,15 +1,16 @@
 // What a tick has cost in the last second: median and maximum, in constant memory.
 //
 // Four quarters of a second, each with a histogram and a maximum of its own; when a quarter is over
-// the oldest is forgotten and the figures are told anew. The histogram's bins are 1/16 of a power
-// of two wide, so the median is right to 1 part in 32.
+// the oldest is forgotten and the figures are told anew. The bins are those of latency_histogram.h,
+// so the median is right to 1 part in 32.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include "app/runtime/latency_histogram.h"
 
 namespace hapticwall::runtime {
 
@@ -34,7 +35,7 @@ class CostWindow {
     if (now_ns >= quarter_end_ns_) turn_over(now_ns);
     Quarter& quarter = quarters_[current_];
     const std::int64_t cost = std::max<std::int64_t>(cost_ns, 0);
-    ++quarter.bins[bin_of(cost)];
+    ++quarter.bins[LatencyBins::of(cost)];
     ++quarter.ticks;
     quarter.maximum_ns = std::max(quarter.maximum_ns, cost);
   }
@@ -42,30 +43,9 @@ class CostWindow {
   // Of the last second, as of the last quarter's end.
   [[nodiscard]] const CostFigures& figures() const { return figures_; }
 
-  // The bin of a cost: below 16 ns one a nanosecond, then 16 a power of two.
-  [[nodiscard]] static std::size_t bin_of(std::int64_t cost_ns) {
-    const auto cost = static_cast<std::uint64_t>(cost_ns);
-    const int shift = std::max(0, static_cast<int>(std::bit_width(cost)) - kMantissaBits - 1);
-    const std::size_t bin = static_cast<std::size_t>(shift) * kBinsAnOctave +
-                            static_cast<std::size_t>(cost >> static_cast<unsigned>(shift));
-    return std::min(bin, kBins - 1);
-  }
-  // The middle of a bin.
-  [[nodiscard]] static std::int64_t cost_of(std::size_t bin) {
-    if (bin < 2 * kBinsAnOctave) return static_cast<std::int64_t>(bin);
-    const std::size_t shift = bin / kBinsAnOctave - 1;
-    const std::size_t mantissa = bin - shift * kBinsAnOctave;
-    return static_cast<std::int64_t>((2 * mantissa + 1) << shift) / 2;
-  }
-
  private:
-  static constexpr int kMantissaBits = 4;
-  static constexpr std::size_t kBinsAnOctave = std::size_t{1} << kMantissaBits;
-  // Up to 2^36 ns, which is a minute; what is longer counts as that.
-  static constexpr std::size_t kBins = (36 - kMantissaBits + 1) * kBinsAnOctave;
-
   struct Quarter {
-    std::array<std::uint32_t, kBins> bins{};
+    std::array<std::uint32_t, LatencyBins::kCount> bins{};
     std::uint32_t ticks = 0;
     std::int64_t maximum_ns = 0;
   };
@@ -88,10 +68,10 @@ class CostWindow {
       figures.maximum_ns = std::max(figures.maximum_ns, quarter.maximum_ns);
     }
     std::uint32_t below = 0;
-    for (std::size_t bin = 0; bin < kBins; ++bin) {
+    for (std::size_t bin = 0; bin < LatencyBins::kCount; ++bin) {
       for (const Quarter& quarter : quarters_) below += quarter.bins[bin];
       if (2 * static_cast<std::uint64_t>(below) >= figures.ticks) {
-        figures.median_ns = cost_of(bin);
+        figures.median_ns = LatencyBins::middle_ns(bin);
         break;
       }
     }

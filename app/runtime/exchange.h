@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "app/runtime/latency_histogram.h"
 #include "app/runtime/session.h"
 #include "app/runtime/spsc_queue.h"
 #include "core/plant/plant_model.h"
@@ -87,6 +88,8 @@ struct Exchange {
   std::atomic<std::uint32_t> recording_switches{0};  // how many start and stop commands are done
   std::atomic<bool> pointer_led{false};              // in any tick since tick 0
   std::atomic<bool> finished{false};                 // force is zero, device closed
+  LatencyHistogram wake_latency;                     // of every cycle
+  LatencyHistogram compute_time;
 
   // Loop to recorder.
   SpscQueue<Sample> recorder;

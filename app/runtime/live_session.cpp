@@ -160,6 +160,11 @@ Snapshot LiveSession::snapshot() {
   return exchange_.snapshots.current();
 }
 
+void LiveSession::read_timing(TimingHistograms& timing) const {
+  exchange_.wake_latency.read(timing.wake_latency);
+  exchange_.compute_time.read(timing.compute_time);
+}
+
 std::size_t LiveSession::take_samples(std::span<Sample> out) {
   exchange_news();
   std::size_t count = 0;

@@ -42,6 +42,7 @@ class LiveSession final : public Session {
   void step(std::uint32_t ticks) override;
   void reset() override;
   [[nodiscard]] Snapshot snapshot() override;
+  void read_timing(TimingHistograms& timing) const override;
   std::size_t take_samples(std::span<Sample> out) override;
   std::size_t take_second_axis(std::span<Sample> out) override;
   [[nodiscard]] std::uint64_t dropped_plot_samples() const override;

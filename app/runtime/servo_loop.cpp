@@ -243,6 +243,8 @@ void ServoLoop::count(const Wake& wake, std::int64_t done_ns, bool ticked) {
   timing.maximum_wake_latency_s = std::max(timing.maximum_wake_latency_s, timing.wake_latency_s);
   timing.compute_time_s = seconds(done_ns - wake.now_ns);
   timing.maximum_compute_time_s = std::max(timing.maximum_compute_time_s, timing.compute_time_s);
+  exchange_.wake_latency.add(wake.latency_ns);
+  exchange_.compute_time.add(done_ns - wake.now_ns);
   if (!ticked) return;
   cost_.add(wake.now_ns, done_ns - wake.now_ns);
   const CostFigures& cost = cost_.figures();

@@ -14,6 +14,7 @@
 
 #include "app/file/mark.h"
 #include "app/runtime/arming.h"
+#include "app/runtime/latency_histogram.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
@@ -43,6 +44,12 @@ struct TimingStatistics {
   std::uint32_t cost_ticks = 0;  // how many these are; 0: nothing is known yet
   double median_cost_s = 0.0;    // within 4 %
   double maximum_cost_s = 0.0;
+};
+
+// Every cycle since the start of the session, whatever it was reset or paused.
+struct TimingHistograms {
+  LatencyCounts wake_latency;
+  LatencyCounts compute_time;
 };
 
 // Whether the force of a real device acts, and why not.
@@ -126,6 +133,8 @@ class Session {
   virtual void reset() = 0;
 
   [[nodiscard]] virtual Snapshot snapshot() = 0;
+  // Nothing but zeros where there is no loop.
+  virtual void read_timing(TimingHistograms& timing) const = 0;
   // Moves up to out.size() samples, oldest first, and returns how many. Every tick appears here
   // unless the owner was too slow: then dropped_plot_samples() counts.
   virtual std::size_t take_samples(std::span<Sample> out) = 0;

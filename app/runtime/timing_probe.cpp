@@ -1,6 +1,5 @@
 #include "app/runtime/timing_probe.h"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -13,8 +12,6 @@ namespace hapticwall::runtime {
 namespace {
 
 constexpr std::chrono::milliseconds kLookInterval{20};
-constexpr double kP99 = 0.99;
-constexpr double kP999 = 0.999;
 
 std::int64_t nanoseconds(double seconds) { return std::llround(seconds * kNanosecondsPerSecond); }
 
@@ -79,22 +76,6 @@ void run(const TimingPlan& plan, device::Device* device, Clock& clock, TimingRec
 }
 
 }  // namespace
-
-Quantiles quantiles(std::vector<std::int64_t> values_ns) {
-  Quantiles result;
-  result.count = values_ns.size();
-  if (values_ns.empty()) return result;
-  std::sort(values_ns.begin(), values_ns.end());
-  const auto at = [&](double share) {
-    const double rank = std::ceil(share * static_cast<double>(values_ns.size()));
-    return values_ns[std::max<std::size_t>(static_cast<std::size_t>(rank), 1) - 1];
-  };
-  result.median_ns = at(0.5);
-  result.p99_ns = at(kP99);
-  result.p999_ns = at(kP999);
-  result.maximum_ns = values_ns.back();
-  return result;
-}
 
 TimingRecord probe_timing(const TimingPlan& plan, device::Device* device, Clock& clock,
                           const std::function<bool(std::uint64_t done)>& should_stop) {

@@ -7,21 +7,11 @@
 #include <vector>
 
 #include "app/runtime/clock.h"
+#include "app/runtime/quantiles.h"
 #include "app/runtime/session.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {
-
-// Of a series of times, nanoseconds; all 0 where there are none.
-struct Quantiles {
-  std::size_t count = 0;
-  std::int64_t median_ns = 0;
-  std::int64_t p99_ns = 0;
-  std::int64_t p999_ns = 0;
-  std::int64_t maximum_ns = 0;
-};
-// The nearest rank: the smallest of the values that at least such a share does not exceed.
-[[nodiscard]] Quantiles quantiles(std::vector<std::int64_t> values_ns);
 
 struct TimingRecord {
   RealtimeStatus status;

@@ -89,6 +89,7 @@ void Application::frame() {
   take_samples();
   runtime::Snapshot snapshot = session_->snapshot();
   if (measured()) draw_where_measured(snapshot.sample);
+  note_timing(state_.timing, *session_, snapshot.timing);
   const PanelContext context{*session_, snapshot, theme_, state_};
   state_.transient.items.clear();
   handle_keys(context, bindings_in_force(state_));
@@ -143,6 +144,7 @@ void Application::start_wanted_scene() {
 
 // What belongs to the session that was.
 void Application::forget_session() {
+  state_.timing.cleared = {};
   history_ = SampleHistory(kHistoryCapacity);
   state_.transient.refusal.reset();
   state_.transient.hand_m.reset();

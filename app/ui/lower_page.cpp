@@ -8,6 +8,7 @@
 #include "app/ui/energy_lamp_view.h"
 #include "app/ui/ghosts.h"
 #include "app/ui/plots_panel.h"
+#include "app/ui/timing_page.h"
 #include "app/ui/widgets.h"
 
 namespace hapticwall::ui {
@@ -22,6 +23,7 @@ struct Page {
 };
 constexpr std::array kPages{
     Page{LowerPage::kPlots, "Plots", "Position, force, stiffness and energy over time"},
+    Page{LowerPage::kTiming, "Timing", "How the loop and the window keep their time"},
     Page{LowerPage::kBlindTest, "Blind test",
          "Which of two walls? A and B of Compare, felt in an order that nobody sees"}};
 
@@ -55,6 +57,9 @@ void draw_lower_page(const PanelContext& context, const SampleHistory& history) 
     case LowerPage::kPlots:
       show_ghost(context);
       draw_plots_panel(context, history);
+      break;
+    case LowerPage::kTiming:
+      draw_timing_page(context);
       break;
     case LowerPage::kBlindTest:
       draw_blind_test_page(context);

@@ -99,6 +99,7 @@ constexpr std::array kArrangements{
     Word<PlotArrangement>{"figure-4", PlotArrangement::kFigure4},
     Word<PlotArrangement>{"figures-5-6", PlotArrangement::kFigure5And6}};
 constexpr std::array kLowerPages{Word<LowerPage>{"plots", LowerPage::kPlots},
+                                 Word<LowerPage>{"timing", LowerPage::kTiming},
                                  Word<LowerPage>{"blind-test", LowerPage::kBlindTest}};
 constexpr std::array kTriggers{Word<TriggerMode>{"off", TriggerMode::kOff},
                                Word<TriggerMode>{"auto", TriggerMode::kAuto},

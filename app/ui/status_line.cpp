@@ -12,7 +12,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMicrosecondsPerSecond = 1e6;
+constexpr double kNanosecondsPerMicrosecond = 1e3;
 constexpr double kMillisecondsPerSecond = 1e3;
 
 // Name in grey, value in digits of constant width: nothing moves while it counts.
@@ -78,6 +78,13 @@ void draw_realtime_state(const PanelContext& context) {
   if (cut || !status.advice.empty()) explain(tooltip);
 }
 
+std::string p99_text(const runtime::Quantiles& quantiles) {
+  if (quantiles.count == 0) return "–";
+  return fmt::format("p99 {:5.1f}, most {:5.0f} µs",
+                     static_cast<double>(quantiles.p99_ns) / kNanosecondsPerMicrosecond,
+                     static_cast<double>(quantiles.maximum_ns) / kNanosecondsPerMicrosecond);
+}
+
 }  // namespace
 
 void draw_hint_row(const PanelContext& context) {
@@ -104,10 +111,6 @@ void draw_hint_row(const PanelContext& context) {
 
 void draw_status_row(const PanelContext& context) {
   const runtime::TimingStatistics& timing = context.snapshot.timing;
-  const auto microseconds = [](double newest_s, double most_s) {
-    return fmt::format("{:5.1f} µs, most {:5.0f} µs", newest_s * kMicrosecondsPerSecond,
-                       most_s * kMicrosecondsPerSecond);
-  };
   const std::uint64_t dropped = context.session.dropped_plot_samples();
   draw_device_state(context);
   value(context, "rate", fmt::format("{:g} Hz", context.session.scene().sampling.rate_hz),
@@ -116,14 +119,13 @@ void draw_status_row(const PanelContext& context) {
         timing.missed_ticks > 0 ? Tone::kWarning : Tone::kText,
         fmt::format("Of {} ticks since the start; a missed tick is left out, never caught up with",
                     timing.ticks));
-  value(context, "wake-up", microseconds(timing.wake_latency_s, timing.maximum_wake_latency_s),
-        Tone::kText, "How late the loop woke up, newest tick and worst since the start");
+  value(context, "wake-up", p99_text(context.state.timing.wake_latency), Tone::kText,
+        "How late the loop woke up: 99 of 100 times at most the first figure, and the worst");
   // The algorithms differ in it.
   value(context, "compute",
-        blind_test_runs(context.state)
-            ? "hidden"
-            : microseconds(timing.compute_time_s, timing.maximum_compute_time_s),
-        Tone::kText, "How long a tick's work took, newest tick and worst since the start");
+        blind_test_runs(context.state) ? "hidden" : p99_text(context.state.timing.compute_time),
+        Tone::kText,
+        "How long a tick's work took: 99 of 100 times at most the first figure, and the worst");
   value(context, "plot drops", fmt::format("{}", dropped),
         dropped > 0 ? Tone::kWarning : Tone::kText,
         "Samples that the window was too slow to take; the recording has a queue of its own");

@@ -20,6 +20,7 @@
 #include "app/ui/replay_state.h"
 #include "app/ui/scale_range.h"
 #include "app/ui/theme.h"
+#include "app/ui/timing_state.h"
 #include "app/ui/toasts.h"
 #include "app/ui/undo.h"
 #include "app/ui/wall_state.h"
@@ -31,7 +32,7 @@ namespace hapticwall::ui {
 enum class PlotArrangement : std::uint8_t { kAll, kFigure4, kFigure5And6 };
 
 // What stands below the views.
-enum class LowerPage : std::uint8_t { kPlots, kBlindTest };
+enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest };
 
 inline constexpr double kShortestTimeWindowS = 0.5;
 inline constexpr double kLongestTimeWindowS = 10.0;
@@ -121,6 +122,7 @@ struct UiState {
   WallState wall;
   ReplayState replay;
   CompareState compare;
+  TimingState timing;
 };
 
 // What a panel is given.

@@ -226,6 +226,7 @@ void run_loop(GLFWwindow* window, Application& application) {
     if (acts || application.moving()) idleness.wake(glfwGetTime());
     // Where swapping does not wait for the screen, we do; events end the wait early.
     const double now_s = glfwGetTime();
+    application.state().timing.frames.add(now_s - start_s);
     const double rest_s = idleness.frame_s(now_s) - (now_s - start_s);
     if (rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
   }

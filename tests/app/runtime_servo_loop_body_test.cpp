@@ -102,6 +102,11 @@ TEST(ServoLoopBody, HolesAreCountedAndNotCaughtUp) {
   EXPECT_EQ(timing.missed_ticks, 4U);
   EXPECT_DOUBLE_EQ(timing.maximum_wake_latency_s, 4.5e-3);
   EXPECT_DOUBLE_EQ(timing.wake_latency_s, 20e-6);
+  LatencyCounts latencies;
+  harness.exchange.wake_latency.read(latencies);
+  EXPECT_EQ(latencies.total(), 100U);
+  EXPECT_EQ(latencies.maximum_ns, 4'500'000);
+  EXPECT_EQ(latencies.bins[LatencyBins::of(20'000)], 99U);
   EXPECT_EQ(harness.clock.now_ns() - start_ns, 104'000'000 + 20'000) << "the phase is kept";
 }
 

@@ -29,6 +29,9 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
   std::uint64_t round = 0;
   std::uint64_t out_of_order = 0;
   std::uint64_t taken = 0;
+  TimingHistograms histograms;
+  std::uint64_t cycles = 0;
+  std::uint64_t went_back = 0;
   Sample previous;
   while (session.snapshot().timing.ticks < kTicks) {
     ++round;
@@ -62,6 +65,9 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
     ASSERT_FALSE(failure) << failure->message;
     if (round % 200 == 30) session.reset();
     static_cast<void>(session.recording_status());
+    session.read_timing(histograms);
+    went_back += histograms.wake_latency.total() < cycles ? 1U : 0U;
+    cycles = histograms.wake_latency.total();
     const std::size_t count = session.take_samples(samples);
     for (std::size_t i = 0; i < count; ++i) {
       const bool next = samples[i].tick == previous.tick + 1 || samples[i].tick == 0;
@@ -73,6 +79,7 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
   }
   EXPECT_EQ(out_of_order, 0U);
   EXPECT_GT(taken, 0U);
+  EXPECT_EQ(went_back, 0U);
   EXPECT_EQ(session.dropped_plot_samples(), 0U);
   EXPECT_FALSE(session.snapshot().ended_by_fault);
   EXPECT_GT(round, 50U) << "too few rounds to have recorded";

@@ -34,6 +34,12 @@ TEST(Session, RunsAtItsRateAndSaysHowItIsSetUp) {
   EXPECT_EQ(snapshot.sample.tick + 1, snapshot.timing.ticks);
   EXPECT_GE(snapshot.timing.maximum_wake_latency_s, snapshot.timing.wake_latency_s);
   EXPECT_GT(snapshot.timing.maximum_compute_time_s, 0.0);
+  TimingHistograms histograms;
+  session->read_timing(histograms);
+  EXPECT_GE(histograms.wake_latency.total(), snapshot.timing.ticks);
+  EXPECT_GE(histograms.compute_time.total(), snapshot.timing.ticks);
+  EXPECT_GE(quantiles(histograms.wake_latency).maximum_ns,
+            std::llround(snapshot.timing.maximum_wake_latency_s * kNanosecondsPerSecond));
   EXPECT_FALSE(snapshot.paused);
   EXPECT_FALSE(session->realtime_status().text.empty());
   EXPECT_EQ(session->realtime_status().advice.empty(),

@@ -98,6 +98,7 @@ class FakeSession final : public runtime::Session {
     snapshot.paused = is_paused;
     return snapshot;
   }
+  void read_timing(runtime::TimingHistograms& out) const override { out = histograms; }
   std::size_t take_samples(std::span<Sample> out) override {
     const std::size_t count = std::min(out.size(), queue_.size());
     std::copy_n(queue_.begin(), count, out.begin());
@@ -143,6 +144,7 @@ class FakeSession final : public runtime::Session {
   device::LinkFigures link;
   std::vector<bool> arm_requests;
   runtime::TimingStatistics timing;  // what the next snapshots say
+  runtime::TimingHistograms histograms;
   bool is_paused = false;
   int steps = 0;
   int resets = 0;

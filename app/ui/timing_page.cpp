@@ -1,0 +1,311 @@
+#include "app/ui/timing_page.h"
+
+#include <fmt/format.h>
+#include <implot.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "app/runtime/clock.h"
+#include "app/runtime/timing_verdict.h"
+#include "app/ui/timing_histogram.h"
+#include "app/ui/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kMicrosecondsPerSecond = 1e6;
+constexpr double kNanosecondsPerMicrosecond = 1e3;
+constexpr std::size_t kCyclesForAVerdict = 1000;
+constexpr float kSideShare = 0.34F;  // of the width, for the figures
+constexpr float kNarrowestSideEms = 24.0F;
+constexpr float kWidestSideEms = 34.0F;
+constexpr float kLowestPlotEms = 9.0F;
+constexpr float kColumnGapEms = 1.5F;
+constexpr float kNarrowestRowEms = 54.0F;  // where less is free, the figures stand below the plots
+constexpr float kStackedPlotEms = 14.0F;   // height of the plots then
+constexpr float kLowestFramesEms = 5.0F;
+
+runtime::TimingJudgement judgement_of(const TimingState& timing, double rate_hz,
+                                      const std::string& advice) {
+  runtime::TimingJudgement judgement;
+  judge(runtime::LoopTiming{rate_hz, timing.wake_latency, timing.shown.missed_ticks, advice},
+        judgement);
+  return judgement;
+}
+
+// Ends at the right edge; returns where it begins.
+float draw_clear(const PanelContext& context) {
+  TimingState& timing = context.state.timing;
+  const char* label = "Clear";
+  const ImVec2 corner = ImGui::GetCursorPos();
+  const float width = ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  const float left = std::max(corner.x, corner.x + ImGui::GetContentRegionAvail().x - width);
+  ImGui::SetCursorPosX(left);
+  if (ImGui::Button(label)) timing.clear_asked = true;
+  remember_item(context.state, "timing clear");
+  explain(
+      "Counts everything on this page anew from now on. The session and its recording do not "
+      "notice.");
+  ImGui::SetCursorPos(corner);
+  return ImGui::GetCursorScreenPos().x + left - corner.x;
+}
+
+void draw_head(const PanelContext& context) {
+  Tone tone = Tone::kText;
+  const std::string sentence =
+      timing_sentence(context.state.timing, context.session.scene().sampling.rate_hz, tone);
+  const float right = draw_clear(context) - ImGui::GetFontSize();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(corner, ImVec2(right, corner.y + ImGui::GetFrameHeight()), true);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(context.theme.fonts.strong, 0.0F);
+  ImGui::TextColored(context.theme.colour(tone), "%s", sentence.c_str());
+  ImGui::PopFont();
+  ImGui::PopClipRect();
+  context.state.transient.items.insert_or_assign(
+      "timing verdict", ItemRect{corner, ImVec2(std::min(right, ImGui::GetItemRectMax().x),
+                                                ImGui::GetItemRectMax().y)});
+  // What does not fit is in the tooltip.
+  explain(
+      sentence +
+      "\n\nGood: no tick missed, and 999 of 1000 wake-ups within a tenth of the period. Usable: "
+      "at most one tick in 10 000 missed, 999 of 1000 within half of it. The same as "
+      "`hapticwall timing` has it.");
+}
+
+void quantile_cells(const PanelContext& context, const runtime::Quantiles& quantiles) {
+  ImGui::PushFont(context.theme.fonts.digits, kSmallFontSize);
+  for (const std::int64_t time_ns :
+       {quantiles.median_ns, quantiles.p99_ns, quantiles.p999_ns, quantiles.maximum_ns}) {
+    ImGui::TableNextColumn();
+    const std::string text =
+        quantiles.count == 0
+            ? "–"
+            : fmt::format("{:.1f}", static_cast<double>(time_ns) / kNanosecondsPerMicrosecond);
+    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(free, 0.0F));
+    ImGui::TextUnformatted(text.c_str());
+  }
+  ImGui::PopFont();
+}
+
+void quantile_row(const PanelContext& context, const char* name, const char* tooltip,
+                  const runtime::Quantiles& quantiles) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(name);
+  remember_item(context.state, std::string("timing ") + name);
+  explain(tooltip);
+  quantile_cells(context, quantiles);
+}
+
+void draw_quantiles(const PanelContext& context) {
+  struct Heading {
+    const char* name;
+    const char* tooltip;
+  };
+  constexpr std::array kHeadings{
+      Heading{"median", "Half of all cycles are at most this (right to 1 part in 32)"},
+      Heading{"p99", "99 of 100 cycles are at most this (right to 1 part in 32)"},
+      Heading{"p99.9", "999 of 1000 cycles are at most this (right to 1 part in 32)"},
+      Heading{"most", "The worst of all cycles; exact since the start of the session"}};
+  constexpr int kColumns = 1 + static_cast<int>(kHeadings.size());
+  if (!ImGui::BeginTable("quantiles", kColumns, ImGuiTableFlags_SizingStretchProp)) return;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("µs");
+  for (const Heading& heading : kHeadings) {
+    ImGui::TableNextColumn();
+    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(heading.name).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(free, 0.0F));
+    ImGui::TextDisabled("%s", heading.name);
+    remember_item(context.state, std::string("timing ") + heading.name);
+    explain(heading.tooltip);
+  }
+  const TimingState& timing = context.state.timing;
+  quantile_row(context, "wake-up", "How late the loop woke up, after the instant it had asked for",
+               timing.wake_latency);
+  quantile_row(context, "compute",
+               "From waking to the last result handed out: device, algorithm, ledger, queues",
+               timing.compute_time);
+  ImGui::EndTable();
+}
+
+void counter_row(const PanelContext& context, const char* name, const std::string& text, Tone tone,
+                 const char* tooltip) {
+  figure_row(context, name, text, tone, tooltip);
+  remember_item(context.state, std::string("timing ") + name);
+}
+
+void draw_counters(const PanelContext& context) {
+  const TimingState& timing = context.state.timing;
+  const TimingCounters& shown = timing.shown;
+  const auto tone = [](std::uint64_t count) { return count > 0 ? Tone::kWarning : Tone::kText; };
+  counter_row(context, "ticks",
+              fmt::format("{} since {}", shown.ticks,
+                          timing.since_start() ? "the start" : "it was cleared"),
+              Tone::kText, "Ticks of the loop that were done; a pause has none");
+  counter_row(context, "missed ticks", fmt::format("{}", shown.missed_ticks),
+              tone(shown.missed_ticks),
+              "Ticks that the loop slept through; they are left out, never caught up with. A "
+              "simulation stays right, it only falls behind the clock.");
+  counter_row(context, "plot drops", fmt::format("{}", shown.plot_drops), tone(shown.plot_drops),
+              "Samples that the window was too slow to take; the recording has a queue of its own");
+}
+
+void draw_realtime(const PanelContext& context) {
+  const runtime::RealtimeStatus& status = context.session.realtime_status();
+  ImGui::PushStyleColor(ImGuiCol_Text,
+                        context.theme.colour(status.fifo_priority ? Tone::kGood : Tone::kWarning));
+  ImGui::TextWrapped("%s", status.text.c_str());
+  ImGui::PopStyleColor();
+  remember_item(context.state, "timing realtime");
+  explain("What the operating system granted to the loop's thread");
+  const runtime::TimingJudgement judgement =
+      judgement_of(context.state.timing, context.session.scene().sampling.rate_hz, status.advice);
+  if (!status.advice.empty()) {
+    muted_text(context, "Advice: " + status.advice);
+  } else if (!judgement.advice.empty() &&
+             context.state.timing.wake_latency.count >= kCyclesForAVerdict) {
+    muted_text(context, "Advice: " + judgement.advice.front());
+  }
+}
+
+void draw_frame_plot(const Theme& theme, std::span<const double> times_ms, double top_ms,
+                     float height) {
+  constexpr ImPlotFlags kFlags =
+      ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame | ImPlotFlags_NoInputs;
+  if (!ImPlot::BeginPlot("##frames", ImVec2(-1.0F, height), kFlags)) return;
+  constexpr auto kAxis = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight;
+  ImPlot::SetupAxis(ImAxis_X1, nullptr, kAxis | ImPlotAxisFlags_NoDecorations);
+  ImPlot::SetupAxis(ImAxis_Y1, nullptr, kAxis);
+  ImPlot::SetupAxisFormat(ImAxis_Y1, "%g ms");
+  ImPlot::SetupAxisLimits(ImAxis_X1, 0.0, static_cast<double>(FrameTimes::kKept),
+                          ImPlotCond_Always);
+  ImPlot::SetupAxisLimits(ImAxis_Y1, 0.0, top_ms, ImPlotCond_Always);
+  ImPlot::SetupFinish();
+  ImPlotSpec line;
+  line.LineColor = theme.colour(Tone::kAccent);
+  line.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  // The newest stands at the right edge.
+  const auto first = static_cast<double>(FrameTimes::kKept - times_ms.size());
+  ImPlot::PlotLine("##times", times_ms.data(), static_cast<int>(times_ms.size()), 1.0, first, line);
+  ImPlot::EndPlot();
+}
+
+// The smallest of 1, 2, 5 times a power of ten that is above.
+double round_above(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-3))));
+  for (const double step : {2.0, 5.0}) {
+    if (step * decade > value) return step * decade;
+  }
+  return 10.0 * decade;
+}
+
+void draw_frames(const PanelContext& context) {
+  const FrameTimes& frames = context.state.timing.frames;
+  const FrameFigures figures = frame_figures(frames);
+  const std::string text = frames.size() == 0
+                               ? "–"
+                               : fmt::format("mean {:.1f}, p99 {:.1f}, most {:.1f} ms",
+                                             figures.mean_ms, figures.p99_ms, figures.maximum_ms);
+  figure_row(context, "frame", text, Tone::kText,
+             fmt::format("What it took to draw this window and hand it to the screen, of the "
+                         "newest {} frames. Where the screen's driver makes the window wait, the "
+                         "wait is in it. The loop does not wait for any of it.",
+                         FrameTimes::kKept));
+  remember_item(context.state, "timing frame");
+  if (frames.size() == 0) return;
+  FrameTimes::Series series{};
+  const std::span<const double> times_ms = frames.copy_ms(series);
+  const float height =
+      std::max(ImGui::GetContentRegionAvail().y, kLowestFramesEms * ImGui::GetFontSize());
+  ImGui::PushFont(context.theme.fonts.digits, kSmallFontSize);
+  draw_frame_plot(context.theme, times_ms, round_above(figures.maximum_ms), height);
+  ImGui::PopFont();
+}
+
+void draw_histograms(const PanelContext& context, ImVec2 size) {
+  const TimingState& timing = context.state.timing;
+  const auto period_ns = static_cast<std::int64_t>(
+      std::llround(context.session.scene().sampling.period_s() * runtime::kNanosecondsPerSecond));
+  const float gap = ImGui::GetFontSize();
+  const ImVec2 each(std::floor(0.5F * (size.x - gap)), size.y);
+  draw_timing_histogram(
+      context.theme,
+      {"Wake-up latency", "How late the loop woke up: how many cycles, by how much",
+       &timing.shown.histograms.wake_latency, timing.wake_latency, period_ns, Tone::kAccent},
+      each);
+  remember_item(context.state, "histogram wake-up");
+  ImGui::SameLine(0.0F, gap);
+  draw_timing_histogram(
+      context.theme,
+      {"Compute time", "How long the work of a cycle took: how many cycles, how long",
+       &timing.shown.histograms.compute_time, timing.compute_time, period_ns, Tone::kStiffness},
+      each);
+  remember_item(context.state, "histogram compute");
+}
+
+void draw_figures(const PanelContext& context) {
+  draw_quantiles(context);
+  draw_counters(context);
+  draw_realtime(context);
+  draw_frames(context);
+}
+
+}  // namespace
+
+std::string timing_sentence(const TimingState& timing, double rate_hz, Tone& tone) {
+  tone = Tone::kMuted;
+  if (timing.wake_latency.count == 0) return "No loop runs here.";
+  if (timing.wake_latency.count < kCyclesForAVerdict) {
+    return fmt::format("Measuring: a verdict comes after {} cycles.", kCyclesForAVerdict);
+  }
+  const double period_us = kMicrosecondsPerSecond / rate_hz;
+  const auto late = [&](const char* name, std::int64_t late_ns) {
+    return fmt::format("{} {:.0f} µs late of a {:.4g} µs period", name,
+                       static_cast<double>(late_ns) / kNanosecondsPerMicrosecond, period_us);
+  };
+  const std::string missed =
+      timing.shown.missed_ticks == 0
+          ? ""
+          : fmt::format(", {} of {} ticks missed", timing.shown.missed_ticks,
+                        timing.wake_latency.count + timing.shown.missed_ticks);
+  switch (judgement_of(timing, rate_hz, "").verdict) {
+    case runtime::TimingVerdict::kGood:
+      tone = Tone::kGood;
+      return fmt::format("The loop keeps its time: {}.", late("p99", timing.wake_latency.p99_ns));
+    case runtime::TimingVerdict::kUsable:
+      tone = Tone::kWarning;
+      return fmt::format("The loop mostly keeps its time: {}{}.",
+                         late("p99.9", timing.wake_latency.p999_ns), missed);
+    case runtime::TimingVerdict::kPoor:
+      break;
+  }
+  tone = Tone::kBad;
+  return fmt::format("The loop does not keep its time: {}{}.",
+                     late("p99.9", timing.wake_latency.p999_ns), missed);
+}
+
+void draw_timing_page(const PanelContext& context) {
+  draw_head(context);
+  const float em = ImGui::GetFontSize();
+  const ImVec2 free = ImGui::GetContentRegionAvail();
+  if (free.x < kNarrowestRowEms * em) {
+    draw_histograms(context, ImVec2(free.x, kStackedPlotEms * em));
+    draw_figures(context);
+    return;
+  }
+  const float side = std::clamp(kSideShare * free.x, kNarrowestSideEms * em, kWidestSideEms * em);
+  const float height = std::max(free.y, kLowestPlotEms * em);
+  draw_histograms(context, ImVec2(free.x - side - kColumnGapEms * em, height));
+  ImGui::SameLine(0.0F, kColumnGapEms * em);
+  ImGui::BeginChild("timing figures", ImVec2(0.0F, height));
+  draw_figures(context);
+  ImGui::EndChild();
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,65 @@
+#include "app/ui/timing_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr double kMillisecondsPerSecond = 1e3;
+
+}  // namespace
+
+void FrameTimes::add(double time_s) {
+  times_ms_[added_ % kKept] = time_s * kMillisecondsPerSecond;
+  ++added_;
+}
+
+std::span<const double> FrameTimes::copy_ms(Series& out) const {
+  const std::size_t oldest = added_ - size();
+  for (std::size_t i = 0; i < size(); ++i) out[i] = times_ms_[(oldest + i) % kKept];
+  return std::span(out).first(size());
+}
+
+FrameFigures frame_figures(const FrameTimes& frames) {
+  FrameTimes::Series sorted{};
+  const std::span<const double> times_ms = frames.copy_ms(sorted);
+  if (times_ms.empty()) return {};
+  const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(times_ms.size());
+  std::sort(sorted.begin(), end);
+  constexpr double kP99 = 0.99;
+  return {std::accumulate(sorted.begin(), end, 0.0) / static_cast<double>(times_ms.size()),
+          times_ms[runtime::nearest_rank(kP99, times_ms.size()) - 1], times_ms.back()};
+}
+
+void note_timing(TimingState& state, const runtime::Session& session,
+                 const runtime::TimingStatistics& timing) {
+  TimingCounters now;
+  session.read_timing(now.histograms);
+  now.ticks = timing.ticks;
+  now.missed_ticks = timing.missed_ticks;
+  now.plot_drops = session.dropped_plot_samples();
+  const TimingCounters& cleared = state.cleared;
+  const bool another_session =
+      now.ticks < cleared.ticks || now.missed_ticks < cleared.missed_ticks ||
+      now.plot_drops < cleared.plot_drops ||
+      now.histograms.wake_latency.total() < cleared.histograms.wake_latency.total();
+  if (another_session) state.cleared = {};
+  if (state.clear_asked) {
+    state.cleared = now;
+    state.frames.clear();
+    state.clear_asked = false;
+  }
+  state.shown.histograms.wake_latency =
+      now.histograms.wake_latency.since(cleared.histograms.wake_latency);
+  state.shown.histograms.compute_time =
+      now.histograms.compute_time.since(cleared.histograms.compute_time);
+  state.shown.ticks = now.ticks - cleared.ticks;
+  state.shown.missed_ticks = now.missed_ticks - cleared.missed_ticks;
+  state.shown.plot_drops = now.plot_drops - cleared.plot_drops;
+  state.wake_latency = runtime::quantiles(state.shown.histograms.wake_latency);
+  state.compute_time = runtime::quantiles(state.shown.histograms.compute_time);
+}
+
+}  // namespace hapticwall::ui

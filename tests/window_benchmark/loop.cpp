@@ -1,0 +1,229 @@
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/file/recording_reader.h"
+#include "app/file/scene_file.h"
+#include "app/ui/application.h"
+#include "tests/window_benchmark/measurements.h"
+#include "tests/window_benchmark/stage.h"
+
+namespace hapticwall::window_benchmark {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kWidth = 1280;
+constexpr int kHeight = 720;
+constexpr int kHogs = 2;
+constexpr double kWarmUpS = 3.0;
+constexpr double kMostRatio = 1.2;
+// How often a window that nobody sees takes its samples.
+constexpr std::chrono::milliseconds kUnseenFrame{100};
+
+// Processes that do nothing but keep the cores busy, while this lives. To be made before any
+// thread is.
+class Hogs {
+ public:
+  explicit Hogs(int count) {
+    for (int i = 0; i < count; ++i) {
+      const pid_t child = fork();
+      if (child == 0) burn();
+      if (child > 0) children_.push_back(child);
+    }
+  }
+  Hogs(const Hogs&) = delete;
+  Hogs& operator=(const Hogs&) = delete;
+  ~Hogs() {
+    for (const pid_t child : children_) {
+      kill(child, SIGKILL);
+      waitpid(child, nullptr, 0);
+    }
+  }
+
+ private:
+  [[noreturn]] static void burn() {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    for (volatile unsigned turns = 0;;) turns = turns + 1;
+  }
+  std::vector<pid_t> children_;
+};
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string path = (std::filesystem::temp_directory_path() / "hapticwall-XXXXXX").string();
+    if (mkdtemp(path.data()) != nullptr) path_ = path;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  [[nodiscard]] std::string file(const char* name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+// All blocks of a kind.
+struct Blocks {
+  const char* name;
+  runtime::TimingHistograms timing;
+  std::uint64_t missed_ticks = 0;
+  std::uint64_t frames = 0;
+  double seconds = 0.0;
+};
+
+void draw_once(ui::Application& application, Stage& stage) {
+  static_cast<void>(stage.frame([&] { application.frame(); }));
+}
+
+void run_block(ui::Application& application, Stage& stage, bool drawn, double seconds,
+               Blocks& blocks) {
+  runtime::TimingHistograms before;
+  application.session().read_timing(before);
+  const std::uint64_t missed = application.session().snapshot().timing.missed_ticks;
+  const auto start = Clock::now();
+  const auto passed_s = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  while (passed_s() < seconds) {
+    if (drawn) {
+      draw_once(application, stage);
+      ++blocks.frames;
+    } else {
+      application.take_samples();
+      std::this_thread::sleep_for(kUnseenFrame);
+    }
+  }
+  blocks.seconds += passed_s();
+  runtime::TimingHistograms after;
+  application.session().read_timing(after);
+  blocks.timing.wake_latency += after.wake_latency.since(before.wake_latency);
+  blocks.timing.compute_time += after.compute_time.since(before.compute_time);
+  blocks.missed_ticks += application.session().snapshot().timing.missed_ticks - missed;
+}
+
+void print_row(const Blocks& blocks, const char* what, const runtime::LatencyCounts& counts) {
+  constexpr double kNanosecondsPerMicrosecond = 1e3;
+  const runtime::Quantiles row = runtime::quantiles(counts);
+  const auto us = [](std::int64_t time_ns) {
+    return static_cast<double>(time_ns) / kNanosecondsPerMicrosecond;
+  };
+  std::printf("%-16s%-10s %10zu %9.1f %9.1f %9.1f %9.1f %8llu\n", blocks.name, what, row.count,
+              us(row.median_ns), us(row.p99_ns), us(row.p999_ns), us(row.maximum_ns),
+              static_cast<unsigned long long>(blocks.missed_ticks));
+}
+
+double ratio(std::int64_t with_ns, std::int64_t without_ns) {
+  return static_cast<double>(with_ns) / static_cast<double>(without_ns);
+}
+
+void print_table(const Blocks& without, const Blocks& with) {
+  std::printf("\n%-26s %10s %9s %9s %9s %9s %8s\n", "us", "cycles", "median", "p99", "p99.9",
+              "most", "missed");
+  for (const Blocks* blocks : {&without, &with}) {
+    print_row(*blocks, "wake-up", blocks->timing.wake_latency);
+    print_row(*blocks, "compute", blocks->timing.compute_time);
+  }
+  const runtime::Quantiles a = runtime::quantiles(without.timing.wake_latency);
+  const runtime::Quantiles b = runtime::quantiles(with.timing.wake_latency);
+  std::printf(
+      "wake-up, with to without: median %.2fx, p99 %.2fx (at most %.1fx is wanted), p99.9 %.2fx, "
+      "most %.2fx\n",
+      ratio(b.median_ns, a.median_ns), ratio(b.p99_ns, a.p99_ns), kMostRatio,
+      ratio(b.p999_ns, a.p999_ns), ratio(b.maximum_ns, a.maximum_ns));
+  std::printf("%llu frames, %.1f a second\n", static_cast<unsigned long long>(with.frames),
+              static_cast<double>(with.frames) / with.seconds);
+}
+
+// Ticks that are missing between the first and the last of so many.
+std::uint64_t gaps(double first_tick, double last_tick, std::uint64_t count) {
+  return static_cast<std::uint64_t>(last_tick - first_tick) + 1 - count;
+}
+
+// What was lost on the way to the plots and to the disk; 0 where everything arrived.
+Result<std::uint64_t> print_losses(ui::Application& application, const std::string& csv) {
+  runtime::Session& session = application.session();
+  session.pause(true);
+  while (!session.snapshot().paused) std::this_thread::sleep_for(kUnseenFrame);
+  application.take_samples();
+  const ui::SampleHistory& history = application.history();
+  const std::uint64_t plot_gaps =
+      gaps(history.value(ui::Quantity::kTick, 0),
+           history.value(ui::Quantity::kTick, history.size() - 1), history.size());
+  const std::uint64_t plot_drops = session.dropped_plot_samples();
+  if (Failure failure = session.stop_recording()) return *failure;
+  const std::uint64_t row_drops = session.recording_status().dropped_rows;
+  const auto recording = file::RecordingReader::open(csv);
+  if (!recording) return recording.error();
+  const file::ScannedRows& rows = (*recording)->info().scanned;
+  const std::uint64_t row_gaps =
+      gaps(static_cast<double>(rows.first_tick), static_cast<double>(rows.last_tick), rows.rows);
+  std::printf(
+      "lost: %llu of %zu samples on the way to the plots (%llu ticks missing), %llu of %llu rows "
+      "of "
+      "the recording (%llu ticks missing)\n",
+      static_cast<unsigned long long>(plot_drops), history.size(),
+      static_cast<unsigned long long>(plot_gaps), static_cast<unsigned long long>(row_drops),
+      static_cast<unsigned long long>(rows.rows), static_cast<unsigned long long>(row_gaps));
+  return plot_drops + plot_gaps + row_drops + row_gaps;
+}
+
+Result<std::uint64_t> run(Stage& stage, const Scene& scene, double seconds, double block_s) {
+  const TemporaryFolder folder;
+  const std::string csv = folder.file("loop.csv");
+  ui::Application::Sessions sessions;
+  sessions.simulate = [](const Scene& wanted) { return runtime::Session::start(wanted); };
+  auto created = ui::Application::create(scene, {}, stage.theme(), sessions);
+  if (!created) return created.error();
+  ui::Application& application = **created;
+  std::printf("The loop of '%s' at %g Hz beside %d busy processes, %s\n%dx%d by %s\n",
+              scene.name.c_str(), scene.sampling.rate_hz, kHogs,
+              application.session().realtime_status().text.c_str(), kWidth, kHeight,
+              stage.renderer().c_str());
+  Blocks without{"without window", {}, 0, 0, 0.0};
+  Blocks with{"with window", {}, 0, 0, 0.0};
+  Blocks warm_up{"", {}, 0, 0, 0.0};
+  run_block(application, stage, true, kWarmUpS, warm_up);
+  if (Failure failure = application.session().start_recording(csv)) return *failure;
+  // Off, on, on, off: what changes slowly on the machine hits both alike.
+  constexpr bool kDrawn[] = {false, true, true, false};
+  const int blocks = std::max(2, static_cast<int>(seconds / block_s));
+  for (int block = 0; block < blocks; ++block) {
+    const bool drawn = kDrawn[block % 4];
+    run_block(application, stage, drawn, block_s, drawn ? with : without);
+  }
+  print_table(without, with);
+  return print_losses(application, csv);
+}
+
+}  // namespace
+
+int measure_loop(double seconds, double block_s) {
+  const Hogs hogs(kHogs);
+  const auto fail = [](const Error& error) {
+    std::fprintf(stderr, "%s\n", error.message.c_str());
+    return EXIT_FAILURE;
+  };
+  const auto loaded = file::load_scene("press");
+  if (!loaded) return fail(loaded.error());
+  const auto stage = Stage::create(kWidth, kHeight);
+  if (!stage) return fail(stage.error());
+  const Result<std::uint64_t> lost = run(**stage, loaded->scene, seconds, block_s);
+  if (!lost) return fail(lost.error());
+  return *lost == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace hapticwall::window_benchmark

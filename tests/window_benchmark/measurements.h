@@ -1,0 +1,15 @@
+// The two things that are measured of the window.
+#pragma once
+
+namespace hapticwall::window_benchmark {
+
+// What a frame costs with a minute and with an hour of history, in ratio to an empty window's.
+// Returns the exit status of the program.
+int measure_frames();
+
+// How late the loop wakes up while the window is drawn as fast as it can, and while it is not, in
+// blocks of `block_s` that take turns for `seconds`; every core is kept busy besides, and a
+// recording runs. Returns the exit status of the program.
+int measure_loop(double seconds, double block_s);
+
+}  // namespace hapticwall::window_benchmark
