@@ -71,7 +71,18 @@ void Person::double_click(const std::string& item, ImGuiMouseButton button) {
 }
 
 void Person::hover(const std::string& item) {
-  if (const auto rect = take(item)) point_at(*rect);
+  const auto rect = take(item);
+  if (!rect) return;
+  ImVec2 place = rect->centre();
+  const ImVec2 screen = ImGui::GetMainViewport()->WorkSize;
+  if (place.y >= screen.y) {  // below the end of a panel that scrolls
+    ImGuiWindow* panel = engine_->FindHoveredWindowAtPos(ImVec2(place.x, 0.5F * screen.y));
+    engine_->ScrollToPosY(panel->ID, place.y);
+    const auto now = state().transient.items.find(item);
+    if (now != state().transient.items.end()) place = now->second.centre();
+    EXPECT_LT(place.y, screen.y) << "'" << item << "' cannot be brought to light";
+  }
+  engine_->MouseMoveToPos(place);
 }
 
 void Person::drag(const std::string& item, ImVec2 way, ImGuiMouseButton button) {

@@ -65,11 +65,15 @@ void choose_folder(Person& person, const std::string& folder) {
 }
 
 void reset_layout(Person& person) {
+  ui::PersistedState& persisted = person.state().persisted;
+  const double view_share = persisted.view_share;
   person.drag("panel splitter", ImVec2(40.0F, 0.0F));
-  EXPECT_NE(person.state().persisted.panel_ems, ui::PersistedState{}.panel_ems);
+  EXPECT_NE(persisted.panel_ems, ui::PersistedState{}.panel_ems);
   open_settings(person);
   person.click("reset layout");
-  EXPECT_EQ(person.state().persisted.panel_ems, ui::PersistedState{}.panel_ems);
+  EXPECT_EQ(persisted.panel_ems, ui::PersistedState{}.panel_ems);
+  EXPECT_EQ(persisted.view_share, ui::PersistedState{}.view_share);
+  persisted.view_share = view_share;
 }
 
 void pause_and_run(Person& person) {

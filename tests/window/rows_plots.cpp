@@ -51,10 +51,12 @@ void magnify(Person& person) {
 Row splits(const char* item, ImVec2 way, double ui::PersistedState::*share) {
   return {item, [=](Person& person) {
             const auto now = [&] { return person.state().persisted.*share; };
+            const double before = now();
             person.drag(item, way);
-            EXPECT_GT(now(), ui::PersistedState{}.*share);
+            EXPECT_GT(now(), before);
             person.double_click(item);
             EXPECT_EQ(now(), ui::PersistedState{}.*share);
+            person.state().persisted.*share = before;
           }};
 }
 

@@ -26,8 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWidth = 1280;
-constexpr int kHeight = 800;
+// Small, and smaller its pictures: painting is what costs time without a graphics card.
+constexpr int kWidth = 1120;
+constexpr int kHeight = 720;
+constexpr double kViewShare = 0.22;
+constexpr double kPictureShare = 0.4;
 
 // The engine for one script, bound to the current ImGui.
 class Engine {
@@ -52,6 +55,7 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
   ~Engine() {
     EXPECT_EQ(test_->Output.Status, ImGuiTestStatus_Success) << test_->Output.Log.GetText();
+    fprintf(stderr, "FRAMES %d\n", ImGui::GetFrameCount());
     ImGuiTestEngine_Stop(engine_);
     ImGuiTestEngine_DestroyContext(engine_);
   }
@@ -154,13 +158,18 @@ void use_headless(const ui::WindowOptions& options, const Script& script, ItemLo
 
 }  // namespace
 
+std::string screen_name(const ::testing::TestParamInfo<Screen>& info) {
+  return info.param == Screen::kDisplay ? "RealWindow" : "Headless";
+}
+
 Home::Home() {
   std::string name = (fs::temp_directory_path() / "hapticwall-window-XXXXXX").string();
   EXPECT_NE(mkdtemp(name.data()), nullptr);
   folder_ = name;
-  // Small, for painting is what costs time without a graphics card.
   const file::Settings settings{{"window.width", static_cast<double>(kWidth)},
-                                {"window.height", static_cast<double>(kHeight)}};
+                                {"window.height", static_cast<double>(kHeight)},
+                                {"window.view_share", kViewShare},
+                                {"window.picture_share", kPictureShare}};
   EXPECT_FALSE(file::make_folder_of(settings_path()));
   EXPECT_FALSE(file::write_file(settings_path(), file::settings_text(settings)));
 }

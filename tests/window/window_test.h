@@ -17,6 +17,7 @@
 namespace hapticwall::test {
 
 enum class Screen : std::uint8_t { kNone, kDisplay };
+[[nodiscard]] std::string screen_name(const ::testing::TestParamInfo<Screen>& info);
 
 // A home of its own for each test: settings, recordings and scenes lie in it.
 class Home {
@@ -70,6 +71,4 @@ class WindowTest : public ::testing::TestWithParam<Screen> {
   INSTANTIATE_TEST_SUITE_P(                                                                       \
       , suite,                                                                                    \
       ::testing::Values(::hapticwall::test::Screen::kNone, ::hapticwall::test::Screen::kDisplay), \
-      [](const auto& info) {                                                                      \
-        return info.param == ::hapticwall::test::Screen::kNone ? "Headless" : "RealWindow";       \
-      })
+      ::hapticwall::test::screen_name)
