@@ -43,29 +43,58 @@ set(HAPTICWALL_GUI_SOURCES "${cache}/hapticwall/${pin}"
     CACHE PATH "Folder that holds imgui/ and implot/ (sources)")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
                                        ${PROJECT_SOURCE_DIR}/cmake/gui-sources.txt)
-foreach(file imgui/imgui.h implot/implot.h)
+set(gui_files imgui/imgui.h implot/implot.h)
+if(HAPTICWALL_TESTS)
+  list(APPEND gui_files imgui_test_engine/imgui_te_engine.h)
+endif()
+foreach(file ${gui_files})
   if(NOT EXISTS ${HAPTICWALL_GUI_SOURCES}/${file})
     message(FATAL_ERROR "${HAPTICWALL_GUI_SOURCES} has no ${file}. `./dev setup` fetches the sources of "
-                        "Dear ImGui and ImPlot; -DHAPTICWALL_GUI_SOURCES=DIR points at other copies.")
+                        "Dear ImGui, ImPlot and the Test Engine; -DHAPTICWALL_GUI_SOURCES=DIR points at "
+                        "other copies.")
   endif()
 endforeach()
 
 set(imgui ${HAPTICWALL_GUI_SOURCES}/imgui)
 set(implot ${HAPTICWALL_GUI_SOURCES}/implot)
-add_library(
-  hapticwall_imgui STATIC
-  ${imgui}/imgui.cpp ${imgui}/imgui_demo.cpp ${imgui}/imgui_draw.cpp ${imgui}/imgui_tables.cpp
-  ${imgui}/imgui_widgets.cpp ${imgui}/backends/imgui_impl_glfw.cpp
-  ${imgui}/backends/imgui_impl_opengl3.cpp ${implot}/implot.cpp ${implot}/implot_items.cpp)
-if(EXISTS ${imgui}/imgui_stacklayout.cpp)  # an addition of the copies that `./dev` fetches
-  target_sources(hapticwall_imgui PRIVATE ${imgui}/imgui_stacklayout.cpp)
-endif()
-target_include_directories(hapticwall_imgui SYSTEM PUBLIC ${imgui} ${imgui}/backends ${implot})
-# Plots of floats and doubles only: a third of the time to compile.
-target_compile_definitions(hapticwall_imgui PRIVATE "IMPLOT_CUSTOM_NUMERIC_TYPES=(float)(double)")
-target_link_libraries(
-  hapticwall_imgui
-  PUBLIC glfw
-  PRIVATE hapticwall_third_party_options ${CMAKE_DL_LIBS})
+# What our code is compiled against. What it is linked to is one of the two libraries below.
+add_library(hapticwall_imgui_headers INTERFACE)
+target_include_directories(hapticwall_imgui_headers SYSTEM INTERFACE ${imgui} ${imgui}/backends
+                                                                     ${implot})
+target_link_libraries(hapticwall_imgui_headers INTERFACE glfw)
 # Both combine flags of different enumerations by design, which C++20 deprecates.
-target_compile_options(hapticwall_imgui INTERFACE -Wno-deprecated-enum-enum-conversion)
+target_compile_options(hapticwall_imgui_headers INTERFACE -Wno-deprecated-enum-enum-conversion)
+
+# hapticwall_gui_library(NAME SOURCES...): Dear ImGui and ImPlot, and what comes on top.
+function(hapticwall_gui_library name)
+  add_library(
+    ${name} STATIC
+    ${imgui}/imgui.cpp ${imgui}/imgui_demo.cpp ${imgui}/imgui_draw.cpp ${imgui}/imgui_tables.cpp
+    ${imgui}/imgui_widgets.cpp ${imgui}/backends/imgui_impl_glfw.cpp
+    ${imgui}/backends/imgui_impl_opengl3.cpp ${implot}/implot.cpp ${implot}/implot_items.cpp ${ARGN})
+  if(EXISTS ${imgui}/imgui_stacklayout.cpp)  # an addition of the copies that `./dev` fetches
+    target_sources(${name} PRIVATE ${imgui}/imgui_stacklayout.cpp)
+  endif()
+  # Plots of floats and doubles only: a third of the time to compile.
+  target_compile_definitions(${name} PRIVATE "IMPLOT_CUSTOM_NUMERIC_TYPES=(float)(double)")
+  target_link_libraries(
+    ${name}
+    PUBLIC hapticwall_imgui_headers
+    PRIVATE hapticwall_third_party_options ${CMAKE_DL_LIBS})
+endfunction()
+
+hapticwall_gui_library(hapticwall_imgui)
+
+# The same with hooks for Dear ImGui Test Engine, and the engine itself: for tests of the window alone.
+# The hooks lie in functions of Dear ImGui and change no type, so that our own code is compiled once.
+if(HAPTICWALL_TESTS)
+  set(engine ${HAPTICWALL_GUI_SOURCES}/imgui_test_engine)
+  file(GLOB engine_sources ${engine}/*.cpp)
+  hapticwall_gui_library(hapticwall_imgui_tested ${engine_sources})
+  target_include_directories(hapticwall_imgui_tested SYSTEM PUBLIC ${engine})
+  target_compile_definitions(
+    hapticwall_imgui_tested
+    PUBLIC IMGUI_USER_CONFIG="imgui_te_imconfig.h" IMGUI_TEST_ENGINE_ENABLE_COROUTINE_STDTHREAD_IMPL=1
+           IMGUI_TEST_ENGINE_ENABLE_STD_FUNCTION=1 IMGUI_TEST_ENGINE_ENABLE_CAPTURE=0)
+  target_link_libraries(hapticwall_imgui_tested PUBLIC Threads::Threads)
+endif()

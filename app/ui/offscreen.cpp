@@ -65,7 +65,7 @@ class Context final : public OffscreenContext {
   ~Context() override {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-    eglTerminate(display_);
+    // The display stays: it is one for the process, and other contexts may live on it.
   }
 
   bool make_current() {

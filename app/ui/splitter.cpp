@@ -25,7 +25,7 @@ Split draw_splitter(const PanelContext& context, const char* name, SplitWay way,
   bool hovered = false;
   bool active = false;
   if (ImGui::ItemAdd(place, id)) ImGui::ButtonBehavior(place, id, &hovered, &active);
-  context.state.transient.items.insert_or_assign(name, ItemRect{place.Min, place.Max});
+  context.state.transient.items.insert_or_assign(name, ItemRect{place.Min, place.Max, id});
   Split split;
   if (!active && !hovered) return split;
   ImGui::SetMouseCursor(columns ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);

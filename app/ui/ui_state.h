@@ -67,6 +67,7 @@ struct TextEdit {
 struct ItemRect {
   ImVec2 from;
   ImVec2 to;
+  ImGuiID id = 0;  // 0: nothing that takes the pointer by itself
 
   [[nodiscard]] ImVec2 centre() const { return {0.5F * (from.x + to.x), 0.5F * (from.y + to.y)}; }
 };
@@ -145,7 +146,7 @@ inline void tell(UiState& state, const SceneProblem& problem) {
 
 // Notes where the last item was drawn.
 inline void remember_item(UiState& state, std::string_view name) {
-  const ItemRect rect{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+  const ItemRect rect{ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), ImGui::GetItemID()};
   state.transient.items.insert_or_assign(std::string(name), rect);
 }
 

@@ -209,8 +209,9 @@ bool is_seen(GLFWwindow* window) {
 // The user does something: what has arrived since the last frame is still to be handled.
 bool user_acts() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
 
-void run_loop(GLFWwindow* window, Application& application) {
+void run_loop(GLFWwindow* window, Application& application, const WindowHooks& hooks) {
   Idleness idleness;
+  if (hooks.opened) hooks.opened(application);
   while (glfwWindowShouldClose(window) == GLFW_FALSE &&
          !end_requested.load(std::memory_order_relaxed)) {
     glfwPollEvents();
@@ -223,20 +224,22 @@ void run_loop(GLFWwindow* window, Application& application) {
     application.set_screen_scale(std::max(ImGui_ImplGlfw_GetContentScaleForWindow(window), 1.0F));
     const bool acts = user_acts();
     draw_frame(window, application);
+    if (hooks.drawn) hooks.drawn();
     if (acts || application.moving()) idleness.wake(glfwGetTime());
     // Where swapping does not wait for the screen, we do; events end the wait early.
     const double now_s = glfwGetTime();
     application.state().timing.frames.add(now_s - start_s);
     const double rest_s = idleness.frame_s(now_s) - (now_s - start_s);
-    if (rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
+    if (hooks.rests && rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
   }
+  if (hooks.closed) hooks.closed();
   keep_window(window, application.state().persisted);
   application.save_settings();
 }
 
 }  // namespace
 
-Failure run_window(const WindowOptions& options) {
+Failure run_window(const WindowOptions& options, const WindowHooks& hooks) {
   const EndSignals signals;
   const Glfw glfw;
   if (!glfw.ready()) {
@@ -257,7 +260,7 @@ Failure run_window(const WindowOptions& options) {
       theme, sessions);
   if (!application) return application.error();
   const DropTarget drops(window.get(), **application);
-  run_loop(window.get(), **application);
+  run_loop(window.get(), **application, hooks);
   return std::nullopt;
 }
 

@@ -25,7 +25,18 @@ struct WindowOptions {
   std::string opened_file;            // that the scene came from; empty: it is built in
 };
 
+class Application;
+
+// For whoever uses the window in place of a person. Called on the window's thread, with its
+// contexts current; any may be empty.
+struct WindowHooks {
+  std::function<void(Application&)> opened;  // before the first frame
+  std::function<void()> drawn;               // after every frame
+  std::function<void()> closed;              // after the last one; the application still lives
+  bool rests = true;  // between two frames; false: the next one follows at once
+};
+
 // Returns when the user closes the window or the process is asked to end (SIGINT, SIGTERM).
-[[nodiscard]] Failure run_window(const WindowOptions& options);
+[[nodiscard]] Failure run_window(const WindowOptions& options, const WindowHooks& hooks = {});
 
 }  // namespace hapticwall::ui

@@ -1,0 +1,65 @@
+// Every control of the window is used at least once, and does what it is for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include "tests/window/rows.h"
+#include "tests/window/window_test.h"
+
+namespace hapticwall::test {
+namespace {
+
+class ControlsTest : public WindowTest {
+ protected:
+  void use_simulator() {
+    const std::string scene = home_.write_scene("mine", "tap");
+    const std::string two_walls = home_.write_scene_of_two_walls("two-walls");
+    const std::string folder = (home_.folder() / "recordings").string();
+    use([&](Person& person) {
+      use_all(person, "head", head_rows(folder));
+      use_all(person, "toolbar", toolbar_rows());
+      use_all(person, "scene", scene_rows(scene));
+      use_all(person, "algorithm", algorithm_rows());
+      use_all(person, "wall", wall_rows(two_walls));
+      use_all(person, "hand", hand_rows());
+      use_all(person, "device", device_rows());
+      use_all(person, "loop", loop_rows());
+      use_all(person, "views", view_rows());
+      use_all(person, "plot controls", plot_control_rows());
+      use_all(person, "plots", plot_rows());
+      use_all(person, "status", status_rows());
+      use_all(person, "overlays", overlay_rows());
+    });
+  }
+
+  void use_device() {
+    connect_device();
+    use([&](Person& person) {
+      use_all(person, "link", link_rows());
+      person.click("arm");
+      EXPECT_EQ(device().arm_requests, std::vector{true});
+      device().arming.state = runtime::ArmingState::kOn;
+      person.wait_a_frame();
+      person.click("arm");
+      EXPECT_EQ(device().arm_requests, (std::vector{true, false}));
+    });
+  }
+};
+
+TEST_P(ControlsTest, EveryOneIsUsed) {
+  use_simulator();
+  use_device();
+  std::set<std::string> forgotten;
+  std::set_difference(log_.seen.begin(), log_.seen.end(), log_.used.begin(), log_.used.end(),
+                      std::inserter(forgotten, forgotten.end()));
+  EXPECT_TRUE(forgotten.empty()) << "nobody has used these; give them rows in tests/window/rows_*: "
+                                 << ::testing::PrintToString(forgotten);
+}
+
+HAPTICWALL_ON_BOTH_SCREENS(ControlsTest);
+
+}  // namespace
+}  // namespace hapticwall::test

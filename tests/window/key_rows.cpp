@@ -1,0 +1,167 @@
+#include "tests/window/key_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "app/ui/appearance.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::test {
+namespace {
+
+using Press = std::function<void()>;
+using Look = std::function<double(Person&)>;
+
+// Pressed twice it is as before.
+KeyRow flips(std::string what, Look look) {
+  return {std::move(what), [look = std::move(look)](Person& person, const Press& press) {
+            const double before = look(person);
+            press();
+            EXPECT_NE(look(person), before);
+            press();
+            EXPECT_EQ(look(person), before);
+          }};
+}
+
+bool is_paused(Person& person) { return person.session().snapshot().paused; }
+
+void pause(Person& person, const Press& press) {
+  for (const bool paused : {true, false}) {
+    press();
+    person.wait_until([&] { return is_paused(person) == paused; }, "pause");
+  }
+}
+
+void step(Person& person, const Press& press) {
+  person.session().pause(true);
+  person.wait_until([&] { return is_paused(person); }, "pause");
+  person.wait_a_frame();
+  const std::uint64_t before = person.session().snapshot().sample.tick;
+  press();
+  person.wait_until([&] { return person.session().snapshot().sample.tick > before; }, "a tick");
+  EXPECT_EQ(person.session().snapshot().sample.tick, before + 1);
+  person.session().pause(false);
+  person.wait_until([&] { return !is_paused(person); }, "running");
+}
+
+void reset(Person& person, const Press& press) {
+  const std::uint32_t before = person.session().snapshot().resets;
+  press();
+  person.wait_until([&] { return person.session().snapshot().resets == before + 1; }, "the reset");
+}
+
+void record(Person& person, const Press& press) {
+  press();
+  EXPECT_EQ(person.recording().state, runtime::RecordingState::kRecording);
+  person.wait_until([&] { return person.recording().rows > 0; }, "rows");
+  press();
+  EXPECT_EQ(person.recording().state, runtime::RecordingState::kIdle);
+}
+
+std::size_t algorithm(Person& person) { return person.scene().algorithm.index; }
+
+void set_algorithm(Person& person, std::size_t index) {
+  AlgorithmSettings settings = person.scene().algorithm;
+  settings.index = index;
+  EXPECT_FALSE(person.session().set_algorithm(settings));
+  person.wait_a_frame();
+}
+
+KeyRow chooses(std::size_t index) {
+  return {std::string(algorithms()[index].name), [index](Person& person, const Press& press) {
+            set_algorithm(person, index == 0 ? 1 : 0);
+            press();
+            EXPECT_EQ(algorithm(person), index);
+          }};
+}
+
+void undo(Person& person, const Press& press) {
+  set_algorithm(person, 0);
+  set_algorithm(person, 1);
+  press();
+  EXPECT_EQ(algorithm(person), 0U);
+}
+
+void redo(Person& person, const Press& press) {
+  set_algorithm(person, 0);
+  set_algorithm(person, 1);
+  person.click("undo");
+  EXPECT_EQ(algorithm(person), 0U);
+  press();
+  EXPECT_EQ(algorithm(person), 1U);
+}
+
+int percent(Person& person) { return ui::scale_percent_in_force(person.state()); }
+
+void scale(Person& person, const Press& press, int way) {
+  const int before = percent(person);
+  press();
+  EXPECT_GT(way * (percent(person) - before), 0);
+  ui::set_scale(person.state(), 0);
+  person.wait_a_frame();
+}
+
+void scale_as_screen(Person& person, const Press& press) {
+  ui::set_scale(person.state(), 110);
+  person.wait_a_frame();
+  press();
+  EXPECT_EQ(person.state().persisted.scale_percent, 0);
+}
+
+// The topmost of what is open goes first.
+void put_away(Person& person, const Press& press) {
+  ui::tell(person.state(), ui::MessageKind::kProblem, "a problem");
+  person.click("help");
+  EXPECT_TRUE(person.state().transient.help_shown);
+  press();
+  EXPECT_FALSE(person.state().transient.help_shown);
+  EXPECT_EQ(person.message().text, "a problem");
+  person.click("time window");
+  press();
+  EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+  EXPECT_EQ(person.message().text, "a problem");
+  press();
+  EXPECT_NE(person.message().text, "a problem");
+}
+
+void next_trigger(Person& person, const Press& press) {
+  using enum ui::TriggerMode;
+  const auto mode = [&] { return person.state().plots.persisted.trigger.mode; };
+  EXPECT_EQ(mode(), kOff);
+  for (const ui::TriggerMode next : {kAuto, kNormal, kSingle, kOff}) {
+    press();
+    EXPECT_EQ(mode(), next);
+  }
+}
+
+std::vector<KeyRow> window_key_rows() {
+  return {flips("this help", [](Person& p) { return p.state().transient.help_shown ? 1.0 : 0.0; }),
+          flips("dark or light",
+                [](Person& p) { return static_cast<double>(p.state().persisted.look); }),
+          {"everything larger", [](Person& p, const Press& press) { scale(p, press, 1); }},
+          {"everything smaller", [](Person& p, const Press& press) { scale(p, press, -1); }},
+          {"as large as the screen says", scale_as_screen},
+          {"close a list, the help, or the newest message", put_away},
+          flips("follow the newest samples, or freeze",
+                [](Person& p) { return p.state().transient.follow ? 1.0 : 0.0; }),
+          {"the next kind of trigger", next_trigger},
+          flips("show or hide the cursors",
+                [](Person& p) { return p.state().plots.transient.cursors.shown ? 1.0 : 0.0; })};
+}
+
+}  // namespace
+
+std::vector<KeyRow> key_rows() {
+  std::vector<KeyRow> rows{{"pause, or run on", pause},
+                           {"one tick, while paused", step},
+                           {"reset: back to tick 0, at rest", reset},
+                           {"record, or stop recording", record},
+                           {"undo the last change", undo},
+                           {"redo it", redo}};
+  for (std::size_t i = 0; i < algorithms().size(); ++i) rows.push_back(chooses(i));
+  for (KeyRow& row : window_key_rows()) rows.push_back(std::move(row));
+  return rows;
+}
+
+}  // namespace hapticwall::test

@@ -1,0 +1,95 @@
+#include "tests/window/rows.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace hapticwall::test {
+namespace {
+
+constexpr float kSlidePixels = 30.0F;
+
+Row row(std::string item, std::function<void(Person&)> first,
+        std::function<void(Person&, const std::string&)> use) {
+  return {item, [item, first = std::move(first), use = std::move(use)](Person& person) {
+            if (first) first(person);
+            use(person, item);
+          }};
+}
+
+}  // namespace
+
+void expect_flips(Person& person, const std::string& item, const Look& look) {
+  const double before = look(person);
+  person.click(item);
+  EXPECT_NE(look(person), before) << item;
+  person.click(item);
+  EXPECT_EQ(look(person), before) << item;
+}
+
+Row shown(std::string item, std::function<void(Person&)> first) {
+  return row(std::move(item), std::move(first), [](Person& person, const std::string& name) {
+    person.hover(name);
+    const auto& items = person.state().transient.items;
+    const auto found = items.find(name);
+    ASSERT_NE(found, items.end());
+    EXPECT_GT(found->second.to.x, found->second.from.x);
+    EXPECT_GT(found->second.to.y, found->second.from.y);
+  });
+}
+
+Row flips(std::string item, Look look, std::function<void(Person&)> first) {
+  return row(std::move(item), std::move(first),
+             [look = std::move(look)](Person& person, const std::string& name) {
+               expect_flips(person, name, look);
+             });
+}
+
+Row sets(std::string item, Look look, double wanted, std::function<void(Person&)> first) {
+  return row(std::move(item), std::move(first),
+             [look = std::move(look), wanted](Person& person, const std::string& name) {
+               person.click(name);
+               EXPECT_EQ(look(person), wanted);
+             });
+}
+
+Row takes(std::string item, std::string text, Look look, double wanted,
+          std::function<void(Person&)> first) {
+  return row(std::move(item), std::move(first),
+             [text = std::move(text), look = std::move(look), wanted](Person& person,
+                                                                      const std::string& name) {
+               EXPECT_NE(look(person), wanted) << "it would prove nothing";
+               person.type(name, text);
+               EXPECT_DOUBLE_EQ(look(person), wanted);
+             });
+}
+
+Row slides(std::string item, Look look, std::function<void(Person&)> first) {
+  return row(std::move(item), std::move(first),
+             [look = std::move(look)](Person& person, const std::string& name) {
+               const double before = look(person);
+               person.drag(name, ImVec2(kSlidePixels, 0.0F));
+               const double more = look(person);
+               EXPECT_GT(more, before);
+               person.drag(name, ImVec2(-kSlidePixels, 0.0F));
+               EXPECT_LT(look(person), more);
+             });
+}
+
+void use_all(Person& person, const char* panel, const Table& table) {
+  SCOPED_TRACE(panel);
+  for (const Row& row : table) {
+    if (person.is_stuck()) return;
+    SCOPED_TRACE(row.item);
+    person.put_everything_away();
+    row.use(person);
+    EXPECT_TRUE(person.log().used.contains(kind_of(row.item))) << "its row does not use it";
+    EXPECT_FALSE(person.is_stuck()) << "cannot be used";
+  }
+}
+
+void unfold(Person& person, const std::string& section, const std::string& something_in_it) {
+  if (!person.sees(something_in_it)) person.click("section " + section);
+}
+
+}  // namespace hapticwall::test

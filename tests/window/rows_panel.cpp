@@ -1,0 +1,359 @@
+// The sections of the panel: scene, algorithm, wall, hand, device, loop.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "app/file/scene_file.h"
+#include "core/scene_keys.h"
+#include "core/stabiliser/stabiliser.h"
+#include "tests/window/rows.h"
+
+namespace hapticwall::test {
+namespace {
+
+void open_scenes(Person& person) { person.click("scene"); }
+
+void open_builtin(Person& person, const std::string& name) {
+  open_scenes(person);
+  person.click("scene " + name);
+  person.wait_until([&] { return person.scene().name == name; }, "the scene");
+}
+
+void open_every_builtin(Person& person) {
+  for (const file::BuiltinScene& scene : file::builtin_scenes()) {
+    open_builtin(person, scene.name);
+    EXPECT_EQ(person.session().snapshot().paused, false);
+  }
+  open_builtin(person, "press");
+}
+
+void open_by_path(Person& person, const std::string& path) {
+  open_scenes(person);
+  person.type("open path", path + ".missing");
+  EXPECT_EQ(person.message().kind, ui::MessageKind::kProblem);
+  EXPECT_EQ(person.scene().name, "press");
+  person.put_everything_away();
+  open_scenes(person);
+  person.type("open path", path);
+  person.wait_until([&] { return person.scene().name != "press"; }, "the file's scene");
+  open_builtin(person, "press");
+}
+
+void open_recent(Person& person) {
+  open_scenes(person);
+  person.wait_a_frame();
+  person.click("recent 1");
+  person.wait_until([&] { return person.scene().name != "press"; }, "the file's scene");
+  open_builtin(person, "press");
+}
+
+void choose_figure(Person& person, const std::string& label, const char* algorithm,
+                   ui::PlotArrangement arrangement) {
+  person.click(label);
+  EXPECT_EQ(person.scene().name, "press");
+  EXPECT_EQ(person.scene().algorithm.index, *find_algorithm(algorithm));
+  EXPECT_EQ(person.state().persisted.arrangement, arrangement);
+}
+
+Row figure(const char* label, const char* algorithm, ui::PlotArrangement arrangement) {
+  return {label, [=](Person& person) { choose_figure(person, label, algorithm, arrangement); }};
+}
+
+void go_back_to_scene(Person& person) {
+  const double before = person.scene().walls.front().stiffness_n_per_m;
+  person.type("stiffness", "1234");
+  EXPECT_EQ(person.scene().walls.front().stiffness_n_per_m, 1234.0);
+  person.click("reset to scene");
+  EXPECT_EQ(person.scene().walls.front().stiffness_n_per_m, before);
+}
+
+std::size_t algorithm(Person& person) { return person.scene().algorithm.index; }
+
+std::optional<double> parameter(Person& person, std::string_view key) {
+  return person.scene().algorithm.values.at(*find_algorithm_parameter(key));
+}
+
+void type_parameter(Person& person, const ParameterDescription& description) {
+  const std::string item = "algorithm." + std::string(description.key);
+  const double value =
+      description.minimum > 0.0 ? 2.0 * description.minimum : std::min(0.5, description.maximum);
+  person.type(item, fmt::format("{}", value));
+  EXPECT_EQ(parameter(person, description.key), value);
+  person.type(item, "nonsense");
+  EXPECT_EQ(parameter(person, description.key), value) << "what is no number changes nothing";
+  EXPECT_EQ(person.message().kind, ui::MessageKind::kProblem);
+  person.put_everything_away();
+  person.type(item, "");
+  EXPECT_EQ(parameter(person, description.key), std::nullopt);
+}
+
+void choose_parameter(Person& person, const ParameterDescription& description) {
+  static constexpr std::array<std::string_view, 2> kSwitch{"false", "true"};
+  const std::string item = "algorithm." + std::string(description.key);
+  const std::span<const std::string_view> words = description.kind == ParameterKind::kBoolean
+                                                      ? std::span<const std::string_view>(kSwitch)
+                                                      : description.choices;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    person.choose(item, std::string(words[i]));
+    EXPECT_EQ(parameter(person, description.key), static_cast<double>(i)) << words[i];
+  }
+  person.choose(item, fmt::format("{} (default)", description.default_text));
+  EXPECT_EQ(parameter(person, description.key), std::nullopt);
+}
+
+void use_algorithm(Person& person, std::size_t index) {
+  const AlgorithmDescription& description = algorithms()[index];
+  person.click(std::string(description.name));
+  EXPECT_EQ(algorithm(person), index);
+  for (const ParameterDescription& parameter : description.parameters) {
+    SCOPED_TRACE(std::string(parameter.key));
+    if (parameter.kind == ParameterKind::kNumber) {
+      type_parameter(person, parameter);
+    } else {
+      choose_parameter(person, parameter);
+    }
+  }
+}
+
+double stiffness(Person& person) { return person.scene().walls.front().stiffness_n_per_m; }
+double damping(Person& person) { return person.scene().walls.front().damping_n_s_per_m; }
+double position_mm(Person& person) { return person.scene().walls.front().position_m * 1e3; }
+
+void choose_wall(Person& person, const std::string& scene_of_two_walls) {
+  person.drop(std::array{scene_of_two_walls});
+  person.wait_until([&] { return person.scene().walls.size() == 2; }, "two walls");
+  person.wait_a_frame();
+  person.click("wall 2");
+  EXPECT_EQ(person.state().transient.chosen_wall, 1U);
+  const double first = stiffness(person);
+  person.type("stiffness", "4321");
+  EXPECT_EQ(person.scene().walls.back().stiffness_n_per_m, 4321.0);
+  EXPECT_EQ(stiffness(person), first);
+  person.click("wall 1");
+  EXPECT_EQ(person.state().transient.chosen_wall, 0U);
+  open_builtin(person, "press");
+}
+
+// ---- rows of the tables of scene keys
+
+using ReadKey = std::function<std::optional<double>(Person&)>;
+
+void type_good_and_bad(Person& person, const std::string& item, const ValueRange& range, bool whole,
+                       const ReadKey& read) {
+  const double good = whole ? 3.0 : range.contains(0.0625) ? 0.0625 : 2.0 * range.minimum;
+  person.type(item, fmt::format("{}", good));
+  EXPECT_EQ(read(person), good) << item;
+  EXPECT_FALSE(person.state().transient.refusal);
+  person.type(item, fmt::format("{}", 10.0 * range.maximum));
+  EXPECT_EQ(read(person), good) << "out of range: nothing changes";
+  ASSERT_TRUE(person.state().transient.refusal) << item;
+  EXPECT_EQ(person.state().transient.refusal->key, item);
+  person.hover("refusal");
+  person.type(item, "nonsense");
+  EXPECT_EQ(read(person), good);
+  EXPECT_TRUE(person.state().transient.refusal);
+}
+
+void slide(Person& person, const std::string& item, const ReadKey& read) {
+  const double before = read(person).value_or(0.0);
+  person.drag(item, ImVec2(25.0F, 0.0F));
+  const double more = read(person).value_or(0.0);
+  EXPECT_GT(more, before) << item;
+  person.drag(item, ImVec2(-25.0F, 0.0F));
+  EXPECT_LT(read(person).value_or(more), more) << item;
+}
+
+void switch_off_and_on(Person& person, const std::string& item, const ReadKey& read) {
+  const auto before = read(person);
+  person.click("switch " + item);
+  if (person.state().transient.refusal) {  // another part needs this one
+    EXPECT_EQ(read(person), before) << item;
+    return;
+  }
+  EXPECT_NE(read(person).has_value(), before.has_value()) << item;
+  // The wall's bounds above may have come or gone, and the rows have moved.
+  person.wait_a_frame();
+  person.wait_a_frame();
+  person.click("switch " + item);
+  EXPECT_EQ(read(person), before) << item;
+}
+
+// Back to what the scene says, for one row must not spoil the next.
+void restore(Person& person, const Scene& before) {
+  EXPECT_FALSE(person.session().change_scene(before));
+  person.wait_a_frame();
+  person.wait_a_frame();
+}
+
+template <typename Owner>
+void use_key(Person& person, const std::string& item, const NumberKey<Owner>& key,
+             const ReadKey& read) {
+  const bool switchable = person.sees("switch " + item);
+  const bool was_on = read(person).has_value();
+  if (!was_on) person.click("switch " + item);
+  ASSERT_TRUE(read(person)) << item;
+  const Scene usual = person.scene();
+  type_good_and_bad(person, item, key.range, key.whole(), read);
+  restore(person, usual);
+  if (person.sees(item + "-slider")) slide(person, item + "-slider", read);
+  if (switchable) switch_off_and_on(person, item, read);
+}
+
+template <typename Owner, typename Get>
+Table key_rows(const std::string& section, const std::string& prefix,
+               std::span<const NumberKey<Owner>> keys, Get get) {
+  Table table;
+  for (const NumberKey<Owner>& key : keys) {
+    const std::string item = prefix + std::string(key.key);
+    const ReadKey read = [get, &key](Person& person) { return key.get(get(person.scene())); };
+    table.push_back({item, [=, &key](Person& person) {
+                       unfold(person, section, prefix + "mass_kg");
+                       person.wait_a_frame();
+                       const Scene before = person.scene();
+                       use_key(person, item, key, read);
+                       restore(person, before);
+                     }});
+  }
+  return table;
+}
+
+void lead_and_leave_hand(Person& person) {
+  expect_flips(person, "hand stays",
+               [](Person& p) { return p.state().persisted.hand_stays_where_released ? 1.0 : 0.0; });
+}
+
+double end_mm(Person& person) { return person.scene().hand->path.back().position_m * 1e3; }
+double end_time_s(Person& person) { return person.scene().hand->path.back().time_s; }
+
+void unfold_hand(Person& person) {
+  unfold(person, "Hand", "hand stays");
+  person.wait_a_frame();
+}
+
+void choose_integrators(Person& person) {
+  for (const std::string_view name :
+       {kIntegratorNames[1], kIntegratorNames[2], kIntegratorNames[0]}) {
+    person.click("integrator");
+    person.wait_a_frame();
+    person.click(std::string(name));
+    EXPECT_EQ(person.scene().simulator.integrator_name(), name);
+  }
+}
+
+void type_substeps(Person& person) {
+  person.click("integrator");
+  person.wait_a_frame();
+  person.click("rk4");
+  person.wait_a_frame();
+  person.type("substeps", "7");
+  EXPECT_EQ(person.scene().simulator.substeps, 7);
+  person.type("substeps", "0");
+  EXPECT_EQ(person.scene().simulator.substeps, 7);
+  EXPECT_TRUE(person.state().transient.refusal);
+  person.click("integrator");
+  person.wait_a_frame();
+  person.click("exact");
+  EXPECT_EQ(person.scene().simulator.substeps, 1);
+}
+
+void change_rate(Person& person) {
+  person.type("rate", "500");
+  person.wait_until([&] { return person.scene().sampling.rate_hz == 500.0; }, "the rate");
+  person.type("rate", "-1");
+  EXPECT_EQ(person.message().kind, ui::MessageKind::kProblem);
+  EXPECT_EQ(person.scene().sampling.rate_hz, 500.0);
+  open_builtin(person, "press");
+}
+
+}  // namespace
+
+Table scene_rows(const std::string& scene_file) {
+  using enum ui::PlotArrangement;
+  return {{"scene", open_every_builtin},
+          {"open path", [scene_file](Person& person) { open_by_path(person, scene_file); }},
+          {"recent N", open_recent},
+          figure("Figure 4", "none", kFigure4),
+          figure("Figure 5", "virtual-coupling", kFigure5And6),
+          figure("Figure 6", "energy-bounding", kFigure5And6),
+          {"reset to scene", go_back_to_scene}};
+}
+
+Table algorithm_rows() {
+  Table table;
+  for (std::size_t i = 0; i < algorithms().size(); ++i)
+    table.push_back(
+        {std::string(algorithms()[i].name), [i](Person& person) { use_algorithm(person, i); }});
+  return table;
+}
+
+Table wall_rows(const std::string& scene_of_two_walls) {
+  return {takes("stiffness", "2000", stiffness, 2000.0),
+          slides("stiffness-slider", stiffness),
+          takes("damping", "1.5", damping, 1.5),
+          slides("damping-slider", damping),
+          takes("position", "51", position_mm, 51.0),
+          shown("bound, passive"),
+          shown("bound, delay"),
+          shown("bound, friction"),
+          shown("bound, resolution"),
+          {"wall 2",
+           [scene_of_two_walls](Person& person) { choose_wall(person, scene_of_two_walls); }}};
+}
+
+Table hand_rows() {
+  Table table{{"section Hand",
+               [](Person& person) {
+                 person.click("section Hand");
+                 person.wait_a_frame();
+                 EXPECT_TRUE(person.sees("end position"));
+               }},
+              takes("end position", "70", end_mm, 70.0, unfold_hand),
+              takes("approach speed", "20", end_time_s, 2.0, unfold_hand),
+              {"hand stays", [](Person& person) {
+                 unfold_hand(person);
+                 lead_and_leave_hand(person);
+               }}};
+  const auto keys =
+      key_rows("Hand", "hand.", hand_number_keys(), [](const Scene& scene) { return *scene.hand; });
+  table.insert(table.end(), keys.begin(), keys.end());
+  return table;
+}
+
+Table device_rows() {
+  Table table{{"section Device", [](Person& person) {
+                 person.click("section Device");
+                 person.wait_a_frame();
+                 EXPECT_TRUE(person.sees("device.mass_kg"));
+               }}};
+  auto keys = key_rows("Device", "device.", device_number_keys(),
+                       [](const Scene& scene) { return scene.device; });
+  // Where the handle starts is the scene's business.
+  std::erase_if(keys, [](const Row& row) { return row.item == "device.start_m"; });
+  table.insert(table.end(), keys.begin(), keys.end());
+  return table;
+}
+
+Table loop_rows() {
+  return {{"rate", change_rate},
+          {"integrator", choose_integrators},
+          {"substeps", type_substeps},
+          shown("cost"),
+          shown("energy error")};
+}
+
+Table link_rows() {
+  return {shown("age"),
+          shown("delay"),
+          shown("reports"),
+          shown("arming"),
+          {"section Believed of it", [](Person& person) {
+             person.click("section Believed of it");
+             person.wait_a_frame();
+             EXPECT_TRUE(person.sees("device.mass_kg"));
+           }}};
+}
+
+}  // namespace hapticwall::test

@@ -1,0 +1,279 @@
+// The views and the plots.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "app/ui/plots_state.h"
+#include "tests/window/rows.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ui::PlotId;
+
+constexpr std::array kAllPlots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
+                               PlotId::kPassivity};
+
+// ---- views
+
+void turn_and_reset_view(Person& person) {
+  const auto orbit = [&]() -> const ui::WallOrbit& { return person.state().wall.persisted.orbit; };
+  person.drag("wall view", ImVec2(60.0F, 20.0F), ImGuiMouseButton_Right);
+  EXPECT_NE(orbit().yaw_rad, 0.0);
+  person.turn_wheel("wall view", 3.0F);
+  EXPECT_GT(orbit().zoom, 1.0);
+  person.drag("wall view", ImVec2(20.0F, 10.0F), ImGuiMouseButton_Middle);
+  person.click("reset view");
+  EXPECT_EQ(orbit(), ui::WallOrbit{});
+  person.drag("wall view", ImVec2(60.0F, 0.0F), ImGuiMouseButton_Right);
+  person.double_click("wall view", ImGuiMouseButton_Right);
+  EXPECT_EQ(orbit(), ui::WallOrbit{});
+}
+
+void magnify(Person& person) {
+  const auto kept = [&] { return person.state().wall.persisted.magnification; };
+  const auto now = [&] { return person.state().wall.transient.magnification; };
+  person.click("magnify more");
+  const int more = kept();
+  EXPECT_GT(more, 0);
+  person.click("magnify less");
+  EXPECT_LT(kept(), more);
+  person.click("magnify automatically");
+  EXPECT_EQ(kept(), 0);
+  const int before = now();
+  person.turn_wheel("magnifier", 1.0F);
+  EXPECT_GT(kept(), before);
+  person.double_click("magnifier");
+  EXPECT_EQ(kept(), 0);
+}
+
+Row splits(const char* item, ImVec2 way, double ui::PersistedState::*share) {
+  return {item, [=](Person& person) {
+            const auto now = [&] { return person.state().persisted.*share; };
+            const double before = now();
+            person.drag(item, way);
+            EXPECT_GT(now(), before);
+            person.double_click(item);
+            EXPECT_EQ(now(), ui::PersistedState{}.*share);
+            person.state().persisted.*share = before;
+          }};
+}
+
+// ---- the row above the plots
+
+void choose_arrangements(Person& person) {
+  using enum ui::PlotArrangement;
+  const std::array<std::pair<const char*, ui::PlotArrangement>, 3> choices{
+      {{"as Figure 4", kFigure4}, {"as Figures 5, 6", kFigure5And6}, {"all plots", kAll}}};
+  for (const auto& [name, value] : choices) {
+    person.click("arrangement");
+    person.wait_a_frame();
+    person.click(name);
+    EXPECT_EQ(person.state().persisted.arrangement, value);
+  }
+}
+
+void choose_lengths(Person& person) {
+  person.click("time window");
+  person.wait_a_frame();
+  const auto names = person.items_called("length ");
+  EXPECT_EQ(names.size(), ui::kTimeWindowsS.size());
+  person.put_everything_away();
+  double before_s = 0.0;
+  for (const std::string& name : names) {
+    person.click("time window");
+    person.wait_a_frame();
+    person.click(name);
+    EXPECT_NE(person.state().persisted.time_window_s, before_s) << name;
+    before_s = person.state().persisted.time_window_s;
+  }
+  person.click("time window");
+  person.wait_a_frame();
+  person.click("length 6 s");
+  EXPECT_EQ(person.state().persisted.time_window_s, 6.0);
+}
+
+double trigger_mode(Person& person) {
+  return static_cast<double>(person.state().plots.persisted.trigger.mode);
+}
+
+void open_trigger(Person& person) {
+  person.click("trigger");
+  person.wait_a_frame();
+}
+
+void slide_pre_trigger(Person& person) {
+  open_trigger(person);
+  const auto share = [&] { return person.state().plots.persisted.trigger.pre_share; };
+  const double before = share();
+  person.drag("pre-trigger", ImVec2(30.0F, 0.0F));
+  EXPECT_GT(share(), before);
+}
+
+Row trigger(ui::TriggerMode mode, const char* name) {
+  return sets(fmt::format("trigger {}", name), trigger_mode, static_cast<double>(mode),
+              open_trigger);
+}
+
+void freeze_and_follow(Person& person) {
+  expect_flips(person, "follow", [](Person& p) { return p.state().transient.follow ? 1.0 : 0.0; });
+}
+
+void make_axes_automatic(Person& person) {
+  const auto manual = [&] {
+    return person.state()
+        .plots.transient.axes[static_cast<std::size_t>(PlotId::kForce)]
+        .left.manual;
+  };
+  // Over the axis of values, which is to the left of the plot.
+  person.drag_from("plot Force", ImVec2(-0.04F, 0.5F), ImVec2(0.0F, 20.0F));
+  EXPECT_TRUE(manual());
+  person.click("automatic axes");
+  EXPECT_FALSE(manual());
+}
+
+void export_both(Person& person) {
+  person.click("export csv");
+  person.wait_until([&] { return person.message().text.starts_with("exported"); }, "the CSV");
+  person.put_everything_away();
+  person.click("export png");
+  EXPECT_TRUE(person.message().text.starts_with("exported the figure")) << person.message().text;
+}
+
+void show_cursor_table(Person& person) {
+  person.click("cursors");
+  person.wait_a_frame();
+  person.hover("cursor table");
+  person.click("cursors");
+  EXPECT_FALSE(person.state().plots.transient.cursors.shown);
+}
+
+// ---- the plots
+
+ui::LineSet chosen(Person& person, PlotId id) {
+  return person.state().plots.persisted.lines[static_cast<std::size_t>(id)];
+}
+
+void open_signals(Person& person, PlotId id) {
+  person.click(std::string("signals ") + ui::plot_description(id).title);
+  person.wait_a_frame();
+}
+
+void choose_every_signal(Person& person, PlotId id) {
+  open_signals(person, id);
+  for (const ui::PlotLine& line : ui::plot_description(id).lines) {
+    expect_flips(person, std::string("signal ") + line.name,
+                 [id](Person& p) { return static_cast<double>(chosen(p, id)); });
+  }
+}
+
+void show_all_signals(Person& person, PlotId id) {
+  open_signals(person, id);
+  for (const ui::PlotLine& line : ui::plot_description(id).lines) {
+    if ((chosen(person, id) & ui::line_bit(line.quantity)) == 0)
+      person.click(std::string("signal ") + line.name);
+  }
+  person.put_everything_away();
+}
+
+void hide_every_line(Person& person, PlotId id) {
+  show_all_signals(person, id);
+  for (const ui::PlotLine& line : ui::plot_description(id).lines) {
+    expect_flips(person, std::string("legend ") + line.name, [&line](Person& p) {
+      return static_cast<double>(p.state().persisted.hidden_lines & ui::line_bit(line.quantity));
+    });
+  }
+  person.state().plots.persisted.lines = ui::usual_lines();
+  person.wait_a_frame();
+}
+
+void toggle_bounds(Person& person) {
+  open_signals(person, PlotId::kStiffness);
+  expect_flips(person, "bounds",
+               [](Person& p) { return p.state().plots.persisted.show_bounds ? 1.0 : 0.0; });
+}
+
+void drag_and_zoom_time(Person& person, const std::string& plot) {
+  const auto& transient = person.state().transient;
+  person.drag(plot, ImVec2(30.0F, 0.0F));
+  EXPECT_FALSE(transient.follow) << plot;
+  const double length_s = transient.time_to_s - transient.time_from_s;
+  person.turn_wheel(plot, 1.0F);
+  EXPECT_LT(transient.time_to_s - transient.time_from_s, length_s) << plot;
+  person.double_click(plot);
+  EXPECT_TRUE(transient.follow) << plot;
+}
+
+Row time_of(PlotId id) {
+  const std::string item = std::string("plot ") + ui::plot_description(id).title;
+  return {item, [item](Person& person) { drag_and_zoom_time(person, item); }};
+}
+
+void use_phase_plane(Person& person) {
+  auto& phase = person.state().plots.persisted.phase;
+  if (!phase.shown) person.click("phase plane");
+  ASSERT_TRUE(phase.shown);
+  person.wait_a_frame();
+  expect_flips(person, "last contact", [&](Person&) { return phase.last_contact ? 1.0 : 0.0; });
+  expect_flips(person, "true", [&](Person&) { return phase.true_position ? 1.0 : 0.0; });
+  person.hover("loop energy");
+  person.turn_wheel("plot Phase", 1.0F);
+  EXPECT_TRUE(person.state().plots.transient.phase.force.manual);
+  person.double_click("plot Phase");
+  EXPECT_FALSE(person.state().plots.transient.phase.force.manual);
+  person.click("phase plane");
+  EXPECT_FALSE(phase.shown);
+}
+
+}  // namespace
+
+Table view_rows() {
+  return {{"wall view", turn_and_reset_view},
+          {"magnify more", magnify},
+          splits("panel splitter", ImVec2(30.0F, 0.0F), &ui::PersistedState::panel_ems),
+          splits("view splitter", ImVec2(0.0F, 30.0F), &ui::PersistedState::view_share),
+          splits("picture splitter", ImVec2(30.0F, 0.0F), &ui::PersistedState::picture_share)};
+}
+
+Table plot_control_rows() {
+  using enum ui::TriggerMode;
+  return {{"arrangement", choose_arrangements},
+          {"follow", freeze_and_follow},
+          {"time window", choose_lengths},
+          {"automatic axes", make_axes_automatic},
+          shown("trigger"),
+          {"pre-trigger", slide_pre_trigger},
+          trigger(kAuto, "auto"),
+          trigger(kNormal, "normal"),
+          trigger(kSingle, "single"),
+          trigger(kOff, "off"),
+          flips("cursors",
+                [](Person& person) {
+                  return person.state().plots.transient.cursors.shown ? 1.0 : 0.0;
+                }),
+          {"cursor table", show_cursor_table},
+          {"export csv", export_both}};
+}
+
+Table plot_rows() {
+  Table table{{"phase plane", use_phase_plane}, {"bounds", toggle_bounds}};
+  for (const PlotId id : kAllPlots) {
+    table.push_back(time_of(id));
+    table.push_back({std::string("signals ") + ui::plot_description(id).title,
+                     [id](Person& person) { choose_every_signal(person, id); }});
+    table.push_back({std::string("legend ") + ui::plot_description(id).lines.front().name,
+                     [id](Person& person) { hide_every_line(person, id); }});
+  }
+  return table;
+}
+
+Table status_rows() {
+  Table table;
+  for (const char* item : {"device state", "rate state", "missed state", "wake-up state",
+                           "compute state", "plot drops state", "frame state", "realtime"})
+    table.push_back(shown(item));
+  return table;
+}
+
+}  // namespace hapticwall::test

@@ -1,0 +1,247 @@
+#include "tests/window/window_test.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+#include <imgui_te_context.h>
+#include <imgui_te_engine.h>
+#include <implot.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cstdlib>
+#include <memory>
+#include <utility>
+
+#include "app/file/atomic_file.h"
+#include "app/file/scene_file.h"
+#include "app/file/settings_text.h"
+#include "app/file/user_folders.h"
+#include "app/ui/offscreen.h"
+#include "app/ui/theme.h"
+
+namespace hapticwall::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Small, and smaller its pictures: painting is what costs time without a graphics card.
+constexpr int kWidth = 1120;
+constexpr int kHeight = 720;
+constexpr double kViewShare = 0.22;
+constexpr double kPictureShare = 0.4;
+
+// The engine for one script, bound to the current ImGui.
+class Engine {
+ public:
+  Engine(ui::Application& application, const Script& script, ItemLog& log, Person::Drop drop)
+      : application_(&application), log_(&log), engine_(ImGuiTestEngine_CreateContext()) {
+    ImGuiTestEngineIO& io = ImGuiTestEngine_GetIO(engine_);
+    io.ConfigSavedSettings = false;
+    io.ConfigMouseDrawCursor = false;
+    io.ConfigWatchdogWarning = FLT_MAX;
+    io.ConfigWatchdogKillTest = FLT_MAX;
+    ImGuiTest* test = ImGuiTestEngine_RegisterTest(engine_, "window", "script");
+    test->TestFunc = [=, this, drop = std::move(drop)](ImGuiTestContext* context) {
+      Person person(*context, *application_, *log_, drop);
+      script(person);
+    };
+    test_ = test;
+    ImGuiTestEngine_Start(engine_, ImGui::GetCurrentContext());
+    ImGuiTestEngine_QueueTest(engine_, test);
+  }
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+  ~Engine() {
+    EXPECT_EQ(test_->Output.Status, ImGuiTestStatus_Success) << test_->Output.Log.GetText();
+    fprintf(stderr, "FRAMES %d\n", ImGui::GetFrameCount());
+    ImGuiTestEngine_Stop(engine_);
+    ImGuiTestEngine_DestroyContext(engine_);
+  }
+
+  [[nodiscard]] bool is_done() const { return ImGuiTestEngine_IsTestQueueEmpty(engine_); }
+
+  // After every frame.
+  void look() {
+    for (const auto& [name, rect] : application_->state().transient.items)
+      log_->seen.insert(kind_of(name));
+  }
+
+ private:
+  ui::Application* application_;
+  ItemLog* log_;
+  ImGuiTestEngine* engine_;
+  ImGuiTest* test_ = nullptr;
+};
+
+// As GLFW would do it.
+void drop_onto(GLFWwindow* window, std::span<const std::string> paths) {
+  const GLFWdropfun callback = glfwSetDropCallback(window, nullptr);
+  glfwSetDropCallback(window, callback);
+  ASSERT_NE(callback, nullptr);
+  std::vector<const char*> names;
+  for (const std::string& path : paths) names.push_back(path.c_str());
+  callback(window, static_cast<int>(names.size()), names.data());
+}
+
+void use_real_window(const ui::WindowOptions& options, const Script& script, ItemLog& log) {
+  std::unique_ptr<Engine> engine;
+  GLFWwindow* window = nullptr;
+  ui::WindowHooks hooks;
+  hooks.rests = false;
+  hooks.opened = [&](ui::Application& application) {
+    window = glfwGetCurrentContext();
+    engine = std::make_unique<Engine>(
+        application, script, log,
+        [window](std::span<const std::string> paths) { drop_onto(window, paths); });
+  };
+  hooks.drawn = [&] {
+    engine->look();
+    if (engine->is_done()) glfwSetWindowShouldClose(window, GLFW_TRUE);
+  };
+  hooks.closed = [&] { engine.reset(); };
+  const Failure failure = ui::run_window(options, hooks);
+  EXPECT_FALSE(failure) << failure->message;
+}
+
+// OpenGL, ImGui and ImPlot without a display.
+class HeadlessGui {
+ public:
+  HeadlessGui() {
+    auto context = ui::OffscreenContext::create();
+    EXPECT_TRUE(context.ok()) << context.error().message;
+    if (context) context_ = std::move(*context);
+    ImGui::CreateContext();
+    ImPlot::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = ImVec2(kWidth, kHeight);
+    io.DeltaTime = 1.0F / 60.0F;
+    EXPECT_TRUE(ImGui_ImplOpenGL3_Init("#version 330 core"));
+  }
+  HeadlessGui(const HeadlessGui&) = delete;
+  HeadlessGui& operator=(const HeadlessGui&) = delete;
+  ~HeadlessGui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImPlot::DestroyContext();
+    ImGui::DestroyContext();
+  }
+
+ private:
+  std::unique_ptr<ui::OffscreenContext> context_;
+};
+
+// What run_window() does, less the window; nothing is painted.
+void use_headless(const ui::WindowOptions& options, const Script& script, ItemLog& log) {
+  const HeadlessGui gui;
+  ui::Application::Sessions sessions;
+  sessions.simulate = [](const Scene& scene) { return runtime::Session::start(scene); };
+  sessions.start_on_device = options.start_on_device;
+  const auto created = ui::Application::create(
+      options.scene,
+      {options.settings_path, options.recording_folder, options.forced_scale, options.opened_file},
+      ui::apply_theme(ui::Look::kScreen, 1.0F), sessions);
+  ASSERT_TRUE(created.ok()) << created.error().message;
+  ui::Application& application = **created;
+  Engine engine(application, script, log,
+                [&application](std::span<const std::string> paths) { application.drop(paths); });
+  while (!engine.is_done()) {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    application.frame();
+    ImGui::Render();
+    engine.look();
+  }
+  application.save_settings();
+}
+
+}  // namespace
+
+std::string screen_name(const ::testing::TestParamInfo<Screen>& info) {
+  return info.param == Screen::kDisplay ? "RealWindow" : "Headless";
+}
+
+Home::Home() {
+  std::string name = (fs::temp_directory_path() / "hapticwall-window-XXXXXX").string();
+  EXPECT_NE(mkdtemp(name.data()), nullptr);
+  folder_ = name;
+  const file::Settings settings{{"window.width", static_cast<double>(kWidth)},
+                                {"window.height", static_cast<double>(kHeight)},
+                                {"window.view_share", kViewShare},
+                                {"window.picture_share", kPictureShare}};
+  EXPECT_FALSE(file::make_folder_of(settings_path()));
+  EXPECT_FALSE(file::write_file(settings_path(), file::settings_text(settings)));
+}
+
+Home::~Home() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+std::string Home::settings_path() const {
+  return file::settings_path([this](const std::string& name) -> std::optional<std::string> {
+    if (name == "XDG_CONFIG_HOME") return (folder_ / "config").string();
+    return std::nullopt;
+  });
+}
+
+std::string Home::write(Scene scene, const std::string& name) const {
+  scene.name = name;
+  const std::string path = (folder_ / (name + ".toml")).string();
+  EXPECT_FALSE(file::write_file(path, file::scene_to_toml(scene)));
+  return path;
+}
+
+std::string Home::write_scene(const std::string& name, const std::string& builtin,
+                              const std::vector<std::string>& changes) const {
+  const Result<file::LoadedScene> loaded = file::load_scene(builtin, changes);
+  EXPECT_TRUE(loaded.ok()) << loaded.error().message;
+  return write(loaded->scene, name);
+}
+
+std::string Home::write_scene_of_two_walls(const std::string& name) const {
+  constexpr double kBehindM = 0.005;
+  Scene scene = file::load_scene("press")->scene;
+  scene.walls.push_back(scene.walls.front());
+  scene.walls.back().position_m += kBehindM;
+  return write(scene, name);
+}
+
+std::vector<std::string> Home::files(const std::string& ending) const {
+  std::vector<std::string> paths;
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    if (entry.path().extension() == ending) paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+void WindowTest::SetUp() {
+  if (GetParam() == Screen::kDisplay && std::getenv("DISPLAY") == nullptr)
+    GTEST_SKIP() << "DISPLAY is not set";
+  options_.scene = file::load_scene("press")->scene;
+  options_.settings_path = home_.settings_path();
+  options_.recording_folder = home_.folder().string();
+}
+
+void WindowTest::use(const Script& script) {
+  if (GetParam() == Screen::kDisplay) {
+    use_real_window(options_, script, log_);
+  } else {
+    use_headless(options_, script, log_);
+  }
+}
+
+void WindowTest::connect_device() {
+  options_.start_on_device =
+      [this](const Scene& scene) -> Result<std::unique_ptr<runtime::Session>> {
+    auto session = std::make_unique<FakeSession>(scene);
+    session->info = {"paddle", false};
+    session->arming.state = runtime::ArmingState::kOff;
+    device_ = session.get();
+    return std::unique_ptr<runtime::Session>(std::move(session));
+  };
+}
+
+}  // namespace hapticwall::test
