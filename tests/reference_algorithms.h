@@ -182,21 +182,23 @@ inline double reference_energy_bookkeeping(const ReferenceScene& s, ReferenceSta
   if (s.walls.size() == 1) {
     spring = std::sqrt(2.0 * s.walls.front().stiffness * held);
   } else if (s.walls.size() > 1) {
+    const double first = s.walls.front().at;
+    const auto into = [&](const ReferenceWall& w, double depth) {
+      return std::max(0.0, depth - (w.at - first));
+    };
     const auto stored = [&](double depth) {
       double sum = 0.0;
-      for (const ReferenceWall& w : s.walls) {
-        sum += w.stiffness * std::pow(std::max(0.0, depth - w.at), 2) / 2.0;
-      }
+      for (const ReferenceWall& w : s.walls) sum += w.stiffness * std::pow(into(w, depth), 2) / 2.0;
       return sum;
     };
-    double near = s.walls.front().at;
-    double far = near + 1.0;
-    while (stored(far) < held && far < 1e9) far = near + 2.0 * (far - near);
-    for (int i = 0; i < 200; ++i) {
+    double near = 0.0;
+    double far = 1.0;
+    while (stored(far) < held && far < 1e9) far *= 2.0;
+    for (int i = 0; i < 120; ++i) {
       const double middle = near + (far - near) / 2.0;
       (stored(middle) < held ? near : far) = middle;
     }
-    for (const ReferenceWall& w : s.walls) spring += w.stiffness * std::max(0.0, near - w.at);
+    for (const ReferenceWall& w : s.walls) spring += w.stiffness * into(w, near);
   }
   const double passive = 2.0 * s.b / (1.0 / s.rate) * p;
   m.force = reference_limited(s, std::min(wall, std::max(passive, spring)));
