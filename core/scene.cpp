@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/scene_keys.h"
+#include "core/stabiliser/energy_bounding_2010.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
@@ -173,6 +174,7 @@ Problem check_algorithm(const Scene& scene) {
   StabiliserContext context;
   context.settings = &settings;
   context.device_damping_n_s_per_m = scene.device.damping_n_s_per_m;
+  context.period_s = scene.sampling.period_s();
   const double coupling_damping = context.value_or("coupling_damping_n_s_per_m", 0.0);
   if (coupling_damping > believed_damping(context) &&
       !context.value("coupling_stiffness_n_per_m")) {
@@ -181,6 +183,14 @@ Problem check_algorithm(const Scene& scene) {
                             " leaves no coupling stiffness: it takes at most b = " +
                             number_text(believed_damping(context)) +
                             " N·s/m unless coupling_stiffness_n_per_m is given"};
+  }
+  const double most_storage = EnergyBounding2010::hold_stiffness(context);
+  const double storage = context.value_or("storage_stiffness_n_per_m", most_storage);
+  if (storage > most_storage) {
+    return SceneProblem{"algorithm.storage_stiffness_n_per_m",
+                        number_text(storage) +
+                            " is more than the hold can carry: it takes at most b/T = " +
+                            number_text(most_storage) + " N/m"};
   }
   return std::nullopt;
 }

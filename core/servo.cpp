@@ -28,6 +28,8 @@ Servo::Servo(const ServoSettings& settings) : settings_(settings) {
 void Servo::configure() {
   const StabiliserContext context = stabiliser_context(settings_);
   stabilisers_.configure(context);
+  follower_.configure(context);
+  followed_ = has_follower(settings_.algorithm);
   state_.budget_n_per_m = believed_damping(context) * settings_.rate_hz;
 }
 
@@ -35,8 +37,10 @@ void Servo::apply(const ServoSettings& settings) {
   state_.parameters_changed = true;
   if (settings == settings_) return;
   const bool switched = settings.algorithm.index != settings_.algorithm.index;
+  const bool was_followed = followed_;
   settings_ = settings;
   configure();
+  if (switched || followed_ != was_followed) follower_.reset();
   if (switched) {
     stabilisers_.visit(settings_.algorithm.index, [](auto& stabiliser) { stabiliser.reset(); });
   }
@@ -48,6 +52,7 @@ void Servo::apply(const ServoSettings& settings) {
 
 void Servo::reset() {
   stabilisers_.reset();
+  follower_.reset();
   const double budget_n_per_m = state_.budget_n_per_m;
   const double force_gain = state_.force_gain;
   state_ = ServoState{};

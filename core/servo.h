@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/servo_step.h"
+#include "core/stabiliser/followed_stabiliser.h"
 
 namespace hapticwall {
 
@@ -27,9 +28,10 @@ class Servo {
   explicit Servo(const ServoSettings& settings);
 
   // Takes new settings at a tick boundary; the rate must be the old one. A change of algorithm
-  // resets the new one. Any change starts a transition in which the force begins exactly where it
-  // was (no kick) and blends into the new law's over settings.transition_s. Settings that are the
-  // old ones change no bit of what follows.
+  // resets the new one and what follows it; a follower that is put behind begins anew, too. Any
+  // change starts a transition in which the force begins exactly where it was (no kick) and blends
+  // into the new law's over settings.transition_s. Settings that are the old ones change no bit of
+  // what follows.
   void apply(const ServoSettings& settings);
 
   // Back to tick 0: algorithms, ledger and previous force are forgotten.
@@ -54,6 +56,10 @@ class Servo {
   // For a loop of its own around servo_step(): calls `visitor` with the algorithm in force.
   template <typename Visitor>
   decltype(auto) with_algorithm(Visitor&& visitor) {
+    if (followed_) [[unlikely]] {
+      FollowedStabiliser both(stabilisers_, settings_.algorithm.index, follower_);
+      return visitor(both);
+    }
     return stabilisers_.visit(settings_.algorithm.index, std::forward<Visitor>(visitor));
   }
   [[nodiscard]] ServoState& state() { return state_; }
@@ -65,6 +71,8 @@ class Servo {
   ServoSettings settings_;
   ServoState state_;
   StabiliserBank stabilisers_;
+  PassivityControl follower_;  // of `then`, with a state of its own
+  bool followed_ = false;
 };
 
 }  // namespace hapticwall

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "core/metrics.h"
@@ -199,7 +200,8 @@ class Simulation {
 
   template <typename Plant, typename Stabiliser>
   void choose_loop(Plant& plant, Stabiliser& stabiliser, std::uint64_t end) {
-    if constexpr (Plant::kPlain) {
+    // The lean loops are for the scenes that come most.
+    if constexpr (Plant::kPlain && !std::is_same_v<Stabiliser, FollowedStabiliser>) {
       const bool lean = !output_.present() && has_one_undamped_wall(servo_.settings());
       if (lean && !is_steady(servo_.state())) {
         const std::uint64_t unsteady = 1 + servo_.state().transition.ticks_left;
@@ -284,7 +286,7 @@ template <typename Variant>
 Summary Simulation<Variant>::summary() const {
   Summary summary;
   summary.scene = scene_.name;
-  summary.algorithm = algorithms()[scene_.algorithm.index].name;
+  summary.algorithm = algorithm_label(scene_.algorithm);
   summary.ticks = servo_.state().tick;
   summary.duration_s = static_cast<double>(servo_.state().tick) / servo_.settings().rate_hz;
   metrics_.write(summary, !scene_.walls.empty());

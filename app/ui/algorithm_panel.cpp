@@ -9,6 +9,7 @@
 #include "app/ui/replay_panel.h"
 #include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
+#include "core/stabiliser/passivity_control.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
@@ -63,6 +64,7 @@ void draw_choice(const PanelContext& context, const ParameterDescription& parame
     if (ImGui::Selectable(std::string(words[i]).c_str(), value && i == chosen)) {
       set_parameter(context, index, static_cast<double>(i));
     }
+    remember_item(context.state, fmt::format("{} = {}", parameter.key, words[i]));
   }
   ImGui::EndCombo();
 }
@@ -100,6 +102,18 @@ void draw_parameter(const PanelContext& context, const ParameterDescription& par
   ImGui::PopID();
 }
 
+// What follows the algorithm, and those of its parameters that the algorithm has not shown already.
+void draw_follower(const PanelContext& context, const AlgorithmDescription& algorithm) {
+  draw_parameter(context, kThenParameter);
+  if (!has_follower(context.session.scene().algorithm)) return;
+  const auto shown = algorithm.parameters;
+  for (const ParameterDescription& parameter : PassivityControl::kParameters) {
+    const bool twice = std::any_of(shown.begin(), shown.end(),
+                                   [&](const auto& other) { return other.key == parameter.key; });
+    if (!twice) draw_parameter(context, parameter);
+  }
+}
+
 }  // namespace
 
 void choose_algorithm(const PanelContext& context, std::size_t index) {
@@ -121,13 +135,15 @@ void draw_algorithm_section(const PanelContext& context) {
     const std::string label = fmt::format("{}   {}", i + 1, list[i].name);
     if (ImGui::Selectable(label.c_str(), i == current)) choose_algorithm(context, i);
     remember_item(context.state, list[i].name);
-    explain(fmt::format("{}\n{}\nkey {}; changes while it runs, without a jump of the force",
-                        list[i].title, list[i].idea, i + 1));
+    explain(
+        fmt::format("{}\n{}\n\n{}\n\nkey {}; changes while it runs, without a jump of the force",
+                    list[i].title, list[i].idea, list[i].equation, i + 1));
   }
   if (current >= list.size()) return;
   muted_text(context, list[current].idea);
   for (const ParameterDescription& parameter : list[current].parameters)
     draw_parameter(context, parameter);
+  draw_follower(context, list[current]);
 }
 
 }  // namespace hapticwall::ui

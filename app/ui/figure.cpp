@@ -47,7 +47,7 @@ void draw_title(const Theme& theme, const Scene& scene) {
   const bool known = scene.algorithm.index < list.size();
   ImGui::PushFont(theme.fonts.strong, kTitleFontSize);
   ImGui::Text("%s  ·  %s", scene.name.c_str(),
-              known ? std::string(list[scene.algorithm.index].name).c_str() : "?");
+              known ? algorithm_label(scene.algorithm).c_str() : "?");
   ImGui::PopFont();
   if (known) {
     ImGui::SameLine();

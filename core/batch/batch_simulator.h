@@ -3,8 +3,8 @@
 //
 // Every figure is that of simulate() on the same scene, to the last bit, whatever the processor,
 // the number of threads, and the order and company of the scenes. What has no lanes yet (friction,
-// a hand that grips, delay and lag, other integrators than the exact one, several walls) runs one
-// by one through simulate() itself.
+// a hand that grips, delay and lag, an algorithm with a follower, other integrators than the exact
+// one, several walls) runs one by one through simulate() itself.
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,16 @@ struct alignas(kLaneAlignment) LaneNumbers {
 };
 
 // The algorithms that have lanes (lane_laws-inl.h).
-enum class LaneLaw : std::uint8_t { kNone, kVirtualCoupling, kPassivityControl, kEnergyBounding };
+enum class LaneLaw : std::uint8_t {
+  kNone,
+  kVirtualCoupling,
+  kPassivityControl,
+  kEnergyBounding,
+  kEnergyBounding2010,
+  kForceBounding,
+  kHalfSample,
+  kEnergyBookkeeping
+};
 inline constexpr std::size_t kLawParameters = 6;
 inline constexpr std::size_t kLawStates = 3;
 

@@ -81,7 +81,7 @@ Summary lane_figures(const Scene& scene, const LaneEnd& end, const LaneBlock& bl
   const BatchVerdict judged = verdict(scene, end, block.state.reach);
   Summary summary;
   summary.scene = scene.name;
-  summary.algorithm = algorithms()[scene.algorithm.index].name;
+  summary.algorithm = algorithm_label(scene.algorithm);
   summary.verdict = judged.verdict;
   summary.ticks = judged.ticks;
   summary.duration_s = static_cast<double>(judged.ticks) / scene.sampling.rate_hz;

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/batch/lane_account-inl.h"
+#include "core/batch/lane_energy_laws-inl.h"
 #include "core/batch/lane_laws-inl.h"
 #include "core/batch/lane_motion-inl.h"
 #include "core/batch/lane_vector-inl.h"
@@ -100,9 +101,17 @@ MoveLoop choose_law(const LaneParts& parts) {
     case LaneLaw::kPassivityControl:
       return choose_keep<PassivityControlLaw>(parts);
     case LaneLaw::kEnergyBounding:
+      return choose_keep<EnergyBoundingLaw>(parts);
+    case LaneLaw::kEnergyBounding2010:
+      return choose_keep<EnergyBounding2010Law>(parts);
+    case LaneLaw::kForceBounding:
+      return choose_keep<ForceBoundingLaw>(parts);
+    case LaneLaw::kHalfSample:
+      return choose_keep<HalfSampleLaw>(parts);
+    case LaneLaw::kEnergyBookkeeping:
       break;
   }
-  return choose_keep<EnergyBoundingLaw>(parts);
+  return choose_keep<EnergyBookkeepingLaw>(parts);
 }
 
 std::uint64_t run_chosen(LaneBlock& block, const LaneParts& parts, std::uint64_t begin,

@@ -3,8 +3,9 @@
 // of Highway's foreach_target.h). That they equal the scalar ones to the last bit is a test
 // (tests/property/batch_lanes_test.cpp).
 //
-// A new one: a class here, its name in LaneLaw and in with_law() (lane_kernel.cpp), its parameters
-// in lane_scene.cpp. An algorithm without lanes needs nothing: its scenes run one by one.
+// A new one: a class here or in lane_energy_laws-inl.h, its name in LaneLaw and in with_law()
+// (lane_kernel.cpp), its parameters in lane_scene.cpp. An algorithm without lanes needs nothing:
+// its scenes run one by one.
 #if defined(HAPTICWALL_LANE_LAWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICWALL_LANE_LAWS_INL_H_
 #undef HAPTICWALL_LANE_LAWS_INL_H_
@@ -25,6 +26,7 @@ namespace hapticwall::batch::HWY_NAMESPACE {
 // What a law is told at a tick (core/stabiliser/stabiliser.h, StabiliserInput).
 struct LawInput {
   Vector wall_force_n;
+  Vector position_m;
   Vector displacement_m;
   Vector velocity_m_per_s;
   Vector penetration_m;

@@ -114,9 +114,9 @@ class Motion {
       pushed_n = positive_part(pushed_n + parameter(parameters_.wall_damping_n_s_per_m) * velocity);
     }
     const Vector wall_force_n = hn::IfThenElseZero(in_contact, pushed_n);
-    const Vector wanted_n =
-        law_.step(parameters_, at_,
-                  {wall_force_n, displacement_m, velocity, penetration_m, force_n_, in_contact});
+    const Vector wanted_n = law_.step(
+        parameters_, at_,
+        {wall_force_n, measured_m, displacement_m, velocity, penetration_m, force_n_, in_contact});
     force_n_ = limited(wanted_n);
     measured_m_ = measured_m;
   }

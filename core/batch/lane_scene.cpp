@@ -44,17 +44,36 @@ LawNumbers energy_bounding_parameters(const StabiliserContext& context) {
   return {believed_damping(context), EnergyBounding::rest_force_step(context)};
 }
 
+LawNumbers energy_bounding_2010_parameters(const StabiliserContext& context) {
+  return {EnergyBounding2010::hold_stiffness(context),
+          EnergyBounding2010::storage_stiffness(context)};
+}
+
+LawNumbers force_bounding_parameters(const StabiliserContext& context) {
+  return {ForceBounding::damping_per_period(context)};
+}
+
+LawNumbers energy_bookkeeping_parameters(const StabiliserContext& context) {
+  return {EnergyBookkeeping::passive_stiffness(context)};
+}
+
 // The algorithms that have lanes, and the parameters that these read (lane_laws-inl.h).
 struct LawDescription {
   std::string_view name;
   LaneLaw law;
   LawNumbers (*parameters)(const StabiliserContext& context);
 };
-constexpr std::array<LawDescription, 4> kLaws{
+constexpr std::array<LawDescription, 8> kLaws{
     LawDescription{"none", LaneLaw::kNone, no_parameters},
     LawDescription{"virtual-coupling", LaneLaw::kVirtualCoupling, virtual_coupling_parameters},
     LawDescription{"passivity-control", LaneLaw::kPassivityControl, passivity_control_parameters},
-    LawDescription{"energy-bounding", LaneLaw::kEnergyBounding, energy_bounding_parameters}};
+    LawDescription{"energy-bounding", LaneLaw::kEnergyBounding, energy_bounding_parameters},
+    LawDescription{"energy-bounding-2010", LaneLaw::kEnergyBounding2010,
+                   energy_bounding_2010_parameters},
+    LawDescription{"force-bounding", LaneLaw::kForceBounding, force_bounding_parameters},
+    LawDescription{"half-sample", LaneLaw::kHalfSample, no_parameters},
+    LawDescription{"energy-bookkeeping", LaneLaw::kEnergyBookkeeping,
+                   energy_bookkeeping_parameters}};
 
 const LawDescription* find_law(const Scene& scene) {
   const std::string_view name = algorithms()[scene.algorithm.index].name;
@@ -141,10 +160,10 @@ void clear_parameters(std::size_t lane, LaneParameters& p) {
 std::optional<LaneKind> lane_kind(const Scene& scene) {
   const DeviceSettings& device = scene.device;
   const LawDescription* law = find_law(scene);
-  const bool fits = law != nullptr && scene.simulator.integrator == Integrator::kExact &&
-                    scene.walls.size() <= 1 && !names(device.friction_n) &&
-                    !names(device.amplifier_time_constant_s) && !names(device.force_resolution_n) &&
-                    device.delay_ticks.value_or(0) == 0 &&
+  const bool fits = law != nullptr && !has_follower(scene.algorithm) &&
+                    scene.simulator.integrator == Integrator::kExact && scene.walls.size() <= 1 &&
+                    !names(device.friction_n) && !names(device.amplifier_time_constant_s) &&
+                    !names(device.force_resolution_n) && device.delay_ticks.value_or(0) == 0 &&
                     !(scene.hand && (scene.hand->has_grip() || scene.hand->follows_mouse));
   if (!fits) return std::nullopt;
   const bool damped = !scene.walls.empty() && scene.walls.front().damping_n_s_per_m != 0.0;

@@ -32,7 +32,7 @@ class EnergyBounding {
   static constexpr AlgorithmDescription kDescription{
       "energy-bounding", "Energy bounding",
       "limits the change of force in a tick to what the device's damping can dissipate",
-      kParameters};
+      kParameters, "F_d(k) = F_d(k-1) + (F_e - F_d(k-1)) within ±b|v|, within ±α_max where v = 0"};
 
   // α_max, named or by default. The largest motion that one count hides is Δ a tick: b Δ/T. Without
   // an encoder v_k = 0 means rest, and the paper needs no bound.

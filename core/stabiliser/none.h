@@ -12,7 +12,8 @@ class NoStabiliser {
       "none",
       "None",
       "the wall's force as computed: the zero-order hold feeds energy to the hand",
-      {}};
+      {},
+      "F_d(k) = F_e(k)"};
 
   void configure(const StabiliserContext& /*context*/) {}
   void reset() {}

@@ -63,7 +63,7 @@ class PassivityControl {
   static constexpr AlgorithmDescription kDescription{
       "passivity-control", "Passivity control",
       "watches the energy that the wall returns and damps the handle when it is too much",
-      kParameters};
+      kParameters, "W = E(k-1) + F_e Δx;  F_d = F_e + α v where W < 0,  α = min(-W/(T v²), α_max)"};
 
   // The largest damping that it injects, named or by default: b, because b ≥ K T/2 + B with K = 0
   // [paper, Eq. 18].

@@ -4,7 +4,8 @@
 //
 //   class Name {
 //    public:
-//     static constexpr AlgorithmDescription kDescription{"name", "Title", "one line", kParameters};
+//     static constexpr AlgorithmDescription kDescription{"name", "Title", "one line", kParameters,
+//                                                        "F_d = ..."};
 //
 //     // The parameters or the scene have changed; keeps state.
 //     void configure(const StabiliserContext& context);
@@ -20,9 +21,11 @@
 // any number; the servo step makes it finite and clamps it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/stabiliser/algorithm_settings.h"
@@ -62,6 +65,7 @@ struct AlgorithmDescription {
   std::string_view title;  // for people
   std::string_view idea;   // one line
   std::span<const ParameterDescription> parameters;
+  std::string_view equation;  // for people: what the force is, in one to three lines
 };
 
 // The key with which a user tells an algorithm the device's damping; shared by several.
@@ -72,6 +76,17 @@ inline constexpr ParameterDescription kBelievedDampingParameter{
 // b as the algorithm believes it. Realtime-safe: yes.
 [[nodiscard]] double believed_damping(const StabiliserContext& context);
 
+// What every algorithm's force may pass through before it is commanded (followed_stabiliser.h). Of
+// no single algorithm's keys, but in the union of them all.
+inline constexpr std::array<std::string_view, 2> kFollowers{"none", "passivity-control"};
+inline constexpr ParameterDescription kThenParameter{
+    "then", ParameterKind::kChoice,
+    "",     0.0,
+    1.0,    kFollowers,
+    "none", "what follows the algorithm: its force passes through a passivity controller"};
+// Realtime-safe: yes.
+[[nodiscard]] bool has_follower(const AlgorithmSettings& settings);
+
 // ---- the closed list, as data (defined in stabiliser_list.cpp) ----
 
 [[nodiscard]] std::span<const AlgorithmDescription> algorithms();
@@ -80,5 +95,7 @@ inline constexpr ParameterDescription kBelievedDampingParameter{
 // Union of all algorithms' keys, each once; AlgorithmSettings::values follows this order.
 [[nodiscard]] std::span<const ParameterDescription> algorithm_parameters();
 [[nodiscard]] std::optional<std::size_t> find_algorithm_parameter(std::string_view key);
+// "energy-bounding", "energy-bounding then passivity-control". Realtime-safe: no.
+[[nodiscard]] std::string algorithm_label(const AlgorithmSettings& settings);
 
 }  // namespace hapticwall

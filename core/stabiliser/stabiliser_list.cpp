@@ -23,6 +23,7 @@ struct ParameterUnion {
 
 constexpr ParameterUnion unite_parameters() {
   ParameterUnion all;
+  all.parameters.at(all.count++) = kThenParameter;
   for (const AlgorithmDescription& algorithm : kAlgorithms) {
     for (const ParameterDescription& parameter : algorithm.parameters) {
       const auto begin = all.parameters.begin();
@@ -68,6 +69,17 @@ std::optional<double> StabiliserContext::value(std::string_view key) const {
 
 double believed_damping(const StabiliserContext& context) {
   return context.value_or(kBelievedDampingParameter.key, context.device_damping_n_s_per_m);
+}
+
+bool has_follower(const AlgorithmSettings& settings) {
+  const StabiliserContext context{.walls = {}, .settings = &settings};
+  return context.value_or(kThenParameter.key, 0.0) != 0.0;
+}
+
+std::string algorithm_label(const AlgorithmSettings& settings) {
+  std::string label(kAlgorithms.at(settings.index).name);
+  if (has_follower(settings)) label += " then " + std::string(kFollowers.back());
+  return label;
 }
 
 }  // namespace hapticwall

@@ -6,7 +6,11 @@
 #include <tuple>
 #include <utility>
 
+#include "core/stabiliser/energy_bookkeeping.h"
 #include "core/stabiliser/energy_bounding.h"
+#include "core/stabiliser/energy_bounding_2010.h"
+#include "core/stabiliser/force_bounding.h"
+#include "core/stabiliser/half_sample.h"
 #include "core/stabiliser/none.h"
 #include "core/stabiliser/passivity_control.h"
 #include "core/stabiliser/stabiliser.h"
@@ -14,7 +18,9 @@
 
 namespace hapticwall {
 
-using StabiliserTuple = std::tuple<NoStabiliser, VirtualCoupling, PassivityControl, EnergyBounding>;
+using StabiliserTuple =
+    std::tuple<NoStabiliser, VirtualCoupling, PassivityControl, EnergyBounding, EnergyBounding2010,
+               ForceBounding, HalfSample, EnergyBookkeeping>;
 
 inline constexpr std::size_t kAlgorithmCount = std::tuple_size_v<StabiliserTuple>;
 

@@ -43,7 +43,8 @@ class VirtualCoupling {
                            "B_c: damping of the coupling between handle and proxy"}};
   static constexpr AlgorithmDescription kDescription{
       "virtual-coupling", "Virtual coupling",
-      "a spring between handle and wall, as soft as the device's damping requires", kParameters};
+      "a spring between handle and wall, as soft as the device's damping requires", kParameters,
+      "F_d = p K K_c/(K + K_c);  K_c = 2(b - B_c)/T, shared by the contacts"};
 
   // K_c and B_c as a scene has them, named or by default.
   [[nodiscard]] static double coupling_stiffness(const StabiliserContext& context);

@@ -78,6 +78,12 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
       {[](Scene& s) { s.algorithm.index = 99; }, "algorithm.name"},
       {[](Scene& s) { s.algorithm.values[*find_algorithm_parameter("rest_force_step_n")] = -1.0; },
        "algorithm.rest_force_step_n"},
+      {[](Scene& s) { s.algorithm.values[*find_algorithm_parameter("then")] = 2.0; },
+       "algorithm.then"},
+      {[](Scene& s) {
+         s.algorithm.values[*find_algorithm_parameter("storage_stiffness_n_per_m")] = 1001.0;
+       },
+       "algorithm.storage_stiffness_n_per_m"},
       {[](Scene& s) { s.algorithm.values[*find_algorithm_parameter("observer")] = 7.0; },
        "algorithm.observer"},
       {[](Scene& s) {

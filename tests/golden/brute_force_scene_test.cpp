@@ -13,12 +13,15 @@
 #include "core/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/brute_force_plant.h"
+#include "tests/reference_algorithms.h"
 
 namespace hapticwall {
 namespace {
 
 using testing::BruteForcePlant;
 using testing::Real;
+using testing::ReferenceScene;
+using testing::ReferenceState;
 
 constexpr int kSubsteps = 100;
 constexpr double kPeriod = 1e-3;
@@ -74,19 +77,23 @@ BruteForcePlant hand_of(const std::string& scene) {
   return p;
 }
 
-double law(const std::string& algorithm, double wall_force, double velocity, double penetration,
-           double previous) {
-  if (algorithm == "none") return wall_force;
-  if (algorithm == "virtual-coupling") {
-    const double coupling = 2.0 * kDamping / kPeriod;
-    return penetration > 0.0 ? penetration * kStiffness * coupling / (kStiffness + coupling) : 0.0;
-  }
-  const double bound = velocity != 0.0 ? kDamping * std::abs(velocity) : kRestStep;
-  return previous + std::clamp(wall_force - previous, -bound, bound);
+ReferenceScene reference_scene() {
+  ReferenceScene scene;
+  scene.rate = 1.0 / kPeriod;
+  scene.b = kDamping;
+  scene.limit = kLimit;
+  scene.walls = {{kWall, kStiffness, 0.0}};
+  scene.alpha_rest = kRestStep;
+  scene.c2 = kDamping / kPeriod;
+  scene.coupling = 2.0 * kDamping / kPeriod;
+  scene.alpha_most = kDamping;
+  return scene;
 }
 
 Figures brute_force(const std::string& scene, const std::string& algorithm) {
   BruteForcePlant plant = hand_of(scene);
+  const ReferenceScene controller = reference_scene();
+  ReferenceState state;
   Figures out;
   double force = 0.0;
   double previous_x = 0.0;
@@ -99,9 +106,7 @@ Figures brute_force(const std::string& scene, const std::string& algorithm) {
     const double x = kCount * std::rint(static_cast<double>(plant.x) / kCount);
     const double dx = k == 0 ? 0.0 : x - previous_x;
     const double p = x - kWall;
-    const double wall_force = p > 0.0 ? kStiffness * p : 0.0;
-    const double next =
-        std::clamp(law(algorithm, wall_force, dx / kPeriod, p, force), -kLimit, kLimit);
+    const double next = testing::reference_force(algorithm, controller, state, x);
     out.cv_j += next * dx;
     out.hold_j += (force - next) * dx;
     out.scv_j += force * dx;
@@ -155,16 +160,17 @@ TEST_P(BruteForceScene, Agrees) {
   expect_near(ours.true_hand_work_j.value_or(0.0), reference.hand_work_j, 1e-6, "hand work");
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, BruteForceScene,
-                         ::testing::Combine(::testing::Values("press", "tap", "tap-slow", "light"),
-                                            ::testing::Values("none", "virtual-coupling",
-                                                              "energy-bounding")),
-                         [](const auto& test) {
-                           std::string name =
-                               std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, BruteForceScene,
+    ::testing::Combine(::testing::Values("press", "tap", "tap-slow", "light"),
+                       ::testing::Values("none", "virtual-coupling", "passivity-control",
+                                         "energy-bounding", "energy-bounding-2010",
+                                         "force-bounding", "half-sample", "energy-bookkeeping")),
+    [](const auto& test) {
+      std::string name = std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
 
 }  // namespace
 }  // namespace hapticwall

@@ -9,6 +9,7 @@
 
 #include "core/batch/batch_simulator.h"
 #include "core/batch/lane_scene.h"
+#include "core/servo_step.h"
 #include "tests/batch_support.h"
 #include "tests/property/scene_generator.h"
 
@@ -40,6 +41,8 @@ void randomise_algorithm(Scene& scene) {
     set(scene, "coupling_damping_n_s_per_m", log_uniform(0.01, 10.0));
     set(scene, "coupling_stiffness_n_per_m", log_uniform(10.0, 1e6));
   }
+  const double most = EnergyBounding2010::hold_stiffness(stabiliser_context(servo_settings(scene)));
+  if (flip()) set(scene, "storage_stiffness_n_per_m", log_uniform(0.01 * most, most));
 }
 
 // A scene that has lanes: without friction and grip; everything else at random.
@@ -87,6 +90,14 @@ RC_GTEST_PROP(BatchLanes, AreScalarUnderPassivityControl, ()) {
   lanes_are_scalar("passivity-control");
 }
 RC_GTEST_PROP(BatchLanes, AreScalarUnderEnergyBounding, ()) { lanes_are_scalar("energy-bounding"); }
+RC_GTEST_PROP(BatchLanes, AreScalarUnderEnergyBounding2010, ()) {
+  lanes_are_scalar("energy-bounding-2010");
+}
+RC_GTEST_PROP(BatchLanes, AreScalarUnderForceBounding, ()) { lanes_are_scalar("force-bounding"); }
+RC_GTEST_PROP(BatchLanes, AreScalarUnderHalfSample, ()) { lanes_are_scalar("half-sample"); }
+RC_GTEST_PROP(BatchLanes, AreScalarUnderEnergyBookkeeping, ()) {
+  lanes_are_scalar("energy-bookkeeping");
+}
 
 // Any scene at all in any company, on any number of threads.
 RC_GTEST_PROP(Batch, GivesWhatSimulateGives, ()) {

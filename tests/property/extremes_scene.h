@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "core/servo_step.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::testing {
@@ -141,6 +142,17 @@ inline void draw_algorithm(Draw& draw, AlgorithmSettings& algorithm) {
   if (!stiffness) stiffness = draw.zero_or(1e-3, 1e9);
 }
 
+// What the hold can carry, once device and rate are known.
+inline void bound_storage(Scene& scene) {
+  const auto index = *find_algorithm_parameter("storage_stiffness_n_per_m");
+  auto& storage = scene.algorithm.values.at(index);
+  if (!storage) return;
+  const ServoSettings settings = servo_settings(scene);
+  const double most = EnergyBounding2010::hold_stiffness(stabiliser_context(settings));
+  storage = std::min(std::max(*storage, algorithm_parameters()[index].minimum), most);
+  if (*storage < algorithm_parameters()[index].minimum) storage.reset();
+}
+
 // The fastest swing of the scene's springs, rad/s.
 inline double fastest_swing_per_s(const Scene& scene) {
   if (!scene.hand) return 0.0;
@@ -197,6 +209,7 @@ inline Scene extreme_scene(std::uint64_t number) {
   }
   draw_algorithm(draw, scene.algorithm);
   bound_cost(scene, ticks);
+  bound_storage(scene);
   return scene;
 }
 

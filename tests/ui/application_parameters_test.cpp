@@ -152,6 +152,25 @@ TEST_F(ParametersTest, EverythingGoesBackToTheSceneAtOnce) {
   EXPECT_FALSE(find("reset to scene").has_value());
 }
 
+TEST_F(ParametersTest, WhatFollowsTheAlgorithmBringsItsOwnParameters) {
+  press(ImGuiKey_4);
+  EXPECT_FALSE(find("algorithm.observer").has_value());
+  click("algorithm.then");
+  click("then = passivity-control");
+  frames(2);
+  EXPECT_EQ(algorithm_label(fake_->scene().algorithm), "energy-bounding then passivity-control");
+  for (const char* key : {"algorithm.rest_force_step_n", "algorithm.damping_n_s_per_m",
+                          "algorithm.observer", "algorithm.max_damping_n_s_per_m"}) {
+    EXPECT_TRUE(find(key).has_value()) << key;
+  }
+  type("algorithm.max_damping_n_s_per_m", "3");
+  click("algorithm.then");
+  click("then = none");
+  frames(2);
+  EXPECT_FALSE(has_follower(fake_->scene().algorithm));
+  EXPECT_FALSE(find("algorithm.observer").has_value());
+}
+
 TEST_F(ParametersTest, AnotherSceneIsTheOneToGoBackTo) {
   type("stiffness", "20000");
   EXPECT_TRUE(find("reset to scene").has_value());

@@ -1,0 +1,67 @@
+// The keys of [algorithm] in files and on the command line: every algorithm by its name, and what
+// follows it.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "app/file/scene_file.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::file {
+namespace {
+
+std::string scene_text(const std::string& algorithm) {
+  return "[device]\nmass_kg = 0.05\ndamping_n_s_per_m = 1\n[[wall]]\nposition_m = 0.05\n"
+         "stiffness_n_per_m = 1000\n[algorithm]\n" +
+         algorithm;
+}
+
+std::string message(const std::string& algorithm, const std::vector<std::string>& overrides = {}) {
+  const auto loaded = parse_scene(scene_text(algorithm), "x.toml", overrides);
+  return loaded ? "(no error)" : loaded.error().message;
+}
+
+TEST(AlgorithmFile, TakesEveryNameAndWritesItAgain) {
+  for (const AlgorithmDescription& algorithm : algorithms()) {
+    const auto loaded =
+        parse_scene(scene_text("name = \"" + std::string(algorithm.name) + "\""), "x.toml");
+    ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+    EXPECT_EQ(loaded->scene.algorithm.index, find_algorithm(algorithm.name));
+    EXPECT_FALSE(has_follower(loaded->scene.algorithm));
+    EXPECT_NE(scene_to_toml(loaded->scene).find("name = \"" + std::string(algorithm.name) + "\""),
+              std::string::npos);
+  }
+}
+
+TEST(AlgorithmFile, TakesWhatFollowsAndWritesItAgain) {
+  const auto loaded =
+      parse_scene(scene_text("name = \"force-bounding\"\nthen = \"passivity-control\""), "x.toml");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  EXPECT_TRUE(has_follower(loaded->scene.algorithm));
+  const std::string text = scene_to_toml(loaded->scene);
+  EXPECT_NE(text.find("then = \"passivity-control\""), std::string::npos);
+  const auto again = parse_scene(text, "x.toml");
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->scene.algorithm, loaded->scene.algorithm);
+}
+
+TEST(AlgorithmFile, IsSetFromTheCommandLine) {
+  const std::vector<std::string> overrides{"algorithm.then=passivity-control",
+                                           "algorithm.max_damping_n_s_per_m=5"};
+  const auto loaded = load_scene("tap", overrides);
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  EXPECT_EQ(algorithm_label(loaded->scene.algorithm), "energy-bounding then passivity-control");
+  EXPECT_EQ(simulate(loaded->scene).summary.algorithm, "energy-bounding then passivity-control");
+}
+
+TEST(AlgorithmFile, SaysWhatMayFollowAndHowMuchTheStoreMayHold) {
+  EXPECT_EQ(message("then = \"energy-bounding\""),
+            "x.toml:8: algorithm.then: 'energy-bounding' is none of: none, passivity-control");
+  EXPECT_EQ(message("storage_stiffness_n_per_m = 1500"),
+            "x.toml:8: algorithm.storage_stiffness_n_per_m: 1500 is more than the hold can carry: "
+            "it takes at most b/T = 1000 N/m");
+}
+
+}  // namespace
+}  // namespace hapticwall::file

@@ -1,0 +1,137 @@
+// The algorithms that bound by energy, and the prediction, on moves that can be followed by hand:
+// b = 1 N·s/m and T = 1 ms, so that b/T = 1000 N/m.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/servo.h"
+#include "tests/position_bench.h"
+
+namespace hapticwall {
+namespace {
+
+using testing::PositionBench;
+using testing::set_parameter;
+
+constexpr double kNear = 1e-12;
+
+ServoSettings wall_at_zero(std::string_view algorithm, double stiffness) {
+  ServoSettings settings;
+  settings.device_damping_n_s_per_m = 1.0;
+  const std::array<WallSettings, 1> walls{WallSettings{0.0, stiffness, 0.0}};
+  settings.walls = WallSet(walls);
+  settings.algorithm.index = find_algorithm(algorithm).value();
+  return settings;
+}
+
+TEST(EnergyBounding2010, RisesByTheHoldsBoundAndFallsByTheStores) {
+  PositionBench bench(wall_at_zero("energy-bounding-2010", 1e6));
+  bench.move_to(0.0);
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.1, kNear);  // c₁ Δx
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.1, kNear);  // held
+  EXPECT_NEAR(bench.move_to(0.2e-3).force_n, 0.2, kNear);
+  // Back by 0.1 mm: what the law gives out comes from its store of F²/2000, and F = (√5 - 1)/10 N is
+  // the most for which 2000 F Δx ≥ F² - 0.2².
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, (std::sqrt(5.0) - 1.0) / 10.0, kNear);
+}
+
+TEST(EnergyBounding2010, ASofterStoreRisesLess) {
+  ServoSettings settings = wall_at_zero("energy-bounding-2010", 1e6);
+  set_parameter(settings.algorithm, "storage_stiffness_n_per_m", 250.0);
+  PositionBench bench(settings);
+  bench.move_to(0.0);
+  // From no force γ+ = 2c₂: 500 N/m.
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.05, kNear);
+}
+
+TEST(EnergyBounding2010, NeverLeavesItsBoundsAlthoughToldMoreThanTheHoldCarries) {
+  ServoSettings settings = wall_at_zero("energy-bounding-2010", 1e6);
+  set_parameter(settings.algorithm, "storage_stiffness_n_per_m", 1e9);  // validate() refuses it
+  PositionBench bench(settings);
+  bench.move_to(0.0);
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.1, kNear);
+}
+
+TEST(ForceBounding, GivesWhatTheWorstNextMoveLeavesPaid) {
+  PositionBench bench(wall_at_zero("force-bounding", 1e6));
+  bench.move_to(0.0);
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.2, kNear);      // E = 0.01 mJ, 2(b/T) Δx
+  EXPECT_NEAR(bench.move_to(0.05e-3).force_n, 0.1, kNear);     // E = 0.0025 mJ
+  EXPECT_NEAR(bench.move_to(0.05e-3).force_n, 0.1, kNear);     // nothing moved, nothing owed
+  EXPECT_NEAR(bench.move_to(0.0 + 1e-12).force_n, 0.0, 1e-7);  // Δx = -F T/(2b): all is spent
+}
+
+TEST(ForceBounding, DoesNotLendFreeMotionToAContact) {
+  PositionBench bench(wall_at_zero("force-bounding", 1e6));
+  for (int i = 0; i <= 100; ++i) bench.move_to(-1e-3 * (100 - i));
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.2, kNear);
+}
+
+TEST(HalfSample, PushesHalfAMoveAhead) {
+  PositionBench bench(wall_at_zero("half-sample", 10e3));
+  bench.move_to(-0.1e-3);
+  EXPECT_NEAR(bench.move_to(-0.02e-3).force_n, 0.2, kNear);  // 0.04 mm ahead: inside
+  EXPECT_NEAR(bench.move_to(0.08e-3).force_n, 1.3, kNear);
+  EXPECT_NEAR(bench.move_to(0.04e-3).force_n, 0.2, kNear);
+  EXPECT_EQ(bench.move_to(0.01e-3).force_n, 0.0);
+}
+
+TEST(EnergyBookkeeping, GivesThePassiveSpringOrWhatTheBookAllows) {
+  PositionBench bench(wall_at_zero("energy-bookkeeping", 10e3));
+  bench.move_to(0.0);
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.2, kNear);  // nothing put in yet: (2b/T) p
+  // 0.2 N through 0.1 mm: 0.02 mJ, which the wall's spring holds at √0.4 N.
+  EXPECT_NEAR(bench.move_to(0.2e-3).force_n, std::sqrt(0.4), kNear);
+  EXPECT_NEAR(bench.move_to(0.2e-3).force_n, std::sqrt(0.4), kNear);
+  // All of it is taken back by 0.03 mm and more: the passive spring is left.
+  EXPECT_NEAR(bench.move_to(0.15e-3).force_n, 0.3, kNear);
+  EXPECT_EQ(bench.move_to(-0.1e-3).force_n, 0.0);
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.2, kNear);  // a new contact, a new book
+}
+
+TEST(EnergyBookkeeping, GivesNoMoreThanTheWall) {
+  PositionBench bench(wall_at_zero("energy-bookkeeping", 500.0));
+  bench.move_to(0.0);
+  EXPECT_NEAR(bench.move_to(1e-3).force_n, 0.5, kNear);
+}
+
+TEST(AlgorithmLabel, NamesTheFollowerToo) {
+  AlgorithmSettings settings;
+  settings.index = find_algorithm("energy-bounding").value();
+  EXPECT_EQ(algorithm_label(settings), "energy-bounding");
+  set_parameter(settings, "then", 1.0);
+  EXPECT_EQ(algorithm_label(settings), "energy-bounding then passivity-control");
+}
+
+// What follows keeps its own book: two controllers in a row, each with a cap of 1 N·s/m.
+TEST(Follower, HasAStateOfItsOwn) {
+  ServoSettings settings = wall_at_zero("passivity-control", 10e3);
+  set_parameter(settings.algorithm, "observer", 1.0);
+  set_parameter(settings.algorithm, "then", 1.0);
+  PositionBench bench(settings);
+  bench.move_to(0.0);
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 1.0, kNear);
+  // 1 N held through -0.05 mm is missing in both books; each takes its 1 N·s/m at 0.05 m/s.
+  EXPECT_NEAR(bench.move_to(0.05e-3).force_n, 0.5 - 2.0 * 0.05, kNear);
+}
+
+TEST(Follower, BeginsAnewWithTheAlgorithmItFollows) {
+  ServoSettings settings = wall_at_zero("none", 10e3);
+  settings.transition_s = 0.0;  // of one tick
+  set_parameter(settings.algorithm, "observer", 1.0);
+  set_parameter(settings.algorithm, "then", 1.0);
+  PositionBench bench(settings);
+  bench.move_to(0.0);
+  bench.move_to(0.1e-3);
+  bench.move_to(0.0);  // 0.1 mJ missing
+  settings.algorithm.index = find_algorithm("half-sample").value();
+  bench.servo().apply(settings);
+  bench.move_to(0.0);
+  bench.move_to(0.0);  // the blend is over
+  // Nothing is owed any more: half a move ahead, undamped.
+  EXPECT_NEAR(bench.move_to(0.01e-3).force_n, 0.15, kNear);
+}
+
+}  // namespace
+}  // namespace hapticwall
