@@ -49,8 +49,8 @@ class Folder {
   fs::path path_;
 };
 
-UiState some_state() {
-  UiState state;
+// Nothing as it is at first.
+void change_all(UiState& state) {
   state.persisted.look = ui::Look::kLight;
   state.persisted.scale_percent = 150;
   state.persisted.panel_ems = 30.5;
@@ -73,11 +73,11 @@ UiState some_state() {
   state.wall.persisted.magnification = 50;
   state.persisted.lower_page = ui::LowerPage::kBlindTest;
   state.compare.persisted = {false, "Which is steadier?", 12, 0.9};
-  return state;
 }
 
 TEST(Settings, EverythingThatIsKeptComesBack) {
-  const UiState state = some_state();
+  UiState state;
+  change_all(state);
   const file::Settings settings = settings_of(state);
   UiState fresh;
   EXPECT_NE(settings_of(fresh), settings);
@@ -103,7 +103,7 @@ TEST(Settings, AFileIsWrittenAndReadBack) {
   SettingsFile file(folder.file());
   file.load(state);
   EXPECT_FALSE(fs::exists(folder.file())) << "nothing has changed yet";
-  state = some_state();
+  change_all(state);
   file.save(state);
   UiState fresh;
   SettingsFile(folder.file()).load(fresh);
