@@ -20,9 +20,9 @@ constexpr double kShortestNs = 100.0;  // what is shorter stands in the first ba
 constexpr double kLeastCount = 0.6;    // the foot of the count axis: a count of 1 is seen
 constexpr double kDecade = 10.0;
 constexpr int kLabelRows = 4;          // one a quantile, so that no two labels collide
-constexpr float kTimeLabelEms = 4.5F;  // of an axis, for one label
+constexpr float kTimeLabelEms = 4.0F;  // of an axis, for one label
 constexpr float kCountLabelEms = 2.0F;
-constexpr float kRoomForTimesEms = 19.0F;  // of a plot, for labels that tell their times
+constexpr float kRoomForTimesEms = 17.0F;  // of a plot, for labels that tell their times
 
 struct Bar {
   std::int64_t from_ns;

@@ -85,6 +85,7 @@ struct Blocks {
   std::uint64_t missed_ticks = 0;
   std::uint64_t frames = 0;
   double seconds = 0.0;
+  std::vector<std::int64_t> p99_ns;  // of the wake-ups of each block
 };
 
 void draw_once(ui::Application& application, Stage& stage) {
@@ -110,7 +111,9 @@ void run_block(ui::Application& application, Stage& stage, bool drawn, double se
   blocks.seconds += passed_s();
   runtime::TimingHistograms after;
   application.session().read_timing(after);
-  blocks.timing.wake_latency += after.wake_latency.since(before.wake_latency);
+  const runtime::LatencyCounts latencies = after.wake_latency.since(before.wake_latency);
+  blocks.timing.wake_latency += latencies;
+  blocks.p99_ns.push_back(runtime::quantiles(latencies).p99_ns);
   blocks.timing.compute_time += after.compute_time.since(before.compute_time);
   blocks.missed_ticks += application.session().snapshot().timing.missed_ticks - missed;
 }
@@ -124,6 +127,19 @@ void print_row(const Blocks& blocks, const char* what, const runtime::LatencyCou
   std::printf("%-16s%-10s %10zu %9.1f %9.1f %9.1f %9.1f %8llu\n", blocks.name, what, row.count,
               us(row.median_ns), us(row.p99_ns), us(row.p999_ns), us(row.maximum_ns),
               static_cast<unsigned long long>(blocks.missed_ticks));
+}
+
+// Of the blocks: how far the rest of the machine makes one differ from the other.
+void print_spread(const Blocks& blocks) {
+  constexpr double kNanosecondsPerMicrosecond = 1e3;
+  std::vector<std::int64_t> sorted = blocks.p99_ns;
+  std::sort(sorted.begin(), sorted.end());
+  const auto at = [&](std::size_t quarter) {
+    return static_cast<double>(sorted[quarter * (sorted.size() - 1) / 4]) /
+           kNanosecondsPerMicrosecond;
+  };
+  std::printf("%-16sp99 of each of %zu blocks: %.1f to %.1f, quartiles %.1f %.1f %.1f us\n",
+              blocks.name, sorted.size(), at(0), at(4), at(1), at(2), at(3));
 }
 
 double ratio(std::int64_t with_ns, std::int64_t without_ns) {
@@ -144,6 +160,8 @@ void print_table(const Blocks& without, const Blocks& with) {
       "most %.2fx\n",
       ratio(b.median_ns, a.median_ns), ratio(b.p99_ns, a.p99_ns), kMostRatio,
       ratio(b.p999_ns, a.p999_ns), ratio(b.maximum_ns, a.maximum_ns));
+  print_spread(without);
+  print_spread(with);
   std::printf("%llu frames, %.1f a second\n", static_cast<unsigned long long>(with.frames),
               static_cast<double>(with.frames) / with.seconds);
 }
@@ -193,9 +211,10 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene, double seconds, doub
               scene.name.c_str(), scene.sampling.rate_hz, kHogs,
               application.session().realtime_status().text.c_str(), kWidth, kHeight,
               stage.renderer().c_str());
-  Blocks without{"without window", {}, 0, 0, 0.0};
-  Blocks with{"with window", {}, 0, 0, 0.0};
-  Blocks warm_up{"", {}, 0, 0, 0.0};
+  std::fflush(stdout);
+  Blocks without{"without window", {}, 0, 0, 0.0, {}};
+  Blocks with{"with window", {}, 0, 0, 0.0, {}};
+  Blocks warm_up{"", {}, 0, 0, 0.0, {}};
   run_block(application, stage, true, kWarmUpS, warm_up);
   if (Failure failure = application.session().start_recording(csv)) return *failure;
   // Off, on, on, off: what changes slowly on the machine hits both alike.
