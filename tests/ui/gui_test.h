@@ -20,7 +20,7 @@
 namespace hapticwall::test {
 
 inline constexpr int kScreenWidth = 1280;
-inline constexpr int kScreenHeight = 800;
+inline constexpr int kScreenHeight = 1160;  // the whole control panel, with a section open
 
 class GuiTest : public ::testing::Test {
  protected:
