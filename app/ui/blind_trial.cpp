@@ -18,7 +18,7 @@ constexpr float kBigFontSize = 22.0F;
 constexpr float kProgressEms = 0.3F;   // height
 constexpr float kChooseEms = 2.4F;     // height of the buttons below
 constexpr float kLeastFeelEms = 4.0F;  // height of the big buttons, at least
-constexpr float kMostFeelEms = 12.0F;  // and at most
+constexpr float kMostFeelEms = 16.0F;  // and at most
 constexpr float kWidestEms = 62.0F;    // of it all
 
 struct Words {

@@ -13,7 +13,7 @@ namespace {
 
 using runtime::Slot;
 
-constexpr const char* kTake = "Take the present one";
+constexpr const char* kTake = "take present";
 constexpr float kNameAtEms = 1.6F;  // behind the slot's letter
 
 // Beside the heading: whether the plots show the other slot's contact.
@@ -35,13 +35,24 @@ void draw_ghost_switch(const PanelContext& context) {
       "beginning on.");
 }
 
-void draw_take_button(const PanelContext& context, Slot slot) {
+// At the right of its row where there is room, else below it.
+void draw_take_button(const PanelContext& context, Slot slot, float name_ends, float right) {
   ImGui::PushFont(nullptr, kSmallFontSize);
+  const float width = ImGui::CalcTextSize(kTake).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  if (name_ends + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine(right - width);
   if (ImGui::SmallButton(kTake)) take_present(context, slot);
   ImGui::PopFont();
   remember_item(context.state, fmt::format("take {}", runtime::slot_name(slot)));
   explain(fmt::format("Stores the algorithm in force, with its values, in slot {}.",
                       runtime::slot_name(slot)));
+}
+
+void draw_in_force(const PanelContext& context, float name_ends, float right) {
+  const char* text = "in force";
+  const float width = ImGui::CalcTextSize(text).x;
+  if (name_ends + ImGui::GetStyle().ItemSpacing.x + width > right) return;
+  ImGui::SameLine(right - width);
+  ImGui::TextColored(context.theme.colour(Tone::kAccent), "%s", text);
 }
 
 void draw_slot(const PanelContext& context, Slot slot) {
@@ -50,29 +61,27 @@ void draw_slot(const PanelContext& context, Slot slot) {
   const bool active = slots.active == slot;
   const std::string name(runtime::slot_name(slot));
   const float left = ImGui::GetCursorPosX();
+  const float right = left + ImGui::GetContentRegionAvail().x;
+  const float indent = left + kNameAtEms * ImGui::GetFontSize();
   ImGui::PushID(name.c_str());
-  const bool clicked = ImGui::Selectable(fmt::format("{}##slot", name).c_str(), active);
+  const bool clicked = ImGui::Selectable(fmt::format("{}##slot", name).c_str(), active,
+                                         ImGuiSelectableFlags_AllowOverlap);
   remember_item(context.state, "slot " + name);
   explain(fmt::format("{}\n{}", runtime::describe(settings),
                       active ? "It is in force: what you change now changes this slot."
                              : "A click or Tab puts it in force, without a jump of the force."));
-  const float indent = left + kNameAtEms * ImGui::GetFontSize();
   ImGui::SameLine(indent);
   ImGui::TextUnformatted(algorithm_name(settings).c_str());
+  const float name_ends = indent + ImGui::GetItemRectSize().x;
   if (active) {
-    const float width = ImGui::CalcTextSize("in force").x;
-    ImGui::SameLine(left + ImGui::GetContentRegionMax().x - ImGui::GetStyle().WindowPadding.x -
-                    width);
-    ImGui::TextColored(context.theme.colour(Tone::kAccent), "in force");
+    draw_in_force(context, name_ends, right);
+  } else {
+    draw_take_button(context, slot, name_ends, right);
   }
   const std::string keys = set_keys_text(settings);
   if (!keys.empty()) {
     ImGui::SetCursorPosX(indent);
     muted_text(context, keys);
-  }
-  if (!active) {
-    ImGui::SetCursorPosX(indent);
-    draw_take_button(context, slot);
   }
   ImGui::PopID();
   if (clicked && !active) choose_slot(context, slot);
