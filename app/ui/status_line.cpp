@@ -62,7 +62,8 @@ void draw_device_state(const PanelContext& context) {
 // The rest of the row; what does not fit is in the tooltip.
 void draw_realtime_state(const PanelContext& context) {
   const runtime::RealtimeStatus& status = context.session.realtime_status();
-  const Tone tone = status.fifo_priority ? Tone::kGood : Tone::kWarning;
+  const bool replaying = replay_of(context.session) != nullptr;
+  const Tone tone = replaying ? Tone::kMuted : status.fifo_priority ? Tone::kGood : Tone::kWarning;
   dot(context, tone);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -75,6 +76,27 @@ void draw_realtime_state(const PanelContext& context) {
   std::string tooltip = status.text;
   if (!status.advice.empty()) tooltip += "\n\n" + status.advice;
   if (cut || !status.advice.empty()) explain(tooltip);
+}
+
+// What only a loop has; a recording has none.
+void draw_loop_values(const PanelContext& context) {
+  const runtime::TimingStatistics& timing = context.snapshot.timing;
+  const auto microseconds = [](double newest_s, double most_s) {
+    return fmt::format("{:5.1f} µs, most {:5.0f} µs", newest_s * kMicrosecondsPerSecond,
+                       most_s * kMicrosecondsPerSecond);
+  };
+  const std::uint64_t dropped = context.session.dropped_plot_samples();
+  value(context, "missed", fmt::format("{}", timing.missed_ticks),
+        timing.missed_ticks > 0 ? Tone::kWarning : Tone::kText,
+        fmt::format("Of {} ticks since the start; a missed tick is left out, never caught up with",
+                    timing.ticks));
+  value(context, "wake-up", microseconds(timing.wake_latency_s, timing.maximum_wake_latency_s),
+        Tone::kText, "How late the loop woke up, newest tick and worst since the start");
+  value(context, "compute", microseconds(timing.compute_time_s, timing.maximum_compute_time_s),
+        Tone::kText, "How long a tick's work took, newest tick and worst since the start");
+  value(context, "plot drops", fmt::format("{}", dropped),
+        dropped > 0 ? Tone::kWarning : Tone::kText,
+        "Samples that the window was too slow to take; the recording has a queue of its own");
 }
 
 }  // namespace
@@ -96,26 +118,10 @@ void draw_hint_row(const PanelContext& context) {
 }
 
 void draw_status_row(const PanelContext& context) {
-  const runtime::TimingStatistics& timing = context.snapshot.timing;
-  const auto microseconds = [](double newest_s, double most_s) {
-    return fmt::format("{:5.1f} µs, most {:5.0f} µs", newest_s * kMicrosecondsPerSecond,
-                       most_s * kMicrosecondsPerSecond);
-  };
-  const std::uint64_t dropped = context.session.dropped_plot_samples();
   draw_device_state(context);
   value(context, "rate", fmt::format("{:g} Hz", context.session.scene().sampling.rate_hz),
         Tone::kText, "Ticks of the loop a second");
-  value(context, "missed", fmt::format("{}", timing.missed_ticks),
-        timing.missed_ticks > 0 ? Tone::kWarning : Tone::kText,
-        fmt::format("Of {} ticks since the start; a missed tick is left out, never caught up with",
-                    timing.ticks));
-  value(context, "wake-up", microseconds(timing.wake_latency_s, timing.maximum_wake_latency_s),
-        Tone::kText, "How late the loop woke up, newest tick and worst since the start");
-  value(context, "compute", microseconds(timing.compute_time_s, timing.maximum_compute_time_s),
-        Tone::kText, "How long a tick's work took, newest tick and worst since the start");
-  value(context, "plot drops", fmt::format("{}", dropped),
-        dropped > 0 ? Tone::kWarning : Tone::kText,
-        "Samples that the window was too slow to take; the recording has a queue of its own");
+  if (replay_of(context.session) == nullptr) draw_loop_values(context);
   value(context, "frame",
         fmt::format("{:4.1f} ms",
                     kMillisecondsPerSecond / static_cast<double>(ImGui::GetIO().Framerate)),

@@ -84,20 +84,21 @@ TEST_F(MarksTest, ThePlotsShowThem) {
   EXPECT_LT(marked_pixels(time_s + 1.0), height / 4);
 }
 
-TEST_F(MarksTest, TheFigureShowsThem) {
+TEST(MarksOfAFigure, AreDrawn) {
   const Scene scene = file::load_scene("press")->scene;
   ui::SampleHistory history(10);
   constexpr std::array kForceOnly{ui::PlotId::kForce};
+  constexpr ui::FigureSize kSize{1000, 1000};
   ui::FigureView view;
   view.window = {0.0, 1.0};
   view.plots = kForceOnly;
   const auto marked = [&] {
-    const auto figure = ui::draw_figure(scene, history, view, {800, 400});
+    const auto figure = ui::draw_figure(scene, history, view, kSize);
     EXPECT_TRUE(figure.ok());
     const ImVec4 tone =
         ui::theme_colours(ui::Look::kPrint)[static_cast<std::size_t>(ui::Tone::kWarning)];
     constexpr int kTolerance = 90;
-    return count_pixels(*figure, colour_of(tone), 0, 80, 800, 400, kTolerance);
+    return count_pixels(*figure, colour_of(tone), 0, 80, kSize.width, kSize.height, kTolerance);
   };
   const int without = marked();  // the force has a colour much like it
   const std::array marks{file::Mark{500, "half"}};

@@ -35,9 +35,9 @@ class ReplayRerunTest : public ReplayGuiTest {
     std::vector<Sample> samples;
     const auto reader = file::RecordingReader::open(path("trial.csv"));
     const auto scene = runtime::rerun_scene((*reader)->info(), algorithm, {});
-    runtime::RerunOptions options;
-    options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
-    EXPECT_TRUE(runtime::rerun_hand(**reader, *scene, options));
+    runtime::RerunOptions told;
+    told.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
+    EXPECT_TRUE(runtime::rerun_hand(**reader, *scene, told));
     return samples;
   }
 };
