@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/file/text.h"
-#include "app/runtime/comparison.h"
 #include "app/runtime/hand_rerun.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::runtime {
 
@@ -25,7 +25,8 @@ Result<Overlay> rerun_as_overlay(file::RecordingReader& recording, const std::st
   const auto scene = rerun_scene(recording.info(), algorithm, settings);
   if (!scene) return scene.error();
   Overlay overlay;
-  overlay.label = describe(scene->scene.algorithm);
+  overlay.label = algorithms()[scene->scene.algorithm.index].name;
+  if (!settings.empty()) overlay.label += fmt::format(", {}", fmt::join(settings, ", "));
   overlay.samples.reserve(rows);
   RerunOptions options;
   options.on_sample = [&](const Sample& sample) { overlay.samples.push_back(sample); };

@@ -11,6 +11,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kAlpha = 0.75F;
+constexpr float kThin = 0.65F;  // of a line of the session
 constexpr float kGapEms = 0.3F;
 constexpr float kFewestEms = 1.5F;  // of a text, to be worth its beginning
 
@@ -51,7 +52,7 @@ void draw_plot_marks(const Theme& theme, const PlotMarks& marks, float line_weig
                               ? right
                               : std::min(right, ImPlot::PlotToPixels(time_of(*next), 0.0).x);
     ImGui::GetWindowDrawList()->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + size.y),
-                                        theme.packed(Tone::kWarning, kAlpha), line_weight);
+                                        theme.packed(Tone::kWarning, kAlpha), kThin * line_weight);
     draw_text(theme, mark->text, x + line_weight, room_to);
   }
   ImPlot::PopPlotClipRect();

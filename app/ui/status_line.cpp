@@ -63,7 +63,8 @@ void draw_device_state(const PanelContext& context) {
 // The rest of the row; what does not fit is in the tooltip.
 void draw_realtime_state(const PanelContext& context) {
   const runtime::RealtimeStatus& status = context.session.realtime_status();
-  const Tone tone = status.fifo_priority ? Tone::kGood : Tone::kWarning;
+  const bool replaying = replay_of(context.session) != nullptr;
+  const Tone tone = replaying ? Tone::kMuted : status.fifo_priority ? Tone::kGood : Tone::kWarning;
   dot(context, tone);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -83,6 +84,26 @@ std::string p99_text(const runtime::Quantiles& quantiles) {
   return fmt::format("p99 {:5.1f}, most {:5.0f} µs",
                      static_cast<double>(quantiles.p99_ns) / kNanosecondsPerMicrosecond,
                      static_cast<double>(quantiles.maximum_ns) / kNanosecondsPerMicrosecond);
+}
+
+// What only a loop has; a recording has none.
+void draw_loop_values(const PanelContext& context) {
+  const runtime::TimingStatistics& timing = context.snapshot.timing;
+  const std::uint64_t dropped = context.session.dropped_plot_samples();
+  value(context, "missed", fmt::format("{}", timing.missed_ticks),
+        timing.missed_ticks > 0 ? Tone::kWarning : Tone::kText,
+        fmt::format("Of {} ticks since the start; a missed tick is left out, never caught up with",
+                    timing.ticks));
+  value(context, "wake-up", p99_text(context.state.timing.wake_latency), Tone::kText,
+        "How late the loop woke up: 99 of 100 times at most the first figure, and the worst");
+  // The algorithms differ in it.
+  value(context, "compute",
+        blind_test_runs(context.state) ? "hidden" : p99_text(context.state.timing.compute_time),
+        Tone::kText,
+        "How long a tick's work took: 99 of 100 times at most the first figure, and the worst");
+  value(context, "plot drops", fmt::format("{}", dropped),
+        dropped > 0 ? Tone::kWarning : Tone::kText,
+        "Samples that the window was too slow to take; the recording has a queue of its own");
 }
 
 }  // namespace
@@ -110,25 +131,10 @@ void draw_hint_row(const PanelContext& context) {
 }
 
 void draw_status_row(const PanelContext& context) {
-  const runtime::TimingStatistics& timing = context.snapshot.timing;
-  const std::uint64_t dropped = context.session.dropped_plot_samples();
   draw_device_state(context);
   value(context, "rate", fmt::format("{:g} Hz", context.session.scene().sampling.rate_hz),
         Tone::kText, "Ticks of the loop a second");
-  value(context, "missed", fmt::format("{}", timing.missed_ticks),
-        timing.missed_ticks > 0 ? Tone::kWarning : Tone::kText,
-        fmt::format("Of {} ticks since the start; a missed tick is left out, never caught up with",
-                    timing.ticks));
-  value(context, "wake-up", p99_text(context.state.timing.wake_latency), Tone::kText,
-        "How late the loop woke up: 99 of 100 times at most the first figure, and the worst");
-  // The algorithms differ in it.
-  value(context, "compute",
-        blind_test_runs(context.state) ? "hidden" : p99_text(context.state.timing.compute_time),
-        Tone::kText,
-        "How long a tick's work took: 99 of 100 times at most the first figure, and the worst");
-  value(context, "plot drops", fmt::format("{}", dropped),
-        dropped > 0 ? Tone::kWarning : Tone::kText,
-        "Samples that the window was too slow to take; the recording has a queue of its own");
+  if (replay_of(context.session) == nullptr) draw_loop_values(context);
   value(context, "frame",
         fmt::format("{:4.1f} ms",
                     kMillisecondsPerSecond / static_cast<double>(ImGui::GetIO().Framerate)),
