@@ -30,6 +30,7 @@ constexpr int kHeight = 1000;
 constexpr int kSmallestWidth = 1000;
 constexpr int kSmallestHeight = 640;
 constexpr double kUnseenFrameS = 0.1;  // how often samples are taken while minimised
+constexpr int kPaintedInAHurry = 10;   // one of so many frames
 
 // A signal handler may touch nothing but this.
 std::atomic<bool> end_requested{false};
@@ -184,12 +185,15 @@ class Gui {
   }
 };
 
-void draw_frame(GLFWwindow* window, Application& application) {
+void draw_frame(Application& application) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
   application.frame();
   ImGui::Render();
+}
+
+void paint_frame(GLFWwindow* window) {
   int width = 0;
   int height = 0;
   glfwGetFramebufferSize(window, &width, &height);
@@ -211,6 +215,7 @@ bool user_acts() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty();
 
 void run_loop(GLFWwindow* window, Application& application, const WindowHooks& hooks) {
   Idleness idleness;
+  int unpainted = 0;
   if (hooks.opened) hooks.opened(application);
   while (glfwWindowShouldClose(window) == GLFW_FALSE &&
          !end_requested.load(std::memory_order_relaxed)) {
@@ -223,14 +228,18 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
     const double start_s = glfwGetTime();
     application.set_screen_scale(std::max(ImGui_ImplGlfw_GetContentScaleForWindow(window), 1.0F));
     const bool acts = user_acts();
-    draw_frame(window, application);
+    draw_frame(application);
+    if (!hooks.in_a_hurry || ++unpainted >= kPaintedInAHurry) {
+      paint_frame(window);
+      unpainted = 0;
+    }
     if (hooks.drawn) hooks.drawn();
     if (acts || application.moving()) idleness.wake(glfwGetTime());
     // Where swapping does not wait for the screen, we do; events end the wait early.
     const double now_s = glfwGetTime();
     application.state().timing.frames.add(now_s - start_s);
     const double rest_s = idleness.frame_s(now_s) - (now_s - start_s);
-    if (hooks.rests && rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
+    if (!hooks.in_a_hurry && rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
   }
   if (hooks.closed) hooks.closed();
   keep_window(window, application.state().persisted);

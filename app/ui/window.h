@@ -33,7 +33,7 @@ struct WindowHooks {
   std::function<void(Application&)> opened;  // before the first frame
   std::function<void()> drawn;               // after every frame
   std::function<void()> closed;              // after the last one; the application still lives
-  bool rests = true;  // between two frames; false: the next one follows at once
+  bool in_a_hurry = false;                   // no rest between frames, and few of them are painted
 };
 
 // Returns when the user closes the window or the process is asked to end (SIGINT, SIGTERM).

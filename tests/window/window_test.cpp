@@ -55,7 +55,6 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
   ~Engine() {
     EXPECT_EQ(test_->Output.Status, ImGuiTestStatus_Success) << test_->Output.Log.GetText();
-    fprintf(stderr, "FRAMES %d\n", ImGui::GetFrameCount());
     ImGuiTestEngine_Stop(engine_);
     ImGuiTestEngine_DestroyContext(engine_);
   }
@@ -89,7 +88,7 @@ void use_real_window(const ui::WindowOptions& options, const Script& script, Ite
   std::unique_ptr<Engine> engine;
   GLFWwindow* window = nullptr;
   ui::WindowHooks hooks;
-  hooks.rests = false;
+  hooks.in_a_hurry = true;
   hooks.opened = [&](ui::Application& application) {
     window = glfwGetCurrentContext();
     engine = std::make_unique<Engine>(
