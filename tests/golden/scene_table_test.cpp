@@ -53,7 +53,9 @@ const Expected kTable[] = {
     {"tap-slow", "force-bounding", kQuiet, kNo, kNo, kNo, kNo, kNo, kNo},
     {"light", "force-bounding", kQuiet, kNo, kNo, kNo, kNo, kNo, kNo},
     {"press", "half-sample", kCycle, 0.89e-3, kNo, kNo, kNo, kNo, kNo},
-    {"tap", "half-sample", kCycle, 0.76e-3, kNo, kNo, kNo, kNo, kNo},
+    // One of many cycles that lie close together (0.67 to 1.0 mm for hands within 1 %); this one is
+    // also the brute-force program's (brute_force_scene_test.cpp).
+    {"tap", "half-sample", kCycle, 0.8965e-3, kNo, kNo, kNo, kNo, kNo},
     {"tap-slow", "half-sample", kCycle, 0.9e-3, kNo, kNo, kNo, kNo, kNo},
     {"light", "half-sample", kCycle, 1.2e-3, kNo, kNo, kNo, kNo, kNo},
     {"press", "energy-bookkeeping", kQuiet, kNo, kNo, kNo, 2.0e3, kNo, kNo},
