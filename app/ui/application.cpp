@@ -10,6 +10,7 @@
 #include "app/ui/recent_files.h"
 #include "app/ui/replay_panel.h"
 #include "app/ui/replay_state.h"
+#include "app/ui/shown_axis.h"
 #include "app/ui/undo_controls.h"
 #include "app/ui/window_layout.h"
 
@@ -55,7 +56,9 @@ Application::Application(Sessions sessions, std::unique_ptr<runtime::Session> se
       theme_(theme),
       settings_(options.settings_path),
       history_(kHistoryCapacity),
-      incoming_(kSamplesAtATime) {
+      y_history_(kHistoryCapacity),
+      incoming_(kSamplesAtATime),
+      incoming_y_(kSamplesAtATime) {
   TransientState& transient = state_.transient;
   transient.loaded_scene = session_->scene();
   transient.settings_path = options.settings_path;
@@ -78,6 +81,11 @@ void Application::take_samples() {
       for (Sample& sample : std::span(incoming_).first(count)) draw_where_measured(sample);
     }
     history_.push(std::span<const Sample>(incoming_).first(count));
+    const std::size_t y_count = session_->take_second_axis(std::span(incoming_y_).first(count));
+    if (measured) {
+      for (Sample& sample : std::span(incoming_y_).first(y_count)) draw_where_measured(sample);
+    }
+    y_history_.push(std::span<const Sample>(incoming_y_).first(y_count));
     note_samples(state_, session_->scene(), std::span<const Sample>(incoming_).first(count));
     samples_came_ = samples_came_ || count > 0;
     if (count < incoming_.size()) break;
@@ -88,12 +96,15 @@ void Application::frame() {
   keep_appearance();
   take_samples();
   runtime::Snapshot snapshot = session_->snapshot();
-  if (measured()) draw_where_measured(snapshot.sample);
+  if (measured()) {
+    draw_where_measured(snapshot.sample);
+    draw_where_measured(snapshot.y);
+  }
   note_timing(state_.timing, *session_, snapshot.timing);
   const PanelContext context{*session_, snapshot, theme_, state_};
   state_.transient.items.clear();
   handle_keys(context, bindings_in_force(state_));
-  draw_window(context, history_, *renderer_);
+  draw_window(context, shows_second_axis(context) ? y_history_ : history_, *renderer_);
   // Last: the panels hold references to the session that this replaces.
   go_back();
   start_wanted_scene();
@@ -146,6 +157,7 @@ void Application::start_wanted_scene() {
 void Application::forget_session() {
   state_.timing.cleared = {};
   history_ = SampleHistory(kHistoryCapacity);
+  y_history_ = SampleHistory(kHistoryCapacity);
   state_.transient.refusal.reset();
   state_.transient.hand_m.reset();
   state_.transient.dragging_hand = false;

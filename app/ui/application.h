@@ -109,7 +109,9 @@ class Application {
   std::uint32_t jumps_ = 0;  // of the replay, that were noticed
   UiState state_;
   SampleHistory history_;
+  SampleHistory y_history_;  // of the second axis, where the scene has one
   std::vector<Sample> incoming_;
+  std::vector<Sample> incoming_y_;
   bool samples_came_ = false;  // in the last frame
 };
 

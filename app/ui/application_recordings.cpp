@@ -85,7 +85,9 @@ void Application::go_back() {
 void Application::notice_jumps() {
   if (replay_of(*session_) == nullptr) return;
   const std::uint32_t jumps = session_->snapshot().resets;
-  if (std::exchange(jumps_, jumps) != jumps) history_.clear();
+  if (std::exchange(jumps_, jumps) == jumps) return;
+  history_.clear();
+  y_history_.clear();
 }
 
 // Nobody knows the true place of a real handle, nor of one that was recorded.

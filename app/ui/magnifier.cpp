@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/ui/blind_test.h"
+#include "app/ui/shown_axis.h"
 #include "app/ui/wall_strip.h"
 #include "app/ui/widgets.h"
 
@@ -92,7 +93,8 @@ void draw_legend(const PanelContext& context) {
   entry(Tone::kText, "true");
   entry(Tone::kPosition, "measured");
   entry(Tone::kAccent, "proxy");
-  if (const auto& encoder_m = context.session.scene().device.encoder_m)
+  const Scene scene = shown_scene(context);
+  if (const auto& encoder_m = scene.device.encoder_m)
     entry(Tone::kMuted, fmt::format("counts of {}", length_text(*encoder_m)));
   ImGui::NewLine();
 }
@@ -194,15 +196,17 @@ void draw_magnifier(const PanelContext& context, const SampleHistory& history,
     ImGui::TextDisabled("Hidden during the blind test.");
     return;
   }
-  WallPicture picture =
-      wall_picture(context.session.scene(), context.snapshot.sample, context.snapshot.y);
+  const Scene scene = shown_scene(context);
+  const Sample& sample = shown_sample(context);
+  WallPicture picture = wall_picture(scene, sample);
   if (outermost_wall(picture, Axis::kX) == nullptr) {
     draw_heading(context, false);
     ImGui::TextDisabled("This scene has no wall.");
     return;
   }
   WallState& state = context.state.wall;
-  picture.shown = state.transient.shown;
+  const auto& shown = state.transient.shown;
+  picture.shown.front() = shows_second_axis(context) ? shown.back() : shown.front();
   draw_heading(context, true);
   const Strip strip = place_strip(context, history, picture, view_pixels_per_m);
   take_pointer(context, strip);
@@ -210,9 +214,8 @@ void draw_magnifier(const PanelContext& context, const SampleHistory& history,
   list->AddRectFilled(strip.from, strip.to, context.theme.packed(Tone::kBackground));
   list->PushClipRect(strip.from, strip.to, true);
   ImGui::PushFont(nullptr, kSmallFontSize);
-  const StripContent content{&picture, state.transient.magnified.face_m,
-                             context.snapshot.sample.position_m,
-                             context.session.scene().device.encoder_m};
+  const StripContent content{&picture, state.transient.magnified.face_m, sample.position_m,
+                             scene.device.encoder_m};
   draw_strip(context.theme, strip, content, list);
   draw_trail(context.theme, strip, history, state.transient.trail, list);
   list->PopClipRect();

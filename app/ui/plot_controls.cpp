@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "app/ui/shown_axis.h"
 #include "app/ui/widgets.h"
 #include "core/stability_bounds.h"
 
@@ -256,6 +257,7 @@ std::span<const PlotId> plots_of(PlotArrangement arrangement) {
 }
 
 void draw_plot_controls(const PanelContext& context, const SampleHistory& history) {
+  draw_axis_choice(context, "plots");
   draw_arrangement(context);
   draw_follow(context);
   draw_length(context);

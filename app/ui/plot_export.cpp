@@ -10,6 +10,7 @@
 #include "app/ui/figure.h"
 #include "app/ui/plot_controls.h"
 #include "app/ui/replay_state.h"
+#include "app/ui/shown_axis.h"
 #include "app/ui/toolbar.h"
 #include "core/stability_bounds.h"
 
@@ -39,7 +40,7 @@ FigureView figure_view(const PanelContext& context) {
   view.hidden = context.state.persisted.hidden_lines;
   view.axes = plots.transient.axes;
   if (plots.persisted.show_bounds) view.bounds = bounds_of(context);
-  view.extra_traces = plots.transient.extra_traces;
+  if (!shows_second_axis(context)) view.extra_traces = plots.transient.extra_traces;
   view.marks = {context.session.marks(), context.session.scene().sampling.rate_hz};
   view.phase = plots.persisted.phase;
   return view;
@@ -58,7 +59,7 @@ Result<file::Picture> draw_elsewhere(const Scene& scene, const SampleHistory& hi
 }  // namespace
 
 std::vector<BoundLine> bounds_of(const PanelContext& context) {
-  const Scene& scene = context.session.scene();
+  const Scene scene = shown_scene(context);
   if (scene.walls.empty()) return {};
   const std::size_t wall = std::min(context.state.transient.chosen_wall, scene.walls.size() - 1);
   const double delay_s =
@@ -72,7 +73,7 @@ void export_samples(const PanelContext& context, const SampleHistory& history) {
   const TimeWindow window = visible_window(context);
   const IndexRange range = history.range_within(window.from_s, window.to_s);
   const bool simulated = knows_truth(context.session);
-  const ExportSource source{context.session.scene(), simulated, context.session.device_info().name};
+  const ExportSource source{shown_scene(context), simulated, context.session.device_info().name};
   job.start(history, range, source,
             unused_recording_path(context.state.transient.recording_folder,
                                   name_of(context, history, range)));
@@ -95,7 +96,7 @@ void export_figure(const PanelContext& context, const SampleHistory& history) {
       context.state.transient.recording_folder,
       name_of(context, history, history.range_within(window.from_s, window.to_s)), ".png");
   const Result<file::Picture> picture =
-      draw_elsewhere(context.session.scene(), history, figure_view(context));
+      draw_elsewhere(shown_scene(context), history, figure_view(context));
   if (!picture) {
     tell(context.state, MessageKind::kProblem, picture.error().message);
   } else if (const Failure failure = file::write_png(path, *picture)) {

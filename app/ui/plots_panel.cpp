@@ -8,6 +8,7 @@
 
 #include "app/ui/plot_controls.h"
 #include "app/ui/replay_state.h"
+#include "app/ui/shown_axis.h"
 #include "app/ui/widgets.h"
 
 namespace hapticwall::ui {
@@ -58,7 +59,7 @@ PlotSurface surface_of(const PanelContext& context, const SampleHistory& history
   PlotSurface surface;
   surface.theme = &context.theme;
   surface.history = &history;
-  surface.walls = context.session.scene().walls;
+  surface.walls = shown_walls(context);
   surface.window = &window;
   surface.chosen = &plots.persisted.lines;
   surface.hidden = &state.persisted.hidden_lines;
@@ -69,7 +70,8 @@ PlotSurface surface_of(const PanelContext& context, const SampleHistory& history
   if (plots.persisted.trigger.mode != TriggerMode::kOff)
     surface.contact_s = plots.transient.trigger.contact_s;
   surface.bounds = bounds_of(context);
-  surface.extra_traces = plots.transient.extra_traces;
+  // Overlays and ghosts are of axis x.
+  if (!shows_second_axis(context)) surface.extra_traces = plots.transient.extra_traces;
   surface.marks = {context.session.marks(), context.session.scene().sampling.rate_hz};
   surface.show_bounds = &plots.persisted.show_bounds;
   surface.simulated = knows_truth(context.session);

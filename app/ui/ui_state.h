@@ -107,6 +107,7 @@ struct TransientState {
   std::string recording_name;    // empty: named after scene and algorithm
   std::string mark_text;         // of the next mark
   std::size_t chosen_wall = 0;
+  Axis shown_axis = Axis::kX;  // see shown_axis.h
   bool dragging_hand = false;
   std::optional<double> hand_m;  // where the pointer leads the hand
   bool follow = true;            // the plots follow the newest samples

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/ui/control_panel.h"
+#include "app/ui/shown_axis.h"
 #include "app/ui/sliders.h"
 #include "app/ui/widgets.h"
 #include "core/stability_bounds.h"
@@ -22,9 +23,9 @@ constexpr LogRange kStiffness{100.0, 1e6};
 constexpr LogRange kDamping{0.01, 1000.0, true};
 
 void set_wall(const PanelContext& context, std::size_t index, const WallSettings& wall) {
-  std::vector<WallSettings> walls = context.session.scene().walls;
+  std::vector<WallSettings> walls = shown_walls(context);
   walls[index] = wall;
-  if (const auto problem = context.session.set_walls(walls)) tell(context.state, *problem);
+  if (const auto problem = set_shown_walls(context, walls)) tell(context.state, *problem);
 }
 
 void draw_chooser(const PanelContext& context, std::size_t count) {
@@ -81,7 +82,7 @@ std::string stiffness_text(double stiffness_n_per_m) {
 }
 
 double delay_s(const PanelContext& context) {
-  return context.session.device_info().is_simulated ? delay_of(context.session.scene())
+  return context.session.device_info().is_simulated ? delay_of(shown_scene(context))
                                                     : context.snapshot.link.delay_s;
 }
 
@@ -98,7 +99,7 @@ void draw_bound(const PanelContext& context, std::string_view name,
 }
 
 void draw_bounds(const PanelContext& context, const WallSettings& wall) {
-  const StabilityBounds bounds = stability_bounds(context.session.scene(), wall, delay_s(context));
+  const StabilityBounds bounds = stability_bounds(shown_scene(context), wall, delay_s(context));
   const double stiffness = wall.stiffness_n_per_m;
   draw_bound(context, "bound, passive", bounds.passive_n_per_m, stiffness,
              "K < 2 (b - B) / T, in N/m (Eq. 18): makes no energy whatever the hand does, but for "
@@ -118,19 +119,22 @@ void draw_bounds(const PanelContext& context, const WallSettings& wall) {
 
 void draw_wall_section(const PanelContext& context) {
   section(context, "Wall");
-  const std::vector<WallSettings>& walls = context.session.scene().walls;
+  draw_axis_choice(context, "wall");
+  if (context.session.scene().y) ImGui::NewLine();
+  const std::vector<WallSettings>& walls = shown_walls(context);
   if (walls.empty()) {
-    muted_text(context, "This scene has no wall.");
+    muted_text(context,
+               context.session.scene().y ? "This axis has no wall." : "This scene has no wall.");
     return;
   }
   std::size_t& chosen = context.state.transient.chosen_wall;
   chosen = std::min(chosen, walls.size() - 1);
   if (walls.size() > 1) draw_chooser(context, walls.size());
   // Each takes the wall as it is now: the one before may have changed it.
-  draw_stiffness(context, chosen, context.session.scene().walls[chosen]);
-  draw_damping(context, chosen, context.session.scene().walls[chosen]);
-  draw_position(context, chosen, context.session.scene().walls[chosen]);
-  draw_bounds(context, context.session.scene().walls[chosen]);
+  draw_stiffness(context, chosen, shown_walls(context)[chosen]);
+  draw_damping(context, chosen, shown_walls(context)[chosen]);
+  draw_position(context, chosen, shown_walls(context)[chosen]);
+  draw_bounds(context, shown_walls(context)[chosen]);
 }
 
 }  // namespace hapticwall::ui

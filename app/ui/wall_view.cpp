@@ -5,6 +5,7 @@
 
 #include "app/ui/blind_test.h"
 #include "app/ui/replay_state.h"
+#include "app/ui/shown_axis.h"
 #include "app/ui/wall_labels.h"
 #include "app/ui/widgets.h"
 
@@ -75,7 +76,7 @@ void move_camera(WallState& state, const ViewArea& area, bool two_axes) {
 }
 
 void draw_readout(const PanelContext& context, ImVec2 corner) {
-  const Sample& sample = context.snapshot.sample;
+  const Sample& sample = shown_sample(context);
   const bool contact = (sample.flags & kFlagInContact) != 0U;
   const auto row = [&](const char* name, double value, int digits, const char* unit, bool known) {
     ImGui::TextDisabled("%-11s", name);
