@@ -105,10 +105,11 @@ void draw_story(const PanelContext& context, const EnergyLamp& lamp) {
   draw_words(context, words, ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
   remember_item(context.state, "energy lamp");
-  if (ImGui::IsItemHovered()) {
-    explain(lamp_tooltip(lamp.story(), static_cast<double>(lamp.since_tick()) /
-                                           context.session.scene().sampling.rate_hz));
-  }
+  if (!ImGui::IsItemHovered()) return;
+  const Scene& scene = context.session.scene();
+  const double since_s = static_cast<double>(lamp.since_tick()) / scene.sampling.rate_hz;
+  explain((scene.y ? "Axis x alone: axis y is a loop of its own.\n" : "") +
+          lamp_tooltip(lamp.story(), since_s));
 }
 
 }  // namespace
