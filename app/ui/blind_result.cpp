@@ -98,9 +98,9 @@ void draw_trial_row(std::size_t index, const Trial& trial) {
   const bool chose_first = trial.chosen == trial.first;
   const std::array<std::string, 5> cells{
       fmt::format("{}", index + 1),
-      fmt::format("{}, then {}", runtime::slot_name(trial.first),
+      fmt::format("{}, {}", runtime::slot_name(trial.first),
                   runtime::slot_name(runtime::other(trial.first))),
-      fmt::format("{}, the {}", runtime::slot_name(trial.chosen), chose_first ? "first" : "second"),
+      fmt::format("{}, {}", runtime::slot_name(trial.chosen), chose_first ? "1st" : "2nd"),
       fmt::format("{}", trial.looks), fmt::format("{:.1f} s", trial.seconds)};
   ImGui::TableNextRow();
   for (const std::string& cell : cells) {

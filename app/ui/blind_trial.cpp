@@ -83,25 +83,30 @@ void draw_choose_button(const PanelContext& context, const BlindTest& test, cons
   if (clicked) choose(context, words.presentation);
 }
 
+// Beside the progress and the way out where there is room, else above them.
+void draw_question(const PanelContext& context, const std::string& question, float room) {
+  ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);
+  ImGui::AlignTextToFramePadding();
+  const bool fits = ImGui::CalcTextSize(question.c_str()).x <= room;
+  ImGui::TextWrapped("%s", question.c_str());
+  ImGui::PopFont();
+  if (fits) ImGui::SameLine();
+}
+
 void draw_head(const PanelContext& context, const BlindTest& test, float width) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float left = ImGui::GetCursorPosX();
   const char* stop = "Stop and show";
   const float stop_width = ImGui::CalcTextSize(stop).x + 2.0F * ImGui::GetStyle().FramePadding.x;
   const std::string progress =
       fmt::format("trial {} of {}", test.trials.trial() + 1, test.trials.plan().trials);
   const float gap = ImGui::GetFontSize();
   const float progress_at = width - stop_width - gap - ImGui::CalcTextSize(progress.c_str()).x;
-  ImGui::PushClipRect(corner, ImVec2(corner.x + progress_at - gap, corner.y + 3.0F * gap), true);
-  ImGui::AlignTextToFramePadding();
-  ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);
-  ImGui::TextUnformatted(test.trials.plan().question.c_str());
-  ImGui::PopFont();
-  ImGui::PopClipRect();
-  ImGui::SetCursorScreenPos(ImVec2(corner.x + progress_at, corner.y));
+  draw_question(context, test.trials.plan().question, progress_at - gap);
+  ImGui::SetCursorPosX(left + progress_at);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", progress.c_str());
   remember_item(context.state, "blind progress");
-  ImGui::SetCursorScreenPos(ImVec2(corner.x + width - stop_width, corner.y));
+  ImGui::SameLine(left + width - stop_width);
   if (ImGui::Button(stop)) end_blind_test(context);
   remember_item(context.state, "stop and show");
   explain("Ends the test with the trials that were answered, and shows their order");
@@ -146,10 +151,11 @@ void draw_buttons(const PanelContext& context, float width) {
 void draw_blind_trial(const PanelContext& context) {
   const float em = ImGui::GetFontSize();
   const float free = ImGui::GetContentRegionAvail().x;
-  const float width = std::min(free, kWidestEms * em);
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (free - width));
-  ImGui::BeginChild("trial", ImVec2(width, 0.0F), ImGuiChildFlags_None,
+  const float widest = std::min(free, kWidestEms * em);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (free - widest));
+  ImGui::BeginChild("trial", ImVec2(widest, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
+  const float width = ImGui::GetContentRegionAvail().x;  // less a scrollbar
   const BlindTest& test = *context.state.compare.transient.test;
   draw_head(context, test, width);
   draw_progress(context, test, width);
