@@ -14,7 +14,9 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kWidthEms = 30.0F;
-constexpr float kBarEms = 0.25F;       // the coloured bar at the left edge
+constexpr float kBarEms = 0.25F;  // the coloured bar at the left edge
+// A frame that took longer (a figure was drawn meanwhile) was no time to read in.
+constexpr double kLongestFrameS = 0.5;
 constexpr std::size_t kMostShown = 5;  // of the newest; the others are counted
 
 // What a click or the pointer asked for, applied after all are drawn.
@@ -116,7 +118,8 @@ void draw_toasts(const PanelContext& context, float right, float bottom) {
     bottom =
         draw_toast(context, list[list.size() - 1 - i], ImVec2(right, bottom), i == 0, wishes) - gap;
   if (list.size() > 1) draw_clear(context, list.size() - shown, ImVec2(right, bottom), wishes);
-  toasts.pass(static_cast<double>(ImGui::GetIO().DeltaTime), wishes.looked_at);
+  const auto frame_s = static_cast<double>(ImGui::GetIO().DeltaTime);
+  toasts.pass(std::min(frame_s, kLongestFrameS), wishes.looked_at);
   if (wishes.put_away != 0) toasts.put_away(wishes.put_away);
   if (wishes.clear) toasts.clear();
 }

@@ -76,6 +76,16 @@ TEST_F(ToastsTest, ANoteGoesByItselfAndAProblemWaitsForAClick) {
   EXPECT_EQ(count(), 0U);
 }
 
+TEST_F(ToastsTest, AFrameThatTookLongDoesNotTakeANoteAway) {
+  tell(MessageKind::kNote, "exported the figure");
+  const float usual = ImGui::GetIO().DeltaTime;
+  ImGui::GetIO().DeltaTime = 10.0F * static_cast<float>(ui::kNoteLifeS);
+  frames(1);
+  ImGui::GetIO().DeltaTime = usual;
+  frames(1);
+  EXPECT_EQ(count(), 1U);
+}
+
 TEST_F(ToastsTest, TheStackIsWithinTheWindowAndNoneCoversAnother) {
   for (int i = 0; i < 12; ++i) tell(MessageKind::kProblem, "problem " + std::to_string(i));
   float below = static_cast<float>(kScreenHeight);

@@ -1,0 +1,156 @@
+// The sections of the panel whose rows come from the tables of scene keys: hand and device.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/scene_keys.h"
+#include "tests/window/rows.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ReadKey = std::function<std::optional<double>(Person&)>;
+
+void type_good_and_bad(Person& person, const std::string& item, const ValueRange& range, bool whole,
+                       const ReadKey& read) {
+  const double good = whole ? 3.0 : range.contains(0.0625) ? 0.0625 : 2.0 * range.minimum;
+  person.type(item, fmt::format("{}", good));
+  EXPECT_EQ(read(person), good) << item;
+  EXPECT_FALSE(person.state().transient.refusal);
+  person.type(item, fmt::format("{}", 10.0 * range.maximum));
+  EXPECT_EQ(read(person), good) << "out of range: nothing changes";
+  ASSERT_TRUE(person.state().transient.refusal) << item;
+  EXPECT_EQ(person.state().transient.refusal->key, item);
+  person.hover("refusal");
+  person.type(item, "nonsense");
+  EXPECT_EQ(read(person), good);
+  EXPECT_TRUE(person.state().transient.refusal);
+}
+
+void slide(Person& person, const std::string& item, const ReadKey& read) {
+  const double before = read(person).value_or(0.0);
+  person.drag(item, ImVec2(25.0F, 0.0F));
+  const double more = read(person).value_or(0.0);
+  EXPECT_GT(more, before) << item;
+  person.drag(item, ImVec2(-25.0F, 0.0F));
+  EXPECT_LT(read(person).value_or(more), more) << item;
+}
+
+void switch_off_and_on(Person& person, const std::string& item, const ReadKey& read) {
+  const auto before = read(person);
+  person.click("switch " + item);
+  if (person.state().transient.refusal) {  // another part needs this one
+    EXPECT_EQ(read(person), before) << item;
+    return;
+  }
+  EXPECT_NE(read(person).has_value(), before.has_value()) << item;
+  // The wall's bounds above may have come or gone, and the rows have moved.
+  person.wait_a_frame();
+  person.wait_a_frame();
+  person.click("switch " + item);
+  EXPECT_EQ(read(person), before) << item;
+}
+
+// Back to what the scene says, for one row must not spoil the next.
+void restore(Person& person, const Scene& before) {
+  EXPECT_FALSE(person.session().change_scene(before));
+  person.wait_a_frame();
+  person.wait_a_frame();
+}
+
+template <typename Owner>
+void use_key(Person& person, const std::string& item, const NumberKey<Owner>& key,
+             const ReadKey& read) {
+  const bool switchable = person.sees("switch " + item);
+  const bool was_on = read(person).has_value();
+  if (!was_on) person.click("switch " + item);
+  ASSERT_TRUE(read(person)) << item;
+  const Scene usual = person.scene();
+  type_good_and_bad(person, item, key.range, key.whole(), read);
+  restore(person, usual);
+  if (person.sees(item + "-slider")) slide(person, item + "-slider", read);
+  if (switchable) switch_off_and_on(person, item, read);
+}
+
+template <typename Owner, typename Get>
+Table key_rows(const std::string& section, const std::string& prefix,
+               std::span<const NumberKey<Owner>> keys, Get get) {
+  Table table;
+  for (const NumberKey<Owner>& key : keys) {
+    const std::string item = prefix + std::string(key.key);
+    const ReadKey read = [get, &key](Person& person) { return key.get(get(person.scene())); };
+    table.push_back({item, [=, &key](Person& person) {
+                       unfold(person, section, prefix + "mass_kg");
+                       person.wait_a_frame();
+                       const Scene before = person.scene();
+                       use_key(person, item, key, read);
+                       restore(person, before);
+                     }});
+  }
+  return table;
+}
+
+void lead_and_leave_hand(Person& person) {
+  expect_flips(person, "hand stays",
+               [](Person& p) { return p.state().persisted.hand_stays_where_released ? 1.0 : 0.0; });
+}
+
+double end_mm(Person& person) { return person.scene().hand->path.back().position_m * 1e3; }
+double end_time_s(Person& person) { return person.scene().hand->path.back().time_s; }
+
+void unfold_hand(Person& person) {
+  unfold(person, "Hand", "hand stays");
+  person.wait_a_frame();
+}
+
+}  // namespace
+
+Table hand_rows() {
+  Table table{{"section Hand",
+               [](Person& person) {
+                 person.click("section Hand");
+                 person.wait_a_frame();
+                 EXPECT_TRUE(person.sees("end position"));
+               }},
+              takes("end position", "70", end_mm, 70.0, unfold_hand),
+              takes("approach speed", "20", end_time_s, 2.0, unfold_hand),
+              {"hand stays", [](Person& person) {
+                 unfold_hand(person);
+                 lead_and_leave_hand(person);
+               }}};
+  const auto keys =
+      key_rows("Hand", "hand.", hand_number_keys(), [](const Scene& scene) { return *scene.hand; });
+  table.insert(table.end(), keys.begin(), keys.end());
+  return table;
+}
+
+Table device_rows() {
+  Table table{{"section Device", [](Person& person) {
+                 person.click("section Device");
+                 person.wait_a_frame();
+                 EXPECT_TRUE(person.sees("device.mass_kg"));
+               }}};
+  auto keys = key_rows("Device", "device.", device_number_keys(),
+                       [](const Scene& scene) { return scene.device; });
+  // Where the handle starts is the scene's business.
+  std::erase_if(keys, [](const Row& row) { return row.item == "device.start_m"; });
+  table.insert(table.end(), keys.begin(), keys.end());
+  return table;
+}
+
+Table link_rows() {
+  return {shown("age"),
+          shown("delay"),
+          shown("reports"),
+          shown("arming"),
+          {"section Believed of it", [](Person& person) {
+             person.click("section Believed of it");
+             person.wait_a_frame();
+             EXPECT_TRUE(person.sees("device.mass_kg"));
+           }}};
+}
+
+}  // namespace hapticwall::test
