@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "app/ui/appearance.h"
+#include "app/ui/comparing.h"
+#include "app/ui/replay_state.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/window/recordings.h"
 
 namespace hapticwall::test {
 namespace {
@@ -150,6 +153,72 @@ std::vector<KeyRow> window_key_rows() {
                 [](Person& p) { return p.state().plots.transient.cursors.shown ? 1.0 : 0.0; })};
 }
 
+// ---- with a recording open
+
+runtime::ReplaySession& replay(Person& person) { return *ui::replay_of(person.session()); }
+
+KeyRow in_replay(std::string what, std::function<void(Person&, const Press&)> check) {
+  return {std::move(what), [check = std::move(check)](Person& person, const Press& press) {
+            open_a_recording(person);
+            replay(person).pause(true);
+            person.wait_a_frame();
+            check(person, press);
+            back_to_the_scene(person);
+          }};
+}
+
+void step_back(Person& person, const Press& press) {
+  replay(person).seek(replay(person).end_s());
+  person.wait_a_frame();
+  const std::uint64_t before = person.session().snapshot().sample.tick;
+  press();
+  EXPECT_LT(person.session().snapshot().sample.tick, before);
+}
+
+void change_speed(Person& person, const Press& press, double way) {
+  replay(person).set_speed(1.0);
+  press();
+  EXPECT_GT(way * (replay(person).speed() - 1.0), 0.0);
+}
+
+void go_to_mark(Person& person, const Press& press, double from_s) {
+  replay(person).seek(from_s);
+  person.wait_a_frame();
+  press();
+  EXPECT_EQ(person.session().snapshot().sample.tick, person.session().marks().front().tick);
+}
+
+std::vector<KeyRow> replay_key_rows() {
+  return {in_replay("one tick back, while paused", step_back),
+          in_replay("slower", [](Person& p, const Press& press) { change_speed(p, press, -1.0); }),
+          in_replay("faster", [](Person& p, const Press& press) { change_speed(p, press, 1.0); }),
+          in_replay("begin anew at the end, or not",
+                    [](Person& p, const Press& press) {
+                      const bool before = replay(p).loops();
+                      press();
+                      EXPECT_NE(replay(p).loops(), before);
+                    }),
+          in_replay("to the mark before",
+                    [](Person& p, const Press& press) { go_to_mark(p, press, replay(p).end_s()); }),
+          in_replay("to the next mark", [](Person& p, const Press& press) {
+            go_to_mark(p, press, replay(p).begin_s());
+          })};
+}
+
+void mark(Person& person, const Press& press) {
+  person.click("record");
+  person.wait_until([&] { return person.recording().rows > 0; }, "rows");
+  person.put_everything_away();
+  const std::size_t before = person.session().marks().size();
+  press();
+  EXPECT_EQ(person.session().marks().size(), before + 1);
+  person.click("record");
+}
+
+double active_slot(Person& person) {
+  return static_cast<double>(ui::slots_of(person.state()).active);
+}
+
 }  // namespace
 
 std::vector<KeyRow> key_rows() {
@@ -157,10 +226,13 @@ std::vector<KeyRow> key_rows() {
                            {"one tick, while paused", step},
                            {"reset: back to tick 0, at rest", reset},
                            {"record, or stop recording", record},
+                           {"mark this moment in the recording", mark},
+                           flips("slot A or B of Compare; in a field: the next field", active_slot),
                            {"undo the last change", undo},
                            {"redo it", redo}};
   for (std::size_t i = 0; i < algorithms().size(); ++i) rows.push_back(chooses(i));
   for (KeyRow& row : window_key_rows()) rows.push_back(std::move(row));
+  for (KeyRow& row : replay_key_rows()) rows.push_back(std::move(row));
   return rows;
 }
 

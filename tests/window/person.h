@@ -24,7 +24,7 @@ struct ItemLog {
   std::set<std::string> used;
 };
 
-// One of a counted kind ("toast 12") stands for all of them.
+// One of a counted kind ("toast 12"), or of a kind with names, stands for all of them.
 [[nodiscard]] std::string kind_of(const std::string& item);
 
 class Person {

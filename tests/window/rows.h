@@ -58,6 +58,11 @@ void unfold(Person& person, const std::string& section, const std::string& somet
 [[nodiscard]] Table plot_rows();
 [[nodiscard]] Table status_rows();
 [[nodiscard]] Table overlay_rows();
+[[nodiscard]] Table page_rows();
+[[nodiscard]] Table compare_rows();
+[[nodiscard]] Table recording_rows();
+[[nodiscard]] Table corner_rows();
+
 // Of a real device.
 [[nodiscard]] Table link_rows();
 

@@ -96,7 +96,9 @@ void choose_parameter(Person& person, const ParameterDescription& description) {
                                                       ? std::span<const std::string_view>(kSwitch)
                                                       : description.choices;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    person.choose(item, std::string(words[i]));
+    person.click(item);
+    person.wait_a_frame();
+    person.click(fmt::format("{} = {}", description.key, words[i]));
     EXPECT_EQ(parameter(person, description.key), static_cast<double>(i)) << words[i];
   }
   person.choose(item, fmt::format("{} (default)", description.default_text));
@@ -185,7 +187,7 @@ Table scene_rows(const std::string& scene_file) {
 }
 
 Table algorithm_rows() {
-  Table table;
+  Table table{{"algorithm.then", [](Person& p) { choose_parameter(p, kThenParameter); }}};
   for (std::size_t i = 0; i < algorithms().size(); ++i)
     table.push_back(
         {std::string(algorithms()[i].name), [i](Person& person) { use_algorithm(person, i); }});

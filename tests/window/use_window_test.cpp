@@ -244,7 +244,7 @@ TEST_P(UseWindowTest, TheHelpIsPutAwayByAClickElsewhere) {
     person.press(ImGuiKey_F1);
     ASSERT_TRUE(person.state().transient.help_shown);
     person.wait_a_frame();
-    person.drag_from("wall view", ImVec2(0.02F, 0.02F), ImVec2(0.0F, 0.0F));
+    person.drag_from("scene", ImVec2(0.1F, -0.6F), ImVec2(0.0F, 0.0F));
     EXPECT_FALSE(person.state().transient.help_shown);
   });
 }
