@@ -57,8 +57,8 @@ TEST(TimingQuantiles, AreTheNearestRanks) {
   EXPECT_EQ(result.p99_ns, 990);
   EXPECT_EQ(result.p999_ns, 999);
   EXPECT_EQ(result.maximum_ns, 1000);
-  EXPECT_EQ(runtime::quantiles({7}).p999_ns, 7);
-  EXPECT_EQ(runtime::quantiles({}).count, 0U);
+  EXPECT_EQ(runtime::quantiles(std::vector<std::int64_t>{7}).p999_ns, 7);
+  EXPECT_EQ(runtime::quantiles(std::vector<std::int64_t>{}).count, 0U);
 }
 
 TEST(TimingVerdictTest, AQuietMachineIsGoodWithoutAdvice) {

@@ -5,8 +5,6 @@
 #include <imgui_internal.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <random>
 
 #include "app/ui/timing_histogram.h"
@@ -136,14 +134,6 @@ class TimingPageTest : public GuiTest {
     for (int i = 0; i < 700; ++i) application_->state().timing.frames.add(0.012 + 0.004 * (i % 7));
   }
 
-  void keep_for_a_look(const file::Picture& picture, const char* name) const {
-    const char* folder = std::getenv("HAPTICWALL_PICTURES");
-    if (folder == nullptr) return;
-    const auto png = file::encode_png(picture);
-    std::ofstream out(std::string(folder) + "/" + name, std::ios::binary);
-    out.write(png->data(), static_cast<std::streamsize>(png->size()));
-  }
-
   // Pixels within an item that two pictures do not share.
   int changed(const file::Picture& before, const file::Picture& after, const std::string& item) {
     const ui::ItemRect area = rect(item);
@@ -173,7 +163,6 @@ class TimingPageTest : public GuiTest {
 
 TEST_F(TimingPageTest, WithoutALoopItSaysSo) {
   const file::Picture empty = page();
-  keep_for_a_look(empty, "timing-empty.png");
   const ui::TimingState& timing = application_->state().timing;
   EXPECT_EQ(timing.wake_latency.count, 0U);
   EXPECT_TRUE(timing.since_start());
@@ -185,8 +174,7 @@ TEST_F(TimingPageTest, ShowsHistogramsAndFiguresOfManyCycles) {
   const file::Picture empty = page();
   run_a_while();
   const file::Picture full = page();
-  keep_for_a_look(full, "timing-dark.png");
-  keep_for_a_look(page(1.0F, ui::Look::kLight), "timing-light.png");
+  page(1.0F, ui::Look::kLight);
   constexpr int kMany = 2000;
   EXPECT_GT(changed(empty, full, "histogram wake-up"), kMany);
   EXPECT_GT(changed(empty, full, "histogram compute"), kMany);
@@ -199,10 +187,10 @@ TEST_F(TimingPageTest, IsTheSameAtTwiceTheSizeAndInALowerOne) {
   run_a_while();
   const ImVec2 half(static_cast<float>(kScreenWidth) / 2.0F,
                     static_cast<float>(kScreenHeight) / 2.0F);
-  keep_for_a_look(page(2.0F, ui::Look::kScreen, half), "timing-twice.png");
+  page(2.0F, ui::Look::kScreen, half);
   expect_inside(ImVec2(kScreenWidth, kScreenHeight));
   const ImVec2 low(700.0F, 200.0F);
-  keep_for_a_look(page(1.0F, ui::Look::kLight, low), "timing-low.png");
+  page(1.0F, ui::Look::kLight, low);
   expect_inside(low);
 }
 
