@@ -16,6 +16,9 @@ constexpr std::chrono::seconds kPatience{60};
 }  // namespace
 
 std::string kind_of(const std::string& item) {
+  for (const char* kind : {"legend ghost", "legend under"}) {
+    if (item.starts_with(kind)) return kind;
+  }
   for (const char* kind : {"toast ", "recent "}) {
     if (item.starts_with(kind)) return kind + std::string("N");
   }

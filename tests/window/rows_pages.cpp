@@ -60,8 +60,27 @@ void use_slots(Person& person) {
   person.click("take B");
   EXPECT_EQ(ui::slots_of(person.state()).of(Slot::kB), person.scene().algorithm);
   person.click("undo");
+}
+
+void touch(Person& person) {
+  const std::uint32_t resets = person.session().snapshot().resets;
+  person.click("reset");
+  person.wait_until([&] { return person.session().snapshot().resets > resets; }, "the reset");
+  person.wait_until(
+      [&] {
+        const Sample sample = person.session().snapshot().sample;
+        return (sample.flags & kFlagInContact) != 0 && sample.time_s > 1.0;
+      },
+      "a contact");
+}
+
+void see_a_ghost(Person& person) {
+  touch(person);
+  person.click("slot B");
+  touch(person);
   person.wait_until([&] { return !person.items_called("legend ghost").empty(); }, "a ghost");
   for (const std::string& legend : person.items_called("legend ghost")) person.hover(legend);
+  person.click("slot A");
 }
 
 void set_up_blind_test(Person& person) {
@@ -98,7 +117,8 @@ void take_blind_test(Person& person) {
     person.hover(item);
   }
   person.click("blind save");
-  EXPECT_TRUE(std::filesystem::exists(person.state().compare.transient.test->saved_as));
+  EXPECT_TRUE(
+      std::filesystem::exists(person.state().compare.transient.test->saved_as + "-result.csv"));
   person.put_everything_away();
   person.click("new blind test");
   person.click("last result");
@@ -113,11 +133,12 @@ void set_a_mark(Person& person) {
   person.click("record");
   person.wait_until([&] { return person.recording().rows > 100; }, "rows");
   person.put_everything_away();
+  const std::size_t before = person.session().marks().size();
   person.type("mark text", "here");  // Enter sets it
   EXPECT_EQ(person.session().marks().back().text, "here");
   person.click("mark");
   EXPECT_EQ(person.session().marks().back().text, "");
-  EXPECT_EQ(person.session().marks().size(), 2U);
+  EXPECT_EQ(person.session().marks().size(), before + 2);
   person.click("record");
   person.put_everything_away();
 }
@@ -216,6 +237,7 @@ Table compare_rows() {
   return {
       {"slot A", use_slots},
       flips("ghost", [](Person& p) { return p.state().compare.persisted.ghost_shown ? 1.0 : 0.0; }),
+      {"page Plots", see_a_ghost},
       {"blind start", take_blind_test}};
 }
 
