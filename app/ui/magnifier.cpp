@@ -58,7 +58,13 @@ void draw_choice(const PanelContext& context) {
   if (button("–", "magnify less", "Magnify less; so does the wheel over the picture."))
     state.persisted.magnification = next_magnification(now, -1);
   ImGui::SameLine();
+  // As wide as the longest, or the buttons would move under the pointer when it changes by itself.
+  const float width = ImGui::CalcTextSize("×1000").x;
+  ImGui::BeginGroup();
   ImGui::TextColored(context.theme.colour(Tone::kAccent), "×%d", now);
+  ImGui::SameLine(0.0F, 0.0F);
+  ImGui::Dummy(ImVec2(std::max(width - ImGui::GetItemRectSize().x, 0.0F), 0.0F));
+  ImGui::EndGroup();
   explain("How much larger than the wall view shows the scene at first.");
   if (button("+", "magnify more", "Magnify more; so does the wheel over the picture."))
     state.persisted.magnification = next_magnification(now, 1);

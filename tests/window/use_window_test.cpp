@@ -6,6 +6,7 @@
 
 #include "app/file/settings_text.h"
 #include "app/file/small_file.h"
+#include "app/ui/magnifier.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/window/rows.h"
 #include "tests/window/window_test.h"
@@ -125,6 +126,19 @@ TEST_P(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
     EXPECT_TRUE(state.plots.persisted.phase.shown);
     EXPECT_GT(state.wall.persisted.magnification, 0);
     EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.1F);
+  });
+}
+
+TEST_P(UseWindowTest, TheButtonsOfTheMagnifierStayWhereTheyAre) {
+  use([](Person& person) {
+    ui::WallState& wall = person.state().wall;
+    const auto place = [&] { return person.state().transient.items.at("magnify more").from.x; };
+    wall.persisted.magnification = ui::kMagnifications.front();
+    person.wait_a_frame();
+    const float before = place();
+    wall.persisted.magnification = ui::kMagnifications.back();
+    person.wait_a_frame();
+    EXPECT_EQ(place(), before);
   });
 }
 
