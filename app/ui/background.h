@@ -25,8 +25,13 @@ class Background {
   using Work = std::function<Result<T>(const Progress& progress)>;
 
   Background() = default;
-  Background(const Background&) = delete;
-  Background& operator=(const Background&) = delete;
+  Background(Background&&) noexcept = default;
+  Background& operator=(Background&& other) noexcept {
+    std::swap(state_, other.state_);
+    std::swap(future_, other.future_);
+    std::swap(ending_, other.ending_);
+    return *this;
+  }
   ~Background() { give_up(); }
 
   // What still goes on is given up.
