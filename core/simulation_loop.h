@@ -13,6 +13,14 @@
 #include "core/servo.h"
 #include "core/simulate.h"
 
+// Everything that the loop calls is inlined into it. Instrumented by a sanitizer that takes minutes
+// to compile, and no sanitizer is in a hurry.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HAPTICWALL_ONE_FUNCTION
+#else
+#define HAPTICWALL_ONE_FUNCTION [[gnu::flatten]]
+#endif
+
 namespace hapticwall {
 
 // Ticks between two questions whether to stop.
@@ -224,7 +232,8 @@ class Simulation {
 
   // Works on copies and gives them back at the end, so that the loop's state can live in registers.
   template <LoopParts kParts, typename Plant, typename Stabiliser>
-  [[gnu::flatten]] void run_loop(Plant& plant, Stabiliser& shared_stabiliser, std::uint64_t end) {
+  HAPTICWALL_ONE_FUNCTION void run_loop(Plant& plant, Stabiliser& shared_stabiliser,
+                                        std::uint64_t end) {
     const ServoSettings settings = servo_.settings();
     Stabiliser stabiliser = shared_stabiliser;
     ServoState state = servo_.state();
