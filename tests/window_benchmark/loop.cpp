@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -85,8 +86,21 @@ struct Blocks {
   std::uint64_t missed_ticks = 0;
   std::uint64_t frames = 0;
   double seconds = 0.0;
+  double stolen_s = 0.0;
   std::vector<std::int64_t> p99_ns;  // of the wake-ups of each block
 };
+
+// Seconds, of all cores together, that a virtual machine's host gave to somebody else since it
+// started; 0 where the kernel does not say.
+double stolen_s() {
+  std::ifstream file("/proc/stat");
+  std::string name;
+  double ticks = 0.0;
+  constexpr int kStolenColumn = 8;
+  file >> name;
+  for (int column = 0; column < kStolenColumn; ++column) file >> ticks;
+  return file ? ticks / static_cast<double>(sysconf(_SC_CLK_TCK)) : 0.0;
+}
 
 void draw_once(ui::Application& application, Stage& stage) {
   static_cast<void>(stage.frame([&] { application.frame(); }));
@@ -97,6 +111,7 @@ void run_block(ui::Application& application, Stage& stage, bool drawn, double se
   runtime::TimingHistograms before;
   application.session().read_timing(before);
   const std::uint64_t missed = application.session().snapshot().timing.missed_ticks;
+  const double stolen_before_s = stolen_s();
   const auto start = Clock::now();
   const auto passed_s = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   while (passed_s() < seconds) {
@@ -109,6 +124,7 @@ void run_block(ui::Application& application, Stage& stage, bool drawn, double se
     }
   }
   blocks.seconds += passed_s();
+  blocks.stolen_s += stolen_s() - stolen_before_s;
   runtime::TimingHistograms after;
   application.session().read_timing(after);
   const runtime::LatencyCounts latencies = after.wake_latency.since(before.wake_latency);
@@ -129,17 +145,23 @@ void print_row(const Blocks& blocks, const char* what, const runtime::LatencyCou
               static_cast<unsigned long long>(blocks.missed_ticks));
 }
 
-// Of the blocks: how far the rest of the machine makes one differ from the other.
-void print_spread(const Blocks& blocks) {
-  constexpr double kNanosecondsPerMicrosecond = 1e3;
+// The p99 of the blocks at so many quarters of them, in order: 2 is the median.
+std::int64_t p99_at(const Blocks& blocks, std::size_t quarters) {
   std::vector<std::int64_t> sorted = blocks.p99_ns;
   std::sort(sorted.begin(), sorted.end());
-  const auto at = [&](std::size_t quarter) {
-    return static_cast<double>(sorted[quarter * (sorted.size() - 1) / 4]) /
-           kNanosecondsPerMicrosecond;
+  return sorted[quarters * (sorted.size() - 1) / 4];
+}
+
+// How far the rest of the machine, and its host, make one block differ from the other.
+void print_spread(const Blocks& blocks) {
+  constexpr double kNanosecondsPerMicrosecond = 1e3;
+  const auto at = [&](std::size_t quarters) {
+    return static_cast<double>(p99_at(blocks, quarters)) / kNanosecondsPerMicrosecond;
   };
-  std::printf("%-16sp99 of each of %zu blocks: %.1f to %.1f, quartiles %.1f %.1f %.1f us\n",
-              blocks.name, sorted.size(), at(0), at(4), at(1), at(2), at(3));
+  std::printf(
+      "%-16sp99 of each of %zu blocks: %.1f to %.1f, quartiles %.1f %.1f %.1f us; %.1f s stolen by "
+      "the host\n",
+      blocks.name, blocks.p99_ns.size(), at(0), at(4), at(1), at(2), at(3), blocks.stolen_s);
 }
 
 double ratio(std::int64_t with_ns, std::int64_t without_ns) {
@@ -162,6 +184,8 @@ void print_table(const Blocks& without, const Blocks& with) {
       ratio(b.p999_ns, a.p999_ns), ratio(b.maximum_ns, a.maximum_ns));
   print_spread(without);
   print_spread(with);
+  std::printf("the usual block's p99, with to without: %.2fx\n",
+              ratio(p99_at(with, 2), p99_at(without, 2)));
   std::printf("%llu frames, %.1f a second\n", static_cast<unsigned long long>(with.frames),
               static_cast<double>(with.frames) / with.seconds);
 }
@@ -212,9 +236,9 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene, double seconds, doub
               application.session().realtime_status().text.c_str(), kWidth, kHeight,
               stage.renderer().c_str());
   std::fflush(stdout);
-  Blocks without{"without window", {}, 0, 0, 0.0, {}};
-  Blocks with{"with window", {}, 0, 0, 0.0, {}};
-  Blocks warm_up{"", {}, 0, 0, 0.0, {}};
+  Blocks without{"without window", {}, 0, 0, 0.0, 0.0, {}};
+  Blocks with{"with window", {}, 0, 0, 0.0, 0.0, {}};
+  Blocks warm_up{"", {}, 0, 0, 0.0, 0.0, {}};
   run_block(application, stage, true, kWarmUpS, warm_up);
   if (Failure failure = application.session().start_recording(csv)) return *failure;
   // Off, on, on, off: what changes slowly on the machine hits both alike.
