@@ -121,9 +121,10 @@ TEST_F(AccuracyCommand, RefusesLikeRun) {
   expect_refused({"press", "--set", "hand.path=mouse", "--csv", "a.csv"}, 2,
                  "press: hand.path: the hand follows the mouse, which only the window has; --set "
                  "'hand.path=[[0, 0.03], [1, 0.06]]' gives it a path");
-  expect_refused({"pres"}, 2,
-                 "'pres' is neither a file nor a built-in scene; did you mean 'press'?; built in: "
-                 "light, press, tap, tap-slow, golden-hard, golden-soft, golden-soft-fric");
+  expect_refused(
+      {"pres"}, 2,
+      "'pres' is neither a file nor a built-in scene; did you mean 'press'?; built in: "
+      "corner, layers, light, press, tap, tap-slow, golden-hard, golden-soft, golden-soft-fric");
   expect_refused({}, 2, "SCENE is required");
   expect_refused({"press", "--device", "ie2000"}, 3,
                  "--device 'ie2000': 'accuracy' computes on the simulator only, 'sim'; 'hapticwall "

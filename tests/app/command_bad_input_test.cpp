@@ -62,9 +62,10 @@ TEST_F(BadInput, ScenesThatAreNone) {
   expect_refused({"run", "missing.toml"}, 2,
                  "missing.toml: cannot be read: No such file or directory");
   expect_refused({"run", "."}, 2, ".: cannot be read: Is a directory");
-  expect_refused({"run", "pres"}, 2,
-                 "'pres' is neither a file nor a built-in scene; did you mean 'press'?; built in: "
-                 "light, press, tap, tap-slow, golden-hard, golden-soft, golden-soft-fric");
+  expect_refused(
+      {"run", "pres"}, 2,
+      "'pres' is neither a file nor a built-in scene; did you mean 'press'?; built in: "
+      "corner, layers, light, press, tap, tap-slow, golden-hard, golden-soft, golden-soft-fric");
   expect_refused({"pres"}, 2,
                  "'pres' is neither a command, a built-in scene nor a file; did you mean 'press'?");
   expect_refused({"rnu", "press"}, 2,
@@ -102,14 +103,16 @@ TEST_F(BadInput, Settings) {
   expect_refused({"run", "press", "--set", "hand.path=mouse"}, 2,
                  "press: hand.path: the hand follows the mouse, which only the window has; --set "
                  "'hand.path=[[0, 0.03], [1, 0.06]]' gives it a path");
-  expect_refused({"run", "press", "--algorithm", "energy-bonding"}, 2,
-                 "--algorithm 'energy-bonding': no algorithm is called so; did you mean "
-                 "'energy-bounding'?; known: none, virtual-coupling, passivity-control, "
-                 "energy-bounding");
+  expect_refused(
+      {"run", "press", "--algorithm", "energy-bonding"}, 2,
+      "--algorithm 'energy-bonding': no algorithm is called so; did you mean "
+      "'energy-bounding'?; known: none, virtual-coupling, passivity-control, "
+      "energy-bounding, energy-bounding-2010, force-bounding, half-sample, energy-bookkeeping");
   expect_refused(
       {"compare", "press", "--algorithms", "none,nine"}, 2,
       "--algorithms 'nine': no algorithm is called so; did you mean 'none'?; known: none, "
-      "virtual-coupling, passivity-control, energy-bounding");
+      "virtual-coupling, passivity-control, energy-bounding, energy-bounding-2010, force-bounding, "
+      "half-sample, energy-bookkeeping");
 }
 
 TEST_F(BadInput, Options) {

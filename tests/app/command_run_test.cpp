@@ -110,7 +110,7 @@ TEST_F(Program, JsonOnStandardOutputIsAllThereIs) {
   EXPECT_EQ(json.at("verdict"), "settled");
   EXPECT_TRUE(json.at("ns_per_tick").is_number());
   const Answer compared = hapticwall({"compare", "press", "--json", "-", "--quiet"});
-  EXPECT_EQ(nlohmann::json::parse(compared.out).size(), 4U);
+  EXPECT_EQ(nlohmann::json::parse(compared.out).size(), 8U);
 }
 
 TEST_F(Program, JsonFile) {
@@ -131,7 +131,7 @@ TEST_F(Program, ExpectationsDecideTheStatus) {
   const Answer compared =
       hapticwall({"compare", "press", "--expect", "verdict=settled", "--quiet"});
   EXPECT_EQ(compared.status, 1);
-  EXPECT_EQ(compared.error_lines(), 2) << compared.err;
+  EXPECT_EQ(compared.error_lines(), 3) << compared.err;
 }
 
 TEST_F(Program, CompareIsATable) {
