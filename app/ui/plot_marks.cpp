@@ -3,6 +3,7 @@
 #include <implot.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -43,6 +44,7 @@ void draw_plot_marks(const Theme& theme, const PlotMarks& marks, float line_weig
   const auto first = std::lower_bound(
       marks.list.begin(), marks.list.end(), limits.X.Min,
       [&](const file::Mark& mark, double time_s) { return time_of(mark) < time_s; });
+  const float width = std::max(1.0F, std::round(kThin * line_weight));
   ImPlot::PushPlotClipRect();
   for (auto mark = first; mark != marks.list.end() && time_of(*mark) <= limits.X.Max; ++mark) {
     const float x = ImPlot::PlotToPixels(time_of(*mark), 0.0).x;
@@ -51,9 +53,12 @@ void draw_plot_marks(const Theme& theme, const PlotMarks& marks, float line_weig
     const float room_to = next == marks.list.end()
                               ? right
                               : std::min(right, ImPlot::PlotToPixels(time_of(*next), 0.0).x);
-    ImGui::GetWindowDrawList()->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + size.y),
-                                        theme.packed(Tone::kWarning, kAlpha), kThin * line_weight);
-    draw_text(theme, mark->text, x + line_weight, room_to);
+    // Whole pixels: as thin as it gets, and sharp.
+    const float left = std::floor(x - 0.5F * width);
+    ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left, corner.y),
+                                              ImVec2(left + width, corner.y + size.y),
+                                              theme.packed(Tone::kWarning, kAlpha));
+    draw_text(theme, mark->text, x + width, room_to);
   }
   ImPlot::PopPlotClipRect();
 }
