@@ -18,7 +18,6 @@ class AxesMetrics {
     if (scene.y) y_.emplace(second_axis(scene), planned_ticks, has_truth);
   }
 
-  [[nodiscard]] bool second_axis_wanted() const { return y_.has_value(); }
   // `y` is not looked at where the scene has one axis.
   void add(const Sample& x, const Sample& y) {
     x_.add(x);

@@ -16,9 +16,9 @@ namespace {
 constexpr std::string_view kChangePrefix = "recording.change.";
 
 void write_second_change(TomlText& out, const SecondAxis& start, const SecondAxis& axis) {
-  if (axis.device != start.device) write_second_device(out, kChangePrefix, axis.device);
+  if (axis.device != start.device) write_device(out, "recording.change.device.y", axis.device);
   if (axis.hand && axis.hand != start.hand) {
-    write_second_hand_numbers(out, kChangePrefix, *axis.hand);
+    write_hand_numbers(out, "recording.change.hand.y", *axis.hand);
   }
 }
 
@@ -28,8 +28,10 @@ void write_change(TomlText& out, const Scene& start, const RecordedChange& chang
   const Scene& scene = change.scene;
   out.table_of_array("recording.change");
   out.integer("tick", change.tick);
-  if (scene.device != start.device) write_device(out, kChangePrefix, scene.device);
-  if (scene.hand && scene.hand != start.hand) write_hand_numbers(out, kChangePrefix, *scene.hand);
+  if (scene.device != start.device) write_device(out, "recording.change.device", scene.device);
+  if (scene.hand && scene.hand != start.hand) {
+    write_hand_numbers(out, "recording.change.hand", *scene.hand);
+  }
   if (scene.y && start.y) write_second_change(out, *start.y, *scene.y);
   if (scene.simulator != start.simulator) write_simulator(out, kChangePrefix, scene.simulator);
   write_algorithm(out, kChangePrefix, scene.algorithm);
@@ -85,7 +87,7 @@ bool may_replace_sidecar(const std::string& path) {
   if (!std::filesystem::exists(path, ignored)) return true;
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
-    if (line == "[recording]") return true;
+    if (line == "[recording]" || line == "[map]") return true;
   }
   return false;
 }

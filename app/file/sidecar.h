@@ -25,7 +25,7 @@ struct RecordedRows {
 [[nodiscard]] std::string sidecar_path_of(const std::string& csv_path);
 
 // Whether replacing the file at `path` destroys nothing but an older sidecar: there is none, or it
-// has a [recording] table.
+// has a table [recording] or [map].
 [[nodiscard]] bool may_replace_sidecar(const std::string& path);
 
 }  // namespace hapticwall::file

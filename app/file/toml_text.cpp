@@ -103,13 +103,13 @@ void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSett
   }
 }
 
-void write_device(TomlText& out, std::string_view prefix, const DeviceSettings& device) {
-  out.table(fmt::format("{}device", prefix));
+void write_device(TomlText& out, std::string_view table, const DeviceSettings& device) {
+  out.table(table);
   write_numbers(out, device_number_keys(), device);
 }
 
-void write_hand_numbers(TomlText& out, std::string_view prefix, const HandSettings& hand) {
-  out.table(fmt::format("{}hand", prefix));
+void write_hand_numbers(TomlText& out, std::string_view table, const HandSettings& hand) {
+  out.table(table);
   write_numbers(out, hand_number_keys(), hand);
 }
 
@@ -117,16 +117,6 @@ void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSett
   out.table(fmt::format("{}simulator", prefix));
   out.string("integrator", simulator.integrator_name());
   out.integer("substeps", static_cast<std::uint64_t>(simulator.substeps));
-}
-
-void write_second_device(TomlText& out, std::string_view prefix, const DeviceSettings& device) {
-  out.table(fmt::format("{}device.y", prefix));
-  write_numbers(out, device_number_keys(), device);
-}
-
-void write_second_hand_numbers(TomlText& out, std::string_view prefix, const HandSettings& hand) {
-  out.table(fmt::format("{}hand.y", prefix));
-  write_numbers(out, hand_number_keys(), hand);
 }
 
 void write_walls(TomlText& out, std::string_view prefix, const Scene& scene) {
@@ -147,14 +137,14 @@ std::string scene_to_toml(const Scene& scene) {
   write_numbers(out, scene_number_keys(), scene);
   out.table("sampling");
   write_numbers(out, sampling_number_keys(), scene.sampling);
-  write_device(out, "", scene.device);
-  if (scene.y) write_second_device(out, "", scene.y->device);
+  write_device(out, "device", scene.device);
+  if (scene.y) write_device(out, "device.y", scene.y->device);
   if (scene.hand) {
-    write_hand_numbers(out, "", *scene.hand);
+    write_hand_numbers(out, "hand", *scene.hand);
     write_path(out, *scene.hand);
   }
   if (scene.y && scene.y->hand) {
-    write_second_hand_numbers(out, "", *scene.y->hand);
+    write_hand_numbers(out, "hand.y", *scene.y->hand);
     write_path(out, *scene.y->hand);
   }
   write_walls(out, "", scene);

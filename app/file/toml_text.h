@@ -28,13 +28,11 @@ class TomlText {
   std::string text_;
 };
 
-// The tables that a live session may change, each under `prefix` ("" or "recording.change.").
-void write_device(TomlText& out, std::string_view prefix, const DeviceSettings& device);
+// The tables that a live session may change. `table`: its whole name, "device" or
+// "recording.change.hand.y"; `prefix`: what stands before it, "" or "recording.change.".
+void write_device(TomlText& out, std::string_view table, const DeviceSettings& device);
 // Less the path, which no session changes.
-void write_hand_numbers(TomlText& out, std::string_view prefix, const HandSettings& hand);
-// The same of axis y.
-void write_second_device(TomlText& out, std::string_view prefix, const DeviceSettings& device);
-void write_second_hand_numbers(TomlText& out, std::string_view prefix, const HandSettings& hand);
+void write_hand_numbers(TomlText& out, std::string_view table, const HandSettings& hand);
 void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSettings& algorithm);
 // Those of axis x, then those of axis y.
 void write_walls(TomlText& out, std::string_view prefix, const Scene& scene);

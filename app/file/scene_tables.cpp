@@ -1,0 +1,162 @@
+#include "app/file/scene_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <climits>
+
+#include "app/file/text.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::file {
+namespace {
+
+std::vector<PathPoint> read_path(const TableReader& reader, const toml::node& node,
+                                 std::string_view key) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr) {
+    reader.fail(node, key, "neither [[time s, position m], ...] nor \"mouse\"");
+  }
+  std::vector<PathPoint> points;
+  for (const toml::node& element : *array) {
+    const std::optional<PathPoint> point = path_point(element);
+    if (!point) {
+      reader.fail(element, key, fmt::format("point {} is not [time s, position m]", points.size()));
+    }
+    points.push_back(*point);
+  }
+  return points;
+}
+
+std::vector<std::string_view> algorithm_names() {
+  std::vector<std::string_view> names;
+  for (const AlgorithmDescription& algorithm : algorithms()) names.push_back(algorithm.name);
+  return names;
+}
+
+double read_choice(TableReader& reader, const ParameterDescription& parameter,
+                   const toml::node& node) {
+  const std::string word = *reader.string(parameter.key);
+  for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+    if (parameter.choices[i] == word) return static_cast<double>(i);
+  }
+  reader.fail(node, parameter.key,
+              fmt::format("{} is none of: {}", in_quotes(word), joined(parameter.choices)));
+}
+
+std::optional<double> read_parameter(TableReader& reader, const ParameterDescription& parameter) {
+  const toml::node* node = reader.node(parameter.key);
+  if (node == nullptr) return std::nullopt;
+  if (parameter.kind == ParameterKind::kNumber) return reader.number(parameter.key, parameter.unit);
+  if (parameter.kind == ParameterKind::kChoice) return read_choice(reader, parameter, *node);
+  return *reader.boolean(parameter.key) ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+SamplingSettings read_sampling(const toml::table& table, const std::string& origin) {
+  TableReader reader(table, "sampling.", origin);
+  SamplingSettings sampling;
+  reader.numbers(sampling_number_keys(), sampling);
+  reader.finish();
+  return sampling;
+}
+
+bool is_of_axis_x(const toml::table& table) {
+  return table.empty() || table.size() > 1 || !table.contains("y");
+}
+
+DeviceSettings read_device(const toml::table& table, const std::string& name,
+                           const std::string& origin, TableAxis axis) {
+  TableReader reader(table, name, origin);
+  if (axis == TableAxis::kX) static_cast<void>(reader.table("y"));  // read by itself
+  DeviceSettings device;
+  reader.numbers(device_number_keys(), device);
+  reader.finish();
+  return device;
+}
+
+HandSettings read_hand(const toml::table& table, const std::string& name, const std::string& origin,
+                       TableAxis axis) {
+  TableReader reader(table, name, origin);
+  if (axis == TableAxis::kX) static_cast<void>(reader.table("y"));
+  HandSettings hand;
+  reader.numbers(hand_number_keys(), hand);
+  const toml::node* path = reader.node("path");
+  hand.follows_mouse = path != nullptr && path->value_or(std::string_view()) == "mouse";
+  if (path != nullptr && !hand.follows_mouse) {
+    hand.path = read_path(reader, *path, "path");
+  }
+  reader.finish();
+  return hand;
+}
+
+void read_walls(TableReader& parent, const std::string& prefix, Scene& scene) {
+  scene.walls.clear();
+  if (scene.y) scene.y->walls.clear();
+  const std::vector<const toml::table*> tables = parent.tables("wall");
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const toml::table* table = tables[i];
+    const std::string name = tables.size() == 1 ? "wall." : fmt::format("wall[{}].", i);
+    TableReader reader(*table, prefix + name, parent.origin());
+    WallSettings wall;
+    reader.numbers(wall_number_keys(), wall);
+    const std::string axis = reader.string("axis").value_or("x");
+    if (axis != "x" && axis != "y") {
+      reader.fail(*table->get("axis"), "axis",
+                  fmt::format("{} is no axis; it takes \"x\" or \"y\"", in_quotes(axis)));
+    }
+    if (axis == "y" && !scene.y) {
+      reader.fail(*table->get("axis"), "axis",
+                  "the scene has no second axis: it takes a table [device.y]");
+    }
+    reader.finish();
+    (axis == "y" ? scene.y->walls : scene.walls).push_back(wall);
+  }
+}
+
+AlgorithmSettings read_algorithm(const toml::table& table, const std::string& prefix,
+                                 const std::string& origin) {
+  TableReader reader(table, prefix + "algorithm.", origin);
+  AlgorithmSettings settings;
+  if (const std::optional<std::string> name = reader.string("name")) {
+    const std::optional<std::size_t> index = find_algorithm(*name);
+    if (!index) {
+      const std::vector<std::string_view> names = algorithm_names();
+      reader.fail(*table.get("name"), "name",
+                  fmt::format("no algorithm is called {}{}; known: {}", in_quotes(*name),
+                              suggestion(*name, names), joined(names)));
+    }
+    settings.index = *index;
+  }
+  const std::span<const ParameterDescription> parameters = algorithm_parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    settings.values.at(i) = read_parameter(reader, parameters[i]);
+  }
+  reader.finish();
+  return settings;
+}
+
+SimulatorSettings read_simulator(const toml::table& table, const std::string& prefix,
+                                 const std::string& origin) {
+  TableReader reader(table, prefix + "simulator.", origin);
+  SimulatorSettings simulator;
+  if (const std::optional<std::string> name = reader.string("integrator")) {
+    const std::optional<Integrator> integrator = find_integrator(*name);
+    if (!integrator) {
+      const std::vector<std::string_view> names(kIntegratorNames.begin(), kIntegratorNames.end());
+      reader.fail(*table.get("integrator"), "integrator",
+                  fmt::format("no integrator is called {}{}; known: {}", in_quotes(*name),
+                              suggestion(*name, names), joined(names)));
+    }
+    simulator.integrator = *integrator;
+  }
+  if (const std::optional<std::uint64_t> substeps = reader.count("substeps")) {
+    // Out of range is for validate() to say; it must only survive the way there.
+    simulator.substeps = static_cast<int>(std::min<std::uint64_t>(*substeps, INT_MAX));
+  }
+  reader.finish();
+  return simulator;
+}
+
+}  // namespace hapticwall::file
