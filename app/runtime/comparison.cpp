@@ -3,28 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/file/text.h"
 #include "core/energy_story.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::runtime {
-namespace {
-
-std::string value_text(const ParameterDescription& parameter, double value) {
-  if (parameter.kind == ParameterKind::kBoolean) return value != 0.0 ? "true" : "false";
-  if (parameter.kind == ParameterKind::kChoice) {
-    return std::string(parameter.choices[static_cast<std::size_t>(value)]);
-  }
-  return file::number_text(value);
-}
-
-}  // namespace
-
 std::string describe(const AlgorithmSettings& settings) {
   std::string keys;
   const std::span<const ParameterDescription> parameters = algorithm_parameters();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (!settings.values[i]) continue;
+    if (!settings.values[i] || !reads(settings, parameters[i].key)) continue;
     keys += keys.empty() ? " (" : ", ";
     keys += std::string(parameters[i].key) + " = " + value_text(parameters[i], *settings.values[i]);
   }

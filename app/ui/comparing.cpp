@@ -26,14 +26,6 @@ void begin_lamp(CompareState::Transient& compare, const Scene& scene) {
   compare.lamp.emplace(scene.sampling.rate_hz, compare.lamp_encoder_m);
 }
 
-std::string value_text(const ParameterDescription& parameter, double value) {
-  if (parameter.kind == ParameterKind::kBoolean) return value != 0.0 ? "true" : "false";
-  const auto choice = static_cast<std::size_t>(value);
-  if (parameter.kind == ParameterKind::kChoice && choice < parameter.choices.size())
-    return std::string(parameter.choices[choice]);
-  return number_text(value);
-}
-
 }  // namespace
 
 CompareSlots slots_for(const Scene& scene, std::optional<std::size_t> other) {

@@ -143,16 +143,16 @@ void change_parameters(const PanelContext& context, const std::string& key,
 
 namespace {
 
-using Values = std::vector<std::pair<std::string, std::optional<double>>>;
+using Values = std::vector<std::pair<std::string, std::string>>;  // key, value as shown
 
 template <typename Owner>
 void append(Values& values, const std::string& prefix, std::span<const NumberKey<Owner>> keys,
             const Owner& owner) {
   for (const NumberKey<Owner>& key : keys)
-    values.emplace_back(prefix + std::string(key.key), key.get(owner));
+    values.emplace_back(prefix + std::string(key.key), shown_value(key.get(owner)));
 }
 
-// Everything of a scene that may change while it runs, less the choices, in a fixed order.
+// Everything of a scene that may change while it runs, less the integrator, in a fixed order.
 Values values_of(const Scene& scene) {
   Values values;
   append(values, "device.", device_number_keys(), scene.device);
@@ -163,8 +163,9 @@ Values values_of(const Scene& scene) {
   }
   const auto parameters = algorithm_parameters();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::optional<double>& value = scene.algorithm.values.at(i);
     values.emplace_back("algorithm." + std::string(parameters[i].key),
-                        scene.algorithm.values.at(i));
+                        value ? value_text(parameters[i], *value) : kAbsent);
   }
   return values;
 }
@@ -178,8 +179,8 @@ std::vector<std::string> changed_values(const Scene& running, const Scene& loade
   const Values then = values_of(back);
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (now[i].second == then[i].second) continue;
-    lines.push_back(fmt::format("{} = {}, in the scene {}", now[i].first,
-                                shown_value(now[i].second), shown_value(then[i].second)));
+    lines.push_back(
+        fmt::format("{} = {}, in the scene {}", now[i].first, now[i].second, then[i].second));
   }
   if (running.simulator != back.simulator) {
     const auto words = [](const SimulatorSettings& simulator) {

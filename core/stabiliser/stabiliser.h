@@ -97,5 +97,9 @@ inline constexpr ParameterDescription kThenParameter{
 [[nodiscard]] std::optional<std::size_t> find_algorithm_parameter(std::string_view key);
 // "energy-bounding", "energy-bounding then passivity-control". Realtime-safe: no.
 [[nodiscard]] std::string algorithm_label(const AlgorithmSettings& settings);
+// Whether the algorithm of these settings, or what follows it, reads the key. Realtime-safe: yes.
+[[nodiscard]] bool reads(const AlgorithmSettings& settings, std::string_view key);
+// A value as a scene file has it: "true", "held-force", "0.01". Realtime-safe: no.
+[[nodiscard]] std::string value_text(const ParameterDescription& parameter, double value);
 
 }  // namespace hapticwall

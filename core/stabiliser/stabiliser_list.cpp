@@ -4,6 +4,8 @@
 #include <array>
 #include <iterator>
 
+#include "core/scene_keys.h"
+
 namespace hapticwall {
 namespace {
 
@@ -80,6 +82,24 @@ std::string algorithm_label(const AlgorithmSettings& settings) {
   std::string label(kAlgorithms.at(settings.index).name);
   if (has_follower(settings)) label += " then " + std::string(kFollowers.back());
   return label;
+}
+
+bool reads(const AlgorithmSettings& settings, std::string_view key) {
+  const auto has_key = [key](const AlgorithmDescription& algorithm) {
+    return std::ranges::any_of(algorithm.parameters, [key](const ParameterDescription& parameter) {
+      return parameter.key == key;
+    });
+  };
+  return key == kThenParameter.key || has_key(kAlgorithms.at(settings.index)) ||
+         (has_follower(settings) && has_key(PassivityControl::kDescription));
+}
+
+std::string value_text(const ParameterDescription& parameter, double value) {
+  if (parameter.kind == ParameterKind::kBoolean) return value != 0.0 ? "true" : "false";
+  if (parameter.kind == ParameterKind::kChoice) {
+    return std::string(parameter.choices[static_cast<std::size_t>(value)]);
+  }
+  return number_text(value);
 }
 
 }  // namespace hapticwall
