@@ -89,9 +89,10 @@ double delay_s(const PanelContext& context) {
 void draw_bound(const PanelContext& context, std::string_view name,
                 const std::optional<double>& bound_n_per_m, double stiffness_n_per_m,
                 const std::string& tooltip) {
-  if (!bound_n_per_m) return;
-  const bool over = stiffness_n_per_m > *bound_n_per_m;
-  figure_row(context, name, stiffness_text(*bound_n_per_m), over ? Tone::kWarning : Tone::kText,
+  // The row stays where a part is switched off: nothing moves under the pointer.
+  const bool over = bound_n_per_m && stiffness_n_per_m > *bound_n_per_m;
+  figure_row(context, name, bound_n_per_m ? stiffness_text(*bound_n_per_m) : "none",
+             over ? Tone::kWarning : Tone::kText,
              tooltip +
                  "\n\nOf the bare wall, without an algorithm. In this colour where the wall "
                  "is stiffer.");
