@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/command/text_table.h"
 #include "app/file/text.h"
 
 namespace hapticwall::command {
@@ -74,13 +75,6 @@ std::string csv_field(const Json& value) {
   return quoted + '"';
 }
 
-std::string fixed(std::optional<double> value, double factor, int digits) {
-  if (!value || !std::isfinite(*value)) return "-";
-  const std::string text = fmt::format("{:.{}f}", *value * factor, digits);
-  // A rounding error below zero is shown as what it is.
-  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, digits)
-                                                            : text;
-}
 std::string scientific(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return "-";
   return fmt::format("{:.1e}", *value);
@@ -97,12 +91,12 @@ struct Column {
   std::string_view title;
   std::string_view unit;
   std::string (*text)(const AccuracyRow&);
-  bool left = false;  // aligned left
+  Align align = Align::kRight;
 };
 
 constexpr std::array<Column, 10> kColumns{
     {{"integrator", "", [](const AccuracyRow& r) { return std::string(name_of(r.integrator)); },
-      true},
+      Align::kLeft},
      {"substeps", "",
       [](const AccuracyRow& r) { return r.substeps ? fmt::format("{}", *r.substeps) : "-"; }},
      {"a tick", "ns", [](const AccuracyRow& r) { return fixed(r.ns_per_tick, 1.0, 1); }},
@@ -117,42 +111,20 @@ constexpr std::array<Column, 10> kColumns{
       [](const AccuracyRow& r) { return fixed(r.tail_peak_to_peak_m, kMillimetresPerMetre, 4); }},
      {"its error", "%",
       [](const AccuracyRow& r) { return fixed(r.tail_peak_to_peak_relative_error, kPercent, 2); }},
-     {"verdict", "", verdict_text, true}}};
+     {"verdict", "", verdict_text, Align::kLeft}}};
 
-using Cells = std::array<std::string, kColumns.size()>;
-
-std::vector<Cells> table_cells(const AccuracyStudy& study) {
-  std::vector<Cells> rows(2 + study.rows.size());
-  for (std::size_t i = 0; i < kColumns.size(); ++i) {
-    const Column& column = kColumns.at(i);
-    rows[0].at(i) = column.title;
-    rows[1].at(i) = column.unit;
+std::string table_text(const AccuracyStudy& study) {
+  std::vector<std::vector<std::string>> rows(2 + study.rows.size());
+  std::vector<Align> aligns;
+  for (const Column& column : kColumns) {
+    aligns.push_back(column.align);
+    rows[0].emplace_back(column.title);
+    rows[1].emplace_back(column.unit);
     for (std::size_t r = 0; r < study.rows.size(); ++r) {
-      rows[2 + r].at(i) = column.text(study.rows[r]);
+      rows[2 + r].push_back(column.text(study.rows[r]));
     }
   }
-  return rows;
-}
-
-std::string aligned(const std::vector<Cells>& rows) {
-  std::array<std::size_t, kColumns.size()> widths{};
-  for (const Cells& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      widths.at(i) = std::max(widths.at(i), row.at(i).size());
-    }
-  }
-  std::string text;
-  for (const Cells& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) line += "  ";
-      line += kColumns.at(i).left ? fmt::format("{:<{}}", row.at(i), widths.at(i))
-                                  : fmt::format("{:>{}}", row.at(i), widths.at(i));
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + '\n';
-  }
-  return text;
+  return aligned(rows, aligns);
 }
 
 std::string heading(const Summary& reference) {
@@ -172,7 +144,7 @@ std::string heading(const Summary& reference) {
 std::string accuracy_table(const AccuracyStudy& study) {
   const bool any_wrong = std::any_of(study.rows.begin(), study.rows.end(),
                                      [](const AccuracyRow& row) { return !row.verdict_agrees; });
-  return heading(study.reference) + aligned(table_cells(study)) +
+  return heading(study.reference) + table_text(study) +
          (any_wrong ? "\n! the reference's verdict is another\n" : "");
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "app/command/text_table.h"
+
 namespace hapticwall::command {
 namespace {
 
@@ -15,22 +17,15 @@ constexpr double kMillijoulesPerJoule = 1e3;
 constexpr double kNewtonsPerKilonewton = 1e3;
 constexpr std::size_t kLabelWidth = 22;
 
-std::string scaled(std::optional<double> value, double factor, int digits) {
-  if (!value || !std::isfinite(*value)) return "-";
-  const std::string text = fmt::format("{:.{}f}", *value * factor, digits);
-  // A rounding error below zero is shown as what it is.
-  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, digits)
-                                                            : text;
-}
 std::string millimetres(std::optional<double> value_m) {
-  return scaled(value_m, kMillimetresPerMetre, 3);
+  return fixed(value_m, kMillimetresPerMetre, 3);
 }
 std::string millijoules(std::optional<double> value_j) {
-  return scaled(value_j, kMillijoulesPerJoule, 2);
+  return fixed(value_j, kMillijoulesPerJoule, 2);
 }
-std::string newtons(std::optional<double> value_n) { return scaled(value_n, 1.0, 3); }
+std::string newtons(std::optional<double> value_n) { return fixed(value_n, 1.0, 3); }
 std::string kilonewtons_per_metre(std::optional<double> value) {
-  return scaled(value, 1.0 / kNewtonsPerKilonewton, 2);
+  return fixed(value, 1.0 / kNewtonsPerKilonewton, 2);
 }
 
 std::string line(std::string_view label, std::string_view text) {
@@ -139,23 +134,11 @@ std::string comparison_table(const std::vector<Summary>& summaries) {
       add_row(y);
     }
   }
-  std::array<std::size_t, kColumns.size()> widths{};
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths.at(i) = std::max(widths.at(i), row[i].size());
+  std::array<Align, kColumns.size()> aligns{};
+  for (std::size_t i = 0; i < aligns.size(); ++i) {
+    aligns.at(i) = i < kTextColumns ? Align::kLeft : Align::kRight;
   }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string cells;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) cells += "  ";
-      cells += i < kTextColumns ? fmt::format("{:<{}}", row[i], widths.at(i))
-                                : fmt::format("{:>{}}", row[i], widths.at(i));
-    }
-    cells.erase(cells.find_last_not_of(' ') + 1);
-    text += cells + '\n';
-  }
-  return text;
+  return aligned(rows, aligns);
 }
 
 }  // namespace hapticwall::command

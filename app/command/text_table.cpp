@@ -1,0 +1,53 @@
+#include "app/command/text_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticwall::command {
+namespace {
+
+constexpr const char* kGap = "  ";
+
+// What a terminal shows of it: bytes that continue a character of UTF-8 take no place.
+std::size_t width_of(const std::string& text) {
+  constexpr unsigned kContinuationMask = 0xC0U;
+  constexpr unsigned kContinuation = 0x80U;
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) {
+    return (static_cast<unsigned char>(c) & kContinuationMask) != kContinuation;
+  }));
+}
+
+}  // namespace
+
+std::string fixed(std::optional<double> value, double factor, int digits) {
+  if (!value || !std::isfinite(*value)) return "-";
+  const std::string text = fmt::format("{:.{}f}", *value * factor, digits);
+  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, digits)
+                                                            : text;
+}
+
+std::string aligned(const std::vector<std::vector<std::string>>& rows,
+                    std::span<const Align> columns) {
+  std::vector<std::size_t> widths(columns.size());
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      widths[i] = std::max(widths[i], width_of(row.at(i)));
+    }
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const std::string space(widths[i] - width_of(row[i]), ' ');
+      if (i > 0) line += kGap;
+      line += columns[i] == Align::kLeft ? row[i] + space : space + row[i];
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+  }
+  return text;
+}
+
+}  // namespace hapticwall::command
