@@ -18,6 +18,7 @@ struct Command {
 };
 [[nodiscard]] Command add_run(CLI::App& program);
 [[nodiscard]] Command add_compare(CLI::App& program);
+[[nodiscard]] Command add_map(CLI::App& program);
 [[nodiscard]] Command add_accuracy(CLI::App& program);
 [[nodiscard]] Command add_replay(CLI::App& program);
 [[nodiscard]] Command add_timing(CLI::App& program);

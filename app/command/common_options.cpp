@@ -95,6 +95,23 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_flag("--quiet", options.quiet, "No summary and no progress, errors only");
 }
 
+void add_algorithms_option(CLI::App& app, std::vector<std::string>& names) {
+  app.add_option("--algorithms,--algorithm", names, "Only these, separated by commas")
+      ->type_name("A,B,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+Result<std::vector<std::size_t>> chosen_algorithms(const std::vector<std::string>& names) {
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; names.empty() && i < algorithms().size(); ++i) indices.push_back(i);
+  for (const std::string& name : names) {
+    if (Failure failed = check_algorithm_name("--algorithms", name)) return *failed;
+    indices.push_back(*find_algorithm(name));
+  }
+  return indices;
+}
+
 Result<file::LoadedScene> load(const SceneOptions& options) {
   std::vector<std::string> overrides = options.settings;
   if (!options.algorithm.empty()) {

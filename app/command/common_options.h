@@ -58,6 +58,12 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 // Two outputs into one file, and --csv or --plot to standard output, are usage errors.
 [[nodiscard]] Failure check_outputs(const OutputOptions& options);
 
+// --algorithms A,B,...
+void add_algorithms_option(CLI::App& app, std::vector<std::string>& names);
+// Indices in algorithms(), in the order of the names; of no names: all.
+[[nodiscard]] Result<std::vector<std::size_t>> chosen_algorithms(
+    const std::vector<std::string>& names);
+
 [[nodiscard]] Failure check_algorithm_name(std::string_view option, const std::string& name);
 
 }  // namespace hapticwall::command

@@ -29,16 +29,6 @@ struct CompareFiles {
   OutputFile json;
 };
 
-Result<std::vector<std::size_t>> chosen_algorithms(const std::vector<std::string>& names) {
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; names.empty() && i < algorithms().size(); ++i) indices.push_back(i);
-  for (const std::string& name : names) {
-    if (Failure failed = check_algorithm_name("--algorithms", name)) return *failed;
-    indices.push_back(*find_algorithm(name));
-  }
-  return indices;
-}
-
 Failure write_results(const OutputOptions& options, CompareFiles& files,
                       const std::vector<Summary>& summaries) {
   if (Failure failed = files.csv.write_whole(summaries_csv(summaries))) return failed;
@@ -112,11 +102,7 @@ Command add_compare(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("compare", "Run a scene under every algorithm and print one table");
   add_headless_options(*app, options->scene);
-  app->add_option("--algorithms,--algorithm", options->algorithms,
-                  "Only these, separated by commas")
-      ->type_name("A,B,...")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_algorithms_option(*app, options->algorithms);
   add_scene_options(*app, options->scene);
   add_simulator_option(*app, options->scene);
   app->add_option("--csv", options->output.csv, "Write the table as CSV, a line an algorithm")

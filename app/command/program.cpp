@@ -35,6 +35,7 @@ Examples:
   hapticwall run tap --algorithm virtual-coupling --set hand.mass_kg=0.3
   hapticwall run press --expect verdict=settled --expect 'tail_peak_to_peak_m<1e-4'
   hapticwall compare tap --json -
+  hapticwall map press --x wall.stiffness_n_per_m=1e3:1e5:50:log --y wall.damping_n_s_per_m=0:20:41 --plot a.png
   hapticwall accuracy golden-hard --plot a.png    what a tick costs, and what it is off by
   hapticwall replay a.csv --algorithm none        the recorded hand under another algorithm
   hapticwall timing --seconds 60                  how well this machine keeps time
@@ -99,8 +100,8 @@ int dispatch(int argc, const char* const* argv) {
   program.footer(footer());
   const Action window = add_window(program);
   const std::vector<Command> commands{
-      add_run(program),    add_compare(program), add_accuracy(program), add_replay(program),
-      add_timing(program), add_devices(program), add_scenes(program)};
+      add_run(program),    add_compare(program), add_map(program),     add_accuracy(program),
+      add_replay(program), add_timing(program),  add_devices(program), add_scenes(program)};
   for (const Command& command : commands) command.app->group("Commands")->footer("");
   if (const auto error = check_first_word(argc, argv, program)) return report(*error);
   try {

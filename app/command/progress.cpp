@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -14,13 +15,28 @@ constexpr std::chrono::milliseconds kFirstAfter{500};  // short work shows nothi
 constexpr std::chrono::milliseconds kInterval{100};
 constexpr int kBarWidth = 30;
 constexpr double kPercent = 100.0;
+// Less than this tells nothing of the rest.
+constexpr double kLeastShare = 0.01;
+constexpr double kSecondsPerMinute = 60.0;
+constexpr int kMinutesPerHour = 60;
 
 }  // namespace
+
+std::string duration_text(double seconds) {
+  if (seconds < kSecondsPerMinute) return fmt::format("{:.0f} s", seconds);
+  const auto minutes = static_cast<long long>(seconds / kSecondsPerMinute);
+  if (minutes < kMinutesPerHour) {
+    return fmt::format("{} min {:02.0f} s", minutes,
+                       std::floor(seconds - kSecondsPerMinute * static_cast<double>(minutes)));
+  }
+  return fmt::format("{} h {:02} min", minutes / kMinutesPerHour, minutes % kMinutesPerHour);
+}
 
 Progress::Progress(std::string label, bool wanted)
     : label_(std::move(label)),
       enabled_(wanted && isatty(STDERR_FILENO) == 1),
-      next_(std::chrono::steady_clock::now() + kFirstAfter) {}
+      begin_(std::chrono::steady_clock::now()),
+      next_(begin_ + kFirstAfter) {}
 
 Progress::~Progress() {
   if (drawn_) std::fputs("\r\x1b[K", stderr);
@@ -34,8 +50,13 @@ void Progress::show(double fraction) {
   drawn_ = true;
   const double part = std::clamp(fraction, 0.0, 1.0);
   const int full = static_cast<int>(part * kBarWidth);
-  const std::string text = fmt::format("\r{} [{:#<{}}{:.<{}}] {:3.0f} %", label_, "", full, "",
-                                       kBarWidth - full, part * kPercent);
+  std::string text = fmt::format("\r{} [{:#<{}}{:.<{}}] {:3.0f} %", label_, "", full, "",
+                                 kBarWidth - full, part * kPercent);
+  if (part - began_at_ >= kLeastShare) {
+    const std::chrono::duration<double> passed = now - begin_;
+    text += ", " + duration_text(passed.count() * (1.0 - part) / (part - began_at_)) + " left";
+  }
+  text += "\x1b[K";
   std::fputs(text.c_str(), stderr);
 }
 

@@ -6,6 +6,9 @@
 
 namespace hapticwall::command {
 
+// "2 h 05 min", "3 min 20 s", "12 s".
+[[nodiscard]] std::string duration_text(double seconds);
+
 class Progress {
  public:
   // `wanted` false, or no terminal: nothing is ever drawn.
@@ -14,6 +17,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  // An earlier run has done this part of the work: it does not count for the time that remains.
+  void begin_at(double fraction) { began_at_ = fraction; }
   // `fraction` of the work is done, 0 to 1; cheap enough to be called often.
   void show(double fraction);
 
@@ -21,6 +26,8 @@ class Progress {
   std::string label_;
   bool enabled_;
   bool drawn_ = false;
+  double began_at_ = 0.0;
+  std::chrono::steady_clock::time_point begin_;
   std::chrono::steady_clock::time_point next_;
 };
 

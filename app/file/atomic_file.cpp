@@ -45,6 +45,16 @@ void sync_folder(const std::string& path) {
 }  // namespace
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
+  Result<AtomicFile> file = resume(path);
+  if (!file) return file;
+  struct stat partial {};
+  fstat(file->descriptor_, &partial);
+  if (!S_ISREG(partial.st_mode)) return file;
+  if (Failure failed = file->keep_only(0)) return *failed;
+  return file;
+}
+
+Result<AtomicFile> AtomicFile::resume(const std::string& path) {
   struct stat existing {};
   if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode)) {
     return Error{
@@ -58,13 +68,6 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
     close(descriptor);
     return Error{ErrorKind::kFile,
                  fmt::format("{}: cannot be written: another process is writing it", shown(path))};
-  }
-  struct stat partial {};
-  fstat(descriptor, &partial);
-  if (S_ISREG(partial.st_mode) && ftruncate(descriptor, 0) != 0) {
-    const int code = errno;
-    close(descriptor);
-    return file_error(path, "cannot be written", code);
   }
   return AtomicFile(path, partial_path, descriptor);
 }
@@ -102,6 +105,14 @@ Error AtomicFile::failure(std::string_view what) const {
     error.message += fmt::format(" (what was written is in {})", shown(partial_path_));
   }
   return error;
+}
+
+Failure AtomicFile::keep_only(std::uint64_t bytes) {
+  const auto length = static_cast<off_t>(bytes);
+  if (ftruncate(descriptor_, length) != 0 || lseek(descriptor_, length, SEEK_SET) < 0) {
+    return failure("cannot be written");
+  }
+  return {};
 }
 
 Failure AtomicFile::write(std::string_view bytes) {

@@ -1,6 +1,7 @@
 // A file that takes its name only when it is whole.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,8 @@ class AtomicFile {
   // Refuses a PATH that exists and is no regular file, and a PATH.partial that another process
   // holds.
   [[nodiscard]] static Result<AtomicFile> create(const std::string& path);
+  // The same, but what stands in PATH.partial stays, and writing goes on behind it.
+  [[nodiscard]] static Result<AtomicFile> resume(const std::string& path);
 
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
@@ -25,6 +28,8 @@ class AtomicFile {
   ~AtomicFile();
 
   void keep_partial() { keep_partial_ = true; }
+  // Cuts the file to its first `bytes`; writing goes on there.
+  [[nodiscard]] Failure keep_only(std::uint64_t bytes);
   [[nodiscard]] Failure write(std::string_view bytes);
   [[nodiscard]] Failure sync();    // on the disk, still without its name
   [[nodiscard]] Failure commit();  // sync(), then the name

@@ -1,0 +1,218 @@
+#include "app/command/map_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+#include "app/command/text_table.h"
+#include "app/file/text.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::command {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kIndent = 2;
+constexpr double kPercent = 100.0;
+constexpr double kMillimetresPerMetre = 1e3;
+constexpr double kNewtonsPerKilonewton = 1e3;
+
+Json number(std::optional<double> value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json();
+}
+
+Json axis_object(const MapAxis& axis) {
+  return {{"key", axis.number.path},
+          {"low", axis.low},
+          {"high", axis.high},
+          {"count", axis.count},
+          {"logarithmic", axis.logarithmic}};
+}
+
+std::string label_of(const Scene& scene, std::size_t algorithm) {
+  AlgorithmSettings settings = scene.algorithm;
+  settings.index = algorithm;
+  return algorithm_label(settings);
+}
+
+// Cells of one algorithm, by verdict.
+struct Counts {
+  std::array<std::size_t, 3> of{};
+
+  [[nodiscard]] std::size_t all() const { return of[0] + of[1] + of[2]; }
+  [[nodiscard]] std::string percent(Verdict verdict) const {
+    const auto part = static_cast<double>(of.at(static_cast<std::size_t>(verdict)));
+    return fmt::format("{:.1f}", kPercent * part / static_cast<double>(all()));
+  }
+};
+
+std::vector<Counts> counts_of(const StabilityMap& map, std::size_t begin,
+                              std::span<const MapFigures> figures) {
+  std::vector<Counts> counts(map.algorithms.size());
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    Counts& of_algorithm = counts.at(map.place(begin + i).algorithm);
+    ++of_algorithm.of.at(static_cast<std::size_t>(figures[i].verdict));
+  }
+  return counts;
+}
+
+std::string axis_text(const MapAxis& axis) {
+  return fmt::format("{} from {} to {} {} in {} {}", axis.number.path, file::number_text(axis.low),
+                     file::number_text(axis.high), axis.number.unit, axis.count,
+                     axis.logarithmic ? "equal ratios" : "equal steps");
+}
+
+// Which way the verdict goes along the key.
+std::string end_text(const Boundary& boundary) {
+  if (!boundary.settled) return "nowhere";
+  if (!boundary.unsettled) return "throughout";
+  return *boundary.settled < *boundary.unsettled ? "up to" : "from";
+}
+
+std::string value_text(std::optional<double> value) {
+  return value ? fmt::format("{:.6g}", *value) : "-";
+}
+
+Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary) {
+  Json object{{"algorithm", label_of(plan.scene, plan.algorithms.at(boundary.algorithm))}};
+  if (plan.x) object[plan.x->number.path] = number(boundary.x);
+  object["settled"] = number(boundary.settled);
+  object["unsettled"] = number(boundary.unsettled);
+  object["changes"] = boundary.changes;
+  const bool known = boundary.at_settled.has_value();
+  object["displayed_stiffness_n_per_m"] =
+      known ? number(boundary.at_settled->displayed_stiffness_n_per_m) : Json();
+  object["tail_peak_to_peak_m"] = known ? number(boundary.at_settled->tail_peak_to_peak_m) : Json();
+  return object;
+}
+
+std::vector<std::string> boundary_row(const BoundaryPlan& plan, const Boundary& boundary) {
+  std::vector<std::string> row{label_of(plan.scene, plan.algorithms.at(boundary.algorithm))};
+  if (plan.x) row.push_back(value_text(boundary.x));
+  row.push_back(end_text(boundary));
+  row.push_back(boundary.unsettled ? value_text(boundary.settled) : "");
+  row.push_back(boundary.settled ? value_text(boundary.unsettled) : "");
+  row.push_back(boundary.changes > 1 ? fmt::format("{} !", boundary.changes)
+                                     : fmt::format("{}  ", boundary.changes));
+  const std::optional<Summary>& there = boundary.at_settled;
+  row.push_back(fixed(there ? there->displayed_stiffness_n_per_m : std::nullopt,
+                      1.0 / kNewtonsPerKilonewton, 3));
+  row.push_back(fixed(there ? there->tail_peak_to_peak_m : std::nullopt, kMillimetresPerMetre, 4));
+  return row;
+}
+
+std::vector<std::vector<std::string>> boundary_heading(const BoundaryPlan& plan) {
+  std::vector<std::string> titles{"algorithm"};
+  std::vector<std::string> units{""};
+  const auto add = [&](std::string title, std::string unit) {
+    titles.push_back(std::move(title));
+    units.push_back(std::move(unit));
+  };
+  if (plan.x) add(plan.x->number.path, plan.x->number.unit);
+  add("settles", "");
+  add("value", plan.along.number.unit);
+  add("no longer at", plan.along.number.unit);
+  add("changes  ", "");
+  add("stiffness", "kN/m");
+  add("tail p-p", "mm");
+  return {titles, units};
+}
+
+}  // namespace
+
+std::string map_table(const StabilityMap& map, std::size_t begin,
+                      std::span<const MapFigures> figures) {
+  std::vector<std::vector<std::string>> rows{
+      {"algorithm", "cells", "settled", "oscillating", "diverged"}, {"", "", "%", "%", "%"}};
+  const std::vector<Counts> counts = counts_of(map, begin, figures);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i].all() == 0) continue;
+    rows.push_back({label_of(map.scene, map.algorithms[i]), fmt::format("{}", counts[i].all()),
+                    counts[i].percent(Verdict::kSettled), counts[i].percent(Verdict::kOscillating),
+                    counts[i].percent(Verdict::kDiverged)});
+  }
+  std::array<Align, 5> aligns{};
+  aligns.front() = Align::kLeft;
+  return fmt::format("{}\nx: {}\ny: {}\n\n", map.scene.name, axis_text(map.x), axis_text(map.y)) +
+         aligned(rows, aligns);
+}
+
+std::string map_json(const StabilityMap& map, std::size_t begin,
+                     std::span<const MapFigures> figures) {
+  Json object{{"scene", map.scene.name},
+              {"x", axis_object(map.x)},
+              {"y", axis_object(map.y)},
+              {"first_cell", begin},
+              {"cells", figures.size()}};
+  Json& list = object["algorithms"] = Json::array();
+  const std::vector<Counts> counts = counts_of(map, begin, figures);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i].all() == 0) continue;
+    list.push_back({{"algorithm", label_of(map.scene, map.algorithms[i])},
+                    {"cells", counts[i].all()},
+                    {"settled", counts[i].of[0]},
+                    {"oscillating", counts[i].of[1]},
+                    {"diverged", counts[i].of[2]}});
+  }
+  // Names of scenes are the user's: invalid UTF-8 is replaced, never thrown about.
+  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string boundary_table(const BoundaryPlan& plan, const std::vector<Boundary>& boundaries) {
+  std::vector<std::vector<std::string>> rows = boundary_heading(plan);
+  bool islands = false;
+  for (const Boundary& boundary : boundaries) {
+    rows.push_back(boundary_row(plan, boundary));
+    islands = islands || boundary.changes > 1;
+  }
+  std::vector<Align> aligns(rows.front().size(), Align::kRight);
+  aligns.front() = Align::kLeft;
+  aligns[plan.x ? 2 : 1] = Align::kLeft;
+  std::string text = fmt::format("{}, along {}, to {:g} of the value\n\n", plan.scene.name,
+                                 axis_text(plan.along), plan.tolerance) +
+                     aligned(rows, aligns);
+  if (islands) {
+    text += fmt::format(
+        "\n! the verdict changes more than once along the {} values; this is the first "
+        "change\n",
+        plan.along.count);
+  }
+  return text;
+}
+
+std::string boundary_json(const BoundaryPlan& plan, const std::vector<Boundary>& boundaries) {
+  Json object{{"scene", plan.scene.name},
+              {"along", axis_object(plan.along)},
+              {"tolerance", plan.tolerance}};
+  if (plan.x) object["x"] = axis_object(*plan.x);
+  Json& list = object["boundaries"] = Json::array();
+  for (const Boundary& boundary : boundaries) list.push_back(boundary_object(plan, boundary));
+  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string boundary_csv(const BoundaryPlan& plan, const std::vector<Boundary>& boundaries) {
+  std::string text;
+  for (const Boundary& boundary : boundaries) {
+    std::string header;
+    std::string line;
+    const Json object = boundary_object(plan, boundary);
+    for (const auto& [key, value] : object.items()) {
+      const std::string_view separator = header.empty() ? "" : ",";
+      header += fmt::format("{}{}", separator, key);
+      line += separator;
+      if (value.is_string()) line += value.get<std::string>();
+      if (value.is_number()) line += file::number_text(value.get<double>());
+    }
+    if (text.empty()) text = header + '\n';
+    text += line + '\n';
+  }
+  return text;
+}
+
+}  // namespace hapticwall::command

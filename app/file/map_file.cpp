@@ -1,0 +1,172 @@
+#include "app/file/map_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "app/file/map_rows.h"
+#include "app/file/scene_file.h"
+#include "app/file/sidecar.h"
+#include "app/file/text.h"
+#include "app/file/toml_text.h"
+#include "core/stabiliser/stabiliser.h"
+#include "hapticwall_version.h"
+
+namespace hapticwall::file {
+namespace {
+
+constexpr std::string_view kPartial = ".partial";
+
+std::string axis_text(const MapAxis& axis) {
+  return fmt::format("{}={}:{}:{}{}", axis.number.path, number_text(axis.low),
+                     number_text(axis.high), axis.count, axis.logarithmic ? ":log" : "");
+}
+
+std::string algorithms_text(const StabilityMap& map) {
+  std::vector<std::string_view> names;
+  for (const std::size_t index : map.algorithms) names.push_back(algorithms()[index].name);
+  std::string text;
+  for (const std::string_view name : names)
+    text += fmt::format("{}{}", text.empty() ? "" : ",", name);
+  return text;
+}
+
+// Empty where there is no such file.
+std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+bool is_empty(const std::string& path) {
+  std::error_code failed;
+  return std::filesystem::file_size(path, failed) == 0 || failed;
+}
+
+struct FoundRows {
+  std::vector<MapFigures> figures;
+  std::size_t bytes = 0;  // of the header and the whole lines
+};
+
+// As many whole lines of `text` as are the header and cells of the part, in their order.
+FoundRows whole_rows(std::string_view text, const StabilityMap& map, const MapPart& part) {
+  FoundRows rows;
+  if (part.begin == 0) {
+    const std::string header = map_header(map);
+    if (!text.starts_with(header)) return rows;
+    rows.bytes = header.size();
+  }
+  while (part.begin + rows.figures.size() < part.end) {
+    const std::string_view rest = text.substr(rows.bytes);
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos) break;
+    const auto figures = parse_map_row(rest.substr(0, end), map, part.begin + rows.figures.size());
+    if (!figures) break;
+    rows.figures.push_back(*figures);
+    rows.bytes += end + 1;
+  }
+  return rows;
+}
+
+}  // namespace
+
+MapPart map_part(const StabilityMap& map, std::size_t index, std::size_t count) {
+  const std::size_t cells = map.cell_count();
+  // Whole quotient and remainder: no product of two large numbers.
+  const auto begin = [&](std::size_t i) { return cells / count * i + cells % count * i / count; };
+  return {begin(index - 1), begin(index)};
+}
+
+std::string map_sidecar(const StabilityMap& map, const MapPart& part) {
+  TomlText out;
+  out.table("map");
+  out.string("program", "hapticwall");
+  out.string("version", kVersion);
+  out.string("build", kBuild);
+  out.string("x", axis_text(map.x));
+  out.string("y", axis_text(map.y));
+  out.string("algorithms", algorithms_text(map));
+  out.integer("first_cell", part.begin);
+  out.integer("cells", part.end - part.begin);
+  return scene_to_toml(map.scene) + out.text();
+}
+
+Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& map,
+                                  const MapPart& part) {
+  const std::string sidecar_path = sidecar_path_of(path);
+  if (!may_replace_sidecar(sidecar_path)) {
+    return Error{ErrorKind::kFile,
+                 fmt::format("{}: it would be the sidecar of {}, and is something else",
+                             shown(sidecar_path), shown(path))};
+  }
+  const std::string partial = path + std::string(kPartial);
+  const std::string sidecar_text = map_sidecar(map, part);
+  const bool going_on = !is_empty(partial);
+  if (going_on && contents(sidecar_path + std::string(kPartial)) != sidecar_text) {
+    return Error{ErrorKind::kFile,
+                 fmt::format("{}: is not of this map or not of this program; finish it as it was "
+                             "begun, or remove it",
+                             shown(partial))};
+  }
+  Result<AtomicFile> csv = AtomicFile::resume(path);
+  if (!csv) return csv.error();
+  csv->keep_partial();
+  FoundRows rows = whole_rows(contents(partial), map, part);
+  if (Failure failed = csv->keep_only(rows.bytes)) return *failed;
+  Result<AtomicFile> sidecar = AtomicFile::create(sidecar_path);
+  if (!sidecar) return sidecar.error();
+  sidecar->keep_partial();
+  if (Failure failed = sidecar->write(sidecar_text)) return *failed;
+  if (Failure failed = sidecar->sync()) return *failed;
+  if (rows.bytes == 0 && part.begin == 0) {
+    if (Failure failed = csv->write(map_header(map))) return *failed;
+  }
+  MapWriter writer(std::move(*csv), std::move(*sidecar));
+  writer.found_ = std::move(rows.figures);
+  return writer;
+}
+
+Failure MapWriter::append(const StabilityMap& map, std::size_t begin,
+                          const std::vector<MapFigures>& figures) {
+  std::string text;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    append_map_row(text, map, begin + i, figures[i]);
+  }
+  return csv_.write(text);
+}
+
+Failure MapWriter::finish() {
+  if (Failure failed = csv_.commit()) return failed;
+  return sidecar_.commit();
+}
+
+Result<std::vector<MapFigures>> read_map(const std::string& path, const StabilityMap& map) {
+  const std::string text = contents(path);
+  if (text.empty()) {
+    return Error{ErrorKind::kUsage, fmt::format("{}: cannot be read, or is empty", shown(path))};
+  }
+  const std::size_t cells = map.cell_count();
+  FoundRows rows = whole_rows(text, map, {0, cells});
+  if (rows.bytes == 0) {
+    return Error{ErrorKind::kUsage,
+                 fmt::format("{}:1: not the header of this map: {}", shown(path),
+                             map_header(map).substr(0, map_header(map).size() - 1))};
+  }
+  if (rows.figures.size() < cells) {
+    return Error{ErrorKind::kUsage,
+                 fmt::format("{}:{}: not cell {} of the {} of this map", shown(path),
+                             rows.figures.size() + 2, rows.figures.size() + 1, cells)};
+  }
+  if (rows.bytes != text.size()) {
+    return Error{ErrorKind::kUsage, fmt::format("{}: there is more behind the last cell of this "
+                                                "map, in line {}",
+                                                shown(path), cells + 2)};
+  }
+  return std::move(rows.figures);
+}
+
+}  // namespace hapticwall::file

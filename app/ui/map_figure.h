@@ -1,0 +1,18 @@
+// A stability map as a picture: one field an algorithm, the bounds of theory drawn over it.
+#pragma once
+
+#include <span>
+
+#include "app/file/picture.h"
+#include "app/ui/figure.h"
+#include "core/result.h"
+#include "core/study/stability_map.h"
+
+namespace hapticwall::ui {
+
+// `figures`: of all cells of the map. Fails as draw_page() does.
+[[nodiscard]] Result<file::Picture> draw_map(const StabilityMap& map,
+                                             std::span<const MapFigures> figures,
+                                             FigureSize size = {});
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,70 @@
+#include "core/study/stability_map.h"
+
+#include <cmath>
+
+namespace hapticwall {
+
+double MapAxis::value(std::size_t index) const {
+  if (index == 0) return low;
+  if (index + 1 >= count) return high;
+  const double part = static_cast<double>(index) / static_cast<double>(count - 1);
+  return logarithmic ? low * std::pow(high / low, part) : low + part * (high - low);
+}
+
+MapFigures map_figures(const Summary& summary) {
+  return {summary.verdict,           summary.tail_peak_to_peak_m,         summary.tail_force_mean_n,
+          summary.tail_force_std_n,  summary.displayed_stiffness_n_per_m, summary.max_penetration_m,
+          summary.passivity_margin_j};
+}
+
+MapPlace StabilityMap::place(std::size_t cell) const {
+  const std::size_t row = cell / x.count;
+  return {row / y.count, row % y.count, cell % x.count};
+}
+
+Scene StabilityMap::scene_at(std::size_t cell) const {
+  const MapPlace at = place(cell);
+  Scene one = scene;
+  one.algorithm.index = algorithms.at(at.algorithm);
+  x.number.set(one, x.value(at.x));
+  y.number.set(one, y.value(at.y));
+  return one;
+}
+
+std::optional<SceneProblem> validate(const StabilityMap& map) {
+  // A problem is one of a value, or of a pair; ends and diagonal find every pair that a range of a
+  // key or an order of two keys forbids.
+  const auto problem_at = [&](std::size_t x, std::size_t y) {
+    return validate(map.scene_at(y * map.x.count + x));
+  };
+  for (std::size_t x = 0; x < map.x.count; ++x) {
+    for (const std::size_t y : {std::size_t{0}, map.y.count - 1}) {
+      if (auto problem = problem_at(x, y)) return problem;
+    }
+  }
+  for (std::size_t y = 0; y < map.y.count; ++y) {
+    for (const std::size_t x : {std::size_t{0}, map.x.count - 1}) {
+      if (auto problem = problem_at(x, y)) return problem;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<MapFigures> run_cells(const StabilityMap& map, std::size_t begin, std::size_t end,
+                                  const std::function<bool()>& should_stop) {
+  std::vector<Scene> scenes;
+  scenes.reserve(end - begin);
+  for (std::size_t cell = begin; cell < end; ++cell) scenes.push_back(map.scene_at(cell));
+  BatchOptions options;
+  options.should_stop = should_stop;
+  const BatchResult<Summary> result = simulate_batch<Summary>(scenes, options);
+  std::vector<MapFigures> figures;
+  if (result.stopped_early) return figures;
+  figures.reserve(scenes.size());
+  for (const std::optional<Summary>& summary : result.figures) {
+    figures.push_back(map_figures(*summary));
+  }
+  return figures;
+}
+
+}  // namespace hapticwall

@@ -1,0 +1,127 @@
+#include "core/study/boundary.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "core/simulate.h"
+#include "core/stabiliser/stabiliser.h"
+#include "tests/core/study_scenes.h"
+
+namespace hapticwall {
+namespace {
+
+BoundaryPlan plan_of(const Scene& scene, const char* path, double low, double high,
+                     std::size_t count, bool logarithmic) {
+  BoundaryPlan plan;
+  plan.scene = scene;
+  plan.algorithms = {find_algorithm("none").value()};
+  plan.along = {find_scene_number(scene, path).value(), low, high, count, logarithmic};
+  return plan;
+}
+
+Scene short_press() {
+  Scene scene = testing::pressed_wall(1000.0);
+  scene.duration_s = 30.0;  // for what is just stable to come to rest
+  return scene;
+}
+
+Verdict verdict_at(const BoundaryPlan& plan, double value) {
+  Scene scene = plan.scene;
+  plan.along.number.set(scene, value);
+  return simulate(scene).summary.verdict;
+}
+
+TEST(Boundaries, LieBetweenAValueThatSettlesAndOneThatDoesNot) {
+  BoundaryPlan plan = plan_of(short_press(), "wall.stiffness_n_per_m", 500.0, 8000.0, 9, true);
+  plan.tolerance = 1e-5;
+  const auto boundaries = find_boundaries(plan);
+  ASSERT_EQ(boundaries.size(), 1U);
+  const Boundary& found = boundaries.front();
+  ASSERT_TRUE(found.settled && found.unsettled);
+  EXPECT_LT(*found.settled, *found.unsettled);
+  EXPECT_LE(*found.unsettled - *found.settled, 1e-5 * *found.unsettled);
+  EXPECT_EQ(found.changes, 1U);
+  EXPECT_EQ(verdict_at(plan, *found.settled), Verdict::kSettled);
+  EXPECT_NE(verdict_at(plan, *found.unsettled), Verdict::kSettled);
+  ASSERT_TRUE(found.at_settled);
+  EXPECT_EQ(found.at_settled->verdict, Verdict::kSettled);
+}
+
+TEST(Boundaries, OfAKeyThatStabilisesAreFoundFromBelowToo) {
+  Scene scene = short_press();
+  scene.walls[0].stiffness_n_per_m = 3000.0;
+  const auto boundaries =
+      find_boundaries(plan_of(scene, "device.damping_n_s_per_m", 0.5, 5.0, 10, false));
+  ASSERT_TRUE(boundaries.front().settled && boundaries.front().unsettled);
+  EXPECT_GT(*boundaries.front().settled, *boundaries.front().unsettled);
+  EXPECT_NEAR(*boundaries.front().settled, 1.5, 0.15) << "b = K T / 2";
+}
+
+TEST(Boundaries, SayWhereThereIsNone) {
+  const auto quiet =
+      find_boundaries(plan_of(short_press(), "wall.stiffness_n_per_m", 100.0, 1000.0, 4, false));
+  EXPECT_EQ(quiet.front().settled, 1000.0);
+  EXPECT_FALSE(quiet.front().unsettled);
+  EXPECT_EQ(quiet.front().changes, 0U);
+  const auto loud =
+      find_boundaries(plan_of(short_press(), "wall.stiffness_n_per_m", 5000.0, 8000.0, 4, false));
+  EXPECT_FALSE(loud.front().settled);
+  EXPECT_EQ(loud.front().unsettled, 5000.0);
+  EXPECT_FALSE(loud.front().at_settled);
+}
+
+TEST(Boundaries, OfAKeyThatCountsAreNeighbours) {
+  Scene scene = short_press();
+  scene.walls[0].stiffness_n_per_m = 300.0;
+  const auto boundaries =
+      find_boundaries(plan_of(scene, "device.delay_ticks", 0.0, 20.0, 5, false));
+  const Boundary& found = boundaries.front();
+  ASSERT_TRUE(found.settled && found.unsettled);
+  EXPECT_EQ(*found.unsettled - *found.settled, 1.0);
+  EXPECT_EQ(*found.settled, std::round(*found.settled));
+}
+
+TEST(Boundaries, AreFoundForEveryValueOfXAndEveryAlgorithm) {
+  BoundaryPlan plan = plan_of(short_press(), "wall.stiffness_n_per_m", 500.0, 16000.0, 6, true);
+  plan.algorithms.push_back(find_algorithm("virtual-coupling").value());
+  plan.x = MapAxis{find_scene_number(plan.scene, "device.damping_n_s_per_m").value(), 1.0, 3.0, 3,
+                   false};
+  const auto boundaries = find_boundaries(plan);
+  ASSERT_EQ(boundaries.size(), 6U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double damping = 1.0 + static_cast<double>(i);
+    EXPECT_EQ(boundaries[i].algorithm, 0U);
+    EXPECT_EQ(boundaries[i].x, damping);
+    EXPECT_NEAR(boundaries[i].settled.value(), 2000.0 * damping, 200.0 * damping);
+    EXPECT_EQ(boundaries[3 + i].algorithm, 1U);
+    EXPECT_FALSE(boundaries[3 + i].unsettled) << "a virtual coupling takes any wall";
+  }
+}
+
+TEST(Boundaries, TellProgressAndStop) {
+  BoundaryPlan plan = plan_of(short_press(), "wall.stiffness_n_per_m", 500.0, 8000.0, 9, true);
+  double last = 0.0;
+  BoundaryOptions options;
+  options.progress = [&](double fraction) {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1.0);
+    last = fraction;
+  };
+  EXPECT_FALSE(find_boundaries(plan, options).empty());
+  EXPECT_GT(last, 0.5);
+  std::atomic<int> asked = 0;
+  options.progress = {};
+  options.should_stop = [&] { return ++asked > 3; };
+  EXPECT_TRUE(find_boundaries(plan, options).empty());
+}
+
+TEST(Boundaries, AnInvalidValueIsNamed) {
+  const auto problem = validate(plan_of(short_press(), "device.mass_kg", -1.0, 1.0, 3, false));
+  ASSERT_TRUE(problem);
+  EXPECT_EQ(problem->key, "device.mass_kg");
+}
+
+}  // namespace
+}  // namespace hapticwall

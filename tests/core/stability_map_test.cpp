@@ -1,0 +1,120 @@
+#include "core/study/stability_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/simulate.h"
+#include "core/stabiliser/stabiliser.h"
+#include "core/study/bound_lines.h"
+#include "tests/core/study_scenes.h"
+
+namespace hapticwall {
+namespace {
+
+MapAxis axis(const Scene& scene, const char* path, double low, double high, std::size_t count,
+             bool logarithmic = false) {
+  return {find_scene_number(scene, path).value(), low, high, count, logarithmic};
+}
+
+StabilityMap small_map() {
+  StabilityMap map;
+  map.scene = testing::pressed_wall(1000.0);
+  map.scene.duration_s = 1.5;
+  map.scene.device.friction_n = 0.05;
+  map.algorithms = {find_algorithm("none").value(), find_algorithm("energy-bounding").value()};
+  map.x = axis(map.scene, "wall.stiffness_n_per_m", 500.0, 5000.0, 5, true);
+  map.y = axis(map.scene, "wall.damping_n_s_per_m", 0.0, 2.0, 3);
+  return map;
+}
+
+TEST(MapAxisValues, KeepBothEndsAndHaveEqualStepsOrRatios) {
+  const Scene scene = testing::pressed_wall(1000.0);
+  const MapAxis linear = axis(scene, "wall.damping_n_s_per_m", 0.1, 0.7, 7);
+  EXPECT_EQ(linear.value(0), 0.1);
+  EXPECT_EQ(linear.value(6), 0.7);
+  EXPECT_NEAR(linear.value(3), 0.4, 1e-15);
+  const MapAxis ratios = axis(scene, "wall.stiffness_n_per_m", 1.0, 1e6, 7, true);
+  EXPECT_EQ(ratios.value(0), 1.0);
+  EXPECT_EQ(ratios.value(6), 1e6);
+  for (std::size_t i = 1; i < 7; ++i) EXPECT_NEAR(ratios.value(i) / ratios.value(i - 1), 10, 1e-9);
+}
+
+TEST(StabilityMaps, CellsAreTheSceneWithBothValuesAndTheAlgorithm) {
+  const StabilityMap map = small_map();
+  ASSERT_EQ(map.cell_count(), 30U);
+  const std::size_t cell = 1 * 15 + 2 * 5 + 3;
+  const MapPlace place = map.place(cell);
+  EXPECT_EQ(place.algorithm, 1U);
+  EXPECT_EQ(place.y, 2U);
+  EXPECT_EQ(place.x, 3U);
+  const Scene scene = map.scene_at(cell);
+  EXPECT_EQ(scene.algorithm.index, find_algorithm("energy-bounding").value());
+  EXPECT_EQ(scene.walls[0].damping_n_s_per_m, 2.0);
+  EXPECT_NEAR(scene.walls[0].stiffness_n_per_m, 500.0 * std::pow(10.0, 0.75), 1e-9);
+}
+
+TEST(StabilityMaps, EveryCellIsThatSceneSimulatedByItselfWhateverTheParts) {
+  const StabilityMap map = small_map();
+  std::vector<MapFigures> parts;
+  for (std::size_t begin = 0; begin < 30; begin += 7) {
+    const auto part = run_cells(map, begin, std::min<std::size_t>(begin + 7, 30));
+    parts.insert(parts.end(), part.begin(), part.end());
+  }
+  ASSERT_EQ(parts.size(), 30U);
+  EXPECT_EQ(parts, run_cells(map, 0, 30));
+  bool any_settled = false;
+  bool any_oscillating = false;
+  for (std::size_t cell = 0; cell < parts.size(); ++cell) {
+    EXPECT_EQ(parts[cell], map_figures(simulate(map.scene_at(cell)).summary)) << cell;
+    any_settled = any_settled || parts[cell].verdict == Verdict::kSettled;
+    any_oscillating = any_oscillating || parts[cell].verdict == Verdict::kOscillating;
+  }
+  EXPECT_TRUE(any_settled);
+  EXPECT_TRUE(any_oscillating);
+}
+
+TEST(StabilityMaps, AStoppedPartHasNoCells) {
+  EXPECT_TRUE(run_cells(small_map(), 0, 30, [] { return true; }).empty());
+}
+
+TEST(StabilityMaps, AnInvalidCellIsNamedBeforeAnythingRuns) {
+  StabilityMap map = small_map();
+  EXPECT_FALSE(validate(map));
+  map.y.low = -1.0;
+  const auto problem = validate(map);
+  ASSERT_TRUE(problem);
+  EXPECT_EQ(problem->key, "wall.damping_n_s_per_m");
+}
+
+TEST(BoundLines, StandWhereTheWallIsAsStiffAsTheBound) {
+  StabilityMap map = small_map();  // b = 1, T = 1 ms: K = 2000 (1 - B)
+  map.x = axis(map.scene, "wall.stiffness_n_per_m", 500.0, 2500.0, 401);
+  map.y = axis(map.scene, "wall.damping_n_s_per_m", 0.0, 0.5, 11);
+  const auto lines = bound_lines(map, &StabilityBounds::passive_n_per_m);
+  ASSERT_FALSE(lines.empty());
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = 0.0;
+  for (const BoundSegment& line : lines) {
+    for (const MapPoint& point : {line.from, line.to}) {
+      const double stiffness = 500.0 + 5.0 * point.x;
+      const double damping = 0.05 * point.y;
+      EXPECT_NEAR(stiffness, 2000.0 * (1.0 - damping), 1e-9);
+      lowest = std::min(lowest, point.y);
+      highest = std::max(highest, point.y);
+    }
+  }
+  EXPECT_EQ(lowest, 0.0);
+  EXPECT_EQ(highest, 10.0);
+  // No encoder: what is made of its count does not apply.
+  EXPECT_TRUE(bound_lines(map, &StabilityBounds::friction_n_per_m).empty());
+  map.scene.walls.clear();
+  map.x = axis(map.scene, "device.mass_kg", 0.01, 0.1, 3);
+  map.y = axis(map.scene, "device.damping_n_s_per_m", 0.0, 0.5, 3);
+  EXPECT_TRUE(bound_lines(map, &StabilityBounds::passive_n_per_m).empty());
+}
+
+}  // namespace
+}  // namespace hapticwall

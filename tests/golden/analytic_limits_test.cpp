@@ -1,0 +1,145 @@
+// The limits of theory come out of the studies: maps and boundaries against b/(T/2 + t_d) and
+// 2 f_c / Δ, and against the eigenvalues of the sampled loop, which share nothing with the
+// simulator but the scene's numbers. docs/maps.md quotes the distances.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "core/stabiliser/stabiliser.h"
+#include "core/stability_bounds.h"
+#include "core/study/boundary.h"
+#include "core/study/stability_map.h"
+#include "tests/core/study_scenes.h"
+
+namespace hapticwall {
+namespace {
+
+constexpr double kHandStiffness = 5.0;  // of pressed_wall()
+
+// Growth of the loop in a tick, while the handle stays in the wall: largest modulus of an
+// eigenvalue of position, velocity and the `delay` forces that are on their way.
+double growth_in_a_tick(const Scene& scene, double stiffness, int delay) {
+  const DeviceSettings& device = scene.device;
+  const double period_s = scene.sampling.period_s();
+  Eigen::Matrix3d rates = Eigen::Matrix3d::Zero();  // position, velocity, held force
+  rates(0, 1) = 1.0;
+  rates(1, 0) = -kHandStiffness / device.mass_kg;
+  rates(1, 1) = -device.damping_n_s_per_m / device.mass_kg;
+  rates(1, 2) = -1.0 / device.mass_kg;
+  const Eigen::Matrix3d tick = (rates * period_s).exp();
+  Eigen::MatrixXd loop = Eigen::MatrixXd::Zero(2 + delay, 2 + delay);
+  loop.topLeftCorner(2, 2) = tick.topLeftCorner(2, 2);
+  if (delay == 0) {
+    loop.topLeftCorner(2, 1) += stiffness * tick.topRightCorner(2, 1);
+  } else {
+    loop.block(0, 2, 2, 1) = tick.topRightCorner(2, 1);  // the oldest force acts
+    for (int i = 0; i + 1 < delay; ++i) loop(2 + i, 3 + i) = 1.0;
+    loop(1 + delay, 0) = stiffness;
+  }
+  return loop.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+double eigenvalue_limit(const Scene& scene, int delay) {
+  double low = 1.0;
+  double high = 1e5;
+  while (high - low > 1e-9 * high) {
+    const double middle = 0.5 * (low + high);
+    (growth_in_a_tick(scene, middle, delay) < 1.0 ? low : high) = middle;
+  }
+  return low;
+}
+
+Boundary largest_stiffness(Scene scene, double expected) {
+  BoundaryPlan plan;
+  plan.scene = std::move(scene);
+  plan.algorithms = {find_algorithm("none").value()};
+  plan.along = {find_scene_number(plan.scene, "wall.stiffness_n_per_m").value(), 0.5 * expected,
+                2.0 * expected, 5, true};
+  plan.tolerance = 1e-5;
+  return find_boundaries(plan).front();
+}
+
+TEST(AnalyticLimits, OfASampledSpringIsTwiceTheDampingOverThePeriod) {
+  for (const double mass_kg : {0.05, 0.1, 0.5}) {
+    Scene scene = testing::pressed_wall(2000.0);
+    scene.device.mass_kg = mass_kg;
+    scene.duration_s = 4000.0 * mass_kg;
+    const double bound = stability_bounds(scene, scene.walls[0], 0.0).passive_n_per_m.value();
+    const double exact = eigenvalue_limit(scene, 0);
+    const Boundary found = largest_stiffness(scene, bound);
+    ASSERT_TRUE(found.settled && found.unsettled);
+    const std::string name = "mass_" + std::to_string(static_cast<int>(1000 * mass_kg)) + "_g";
+    RecordProperty(name + "_bound", std::to_string(bound));
+    RecordProperty(name + "_eigenvalues", std::to_string(exact));
+    RecordProperty(name + "_map", std::to_string(*found.settled));
+    EXPECT_NEAR(*found.settled / exact, 1.0, 1e-3);
+    // 2b/T is of small steps: the first term that it leaves out is (b T / m) / 6; the hand's spring
+    // is a thousandth of the wall's.
+    const double step = scene.device.damping_n_s_per_m * scene.sampling.period_s() / mass_kg;
+    EXPECT_NEAR(exact / bound, 1.0 + step / 6.0, 1.5e-3);
+    EXPECT_NEAR(*found.settled / bound, 1.0, 5e-3);
+  }
+}
+
+TEST(AnalyticLimits, WithADelayTheDampingOverHalfThePeriodAndTheDelay) {
+  for (const int delay : {1, 2, 5, 10}) {
+    Scene scene = testing::pressed_wall(500.0);
+    scene.device.delay_ticks = delay;
+    const double bound =
+        stability_bounds(scene, scene.walls[0], delay_of(scene)).delayed_n_per_m.value();
+    scene.device.start_m = testing::kWallAtM + testing::kPressN / bound + 0.2e-3;
+    const double exact = eigenvalue_limit(scene, delay);
+    const Boundary found = largest_stiffness(scene, bound);
+    ASSERT_TRUE(found.settled && found.unsettled);
+    const std::string name = "delay_" + std::to_string(delay);
+    RecordProperty(name + "_bound", std::to_string(bound));
+    RecordProperty(name + "_eigenvalues", std::to_string(exact));
+    RecordProperty(name + "_map", std::to_string(*found.settled));
+    EXPECT_NEAR(*found.settled / exact, 1.0, 2e-3);
+    EXPECT_NEAR(*found.settled / bound, 1.0, 0.1);
+  }
+}
+
+// Between two counts the force of a wall jumps by K Δ. Where half of that is more than the friction
+// holds, some force of the hand finds no rest.
+TEST(AnalyticLimits, OfAQuantisedWallIsTwiceTheFrictionOverTheCount) {
+  StabilityMap map;
+  map.scene = testing::pressed_wall(1000.0);
+  map.scene.duration_s = 8.0;
+  map.scene.device.friction_n = 0.14;
+  map.scene.device.encoder_m = 0.254e-3;
+  map.scene.device.start_m = testing::kWallAtM;
+  map.algorithms = {find_algorithm("none").value()};
+  const double bound =
+      stability_bounds(map.scene, map.scene.walls[0], 0.0).friction_n_per_m.value();
+  map.x = {find_scene_number(map.scene, "wall.stiffness_n_per_m").value(), 0.9 * bound, 1.1 * bound,
+           41, false};
+  // About a count's worth of force.
+  map.y = {find_scene_number(map.scene, "hand.stiffness_n_per_m").value(), 5.0, 5.35, 36, false};
+  const std::vector<MapFigures> figures = run_cells(map, 0, map.cell_count());
+  double softest_restless = std::numeric_limits<double>::infinity();
+  double stiffest_at_rest = 0.0;
+  for (std::size_t cell = 0; cell < figures.size(); ++cell) {
+    const double stiffness = map.x.value(map.place(cell).x);
+    // At rest the force does not change at all.
+    if (figures[cell].tail_force_std_n.value() > 0.0) {
+      softest_restless = std::min(softest_restless, stiffness);
+    } else {
+      stiffest_at_rest = std::max(stiffest_at_rest, stiffness);
+    }
+  }
+  RecordProperty("bound", std::to_string(bound));
+  RecordProperty("softest_restless", std::to_string(softest_restless));
+  RecordProperty("stiffest_at_rest", std::to_string(stiffest_at_rest));
+  EXPECT_GE(softest_restless, bound) << "no wall softer than the bound finds no rest";
+  EXPECT_NEAR(softest_restless / bound, 1.0, 0.02);
+  EXPECT_EQ(stiffest_at_rest, map.x.value(map.x.count - 1)) << "a bound for the worst hand only";
+}
+
+}  // namespace
+}  // namespace hapticwall
