@@ -49,8 +49,8 @@ std::vector<BoundLines> all_bound_lines(const StabilityMap& map) {
   for (const BoundStyle& style : kBounds) {
     std::vector<BoundSegment> lines = bound_lines(map, style.bound);
     // Without a delay and a damped wall the first two are one.
-    const bool drawn = std::ranges::any_of(
-        all, [&](const BoundLines& other) { return other.lines == lines; });
+    const bool drawn =
+        std::ranges::any_of(all, [&](const BoundLines& other) { return other.lines == lines; });
     if (!lines.empty() && !drawn) all.push_back({&style, std::move(lines)});
   }
   return all;

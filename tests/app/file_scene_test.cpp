@@ -211,9 +211,10 @@ TEST(SceneFile, WhatIsWrongWithASecondAxisIsSaidWhereItStands) {
             "x.toml:24: wall[0].axis: the scene has no second axis: it takes a table [device.y]");
   EXPECT_EQ(message(replaced("axis = \"x\"", "axis = \"z\"")),
             "x.toml:24: wall[0].axis: 'z' is no axis; it takes \"x\" or \"y\"");
-  EXPECT_EQ(message(corner(), {"device.y.mass_kg=-1"}),
-            "--set device.y.mass_kg=-1: device.y.mass_kg: -1 is out of range; it takes 1e-6 to 1000 "
-            "kg");
+  EXPECT_EQ(
+      message(corner(), {"device.y.mass_kg=-1"}),
+      "--set device.y.mass_kg=-1: device.y.mass_kg: -1 is out of range; it takes 1e-6 to 1000 "
+      "kg");
   EXPECT_EQ(
       message(corner(), {"hand.y.path=[]"}),
       "--set hand.y.path=[]: hand.y.path: missing; it takes points [[time s, position m], …]");
@@ -334,9 +335,9 @@ TEST(SceneFile, BuiltinScenesAreAllThereAndNamedAsTheirFiles) {
     EXPECT_EQ(loaded->scene.description, scene.description);
     EXPECT_FALSE(scene.description.empty());
   }
-  EXPECT_THAT(names,
-              ::testing::UnorderedElementsAre("press", "tap", "tap-slow", "light", "corner", "layers",
-                                              "golden-soft", "golden-hard", "golden-soft-fric"));
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("press", "tap", "tap-slow", "light", "corner",
+                                                     "layers", "golden-soft", "golden-hard",
+                                                     "golden-soft-fric"));
 }
 
 // docs/physics.md gives the rates at which the paths rise.
