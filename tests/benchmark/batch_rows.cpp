@@ -6,6 +6,7 @@
 
 #include "core/batch/batch_simulator.h"
 #include "core/batch/lane_targets.h"
+#include "core/stabiliser/stabiliser.h"
 #include "tests/benchmark/rows.h"
 
 namespace hapticwall::benchmark_rows {
@@ -57,10 +58,9 @@ Scene with_encoder(Scene scene) {
 
 void add_batch() {
   const Scene soft = builtin("golden-soft");
-  for (const char* algorithm :
-       {"none", "virtual-coupling", "passivity-control", "energy-bounding"}) {
-    const Scene scene = under(algorithm, soft);
-    const std::string name = std::string(", ") + algorithm;
+  for (const AlgorithmDescription& algorithm : algorithms()) {
+    const Scene scene = under(std::string(algorithm.name).c_str(), soft);
+    const std::string name = ", " + std::string(algorithm.name);
     add_details<BatchVerdict>("batch, verdict" + name, scene);
     add_details<BatchVerdict>("batch, verdict" + name + ", encoder", with_encoder(scene));
     add_details<Summary>("batch, summary" + name, scene);

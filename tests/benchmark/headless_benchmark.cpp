@@ -57,6 +57,7 @@ void register_all() {
   add_ladder();
   add_friction_events();
   add_batch();
+  add_maps();
 }
 
 }  // namespace

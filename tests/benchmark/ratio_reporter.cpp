@@ -37,7 +37,9 @@ void RatioReporter::ReportRuns(const std::vector<Run>& runs) {
     if (!median && run.repetitions > 1) continue;
     // Processor time: a shared machine does not count against a row.
     rows_.push_back({run.run_name.function_name, run.family_index, run.GetAdjustedCPUTime(),
-                     counter(run, kTicksCounter), counter(run, kEventsCounter)});
+                     counter(run, kTicksCounter), counter(run, kEventsCounter),
+                     counter(run, kSimulatedCounter),
+                     run.real_accumulated_time / static_cast<double>(run.iterations)});
   }
 }
 
@@ -51,10 +53,12 @@ void RatioReporter::Finalize() {
               "set-up, ns");
   for (const Row& row : rows_) {
     if (row.name.ends_with(kSetUpSuffix) || row.name.ends_with(kWithoutSuffix)) continue;
+    if (row.simulated_s > 0.0) continue;
     print_row(row, bare->total_ns / bare->ticks);
   }
   for (const Row& row : rows_) {
     if (row.events > 0.0) print_events(row);
+    if (row.simulated_s > 0.0) print_map(row, bare->total_ns / bare->ticks);
   }
 }
 
@@ -74,6 +78,13 @@ void RatioReporter::print_events(const Row& row) const {
   if (without == nullptr) return;
   std::printf("%s: %.0f ns an event (%.0f events in %.0f ticks)\n", row.name.c_str(),
               (row.total_ns - without->total_ns) / row.events, row.events, row.ticks);
+}
+
+void RatioReporter::print_map(const Row& row, double bare_ns) {
+  constexpr double kNanoseconds = 1e9;
+  std::printf("%s: %.2f s on all cores, %.0f simulated seconds per second, %.2fx the bare loop\n",
+              row.name.c_str(), row.real_s, row.simulated_s / row.real_s,
+              row.real_s * kNanoseconds / row.ticks / bare_ns);
 }
 
 const RatioReporter::Row* RatioReporter::find(const std::string& name) const {

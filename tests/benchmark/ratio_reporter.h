@@ -25,11 +25,14 @@ class RatioReporter : public benchmark::ConsoleReporter {
     double total_ns;
     double ticks;
     double events;
+    double simulated_s;  // above 0: the row is told by the wall's clock
+    double real_s;
   };
 
   [[nodiscard]] const Row* find(const std::string& name) const;
   void print_row(const Row& row, double bare_ns) const;
   void print_events(const Row& row) const;
+  static void print_map(const Row& row, double bare_ns);
 
   std::vector<Row> rows_;
   bool failed_ = false;

@@ -10,6 +10,7 @@ namespace hapticwall::benchmark_rows {
 // What a row counts, beside its time.
 inline constexpr const char* kTicksCounter = "ticks";
 inline constexpr const char* kEventsCounter = "events";
+inline constexpr const char* kSimulatedCounter = "simulated_s";  // of rows that take all cores
 // Rows that another row is told with: what is paid before the first tick, and the same scene
 // without what the row is about.
 inline constexpr const char* kSetUpSuffix = " (set-up)";
@@ -31,5 +32,7 @@ void add_ladder();
 void add_friction_events();
 // Many scenes at once, on one core: both details, by algorithm, by instruction set.
 void add_batch();
+// Maps of 200 x 200 scenes of 2 s, on all cores.
+void add_maps();
 
 }  // namespace hapticwall::benchmark_rows

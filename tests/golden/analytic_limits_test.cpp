@@ -90,6 +90,7 @@ TEST(AnalyticLimits, WithADelayTheDampingOverHalfThePeriodAndTheDelay) {
   for (const int delay : {1, 2, 5, 10}) {
     Scene scene = testing::pressed_wall(500.0);
     scene.device.delay_ticks = delay;
+    scene.duration_s = 400.0;
     const double bound =
         stability_bounds(scene, scene.walls[0], delay_of(scene)).delayed_n_per_m.value();
     scene.device.start_m = testing::kWallAtM + testing::kPressN / bound + 0.2e-3;

@@ -1,0 +1,239 @@
+// `map` as a script sees it: table, files, parts, a kill in between, boundaries, refusals.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/app/command_binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+const std::vector<std::string> kSmall{"map",          "golden-soft",
+                                      "--x",          "wall.stiffness_n_per_m=100:3000:6:log",
+                                      "--y",          "device.damping_n_s_per_m=0.1:0.7:4",
+                                      "--algorithms", "none,energy-bounding",
+                                      "--duration",   "1.5"};
+
+class MapCommand : public ProgramTest {
+ protected:
+  [[nodiscard]] Answer map(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = kSmall;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return hapticwall(arguments);
+  }
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& line) {
+    const Answer answer = hapticwall(arguments);
+    EXPECT_EQ(answer.status, 2) << answer.err;
+    EXPECT_EQ(answer.err, "error: " + line + "\n");
+    EXPECT_THAT(answer.out, IsEmpty());
+    EXPECT_THAT(files(), IsEmpty());
+  }
+};
+
+TEST_F(MapCommand, CountsTheVerdictsOfEveryAlgorithm) {
+  const Answer answer = map({});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out,
+              AllOf(StartsWith("golden-soft\nx: wall.stiffness_n_per_m from 100 to 3000 N/m in 6 "
+                               "equal ratios\ny: device.damping_n_s_per_m from 0.1 to 0.7 N·s/m in "
+                               "4 equal steps\n\nalgorithm "),
+                    HasSubstr("\nnone "), HasSubstr("\nenergy-bounding ")));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(MapCommand, WritesRowsCountsAndAFigure) {
+  const Answer answer = map({"--csv", "m.csv", "--json", "m.json", "--plot", "m.png", "--quiet"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out, IsEmpty());
+  EXPECT_THAT(files(), ElementsAre("m.csv", "m.json", "m.png", "m.toml"));
+  const std::string csv = content("m.csv");
+  EXPECT_THAT(csv,
+              StartsWith("algorithm,wall.stiffness_n_per_m,device.damping_n_s_per_m,verdict,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 49);
+  EXPECT_THAT(content("m.png"), StartsWith("\x89PNG\r\n"));
+  const auto json = nlohmann::json::parse(content("m.json"));
+  EXPECT_EQ(json.at("cells"), 48);
+  EXPECT_EQ(json.at("x").at("key"), "wall.stiffness_n_per_m");
+  for (const auto& row : json.at("algorithms")) {
+    EXPECT_EQ(row.at("settled").get<int>() + row.at("oscillating").get<int>() +
+                  row.at("diverged").get<int>(),
+              24);
+  }
+}
+
+TEST_F(MapCommand, ACellIsWhatRunSaysOfIt) {
+  ASSERT_EQ(map({"--csv", "m.csv", "--quiet"}).status, 0);
+  const Answer one = hapticwall({"run", "golden-soft", "--algorithm", "energy-bounding",
+                                 "--duration", "1.5", "--set", "wall.stiffness_n_per_m=3000",
+                                 "--set", "device.damping_n_s_per_m=0.1", "--json", "-"});
+  const auto json = nlohmann::json::parse(one.out);
+  EXPECT_THAT(content("m.csv"),
+              HasSubstr("\nenergy-bounding,3000,0.1," + json.at("verdict").get<std::string>() +
+                        "," + json.at("tail_peak_to_peak_m").dump() + ","));
+}
+
+TEST_F(MapCommand, PartsPutTogetherAreTheWholeAndAreDrawn) {
+  ASSERT_EQ(map({"--csv", "whole.csv", "--plot", "whole.png", "--quiet"}).status, 0);
+  for (const char* part : {"1", "2", "3", "4", "5"}) {
+    ASSERT_EQ(map({"--shard", std::string(part) + "/5", "--csv", "p" + std::string(part) + ".csv",
+                   "--quiet"})
+                  .status,
+              0);
+  }
+  ASSERT_EQ(shell("cat p1.csv p2.csv p3.csv p4.csv p5.csv > all.csv").status, 0);
+  EXPECT_EQ(content("all.csv"), content("whole.csv"));
+  const Answer read = map({"--read", "all.csv", "--plot", "all.png"});
+  ASSERT_EQ(read.status, 0) << read.err;
+  EXPECT_EQ(content("all.png"), content("whole.png"));
+  EXPECT_EQ(read.out, map({}).out);
+}
+
+TEST_F(MapCommand, AKilledRunIsGoneOnWith) {
+  const std::vector<std::string> arguments{HAPTICWALL_BINARY,
+                                           "map",
+                                           "press",
+                                           "--x",
+                                           "wall.stiffness_n_per_m=1e3:1e5:50:log",
+                                           "--y",
+                                           "wall.damping_n_s_per_m=0:5:30",
+                                           "--algorithms",
+                                           "none",
+                                           "--duration",
+                                           "2",
+                                           "--csv",
+                                           "k.csv",
+                                           "--quiet"};
+  const pid_t child = start(arguments);
+  // Until there is something to go on from.
+  while (is_running(child) && size("k.csv.partial") < 5000) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const bool killed = kill(child, SIGKILL) == 0 && wait_for(child).status == 128 + SIGKILL;
+  if (killed) {
+    EXPECT_EQ(size("k.csv"), 0U);
+    EXPECT_GT(size("k.csv.partial"), 0U);
+  }
+  const Answer second = wait_for(start(arguments));
+  ASSERT_EQ(second.status, 0) << second.err;
+  std::vector<std::string> again = arguments;
+  again[12] = "w.csv";
+  ASSERT_EQ(wait_for(start(again)).status, 0);
+  EXPECT_EQ(content("k.csv"), content("w.csv"));
+  EXPECT_THAT(files(), ElementsAre("k.csv", "k.toml", "w.csv", "w.toml"));
+}
+
+TEST_F(MapCommand, CtrlCKeepsWhatIsThereAndSaysHowToGoOn) {
+  const pid_t child =
+      start({HAPTICWALL_BINARY, "map", "press", "--x", "wall.stiffness_n_per_m=1e3:1e5:200:log",
+             "--y", "wall.damping_n_s_per_m=0:5:200", "--csv", "c.csv", "--quiet"});
+  while (is_running(child) && size("c.csv.partial") < 2000) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  kill(child, SIGINT);
+  const Answer answer = wait_for(child);
+  EXPECT_EQ(answer.status, 130);
+  EXPECT_THAT(answer.err, AllOf(StartsWith("ended early by Ctrl-C after "),
+                                HasSubstr("of 320000 cells; c.csv.partial holds them")));
+  EXPECT_THAT(files(), ElementsAre("c.csv.partial", "c.toml.partial"));
+}
+
+TEST_F(MapCommand, ABoundaryIsFoundAndWritten) {
+  const Answer answer =
+      hapticwall({"map", "golden-soft", "--boundary", "wall.stiffness_n_per_m=100:1e5:7:log", "--x",
+                  "device.damping_n_s_per_m=0.5:1:2", "--algorithms", "none", "--duration", "20",
+                  "--csv", "b.csv", "--json", "-"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto json = nlohmann::json::parse(answer.out);
+  ASSERT_EQ(json.at("boundaries").size(), 2U);
+  for (const auto& row : json.at("boundaries")) {
+    const double settled = row.at("settled");
+    const double unsettled = row.at("unsettled");
+    EXPECT_LT(settled, unsettled);
+    EXPECT_LE(unsettled - settled, 1e-3 * unsettled);
+  }
+  EXPECT_LT(json.at("boundaries")[0].at("settled"), json.at("boundaries")[1].at("settled"));
+  const std::string csv = content("b.csv");
+  EXPECT_THAT(csv, StartsWith("algorithm,device.damping_n_s_per_m,settled,unsettled,changes,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+}
+
+TEST_F(MapCommand, WhatIsWrongIsSaidInALine) {
+  const std::string x = "wall.stiffness_n_per_m=1e3:1e4:5";
+  const std::string y = "wall.damping_n_s_per_m=0:1:3";
+  const std::string form =
+      "it takes KEY=LO:HI:N, or KEY=LO:HI:N:log, as in wall.stiffness_n_per_m=1e3:1e5:100:log";
+  expect_refused({"map", "press", "--x", x},
+                 "map: it takes --x and --y, each KEY=LO:HI:N or KEY=LO:HI:N:log; or --boundary");
+  expect_refused({"map", "press", "--x", "wall.stiffness_n_per_m", "--y", y},
+                 "--x wall.stiffness_n_per_m: " + form);
+  for (const std::string range : {"1:2", "1:2:3:lin", "a:2:3", "1:2:3.5", "1:inf:3", "1:2:3:"}) {
+    expect_refused({"map", "press", "--x", "wall.stiffness_n_per_m=" + range, "--y", y},
+                   "--x wall.stiffness_n_per_m=" + range + ": " + form);
+  }
+  expect_refused({"map", "press", "--x", "wall.stiffness_n_per_m=5:5:3", "--y", y},
+                 "--x wall.stiffness_n_per_m=5:5:3: LO is not below HI");
+  expect_refused({"map", "press", "--x", "wall.stiffness_n_per_m=5:6:1", "--y", y},
+                 "--x wall.stiffness_n_per_m=5:6:1: N is 1; it takes 2 to 10000");
+  expect_refused({"map", "press", "--x", x, "--y", "wall.damping_n_s_per_m=0:1:3:log"},
+                 "--y wall.damping_n_s_per_m=0:1:3:log: with log, LO is more than 0");
+  expect_refused({"map", "press", "--x", x, "--y", "device.delay_ticks=0:5:3"},
+                 "--y device.delay_ticks=0:5:3: the key counts, and value 2 of these is 2.5; it "
+                 "takes whole numbers");
+  expect_refused({"map", "press", "--x", x, "--y", "wall[0].stiffness_n_per_m=1:2:3"},
+                 "--x and --y are the same key, wall.stiffness_n_per_m");
+  expect_refused(
+      {"map", "press", "--x", x, "--y", "device.mass_kg=-1:1:3"},
+      "a value of the map: device.mass_kg: -1 is out of range; it takes 1e-6 to 1000 kg");
+  for (const std::string shard : {"0/3", "4/3", "1", "1/", "/3", "1/3x", "1/99"}) {
+    expect_refused({"map", "press", "--x", x, "--y", y, "--algorithms", "none", "--shard", shard},
+                   "--shard '" + shard +
+                       "': it takes I/N, part I of N, from 1/N to N/N, and N at "
+                       "most the 15 cells of the map");
+  }
+  expect_refused({"map", "press", "--x", x, "--y", y, "--shard", "1/3", "--plot", "a.png"},
+                 "--plot: a part has no figure; put the parts together, and --read FILE.csv --plot "
+                 "FILE.png draws the whole");
+  expect_refused({"map", "press", "--x", x, "--y", y, "--expect", "verdict=settled"},
+                 "--expect: 'map' has no single summary; 'hapticwall run SCENE --expect EXPR' has");
+  expect_refused({"map", "press", "--boundary", x, "--y", y}, "--y: not with --boundary");
+  expect_refused({"map", "press", "--boundary", x, "--tolerance", "2"},
+                 "--tolerance '2': it takes a part of the value, 1e-12 to less than 1");
+  expect_refused({"map", "press", "--x", x, "--y", y, "--tolerance", "0.1"},
+                 "--tolerance: it is for --boundary");
+  expect_refused({"map", "press", "--x", x, "--y", y, "--read", "no.csv"},
+                 "no.csv: cannot be read, or is empty");
+}
+
+TEST_F(MapCommand, AnUnknownKeyIsToldItsNeighbour) {
+  const Answer answer = hapticwall({"map", "press", "--x", "wall.stifness_n_per_m=1:2:3", "--y",
+                                    "wall.damping_n_s_per_m=0:1:3"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(
+      answer.err,
+      StartsWith("error: --x wall.stifness_n_per_m=1:2:3: no number of this scene is called "
+                 "'wall.stifness_n_per_m'; did you mean 'wall.stiffness_n_per_m'?; known: "
+                 "duration_s, "));
+  EXPECT_EQ(answer.error_lines(), 1);
+}
+
+TEST_F(MapCommand, AFolderThatIsNotThereIsFoundFirst) {
+  const Answer answer = map({"--csv", "no/m.csv"});
+  EXPECT_EQ(answer.status, 4);
+  EXPECT_THAT(answer.err, StartsWith("error: no/m.csv: cannot be written: "));
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test

@@ -1,0 +1,102 @@
+// The figure of a map, by its pixels: cells where they belong, bounds over them.
+#include "app/ui/map_figure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "app/file/scene_file.h"
+#include "app/ui/map_colours.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::ui {
+namespace {
+
+StabilityMap map_of(std::size_t algorithm_count) {
+  StabilityMap map;
+  map.scene = file::load_scene("press")->scene;
+  for (std::size_t i = 0; i < algorithm_count; ++i) map.algorithms.push_back(i);
+  map.x = {find_scene_number(map.scene, "wall.stiffness_n_per_m").value(), 1e3, 1e5, 40, true};
+  map.y = {find_scene_number(map.scene, "device.damping_n_s_per_m").value(), 0.5, 5.0, 30, false};
+  return map;
+}
+
+// The right half settles, the left swings by 10 mm.
+std::vector<MapFigures> half_and_half(const StabilityMap& map) {
+  std::vector<MapFigures> figures(map.cell_count());
+  for (std::size_t cell = 0; cell < figures.size(); ++cell) {
+    const bool settled = map.place(cell).x >= map.x.count / 2;
+    figures[cell].verdict = settled ? Verdict::kSettled : Verdict::kOscillating;
+    figures[cell].tail_peak_to_peak_m = settled ? 0.0 : 0.01;
+  }
+  return figures;
+}
+
+struct Extent {
+  std::size_t count = 0;
+  int left = 1 << 20;
+  int right = -1;
+};
+
+// The pixels of a colour below the legend.
+Extent extent_of(const file::Picture& picture, ImU32 colour) {
+  constexpr int kLegend = 110;
+  Extent extent;
+  for (int y = kLegend; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const std::uint8_t* pixel =
+          &picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                             static_cast<std::size_t>(x))];
+      if (IM_COL32(pixel[0], pixel[1], pixel[2], 255) != colour) continue;
+      ++extent.count;
+      extent.left = std::min(extent.left, x);
+      extent.right = std::max(extent.right, x);
+    }
+  }
+  return extent;
+}
+
+TEST(MapFigure, CellsStandWhereTheirValuesAre) {
+  const StabilityMap map = map_of(1);
+  const auto picture = draw_map(map, half_and_half(map));
+  ASSERT_TRUE(picture.ok()) << picture.error().message;
+  const Extent settled = extent_of(*picture, settled_colour());
+  const Extent swinging = extent_of(*picture, oscillating_colour(0.01));
+  // Nearly the whole page, in equal halves; the bounds take a few pixels.
+  EXPECT_GT(settled.count + swinging.count, 1600U * 1200U * 7U / 10U);
+  EXPECT_NEAR(static_cast<double>(settled.count) / static_cast<double>(swinging.count), 1.0, 0.02);
+  EXPECT_LT(swinging.right, settled.left + 3);
+  EXPECT_NEAR(settled.right - settled.left, swinging.right - swinging.left, 3);
+}
+
+TEST(MapFigure, EveryAlgorithmHasAField) {
+  const StabilityMap map = map_of(8);
+  std::vector<MapFigures> figures(map.cell_count());
+  // Only the sixth diverges.
+  const std::size_t cells = map.x.count * map.y.count;
+  for (std::size_t i = 0; i < cells; ++i) figures[5 * cells + i].verdict = Verdict::kDiverged;
+  const auto picture = draw_map(map, figures);
+  ASSERT_TRUE(picture.ok()) << picture.error().message;
+  const Extent diverged = extent_of(*picture, diverged_colour());
+  const Extent settled = extent_of(*picture, settled_colour());
+  EXPECT_NEAR(static_cast<double>(settled.count) / static_cast<double>(diverged.count), 7.0, 0.4);
+  // Second field of the lower row.
+  EXPECT_GT(diverged.left, 1600 / 4);
+  EXPECT_LT(diverged.right, 1600 / 2);
+}
+
+TEST(MapFigure, ColoursTellHowFarItSwings) {
+  EXPECT_NE(settled_colour(), oscillating_colour(1.01e-4));
+  EXPECT_NE(oscillating_colour(1e-4), oscillating_colour(1e-3));
+  EXPECT_NE(oscillating_colour(1e-3), oscillating_colour(1e-2));
+  EXPECT_EQ(oscillating_colour(0.1), oscillating_colour(0.9)) << "the hottest there is";
+  MapFigures figures;
+  figures.verdict = Verdict::kOscillating;
+  figures.tail_peak_to_peak_m = 2e-3;
+  EXPECT_EQ(colour_of(figures), oscillating_colour(2e-3));
+}
+
+}  // namespace
+}  // namespace hapticwall::ui
