@@ -75,7 +75,7 @@ std::string end_text(const Boundary& boundary) {
   return *boundary.settled < *boundary.unsettled ? "up to" : "from";
 }
 
-std::string value_text(std::optional<double> value) {
+std::string significant(std::optional<double> value) {
   return value ? fmt::format("{:.6g}", *value) : "-";
 }
 
@@ -94,10 +94,10 @@ Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary) {
 
 std::vector<std::string> boundary_row(const BoundaryPlan& plan, const Boundary& boundary) {
   std::vector<std::string> row{label_of(plan.scene, plan.algorithms.at(boundary.algorithm))};
-  if (plan.x) row.push_back(value_text(boundary.x));
+  if (plan.x) row.push_back(significant(boundary.x));
   row.push_back(end_text(boundary));
-  row.push_back(boundary.unsettled ? value_text(boundary.settled) : "");
-  row.push_back(boundary.settled ? value_text(boundary.unsettled) : "");
+  row.push_back(boundary.settled && boundary.unsettled ? significant(boundary.settled) : "");
+  row.push_back(boundary.settled && boundary.unsettled ? significant(boundary.unsettled) : "");
   row.push_back(boundary.changes > 1 ? fmt::format("{} !", boundary.changes)
                                      : fmt::format("{}  ", boundary.changes));
   const std::optional<Summary>& there = boundary.at_settled;

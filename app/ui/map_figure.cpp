@@ -18,6 +18,7 @@
 #include "core/metrics.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/study/bound_lines.h"
+#include "core/study/dimensionless.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -95,14 +96,18 @@ void draw_bounds(const StabilityMap& map, const std::vector<BoundLines>& bounds,
   }
 }
 
-std::string axis_title(const MapAxis& axis) {
-  return axis.number.unit.empty() ? axis.number.path
-                                  : fmt::format("{}, {}", axis.number.path, axis.number.unit);
+std::string axis_title(const Scene& scene, const MapAxis& axis, const MapAxis& other) {
+  std::string title = axis.number.path;
+  if (!axis.number.unit.empty()) title += ", " + axis.number.unit;
+  if (const auto number = dimensionless(scene, axis, other)) {
+    title += fmt::format("   ({}: {:.3g} to {:.3g})", number->symbol, axis.low * number->factor,
+                         axis.high * number->factor);
+  }
+  return title;
 }
 
-void set_up_axis(ImAxis id, const MapAxis& axis) {
+void set_up_axis(ImAxis id, const MapAxis& axis, const std::string& title) {
   constexpr double kHalf = 0.5;
-  const std::string title = axis_title(axis);
   ImPlot::SetupAxis(id, title.c_str(), ImPlotAxisFlags_NoGridLines);
   if (axis.logarithmic) ImPlot::SetupAxisScale(id, ImPlotScale_Log10);
   ImPlot::SetupAxisFormat(id, "%g");
@@ -141,8 +146,8 @@ void draw_field(const Theme& theme, const Contents& contents, std::size_t algori
   const std::string name = fmt::format("##map{}", algorithm);
   if (ImPlot::BeginPlot(name.c_str(), ImVec2(size.x, height),
                         ImPlotFlags_CanvasOnly | ImPlotFlags_NoInputs)) {
-    set_up_axis(ImAxis_X1, map.x);
-    set_up_axis(ImAxis_Y1, map.y);
+    set_up_axis(ImAxis_X1, map.x, axis_title(map.scene, map.x, map.y));
+    set_up_axis(ImAxis_Y1, map.y, axis_title(map.scene, map.y, map.x));
     ImPlot::PushPlotClipRect();
     draw_cells(map, figures);
     draw_bounds(map, contents.bounds, contents.scale);

@@ -9,6 +9,7 @@
 #include "core/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/study/bound_lines.h"
+#include "core/study/dimensionless.h"
 #include "tests/core/study_scenes.h"
 
 namespace hapticwall {
@@ -87,6 +88,24 @@ TEST(StabilityMaps, AnInvalidCellIsNamedBeforeAnythingRuns) {
   const auto problem = validate(map);
   ASSERT_TRUE(problem);
   EXPECT_EQ(problem->key, "wall.damping_n_s_per_m");
+}
+
+TEST(DimensionlessAxes, AreWhatTheFieldsLiteratureHas) {
+  Scene scene = testing::pressed_wall(2000.0);  // 0.05 kg, 1 kHz
+  scene.device.encoder_m = 1e-4;
+  const MapAxis stiffness = axis(scene, "wall.stiffness_n_per_m", 1.0, 2.0, 2);
+  const MapAxis damping = axis(scene, "device.damping_n_s_per_m", 1.0, 2.0, 2);
+  const MapAxis friction = axis(scene, "device.friction_n", 1.0, 2.0, 2);
+  const MapAxis rate = axis(scene, "sampling.rate_hz", 1.0, 2.0, 2);
+  EXPECT_EQ(dimensionless(scene, stiffness, damping)->symbol, "K T²/m");
+  EXPECT_DOUBLE_EQ(dimensionless(scene, stiffness, damping)->factor, 1e-6 / 0.05);
+  EXPECT_DOUBLE_EQ(dimensionless(scene, damping, stiffness)->factor, 1e-3 / 0.05);
+  EXPECT_DOUBLE_EQ(dimensionless(scene, friction, damping)->factor, 1.0 / 0.2);
+  EXPECT_FALSE(dimensionless(scene, stiffness, rate)) << "T is no constant of this map";
+  EXPECT_FALSE(dimensionless(scene, friction, stiffness)) << "nor is K of this one";
+  EXPECT_FALSE(dimensionless(scene, rate, damping));
+  scene.device.encoder_m.reset();
+  EXPECT_FALSE(dimensionless(scene, friction, damping));
 }
 
 TEST(BoundLines, StandWhereTheWallIsAsStiffAsTheBound) {
