@@ -220,8 +220,9 @@ void draw_contents(const Theme& theme, const Contents& contents) {
                     free.y / static_cast<float>(rows));
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   for (std::size_t i = 0; i < map.algorithms.size(); ++i) {
+    const std::size_t row = i / columns;
     ImGui::SetCursorScreenPos(ImVec2(corner.x + static_cast<float>(i % columns) * (each.x + gap),
-                                     corner.y + static_cast<float>(i / columns) * each.y));
+                                     corner.y + static_cast<float>(row) * each.y));
     draw_field(theme, contents, i, each);
   }
 }

@@ -91,6 +91,7 @@ double middle(const BoundaryPlan& plan, const Boundary& found) {
 // One step of all searches that are open; false where it was stopped.
 bool bisect(const BoundaryPlan& plan, std::vector<Search*>& open, const BoundaryOptions& options) {
   std::vector<Scene> scenes;
+  scenes.reserve(open.size());
   for (const Search* search : open) {
     scenes.push_back(scene_at(plan, *search, middle(plan, search->found)));
   }
@@ -146,6 +147,7 @@ std::vector<Boundary> find_boundaries(const BoundaryPlan& plan, const BoundaryOp
     if (!bisect(plan, open, options)) return {};
   }
   std::vector<Boundary> boundaries;
+  boundaries.reserve(searches.size());
   for (Search& search : searches) boundaries.push_back(std::move(search.found));
   return boundaries;
 }
