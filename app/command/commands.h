@@ -21,6 +21,7 @@ struct Command {
 [[nodiscard]] Command add_map(CLI::App& program);
 [[nodiscard]] Command add_accuracy(CLI::App& program);
 [[nodiscard]] Command add_replay(CLI::App& program);
+[[nodiscard]] Command add_recover(CLI::App& program);
 [[nodiscard]] Command add_timing(CLI::App& program);
 [[nodiscard]] Command add_devices(CLI::App& program);
 [[nodiscard]] Command add_scenes(CLI::App& program);

@@ -100,8 +100,9 @@ int dispatch(int argc, const char* const* argv) {
   program.footer(footer());
   const Action window = add_window(program);
   const std::vector<Command> commands{
-      add_run(program),    add_compare(program), add_map(program),     add_accuracy(program),
-      add_replay(program), add_timing(program),  add_devices(program), add_scenes(program)};
+      add_run(program),      add_compare(program), add_map(program),
+      add_accuracy(program), add_replay(program),  add_recover(program),
+      add_timing(program),   add_devices(program), add_scenes(program)};
   for (const Command& command : commands) command.app->group("Commands")->footer("");
   if (const auto error = check_first_word(argc, argv, program)) return report(*error);
   try {

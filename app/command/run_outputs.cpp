@@ -44,6 +44,10 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
     auto recording = file::RecordingWriter::create(
         options.csv, file::more_columns(true, loaded.scene.y.has_value()));
     if (!recording) return recording.error();
+    if (Failure failed =
+            (*recording)->note(loaded.scene, metadata_of(loaded, loaded.scene.tick_count()))) {
+      return *failed;
+    }
     outputs.recording_ = std::move(*recording);
   }
   return outputs;

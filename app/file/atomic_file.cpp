@@ -46,10 +46,7 @@ void sync_folder(const std::string& path) {
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
   Result<AtomicFile> file = resume(path);
-  if (!file) return file;
-  struct stat partial {};
-  fstat(file->descriptor_, &partial);
-  if (!S_ISREG(partial.st_mode)) return file;
+  if (!file || file->size() == 0) return file;
   if (Failure failed = file->keep_only(0)) return *failed;
   return file;
 }
@@ -61,7 +58,7 @@ Result<AtomicFile> AtomicFile::resume(const std::string& path) {
         ErrorKind::kFile,
         fmt::format("{}: cannot be written: it exists and is not a regular file", shown(path))};
   }
-  const std::string partial_path = path + ".partial";
+  const std::string partial_path = path + std::string(kPartialEnding);
   const int descriptor = open(partial_path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kNewFileMode);
   if (descriptor < 0) return file_error(path, "cannot be written", errno);
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 || !is_still_named(descriptor, partial_path)) {
@@ -107,6 +104,12 @@ Error AtomicFile::failure(std::string_view what) const {
   return error;
 }
 
+std::uint64_t AtomicFile::size() const {
+  struct stat status {};
+  if (fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
 Failure AtomicFile::keep_only(std::uint64_t bytes) {
   const auto length = static_cast<off_t>(bytes);
   if (ftruncate(descriptor_, length) != 0 || lseek(descriptor_, length, SEEK_SET) < 0) {
@@ -136,6 +139,12 @@ Failure AtomicFile::commit() {
   if (std::rename(partial_path_.c_str(), path_.c_str()) != 0) return failure("cannot be named");
   close(std::exchange(descriptor_, -1));
   sync_folder(path_);
+  return {};
+}
+
+Failure rename_file(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0) return file_error(to, "cannot be named", errno);
+  sync_folder(to);
   return {};
 }
 

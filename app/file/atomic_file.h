@@ -9,6 +9,9 @@
 
 namespace hapticwall::file {
 
+// What is not whole yet.
+inline constexpr std::string_view kPartialEnding = ".partial";
+
 // Written as PATH.partial (locked: one writer at a time); commit() puts it on the disk and gives it
 // its name, which replaces an older file at once. Every error is of ErrorKind::kFile and names the
 // file. Realtime-safe: no.
@@ -34,6 +37,8 @@ class AtomicFile {
   [[nodiscard]] Failure sync();    // on the disk, still without its name
   [[nodiscard]] Failure commit();  // sync(), then the name
 
+  [[nodiscard]] std::uint64_t size() const;  // bytes; 0 where it is no regular file
+
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const std::string& partial_path() const { return partial_path_; }
 
@@ -47,6 +52,9 @@ class AtomicFile {
   int descriptor_ = -1;
   bool keep_partial_ = false;
 };
+
+// Gives a file another name, which replaces what had it.
+[[nodiscard]] Failure rename_file(const std::string& from, const std::string& to);
 
 // A whole small file in one call.
 [[nodiscard]] Failure write_file(const std::string& path, std::string_view bytes);

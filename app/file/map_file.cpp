@@ -20,8 +20,6 @@
 namespace hapticwall::file {
 namespace {
 
-constexpr std::string_view kPartial = ".partial";
-
 std::string axis_text(const MapAxis& axis) {
   return fmt::format("{}={}:{}:{}{}", axis.number.path, number_text(axis.low),
                      number_text(axis.high), axis.count, axis.logarithmic ? ":log" : "");
@@ -103,10 +101,10 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
                  fmt::format("{}: it would be the sidecar of {}, and is something else",
                              shown(sidecar_path), shown(path))};
   }
-  const std::string partial = path + std::string(kPartial);
+  const std::string partial = path + std::string(kPartialEnding);
   const std::string sidecar_text = map_sidecar(map, part);
   const bool going_on = !is_empty(partial);
-  if (going_on && contents(sidecar_path + std::string(kPartial)) != sidecar_text) {
+  if (going_on && contents(sidecar_path + std::string(kPartialEnding)) != sidecar_text) {
     return Error{ErrorKind::kFile,
                  fmt::format("{}: is not of this map or not of this program; finish it as it was "
                              "begun, or remove it",

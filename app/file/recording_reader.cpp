@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/file/atomic_file.h"
 #include "app/file/recording_rows.h"
 #include "app/file/sha256.h"
 #include "app/file/sidecar.h"
@@ -24,7 +25,6 @@ namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
 constexpr std::size_t kLargestSidecarBytes = std::size_t{1} << 20U;  // as of any scene
-constexpr std::string_view kPartialEnding = ".partial";
 
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
@@ -78,10 +78,10 @@ void RecordingReader::read_sidecar() {
   const std::string& csv_path = info_.csv_path;
   std::vector<std::string>& notes = info_.notes;
   info_.loaded.scene.name = shown(std::filesystem::path(csv_path).stem().string());
-  if (csv_path.ends_with(kPartialEnding)) {
+  const bool partial = csv_path.ends_with(kPartialEnding);
+  if (partial) {
     tolerance_ = {.holes = true, .cut_off = true};
-    notes.emplace_back("never finished: its scene, walls and algorithm are not known");
-    return;
+    notes.emplace_back("never finished: 'hapticwall recover' finishes it");
   }
   const std::string path = sidecar_path_of(csv_path);
   std::error_code ignored;
@@ -108,7 +108,7 @@ void RecordingReader::read_sidecar() {
   info_.realtime = recorded(root, "realtime");
   info_.start_time = recorded(root, "start_time");
   claimed_sha256_ = recorded(root, "csv_sha256");
-  tolerance_.holes = !root["recording"]["complete"].value_or(true);
+  tolerance_.holes = partial || !root["recording"]["complete"].value_or(true);
 }
 
 Failure RecordingReader::scan(const ReadProgress& progress) {

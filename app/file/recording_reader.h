@@ -43,7 +43,7 @@ using ReadProgress = std::function<bool(double fraction)>;
 // Realtime-safe: no; used by one thread at a time.
 class RecordingReader {
  public:
-  // NAME.csv with NAME.toml beside it, or NAME.csv.partial, which has no sidecar yet. Reads all of
+  // NAME.csv with NAME.toml beside it, or NAME.csv.partial with NAME.toml.partial. Reads all of
   // it once. An error (exit status 2) where anything in it is wrong: "NAME.csv:12: force_n: 'x' is
   // no finite number", and where `progress` ended it. Only a note: no sidecar or a wrong one, a CSV
   // that is not the one its sidecar was written for, holes that the sidecar tells of, and the

@@ -125,7 +125,9 @@ void read_recording(const toml::table& table, const toml::table& root, const std
     static_cast<void>(reader.string(key));
   }
   for (const std::string_view key : {"rows", "dropped_rows"}) static_cast<void>(reader.count(key));
-  static_cast<void>(reader.boolean("complete"));
+  for (const std::string_view key : {"complete", "recovered"}) {
+    static_cast<void>(reader.boolean(key));
+  }
   loaded.first_recorded_tick = reader.count("first_tick").value_or(0);
   const std::optional<std::string> reason = reader.string("not_repeatable_because");
   if (!reader.boolean("repeatable").value_or(true)) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <utility>
 
 #include "app/file/atomic_file.h"
@@ -17,10 +19,23 @@ constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
 
 class CsvRecordingWriter final : public RecordingWriter {
  public:
-  CsvRecordingWriter(AtomicFile csv, AtomicFile sidecar, MoreColumns columns)
-      : csv_(std::move(csv)), sidecar_(std::move(sidecar)), columns_(columns) {
+  CsvRecordingWriter(AtomicFile csv, MoreColumns columns)
+      : csv_(std::move(csv)), sidecar_path_(sidecar_path_of(csv_.path())), columns_(columns) {
     buffer_.reserve(kBufferBytes + kLongestCsvLine + 1);
     buffer_ = csv_header(columns_) + '\n';
+  }
+
+  CsvRecordingWriter(const CsvRecordingWriter&) = delete;
+  CsvRecordingWriter& operator=(const CsvRecordingWriter&) = delete;
+  ~CsvRecordingWriter() override {
+    if (rows_ == 0) std::remove(partial_sidecar().c_str());
+  }
+
+  Failure note(const Scene& scene, const RecordingMetadata& metadata) override {
+    RecordedRows recorded;
+    recorded.finished = false;
+    recorded.session_ticks = metadata.session_ticks.value_or(0);
+    return write_file(partial_sidecar(), sidecar_toml(scene, metadata, recorded));
   }
 
   using RecordingWriter::append;
@@ -51,18 +66,24 @@ class CsvRecordingWriter final : public RecordingWriter {
     if (Failure failed = csv_.sync()) return failed;
     const RecordedRows recorded{rows_, metadata.dropped_rows + dropped_rows_,
                                 metadata.session_ticks.value_or(session_ticks_), digest_.finish()};
-    if (Failure failed = sidecar_.write(sidecar_toml(scene, metadata, recorded))) return failed;
-    if (Failure failed = sidecar_.commit()) return failed;
+    const std::string partial = partial_sidecar();
+    if (Failure failed = write_file(partial, sidecar_toml(scene, metadata, recorded)))
+      return failed;
+    if (Failure failed = rename_file(partial, sidecar_path_)) return failed;
     return csv_.commit();
   }
 
   [[nodiscard]] std::uint64_t rows() const override { return rows_; }
   [[nodiscard]] const std::string& csv_path() const override { return csv_.path(); }
-  [[nodiscard]] const std::string& sidecar_path() const override { return sidecar_.path(); }
+  [[nodiscard]] const std::string& sidecar_path() const override { return sidecar_path_; }
 
  private:
+  [[nodiscard]] std::string partial_sidecar() const {
+    return sidecar_path_ + std::string(kPartialEnding);
+  }
+
   AtomicFile csv_;
-  AtomicFile sidecar_;
+  std::string sidecar_path_;
   MoreColumns columns_;
   Sha256 digest_;
   std::string buffer_;
@@ -84,12 +105,23 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::stri
                              "not a recording's; choose another name",
                              shown(csv_path), shown(sidecar_path))};
   }
-  Result<AtomicFile> csv = AtomicFile::create(csv_path);
+  Result<AtomicFile> csv = AtomicFile::resume(csv_path);
   if (!csv) return csv.error();
-  Result<AtomicFile> sidecar = AtomicFile::create(sidecar_path);
-  if (!sidecar) return sidecar.error();
+  std::error_code ignored;
+  const bool can_be_finished =
+      std::filesystem::exists(sidecar_path + std::string(kPartialEnding), ignored);
+  if (csv->size() > 0 && can_be_finished) {
+    csv->keep_partial();
+    return Error{ErrorKind::kFile,
+                 fmt::format("{} has rows of a recording that was cut off: 'hapticwall recover {}' "
+                             "finishes it; or remove it",
+                             shown(csv->partial_path()), shown(csv_path))};
+  }
+  if (csv->size() > 0) {
+    if (Failure failed = csv->keep_only(0)) return *failed;
+  }
   return std::unique_ptr<RecordingWriter>(
-      std::make_unique<CsvRecordingWriter>(std::move(*csv), std::move(*sidecar), columns));
+      std::make_unique<CsvRecordingWriter>(std::move(*csv), columns));
 }
 
 }  // namespace hapticwall::file

@@ -62,6 +62,7 @@ struct RecordingMetadata {
   std::uint64_t dropped_rows = 0;
   // How many ticks the session had, so that a repetition has as many; absent: up to the last row.
   std::optional<std::uint64_t> session_ticks;
+  bool recovered = false;  // finished by recover_recording(), after the session had been cut off
   bool repeatable = true;  // false where the hand followed the pointer
   std::string not_repeatable_because;
   std::vector<RecordedChange> changes;  // since tick 0, in order
@@ -69,17 +70,20 @@ struct RecordingMetadata {
 };
 
 // Writes NAME.csv.partial while it grows; finish() gives CSV and sidecar NAME.toml their names.
-// Destroyed without finish(), the final name is never taken; the partial file stays where it has
-// rows. Realtime-safe: no; used by one thread at a time.
+// Destroyed without finish(), the final name is never taken; the partial files stay where there are
+// rows, and recover_recording() finishes them. Realtime-safe: no; used by one thread at a time.
 class RecordingWriter {
  public:
   // `csv_path` should end in ".csv"; the sidecar replaces the ending by ".toml" (or adds it).
-  // Refuses what cannot be written, and a sidecar that would replace a file which is not a
-  // recording's.
+  // Refuses what cannot be written, a sidecar that would replace a file which is not a recording's,
+  // and a NAME.csv.partial that recover_recording() could finish.
   [[nodiscard]] static Result<std::unique_ptr<RecordingWriter>> create(const std::string& csv_path,
                                                                        MoreColumns columns);
   virtual ~RecordingWriter() = default;
 
+  // Puts into NAME.toml.partial what is known by now, so that a recording that is cut off can be
+  // finished: at the start, and again when something has changed.
+  virtual Failure note(const Scene& scene, const RecordingMetadata& metadata) = 0;
   // Buffers; fails (exit status 4) when the disk does, and then again at every later call. A sample
   // that is not finite gets no row; where finite ones follow, the recording counts as incomplete.
   // `y`: of the second axis, where the columns have one.

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <optional>
 
+#include "app/file/atomic_file.h"
 #include "app/file/scene_file.h"
 #include "app/file/toml_text.h"
 #include "hapticwall_version.h"
@@ -63,13 +64,14 @@ std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
   out.string("realtime", metadata.realtime_status);
   out.integer("rows", recorded.rows);
   out.integer("dropped_rows", recorded.dropped_rows);
-  out.boolean("complete", recorded.dropped_rows == 0);
+  out.boolean("complete", recorded.finished && recorded.dropped_rows == 0);
+  if (metadata.recovered) out.boolean("recovered", true);
   out.integer("first_tick", metadata.first_tick);
   out.boolean("repeatable", metadata.repeatable);
   if (!metadata.repeatable) {
     out.string("not_repeatable_because", metadata.not_repeatable_because);
   }
-  out.string("csv_sha256", recorded.csv_sha256);
+  if (recorded.finished) out.string("csv_sha256", recorded.csv_sha256);
   for (const RecordedChange& change : metadata.changes) write_change(out, scene, change);
   for (const Mark& mark : metadata.marks) write_mark(out, mark, scene.sampling.rate_hz);
   return scene_to_toml(scene) + out.text();
@@ -78,6 +80,10 @@ std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
 std::string sidecar_path_of(const std::string& csv_path) {
   constexpr std::string_view kCsvEnding = ".csv";
   std::string path = csv_path;
+  if (path.ends_with(kPartialEnding)) {
+    path.resize(path.size() - kPartialEnding.size());
+    return sidecar_path_of(path) + std::string(kPartialEnding);
+  }
   if (path.ends_with(kCsvEnding)) path.resize(path.size() - kCsvEnding.size());
   return path + ".toml";
 }

@@ -15,13 +15,14 @@ struct RecordedRows {
   std::uint64_t dropped_rows = 0;
   std::uint64_t session_ticks = 0;
   std::string csv_sha256;
+  bool finished = true;  // false: more rows may follow, and the CSV has no SHA-256 yet
 };
 
 // Where the session was not as long as scene.duration_s says, the sidecar says how long it was.
 [[nodiscard]] std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
                                        const RecordedRows& recorded);
 
-// NAME.toml beside NAME.csv (or beside any other name).
+// NAME.toml beside NAME.csv (or beside any other name); NAME.toml.partial beside NAME.csv.partial.
 [[nodiscard]] std::string sidecar_path_of(const std::string& csv_path);
 
 // Whether replacing the file at `path` destroys nothing but an older sidecar: there is none, or it

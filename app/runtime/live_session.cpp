@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 #include <future>
+#include <limits>
 #include <utility>
 
 #include "app/runtime/scene_change.h"
@@ -39,6 +40,9 @@ double pointer_place(std::optional<double> position_m) {
   if (!position_m || !std::isfinite(*position_m)) return kNoPointer;
   return std::clamp(*position_m, kPositionRange.minimum, kPositionRange.maximum);
 }
+
+// A recording of which the end is not known yet.
+constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
 
 bool follows_mouse(const std::optional<HandSettings>& hand) { return hand && hand->follows_mouse; }
 
@@ -152,6 +156,7 @@ void LiveSession::exchange_news() {
     plants_.came_into_force(echo.generation);
     if (y_plants_) y_plants_->came_into_force(echo.generation);
   }
+  note_recording();
 }
 
 Snapshot LiveSession::snapshot() {
@@ -196,6 +201,11 @@ Failure LiveSession::start_recording(const std::string& csv_path) {
   auto writer = file::RecordingWriter::create(
       csv_path, file::more_columns(device_info_.is_simulated, y_device_ != nullptr));
   if (!writer) return writer.error();
+  recording_start_time_ = utc_now();
+  first_mark_ = marks_.size();
+  exchange_news();
+  if (Failure failed = (*writer)->note(history_.scene_at_start(), metadata(kEndless)))
+    return failed;
   record_into(std::move(*writer));
   return std::nullopt;
 }
@@ -203,6 +213,7 @@ Failure LiveSession::start_recording(const std::string& csv_path) {
 void LiveSession::record_into(std::unique_ptr<file::RecordingWriter> writer) {
   recording_path_ = writer->csv_path();
   recording_start_time_ = utc_now();
+  noted_ = {history_.change_count(), marks_.size(), hand_was_led()};
   recording_failure_.reset();
   first_mark_ = marks_.size();
   dropped_rows_before_ = exchange_.dropped_rows.load(std::memory_order_relaxed);
@@ -233,7 +244,9 @@ Failure LiveSession::finish_recording() {
   if (!recorder_.running()) return std::nullopt;
   exchange_news();
   recorder_.drain_and_join();
-  recording_failure_ = recorder_.finish(history_.scene_at_start(), metadata());
+  file::RecordingMetadata whole = metadata(recorder_.end_tick());
+  whole.marks = recorded_marks();
+  recording_failure_ = recorder_.finish(history_.scene_at_start(), std::move(whole));
   if (!recording_failure_ && dropped_rows() > 0) {
     recording_failure_ = Error{
         ErrorKind::kFile, recording_path_ + ": " + std::to_string(dropped_rows()) +
@@ -242,24 +255,42 @@ Failure LiveSession::finish_recording() {
   return recording_failure_;
 }
 
-file::RecordingMetadata LiveSession::metadata() const {
+bool LiveSession::hand_was_led() const {
+  return exchange_.pointer_led.load(std::memory_order_relaxed) ||
+         follows_mouse(history_.newest().hand) ||
+         (history_.newest().y && follows_mouse(history_.newest().y->hand));
+}
+
+file::RecordingMetadata LiveSession::metadata(std::uint64_t end_tick) const {
   file::RecordingMetadata metadata;
   metadata.start_time = recording_start_time_;
   metadata.device = device_info_.name;
   metadata.realtime_status = realtime_.text;
   metadata.dropped_rows = dropped_rows();
-  metadata.changes = history_.changes_before(recorder_.end_tick());
-  metadata.marks = recorded_marks();
-  const bool led = exchange_.pointer_led.load(std::memory_order_relaxed) ||
-                   follows_mouse(history_.newest().hand) ||
-                   (history_.newest().y && follows_mouse(history_.newest().y->hand));
+  metadata.changes = history_.changes_before(end_tick);
+  metadata.marks.assign(marks_.begin() + static_cast<std::ptrdiff_t>(first_mark_), marks_.end());
   if (!device_info_.is_simulated) {
     metadata.not_repeatable_because = "a device was used, not the simulator";
-  } else if (led) {
+  } else if (hand_was_led()) {
     metadata.not_repeatable_because = "the pointer led the hand";
   }
   metadata.repeatable = metadata.not_repeatable_because.empty();
   return metadata;
+}
+
+// Not more often than it costs little: a dragged slider makes sixty changes a second.
+void LiveSession::note_recording() {
+  constexpr auto kShortestPause = Recorder::kFlushInterval;
+  constexpr int kPauseToCost = 50;
+  if (!recorder_.running()) return;
+  const Noted present{history_.change_count(), marks_.size(), hand_was_led()};
+  const auto now = std::chrono::steady_clock::now();
+  if (present == noted_ || now < next_note_) return;
+  noted_ = present;
+  recorder_.note(history_.scene_at_start(), metadata(kEndless));
+  const auto cost = std::chrono::steady_clock::now() - now;
+  next_note_ =
+      now + std::max<std::chrono::steady_clock::duration>(kShortestPause, kPauseToCost * cost);
 }
 
 Failure LiveSession::mark(std::string_view text) {

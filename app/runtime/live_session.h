@@ -1,6 +1,7 @@
 // The session behind session.h: the owner's side of the loop, its thread and its recorder.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -69,7 +70,10 @@ class LiveSession final : public Session {
   void exchange_news();
   void wait_for_recording_switch();
   [[nodiscard]] Failure finish_recording();
-  [[nodiscard]] file::RecordingMetadata metadata() const;
+  // What is known of the recording, with the changes before `end_tick`.
+  [[nodiscard]] file::RecordingMetadata metadata(std::uint64_t end_tick) const;
+  [[nodiscard]] bool hand_was_led() const;
+  void note_recording();
   [[nodiscard]] std::vector<file::Mark> recorded_marks() const;
   [[nodiscard]] std::uint64_t dropped_rows() const;
 
@@ -94,6 +98,17 @@ class LiveSession final : public Session {
   std::vector<file::Mark> marks_;
   std::size_t first_mark_ = 0;  // of the newest recording
   std::uint32_t resets_sent_ = 0;
+
+  // What the recorder was told of the recording, and when it may be told again.
+  struct Noted {
+    std::size_t changes = 0;
+    std::size_t marks = 0;
+    bool led = false;
+
+    friend bool operator==(const Noted&, const Noted&) = default;
+  };
+  Noted noted_;
+  std::chrono::steady_clock::time_point next_note_;
 
   std::thread thread_;
 };

@@ -33,6 +33,7 @@ class ParameterHistory {
 
   // As it was at tick 0 of the run that goes on now.
   [[nodiscard]] Scene scene_at_start() const { return scene_with(at_start_); }
+  [[nodiscard]] std::size_t change_count() const { return changes_.size(); }
   // Since tick 0, in order, those in force before `end_tick`.
   [[nodiscard]] std::vector<file::RecordedChange> changes_before(std::uint64_t end_tick) const;
 

@@ -31,6 +31,7 @@ void Recorder::start(std::unique_ptr<file::RecordingWriter> writer) {
   writable_ = true;
   end_ = false;
   failure_.reset();
+  note_.reset();
   thread_ = std::thread([this] { work(); });
 }
 
@@ -45,9 +46,25 @@ void Recorder::work() {
     if (now - last_flush >= kFlushInterval) {
       last_flush = now;
       if (writable_) keep(guarded([this] { return writer_->flush(); }));
+      write_note();
     }
     lock.lock();
   }
+}
+
+void Recorder::note(const Scene& scene, file::RecordingMetadata metadata) {
+  const std::scoped_lock lock(mutex_);
+  note_ = Note{scene, std::move(metadata)};
+}
+
+void Recorder::write_note() {
+  std::optional<Note> note;
+  {
+    const std::scoped_lock lock(mutex_);
+    note.swap(note_);
+  }
+  if (!note || !writable_) return;
+  keep(guarded([&] { return writer_->note(note->scene, note->metadata); }));
 }
 
 bool Recorder::take(Sample& x, Sample& y) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -39,6 +40,9 @@ class Recorder {
   // pushes into the queue yet: what an earlier recording left in it is thrown away.
   void start(std::unique_ptr<file::RecordingWriter> writer);
 
+  // What is known of the recording by now goes to the writer's note(), with the next flush.
+  void note(const Scene& scene, file::RecordingMetadata metadata);
+
   // Drains the queue, which nobody may push into any more, and joins the thread. The writer is left
   // open for finish(). Harmless when not running.
   void drain_and_join();
@@ -57,6 +61,7 @@ class Recorder {
  private:
   void work();
   void move_samples();
+  void write_note();
   [[nodiscard]] bool take(Sample& x, Sample& y);
   void write(const Sample& x, const Sample& y);
   void keep(Failure failure);
@@ -74,6 +79,11 @@ class Recorder {
   mutable std::mutex mutex_;  // between owner and recorder thread; the loop never sees it
   std::condition_variable wake_;
   bool end_ = false;
+  struct Note {
+    Scene scene;
+    file::RecordingMetadata metadata;
+  };
+  std::optional<Note> note_;  // not written yet
   Failure failure_;
 };
 

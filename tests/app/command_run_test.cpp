@@ -170,7 +170,7 @@ TEST_F(Program, AFullDiskIsStatusFour) {
   EXPECT_EQ(answer.err,
             "error: a.csv: could not be written whole: File too large (what was written is in "
             "a.csv.partial)\n");
-  EXPECT_THAT(files(), ElementsAre("a.csv.partial"));
+  EXPECT_THAT(files(), ElementsAre("a.csv.partial", "a.toml.partial"));
   EXPECT_EQ(shell("exec $P scenes > /dev/full").status, 4);
 }
 

@@ -249,7 +249,11 @@ TEST_F(RecordingReading, APartialFileIsReadUpToItsLastWholeLine) {
   const auto reader = opened("b.csv.partial");
   EXPECT_EQ(reader->rows(), 9U);
   EXPECT_FALSE(reader->info().has_sidecar);
-  EXPECT_THAT(reader->info().notes, ElementsAre(HasSubstr("never finished"), HasSubstr("cut off")));
+  EXPECT_THAT(reader->info().notes, ElementsAre(HasSubstr("never finished"),
+                                                HasSubstr("no sidecar"), HasSubstr("cut off")));
+  // What was noted of it while it was written.
+  put("b.toml.partial", content("a.toml"));
+  EXPECT_TRUE(opened("b.csv.partial")->info().has_sidecar);
   put("b.csv", csv.substr(0, csv.size() - 40));
   EXPECT_EQ(refusal("b.csv"), "b.csv:11: the last line is cut off: it has no line end");
 }

@@ -16,6 +16,7 @@ namespace hapticwall::runtime::test {
 struct WriterLog {
   std::vector<std::uint64_t> ticks;
   std::vector<file::RecordingMetadata> finished;
+  std::vector<file::RecordingMetadata> notes;
   std::atomic<int> flushes{0};
   std::uint64_t fail_at_row = 0;   // 0: never
   std::uint64_t throw_at_row = 0;  // 0: never
@@ -26,6 +27,11 @@ class FakeWriter : public file::RecordingWriter {
  public:
   explicit FakeWriter(std::shared_ptr<WriterLog> log) : log_(std::move(log)) {}
 
+  Failure note(const Scene& scene, const file::RecordingMetadata& metadata) override {
+    static_cast<void>(scene);
+    log_->notes.push_back(metadata);
+    return std::nullopt;
+  }
   using RecordingWriter::append;
   Failure append(const Sample& sample, const Sample& y) override {
     static_cast<void>(y);

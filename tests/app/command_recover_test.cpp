@@ -1,0 +1,169 @@
+// A recording that was cut off: nothing of it is lost, nothing writes over it, and it can be
+// finished.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/app/command_binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::MatchesRegex;
+using ::testing::StartsWith;
+
+class RecoverCommand : public ProgramTest {
+ protected:
+  // Starts a recording and kills it some time after its first rows are there.
+  void kill_a_run(std::vector<std::string> arguments, std::chrono::microseconds after) const {
+    arguments.insert(arguments.begin(), {HAPTICWALL_BINARY, "run"});
+    const pid_t child = start(arguments);
+    while (size("a.csv.partial") == 0 && is_running(child)) sched_yield();
+    std::this_thread::sleep_for(after);
+    kill(child, SIGKILL);
+    ASSERT_EQ(wait_for(child).status, 128 + SIGKILL);
+    ASSERT_THAT(files(), ElementsAre("a.csv.partial", "a.toml.partial"));
+  }
+  void expect_refused(const std::vector<std::string>& arguments, int status,
+                      const std::string& line) const {
+    const Answer answer = hapticwall(arguments);
+    EXPECT_EQ(answer.status, status);
+    EXPECT_EQ(answer.err, "error: " + line + "\n");
+    EXPECT_THAT(answer.out, IsEmpty());
+  }
+  void forget_files() const {
+    for (const std::string& name : files()) std::filesystem::remove(path(name));
+  }
+};
+
+TEST_F(RecoverCommand, WhateverTheMomentOfTheKillEveryWholeRowIsThereAndRepeats) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> moment_us(0, 20000);
+  constexpr int kKills = 100;
+  for (int i = 0; i < kKills; ++i) {
+    kill_a_run({"press", "--duration", "100000", "--csv", "a.csv", "--quiet"},
+               std::chrono::microseconds(moment_us(random)));
+    const std::string partial = content("a.csv.partial");
+    const Answer answer = hapticwall({"recover", "a.csv"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    ASSERT_THAT(files(), ElementsAre("a.csv", "a.toml"));
+    const std::string csv = content("a.csv");
+    // Nothing but a broken last line is left out.
+    ASSERT_TRUE(partial.starts_with(csv));
+    ASSERT_EQ(partial.find('\n', csv.size()), std::string::npos);
+    ASSERT_TRUE(csv.ends_with('\n'));
+    const auto rows = std::count(csv.begin(), csv.end(), '\n') - 1;
+    ASSERT_THAT(answer.out, StartsWith("a.csv: " + std::to_string(rows) + " rows"));
+    ASSERT_THAT(content("a.toml"), AllOf(HasSubstr("rows = " + std::to_string(rows) + "\n"),
+                                         HasSubstr("complete = true\nrecovered = true\n"),
+                                         HasSubstr("repeatable = true")));
+    if (i % 10 == 0) {
+      ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "b.csv", "--quiet"}).status, 0);
+      ASSERT_TRUE(content("b.csv") == csv);
+    }
+    forget_files();
+  }
+}
+
+TEST_F(RecoverCommand, ASessionInRealTimeIsRecoveredToo) {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> moment_us(0, 400000);
+  for (int i = 0; i < 5; ++i) {
+    kill_a_run({"tap", "--duration", "100", "--realtime", "--csv", "a.csv", "--quiet"},
+               std::chrono::microseconds(moment_us(random)));
+    const Answer answer = hapticwall({"recover", "a.csv.partial"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_THAT(answer.out, MatchesRegex("a.csv: [0-9]+ rows.*\n"));
+    EXPECT_THAT(content("a.toml"), HasSubstr("start_time = "));
+    ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "b.csv", "--quiet"}).status, 0);
+    EXPECT_TRUE(content("b.csv") == content("a.csv"));
+    forget_files();
+  }
+}
+
+TEST_F(RecoverCommand, WhatIsLeftOfARecordingIsNotWrittenOver) {
+  ASSERT_EQ(shell("ulimit -f 8; exec $P run press --csv a.csv --quiet").status, 4);
+  const std::string partial = content("a.csv.partial");
+  expect_refused({"run", "press", "--csv", "a.csv"}, 4,
+                 "a.csv.partial has rows of a recording that was cut off: 'hapticwall recover "
+                 "a.csv' finishes it; or remove it");
+  EXPECT_EQ(content("a.csv.partial"), partial);
+  // What could not be written whole is, as far as it goes.
+  ASSERT_EQ(hapticwall({"recover", "a.csv"}).status, 0);
+  EXPECT_TRUE(partial.starts_with(content("a.csv")));
+  EXPECT_EQ(hapticwall({"run", "press", "--csv", "c.csv", "--quiet"}).status, 0);
+}
+
+TEST_F(RecoverCommand, AChangeThatNobodyKnowsIsTold) {
+  ASSERT_EQ(hapticwall({"run", "press", "--duration", "0.1", "--csv", "b.csv", "--quiet"}).status,
+            0);
+  std::string csv = content("b.csv");
+  // A row that says that parameters changed in its tick: flags 0 become 16.
+  const std::size_t row = csv.find("\n20,0.02,");
+  const std::size_t flags = csv.find(",0,0.03", csv.find(",-0.02", row));
+  ASSERT_NE(flags, std::string::npos);
+  csv.replace(flags, 2, ",16");
+  put("a.csv.partial", csv);
+  ASSERT_EQ(shell("grep -v csv_sha256 b.toml > a.toml.partial").status, 0);
+  const Answer answer = hapticwall({"recover", "a.csv"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.err,
+              HasSubstr("note: 'run' will not repeat it: parameters changed at tick 20, "));
+  EXPECT_THAT(content("a.toml"), HasSubstr("repeatable = false"));
+}
+
+TEST_F(RecoverCommand, WhatCannotBeFinishedStaysAsItIs) {
+  expect_refused({"recover", "no.csv"}, 2, "no.csv.partial: there is no such file");
+  ASSERT_EQ(hapticwall({"run", "press", "--duration", "0.1", "--csv", "a.csv", "--quiet"}).status,
+            0);
+  expect_refused({"recover", "a.csv"}, 2,
+                 "a.csv.partial: there is no such file; the recording is whole already");
+  const std::string csv = content("a.csv");
+  put("a.csv.partial", csv);
+  put("a.toml.partial", content("a.toml"));
+  expect_refused({"recover", "a.csv"}, 2,
+                 "a.csv is there already: move it away, or rename a.csv.partial and its sidecar");
+  put("b.csv.partial", csv);
+  expect_refused({"recover", "b.csv"}, 2,
+                 "b.toml.partial: it is not there, and without it nobody knows the scene; "
+                 "'hapticwall replay b.csv.partial' shows the rows");
+  put("b.toml.partial", "name = 1\n");
+  const Answer broken = hapticwall({"recover", "b.csv"});
+  EXPECT_EQ(broken.status, 2);
+  EXPECT_THAT(broken.err, HasSubstr("b.toml.partial:1: name: "));
+  put("b.toml.partial", content("a.toml"));
+  put("b.csv.partial", csv.substr(0, csv.find('\n') + 1));
+  expect_refused({"recover", "b.csv"}, 2, "b.csv.partial: a recording without rows");
+  put("b.toml", "name = \"mine\"\n");
+  put("b.csv.partial", csv);
+  expect_refused({"recover", "b.csv"}, 2,
+                 "b.toml is not a recording's sidecar and would be replaced: move it away");
+  EXPECT_EQ(content("b.csv.partial"), csv);
+}
+
+TEST_F(RecoverCommand, ARecordingThatRunsIsLeftAlone) {
+  const pid_t child = start({HAPTICWALL_BINARY, "run", "press", "--duration", "1000", "--realtime",
+                             "--csv", "a.csv", "--quiet"});
+  while (size("a.csv.partial") == 0 && is_running(child)) sched_yield();
+  const pid_t second = start({HAPTICWALL_BINARY, "recover", "a.csv"});
+  EXPECT_EQ(wait_for(second).status, 4);
+  kill(child, SIGTERM);
+  EXPECT_EQ(wait_for(child).status, 143);
+  EXPECT_THAT(files(), ElementsAre("a.csv", "a.toml"));
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test

@@ -1,0 +1,101 @@
+// A live recording that is cut off: what the session noted of it by then is enough to finish it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "app/file/recording_reader.h"
+#include "app/file/recovery.h"
+#include "tests/app/runtime_session_support.h"
+
+namespace hapticwall::runtime {
+namespace {
+
+using test::algorithm;
+using test::contact_scene;
+using test::eventually;
+using test::repeated_rows;
+using test::started;
+using test::TemporaryFolder;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> rows_of(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<std::string> rows;
+  std::string line;
+  std::getline(file, line);  // the header
+  while (std::getline(file, line)) rows.push_back(line);
+  return rows;
+}
+
+// As they are at this moment, under the name b: what a kill would leave.
+void keep_what_is_there(const TemporaryFolder& folder) {
+  for (const char* ending : {".csv.partial", ".toml.partial"}) {
+    std::filesystem::copy_file(folder.file(std::string("a") + ending),
+                               folder.file(std::string("b") + ending),
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+}
+
+TEST(SessionRecovery, ChangesAndMarksAreThereAndTheRowsRepeat) {
+  const TemporaryFolder folder;
+  const auto session = started(contact_scene());
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  EXPECT_THAT(content(folder.file("a.toml.partial")), HasSubstr("[recording]"));
+  ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 10; }));
+  ASSERT_FALSE(session->set_algorithm(algorithm(3)));
+  ASSERT_TRUE(eventually([&] {
+    static_cast<void>(session->snapshot());
+    return content(folder.file("a.toml.partial")).find("[[recording.change]]") != std::string::npos;
+  }));
+  ASSERT_FALSE(session->mark("here"));
+  ASSERT_TRUE(eventually([&] {
+    static_cast<void>(session->snapshot());
+    return content(folder.file("a.toml.partial")).find("text = \"here\"") != std::string::npos;
+  }));
+  keep_what_is_there(folder);
+  ASSERT_FALSE(session->stop_recording());
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.toml.partial")));
+
+  const auto recovered = file::recover_recording(folder.file("b.csv"));
+  ASSERT_TRUE(recovered.ok()) << recovered.error().message;
+  EXPECT_THAT(recovered->notes, SizeIs(0));
+  const auto reader = file::RecordingReader::open(folder.file("b.csv"));
+  ASSERT_TRUE(reader.ok()) << reader.error().message;
+  EXPECT_THAT((*reader)->info().notes, SizeIs(0)) << "its SHA-256 is right";
+  EXPECT_THAT((*reader)->info().loaded.changes, SizeIs(1));
+  EXPECT_THAT((*reader)->info().loaded.marks, SizeIs(1));
+  EXPECT_EQ(repeated_rows(folder.file("b.toml")), rows_of(folder.file("b.csv")));
+}
+
+TEST(SessionRecovery, APointerThatLedTheHandIsNotForgotten) {
+  const TemporaryFolder folder;
+  const auto session = started(contact_scene());
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  session->lead_hand(0.04);
+  ASSERT_TRUE(eventually([&] {
+    static_cast<void>(session->snapshot());
+    return content(folder.file("a.toml.partial")).find("repeatable = false") != std::string::npos;
+  }));
+  ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 10; }));
+  ASSERT_TRUE(eventually([&] { return rows_of(folder.file("a.csv.partial")).size() > 1; }));
+  keep_what_is_there(folder);
+  const auto recovered = file::recover_recording(folder.file("b.csv"));
+  ASSERT_TRUE(recovered.ok()) << recovered.error().message;
+  EXPECT_THAT(recovered->notes, ElementsAre(HasSubstr("the pointer led the hand")));
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime
