@@ -9,6 +9,7 @@
 
 #include "app/file/sidecar.h"
 #include "app/file/text.h"
+#include "app/runtime/spinning_clock.h"
 #include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -66,6 +67,22 @@ void add_device_options(CLI::App& app, SceneOptions& options) {
       ->type_name("NAME");
   app.add_flag("--allow-no-realtime", options.allow_no_realtime,
                "Drive a device without real-time priority too: its force may come late");
+  add_spin_option(app, options.spin_us);
+}
+
+void add_spin_option(CLI::App& app, double& spin_us) {
+  app.add_option("--spin", spin_us,
+                 "Microseconds before every tick that the loop waits awake: it wakes up sooner and "
+                 "takes processor time (default: 0; at most 90 % of a period)")
+      ->type_name("US");
+}
+
+Result<double> spin_seconds(double spin_us) {
+  constexpr double kMicrosecondsPerSecond = 1e6;
+  const double spin_s = spin_us / kMicrosecondsPerSecond;
+  if (spin_s >= 0.0 && spin_s <= runtime::kMostSpinS) return spin_s;
+  return usage_error(fmt::format("--spin {:g}: it takes 0 to {:g} us", spin_us,
+                                 runtime::kMostSpinS * kMicrosecondsPerSecond));
 }
 
 void add_algorithm_option(CLI::App& app, SceneOptions& options) {

@@ -23,6 +23,7 @@ struct SceneOptions {
   std::vector<std::string> settings;  // of --set
   std::string device = "sim";
   bool allow_no_realtime = false;
+  double spin_us = 0.0;
 };
 
 // What is done with the outcome.
@@ -41,8 +42,11 @@ inline constexpr const char* kStandardOutput = "-";
 void add_scene_options(CLI::App& app, SceneOptions& options);
 // --device alone: accepted for scripts by commands that compute on the simulator.
 void add_simulator_option(CLI::App& app, SceneOptions& options);
-// --device and --allow-no-realtime.
+// --device, --allow-no-realtime and --spin.
 void add_device_options(CLI::App& app, SceneOptions& options);
+// --spin, and what it says in seconds.
+void add_spin_option(CLI::App& app, double& spin_us);
+[[nodiscard]] Result<double> spin_seconds(double spin_us);
 void add_algorithm_option(CLI::App& app, SceneOptions& options);
 // The required SCENE of a command, and --duration.
 void add_headless_options(CLI::App& app, SceneOptions& options);

@@ -70,6 +70,7 @@ Result<std::unique_ptr<runtime::Session>> start_session(const RealtimeRun& run) 
   runtime::SessionOptions options;
   options.start_paused = true;  // the recording begins with tick 0
   options.allow_no_realtime = run.allow_no_realtime;
+  options.spin_s = run.spin_s;
   if (!run.hardware) return runtime::Session::start(run.scene, options);
   return runtime::Session::start_on(make_device(*run.hardware, run.scene), run.scene, options);
 }

@@ -20,6 +20,7 @@ struct RealtimeRun {
   std::optional<device::ImpulseEngineOptions> hardware;             // nothing: the simulator
   bool arm = false;  // the device's force, at the first tick; else it stays off
   bool allow_no_realtime = false;
+  double spin_s = 0.0;  // as runtime::SessionOptions
   bool show_progress = false;
 };
 

@@ -19,6 +19,8 @@
 namespace hapticwall::command {
 namespace {
 
+constexpr double kMicrosecondsPerSecond = 1e6;
+
 struct RunOptions {
   SceneOptions scene;
   OutputOptions output;
@@ -37,6 +39,13 @@ Failure check_arming(const RunOptions& options, const DeviceChoice& device) {
   if (!options.arm || device.hardware) return {};
   return Error{ErrorKind::kUsage,
                "--arm: the simulator needs no arming; it is for --device ie2000"};
+}
+
+Failure check_spin(const RunOptions& options, bool in_real_time) {
+  const Result<double> spin_s = spin_seconds(options.scene.spin_us);
+  if (!spin_s) return spin_s.error();
+  if (*spin_s == 0.0 || in_real_time) return {};
+  return Error{ErrorKind::kUsage, "--spin: it is for --realtime and for a device"};
 }
 
 Failure check_realtime(const file::LoadedScene& loaded) {
@@ -61,6 +70,7 @@ Result<Outcome> run_in_real_time(const RunOptions& options, const DeviceChoice& 
                     .hardware = device.hardware,
                     .arm = options.arm,
                     .allow_no_realtime = options.scene.allow_no_realtime,
+                    .spin_s = options.scene.spin_us / kMicrosecondsPerSecond,
                     .show_progress = !options.output.quiet});
   if (!result) return result.error();
   return Outcome{result->summary, result->stopped_early, result->status};
@@ -103,6 +113,7 @@ int run(const RunOptions& options) {
   if (!device) return report(device.error());
   if (const Failure failed = check_arming(options, *device)) return report(*failed);
   const bool in_real_time = options.realtime || device->hardware.has_value();
+  if (const Failure failed = check_spin(options, in_real_time)) return report(*failed);
   const Result<file::LoadedScene> loaded =
       device->hardware ? load(options.scene) : load_headless(options.scene);
   if (!loaded) return report(loaded.error());

@@ -27,6 +27,7 @@ constexpr double kMostTicks = 1e7;
 struct TimingOptions {
   double seconds = 10.0;
   double rate_hz = 1000.0;
+  double spin_us = 0.0;
   std::string device = kSimulator;
   std::string json;
   bool quiet = false;
@@ -50,7 +51,10 @@ Result<runtime::TimingPlan> plan_of(const TimingOptions& options) {
     return refused(fmt::format("--seconds {:g} at {:g} Hz are {:g} ticks; it measures at most {:g}",
                                options.seconds, options.rate_hz, ticks, kMostTicks));
   }
+  const Result<double> spin_s = spin_seconds(options.spin_us);
+  if (!spin_s) return spin_s.error();
   runtime::TimingPlan plan;
+  plan.spin_s = *spin_s;
   plan.rate_hz = options.rate_hz;
   plan.ticks = static_cast<std::uint64_t>(ticks);
   return plan;
@@ -98,6 +102,7 @@ Command add_timing(CLI::App& program) {
       "timing", "Measure how well this machine, and a device on it, keep time");
   app->add_option("--seconds", options->seconds, "How long (default: 10)")->type_name("S");
   app->add_option("--rate", options->rate_hz, "Ticks a second (default: 1000)")->type_name("HZ");
+  add_spin_option(*app, options->spin_us);
   app->add_option("--device", options->device,
                   "A device too: ie2000, or ie2000:PATH; its force stays off")
       ->type_name("NAME");

@@ -166,6 +166,13 @@ std::string timing_text(const TimingPlan& plan, const TimingRecord& record,
                                  what.empty() ? "the loop" : what, plan.rate_hz,
                                  static_cast<double>(ticks + record.missed_ticks) / plan.rate_hz,
                                  ticks, record.missed_ticks, record.status.text);
+  constexpr double kPercent = 100.0;
+  if (plan.spin_s > 0.0) {
+    text.resize(text.size() - 1);
+    text += fmt::format(
+        "awake for the last {:.0f} us before a tick; the loop takes {:.1f} % of a core\n\n",
+        plan.spin_s * kMicrosecondsPerSecond, kPercent * record.processor_share);
+  }
   text += fmt::format("{:<16}{:>10}{:>10}{:>10}{:>10}\n", "us", "median", "p99", "p99.9", "most");
   text += quantile_row("woken late", record.latency_ns);
   text += quantile_row("a tick's work", record.compute_ns);
@@ -190,6 +197,8 @@ std::string timing_json(const TimingPlan& plan, const TimingRecord& record,
                        {"ticks", record.latency_ns.size()},
                        {"missed_ticks", record.missed_ticks},
                        {"realtime", record.status.text},
+                       {"spin_s", plan.spin_s},
+                       {"processor_share", record.processor_share},
                        {"verdict", timing_verdict_name(judgement.verdict)},
                        {"reasons", judgement.reasons},
                        {"advice", judgement.advice},

@@ -26,11 +26,12 @@ namespace {
 
 // Every session of the window on the device that was chosen.
 std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)> session_starter(
-    const DeviceChoice& device, bool allow_no_realtime) {
+    const DeviceChoice& device, bool allow_no_realtime, double spin_s) {
   if (!device.hardware) return {};
-  return [hardware = *device.hardware, allow_no_realtime](const Scene& scene) {
+  return [hardware = *device.hardware, allow_no_realtime, spin_s](const Scene& scene) {
     runtime::SessionOptions options;
     options.allow_no_realtime = allow_no_realtime;
+    options.spin_s = spin_s;
     return runtime::Session::start_on(make_device(hardware, scene), scene, options);
   };
 }
@@ -70,11 +71,14 @@ int open_window(const SceneOptions& options, const LookOptions& look) {
   if (ui::is_recording(options.scene)) return open_recording(options, look);
   const Result<DeviceChoice> device = parse_device_choice(options.device);
   if (!device) return report(device.error());
+  const Result<double> spin_s = spin_seconds(options.spin_us);
+  if (!spin_s) return report(spin_s.error());
   Result<file::LoadedScene> loaded = load(options);
   if (!loaded) return report(loaded.error());
   ui::WindowOptions window;
   window.scene = loaded->scene;
-  window.start_on_device = session_starter(*device, options.allow_no_realtime);
+  window.start_on_device = session_starter(*device, options.allow_no_realtime, *spin_s);
+  window.spin_s = *spin_s;
   window.settings_path = file::settings_path(file::process_environment);
   window.opened_file = opened_file(options.scene);
   window.forced_scale = forced_scale(look);

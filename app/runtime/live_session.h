@@ -20,6 +20,7 @@
 #include "app/runtime/recorder.h"
 #include "app/runtime/servo_loop.h"
 #include "app/runtime/session.h"
+#include "app/runtime/spinning_clock.h"
 
 namespace hapticwall::runtime {
 
@@ -86,7 +87,8 @@ class LiveSession final : public Session {
   Exchange exchange_;
   ServoLoop loop_;
   Recorder recorder_;
-  MonotonicClock clock_;
+  MonotonicClock monotonic_clock_;
+  SpinningClock clock_;
   RealtimeStatus realtime_;
 
   std::deque<Command> unsent_;  // did not fit into the queue yet

@@ -87,6 +87,7 @@ struct SessionOptions {
   std::size_t plot_queue_capacity = 1U << 16U;
   std::size_t recorder_queue_capacity = 1U << 17U;
   int affinity_core = -1;  // -1: left to the scheduler
+  double spin_s = 0.0;     // awake before every tick, 0 to kMostSpinS (spinning_clock.h)
   bool start_paused = false;
   bool allow_no_realtime = false;  // a real device without real-time priority; simulators never ask
 };

@@ -3,10 +3,12 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <thread>
 
 #include "app/runtime/cycle_scheduler.h"
 #include "app/runtime/realtime_setup.h"
+#include "app/runtime/spinning_clock.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -53,9 +55,20 @@ struct Shared {
   std::atomic<bool> finished{false};
 };
 
-void run(const TimingPlan& plan, device::Device* device, Clock& clock, TimingRecord& record,
+// Of the calling thread, seconds.
+double processor_s() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) +
+         static_cast<double>(time.tv_nsec) / kNanosecondsPerSecond;
+}
+
+void run(const TimingPlan& plan, device::Device* device, Clock& sleeping, TimingRecord& record,
          Shared& shared) {
   record.status = describe(set_up_realtime_thread(plan.affinity_core));
+  SpinningClock clock(sleeping, spin_ns(plan.spin_s, plan.rate_hz));
+  const std::int64_t start_ns = clock.now_ns();
+  const double processor_before_s = processor_s();
   CycleScheduler scheduler(plan.rate_hz, clock.now_ns());
   LinkWatch watch(record);
   for (std::uint64_t tick = 0; tick < plan.ticks && !shared.stop.load(std::memory_order_relaxed);
@@ -72,6 +85,8 @@ void run(const TimingPlan& plan, device::Device* device, Clock& clock, TimingRec
     record.missed_ticks += wake.missed;
     shared.done.store(tick + 1, std::memory_order_relaxed);
   }
+  const double passed_s = static_cast<double>(clock.now_ns() - start_ns) / kNanosecondsPerSecond;
+  if (passed_s > 0.0) record.processor_share = (processor_s() - processor_before_s) / passed_s;
   shared.finished.store(true, std::memory_order_release);
 }
 

@@ -16,6 +16,7 @@ namespace hapticwall::runtime {
 struct TimingRecord {
   RealtimeStatus status;
   std::uint64_t missed_ticks = 0;
+  double processor_share = 0.0;          // of one core, that the loop took
   std::vector<std::int64_t> latency_ns;  // of every wake-up
   std::vector<std::int64_t> compute_ns;  // of every tick's work: the device's read and write
   // Of a device, every tick in which there was something new.
@@ -29,6 +30,7 @@ struct TimingPlan {
   double rate_hz = 1000.0;
   std::uint64_t ticks = 0;
   int affinity_core = -1;
+  double spin_s = 0.0;  // as SessionOptions::spin_s
 };
 
 // Runs the loop in a thread of its own, `ticks` of them, fewer where `should_stop` says so (asked

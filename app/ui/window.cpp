@@ -260,7 +260,11 @@ Failure run_window(const WindowOptions& options, const WindowHooks& hooks) {
   const Gui gui(window.get());
   const Theme theme = apply_theme(Look::kScreen, 1.0F);  // the application knows better
   Application::Sessions sessions;
-  sessions.simulate = [](const Scene& scene) { return runtime::Session::start(scene); };
+  sessions.simulate = [spin_s = options.spin_s](const Scene& scene) {
+    runtime::SessionOptions session;
+    session.spin_s = spin_s;
+    return runtime::Session::start(scene, session);
+  };
   sessions.start_on_device = options.start_on_device;
   sessions.first = options.first;
   const auto application = Application::create(

@@ -22,6 +22,7 @@ struct WindowOptions {
   std::string recording_folder;
   std::string settings_path;          // empty: settings are neither read nor kept
   std::optional<float> forced_scale;  // of everything; empty: as the settings or the screen say
+  double spin_s = 0.0;                // as SessionOptions::spin_s, on the simulator
   std::string opened_file;            // that the scene came from; empty: it is built in
 };
 
