@@ -22,14 +22,21 @@ namespace {
 constexpr int kWidth = 2400;  // pixels, of up to kUsualRuns columns
 constexpr int kHeight = 1400;
 constexpr std::size_t kUsualRuns = 8;
-constexpr int kColumnWidth = 290;      // of each column more
-constexpr float kDesignHeight = 1000;  // figure of scale 1
+constexpr int kColumnWidth = 290;     // of each column more
+constexpr float kDesignHeight = 900;  // figure of scale 1
 constexpr float kPrintLineWeight = 1.1F;
 constexpr float kColumnGapEms = 1.0F;
 constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kNewtonsPerKilonewton = 1e3;
 constexpr std::array kOrder{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
                             PlotId::kPassivity};
+
+// Of the forces only the actuator's: what a soft wall asks for would flatten it.
+ChosenLines compared_lines() {
+  ChosenLines lines = usual_lines();
+  lines[static_cast<std::size_t>(PlotId::kForce)] = line_bit(Quantity::kForce);
+  return lines;
+}
 
 // The same for every frame of the page.
 struct Comparison {
@@ -83,12 +90,14 @@ void draw_title(const Theme& theme, const Scene& scene, std::size_t runs) {
   ImGui::PopFont();
   ImGui::SameLine();
   ImGui::TextDisabled(
-      "  compared: %zu algorithm%s%s%s  ·  the same axes along each row", runs,
-      runs == 1 ? "" : "s",
+      "  compared: %zu algorithm%s%s%s", runs, runs == 1 ? "" : "s",
       has_follower(scene.algorithm) ? ", each with a passivity controller behind it" : "",
       scene.y ? "  ·  axis x" : "");
   ImGui::PushFont(nullptr, kSmallFontSize);
   ImGui::TextDisabled("%s", describe(scene).c_str());
+  ImGui::TextDisabled(
+      "figures of the last second: peak to peak, displayed stiffness, mean force ± its standard "
+      "deviation  ·  the axes are the same along each row");
   ImGui::PopFont();
 }
 
@@ -112,8 +121,10 @@ std::string number(std::optional<double> value, double scale, int digits) {
 }
 
 // Of the last second: how much it moves and pushes.
-std::array<std::string, 2> tail_texts(const Summary& s) {
-  if (!s.tail_peak_to_peak_m) return {"ended before its last second", ""};
+std::array<std::string, 2> tail_texts(const Summary& s, bool stretches) {
+  if (!s.tail_peak_to_peak_m || s.verdict == Verdict::kDiverged) {
+    return {"no last second to tell of", stretches ? "" : "the axes do not follow it"};
+  }
   std::string stiffness;
   if (s.displayed_stiffness_n_per_m) {
     stiffness = fmt::format(",  {} kN/m",
@@ -125,15 +136,18 @@ std::array<std::string, 2> tail_texts(const Summary& s) {
                   number(s.tail_force_std_n, 1.0, 3))};
 }
 
-void draw_run_heading(const Theme& theme, const Scene& scene, const Summary& summary) {
+void draw_run_heading(const Theme& theme, const Comparison& comparison, const ComparedRun& run) {
+  const Summary& summary = run.summary;
   ImGui::BeginGroup();
   ImGui::PushFont(theme.fonts.strong, 0.0F);
   ImGui::TextUnformatted(summary.algorithm.c_str());
   ImGui::PopFont();
   ImGui::TextColored(theme.colour(tone_of(summary.verdict)), "%s",
-                     verdict_text(scene, summary).c_str());
+                     verdict_text(comparison.scene, summary).c_str());
   ImGui::PushFont(nullptr, kSmallFontSize);
-  for (const std::string& text : tail_texts(summary)) ImGui::TextUnformatted(text.c_str());
+  const bool stretches = stretches_axes(run, comparison.runs);
+  for (const std::string& text : tail_texts(summary, stretches))
+    ImGui::TextUnformatted(text.c_str());
   ImGui::PopFont();
   ImGui::EndGroup();
 }
@@ -211,7 +225,7 @@ void draw_contents(const Theme& theme, Comparison& comparison) {
   float bottom = corner.y;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     ImGui::SetCursorScreenPos(ImVec2(columns.at(i), corner.y));
-    draw_run_heading(theme, comparison.scene, comparison.runs[i].summary);
+    draw_run_heading(theme, comparison, comparison.runs[i]);
     bottom = std::max(bottom, ImGui::GetCursorScreenPos().y);
   }
   ImGui::SetCursorScreenPos(ImVec2(corner.x, bottom));
@@ -230,7 +244,7 @@ Result<file::Picture> draw_comparison(const Scene& scene, std::span<const Compar
                                       FigureSize size) {
   const float scale = static_cast<float>(size.height) / kDesignHeight;
   TimeWindow window = whole_window(scene, runs);
-  ChosenLines lines = usual_lines();
+  ChosenLines lines = compared_lines();
   HiddenLines hidden = 0;
   AllPlotAxes axes;
   Trace scratch;
