@@ -140,7 +140,8 @@ void draw_run_heading(const Theme& theme, const Comparison& comparison, const Co
   const Summary& summary = run.summary;
   ImGui::BeginGroup();
   ImGui::PushFont(theme.fonts.strong, 0.0F);
-  ImGui::TextUnformatted(summary.algorithm.c_str());
+  // What follows it, behind a space, is told in the title: it follows all.
+  ImGui::TextUnformatted(summary.algorithm.substr(0, summary.algorithm.find(' ')).c_str());
   ImGui::PopFont();
   ImGui::TextColored(theme.colour(tone_of(summary.verdict)), "%s",
                      verdict_text(comparison.scene, summary).c_str());

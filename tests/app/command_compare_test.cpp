@@ -291,7 +291,7 @@ TEST_F(Compare, EndedEarlyItWritesNothing) {
   kill(child, SIGINT);
   const Answer answer = wait_for(child);
   EXPECT_EQ(answer.status, 128 + SIGINT);
-  EXPECT_EQ(answer.err, "ended early by SIGINT; nothing was written\n");
+  EXPECT_EQ(answer.err, "ended early by Ctrl-C; nothing was written\n");
   EXPECT_THAT(files(), IsEmpty());
 }
 

@@ -131,6 +131,19 @@ TEST(ComparisonFigure, SaysWhichAxisItIsOf) {
   EXPECT_NE(one_axis->rgba, two_axes->rgba);
 }
 
+TEST(ComparisonFigure, NamesWhatFollowsInItsTitleAlone) {
+  std::vector<ComparedRun> runs{run(press(), "none")};
+  const auto short_name = draw_comparison(press(), runs, kSmall);
+  runs.front().summary.algorithm = "none then passivity-control";
+  const auto long_name = draw_comparison(press(), runs, kSmall);
+  Scene followed = press();
+  followed.algorithm.values.at(*find_algorithm_parameter("then")) = 1.0;
+  const auto title = draw_comparison(followed, runs, kSmall);
+  ASSERT_TRUE(short_name.ok() && long_name.ok() && title.ok());
+  EXPECT_EQ(short_name->rgba, long_name->rgba);
+  EXPECT_NE(short_name->rgba, title->rgba);
+}
+
 TEST(ComparisonFigure, OfNothingIsStillAPage) {
   const auto none = draw_comparison(press(), {}, kSmall);
   ASSERT_TRUE(none.ok());
