@@ -215,6 +215,7 @@ void draw_rows(Comparison& comparison, const Columns& columns, float left, ImVec
     const float used = ImGui::GetCursorScreenPos().y - row_top;
     draw_row(comparison, row, columns, std::max(1.0F, each - used));
   }
+  ImGui::Dummy(ImVec2());  // without a run nothing else would stand there
 }
 
 void draw_contents(const Theme& theme, Comparison& comparison) {
