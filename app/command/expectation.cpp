@@ -109,15 +109,7 @@ Result<Expectation> parse_expectation(const std::string& text) {
   expectation.text = text;
   expectation.key = std::string(trimmed(std::string_view(text).substr(0, sign_at)));
   const std::optional<SummaryField> field = field_of(expectation.key, all_summary_fields());
-  if (!field) {
-    const std::vector<SummaryField> known = all_summary_fields();
-    std::vector<std::string_view> keys;
-    for (const SummaryField& one : known) keys.push_back(one.key);
-    const std::string hint = file::suggestion(expectation.key, keys);
-    return problem(text,
-                   fmt::format("the summary has no key {}{}", file::in_quotes(expectation.key),
-                               hint.empty() ? "; known: " + file::joined(keys) : hint));
-  }
+  if (!field) return problem(text, unknown_key(expectation.key));
   if (sign != "<" && sign != "<=" && sign != "=" && sign != ">=" && sign != ">") {
     return problem(text, fmt::format("{} is no operator; it takes one of {}", sign, kOperators));
   }

@@ -112,6 +112,15 @@ std::vector<SummaryField> all_summary_fields() {
   return summary_fields(corner);
 }
 
+std::string unknown_key(std::string_view key) {
+  const std::vector<SummaryField> known = all_summary_fields();
+  std::vector<std::string_view> keys;
+  for (const SummaryField& one : known) keys.push_back(one.key);
+  const std::string hint = file::suggestion(key, keys);
+  return fmt::format("the summary has no key {}{}", file::in_quotes(key),
+                     hint.empty() ? "; known: " + file::joined(keys) : hint);
+}
+
 std::string value_text(const SummaryValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* integer = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *integer);

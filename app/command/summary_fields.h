@@ -25,6 +25,9 @@ struct SummaryField {
 // What can be asked for of some summary: the fields of one with two axes.
 [[nodiscard]] std::vector<SummaryField> all_summary_fields();
 
+// What is wrong with a key that none of them has: with the nearest one, or with all.
+[[nodiscard]] std::string unknown_key(std::string_view key);
+
 // "oscillating", "12", "0.0028", "null".
 [[nodiscard]] std::string value_text(const SummaryValue& value);
 

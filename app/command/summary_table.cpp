@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "app/command/text_table.h"
@@ -48,25 +49,46 @@ std::string heading(const Summary& summary) {
   return fmt::format("{} under {}: {}\n", summary.scene, summary.algorithm, verdict_text(summary));
 }
 
+// What makes a value the best of its column; most figures are neither good nor bad.
+enum class Best : std::uint8_t {
+  kNone,
+  kSmallest,         // of what did not diverge
+  kLargest,          // the same
+  kSmallestSettled,  // of what settled: a wall that shakes is not good, whatever else it shows
+  kLargestSettled,
+};
+
 struct Column {
   std::string_view title;
   std::string_view unit;
   std::string (*text)(const Summary&);
+  Best best = Best::kNone;
+  std::optional<double> (*value)(const Summary&) = nullptr;  // of which the best is marked
 };
 
 constexpr std::array<Column, 11> kColumns{
     {{"algorithm", "", [](const Summary& s) { return s.algorithm; }},
      {"verdict", "", [](const Summary& s) { return std::string(verdict_name(s.verdict)); }},
-     {"tail p-p", "mm", [](const Summary& s) { return millimetres(s.tail_peak_to_peak_m); }},
+     {"tail p-p", "mm", [](const Summary& s) { return millimetres(s.tail_peak_to_peak_m); },
+      Best::kSmallest, [](const Summary& s) { return s.tail_peak_to_peak_m; }},
      {"force mean", "N", [](const Summary& s) { return newtons(s.tail_force_mean_n); }},
-     {"std", "N", [](const Summary& s) { return newtons(s.tail_force_std_n); }},
+     {"std", "N", [](const Summary& s) { return newtons(s.tail_force_std_n); },
+      Best::kSmallestSettled, [](const Summary& s) { return s.tail_force_std_n; }},
      {"stiffness", "kN/m",
-      [](const Summary& s) { return kilonewtons_per_metre(s.displayed_stiffness_n_per_m); }},
-     {"max pen.", "mm", [](const Summary& s) { return millimetres(s.max_penetration_m); }},
+      [](const Summary& s) { return kilonewtons_per_metre(s.displayed_stiffness_n_per_m); },
+      Best::kLargestSettled, [](const Summary& s) { return s.displayed_stiffness_n_per_m; }},
+     {"max pen.", "mm", [](const Summary& s) { return millimetres(s.max_penetration_m); },
+      Best::kSmallestSettled, [](const Summary& s) { return s.max_penetration_m; }},
      {"contacts", "", [](const Summary& s) { return fmt::format("{}", s.contacts); }},
      {"E observer", "mJ", [](const Summary& s) { return millijoules(s.energy_cv_j); }},
      {"E exchanged", "mJ", [](const Summary& s) { return millijoules(s.energy_scv_j); }},
-     {"margin", "mJ", [](const Summary& s) { return millijoules(s.passivity_margin_j); }}}};
+     {"margin", "mJ", [](const Summary& s) { return millijoules(s.passivity_margin_j); },
+      Best::kLargest, [](const Summary& s) { return s.passivity_margin_j; }}}};
+constexpr std::string_view kBestLegend =
+    "* best of its column, before rounding: smallest tail p-p and largest margin of what did not "
+    "diverge;\n"
+    "  smallest std, largest stiffness and smallest max pen. of what settled\n";
+constexpr std::size_t kHeadRows = 2;     // titles and units
 constexpr std::size_t kTextColumns = 2;  // left-aligned; the rest are numbers
 
 std::string tail_text(const Summary& s) {
@@ -105,6 +127,62 @@ std::string axis_lines(const Summary& s) {
          line("passivity margin", millijoules(s.passivity_margin_j) + " mJ");
 }
 
+// A line of the comparison.
+struct Row {
+  Summary summary;   // of one axis
+  std::size_t axis;  // only rows of the same are compared
+  bool diverged;     // the run did, on whichever axis: all its figures are of a shorter one
+};
+
+std::vector<Row> comparison_rows(const std::vector<Summary>& summaries) {
+  std::vector<Row> rows;
+  for (const Summary& summary : summaries) {
+    const bool diverged = summary.verdict == Verdict::kDiverged ||
+                          std::ranges::count(summary.y, Verdict::kDiverged, &Summary::verdict) > 0;
+    rows.push_back({summary, 0, diverged});
+    for (std::size_t i = 0; i < summary.y.size(); ++i) {
+      rows.push_back({summary.y[i], i + 1, diverged});
+      rows.back().summary.algorithm = "  axis y";
+    }
+  }
+  return rows;
+}
+
+// What a row enters the contest of a column with, the smaller the better; nothing: it does not.
+std::optional<double> entry(const Column& column, const Row& row) {
+  if (column.best == Best::kNone || row.diverged) return std::nullopt;
+  const bool of_settled =
+      column.best == Best::kSmallestSettled || column.best == Best::kLargestSettled;
+  if (of_settled && row.summary.verdict != Verdict::kSettled) return std::nullopt;
+  const std::optional<double> value = column.value(row.summary);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  const bool largest = column.best == Best::kLargest || column.best == Best::kLargestSettled;
+  return largest ? -*value : *value;
+}
+
+bool is_best(const Column& column, const Row& row, const std::vector<Row>& rows) {
+  const std::optional<double> own = entry(column, row);
+  if (!own) return false;
+  return std::ranges::none_of(rows, [&](const Row& other) {
+    const std::optional<double> value = entry(column, other);
+    return other.axis == row.axis && value && *value < *own;
+  });
+}
+
+// The cells of a column below its title and unit. A mark moves no digit: whatever has none has a
+// space instead, where anything of the column has one.
+std::vector<std::string> column_cells(const Column& column, const std::vector<Row>& rows,
+                                      bool marks) {
+  std::vector<std::string> cells{std::string(column.title), std::string(column.unit)};
+  for (const Row& row : rows) cells.push_back(column.text(row.summary));
+  const auto best = [&](const Row& row) { return is_best(column, row, rows); };
+  if (!marks || std::ranges::none_of(rows, best)) return cells;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i] += i >= kHeadRows && best(rows[i - kHeadRows]) ? '*' : ' ';
+  }
+  return cells;
+}
+
 }  // namespace
 
 std::string summary_lines(const Summary& s, const std::string& realtime_status) {
@@ -118,27 +196,20 @@ std::string summary_lines(const Summary& s, const std::string& realtime_status) 
 }
 
 std::string comparison_table(const std::vector<Summary>& summaries) {
-  std::vector<std::vector<std::string>> rows(2);
+  const std::vector<Row> rows = comparison_rows(summaries);
+  const bool marks = summaries.size() > 1;
+  std::vector<std::vector<std::string>> cells(rows.size() + kHeadRows);
   for (const Column& column : kColumns) {
-    rows[0].emplace_back(column.title);
-    rows[1].emplace_back(column.unit);
-  }
-  const auto add_row = [&](const Summary& summary) {
-    std::vector<std::string>& row = rows.emplace_back();
-    for (const Column& column : kColumns) row.push_back(column.text(summary));
-  };
-  for (const Summary& summary : summaries) {
-    add_row(summary);
-    for (Summary y : summary.y) {
-      y.algorithm = "  axis y";
-      add_row(y);
-    }
+    const std::vector<std::string> texts = column_cells(column, rows, marks);
+    for (std::size_t i = 0; i < cells.size(); ++i) cells[i].push_back(texts[i]);
   }
   std::array<Align, kColumns.size()> aligns{};
   for (std::size_t i = 0; i < aligns.size(); ++i) {
     aligns.at(i) = i < kTextColumns ? Align::kLeft : Align::kRight;
   }
-  return aligned(rows, aligns);
+  std::string table = aligned(cells, aligns);
+  if (table.find('*') != std::string::npos) table += kBestLegend;
+  return table;
 }
 
 }  // namespace hapticwall::command

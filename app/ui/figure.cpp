@@ -23,25 +23,6 @@ constexpr float kPhaseShare = 0.38F;  // of the width, for the force over the pe
 constexpr std::array kOrder{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
                             PlotId::kPassivity};
 
-// The scene in one line: what a reader needs to know how the figure came about.
-std::string describe(const Scene& scene) {
-  std::string text;
-  for (const WallSettings& wall : scene.walls) {
-    text += fmt::format("wall {:.4g} kN/m", wall.stiffness_n_per_m / 1e3);
-    if (wall.damping_n_s_per_m != 0.0)
-      text += fmt::format(" and {:.4g} N·s/m", wall.damping_n_s_per_m);
-    text += fmt::format(" at {:.4g} mm  ·  ", wall.position_m * 1e3);
-  }
-  text += fmt::format("{:g} Hz  ·  handle {:.4g} g, {:.4g} N·s/m", scene.sampling.rate_hz,
-                      scene.device.mass_kg * 1e3, scene.device.damping_n_s_per_m);
-  if (scene.device.friction_n) text += fmt::format(", friction {:.4g} N", *scene.device.friction_n);
-  if (scene.device.encoder_m)
-    text += fmt::format("  ·  encoder {:.4g} mm", *scene.device.encoder_m * 1e3);
-  if (scene.device.force_limit_n)
-    text += fmt::format("  ·  force limit {:.4g} N", *scene.device.force_limit_n);
-  return text;
-}
-
 void draw_title(const Theme& theme, const Scene& scene) {
   const auto list = algorithms();
   const bool known = scene.algorithm.index < list.size();
@@ -96,6 +77,24 @@ void draw_contents(const Scene& scene, PlotSurface& surface, const FigureView& v
 }
 
 }  // namespace
+
+std::string describe(const Scene& scene) {
+  std::string text;
+  for (const WallSettings& wall : scene.walls) {
+    text += fmt::format("wall {:.4g} kN/m", wall.stiffness_n_per_m / 1e3);
+    if (wall.damping_n_s_per_m != 0.0)
+      text += fmt::format(" and {:.4g} N·s/m", wall.damping_n_s_per_m);
+    text += fmt::format(" at {:.4g} mm  ·  ", wall.position_m * 1e3);
+  }
+  text += fmt::format("{:g} Hz  ·  handle {:.4g} g, {:.4g} N·s/m", scene.sampling.rate_hz,
+                      scene.device.mass_kg * 1e3, scene.device.damping_n_s_per_m);
+  if (scene.device.friction_n) text += fmt::format(", friction {:.4g} N", *scene.device.friction_n);
+  if (scene.device.encoder_m)
+    text += fmt::format("  ·  encoder {:.4g} mm", *scene.device.encoder_m * 1e3);
+  if (scene.device.force_limit_n)
+    text += fmt::format("  ·  force limit {:.4g} N", *scene.device.force_limit_n);
+  return text;
+}
 
 Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
                                   FigureSize size) {

@@ -25,6 +25,9 @@ struct FigureSize {
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
                                                 FigureSize size = {});
 
+// The scene in one line: what a reader needs to know how the figure came about.
+[[nodiscard]] std::string describe(const Scene& scene);
+
 // What of a history a figure shows.
 struct FigureView {
   TimeWindow window;

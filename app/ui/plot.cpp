@@ -67,17 +67,6 @@ void fit(const PlotSurface& surface, const PlotDescription& plot, IndexRange ran
   axis.maximum = values.maximum;
 }
 
-// Where the hand is beyond the value axis: how far.
-std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot, IndexRange range,
-                         double axis_maximum) {
-  if (plot.id != PlotId::kPosition || range.count() == 0) return {};
-  if (!is_drawn(surface, plot, plot.lines.front())) return {};
-  const double highest =
-      surface.history->extremes(Quantity::kHandPath, range).maximum * plot.left.scale;
-  if (highest <= axis_maximum) return {};
-  return fmt::format("hand up to {:.4g} {} ↑", highest, plot.left.unit);
-}
-
 // A wheel or a drag that began between the axes is about time.
 ImPlotAxisFlags value_lock(const PlotSurface& surface, const PlotAxes& axes) {
   if (!surface.interactive) return 0;
@@ -92,9 +81,10 @@ ImPlotAxisFlags value_lock(const PlotSurface& surface, const PlotAxes& axes) {
 void set_up_axes(PlotSurface& surface, PlotAxes& axes, double* length_s, bool right) {
   const ImPlotAxisFlags flags = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight;
   const ImPlotAxisFlags time_labels = surface.time_labels ? 0 : ImPlotAxisFlags_NoTickLabels;
+  const ImPlotAxisFlags value_labels = surface.value_labels ? 0 : ImPlotAxisFlags_NoTickLabels;
   const ImPlotAxisFlags lock = value_lock(surface, axes);
   ImPlot::SetupAxis(ImAxis_X1, nullptr, flags | time_labels);
-  ImPlot::SetupAxis(ImAxis_Y1, nullptr, flags | lock);
+  ImPlot::SetupAxis(ImAxis_Y1, nullptr, flags | lock | value_labels);
   ImPlot::SetupAxisLinks(ImAxis_X1, &surface.window->from_s, &surface.window->to_s);
   ImPlot::SetupAxisZoomConstraints(ImAxis_X1, kShortestTimeAxisS, kLongestTimeAxisS);
   ImPlot::SetupAxisFormat(ImAxis_X1, format_time, length_s);
@@ -233,7 +223,26 @@ void draw_contents(const PlotSurface& surface, const PlotDescription& plot, Inde
   if (!draw_cursors(surface)) draw_readout(surface, plot);
 }
 
+IndexRange range_of(const PlotSurface& surface) {
+  return surface.history->range(surface.window->from_s, surface.window->to_s);
+}
+
 }  // namespace
+
+Extremes automatic_values(const PlotSurface& surface, const PlotDescription& plot) {
+  return fitted_values(surface, plot, range_of(surface), false);
+}
+
+std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot,
+                         double axis_maximum) {
+  const IndexRange range = range_of(surface);
+  if (plot.id != PlotId::kPosition || range.count() == 0) return {};
+  if (!is_drawn(surface, plot, plot.lines.front())) return {};
+  const double highest =
+      surface.history->extremes(Quantity::kHandPath, range).maximum * plot.left.scale;
+  if (highest <= axis_maximum) return {};
+  return fmt::format("hand up to {:.4g} {} ↑", highest, plot.left.unit);
+}
 
 Extremes round_range(Extremes data, double smallest_span) {
   constexpr double kMargin = 0.05;  // of the span, on either side
@@ -271,10 +280,11 @@ PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std:
   ImGui::PushID(plot.title);
   PlotAxes& axes = (*surface.axes)[static_cast<std::size_t>(plot.id)];
   const float top = ImGui::GetCursorPosY();
-  const IndexRange range = surface.history->range(surface.window->from_s, surface.window->to_s);
+  const IndexRange range = range_of(surface);
   fit(surface, plot, range, false, axes.left);
-  draw_plot_heading(surface, plot, mark, hand_outside(surface, plot, range, axes.left.maximum),
-                    size.x);
+  if (surface.heading) {
+    draw_plot_heading(surface, plot, mark, hand_outside(surface, plot, axes.left.maximum), size.x);
+  }
   const bool right = has_right_axis(surface, plot);
   if (right) fit(surface, plot, range, true, axes.right);
   const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));

@@ -73,7 +73,9 @@ struct PlotSurface {
   bool* show_bounds = nullptr;                  // null: no choice; shown where there are any
   bool simulated = true;                        // false: nobody knows what only a simulator does
   bool interactive = true;
-  bool time_labels = true;  // below the plot
+  bool time_labels = true;   // below the plot
+  bool value_labels = true;  // beside it
+  bool heading = true;       // above it
   float line_weight = kLineWeight;
   // Called after items that somebody may want to find again; may be empty.
   std::function<void(std::string_view)> remember;
@@ -85,6 +87,13 @@ struct PlotSurface {
 // right drag zooms into a rectangle; a double click makes both automatic again.
 PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                    ImVec2 size);
+
+// What the automatic left axis would show of the window.
+[[nodiscard]] Extremes automatic_values(const PlotSurface& surface, const PlotDescription& plot);
+
+// Where the hand is above `axis_maximum` within the window: how far, for the heading.
+[[nodiscard]] std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot,
+                                       double axis_maximum);
 
 // The range of the value axis: the extremes enlarged a little and rounded outwards to a round step.
 [[nodiscard]] Extremes round_range(Extremes data, double smallest_span);

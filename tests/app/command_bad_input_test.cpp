@@ -136,8 +136,6 @@ TEST_F(BadInput, Options) {
                  "run' and the window drive a device");
   expect_refused({"run", "press", "--arm"}, 2,
                  "--arm: the simulator needs no arming; it is for --device ie2000");
-  expect_refused({"compare", "press", "--plot", "a.png"}, 2,
-                 "--plot: 'compare' draws no figure; 'hapticwall run SCENE --plot FILE.png' does");
   expect_refused({"run", "press", "--plot", "a.png", "--duration", "1001"}, 2,
                  "--plot: a figure shows at most 1000000 ticks, this run has 1001000; --duration "
                  "shortens it");

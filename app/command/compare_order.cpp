@@ -1,0 +1,107 @@
+#include "app/command/compare_order.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "app/command/summary_fields.h"
+#include "app/file/text.h"
+
+namespace hapticwall::command {
+namespace {
+
+// What a row is sorted by: the smaller number first, among equal ones the smaller word.
+struct Place {
+  bool missing = true;
+  double number = 0.0;
+  std::string word;
+};
+
+Place place_of(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return {};
+  return {false, *value, ""};
+}
+
+// The good ones first, not as they are spelt.
+std::optional<double> verdict_rank(std::string_view word) {
+  for (const Verdict verdict : {Verdict::kSettled, Verdict::kOscillating, Verdict::kDiverged}) {
+    if (verdict_name(verdict) == word) return static_cast<double>(verdict);
+  }
+  return std::nullopt;
+}
+
+Place place_of(const SummaryField& field) {
+  if (const auto* word = std::get_if<std::string>(&field.value)) {
+    if (field.key.ends_with("verdict")) return place_of(verdict_rank(*word));
+    return {false, 0.0, *word};
+  }
+  if (const auto* integer = std::get_if<std::uint64_t>(&field.value)) {
+    return place_of(static_cast<double>(*integer));
+  }
+  const auto* real = std::get_if<double>(&field.value);
+  return real != nullptr ? place_of(*real) : Place{};
+}
+
+Place place_by_key(const Summary& summary, const std::string& key) {
+  for (const SummaryField& field : summary_fields(summary)) {
+    if (field.key == key) return place_of(field);
+  }
+  return {};
+}
+
+// A corner is as good as its worse axis.
+Verdict worst_verdict(const Summary& summary) {
+  Verdict worst = summary.verdict;
+  for (const Summary& y : summary.y) worst = std::max(worst, y.verdict);
+  return worst;
+}
+
+Place usual_place(const Summary& summary) {
+  if (worst_verdict(summary) != Verdict::kSettled) return place_of(summary.tail_peak_to_peak_m);
+  Place place = place_of(summary.displayed_stiffness_n_per_m);
+  place.number = -place.number;
+  return place;
+}
+
+bool before(const Place& a, const Place& b, bool descending) {
+  if (a.missing != b.missing) return b.missing;
+  return descending ? std::tie(b.number, b.word) < std::tie(a.number, a.word)
+                    : std::tie(a.number, a.word) < std::tie(b.number, b.word);
+}
+
+}  // namespace
+
+Result<RowOrder> parse_order(const std::string& text) {
+  if (text.empty() || text == kUnsorted) return RowOrder{text, false};
+  const bool descending = text.front() == '-';
+  RowOrder order{text.substr(descending ? 1 : 0), descending};
+  const std::vector<SummaryField> known = all_summary_fields();
+  if (std::ranges::find(known, order.key, &SummaryField::key) != known.end()) return order;
+  return Error{ErrorKind::kUsage,
+               fmt::format("--sort {}: {}", file::in_quotes(text), unknown_key(order.key))};
+}
+
+std::vector<std::size_t> ordered(const std::vector<Summary>& summaries, const RowOrder& order) {
+  std::vector<std::size_t> indices(summaries.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  if (order.key == kUnsorted) return indices;
+  const bool usual = order.key.empty();
+  std::vector<std::pair<Verdict, Place>> places;
+  for (const Summary& summary : summaries) {
+    places.emplace_back(usual ? worst_verdict(summary) : Verdict::kSettled,
+                        usual ? usual_place(summary) : place_by_key(summary, order.key));
+  }
+  std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) {
+    if (places[a].first != places[b].first) return places[a].first < places[b].first;
+    return before(places[a].second, places[b].second, order.descending);
+  });
+  return indices;
+}
+
+}  // namespace hapticwall::command

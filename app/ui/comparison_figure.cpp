@@ -1,0 +1,270 @@
+#include "app/ui/comparison_figure.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/ui/page.h"
+#include "app/ui/plot.h"
+#include "app/ui/plot_heading.h"
+#include "app/ui/theme.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr int kWidth = 2400;  // pixels, of up to kUsualRuns columns
+constexpr int kHeight = 1400;
+constexpr std::size_t kUsualRuns = 8;
+constexpr int kColumnWidth = 290;     // of each column more
+constexpr float kDesignHeight = 900;  // figure of scale 1
+constexpr float kPrintLineWeight = 1.1F;
+constexpr float kColumnGapEms = 1.0F;
+constexpr double kMillimetresPerMetre = 1e3;
+constexpr double kNewtonsPerKilonewton = 1e3;
+constexpr std::array kOrder{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
+                            PlotId::kPassivity};
+
+// Of the forces only the actuator's: what a soft wall asks for would flatten it.
+ChosenLines compared_lines() {
+  ChosenLines lines = usual_lines();
+  lines[static_cast<std::size_t>(PlotId::kForce)] = line_bit(Quantity::kForce);
+  return lines;
+}
+
+// The same for every frame of the page.
+struct Comparison {
+  const Scene& scene;
+  std::span<const ComparedRun> runs;
+  PlotSurface surface;
+  std::array<float, kOrder.size()> label_widths{};  // beside the first column; known after a frame
+};
+
+std::optional<Extremes> united(std::optional<Extremes> a, Extremes b) {
+  if (!a) return b;
+  return Extremes{std::min(a->minimum, b.minimum), std::max(a->maximum, b.maximum)};
+}
+
+// The whole of the longest run.
+TimeWindow whole_window(const Scene& scene, std::span<const ComparedRun> runs) {
+  std::optional<Extremes> times;
+  for (const ComparedRun& run : runs) {
+    if (run.history.empty()) continue;
+    times = united(times, {run.history.oldest_time_s(), run.history.newest_time_s()});
+  }
+  const Extremes found = times.value_or(Extremes{0.0, 0.0});
+  return {found.minimum, std::max(found.maximum, found.minimum + scene.sampling.period_s())};
+}
+
+// A run that leaves the stage would flatten all others.
+bool stretches_axes(const ComparedRun& run, std::span<const ComparedRun> runs) {
+  return run.summary.verdict != Verdict::kDiverged ||
+         std::ranges::all_of(runs, [](const ComparedRun& other) {
+           return other.summary.verdict == Verdict::kDiverged;
+         });
+}
+
+void share_axes(Comparison& comparison) {
+  PlotSurface& surface = comparison.surface;
+  for (const PlotId id : kOrder) {
+    std::optional<Extremes> values;
+    for (const ComparedRun& run : comparison.runs) {
+      if (!stretches_axes(run, comparison.runs)) continue;
+      surface.history = &run.history;
+      values = united(values, automatic_values(surface, plot_description(id)));
+    }
+    if (!values) continue;
+    (*surface.axes)[static_cast<std::size_t>(id)].left = {true, values->minimum, values->maximum};
+  }
+}
+
+void draw_title(const Theme& theme, const Scene& scene, std::size_t runs) {
+  ImGui::PushFont(theme.fonts.strong, kTitleFontSize);
+  ImGui::TextUnformatted(scene.name.c_str());
+  ImGui::PopFont();
+  ImGui::SameLine();
+  ImGui::TextDisabled(
+      "  compared: %zu algorithm%s%s%s", runs, runs == 1 ? "" : "s",
+      has_follower(scene.algorithm) ? ", each with a passivity controller behind it" : "",
+      scene.y ? "  ·  axis x" : "");
+  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::TextDisabled("%s", describe(scene).c_str());
+  ImGui::TextDisabled(
+      "figures of the last second: peak to peak, displayed stiffness, mean force ± its standard "
+      "deviation  ·  the axes are the same along each row");
+  ImGui::PopFont();
+}
+
+Tone tone_of(Verdict verdict) {
+  if (verdict == Verdict::kSettled) return Tone::kGood;
+  return verdict == Verdict::kOscillating ? Tone::kWarning : Tone::kBad;
+}
+
+std::string verdict_text(const Scene& scene, const Summary& summary) {
+  std::string text(verdict_name(summary.verdict));
+  if (summary.diverged_at_tick) {
+    text += fmt::format(" at {:.4g} s",
+                        static_cast<double>(*summary.diverged_at_tick) / scene.sampling.rate_hz);
+  }
+  return text;
+}
+
+std::string number(std::optional<double> value, double scale, int digits) {
+  if (!value || !std::isfinite(*value)) return "-";
+  return fmt::format("{:.{}f}", *value * scale, digits);
+}
+
+// Of the last second: how much it moves and pushes.
+std::array<std::string, 2> tail_texts(const Summary& s, bool stretches) {
+  if (!s.tail_peak_to_peak_m || s.verdict == Verdict::kDiverged) {
+    return {"no last second to tell of", stretches ? "" : "the axes do not follow it"};
+  }
+  std::string stiffness;
+  if (s.displayed_stiffness_n_per_m) {
+    stiffness = fmt::format(",  {} kN/m",
+                            number(s.displayed_stiffness_n_per_m, 1.0 / kNewtonsPerKilonewton, 2));
+  }
+  return {
+      fmt::format("{} mm p-p{}", number(s.tail_peak_to_peak_m, kMillimetresPerMetre, 3), stiffness),
+      fmt::format("{} ± {} N", number(s.tail_force_mean_n, 1.0, 3),
+                  number(s.tail_force_std_n, 1.0, 3))};
+}
+
+void draw_run_heading(const Theme& theme, const Comparison& comparison, const ComparedRun& run) {
+  const Summary& summary = run.summary;
+  ImGui::BeginGroup();
+  ImGui::PushFont(theme.fonts.strong, 0.0F);
+  // What follows it, behind a space, is told in the title: it follows all.
+  ImGui::TextUnformatted(summary.algorithm.substr(0, summary.algorithm.find(' ')).c_str());
+  ImGui::PopFont();
+  ImGui::TextColored(theme.colour(tone_of(summary.verdict)), "%s",
+                     verdict_text(comparison.scene, summary).c_str());
+  ImGui::PushFont(nullptr, kSmallFontSize);
+  const bool stretches = stretches_axes(run, comparison.runs);
+  for (const std::string& text : tail_texts(summary, stretches))
+    ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
+  ImGui::EndGroup();
+}
+
+// Where the columns stand.
+struct Columns {
+  float left = 0.0F;   // of the first column's plot area, but for ImPlot's own padding
+  float width = 0.0F;  // of each
+  float step = 0.0F;   // from one to the next
+
+  [[nodiscard]] float at(std::size_t column) const {
+    return left + step * static_cast<float>(column);
+  }
+};
+
+Columns place_columns(const Comparison& comparison, float left, float width) {
+  const float gap = kColumnGapEms * ImGui::GetFontSize();
+  const float labels = *std::ranges::max_element(comparison.label_widths);
+  const auto count = static_cast<float>(std::max<std::size_t>(comparison.runs.size(), 1));
+  const float each = std::max(1.0F, (width - labels - gap * (count - 1.0F)) / count);
+  return {left + labels, each, each + gap};
+}
+
+// Only the first column has labels; what room they take is known as soon as two are drawn.
+void draw_row(Comparison& comparison, std::size_t row, const Columns& columns, float height) {
+  PlotSurface& surface = comparison.surface;
+  const PlotDescription& plot = plot_description(kOrder[row]);
+  float& labels = comparison.label_widths[row];
+  const float top = ImGui::GetCursorScreenPos().y;
+  std::array<float, 2> areas{};
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
+    surface.history = &comparison.runs[i].history;
+    surface.value_labels = i == 0;
+    const float room = i == 0 ? labels : 0.0F;
+    ImGui::SetCursorScreenPos(ImVec2(columns.at(i) - room, top));
+    ImGui::PushID(static_cast<int>(i));
+    const PlotArea area = draw_plot(surface, plot, "", ImVec2(columns.width + room, height));
+    ImGui::PopID();
+    if (i < areas.size()) areas[i] = area.size.x;
+  }
+  if (comparison.runs.size() > 1) labels = std::max(0.0F, labels + areas[1] - areas[0]);
+}
+
+std::string row_note(Comparison& comparison, const PlotDescription& plot) {
+  if (comparison.runs.empty()) return {};
+  comparison.surface.history = &comparison.runs.front().history;
+  const PlotAxes& axes = (*comparison.surface.axes)[static_cast<std::size_t>(plot.id)];
+  return hand_outside(comparison.surface, plot, axes.left.maximum);
+}
+
+void draw_rows(Comparison& comparison, const Columns& columns, float left, ImVec2 free) {
+  PlotSurface& surface = comparison.surface;
+  const float gap = ImGui::GetStyle().ItemSpacing.y;
+  const auto count = static_cast<float>(kOrder.size());
+  const float each = (free.y - (count - 1.0F) * gap) / count;
+  const float top = ImGui::GetCursorScreenPos().y;
+  for (std::size_t row = 0; row < kOrder.size(); ++row) {
+    const PlotDescription& plot = plot_description(kOrder[row]);
+    const float row_top = top + static_cast<float>(row) * (each + gap);
+    ImGui::SetCursorScreenPos(ImVec2(left, row_top));
+    draw_plot_heading(surface, plot, fmt::format("({}) ", static_cast<char>('a' + row)),
+                      row_note(comparison, plot), free.x);
+    surface.time_labels = row + 1 == kOrder.size();
+    const float used = ImGui::GetCursorScreenPos().y - row_top;
+    draw_row(comparison, row, columns, std::max(1.0F, each - used));
+  }
+  ImGui::Dummy(ImVec2());  // without a run nothing else would stand there
+}
+
+void draw_contents(const Theme& theme, Comparison& comparison) {
+  comparison.surface.theme = &theme;
+  draw_title(theme, comparison.scene, comparison.runs.size());
+  ImGui::Spacing();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const Columns columns = place_columns(comparison, corner.x, ImGui::GetContentRegionAvail().x);
+  float bottom = corner.y;
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
+    ImGui::SetCursorScreenPos(ImVec2(columns.at(i), corner.y));
+    draw_run_heading(theme, comparison, comparison.runs[i]);
+    bottom = std::max(bottom, ImGui::GetCursorScreenPos().y);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, bottom));
+  ImGui::Spacing();
+  draw_rows(comparison, columns, corner.x, ImGui::GetContentRegionAvail());
+}
+
+}  // namespace
+
+FigureSize comparison_size(std::size_t runs) {
+  const std::size_t more = std::max(runs, kUsualRuns) - kUsualRuns;
+  return {kWidth + static_cast<int>(more) * kColumnWidth, kHeight};
+}
+
+Result<file::Picture> draw_comparison(const Scene& scene, std::span<const ComparedRun> runs,
+                                      FigureSize size) {
+  const float scale = static_cast<float>(size.height) / kDesignHeight;
+  TimeWindow window = whole_window(scene, runs);
+  ChosenLines lines = compared_lines();
+  HiddenLines hidden = 0;
+  AllPlotAxes axes;
+  Trace scratch;
+  std::vector<PixelColumn> pixels;
+  Comparison comparison{scene, runs, {}, {}};
+  PlotSurface& surface = comparison.surface;
+  surface.walls = scene.walls;
+  surface.window = &window;
+  surface.chosen = &lines;
+  surface.hidden = &hidden;
+  surface.axes = &axes;
+  surface.scratch = &scratch;
+  surface.columns = &pixels;
+  surface.interactive = false;
+  surface.heading = false;
+  surface.line_weight = kPrintLineWeight * scale;
+  share_axes(comparison);
+  return draw_page(size, scale, [&](const Theme& theme) { draw_contents(theme, comparison); });
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,299 @@
+// `compare`: the order of its rows, what is marked in them, and its figure.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/command/compare_order.h"
+#include "app/command/summary_fields.h"
+#include "app/command/summary_table.h"
+#include "tests/app/command_binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+Summary settled(const std::string& name, std::optional<double> stiffness_n_per_m) {
+  Summary summary;
+  summary.algorithm = name;
+  summary.tail_peak_to_peak_m = 1e-5;
+  summary.tail_force_std_n = 0.1;
+  summary.displayed_stiffness_n_per_m = stiffness_n_per_m;
+  summary.max_penetration_m = 1e-3;
+  summary.passivity_margin_j = -1e-3;
+  return summary;
+}
+
+Summary oscillating(const std::string& name, double tail_peak_to_peak_m) {
+  Summary summary = settled(name, 5e4);
+  summary.verdict = Verdict::kOscillating;
+  summary.tail_peak_to_peak_m = tail_peak_to_peak_m;
+  return summary;
+}
+
+Summary diverged(const std::string& name) {
+  Summary summary;
+  summary.algorithm = name;
+  summary.verdict = Verdict::kDiverged;
+  summary.diverged_at_tick = 7;
+  return summary;
+}
+
+std::string names(const std::vector<Summary>& summaries, const std::string& sort) {
+  const Result<RowOrder> order = parse_order(sort);
+  EXPECT_TRUE(order) << order.error().message;
+  std::string text;
+  for (const std::size_t i : ordered(summaries, *order)) text += summaries[i].algorithm + " ";
+  return text;
+}
+
+const std::vector<Summary>& seven() {
+  static const std::vector<Summary> kSeven{
+      diverged("d"),       oscillating("o2", 2e-3), settled("soft", 1e3), settled("hard", 3e4),
+      settled("free", {}), oscillating("o1", 1e-3), settled("hard2", 3e4)};
+  return kSeven;
+}
+
+TEST(CompareOrder, TheUsualOneIsByVerdictThenByWhatTellsThemApart) {
+  EXPECT_EQ(names(seven(), ""), "hard hard2 soft free o1 o2 d ");
+}
+
+TEST(CompareOrder, NoneKeepsTheList) {
+  EXPECT_EQ(names(seven(), "none"), "d o2 soft hard free o1 hard2 ");
+}
+
+TEST(CompareOrder, ByAKeyEitherWayWithWhatHasNoneLast) {
+  EXPECT_EQ(names(seven(), "displayed_stiffness_n_per_m"), "soft hard hard2 o2 o1 d free ");
+  EXPECT_EQ(names(seven(), "-displayed_stiffness_n_per_m"), "o2 o1 hard hard2 soft d free ");
+  EXPECT_EQ(names(seven(), "diverged_at_tick"), "d o2 soft hard free o1 hard2 ");
+}
+
+TEST(CompareOrder, VerdictsFromGoodToBadAndNamesAsTheyAreSpelt) {
+  EXPECT_EQ(names(seven(), "verdict"), "soft hard free hard2 o2 o1 d ");
+  EXPECT_EQ(names(seven(), "-verdict"), "d o2 o1 soft hard free hard2 ");
+  EXPECT_EQ(names(seven(), "algorithm"), "d free hard hard2 o1 o2 soft ");
+}
+
+TEST(CompareOrder, ACornerIsAsGoodAsItsWorseAxis) {
+  Summary corner = settled("stiff", 3e4);
+  corner.y.push_back(oscillating("stiff", 1e-3));
+  Summary quiet = settled("quiet", 1e3);
+  quiet.y.push_back(settled("quiet", 1e3));
+  EXPECT_EQ(names({corner, quiet}, ""), "quiet stiff ");
+  EXPECT_EQ(names({quiet, corner}, "-y_displayed_stiffness_n_per_m"), "stiff quiet ");
+}
+
+TEST(CompareOrder, AWordThatIsNoKeyIsAUsageError) {
+  const Result<RowOrder> order = parse_order("-verdikt");
+  ASSERT_FALSE(order);
+  EXPECT_EQ(order.error().kind, ErrorKind::kUsage);
+  EXPECT_EQ(order.error().message,
+            "--sort '-verdikt': the summary has no key 'verdikt'; did you mean 'verdict'?");
+  EXPECT_THAT(parse_order("-").error().message, HasSubstr("no key ''; known: scene, algorithm, "));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// The columns of a row whose value has the mark, by their place: 0 is the algorithm.
+std::string marked(const std::vector<Summary>& summaries, std::size_t row) {
+  std::istringstream cells(lines_of(comparison_table(summaries)).at(row + 2));
+  std::string columns;
+  std::string cell;
+  for (int i = 0; cells >> cell; ++i) {
+    if (cell.ends_with('*')) columns += std::to_string(i) + " ";
+  }
+  return columns;
+}
+
+// Columns: 2 tail p-p, 4 std, 5 stiffness, 6 max pen., 10 margin.
+TEST(CompareMarks, TheBestOfEachColumn) {
+  Summary a = settled("a", 3e4);
+  Summary b = settled("b", 1e3);
+  b.tail_peak_to_peak_m = 1e-6;
+  b.tail_force_std_n = 0.05;
+  a.max_penetration_m = 5e-4;
+  a.passivity_margin_j = -5e-4;
+  EXPECT_EQ(marked({a, b}, 0), "5 6 10 ");
+  EXPECT_EQ(marked({a, b}, 1), "2 4 ");
+}
+
+TEST(CompareMarks, AWallThatShakesIsNeitherStiffNorHardToPushInto) {
+  Summary shaking = oscillating("shaking", 1e-3);
+  shaking.tail_force_std_n = 0.0;
+  shaking.max_penetration_m = 0.0;
+  shaking.passivity_margin_j = 0.0;
+  EXPECT_EQ(marked({shaking, settled("quiet", 1e3)}, 0), "10 ");
+  EXPECT_EQ(marked({shaking, settled("quiet", 1e3)}, 1), "2 4 5 6 ");
+  EXPECT_EQ(marked({shaking, oscillating("more", 2e-3)}, 0), "2 10 ");
+}
+
+TEST(CompareMarks, WhatDivergedWinsNothing) {
+  Summary lost = diverged("lost");
+  lost.tail_peak_to_peak_m = 0.0;
+  lost.passivity_margin_j = 0.0;
+  EXPECT_EQ(marked({lost, oscillating("shaking", 1e-3)}, 0), "");
+  EXPECT_EQ(marked({lost, oscillating("shaking", 1e-3)}, 1), "2 10 ");
+  EXPECT_THAT(comparison_table({lost, lost}), Not(HasSubstr("*")));
+}
+
+TEST(CompareMarks, TiesAreTiesBeforeRounding) {
+  Summary a = settled("a", 1e3);
+  Summary b = settled("b", 1e3);
+  b.max_penetration_m = *a.max_penetration_m * (1.0 + 1e-15);
+  EXPECT_EQ(marked({a, b}, 0), "2 4 5 6 10 ");
+  EXPECT_EQ(marked({a, b}, 1), "2 4 5 10 ");
+}
+
+TEST(CompareMarks, WhatIsNotANumberWinsNothing) {
+  Summary odd = settled("odd", {});
+  odd.passivity_margin_j = std::numeric_limits<double>::quiet_NaN();
+  odd.max_penetration_m = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(marked({odd, settled("even", 1e3)}, 0), "2 4 ");
+  EXPECT_EQ(marked({odd, settled("even", 1e3)}, 1), "2 4 5 6 10 ");
+}
+
+TEST(CompareMarks, OneAloneIsNotTheBest) {
+  const std::string table = comparison_table({settled("a", 1e3)});
+  EXPECT_THAT(table, Not(HasSubstr("*")));
+  EXPECT_EQ(lines_of(table).size(), 3U);
+}
+
+TEST(CompareMarks, AxesAreComparedAmongThemselves) {
+  Summary a = settled("a", 1e3);
+  a.y.push_back(settled("a", 9e3));
+  Summary b = settled("b", 2e3);
+  b.y.push_back(settled("b", 8e3));
+  b.y.front().verdict = Verdict::kOscillating;
+  const std::vector<std::string> lines = lines_of(comparison_table({a, b}));
+  EXPECT_THAT(lines.at(2), StartsWith("a "));
+  EXPECT_THAT(lines.at(3), StartsWith("  axis y"));
+  EXPECT_THAT(lines.at(2), Not(HasSubstr("1.00*  ")));
+  EXPECT_THAT(lines.at(3), HasSubstr(" 9.00* "));
+  EXPECT_THAT(lines.at(4), HasSubstr(" 2.00* "));
+  // A run that one axis ended tells nothing of the other.
+  a.y.front().verdict = Verdict::kDiverged;
+  EXPECT_EQ(marked({a, b}, 0), "");
+}
+
+TEST(CompareMarks, TheyMoveNoDigit) {
+  Summary a = settled("a", 3e4);
+  Summary b = settled("b", 1e3);
+  const std::vector<std::string> lines = lines_of(comparison_table({a, b}));
+  EXPECT_EQ(lines.at(2).find("30.00*") + 1, lines.at(3).find("1.00 "));
+  EXPECT_EQ(lines.at(0).find("stiffness") + 9, lines.at(2).find("30.00*") + 5);
+  EXPECT_THAT(lines.at(4), StartsWith("* best of its column"));
+}
+
+class Compare : public ProgramTest {
+ protected:
+  // The first words of the table's rows.
+  [[nodiscard]] static std::vector<std::string> rows(const Answer& answer, std::size_t count) {
+    std::vector<std::string> names;
+    const std::vector<std::string> lines = lines_of(answer.out);
+    for (std::size_t i = 2; i < lines.size() && i < count + 2; ++i) {
+      names.push_back(lines[i].substr(0, lines[i].find(' ')));
+    }
+    return names;
+  }
+};
+
+TEST_F(Compare, SortsWhatPeopleReadAndNothingElse) {
+  const std::string given = "none,virtual-coupling,energy-bounding";
+  const Answer usual =
+      hapticwall({"compare", "press", "--algorithms", given, "--csv", "a.csv", "--json", "a.json"});
+  EXPECT_EQ(usual.status, 0) << usual.err;
+  EXPECT_THAT(rows(usual, 3), ElementsAre("energy-bounding", "virtual-coupling", "none"));
+  const auto json = nlohmann::json::parse(content("a.json"));
+  EXPECT_EQ(json.at(0).at("algorithm"), "none");
+  EXPECT_EQ(json.at(2).at("algorithm"), "energy-bounding");
+  EXPECT_THAT(lines_of(content("a.csv")).at(1), StartsWith("press,none,"));
+
+  const Answer kept = hapticwall({"compare", "press", "--algorithms", given, "--sort", "none"});
+  EXPECT_THAT(rows(kept, 3), ElementsAre("none", "virtual-coupling", "energy-bounding"));
+  for (const std::vector<std::string>& sort :
+       {std::vector<std::string>{"--sort", "-max_penetration_m"}, {"--sort=-max_penetration_m"}}) {
+    std::vector<std::string> arguments{"compare", "press", "--algorithms", given};
+    arguments.insert(arguments.end(), sort.begin(), sort.end());
+    EXPECT_THAT(rows(hapticwall(arguments), 3),
+                ElementsAre("virtual-coupling", "none", "energy-bounding"));
+  }
+}
+
+TEST_F(Compare, AnUnknownKeyRunsNothing) {
+  const Answer answer = hapticwall({"compare", "press", "--sort", "contact", "--plot", "a.png"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_EQ(answer.err,
+            "error: --sort 'contact': the summary has no key 'contact'; did you mean "
+            "'contacts'?\n");
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Compare, PlotWritesAPictureThatFollowsTheOrder) {
+  const std::vector<std::string> common{"compare", "press",        "--duration",
+                                        "2",       "--algorithms", "none,energy-bounding"};
+  const auto plot = [&](const std::string& name, const std::string& sort) {
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), {"--sort", sort, "--plot", name});
+    const Answer answer = hapticwall(arguments);
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_THAT(answer.out, HasSubstr("energy-bounding  "));
+  };
+  plot("a.png", "none");
+  plot("b.png", "none");
+  plot("c.png", "-algorithm");
+  plot("d.png", "algorithm");
+  EXPECT_THAT(content("a.png"), StartsWith("\x89PNG\r\n"));
+  EXPECT_TRUE(content("a.png") == content("b.png"));
+  EXPECT_TRUE(content("a.png") == content("c.png"));
+  EXPECT_FALSE(content("a.png") == content("d.png"));
+  EXPECT_THAT(files(), ElementsAre("a.png", "b.png", "c.png", "d.png"));
+}
+
+TEST_F(Compare, AFigureHasItsLimits) {
+  const Answer ticks = hapticwall({"compare", "press", "--plot", "a.png", "--duration", "126"});
+  EXPECT_EQ(ticks.status, 2);
+  EXPECT_EQ(ticks.err,
+            "error: --plot: a figure shows at most 1000000 ticks in all, 125000 of each of 8 "
+            "algorithms; this scene has 126000; --duration shortens it\n");
+  std::string many = "none";
+  for (int i = 1; i < 17; ++i) many += ",none";
+  const Answer runs = hapticwall({"compare", "press", "--plot", "a.png", "--algorithms", many});
+  EXPECT_EQ(runs.status, 2);
+  EXPECT_EQ(runs.err,
+            "error: --plot: a figure shows at most 16 algorithms, --algorithms names 17\n");
+  EXPECT_EQ(hapticwall({"compare", "press", "--plot", "-"}).err,
+            "error: --plot -: it takes the name of a file\n");
+  EXPECT_EQ(hapticwall({"compare", "press", "--plot", "no/a.png"}).status, 4);
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Compare, EndedEarlyItWritesNothing) {
+  const pid_t child =
+      start({HAPTICWALL_BINARY, "compare", "press", "--set", "simulator.integrator=rk4", "--set",
+             "simulator.substeps=1000", "--duration", "125", "--plot", "a.png", "--quiet"});
+  // Its file is there: it catches its signals.
+  while (files().empty() && is_running(child)) sched_yield();
+  kill(child, SIGINT);
+  const Answer answer = wait_for(child);
+  EXPECT_EQ(answer.status, 128 + SIGINT);
+  EXPECT_EQ(answer.err, "ended early by Ctrl-C; nothing was written\n");
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test
