@@ -6,6 +6,7 @@
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
+#include "app/command/compare_study.h"
 #include "app/command/device_choice.h"
 #include "app/command/headless.h"
 #include "app/command/output_file.h"
@@ -22,6 +23,7 @@ struct CompareOptions {
   SceneOptions scene;
   OutputOptions output;
   std::vector<std::string> algorithms;  // empty: all
+  bool study = false;
 };
 
 struct CompareFiles {
@@ -59,6 +61,7 @@ std::optional<std::vector<Summary>> run_all(file::LoadedScene loaded,
 }
 
 int compare(const CompareOptions& options) {
+  if (options.study) return compare_study(options.scene, options.output, options.algorithms);
   const Result<std::vector<Expectation>> expectations =
       parse_expectations(options.output.expectations);
   if (!expectations) return report(expectations.error());
@@ -105,6 +108,10 @@ Command add_compare(CLI::App& program) {
   add_algorithms_option(*app, options->algorithms);
   add_scene_options(*app, options->scene);
   add_simulator_option(*app, options->scene);
+  app->add_flag(
+      "--study", options->study,
+      "Instead: largest stable stiffness, rate-hardness, rise time, deepest point, energy "
+      "to the hand");
   app->add_option("--csv", options->output.csv, "Write the table as CSV, a line an algorithm")
       ->type_name("FILE");
   // Not offered, but known: whoever asks is told where to find it.
