@@ -22,7 +22,9 @@ constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kMillisecondsPerSecond = 1e3;
 constexpr double kMillijoulesPerJoule = 1e3;
 constexpr double kNewtonsPerKilonewton = 1e3;
-constexpr std::string_view kIslandsMark = " !";
+// In the order of RiseKind; all of a width, so that numbers stay below each other.
+constexpr std::array<std::string_view, 3> kRiseMarks{"  ", " *", " +"};
+constexpr std::array<std::string_view, 3> kRiseNames{"mean", "one-tick", "to-the-limit"};
 
 Json number(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json();
@@ -32,20 +34,24 @@ std::string kilonewtons_per_metre(std::optional<double> value) {
   return fixed(value, 1.0 / kNewtonsPerKilonewton, 2);
 }
 
-bool is_open_ended(const ContactFigures& row) { return row.stiffest && row.stiffest->open_ended; }
 bool has_islands(const ContactFigures& row) { return row.settled_ranges > 1; }
 
-std::string stiffest_text(const ContactFigures& row) {
-  if (!row.stiffest) return "-";
-  return (is_open_ended(row) ? ">= " : "") + kilonewtons_per_metre(row.stiffest->displayed_n_per_m);
+std::string stiffness_text(const std::optional<LargestStiffness>& figure) {
+  if (!figure) return "-";
+  return (figure->open_ended ? ">= " : "") + kilonewtons_per_metre(figure->displayed_n_per_m);
+}
+std::string wall_text(const std::optional<LargestStiffness>& figure) {
+  return figure ? fixed(figure->wall_n_per_m, 1.0 / kNewtonsPerKilonewton, 1) : "-";
 }
 
-std::string wall_text(const ContactFigures& row) {
-  // All rows keep the mark's place, so that numbers stay below each other.
-  const std::string mark(has_islands(row) ? std::string(kIslandsMark)
-                                          : std::string(kIslandsMark.size(), ' '));
-  if (!row.stiffest) return "-" + mark;
-  return fixed(row.stiffest->wall_n_per_m, 1.0 / kNewtonsPerKilonewton, 1) + mark;
+bool rises(const ContactFigures& row, RiseKind kind) {
+  return row.rate_hardness_n_per_m && row.rise_kind == kind;
+}
+
+std::string rate_hardness_text(const ContactFigures& row) {
+  const RiseKind kind = row.rate_hardness_n_per_m ? row.rise_kind : RiseKind::kMean;
+  return kilonewtons_per_metre(row.rate_hardness_n_per_m) +
+         std::string(kRiseMarks.at(static_cast<std::size_t>(kind)));
 }
 
 struct Column {
@@ -55,12 +61,16 @@ struct Column {
   Align align = Align::kRight;
 };
 
-constexpr std::array<Column, 9> kColumns{
+constexpr std::array<Column, 11> kColumns{
     {{"algorithm", "", [](const ContactFigures& r) { return r.summary.algorithm; }, Align::kLeft},
-     {"stiffest", "kN/m", stiffest_text},
-     {"of a wall  ", "kN/m  ", wall_text},
-     {"rate-hardness", "kN/m",
-      [](const ContactFigures& r) { return kilonewtons_per_metre(r.rate_hardness_n_per_m); }},
+     {"stiffest", "kN/m",
+      [](const ContactFigures& r) { return stiffness_text(r.stiffest_unbroken); }},
+     {"of a wall", "kN/m", [](const ContactFigures& r) { return wall_text(r.stiffest_unbroken); }},
+     {"in islands", "kN/m",
+      [](const ContactFigures& r) { return has_islands(r) ? stiffness_text(r.stiffest) : ""; }},
+     {"of a wall", "kN/m",
+      [](const ContactFigures& r) { return has_islands(r) ? wall_text(r.stiffest) : ""; }},
+     {"rate-hardness  ", "kN/m  ", rate_hardness_text},
      {"rise time", "ms",
       [](const ContactFigures& r) { return fixed(r.rise_time_s, kMillisecondsPerSecond, 1); }},
      {"deepest", "mm",
@@ -92,12 +102,19 @@ std::string conditions_text(const ContactStudyPlan& plan, const std::vector<Cont
 }
 
 std::string marks_text(const std::vector<ContactFigures>& rows) {
+  const auto any = [&](auto holds) { return std::ranges::any_of(rows, holds); };
   std::string text;
-  if (std::ranges::any_of(rows, is_open_ended)) {
-    text += ">= stable up to the last stiffness that was tried\n";
+  if (any([](const ContactFigures& r) { return r.stiffest && r.stiffest->open_ended; })) {
+    text += ">= settles up to the last stiffness that was tried\n";
   }
-  if (std::ranges::any_of(rows, has_islands)) {
-    text += "! what settles is not one range of stiffnesses: there are islands\n";
+  if (any(has_islands)) {
+    text += "in islands: of all walls that settle, also beyond softer ones that do not\n";
+  }
+  if (any([](const ContactFigures& r) { return rises(r, RiseKind::kOneTick); })) {
+    text += "* one jump in one tick: tells where the wall lies between two counts of the encoder\n";
+  }
+  if (any([](const ContactFigures& r) { return rises(r, RiseKind::kToTheLimit); })) {
+    text += "+ cut off by the force limit\n";
   }
   return text.empty() ? text : "\n" + text;
 }
@@ -114,20 +131,30 @@ Json conditions_object(const ContactStudyPlan& plan) {
           {"scan_tolerance", number(plan.tolerance)}};
 }
 
+// `figure` as three keys.
+void add_stiffness(const std::string& prefix, const std::optional<LargestStiffness>& figure,
+                   Json& object) {
+  object[prefix + "stiffness_n_per_m"] = figure ? number(figure->displayed_n_per_m) : Json();
+  object[prefix + "at_wall_n_per_m"] = figure ? number(figure->wall_n_per_m) : Json();
+  object[prefix + "reaches_end_of_scan"] = figure ? Json(figure->open_ended) : Json();
+}
+
 Json row_object(const ContactFigures& row) {
-  const std::optional<LargestStiffness>& stiffest = row.stiffest;
-  return {{"algorithm", row.summary.algorithm},
-          {"largest_stiffness_n_per_m", stiffest ? number(stiffest->displayed_n_per_m) : Json()},
-          {"at_wall_stiffness_n_per_m", stiffest ? number(stiffest->wall_n_per_m) : Json()},
-          {"reaches_end_of_scan", stiffest ? Json(stiffest->open_ended) : Json()},
-          {"settled_ranges", row.settled_ranges},
-          {"approach_speed_m_per_s", number(row.approach_speed_m_per_s)},
-          {"rate_hardness_n_per_m", number(row.rate_hardness_n_per_m)},
-          {"rise_time_s", number(row.rise_time_s)},
-          {"peak_penetration_m", number(row.peak_penetration_m)},
-          {"energy_to_hand_j", number(row.energy_to_hand_j)},
-          {"verdict", verdict_name(row.summary.verdict)},
-          {"tail_peak_to_peak_m", number(row.summary.tail_peak_to_peak_m)}};
+  Json object{{"algorithm", row.summary.algorithm}};
+  add_stiffness("unbroken_", row.stiffest_unbroken, object);
+  add_stiffness("largest_", row.stiffest, object);
+  object["settled_ranges"] = row.settled_ranges;
+  object["approach_speed_m_per_s"] = number(row.approach_speed_m_per_s);
+  object["rate_hardness_n_per_m"] = number(row.rate_hardness_n_per_m);
+  object["rate_hardness_of"] = row.rate_hardness_n_per_m
+                                   ? Json(kRiseNames.at(static_cast<std::size_t>(row.rise_kind)))
+                                   : Json();
+  object["rise_time_s"] = number(row.rise_time_s);
+  object["peak_penetration_m"] = number(row.peak_penetration_m);
+  object["energy_to_hand_j"] = number(row.energy_to_hand_j);
+  object["verdict"] = verdict_name(row.summary.verdict);
+  object["tail_peak_to_peak_m"] = number(row.summary.tail_peak_to_peak_m);
+  return object;
 }
 
 // RFC 4180; names of scenes are the user's.

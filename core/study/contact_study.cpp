@@ -8,7 +8,6 @@
 
 #include "core/batch/batch_simulator.h"
 #include "core/simulate.h"
-#include "core/study/first_contact.h"
 
 namespace hapticwall {
 namespace {
@@ -17,6 +16,7 @@ constexpr std::string_view kFirstStiffness = "wall[0].stiffness_n_per_m";
 constexpr double kRiseFrom = 0.1;
 constexpr double kRiseTo = 0.9;
 constexpr std::size_t kRunsOfScene = 2;
+constexpr double kRangesRefined = 2.0;
 
 Scene scene_of(const ContactStudyPlan& plan, std::size_t algorithm) {
   Scene scene = plan.scene;
@@ -31,7 +31,7 @@ class Work {
   Work(const ContactStudyPlan& plan, const ContactStudyOptions& options) : options_(options) {
     const double steps = std::ceil(std::log2(1.0 / plan.tolerance));
     total_ = static_cast<double>(plan.algorithms.size()) *
-             (static_cast<double>(plan.count + kRunsOfScene) + steps);
+             (static_cast<double>(plan.count + kRunsOfScene) + kRangesRefined * steps);
   }
   void show(std::size_t done_of_batch) const {
     if (!options_.progress) return;
@@ -62,9 +62,12 @@ std::vector<Summary> run_all(const std::vector<Scene>& scenes, Work& work) {
   return summaries;
 }
 
+using Stiffest = std::optional<LargestStiffness> ContactFigures::*;
+
 // The end of a settled range.
 struct Search {
-  std::size_t algorithm = 0;  // in the plan
+  std::size_t row = 0;  // algorithm in the plan
+  Stiffest figure = nullptr;
   double settled = 0.0;
   double unsettled = 0.0;
 };
@@ -80,20 +83,43 @@ bool take_stiffer(const Summary& run, double wall_n_per_m,
   return true;
 }
 
-// Takes the scan; what is left to be refined, if anything is.
-std::optional<Search> take_scan(const MapAxis& axis, std::span<const Summary> scan,
-                                ContactFigures& figures) {
-  std::size_t best = 0;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    if (settles(scan[i]) && (i == 0 || !settles(scan[i - 1]))) ++figures.settled_ranges;
-    if (take_stiffer(scan[i], axis.value(i), figures.stiffest)) best = i;
+// One algorithm's part of the scan.
+struct Scan {
+  const MapAxis& axis;
+  std::span<const Summary> runs;
+
+  // The first from `begin` on that does not settle.
+  [[nodiscard]] std::size_t settled_end(std::size_t begin) const {
+    while (begin < runs.size() && settles(runs[begin])) ++begin;
+    return begin;
   }
-  if (!figures.stiffest) return std::nullopt;
-  std::size_t last = best;
-  while (last + 1 < scan.size() && settles(scan[last + 1])) ++last;
-  figures.stiffest->open_ended = last + 1 == scan.size();
-  if (figures.stiffest->open_ended) return std::nullopt;
-  return Search{0, axis.value(last), axis.value(last + 1)};
+};
+
+// The settled range that ends at `end`: it is open-ended, or has to be refined.
+void close_range(const Scan& scan, std::size_t end, Search search, ContactFigures& figures,
+                 std::vector<Search>& open) {
+  std::optional<LargestStiffness>& figure = figures.*search.figure;
+  if (!figure) return;
+  figure->open_ended = end == scan.runs.size();
+  if (figure->open_ended) return;
+  search.settled = scan.axis.value(end - 1);
+  search.unsettled = scan.axis.value(end);
+  open.push_back(search);
+}
+
+// What is left to be refined goes to `open`.
+void take_scan(const Scan& scan, std::size_t row, ContactFigures& figures,
+               std::vector<Search>& open) {
+  std::size_t best = 0;
+  const std::size_t first_end = scan.settled_end(0);
+  for (std::size_t i = 0; i < scan.runs.size(); ++i) {
+    const Summary& run = scan.runs[i];
+    if (settles(run) && (i == 0 || !settles(scan.runs[i - 1]))) ++figures.settled_ranges;
+    if (take_stiffer(run, scan.axis.value(i), figures.stiffest)) best = i;
+    if (i < first_end) take_stiffer(run, scan.axis.value(i), figures.stiffest_unbroken);
+  }
+  close_range(scan, scan.settled_end(best), {row, &ContactFigures::stiffest}, figures, open);
+  close_range(scan, first_end, {row, &ContactFigures::stiffest_unbroken}, figures, open);
 }
 
 bool is_open(const ContactStudyPlan& plan, const Search& search) {
@@ -112,13 +138,13 @@ bool refine(const ContactStudyPlan& plan, std::vector<Search> open, Work& work,
     std::vector<double> middles;
     for (const Search& search : open) {
       middles.push_back(std::sqrt(search.settled) * std::sqrt(search.unsettled));
-      scenes.push_back(scene_of(plan, plan.algorithms[search.algorithm]));
+      scenes.push_back(scene_of(plan, plan.algorithms[search.row]));
       axis.number.set(scenes.back(), middles.back());
     }
     const std::vector<Summary> runs = run_all(scenes, work);
     if (runs.size() != open.size()) return false;
     for (std::size_t i = 0; i < open.size(); ++i) {
-      take_stiffer(runs[i], middles[i], rows[open[i].algorithm].stiffest);
+      take_stiffer(runs[i], middles[i], rows[open[i].row].*open[i].figure);
       (settles(runs[i]) ? open[i].settled : open[i].unsettled) = middles[i];
     }
   }
@@ -139,11 +165,7 @@ bool find_stiffest(const ContactStudyPlan& plan, Work& work, std::vector<Contact
   if (scan.size() != scenes.size()) return false;
   std::vector<Search> open;
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    std::optional<Search> search =
-        take_scan(axis, std::span(scan).subspan(row * axis.count, axis.count), rows[row]);
-    if (!search) continue;
-    search->algorithm = row;
-    open.push_back(*search);
+    take_scan({axis, std::span(scan).subspan(row * axis.count, axis.count)}, row, rows[row], open);
   }
   return refine(plan, std::move(open), work, rows);
 }
@@ -189,6 +211,7 @@ bool look_at_contact(const Scene& scene, Work& work, ContactFigures& figures) {
   work.add(1);
   figures.approach_speed_m_per_s = contact.approach_speed_m_per_s();
   figures.rate_hardness_n_per_m = contact.rate_hardness_n_per_m();
+  figures.rise_kind = contact.kind();
   if (settles(figures.summary)) figures.rise_time_s = rise.time_s();
   const double penetration_m = deepest_m - scene.walls.front().position_m;
   if (penetration_m > 0.0) figures.peak_penetration_m = penetration_m;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "core/study/first_contact.h"
 #include "core/study/stability_map.h"
 #include "core/summary.h"
 
@@ -42,11 +43,14 @@ struct LargestStiffness {
 
 struct ContactFigures {
   // ---- over the scan: the scene with other stiffnesses of its first wall ----
-  // The scan, then bisection at the upper end of the settled range in which the stiffest lies; what
+  // The scan, then bisection at the upper end of the settled range in which the stiffest lies. What
   // settles is Summary::verdict, with all that a run of its length can tell. Nothing where no run
-  // settles in contact. (Z-width's stiffness, Colgate & Brown 1994, from memory, for this hand
-  // and this contact; not for the worst of all hands.)
+  // settles in contact. (Z-width's stiffness, Colgate & Brown 1994, from memory, for this hand and
+  // this contact; not for the worst of all hands.)
   std::optional<LargestStiffness> stiffest;
+  // The same of the walls that all settle from the scan's softest on, up to the first that does
+  // not: where there are islands, the figure to rely on.
+  std::optional<LargestStiffness> stiffest_unbroken;
   // Neighbours in the scan that settle are one range; 2 and more: there are islands.
   std::size_t settled_ranges = 0;
 
@@ -55,6 +59,7 @@ struct ContactFigures {
   // m/s and N/m; see FirstContact.
   std::optional<double> approach_speed_m_per_s;
   std::optional<double> rate_hardness_n_per_m;
+  RiseKind rise_kind = RiseKind::kMean;  // where there is a rate-hardness
   // Seconds from the first tick whose command is 10 % of the tail's mean force or more to the first
   // with 90 % (the control engineer's rise time); whole ticks, 0 where one tick does both. First:
   // where the first touch overshoots it is that touch's. Only of a scene that settles under a force

@@ -1,7 +1,5 @@
 #include "core/study/first_contact.h"
 
-#include <algorithm>
-
 namespace hapticwall {
 namespace {
 
@@ -36,15 +34,20 @@ void FirstContact::follow(const Sample& sample) {
   }
   last_force_n_ = sample.force_n;
   const double elapsed_s = static_cast<double>(sample.tick - entry_tick_) * period_s_;
-  if (sample.force_n > entry_force_n_) {
-    const bool initial = elapsed_s <= kInitialRiseS;
-    if (initial || !steepest_n_per_s_) {
-      steepest_n_per_s_ =
-          std::max(steepest_n_per_s_.value_or(0.0), (sample.force_n - entry_force_n_) / elapsed_s);
-    }
-    if (!initial) phase_ = Phase::kOver;
+  const bool initial = elapsed_s <= kInitialRiseS;
+  const bool limited = at_limit(sample);
+  const RiseKind kind = limited ? RiseKind::kToTheLimit : RiseKind::kMean;
+  if (sample.force_n > entry_force_n_ && (initial || !steepest_n_per_s_)) {
+    take((sample.force_n - entry_force_n_) / elapsed_s, kind);
+    if (limited) take((sample.force_n - free_force_n_) / (elapsed_s + period_s_), kind);
   }
-  if (at_limit(sample)) phase_ = Phase::kOver;
+  if (limited || (!initial && steepest_n_per_s_)) phase_ = Phase::kOver;
+}
+
+void FirstContact::take(double slope_n_per_s, RiseKind kind) {
+  if (steepest_n_per_s_ && slope_n_per_s <= *steepest_n_per_s_) return;
+  steepest_n_per_s_ = slope_n_per_s;
+  kind_ = kind;
 }
 
 std::optional<double> FirstContact::approach_speed_m_per_s() const {

@@ -34,8 +34,15 @@ inline constexpr double kInitialRiseS = 0.01;
 //    over one tick it says nothing of the wall;
 //  * the steepest and not the last: a contact that ends within milliseconds flattens at once.
 // A spring wall at constant speed gives exactly its stiffness; with an encoder up to one tick in
-// the number of ticks that a count takes more. Where the command rises no further after k0, it is
-// that tick's own rise over one tick.
+// the number of ticks that a count takes more. Two rises have no such mean, and
+// FirstContact::kind() tells:
+//  * the command rises no further after k0 (a touch of one count, or the limit at once): it is the
+//    jump at k0 over one tick, which says where the wall lies between two counts rather than what
+//    it is;
+//  * it rises to the force limit: what the limit has cut off is unknown, and a jump that nearly
+//    reached it would leave next to nothing; so the mean from the last free tick on counts too.
+enum class RiseKind : std::uint8_t { kMean, kOneTick, kToTheLimit };
+
 class FirstContact {
  public:
   explicit FirstContact(double period_s) : period_s_(period_s) {}
@@ -47,15 +54,19 @@ class FirstContact {
   [[nodiscard]] std::optional<double> approach_speed_m_per_s() const;
   // N/m, may be 0; nothing without an entry, or where the handle did not move inwards at it.
   [[nodiscard]] std::optional<double> rate_hardness_n_per_m() const;
+  // Of the rise that rate_hardness_n_per_m() is of.
+  [[nodiscard]] RiseKind kind() const { return kind_; }
 
  private:
   enum class Phase : std::uint8_t { kUnknown, kFree, kRising, kOver };
 
   void enter(const Sample& sample);
   void follow(const Sample& sample);
+  void take(double slope_n_per_s, RiseKind kind);
 
   double period_s_;
   Phase phase_ = Phase::kUnknown;
+  RiseKind kind_ = RiseKind::kOneTick;
   std::uint64_t entry_tick_ = 0;
   double speed_m_per_s_ = 0.0;
   double free_force_n_ = 0.0;  // of the last tick out of contact

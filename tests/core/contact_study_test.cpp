@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
@@ -48,6 +49,7 @@ TEST(FirstContact, TakesTheSteepestMeanFromTheFirstTickInContact) {
       contact_of({{0, false}, {5, true}, {5.2, true}, {5.5, true}, {5.5, true}, {5.6, true}}, 0.5);
   EXPECT_DOUBLE_EQ(contact.approach_speed_m_per_s().value(), 0.5);
   EXPECT_NEAR(contact.rate_hardness_n_per_m().value(), 250.0 / 0.5, 1e-9);
+  EXPECT_EQ(contact.kind(), RiseKind::kMean);
 }
 
 TEST(FirstContact, EndsWhereTheCommandFalls) {
@@ -66,16 +68,31 @@ TEST(FirstContact, EndsWhereTheHandleIsOutAgain) {
 
 TEST(FirstContact, EndsAtTheForceLimit) {
   const FirstContact contact =
-      contact_of({{0, false}, {1, true}, {1, true}, {3, true, kFlagForceLimit}, {90, true}}, 1.0);
-  EXPECT_NEAR(contact.rate_hardness_n_per_m().value(), 1000.0, 1e-9);
+      contact_of({{0, false}, {1, true}, {1, true}, {4, true, kFlagForceLimit}, {90, true}}, 1.0);
+  EXPECT_NEAR(contact.rate_hardness_n_per_m().value(), 1500.0, 1e-9);
+  EXPECT_EQ(contact.kind(), RiseKind::kToTheLimit);
+  // What came before the limit was steeper: the limit has cut off nothing.
+  const FirstContact before =
+      contact_of({{0, false}, {1, true}, {4, true}, {5, true, kFlagForceLimit}}, 1.0);
+  EXPECT_NEAR(before.rate_hardness_n_per_m().value(), 3000.0, 1e-9);
+  EXPECT_EQ(before.kind(), RiseKind::kMean);
+}
+
+TEST(FirstContact, OfAJumpThatNearlyReachesTheLimitIsNotWhatIsLeft) {
+  const FirstContact contact =
+      contact_of({{0, false}, {8.7, true}, {8.9, true, kFlagForceLimit}, {0, false}}, 1.0);
+  EXPECT_NEAR(contact.rate_hardness_n_per_m().value(), 8.9 / (2.0 * kPeriodS), 1e-6);
+  EXPECT_EQ(contact.kind(), RiseKind::kToTheLimit);
 }
 
 TEST(FirstContact, OfOneJumpIsThatJumpInATick) {
   const FirstContact at_once = contact_of(
       {{0, false}, {8.9, true, kFlagForceLimit}, {8.9, true, kFlagForceLimit}, {0, false}}, 0.1);
   EXPECT_NEAR(at_once.rate_hardness_n_per_m().value(), 8.9 / kPeriodS / 0.1, 1e-6);
+  EXPECT_EQ(at_once.kind(), RiseKind::kOneTick);
   const FirstContact one_count = contact_of({{0.5, false}, {2, true}, {2, true}, {0, false}}, 0.1);
   EXPECT_NEAR(one_count.rate_hardness_n_per_m().value(), 1.5 / kPeriodS / 0.1, 1e-6);
+  EXPECT_EQ(one_count.kind(), RiseKind::kOneTick);
 }
 
 TEST(FirstContact, WaitsForASlowHandButLooksNoFurther) {
@@ -91,7 +108,8 @@ TEST(FirstContact, WaitsForASlowHandButLooksNoFurther) {
 }
 
 TEST(FirstContact, NeedsAnEntryAndASpeed) {
-  EXPECT_FALSE(contact_of({{0, false}, {0, false}}, 1.0).approach_speed_m_per_s());
+  const FirstContact outside = contact_of({{0, false}, {0, false}}, 1.0);
+  EXPECT_FALSE(outside.approach_speed_m_per_s());
   const FirstContact begun_inside = contact_of({{1, true}, {2, true}, {3, true}}, 1.0);
   EXPECT_FALSE(begun_inside.approach_speed_m_per_s());
   EXPECT_FALSE(begun_inside.rate_hardness_n_per_m());
@@ -259,28 +277,6 @@ TEST(LargestStiffness, IsNotThereWhereNothingSettles) {
   EXPECT_EQ(rows[0].settled_ranges, 0U);
 }
 
-// A hand that presses less than the wall's one count needs: a wall soft enough is stable, and a
-// wall so stiff that its friction holds it is quiet again.
-TEST(LargestStiffness, TellsOfIslands) {
-  ContactStudyPlan plan = pressed(500.0, 1e6, 24);
-  plan.scene.device.force_limit_n = 4.5;  // less than the hand's: a wall that gives way
-  plan.scene.duration_s = 8.0;
-  const auto rows = study_contact(plan);
-  // Against one scene at a time.
-  const MapAxis axis = plan.stiffnesses();
-  std::size_t ranges = 0;
-  bool before = false;
-  for (std::size_t i = 0; i < axis.count; ++i) {
-    Scene scene = plan.scene;
-    scene.algorithm.index = plan.algorithms[0];
-    scene.walls[0].stiffness_n_per_m = axis.value(i);
-    const bool settled = simulate(scene).summary.verdict == Verdict::kSettled;
-    if (settled && !before) ++ranges;
-    before = settled;
-  }
-  EXPECT_EQ(rows.at(0).settled_ranges, ranges);
-}
-
 // ---- the built-in tap and press, as far as these figures go ----
 
 Scene paper_scene(HandSettings hand) {
@@ -298,6 +294,55 @@ HandSettings tap() {
   return {0.2, 300.0, 5.0, 2000.0, 2.0, {{0.0, 0.03}, {0.1765, 0.0653}}, false};
 }
 HandSettings press() { return {0.4, 250.0, 33.0, 1000.0, 1.0, {{0.0, 0.03}, {1.5, 0.075}}, false}; }
+
+// The bare wall of press settles up to about 5 kN/m, and again a little above.
+TEST(LargestStiffness, TellsOfIslands) {
+  ContactStudyPlan plan = plan_of(paper_scene(press()), {"none", "virtual-coupling"});
+  plan.low_n_per_m = 1000.0;
+  plan.high_n_per_m = 1e5;
+  plan.count = 49;
+  const auto rows = study_contact(plan);
+  const MapAxis axis = plan.stiffnesses();
+  std::size_t ranges = 0;
+  std::size_t first_end = axis.count;
+  double stiffest = 0.0;
+  bool before = false;
+  for (std::size_t i = 0; i < axis.count; ++i) {
+    Scene scene = plan.scene;
+    scene.algorithm.index = plan.algorithms[0];
+    scene.walls[0].stiffness_n_per_m = axis.value(i);
+    const Summary summary = simulate(scene).summary;
+    const bool settled = summary.verdict == Verdict::kSettled;
+    if (settled && !before) ++ranges;
+    if (settled) stiffest = std::max(stiffest, summary.displayed_stiffness_n_per_m.value());
+    if (!settled) first_end = std::min(first_end, i);
+    before = settled;
+  }
+  ASSERT_GT(ranges, 1U);
+  EXPECT_EQ(rows.at(0).settled_ranges, ranges);
+  EXPECT_GE(rows[0].stiffest.value().displayed_n_per_m, stiffest);
+  const LargestStiffness& unbroken = rows[0].stiffest_unbroken.value();
+  EXPECT_LT(unbroken.displayed_n_per_m, rows[0].stiffest->displayed_n_per_m);
+  EXPECT_GE(unbroken.wall_n_per_m, axis.value(first_end - 1));
+  EXPECT_LT(unbroken.wall_n_per_m, axis.value(first_end));
+  EXPECT_FALSE(unbroken.open_ended);
+  // Where there are none both are one.
+  EXPECT_EQ(rows.at(1).settled_ranges, 1U);
+  EXPECT_EQ(rows[1].stiffest.value().displayed_n_per_m,
+            rows[1].stiffest_unbroken.value().displayed_n_per_m);
+  EXPECT_TRUE(rows[1].stiffest_unbroken->open_ended);
+}
+
+TEST(LargestStiffness, IsNotUnbrokenWhereTheSoftestDoesNotSettle) {
+  ContactStudyPlan plan = plan_of(paper_scene(press()), {"none"});
+  // The first two lie between the ranges of the test above.
+  plan.low_n_per_m = 5200.0;
+  plan.high_n_per_m = 6200.0;
+  plan.count = 11;
+  const ContactFigures figures = study_contact(plan).at(0);
+  EXPECT_TRUE(figures.stiffest);
+  EXPECT_FALSE(figures.stiffest_unbroken);
+}
 
 TEST(EnergyToTheHand, IsWhatATapUnderEnergyBoundingGives) {
   const ContactFigures active = figures_of(paper_scene(tap()), "energy-bounding");
