@@ -44,6 +44,10 @@ std::string wall_text(const std::optional<LargestStiffness>& figure) {
   return figure ? fixed(figure->wall_n_per_m, 1.0 / kNewtonsPerKilonewton, 1) : "-";
 }
 
+std::string buzz_text(const std::optional<LargestStiffness>& figure) {
+  return figure ? fixed(figure->force_std_n, 1.0, 2) : "-";
+}
+
 bool rises(const ContactFigures& row, RiseKind kind) {
   return row.rate_hardness_n_per_m && row.rise_kind == kind;
 }
@@ -61,15 +65,18 @@ struct Column {
   Align align = Align::kRight;
 };
 
-constexpr std::array<Column, 11> kColumns{
+constexpr std::array<Column, 13> kColumns{
     {{"algorithm", "", [](const ContactFigures& r) { return r.summary.algorithm; }, Align::kLeft},
      {"stiffest", "kN/m",
       [](const ContactFigures& r) { return stiffness_text(r.stiffest_unbroken); }},
      {"of a wall", "kN/m", [](const ContactFigures& r) { return wall_text(r.stiffest_unbroken); }},
+     {"force", "+/- N", [](const ContactFigures& r) { return buzz_text(r.stiffest_unbroken); }},
      {"in islands", "kN/m",
       [](const ContactFigures& r) { return has_islands(r) ? stiffness_text(r.stiffest) : ""; }},
      {"of a wall", "kN/m",
       [](const ContactFigures& r) { return has_islands(r) ? wall_text(r.stiffest) : ""; }},
+     {"force", "+/- N",
+      [](const ContactFigures& r) { return has_islands(r) ? buzz_text(r.stiffest) : ""; }},
      {"rate-hardness  ", "kN/m  ", rate_hardness_text},
      {"rise time", "ms",
       [](const ContactFigures& r) { return fixed(r.rise_time_s, kMillisecondsPerSecond, 1); }},
@@ -131,11 +138,12 @@ Json conditions_object(const ContactStudyPlan& plan) {
           {"scan_tolerance", number(plan.tolerance)}};
 }
 
-// `figure` as three keys.
+// `figure` as four keys.
 void add_stiffness(const std::string& prefix, const std::optional<LargestStiffness>& figure,
                    Json& object) {
   object[prefix + "stiffness_n_per_m"] = figure ? number(figure->displayed_n_per_m) : Json();
   object[prefix + "at_wall_n_per_m"] = figure ? number(figure->wall_n_per_m) : Json();
+  object[prefix + "tail_force_std_n"] = figure ? number(figure->force_std_n) : Json();
   object[prefix + "reaches_end_of_scan"] = figure ? Json(figure->open_ended) : Json();
 }
 

@@ -79,7 +79,8 @@ bool take_stiffer(const Summary& run, double wall_n_per_m,
   const std::optional<double> displayed = run.displayed_stiffness_n_per_m;
   if (!settles(run) || !displayed) return false;
   if (stiffest && *displayed <= stiffest->displayed_n_per_m) return false;
-  stiffest = {*displayed, wall_n_per_m, stiffest && stiffest->open_ended};
+  stiffest = {*displayed, wall_n_per_m, run.tail_force_std_n.value_or(0.0),
+              stiffest && stiffest->open_ended};
   return true;
 }
 

@@ -36,6 +36,9 @@ struct LargestStiffness {
   // second (Summary::displayed_stiffness_n_per_m). Of all runs that settle, scan and refinement.
   double displayed_n_per_m = 0.0;
   double wall_n_per_m = 0.0;  // the wall's own stiffness in that run
+  // Standard deviation of the command in that last second, N: a run settles by its position, to
+  // 0.1 mm, and may still buzz.
+  double force_std_n = 0.0;
   // The walls next to it settle up to the scan's last one: what lies beyond was not tried, and
   // `displayed_n_per_m` reads "at least".
   bool open_ended = false;

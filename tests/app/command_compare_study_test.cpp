@@ -184,15 +184,15 @@ TEST(StudyReport, WhatDoesNotApplyIsADashAndNull) {
 
 TEST(StudyReport, MarksAreExplainedWhereTheyOccur) {
   ContactFigures row = made_up_row();
-  row.stiffest = {161'000.0, 142'000.0, true};
-  row.stiffest_unbroken = {7277.0, 7279.0, false};
+  row.stiffest = {161'000.0, 142'000.0, 2.64, true};
+  row.stiffest_unbroken = {7277.0, 7279.0, 1.27, false};
   row.settled_ranges = 3;
   row.approach_speed_m_per_s = 0.03;
   row.rate_hardness_n_per_m = 44'350.0;
   row.rise_kind = RiseKind::kOneTick;
   const std::string table = study_table(made_up_plan(), {row});
-  EXPECT_THAT(table, AllOf(HasSubstr("met at 0.030 m/s"), HasSubstr("7.28        7.3"),
-                           HasSubstr(">= 161.00      142.0"), HasSubstr(" 44.35 * "),
+  EXPECT_THAT(table, AllOf(HasSubstr("met at 0.030 m/s"), HasSubstr("7.28        7.3   1.27 "),
+                           HasSubstr(">= 161.00      142.0   2.64 "), HasSubstr(" 44.35 * "),
                            HasSubstr("\n>= settles up to"), HasSubstr("\nin islands: "),
                            HasSubstr("\n* one jump in one tick")));
   const auto json = nlohmann::json::parse(study_json(made_up_plan(), {row}));

@@ -326,11 +326,13 @@ TEST(LargestStiffness, TellsOfIslands) {
   EXPECT_GE(unbroken.wall_n_per_m, axis.value(first_end - 1));
   EXPECT_LT(unbroken.wall_n_per_m, axis.value(first_end));
   EXPECT_FALSE(unbroken.open_ended);
+  EXPECT_GT(unbroken.force_std_n, 0.1) << "it buzzes within 0.1 mm";
   // Where there are none both are one.
   EXPECT_EQ(rows.at(1).settled_ranges, 1U);
   EXPECT_EQ(rows[1].stiffest.value().displayed_n_per_m,
             rows[1].stiffest_unbroken.value().displayed_n_per_m);
   EXPECT_TRUE(rows[1].stiffest_unbroken->open_ended);
+  EXPECT_LT(rows[1].stiffest_unbroken->force_std_n, 1e-3);
 }
 
 TEST(LargestStiffness, IsNotUnbrokenWhereTheSoftestDoesNotSettle) {
