@@ -9,6 +9,7 @@
 #include "app/command/common_options.h"
 #include "app/command/compare_order.h"
 #include "app/command/compare_plot.h"
+#include "app/command/compare_study.h"
 #include "app/command/device_choice.h"
 #include "app/command/headless.h"
 #include "app/command/output_file.h"
@@ -26,6 +27,7 @@ struct CompareOptions {
   OutputOptions output;
   std::vector<std::string> algorithms;  // empty: all
   std::string sort;
+  bool study = false;
 };
 
 // All are opened before anything runs.
@@ -80,6 +82,10 @@ std::optional<std::vector<Summary>> run_all(file::LoadedScene loaded,
 }
 
 int compare(const CompareOptions& options) {
+  if (options.study && !options.sort.empty()) {
+    return report({ErrorKind::kUsage, "--sort: not with --study, whose rows stand as they are"});
+  }
+  if (options.study) return compare_study(options.scene, options.output, options.algorithms);
   const Result<std::vector<Expectation>> expectations =
       parse_expectations(options.output.expectations);
   if (!expectations) return report(expectations.error());
@@ -123,6 +129,10 @@ Command add_compare(CLI::App& program) {
   add_algorithms_option(*app, options->algorithms);
   add_scene_options(*app, options->scene);
   add_simulator_option(*app, options->scene);
+  app->add_flag(
+      "--study", options->study,
+      "Instead: largest stable stiffness, rate-hardness, rise time, deepest point, energy "
+      "to the hand");
   app->add_option("--csv", options->output.csv, "Write the table as CSV, a line an algorithm")
       ->type_name("FILE");
   app->add_option("--plot", options->output.plot,

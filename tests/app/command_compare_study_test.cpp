@@ -1,0 +1,210 @@
+// `compare --study` as a script sees it: table, JSON, CSV, refusals.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command/compare_study.h"
+#include "tests/app/command_binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class StudyCommand : public ProgramTest {
+ protected:
+  void expect_refused(std::vector<std::string> arguments, int status, const std::string& line) {
+    arguments.insert(arguments.begin(), {"compare", "--study"});
+    const Answer answer = hapticwall(std::move(arguments));
+    EXPECT_EQ(answer.status, status) << answer.err;
+    EXPECT_EQ(answer.err, "error: " + line + "\n");
+    EXPECT_THAT(answer.out, IsEmpty());
+    EXPECT_THAT(files(), IsEmpty());
+  }
+};
+
+TEST_F(StudyCommand, IsATableOfAllAlgorithms) {
+  const Answer answer = hapticwall({"compare", "tap", "--study"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_THAT(answer.err, IsEmpty());
+  EXPECT_THAT(answer.out,
+              AllOf(StartsWith("tap: wall of 35.00 kN/m, met at 0.253 m/s, 6 s\nstiffest: 97 "
+                               "stiffnesses of the wall from 100 to 1e+06 N/m, refined to 0.001\n"),
+                    HasSubstr("rate-hardness"), HasSubstr("\nvirtual-coupling       >= 2.00")));
+  // Conditions, a gap, two lines of heading, eight algorithms, a gap, three marks.
+  EXPECT_EQ(std::count(answer.out.begin(), answer.out.end(), '\n'), 2 + 1 + 2 + 8 + 1 + 3)
+      << answer.out;
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(StudyCommand, JsonOnStandardOutputIsAllThereIs) {
+  const Answer answer = hapticwall({"compare", "tap", "--study", "--algorithms",
+                                    "energy-bounding,virtual-coupling", "--json", "-"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto json = nlohmann::json::parse(answer.out);
+  EXPECT_EQ(json.at("scene"), "tap");
+  EXPECT_EQ(json.at("wall_stiffness_n_per_m"), 35000.0);
+  EXPECT_EQ(json.at("scan_count"), 97);
+  ASSERT_EQ(json.at("rows").size(), 2U);
+  const auto& bounding = json.at("rows")[0];
+  EXPECT_EQ(bounding.at("algorithm"), "energy-bounding");
+  EXPECT_NEAR(bounding.at("energy_to_hand_j").get<double>(), 2.88, 0.005);
+  EXPECT_EQ(bounding.at("verdict"), "oscillating");
+  EXPECT_TRUE(bounding.at("rise_time_s").is_null());
+  EXPECT_EQ(bounding.at("largest_reaches_end_of_scan"), false);
+  const auto& coupling = json.at("rows")[1];
+  EXPECT_EQ(coupling.at("energy_to_hand_j"), 0.0);
+  EXPECT_EQ(coupling.at("largest_reaches_end_of_scan"), true);
+  EXPECT_EQ(coupling.at("largest_at_wall_n_per_m"), 1e6);
+  const double displayed = 1e6 * 2000.0 / (1e6 + 2000.0);
+  EXPECT_NEAR(coupling.at("largest_stiffness_n_per_m").get<double>(), displayed, 1e-3);
+  EXPECT_EQ(coupling.at("unbroken_stiffness_n_per_m"), coupling.at("largest_stiffness_n_per_m"));
+  EXPECT_TRUE(coupling.at("rise_time_s").is_number());
+  EXPECT_TRUE(coupling.at("rate_hardness_n_per_m").is_number());
+}
+
+TEST_F(StudyCommand, FilesAreWritten) {
+  const Answer answer = hapticwall({"compare", "light", "--study", "--csv", "a.csv", "--json",
+                                    "a.json", "--quiet", "--duration", "2"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out, IsEmpty());
+  EXPECT_THAT(files(), ElementsAre("a.csv", "a.json"));
+  const auto json = nlohmann::json::parse(content("a.json"));
+  EXPECT_EQ(json.at("duration_s"), 2.0);
+  const std::string csv = content("a.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 9);
+  // The same keys, and as many fields in every line.
+  const std::string header = csv.substr(0, csv.find('\n'));
+  EXPECT_THAT(header, StartsWith("scene,duration_s,rate_hz,"));
+  for (const auto& [key, value] : json.at("rows")[0].items()) EXPECT_THAT(header, HasSubstr(key));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), ','),
+            9 * std::count(header.begin(), header.end(), ','));
+  EXPECT_THAT(csv, HasSubstr("\nlight,2,1000,35000,100,1e+06,97,0.001,none,"));
+}
+
+TEST_F(StudyCommand, IsTheSameEveryTime) {
+  const auto run = [&] {
+    return hapticwall({"compare", "press", "--study", "--json", "-", "--duration", "3",
+                       "--algorithms", "none,half-sample,energy-bounding"})
+        .out;
+  };
+  const std::string first = run();
+  EXPECT_THAT(first, HasSubstr("half-sample"));
+  EXPECT_EQ(first, run());
+}
+
+TEST_F(StudyCommand, OfACornerIsOfAxisX) {
+  const Answer answer = hapticwall(
+      {"compare", "corner", "--study", "--algorithms", "force-bounding", "--duration", "2"});
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out, StartsWith("corner, axis x: wall of "));
+}
+
+TEST_F(StudyCommand, RefusesInOneLine) {
+  expect_refused({"press", "--expect", "verdict=settled"}, 2,
+                 "--expect: not with --study, which has no summary; 'hapticwall compare SCENE "
+                 "--expect EXPR' has");
+  expect_refused({"press", "--plot", "a.png"}, 2,
+                 "--plot: not with --study, which draws no figure; 'hapticwall run SCENE --plot "
+                 "FILE.png' does");
+  expect_refused({"press", "--set", "wall=[]"}, 2,
+                 "--study: wall: the study varies the stiffness of a wall, and there is none");
+  expect_refused({"press", "--device", "ie2000"}, 3,
+                 "--device 'ie2000': 'compare' computes on the simulator only, 'sim'; 'hapticwall "
+                 "run' and the window drive a device");
+  expect_refused({"press", "--csv", "a", "--json", "a"}, 2,
+                 "--csv and --json are the same file, 'a'");
+  expect_refused({"press", "--csv", "no/a.csv"}, 4,
+                 "no/a.csv: cannot be written: No such file or directory");
+}
+
+TEST_F(StudyCommand, CtrlCEndsItAndNothingIsWritten) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = start({HAPTICWALL_BINARY, "compare", "press", "--study", "--duration",
+                               "10000", "--json", "a.json", "--csv", "a.csv"});
+    // Signals are caught before a file is opened.
+    while (files().empty() && is_running(child)) sched_yield();
+    kill(child, signal);
+    const Answer answer = wait_for(child);
+    EXPECT_EQ(answer.status, 128 + signal);
+    EXPECT_THAT(answer.err, AllOf(StartsWith("ended early by "), HasSubstr("nothing was written")));
+    EXPECT_EQ(answer.error_lines(), 1);
+    EXPECT_THAT(answer.out, IsEmpty());
+    EXPECT_THAT(files(), IsEmpty());
+  }
+}
+
+TEST_F(StudyCommand, IsInTheHelp) {
+  EXPECT_THAT(hapticwall({"compare", "--help"}).out, HasSubstr("--study"));
+}
+
+// ---- the report of figures made up ----
+
+ContactStudyPlan made_up_plan() {
+  ContactStudyPlan plan;
+  plan.scene.name = "a, \"b\"\xff";
+  plan.scene.walls = {{0.05, 35000.0, 0.0}};
+  plan.algorithms = {0};
+  return plan;
+}
+
+ContactFigures made_up_row() {
+  ContactFigures row;
+  row.summary.algorithm = "none";
+  row.summary.verdict = Verdict::kOscillating;
+  row.settled_ranges = 0;
+  return row;
+}
+
+TEST(StudyReport, WhatDoesNotApplyIsADashAndNull) {
+  const std::vector<ContactFigures> rows{made_up_row()};
+  const std::string table = study_table(made_up_plan(), rows);
+  EXPECT_THAT(table, HasSubstr("met at - m/s"));
+  EXPECT_THAT(table,
+              AllOf(Not(HasSubstr(">=")), Not(HasSubstr("in islands:")), Not(HasSubstr("*"))));
+  const auto json = nlohmann::json::parse(study_json(made_up_plan(), rows));
+  for (const char* key :
+       {"unbroken_stiffness_n_per_m", "largest_at_wall_n_per_m", "largest_reaches_end_of_scan",
+        "rate_hardness_n_per_m", "rise_time_s", "peak_penetration_m", "tail_peak_to_peak_m"}) {
+    EXPECT_TRUE(json.at("rows")[0].at(key).is_null()) << key;
+  }
+  EXPECT_EQ(json.at("rows")[0].at("energy_to_hand_j"), 0.0);
+  EXPECT_THAT(study_csv(made_up_plan(), rows), HasSubstr("\n\"a, \"\"b\"\"\xff\",6,1000,35000,"));
+}
+
+TEST(StudyReport, MarksAreExplainedWhereTheyOccur) {
+  ContactFigures row = made_up_row();
+  row.stiffest = {161'000.0, 142'000.0, 2.64, true};
+  row.stiffest_unbroken = {7277.0, 7279.0, 1.27, false};
+  row.settled_ranges = 3;
+  row.approach_speed_m_per_s = 0.03;
+  row.rate_hardness_n_per_m = 44'350.0;
+  row.rise_kind = RiseKind::kOneTick;
+  const std::string table = study_table(made_up_plan(), {row});
+  EXPECT_THAT(table, AllOf(HasSubstr("met at 0.030 m/s"), HasSubstr("7.28        7.3   1.27 "),
+                           HasSubstr(">= 161.00      142.0   2.64 "), HasSubstr(" 44.35 * "),
+                           HasSubstr("\n>= settles up to"), HasSubstr("\nin islands: "),
+                           HasSubstr("\n* one jump in one tick")));
+  const auto json = nlohmann::json::parse(study_json(made_up_plan(), {row}));
+  EXPECT_EQ(json.at("rows")[0].at("rate_hardness_of"), "one-tick");
+  row.rise_kind = RiseKind::kToTheLimit;
+  EXPECT_THAT(study_table(made_up_plan(), {row}),
+              AllOf(HasSubstr(" 44.35 + "), HasSubstr("\n+ cut off by the force limit\n"),
+                    Not(HasSubstr("*"))));
+  row.settled_ranges = 1;
+  EXPECT_THAT(study_table(made_up_plan(), {row}), Not(HasSubstr("161.00")))
+      << "of one range there is one figure";
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test
