@@ -97,7 +97,7 @@ TEST(Override, NonsenseGetsOneLineThatNamesIt) {
   EXPECT_EQ(message(kOneWall, "a="), "--set a=: there is no value: it takes KEY=VALUE");
   EXPECT_EQ(message(kOneWall, "foo=1"),
             "--set foo=1: foo: unknown key; known here: name, description, duration_s, sampling, "
-            "device, hand, wall, algorithm, simulator, recording");
+            "device, hand, wall, algorithm, simulator, recording, map");
   EXPECT_EQ(message(kOneWall, "device.masskg=1"),
             "--set device.masskg=1: device.masskg: unknown key; did you mean 'mass_kg'?");
   EXPECT_EQ(message(kOneWall, "device.mass_kg=heavy"),
