@@ -6,28 +6,21 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "app/command/json_report.h"
 #include "app/command/text_table.h"
 #include "app/file/text.h"
 
 namespace hapticwall::command {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kIndent = 2;
 constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kMicrosecondsPerNanosecond = 1e-3;
 constexpr double kPercent = 100.0;
 constexpr std::string_view kWrongVerdictMark = " !";
-
-Json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json();
-}
 
 template <typename T>
 Json value_or_null(const std::optional<T>& value) {
@@ -41,38 +34,26 @@ std::string_view name_of(Integrator integrator) {
 Json reference_object(const Summary& reference) {
   return {{"scene", reference.scene},
           {"algorithm", reference.algorithm},
-          {"duration_s", number(reference.duration_s)},
+          {"duration_s", json_number(reference.duration_s)},
           {"ticks", reference.ticks},
           {"reference_verdict", verdict_name(reference.verdict)},
-          {"reference_tail_peak_to_peak_m", number(reference.tail_peak_to_peak_m)},
+          {"reference_tail_peak_to_peak_m", json_number(reference.tail_peak_to_peak_m)},
           {"reference_diverged_at_tick", value_or_null(reference.diverged_at_tick)}};
 }
 
 Json row_object(const AccuracyRow& row) {
   return {{"integrator", name_of(row.integrator)},
           {"substeps", value_or_null(row.substeps)},
-          {"ns_per_tick", number(row.ns_per_tick)},
-          {"ratio_to_exact", number(row.ratio_to_exact)},
-          {"set_up_ns", number(row.set_up_ns)},
-          {"max_position_error_m", number(row.max_position_error_m)},
-          {"energy_balance_error_j", number(row.energy_balance_error_j)},
-          {"tail_peak_to_peak_m", number(row.tail_peak_to_peak_m)},
-          {"tail_peak_to_peak_relative_error", number(row.tail_peak_to_peak_relative_error)},
+          {"ns_per_tick", json_number(row.ns_per_tick)},
+          {"ratio_to_exact", json_number(row.ratio_to_exact)},
+          {"set_up_ns", json_number(row.set_up_ns)},
+          {"max_position_error_m", json_number(row.max_position_error_m)},
+          {"energy_balance_error_j", json_number(row.energy_balance_error_j)},
+          {"tail_peak_to_peak_m", json_number(row.tail_peak_to_peak_m)},
+          {"tail_peak_to_peak_relative_error", json_number(row.tail_peak_to_peak_relative_error)},
           {"verdict", verdict_name(row.verdict)},
           {"verdict_agrees", row.verdict_agrees},
           {"diverged_at_tick", value_or_null(row.diverged_at_tick)}};
-}
-
-// RFC 4180; names of scenes are the user's.
-std::string csv_field(const Json& value) {
-  if (value.is_null()) return "";
-  if (value.is_number_float()) return file::number_text(value.get<double>());
-  if (!value.is_string()) return value.dump();
-  const auto& text = value.get_ref<const std::string&>();
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 std::string scientific(std::optional<double> value) {
@@ -152,29 +133,16 @@ std::string accuracy_json(const AccuracyStudy& study) {
   Json object = reference_object(study.reference);
   Json& rows = object["rows"] = Json::array();
   for (const AccuracyRow& row : study.rows) rows.push_back(row_object(row));
-  // Names of scenes are the user's: invalid UTF-8 is replaced, never thrown about.
-  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 std::string accuracy_csv(const AccuracyStudy& study) {
-  std::string text;
-  const Json reference = reference_object(study.reference);
+  std::vector<Json> lines;
   for (const AccuracyRow& row : study.rows) {
-    std::string header;
-    std::string line;
-    const auto add = [&](const Json& object) {
-      for (const auto& [key, value] : object.items()) {
-        const std::string_view separator = header.empty() ? "" : ",";
-        header += fmt::format("{}{}", separator, key);
-        line += fmt::format("{}{}", separator, csv_field(value));
-      }
-    };
-    add(reference);
-    add(row_object(row));
-    if (text.empty()) text = header + '\n';
-    text += line + '\n';
+    Json& line = lines.emplace_back(reference_object(study.reference));
+    line.update(row_object(row));
   }
-  return text;
+  return csv_text(lines);
 }
 
 }  // namespace hapticwall::command

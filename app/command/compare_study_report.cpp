@@ -4,20 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
 #include "app/command/compare_study.h"
+#include "app/command/json_report.h"
 #include "app/command/text_table.h"
 #include "app/file/text.h"
 
 namespace hapticwall::command {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kIndent = 2;
 constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kMillisecondsPerSecond = 1e3;
 constexpr double kMillijoulesPerJoule = 1e3;
@@ -25,10 +22,6 @@ constexpr double kNewtonsPerKilonewton = 1e3;
 // In the order of RiseKind; all of a width, so that numbers stay below each other.
 constexpr std::array<std::string_view, 3> kRiseMarks{"  ", " *", " +"};
 constexpr std::array<std::string_view, 3> kRiseNames{"mean", "one-tick", "to-the-limit"};
-
-Json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json();
-}
 
 std::string kilonewtons_per_metre(std::optional<double> value) {
   return fixed(value, 1.0 / kNewtonsPerKilonewton, 2);
@@ -129,21 +122,21 @@ std::string marks_text(const std::vector<ContactFigures>& rows) {
 Json conditions_object(const ContactStudyPlan& plan) {
   const MapAxis axis = plan.stiffnesses();
   return {{"scene", plan.scene.name},
-          {"duration_s", number(plan.scene.duration_s)},
-          {"rate_hz", number(plan.scene.sampling.rate_hz)},
-          {"wall_stiffness_n_per_m", number(plan.scene.walls.front().stiffness_n_per_m)},
-          {"scan_low_n_per_m", number(axis.low)},
-          {"scan_high_n_per_m", number(axis.high)},
+          {"duration_s", json_number(plan.scene.duration_s)},
+          {"rate_hz", json_number(plan.scene.sampling.rate_hz)},
+          {"wall_stiffness_n_per_m", json_number(plan.scene.walls.front().stiffness_n_per_m)},
+          {"scan_low_n_per_m", json_number(axis.low)},
+          {"scan_high_n_per_m", json_number(axis.high)},
           {"scan_count", axis.count},
-          {"scan_tolerance", number(plan.tolerance)}};
+          {"scan_tolerance", json_number(plan.tolerance)}};
 }
 
 // `figure` as four keys.
 void add_stiffness(const std::string& prefix, const std::optional<LargestStiffness>& figure,
                    Json& object) {
-  object[prefix + "stiffness_n_per_m"] = figure ? number(figure->displayed_n_per_m) : Json();
-  object[prefix + "at_wall_n_per_m"] = figure ? number(figure->wall_n_per_m) : Json();
-  object[prefix + "tail_force_std_n"] = figure ? number(figure->force_std_n) : Json();
+  object[prefix + "stiffness_n_per_m"] = figure ? json_number(figure->displayed_n_per_m) : Json();
+  object[prefix + "at_wall_n_per_m"] = figure ? json_number(figure->wall_n_per_m) : Json();
+  object[prefix + "tail_force_std_n"] = figure ? json_number(figure->force_std_n) : Json();
   object[prefix + "reaches_end_of_scan"] = figure ? Json(figure->open_ended) : Json();
 }
 
@@ -152,29 +145,17 @@ Json row_object(const ContactFigures& row) {
   add_stiffness("unbroken_", row.stiffest_unbroken, object);
   add_stiffness("largest_", row.stiffest, object);
   object["settled_ranges"] = row.settled_ranges;
-  object["approach_speed_m_per_s"] = number(row.approach_speed_m_per_s);
-  object["rate_hardness_n_per_m"] = number(row.rate_hardness_n_per_m);
+  object["approach_speed_m_per_s"] = json_number(row.approach_speed_m_per_s);
+  object["rate_hardness_n_per_m"] = json_number(row.rate_hardness_n_per_m);
   object["rate_hardness_of"] = row.rate_hardness_n_per_m
                                    ? Json(kRiseNames.at(static_cast<std::size_t>(row.rise_kind)))
                                    : Json();
-  object["rise_time_s"] = number(row.rise_time_s);
-  object["peak_penetration_m"] = number(row.peak_penetration_m);
-  object["energy_to_hand_j"] = number(row.energy_to_hand_j);
+  object["rise_time_s"] = json_number(row.rise_time_s);
+  object["peak_penetration_m"] = json_number(row.peak_penetration_m);
+  object["energy_to_hand_j"] = json_number(row.energy_to_hand_j);
   object["verdict"] = verdict_name(row.summary.verdict);
-  object["tail_peak_to_peak_m"] = number(row.summary.tail_peak_to_peak_m);
+  object["tail_peak_to_peak_m"] = json_number(row.summary.tail_peak_to_peak_m);
   return object;
-}
-
-// RFC 4180; names of scenes are the user's.
-std::string csv_field(const Json& value) {
-  if (value.is_null()) return "";
-  if (value.is_number_float()) return file::number_text(value.get<double>());
-  if (!value.is_string()) return value.dump();
-  const auto& text = value.get_ref<const std::string&>();
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 }  // namespace
@@ -195,28 +176,16 @@ std::string study_json(const ContactStudyPlan& plan, const std::vector<ContactFi
   Json object = conditions_object(plan);
   Json& list = object["rows"] = Json::array();
   for (const ContactFigures& row : rows) list.push_back(row_object(row));
-  // Names of scenes are the user's: invalid UTF-8 is replaced, never thrown about.
-  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 std::string study_csv(const ContactStudyPlan& plan, const std::vector<ContactFigures>& rows) {
-  std::string text;
+  std::vector<Json> lines;
   for (const ContactFigures& row : rows) {
-    std::string header;
-    std::string line;
-    const auto add = [&](const Json& object) {
-      for (const auto& [key, value] : object.items()) {
-        const std::string_view separator = header.empty() ? "" : ",";
-        header += fmt::format("{}{}", separator, key);
-        line += fmt::format("{}{}", separator, csv_field(value));
-      }
-    };
-    add(conditions_object(plan));
-    add(row_object(row));
-    if (text.empty()) text = header + '\n';
-    text += line + '\n';
+    Json& line = lines.emplace_back(conditions_object(plan));
+    line.update(row_object(row));
   }
-  return text;
+  return csv_text(lines);
 }
 
 }  // namespace hapticwall::command

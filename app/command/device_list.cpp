@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "app/command/json_report.h"
 #include "app/file/text.h"
 #include "device/hid_match.h"
 #include "embedded_rules.h"
@@ -15,11 +15,7 @@ namespace {
 using device::hid::DeviceFigures;
 using device::hid::Listing;
 using device::hid::Obstacle;
-using Json = nlohmann::ordered_json;
-
 constexpr double kMillimetresPerMetre = 1e3;
-constexpr int kIndent = 2;
-
 ListedDevice look_at(device::hid::Port& port, const Listing& listing) {
   ListedDevice device;
   device.listing = listing;
@@ -127,7 +123,7 @@ std::string device_list_json(const DeviceList& list) {
     object["axes"] = axes;
     array.push_back(object);
   }
-  return array.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(array);
 }
 
 }  // namespace hapticwall::command

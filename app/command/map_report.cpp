@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
+#include "app/command/json_report.h"
 #include "app/command/text_table.h"
 #include "app/file/text.h"
 #include "core/stabiliser/stabiliser.h"
@@ -16,16 +16,9 @@
 namespace hapticwall::command {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int kIndent = 2;
 constexpr double kPercent = 100.0;
 constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kNewtonsPerKilonewton = 1e3;
-
-Json number(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json();
-}
 
 Json axis_object(const MapAxis& axis) {
   return {{"key", axis.number.path},
@@ -81,14 +74,15 @@ std::string significant(std::optional<double> value) {
 
 Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary) {
   Json object{{"algorithm", label_of(plan.scene, plan.algorithms.at(boundary.algorithm))}};
-  if (plan.x) object[plan.x->number.path] = number(boundary.x);
-  object["settled"] = number(boundary.settled);
-  object["unsettled"] = number(boundary.unsettled);
+  if (plan.x) object[plan.x->number.path] = json_number(boundary.x);
+  object["settled"] = json_number(boundary.settled);
+  object["unsettled"] = json_number(boundary.unsettled);
   object["changes"] = boundary.changes;
   const bool known = boundary.at_settled.has_value();
   object["displayed_stiffness_n_per_m"] =
-      known ? number(boundary.at_settled->displayed_stiffness_n_per_m) : Json();
-  object["tail_peak_to_peak_m"] = known ? number(boundary.at_settled->tail_peak_to_peak_m) : Json();
+      known ? json_number(boundary.at_settled->displayed_stiffness_n_per_m) : Json();
+  object["tail_peak_to_peak_m"] =
+      known ? json_number(boundary.at_settled->tail_peak_to_peak_m) : Json();
   return object;
 }
 
@@ -160,8 +154,7 @@ std::string map_json(const StabilityMap& map, std::size_t begin,
                     {"oscillating", counts[i].of[1]},
                     {"diverged", counts[i].of[2]}});
   }
-  // Names of scenes are the user's: invalid UTF-8 is replaced, never thrown about.
-  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 std::string boundary_table(const BoundaryPlan& plan, const std::vector<Boundary>& boundaries) {
@@ -193,26 +186,14 @@ std::string boundary_json(const BoundaryPlan& plan, const std::vector<Boundary>&
   if (plan.x) object["x"] = axis_object(*plan.x);
   Json& list = object["boundaries"] = Json::array();
   for (const Boundary& boundary : boundaries) list.push_back(boundary_object(plan, boundary));
-  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 std::string boundary_csv(const BoundaryPlan& plan, const std::vector<Boundary>& boundaries) {
-  std::string text;
-  for (const Boundary& boundary : boundaries) {
-    std::string header;
-    std::string line;
-    const Json object = boundary_object(plan, boundary);
-    for (const auto& [key, value] : object.items()) {
-      const std::string_view separator = header.empty() ? "" : ",";
-      header += fmt::format("{}{}", separator, key);
-      line += separator;
-      if (value.is_string()) line += value.get<std::string>();
-      if (value.is_number()) line += file::number_text(value.get<double>());
-    }
-    if (text.empty()) text = header + '\n';
-    text += line + '\n';
-  }
-  return text;
+  std::vector<Json> lines;
+  lines.reserve(boundaries.size());
+  for (const Boundary& boundary : boundaries) lines.push_back(boundary_object(plan, boundary));
+  return csv_text(lines);
 }
 
 }  // namespace hapticwall::command

@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/command/json_report.h"
 #include "app/file/text.h"
 
 namespace hapticwall::command {
 namespace {
-
-constexpr int kIndent = 2;
 
 SummaryValue number(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return std::monostate{};
@@ -25,10 +23,10 @@ SummaryValue count(std::optional<std::uint64_t> value) {
   return *value;
 }
 
-nlohmann::ordered_json json_object(const Summary& summary) {
-  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+Json json_object(const Summary& summary) {
+  Json object = Json::object();
   for (const SummaryField& field : summary_fields(summary)) {
-    nlohmann::ordered_json& member = object[field.key];
+    Json& member = object[field.key];
     std::visit(
         [&](const auto& value) {
           if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
@@ -38,19 +36,6 @@ nlohmann::ordered_json json_object(const Summary& summary) {
         field.value);
   }
   return object;
-}
-
-// Names of scenes are the user's: invalid UTF-8 is replaced, never thrown about.
-std::string json_text(const nlohmann::ordered_json& json) {
-  return json.dump(kIndent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-// RFC 4180: a field with a comma, a quote or a line end stands in quotes.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 constexpr std::string_view kSecondAxisPrefix = "y_";
@@ -131,7 +116,7 @@ std::string value_text(const SummaryValue& value) {
 std::string summary_json(const Summary& summary) { return json_text(json_object(summary)); }
 
 std::string summaries_json(const std::vector<Summary>& summaries) {
-  nlohmann::ordered_json array = nlohmann::ordered_json::array();
+  Json array = Json::array();
   for (const Summary& summary : summaries) array.push_back(json_object(summary));
   return json_text(array);
 }

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "app/command/json_report.h"
 
 namespace hapticwall::command {
 namespace {
@@ -14,9 +15,6 @@ using runtime::Measure;
 using runtime::Quantiles;
 using runtime::TimingPlan;
 using runtime::TimingRecord;
-using Json = nlohmann::ordered_json;
-
-constexpr int kIndent = 2;
 constexpr double kNanoseconds = 1e9;
 constexpr double kNanosecondsPerMicrosecond = 1e3;
 constexpr double kMicrosecondsPerSecond = 1e6;
@@ -205,7 +203,7 @@ std::string timing_json(const TimingPlan& plan, const TimingRecord& record,
                        {"latency", quantiles_object(record.latency_ns)},
                        {"compute", quantiles_object(record.compute_ns)},
                        {"device", what.empty() ? Json() : device_object(record, what)}};
-  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 }  // namespace hapticwall::command

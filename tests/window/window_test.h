@@ -69,6 +69,6 @@ class WindowTest : public ::testing::TestWithParam<Screen> {
 // Both kinds of screen for a class of tests.
 #define HAPTICWALL_ON_BOTH_SCREENS(suite)                                                         \
   INSTANTIATE_TEST_SUITE_P(                                                                       \
-      , suite,                                                                                    \
+      Screens, suite,                                                                             \
       ::testing::Values(::hapticwall::test::Screen::kNone, ::hapticwall::test::Screen::kDisplay), \
       ::hapticwall::test::screen_name)

@@ -1,0 +1,54 @@
+#include "app/command/json_report.h"
+
+#include <cmath>
+
+#include "app/file/text.h"
+
+namespace hapticwall::command {
+namespace {
+
+constexpr int kIndent = 2;
+
+std::string field_of(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_number_float()) return file::number_text(value.get<double>());
+  if (!value.is_string()) return value.dump();
+  return csv_field(value.get_ref<const std::string&>());
+}
+
+}  // namespace
+
+Json json_number(std::optional<double> value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json();
+}
+
+std::string json_text(const Json& object) {
+  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv_text(const std::vector<Json>& objects) {
+  std::string text;
+  for (const Json& object : objects) {
+    std::string header;
+    std::string line;
+    for (const auto& [key, value] : object.items()) {
+      const std::string_view separator = header.empty() ? "" : ",";
+      header += separator;
+      header += key;
+      line += separator;
+      line += field_of(value);
+    }
+    if (text.empty()) text = header + '\n';
+    text += line + '\n';
+  }
+  return text;
+}
+
+}  // namespace hapticwall::command
