@@ -53,6 +53,7 @@ Failure write_results(const OutputOptions& options, CompareFiles& files, const S
   if (options.json == kStandardOutput) return write_output(summaries_json(summaries));
   if (options.quiet) return {};
   std::vector<Summary> rows;
+  rows.reserve(order.size());
   for (const std::size_t i : order) rows.push_back(summaries[i]);
   return write_output(comparison_table(rows));
 }

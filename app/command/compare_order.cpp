@@ -93,6 +93,7 @@ std::vector<std::size_t> ordered(const std::vector<Summary>& summaries, const Ro
   if (order.key == kUnsorted) return indices;
   const bool usual = order.key.empty();
   std::vector<std::pair<Verdict, Place>> places;
+  places.reserve(summaries.size());
   for (const Summary& summary : summaries) {
     places.emplace_back(usual ? worst_verdict(summary) : Verdict::kSettled,
                         usual ? usual_place(summary) : place_by_key(summary, order.key));

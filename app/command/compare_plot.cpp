@@ -40,6 +40,7 @@ Failure ComparisonPlot::finish(const Scene& scene, const std::vector<Summary>& s
                                const std::vector<std::size_t>& order) {
   if (!is_open()) return {};
   std::vector<ui::ComparedRun> runs;
+  runs.reserve(order.size());
   for (const std::size_t i : order) runs.push_back({summaries.at(i), histories_.at(i)});
   const Result<file::Picture> figure =
       ui::draw_comparison(scene, runs, ui::comparison_size(runs.size()));
