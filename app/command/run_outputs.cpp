@@ -72,7 +72,7 @@ Result<file::Picture> RunOutputs::draw(const Scene& scene) const {
   if (!x || !scene.y) return x;
   Scene y_scene = second_axis(scene);
   y_scene.name += ", axis y";
-  const Result<file::Picture> y = ui::draw_figure(y_scene, y_samples_);
+  Result<file::Picture> y = ui::draw_figure(y_scene, y_samples_);
   if (!y) return y;
   return file::beside(*x, *y);
 }

@@ -100,6 +100,7 @@ std::vector<SummaryField> all_summary_fields() {
 std::string unknown_key(std::string_view key) {
   const std::vector<SummaryField> known = all_summary_fields();
   std::vector<std::string_view> keys;
+  keys.reserve(known.size());
   for (const SummaryField& one : known) keys.push_back(one.key);
   const std::string hint = file::suggestion(key, keys);
   return fmt::format("the summary has no key {}{}", file::in_quotes(key),
