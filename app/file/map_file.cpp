@@ -103,8 +103,9 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
   }
   const std::string partial = path + std::string(kPartialEnding);
   const std::string sidecar_text = map_sidecar(map, part);
-  const bool going_on = !is_empty(partial);
-  if (going_on && contents(sidecar_path + std::string(kPartialEnding)) != sidecar_text) {
+  const bool of_this_map = contents(sidecar_path + std::string(kPartialEnding)) == sidecar_text ||
+                           contents(sidecar_path) == sidecar_text;  // ended between its two names
+  if (!is_empty(partial) && !of_this_map) {
     return Error{ErrorKind::kFile,
                  fmt::format("{}: is not of this map or not of this program; finish it as it was "
                              "begun, or remove it",
@@ -138,8 +139,9 @@ Failure MapWriter::append(const StabilityMap& map, std::size_t begin,
 }
 
 Failure MapWriter::finish() {
-  if (Failure failed = csv_.commit()) return failed;
-  return sidecar_.commit();
+  // As of a recording: when the CSV is there, its sidecar is too.
+  if (Failure failed = sidecar_.commit()) return failed;
+  return csv_.commit();
 }
 
 Result<std::vector<MapFigures>> read_map(const std::string& path, const StabilityMap& map) {

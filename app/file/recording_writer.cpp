@@ -66,10 +66,8 @@ class CsvRecordingWriter final : public RecordingWriter {
     if (Failure failed = csv_.sync()) return failed;
     const RecordedRows recorded{rows_, metadata.dropped_rows + dropped_rows_,
                                 metadata.session_ticks.value_or(session_ticks_), digest_.finish()};
-    const std::string partial = partial_sidecar();
-    if (Failure failed = write_file(partial, sidecar_toml(scene, metadata, recorded)))
-      return failed;
-    if (Failure failed = rename_file(partial, sidecar_path_)) return failed;
+    const std::string text = sidecar_toml(scene, metadata, recorded);
+    if (Failure failed = write_sidecar(csv_.path(), text)) return failed;
     return csv_.commit();
   }
 

@@ -145,10 +145,8 @@ Result<Recovered> recover_recording(const std::string& path) {
   }
   const RecordedRows counted{recovered.rows, metadata.dropped_rows, info.scanned.last_tick + 1,
                              rows->csv_sha256};
-  const std::string sidecar = sidecar_path_of(csv_path);
-  if (Failure failed = write_file(sidecar, sidecar_toml(info.loaded.scene, metadata, counted))) {
-    return *failed;
-  }
+  const std::string text = sidecar_toml(info.loaded.scene, metadata, counted);
+  if (Failure failed = write_sidecar(csv_path, text)) return *failed;
   if (Failure failed = csv->keep_only(info.scanned.end_offset)) return *failed;
   if (Failure failed = csv->commit()) return *failed;
   return recovered;

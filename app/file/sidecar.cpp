@@ -88,6 +88,13 @@ std::string sidecar_path_of(const std::string& csv_path) {
   return path + ".toml";
 }
 
+Failure write_sidecar(const std::string& csv_path, std::string_view text) {
+  const std::string path = sidecar_path_of(csv_path);
+  const std::string partial = path + std::string(kPartialEnding);
+  if (Failure failed = write_file(partial, text)) return failed;
+  return rename_file(partial, path);
+}
+
 bool may_replace_sidecar(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return true;

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "app/file/recording_writer.h"
+#include "core/result.h"
 #include "core/scene.h"
 
 namespace hapticwall::file {
@@ -24,6 +26,10 @@ struct RecordedRows {
 
 // NAME.toml beside NAME.csv (or beside any other name); NAME.toml.partial beside NAME.csv.partial.
 [[nodiscard]] std::string sidecar_path_of(const std::string& csv_path);
+
+// Gives NAME.csv its sidecar. NAME.toml.partial, where there is one, is what it was or the new text
+// at any moment: a full disk or a kill takes nothing of it.
+[[nodiscard]] Failure write_sidecar(const std::string& csv_path, std::string_view text);
 
 // Whether replacing the file at `path` destroys nothing but an older sidecar: there is none, or it
 // has a table [recording] or [map].

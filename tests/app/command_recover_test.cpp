@@ -107,6 +107,18 @@ TEST_F(RecoverCommand, WhatIsLeftOfARecordingIsNotWrittenOver) {
   EXPECT_EQ(hapticwall({"run", "press", "--csv", "c.csv", "--quiet"}).status, 0);
 }
 
+TEST_F(RecoverCommand, AFullDiskTakesNothingFromIt) {
+  kill_a_run({"press", "--duration", "100000", "--csv", "a.csv", "--quiet"},
+             std::chrono::microseconds(2000));
+  const std::string rows = content("a.csv.partial");
+  const std::string note = content("a.toml.partial");
+  // Not one block is to be had.
+  EXPECT_EQ(shell("ulimit -f 0; exec $P recover a.csv").status, 4);
+  EXPECT_TRUE(content("a.csv.partial") == rows);
+  EXPECT_EQ(content("a.toml.partial"), note);
+  EXPECT_EQ(hapticwall({"recover", "a.csv"}).status, 0);
+}
+
 TEST_F(RecoverCommand, AChangeThatNobodyKnowsIsTold) {
   ASSERT_EQ(hapticwall({"run", "press", "--duration", "0.1", "--csv", "b.csv", "--quiet"}).status,
             0);

@@ -125,6 +125,18 @@ TEST_F(MapFile, ARunGoesOnWhereAnotherOneStopped) {
   EXPECT_FALSE(std::filesystem::exists(path("map.toml.partial")));
 }
 
+TEST_F(MapFile, ARunThatEndedBetweenItsTwoNamesIsFinished) {
+  const MapPart all = map_part(map_, 1, 1);
+  write("map.csv", all, all.end, true);
+  const std::string whole = content("map.csv");
+  std::filesystem::rename(path("map.csv"), path("map.csv.partial"));
+  auto writer = MapWriter::open(path("map.csv"), map_, all);
+  ASSERT_TRUE(writer.ok()) << writer.error().message;
+  EXPECT_EQ(writer->found().size(), map_.cell_count());
+  ASSERT_FALSE(writer->finish());
+  EXPECT_EQ(content("map.csv"), whole);
+}
+
 TEST_F(MapFile, WhatIsOfAnotherMapIsNotWrittenOver) {
   const MapPart all = map_part(map_, 1, 1);
   write("map.csv", all, 10, false);
