@@ -32,6 +32,11 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02} min", minutes / kMinutesPerHour, minutes % kMinutesPerHour);
 }
 
+std::optional<double> remaining_s(double passed_s, double began_at, double done) {
+  if (done - began_at < kLeastShare) return std::nullopt;
+  return passed_s * (1.0 - done) / (done - began_at);
+}
+
 Progress::Progress(std::string label, bool wanted)
     : label_(std::move(label)),
       enabled_(wanted && isatty(STDERR_FILENO) == 1),
@@ -52,9 +57,9 @@ void Progress::show(double fraction) {
   const int full = static_cast<int>(part * kBarWidth);
   std::string text = fmt::format("\r{} [{:#<{}}{:.<{}}] {:3.0f} %", label_, "", full, "",
                                  kBarWidth - full, part * kPercent);
-  if (part - began_at_ >= kLeastShare) {
-    const std::chrono::duration<double> passed = now - begin_;
-    text += ", " + duration_text(passed.count() * (1.0 - part) / (part - began_at_)) + " left";
+  const std::chrono::duration<double> passed = now - begin_;
+  if (const auto rest_s = remaining_s(passed.count(), began_at_, part)) {
+    text += ", " + duration_text(*rest_s) + " left";
   }
   text += "\x1b[K";
   std::fputs(text.c_str(), stderr);

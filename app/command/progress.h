@@ -2,12 +2,17 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace hapticwall::command {
 
 // "2 h 05 min", "3 min 20 s", "12 s".
 [[nodiscard]] std::string duration_text(double seconds);
+
+// Seconds that remain when so many have passed and `done` of the work is done, of which `began_at`
+// was done before; nothing where that tells too little yet.
+[[nodiscard]] std::optional<double> remaining_s(double passed_s, double began_at, double done);
 
 class Progress {
  public:

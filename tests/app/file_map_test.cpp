@@ -83,6 +83,7 @@ TEST_F(MapFile, ARowOfAnotherCellOrSpoiltIsNone) {
   line.pop_back();
   EXPECT_TRUE(parse_map_row(line, map_, 7));
   EXPECT_FALSE(parse_map_row(line, map_, 6));
+  EXPECT_FALSE(parse_map_row(line, map_, 3)) << "as long a line, of another y";
   EXPECT_FALSE(parse_map_row(line, map_, 7 + 12)) << "the other algorithm";
   EXPECT_FALSE(parse_map_row(line + ",", map_, 7));
   EXPECT_FALSE(parse_map_row(line + "x", map_, 7));
