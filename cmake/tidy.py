@@ -38,7 +38,8 @@ def preprocessed(entry):
         if option in command:
             at = command.index(option)
             del command[at : at + 2]
-    command.insert(1, "-P")
+    # Macros like __FILE__ tell where the checkout lies, which is no matter of the code.
+    command[1:1] = ["-P", f"-fmacro-prefix-map={pathlib.Path.cwd().resolve()}="]
     return subprocess.run(command, cwd=entry["directory"], capture_output=True, check=True).stdout
 
 
