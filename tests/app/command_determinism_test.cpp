@@ -1,0 +1,57 @@
+// The bytes that tests/determinism promises are those that a user gets: every line of its table is
+// run as it stands.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/file/sha256.h"
+#include "tests/app/command_binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+class Determinism : public ProgramTest {
+ protected:
+  struct Row {
+    std::string sha256;
+    std::vector<std::string> arguments;
+  };
+
+  static std::vector<Row> table() {
+    std::ifstream file(HAPTICWALL_TEST_DATA_DIR "/determinism/hashes.txt");
+    std::vector<Row> rows;
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream words(line.substr(0, line.find(", threads:")));
+      Row& row = rows.emplace_back();
+      words >> row.sha256;
+      for (std::string word; words >> word;) row.arguments.push_back(word);
+    }
+    return rows;
+  }
+
+  [[nodiscard]] std::string sha256(const std::string& name) const {
+    file::Sha256 digest;
+    digest.update(content(name));
+    return digest.finish();
+  }
+};
+
+TEST_F(Determinism, TheProgramWritesTheBytesOfTheTable) {
+  const std::vector<Row> rows = table();
+  ASSERT_GE(rows.size(), 90U);
+  for (Row row : rows) {
+    std::string line;
+    for (const std::string& word : row.arguments) line += word + " ";
+    SCOPED_TRACE(line);
+    row.arguments.insert(row.arguments.end(), {"--csv", "a.csv", "--quiet"});
+    const Answer answer = hapticwall(row.arguments);
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(sha256("a.csv"), row.sha256);
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test
