@@ -60,7 +60,8 @@ LiveSession::LiveSession(std::unique_ptr<device::Device> device,
       exchange_(options, parameters_of(history_), y_device_ != nullptr),
       loop_(*device_, exchange_, parameters_of(history_), options.start_paused, y_device_.get()),
       recorder_(exchange_.recorder, y_device_ != nullptr ? &exchange_.y_recorder : nullptr),
-      clock_(monotonic_clock_, spin_ns(options.spin_s, scene.sampling.rate_hz)) {
+      clock_(options.clock != nullptr ? *options.clock : monotonic_clock_,
+             spin_ns(options.spin_s, scene.sampling.rate_hz)) {
   std::promise<RealtimeOutcome> set_up;
   std::future<RealtimeOutcome> outcome = set_up.get_future();
   const int core = options.affinity_core;

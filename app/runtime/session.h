@@ -22,6 +22,8 @@
 
 namespace hapticwall::runtime {
 
+class Clock;
+
 // How set-up of the loop went, in words that the window and the sidecar show.
 struct RealtimeStatus {
   bool fifo_priority = false;
@@ -90,6 +92,9 @@ struct SessionOptions {
   double spin_s = 0.0;     // awake before every tick, 0 to kMostSpinS (spinning_clock.h)
   bool start_paused = false;
   bool allow_no_realtime = false;  // a real device without real-time priority; simulators never ask
+  // What the loop lives by, and what outlives the session; null: the machine's own clock. Another
+  // one lets a simulator's hours pass in seconds.
+  Clock* clock = nullptr;
 };
 
 class Session {
