@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -168,9 +169,13 @@ double ratio(std::int64_t with_ns, std::int64_t without_ns) {
   return static_cast<double>(with_ns) / static_cast<double>(without_ns);
 }
 
-void print_table(const Blocks& without, const Blocks& with) {
+void print_heading() {
   std::printf("\n%-26s %10s %9s %9s %9s %9s %8s\n", "us", "cycles", "median", "p99", "p99.9",
               "most", "missed");
+}
+
+void print_table(const Blocks& without, const Blocks& with) {
+  print_heading();
   for (const Blocks* blocks : {&without, &with}) {
     print_row(*blocks, "wake-up", blocks->timing.wake_latency);
     print_row(*blocks, "compute", blocks->timing.compute_time);
@@ -223,7 +228,32 @@ Result<std::uint64_t> print_losses(ui::Application& application, const std::stri
   return plot_drops + plot_gaps + row_drops + row_gaps;
 }
 
-Result<std::uint64_t> run(Stage& stage, const Scene& scene, double seconds, double block_s) {
+// Off, on, on, off: what changes slowly on the machine hits both alike.
+void compare(ui::Application& application, Stage& stage, double seconds, double block_s) {
+  Blocks without{"without window", {}, 0, 0, 0.0, 0.0, {}};
+  Blocks with{"with window", {}, 0, 0, 0.0, 0.0, {}};
+  constexpr bool kDrawn[] = {false, true, true, false};
+  const int blocks = std::max(2, static_cast<int>(seconds / block_s));
+  for (int block = 0; block < blocks; ++block) {
+    const bool drawn = kDrawn[block % 4];
+    run_block(application, stage, drawn, block_s, drawn ? with : without);
+  }
+  print_table(without, with);
+}
+
+void draw_throughout(ui::Application& application, Stage& stage, double seconds) {
+  Blocks with{"with window", {}, 0, 0, 0.0, 0.0, {}};
+  run_block(application, stage, true, seconds, with);
+  print_heading();
+  print_row(with, "wake-up", with.timing.wake_latency);
+  print_row(with, "compute", with.timing.compute_time);
+  std::printf("%llu frames, %.1f a second\n", static_cast<unsigned long long>(with.frames),
+              static_cast<double>(with.frames) / with.seconds);
+}
+
+// What is done while a recording runs; how much of it was lost.
+Result<std::uint64_t> run(Stage& stage, const Scene& scene,
+                          const std::function<void(ui::Application&)>& measure) {
   const TemporaryFolder folder;
   const std::string csv = folder.file("loop.csv");
   ui::Application::Sessions sessions;
@@ -236,37 +266,44 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene, double seconds, doub
               application.session().realtime_status().text.c_str(), kWidth, kHeight,
               stage.renderer().c_str());
   std::fflush(stdout);
-  Blocks without{"without window", {}, 0, 0, 0.0, 0.0, {}};
-  Blocks with{"with window", {}, 0, 0, 0.0, 0.0, {}};
   Blocks warm_up{"", {}, 0, 0, 0.0, 0.0, {}};
   run_block(application, stage, true, kWarmUpS, warm_up);
   if (Failure failure = application.session().start_recording(csv)) return *failure;
-  // Off, on, on, off: what changes slowly on the machine hits both alike.
-  constexpr bool kDrawn[] = {false, true, true, false};
-  const int blocks = std::max(2, static_cast<int>(seconds / block_s));
-  for (int block = 0; block < blocks; ++block) {
-    const bool drawn = kDrawn[block % 4];
-    run_block(application, stage, drawn, block_s, drawn ? with : without);
-  }
-  print_table(without, with);
+  measure(application);
   return print_losses(application, csv);
 }
 
-}  // namespace
-
-int measure_loop(double seconds, double block_s) {
+// Exit status of the program.
+int run_at(double rate_hz, const std::function<void(ui::Application&, Stage&)>& measure) {
   const Hogs hogs(kHogs);
   const auto fail = [](const Error& error) {
     std::fprintf(stderr, "%s\n", error.message.c_str());
     return EXIT_FAILURE;
   };
-  const auto loaded = file::load_scene("press");
+  auto loaded = file::load_scene("press");
   if (!loaded) return fail(loaded.error());
+  loaded->scene.sampling.rate_hz = rate_hz;
   const auto stage = Stage::create(kWidth, kHeight);
   if (!stage) return fail(stage.error());
-  const Result<std::uint64_t> lost = run(**stage, loaded->scene, seconds, block_s);
+  const Result<std::uint64_t> lost = run(
+      **stage, loaded->scene, [&](ui::Application& application) { measure(application, **stage); });
   if (!lost) return fail(lost.error());
   return *lost == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+}  // namespace
+
+int measure_loop(double seconds, double block_s) {
+  constexpr double kRateHz = 1000.0;
+  return run_at(kRateHz, [&](ui::Application& application, Stage& stage) {
+    compare(application, stage, seconds, block_s);
+  });
+}
+
+int measure_recording(double seconds, double rate_hz) {
+  return run_at(rate_hz, [&](ui::Application& application, Stage& stage) {
+    draw_throughout(application, stage, seconds);
+  });
 }
 
 }  // namespace hapticwall::window_benchmark

@@ -1,4 +1,4 @@
-// Measures the window: `frames`, or `loop [SECONDS [BLOCK_SECONDS]]`.
+// Measures the window: `frames`, `loop [SECONDS [BLOCK_SECONDS]]`, or `record [SECONDS [RATE_HZ]]`.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -9,10 +9,13 @@ namespace {
 
 constexpr double kSeconds = 600.0;
 constexpr double kBlockSeconds = 10.0;
+constexpr double kRecordedRateHz = 10'000.0;
 
 int usage() {
-  std::fputs("usage: hapticwall_window_benchmark frames | loop [SECONDS [BLOCK_SECONDS]]\n",
-             stderr);
+  std::fputs(
+      "usage: hapticwall_window_benchmark frames | loop [SECONDS [BLOCK_SECONDS]] | "
+      "record [SECONDS [RATE_HZ]]\n",
+      stderr);
   return EXIT_FAILURE;
 }
 
@@ -21,9 +24,11 @@ int usage() {
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "frames") return hapticwall::window_benchmark::measure_frames();
-  if (what != "loop") return usage();
+  if (what != "loop" && what != "record") return usage();
+  const bool compared = what == "loop";
   const double seconds = argc > 2 ? std::atof(argv[2]) : kSeconds;
-  const double block_s = argc > 3 ? std::atof(argv[3]) : kBlockSeconds;
-  if (!(seconds > 0.0 && block_s > 0.0)) return usage();
-  return hapticwall::window_benchmark::measure_loop(seconds, block_s);
+  const double more = argc > 3 ? std::atof(argv[3]) : compared ? kBlockSeconds : kRecordedRateHz;
+  if (!(seconds > 0.0 && more > 0.0)) return usage();
+  return compared ? hapticwall::window_benchmark::measure_loop(seconds, more)
+                  : hapticwall::window_benchmark::measure_recording(seconds, more);
 }

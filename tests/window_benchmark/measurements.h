@@ -1,4 +1,4 @@
-// The two things that are measured of the window.
+// What is measured of the window.
 #pragma once
 
 namespace hapticwall::window_benchmark {
@@ -11,5 +11,9 @@ int measure_frames();
 // blocks of `block_s` that take turns for `seconds`; every core is kept busy besides, and a
 // recording runs. Returns the exit status of the program.
 int measure_loop(double seconds, double block_s);
+
+// Whether anything is lost of a recording at this rate while the window is drawn as fast as it can
+// and every core is kept busy besides. Returns the exit status of the program.
+int measure_recording(double seconds, double rate_hz);
 
 }  // namespace hapticwall::window_benchmark
