@@ -156,6 +156,12 @@ void set_up_device_thread() {
   static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
 }
 
+void set_up_recorder_thread() {
+  sched_param parameters{};
+  parameters.sched_priority = sched_get_priority_min(SCHED_FIFO);
+  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
+}
+
 void use_default_floating_point() { std::fesetenv(FE_DFL_ENV); }
 
 std::int64_t MonotonicClock::now_ns() {

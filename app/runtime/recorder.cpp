@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "app/runtime/realtime_setup.h"
+
 namespace hapticwall::runtime {
 namespace {
 
@@ -36,6 +38,7 @@ void Recorder::start(std::unique_ptr<file::RecordingWriter> writer) {
 }
 
 void Recorder::work() {
+  set_up_recorder_thread();
   auto last_flush = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
   while (!end_) {

@@ -180,8 +180,8 @@ void draw_legend(const std::vector<BoundLines>& bounds) {
   const std::string settled = fmt::format("settled, at most {:g} mm peak to peak",
                                           kSettledPeakToPeakM * kMillimetresPerMetre);
   draw_key(settled_colour(), settled.c_str(), false);
-  for (double amplitude_m = kSettledPeakToPeakM; amplitude_m < 1.5 * kHottestM;
-       amplitude_m *= 10.0) {
+  constexpr std::array kShownM{kSettledPeakToPeakM, 1e-3, 1e-2, kHottestM};
+  for (const double amplitude_m : kShownM) {
     const std::string text = fmt::format("{:g} mm", amplitude_m * kMillimetresPerMetre);
     draw_key(oscillating_colour(amplitude_m), text.c_str(), false);
   }

@@ -1,8 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sched.h>
 
 #include <memory>
+#include <thread>
 
+#include "app/runtime/realtime_setup.h"
 #include "app/runtime/recorder.h"
 #include "tests/app/runtime_fake_writer.h"
 #include "tests/app/runtime_support.h"
@@ -54,6 +58,51 @@ TEST_F(RecorderTest, RowsReachTheOperatingSystemWhileItRuns) {
   EXPECT_TRUE(eventually([&] { return log_->flushes >= 2; }));
   EXPECT_LE(Recorder::kDrainInterval + Recorder::kFlushInterval, std::chrono::milliseconds(500));
   EXPECT_FALSE(finish());
+}
+
+struct Scheduling {
+  int policy = -1;
+  int priority = -1;
+  friend bool operator==(const Scheduling&, const Scheduling&) = default;
+};
+
+Scheduling of_this_thread() {
+  Scheduling found;
+  sched_param parameters{};
+  EXPECT_EQ(pthread_getschedparam(pthread_self(), &found.policy, &parameters), 0);
+  found.priority = parameters.sched_priority;
+  return found;
+}
+
+class WatchingWriter : public FakeWriter {
+ public:
+  WatchingWriter(std::shared_ptr<WriterLog> log, Scheduling& seen)
+      : FakeWriter(std::move(log)), seen_(seen) {}
+  Failure append(const Sample& sample, const Sample& y) override {
+    seen_ = of_this_thread();
+    return FakeWriter::append(sample, y);
+  }
+
+ private:
+  Scheduling& seen_;
+};
+
+// Where real-time priority is refused there is none to be had for the recorder either.
+TEST_F(RecorderTest, ItsThreadComesBeforeOrdinaryOnesAndAfterTheLoop) {
+  Scheduling permitted;
+  bool loop_comes_first = false;
+  std::thread([&] {
+    set_up_recorder_thread();
+    permitted = of_this_thread();
+    loop_comes_first = permitted.priority < set_up_realtime_thread(-1).priority;
+  }).join();
+  Scheduling seen;
+  recorder_.start(std::make_unique<WatchingWriter>(log_, seen));
+  push(0, 1);
+  ASSERT_TRUE(eventually([&] { return recorder_.rows() == 1; }));
+  EXPECT_FALSE(finish());
+  EXPECT_EQ(seen, permitted);
+  EXPECT_TRUE(loop_comes_first);
 }
 
 TEST_F(RecorderTest, AFullDiskIsKeptAndTheQueueIsDrainedAllTheSame) {
