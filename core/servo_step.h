@@ -109,6 +109,12 @@ namespace detail {
   return std::clamp(wanted_n, -limit_n, limit_n);
 }
 
+// What is to be blended: what a stiff wall asks for beyond the limit would stay in the offset, and
+// pull a handle in that leaves. What is not finite stays so. Realtime-safe: yes.
+[[nodiscard]] inline double within(double wanted_n, double limit_n) {
+  return std::isfinite(wanted_n) ? std::clamp(wanted_n, -limit_n, limit_n) : wanted_n;
+}
+
 // What the previous force would have been with all of it reaching the device. Realtime-safe: yes.
 [[nodiscard]] inline double previous_full_force(const ServoState& state, double limit_n) {
   if (state.previous_gain == 1.0) return state.previous_force_n;
@@ -177,7 +183,9 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
   double limit_n = settings.force_limit_n;
   if constexpr (!kKnown.steady) {
     if (state.transition.ticks_left > 0) [[unlikely]] {
-      wanted_n = state.transition.blend(wanted_n, detail::previous_full_force(state, limit_n));
+      out.saturated = std::abs(wanted_n) > limit_n;
+      wanted_n = state.transition.blend(detail::within(wanted_n, limit_n),
+                                        detail::previous_full_force(state, limit_n));
     }
     if (state.force_gain < 1.0) [[unlikely]] {
       wanted_n = detail::scale_force(wanted_n, state.force_gain);
@@ -187,7 +195,7 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
   out.force_n = wanted_n;
   if (out.stale || out.fault || (!kKnown.steady && state.failed) ||
       !(std::abs(wanted_n) <= limit_n)) [[unlikely]] {
-    out.saturated = std::abs(wanted_n) > limit_n;
+    out.saturated = out.saturated || std::abs(wanted_n) > limit_n;
     out.force_n = detail::restrict_force(wanted_n, limit_n, !out.stale && !out.fault, state);
   }
   device.write(out.force_n);

@@ -215,6 +215,30 @@ TEST(ArmedLoop, AChangeInTheRampIsNoKick) {
   EXPECT_GT(real.device.forces_n.back(), before_n);
 }
 
+// What a stiff wall has asked for beyond the limit is forgotten: a handle that leaves right after a
+// change is not pulled back in.
+TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
+  RealLoop real;
+  Scene stiff = bare_wall();
+  stiff.device.force_limit_n = kLimitN;
+  stiff.walls[0].stiffness_n_per_m = 1e6;
+  real.exchange.parameters.publish({servo_settings(stiff), 2, nullptr});
+  real.arm();
+  real.device.position_m = kInsideM;
+  real.cycles(1);
+  EXPECT_EQ(real.device.forces_n.back(), kLimitN);
+  stiff.walls[0].stiffness_n_per_m = 2e6;
+  real.exchange.parameters.publish({servo_settings(stiff), 3, nullptr});
+  real.cycles(1);
+  EXPECT_EQ(real.device.forces_n.back(), kLimitN);
+  EXPECT_NE(real.snapshot().sample.flags & kFlagForceLimit, 0U);
+  real.device.position_m = kFreeM;
+  for (int tick = 0; tick < kRampTicks; ++tick) {
+    real.cycles(1);
+    ASSERT_EQ(real.device.forces_n.back(), 0.0) << tick;
+  }
+}
+
 TEST(ArmedLoop, DisarmActsAtTheNextTick) {
   RealLoop real;
   real.arm();

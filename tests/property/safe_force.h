@@ -43,6 +43,7 @@ struct LifeTotals {
   std::uint64_t armings = 0;
   std::uint64_t faults = 0;  // readings that must not be acted upon
   std::uint64_t holes = 0;   // the loop was held up for longer than a force may stand
+  std::uint64_t absurd_positions = 0;
   std::uint64_t exceptions = 0;
   std::uint64_t forces_taken_away = 0;  // there was one in the cycle before the trouble
 };
@@ -321,6 +322,10 @@ class Life {
     DeviceReading& reading = device_.reading;
     reading = {0.0498 + kSwingM * std::sin(phase_), draw_.uniform(0.0, 0.0199), DeviceState::kOk};
     if (draw_.chance(2e-3)) reading.position_m = draw_.uniform(-1.0, 1.0);
+    if (draw_.chance(5e-5)) {  // finite, and what is computed from it is not
+      reading.position_m = draw_.log_uniform(1e290, 1e308);
+      ++totals_.absurd_positions;
+    }
     if (bad_for_ == 0 && draw_.chance(5e-4)) {
       bad_for_ = 1 + draw_.index(30);
       bad_kind_ = draw_.index(7);

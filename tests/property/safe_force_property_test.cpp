@@ -32,7 +32,8 @@ std::uint64_t any_seed() {
 void tell(std::string_view kind, const LifeTotals& totals) {
   std::printf(
       "%.*s: %llu lives, %llu cycles; with force %llu, at the limit %llu, in the ramp %llu; %llu "
-      "changes under force; %llu armings, %llu bad readings, %llu holes, %llu exceptions; taken "
+      "changes under force; %llu armings, %llu bad readings, %llu absurd ones, %llu holes, %llu "
+      "exceptions; taken "
       "away %llu times\n",
       static_cast<int>(kind.size()), kind.data(), static_cast<unsigned long long>(totals.lives),
       static_cast<unsigned long long>(totals.cycles),
@@ -41,7 +42,9 @@ void tell(std::string_view kind, const LifeTotals& totals) {
       static_cast<unsigned long long>(totals.ticks_in_ramp_with_force),
       static_cast<unsigned long long>(totals.changes_under_force),
       static_cast<unsigned long long>(totals.armings),
-      static_cast<unsigned long long>(totals.faults), static_cast<unsigned long long>(totals.holes),
+      static_cast<unsigned long long>(totals.faults),
+      static_cast<unsigned long long>(totals.absurd_positions),
+      static_cast<unsigned long long>(totals.holes),
       static_cast<unsigned long long>(totals.exceptions),
       static_cast<unsigned long long>(totals.forces_taken_away));
 }
@@ -66,6 +69,7 @@ TEST(SafeForce, OnARealDeviceThatFailsInEveryWay) {
   EXPECT_GT(totals.armings, 100U);
   EXPECT_GT(totals.faults, 1000U);
   EXPECT_GT(totals.holes, 100U);
+  EXPECT_GT(totals.absurd_positions, 10U);
   EXPECT_GT(totals.exceptions, 20U);
   EXPECT_GT(totals.forces_taken_away, 100U);
 }
