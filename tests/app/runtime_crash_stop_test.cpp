@@ -1,10 +1,17 @@
 // However the process ends, the last thing that the device hears is zero force.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
 #include <ostream>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "app/runtime/crash_stop.h"
 #include "tests/app/runtime_child_support.h"
@@ -37,19 +44,21 @@ void use_lost_page() {
   *static_cast<volatile int*>(page) = 1;
 }
 
+constexpr int kEndless = 1'000'000'000;  // calls; no stack has room for them
 [[gnu::noinline]] int fill_stack(int depth) {
-  volatile std::array<char, 4096> frame{};
-  frame[0] = static_cast<char>(depth);
-  return fill_stack(depth + 1) + frame[0];
+  std::array<int, 1024> frame{};
+  volatile int* kept = frame.data();
+  kept[0] = depth;
+  return depth == kEndless ? depth : fill_stack(depth + 1) + kept[0];
 }
 
-void throw_to_nobody() noexcept { throw std::runtime_error("nobody catches this"); }
+void throw_something() { throw std::runtime_error("nobody catches this"); }
+
+void throw_to_nobody() noexcept { throw_something(); }
 
 void in_another_thread() { std::thread(use_wrong_pointer).join(); }
 
-void thrown_in_another_thread() {
-  std::thread([] { throw std::runtime_error("nobody catches this"); }).join();
-}
+void thrown_in_another_thread() { std::thread(throw_something).join(); }
 
 template <int kSignal>
 void sent() {
@@ -93,18 +102,20 @@ INSTANTIATE_TEST_SUITE_P(
         End{"Quit", sent<SIGQUIT>, SIGQUIT},                                            //
         End{"Interrupt", sent<SIGINT>, SIGINT}, End{"Terminate", sent<SIGTERM>, SIGTERM},
         End{"ProcessorTime", sent<SIGXCPU>, SIGXCPU}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& way) { return std::string(way.param.name); });
 
 // What is left behind by the loop's thread itself is the device's to end: 20 ms after the last
 // command. It must not keep the process from ending.
 TEST(CrashStop, AFaultOfTheLoopsOwnThreadEndsTheProcess) {
-  for (const auto& [fault, signal] :
-       {std::pair{&use_wrong_pointer, SIGSEGV}, std::pair{&throw_to_nobody, SIGABRT}}) {
+  using Fault = void (*)();
+  for (const auto& [fault, signal] : {std::pair<Fault, int>{use_wrong_pointer, SIGSEGV},
+                                      std::pair<Fault, int>{throw_to_nobody, SIGABRT}}) {
     const Shared heard;
-    const pid_t child = start_child([&, fault = fault] {
+    const Fault bring_about = fault;
+    const pid_t child = start_child([&] {
       auto device = std::make_unique<SharedDevice>(*heard);
-      device->on_read = [&heard, fault] {
-        if (heard->pushed()) fault();
+      device->on_read = [&] {
+        if (heard->pushed()) bring_about();
       };
       const auto session = pushing_session(*heard, std::move(device));
       while (true) pause();
