@@ -64,7 +64,6 @@ bool is_ours(const struct sigaction& action) {
 }
 
 bool is_ours_to_catch(int signal, const struct sigaction& present) {
-  if (present.sa_handler == SIG_IGN) return false;
   return present.sa_handler == SIG_DFL || is_fault(signal);
 }
 
