@@ -122,8 +122,8 @@ class SignalStack {
 }  // namespace
 
 CrashStop::CrashStop() {
-  thread_local const SignalStack stack;
-  static_cast<void>(stack);
+  thread_local const SignalStack kStack;
+  static_cast<void>(kStack);
   const std::lock_guard lock(g_mutex);
   if (g_crash_stops++ == 0) catch_signals();
 }
