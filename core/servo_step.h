@@ -76,6 +76,7 @@ struct ServoState {
   // What reaches the device of the force, 0 to 1: less than 1 while a device is not or not yet
   // fully armed.
   double force_gain = 1.0;
+  double previous_gain = 1.0;   // of the previous force
   bool position_known = false;  // the last reading was without fault
   bool parameters_changed = false;
   bool failed = false;  // a force that was not finite; sticky until reset
@@ -108,6 +109,19 @@ namespace detail {
   return std::clamp(wanted_n, -limit_n, limit_n);
 }
 
+// What is to be blended: what a stiff wall asks for beyond the limit would stay in the offset, and
+// pull a handle in that leaves. What is not finite stays so. Realtime-safe: yes.
+[[nodiscard]] inline double within(double wanted_n, double limit_n) {
+  return std::isfinite(wanted_n) ? std::clamp(wanted_n, -limit_n, limit_n) : wanted_n;
+}
+
+// What the previous force would have been with all of it reaching the device. Realtime-safe: yes.
+[[nodiscard]] inline double previous_full_force(const ServoState& state, double limit_n) {
+  if (state.previous_gain == 1.0) return state.previous_force_n;
+  if (state.previous_gain == 0.0) return 0.0;
+  return std::clamp(state.previous_force_n / state.previous_gain, -limit_n, limit_n);
+}
+
 // No negative zero, and what is not finite stays so. Realtime-safe: yes.
 [[nodiscard]] inline double scale_force(double wanted_n, double gain) {
   return gain == 0.0 && std::isfinite(wanted_n) ? 0.0 : wanted_n * gain;
@@ -129,7 +143,7 @@ struct StepKnowledge {
 // Realtime-safe: yes, these two.
 [[nodiscard]] inline bool is_steady(const ServoState& state) {
   return state.position_known && state.transition.ticks_left == 0 && state.force_gain == 1.0 &&
-         !state.failed && !state.parameters_changed;
+         state.previous_gain == 1.0 && !state.failed && !state.parameters_changed;
 }
 [[nodiscard]] inline bool has_one_undamped_wall(const ServoSettings& settings) {
   const auto walls = settings.walls.walls();
@@ -166,20 +180,23 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
                               out.contact.in_contact};
   double wanted_n = stabiliser.step(input);
   out.intervened = wanted_n != out.contact.force_n;
+  double limit_n = settings.force_limit_n;
   if constexpr (!kKnown.steady) {
     if (state.transition.ticks_left > 0) [[unlikely]] {
-      wanted_n = state.transition.blend(wanted_n, state.previous_force_n);
+      out.saturated = std::abs(wanted_n) > limit_n;
+      wanted_n = state.transition.blend(detail::within(wanted_n, limit_n),
+                                        detail::previous_full_force(state, limit_n));
     }
     if (state.force_gain < 1.0) [[unlikely]] {
       wanted_n = detail::scale_force(wanted_n, state.force_gain);
+      limit_n *= state.force_gain;  // a stiff wall is at its limit at once: that rises as well
     }
   }
   out.force_n = wanted_n;
   if (out.stale || out.fault || (!kKnown.steady && state.failed) ||
-      !(std::abs(wanted_n) <= settings.force_limit_n)) [[unlikely]] {
-    out.saturated = std::abs(wanted_n) > settings.force_limit_n;
-    out.force_n =
-        detail::restrict_force(wanted_n, settings.force_limit_n, !out.stale && !out.fault, state);
+      !(std::abs(wanted_n) <= limit_n)) [[unlikely]] {
+    out.saturated = out.saturated || std::abs(wanted_n) > limit_n;
+    out.force_n = detail::restrict_force(wanted_n, limit_n, !out.stale && !out.fault, state);
   }
   device.write(out.force_n);
 
@@ -187,6 +204,7 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
   state.previous_position_m = out.position_m;
   state.previous_force_n = out.force_n;
   if constexpr (!kKnown.steady) {
+    state.previous_gain = state.force_gain;
     // Where the handle was meanwhile is not known: the first reading after a fault is no move.
     state.position_known = !out.fault;
     out.parameters_changed = state.parameters_changed;

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <csignal>
 
+#include "app/runtime/crash_stop.h"
+
 namespace hapticwall::command {
 namespace {
 
@@ -10,7 +12,13 @@ namespace {
 std::atomic<int> g_stop_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
-extern "C" void hapticwall_on_stop_signal(int signal) { g_stop_signal.store(signal); }
+// The second one ends the program, force first: whoever sends it has seen that nothing happened.
+extern "C" void hapticwall_on_stop_signal(int signal) {
+  if (g_stop_signal.exchange(signal) != signal) return;
+  runtime::end_all_force();
+  std::signal(signal, SIG_DFL);
+  static_cast<void>(raise(signal));  // waits until this returns
+}
 
 }  // namespace
 
@@ -26,7 +34,6 @@ void catch_stop_signals() {
     if (before.sa_handler == SIG_IGN) continue;  // a background job's Ctrl-C is not meant for it
     struct sigaction stop {};
     stop.sa_handler = hapticwall_on_stop_signal;
-    stop.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(signal, &stop, nullptr);
   }
 }

@@ -8,7 +8,8 @@ namespace hapticwall::command {
 // A full disk and a reader that left are errors of write(), not signals. Call it first of all.
 void ignore_write_signals();
 
-// From now on SIGINT and SIGTERM only ask the program to end; a second one ends it at once.
+// From now on SIGINT and SIGTERM only ask the program to end; a second one of the same ends it at
+// once, after the force of every loop.
 void catch_stop_signals();
 
 // The signal that asked the program to end; 0 while none has. Realtime-safe: yes.

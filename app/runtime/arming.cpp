@@ -22,6 +22,8 @@ std::string_view arming_note_text(ArmingNote note) {
       return "the force was not a finite number";
     case ArmingNote::kWallMoved:
       return "the change would have put the wall over the handle";
+    case ArmingNote::kLate:
+      return "the program was held up for too long";
   }
   return "";
 }

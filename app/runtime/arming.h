@@ -34,7 +34,8 @@ enum class ArmingNote : std::uint8_t {
   kStale,       // the newest position was too old
   kDevice,      // the device reported a fault, or was lost
   kForce,       // the algorithm's force was not a finite number
-  kWallMoved    // a change of parameters put the wall over the handle
+  kWallMoved,   // a change of parameters put the wall over the handle
+  kLate         // the loop was not woken for longer than a force may stand
 };
 
 // A clause for people: "the handle was inside the wall". Empty for kNone.

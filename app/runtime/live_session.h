@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/runtime/crash_stop.h"
 #include "app/runtime/exchange.h"
 #include "app/runtime/parameter_history.h"
 #include "app/runtime/plant_keeper.h"
@@ -78,7 +79,8 @@ class LiveSession final : public Session {
   [[nodiscard]] std::vector<file::Mark> recorded_marks() const;
   [[nodiscard]] std::uint64_t dropped_rows() const;
 
-  PlantKeeper plants_;  // outlives the device
+  CrashStop crash_stop_;  // outlives the loop
+  PlantKeeper plants_;    // outlives the device
   std::optional<PlantKeeper> y_plants_;
   std::unique_ptr<device::Device> device_;
   std::unique_ptr<device::Device> y_device_;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "app/runtime/crash_stop.h"
+
 namespace hapticwall::runtime {
 namespace {
 
@@ -63,7 +65,10 @@ ServoLoop::ServoLoop(device::Device& device, Exchange& exchange, const LoopParam
   exchange_.snapshots.publish(snapshot_);
 }
 
+// A real device has let go of a force that nobody renewed for so long (docs/hid-protocol.md): what
+// comes back then must not come back at once.
 void ServoLoop::cycle(const Wake& wake, Clock& clock) {
+  if (seconds(wake.latency_ns) > kDefaultMaximumAgeS) disarm(ArmingNote::kLate);
   take_commands();
   const bool ticks = !snapshot_.paused || steps_left_ > 0;
   if (ticks) {
@@ -279,17 +284,19 @@ void ServoLoop::shut_down(bool by_itself) noexcept {
 }
 
 void run_servo_loop(ServoLoop& loop, Exchange& exchange, double rate_hz, Clock& clock) noexcept {
-  bool failed = false;
+  const LoopWithForce until_shut_down;
+  bool by_itself = false;
   try {
     CycleScheduler scheduler(rate_hz, clock.now_ns());
-    while (!exchange.stop.load(std::memory_order_relaxed)) {
+    while (!exchange.stop.load(std::memory_order_relaxed) && !must_end_force()) {
       clock.sleep_until_ns(scheduler.deadline_ns());
       loop.cycle(scheduler.wake(clock.now_ns()), clock);
     }
+    by_itself = must_end_force();
   } catch (...) {
-    failed = true;
+    by_itself = true;
   }
-  loop.shut_down(failed);
+  loop.shut_down(by_itself);
 }
 
 }  // namespace hapticwall::runtime

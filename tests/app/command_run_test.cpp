@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hapticwall_version.h"
@@ -188,9 +189,12 @@ TEST_F(Program, PlotWritesAPicture) {
 }
 
 TEST_F(Program, CtrlCEndsItWithItsFilesWhole) {
-  for (const int signal : {SIGINT, SIGTERM}) {
-    const pid_t child = start({HAPTICWALL_BINARY, "run", "press", "--duration", "100000", "--csv",
-                               "a.csv", "--json", "a.json"});
+  for (const auto& [signal, in_real_time] :
+       {std::pair{SIGINT, false}, {SIGTERM, false}, {SIGINT, true}, {SIGTERM, true}}) {
+    std::vector<std::string> line{HAPTICWALL_BINARY, "run",   "press",  "--duration", "100000",
+                                  "--csv",           "a.csv", "--json", "a.json"};
+    if (in_real_time) line.emplace_back("--realtime");
+    const pid_t child = start(line);
     // Rows on the disk: it runs, and its signals are caught.
     while (size("a.csv.partial") == 0 && is_running(child)) sched_yield();
     kill(child, signal);

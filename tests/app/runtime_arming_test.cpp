@@ -15,6 +15,7 @@ constexpr int kRampTicks = 500;
 constexpr double kFreeM = 0.03;
 constexpr double kInsideM = 0.0502;
 constexpr double kStiffness = 10'000.0;
+constexpr double kLimitN = 8.9;
 
 void ticks(Arming& arming, int count, const ArmingFacts& facts = {}) {
   for (int i = 0; i < count; ++i) arming.after_tick(facts);
@@ -112,7 +113,7 @@ TEST(Arming, ContactAndChangesOfTheWallInsideItAreWhatItIsFor) {
 }
 
 TEST(Arming, EveryNoteHasWords) {
-  for (int note = 1; note <= static_cast<int>(ArmingNote::kWallMoved); ++note) {
+  for (int note = 1; note <= static_cast<int>(ArmingNote::kLate); ++note) {
     EXPECT_FALSE(arming_note_text(static_cast<ArmingNote>(note)).empty()) << note;
   }
   EXPECT_TRUE(arming_note_text(ArmingNote::kNone).empty());
@@ -178,6 +179,64 @@ TEST(ArmedLoop, RampsInAndThenPushesWithAllOfIt) {
   EXPECT_NEAR(real.device.forces_n.back(), 1.0, 0.02);
   real.cycles(kRampTicks);
   EXPECT_NEAR(real.device.forces_n.back(), 2.0, 1e-9);
+}
+
+// A stiff wall asks for far more than the limit: what rises is the force that acts.
+TEST(ArmedLoop, InAStiffWallTheLimitRisesToo) {
+  RealLoop real;
+  Scene limited = bare_wall();
+  limited.device.force_limit_n = kLimitN;
+  limited.walls[0].stiffness_n_per_m = 1e6;
+  real.exchange.parameters.publish({servo_settings(limited), 2, nullptr});
+  real.command(CommandKind::kArm);
+  real.cycles(1);
+  real.device.position_m = kInsideM + 1e-3;
+  for (int tick = 1; tick <= kRampTicks; ++tick) {
+    real.cycles(1);
+    ASSERT_NEAR(real.device.forces_n.back(), kLimitN * tick / kRampTicks, 1e-9) << tick;
+  }
+}
+
+// While the force rises, a change takes nothing away and gives nothing: it goes on from where it
+// is.
+TEST(ArmedLoop, AChangeInTheRampIsNoKick) {
+  RealLoop real;
+  real.command(CommandKind::kArm);
+  real.cycles(1);
+  real.device.position_m = kInsideM;
+  real.cycles(kRampTicks / 2);
+  const double before_n = real.device.forces_n.back();
+  EXPECT_NEAR(before_n, 1.0, 0.02);
+  Scene changed = bare_wall();
+  changed.walls[0].stiffness_n_per_m = 3.0 * kStiffness;
+  real.exchange.parameters.publish({servo_settings(changed), 2, nullptr});
+  real.cycles(1);
+  EXPECT_NEAR(real.device.forces_n.back(), before_n, 2.0 * before_n / (kRampTicks / 2));
+  EXPECT_GT(real.device.forces_n.back(), before_n);
+}
+
+// What a stiff wall has asked for beyond the limit is forgotten: a handle that leaves right after a
+// change is not pulled back in.
+TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
+  RealLoop real;
+  Scene stiff = bare_wall();
+  stiff.device.force_limit_n = kLimitN;
+  stiff.walls[0].stiffness_n_per_m = 1e6;
+  real.exchange.parameters.publish({servo_settings(stiff), 2, nullptr});
+  real.arm();
+  real.device.position_m = kInsideM;
+  real.cycles(1);
+  EXPECT_EQ(real.device.forces_n.back(), kLimitN);
+  stiff.walls[0].stiffness_n_per_m = 2e6;
+  real.exchange.parameters.publish({servo_settings(stiff), 3, nullptr});
+  real.cycles(1);
+  EXPECT_EQ(real.device.forces_n.back(), kLimitN);
+  EXPECT_NE(real.snapshot().sample.flags & kFlagForceLimit, 0U);
+  real.device.position_m = kFreeM;
+  for (int tick = 0; tick < kRampTicks; ++tick) {
+    real.cycles(1);
+    ASSERT_EQ(real.device.forces_n.back(), 0.0) << tick;
+  }
 }
 
 TEST(ArmedLoop, DisarmActsAtTheNextTick) {

@@ -1,0 +1,224 @@
+// The real window on a device that pushes: whatever happens to it, the loop goes on, and when it
+// ends the last thing that the device hears is zero force.
+#include <epoxy/gl.h>
+// After OpenGL's own header.
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "app/file/recording_reader.h"
+#include "app/file/scene_file.h"
+#include "app/ui/application.h"
+#include "app/ui/window.h"
+#include "tests/app/runtime_child_support.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using runtime::test::eventually;
+using runtime::test::kAlive;
+using runtime::test::Shared;
+using runtime::test::SharedDevice;
+
+bool has_display() {
+  return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+}
+
+void close_window() { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); }
+
+// The window on a device of ours, which pushes before the first frame.
+struct PushingWindow {
+  explicit PushingWindow(Shared& shared) : heard(shared) {
+    options.scene = runtime::test::contact_scene();
+    options.start_on_device =
+        [this](const Scene& /*scene*/) -> Result<std::unique_ptr<runtime::Session>> {
+      auto device = std::make_unique<SharedDevice>(*heard);
+      device->on_words = in_a_panel;
+      return runtime::test::pushing_session(*heard, std::move(device));
+    };
+    hooks.in_a_hurry = true;
+  }
+
+  void expect_safe_end() const {
+    EXPECT_TRUE(heard->pushed());
+    EXPECT_EQ(heard->newest_n, 0.0);
+    EXPECT_FALSE(heard->enabled);
+    EXPECT_TRUE(heard->closed);
+  }
+
+  Shared& heard;
+  WindowOptions options;
+  WindowHooks hooks;
+  std::function<void()> in_a_panel;  // in the middle of every frame
+};
+
+// ---- how it ends
+
+TEST(WindowSafety, ClosedItTakesTheForceAway) {
+  if (!has_display()) GTEST_SKIP() << "no display";
+  Shared heard;
+  PushingWindow window(heard);
+  window.hooks.drawn = close_window;
+  EXPECT_FALSE(run_window(window.options, window.hooks));
+  window.expect_safe_end();
+}
+
+TEST(WindowSafety, AskedToEndItTakesTheForceAway) {
+  if (!has_display()) GTEST_SKIP() << "no display";
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Shared heard;
+    PushingWindow window(heard);
+    window.hooks.drawn = [signal] { raise(signal); };
+    EXPECT_FALSE(run_window(window.options, window.hooks));
+    window.expect_safe_end();
+  }
+}
+
+TEST(WindowSafety, AnExceptionInAPanelTakesTheForceAway) {
+  if (!has_display()) GTEST_SKIP() << "no display";
+  Shared heard;
+  PushingWindow window(heard);
+  window.in_a_panel = [] { throw std::runtime_error("a panel"); };
+  EXPECT_THROW(static_cast<void>(run_window(window.options, window.hooks)), std::runtime_error);
+  window.expect_safe_end();
+}
+
+// Opens the window in this process, and dies of `fault` in one of its panels.
+[[noreturn]] void die_in_a_panel(Shared& heard, void (*fault)()) {
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  PushingWindow window(heard);
+  window.in_a_panel = fault;
+  static_cast<void>(run_window(window.options, window.hooks));
+  _exit(kAlive);
+}
+
+// A new process of this program runs this test again up to its death: what both know of the device
+// is in a file that they both know.
+class WindowDeath : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_display()) GTEST_SKIP() << "no display";
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+  }
+};
+
+void use_wrong_pointer() {
+  *static_cast<volatile int*>(mmap(nullptr, 4096, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) =
+      1;
+}
+
+bool killed_or_ended_by_sanitizer(int status, int signal) {
+#if defined(__SANITIZE_ADDRESS__)
+  if (WIFEXITED(status)) return WEXITSTATUS(status) != 0 && WEXITSTATUS(status) != kAlive;
+#endif
+  return WIFSIGNALED(status) && WTERMSIG(status) == signal;
+}
+
+TEST_F(WindowDeath, AFaultInAPanelTakesTheForceAwayFirst) {
+  Shared heard("HAPTICWALL_TEST_HEARD");
+  EXPECT_EXIT(
+      die_in_a_panel(heard, use_wrong_pointer),
+      [](int status) { return killed_or_ended_by_sanitizer(status, SIGSEGV); }, "");
+  PushingWindow(heard).expect_safe_end();
+}
+
+TEST_F(WindowDeath, AnAbortInAPanelTakesTheForceAwayFirst) {
+  Shared heard("HAPTICWALL_TEST_HEARD");
+  EXPECT_EXIT(
+      die_in_a_panel(heard, [] { std::abort(); }),
+      [](int status) { return killed_or_ended_by_sanitizer(status, SIGABRT); }, "");
+  PushingWindow(heard).expect_safe_end();
+}
+
+// ---- what does not stall the loop
+
+TEST(WindowSafety, AFrameThatHangsCostsNoTick) {
+  if (!has_display()) GTEST_SKIP() << "no display";
+  constexpr std::uint64_t kMeanwhile = 500;
+  Shared heard;
+  PushingWindow window(heard);
+  Application* application = nullptr;
+  std::uint64_t ticks = 0;
+  int frames = 0;
+  window.hooks.opened = [&](Application& opened) { application = &opened; };
+  window.in_a_panel = [&] {
+    if (++frames != 2) return;
+    const std::uint64_t before = heard->writes;
+    EXPECT_TRUE(eventually([&] { return heard->writes > before + kMeanwhile; }));
+  };
+  window.hooks.drawn = [&] {
+    if (frames < 4) return;
+    ticks = application->session().snapshot().timing.ticks;
+    EXPECT_EQ(application->session().dropped_plot_samples(), 0U) << "the queue holds a minute";
+    close_window();
+  };
+  EXPECT_FALSE(run_window(window.options, window.hooks));
+  EXPECT_GT(ticks, kMeanwhile);
+  window.expect_safe_end();
+}
+
+// Two hundred sizes, a long text to the clipboard and back in each, while it records.
+TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
+  if (!has_display()) GTEST_SKIP() << "no display";
+  constexpr int kSizes = 200;
+  const runtime::test::TemporaryFolder folder;
+  const std::string path = folder.file("storm.csv");
+  const std::string long_text(1U << 18U, 'x');
+  std::mt19937 engine(1);
+  int frames = 0;
+  int sizes_seen = 0;
+  ImVec2 size_before;
+  Application* application = nullptr;
+  WindowOptions options;
+  options.scene = file::load_scene("press")->scene;
+  WindowHooks hooks;
+  hooks.in_a_hurry = true;
+  hooks.opened = [&](Application& opened) {
+    application = &opened;
+    EXPECT_FALSE(opened.session().start_recording(path));
+  };
+  hooks.drawn = [&] {
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << "frame " << frames;
+    GLFWwindow* window = glfwGetCurrentContext();
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(window, &width, &height);
+    const ImVec2 drawn = ImGui::GetIO().DisplaySize;
+    sizes_seen += drawn.x != size_before.x || drawn.y != size_before.y ? 1 : 0;
+    size_before = drawn;
+    ImGui::SetClipboardText(long_text.c_str());
+    EXPECT_EQ(std::string(ImGui::GetClipboardText()), long_text);
+    if (++frames == kSizes) {
+      const runtime::RecordingStatus status = application->session().recording_status();
+      EXPECT_EQ(status.state, runtime::RecordingState::kRecording) << status.error;
+      EXPECT_EQ(application->session().dropped_plot_samples(), 0U);
+      EXPECT_FALSE(application->session().snapshot().ended_by_fault);
+      return close_window();
+    }
+    const auto any = [&](int low, int high) {
+      return low + static_cast<int>(engine() % static_cast<unsigned>(high - low));
+    };
+    glfwSetWindowSize(window, any(200, 2200), any(100, 1400));
+  };
+  EXPECT_FALSE(run_window(options, hooks));
+  EXPECT_EQ(frames, kSizes);
+  EXPECT_GT(sizes_seen, kSizes / 2);
+  const auto reader = file::RecordingReader::open(path);
+  ASSERT_TRUE(reader.ok()) << reader.error().message;
+  const file::ScannedRows& scanned = (*reader)->info().scanned;
+  EXPECT_EQ(scanned.missing_rows, 0U);
+  EXPECT_EQ(scanned.last_tick - scanned.first_tick + 1, scanned.rows);
+  EXPECT_GT(scanned.rows, 0U);
+  EXPECT_TRUE((*reader)->info().notes.empty());
+}
+
+}  // namespace
+}  // namespace hapticwall::ui
