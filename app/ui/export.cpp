@@ -56,6 +56,7 @@ std::string plain_file_name(std::string name) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (!plain && c != '-' && c != '_' && c != '.') c = '-';
   }
+  if (name.starts_with('.') || name.starts_with('-')) name.front() = '_';
   return name;
 }
 
