@@ -29,9 +29,11 @@ struct Output {
 
 constexpr const char* kMap =
     "map golden-soft --x wall.stiffness_n_per_m=100:3000:6:log --y device.damping_n_s_per_m="
-    "0.1:0.7:4 --algorithms none --duration 0.2 --quiet ";
+    "0.1:0.7:4 --duration 0.2 --quiet ";
 constexpr const char* kBoundary =
-    "map golden-soft --boundary wall.stiffness_n_per_m=100:1e5:3:log --duration 1 --quiet ";
+    "map golden-soft --boundary wall.stiffness_n_per_m=100:1e5:3:log --x "
+    "device.damping_n_s_per_m=0.1:1:2 "
+    "--duration 1 --quiet ";
 
 class DiskTest : public ProgramTest {
  protected:
@@ -162,7 +164,7 @@ TEST_F(DiskTest, AFolderThatIsMovedKeepsTheRowsForRecovery) {
 TEST_F(DiskTest, ReadOnlyFoldersAreToldBeforeAnythingRuns) {
   for (const std::string option : {"--csv", "--json", "--plot"}) {
     const Answer answer =
-        hapticwall({"run", "press", "--duration", "100000", option, "/sys/hapticwall"});
+        hapticwall({"run", "press", "--duration", "1000", option, "/sys/hapticwall"});
     EXPECT_EQ(answer.status, 4);
     EXPECT_THAT(answer.err, StartsWith("error: /sys/hapticwall: cannot be written: "));
     EXPECT_EQ(answer.error_lines(), 1);

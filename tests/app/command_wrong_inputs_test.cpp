@@ -65,10 +65,10 @@ TEST_P(WrongInputs, GetTheirSentences) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, WrongInputs, ::testing::ValuesIn(sections()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Of, WrongInputs, ::testing::ValuesIn(sections()), [](const auto& section) {
   std::string name;
   bool capital = true;
-  for (const char c : info.param) {
+  for (const char c : section.param) {
     if (c != ' ') name += capital ? static_cast<char>(std::toupper(c)) : c;
     capital = c == ' ';
   }

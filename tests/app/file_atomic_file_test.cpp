@@ -1,19 +1,20 @@
 // Files take their names only when they are whole, on any disk, and lead nowhere else.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/file/atomic_file.h"
-#include "app/file/map_file.h"
 #include "app/file/recording_writer.h"
 #include "app/file/recovery.h"
 #include "app/file/sidecar.h"
