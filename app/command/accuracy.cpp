@@ -64,12 +64,8 @@ Result<std::vector<int>> parse_substeps(const std::string& text) {
   return counts;
 }
 
-Failure check_scene(const file::LoadedScene& loaded) {
-  if (!loaded.changes.empty()) {
-    return Error{ErrorKind::kUsage,
-                 "the scene is a recording in which parameters changed; 'run' repeats it, "
-                 "'accuracy' takes a scene that stays as it is"};
-  }
+Failure check_scene(const SceneOptions& options, const file::LoadedScene& loaded) {
+  if (Failure failed = check_unchanging("accuracy", options, loaded)) return failed;
   if (loaded.scene.tick_count() > kMostAccuracyTicks) {
     return Error{ErrorKind::kUsage,
                  fmt::format("accuracy: it takes at most {} ticks, this scene has {}; --duration "
@@ -127,7 +123,7 @@ int accuracy(const CommandOptions& options) {
     return report(*failed);
   const Result<file::LoadedScene> loaded = load_headless(options.scene);
   if (!loaded) return report(loaded.error());
-  if (const Failure failed = check_scene(*loaded)) return report(*failed);
+  if (const Failure failed = check_scene(options.scene, *loaded)) return report(*failed);
   // From here on the files of a study that is ended early go with it.
   catch_stop_signals();
   AccuracyFiles files;

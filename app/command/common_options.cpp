@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/command/usage.h"
 #include "app/file/sidecar.h"
 #include "app/file/text.h"
 #include "app/runtime/spinning_clock.h"
@@ -27,15 +28,6 @@ Failure check_duration(const std::string& text) {
   return usage_error(fmt::format("--duration {}: it takes seconds, more than {} and at most {}",
                                  file::in_quotes(text), number_text(key.range.minimum),
                                  number_text(key.range.maximum)));
-}
-
-// A validator of CLI11: what is wrong, or nothing.
-std::string is_whole_number(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, code] = std::from_chars(text.data(), end, value);
-  if (code == std::errc{} && rest == end) return "";
-  return file::in_quotes(text) + " is not a whole number from 0 on";
 }
 
 }  // namespace
@@ -74,7 +66,8 @@ void add_spin_option(CLI::App& app, double& spin_us) {
   app.add_option("--spin", spin_us,
                  "Microseconds before every tick that the loop waits awake: it wakes up sooner and "
                  "takes processor time (default: 0; at most 90 % of a period)")
-      ->type_name("US");
+      ->type_name("US")
+      ->check(is_number());
 }
 
 Result<double> spin_seconds(double spin_us) {
@@ -108,7 +101,7 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_option("--seed", options.seed,
                  "Accepted for scripts; nothing of the present model is random")
       ->type_name("N")
-      ->check(is_whole_number);
+      ->check(is_whole_number());
   app.add_flag("--quiet", options.quiet, "No summary and no progress, errors only");
 }
 
@@ -139,7 +132,24 @@ Result<file::LoadedScene> load(const SceneOptions& options) {
     if (Failure failed = check_duration(options.duration)) return *failed;
     overrides.push_back("duration_s=" + options.duration);
   }
-  return file::load_scene(options.scene, overrides);
+  Result<file::LoadedScene> loaded = file::load_scene(options.scene, overrides);
+  if (loaded || options.duration.empty()) return loaded;
+  // As it was given.
+  const std::string set = "--set duration_s=" + file::shown(options.duration);
+  Error error = loaded.error();
+  if (error.message.starts_with(set)) {
+    error.message.replace(0, set.size(), "--duration " + file::shown(options.duration));
+  }
+  return error;
+}
+
+Failure check_unchanging(const std::string& command, const SceneOptions& options,
+                         const file::LoadedScene& loaded) {
+  if (loaded.changes.empty()) return {};
+  return usage_error(
+      fmt::format("{}: a recording in which parameters changed; 'run' repeats it, '{}' takes a "
+                  "scene that stays as it is",
+                  file::shown(options.scene), command));
 }
 
 Result<file::LoadedScene> load_headless(const SceneOptions& options) {

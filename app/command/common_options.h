@@ -59,6 +59,10 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 // The same for runs of the simulator without a window, where no pointer can lead the hand.
 [[nodiscard]] Result<file::LoadedScene> load_headless(const SceneOptions& options);
 
+// A scene in which parameters change at some tick is nothing for `command`.
+[[nodiscard]] Failure check_unchanging(const std::string& command, const SceneOptions& options,
+                                       const file::LoadedScene& loaded);
+
 // Two outputs into one file, and --csv or --plot to standard output, are usage errors.
 [[nodiscard]] Failure check_outputs(const OutputOptions& options);
 

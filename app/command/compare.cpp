@@ -99,11 +99,8 @@ int compare(const CompareOptions& options) {
     return report(*failed);
   const Result<file::LoadedScene> loaded = load_headless(options.scene);
   if (!loaded) return report(loaded.error());
-  if (!loaded->changes.empty()) {
-    return report({ErrorKind::kUsage,
-                   "the scene is a recording in which parameters changed; 'run' "
-                   "repeats it, 'compare' takes a scene that stays as it is"});
-  }
+  if (const Failure failed = check_unchanging("compare", options.scene, *loaded))
+    return report(*failed);
   catch_stop_signals();
   CompareFiles files;
   if (const Failure failed = files.open(options.output, loaded->scene, indices->size()))

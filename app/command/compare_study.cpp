@@ -35,11 +35,7 @@ Result<ContactStudyPlan> plan_study(const SceneOptions& scene,
   if (!algorithms) return algorithms.error();
   Result<file::LoadedScene> loaded = load_headless(scene);
   if (!loaded) return loaded.error();
-  if (!loaded->changes.empty()) {
-    return Error{ErrorKind::kUsage,
-                 "the scene is a recording in which parameters changed; 'run' repeats it, "
-                 "'compare' takes a scene that stays as it is"};
-  }
+  if (Failure failed = check_unchanging("compare", scene, *loaded)) return *failed;
   ContactStudyPlan plan;
   plan.scene = std::move(loaded->scene);
   plan.algorithms = std::move(*algorithms);

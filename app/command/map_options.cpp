@@ -44,11 +44,7 @@ Result<Scene> load_map_scene(const MapOptions& options) {
   if (Failure failed = check_simulator("map", options.scene.device)) return *failed;
   Result<file::LoadedScene> loaded = load_headless(options.scene);
   if (!loaded) return loaded.error();
-  if (!loaded->changes.empty()) {
-    return usage_error(
-        "the scene is a recording in which parameters changed; 'run' repeats it, "
-        "'map' takes a scene that stays as it is");
-  }
+  if (Failure failed = check_unchanging("map", options.scene, *loaded)) return *failed;
   return std::move(loaded->scene);
 }
 

@@ -14,6 +14,7 @@
 #include "app/command/commands.h"
 #include "app/command/signals.h"
 #include "app/command/terminal.h"
+#include "app/command/usage.h"
 #include "app/file/scene_file.h"
 #include "app/file/text.h"
 #include "core/stabiliser/stabiliser.h"
@@ -86,7 +87,7 @@ int answer(const CLI::App& program, const CLI::ParseError& outcome) {
     text = program.help();
     for (const CLI::App* command : program.get_subcommands()) text = command->help("hapticwall");
   }
-  if (!text) return report({ErrorKind::kUsage, outcome.what()});
+  if (!text) return report(usage_problem(program, outcome));
   const Failure failed = write_output(*text);
   return failed ? report(*failed) : 0;
 }
@@ -103,7 +104,11 @@ int dispatch(int argc, const char* const* argv) {
       add_run(program),      add_compare(program), add_map(program),
       add_accuracy(program), add_replay(program),  add_recover(program),
       add_timing(program),   add_devices(program), add_scenes(program)};
-  for (const Command& command : commands) command.app->group("Commands")->footer("");
+  refuse_empty_values(program);
+  for (const Command& command : commands) {
+    command.app->group("Commands")->footer("");
+    refuse_empty_values(*command.app);
+  }
   if (const auto error = check_first_word(argc, argv, program)) return report(*error);
   try {
     program.parse(argc, argv);

@@ -16,6 +16,8 @@
 #include "app/command/device_choice.h"
 #include "app/command/progress.h"
 #include "app/command/signals.h"
+#include "app/command/terminal.h"
+#include "app/file/text.h"
 #include "app/runtime/session.h"
 
 namespace hapticwall::command {
@@ -103,6 +105,27 @@ Failure trouble_in(const runtime::Session& session, const runtime::Snapshot& sna
   return {};
 }
 
+// Tells of a recording that fails as soon as that is known. The run goes on, and ends with it.
+class RecordingWatch {
+ public:
+  void look(const runtime::Session& session) {
+    if (told_) return;
+    const runtime::RecordingStatus status = session.recording_status();
+    std::string trouble;
+    if (status.state == runtime::RecordingState::kFailed) {
+      trouble = status.error;
+    } else if (status.dropped_rows > 0) {
+      trouble = file::shown(status.path) + ": rows are missing: the disk is too slow";
+    }
+    if (trouble.empty()) return;
+    tell(trouble + "; the run goes on");
+    told_ = true;
+  }
+
+ private:
+  bool told_ = false;
+};
+
 }  // namespace
 
 Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
@@ -122,10 +145,12 @@ Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
   session.step(static_cast<std::uint32_t>(ticks));
   if (run.arm) session.arm(true);
   Failure trouble;
+  RecordingWatch recording;
   std::uint64_t done = 0;
   while (done < ticks && stop_signal() == 0 && !trouble) {
     done += taker.take(session, run);
     trouble = trouble_in(session, session.snapshot(), run);
+    recording.look(session);
     progress.show(static_cast<double>(done) / static_cast<double>(ticks));
     if (done < ticks && !trouble) std::this_thread::sleep_for(kPollInterval);
   }

@@ -19,6 +19,7 @@
 #include "app/command/summary_fields.h"
 #include "app/command/summary_table.h"
 #include "app/command/terminal.h"
+#include "app/command/usage.h"
 #include "app/file/recording_reader.h"
 #include "app/file/sidecar.h"
 #include "app/file/text.h"
@@ -205,7 +206,7 @@ Command add_replay(CLI::App& program) {
       ->allow_extra_args(false);
   app->add_option("--speed", command->speed, "Recorded seconds a second, 0.01 to 100")
       ->type_name("X")
-      ->check(CLI::Range(runtime::kSlowestReplay, runtime::kFastestReplay));
+      ->check(is_number_within(runtime::kSlowestReplay, runtime::kFastestReplay));
   app->add_option("--csv", command->output.csv, "Record the re-run; without a window")
       ->type_name("FILE");
   app->add_option("--plot", command->output.plot, "Draw the figure; needs no display, no window")

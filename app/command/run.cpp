@@ -48,12 +48,12 @@ Failure check_spin(const RunOptions& options, bool in_real_time) {
   return Error{ErrorKind::kUsage, "--spin: it is for --realtime and for a device"};
 }
 
-Failure check_realtime(const file::LoadedScene& loaded) {
+Failure check_realtime(const SceneOptions& options, const file::LoadedScene& loaded) {
   if (loaded.changes.empty() && loaded.first_recorded_tick == 0) return {};
   return Error{ErrorKind::kUsage,
-               "a run in real time: the scene is a part of a session or one in which parameters "
-               "changed; only "
-               "a run without --realtime repeats it tick by tick"};
+               fmt::format("{}: a part of a session, or one in which parameters changed; only a "
+                           "run without --realtime repeats it, tick by tick",
+                           file::shown(options.scene))};
 }
 
 std::function<void(const Sample&, const Sample&)> sample_sink(RunOutputs& outputs) {
@@ -118,7 +118,7 @@ int run(const RunOptions& options) {
       device->hardware ? load(options.scene) : load_headless(options.scene);
   if (!loaded) return report(loaded.error());
   if (in_real_time) {
-    if (const Failure failed = check_realtime(*loaded)) return report(*failed);
+    if (const Failure failed = check_realtime(options.scene, *loaded)) return report(*failed);
   }
   Result<RunOutputs> outputs = RunOutputs::open(options.output, *loaded, in_real_time);
   if (!outputs) return report(outputs.error());

@@ -8,6 +8,8 @@
 #include <string>
 #include <system_error>
 
+#include "app/file/text.h"
+
 namespace hapticwall::command {
 namespace {
 
@@ -40,11 +42,9 @@ int report(const Error& error) {
 }
 
 void tell(std::string_view line) {
-  std::string text(line.substr(0, kLongestLine));
-  if (line.size() > kLongestLine) text += "...";
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7f; };
-  std::replace_if(text.begin(), text.end(), is_control, ' ');
-  write_all(STDERR_FILENO, text + '\n');
+  std::string text(line);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  write_all(STDERR_FILENO, file::shown(text, kLongestLine) + '\n');
 }
 
 }  // namespace hapticwall::command

@@ -14,6 +14,7 @@
 #include "app/command/signals.h"
 #include "app/command/terminal.h"
 #include "app/command/timing_report.h"
+#include "app/command/usage.h"
 #include "app/runtime/realtime_setup.h"
 #include "core/scene_keys.h"
 
@@ -100,8 +101,12 @@ Command add_timing(CLI::App& program) {
   const auto options = std::make_shared<TimingOptions>();
   CLI::App* app = program.add_subcommand(
       "timing", "Measure how well this machine, and a device on it, keep time");
-  app->add_option("--seconds", options->seconds, "How long (default: 10)")->type_name("S");
-  app->add_option("--rate", options->rate_hz, "Ticks a second (default: 1000)")->type_name("HZ");
+  app->add_option("--seconds", options->seconds, "How long (default: 10)")
+      ->type_name("S")
+      ->check(is_number());
+  app->add_option("--rate", options->rate_hz, "Ticks a second (default: 1000)")
+      ->type_name("HZ")
+      ->check(is_number());
   add_spin_option(*app, options->spin_us);
   app->add_option("--device", options->device,
                   "A device too: ie2000, or ie2000:PATH; its force stays off")

@@ -16,6 +16,7 @@
 #include "app/command/device_choice.h"
 #include "app/command/replay_window.h"
 #include "app/command/terminal.h"
+#include "app/command/usage.h"
 #include "app/file/text.h"
 #include "app/file/user_folders.h"
 #include "app/ui/recent_files.h"
@@ -103,7 +104,7 @@ Action add_window(CLI::App& program) {
   program
       .add_option("--scale", look->scale,
                   "How large the window's content is drawn: 1 as designed, 0.5 to 3")
-      ->check(CLI::Range(kSmallest, kLargest))
+      ->check(is_number_within(kSmallest, kLargest))
       ->type_name("FACTOR");
   return [options, look] {
     if (options->scene.empty()) options->scene = kDefaultScene;

@@ -28,8 +28,31 @@ Error file_error(const std::string& path, std::string_view what, int code) {
 bool is_still_named(int descriptor, const std::string& path) {
   struct stat opened {};
   struct stat named {};
-  return fstat(descriptor, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+  return fstat(descriptor, &opened) == 0 && lstat(path.c_str(), &named) == 0 &&
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+// Why a partial file is none of ours, or nothing. Whoever unpacked a folder from elsewhere may find
+// one there that leads out of it.
+std::string_view strangeness(const struct stat& status) {
+  if (S_ISLNK(status.st_mode)) return "is a symbolic link";
+  if (!S_ISREG(status.st_mode)) return "is not a regular file";
+  return status.st_nlink > 1 ? "has another name too" : "";
+}
+
+// Opens PATH.partial as it is, or makes it; -1 and `status` where that cannot be.
+int open_partial(const std::string& partial_path, struct stat& status) {
+  constexpr int kFlags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  const int descriptor = open(partial_path.c_str(), kFlags, kNewFileMode);
+  const int code = errno;
+  const int known =
+      descriptor < 0 ? lstat(partial_path.c_str(), &status) : fstat(descriptor, &status);
+  const bool strange = known == 0 && !strangeness(status).empty();
+  if (descriptor >= 0 && !strange) return descriptor;
+  if (descriptor >= 0) close(descriptor);
+  if (!strange) status = {};
+  errno = code;
+  return -1;
 }
 
 // A rename is on the disk when its folder is. Best effort: not every file system can.
@@ -59,7 +82,13 @@ Result<AtomicFile> AtomicFile::resume(const std::string& path) {
         fmt::format("{}: cannot be written: it exists and is not a regular file", shown(path))};
   }
   const std::string partial_path = path + std::string(kPartialEnding);
-  const int descriptor = open(partial_path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kNewFileMode);
+  struct stat found {};
+  const int descriptor = open_partial(partial_path, found);
+  if (descriptor < 0 && found.st_mode != 0) {
+    return Error{ErrorKind::kFile,
+                 fmt::format("{}: cannot be written: {} {}; remove it", shown(path),
+                             shown(partial_path), strangeness(found))};
+  }
   if (descriptor < 0) return file_error(path, "cannot be written", errno);
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 || !is_still_named(descriptor, partial_path)) {
     close(descriptor);
@@ -118,7 +147,21 @@ Failure AtomicFile::keep_only(std::uint64_t bytes) {
   return {};
 }
 
+// Without its last name nothing of it can be reached any more; only moved, it can.
+bool AtomicFile::is_removed() const {
+  struct stat status {};
+  return fstat(descriptor_, &status) == 0 && status.st_nlink == 0 &&
+         !is_still_named(descriptor_, partial_path_);
+}
+
+Error AtomicFile::lost() const {
+  return {ErrorKind::kFile,
+          fmt::format("{}: could not be written whole: {} was {} meanwhile", shown(path_),
+                      shown(partial_path_), is_removed() ? "removed" : "moved")};
+}
+
 Failure AtomicFile::write(std::string_view bytes) {
+  if (is_removed()) return lost();
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
@@ -129,6 +172,7 @@ Failure AtomicFile::write(std::string_view bytes) {
 }
 
 Failure AtomicFile::sync() {
+  if (!is_still_named(descriptor_, partial_path_)) return lost();
   // EINVAL: the file system has nothing to put on a disk.
   if (fsync(descriptor_) != 0 && errno != EINVAL) return failure("could not be written whole");
   return {};

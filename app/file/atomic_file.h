@@ -17,8 +17,8 @@ inline constexpr std::string_view kPartialEnding = ".partial";
 // file. Realtime-safe: no.
 class AtomicFile {
  public:
-  // Refuses a PATH that exists and is no regular file, and a PATH.partial that another process
-  // holds.
+  // Refuses a PATH that exists and is no regular file, a PATH.partial that another process holds,
+  // and one that leads elsewhere: a symbolic link, a pipe, a file that has another name too.
   [[nodiscard]] static Result<AtomicFile> create(const std::string& path);
   // The same, but what stands in PATH.partial stays, and writing goes on behind it.
   [[nodiscard]] static Result<AtomicFile> resume(const std::string& path);
@@ -33,8 +33,11 @@ class AtomicFile {
   void keep_partial() { keep_partial_ = true; }
   // Cuts the file to its first `bytes`; writing goes on there.
   [[nodiscard]] Failure keep_only(std::uint64_t bytes);
+  // Fails at once where somebody has removed PATH.partial, or its folder.
   [[nodiscard]] Failure write(std::string_view bytes);
-  [[nodiscard]] Failure sync();    // on the disk, still without its name
+  // On the disk, still without its name. Fails where PATH.partial was moved, too: what was written
+  // is where it was moved to.
+  [[nodiscard]] Failure sync();
   [[nodiscard]] Failure commit();  // sync(), then the name
 
   [[nodiscard]] std::uint64_t size() const;  // bytes; 0 where it is no regular file
@@ -45,6 +48,8 @@ class AtomicFile {
  private:
   AtomicFile(std::string path, std::string partial_path, int descriptor);
   void discard();
+  [[nodiscard]] bool is_removed() const;
+  [[nodiscard]] Error lost() const;
   [[nodiscard]] Error failure(std::string_view what) const;  // reads errno
 
   std::string path_;

@@ -1,7 +1,9 @@
 #include "app/file/map_file.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -36,6 +38,8 @@ std::string algorithms_text(const StabilityMap& map) {
 
 // Empty where there is no such file.
 std::string contents(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
@@ -98,7 +102,8 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
   const std::string sidecar_path = sidecar_path_of(path);
   if (!may_replace_sidecar(sidecar_path)) {
     return Error{ErrorKind::kFile,
-                 fmt::format("{}: it would be the sidecar of {}, and is something else",
+                 fmt::format("{}: it would be the sidecar of {}, and is something else; choose "
+                             "another name",
                              shown(sidecar_path), shown(path))};
   }
   const std::string partial = path + std::string(kPartialEnding);
@@ -144,29 +149,42 @@ Failure MapWriter::finish() {
   return csv_.commit();
 }
 
-Result<std::vector<MapFigures>> read_map(const std::string& path, const StabilityMap& map) {
-  const std::string text = contents(path);
-  if (text.empty()) {
-    return Error{ErrorKind::kUsage, fmt::format("{}: cannot be read, or is empty", shown(path))};
-  }
+Result<std::vector<MapFigures>> parse_map(std::string_view text, const std::string& origin,
+                                          const StabilityMap& map) {
+  const auto wrong = [&](const std::string& what) {
+    return Error{ErrorKind::kUsage, shown(origin) + what};
+  };
   const std::size_t cells = map.cell_count();
   FoundRows rows = whole_rows(text, map, {0, cells});
   if (rows.bytes == 0) {
-    return Error{ErrorKind::kUsage,
-                 fmt::format("{}:1: not the header of this map: {}", shown(path),
-                             map_header(map).substr(0, map_header(map).size() - 1))};
+    return wrong(fmt::format(":1: not the header of this map: {}",
+                             map_header(map).substr(0, map_header(map).size() - 1)));
   }
   if (rows.figures.size() < cells) {
-    return Error{ErrorKind::kUsage,
-                 fmt::format("{}:{}: not cell {} of the {} of this map", shown(path),
-                             rows.figures.size() + 2, rows.figures.size() + 1, cells)};
+    const std::size_t cell = rows.figures.size();
+    return wrong(
+        fmt::format(":{}: not cell {} of the {} of this map, which begins with '{}' and "
+                    "goes on with a verdict and {} numbers or empty fields",
+                    cell + 2, cell + 1, cells, map_row_beginning(map, cell), kMapFigures));
   }
   if (rows.bytes != text.size()) {
-    return Error{ErrorKind::kUsage, fmt::format("{}: there is more behind the last cell of this "
-                                                "map, in line {}",
-                                                shown(path), cells + 2)};
+    return wrong(fmt::format(":{}: there is more behind the last cell of this map", cells + 2));
   }
   return std::move(rows.figures);
+}
+
+Result<std::vector<MapFigures>> read_map(const std::string& path, const StabilityMap& map) {
+  const auto wrong = [&](const std::string& what) {
+    return Error{ErrorKind::kUsage, shown(path) + what};
+  };
+  if (access(path.c_str(), R_OK) != 0) {
+    return wrong(": cannot be read: " + std::generic_category().message(errno));
+  }
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return wrong(": not a map: not a file");
+  const std::string text = contents(path);
+  if (text.empty()) return wrong(": not a map: empty");
+  return parse_map(text, path, map);
 }
 
 }  // namespace hapticwall::file

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/file/atomic_file.h"
@@ -49,7 +50,11 @@ class MapWriter {
   std::vector<MapFigures> found_;
 };
 
-// All cells of the map, out of the file of the whole.
+// All cells of the map, out of the text of the whole; `origin` names it in messages.
+[[nodiscard]] Result<std::vector<MapFigures>> parse_map(std::string_view text,
+                                                        const std::string& origin,
+                                                        const StabilityMap& map);
+// The same, out of its file.
 [[nodiscard]] Result<std::vector<MapFigures>> read_map(const std::string& path,
                                                        const StabilityMap& map);
 

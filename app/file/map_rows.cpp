@@ -17,22 +17,13 @@ struct Column {
   std::string_view name;
   std::optional<double> MapFigures::*value;
 };
-constexpr std::array<Column, 6> kColumns{
+constexpr std::array<Column, kMapFigures> kColumns{
     {{"tail_peak_to_peak_m", &MapFigures::tail_peak_to_peak_m},
      {"tail_force_mean_n", &MapFigures::tail_force_mean_n},
      {"tail_force_std_n", &MapFigures::tail_force_std_n},
      {"displayed_stiffness_n_per_m", &MapFigures::displayed_stiffness_n_per_m},
      {"max_penetration_m", &MapFigures::max_penetration_m},
      {"passivity_margin_j", &MapFigures::passivity_margin_j}}};
-
-// Where the cell stands: how its line begins.
-std::string place_text(const StabilityMap& map, std::size_t cell) {
-  const MapPlace at = map.place(cell);
-  AlgorithmSettings algorithm = map.scene.algorithm;
-  algorithm.index = map.algorithms.at(at.algorithm);
-  return fmt::format("{},{},{},", algorithm_label(algorithm), number_text(map.x.value(at.x)),
-                     number_text(map.y.value(at.y)));
-}
 
 std::optional<Verdict> find_verdict(std::string_view name) {
   for (const Verdict verdict : {Verdict::kSettled, Verdict::kOscillating, Verdict::kDiverged}) {
@@ -64,6 +55,14 @@ bool parse_field(std::string_view field, std::optional<double>& value) {
 
 }  // namespace
 
+std::string map_row_beginning(const StabilityMap& map, std::size_t cell) {
+  const MapPlace at = map.place(cell);
+  AlgorithmSettings algorithm = map.scene.algorithm;
+  algorithm.index = map.algorithms.at(at.algorithm);
+  return fmt::format("{},{},{},", algorithm_label(algorithm), number_text(map.x.value(at.x)),
+                     number_text(map.y.value(at.y)));
+}
+
 std::string map_header(const StabilityMap& map) {
   std::string text = fmt::format("algorithm,{},{},verdict", map.x.number.path, map.y.number.path);
   for (const Column& column : kColumns) text += fmt::format(",{}", column.name);
@@ -72,7 +71,7 @@ std::string map_header(const StabilityMap& map) {
 
 void append_map_row(std::string& text, const StabilityMap& map, std::size_t cell,
                     const MapFigures& figures) {
-  text += place_text(map, cell);
+  text += map_row_beginning(map, cell);
   text += verdict_name(figures.verdict);
   for (const Column& column : kColumns) {
     text += ',';
@@ -84,7 +83,7 @@ void append_map_row(std::string& text, const StabilityMap& map, std::size_t cell
 
 std::optional<MapFigures> parse_map_row(std::string_view line, const StabilityMap& map,
                                         std::size_t cell) {
-  const std::string place = place_text(map, cell);
+  const std::string place = map_row_beginning(map, cell);
   if (!line.starts_with(place)) return std::nullopt;
   const std::vector<std::string_view> fields = fields_of(line.substr(place.size()));
   const std::optional<Verdict> verdict = find_verdict(fields.front());

@@ -93,13 +93,14 @@ void RecordingReader::read_sidecar() {
   const Result<std::string> text = read_small_file(path, "sidecar", kLargestSidecarBytes);
   Result<LoadedScene> loaded = text ? parse_scene(*text, path) : text.error();
   if (!loaded) {
-    notes.push_back(fmt::format("shown without its sidecar: {}", loaded.error().message));
+    info_.sidecar_problem = loaded.error().message;
+    notes.push_back("shown without its sidecar: " + info_.sidecar_problem);
     return;
   }
   const toml::table root = parse_toml(*text, path);  // parse_scene() has taken it
   if (!root["recording"].is_table()) {
-    notes.push_back(
-        fmt::format("{} has no [recording]: not this recording's sidecar", shown(path)));
+    info_.sidecar_problem = shown(path) + " has no [recording]: not this recording's sidecar";
+    notes.push_back(info_.sidecar_problem);
     return;
   }
   info_.has_sidecar = true;

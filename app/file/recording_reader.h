@@ -26,6 +26,7 @@ struct RecordingInfo {
 
   // Of the sidecar. Without one `loaded` is a scene without walls and hand, and the rest is empty.
   bool has_sidecar = false;
+  std::string sidecar_problem;  // why there is none, where a file is there
   LoadedScene loaded;
   std::string device;
   std::string realtime;    // how the real-time set-up went, in words

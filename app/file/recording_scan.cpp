@@ -55,6 +55,10 @@ Failure RecordingScan::take(std::string_view piece) {
 }
 
 Failure RecordingScan::take_line(std::string_view line) {
+  if (line.ends_with('\r')) {
+    ++line_;
+    return problem("its end is of another system, \\r\\n; the lines of a recording end with \\n");
+  }
   if (line_++ > 0) return take_row(line);
   const Result<MoreColumns> columns = parse_csv_header(line);
   if (!columns) return problem(columns.error().message);
@@ -82,8 +86,8 @@ Failure RecordingScan::check_tick(std::uint64_t tick) {
   }
   const std::uint64_t missing = tick - rows_.last_tick - 1;
   if (!tolerance_.holes) {
-    return problem(fmt::format("tick {} follows tick {}: {} rows are missing", tick,
-                               rows_.last_tick, missing));
+    return problem(fmt::format("tick {} follows tick {}: {} missing", tick, rows_.last_tick,
+                               missing == 1 ? "1 row is" : fmt::format("{} rows are", missing)));
   }
   rows_.missing_rows += missing;
   return {};

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
+#include <fstream>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "app/file/atomic_file.h"
@@ -18,46 +19,48 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kRowsAtATime = 1024;
+constexpr std::size_t kPieceBytes = std::size_t{1} << 16U;
 
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
-// What the rows say when they are written once more: they are the bytes of the file.
-struct ReadRows {
-  std::string csv_sha256;
-  std::optional<std::uint64_t> unknown_change;  // first tick of a change that nobody knows
-};
-
-Result<ReadRows> read_rows(RecordingReader& reader) {
+// The first tick of a change that nobody knows, if a row tells of one.
+Result<std::optional<std::uint64_t>> find_unknown_change(RecordingReader& reader) {
   const std::vector<ScheduledChange>& changes = reader.info().loaded.changes;
   const auto is_known = [&](std::uint64_t tick) {
     return std::ranges::any_of(changes,
                                [&](const ScheduledChange& change) { return change.tick == tick; });
   };
-  const MoreColumns columns = reader.info().scanned.columns;
   std::vector<Sample> samples(kRowsAtATime);
-  std::vector<Sample> y_samples(kRowsAtATime);
-  Sha256 digest;
-  ReadRows rows;
-  std::string text = csv_header(columns) + '\n';
   for (std::uint64_t row = 0; row < reader.rows();) {
-    const Result<std::size_t> count = reader.read(row, samples, y_samples);
+    const Result<std::size_t> count = reader.read(row, samples);
     if (!count) return count.error();
     for (std::size_t i = 0; i < *count; ++i) {
-      append_csv_row(text, samples[i], columns, y_samples[i]);
       const bool changed = (samples[i].flags & kFlagParametersChanged) != 0;
-      if (changed && !rows.unknown_change && !is_known(samples[i].tick)) {
-        rows.unknown_change = samples[i].tick;
-      }
+      if (changed && !is_known(samples[i].tick)) return std::optional(samples[i].tick);
     }
-    digest.update(text);
-    text.clear();
     row += *count;
   }
-  rows.csv_sha256 = digest.finish();
-  return rows;
+  return std::optional<std::uint64_t>();
 }
 
-RecordingMetadata metadata_of(const RecordingInfo& info, const ReadRows& rows) {
+// Of the first `bytes` of a file, as they are: somebody may have edited the rows by hand.
+Result<std::string> sha256_of(const std::string& path, std::uint64_t bytes) {
+  std::ifstream in(path, std::ios::binary);
+  std::string piece(kPieceBytes, '\0');
+  Sha256 digest;
+  while (bytes > 0) {
+    const std::uint64_t wanted = std::min<std::uint64_t>(bytes, piece.size());
+    if (!in.read(piece.data(), static_cast<std::streamsize>(wanted))) {
+      return usage_error(shown(path) + ": changed while it was read");
+    }
+    digest.update(std::string_view(piece).substr(0, wanted));
+    bytes -= wanted;
+  }
+  return digest.finish();
+}
+
+RecordingMetadata metadata_of(const RecordingInfo& info,
+                              std::optional<std::uint64_t> unknown_change) {
   const std::uint64_t end_tick = info.scanned.last_tick + 1;
   RecordingMetadata metadata;
   metadata.start_time = info.start_time;
@@ -67,11 +70,11 @@ RecordingMetadata metadata_of(const RecordingInfo& info, const ReadRows& rows) {
   metadata.dropped_rows = info.scanned.missing_rows;
   metadata.recovered = true;
   metadata.not_repeatable_because = info.loaded.not_repeatable_because;
-  if (rows.unknown_change) {
+  if (unknown_change) {
     metadata.not_repeatable_because = fmt::format(
         "parameters changed at tick {}, just before the session was cut off, and "
         "nobody knows how",
-        *rows.unknown_change);
+        *unknown_change);
   }
   metadata.repeatable = metadata.not_repeatable_because.empty();
   for (const ScheduledChange& change : info.loaded.changes) {
@@ -93,7 +96,7 @@ std::string csv_path_of(std::string path) {
 Failure check_names(const std::string& csv_path, const std::string& partial) {
   std::error_code ignored;
   if (!std::filesystem::exists(partial, ignored)) {
-    const bool whole = std::filesystem::exists(csv_path, ignored);
+    const bool whole = std::filesystem::is_regular_file(csv_path, ignored);
     return usage_error(fmt::format("{}: there is no such file{}", shown(partial),
                                    whole ? "; the recording is whole already" : ""));
   }
@@ -130,21 +133,23 @@ Result<Recovered> recover_recording(const std::string& path) {
   const auto reader = RecordingReader::open(partial);
   if (!reader) return reader.error();
   const RecordingInfo& info = (*reader)->info();
-  if (!info.has_sidecar) return usage_error(info.notes.back());
-  const Result<ReadRows> rows = read_rows(**reader);
-  if (!rows) return rows.error();
+  if (!info.has_sidecar) return usage_error(info.sidecar_problem);
+  const auto unknown_change = find_unknown_change(**reader);
+  if (!unknown_change) return unknown_change.error();
+  const Result<std::string> csv_sha256 = sha256_of(partial, info.scanned.end_offset);
+  if (!csv_sha256) return csv_sha256.error();
 
   Recovered recovered{csv_path,
                       info.scanned.rows,
                       info.scanned.missing_rows,
                       csv->size() - info.scanned.end_offset,
                       {}};
-  const RecordingMetadata metadata = metadata_of(info, *rows);
+  const RecordingMetadata metadata = metadata_of(info, *unknown_change);
   if (!metadata.repeatable) {
     recovered.notes.push_back("'run' will not repeat it: " + metadata.not_repeatable_because);
   }
   const RecordedRows counted{recovered.rows, metadata.dropped_rows, info.scanned.last_tick + 1,
-                             rows->csv_sha256};
+                             *csv_sha256};
   const std::string text = sidecar_toml(info.loaded.scene, metadata, counted);
   if (Failure failed = write_sidecar(csv_path, text)) return *failed;
   if (Failure failed = csv->keep_only(info.scanned.end_offset)) return *failed;

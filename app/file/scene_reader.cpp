@@ -38,9 +38,8 @@ Scene read_tables(TableReader& reader, const std::string& origin) {
   scene.description = reader.line("description", kLongestDescription);
   reader.numbers(scene_number_keys(), scene);
   if (const auto* table = reader.table("sampling")) scene.sampling = read_sampling(*table, origin);
-  const toml::table absent_device;
   const toml::table* device = reader.table("device");
-  if (device == nullptr) device = &absent_device;
+  if (device == nullptr) reader.fail_missing("device", "a table [device]");
   scene.device = read_device(*device, "device.", origin, TableAxis::kX);
   const toml::table* hand = reader.table("hand");
   if (hand != nullptr && is_of_axis_x(*hand)) {

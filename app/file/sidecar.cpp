@@ -98,6 +98,7 @@ Failure write_sidecar(const std::string& csv_path, std::string_view text) {
 bool may_replace_sidecar(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return true;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
     if (line == "[recording]" || line == "[map]") return true;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/file/text.h"
@@ -149,8 +150,16 @@ void TableReader::fail_type(const toml::node& node, std::string_view key,
 }
 
 void TableReader::fail_missing(std::string_view key, std::string_view wanted) const {
-  throw ReadFailure(fmt::format("{}: {}{} is missing; it takes {}", place_of(table_, origin_),
-                                prefix_, key, wanted));
+  constexpr std::size_t kShortestHint = 3;  // "y" is not a misspelt "x"
+  std::string hint;
+  for (const auto& [found, value] : table_) {
+    const std::string_view name = found.str();
+    const bool read = std::find(known_.begin(), known_.end(), name) != known_.end();
+    if (read || name.size() < kShortestHint || !nearest_name(name, std::array{key})) continue;
+    hint = fmt::format("; is {} meant for it?", in_quotes(name));
+  }
+  throw ReadFailure(fmt::format("{}: {}{} is missing; it takes {}{}", place_of(table_, origin_),
+                                prefix_, key, wanted, hint));
 }
 
 std::optional<PathPoint> path_point(const toml::node& node) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <filesystem>
@@ -52,10 +53,13 @@ Result<std::uint64_t> export_csv(const SampleHistory& history, IndexRange range,
 }
 
 std::string plain_file_name(std::string name) {
+  constexpr std::size_t kLongest = 200;  // bytes; no file system takes many more
+  name.resize(std::min(name.size(), kLongest));
   for (char& c : name) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (!plain && c != '-' && c != '_' && c != '.') c = '-';
   }
+  if (name.starts_with('.') || name.starts_with('-')) name.front() = '_';
   return name;
 }
 

@@ -27,7 +27,8 @@ struct ExportSource {
                                                const ExportSource& source,
                                                const std::string& csv_path);
 
-// What no file system takes, or a shell reads otherwise, becomes '-'.
+// The name of a file, whatever a scene from elsewhere is called: what no file system takes, leads
+// to another folder, or is read otherwise by a shell becomes '-', and no file is hidden.
 [[nodiscard]] std::string plain_file_name(std::string name);
 
 // "SCENE-ALGORITHM-FROM-TOs", in characters that every file system takes.

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "app/ui/blind_test.h"
+#include "app/ui/export.h"
 #include "app/ui/replay_bar.h"
 #include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
@@ -32,10 +33,11 @@ bool button(const PanelContext& context, const char* label, const char* name, fl
 
 std::string automatic_name(const PanelContext& context) {
   const Scene& scene = context.session.scene();
-  if (blind_test_runs(context.state)) return scene.name + "-blind-test.csv";
+  if (blind_test_runs(context.state)) return plain_file_name(scene.name + "-blind-test.csv");
   const auto list = algorithms();
   const bool known = scene.algorithm.index < list.size();
-  return fmt::format("{}-{}.csv", scene.name, known ? list[scene.algorithm.index].name : "unknown");
+  return plain_file_name(
+      fmt::format("{}-{}.csv", scene.name, known ? list[scene.algorithm.index].name : "unknown"));
 }
 
 void draw_transport(const PanelContext& context) {

@@ -34,9 +34,10 @@ class ProgramTest : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("hapticwall_" + std::string(info->test_suite_name()) + "_" + info->name() + "_" +
-               std::to_string(getpid()));
+    std::string name = "hapticwall_" + std::string(info->test_suite_name()) + "_" + info->name() +
+                       "_" + std::to_string(getpid());
+    std::replace(name.begin(), name.end(), '/', '_');  // of tests with parameters
+    folder_ = std::filesystem::temp_directory_path() / name;
     std::filesystem::create_directory(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }

@@ -21,17 +21,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-class StudyCommand : public ProgramTest {
- protected:
-  void expect_refused(std::vector<std::string> arguments, int status, const std::string& line) {
-    arguments.insert(arguments.begin(), {"compare", "--study"});
-    const Answer answer = hapticwall(std::move(arguments));
-    EXPECT_EQ(answer.status, status) << answer.err;
-    EXPECT_EQ(answer.err, "error: " + line + "\n");
-    EXPECT_THAT(answer.out, IsEmpty());
-    EXPECT_THAT(files(), IsEmpty());
-  }
-};
+class StudyCommand : public ProgramTest {};
 
 TEST_F(StudyCommand, IsATableOfAllAlgorithms) {
   const Answer answer = hapticwall({"compare", "tap", "--study"});
@@ -108,24 +98,6 @@ TEST_F(StudyCommand, OfACornerIsOfAxisX) {
       {"compare", "corner", "--study", "--algorithms", "force-bounding", "--duration", "2"});
   EXPECT_EQ(answer.status, 0) << answer.err;
   EXPECT_THAT(answer.out, StartsWith("corner, axis x: wall of "));
-}
-
-TEST_F(StudyCommand, RefusesInOneLine) {
-  expect_refused({"press", "--expect", "verdict=settled"}, 2,
-                 "--expect: not with --study, which has no summary; 'hapticwall compare SCENE "
-                 "--expect EXPR' has");
-  expect_refused({"press", "--plot", "a.png"}, 2,
-                 "--plot: not with --study, which draws no figure; 'hapticwall run SCENE --plot "
-                 "FILE.png' does");
-  expect_refused({"press", "--set", "wall=[]"}, 2,
-                 "--study: wall: the study varies the stiffness of a wall, and there is none");
-  expect_refused({"press", "--device", "ie2000"}, 3,
-                 "--device 'ie2000': 'compare' computes on the simulator only, 'sim'; 'hapticwall "
-                 "run' and the window drive a device");
-  expect_refused({"press", "--csv", "a", "--json", "a"}, 2,
-                 "--csv and --json are the same file, 'a'");
-  expect_refused({"press", "--csv", "no/a.csv"}, 4,
-                 "no/a.csv: cannot be written: No such file or directory");
 }
 
 TEST_F(StudyCommand, CtrlCEndsItAndNothingIsWritten) {

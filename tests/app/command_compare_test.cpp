@@ -234,15 +234,6 @@ TEST_F(Compare, SortsWhatPeopleReadAndNothingElse) {
   }
 }
 
-TEST_F(Compare, AnUnknownKeyRunsNothing) {
-  const Answer answer = hapticwall({"compare", "press", "--sort", "contact", "--plot", "a.png"});
-  EXPECT_EQ(answer.status, 2);
-  EXPECT_EQ(answer.err,
-            "error: --sort 'contact': the summary has no key 'contact'; did you mean "
-            "'contacts'?\n");
-  EXPECT_THAT(files(), IsEmpty());
-}
-
 TEST_F(Compare, PlotWritesAPictureThatFollowsTheOrder) {
   const std::vector<std::string> common{"compare", "press",        "--duration",
                                         "2",       "--algorithms", "none,energy-bounding"};
@@ -262,24 +253,6 @@ TEST_F(Compare, PlotWritesAPictureThatFollowsTheOrder) {
   EXPECT_TRUE(content("a.png") == content("c.png"));
   EXPECT_FALSE(content("a.png") == content("d.png"));
   EXPECT_THAT(files(), ElementsAre("a.png", "b.png", "c.png", "d.png"));
-}
-
-TEST_F(Compare, AFigureHasItsLimits) {
-  const Answer ticks = hapticwall({"compare", "press", "--plot", "a.png", "--duration", "126"});
-  EXPECT_EQ(ticks.status, 2);
-  EXPECT_EQ(ticks.err,
-            "error: --plot: a figure shows at most 1000000 ticks in all, 125000 of each of 8 "
-            "algorithms; this scene has 126000; --duration shortens it\n");
-  std::string many = "none";
-  for (int i = 1; i < 17; ++i) many += ",none";
-  const Answer runs = hapticwall({"compare", "press", "--plot", "a.png", "--algorithms", many});
-  EXPECT_EQ(runs.status, 2);
-  EXPECT_EQ(runs.err,
-            "error: --plot: a figure shows at most 16 algorithms, --algorithms names 17\n");
-  EXPECT_EQ(hapticwall({"compare", "press", "--plot", "-"}).err,
-            "error: --plot -: it takes the name of a file\n");
-  EXPECT_EQ(hapticwall({"compare", "press", "--plot", "no/a.png"}).status, 4);
-  EXPECT_THAT(files(), IsEmpty());
 }
 
 TEST_F(Compare, EndedEarlyItWritesNothing) {

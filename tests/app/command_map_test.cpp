@@ -34,13 +34,6 @@ class MapCommand : public ProgramTest {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return hapticwall(arguments);
   }
-  void expect_refused(const std::vector<std::string>& arguments, const std::string& line) {
-    const Answer answer = hapticwall(arguments);
-    EXPECT_EQ(answer.status, 2) << answer.err;
-    EXPECT_EQ(answer.err, "error: " + line + "\n");
-    EXPECT_THAT(answer.out, IsEmpty());
-    EXPECT_THAT(files(), IsEmpty());
-  }
 };
 
 TEST_F(MapCommand, CountsTheVerdictsOfEveryAlgorithm) {
@@ -168,71 +161,6 @@ TEST_F(MapCommand, ABoundaryIsFoundAndWritten) {
   const std::string csv = content("b.csv");
   EXPECT_THAT(csv, StartsWith("algorithm,device.damping_n_s_per_m,settled,unsettled,changes,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
-}
-
-TEST_F(MapCommand, WhatIsWrongIsSaidInALine) {
-  const std::string x = "wall.stiffness_n_per_m=1e3:1e4:5";
-  const std::string y = "wall.damping_n_s_per_m=0:1:3";
-  const std::string form =
-      "it takes KEY=LO:HI:N, or KEY=LO:HI:N:log, as in wall.stiffness_n_per_m=1e3:1e5:100:log";
-  expect_refused({"map", "press", "--x", x},
-                 "map: it takes --x and --y, each KEY=LO:HI:N or KEY=LO:HI:N:log; or --boundary");
-  expect_refused({"map", "press", "--x", "wall.stiffness_n_per_m", "--y", y},
-                 "--x wall.stiffness_n_per_m: " + form);
-  for (const std::string range : {"1:2", "1:2:3:lin", "a:2:3", "1:2:3.5", "1:inf:3", "1:2:3:"}) {
-    expect_refused({"map", "press", "--x", "wall.stiffness_n_per_m=" + range, "--y", y},
-                   "--x wall.stiffness_n_per_m=" + range + ": " + form);
-  }
-  expect_refused({"map", "press", "--x", "wall.stiffness_n_per_m=5:5:3", "--y", y},
-                 "--x wall.stiffness_n_per_m=5:5:3: LO is not below HI");
-  expect_refused({"map", "press", "--x", "wall.stiffness_n_per_m=5:6:1", "--y", y},
-                 "--x wall.stiffness_n_per_m=5:6:1: N is 1; it takes 2 to 10000");
-  expect_refused({"map", "press", "--x", x, "--y", "wall.damping_n_s_per_m=0:1:3:log"},
-                 "--y wall.damping_n_s_per_m=0:1:3:log: with log, LO is more than 0");
-  expect_refused({"map", "press", "--x", x, "--y", "device.delay_ticks=0:5:3"},
-                 "--y device.delay_ticks=0:5:3: the key counts, and value 2 of these is 2.5; it "
-                 "takes whole numbers");
-  expect_refused({"map", "press", "--x", x, "--y", "wall[0].stiffness_n_per_m=1:2:3"},
-                 "--x and --y are the same key, wall.stiffness_n_per_m");
-  expect_refused(
-      {"map", "press", "--x", x, "--y", "device.mass_kg=-1:1:3"},
-      "a value of the map: device.mass_kg: -1 is out of range; it takes 1e-6 to 1000 kg");
-  for (const std::string shard : {"0/3", "4/3", "1", "1/", "/3", "1/3x", "1/99"}) {
-    expect_refused({"map", "press", "--x", x, "--y", y, "--algorithms", "none", "--shard", shard},
-                   "--shard '" + shard +
-                       "': it takes I/N, part I of N, from 1/N to N/N, and N at "
-                       "most the 15 cells of the map");
-  }
-  expect_refused({"map", "press", "--x", x, "--y", y, "--shard", "1/3", "--plot", "a.png"},
-                 "--plot: a part has no figure; put the parts together, and --read FILE.csv --plot "
-                 "FILE.png draws the whole");
-  expect_refused({"map", "press", "--x", x, "--y", y, "--expect", "verdict=settled"},
-                 "--expect: 'map' has no single summary; 'hapticwall run SCENE --expect EXPR' has");
-  expect_refused({"map", "press", "--boundary", x, "--y", y}, "--y: not with --boundary");
-  expect_refused({"map", "press", "--boundary", x, "--tolerance", "2"},
-                 "--tolerance '2': it takes a part of the value, 1e-12 to less than 1");
-  expect_refused({"map", "press", "--x", x, "--y", y, "--tolerance", "0.1"},
-                 "--tolerance: it is for --boundary");
-  expect_refused({"map", "press", "--x", x, "--y", y, "--read", "no.csv"},
-                 "no.csv: cannot be read, or is empty");
-}
-
-TEST_F(MapCommand, AnUnknownKeyIsToldItsNeighbour) {
-  const Answer answer = hapticwall({"map", "press", "--x", "wall.stifness_n_per_m=1:2:3", "--y",
-                                    "wall.damping_n_s_per_m=0:1:3"});
-  EXPECT_EQ(answer.status, 2);
-  EXPECT_THAT(
-      answer.err,
-      StartsWith("error: --x wall.stifness_n_per_m=1:2:3: no number of this scene is called "
-                 "'wall.stifness_n_per_m'; did you mean 'wall.stiffness_n_per_m'?; known: "
-                 "duration_s, "));
-  EXPECT_EQ(answer.error_lines(), 1);
-}
-
-TEST_F(MapCommand, AFolderThatIsNotThereIsFoundFirst) {
-  const Answer answer = map({"--csv", "no/m.csv"});
-  EXPECT_EQ(answer.status, 4);
-  EXPECT_THAT(answer.err, StartsWith("error: no/m.csv: cannot be written: "));
 }
 
 }  // namespace

@@ -137,35 +137,6 @@ TEST_F(RecoverCommand, AChangeThatNobodyKnowsIsTold) {
   EXPECT_THAT(content("a.toml"), HasSubstr("repeatable = false"));
 }
 
-TEST_F(RecoverCommand, WhatCannotBeFinishedStaysAsItIs) {
-  expect_refused({"recover", "no.csv"}, 2, "no.csv.partial: there is no such file");
-  ASSERT_EQ(hapticwall({"run", "press", "--duration", "0.1", "--csv", "a.csv", "--quiet"}).status,
-            0);
-  expect_refused({"recover", "a.csv"}, 2,
-                 "a.csv.partial: there is no such file; the recording is whole already");
-  const std::string csv = content("a.csv");
-  put("a.csv.partial", csv);
-  put("a.toml.partial", content("a.toml"));
-  expect_refused({"recover", "a.csv"}, 2,
-                 "a.csv is there already: move it away, or rename a.csv.partial and its sidecar");
-  put("b.csv.partial", csv);
-  expect_refused({"recover", "b.csv"}, 2,
-                 "b.toml.partial: it is not there, and without it nobody knows the scene; "
-                 "'hapticwall replay b.csv.partial' shows the rows");
-  put("b.toml.partial", "name = 1\n");
-  const Answer broken = hapticwall({"recover", "b.csv"});
-  EXPECT_EQ(broken.status, 2);
-  EXPECT_THAT(broken.err, HasSubstr("b.toml.partial:1: name: "));
-  put("b.toml.partial", content("a.toml"));
-  put("b.csv.partial", csv.substr(0, csv.find('\n') + 1));
-  expect_refused({"recover", "b.csv"}, 2, "b.csv.partial: a recording without rows");
-  put("b.toml", "name = \"mine\"\n");
-  put("b.csv.partial", csv);
-  expect_refused({"recover", "b.csv"}, 2,
-                 "b.toml is not a recording's sidecar and would be replaced: move it away");
-  EXPECT_EQ(content("b.csv.partial"), csv);
-}
-
 TEST_F(RecoverCommand, ARecordingThatRunsIsLeftAlone) {
   const pid_t child = start({HAPTICWALL_BINARY, "run", "press", "--duration", "1000", "--realtime",
                              "--csv", "a.csv", "--quiet"});

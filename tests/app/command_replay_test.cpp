@@ -152,23 +152,6 @@ TEST_F(ReplayCommand, ARecordingThatBeganWhileThePointerLedSaysSo) {
   EXPECT_THAT(answer.err, AllOf(HasSubstr("SHA-256 differs"), HasSubstr("begins at tick 1000")));
 }
 
-TEST_F(ReplayCommand, WhatCannotBeIsRefusedInALine) {
-  record();
-  expect_refused({}, "RECORDING is required");
-  expect_refused({"b.csv", "--quiet"}, "b.csv: cannot be read");
-  expect_refused({"a.toml", "--quiet"}, "a.toml:1: not a recording");
-  expect_refused({"a.csv", "--algorithm", "nune", "--quiet"}, "did you mean 'none'?");
-  expect_refused({"a.csv", "--csv", "b.csv"}, "--csv: only a re-run is recorded");
-  expect_refused({"a.csv", "--algorithm", "none", "--csv", "./a.csv"}, "the recording itself");
-  expect_refused({"a.csv", "--json", "a.toml"}, "the recording itself");
-  expect_refused({"a.csv", "--speed", "0", "--quiet"}, "--speed");
-  expect_refused({"a.csv", "--set", "duration_s=1", "--quiet"}, "--set duration_s");
-  expect_refused({"a.csv", "--expect", "x=1"}, "--expect");
-  put("b.csv", content("a.csv").substr(0, 5000));
-  expect_refused({"b.csv", "--quiet"}, "the last line is cut off");
-  EXPECT_THAT(files(), ElementsAre("a.csv", "a.toml", "b.csv"));
-}
-
 TEST_F(ReplayCommand, ADevicesRecordingIsShownAndNotRerun) {
   put("d.csv",
       "tick,time_s,position_m,velocity_m_per_s,penetration_m,wall_force_n,force_n,stiffness_n_per_"

@@ -176,21 +176,5 @@ TEST_F(ProgramTest, TimingMeasuresThisMachine) {
   EXPECT_THAT(hapticwall({"timing", "--seconds", "0.05"}).out, HasSubstr("verdict: "));
 }
 
-TEST_F(ProgramTest, TimingRefusesWhatItCannotMeasure) {
-  const auto refused = [&](const std::vector<std::string>& arguments, int status,
-                           const std::string& line) {
-    const Answer answer = hapticwall(arguments);
-    EXPECT_EQ(answer.status, status);
-    EXPECT_EQ(answer.err, "error: " + line + "\n");
-  };
-  refused({"timing", "--seconds", "0"}, 2, "--seconds 0: it takes more than 0 and at most 86400");
-  refused({"timing", "--rate", "1"}, 2, "--rate 1: it takes 10 to 1e5 Hz");
-  refused({"timing", "--seconds", "1000", "--rate", "100000"}, 2,
-          "--seconds 1000 at 100000 Hz are 1e+08 ticks; it measures at most 1e+07");
-  refused({"timing", "--device", "nothing"}, 3,
-          "--device 'nothing': it takes sim, ie2000 or ie2000:PATH; 'hapticwall devices' lists "
-          "what is connected");
-}
-
 }  // namespace
 }  // namespace hapticwall::command::test

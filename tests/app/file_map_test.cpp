@@ -176,11 +176,11 @@ TEST_F(MapFile, AWholeMapIsReadAndAnythingElseIsNot) {
     return read.ok() ? std::string() : read.error().message.substr(path("").size());
   };
   const std::string text = content("map.csv");
-  EXPECT_THAT(refusal(""), HasSubstr("wrong.csv: cannot be read, or is empty"));
+  EXPECT_THAT(refusal(""), HasSubstr("wrong.csv: not a map: empty"));
   EXPECT_THAT(refusal("a,b\n"), HasSubstr("wrong.csv:1: not the header of this map: algorithm,"));
   EXPECT_THAT(refusal(text.substr(0, text.size() - 1)),
               HasSubstr("wrong.csv:25: not cell 24 of the 24 of this map"));
-  EXPECT_THAT(refusal(text + "x"), HasSubstr("more behind the last cell"));
+  EXPECT_THAT(refusal(text + "x"), HasSubstr("wrong.csv:26: there is more behind the last cell"));
   std::string swapped = text;
   swapped.replace(swapped.find("none"), 4, "nine");
   EXPECT_THAT(refusal(swapped), HasSubstr("wrong.csv:2: not cell 1 of the 24"));

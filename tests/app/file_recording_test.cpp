@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <bit>
+#include <cerrno>
 #include <charconv>
 #include <clocale>
 #include <cstdint>
@@ -19,6 +20,7 @@
 #include "app/file/recording_writer.h"
 #include "app/file/scene_file.h"
 #include "app/file/sha256.h"
+#include "tests/app/file_faulty_disk.h"
 
 namespace hapticwall::file {
 namespace {
@@ -263,10 +265,11 @@ TEST_F(Recording, AHoleIsToldOf) {
 }
 
 TEST_F(Recording, AFullDiskIsAnErrorAndStaysOne) {
-  fs::create_symlink("/dev/full", path("a.csv.partial"));
   auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
   ASSERT_TRUE(writer) << writer.error().message;
   ASSERT_FALSE((*writer)->append(sample_at(0)));
+  test::FaultyDisk disk;
+  disk.fail_after(0, ENOSPC);
   const Failure failed = (*writer)->flush();
   ASSERT_TRUE(failed);
   EXPECT_EQ(failed->kind, ErrorKind::kFile);

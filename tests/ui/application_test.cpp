@@ -75,6 +75,25 @@ TEST_F(ApplicationTest, TheRecordButtonStartsAndStopsARecordingOfTheTypedName) {
   EXPECT_THAT(message().text, HasSubstr("trial.csv"));
 }
 
+TEST_F(ApplicationTest, ASceneFromElsewhereNamesNoOtherFolder) {
+  for (const std::string& name :
+       {std::string("../../x"), std::string("/etc/x"), std::string("a\0b", 3),
+        std::string("\x1b[2J"), std::string(300, 'n'), std::string(".")}) {
+    Scene scene = fake_->scene();
+    scene.name = name;
+    application_->state().transient.wanted_scene = ui::WantedScene{scene, true};
+    frames(2);
+    ASSERT_EQ(fake_->scene().name, name);
+    click("record");
+    const std::string path = fake_->recording_status().path;
+    EXPECT_EQ(path.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789J_-."), std::string::npos)
+        << path;
+    EXPECT_FALSE(path.starts_with('.')) << path;
+    EXPECT_LT(path.size(), 255U);
+    click("record");
+  }
+}
+
 TEST_F(ApplicationTest, ARecordingThatCannotBeSaysWhy) {
   fake_->refuse_recording = "the disk is full";
   click("record");

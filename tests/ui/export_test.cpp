@@ -124,6 +124,16 @@ TEST_F(ExportTest, NamesTellSceneAlgorithmAndRangeInPlainCharacters) {
   EXPECT_EQ(name.find_first_of("/ "), std::string::npos);
 }
 
+TEST_F(ExportTest, NoNameLeadsElsewhereOrHidesAFile) {
+  EXPECT_EQ(plain_file_name("../../x"), "_.-..-x");
+  EXPECT_EQ(plain_file_name("/etc/x"), "_etc-x");
+  EXPECT_EQ(plain_file_name(std::string("a\0b", 3)), "a-b");
+  EXPECT_EQ(plain_file_name("\x1b[2J\x7f"), "_-2J-");
+  EXPECT_EQ(plain_file_name("-rf *"), "_rf--");
+  EXPECT_EQ(plain_file_name(".."), "_.");
+  EXPECT_EQ(plain_file_name(std::string(300, 'n')), std::string(200, 'n'));
+}
+
 TEST_F(ExportTest, AnUnusedPathIsNeverOneThatIsThere) {
   EXPECT_EQ(unused_path(folder_.string(), "a", ".png"), path("a.png"));
   std::ofstream(path("a.png")) << "x";

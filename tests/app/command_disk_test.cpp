@@ -1,0 +1,178 @@
+// Every output of every command on a disk that fills up or goes away: one line, exit status 4, and
+// nothing under a name that it does not deserve.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/app/command_binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+struct Output {
+  const char* arguments;
+  int blocks;        // of 512 bytes that a file may have
+  const char* file;  // that does not fit
+  const char* left;  // what of it is left, or ""
+};
+
+constexpr const char* kMap =
+    "map golden-soft --x wall.stiffness_n_per_m=100:3000:6:log --y device.damping_n_s_per_m="
+    "0.1:0.7:4 --duration 0.2 --quiet ";
+constexpr const char* kBoundary =
+    "map golden-soft --boundary wall.stiffness_n_per_m=100:1e5:3:log --x "
+    "device.damping_n_s_per_m=0.1:1:2 "
+    "--duration 1 --quiet ";
+
+class DiskTest : public ProgramTest {
+ protected:
+  void expect_not_written(const std::string& arguments, const Output& output) const {
+    SCOPED_TRACE(arguments);
+    const Answer answer =
+        shell("ulimit -f " + std::to_string(output.blocks) + "; exec $P " + arguments);
+    const std::string name = output.file;
+    const std::string left = output.left;
+    EXPECT_EQ(answer.status, 4);
+    EXPECT_EQ(answer.err, "error: " + name + ": could not be written whole: File too large" +
+                              (left.empty() ? "" : " (what was written is in " + left + ")") +
+                              "\n");
+    EXPECT_THAT(answer.out, IsEmpty());
+    for (const std::string& found : files()) {
+      EXPECT_TRUE(!left.empty() && found.ends_with(".partial")) << found;
+      std::filesystem::remove(path(found));
+    }
+  }
+  // Until the program has said `text` on standard error.
+  void wait_for_word(pid_t child, const std::string& text) const {
+    while (is_running(child) && content("stderr").find(text) == std::string::npos) sched_yield();
+  }
+  void wait_for_bytes(pid_t child, const std::string& name) const {
+    while (is_running(child) && size(name) == 0) sched_yield();
+  }
+};
+
+TEST_F(DiskTest, FullWhileAnOutputIsWritten) {
+  for (const Output& output : {
+           Output{"run press --quiet --csv a.csv", 8, "a.csv", "a.csv.partial"},
+           Output{"run press --quiet --duration 0.001 --csv a.csv", 1, "a.toml.partial", ""},
+           Output{"run press --quiet --json a.json", 1, "a.json", ""},
+           Output{"run press --quiet --plot a.png", 8, "a.png", ""},
+           Output{"compare press --quiet --csv a.csv", 1, "a.csv", ""},
+           Output{"compare press --quiet --json a.json", 1, "a.json", ""},
+           Output{"compare press --quiet --plot a.png", 8, "a.png", ""},
+           Output{"compare press --quiet --study --csv a.csv", 1, "a.csv", ""},
+           Output{"accuracy golden-soft --quiet --duration 0.1 --csv a.csv", 1, "a.csv", ""},
+           Output{"accuracy golden-soft --quiet --duration 0.1 --json a.json", 1, "a.json", ""},
+           Output{"accuracy golden-soft --quiet --duration 0.1 --plot a.png", 8, "a.png", ""},
+           Output{"timing --quiet --seconds 0.01 --json a.json", 1, "a.json", ""},
+       }) {
+    expect_not_written(output.arguments, output);
+  }
+}
+
+TEST_F(DiskTest, FullWhileAMapIsWritten) {
+  for (const Output& output :
+       {Output{"--csv m.csv", 4, "m.csv", "m.csv.partial"},
+        Output{"--json m.json", 1, "m.json", ""}, Output{"--plot m.png", 8, "m.png", ""}}) {
+    expect_not_written(std::string(kMap) + output.arguments, output);
+  }
+  for (const Output& output :
+       {Output{"--csv b.csv", 1, "b.csv", ""}, Output{"--json b.json", 1, "b.json", ""}}) {
+    expect_not_written(std::string(kBoundary) + output.arguments, output);
+  }
+}
+
+// The map's first rows are not lost with the disk: the next run goes on from them.
+TEST_F(DiskTest, AMapThatFoundNoRoomIsGoneOnWith) {
+  ASSERT_EQ(shell("ulimit -f 4; exec $P " + std::string(kMap) + "--csv m.csv").status, 4);
+  const std::string left = content("m.csv.partial");
+  EXPECT_EQ(left.size(), 4U * 512U);
+  ASSERT_EQ(shell("exec $P " + std::string(kMap) + "--csv m.csv").status, 0);
+  EXPECT_THAT(content("m.csv"), StartsWith(left));
+}
+
+TEST_F(DiskTest, AFullDiskIsToldWhileARunInRealTimeGoesOn) {
+  const pid_t child = start({"/bin/sh", "-c",
+                             "ulimit -f 8; exec '" HAPTICWALL_BINARY
+                             "' run press --realtime --duration 1000 --csv a.csv --quiet"});
+  wait_for_word(child, "; the run goes on\n");
+  EXPECT_TRUE(is_running(child));
+  kill(child, SIGINT);
+  const Answer answer = wait_for(child);
+  EXPECT_EQ(answer.status, 4);
+  const std::string what =
+      "a.csv: could not be written whole: File too large (what was written is in a.csv.partial)";
+  EXPECT_EQ(answer.err, what + "; the run goes on\nerror: " + what + "\n");
+  EXPECT_EQ(size("a.csv.partial"), 8U * 512U);
+  EXPECT_EQ(size("a.csv") + size("a.toml"), 0U);
+  ASSERT_EQ(hapticwall({"recover", "a.csv"}).status, 0);
+}
+
+TEST_F(DiskTest, AFolderThatIsRemovedEndsARunAndIsToldInRealTime) {
+  for (const bool in_real_time : {false, true}) {
+    std::filesystem::create_directory(path("sub"));
+    std::vector<std::string> arguments{HAPTICWALL_BINARY, "run",   "press",     "--duration",
+                                       "100000",          "--csv", "sub/a.csv", "--quiet"};
+    if (in_real_time) arguments.emplace_back("--realtime");
+    const pid_t child = start(arguments);
+    wait_for_bytes(child, "sub/a.csv.partial");
+    std::filesystem::remove_all(path("sub"));
+    if (in_real_time) {
+      wait_for_word(child, "; the run goes on\n");
+      EXPECT_TRUE(is_running(child));
+      kill(child, SIGINT);
+    }
+    const Answer answer = wait_for(child);
+    EXPECT_EQ(answer.status, 4);
+    EXPECT_THAT(answer.err,
+                EndsWith("error: sub/a.csv: could not be written whole: sub/a.csv.partial was "
+                         "removed meanwhile\n"));
+    EXPECT_THAT(files(), IsEmpty());
+  }
+}
+
+TEST_F(DiskTest, AFolderThatIsMovedKeepsTheRowsForRecovery) {
+  std::filesystem::create_directory(path("sub"));
+  const pid_t child = start(
+      {HAPTICWALL_BINARY, "run", "press", "--duration", "100000", "--csv", "sub/a.csv", "--quiet"});
+  wait_for_bytes(child, "sub/a.csv.partial");
+  std::filesystem::rename(path("sub"), path("moved"));
+  kill(child, SIGINT);
+  const Answer answer = wait_for(child);
+  EXPECT_EQ(answer.status, 4);
+  EXPECT_EQ(
+      answer.err,
+      "error: sub/a.csv: could not be written whole: sub/a.csv.partial was moved meanwhile\n");
+  const Answer recovered = hapticwall({"recover", "moved/a.csv"});
+  EXPECT_EQ(recovered.status, 0) << recovered.err;
+  EXPECT_THAT(recovered.out, AllOf(StartsWith("moved/a.csv: "), HasSubstr(" rows")));
+  EXPECT_EQ(hapticwall({"run", "moved/a.toml", "--quiet"}).status, 0);
+}
+
+// Also for root, whom permissions do not bind.
+TEST_F(DiskTest, ReadOnlyFoldersAreToldBeforeAnythingRuns) {
+  for (const std::string option : {"--csv", "--json", "--plot"}) {
+    const Answer answer =
+        hapticwall({"run", "press", "--duration", "1000", option, "/sys/hapticwall"});
+    EXPECT_EQ(answer.status, 4);
+    EXPECT_THAT(answer.err, StartsWith("error: /sys/hapticwall: cannot be written: "));
+    EXPECT_EQ(answer.error_lines(), 1);
+  }
+  const Answer answer = hapticwall({"run", "press", "--realtime", "--csv", "/sys/hapticwall.csv"});
+  EXPECT_EQ(answer.status, 4);
+  EXPECT_EQ(answer.error_lines(), 1);
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test
