@@ -224,7 +224,7 @@ struct Hole {
   double late_s;
   bool keeps_force;
 };
-void PrintTo(const Hole& hole, std::ostream* out) { *out << hole.late_s << " s"; }
+std::ostream& operator<<(std::ostream& out, const Hole& hole) { return out << hole.late_s << " s"; }
 
 class StallHole : public ::testing::TestWithParam<Hole> {};
 
