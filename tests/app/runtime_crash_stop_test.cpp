@@ -54,6 +54,7 @@ constexpr int kEndless = 1'000'000'000;  // calls; no stack has room for them
 
 void throw_something() { throw std::runtime_error("nobody catches this"); }
 
+// NOLINTNEXTLINE(bugprone-exception-escape): this is what it is for
 void throw_to_nobody() noexcept { throw_something(); }
 
 void in_another_thread() { std::thread(use_wrong_pointer).join(); }
@@ -70,7 +71,7 @@ struct End {
   void (*bring_about)();
   int signal;
 };
-void PrintTo(const End& end, std::ostream* out) { *out << end.name; }
+std::ostream& operator<<(std::ostream& out, const End& end) { return out << end.name; }
 
 class CrashStopEnds : public ::testing::TestWithParam<End> {};
 

@@ -2,9 +2,13 @@
 // none happens twice, and a force that nobody renewed does not come back by itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <memory>
+#include <ostream>
 #include <thread>
 #include <vector>
 
@@ -220,6 +224,7 @@ struct Hole {
   double late_s;
   bool keeps_force;
 };
+std::ostream& operator<<(std::ostream& out, const Hole& hole) { return out << hole.late_s << " s"; }
 
 class StallHole : public ::testing::TestWithParam<Hole> {};
 
