@@ -25,8 +25,6 @@ class BadInput : public ProgramTest {
     EXPECT_EQ(files(), before);
   }
 };
-}
-};
 
 TEST_F(BadInput, NoOutputThatWasAskedForComesToBe) {
   put("bad.toml", "name = 1\n");

@@ -299,7 +299,8 @@ TEST_F(RecordingReading, AWrongRowIsNamedWithItsColumn) {
   EXPECT_EQ(said("x" + row), "a.csv:3: tick: 'x1' is no whole number");
   EXPECT_EQ(said("1.5" + row.substr(1)), "a.csv:3: tick: '1.5' is no whole number");
   EXPECT_EQ(said(""), "a.csv:3: tick: '' is no whole number");
-  EXPECT_EQ(said(row + "\r"), "a.csv:3: kinetic_j: '0?' is no finite number");
+  EXPECT_EQ(said(row + "\r"),
+            "a.csv:3: its end is of another system, \\r\\n; the lines of a recording end with \\n");
   for (const char* value : {"nan", "inf", "-inf", "1e999", "0x1", " 1", "1,5x"}) {
     EXPECT_THAT(said("1," + std::string(value) + row.substr(row.find(',', 2))),
                 HasSubstr("is no finite number"))
