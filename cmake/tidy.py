@@ -43,8 +43,20 @@ def preprocessed(entry):
     return subprocess.run(command, cwd=entry["directory"], capture_output=True, check=True).stdout
 
 
+def nested_settings(file):
+    """The text of the .clang-tidy files between the file and the root, which holds one too."""
+    root = pathlib.Path.cwd().resolve()
+    folders = [folder for folder in pathlib.Path(file).parents if root in folder.parents]
+    return b"".join(
+        (folder / ".clang-tidy").read_bytes()
+        for folder in folders
+        if (folder / ".clang-tidy").exists()
+    )
+
+
 def key_of(entry, settings):
     digest = hashlib.sha256(settings)
+    digest.update(nested_settings(entry["file"]))
     digest.update(preprocessed(entry))
     # Comments can switch a check off.
     digest.update(pathlib.Path(entry["file"]).read_bytes())
