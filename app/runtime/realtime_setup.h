@@ -41,9 +41,9 @@ RealtimeOutcome set_up_realtime_thread(int affinity_core);
 // the system permits. Realtime-safe: no.
 void set_up_device_thread();
 
-// Sets the calling thread up as one that takes rows to the disk: before everything that is ordinary,
-// so that busy cores cost no row, and after everything else that is real-time; as far as the system
-// permits. Realtime-safe: no.
+// Sets the calling thread up as one that takes rows to the disk: before everything that is
+// ordinary, so that busy cores cost no row, and after everything else that is real-time; as far as
+// the system permits. Realtime-safe: no.
 void set_up_recorder_thread();
 
 // Round to nearest, denormals kept: every machine and every thread gets the same bits. A library
