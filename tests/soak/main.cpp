@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
@@ -18,6 +17,7 @@
 
 #include "app/runtime/latency_histogram.h"
 #include "app/runtime/session.h"
+#include "tests/app/runtime_support.h"
 #include "tests/soak/researcher.h"
 #include "tests/soak/watched_clock.h"
 
@@ -99,26 +99,6 @@ void print_line(std::uint64_t turn, runtime::Session& session, const WatchedCloc
   std::fflush(stdout);
 }
 
-// A folder that is gone with its content when the run is over.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "hapticwall-soak-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for recordings");
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 int verdict(const Tally& tally, const MemoryAtRest& rest, const WatchedClock& clock,
             bool accounted) {
   int wrong = 0;
@@ -151,8 +131,8 @@ int soak(WatchedClock& clock, double hours) {
   auto started = runtime::Session::start(pressing_scene(kRateHz), options);
   if (!started) throw std::runtime_error(started.error().message);
   runtime::Session& session = **started;
-  const Folder folder;
-  Researcher researcher(session, folder.path(), kSeed);
+  const runtime::test::TemporaryFolder folder;
+  Researcher researcher(session, folder.file("soak.csv"), kSeed);
   MemoryAtRest rest;
   std::printf("%s\n%7s %11s %9s %10s %9s %6s %5s %9s %8s %8s %7s\n",
               session.realtime_status().text.c_str(), "hours", "cycles", "missed", "p99 us",

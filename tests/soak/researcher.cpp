@@ -38,8 +38,8 @@ Scene pressing_scene(double rate_hz) {
   return scene;
 }
 
-Researcher::Researcher(runtime::Session& session, std::string folder, std::uint64_t seed)
-    : session_(session), path_(std::move(folder) + "/soak.csv"), random_(seed) {}
+Researcher::Researcher(runtime::Session& session, std::string csv_path, std::uint64_t seed)
+    : session_(session), path_(std::move(csv_path)), random_(seed) {}
 
 double Researcher::between(double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random_);

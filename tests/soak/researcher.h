@@ -28,8 +28,8 @@ struct Tally {
 
 class Researcher {
  public:
-  // `folder` takes one recording at a time.
-  Researcher(runtime::Session& session, std::string folder, std::uint64_t seed);
+  // `csv_path` is of one recording at a time, and gone after it.
+  Researcher(runtime::Session& session, std::string csv_path, std::uint64_t seed);
 
   // What somebody does who looks sixty times a second. `on_reset` is called when the session is
   // back at tick 0 and nothing is left of what was before.
