@@ -61,7 +61,8 @@ struct StabilityMap {
   [[nodiscard]] Scene scene_at(std::size_t cell) const;
 };
 
-// The first cell whose scene is not valid, and why; every value of both axes is tried.
+// An axis with fewer than two values, or the first cell whose scene is not valid, and why; every
+// value of both axes is tried.
 [[nodiscard]] std::optional<SceneProblem> validate(const StabilityMap& map);
 
 // Cells [begin, end), in their order. Every figure is that of simulate(), to the last bit. An empty

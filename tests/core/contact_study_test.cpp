@@ -45,7 +45,7 @@ Scene steady_entry(double wall_n_per_m) {
   return scene;
 }
 
-ContactStudyPlan plan_of(Scene scene, std::vector<const char*> names) {
+ContactStudyPlan plan_of(Scene scene, const std::vector<const char*>& names) {
   ContactStudyPlan plan;
   plan.scene = std::move(scene);
   for (const char* name : names) plan.algorithms.push_back(index_of(name));

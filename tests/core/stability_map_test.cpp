@@ -90,6 +90,16 @@ TEST(StabilityMaps, AnInvalidCellIsNamedBeforeAnythingRuns) {
   EXPECT_EQ(problem->key, "wall.damping_n_s_per_m");
 }
 
+TEST(StabilityMaps, AnAxisHasTwoValuesOrMore) {
+  for (const std::size_t count : {0, 1}) {
+    StabilityMap map = small_map();
+    map.y.count = count;
+    const auto problem = validate(map);
+    ASSERT_TRUE(problem) << count;
+    EXPECT_EQ(problem->key, "wall.damping_n_s_per_m");
+  }
+}
+
 TEST(DimensionlessAxes, AreWhatTheFieldsLiteratureHas) {
   Scene scene = testing::pressed_wall(2000.0);  // 0.05 kg, 1 kHz
   scene.device.encoder_m = 1e-4;
