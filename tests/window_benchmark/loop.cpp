@@ -7,7 +7,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "app/file/recording_reader.h"
 #include "app/file/scene_file.h"
 #include "app/ui/application.h"
+#include "tests/app/runtime_support.h"
 #include "tests/window_benchmark/measurements.h"
 #include "tests/window_benchmark/stage.h"
 
@@ -60,24 +60,6 @@ class Hogs {
     for (volatile unsigned turns = 0;;) turns = turns + 1;
   }
   std::vector<pid_t> children_;
-};
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string path = (std::filesystem::temp_directory_path() / "hapticwall-XXXXXX").string();
-    if (mkdtemp(path.data()) != nullptr) path_ = path;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  [[nodiscard]] std::string file(const char* name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
 };
 
 // All blocks of a kind.
@@ -254,7 +236,7 @@ void draw_throughout(ui::Application& application, Stage& stage, double seconds)
 // What is done while a recording runs; how much of it was lost.
 Result<std::uint64_t> run(Stage& stage, const Scene& scene,
                           const std::function<void(ui::Application&)>& measure) {
-  const TemporaryFolder folder;
+  const runtime::test::TemporaryFolder folder;
   const std::string csv = folder.file("loop.csv");
   ui::Application::Sessions sessions;
   sessions.simulate = [](const Scene& wanted) { return runtime::Session::start(wanted); };
