@@ -12,7 +12,6 @@
 namespace hapticwall::ui {
 namespace {
 
-using runtime::Slot;
 using runtime::Trial;
 using runtime::TrialResult;
 

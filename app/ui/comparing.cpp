@@ -13,7 +13,6 @@
 namespace hapticwall::ui {
 namespace {
 
-using runtime::Comparison;
 using runtime::Slot;
 
 constexpr std::string_view kUsualOther = "energy-bounding";

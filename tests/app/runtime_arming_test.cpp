@@ -211,7 +211,7 @@ TEST(ArmedLoop, AChangeInTheRampIsNoKick) {
   changed.walls[0].stiffness_n_per_m = 3.0 * kStiffness;
   real.exchange.parameters.publish({servo_settings(changed), 2, nullptr});
   real.cycles(1);
-  EXPECT_NEAR(real.device.forces_n.back(), before_n, 2.0 * before_n / (kRampTicks / 2));
+  EXPECT_NEAR(real.device.forces_n.back(), before_n, 2.0 * before_n / (0.5 * kRampTicks));
   EXPECT_GT(real.device.forces_n.back(), before_n);
 }
 

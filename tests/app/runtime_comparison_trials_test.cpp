@@ -56,7 +56,8 @@ TEST(BlindTrials, NoPlaceInTheOrderKnowsMoreThanAnother) {
     const std::string order = order_of(10, static_cast<std::uint64_t>(seed));
     for (std::size_t i = 0; i < order.size(); ++i) a_first[i] += order[i] == 'A' ? 1 : 0;
   }
-  for (const int count : a_first) EXPECT_NEAR(count, kSeeds / 2, 110);  // five standard deviations
+  for (const int count : a_first)
+    EXPECT_NEAR(count, 0.5 * kSeeds, 110);  // five standard deviations
 }
 
 TEST(BlindTrials, BothAreFeltBeforeOneIsChosen) {

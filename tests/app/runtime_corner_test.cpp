@@ -15,7 +15,6 @@ namespace hapticwall::runtime {
 namespace {
 
 using test::contact_scene;
-using test::lines_of;
 using test::started_paused;
 using test::TemporaryFolder;
 using test::text_of;
