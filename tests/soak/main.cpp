@@ -28,7 +28,7 @@ namespace {
 // Periods of this rate are no whole number of nanoseconds: rounding errors that add up would show.
 constexpr double kRateHz = 1100.0;
 constexpr std::int64_t kTurnNs = 1'000'000'000 / 60;
-constexpr std::uint64_t kTurnsAnHour = 60 * 3600;
+constexpr std::uint64_t kTurnsAnHour = 216'000;
 constexpr int kLines = 12;
 constexpr std::uint64_t kSeed = 1;
 

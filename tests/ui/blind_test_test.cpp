@@ -238,7 +238,7 @@ TEST_F(BlindTestTest, TwoOrdersLookTheSame) {
     live(300);
     move_to(ImVec2(2.0F, 2.0F));
     EXPECT_TRUE(runs(first));
-    const file::Picture picture = screen();
+    file::Picture picture = screen();
     click("stop and show");
     return picture;
   };
