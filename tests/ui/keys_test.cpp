@@ -15,7 +15,6 @@
 namespace hapticwall::test {
 namespace {
 
-using ::testing::HasSubstr;
 using ui::KeyBinding;
 
 class KeysTest : public GuiTest {
