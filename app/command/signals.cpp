@@ -14,10 +14,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 // The second one ends the program, force first: whoever sends it has seen that nothing happened.
 extern "C" void hapticwall_on_stop_signal(int signal) {
-  if (g_stop_signal.exchange(signal) != signal) return;
-  runtime::end_all_force();
-  std::signal(signal, SIG_DFL);
-  static_cast<void>(raise(signal));  // waits until this returns
+  if (g_stop_signal.exchange(signal) == signal) runtime::end_by(signal);
 }
 
 }  // namespace

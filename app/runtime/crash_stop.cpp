@@ -49,13 +49,14 @@ void put_back(int signal) {
 }
 
 // A fault happens once more when this returns, and then takes its way as if nobody had been here.
-// What somebody has sent does not: it is sent again, and waits until this returns.
+// What was sent does not, neither by a process (si_code 0 and below) nor by the kernel for a
+// terminal or a limit: it is sent again, and waits until this returns.
 extern "C" void hapticwall_on_crash(int signal, siginfo_t* info, void* /*context*/) {
   const int error = errno;
   end_all_force();
   put_back(signal);
-  const bool was_sent = info->si_code <= 0;
-  if (was_sent) static_cast<void>(raise(signal));
+  const bool happens_again = is_fault(signal) && info->si_code > 0;
+  if (!happens_again) static_cast<void>(raise(signal));
   errno = error;
 }
 
@@ -148,6 +149,12 @@ void end_all_force() noexcept {
     const timespec pause{0, static_cast<decltype(timespec::tv_nsec)>(kWaitStepNs)};
     nanosleep(&pause, nullptr);
   }
+}
+
+void end_by(int signal) noexcept {
+  end_all_force();
+  std::signal(signal, SIG_DFL);
+  static_cast<void>(raise(signal));
 }
 
 }  // namespace hapticwall::runtime

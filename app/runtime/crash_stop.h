@@ -48,4 +48,8 @@ class LoopWithForce {
 // at the latest. May be called in a signal handler. Realtime-safe: no.
 void end_all_force() noexcept;
 
+// The same, and then ends the process by this signal: in a handler of that signal when the handler
+// returns. Realtime-safe: no.
+void end_by(int signal) noexcept;
+
 }  // namespace hapticwall::runtime

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "app/runtime/crash_stop.h"
 #include "app/ui/application.h"
 #include "app/ui/idleness.h"
 #include "app/ui/settings_file.h"
@@ -32,17 +33,20 @@ constexpr int kSmallestHeight = 640;
 constexpr double kUnseenFrameS = 0.1;  // how often samples are taken while minimised
 constexpr int kPaintedInAHurry = 10;   // one of so many frames
 
-// A signal handler may touch nothing but this.
-std::atomic<bool> end_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
+// A signal handler may touch nothing but this: the signal that asked for an end, or none.
+std::atomic<int> end_requested{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
-void request_end(int /*signal*/) { end_requested.store(true, std::memory_order_relaxed); }
+void request_end(int signal) {
+  if (end_requested.exchange(signal) == signal) runtime::end_by(signal);
+}
 
-// SIGINT and SIGTERM ask for an end in good order while this lives.
+// SIGINT and SIGTERM ask for an end in good order while this lives; a second one of the same ends
+// the program, force first: whoever sends it has seen that nothing happened.
 class EndSignals {
  public:
   EndSignals() {
-    end_requested.store(false, std::memory_order_relaxed);
+    end_requested.store(0, std::memory_order_relaxed);
     struct sigaction action {};
     action.sa_handler = request_end;
     sigemptyset(&action.sa_mask);
@@ -218,7 +222,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
   int unpainted = 0;
   if (hooks.opened) hooks.opened(application);
   while (glfwWindowShouldClose(window) == GLFW_FALSE &&
-         !end_requested.load(std::memory_order_relaxed)) {
+         end_requested.load(std::memory_order_relaxed) == 0) {
     glfwPollEvents();
     if (!is_seen(window)) {
       application.take_samples();

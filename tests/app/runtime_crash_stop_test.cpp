@@ -1,5 +1,7 @@
 // However the process ends, the last thing that the device hears is zero force.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <csignal>
@@ -66,6 +68,22 @@ void sent() {
   kill(getpid(), kSignal);
 }
 
+// What a terminal sends to the program that it belongs to, for one of its keys or because it is
+// closed.
+void from_terminal(char key) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  std::array<char, 64> name{};
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) return;
+  if (setsid() < 0 || ptsname_r(terminal, name.data(), name.size()) != 0) return;
+  if (open(name.data(), O_RDWR) < 0) return;  // the terminal of the new session
+  if (key == '\0') {
+    close(terminal);
+  } else if (write(terminal, &key, 1) != 1) {
+    return;
+  }
+  while (true) pause();
+}
+
 struct End {
   const char* name;
   void (*bring_about)();
@@ -102,7 +120,10 @@ INSTANTIATE_TEST_SUITE_P(
         End{"Hangup", sent<SIGHUP>, SIGHUP},                                            //
         End{"Quit", sent<SIGQUIT>, SIGQUIT},                                            //
         End{"Interrupt", sent<SIGINT>, SIGINT}, End{"Terminate", sent<SIGTERM>, SIGTERM},
-        End{"ProcessorTime", sent<SIGXCPU>, SIGXCPU}),
+        End{"ProcessorTime", sent<SIGXCPU>, SIGXCPU},
+        End{"TerminalsQuit", [] { from_terminal('\x1c'); }, SIGQUIT},
+        End{"TerminalsInterrupt", [] { from_terminal('\x03'); }, SIGINT},
+        End{"TerminalClosed", [] { from_terminal('\0'); }, SIGHUP}),
     [](const auto& way) { return std::string(way.param.name); });
 
 // What is left behind by the loop's thread itself is the device's to end: 20 ms after the last

@@ -138,6 +138,20 @@ TEST_F(WindowDeath, AnAbortInAPanelTakesTheForceAwayFirst) {
   PushingWindow(heard).expect_safe_end();
 }
 
+// The first asks for an end, which a frame that hangs never comes to.
+TEST_F(WindowDeath, AskedTwiceItEndsInTheMiddleOfAFrameForceFirst) {
+  Shared heard("HAPTICWALL_TEST_HEARD");
+  const auto ask_twice = [] {
+    raise(SIGINT);
+    raise(SIGINT);
+    while (true) pause();
+  };
+  EXPECT_EXIT(
+      die_in_a_panel(heard, ask_twice),
+      [](int status) { return WIFSIGNALED(status) && WTERMSIG(status) == SIGINT; }, "");
+  PushingWindow(heard).expect_safe_end();
+}
+
 // ---- what does not stall the loop
 
 TEST(WindowSafety, AFrameThatHangsCostsNoTick) {
