@@ -11,7 +11,9 @@ constexpr float kSlidePixels = 30.0F;
 
 Row row(std::string item, std::function<void(Person&)> first,
         std::function<void(Person&, const std::string&)> use) {
-  return {item, [item, first = std::move(first), use = std::move(use)](Person& person) {
+  std::string name = item;
+  return {std::move(name),
+          [item = std::move(item), first = std::move(first), use = std::move(use)](Person& person) {
             if (first) first(person);
             use(person, item);
           }};

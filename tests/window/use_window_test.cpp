@@ -65,7 +65,7 @@ TEST_P(UseWindowTest, ARefusedValueIsSaidAndChangesNothing) {
     person.type("device.mass_kg", "0.06");
     EXPECT_FALSE(person.state().transient.refusal);
     EXPECT_EQ(person.scene().device.mass_kg, 0.06);
-    EXPECT_FALSE(person.state().transient.undo.redo_text().size() > 0);
+    EXPECT_TRUE(person.state().transient.undo.redo_text().empty());
   });
 }
 

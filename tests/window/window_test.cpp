@@ -187,7 +187,7 @@ std::string Home::settings_path() const {
 
 std::string Home::write(Scene scene, const std::string& name) const {
   scene.name = name;
-  const std::string path = (folder_ / (name + ".toml")).string();
+  std::string path = (folder_ / (name + ".toml")).string();
   EXPECT_FALSE(file::write_file(path, file::scene_to_toml(scene)));
   return path;
 }
