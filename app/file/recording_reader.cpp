@@ -24,7 +24,6 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
-constexpr std::size_t kLargestSidecarBytes = std::size_t{1} << 20U;  // as of any scene
 
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 

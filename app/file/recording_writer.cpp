@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "app/file/atomic_file.h"
+#include "app/file/recovery.h"
 #include "app/file/sha256.h"
 #include "app/file/sidecar.h"
 #include "app/file/text.h"
@@ -16,6 +18,30 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
+
+Failure check_sidecar(const std::string& csv_path) {
+  const std::string sidecar_path = sidecar_path_of(csv_path);
+  if (may_replace_sidecar(sidecar_path)) return {};
+  return Error{ErrorKind::kFile,
+               fmt::format("{}: cannot be recorded: its sidecar {} would replace a file that is "
+                           "not a recording's; choose another name",
+                           shown(csv_path), shown(sidecar_path))};
+}
+
+// Whether there is anything behind the header.
+bool has_rows(const std::string& partial_csv) {
+  std::ifstream in(partial_csv);
+  std::string header;
+  return std::getline(in, header) && in.peek() != std::ifstream::traits_type::eof();
+}
+
+// Whether somebody may still want what an earlier recording has left under the name.
+bool can_be_finished(const std::string& csv_path) {
+  const std::string partial = csv_path + std::string(kPartialEnding);
+  std::error_code ignored;
+  return has_rows(partial) && (std::filesystem::exists(sidecar_path_of(partial), ignored) ||
+                               lacks_only_its_name(csv_path));
+}
 
 class CsvRecordingWriter final : public RecordingWriter {
  public:
@@ -67,6 +93,7 @@ class CsvRecordingWriter final : public RecordingWriter {
     const RecordedRows recorded{rows_, metadata.dropped_rows + dropped_rows_,
                                 metadata.session_ticks.value_or(session_ticks_), digest_.finish()};
     const std::string text = sidecar_toml(scene, metadata, recorded);
+    if (Failure refused = check_sidecar(csv_.path())) return refused;  // it may be new
     if (Failure failed = write_sidecar(csv_.path(), text)) return failed;
     return csv_.commit();
   }
@@ -96,19 +123,10 @@ class CsvRecordingWriter final : public RecordingWriter {
 
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& csv_path,
                                                                  MoreColumns columns) {
-  const std::string sidecar_path = sidecar_path_of(csv_path);
-  if (!may_replace_sidecar(sidecar_path)) {
-    return Error{ErrorKind::kFile,
-                 fmt::format("{}: cannot be recorded: its sidecar {} would replace a file that is "
-                             "not a recording's; choose another name",
-                             shown(csv_path), shown(sidecar_path))};
-  }
+  if (Failure refused = check_sidecar(csv_path)) return *refused;
   Result<AtomicFile> csv = AtomicFile::resume(csv_path);
   if (!csv) return csv.error();
-  std::error_code ignored;
-  const bool can_be_finished =
-      std::filesystem::exists(sidecar_path + std::string(kPartialEnding), ignored);
-  if (csv->size() > 0 && can_be_finished) {
+  if (can_be_finished(csv_path)) {
     csv->keep_partial();
     return Error{ErrorKind::kFile,
                  fmt::format("{} has rows of a recording that was cut off: 'hapticwall recover {}' "

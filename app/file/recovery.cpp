@@ -11,9 +11,13 @@
 
 #include "app/file/atomic_file.h"
 #include "app/file/recording_reader.h"
+#include "app/file/scene_file.h"
 #include "app/file/sha256.h"
 #include "app/file/sidecar.h"
+#include "app/file/small_file.h"
+#include "app/file/table_reader.h"
 #include "app/file/text.h"
+#include "core/plant/plant_model.h"
 
 namespace hapticwall::file {
 namespace {
@@ -23,24 +27,74 @@ constexpr std::size_t kPieceBytes = std::size_t{1} << 16U;
 
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
-// The first tick of a change that nobody knows, if a row tells of one.
-Result<std::optional<std::uint64_t>> find_unknown_change(RecordingReader& reader) {
-  const std::vector<ScheduledChange>& changes = reader.info().loaded.changes;
-  const auto is_known = [&](std::uint64_t tick) {
-    return std::ranges::any_of(changes,
-                               [&](const ScheduledChange& change) { return change.tick == tick; });
-  };
-  std::vector<Sample> samples(kRowsAtATime);
-  for (std::uint64_t row = 0; row < reader.rows();) {
-    const Result<std::size_t> count = reader.read(row, samples);
-    if (!count) return count.error();
-    for (std::size_t i = 0; i < *count; ++i) {
-      const bool changed = (samples[i].flags & kFlagParametersChanged) != 0;
-      if (changed && !is_known(samples[i].tick)) return std::optional(samples[i].tick);
+// Whether the hand of one axis follows its script, row by row.
+class ScriptedHand {
+ public:
+  explicit ScriptedHand(const Scene& scene) : has_hand_(scene.hand), path_(hand_path(scene)) {}
+
+  // Rows in their order, with holes or without.
+  [[nodiscard]] bool is_where_it_should_be(const Sample& sample) {
+    for (; tick_ < sample.tick; ++tick_) path_.next_tick();
+    return !has_hand_ || path_.position_m() == sample.truth.hand_path_m;
+  }
+
+ private:
+  bool has_hand_;
+  HandPath path_;
+  std::uint64_t tick_ = 0;
+};
+
+// What the rows tell of the session, and NAME.toml.partial may not know.
+class UnknownEvents {
+ public:
+  explicit UnknownEvents(const RecordingInfo& info) : info_(info) {
+    if (!info.of_simulator()) return;
+    hands_.emplace_back(info.loaded.scene);
+    if (info.loaded.scene.y) hands_.emplace_back(second_axis(info.loaded.scene));
+  }
+
+  void look_at(const Sample& x, const Sample& y) {
+    const bool changed = (x.flags & kFlagParametersChanged) != 0;
+    if (changed && !is_known(x.tick) && !unknown_change_) unknown_change_ = x.tick;
+    for (std::size_t axis = 0; axis < hands_.size() && !led_; ++axis) {
+      led_ = !hands_[axis].is_where_it_should_be(axis == 0 ? x : y);
     }
+  }
+
+  // Why the session cannot be repeated; empty where nothing speaks against it.
+  [[nodiscard]] std::string reason() const {
+    if (unknown_change_) {
+      return fmt::format(
+          "parameters changed at tick {}, just before the session was cut off, and nobody knows "
+          "how",
+          *unknown_change_);
+    }
+    return led_ ? "the hand was not where its path leads: something else led it" : "";
+  }
+
+ private:
+  [[nodiscard]] bool is_known(std::uint64_t tick) const {
+    return std::ranges::any_of(info_.loaded.changes,
+                               [&](const ScheduledChange& change) { return change.tick == tick; });
+  }
+
+  const RecordingInfo& info_;
+  std::vector<ScriptedHand> hands_;
+  std::optional<std::uint64_t> unknown_change_;
+  bool led_ = false;
+};
+
+Result<std::string> find_unknown_events(RecordingReader& reader) {
+  UnknownEvents events(reader.info());
+  std::vector<Sample> x(kRowsAtATime);
+  std::vector<Sample> y(kRowsAtATime);
+  for (std::uint64_t row = 0; row < reader.rows();) {
+    const Result<std::size_t> count = reader.read(row, x, y);
+    if (!count) return count.error();
+    for (std::size_t i = 0; i < *count; ++i) events.look_at(x[i], y[i]);
     row += *count;
   }
-  return std::optional<std::uint64_t>();
+  return events.reason();
 }
 
 // Of the first `bytes` of a file, as they are: somebody may have edited the rows by hand.
@@ -59,8 +113,7 @@ Result<std::string> sha256_of(const std::string& path, std::uint64_t bytes) {
   return digest.finish();
 }
 
-RecordingMetadata metadata_of(const RecordingInfo& info,
-                              std::optional<std::uint64_t> unknown_change) {
+RecordingMetadata metadata_of(const RecordingInfo& info, const std::string& unknown_event) {
   const std::uint64_t end_tick = info.scanned.last_tick + 1;
   RecordingMetadata metadata;
   metadata.start_time = info.start_time;
@@ -70,12 +123,7 @@ RecordingMetadata metadata_of(const RecordingInfo& info,
   metadata.dropped_rows = info.scanned.missing_rows;
   metadata.recovered = true;
   metadata.not_repeatable_because = info.loaded.not_repeatable_because;
-  if (unknown_change) {
-    metadata.not_repeatable_because = fmt::format(
-        "parameters changed at tick {}, just before the session was cut off, and "
-        "nobody knows how",
-        *unknown_change);
-  }
+  if (metadata.not_repeatable_because.empty()) metadata.not_repeatable_because = unknown_event;
   metadata.repeatable = metadata.not_repeatable_because.empty();
   for (const ScheduledChange& change : info.loaded.changes) {
     if (change.tick < end_tick) metadata.changes.push_back({change.tick, change.scene});
@@ -93,6 +141,8 @@ std::string csv_path_of(std::string path) {
   return path;
 }
 
+std::string partial_of(const std::string& path) { return path + std::string(kPartialEnding); }
+
 Failure check_names(const std::string& csv_path, const std::string& partial) {
   std::error_code ignored;
   if (!std::filesystem::exists(partial, ignored)) {
@@ -106,7 +156,7 @@ Failure check_names(const std::string& csv_path, const std::string& partial) {
                     shown(csv_path), shown(partial)));
   }
   const std::string sidecar = sidecar_path_of(partial);
-  if (!std::filesystem::exists(sidecar, ignored)) {
+  if (!std::filesystem::exists(sidecar, ignored) && !lacks_only_its_name(csv_path)) {
     return usage_error(
         fmt::format("{}: it is not there, and without it nobody knows the scene; "
                     "'hapticwall replay {}' shows the rows",
@@ -121,11 +171,41 @@ Failure check_names(const std::string& csv_path, const std::string& partial) {
   return {};
 }
 
+// The SHA-256 that a finished sidecar tells of its CSV; empty where there is none.
+std::string claimed_sha256(const std::string& sidecar_path) {
+  const Result<std::string> text = read_small_file(sidecar_path, "sidecar", kLargestSidecarBytes);
+  if (!text || !parse_scene(*text, sidecar_path)) return {};
+  const toml::table root = parse_toml(*text, sidecar_path);  // parse_scene() has taken it
+  return root["recording"]["csv_sha256"].value_or(std::string());
+}
+
+// The names are all that is left to do, and what is behind the last whole row.
+Result<Recovered> finish_names(AtomicFile csv, const RecordingInfo& info) {
+  Recovered recovered{csv.path(),
+                      info.scanned.rows,
+                      info.scanned.missing_rows,
+                      csv.size() - info.scanned.end_offset,
+                      {}};
+  if (Failure failed = csv.keep_only(info.scanned.end_offset)) return *failed;
+  if (Failure failed = csv.commit()) return *failed;
+  return recovered;
+}
+
 }  // namespace
+
+bool lacks_only_its_name(const std::string& csv_path) {
+  const std::string partial = partial_of(csv_path);
+  const std::string claimed = claimed_sha256(sidecar_path_of(csv_path));
+  if (claimed.empty()) return false;
+  const auto reader = RecordingReader::open(partial);
+  if (!reader) return false;
+  const Result<std::string> found = sha256_of(partial, (*reader)->info().scanned.end_offset);
+  return found && *found == claimed;
+}
 
 Result<Recovered> recover_recording(const std::string& path) {
   const std::string csv_path = csv_path_of(path);
-  const std::string partial = csv_path + std::string(kPartialEnding);
+  const std::string partial = partial_of(csv_path);
   if (Failure failed = check_names(csv_path, partial)) return *failed;
   Result<AtomicFile> csv = AtomicFile::resume(csv_path);  // nobody writes it now
   if (!csv) return csv.error();
@@ -133,27 +213,25 @@ Result<Recovered> recover_recording(const std::string& path) {
   const auto reader = RecordingReader::open(partial);
   if (!reader) return reader.error();
   const RecordingInfo& info = (*reader)->info();
+  std::error_code ignored;
+  if (!std::filesystem::exists(sidecar_path_of(partial), ignored)) {
+    return finish_names(std::move(*csv), info);
+  }
   if (!info.has_sidecar) return usage_error(info.sidecar_problem);
-  const auto unknown_change = find_unknown_change(**reader);
-  if (!unknown_change) return unknown_change.error();
+  const Result<std::string> unknown_event = find_unknown_events(**reader);
+  if (!unknown_event) return unknown_event.error();
   const Result<std::string> csv_sha256 = sha256_of(partial, info.scanned.end_offset);
   if (!csv_sha256) return csv_sha256.error();
 
-  Recovered recovered{csv_path,
-                      info.scanned.rows,
-                      info.scanned.missing_rows,
-                      csv->size() - info.scanned.end_offset,
-                      {}};
-  const RecordingMetadata metadata = metadata_of(info, *unknown_change);
-  if (!metadata.repeatable) {
-    recovered.notes.push_back("'run' will not repeat it: " + metadata.not_repeatable_because);
-  }
-  const RecordedRows counted{recovered.rows, metadata.dropped_rows, info.scanned.last_tick + 1,
+  const RecordingMetadata metadata = metadata_of(info, *unknown_event);
+  const RecordedRows counted{info.scanned.rows, metadata.dropped_rows, info.scanned.last_tick + 1,
                              *csv_sha256};
   const std::string text = sidecar_toml(info.loaded.scene, metadata, counted);
   if (Failure failed = write_sidecar(csv_path, text)) return *failed;
-  if (Failure failed = csv->keep_only(info.scanned.end_offset)) return *failed;
-  if (Failure failed = csv->commit()) return *failed;
+  Result<Recovered> recovered = finish_names(std::move(*csv), info);
+  if (recovered && !metadata.repeatable) {
+    recovered->notes.push_back("'run' will not repeat it: " + metadata.not_repeatable_because);
+  }
   return recovered;
 }
 

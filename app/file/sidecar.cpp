@@ -23,10 +23,17 @@ void write_second_change(TomlText& out, const SecondAxis& start, const SecondAxi
   }
 }
 
+// A path does not change in a session, and may be long.
+Scene without_paths(Scene scene) {
+  if (scene.hand) scene.hand->path.clear();
+  if (scene.y && scene.y->hand) scene.y->hand->path.clear();
+  return scene;
+}
+
 // Algorithm and walls as they are from this tick on; of the plant only the tables that differ from
-// those of the start.
+// those of the start. Both without their paths.
 void write_change(TomlText& out, const Scene& start, const RecordedChange& change) {
-  const Scene& scene = change.scene;
+  const Scene scene = without_paths(change.scene);
   out.table_of_array("recording.change");
   out.integer("tick", change.tick);
   if (scene.device != start.device) write_device(out, "recording.change.device", scene.device);
@@ -47,12 +54,25 @@ void write_mark(TomlText& out, const Mark& mark, double rate_hz) {
   if (!mark.text.empty()) out.string("text", mark.text);
 }
 
+// Of the whole session, where it is known. False where a scene cannot be that long: then it stays
+// as it was.
+bool take_duration(Scene& scene, std::uint64_t session_ticks) {
+  if (session_ticks == 0 || session_ticks == scene.tick_count()) return true;
+  Scene longer = scene;
+  longer.duration_s = static_cast<double>(session_ticks) / scene.sampling.rate_hz;
+  if (validate(longer)) return false;
+  scene.duration_s = longer.duration_s;
+  return true;
+}
+
 }  // namespace
 
 std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
                          const RecordedRows& recorded) {
-  if (recorded.session_ticks > 0 && recorded.session_ticks != scene.tick_count()) {
-    scene.duration_s = static_cast<double>(recorded.session_ticks) / scene.sampling.rate_hz;
+  std::string not_repeatable_because =
+      metadata.repeatable ? std::string() : metadata.not_repeatable_because;
+  if (!take_duration(scene, recorded.session_ticks) && metadata.repeatable) {
+    not_repeatable_because = "the session was longer than a scene can be";
   }
   TomlText out;
   out.table("recording");
@@ -67,12 +87,12 @@ std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
   out.boolean("complete", recorded.finished && recorded.dropped_rows == 0);
   if (metadata.recovered) out.boolean("recovered", true);
   out.integer("first_tick", metadata.first_tick);
-  out.boolean("repeatable", metadata.repeatable);
-  if (!metadata.repeatable) {
-    out.string("not_repeatable_because", metadata.not_repeatable_because);
-  }
+  const bool repeatable = metadata.repeatable && not_repeatable_because.empty();
+  out.boolean("repeatable", repeatable);
+  if (!repeatable) out.string("not_repeatable_because", not_repeatable_because);
   if (recorded.finished) out.string("csv_sha256", recorded.csv_sha256);
-  for (const RecordedChange& change : metadata.changes) write_change(out, scene, change);
+  const Scene start = without_paths(scene);
+  for (const RecordedChange& change : metadata.changes) write_change(out, start, change);
   for (const Mark& mark : metadata.marks) write_mark(out, mark, scene.sampling.rate_hz);
   return scene_to_toml(scene) + out.text();
 }
@@ -97,8 +117,13 @@ Failure write_sidecar(const std::string& csv_path, std::string_view text) {
 
 bool may_replace_sidecar(const std::string& path) {
   std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) return true;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  return !std::filesystem::exists(path, ignored) || is_sidecar(path);
+}
+
+bool is_sidecar(const std::string& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed)) return false;
+  if (std::filesystem::file_size(path, failed) > kLargestSidecarBytes || failed) return false;
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
     if (line == "[recording]" || line == "[map]") return true;

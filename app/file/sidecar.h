@@ -1,6 +1,7 @@
 // The text of a recording's sidecar: the whole scene and a [recording] table.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -11,6 +12,11 @@
 
 namespace hapticwall::file {
 
+// More is no sidecar. A change of all walls, device and hand takes 4 KB at most.
+inline constexpr std::size_t kLargestSidecarBytes = std::size_t{1} << 26U;
+// Of one recording; a slider that is dragged makes sixty a second.
+inline constexpr std::size_t kMostChanges = 10'000;
+
 // What the writer of the CSV counted.
 struct RecordedRows {
   std::uint64_t rows = 0;
@@ -20,7 +26,9 @@ struct RecordedRows {
   bool finished = true;  // false: more rows may follow, and the CSV has no SHA-256 yet
 };
 
-// Where the session was not as long as scene.duration_s says, the sidecar says how long it was.
+// Where the session was not as long as scene.duration_s says, the sidecar says how long it was, and
+// that it cannot be repeated where no scene can be that long. Of the hands' paths only those of
+// `scene` are looked at.
 [[nodiscard]] std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
                                        const RecordedRows& recorded);
 
@@ -31,8 +39,11 @@ struct RecordedRows {
 // at any moment: a full disk or a kill takes nothing of it.
 [[nodiscard]] Failure write_sidecar(const std::string& csv_path, std::string_view text);
 
-// Whether replacing the file at `path` destroys nothing but an older sidecar: there is none, or it
-// has a table [recording] or [map].
+// Whether the file at `path` has a table [recording] or [map], and is no larger than a sidecar.
+[[nodiscard]] bool is_sidecar(const std::string& path);
+
+// Whether replacing the file at `path` destroys nothing but an older sidecar: there is none, or
+// is_sidecar().
 [[nodiscard]] bool may_replace_sidecar(const std::string& path);
 
 }  // namespace hapticwall::file

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/file/sidecar.h"
 #include "app/runtime/scene_change.h"
 #include "core/scene_keys.h"
 
@@ -141,6 +142,7 @@ void LiveSession::reset() {
   marks_.clear();
   first_mark_ = 0;
   ++resets_sent_;
+  history_.restart();
   send({CommandKind::kReset, 0});
 }
 
@@ -215,7 +217,7 @@ Failure LiveSession::start_recording(const std::string& csv_path) {
 void LiveSession::record_into(std::unique_ptr<file::RecordingWriter> writer) {
   recording_path_ = writer->csv_path();
   recording_start_time_ = utc_now();
-  noted_ = {history_.change_count(), marks_.size(), hand_was_led()};
+  noted_ = {history_.revision(), marks_.size(), hand_was_led()};
   recording_failure_.reset();
   first_mark_ = marks_.size();
   dropped_rows_before_ = exchange_.dropped_rows.load(std::memory_order_relaxed);
@@ -275,6 +277,11 @@ file::RecordingMetadata LiveSession::metadata(std::uint64_t end_tick) const {
     metadata.not_repeatable_because = "a device was used, not the simulator";
   } else if (hand_was_led()) {
     metadata.not_repeatable_because = "the pointer led the hand";
+  } else if (!history_.knows_start()) {
+    metadata.not_repeatable_because = "the session was cut off before it was known how it began";
+  } else if (history_.has_lost_changes()) {
+    metadata.not_repeatable_because = "there were more changes of parameters than the " +
+                                      std::to_string(file::kMostChanges) + " that are kept";
   }
   metadata.repeatable = metadata.not_repeatable_because.empty();
   return metadata;
@@ -285,7 +292,7 @@ void LiveSession::note_recording() {
   constexpr auto kShortestPause = Recorder::kFlushInterval;
   constexpr int kPauseToCost = 50;
   if (!recorder_.running()) return;
-  const Noted present{history_.change_count(), marks_.size(), hand_was_led()};
+  const Noted present{history_.revision(), marks_.size(), hand_was_led()};
   const auto now = std::chrono::steady_clock::now();
   if (present == noted_ || now < next_note_) return;
   noted_ = present;

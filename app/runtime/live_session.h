@@ -105,7 +105,7 @@ class LiveSession final : public Session {
 
   // What the recorder was told of the recording, and when it may be told again.
   struct Noted {
-    std::size_t changes = 0;
+    std::uint64_t parameters = 0;  // revision of their history
     std::size_t marks = 0;
     bool led = false;
 

@@ -1,5 +1,9 @@
 #include "app/runtime/parameter_history.h"
 
+#include <utility>
+
+#include "app/file/sidecar.h"
+
 namespace hapticwall::runtime {
 
 namespace {
@@ -9,11 +13,11 @@ std::optional<HandSettings> without_path(std::optional<HandSettings> hand) {
   return hand;
 }
 
-// The hand of a change, on the path of the scene's.
-std::optional<HandSettings> on_path(std::optional<HandSettings> hand,
-                                    const std::optional<HandSettings>& whole) {
-  if (hand && whole) hand->path = whole->path;
-  return hand;
+// Takes all of a hand but its path.
+void take_numbers(const HandSettings& from, std::optional<HandSettings>& to) {
+  HandSettings taken = from;
+  if (to) taken.path = std::move(to->path);
+  to = std::move(taken);
 }
 
 }  // namespace
@@ -42,32 +46,45 @@ void ParameterHistory::came_into_force(const ParameterEcho& echo) {
   while (published_.size() > 1 && published_.front().generation != echo.generation) {
     published_.pop_front();
   }
+  ++revision_;
   if (echo.tick == 0) {
     at_start_ = published_.front().adjustment;
     changes_.clear();
-  } else {
+    knows_start_ = true;
+    lost_changes_ = false;
+  } else if (changes_.size() < file::kMostChanges) {
     changes_.push_back({echo.tick, published_.front().adjustment});
+  } else {
+    lost_changes_ = true;
   }
 }
 
 std::vector<file::RecordedChange> ParameterHistory::changes_before(std::uint64_t end_tick) const {
+  Scene without_paths = newest_;
+  if (without_paths.hand) without_paths.hand->path.clear();
+  if (without_paths.y && without_paths.y->hand) without_paths.y->hand->path.clear();
   std::vector<file::RecordedChange> changes;
   for (const Change& change : changes_) {
-    if (change.tick < end_tick) changes.push_back({change.tick, scene_with(change.adjustment)});
+    if (change.tick >= end_tick) continue;
+    changes.push_back({change.tick, scene_with(without_paths, change.adjustment)});
   }
   return changes;
 }
 
-Scene ParameterHistory::scene_with(const Adjustment& adjustment) const {
-  Scene scene = newest_;
+// `scene`: the newest, for what may not change.
+Scene ParameterHistory::scene_with(Scene scene, const Adjustment& adjustment) {
   scene.device = adjustment.device;
   scene.walls = adjustment.walls;
   scene.algorithm = adjustment.algorithm;
   scene.simulator = adjustment.simulator;
-  if (adjustment.hand) scene.hand = on_path(adjustment.hand, newest_.hand);
-  if (adjustment.y && newest_.y) {
+  if (adjustment.hand) take_numbers(*adjustment.hand, scene.hand);
+  if (adjustment.y && scene.y) {
+    std::optional<HandSettings> hand = std::move(scene.y->hand);
     scene.y = adjustment.y;
-    scene.y->hand = on_path(adjustment.y->hand, newest_.y->hand);
+    if (adjustment.y->hand) {
+      take_numbers(*adjustment.y->hand, hand);
+      scene.y->hand = std::move(hand);
+    }
   }
   return scene;
 }

@@ -32,10 +32,18 @@ class ParameterHistory {
   void came_into_force(const ParameterEcho& echo);
 
   // As it was at tick 0 of the run that goes on now.
-  [[nodiscard]] Scene scene_at_start() const { return scene_with(at_start_); }
-  [[nodiscard]] std::size_t change_count() const { return changes_.size(); }
-  // Since tick 0, in order, those in force before `end_tick`.
+  [[nodiscard]] Scene scene_at_start() const { return scene_with(newest_, at_start_); }
+  // Whether the loop has said how that run began; what is known until then is of an earlier one.
+  [[nodiscard]] bool knows_start() const { return knows_start_; }
+  // Grows with every word of the loop.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  // Since tick 0, in order, those in force before `end_tick`; scenes without their hands' paths.
   [[nodiscard]] std::vector<file::RecordedChange> changes_before(std::uint64_t end_tick) const;
+  // There were more than a sidecar has room for (file::kMostChanges): the rest is not kept.
+  [[nodiscard]] bool has_lost_changes() const { return lost_changes_; }
+
+  // The loop is about to go back to tick 0.
+  void restart() { knows_start_ = false; }
 
  private:
   // What a live session lets its user change; the rest of the scene (a long path) is kept once.
@@ -58,13 +66,16 @@ class ParameterHistory {
     Adjustment adjustment;
   };
 
-  [[nodiscard]] Scene scene_with(const Adjustment& adjustment) const;
+  [[nodiscard]] static Scene scene_with(Scene scene, const Adjustment& adjustment);
 
   Scene newest_;
   std::uint32_t generation_ = 1;
   std::deque<Published> published_;  // the one in force first, then those not yet echoed
   Adjustment at_start_;
   std::vector<Change> changes_;
+  std::uint64_t revision_ = 0;
+  bool knows_start_ = false;
+  bool lost_changes_ = false;
 };
 
 }  // namespace hapticwall::runtime

@@ -48,8 +48,8 @@ void Recorder::work() {
     const auto now = std::chrono::steady_clock::now();
     if (now - last_flush >= kFlushInterval) {
       last_flush = now;
+      write_note();  // first: no row is on the disk before what it means
       if (writable_) keep(guarded([this] { return writer_->flush(); }));
-      write_note();
     }
     lock.lock();
   }

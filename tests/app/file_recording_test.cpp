@@ -1,7 +1,6 @@
 // Recordings: exact rows, and names that files take only when they are whole.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cerrno>
@@ -9,83 +8,28 @@
 #include <clocale>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <locale>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "app/file/atomic_file.h"
 #include "app/file/recording_writer.h"
 #include "app/file/scene_file.h"
 #include "app/file/sha256.h"
 #include "tests/app/file_faulty_disk.h"
+#include "tests/app/file_recording_support.h"
 
 namespace hapticwall::file {
 namespace {
 
+using test::headless;
+using test::Recording;
+using test::sample_at;
+using test::scene_of_ten_ticks;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 namespace fs = std::filesystem;
-
-class Recording : public ::testing::Test {
- protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              ("hapticwall_" + std::string(info->name()) + "_" + std::to_string(getpid()));
-    fs::create_directory(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
-  [[nodiscard]] std::string content(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-  void put(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-      names.push_back(entry.path().filename());
-    }
-    return names;
-  }
-
- private:
-  fs::path folder_;
-};
-
-Sample sample_at(std::uint64_t tick) {
-  Sample sample;
-  sample.tick = tick;
-  sample.time_s = static_cast<double>(tick) / 1000.0;
-  sample.position_m = 0.1 + 0.2;
-  sample.force_n = -0.0;
-  sample.energy_cv_j = 5e-324;
-  sample.truth.kinetic_j = 1.7976931348623157e308;
-  sample.flags = kFlagInContact | kFlagDeviceFault;
-  return sample;
-}
-
-Scene scene_of_ten_ticks() {
-  Scene scene;
-  scene.name = "ten";
-  scene.duration_s = 0.01;
-  return scene;
-}
-
-RecordingMetadata headless() {
-  RecordingMetadata metadata;
-  metadata.device = "simulator";
-  metadata.realtime_status = "none";
-  return metadata;
-}
 
 std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> parts;
@@ -277,31 +221,6 @@ TEST_F(Recording, AFullDiskIsAnErrorAndStaysOne) {
   EXPECT_TRUE((*writer)->append(sample_at(1)));
   EXPECT_TRUE((*writer)->finish(scene_of_ten_ticks(), headless()));
   EXPECT_FALSE(fs::exists(path("a.csv")) || fs::exists(path("a.toml")));
-}
-
-TEST_F(Recording, AUsersSceneIsNotReplacedByASidecar) {
-  put("mine.toml", "name = 'mine'\n");
-  const auto writer = RecordingWriter::create(path("mine.csv"), MoreColumns::kSimulator);
-  ASSERT_FALSE(writer);
-  EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
-  EXPECT_THAT(writer.error().message, HasSubstr("would replace a file that is not a recording's"));
-  EXPECT_EQ(content("mine.toml"), "name = 'mine'\n");
-}
-
-TEST_F(Recording, OneWriterAtATime) {
-  const auto first = AtomicFile::create(path("a"));
-  ASSERT_TRUE(first);
-  const auto second = AtomicFile::create(path("a"));
-  ASSERT_FALSE(second);
-  EXPECT_THAT(second.error().message, HasSubstr("another process is writing it"));
-}
-
-TEST_F(Recording, UnwritablePathsAreRefusedAtOnce) {
-  for (const std::string& name : {path("no/a.csv"), path(""), std::string("/dev/null")}) {
-    const auto writer = RecordingWriter::create(name, MoreColumns::kSimulator);
-    ASSERT_FALSE(writer) << name;
-    EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
-  }
 }
 
 }  // namespace

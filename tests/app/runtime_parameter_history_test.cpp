@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/file/sidecar.h"
 #include "app/runtime/parameter_history.h"
 #include "tests/app/runtime_support.h"
 
@@ -45,12 +46,44 @@ TEST(ParameterHistory, KeepsEveryPartThatChangedAndThePathOfTheStart) {
   ASSERT_EQ(told.size(), changes.size());
   for (std::size_t i = 0; i < told.size(); ++i) {
     EXPECT_EQ(told[i].scene.device, changes[i].device);
-    EXPECT_EQ(told[i].scene.hand, changes[i].hand);
+    HandSettings hand = changes[i].hand.value();
+    hand.path.clear();
+    EXPECT_EQ(told[i].scene.hand, hand);
     EXPECT_EQ(told[i].scene.simulator, changes[i].simulator);
     EXPECT_EQ(told[i].scene.algorithm, changes[i].algorithm);
   }
   EXPECT_EQ(history.scene_at_start().device, first.device);
   EXPECT_EQ(history.scene_at_start().hand, first.hand);
+}
+
+TEST(ParameterHistory, SaysWhetherItKnowsHowTheRunBegan) {
+  ParameterHistory history(contact_scene());
+  EXPECT_FALSE(history.knows_start());
+  const std::uint64_t before = history.revision();
+  history.came_into_force({0, 1});
+  EXPECT_TRUE(history.knows_start());
+  EXPECT_NE(history.revision(), before) << "though there is no change";
+  history.restart();
+  EXPECT_FALSE(history.knows_start());
+  history.came_into_force({40, 1});  // still of the run before
+  EXPECT_FALSE(history.knows_start());
+  history.came_into_force({0, 1});
+  EXPECT_TRUE(history.knows_start());
+}
+
+TEST(ParameterHistory, SaysWhereThereWereMoreChangesThanItKeeps) {
+  const Scene first = contact_scene();
+  ParameterHistory history(first);
+  history.came_into_force({0, 1});
+  for (std::size_t i = 1; i <= file::kMostChanges + 1; ++i) {
+    EXPECT_FALSE(history.has_lost_changes());
+    history.add(test::with_algorithm(first, i % 2));
+    history.came_into_force({i, history.generation()});
+  }
+  EXPECT_TRUE(history.has_lost_changes());
+  EXPECT_EQ(history.changes_before(1'000'000).size(), file::kMostChanges);
+  history.came_into_force({0, history.generation()});
+  EXPECT_FALSE(history.has_lost_changes());
 }
 
 TEST(ParameterHistory, WhatWasTakenBackUnreadIsNowhereTold) {

@@ -9,6 +9,7 @@
 
 #include "app/file/recording_reader.h"
 #include "app/file/recovery.h"
+#include "app/file/scene_file.h"
 #include "tests/app/runtime_session_support.h"
 
 namespace hapticwall::runtime {
@@ -87,7 +88,7 @@ TEST(SessionRecovery, APointerThatLedTheHandIsNotForgotten) {
   session->lead_hand(0.04);
   ASSERT_TRUE(eventually([&] {
     static_cast<void>(session->snapshot());
-    return content(folder.file("a.toml.partial")).find("repeatable = false") != std::string::npos;
+    return content(folder.file("a.toml.partial")).find("the pointer led") != std::string::npos;
   }));
   ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 10; }));
   ASSERT_TRUE(eventually([&] { return rows_of(folder.file("a.csv.partial")).size() > 1; }));
@@ -95,6 +96,76 @@ TEST(SessionRecovery, APointerThatLedTheHandIsNotForgotten) {
   const auto recovered = file::recover_recording(folder.file("b.csv"));
   ASSERT_TRUE(recovered.ok()) << recovered.error().message;
   EXPECT_THAT(recovered->notes, ElementsAre(HasSubstr("the pointer led the hand")));
+}
+
+// The note of it had not reached the disk: the rows themselves tell.
+TEST(SessionRecovery, AHandThatHasLeftItsPathIsNotTakenForItsScript) {
+  const TemporaryFolder folder;
+  const auto session = started(contact_scene());
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  ASSERT_TRUE(eventually([&] {
+    static_cast<void>(session->snapshot());
+    return content(folder.file("a.toml.partial")).find("repeatable = true") != std::string::npos;
+  }));
+  keep_what_is_there(folder);
+  session->lead_hand(0.04);
+  ASSERT_TRUE(eventually([&] {
+    const double intended_m = session->snapshot().sample.truth.hand_path_m;
+    return intended_m < 0.045;
+  }));
+  const std::size_t before = rows_of(folder.file("a.csv.partial")).size();
+  ASSERT_TRUE(
+      eventually([&] { return rows_of(folder.file("a.csv.partial")).size() > before + 300; }));
+  std::filesystem::copy_file(folder.file("a.csv.partial"), folder.file("b.csv.partial"),
+                             std::filesystem::copy_options::overwrite_existing);
+  const auto recovered = file::recover_recording(folder.file("b.csv"));
+  ASSERT_TRUE(recovered.ok()) << recovered.error().message;
+  EXPECT_THAT(recovered->notes, ElementsAre(HasSubstr("something else led it")));
+}
+
+// Nothing counts as a change before the first tick, and yet the scene is another one.
+TEST(SessionRecovery, WhatChangedBeforeTheFirstTickIsNotForgotten) {
+  const TemporaryFolder folder;
+  SessionOptions options;
+  options.start_paused = true;
+  auto session = Session::start(contact_scene(), options);
+  ASSERT_TRUE(session.ok());
+  ASSERT_FALSE((*session)->start_recording(folder.file("a.csv")));
+  EXPECT_THAT(content(folder.file("a.toml.partial")),
+              HasSubstr("before it was known how it began"));
+  ASSERT_FALSE((*session)->set_algorithm(algorithm(3)));
+  (*session)->pause(false);
+  ASSERT_TRUE(eventually([&] {
+    static_cast<void>((*session)->snapshot());
+    return content(folder.file("a.toml.partial")).find("repeatable = true") != std::string::npos;
+  }));
+  const auto noted = file::parse_scene(content(folder.file("a.toml.partial")), "noted");
+  ASSERT_TRUE(noted.ok()) << noted.error().message;
+  EXPECT_EQ(noted->scene.algorithm.index, 3U);
+  EXPECT_THAT(noted->changes, SizeIs(0));
+}
+
+// ... also where the session has been changed and reset before.
+TEST(SessionRecovery, AnEarlierRunsChangesAreNotTakenForThisOnes) {
+  const TemporaryFolder folder;
+  const auto session = started(contact_scene());
+  ASSERT_TRUE(eventually([&] { return session->snapshot().sample.tick > 10; }));
+  ASSERT_FALSE(session->set_algorithm(algorithm(3)));
+  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  session->pause(true);
+  ASSERT_TRUE(eventually([&] { return session->snapshot().paused; }));
+  session->reset();
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  EXPECT_THAT(content(folder.file("a.toml.partial")), HasSubstr("repeatable = false"));
+  session->pause(false);
+  ASSERT_TRUE(eventually([&] {
+    static_cast<void>(session->snapshot());
+    return content(folder.file("a.toml.partial")).find("repeatable = true") != std::string::npos;
+  }));
+  const auto noted = file::parse_scene(content(folder.file("a.toml.partial")), "noted");
+  ASSERT_TRUE(noted.ok()) << noted.error().message;
+  EXPECT_EQ(noted->scene.algorithm.index, 3U);
+  EXPECT_THAT(noted->changes, SizeIs(0));
 }
 
 }  // namespace

@@ -1,0 +1,152 @@
+// The names that a recording takes: not another file's, not before it is whole, and whatever is
+// left of an earlier one under its name is not lost.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "app/file/atomic_file.h"
+#include "app/file/recording_reader.h"
+#include "app/file/recording_writer.h"
+#include "app/file/recovery.h"
+#include "app/file/scene_file.h"
+#include "app/file/sidecar.h"
+#include "tests/app/file_recording_support.h"
+
+namespace hapticwall::file {
+namespace {
+
+using test::headless;
+using test::Recording;
+using test::sample_at;
+using test::scene_of_ten_ticks;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+using RecordingNames = Recording;
+
+TEST_F(RecordingNames, AUsersSceneIsNotReplacedByASidecar) {
+  put("mine.toml", "name = 'mine'\n");
+  const auto writer = RecordingWriter::create(path("mine.csv"), MoreColumns::kSimulator);
+  ASSERT_FALSE(writer);
+  EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
+  EXPECT_THAT(writer.error().message, HasSubstr("would replace a file that is not a recording's"));
+  EXPECT_EQ(content("mine.toml"), "name = 'mine'\n");
+}
+
+TEST_F(RecordingNames, AUsersSceneThatCameMeanwhileIsNotReplacedEither) {
+  auto writer = RecordingWriter::create(path("mine.csv"), MoreColumns::kSimulator);
+  ASSERT_TRUE(writer);
+  EXPECT_FALSE((*writer)->append(sample_at(0)));
+  put("mine.toml", "name = 'mine'\n");
+  const Failure failed = (*writer)->finish(scene_of_ten_ticks(), headless());
+  ASSERT_TRUE(failed);
+  EXPECT_THAT(failed->message, HasSubstr("would replace a file that is not a recording's"));
+  writer->reset();
+  EXPECT_EQ(content("mine.toml"), "name = 'mine'\n");
+  EXPECT_TRUE(fs::exists(path("mine.csv.partial"))) << "the rows are not lost";
+}
+
+TEST_F(RecordingNames, OneThatLacksOnlyItsNameIsFinishedAndNotWrittenOver) {
+  {
+    auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+    ASSERT_TRUE(writer);
+    EXPECT_FALSE((*writer)->append(sample_at(0)));
+    EXPECT_FALSE((*writer)->append(sample_at(1)));
+    EXPECT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
+  }
+  const std::string csv = content("a.csv");
+  fs::rename(path("a.csv"), path("a.csv.partial"));  // as a kill between the two names leaves it
+  const auto refused = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("'hapticwall recover "));
+  const auto recovered = recover_recording(path("a.csv"));
+  ASSERT_TRUE(recovered) << recovered.error().message;
+  EXPECT_EQ(recovered->rows, 2U);
+  EXPECT_EQ(content("a.csv"), csv);
+  EXPECT_EQ(files().size(), 2U);
+}
+
+TEST_F(RecordingNames, ASidecarOfOtherRowsIsNotTakenForTheirs) {
+  {
+    auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+    ASSERT_TRUE(writer);
+    EXPECT_FALSE((*writer)->append(sample_at(0)));
+    EXPECT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
+  }
+  put("a.csv.partial", content("a.csv") + content("a.csv").substr(content("a.csv").find('\n') + 1));
+  fs::remove(path("a.csv"));
+  EXPECT_FALSE(lacks_only_its_name(path("a.csv")));
+  EXPECT_FALSE(recover_recording(path("a.csv")));
+}
+
+TEST_F(RecordingNames, OneThatWasCutOffBeforeItsFirstRowDoesNotBlockItsName) {
+  put("a.csv.partial", csv_header(MoreColumns::kSimulator) + "\n");
+  put("a.toml.partial", "[recording]\n");
+  const auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  EXPECT_TRUE(writer) << writer.error().message;
+}
+
+TEST_F(RecordingNames, AsManyChangesAsAreKeptAreReadAgain) {
+  constexpr std::size_t kWalls = 8;
+  Scene scene = scene_of_ten_ticks();
+  RecordingMetadata metadata = headless();
+  for (std::size_t i = 0; i < kMostChanges; ++i) {
+    RecordedChange change{1 + i / 2000, scene};
+    change.scene.device.mass_kg = 0.1234567890123456;
+    for (std::size_t wall = 0; wall < kWalls; ++wall) {
+      change.scene.walls.push_back({0.0501234567890123 + 1e-3 * static_cast<double>(wall),
+                                    12345.678901234567, 1.2345678901234567});
+    }
+    metadata.changes.push_back(std::move(change));
+  }
+  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  ASSERT_TRUE(writer);
+  for (std::uint64_t tick = 0; tick < 10; ++tick) {
+    EXPECT_FALSE((*writer)->append(sample_at(tick)));
+  }
+  ASSERT_FALSE((*writer)->finish(scene, metadata));
+  EXPECT_GT(fs::file_size(path("a.toml")), std::uintmax_t{1} << 20U) << "more than a scene has";
+  EXPECT_LT(fs::file_size(path("a.toml")), kLargestSidecarBytes / 4);
+  const auto loaded = load_scene(path("a.toml"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->changes.size(), kMostChanges);
+  const auto reader = RecordingReader::open(path("a.csv"));
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE((*reader)->info().has_sidecar);
+}
+
+TEST_F(RecordingNames, OfASessionLongerThanASceneCanBeIsReadAndNotRepeated) {
+  RecordingMetadata metadata = headless();
+  metadata.first_tick = 1'000'000'000;
+  metadata.session_ticks = 1'000'000'001;  // at 1 kHz, 11.6 days
+  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  ASSERT_TRUE(writer);
+  EXPECT_FALSE((*writer)->append(sample_at(metadata.first_tick)));
+  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), metadata));
+  const auto loaded = load_scene(path("a.toml"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_THAT(loaded->not_repeatable_because, HasSubstr("longer than a scene can be"));
+}
+
+TEST_F(RecordingNames, OneWriterAtATime) {
+  const auto first = AtomicFile::create(path("a"));
+  ASSERT_TRUE(first);
+  const auto second = AtomicFile::create(path("a"));
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.error().message, HasSubstr("another process is writing it"));
+}
+
+TEST_F(RecordingNames, UnwritablePathsAreRefusedAtOnce) {
+  for (const std::string& name : {path("no/a.csv"), path(""), std::string("/dev/null")}) {
+    const auto writer = RecordingWriter::create(name, MoreColumns::kSimulator);
+    ASSERT_FALSE(writer) << name;
+    EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::file
