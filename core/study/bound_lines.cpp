@@ -9,31 +9,52 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// Below 0 where the wall is softer than the bound, above 0 where it is stiffer; N/m.
-double excess(const Scene& scene, BoundMember bound) {
+// Of the first wall, and the bound of it; N/m.
+struct Stiffnesses {
+  double wall = kNone;
+  double bound = kNone;
+
+  // Below 0 where the wall is softer than the bound, above 0 where it is stiffer.
+  [[nodiscard]] double excess() const { return wall - bound; }
+  // The same, straight along a logarithmic axis where both are powers of what it varies.
+  [[nodiscard]] double log_excess() const {
+    return wall > 0.0 && bound > 0.0 ? std::log(wall / bound) : kNone;
+  }
+};
+
+Stiffnesses stiffnesses(const Scene& scene, BoundMember bound) {
   const WallSettings& wall = scene.walls.front();
   const std::optional<double> limit = stability_bounds(scene, wall, delay_of(scene)).*bound;
-  return limit ? wall.stiffness_n_per_m - *limit : kNone;
+  return {wall.stiffness_n_per_m, limit.value_or(kNone)};
 }
 
 struct Corner {
   MapPoint at;
-  double excess;
+  Stiffnesses found;
 };
 
-// Where the line crosses the edge between two corners.
-std::optional<MapPoint> crossing(const Corner& a, const Corner& b) {
-  if ((a.excess < 0.0) == (b.excess < 0.0)) return std::nullopt;
-  const double part = a.excess / (a.excess - b.excess);
+// How far from `a` to `b` the wall is as stiff as the bound.
+double part_of_edge(const Stiffnesses& a, const Stiffnesses& b, bool logarithmic) {
+  const double part = a.log_excess() / (a.log_excess() - b.log_excess());
+  if (logarithmic && std::isfinite(part)) return part;
+  return a.excess() / (a.excess() - b.excess());
+}
+
+// Where the line crosses the edge between two corners, which lies along one of the axes.
+std::optional<MapPoint> crossing(const StabilityMap& map, const Corner& a, const Corner& b) {
+  if ((a.found.excess() < 0.0) == (b.found.excess() < 0.0)) return std::nullopt;
+  const MapAxis& along = a.at.x != b.at.x ? map.x : map.y;
+  const double part = part_of_edge(a.found, b.found, along.logarithmic);
   return MapPoint{a.at.x + part * (b.at.x - a.at.x), a.at.y + part * (b.at.y - a.at.y)};
 }
 
 // The lines through one square, whose corners go round.
-void append_square(std::vector<BoundSegment>& lines, const std::array<Corner, 4>& corners) {
+void append_square(std::vector<BoundSegment>& lines, const StabilityMap& map,
+                   const std::array<Corner, 4>& corners) {
   std::vector<MapPoint> crossings;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (std::isnan(corners.at(i).excess)) return;
-    const auto point = crossing(corners.at(i), corners.at((i + 1) % corners.size()));
+    if (std::isnan(corners.at(i).found.excess())) return;
+    const auto point = crossing(map, corners.at(i), corners.at((i + 1) % corners.size()));
     if (point) crossings.push_back(*point);
   }
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
@@ -46,14 +67,14 @@ void append_square(std::vector<BoundSegment>& lines, const std::array<Corner, 4>
 std::vector<BoundSegment> bound_lines(const StabilityMap& map, BoundMember bound) {
   std::vector<BoundSegment> lines;
   if (map.scene.walls.empty()) return lines;
-  std::vector<double> excesses(map.x.count * map.y.count);
-  for (std::size_t i = 0; i < excesses.size(); ++i) excesses[i] = excess(map.scene_at(i), bound);
+  std::vector<Stiffnesses> found(map.x.count * map.y.count);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] = stiffnesses(map.scene_at(i), bound);
   const auto corner = [&](std::size_t x, std::size_t y) {
-    return Corner{{static_cast<double>(x), static_cast<double>(y)}, excesses[y * map.x.count + x]};
+    return Corner{{static_cast<double>(x), static_cast<double>(y)}, found[y * map.x.count + x]};
   };
   for (std::size_t y = 0; y + 1 < map.y.count; ++y) {
     for (std::size_t x = 0; x + 1 < map.x.count; ++x) {
-      append_square(lines,
+      append_square(lines, map,
                     {corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)});
     }
   }

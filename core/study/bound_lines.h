@@ -27,9 +27,10 @@ struct BoundSegment {
 
 using BoundMember = std::optional<double> StabilityBounds::*;
 
-// Between the values of the axes straight lines stand for the bound. Empty where no cell has the
-// bound, or no two neighbours lie on different sides of it, or the scene has no wall.
-// Realtime-safe: no.
+// Between the values of the axes straight lines stand for the bound, straight on the axes as they
+// are: a power of a key is exact where both axes are logarithmic, a multiple where they are not.
+// Empty where no cell has the bound, or no two neighbours lie on different sides of it, or the
+// scene has no wall. Realtime-safe: no.
 [[nodiscard]] std::vector<BoundSegment> bound_lines(const StabilityMap& map, BoundMember bound);
 
 }  // namespace hapticwall

@@ -145,5 +145,21 @@ TEST(BoundLines, StandWhereTheWallIsAsStiffAsTheBound) {
   EXPECT_TRUE(bound_lines(map, &StabilityBounds::passive_n_per_m).empty());
 }
 
+// K = 2 b f on two logarithmic axes is a straight line, and exact however few the values are.
+TEST(BoundLines, AreExactOnLogarithmicAxes) {
+  StabilityMap map = small_map();
+  map.x = axis(map.scene, "wall.stiffness_n_per_m", 300.0, 1e5, 4, true);
+  map.y = axis(map.scene, "sampling.rate_hz", 500.0, 8000.0, 3, true);
+  const auto lines = bound_lines(map, &StabilityBounds::passive_n_per_m);
+  ASSERT_FALSE(lines.empty());
+  for (const BoundSegment& line : lines) {
+    for (const MapPoint& point : {line.from, line.to}) {
+      const double stiffness = 300.0 * std::pow(1e5 / 300.0, point.x / 3.0);
+      const double rate_hz = 500.0 * std::pow(16.0, point.y / 2.0);
+      EXPECT_NEAR(stiffness, 2.0 * rate_hz, 1e-9 * stiffness);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hapticwall
