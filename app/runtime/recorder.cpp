@@ -44,11 +44,11 @@ void Recorder::work() {
   while (!end_) {
     wake_.wait_for(lock, kDrainInterval, [this] { return end_; });
     lock.unlock();
+    write_note();  // first: no row is to be on the disk before what it means
     move_samples();
     const auto now = std::chrono::steady_clock::now();
     if (now - last_flush >= kFlushInterval) {
       last_flush = now;
-      write_note();  // first: no row is on the disk before what it means
       if (writable_) keep(guarded([this] { return writer_->flush(); }));
     }
     lock.lock();

@@ -40,7 +40,8 @@ class Recorder {
   // pushes into the queue yet: what an earlier recording left in it is thrown away.
   void start(std::unique_ptr<file::RecordingWriter> writer);
 
-  // What is known of the recording by now goes to the writer's note(), before the next flush.
+  // What is known of the recording by now goes to the writer's note(), before the samples that
+  // wait in the queue.
   void note(const Scene& scene, file::RecordingMetadata metadata);
 
   // Drains the queue, which nobody may push into any more, and joins the thread. The writer is left
