@@ -121,7 +121,8 @@ AtomicFile::~AtomicFile() { discard(); }
 
 void AtomicFile::discard() {
   if (descriptor_ < 0) return;
-  if (!keep_partial_) unlink(partial_path_.c_str());
+  // Another file that has taken the name meanwhile is another process's.
+  if (!keep_partial_ && is_still_named(descriptor_, partial_path_)) unlink(partial_path_.c_str());
   close(std::exchange(descriptor_, -1));
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/file/table_reader.h"
 #include "app/file/toml_text.h"
+#include "app/file/utf8.h"
 
 namespace hapticwall::file {
 namespace {
@@ -19,21 +20,6 @@ std::optional<SettingValue> value_of(const toml::node& node) {
 }
 
 // A path may be any bytes; a TOML file may not.
-bool is_utf8(std::string_view text) {
-  std::size_t following = 0;  // bytes of the character that are still to come
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (following > 0) {
-      if ((byte & 0xC0U) != 0x80U) return false;
-      --following;
-    } else if (byte >= 0x80U) {
-      if (byte < 0xC2U || byte > 0xF4U) return false;
-      following = byte < 0xE0U ? 1 : byte < 0xF0U ? 2 : 3;
-    }
-  }
-  return following == 0;
-}
-
 bool can_be_written(const SettingValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   return text == nullptr || is_utf8(*text);

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <vector>
 
+#include "app/file/utf8.h"
+
 namespace hapticwall::file {
 namespace {
 
@@ -17,26 +19,6 @@ constexpr std::size_t kLongestWord = 64;    // compared with known names; none i
 constexpr std::size_t kShortestPrefix = 3;  // "damping" stands for "damping_n_s_per_m"
 constexpr unsigned char kFirstPrintable = 0x20;
 constexpr unsigned char kDelete = 0x7f;
-
-// Length of the well-formed UTF-8 sequence that `text` starts with; 0 where there is none.
-std::size_t utf8_length(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text.front());
-  std::size_t length = 0;
-  if (lead < 0x80) length = 1;
-  if (lead >= 0xc2 && lead < 0xe0) length = 2;
-  if (lead >= 0xe0 && lead < 0xf0) length = 3;
-  if (lead >= 0xf0 && lead < 0xf5) length = 4;
-  if (length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xc0U) != 0x80U) return 0;
-  }
-  if (length < 3) return length;
-  // Longer than need be, a surrogate, or beyond U+10FFFF: the second byte tells.
-  const auto second = static_cast<unsigned char>(text[1]);
-  const bool too_long = (lead == 0xe0 && second < 0xa0) || (lead == 0xf0 && second < 0x90);
-  const bool no_character = (lead == 0xed && second >= 0xa0) || (lead == 0xf4 && second >= 0x90);
-  return too_long || no_character ? 0 : length;
-}
 
 std::string cleaned(std::string_view text, std::size_t longest) {
   std::string result;

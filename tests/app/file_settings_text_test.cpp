@@ -41,11 +41,16 @@ TEST(SettingsText, AnyTextsAndNumbersReadBack) {
 
 TEST(SettingsText, LeavesOutWhatNoTomlFileCanHold) {
   const Settings settings{{"a.bad", std::string("\xff\xfe")},
+                          {"a.beyond", std::string("\xf4\x90\x80\x80")},  // U+110000
                           {"a.cut", std::string("caf\xc3")},
-                          {"a.good", std::string("caf\xc3\xa9")}};
+                          {"a.good", std::string("caf\xc3\xa9")},
+                          {"a.last", std::string("\xf4\x8f\xbf\xbf")},  // U+10FFFF
+                          {"a.overlong", std::string("\xe0\x80\x80")},
+                          {"a.surrogate", std::string("\xed\xa0\x80")}};
   const Result<Settings> back = parse_settings(settings_text(settings), "x");
   ASSERT_TRUE(back.ok()) << back.error().message;
-  EXPECT_EQ(*back, (Settings{{"a.good", std::string("caf\xc3\xa9")}}));
+  EXPECT_EQ(*back, (Settings{{"a.good", std::string("caf\xc3\xa9")},
+                             {"a.last", std::string("\xf4\x8f\xbf\xbf")}}));
 }
 
 TEST(SettingsText, LeavesOutWhatIsNoPlainValueOfATable) {
