@@ -22,6 +22,7 @@
 #include "app/command/terminal.h"
 #include "app/file/map_file.h"
 #include "app/file/picture.h"
+#include "app/file/sidecar.h"
 #include "app/file/text.h"
 #include "app/ui/map_figure.h"
 
@@ -164,6 +165,12 @@ int run_map(const MapOptions& options, Scene scene) {
   if (!options.read.empty()) {
     const Result<std::vector<MapFigures>> figures = file::read_map(options.read, *map);
     if (!figures) return report(figures.error());
+    if (file::has_other_sidecar(options.read, *map)) {
+      tell(
+          fmt::format("note: {} tells of another scene or plan, or of another version of the "
+                      "program",
+                      file::shown(file::sidecar_path_of(options.read))));
+    }
     const Failure failed = write_map(options, *map, *part, *figures, json, plot);
     return failed ? report(*failed) : 0;
   }

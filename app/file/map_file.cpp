@@ -49,6 +49,29 @@ bool is_empty(const std::string& path) {
   return std::filesystem::file_size(path, failed) == 0 || failed;
 }
 
+// Whether what there is of a map is of the map with this sidecar. A finished sidecar tells it only
+// where the run ended between its two names: beside one that is not whole it is an older map's.
+bool is_of_map(const std::string& sidecar_path, const std::string& sidecar_text) {
+  const std::string partial = sidecar_path + std::string(kPartialEnding);
+  return contents(is_empty(partial) ? sidecar_path : partial) == sidecar_text;
+}
+
+// The sidecar, whole and on the disk, without its name. One that is there stays as it is: on a full
+// disk it could not be written again, and without it nobody could tell whose the rows are.
+Result<AtomicFile> open_sidecar(const std::string& path, const std::string& text) {
+  Result<AtomicFile> file = AtomicFile::resume(path);
+  if (!file) return file;
+  if (contents(file->partial_path()) == text) {
+    file->keep_partial();
+  } else {
+    if (Failure failed = file->keep_only(0)) return *failed;
+    if (Failure failed = file->write(text)) return *failed;
+  }
+  if (Failure failed = file->sync()) return *failed;
+  file->keep_partial();
+  return file;
+}
+
 struct FoundRows {
   std::vector<MapFigures> figures;
   std::size_t bytes = 0;  // of the header and the whole lines
@@ -100,7 +123,7 @@ std::string map_sidecar(const StabilityMap& map, const MapPart& part) {
 Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& map,
                                   const MapPart& part) {
   const std::string sidecar_path = sidecar_path_of(path);
-  if (!may_replace_sidecar(sidecar_path)) {
+  if (!may_replace_sidecar(sidecar_path, kMapTable)) {
     return Error{ErrorKind::kFile,
                  fmt::format("{}: it would be the sidecar of {}, and is something else; choose "
                              "another name",
@@ -108,9 +131,7 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
   }
   const std::string partial = path + std::string(kPartialEnding);
   const std::string sidecar_text = map_sidecar(map, part);
-  const bool of_this_map = contents(sidecar_path + std::string(kPartialEnding)) == sidecar_text ||
-                           contents(sidecar_path) == sidecar_text;  // ended between its two names
-  if (!is_empty(partial) && !of_this_map) {
+  if (!is_empty(partial) && !is_of_map(sidecar_path, sidecar_text)) {
     return Error{ErrorKind::kFile,
                  fmt::format("{}: is not of this map or not of this program; finish it as it was "
                              "begun, or remove it",
@@ -121,11 +142,8 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
   csv->keep_partial();
   FoundRows rows = whole_rows(contents(partial), map, part);
   if (Failure failed = csv->keep_only(rows.bytes)) return *failed;
-  Result<AtomicFile> sidecar = AtomicFile::create(sidecar_path);
+  Result<AtomicFile> sidecar = open_sidecar(sidecar_path, sidecar_text);
   if (!sidecar) return sidecar.error();
-  sidecar->keep_partial();
-  if (Failure failed = sidecar->write(sidecar_text)) return *failed;
-  if (Failure failed = sidecar->sync()) return *failed;
   if (rows.bytes == 0 && part.begin == 0) {
     if (Failure failed = csv->write(map_header(map))) return *failed;
   }
@@ -171,6 +189,12 @@ Result<std::vector<MapFigures>> parse_map(std::string_view text, const std::stri
     return wrong(fmt::format(":{}: there is more behind the last cell of this map", cells + 2));
   }
   return std::move(rows.figures);
+}
+
+bool has_other_sidecar(const std::string& path, const StabilityMap& map) {
+  const std::string sidecar_path = sidecar_path_of(path);
+  return is_sidecar(sidecar_path, kMapTable) &&
+         contents(sidecar_path) != map_sidecar(map, {0, map.cell_count()});
 }
 
 Result<std::vector<MapFigures>> read_map(const std::string& path, const StabilityMap& map) {

@@ -50,6 +50,10 @@ class MapWriter {
   std::vector<MapFigures> found_;
 };
 
+// Whether the sidecar beside the cells at `path` is one of another map than this whole one, or of
+// another version of the program. Parts that were put together have none.
+[[nodiscard]] bool has_other_sidecar(const std::string& path, const StabilityMap& map);
+
 // All cells of the map, out of the text of the whole; `origin` names it in messages.
 [[nodiscard]] Result<std::vector<MapFigures>> parse_map(std::string_view text,
                                                         const std::string& origin,

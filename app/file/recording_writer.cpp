@@ -21,7 +21,7 @@ constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
 
 Failure check_sidecar(const std::string& csv_path) {
   const std::string sidecar_path = sidecar_path_of(csv_path);
-  if (may_replace_sidecar(sidecar_path)) return {};
+  if (may_replace_sidecar(sidecar_path, kRecordingTable)) return {};
   return Error{ErrorKind::kFile,
                fmt::format("{}: cannot be recorded: its sidecar {} would replace a file that is "
                            "not a recording's; choose another name",

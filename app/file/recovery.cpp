@@ -162,7 +162,7 @@ Failure check_names(const std::string& csv_path, const std::string& partial) {
                     "'hapticwall replay {}' shows the rows",
                     shown(sidecar), shown(partial)));
   }
-  if (!may_replace_sidecar(sidecar_path_of(csv_path))) {
+  if (!may_replace_sidecar(sidecar_path_of(csv_path), kRecordingTable)) {
     return usage_error(
         fmt::format("{} is not a recording's sidecar and would be replaced: move it "
                     "away",

@@ -23,7 +23,8 @@ constexpr std::size_t kLargestSceneBytes = std::size_t{1} << 20U;
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 Result<LoadedScene> load_file(const std::string& path, std::span<const std::string> overrides) {
-  const std::size_t largest_bytes = is_sidecar(path) ? kLargestSidecarBytes : kLargestSceneBytes;
+  const std::size_t largest_bytes =
+      is_sidecar(path, kRecordingTable) ? kLargestSidecarBytes : kLargestSceneBytes;
   const Result<std::string> text = read_small_file(path, "scene", largest_bytes);
   if (!text) return text.error();
   return parse_scene(*text, path, overrides);

@@ -115,18 +115,19 @@ Failure write_sidecar(const std::string& csv_path, std::string_view text) {
   return rename_file(partial, path);
 }
 
-bool may_replace_sidecar(const std::string& path) {
+bool may_replace_sidecar(const std::string& path, std::string_view table) {
   std::error_code ignored;
-  return !std::filesystem::exists(path, ignored) || is_sidecar(path);
+  return !std::filesystem::exists(path, ignored) || is_sidecar(path, table);
 }
 
-bool is_sidecar(const std::string& path) {
+bool is_sidecar(const std::string& path, std::string_view table) {
   std::error_code failed;
   if (!std::filesystem::is_regular_file(path, failed)) return false;
   if (std::filesystem::file_size(path, failed) > kLargestSidecarBytes || failed) return false;
+  const std::string first_line = fmt::format("[{}]", table);
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
-    if (line == "[recording]" || line == "[map]") return true;
+    if (line == first_line) return true;
   }
   return false;
 }

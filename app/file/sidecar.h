@@ -39,11 +39,14 @@ struct RecordedRows {
 // at any moment: a full disk or a kill takes nothing of it.
 [[nodiscard]] Failure write_sidecar(const std::string& csv_path, std::string_view text);
 
-// Whether the file at `path` has a table [recording] or [map], and is no larger than a sidecar.
-[[nodiscard]] bool is_sidecar(const std::string& path);
+// What a sidecar belongs to, by the table that makes it one.
+inline constexpr std::string_view kRecordingTable = "recording";
+inline constexpr std::string_view kMapTable = "map";
 
-// Whether replacing the file at `path` destroys nothing but an older sidecar: there is none, or
-// is_sidecar().
-[[nodiscard]] bool may_replace_sidecar(const std::string& path);
+// Whether the file at `path` has this table, and is no larger than a sidecar.
+[[nodiscard]] bool is_sidecar(const std::string& path, std::string_view table);
+
+// Whether replacing the file at `path` destroys nothing but an older sidecar of the same kind.
+[[nodiscard]] bool may_replace_sidecar(const std::string& path, std::string_view table);
 
 }  // namespace hapticwall::file

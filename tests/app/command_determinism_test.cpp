@@ -2,6 +2,7 @@
 // run as it stands.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -50,6 +51,7 @@ TEST_F(Determinism, TheProgramWritesTheBytesOfTheTable) {
     const Answer answer = hapticwall(row.arguments);
     ASSERT_EQ(answer.status, 0) << answer.err;
     EXPECT_EQ(sha256("a.csv"), row.sha256);
+    for (const std::string& name : files()) std::filesystem::remove(path(name));
   }
 }
 

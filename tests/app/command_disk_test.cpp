@@ -93,11 +93,12 @@ TEST_F(DiskTest, FullWhileAMapIsWritten) {
   }
 }
 
-// The map's first rows are not lost with the disk: the next run goes on from them.
+// The map's first rows are not lost with the disk: a later run goes on from them.
 TEST_F(DiskTest, AMapThatFoundNoRoomIsGoneOnWith) {
   ASSERT_EQ(shell("ulimit -f 4; exec $P " + std::string(kMap) + "--csv m.csv").status, 4);
   const std::string left = content("m.csv.partial");
   EXPECT_EQ(left.size(), 4U * 512U);
+  EXPECT_EQ(shell("ulimit -f 0; exec $P " + std::string(kMap) + "--csv m.csv").status, 4);
   ASSERT_EQ(shell("exec $P " + std::string(kMap) + "--csv m.csv").status, 0);
   EXPECT_THAT(content("m.csv"), StartsWith(left));
 }

@@ -92,6 +92,12 @@ TEST_F(MapCommand, PartsPutTogetherAreTheWholeAndAreDrawn) {
   ASSERT_EQ(read.status, 0) << read.err;
   EXPECT_EQ(content("all.png"), content("whole.png"));
   EXPECT_EQ(read.out, map({}).out);
+  EXPECT_THAT(read.err, IsEmpty());
+  // The cells do not tell the scene: what lies beside them does.
+  EXPECT_THAT(map({"--read", "whole.csv"}).err, IsEmpty());
+  const Answer other = map({"--read", "whole.csv", "--set", "device.mass_kg=0.5"});
+  EXPECT_EQ(other.status, 0);
+  EXPECT_THAT(other.err, HasSubstr("note: whole.toml tells of another scene or plan"));
 }
 
 TEST_F(MapCommand, AKilledRunIsGoneOnWith) {

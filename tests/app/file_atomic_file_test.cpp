@@ -137,10 +137,10 @@ TEST_F(AtomicFileTest, RecoveryFollowsNoLink) {
 // A link to an endless file would be read to the end of memory.
 TEST_F(AtomicFileTest, WhatIsNoFileIsNoSidecar) {
   fs::create_symlink("/dev/zero", path("a.toml"));
-  EXPECT_FALSE(may_replace_sidecar(path("a.toml")));
+  EXPECT_FALSE(may_replace_sidecar(path("a.toml"), kRecordingTable));
   fs::create_directory(path("b.toml"));
-  EXPECT_FALSE(may_replace_sidecar(path("b.toml")));
-  EXPECT_TRUE(may_replace_sidecar(path("c.toml")));
+  EXPECT_FALSE(may_replace_sidecar(path("b.toml"), kRecordingTable));
+  EXPECT_TRUE(may_replace_sidecar(path("c.toml"), kRecordingTable));
 }
 
 TEST_F(AtomicFileTest, AFullDiskAndAQuotaAreNamedAndNothingHasTheName) {
@@ -204,14 +204,17 @@ TEST_F(AtomicFileTest, AMovedFolderIsWrittenToTheEndAndToldOf) {
   EXPECT_FALSE(fs::exists(path("moved/a")));
 }
 
-// Another file that has taken the name meanwhile is not ours to rename.
+// Another file that has taken the name meanwhile is not ours to rename, nor to remove.
 TEST_F(AtomicFileTest, AnotherFileOfTheNameIsLeftAlone) {
-  auto file = AtomicFile::create(path("a"));
-  ASSERT_TRUE(file);
-  fs::remove(path("a.partial"));
-  put("a.partial", "theirs");
-  EXPECT_TRUE(file->commit());
+  {
+    auto file = AtomicFile::create(path("a"));
+    ASSERT_TRUE(file);
+    fs::remove(path("a.partial"));
+    put("a.partial", "theirs");
+    EXPECT_TRUE(file->commit());
+  }
   EXPECT_FALSE(fs::exists(path("a")));
+  EXPECT_EQ(text_of(path("a.partial")), "theirs");
 }
 
 // Whom permissions do not bind (root) becomes somebody whom they do, in a process of its own.

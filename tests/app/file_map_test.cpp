@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -14,10 +15,12 @@
 #include "app/file/map_rows.h"
 #include "app/file/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/app/file_faulty_disk.h"
 
 namespace hapticwall::file {
 namespace {
 
+using test::FaultyDisk;
 using ::testing::HasSubstr;
 
 StabilityMap small_map() {
@@ -148,6 +151,61 @@ TEST_F(MapFile, WhatIsOfAnotherMapIsNotWrittenOver) {
   EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
   EXPECT_THAT(writer.error().message, HasSubstr("map.csv.partial: is not of this map"));
   EXPECT_EQ(content("map.csv.partial"), partial);
+}
+
+// The finished map of the name says nothing of the rows of a later one.
+TEST_F(MapFile, RowsOfAnotherMapUnderAFinishedOneAreNotTaken) {
+  const MapPart all = map_part(map_, 1, 1);
+  write("map.csv", all, all.end, true);
+  const StabilityMap finished = map_;
+  map_.scene.device.mass_kg *= 2.0;
+  write("map.csv", all, 5, false);
+  const std::string partial = content("map.csv.partial");
+  {
+    const auto writer = MapWriter::open(path("map.csv"), finished, all);
+    ASSERT_FALSE(writer.ok());
+    EXPECT_THAT(writer.error().message, HasSubstr(": is not of this map"));
+  }
+  EXPECT_EQ(content("map.csv.partial"), partial);
+  const auto writer = MapWriter::open(path("map.csv"), map_, all);
+  ASSERT_TRUE(writer.ok()) << writer.error().message;
+  EXPECT_EQ(writer->found().size(), 5U);
+}
+
+// A run that is gone on with on a full disk leaves everything as it found it.
+TEST_F(MapFile, AFullDiskCostsNoMapThatWasBegun) {
+  const MapPart all = map_part(map_, 1, 1);
+  write("map.csv", all, 10, false);
+  const std::string sidecar = content("map.toml.partial");
+  const std::vector<MapFigures> next = run_cells(map_, 10, 11);
+  {
+    FaultyDisk disk;
+    disk.fail_after(0, ENOSPC);
+    auto writer = MapWriter::open(path("map.csv"), map_, all);
+    ASSERT_TRUE(writer.ok()) << writer.error().message;
+    EXPECT_TRUE(writer->append(map_, 10, next));
+  }
+  EXPECT_EQ(content("map.toml.partial"), sidecar);
+  const auto writer = MapWriter::open(path("map.csv"), map_, all);
+  ASSERT_TRUE(writer.ok()) << writer.error().message;
+  EXPECT_EQ(writer->found().size(), 10U);
+}
+
+TEST_F(MapFile, AFullDiskBetweenTheTwoNamesCostsNoMapEither) {
+  const MapPart all = map_part(map_, 1, 1);
+  write("map.csv", all, all.end, true);
+  std::filesystem::rename(path("map.csv"), path("map.csv.partial"));
+  for (const std::size_t room : {0U, 10U}) {
+    FaultyDisk disk;
+    disk.fail_after(room, ENOSPC);
+    const auto writer = MapWriter::open(path("map.csv"), map_, all);
+    ASSERT_FALSE(writer.ok());
+    EXPECT_THAT(writer.error().message, HasSubstr("could not be written whole: No space left"));
+  }
+  put("map.toml.partial", "");  // a kill before its first byte
+  const auto writer = MapWriter::open(path("map.csv"), map_, all);
+  ASSERT_TRUE(writer.ok()) << writer.error().message;
+  EXPECT_EQ(writer->found().size(), map_.cell_count());
 }
 
 TEST_F(MapFile, ASceneOfTheSameNameIsNotWrittenOver) {
