@@ -116,7 +116,8 @@ int accuracy(const CommandOptions& options) {
                    "--expect: 'accuracy' has no single summary; 'hapticwall run SCENE --expect "
                    "EXPR' has, with --set simulator.integrator=NAME"});
   }
-  if (const Failure failed = check_outputs(options.output)) return report(*failed);
+  if (const Failure failed = check_outputs(options.output, {options.scene.scene}))
+    return report(*failed);
   Result<std::vector<int>> substeps = parse_substeps(options.substeps);
   if (!substeps) return report(substeps.error());
   if (const Failure failed = check_simulator("accuracy", options.scene.device))

@@ -4,7 +4,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "app/command/usage.h"
@@ -163,7 +165,7 @@ Result<file::LoadedScene> load_headless(const SceneOptions& options) {
   return loaded;
 }
 
-Failure check_outputs(const OutputOptions& options) {
+Failure check_outputs(const OutputOptions& options, std::initializer_list<std::string> read) {
   if (options.csv == kStandardOutput) return usage_error("--csv -: it takes the name of a file");
   if (options.plot == kStandardOutput) return usage_error("--plot -: it takes the name of a file");
   std::vector<std::pair<std::string_view, std::string>> files{
@@ -171,10 +173,18 @@ Failure check_outputs(const OutputOptions& options) {
   if (!options.csv.empty())
     files.emplace_back("the sidecar of --csv", file::sidecar_path_of(options.csv));
   for (std::size_t i = 0; i < files.size(); ++i) {
+    const auto& [option, path] = files[i];
+    for (const std::string& original : read) {
+      std::error_code ignored;
+      if (path.empty() || !std::filesystem::equivalent(path, original, ignored)) continue;
+      return usage_error(
+          fmt::format("{}, {}, is what is read and would be gone; choose another name", option,
+                      file::in_quotes(path)));
+    }
     for (std::size_t j = i + 1; j < files.size(); ++j) {
-      if (files[i].second.empty() || files[i].second != files[j].second) continue;
-      return usage_error(fmt::format("{} and {} are the same file, {}", files[i].first,
-                                     files[j].first, file::in_quotes(files[i].second)));
+      if (path.empty() || path != files[j].second) continue;
+      return usage_error(fmt::format("{} and {} are the same file, {}", option, files[j].first,
+                                     file::in_quotes(path)));
     }
   }
   return {};

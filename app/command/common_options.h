@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -63,8 +64,10 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 [[nodiscard]] Failure check_unchanging(const std::string& command, const SceneOptions& options,
                                        const file::LoadedScene& loaded);
 
-// Two outputs into one file, and --csv or --plot to standard output, are usage errors.
-[[nodiscard]] Failure check_outputs(const OutputOptions& options);
+// Two outputs into one file, one in the place of a file of `read`, and --csv or --plot to standard
+// output, are usage errors.
+[[nodiscard]] Failure check_outputs(const OutputOptions& options,
+                                    std::initializer_list<std::string> read);
 
 // --algorithms A,B,...
 void add_algorithms_option(CLI::App& app, std::vector<std::string>& names);

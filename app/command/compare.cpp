@@ -92,7 +92,8 @@ int compare(const CompareOptions& options) {
   if (!expectations) return report(expectations.error());
   const Result<RowOrder> order = parse_order(options.sort);
   if (!order) return report(order.error());
-  if (const Failure failed = check_outputs(options.output)) return report(*failed);
+  if (const Failure failed = check_outputs(options.output, {options.scene.scene}))
+    return report(*failed);
   const Result<std::vector<std::size_t>> indices = chosen_algorithms(options.algorithms);
   if (!indices) return report(indices.error());
   if (const Failure failed = check_simulator("compare", options.scene.device))

@@ -25,7 +25,7 @@ Failure check_study_options(const SceneOptions& scene, const OutputOptions& outp
                  "--plot: not with --study, which draws no figure; 'hapticwall run SCENE --plot "
                  "FILE.png' does"};
   }
-  if (Failure failed = check_outputs(output)) return failed;
+  if (Failure failed = check_outputs(output, {scene.scene})) return failed;
   return check_simulator("compare", scene.device);
 }
 

@@ -15,7 +15,8 @@ Failure check_map_options(const MapOptions& options) {
     return usage_error(
         "--expect: 'map' has no single summary; 'hapticwall run SCENE --expect EXPR' has");
   }
-  if (Failure failed = check_outputs(options.output)) return failed;
+  if (Failure failed = check_outputs(options.output, {options.scene.scene, options.read}))
+    return failed;
   if (options.boundary.empty()) {
     if (options.x.empty() || options.y.empty()) {
       return usage_error(

@@ -78,6 +78,20 @@ std::optional<Error> check_first_word(int argc, const char* const* argv, const C
                   hint.empty() ? "; known: " + file::joined(views) : hint)};
 }
 
+// What stands before a command would be the window's, and is nothing for the command.
+std::optional<Error> check_place(const CLI::App& program, const CLI::App& command) {
+  for (const CLI::Option* option : program.get_options()) {
+    if (option->count() == 0) continue;
+    const std::string name =
+        option->get_positional() ? option->results().front() : option->get_name();
+    return Error{ErrorKind::kUsage,
+                 fmt::format("{} stands before '{}' and would not reach it: what belongs to a "
+                             "command comes after it",
+                             file::shown(name), command.get_name())};
+  }
+  return std::nullopt;
+}
+
 // Help and version are answers, everything else one line.
 int answer(const CLI::App& program, const CLI::ParseError& outcome) {
   std::optional<std::string> text;
@@ -116,7 +130,9 @@ int dispatch(int argc, const char* const* argv) {
     return answer(program, outcome);
   }
   for (const Command& command : commands) {
-    if (command.app->parsed()) return command.action();
+    if (!command.app->parsed()) continue;
+    const auto error = check_place(program, *command.app);
+    return error ? report(*error) : command.action();
   }
   return window();
 }

@@ -1,9 +1,7 @@
 // hapticwall replay RECORDING.csv: shows a recording, or re-runs its hand under another algorithm.
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -45,25 +43,6 @@ struct ReplayCommand {
 
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
-// No output takes the place of what is read.
-Failure check_originals(const ReplayCommand& command) {
-  const std::array originals{command.recording, file::sidecar_path_of(command.recording)};
-  const std::array<std::pair<std::string_view, std::string>, 4> outputs{
-      {{"--csv", command.output.csv},
-       {"--csv", command.output.csv.empty() ? "" : file::sidecar_path_of(command.output.csv)},
-       {"--json", command.output.json},
-       {"--plot", command.output.plot}}};
-  for (const auto& [option, path] : outputs) {
-    for (const std::string& original : originals) {
-      std::error_code ignored;
-      if (path.empty() || !std::filesystem::equivalent(path, original, ignored)) continue;
-      return usage_error(fmt::format("{} {}: that is the recording itself; choose another name",
-                                     option, file::in_quotes(path)));
-    }
-  }
-  return {};
-}
-
 Failure check(const ReplayCommand& command) {
   if (!command.algorithm.empty()) {
     if (Failure failed = check_algorithm_name("--algorithm", command.algorithm)) return failed;
@@ -71,8 +50,8 @@ Failure check(const ReplayCommand& command) {
   if (!command.output.csv.empty() && !command.reruns()) {
     return usage_error("--csv: only a re-run is recorded; --algorithm NAME asks for one");
   }
-  if (Failure failed = check_outputs(command.output)) return failed;
-  return check_originals(command);
+  return check_outputs(command.output,
+                       {command.recording, file::sidecar_path_of(command.recording)});
 }
 
 Result<std::unique_ptr<file::RecordingReader>> open_recording(const ReplayCommand& command) {

@@ -108,7 +108,8 @@ int run(const RunOptions& options) {
   const Result<std::vector<Expectation>> expectations =
       parse_expectations(options.output.expectations);
   if (!expectations) return report(expectations.error());
-  if (const Failure failed = check_outputs(options.output)) return report(*failed);
+  if (const Failure failed = check_outputs(options.output, {options.scene.scene}))
+    return report(*failed);
   const Result<DeviceChoice> device = parse_device_choice(options.scene.device);
   if (!device) return report(device.error());
   if (const Failure failed = check_arming(options, *device)) return report(*failed);

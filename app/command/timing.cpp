@@ -66,6 +66,7 @@ int measure(const TimingOptions& options) {
   if (!plan) return report(plan.error());
   const Result<DeviceChoice> choice = parse_device_choice(options.device);
   if (!choice) return report(choice.error());
+  catch_stop_signals();
   OutputFile json;
   if (const Failure failed = json.open(options.json)) return report(*failed);
   std::unique_ptr<device::Device> device;
@@ -73,7 +74,6 @@ int measure(const TimingOptions& options) {
     device = make_device(*choice->hardware, Scene{});
     if (const Failure failed = device->open()) return report(*failed);
   }
-  catch_stop_signals();
   const std::string what = device ? device->info().name : "";
   runtime::MonotonicClock clock;
   Progress progress("timing", !options.quiet);
@@ -92,7 +92,11 @@ int measure(const TimingOptions& options) {
   } else if (!options.quiet) {
     failed = write_output(timing_text(*plan, record, what));
   }
-  return failed ? report(*failed) : 0;
+  if (failed) return report(*failed);
+  if (stop_signal() == 0) return 0;
+  tell(fmt::format("ended early by {} after {} of {} ticks: the figures are of these",
+                   signal_name(stop_signal()), record.latency_ns.size(), plan->ticks));
+  return signal_exit_status(stop_signal());
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 // hapticwall timing: figures and verdict of invented measurements, and a short real one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <algorithm>
+#include <csignal>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <vector>
@@ -174,6 +177,21 @@ TEST_F(ProgramTest, TimingMeasuresThisMachine) {
   EXPECT_EQ(json["ticks"].get<int>(), 200);
   EXPECT_GT(json["latency"]["maximum_s"].get<double>(), 0.0);
   EXPECT_THAT(hapticwall({"timing", "--seconds", "0.05"}).out, HasSubstr("verdict: "));
+}
+
+TEST_F(ProgramTest, TimingThatIsEndedEarlySaysSo) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child =
+        start({HAPTICWALL_BINARY, "timing", "--seconds", "600", "--json", "a.json", "--quiet"});
+    // Signals are caught before a file is opened.
+    while (files().empty() && is_running(child)) sched_yield();
+    kill(child, signal);
+    const Answer answer = wait_for(child);
+    EXPECT_EQ(answer.status, 128 + signal);
+    EXPECT_THAT(answer.err, HasSubstr("of 600000 ticks: the figures are of these"));
+    EXPECT_LT(nlohmann::json::parse(content("a.json"))["ticks"], 600'000);
+    std::filesystem::remove(path("a.json"));
+  }
 }
 
 }  // namespace
