@@ -39,12 +39,21 @@ bool has_failed(const Session& session) {
   return session.recording_status().state == RecordingState::kFailed;
 }
 
+// Returns when how the session began is noted: later the note would take of the disk's room.
+void start_recording(Session& session, const TemporaryFolder& folder) {
+  ASSERT_FALSE(session.start_recording(folder.file("a.csv")));
+  ASSERT_TRUE(eventually([&] {
+    static_cast<void>(session.snapshot());
+    return text_of(folder.file("a.toml.partial")).find("repeatable = true") != std::string::npos;
+  }));
+}
+
 TEST(SessionDisk, FullOrOverItsQuotaItIsToldWhileTheLoopGoesOn) {
   constexpr std::size_t kRoomBytes = 20'000;
   for (const int code : {ENOSPC, EDQUOT}) {
     const TemporaryFolder folder;
     const auto session = started(contact_scene());
-    ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+    start_recording(*session, folder);
     FaultyDisk disk;
     disk.fail_after(kRoomBytes, code);
     ASSERT_TRUE(eventually([&] { return has_failed(*session); }));
@@ -66,7 +75,7 @@ TEST(SessionDisk, WhatFoundRoomIsRecoveredWhenThereIsSomeAgain) {
   const TemporaryFolder folder;
   {
     const auto session = started(contact_scene());
-    ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+    start_recording(*session, folder);
     FaultyDisk disk;
     disk.fail_after(kRoomBytes, ENOSPC);
     ASSERT_TRUE(eventually([&] { return has_failed(*session); }));
