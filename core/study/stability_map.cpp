@@ -32,9 +32,9 @@ Scene StabilityMap::scene_at(std::size_t cell) const {
 }
 
 std::optional<SceneProblem> validate(const StabilityMap& map) {
-  for (const MapAxis* axis : {&map.x, &map.y}) {
-    if (axis->count < 2) return SceneProblem{axis->number.path, "an axis takes two values or more"};
-  }
+  constexpr const char* kTooFew = "an axis takes two values or more";
+  if (map.x.count < 2) return SceneProblem{map.x.number.path, kTooFew};
+  if (map.y.count < 2) return SceneProblem{map.y.number.path, kTooFew};
   // A problem is one of a value, or of a pair; ends and diagonal find every pair that a range of a
   // key or an order of two keys forbids.
   const auto problem_at = [&](std::size_t x, std::size_t y) {
