@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -12,6 +13,8 @@
 
 namespace hapticwall::file {
 namespace {
+
+constexpr std::size_t kFirstBytes = std::size_t{1} << 16U;
 
 Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
@@ -23,9 +26,13 @@ Result<std::string> read_beginning(const std::string& path, std::size_t largest_
   };
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return failure(errno);
-  std::string text(largest_bytes + 1, '\0');
+  std::string text;
   std::size_t size = 0;
-  while (size < text.size()) {
+  while (size <= largest_bytes) {
+    // Most files are far smaller than they may be.
+    if (size == text.size()) {
+      text.resize(std::min(std::max(kFirstBytes, 2 * size), largest_bytes + 1));
+    }
     const ssize_t count = read(descriptor, text.data() + size, text.size() - size);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {

@@ -132,6 +132,31 @@ TEST_F(RecordingNames, OfASessionLongerThanASceneCanBeIsReadAndNotRepeated) {
   EXPECT_THAT(loaded->not_repeatable_because, HasSubstr("longer than a scene can be"));
 }
 
+// By its path, however far the rows are from tick 0 and from each other.
+TEST_F(RecordingNames, AHandOnItsPathIsFoundThereAtAnyTick) {
+  Scene scene = scene_of_ten_ticks();
+  scene.hand = HandSettings{};
+  scene.hand->path = {{0.0, 0.03}, {0.0105, 0.031}, {1e5, 0.06}};
+  scene.duration_s = 2e5;
+  for (const bool led : {false, true}) {
+    auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+    ASSERT_TRUE(writer);
+    ASSERT_FALSE((*writer)->note(scene, headless()));
+    for (const std::uint64_t tick : {200'000'000U, 200'000'001U, 4'000'000'000U}) {
+      Sample sample = sample_at(tick);
+      sample.truth.hand_path_m = led && tick == 4'000'000'000U ? 0.0601 : 0.06;
+      EXPECT_FALSE((*writer)->append(sample));
+    }
+    EXPECT_FALSE((*writer)->flush());
+    writer->reset();
+    const auto recovered = recover_recording(path("a.csv"));
+    ASSERT_TRUE(recovered) << recovered.error().message;
+    EXPECT_EQ(content("a.toml").find("something else led it") != std::string::npos, led);
+    fs::remove(path("a.csv"));
+    fs::remove(path("a.toml"));
+  }
+}
+
 TEST_F(RecordingNames, OneWriterAtATime) {
   const auto first = AtomicFile::create(path("a"));
   ASSERT_TRUE(first);
