@@ -98,5 +98,6 @@ if(HAPTICWALL_TESTS)
     hapticwall_imgui_tested
     PUBLIC IMGUI_USER_CONFIG="imgui_te_imconfig.h" IMGUI_TEST_ENGINE_ENABLE_COROUTINE_STDTHREAD_IMPL=1
            IMGUI_TEST_ENGINE_ENABLE_STD_FUNCTION=1 IMGUI_TEST_ENGINE_ENABLE_CAPTURE=0)
+  target_compile_options(hapticwall_imgui_tested PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
   target_link_libraries(hapticwall_imgui_tested PUBLIC Threads::Threads)
 endif()
