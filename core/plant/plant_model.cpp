@@ -117,6 +117,39 @@ ReferencePlantVariant make_reference_plant(const Scene& scene) {
   return make_exact_plant<long double>(scene);
 }
 
+PlantModel::PlantModel(const Scene& scene)
+    : plant_(make_plant(scene)),
+      output_(scene.device),
+      encoder_m_(scene.device.encoder_m.value_or(0.0)) {
+  refresh();
+}
+
+bool PlantModel::has_diverged() const {
+  return visit_plant([](const auto& plant) { return !plant.in_reach(plant.motion()); }, plant_);
+}
+
+void PlantModel::advance(double force_n) {
+  const double passed_n = output_.pass(force_n);
+  visit_plant([&](auto& plant) { plant.advance(passed_n); }, plant_);
+  refresh();
+}
+
+void PlantModel::reset() {
+  output_.reset();
+  visit_plant([](auto& plant) { plant.reset(); }, plant_);
+  refresh();
+}
+
+void PlantModel::lead_hand_to(double position_m) {
+  visit_plant([&](auto& plant) { plant.path().lead_to(position_m); }, plant_);
+  refresh();
+}
+
+void PlantModel::release_hand() {
+  visit_plant([](auto& plant) { plant.path().release(); }, plant_);
+  refresh();
+}
+
 void PlantModel::take_over(PlantModel& other) {
   visit_plant(
       [&](auto& old) {
@@ -126,6 +159,10 @@ void PlantModel::take_over(PlantModel& other) {
       other.plant_);
   output_.take_over(other.output_, other.output_.last_n());
   refresh();
+}
+
+void PlantModel::refresh() {
+  visit_plant([&](auto& plant) { plant.write_truth(plant.motion(), truth_); }, plant_);
 }
 
 }  // namespace hapticwall

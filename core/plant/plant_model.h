@@ -63,12 +63,7 @@ decltype(auto) visit_plant(Visitor&& visitor, Variant& variant) {
 // The same behind one interface, for the live loop. Realtime-safe: yes, after construction.
 class PlantModel {
  public:
-  explicit PlantModel(const Scene& scene)
-      : plant_(make_plant(scene)),
-        output_(scene.device),
-        encoder_m_(scene.device.encoder_m.value_or(0.0)) {
-    refresh();
-  }
+  explicit PlantModel(const Scene& scene);
 
   // As the encoder tells it.
   [[nodiscard]] double measured_position_m() const {
@@ -78,29 +73,13 @@ class PlantModel {
   [[nodiscard]] const PlantTruth& truth() const { return truth_; }
 
   // True where a run ends as diverged.
-  [[nodiscard]] bool has_diverged() const {
-    return visit_plant([](const auto& plant) { return !plant.in_reach(plant.motion()); }, plant_);
-  }
+  [[nodiscard]] bool has_diverged() const;
 
   // To the next tick under a held command (newtons, finite).
-  void advance(double force_n) {
-    const double passed_n = output_.pass(force_n);
-    visit_plant([&](auto& plant) { plant.advance(passed_n); }, plant_);
-    refresh();
-  }
-  void reset() {
-    output_.reset();
-    visit_plant([](auto& plant) { plant.reset(); }, plant_);
-    refresh();
-  }
-  void lead_hand_to(double position_m) {
-    visit_plant([&](auto& plant) { plant.path().lead_to(position_m); }, plant_);
-    refresh();
-  }
-  void release_hand() {
-    visit_plant([](auto& plant) { plant.path().release(); }, plant_);
-    refresh();
-  }
+  void advance(double force_n);
+  void reset();
+  void lead_hand_to(double position_m);
+  void release_hand();
 
   // Goes on from where `other` is, with its hand's path and what is on its way to the amplifier;
   // `other` is good for nothing but its destruction after that. Both scenes have the same rate and
@@ -108,9 +87,7 @@ class PlantModel {
   void take_over(PlantModel& other);
 
  private:
-  void refresh() {
-    visit_plant([&](auto& plant) { plant.write_truth(plant.motion(), truth_); }, plant_);
-  }
+  void refresh();
 
   PlantVariant plant_;
   OutputStage output_;
