@@ -105,6 +105,13 @@ Failure trouble_in(const runtime::Session& session, const runtime::Snapshot& sna
   return {};
 }
 
+// Without the steps that are still to come, so that the figures and the recording end with the same
+// tick.
+void leave_out_the_rest(runtime::Session& session) {
+  session.pause(false);
+  session.pause(true);
+}
+
 // Tells of a recording that fails as soon as that is known. The run goes on, and ends with it.
 class RecordingWatch {
  public:
@@ -155,7 +162,9 @@ Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
     if (done < ticks && !trouble) std::this_thread::sleep_for(kPollInterval);
   }
   session.arm(false);
+  leave_out_the_rest(session);
   if (Failure failed = session.stop_recording()) return *failed;
+  while (const std::uint64_t taken = taker.take(session, run)) done += taken;
   if (trouble) return *trouble;
   return RealtimeOutcome{taker.summary(), status_text(session, session.snapshot()), done < ticks};
 }

@@ -206,6 +206,9 @@ TEST_F(Program, CtrlCEndsItWithItsFilesWhole) {
     EXPECT_THAT(answer.out, IsEmpty());
     EXPECT_THAT(files(), ElementsAre("a.csv", "a.toml"));
     EXPECT_THAT(content("a.toml"), HasSubstr("complete = true"));
+    const std::string csv = content("a.csv");
+    const auto rows = std::count(csv.begin(), csv.end(), '\n') - 1;
+    EXPECT_THAT(answer.err, HasSubstr(" after " + std::to_string(rows) + " of "));
     ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "b.csv", "--quiet"}).status, 0);
     EXPECT_TRUE(content("a.csv") == content("b.csv"));
     for (const std::string& name : files()) std::filesystem::remove(path(name));
