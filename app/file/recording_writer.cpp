@@ -19,13 +19,14 @@ namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
 
-Failure check_sidecar(const std::string& csv_path) {
+// `remedy`: what to do about it.
+Failure check_sidecar(const std::string& csv_path, const std::string& remedy) {
   const std::string sidecar_path = sidecar_path_of(csv_path);
   if (may_replace_sidecar(sidecar_path, kRecordingTable)) return {};
   return Error{ErrorKind::kFile,
                fmt::format("{}: cannot be recorded: its sidecar {} would replace a file that is "
-                           "not a recording's; choose another name",
-                           shown(csv_path), shown(sidecar_path))};
+                           "not a recording's; {}",
+                           shown(csv_path), shown(sidecar_path), remedy)};
 }
 
 // Whether there is anything behind the header.
@@ -93,7 +94,7 @@ class CsvRecordingWriter final : public RecordingWriter {
     const RecordedRows recorded{rows_, metadata.dropped_rows + dropped_rows_,
                                 metadata.session_ticks.value_or(session_ticks_), digest_.finish()};
     const std::string text = sidecar_toml(scene, metadata, recorded);
-    if (Failure refused = check_sidecar(csv_.path())) return refused;  // it may be new
+    if (Failure refused = check_sidecar(csv_.path(), recovery_remedy())) return refused;
     if (Failure failed = write_sidecar(csv_.path(), text)) return failed;
     return csv_.commit();
   }
@@ -103,6 +104,12 @@ class CsvRecordingWriter final : public RecordingWriter {
   [[nodiscard]] const std::string& sidecar_path() const override { return sidecar_path_; }
 
  private:
+  // What is in the way has come while it was recorded.
+  [[nodiscard]] std::string recovery_remedy() const {
+    return fmt::format(
+        "its rows are in {}; move that file, then 'hapticwall recover {}' finishes it",
+        shown(csv_.partial_path()), shown(csv_.path()));
+  }
   [[nodiscard]] std::string partial_sidecar() const {
     return sidecar_path_ + std::string(kPartialEnding);
   }
@@ -123,7 +130,7 @@ class CsvRecordingWriter final : public RecordingWriter {
 
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& csv_path,
                                                                  MoreColumns columns) {
-  if (Failure refused = check_sidecar(csv_path)) return *refused;
+  if (Failure refused = check_sidecar(csv_path, "choose another name")) return *refused;
   Result<AtomicFile> csv = AtomicFile::resume(csv_path);
   if (!csv) return csv.error();
   if (can_be_finished(csv_path)) {

@@ -40,14 +40,18 @@ TEST_F(RecordingNames, AUsersSceneIsNotReplacedByASidecar) {
 TEST_F(RecordingNames, AUsersSceneThatCameMeanwhileIsNotReplacedEither) {
   auto writer = RecordingWriter::create(path("mine.csv"), MoreColumns::kSimulator);
   ASSERT_TRUE(writer);
+  EXPECT_FALSE((*writer)->note(scene_of_ten_ticks(), headless()));
   EXPECT_FALSE((*writer)->append(sample_at(0)));
   put("mine.toml", "name = 'mine'\n");
   const Failure failed = (*writer)->finish(scene_of_ten_ticks(), headless());
   ASSERT_TRUE(failed);
-  EXPECT_THAT(failed->message, HasSubstr("would replace a file that is not a recording's"));
+  EXPECT_THAT(failed->message, HasSubstr("would replace a file that is not a recording's; its rows "
+                                         "are in " +
+                                         path("mine.csv.partial")));
   writer->reset();
   EXPECT_EQ(content("mine.toml"), "name = 'mine'\n");
-  EXPECT_TRUE(fs::exists(path("mine.csv.partial"))) << "the rows are not lost";
+  fs::rename(path("mine.toml"), path("moved.toml"));
+  EXPECT_TRUE(recover_recording(path("mine.csv")).ok()) << "the rows are not lost";
 }
 
 TEST_F(RecordingNames, OneThatLacksOnlyItsNameIsFinishedAndNotWrittenOver) {
