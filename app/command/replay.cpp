@@ -31,7 +31,7 @@ struct ReplayCommand {
   std::string recording;
   std::string algorithm;
   std::vector<std::string> settings;  // of --set
-  double speed = 1.0;
+  std::optional<double> speed;
   OutputOptions output;
 
   [[nodiscard]] bool reruns() const { return !algorithm.empty() || !settings.empty(); }
@@ -49,6 +49,9 @@ Failure check(const ReplayCommand& command) {
   }
   if (!command.output.csv.empty() && !command.reruns()) {
     return usage_error("--csv: only a re-run is recorded; --algorithm NAME asks for one");
+  }
+  if (command.speed && command.shows_no_window()) {
+    return usage_error("--speed: it is for the window, which the other options leave out");
   }
   return check_outputs(command.output,
                        {command.recording, file::sidecar_path_of(command.recording)});
@@ -157,7 +160,7 @@ int open_window(const ReplayCommand& command) {
     if (!laid_over) return report(laid_over.error());
     window.overlay = std::move(*laid_over);
   }
-  window.speed = command.speed;
+  window.speed = command.speed.value_or(window.speed);
   return run_replay_window(std::move(*recording), std::move(window));
 }
 
@@ -183,7 +186,7 @@ Command add_replay(CLI::App& program) {
                   "(repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app->add_option("--speed", command->speed, "Recorded seconds a second, 0.01 to 100")
+  app->add_option("--speed", command->speed, "Recorded seconds a second in the window, 0.01 to 100")
       ->type_name("X")
       ->check(is_number_within(runtime::kSlowestReplay, runtime::kFastestReplay));
   app->add_option("--csv", command->output.csv, "Record the re-run; without a window")

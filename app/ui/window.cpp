@@ -257,7 +257,8 @@ Failure run_window(const WindowOptions& options, const WindowHooks& hooks) {
   const Glfw glfw;
   if (!glfw.ready()) {
     return Error{ErrorKind::kDevice,
-                 "no window: " + glfw_message() + " (`hapticwall run` needs no display)"};
+                 "no window: " + glfw_message() +
+                     " (`hapticwall run` and `replay --json -` need no display)"};
   }
   const WindowHandle window = open_window(kept_window(options.settings_path));
   if (!window) return Error{ErrorKind::kDevice, "no window with OpenGL 3.3: " + glfw_message()};
