@@ -14,6 +14,7 @@
 #include "app/file/recovery.h"
 #include "app/file/scene_file.h"
 #include "app/file/sidecar.h"
+#include "app/file/text.h"
 #include "tests/app/file_recording_support.h"
 
 namespace hapticwall::file {
@@ -47,7 +48,7 @@ TEST_F(RecordingNames, AUsersSceneThatCameMeanwhileIsNotReplacedEither) {
   ASSERT_TRUE(failed);
   EXPECT_THAT(failed->message, HasSubstr("would replace a file that is not a recording's; its rows "
                                          "are in " +
-                                         path("mine.csv.partial")));
+                                         shown(path("mine.csv.partial"))));
   writer->reset();
   EXPECT_EQ(content("mine.toml"), "name = 'mine'\n");
   fs::rename(path("mine.toml"), path("moved.toml"));
