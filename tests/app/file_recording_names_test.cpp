@@ -76,14 +76,15 @@ TEST_F(RecordingNames, OneThatLacksOnlyItsNameIsFinishedAndNotWrittenOver) {
 }
 
 TEST_F(RecordingNames, ASidecarOfOtherRowsIsNotTakenForTheirs) {
-  {
-    auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  for (const auto& [name, first_tick] : {std::pair{"a.csv", 0U}, {"b.csv", 1U}}) {
+    auto writer = RecordingWriter::create(path(name), MoreColumns::kSimulator);
     ASSERT_TRUE(writer);
-    EXPECT_FALSE((*writer)->append(sample_at(0)));
+    EXPECT_FALSE((*writer)->append(sample_at(first_tick)));
     EXPECT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
   }
-  put("a.csv.partial", content("a.csv") + content("a.csv").substr(content("a.csv").find('\n') + 1));
-  fs::remove(path("a.csv"));
+  fs::rename(path("a.csv"), path("a.csv.partial"));
+  EXPECT_TRUE(lacks_only_its_name(path("a.csv")));
+  fs::rename(path("b.csv"), path("a.csv.partial"));
   EXPECT_FALSE(lacks_only_its_name(path("a.csv")));
   EXPECT_FALSE(recover_recording(path("a.csv")));
 }
