@@ -74,6 +74,7 @@ void tell_notes(const ReplayCommand& command, const file::RecordingInfo& info) {
 
 struct Outcome {
   Summary summary;
+  double end_s = 0.0;      // of the session's time
   std::string comparison;  // a line more, of a re-run
   bool stopped_early = false;
 };
@@ -93,7 +94,9 @@ Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs)
     }
     row += *count;
   }
-  Outcome outcome{metrics.finish(), "", stop_signal() != 0};
+  const double end_s =
+      static_cast<double>(info.scanned.last_tick + 1) / info.loaded.scene.sampling.rate_hz;
+  Outcome outcome{metrics.finish(), end_s, "", stop_signal() != 0};
   if (!info.has_sidecar) outcome.summary.algorithm = "unknown";
   return outcome;
 }
@@ -103,8 +106,9 @@ Result<Outcome> rerun(const ReplayCommand& command, file::RecordingReader& recor
   const auto outcome =
       rerun_recorded({recording, loaded, command.output.csv, !command.output.quiet}, outputs);
   if (!outcome) return outcome.error();
-  return Outcome{outcome->summary, comparison_line(*outcome, loaded.scene.sampling.rate_hz),
-                 outcome->stopped_early};
+  const double rate_hz = loaded.scene.sampling.rate_hz;
+  return Outcome{outcome->summary, static_cast<double>(outcome->ticks) / rate_hz,
+                 comparison_line(*outcome, rate_hz), outcome->stopped_early};
 }
 
 // What the rows are of, or what their hand is to meet instead.
@@ -120,10 +124,11 @@ int tell_stopped() {
   return signal_exit_status(stop_signal());
 }
 
-Failure print(const OutputOptions& options, const Outcome& outcome) {
+Failure print(const OutputOptions& options, const Scene& scene, const Outcome& outcome) {
   if (options.json == kStandardOutput) return write_output(summary_json(outcome.summary));
   if (options.quiet) return {};
-  return write_output(summary_lines(outcome.summary, "") + outcome.comparison);
+  const bool hand_moves = hand_moves_in_tail(scene, outcome.summary, outcome.end_s);
+  return write_output(summary_lines(outcome.summary, {"", hand_moves}) + outcome.comparison);
 }
 
 // With --json, --plot, ... and without a window.
@@ -146,7 +151,7 @@ int run_headless(const ReplayCommand& command) {
   if (const Failure failed = outputs->finish(loaded->scene, outcome->summary)) {
     return report(*failed);
   }
-  if (const Failure failed = print(command.output, *outcome)) return report(*failed);
+  if (const Failure failed = print(command.output, loaded->scene, *outcome)) return report(*failed);
   return judge(*expectations, {&outcome->summary, 1});
 }
 

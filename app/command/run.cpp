@@ -98,10 +98,12 @@ int tell_stopped(const Outcome& outcome, const Scene& scene, const std::string& 
   return signal_exit_status(stop_signal());
 }
 
-Failure print_summary(const OutputOptions& options, const Outcome& outcome) {
+Failure print_summary(const OutputOptions& options, const Scene& scene, const Outcome& outcome) {
   if (options.json == kStandardOutput) return write_output(summary_json(outcome.summary));
   if (options.quiet) return {};
-  return write_output(summary_lines(outcome.summary, outcome.realtime_status));
+  const Summary& summary = outcome.summary;
+  const bool hand_moves = hand_moves_in_tail(scene, summary, summary.duration_s);
+  return write_output(summary_lines(summary, {outcome.realtime_status, hand_moves}));
 }
 
 int run(const RunOptions& options) {
@@ -137,7 +139,9 @@ int run(const RunOptions& options) {
   if (const Failure failed = outputs->finish(loaded->scene, outcome->summary)) {
     return report(*failed);
   }
-  if (const Failure failed = print_summary(options.output, *outcome)) return report(*failed);
+  if (const Failure failed = print_summary(options.output, loaded->scene, *outcome)) {
+    return report(*failed);
+  }
   return judge(*expectations, {&outcome->summary, 1});
 }
 

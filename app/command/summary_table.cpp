@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/command/text_table.h"
+#include "core/metrics.h"
 
 namespace hapticwall::command {
 namespace {
@@ -17,6 +18,8 @@ constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kMillijoulesPerJoule = 1e3;
 constexpr double kNewtonsPerKilonewton = 1e3;
 constexpr std::size_t kLabelWidth = 22;
+constexpr std::string_view kHandMoves =
+    "the hand's script still moves in the last second: peak to peak and verdict include its way";
 
 std::string millimetres(std::optional<double> value_m) {
   return fixed(value_m, kMillimetresPerMetre, 3);
@@ -91,6 +94,10 @@ constexpr std::string_view kBestLegend =
 constexpr std::size_t kHeadRows = 2;     // titles and units
 constexpr std::size_t kTextColumns = 2;  // left-aligned; the rest are numbers
 
+std::string_view tail_label(const Summary& s) {
+  return s.tail_peak_to_peak_m && s.duration_s < kTailS ? "whole run" : "last second";
+}
+
 std::string tail_text(const Summary& s) {
   if (!s.tail_peak_to_peak_m) return "not reached";
   return fmt::format("{} mm peak to peak, force {} +/- {} N", millimetres(s.tail_peak_to_peak_m),
@@ -107,7 +114,7 @@ std::string contact_text(const Summary& s) {
 }
 
 std::string axis_lines(const Summary& s) {
-  return line("last second", tail_text(s)) +
+  return line(tail_label(s), tail_text(s)) +
          line("displayed stiffness",
               kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
          line("wall", contact_text(s)) +
@@ -185,13 +192,28 @@ std::vector<std::string> column_cells(const Column& column, const std::vector<Ro
 
 }  // namespace
 
-std::string summary_lines(const Summary& s, const std::string& realtime_status) {
+bool hand_moves_in_tail(const Scene& scene, const Summary& summary, double end_s) {
+  if (!summary.true_hand_work_j) return false;  // a device, held by a person
+  const auto moves = [&](const std::optional<HandSettings>& hand) {
+    if (!hand) return false;
+    const auto is_late = [&](const PathPoint& a, const PathPoint& b) {
+      return a.position_m != b.position_m && a.time_s < end_s && b.time_s > end_s - kTailS;
+    };
+    return std::ranges::adjacent_find(hand->path, is_late) != hand->path.end();
+  };
+  return moves(scene.hand) || (scene.y && moves(scene.y->hand));
+}
+
+std::string summary_lines(const Summary& s, const Circumstances& circumstances) {
   std::string text =
       heading(s) +
       line("simulated", fmt::format("{:.6g} s, {} ticks{}", s.duration_s, s.ticks, speed_text(s))) +
       axis_lines(s);
   for (const Summary& y : s.y) text += fmt::format("axis y: {}\n", verdict_text(y)) + axis_lines(y);
-  if (!realtime_status.empty()) text += line("real time", realtime_status);
+  if (!circumstances.realtime_status.empty()) {
+    text += line("real time", circumstances.realtime_status);
+  }
+  if (circumstances.hand_moves_in_tail) text += line("note", kHandMoves);
   return text;
 }
 

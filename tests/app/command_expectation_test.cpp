@@ -14,6 +14,7 @@ namespace hapticwall::command {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 Summary example() {
@@ -21,6 +22,7 @@ Summary example() {
   summary.scene = "press";
   summary.algorithm = "none";
   summary.verdict = Verdict::kOscillating;
+  summary.duration_s = 6.0;
   summary.ticks = 6000;
   summary.tail_peak_to_peak_m = 0.0028;
   return summary;
@@ -126,7 +128,7 @@ TEST(SummaryFields, CsvQuotesAndLeavesNullEmpty) {
   Summary summary = example();
   summary.scene = "a, \"b\"";
   const std::string text = summaries_csv({summary});
-  EXPECT_THAT(text, HasSubstr("\n\"a, \"\"b\"\"\",none,oscillating,0,6000,,,0.0028,"));
+  EXPECT_THAT(text, HasSubstr("\n\"a, \"\"b\"\"\",none,oscillating,6,6000,,,0.0028,"));
 }
 
 TEST(SummaryTable, AlignsItsColumns) {
@@ -144,7 +146,40 @@ TEST(SummaryTable, TheVerdictComesFirst) {
   Summary summary = example();
   summary.verdict = Verdict::kDiverged;
   summary.diverged_at_tick = 12;
-  EXPECT_THAT(summary_lines(summary, ""), StartsWith("press under none: diverged at tick 12\n"));
+  EXPECT_THAT(summary_lines(summary, {}), StartsWith("press under none: diverged at tick 12\n"));
+}
+
+TEST(SummaryTable, TellsHowLongATailIs) {
+  Summary summary = example();
+  EXPECT_THAT(summary_lines(summary, {}), HasSubstr("  last second  "));
+  summary.duration_s = 0.3;
+  EXPECT_THAT(summary_lines(summary, {}), HasSubstr("  whole run  "));
+  summary.tail_peak_to_peak_m.reset();  // diverged before it
+  EXPECT_THAT(summary_lines(summary, {}), HasSubstr("  last second           not reached"));
+}
+
+TEST(SummaryTable, TellsOfAHandOnItsWay) {
+  EXPECT_THAT(summary_lines(example(), {}), Not(HasSubstr("note")));
+  EXPECT_THAT(summary_lines(example(), {"", true}),
+              HasSubstr("\n  note                  the hand's script still moves"));
+}
+
+TEST(SummaryTable, AHandIsOnItsWayWhereItsScriptMovesInTheTail) {
+  Scene scene;
+  scene.hand.emplace();
+  scene.hand->path = {{0.0, 0.0}, {2.0, 0.1}, {4.0, 0.1}};
+  Summary simulated;
+  simulated.true_hand_work_j = 0.0;
+  EXPECT_TRUE(hand_moves_in_tail(scene, simulated, 0.5));
+  EXPECT_TRUE(hand_moves_in_tail(scene, simulated, 2.9));
+  EXPECT_FALSE(hand_moves_in_tail(scene, simulated, 3.1));
+  EXPECT_FALSE(hand_moves_in_tail(scene, simulated, 9.0));
+  EXPECT_FALSE(hand_moves_in_tail(scene, Summary{}, 2.0)) << "a person holds a device";
+  scene.y.emplace();
+  scene.y->hand.emplace();
+  scene.y->hand->path = {{0.0, 0.0}, {3.5, 0.1}};
+  EXPECT_TRUE(hand_moves_in_tail(scene, simulated, 4.4));
+  EXPECT_FALSE(hand_moves_in_tail(scene, simulated, 4.6));
 }
 
 }  // namespace
