@@ -11,12 +11,12 @@
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::command::test {
 
@@ -30,42 +30,19 @@ struct Answer {
   }
 };
 
-class ProgramTest : public ::testing::Test {
+class ProgramTest : public hapticwall::test::FolderTest {
  protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = "hapticwall_" + std::string(info->test_suite_name()) + "_" + info->name() +
-                       "_" + std::to_string(getpid());
-    std::replace(name.begin(), name.end(), '/', '_');  // of tests with parameters
-    folder_ = std::filesystem::temp_directory_path() / name;
-    std::filesystem::create_directory(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
   // 0 where there is no such file.
   [[nodiscard]] std::uintmax_t size(const std::string& name) const {
     std::error_code missing;
     const std::uintmax_t bytes = std::filesystem::file_size(path(name), missing);
     return missing ? 0 : bytes;
   }
-  [[nodiscard]] std::string content(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-  void put(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
   // Names in the folder, less what the helper itself keeps there.
   [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-      const std::string name = entry.path().filename();
-      if (name != "stdout" && name != "stderr") names.push_back(name);
-    }
-    std::sort(names.begin(), names.end());
+    std::vector<std::string> names = folder_.names();
+    std::erase(names, "stdout");
+    std::erase(names, "stderr");
     return names;
   }
 
@@ -76,7 +53,7 @@ class ProgramTest : public ::testing::Test {
     argv.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addchdir_np(&actions, folder_.c_str());
+    posix_spawn_file_actions_addchdir_np(&actions, folder_.path().c_str());
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, path("stdout").c_str(), kWrite, 0600);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, path("stderr").c_str(), kWrite, 0600);
@@ -122,7 +99,6 @@ class ProgramTest : public ::testing::Test {
 
  private:
   static constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
-  std::filesystem::path folder_;
 };
 
 }  // namespace hapticwall::command::test

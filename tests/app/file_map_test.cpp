@@ -1,13 +1,10 @@
 // The CSV of a map: rows and back, parts, and a run that goes on where another one stopped.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +13,7 @@
 #include "app/file/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/app/file_faulty_disk.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::file {
 namespace {
@@ -33,26 +31,8 @@ StabilityMap small_map() {
   return map;
 }
 
-class MapFile : public ::testing::Test {
+class MapFile : public hapticwall::test::FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("hapticwall_map_" + std::to_string(getpid()) + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directory(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
-  [[nodiscard]] std::string content(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-  void put(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
   // Cells [begin, end) of a part; without finish() where `whole` is false.
   void write(const std::string& name, const MapPart& part, std::size_t end, bool whole) const {
     auto writer = MapWriter::open(path(name), map_, part);
@@ -63,7 +43,6 @@ class MapFile : public ::testing::Test {
   }
 
   StabilityMap map_ = small_map();
-  std::filesystem::path folder_;
 };
 
 TEST_F(MapFile, ARowIsReadBackAsItWas) {

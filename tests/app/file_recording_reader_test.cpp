@@ -1,18 +1,16 @@
 // Recordings read back: every digit, every complaint, any stretch.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <bit>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <random>
-#include <sstream>
 
 #include "app/file/recording_reader.h"
 #include "app/file/recording_rows.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::file {
 namespace {
@@ -66,26 +64,8 @@ std::string row_of(const Sample& sample, MoreColumns columns = MoreColumns::kSim
   return text;
 }
 
-class RecordingReading : public ::testing::Test {
+class RecordingReading : public hapticwall::test::FolderTest {
  protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              ("hapticwall_" + std::string(info->name()) + "_" + std::to_string(getpid()));
-    fs::create_directory(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
-  void put(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
-  [[nodiscard]] std::string content(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
   // a.csv and its sidecar, as the writer makes them.
   void record(std::uint64_t first_tick, std::uint64_t rows, MoreColumns columns,
               RecordingMetadata metadata = {}) {
@@ -116,8 +96,8 @@ class RecordingReading : public ::testing::Test {
     const auto reader = RecordingReader::open(path(name));
     if (reader) return "";
     EXPECT_EQ(reader.error().kind, ErrorKind::kUsage);
-    const std::size_t folder = reader.error().message.find(folder_.string() + "/");
-    return folder == 0 ? reader.error().message.substr(folder_.string().size() + 1)
+    const std::size_t folder = reader.error().message.find(folder_.path().string() + "/");
+    return folder == 0 ? reader.error().message.substr(folder_.path().string().size() + 1)
                        : reader.error().message;
   }
   [[nodiscard]] static std::string header() { return csv_header(MoreColumns::kSimulator) + '\n'; }
@@ -125,7 +105,6 @@ class RecordingReading : public ::testing::Test {
   std::vector<Sample> samples_;
 
  private:
-  fs::path folder_;
 };
 
 void expect_equal(const Sample& read, const Sample& written, MoreColumns columns) {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/file/user_folders.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::file {
 namespace {
@@ -40,8 +41,8 @@ TEST(SettingsPath, AVariableOfItsOwnComesFirst) {
 }
 
 TEST(MakeFolderOf, MakesAllOfThemOrSaysWhyNot) {
-  const fs::path root = fs::path(::testing::TempDir()) / "hapticwall_make_folder_of";
-  fs::remove_all(root);
+  const hapticwall::test::TemporaryFolder folder;
+  const fs::path& root = folder.path();
   const std::string path = (root / "a" / "b" / "settings.toml").string();
   EXPECT_FALSE(make_folder_of(path));
   EXPECT_TRUE(fs::is_directory(root / "a" / "b"));
@@ -51,7 +52,6 @@ TEST(MakeFolderOf, MakesAllOfThemOrSaysWhyNot) {
   const Failure failure = make_folder_of((root / "file" / "c" / "x.toml").string());
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind, ErrorKind::kFile);
-  fs::remove_all(root);
 }
 
 }  // namespace

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,24 +15,15 @@
 #include "core/servo.h"
 #include "core/simulate.h"
 #include "device/simulated_device.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::runtime::test {
 
 // Where the pointer is when the loop looks for it before a tick; nothing: nobody holds it.
 using Pointer = std::function<std::optional<double>(std::uint64_t tick)>;
 
-class ReplayTest : public ::testing::Test {
+class ReplayTest : public hapticwall::test::FolderTest {
  protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("hapticwall_" + std::string(info->name()) + "_" + std::to_string(getpid()));
-    std::filesystem::create_directory(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
-
   [[nodiscard]] static std::unique_ptr<file::RecordingReader> opened(const std::string& csv_path) {
     auto reader = file::RecordingReader::open(csv_path);
     if (!reader) throw std::runtime_error(reader.error().message);
@@ -71,9 +60,6 @@ class ReplayTest : public ::testing::Test {
     for (const ScheduledChange& made : changes) metadata.changes.push_back({made.tick, made.scene});
     ASSERT_FALSE((*writer)->finish(scene, metadata));
   }
-
- private:
-  std::filesystem::path folder_;
 };
 
 }  // namespace hapticwall::runtime::test

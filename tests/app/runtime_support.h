@@ -2,15 +2,10 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -21,8 +16,13 @@
 #include "core/scene.h"
 #include "core/stabiliser/stabiliser.h"
 #include "device/device.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::runtime::test {
+
+using hapticwall::test::lines_of;
+using hapticwall::test::TemporaryFolder;
+using hapticwall::test::text_of;
 
 // The paper's device, a firm hand that goes into the wall within some thirty ticks and stays there.
 inline Scene contact_scene(double rate_hz = 1000.0) {
@@ -184,38 +184,6 @@ inline bool eventually(const std::function<bool()>& condition) {
     std::this_thread::yield();
   }
   return true;
-}
-
-// A folder of the test's own, gone with it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "hapticwall-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp");
-    path_ = pattern;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-
-  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::vector<std::string> lines_of(const std::string& path) {
-  std::ifstream stream(path);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-inline std::string text_of(const std::string& path) {
-  std::ifstream stream(path);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 }  // namespace hapticwall::runtime::test

@@ -6,11 +6,10 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "app/ui/comparing.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/temporary_folder.h"
 #include "tests/ui/gui_test.h"
 
 namespace hapticwall::test {
@@ -29,17 +28,8 @@ constexpr std::size_t kTrialsOfOrder = 4;
 class BlindTestTest : public GuiTest {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              (std::string("hapticwall_blind_") +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    options.recording_folder = folder_.string();
+    options.recording_folder = folder_.path().string();
     GuiTest::SetUp();
-  }
-  void TearDown() override {
-    GuiTest::TearDown();
-    fs::remove_all(folder_);
   }
   void start(std::uint64_t seed, int trials) {
     click("page Blind test");
@@ -65,12 +55,7 @@ class BlindTestTest : public GuiTest {
     plan.trials = trials;
     return *BlindTrials::create(plan);
   }
-  [[nodiscard]] std::string content(const std::string& name) const {
-    std::ifstream in(folder_ / name);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
+  [[nodiscard]] std::string content(const std::string& name) const { return folder_.content(name); }
   // Another seed that begins with the other slot.
   [[nodiscard]] static std::uint64_t seed_with_first(Slot slot) {
     std::uint64_t seed = 1;
@@ -78,7 +63,7 @@ class BlindTestTest : public GuiTest {
     return seed;
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(BlindTestTest, ClicksAndKeysGiveTheResultOfTheTrialsByHand) {
@@ -130,11 +115,11 @@ TEST_F(BlindTestTest, IsSavedOnceAndNothingIsOverwritten) {
     const std::string b = test().b;
     EXPECT_EQ(content(std::string(name) + "-trials.csv"), test().trials.trials_csv(a, b));
     EXPECT_EQ(content(std::string(name) + "-result.csv"), test().trials.result_csv(a, b));
-    EXPECT_THAT(message().text, HasSubstr((folder_ / name).string() + "-trials.csv"));
+    EXPECT_THAT(message().text, HasSubstr(folder_.file(name) + "-trials.csv"));
     click("blind save");  // it is saved
     click("new blind test");
   }
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 4);
+  EXPECT_EQ(folder_.names().size(), 4U);
 }
 
 TEST_F(BlindTestTest, AFolderThatIsNotThereIsTold) {
@@ -142,7 +127,7 @@ TEST_F(BlindTestTest, AFolderThatIsNotThereIsTold) {
   press(ImGuiKey_1);
   press(ImGuiKey_2);
   press_ctrl(ImGuiKey_1);
-  fs::remove_all(folder_);
+  fs::remove_all(folder_.path());
   click("blind save");
   EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
   EXPECT_TRUE(test().saved_as.empty());

@@ -3,29 +3,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/file/scene_file.h"
 #include "core/simulate.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::ui {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-class ExportTest : public ::testing::Test {
+class ExportTest : public test::FolderTest {
  protected:
   void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / (std::string("hapticwall_export_") + info->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     scene_ = file::load_scene("press")->scene;
     scene_.duration_s = 2.5;
     SimulationOptions options;
@@ -33,13 +26,7 @@ class ExportTest : public ::testing::Test {
     static_cast<void>(simulate(scene_, options));
     history_.push(samples_);
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
-  [[nodiscard]] static std::string read(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
   [[nodiscard]] std::string expected_csv(std::size_t first, std::size_t last,
                                          file::MoreColumns columns) const {
     std::string text = file::csv_header(columns) + "\n";
@@ -47,23 +34,21 @@ class ExportTest : public ::testing::Test {
     return text;
   }
 
-  fs::path folder_;
   Scene scene_;
   std::vector<Sample> samples_;
   SampleHistory history_{100000};
 };
 
 TEST_F(ExportTest, TheRowsAreThoseOfARecordingByteForByte) {
-  const std::string csv = path("a.csv");
-  const auto rows = export_csv(history_, {500, 2100}, {scene_, true, "simulator"}, csv);
+  const auto rows = export_csv(history_, {500, 2100}, {scene_, true, "simulator"}, path("a.csv"));
   ASSERT_TRUE(rows.ok()) << rows.error().message;
   EXPECT_EQ(*rows, 1600U);
-  EXPECT_EQ(read(csv), expected_csv(500, 2100, file::MoreColumns::kSimulator));
+  EXPECT_EQ(content("a.csv"), expected_csv(500, 2100, file::MoreColumns::kSimulator));
 }
 
 TEST_F(ExportTest, TheSidecarTellsWhatItIs) {
   ASSERT_TRUE(export_csv(history_, {500, 2100}, {scene_, true, "simulator"}, path("a.csv")).ok());
-  const std::string sidecar = read(path("a.toml"));
+  const std::string sidecar = content("a.toml");
   EXPECT_THAT(sidecar, HasSubstr("first_tick = 500"));
   EXPECT_THAT(sidecar, HasSubstr("rows = 1600"));
   EXPECT_THAT(sidecar, HasSubstr("complete = true"));
@@ -73,15 +58,15 @@ TEST_F(ExportTest, TheSidecarTellsWhatItIs) {
 
 TEST_F(ExportTest, ADevicesColumnsAreItsOwn) {
   ASSERT_TRUE(export_csv(history_, {10, 20}, {scene_, false, "paddle"}, path("a.csv")).ok());
-  EXPECT_EQ(read(path("a.csv")), expected_csv(10, 20, file::MoreColumns::kDevice));
-  EXPECT_THAT(read(path("a.toml")), HasSubstr("paddle"));
+  EXPECT_EQ(content("a.csv"), expected_csv(10, 20, file::MoreColumns::kDevice));
+  EXPECT_THAT(content("a.toml"), HasSubstr("paddle"));
 }
 
 TEST_F(ExportTest, HolesAreCounted) {
   SampleHistory holes(1000);
   for (const std::size_t tick : {3U, 4U, 7U, 8U, 12U}) holes.push(samples_[tick]);
   ASSERT_TRUE(export_csv(holes, {0, 5}, {scene_, true, "simulator"}, path("a.csv")).ok());
-  const std::string sidecar = read(path("a.toml"));
+  const std::string sidecar = content("a.toml");
   EXPECT_THAT(sidecar, HasSubstr("dropped_rows = 5"));
   EXPECT_THAT(sidecar, HasSubstr("complete = false"));
 }
@@ -90,7 +75,7 @@ TEST_F(ExportTest, WithoutSamplesThereIsNoFile) {
   const auto rows = export_csv(history_, {100, 100}, {scene_, true, "simulator"}, path("a.csv"));
   ASSERT_FALSE(rows.ok());
   EXPECT_THAT(rows.error().message, HasSubstr("no sample"));
-  EXPECT_TRUE(fs::is_empty(folder_));
+  EXPECT_TRUE(folder_.names().empty());
 }
 
 TEST_F(ExportTest, AFolderThatIsNotThereIsAnErrorWithItsName) {
@@ -112,7 +97,7 @@ TEST_F(ExportTest, AJobWritesWhatTheHistoryWasWhileItGoesOn) {
   EXPECT_EQ(*outcome->rows, 2400U);
   EXPECT_EQ(outcome->path, path("a.csv"));
   EXPECT_FALSE(job.running());
-  EXPECT_EQ(read(path("a.csv")), expected_csv(0, 2400, file::MoreColumns::kSimulator));
+  EXPECT_EQ(content("a.csv"), expected_csv(0, 2400, file::MoreColumns::kSimulator));
 }
 
 TEST_F(ExportTest, NamesTellSceneAlgorithmAndRangeInPlainCharacters) {
@@ -135,11 +120,11 @@ TEST_F(ExportTest, NoNameLeadsElsewhereOrHidesAFile) {
 }
 
 TEST_F(ExportTest, AnUnusedPathIsNeverOneThatIsThere) {
-  EXPECT_EQ(unused_path(folder_.string(), "a", ".png"), path("a.png"));
-  std::ofstream(path("a.png")) << "x";
-  EXPECT_EQ(unused_path(folder_.string(), "a", ".png"), path("a-2.png"));
-  std::ofstream(path("a-2.png")) << "x";
-  EXPECT_EQ(unused_path(folder_.string(), "a", ".png"), path("a-3.png"));
+  EXPECT_EQ(unused_path(folder_.path().string(), "a", ".png"), path("a.png"));
+  put("a.png", "x");
+  EXPECT_EQ(unused_path(folder_.path().string(), "a", ".png"), path("a-2.png"));
+  put("a-2.png", "x");
+  EXPECT_EQ(unused_path(folder_.path().string(), "a", ".png"), path("a-3.png"));
 }
 
 }  // namespace

@@ -6,44 +6,29 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/ui/figure.h"
+#include "tests/temporary_folder.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 class PlotExportTest : public GuiTest {
  protected:
   void SetUp() override {
     GuiTest::SetUp();
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / (std::string("hapticwall_plots_") + info->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    application_->state().transient.recording_folder = folder_.string();
-  }
-  void TearDown() override {
-    GuiTest::TearDown();
-    fs::remove_all(folder_);
+    application_->state().transient.recording_folder = folder_.path().string();
   }
 
   [[nodiscard]] std::vector<std::string> files(const std::string& ending) const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-      if (entry.path().extension() == ending) names.push_back(entry.path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
+    return folder_.names(ending);
   }
   // Frames go by until the export is done; it is on a thread of its own.
   void export_csv() {
@@ -54,14 +39,8 @@ class PlotExportTest : public GuiTest {
       frames(1);
     }
   }
-  [[nodiscard]] static std::size_t count_lines(const fs::path& path) {
-    std::ifstream stream(path);
-    std::size_t lines = 0;
-    for (std::string line; std::getline(stream, line);) ++lines;
-    return lines;
-  }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(PlotExportTest, TheVisibleSamplesGoIntoACsvOfTheirOwnEachTime) {
@@ -72,7 +51,7 @@ TEST_F(PlotExportTest, TheVisibleSamplesGoIntoACsvOfTheirOwnEachTime) {
   const std::vector<std::string> first = files(".csv");
   ASSERT_EQ(first.size(), 1U);
   EXPECT_THAT(first[0], HasSubstr("press-none-"));
-  EXPECT_EQ(count_lines(folder_ / first[0]), 1U + 6001U);
+  EXPECT_EQ(lines_of(folder_.file(first[0])).size(), 1U + 6001U);
   EXPECT_EQ(files(".toml").size(), 1U);
   EXPECT_EQ(message().kind, ui::MessageKind::kNote);
   EXPECT_THAT(message().text, HasSubstr(first[0]));
@@ -89,12 +68,12 @@ TEST_F(PlotExportTest, WithoutSamplesInTheWindowNothingIsWritten) {
   export_csv();
   EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
   EXPECT_THAT(message().text, HasSubstr("no sample"));
-  EXPECT_TRUE(fs::is_empty(folder_));
+  EXPECT_TRUE(folder_.names().empty());
 }
 
 TEST_F(PlotExportTest, AFolderThatIsNotThereIsTold) {
   live(500);
-  application_->state().transient.recording_folder = (folder_ / "nowhere").string();
+  application_->state().transient.recording_folder = folder_.file("nowhere");
   export_csv();
   EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
   EXPECT_THAT(message().text, HasSubstr("nowhere"));
@@ -113,7 +92,7 @@ TEST_F(PlotExportTest, TheFigureGoesIntoAPngAndTheWindowGoesOn) {
   }
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  ASSERT_NE(png_image_begin_read_from_file(&image, (folder_ / files(".png")[0]).c_str()), 0);
+  ASSERT_NE(png_image_begin_read_from_file(&image, folder_.file(files(".png")[0]).c_str()), 0);
   EXPECT_EQ(image.width, 1600U);
   png_image_free(&image);
   // The window's own OpenGL is still there and paints.

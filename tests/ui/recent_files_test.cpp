@@ -6,8 +6,8 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
 
+#include "tests/temporary_folder.h"
 #include "tests/ui/gui_test.h"
 
 namespace hapticwall::test {
@@ -37,23 +37,13 @@ class FilesTest : public GuiTest {
  protected:
   void SetUp() override {
     GuiTest::SetUp();
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(::testing::TempDir()) / (std::string("hapticwall_files_") + info->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     Scene scene = file::load_scene("press")->scene;
     scene.name = "mine";
     scene.walls[0].stiffness_n_per_m = 4321.0;
     put("mine.toml", file::scene_to_toml(scene));
   }
-  void TearDown() override {
-    fs::remove_all(folder_);
-    GuiTest::TearDown();
-  }
-  void put(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  void put(const std::string& name, const std::string& text) const { folder_.put(name, text); }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
   void drop(const std::string& name) {
     const std::array paths{path(name)};
     application_->drop(paths);
@@ -63,7 +53,7 @@ class FilesTest : public GuiTest {
     return application_->state().persisted.recent;
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(FilesTest, ADroppedSceneStartsFromRest) {

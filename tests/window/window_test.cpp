@@ -24,8 +24,6 @@
 namespace hapticwall::test {
 namespace {
 
-namespace fs = std::filesystem;
-
 // Small, and smaller its pictures: painting is what costs time without a graphics card.
 constexpr int kWidth = 1120;
 constexpr int kHeight = 720;
@@ -162,9 +160,6 @@ std::string screen_name(const ::testing::TestParamInfo<Screen>& info) {
 }
 
 Home::Home() {
-  std::string name = (fs::temp_directory_path() / "hapticwall-window-XXXXXX").string();
-  EXPECT_NE(mkdtemp(name.data()), nullptr);
-  folder_ = name;
   const file::Settings settings{{"window.width", static_cast<double>(kWidth)},
                                 {"window.height", static_cast<double>(kHeight)},
                                 {"window.view_share", kViewShare},
@@ -173,21 +168,16 @@ Home::Home() {
   EXPECT_FALSE(file::write_file(settings_path(), file::settings_text(settings)));
 }
 
-Home::~Home() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
-
 std::string Home::settings_path() const {
   return file::settings_path([this](const std::string& name) -> std::optional<std::string> {
-    if (name == "XDG_CONFIG_HOME") return (folder_ / "config").string();
+    if (name == "XDG_CONFIG_HOME") return folder_.file("config");
     return std::nullopt;
   });
 }
 
 std::string Home::write(Scene scene, const std::string& name) const {
   scene.name = name;
-  std::string path = (folder_ / (name + ".toml")).string();
+  std::string path = folder_.file(name + ".toml");
   EXPECT_FALSE(file::write_file(path, file::scene_to_toml(scene)));
   return path;
 }
@@ -208,11 +198,8 @@ std::string Home::write_scene_of_two_walls(const std::string& name) const {
 }
 
 std::vector<std::string> Home::files(const std::string& ending) const {
-  std::vector<std::string> paths;
-  for (const auto& entry : fs::directory_iterator(folder_)) {
-    if (entry.path().extension() == ending) paths.push_back(entry.path().string());
-  }
-  std::sort(paths.begin(), paths.end());
+  std::vector<std::string> paths = folder_.names(ending);
+  for (std::string& path : paths) path = folder_.file(path);
   return paths;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/ui/window.h"
+#include "tests/temporary_folder.h"
 #include "tests/ui/fake_session.h"
 #include "tests/window/person.h"
 
@@ -23,11 +24,8 @@ enum class Screen : std::uint8_t { kNone, kDisplay };
 class Home {
  public:
   Home();
-  Home(const Home&) = delete;
-  Home& operator=(const Home&) = delete;
-  ~Home();
 
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
   // As the program finds it, in this home.
   [[nodiscard]] std::string settings_path() const;
   // Writes a scene of this name, which is a built-in one with --set changes; returns its path.
@@ -40,7 +38,7 @@ class Home {
  private:
   [[nodiscard]] std::string write(Scene scene, const std::string& name) const;
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 using Script = std::function<void(Person&)>;
