@@ -18,6 +18,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class Program : public ProgramTest {
@@ -56,6 +57,16 @@ TEST_F(Program, RunPrintsASummary) {
                                 HasSubstr("kN/m"), HasSubstr("6000 ticks")));
   EXPECT_THAT(hapticwall({"run", "press", "--quiet"}).out, IsEmpty());
   EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Program, TellsThatTheHandIsStillOnItsWay) {
+  constexpr const char* kNote = "the hand's script still moves in the last second";
+  EXPECT_THAT(hapticwall({"run", "press"}).out, Not(HasSubstr(kNote)));
+  const Answer answer = hapticwall({"run", "press", "--duration", "0.3", "--csv", "a.csv"});
+  EXPECT_THAT(answer.out, AllOf(HasSubstr("  whole run  "), HasSubstr(kNote)));
+  EXPECT_THAT(hapticwall({"replay", "a.csv", "--json", "a.json"}).out, HasSubstr(kNote));
+  EXPECT_THAT(hapticwall({"replay", "a.csv", "--algorithm", "none", "--json", "b.json"}).out,
+              HasSubstr(kNote));
 }
 
 TEST_F(Program, IdenticalRunsGiveIdenticalBytesAndTheSidecarRepeatsThem) {

@@ -92,11 +92,14 @@ TEST(StabilityMaps, AnInvalidCellIsNamedBeforeAnythingRuns) {
 
 TEST(StabilityMaps, AnAxisHasTwoValuesOrMore) {
   for (const std::size_t count : {0, 1}) {
-    StabilityMap map = small_map();
-    map.y.count = count;
-    const auto problem = validate(map);
-    ASSERT_TRUE(problem) << count;
-    EXPECT_EQ(problem->key, "wall.damping_n_s_per_m");
+    for (MapAxis StabilityMap::*const short_one : {&StabilityMap::x, &StabilityMap::y}) {
+      StabilityMap map = small_map();
+      (map.*short_one).count = count;
+      const auto problem = validate(map);
+      ASSERT_TRUE(problem) << count;
+      EXPECT_EQ(problem->key, (map.*short_one).number.path);
+      EXPECT_EQ(problem->message, "an axis takes two values or more");
+    }
   }
 }
 
