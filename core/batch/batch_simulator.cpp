@@ -1,12 +1,5 @@
 #include "core/batch/batch_simulator.h"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <stdexcept>
@@ -15,6 +8,7 @@
 
 #include "core/batch/lane_figures.h"
 #include "core/batch/lane_group.h"
+#include "core/batch/workers.h"
 #include "core/simulate.h"
 
 namespace hapticwall {
@@ -115,15 +109,11 @@ class Batch {
 
   BatchResult<Figures> run(int threads) {
     const std::vector<Work> all = divide(scenes_, batch::lane_count());
-    // More threads than the processor runs at a time are allowed only so.
-    const auto most = static_cast<std::size_t>(std::max(threads, tbb::info::default_concurrency()));
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most);
-    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) run(all[i]);
-      });
-    });
+    const std::size_t workers =
+        std::clamp<std::size_t>(all.size(), 1, batch::worker_count(threads));
+    std::vector<batch::LaneGroup> groups(workers);
+    batch::share_out(all.size(), workers,
+                     [&](std::size_t item, std::size_t worker) { run(all[item], groups[worker]); });
     reporter_.finish();
     result_.stopped_early = reporter_.stopped();
     return std::move(result_);
@@ -132,13 +122,12 @@ class Batch {
  private:
   static constexpr bool kAccount = std::is_same_v<Figures, Summary>;
 
-  void run(const Work& work) {
+  void run(const Work& work, batch::LaneGroup& group) {
     if (reporter_.should_stop()) return;
     if (!work.kind) {
       run_one(work.scenes.front());
       return;
     }
-    batch::LaneGroup& group = groups_.local();
     std::vector<const Scene*> scenes;
     for (const std::size_t i : work.scenes) scenes.push_back(&scenes_[i]);
     group.run(
@@ -166,7 +155,6 @@ class Batch {
 
   std::span<const Scene> scenes_;
   Reporter reporter_;
-  tbb::enumerable_thread_specific<batch::LaneGroup> groups_;
   BatchResult<Figures> result_;
 };
 
