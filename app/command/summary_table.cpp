@@ -193,7 +193,8 @@ std::vector<std::string> column_cells(const Column& column, const std::vector<Ro
 }  // namespace
 
 bool hand_moves_in_tail(const Scene& scene, const Summary& summary, double end_s) {
-  if (!summary.true_hand_work_j) return false;  // a device, held by a person
+  const bool of_a_device = !summary.true_hand_work_j;  // held by a person
+  if (of_a_device || summary.verdict == Verdict::kDiverged) return false;
   const auto moves = [&](const std::optional<HandSettings>& hand) {
     if (!hand) return false;
     const auto is_late = [&](const PathPoint& a, const PathPoint& b) {

@@ -17,6 +17,7 @@ struct Circumstances {
 
 // True where a script still leads a simulated hand, of either axis, in the second before `end_s`
 // (seconds from the session's begin): its way is then in the tail's peak to peak, and the verdict.
+// What diverged did so whatever the hand's way.
 [[nodiscard]] bool hand_moves_in_tail(const Scene& scene, const Summary& summary, double end_s);
 
 // A dozen aligned lines, the verdict first, and one for each circumstance.

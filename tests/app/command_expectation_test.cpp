@@ -175,6 +175,9 @@ TEST(SummaryTable, AHandIsOnItsWayWhereItsScriptMovesInTheTail) {
   EXPECT_FALSE(hand_moves_in_tail(scene, simulated, 3.1));
   EXPECT_FALSE(hand_moves_in_tail(scene, simulated, 9.0));
   EXPECT_FALSE(hand_moves_in_tail(scene, Summary{}, 2.0)) << "a person holds a device";
+  Summary diverged = simulated;
+  diverged.verdict = Verdict::kDiverged;
+  EXPECT_FALSE(hand_moves_in_tail(scene, diverged, 2.0));
   scene.y.emplace();
   scene.y->hand.emplace();
   scene.y->hand->path = {{0.0, 0.0}, {3.5, 0.1}};
