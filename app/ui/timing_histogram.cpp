@@ -52,12 +52,16 @@ std::vector<Bar> bars_of(const LatencyCounts& counts) {
 double decade_below(double value) { return std::pow(kDecade, std::floor(std::log10(value))); }
 double decade_above(double value) { return std::pow(kDecade, std::ceil(std::log10(value))); }
 
-// The tick's text, for ImPlot: it wants a function.
-int format_time_tick(double value_ns, char* text, int size, void* /*unused*/) {
-  const auto result =
-      fmt::format_to_n(text, size - 1, "{}", time_text(static_cast<std::int64_t>(value_ns)));
+// What fits of it, with a null at the end; its length.
+int put_text(const std::string& whole, char* text, int size) {
+  const auto result = fmt::format_to_n(text, static_cast<std::size_t>(size - 1), "{}", whole);
   *result.out = '\0';
   return static_cast<int>(result.out - text);
+}
+
+// The tick's text, for ImPlot: it wants a function.
+int format_time_tick(double value_ns, char* text, int size, void* /*unused*/) {
+  return put_text(time_text(static_cast<std::int64_t>(value_ns)), text, size);
 }
 
 int format_count_tick(double count, char* text, int size, void* /*unused*/) {
@@ -66,9 +70,7 @@ int format_count_tick(double count, char* text, int size, void* /*unused*/) {
   const std::string number = count >= kMillion    ? fmt::format("{:g} M", count / kMillion)
                              : count >= kThousand ? fmt::format("{:g} k", count / kThousand)
                                                   : fmt::format("{:g}", count);
-  const auto result = fmt::format_to_n(text, size - 1, "{}", number);
-  *result.out = '\0';
-  return static_cast<int>(result.out - text);
+  return put_text(number, text, size);
 }
 
 // Powers of ten from `from` on and below `to`, both of them such: as many as have `room` for their

@@ -91,7 +91,7 @@ TEST(StabilityMaps, AnInvalidCellIsNamedBeforeAnythingRuns) {
 }
 
 TEST(StabilityMaps, AnAxisHasTwoValuesOrMore) {
-  for (const std::size_t count : {0, 1}) {
+  for (const std::size_t count : {0U, 1U}) {
     for (MapAxis StabilityMap::*const short_one : {&StabilityMap::x, &StabilityMap::y}) {
       StabilityMap map = small_map();
       (map.*short_one).count = count;

@@ -29,7 +29,9 @@ Descriptor parsed() {
     const unsigned prefix = kReportDescriptor.at(at++);
     const unsigned length = (prefix & 3U) == 3U ? 4U : prefix & 3U;
     std::uint32_t value = 0;
-    for (unsigned i = 0; i < length; ++i) value |= kReportDescriptor.at(at++) << (8U * i);
+    for (unsigned i = 0; i < length; ++i) {
+      value |= std::uint32_t{kReportDescriptor.at(at++)} << (8U * i);
+    }
     const auto add = [&](const char* kind) {
       EXPECT_TRUE(all.kind_of_id.emplace(id, kind).second) << id;
       EXPECT_EQ(value, 2U);  // data, variable, absolute

@@ -243,7 +243,7 @@ TEST(HidReport, ADeviceThatMakesNoSenseIsRefused) {
   refuse([](InfoReport& info) { info.tick_us = 0; });
   refuse([](InfoReport& info) { info.watchdog_ms = 0; });
   refuse([](InfoReport& info) { info.watchdog_ms = 101; });
-  for (const std::size_t axis : {0, 1}) {
+  for (const std::size_t axis : {0U, 1U}) {
     refuse([&](InfoReport& info) { info.counts_per_metre.at(axis) = 0; });
     refuse([&](InfoReport& info) { info.counts_per_metre.at(axis) = -3937; });
     refuse([&](InfoReport& info) { info.maximum_force_n.at(axis) = 0.0; });
