@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "core/batch/workers.h"
@@ -24,10 +25,15 @@ TEST(Workers, DoEveryItemOnce) {
 
 TEST(Workers, DoOneItemAtATimeEach) {
   constexpr std::size_t kWorkers = 3;
+  constexpr int kPatience = 1000;  // so often another call may come and be met
   std::vector<std::atomic<int>> at_work(kWorkers);
+  std::atomic<int> inside = 0;
   std::atomic<bool> met = false;
-  share_out(1000, kWorkers, [&](std::size_t, std::size_t worker) {
+  share_out(100, kWorkers, [&](std::size_t, std::size_t worker) {
     if (at_work.at(worker)++ != 0) met = true;
+    ++inside;
+    for (int i = 0; i < kPatience && inside < 2; ++i) std::this_thread::yield();
+    --inside;
     --at_work.at(worker);
   });
   EXPECT_FALSE(met);
