@@ -174,8 +174,9 @@ TEST_F(ReplayCommand, AFullDiskIsAnErrorOfTheFile) {
 TEST_F(ReplayCommand, TheWindowNeedsADisplay) {
   record();
   const Answer answer = shell("unset DISPLAY WAYLAND_DISPLAY; \"$P\" replay a.csv");
-  EXPECT_NE(answer.status, 0);
+  EXPECT_EQ(answer.status, 3);
   EXPECT_THAT(answer.err, HasSubstr("error: no window"));
+  EXPECT_THAT(answer.err, HasSubstr("`hapticwall run` and `replay --json -` need no display"));
 }
 
 }  // namespace
