@@ -12,7 +12,8 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 add_library(hapticwall_common_options INTERFACE)
 # Results are the same on every machine: no contraction to FMA, no -ffast-math, no -march=native.
 target_compile_options(hapticwall_common_options INTERFACE -ffp-contract=off -fstack-protector-strong)
-target_link_options(hapticwall_common_options INTERFACE -Wl,-z,relro,-z,now)
+# Only libraries that are used, whether the compiler asks for that by itself or not.
+target_link_options(hapticwall_common_options INTERFACE -Wl,-z,relro,-z,now -Wl,--as-needed)
 if(HAPTICWALL_SANITIZE)
   # Third-party code is watched for its memory and its threads, not for its arithmetic.
   string(REPLACE "," ";" sanitizers "${HAPTICWALL_SANITIZE}")

@@ -25,7 +25,6 @@ using device::hid::RequestKind;
 using device::hid::StateReport;
 using device::hid::VirtualBus;
 
-constexpr std::int64_t kMicrosecondNs = 1000;
 constexpr std::int64_t kTickNs = 1'000'000;
 constexpr std::uint64_t kTickUs = 1000;
 constexpr double kPushN = 2.0;
