@@ -17,7 +17,8 @@ std::string scene_text(const std::string& algorithm) {
          algorithm;
 }
 
-std::string message(const std::string& algorithm, const std::vector<std::string>& overrides = {}) {
+std::string algorithm_message(const std::string& algorithm,
+                              const std::vector<std::string>& overrides = {}) {
   const auto loaded = parse_scene(scene_text(algorithm), "x.toml", overrides);
   return loaded ? "(no error)" : loaded.error().message;
 }
@@ -56,9 +57,9 @@ TEST(AlgorithmFile, IsSetFromTheCommandLine) {
 }
 
 TEST(AlgorithmFile, SaysWhatMayFollowAndHowMuchTheStoreMayHold) {
-  EXPECT_EQ(message("then = \"energy-bounding\""),
+  EXPECT_EQ(algorithm_message("then = \"energy-bounding\""),
             "x.toml:8: algorithm.then: 'energy-bounding' is none of: none, passivity-control");
-  EXPECT_EQ(message("storage_stiffness_n_per_m = 1500"),
+  EXPECT_EQ(algorithm_message("storage_stiffness_n_per_m = 1500"),
             "x.toml:8: algorithm.storage_stiffness_n_per_m: 1500 is more than the hold can carry: "
             "it takes at most b/T = 1000 N/m");
 }

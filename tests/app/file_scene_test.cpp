@@ -16,7 +16,7 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr const char* kWhole = R"(name = "whole"
+constexpr const char* kWholeScene = R"(name = "whole"
 description = "every key that there is"
 duration_s = 2
 [sampling]
@@ -53,7 +53,7 @@ integrator = "exact"
 substeps = 1
 )";
 
-std::string message(const std::string& text, const std::vector<std::string>& overrides = {}) {
+std::string scene_message(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const Result<LoadedScene> loaded = parse_scene(text, "x.toml", overrides);
   if (loaded) return "(no error)";
   EXPECT_EQ(loaded.error().kind, ErrorKind::kUsage);
@@ -61,15 +61,15 @@ std::string message(const std::string& text, const std::vector<std::string>& ove
   return loaded.error().message;
 }
 
-std::string replaced(const std::string& what, const std::string& by) {
-  std::string text = kWhole;
+std::string scene_with(const std::string& what, const std::string& by) {
+  std::string text = kWholeScene;
   const std::size_t at = text.find(what);
   EXPECT_NE(at, std::string::npos) << what;
   return text.replace(at, what.size(), by);
 }
 
 TEST(SceneFile, ReadsEveryKey) {
-  const Result<LoadedScene> loaded = parse_scene(kWhole, "x.toml");
+  const Result<LoadedScene> loaded = parse_scene(kWholeScene, "x.toml");
   ASSERT_TRUE(loaded) << loaded.error().message;
   const Scene& scene = loaded->scene;
   EXPECT_EQ(scene.name, "whole");
@@ -109,39 +109,39 @@ TEST(SceneFile, WhatIsAbsentIsLeftOut) {
 }
 
 TEST(SceneFile, MouseAsHand) {
-  const auto loaded = parse_scene(replaced("[[0, 0.03], [1.5, 0.075]]", "\"mouse\""), "x.toml");
+  const auto loaded = parse_scene(scene_with("[[0, 0.03], [1.5, 0.075]]", "\"mouse\""), "x.toml");
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_TRUE(loaded->scene.hand->follows_mouse);
 }
 
 TEST(SceneFile, NamesFileLineKeyAndWhatWouldBeRight) {
-  EXPECT_EQ(message(replaced("friction_n", "fricton_n")),
+  EXPECT_EQ(scene_message(scene_with("friction_n", "fricton_n")),
             "x.toml:9: device.fricton_n: unknown key; did you mean 'friction_n'?");
-  EXPECT_EQ(message(replaced("mass_kg = 0.05", "mass_kg = 'heavy'")),
+  EXPECT_EQ(scene_message(scene_with("mass_kg = 0.05", "mass_kg = 'heavy'")),
             "x.toml:7: device.mass_kg: the string 'heavy' where a number in kg belongs");
-  EXPECT_EQ(message(replaced("mass_kg = 0.05", "mass_kg = nan")),
+  EXPECT_EQ(scene_message(scene_with("mass_kg = 0.05", "mass_kg = nan")),
             "x.toml:7: device.mass_kg: nan is not a finite number");
-  EXPECT_EQ(message(replaced("mass_kg = 0.05\n", "")),
+  EXPECT_EQ(scene_message(scene_with("mass_kg = 0.05\n", "")),
             "x.toml:6: device.mass_kg is missing; it takes a number in kg");
-  EXPECT_THAT(message(replaced("mass_kg = 0.05", "mass_kg = -0.05")),
+  EXPECT_THAT(scene_message(scene_with("mass_kg = 0.05", "mass_kg = -0.05")),
               StartsWith("x.toml:7: device.mass_kg: -0.05 is out of range"));
-  EXPECT_THAT(message(replaced("stiffness_n_per_m = 1e5", "stiffness_n_per_m = -3")),
+  EXPECT_THAT(scene_message(scene_with("stiffness_n_per_m = 1e5", "stiffness_n_per_m = -3")),
               StartsWith("x.toml:27: wall[1].stiffness_n_per_m: -3 is out of range"));
 }
 
 TEST(SceneFile, RefusesContradictionsAndDuplicates) {
   EXPECT_THAT(
-      message(replaced("[hand]\nmass_kg = 0.4\n", "[hand]\n")),
+      scene_message(scene_with("[hand]\nmass_kg = 0.4\n", "[hand]\n")),
       AllOf(StartsWith("x.toml:16: hand.grip_stiffness_n_per_m: "), HasSubstr("hand.mass_kg")));
-  EXPECT_THAT(message(replaced("duration_s = 2", "duration_s = 2\nduration_s = 3")),
+  EXPECT_THAT(scene_message(scene_with("duration_s = 2", "duration_s = 2\nduration_s = 3")),
               AllOf(StartsWith("x.toml:4: not valid TOML: "), HasSubstr("duration_s")));
-  EXPECT_THAT(message(replaced("[1.5, 0.075]", "[0, 0.075]")),
+  EXPECT_THAT(scene_message(scene_with("[1.5, 0.075]", "[0, 0.075]")),
               StartsWith("x.toml:19: hand.path[1]: times must increase"));
 }
 
 // The whole scene with a second axis; its walls come before, between and after those of the first.
 std::string corner() {
-  return replaced("[hand]\n", R"([device.y]
+  return scene_with("[hand]\n", R"([device.y]
 mass_kg = 0.1
 damping_n_s_per_m = 2
 start_m = 0.01
@@ -207,82 +207,83 @@ TEST(SceneFile, AHandMayBeOnTheSecondAxisOnly) {
 }
 
 TEST(SceneFile, WhatIsWrongWithASecondAxisIsSaidWhereItStands) {
-  EXPECT_EQ(message(replaced("axis = \"x\"", "axis = \"y\"")),
+  EXPECT_EQ(scene_message(scene_with("axis = \"x\"", "axis = \"y\"")),
             "x.toml:24: wall[0].axis: the scene has no second axis: it takes a table [device.y]");
-  EXPECT_EQ(message(replaced("axis = \"x\"", "axis = \"z\"")),
+  EXPECT_EQ(scene_message(scene_with("axis = \"x\"", "axis = \"z\"")),
             "x.toml:24: wall[0].axis: 'z' is no axis; it takes \"x\" or \"y\"");
   EXPECT_EQ(
-      message(corner(), {"device.y.mass_kg=-1"}),
+      scene_message(corner(), {"device.y.mass_kg=-1"}),
       "--set device.y.mass_kg=-1: device.y.mass_kg: -1 is out of range; it takes 1e-6 to 1000 "
       "kg");
   EXPECT_EQ(
-      message(corner(), {"hand.y.path=[]"}),
+      scene_message(corner(), {"hand.y.path=[]"}),
       "--set hand.y.path=[]: hand.y.path: missing; it takes points [[time s, position m], …]");
-  EXPECT_THAT(message(corner(), {"wall[0].stiffness_n_per_m=-1"}),
+  EXPECT_THAT(scene_message(corner(), {"wall[0].stiffness_n_per_m=-1"}),
               HasSubstr("wall[0].stiffness_n_per_m: -1 is out of range"))
       << "counted as in the file, where axis y comes first";
-  EXPECT_THAT(message(corner(), {"wall[1].stiffness_n_per_m=-2"}),
+  EXPECT_THAT(scene_message(corner(), {"wall[1].stiffness_n_per_m=-2"}),
               HasSubstr("wall[1].stiffness_n_per_m: -2 is out of range"));
-  EXPECT_THAT(message(corner(), {"wall[3].stiffness_n_per_m=-3"}),
+  EXPECT_THAT(scene_message(corner(), {"wall[3].stiffness_n_per_m=-3"}),
               HasSubstr("wall[3].stiffness_n_per_m: -3 is out of range"));
-  EXPECT_EQ(message(std::string(kWhole) + "[hand.y]\n"),
+  EXPECT_EQ(scene_message(std::string(kWholeScene) + "[hand.y]\n"),
             "x.toml:36: hand.y: the scene has no second axis: it takes a table [device.y]");
 }
 
 TEST(SceneFile, KnowsWhatLiesBetweenCommandAndHandle) {
   const auto loaded = parse_scene(
-      replaced("start_m = 0.02",
-               "delay_ticks = 3\nforce_resolution_n = 0.01\namplifier_time_constant_s = 2e-3"),
+      scene_with("start_m = 0.02",
+                 "delay_ticks = 3\nforce_resolution_n = 0.01\namplifier_time_constant_s = 2e-3"),
       "x.toml");
   ASSERT_TRUE(loaded.ok());
   EXPECT_EQ(loaded->scene.device.delay_ticks, 3);
   EXPECT_EQ(loaded->scene.device.force_resolution_n, 0.01);
   EXPECT_EQ(loaded->scene.device.amplifier_time_constant_s, 2e-3);
-  EXPECT_EQ(message(replaced("start_m = 0.02", "delay_ticks = 1.5")),
+  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "delay_ticks = 1.5")),
             "x.toml:12: device.delay_ticks: 1.5 where a whole number belongs");
-  EXPECT_EQ(message(replaced("start_m = 0.02", "delay_ticks = 1001")),
+  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "delay_ticks = 1001")),
             "x.toml:12: device.delay_ticks: 1001 is out of range; it takes 0 to 1000 ticks");
-  EXPECT_EQ(message(replaced("start_m = 0.02", "delay_ticks = 1e300")).substr(0, 33),
+  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "delay_ticks = 1e300")).substr(0, 33),
             "x.toml:12: device.delay_ticks: 21");
-  EXPECT_EQ(message(replaced("start_m = 0.02", "amplifier_time_constant_s = 1e-10")),
+  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "amplifier_time_constant_s = 1e-10")),
             "x.toml:12: device.amplifier_time_constant_s: 1e-10 is too fine; it takes 0 (none) or "
             "1e-9 s and more");
-  EXPECT_EQ(message(replaced("start_m = 0.02", "force_resolution_n = 1e-13")),
+  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "force_resolution_n = 1e-13")),
             "x.toml:12: device.force_resolution_n: 1e-13 is too fine; it takes 0 (none) or 1e-12 N "
             "and more");
 }
 
 TEST(SceneFile, KnowsTheIntegratorsAndTheirSubsteps) {
-  EXPECT_EQ(message(replaced("substeps = 1", "substeps = 2")),
+  EXPECT_EQ(scene_message(scene_with("substeps = 1", "substeps = 2")),
             "x.toml:35: simulator.substeps: the exact integrator has no substeps: it takes 1");
-  EXPECT_EQ(message(replaced("substeps = 1", "substeps = 1001")),
+  EXPECT_EQ(scene_message(scene_with("substeps = 1", "substeps = 1001")),
             "x.toml:35: simulator.substeps: 1001 is out of range; it takes 1 to 1000");
-  EXPECT_EQ(message(replaced("\"exact\"", "\"rk5\"")),
+  EXPECT_EQ(scene_message(scene_with("\"exact\"", "\"rk5\"")),
             "x.toml:34: simulator.integrator: no integrator is called 'rk5'; did you mean 'rk4'?; "
             "known: exact, semi-implicit-euler, rk4");
-  const auto loaded = parse_scene(replaced("\"exact\"", "\"rk4\""), "x.toml");
+  const auto loaded = parse_scene(scene_with("\"exact\"", "\"rk4\""), "x.toml");
   ASSERT_TRUE(loaded.ok());
   EXPECT_EQ(loaded->scene.simulator.integrator, Integrator::kRungeKutta4);
 }
 
 TEST(SceneFile, NamesTheAlgorithmsAndTheirChoices) {
-  EXPECT_THAT(message(replaced("\"passivity-control\"", "\"passivity\"")),
+  EXPECT_THAT(scene_message(scene_with("\"passivity-control\"", "\"passivity\"")),
               AllOf(StartsWith("x.toml:29: algorithm.name: no algorithm is called 'passivity'"),
                     HasSubstr("did you mean 'passivity-control'?"), HasSubstr("none, ")));
-  EXPECT_THAT(message(replaced("\"held-force\"", "\"held\"")),
+  EXPECT_THAT(scene_message(scene_with("\"held-force\"", "\"held\"")),
               AllOf(StartsWith("x.toml:31: algorithm.observer: 'held' is none of: "),
                     HasSubstr("same-sample")));
-  EXPECT_EQ(message(replaced("damping_credit = true", "damping_credit = 1")),
+  EXPECT_EQ(scene_message(scene_with("damping_credit = true", "damping_credit = 1")),
             "x.toml:32: algorithm.damping_credit: 1 where true or false belongs");
 }
 
 TEST(SceneFile, RefusesWhatIsNoToml) {
-  EXPECT_THAT(message("a = = 3\n"), StartsWith("x.toml:1: not valid TOML: "));
-  EXPECT_THAT(message("name = \"\xff\xfe\"\n"), StartsWith("x.toml:1: not valid TOML: "));
-  EXPECT_THAT(message(std::string("\0\x01\x02", 3)), StartsWith("x.toml:1: not valid TOML: "));
-  EXPECT_THAT(message("name = \"a\\u0007b\"\n[device]\n"),
+  EXPECT_THAT(scene_message("a = = 3\n"), StartsWith("x.toml:1: not valid TOML: "));
+  EXPECT_THAT(scene_message("name = \"\xff\xfe\"\n"), StartsWith("x.toml:1: not valid TOML: "));
+  EXPECT_THAT(scene_message(std::string("\0\x01\x02", 3)),
+              StartsWith("x.toml:1: not valid TOML: "));
+  EXPECT_THAT(scene_message("name = \"a\\u0007b\"\n[device]\n"),
               StartsWith("x.toml:1: name: has a control character"));
-  EXPECT_THAT(message("name = \"" + std::string(1000, 'n') + "\"\n"),
+  EXPECT_THAT(scene_message("name = \"" + std::string(1000, 'n') + "\"\n"),
               StartsWith("x.toml:1: name: longer than "));
 }
 
@@ -297,30 +298,35 @@ TEST(SceneFile, SurvivesDeepNesting) {
     quoted += ".\",\"";
     tables += "{a=";
   }
-  EXPECT_THAT(message(dotted + " = 1\n"), StartsWith("x.toml: not a scene: keys of more than"));
-  EXPECT_THAT(message(quoted + " = 1\n"), StartsWith("x.toml: not a scene: keys of more than"));
-  EXPECT_THAT(message("[" + dotted + "]\n"), StartsWith("x.toml: not a scene: keys of more than"));
-  EXPECT_THAT(message("x = '''\n#'''\n" + dotted + " = 1\n"),
+  EXPECT_THAT(scene_message(dotted + " = 1\n"),
               StartsWith("x.toml: not a scene: keys of more than"));
-  EXPECT_THAT(message("a = " + std::string(kDepth, '[')), StartsWith("x.toml:1: not valid TOML"));
-  EXPECT_THAT(message(tables), StartsWith("x.toml:1: not valid TOML"));
+  EXPECT_THAT(scene_message(quoted + " = 1\n"),
+              StartsWith("x.toml: not a scene: keys of more than"));
+  EXPECT_THAT(scene_message("[" + dotted + "]\n"),
+              StartsWith("x.toml: not a scene: keys of more than"));
+  EXPECT_THAT(scene_message("x = '''\n#'''\n" + dotted + " = 1\n"),
+              StartsWith("x.toml: not a scene: keys of more than"));
+  EXPECT_THAT(scene_message("a = " + std::string(kDepth, '[')),
+              StartsWith("x.toml:1: not valid TOML"));
+  EXPECT_THAT(scene_message(tables), StartsWith("x.toml:1: not valid TOML"));
 }
 
 TEST(SceneFile, DecimalPointsAreNotNesting) {
   std::string path;
   for (int i = 1; i <= 500; ++i) path += "[" + std::to_string(i) + ".5, 0.03],\n";
-  EXPECT_EQ(message(replaced("[[0, 0.03], [1.5, 0.075]]", "[" + path + "]")), "(no error)");
+  EXPECT_EQ(scene_message(scene_with("[[0, 0.03], [1.5, 0.075]]", "[" + path + "]")), "(no error)");
 }
 
 TEST(SceneFile, PointsInTextAreNotNesting) {
   const std::string points(200, '.');
-  EXPECT_EQ(message(replaced("every key", "see " + points + "= that, every key")), "(no error)");
-  EXPECT_EQ(message("# a" + points + " = b.c\n" + kWhole), "(no error)");
+  EXPECT_EQ(scene_message(scene_with("every key", "see " + points + "= that, every key")),
+            "(no error)");
+  EXPECT_EQ(scene_message("# a" + points + " = b.c\n" + kWholeScene), "(no error)");
 }
 
 TEST(SceneFile, QuotesUserTextShortAndClean) {
   const std::string text =
-      message("name = 3\n[device]\n\"k\\u001b[31m" + std::string(5000, 'x') + "\" = 1\n");
+      scene_message("name = 3\n[device]\n\"k\\u001b[31m" + std::string(5000, 'x') + "\" = 1\n");
   EXPECT_LT(text.size(), 400U) << text;
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
 }
@@ -379,7 +385,7 @@ name = "none"
 position_m = 0.04
 stiffness_n_per_m = 100
 )";
-  const Result<LoadedScene> loaded = parse_scene(kWhole + recording, "x.toml");
+  const Result<LoadedScene> loaded = parse_scene(kWholeScene + recording, "x.toml");
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(loaded->first_recorded_tick, 7U);
   EXPECT_EQ(loaded->not_repeatable_because, "the pointer led the hand");
@@ -392,19 +398,20 @@ stiffness_n_per_m = 100
 }
 
 TEST(SceneFile, ASidecarsMistakesAreFound) {
-  const std::string head = std::string(kWhole) + "[recording]\n";
-  EXPECT_THAT(message(head + "rws = 3\n"), EndsWith("unknown key; did you mean 'rows'?"));
-  EXPECT_EQ(message(head + "rows = -3\n"),
+  const std::string head = std::string(kWholeScene) + "[recording]\n";
+  EXPECT_THAT(scene_message(head + "rws = 3\n"), EndsWith("unknown key; did you mean 'rows'?"));
+  EXPECT_EQ(scene_message(head + "rows = -3\n"),
             "x.toml:37: recording.rows: -3 where a whole number from 0 on belongs");
-  EXPECT_THAT(message(head + "[[recording.change]]\n"), HasSubstr("tick is missing"));
+  EXPECT_THAT(scene_message(head + "[[recording.change]]\n"), HasSubstr("tick is missing"));
   const std::string change =
       "[[recording.change]]\ntick = 2\n[[recording.change.wall]]\n"
       "position_m = 0.04\nstiffness_n_per_m = -1\n";
   EXPECT_THAT(
-      message(head + change),
+      scene_message(head + change),
       StartsWith("x.toml:41: recording.change[0].wall.stiffness_n_per_m: -1 is out of range"));
-  EXPECT_THAT(message(head + "[[recording.change]]\ntick = 2\n[[recording.change]]\ntick = 1\n"),
-              HasSubstr("not in order"));
+  EXPECT_THAT(
+      scene_message(head + "[[recording.change]]\ntick = 2\n[[recording.change]]\ntick = 1\n"),
+      HasSubstr("not in order"));
 }
 
 }  // namespace

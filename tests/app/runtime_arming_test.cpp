@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kRateHz = 1000.0;
 constexpr int kRampTicks = 500;
-constexpr double kFreeM = 0.03;
-constexpr double kInsideM = 0.0502;
+constexpr double kArmingFreeM = 0.03;
+constexpr double kArmingInsideM = 0.0502;
 constexpr double kStiffness = 10'000.0;
 constexpr double kLimitN = 8.9;
 
@@ -132,7 +132,7 @@ struct RealLoop {
   explicit RealLoop(const SessionOptions& options)
       : exchange(options, {servo_settings(bare_wall()), 1}),
         loop(device, exchange, {servo_settings(bare_wall()), 1}, options.start_paused) {
-    device.position_m = kFreeM;
+    device.position_m = kArmingFreeM;
   }
   void cycles(int count) {
     for (int i = 0; i < count; ++i) loop.cycle({clock.now_ns(), 0, 0}, clock);
@@ -158,7 +158,7 @@ struct RealLoop {
 
 TEST(ArmedLoop, PushesNothingAndEnablesNothingBeforeItIsArmed) {
   RealLoop real;
-  real.device.position_m = kInsideM;
+  real.device.position_m = kArmingInsideM;
   real.cycles(20);
   for (std::size_t i = 0; i < real.device.forces_n.size(); ++i) {
     EXPECT_EQ(real.device.forces_n[i], 0.0);
@@ -173,7 +173,7 @@ TEST(ArmedLoop, RampsInAndThenPushesWithAllOfIt) {
   RealLoop real;
   real.command(CommandKind::kArm);
   real.cycles(kRampTicks / 2 + 1);
-  real.device.position_m = kInsideM;
+  real.device.position_m = kArmingInsideM;
   real.cycles(1);
   EXPECT_TRUE(real.device.enabled);
   EXPECT_NEAR(real.device.forces_n.back(), 1.0, 0.02);
@@ -190,7 +190,7 @@ TEST(ArmedLoop, InAStiffWallTheLimitRisesToo) {
   real.exchange.parameters.publish({servo_settings(limited), 2, nullptr});
   real.command(CommandKind::kArm);
   real.cycles(1);
-  real.device.position_m = kInsideM + 1e-3;
+  real.device.position_m = kArmingInsideM + 1e-3;
   for (int tick = 1; tick <= kRampTicks; ++tick) {
     real.cycles(1);
     ASSERT_NEAR(real.device.forces_n.back(), kLimitN * tick / kRampTicks, 1e-9) << tick;
@@ -203,7 +203,7 @@ TEST(ArmedLoop, AChangeInTheRampIsNoKick) {
   RealLoop real;
   real.command(CommandKind::kArm);
   real.cycles(1);
-  real.device.position_m = kInsideM;
+  real.device.position_m = kArmingInsideM;
   real.cycles(kRampTicks / 2);
   const double before_n = real.device.forces_n.back();
   EXPECT_NEAR(before_n, 1.0, 0.02);
@@ -224,7 +224,7 @@ TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
   stiff.walls[0].stiffness_n_per_m = 1e6;
   real.exchange.parameters.publish({servo_settings(stiff), 2, nullptr});
   real.arm();
-  real.device.position_m = kInsideM;
+  real.device.position_m = kArmingInsideM;
   real.cycles(1);
   EXPECT_EQ(real.device.forces_n.back(), kLimitN);
   stiff.walls[0].stiffness_n_per_m = 2e6;
@@ -232,7 +232,7 @@ TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
   real.cycles(1);
   EXPECT_EQ(real.device.forces_n.back(), kLimitN);
   EXPECT_NE(real.snapshot().sample.flags & kFlagForceLimit, 0U);
-  real.device.position_m = kFreeM;
+  real.device.position_m = kArmingFreeM;
   for (int tick = 0; tick < kRampTicks; ++tick) {
     real.cycles(1);
     ASSERT_EQ(real.device.forces_n.back(), 0.0) << tick;
@@ -242,7 +242,7 @@ TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
 TEST(ArmedLoop, DisarmActsAtTheNextTick) {
   RealLoop real;
   real.arm();
-  real.device.position_m = kInsideM;
+  real.device.position_m = kArmingInsideM;
   real.cycles(1);
   EXPECT_NEAR(real.device.forces_n.back(), 2.0, 1e-9);
   real.command(CommandKind::kDisarm);
@@ -256,7 +256,7 @@ TEST(ArmedLoop, AFaultIsAnsweredInTheSameTick) {
   for (const bool stale : {false, true}) {
     RealLoop real;
     real.arm();
-    real.device.position_m = kInsideM;
+    real.device.position_m = kArmingInsideM;
     real.cycles(1);
     if (stale) {
       real.device.age_s = 1.0;
@@ -300,7 +300,7 @@ TEST(ArmedLoop, APauseDisarmsAndWhatMovesMeanwhileIsNoMove) {
   real.cycles(1);
   EXPECT_EQ(real.snapshot().arming.state, ArmingState::kOff);
   EXPECT_EQ(real.snapshot().arming.asked, 2U);
-  real.device.position_m = kInsideM;
+  real.device.position_m = kArmingInsideM;
   real.command(CommandKind::kResume);
   real.cycles(1);
   EXPECT_EQ(real.snapshot().sample.velocity_m_per_s, 0.0);
@@ -332,7 +332,7 @@ TEST(ArmedLoop, TheSampleTellsAgeAndDeviceTime) {
   real.device.age_s = 0.003;
   real.cycles(1);
   EXPECT_EQ(real.snapshot().sample.read_age_s, 0.003);
-  EXPECT_EQ(real.snapshot().sample.device_time_s, 2.0 * kFreeM);
+  EXPECT_EQ(real.snapshot().sample.device_time_s, 2.0 * kArmingFreeM);
 }
 
 TEST(ArmedLoop, TheEndTakesTheForceAway) {

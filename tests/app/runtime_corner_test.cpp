@@ -20,7 +20,7 @@ using test::TemporaryFolder;
 using test::text_of;
 using test::ticks_reach;
 
-constexpr std::uint64_t kTicks = 600;
+constexpr std::uint64_t kCornerTicks = 600;
 
 Scene corner_scene() {
   Scene scene = contact_scene();
@@ -45,18 +45,18 @@ std::string headless_csv(const file::LoadedScene& loaded) {
   return text;
 }
 
-// Records kTicks ticks; `change`, if any, comes half way.
+// Records kCornerTicks ticks; `change`, if any, comes half way.
 void record(const std::string& csv, const std::optional<Scene>& change) {
   const auto session = started_paused(corner_scene());
   ASSERT_FALSE(session->start_recording(csv));
-  session->step(kTicks / 2);
-  ASSERT_TRUE(ticks_reach(*session, kTicks / 2));
+  session->step(kCornerTicks / 2);
+  ASSERT_TRUE(ticks_reach(*session, kCornerTicks / 2));
   if (change) {
     const auto problem = session->change_scene(*change);
     ASSERT_FALSE(problem.has_value()) << problem->message;
   }
-  session->step(kTicks / 2);
-  ASSERT_TRUE(ticks_reach(*session, kTicks));
+  session->step(kCornerTicks / 2);
+  ASSERT_TRUE(ticks_reach(*session, kCornerTicks));
   ASSERT_FALSE(session->stop_recording());
 }
 
@@ -82,8 +82,8 @@ TEST(CornerSession, RecordsWhatAHeadlessRunOfItsSidecarGives) {
 
 TEST(CornerSession, HandsOutBothAxesTickByTick) {
   const auto session = started_paused(corner_scene());
-  session->step(kTicks);
-  ASSERT_TRUE(ticks_reach(*session, kTicks));
+  session->step(kCornerTicks);
+  ASSERT_TRUE(ticks_reach(*session, kCornerTicks));
   std::vector<Sample> x(100);
   std::vector<Sample> y(100);
   std::uint64_t next = 0;
@@ -94,9 +94,9 @@ TEST(CornerSession, HandsOutBothAxesTickByTick) {
       EXPECT_EQ(y[i].tick, next);
     }
   }
-  EXPECT_EQ(next, kTicks);
+  EXPECT_EQ(next, kCornerTicks);
   const Snapshot snapshot = session->snapshot();
-  EXPECT_EQ(snapshot.y.tick, kTicks - 1);
+  EXPECT_EQ(snapshot.y.tick, kCornerTicks - 1);
   EXPECT_NE(snapshot.y.truth.position_m, snapshot.sample.truth.position_m);
 }
 
@@ -115,13 +115,13 @@ TEST(CornerSession, APlotQueueThatIsFullLosesBothAxesOfATickOrNone) {
   options.plot_queue_capacity = 64;
   options.start_paused = true;
   const auto session = test::started(corner_scene(), options);
-  session->step(kTicks);
-  ASSERT_TRUE(ticks_reach(*session, kTicks));
-  std::vector<Sample> x(kTicks);
-  std::vector<Sample> y(kTicks);
+  session->step(kCornerTicks);
+  ASSERT_TRUE(ticks_reach(*session, kCornerTicks));
+  std::vector<Sample> x(kCornerTicks);
+  std::vector<Sample> y(kCornerTicks);
   const std::size_t count = session->take_samples(x);
   ASSERT_GT(count, 0U);
-  EXPECT_EQ(count + session->dropped_plot_samples(), kTicks);
+  EXPECT_EQ(count + session->dropped_plot_samples(), kCornerTicks);
   ASSERT_EQ(session->take_second_axis(y), count);
   for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(x[i].tick, y[i].tick);
 }
@@ -132,13 +132,13 @@ TEST(CornerSession, ReplaysBothAxes) {
   auto reader = file::RecordingReader::open(folder.file("a.csv"));
   ASSERT_TRUE(reader.ok()) << reader.error().message;
   EXPECT_TRUE(file::has_second_axis((*reader)->info().scanned.columns));
-  std::vector<Sample> x(kTicks);
-  std::vector<Sample> y(kTicks);
+  std::vector<Sample> x(kCornerTicks);
+  std::vector<Sample> y(kCornerTicks);
   const auto count = (*reader)->read(0, x, y);
   ASSERT_TRUE(count.ok());
-  ASSERT_EQ(*count, kTicks);
+  ASSERT_EQ(*count, kCornerTicks);
   std::string text = file::csv_header(file::more_columns(true, true)) + "\n";
-  for (std::size_t i = 0; i < kTicks; ++i)
+  for (std::size_t i = 0; i < kCornerTicks; ++i)
     file::append_csv_row(text, x[i], file::more_columns(true, true), y[i]);
   EXPECT_EQ(text, text_of(folder.file("a.csv")));
   auto replay = start_replay(folder.file("a.csv"), {.start_paused = true});

@@ -14,9 +14,9 @@ using test::contact_scene;
 using test::FakeClock;
 using test::FakeDevice;
 
-constexpr int kArmedTicks = 510;  // the ramp is over
-constexpr double kFreeM = 0.03;
-constexpr double kInsideM = 0.051;
+constexpr int kTicksUntilArmed = 510;  // the ramp is over
+constexpr double kBodyFreeM = 0.03;
+constexpr double kBodyInsideM = 0.051;
 
 struct BodyHarness {
   explicit BodyHarness(bool start_paused = false)
@@ -42,7 +42,7 @@ struct BodyHarness {
   void arm_and_press() {
     ASSERT_TRUE(exchange.commands.try_push({CommandKind::kArm, 0}));
     lateness_ns = [this](int cycle) {
-      device.position_m = cycle <= kArmedTicks ? kFreeM : kInsideM;
+      device.position_m = cycle <= kTicksUntilArmed ? kBodyFreeM : kBodyInsideM;
       return 0;
     };
   }
@@ -65,9 +65,9 @@ struct BodyHarness {
 TEST(ServoLoopBody, EndsWithZeroForceAndAClosedDevice) {
   BodyHarness harness;
   harness.arm_and_press();
-  harness.run(kArmedTicks + 50);
-  ASSERT_EQ(harness.device.forces_n.size(), kArmedTicks + 51U);
-  EXPECT_GT(harness.device.forces_n[kArmedTicks + 49], 0.0);
+  harness.run(kTicksUntilArmed + 50);
+  ASSERT_EQ(harness.device.forces_n.size(), kTicksUntilArmed + 51U);
+  EXPECT_GT(harness.device.forces_n[kTicksUntilArmed + 49], 0.0);
   harness.expect_safe_end();
   EXPECT_FALSE(harness.snapshot().ended_by_fault);
 }
@@ -113,7 +113,7 @@ TEST(ServoLoopBody, HolesAreCountedAndNotCaughtUp) {
 TEST(ServoLoopBody, APausedDeviceHasNoForceAndIsKeptAwake) {
   BodyHarness harness;
   harness.arm_and_press();
-  constexpr int kPauseAt = kArmedTicks + 10;
+  constexpr int kPauseAt = kTicksUntilArmed + 10;
   const auto press = harness.lateness_ns;
   harness.lateness_ns = [&](int cycle) {
     if (cycle == kPauseAt) {

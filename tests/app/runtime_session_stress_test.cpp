@@ -17,7 +17,7 @@ using test::contact_scene;
 using test::plant_changes;
 using test::TemporaryFolder;
 
-constexpr std::uint64_t kTicks = 6000;
+constexpr std::uint64_t kStressTicks = 6000;
 
 TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
   const TemporaryFolder folder;
@@ -33,7 +33,7 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
   std::uint64_t cycles = 0;
   std::uint64_t went_back = 0;
   Sample previous;
-  while (session.snapshot().timing.ticks < kTicks) {
+  while (session.snapshot().timing.ticks < kStressTicks) {
     ++round;
     AlgorithmSettings algorithm;
     algorithm.index = round % algorithms().size();

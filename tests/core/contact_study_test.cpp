@@ -19,7 +19,7 @@ namespace {
 
 std::size_t index_of(const char* name) { return find_algorithm(name).value(); }
 
-constexpr double kPeriodS = 1e-3;
+constexpr double kStudyPeriodS = 1e-3;
 
 // ---- a handle that goes into a wall at constant speed, whatever pushes it back ----
 
@@ -99,7 +99,7 @@ TEST(RiseTime, OfASpringWallIsEightTenthsOfTheWay) {
   const ContactFigures figures = figures_of(steady_entry(1000.0), "none");
   ASSERT_EQ(figures.summary.verdict, Verdict::kSettled);
   const double depth_m = 0.05 + kDepthM - 0.05003;
-  EXPECT_NEAR(figures.rise_time_s.value(), 0.8 * depth_m / kSpeedMPerS, kPeriodS);
+  EXPECT_NEAR(figures.rise_time_s.value(), 0.8 * depth_m / kSpeedMPerS, kStudyPeriodS);
   EXPECT_NEAR(figures.peak_penetration_m.value(), depth_m, 1e-4 * depth_m);
 }
 

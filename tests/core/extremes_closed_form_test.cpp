@@ -19,7 +19,7 @@ using testing::Quad;
 using testing::QuadPlant;
 
 constexpr double kLastDigits = 1e-14;
-constexpr int kTicks = 40;
+constexpr int kClosedFormTicks = 40;
 constexpr double kSpeed = 0.01;
 
 // Everything in powers of two, so that what is meant to be critical is so to the last bit: b + b_h
@@ -95,7 +95,7 @@ Errors compare(const Scene& scene, Plant& plant) {
   double most_m_per_s = 0.0;
   double most_j = 0.0;
   const double period_s = scene.sampling.period_s();
-  for (int tick = 0; tick < kTicks; ++tick) {
+  for (int tick = 0; tick < kClosedFormTicks; ++tick) {
     plant.advance(command(tick));
     reference.advance(command(tick), kSpeed * period_s * tick, kSpeed, period_s);
     const auto motion = plant.motion();
@@ -154,7 +154,7 @@ TEST(NearlySingularPlants, TheCriticalStepResponseIsTheTextbooks) {
   scene.hand->path = {{0.0, 0.5}};
   PlantModel plant(scene);
   constexpr long double kRate = 4.0L;
-  for (int tick = 1; tick <= kTicks; ++tick) {
+  for (int tick = 1; tick <= kClosedFormTicks; ++tick) {
     plant.advance(0.0);
     // F_h = k(p - x) - b_h v with b_h + b = 2 m rate, so that x = p (1 - (1 + rate t) e^(-rate t)).
     const long double t = static_cast<long double>(tick) / 16.0L;

@@ -10,7 +10,7 @@
 namespace hapticwall {
 namespace {
 
-constexpr double kPeriodS = 1e-3;
+constexpr double kContactPeriodS = 1e-3;
 
 struct Touch {
   double force_n;
@@ -19,7 +19,7 @@ struct Touch {
 };
 
 FirstContact contact_of(const std::vector<Touch>& touches, double speed_m_per_s) {
-  FirstContact contact(kPeriodS);
+  FirstContact contact(kContactPeriodS);
   for (std::size_t i = 0; i < touches.size(); ++i) {
     Sample sample;
     sample.tick = i;
@@ -69,17 +69,17 @@ TEST(FirstContact, EndsAtTheForceLimit) {
 TEST(FirstContact, OfAJumpThatNearlyReachesTheLimitIsNotWhatIsLeft) {
   const FirstContact contact =
       contact_of({{0, false}, {8.7, true}, {8.9, true, kFlagForceLimit}, {0, false}}, 1.0);
-  EXPECT_NEAR(contact.rate_hardness_n_per_m().value(), 8.9 / (2.0 * kPeriodS), 1e-6);
+  EXPECT_NEAR(contact.rate_hardness_n_per_m().value(), 8.9 / (2.0 * kContactPeriodS), 1e-6);
   EXPECT_EQ(contact.kind(), RiseKind::kToTheLimit);
 }
 
 TEST(FirstContact, OfOneJumpIsThatJumpInATick) {
   const FirstContact at_once = contact_of(
       {{0, false}, {8.9, true, kFlagForceLimit}, {8.9, true, kFlagForceLimit}, {0, false}}, 0.1);
-  EXPECT_NEAR(at_once.rate_hardness_n_per_m().value(), 8.9 / kPeriodS / 0.1, 1e-6);
+  EXPECT_NEAR(at_once.rate_hardness_n_per_m().value(), 8.9 / kContactPeriodS / 0.1, 1e-6);
   EXPECT_EQ(at_once.kind(), RiseKind::kOneTick);
   const FirstContact one_count = contact_of({{0.5, false}, {2, true}, {2, true}, {0, false}}, 0.1);
-  EXPECT_NEAR(one_count.rate_hardness_n_per_m().value(), 1.5 / kPeriodS / 0.1, 1e-6);
+  EXPECT_NEAR(one_count.rate_hardness_n_per_m().value(), 1.5 / kContactPeriodS / 0.1, 1e-6);
   EXPECT_EQ(one_count.kind(), RiseKind::kOneTick);
 }
 

@@ -24,7 +24,7 @@ using testing::ReferenceState;
 using testing::set_parameter;
 
 constexpr int kSequences = 10000;
-constexpr int kTicks = 100;
+constexpr int kReferenceTicks = 100;
 constexpr double kTolerance = 1e-12;
 
 class Sequence {
@@ -149,7 +149,7 @@ TEST_P(ReferenceAlgorithm, AgreesOnTenThousandSequences) {
     const bool exact = in_the_same_order(c, sequence.scene());
     PositionBench bench(sequence.settings());
     ReferenceState state;
-    for (int tick = 0; tick < kTicks; ++tick) {
+    for (int tick = 0; tick < kReferenceTicks; ++tick) {
       if (sequence.resets()) {
         bench.reset();
         state = ReferenceState{};
@@ -170,7 +170,7 @@ TEST_P(ReferenceAlgorithm, AgreesOnTenThousandSequences) {
       state.force = sample.force_n;
     }
   }
-  EXPECT_GT(contacts, kSequences * kTicks / 10);
+  EXPECT_GT(contacts, kSequences * kReferenceTicks / 10);
   if (std::string(c.algorithm) != "none") EXPECT_GT(interventions, kSequences);
 }
 

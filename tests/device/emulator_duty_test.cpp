@@ -16,8 +16,8 @@ using testing::kTickUs;
 using testing::one_axis;
 using testing::two_axes;
 
-constexpr double kPushN = 2.0;
-constexpr int kWatchdogMs = 50;
+constexpr double kDutyPushN = 2.0;
+constexpr int kDutyWatchdogMs = 50;
 
 TEST(EmulatorDuty, No1BeginWithoutForce) {
   Bench bench({{FaultKind::kUnplugged, 100 * kMillisecondUs, 10 * kMillisecondUs},
@@ -25,25 +25,25 @@ TEST(EmulatorDuty, No1BeginWithoutForce) {
   bench.ticks(50);
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_FALSE(bench.has(kStatusEnabled));
-  bench.drive(kPushN, 49);
-  EXPECT_EQ(bench.force_n(), kPushN);
+  bench.drive(kDutyPushN, 49);
+  EXPECT_EQ(bench.force_n(), kDutyPushN);
   bench.ticks(20);  // off the bus, and back
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.status, kStatusCalibrated);
-  bench.drive(kPushN, 80);
-  EXPECT_EQ(bench.force_n(), kPushN);
+  bench.drive(kDutyPushN, 80);
+  EXPECT_EQ(bench.force_n(), kDutyPushN);
   bench.ticks(20);  // without power, and back
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.status, 0);
-  bench.drive(kPushN);
-  EXPECT_EQ(bench.force_n(), kPushN);
+  bench.drive(kDutyPushN);
+  EXPECT_EQ(bench.force_n(), kDutyPushN);
 }
 
 TEST(EmulatorDuty, No2EnableCountsForOneCommand) {
   Bench bench;
   bench.tick();
-  bench.drive(kPushN, 5);
-  ForceReport without = bench.next_command(kPushN);
+  bench.drive(kDutyPushN, 5);
+  ForceReport without = bench.next_command(kDutyPushN);
   without.enable = false;
   without.sequence = 2;  // neither its sequence nor its echo would do for a force
   without.echoed_state_sequence = 30000;
@@ -61,41 +61,41 @@ TEST(EmulatorDuty, No3TimeToLive) {
   for (const int milliseconds : {1, 7, 20, 40}) {
     Bench bench;
     bench.tick();
-    ForceReport command = bench.next_command(kPushN);
+    ForceReport command = bench.next_command(kDutyPushN);
     command.time_to_live_ms = static_cast<std::uint16_t>(milliseconds);
     bench.step(500);
     bench.send(command);  // half a tick before the next one
     for (int i = 0; i < milliseconds; ++i) {
       bench.tick();
-      ASSERT_EQ(bench.force_n(), kPushN) << milliseconds << ' ' << i;
+      ASSERT_EQ(bench.force_n(), kDutyPushN) << milliseconds << ' ' << i;
     }
     bench.tick();
     EXPECT_EQ(bench.force_n(), 0.0) << milliseconds;
     EXPECT_EQ(bench.state.status, kStatusCalibrated);  // no fault
-    bench.drive(kPushN);
-    EXPECT_EQ(bench.force_n(), kPushN) << milliseconds;
+    bench.drive(kDutyPushN);
+    EXPECT_EQ(bench.force_n(), kDutyPushN) << milliseconds;
   }
 }
 
 TEST(EmulatorDuty, No4Watchdog) {
   Bench bench;
   bench.tick();
-  bench.push(kPushN);
-  bench.ticks(kWatchdogMs - 1);
+  bench.push(kDutyPushN);
+  bench.ticks(kDutyWatchdogMs - 1);
   EXPECT_FALSE(bench.has(kStatusWatchdog));
   bench.tick();
   EXPECT_TRUE(bench.has(kStatusWatchdog));
   EXPECT_EQ(bench.state.fault, kFaultWatchdog);
   EXPECT_EQ(bench.force_n(), 0.0);
-  bench.drive(kPushN, 100);  // whoever goes on as if nothing had been moves nothing
+  bench.drive(kDutyPushN, 100);  // whoever goes on as if nothing had been moves nothing
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.acknowledged_sequence, bench.sequence);
   bench.clear_faults();
   bench.tick();
   EXPECT_EQ(bench.state.status, kStatusCalibrated);
   EXPECT_EQ(bench.state.fault, kNoFault);
-  bench.drive(kPushN);
-  EXPECT_EQ(bench.force_n(), kPushN);
+  bench.drive(kDutyPushN);
+  EXPECT_EQ(bench.force_n(), kDutyPushN);
 }
 
 TEST(EmulatorDuty, No4TheShorterOfWatchdogAndTimeToLiveEndsTheForce) {
@@ -103,9 +103,9 @@ TEST(EmulatorDuty, No4TheShorterOfWatchdogAndTimeToLiveEndsTheForce) {
   settings.watchdog_ms = 10;
   Bench bench(settings);
   bench.tick();
-  bench.push(kPushN);  // for 20 ms
+  bench.push(kDutyPushN);  // for 20 ms
   bench.ticks(9);
-  EXPECT_EQ(bench.force_n(), kPushN);
+  EXPECT_EQ(bench.force_n(), kDutyPushN);
   bench.tick();
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_TRUE(bench.has(kStatusWatchdog));
@@ -115,28 +115,28 @@ TEST(EmulatorDuty, No5AWatchdogInHardware) {
   constexpr std::uint64_t kBeginUs = 100 * kMillisecondUs;
   Bench bench({{FaultKind::kFrozen, kBeginUs, 200 * kMillisecondUs}});
   bench.ticks(50);
-  bench.drive(kPushN, 49);
-  EXPECT_EQ(bench.force_n(), kPushN);
+  bench.drive(kDutyPushN, 49);
+  EXPECT_EQ(bench.force_n(), kDutyPushN);
   const std::uint16_t before = bench.state.sequence;
-  bench.drive(kPushN, kWatchdogMs - 1);
+  bench.drive(kDutyPushN, kDutyWatchdogMs - 1);
   EXPECT_FALSE(bench.device.accepts_output());
   EXPECT_EQ(bench.state.sequence, before);
-  EXPECT_EQ(bench.force_n(), kPushN);  // it hangs, and so does the force
+  EXPECT_EQ(bench.force_n(), kDutyPushN);  // it hangs, and so does the force
   bench.tick();
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_FALSE(bench.device.is_plugged());
-  bench.drive(kPushN, 151);  // back again: what was written meanwhile is lost
+  bench.drive(kDutyPushN, 151);  // back again: what was written meanwhile is lost
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.status, 0);  // restarted: not calibrated either
   EXPECT_EQ(bench.state.sequence, 1);
-  bench.drive(kPushN);
-  EXPECT_EQ(bench.force_n(), kPushN);
+  bench.drive(kDutyPushN);
+  EXPECT_EQ(bench.force_n(), kDutyPushN);
 }
 
 TEST(EmulatorDuty, No5AShortHangEndsByTheTimeToLive) {
   Bench bench({{FaultKind::kFrozen, 100 * kMillisecondUs, 30 * kMillisecondUs}});
   bench.ticks(50);
-  bench.drive(kPushN, 49);
+  bench.drive(kDutyPushN, 49);
   bench.ticks(31);
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_TRUE(bench.has(kStatusCalibrated));
@@ -186,16 +186,16 @@ constexpr HardwareFault kHardwareFaults[] = {
 TEST(EmulatorDuty, No8FaultsLast) {
   for (const HardwareFault& fault : kHardwareFaults) {
     Bench bench({{fault.kind, 100 * kMillisecondUs, 50 * kMillisecondUs}});
-    bench.drive(kPushN, 99);
-    EXPECT_EQ(bench.force_n(), kPushN);
-    bench.drive(kPushN);
+    bench.drive(kDutyPushN, 99);
+    EXPECT_EQ(bench.force_n(), kDutyPushN);
+    bench.drive(kDutyPushN);
     EXPECT_EQ(bench.force_n(), 0.0);
     EXPECT_TRUE(bench.has(fault.status));
     EXPECT_EQ(bench.state.fault, fault.code);
     bench.clear_faults();  // while the cause is there
-    bench.drive(kPushN, 20);
+    bench.drive(kDutyPushN, 20);
     EXPECT_TRUE(bench.has(fault.status));
-    bench.drive(kPushN, 50);  // it is gone, the fault is not
+    bench.drive(kDutyPushN, 50);  // it is gone, the fault is not
     EXPECT_TRUE(bench.has(fault.status));
     EXPECT_EQ(bench.force_n(), 0.0);
     EXPECT_EQ(bench.state.acknowledged_sequence, bench.sequence);
@@ -204,8 +204,8 @@ TEST(EmulatorDuty, No8FaultsLast) {
     EXPECT_EQ(bench.state.status, kStatusCalibrated);
     EXPECT_EQ(bench.state.fault, kNoFault);
     EXPECT_EQ(bench.force_n(), 0.0);  // a cleared fault is no command
-    bench.drive(kPushN);
-    EXPECT_EQ(bench.force_n(), kPushN);
+    bench.drive(kDutyPushN);
+    EXPECT_EQ(bench.force_n(), kDutyPushN);
   }
 }
 
@@ -225,9 +225,9 @@ TEST(EmulatorDuty, No8TheFirstFaultIsNamedUntilItIsClearedAndThenOneThatIsLeft) 
 TEST(EmulatorDuty, No9EmergencyStopCutsThePowerAtOnce) {
   Bench bench({{FaultKind::kEmergencyStop, 100'300, 10 * kMillisecondUs},
                {FaultKind::kFrozen, 100'000, 40 * kMillisecondUs}});
-  bench.drive(kPushN, 100);
+  bench.drive(kDutyPushN, 100);
   bench.step(299);
-  EXPECT_EQ(bench.force_n(), kPushN);
+  EXPECT_EQ(bench.force_n(), kDutyPushN);
   bench.step(1);  // between two ticks, while the firmware hangs
   EXPECT_EQ(bench.force_n(), 0.0);
 }
@@ -235,11 +235,11 @@ TEST(EmulatorDuty, No9EmergencyStopCutsThePowerAtOnce) {
 TEST(EmulatorDuty, No10LossOfTheBus) {
   constexpr std::uint64_t kBeginUs = 100 * kMillisecondUs;
   Bench bench({{FaultKind::kUnplugged, kBeginUs, 500 * kMillisecondUs}});
-  bench.drive(kPushN, 99);
+  bench.drive(kDutyPushN, 99);
   const std::size_t sent = bench.reports.size();
   bench.step(kTickUs);
   EXPECT_FALSE(bench.device.is_plugged());
-  EXPECT_FALSE(bench.push(kPushN));
+  EXPECT_FALSE(bench.push(kDutyPushN));
   EXPECT_FALSE(bench.device.get_feature(kInfoId));
   bench.ticks(3);
   EXPECT_EQ(bench.force_n(), 0.0);

@@ -12,7 +12,7 @@ using testing::kMillisecondUs;
 using testing::kTickUs;
 using testing::one_axis;
 
-constexpr double kPushN = 2.0;
+constexpr double kHandPushN = 2.0;
 constexpr double kSpeedMPerS = 0.3;
 
 // The hand is on its way from the first instant on.
@@ -43,7 +43,7 @@ TEST(EmulatorHand, WaitsUntilTheDeviceIsEnabledForTheFirstTime) {
 TEST(EmulatorHand, ARejectedCommandDoesNotStartIt) {
   Bench bench(moving_hand(true));
   bench.ticks(3);
-  ForceReport command = bench.next_command(kPushN);
+  ForceReport command = bench.next_command(kHandPushN);
   command.time_to_live_ms = 0;
   bench.send(command);
   bench.ticks(300);
@@ -64,13 +64,13 @@ TEST(EmulatorHand, ThenPlaysTheSceneFromItsStartTickByTick) {
   for (const int late : {1, 77}) {
     Bench bench(moving_hand(true));
     bench.ticks(late);
-    bench.drive(-kPushN);
+    bench.drive(-kHandPushN);
     ASSERT_TRUE(bench.has(kStatusEnabled));
     PlantModel plant(moving_hand(true).x);
     for (int i = 0; i < 200; ++i) {
       ASSERT_EQ(bench.device.truth(0).position_m, plant.truth().position_m) << i;
-      bench.drive(-kPushN);
-      plant.advance(kPushN);
+      bench.drive(-kHandPushN);
+      plant.advance(kHandPushN);
     }
   }
 }

@@ -11,14 +11,14 @@ namespace hapticwall::device {
 namespace {
 
 constexpr std::int64_t kMillisecondNs = 1'000'000;
-constexpr double kEncoderM = 1e-3;
+constexpr double kCountM = 1e-3;
 
 class LinkState : public ::testing::Test {
  protected:
   LinkState() {
     session.number = 1;
     session.device.axes = 1;
-    session.device.axis[0] = {kEncoderM, 5.0};
+    session.device.axis[0] = {kCountM, 5.0};
     session.sent = sent;
     state.sequence = 100;
     state.time_us = 1'000'000;
@@ -50,7 +50,7 @@ TEST_F(LinkState, KeepsTheNewest) {
   ASSERT_TRUE(take());
   const LinkView& view = tracker.view();
   EXPECT_EQ(view.session, 1U);
-  EXPECT_DOUBLE_EQ(view.position_m[0], 31 * kEncoderM);
+  EXPECT_DOUBLE_EQ(view.position_m[0], 31 * kCountM);
   EXPECT_EQ(view.position_m[1], 0.0);  // there is no second axis
   EXPECT_EQ(view.limit_n, (AxisValues{5.0, 0.0}));
   EXPECT_EQ(view.received_ns, now_ns);
@@ -164,7 +164,7 @@ TEST_F(LinkState, AnUncalibratedHandleIsAtTheStartAtEveryLinkUp) {
     step();
     state.position_counts[0] += 5;
     ASSERT_TRUE(take());
-    EXPECT_DOUBLE_EQ(tracker.view().position_m[0], 0.03 + 5 * kEncoderM);
+    EXPECT_DOUBLE_EQ(tracker.view().position_m[0], 0.03 + 5 * kCountM);
   }
 }
 

@@ -9,12 +9,12 @@
 namespace hapticwall::device {
 namespace {
 
-constexpr double kPushN = -2.0;  // into the wall
-constexpr double kEncoderM = 0.254e-3;
+constexpr double kIntoWallN = -2.0;  // into the wall
+constexpr double kStepM = 0.254e-3;
 
 Scene free_scene() {
   Scene scene;
-  scene.device.encoder_m = kEncoderM;
+  scene.device.encoder_m = kStepM;
   scene.device.start_m = 0.03;
   return scene;
 }
@@ -40,8 +40,8 @@ TEST(SimulatedDevice, OneWriteIsOneTickOfThePlant) {
     ASSERT_EQ(reading.age_s, 0.0);
     ASSERT_EQ(reading.state, DeviceState::kOk);
     ASSERT_EQ(device.truth()->position_m, plant.truth().position_m) << tick;
-    device.write(kPushN);
-    plant.advance(kPushN);
+    device.write(kIntoWallN);
+    plant.advance(kIntoWallN);
   }
   EXPECT_GT(plant.truth().position_m, 0.05);
 }
@@ -50,7 +50,7 @@ TEST(SimulatedDevice, ReadingTwiceDoesNotMoveItAndTruthIsThatOfTheLastRead) {
   SimulatedDevice device(free_scene());
   static_cast<void>(device.read());
   const double start_m = device.truth()->position_m;
-  device.write(kPushN);
+  device.write(kIntoWallN);
   EXPECT_EQ(device.truth()->position_m, start_m);
   static_cast<void>(device.read());
   const double moved_m = device.truth()->position_m;
@@ -63,8 +63,8 @@ TEST(SimulatedDevice, PositionIsCountedByTheEncoder) {
   SimulatedDevice device(free_scene());
   for (int tick = 0; tick < 100; ++tick) {
     const double position_m = device.read().position_m;
-    ASSERT_EQ(position_m, kEncoderM * std::rint(position_m / kEncoderM));
-    device.write(kPushN);
+    ASSERT_EQ(position_m, kStepM * std::rint(position_m / kStepM));
+    device.write(kIntoWallN);
   }
   EXPECT_NE(device.read().position_m, device.truth()->position_m);
 }
@@ -76,7 +76,7 @@ TEST(SimulatedDevice, ResetForgetsEverythingAlsoTheForceJustWritten) {
   for (int tick = 0; tick < 50; ++tick) {
     device.lead_hand_to(0.06);
     static_cast<void>(device.read());
-    device.write(kPushN);
+    device.write(kIntoWallN);
   }
   ASSERT_NE(device.truth()->position_m, start.position_m);
   device.reset();
@@ -116,9 +116,9 @@ TEST(SimulatedDevice, ANewPlantGoesOnWhereTheOldOneIsAfterTheTickThatPasses) {
     static_cast<void>(device.read());
     if (tick < 50) {
       ASSERT_EQ(device.truth()->position_m, before.truth().position_m) << tick;
-      before.advance(kPushN);
+      before.advance(kIntoWallN);
     }
-    device.write(kPushN);
+    device.write(kIntoWallN);
     if (tick == 49) {
       device.change_plant(next);  // the force of tick 49 acts on the plant before
       after.take_over(before);
@@ -126,7 +126,7 @@ TEST(SimulatedDevice, ANewPlantGoesOnWhereTheOldOneIsAfterTheTickThatPasses) {
     if (tick >= 50) {
       ASSERT_EQ(device.truth()->position_m, after.truth().position_m) << tick;
       ASSERT_EQ(device.truth()->kinetic_j, after.truth().kinetic_j) << tick;
-      after.advance(kPushN);
+      after.advance(kIntoWallN);
     }
   }
   EXPECT_NE(after.truth().velocity_m_per_s, 0.0);

@@ -50,8 +50,8 @@ TEST(Reference, AgreesOnTheGoldenScenes) {
 }
 
 // Grip, friction, lag, delay.
-using Parts = std::tuple<bool, bool, bool, bool>;
-class ReferenceParts : public ::testing::TestWithParam<Parts> {};
+using LoopParts = std::tuple<bool, bool, bool, bool>;
+class ReferenceParts : public ::testing::TestWithParam<LoopParts> {};
 
 TEST_P(ReferenceParts, AgreesInClosedLoop) {
   const auto [grip, friction, lag, delay] = GetParam();
@@ -68,7 +68,7 @@ TEST_P(ReferenceParts, AgreesInClosedLoop) {
   EXPECT_LE(difference_m, 1e-15);
 }
 
-std::string name_of(const Parts& parts) {
+std::string name_of_parts(const LoopParts& parts) {
   std::string name = "plain";
   if (std::get<0>(parts)) name += "_grip";
   if (std::get<1>(parts)) name += "_friction";
@@ -80,7 +80,7 @@ std::string name_of(const Parts& parts) {
 INSTANTIATE_TEST_SUITE_P(Combinations, ReferenceParts,
                          ::testing::Combine(::testing::Bool(), ::testing::Bool(), ::testing::Bool(),
                                             ::testing::Bool()),
-                         [](const auto& param_info) { return name_of(param_info.param); });
+                         [](const auto& param_info) { return name_of_parts(param_info.param); });
 
 }  // namespace
 }  // namespace hapticwall

@@ -17,8 +17,8 @@ namespace {
 using testing::brute_force_plant;
 using testing::BruteForcePlant;
 
-constexpr int kTicks = 30;
-constexpr int kSubsteps = 100'000;
+constexpr int kEventTicks = 30;
+constexpr int kEventSubsteps = 100'000;
 
 // Ten swings a tick, each of which friction stops at both turns. Ends of ticks are no instants at
 // which anything stops by design.
@@ -58,7 +58,7 @@ Course exact(const Scene& scene) {
   PlantVariant plants = make_plant(scene);
   visit_plant(
       [&](auto& plant) {
-        for (int tick = 0; tick < kTicks; ++tick) {
+        for (int tick = 0; tick < kEventTicks; ++tick) {
           plant.advance(force_n(tick));
           PlantTruth truth;
           plant.write_truth(plant.motion(), truth);
@@ -75,7 +75,7 @@ Course exact(const Scene& scene) {
 Course brute_force(const Scene& scene, int substeps) {
   Course course;
   BruteForcePlant plant = brute_force_plant(scene);
-  for (int tick = 0; tick < kTicks; ++tick) {
+  for (int tick = 0; tick < kEventTicks; ++tick) {
     plant.advance(force_n(tick), scene.sampling.period_s(), substeps);
     course.rows.push_back({static_cast<double>(plant.x), static_cast<double>(plant.actuator_work),
                            static_cast<double>(plant.dissipation),
@@ -112,8 +112,8 @@ TEST_P(FrictionEvents, AreThoseOfTheBruteForce) {
   constexpr double kShare = 0.25;
   const Scene scene = swinging(GetParam());
   const Course ours = exact(scene);
-  const Course coarse = brute_force(scene, kSubsteps / 4);
-  const Course fine = brute_force(scene, kSubsteps);
+  const Course coarse = brute_force(scene, kEventSubsteps / 4);
+  const Course fine = brute_force(scene, kEventSubsteps);
   const auto [step_m, step_j] = difference(coarse, fine);
   const auto [off_m, off_j] = difference(ours, fine);
   std::printf("%d events; off by %.2g m, %.2g J; the brute forces differ by %.2g m, %.2g J\n",
@@ -131,7 +131,7 @@ TEST_P(FrictionEvents, EnergiesBalance) {
   PlantVariant plants = make_plant(scene);
   visit_plant(
       [&](auto& plant) {
-        for (int tick = 0; tick < kTicks; ++tick) {
+        for (int tick = 0; tick < kEventTicks; ++tick) {
           plant.advance(force_n(tick));
           const auto& energy = plant.energy();
           const double off_j = energy.hand_work_j - plant.kinetic_j() - energy.dissipation_j() -

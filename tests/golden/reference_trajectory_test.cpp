@@ -22,15 +22,15 @@ namespace hapticwall {
 namespace {
 
 // tick, position_m, velocity_m_per_s, force_n, actuator_work_j, viscous_dissipation_j
-using Row = std::array<double, 6>;
+using GoldenRow = std::array<double, 6>;
 
-std::vector<Row> read_reference(const std::string& name) {
+std::vector<GoldenRow> read_reference(const std::string& name) {
   std::ifstream file(std::string(HAPTICWALL_TEST_DATA_DIR) + "/golden/" + name);
   std::string line;
   std::getline(file, line);
-  std::vector<Row> rows;
+  std::vector<GoldenRow> rows;
   while (std::getline(file, line)) {
-    Row row{};
+    GoldenRow row{};
     const char* cursor = line.data();
     const char* end = line.data() + line.size();
     for (double& value : row) {
@@ -74,14 +74,14 @@ std::ostream& operator<<(std::ostream& out, const GoldenCase& golden) {
 
 class ReferenceTrajectory : public ::testing::TestWithParam<GoldenCase> {};
 
-double largest(const std::vector<Row>& rows, std::size_t column) {
+double largest(const std::vector<GoldenRow>& rows, std::size_t column) {
   double value = 0.0;
-  for (const Row& row : rows) value = std::max(value, std::abs(row[column]));
+  for (const GoldenRow& row : rows) value = std::max(value, std::abs(row[column]));
   return value;
 }
 
 TEST_P(ReferenceTrajectory, IsMetAtEveryTick) {
-  const std::vector<Row> reference = read_reference(GetParam().file);
+  const std::vector<GoldenRow> reference = read_reference(GetParam().file);
   ASSERT_EQ(reference.size(), 5001U);
   const auto loaded = file::load_scene(GetParam().scene);
   ASSERT_TRUE(loaded.ok()) << loaded.error().message;
@@ -89,7 +89,7 @@ TEST_P(ReferenceTrajectory, IsMetAtEveryTick) {
   double position_error_m = 0.0;
   double work_error_j = 0.0;
   double force_error_n = 0.0;
-  const auto compare = [&](const PlantTruth& truth, const Row& row) {
+  const auto compare = [&](const PlantTruth& truth, const GoldenRow& row) {
     position_error_m = std::max(position_error_m, std::abs(truth.position_m - row[1]));
     work_error_j = std::max(work_error_j, std::abs(truth.actuator_work_j - row[4]));
   };
@@ -110,13 +110,13 @@ TEST_P(ReferenceTrajectory, IsMetAtEveryTick) {
 }
 
 TEST_P(ReferenceTrajectory, DissipatesWhatItShould) {
-  const std::vector<Row> reference = read_reference(GetParam().file);
+  const std::vector<GoldenRow> reference = read_reference(GetParam().file);
   const auto loaded = file::load_scene(GetParam().scene);
   ASSERT_TRUE(loaded.ok()) << loaded.error().message;
   PlantDevice device(loaded->scene);
   Servo servo(servo_settings(loaded->scene));
   double error_j = 0.0;
-  for (const Row& row : reference) {
+  for (const GoldenRow& row : reference) {
     error_j = std::max(error_j, std::abs(device.viscous_j() - row[5]));
     servo.tick(device);
   }

@@ -14,7 +14,7 @@
 namespace hapticwall::testing {
 
 // Of sums: what they may be off by, of all that went into them.
-constexpr double kRounding = 1e-12;
+inline constexpr double kRounding = 1e-12;
 
 // The settings and the rows of a run that no parameter changed.
 struct Trial {

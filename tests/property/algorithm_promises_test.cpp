@@ -21,7 +21,7 @@ using testing::random_scene;
 using testing::set_parameter;
 using testing::Trial;
 
-constexpr std::size_t kTicks = 2000;
+constexpr std::size_t kPromiseTicks = 2000;
 constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 ServoSettings random_settings(std::string_view algorithm) {
@@ -37,7 +37,7 @@ ServoSettings random_settings(std::string_view algorithm) {
 }
 
 Trial attacked(const ServoSettings& settings) {
-  return {settings, testing::attack(settings, *rc::gen::arbitrary<std::uint64_t>(), kTicks)};
+  return {settings, testing::attack(settings, *rc::gen::arbitrary<std::uint64_t>(), kPromiseTicks)};
 }
 
 Trial simulated(const Scene& scene) {
@@ -107,9 +107,9 @@ RC_GTEST_PROP(EnergyBookkeepingPromise, TwoWallsInOnePlaceAreOneOfBoth, ()) {
   ServoSettings layered = settings;
   layered.walls = WallSet(halves);
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-  const auto one = testing::attack(settings, seed, kTicks);
-  const auto two = testing::attack(layered, seed, kTicks);
-  for (std::size_t k = 0; k < kTicks; ++k) RC_ASSERT(one[k].force_n == two[k].force_n);
+  const auto one = testing::attack(settings, seed, kPromiseTicks);
+  const auto two = testing::attack(layered, seed, kPromiseTicks);
+  for (std::size_t k = 0; k < kPromiseTicks; ++k) RC_ASSERT(one[k].force_n == two[k].force_n);
 }
 
 // What the options of the passivity controller promise, with the same-sample observer: it takes

@@ -23,7 +23,7 @@ using testing::one_by_one;
 using testing::random_scene;
 using testing::uniform;
 
-constexpr std::size_t kScenes = 48;
+constexpr std::size_t kLaneScenes = 48;
 
 void set(Scene& scene, std::string_view key, double value) {
   scene.algorithm.values.at(*find_algorithm_parameter(key)) = value;
@@ -63,7 +63,7 @@ Scene random_lane_scene(std::string_view algorithm) {
 
 std::vector<Scene> random_lane_scenes(std::string_view algorithm) {
   std::vector<Scene> scenes;
-  for (std::size_t i = 0; i < kScenes; ++i) {
+  for (std::size_t i = 0; i < kLaneScenes; ++i) {
     scenes.push_back(random_lane_scene(algorithm));
     RC_ASSERT(!validate(scenes.back()).has_value());
     RC_ASSERT(batch::lane_kind(scenes.back()).has_value());
@@ -102,7 +102,7 @@ RC_GTEST_PROP(BatchLanes, AreScalarUnderEnergyBookkeeping, ()) {
 // Any scene at all in any company, on any number of threads.
 RC_GTEST_PROP(Batch, GivesWhatSimulateGives, ()) {
   std::vector<Scene> scenes;
-  for (std::size_t i = 0; i < kScenes; ++i) {
+  for (std::size_t i = 0; i < kLaneScenes; ++i) {
     const auto algorithm =
         *rc::gen::elementOf(std::vector(algorithms().begin(), algorithms().end()));
     scenes.push_back(flip() ? random_lane_scene("none") : random_scene(algorithm.name));

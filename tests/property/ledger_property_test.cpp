@@ -15,7 +15,7 @@ namespace {
 
 using testing::random_scene;
 
-std::string_view any_algorithm() {
+std::string_view listed_algorithm() {
   return (*rc::gen::elementOf(
               std::vector<AlgorithmDescription>(algorithms().begin(), algorithms().end())))
       .name;
@@ -42,19 +42,19 @@ Run run(const Scene& scene) {
   return all;
 }
 
-constexpr double kRounding = 1e-12;
+constexpr double kLedgerRounding = 1e-12;
 
 RC_GTEST_PROP(Ledger, ScvIsCvPlusHoldAtEveryRow, ()) {
-  const Run all = run(random_scene(any_algorithm()));
+  const Run all = run(random_scene(listed_algorithm()));
   for (const Sample& row : all.rows) {
     RC_ASSERT(std::abs(row.energy_scv_j - (row.energy_cv_j + row.energy_hold_j)) <=
-              kRounding * all.turnover_j);
+              kLedgerRounding * all.turnover_j);
   }
 }
 
 // The ledger again from the recorded columns alone.
 RC_GTEST_PROP(Ledger, IsWhatTheColumnsSay, ()) {
-  const Scene scene = random_scene(any_algorithm());
+  const Scene scene = random_scene(listed_algorithm());
   const Run all = run(scene);
   double cv = 0.0;
   double hold = 0.0;
@@ -67,18 +67,18 @@ RC_GTEST_PROP(Ledger, IsWhatTheColumnsSay, ()) {
     hold += (before_n - all.rows[k].force_n) * step_m;
     scv += before_n * step_m;
     squares += std::pow(all.rows[k].velocity_m_per_s, 2);
-    const double tolerance = kRounding * (all.turnover_j + 1e-15);
+    const double tolerance = kLedgerRounding * (all.turnover_j + 1e-15);
     RC_ASSERT(std::abs(all.rows[k].energy_cv_j - cv) <= tolerance);
     RC_ASSERT(std::abs(all.rows[k].energy_hold_j - hold) <= tolerance);
     RC_ASSERT(std::abs(all.rows[k].energy_scv_j - scv) <= tolerance);
     const double budget = -scene.sampling.period_s() * scene.device.damping_n_s_per_m * squares;
     RC_ASSERT(std::abs(all.rows[k].energy_budget_j - budget) <=
-              kRounding * std::abs(budget) + 1e-18);
+              kLedgerRounding * std::abs(budget) + 1e-18);
   }
 }
 
 RC_GTEST_PROP(Energy, BalanceClosesToABillionth, ()) {
-  const Scene scene = random_scene(any_algorithm());
+  const Scene scene = random_scene(listed_algorithm());
   const Run all = run(scene);
   const Summary& s = all.result.summary;
   const double scale = std::abs(*s.true_hand_work_j) + std::abs(*s.true_dissipation_j) +
@@ -88,7 +88,7 @@ RC_GTEST_PROP(Energy, BalanceClosesToABillionth, ()) {
 
 // Without an encoder the ledger's Eq. 10 and the plant's own account are the same sum.
 RC_GTEST_PROP(Energy, ScvIsTheTrueActuatorWorkWithoutAnEncoder, ()) {
-  Scene scene = random_scene(any_algorithm());
+  Scene scene = random_scene(listed_algorithm());
   scene.device.encoder_m.reset();
   const Run all = run(scene);
   for (const Sample& row : all.rows) {
@@ -100,14 +100,14 @@ RC_GTEST_PROP(Energy, ScvIsTheTrueActuatorWorkWithoutAnEncoder, ()) {
 RC_GTEST_PROP(EnergyBounding, HoldStaysWithinItsBudgetAtEveryRow, ()) {
   const Run all = run(random_scene("energy-bounding"));
   for (const Sample& row : all.rows) {
-    RC_ASSERT(row.energy_hold_j >= row.energy_budget_j - kRounding * all.turnover_j);
+    RC_ASSERT(row.energy_hold_j >= row.energy_budget_j - kLedgerRounding * all.turnover_j);
   }
 }
 
 RC_GTEST_PROP(None, ObserverIsNeverNegativeOnASpring, ()) {
   const Run all = run(random_scene("none"));
   for (const Sample& row : all.rows) {
-    RC_ASSERT(row.energy_cv_j >= -kRounding * all.turnover_j);
+    RC_ASSERT(row.energy_cv_j >= -kLedgerRounding * all.turnover_j);
   }
 }
 
@@ -130,11 +130,11 @@ RC_GTEST_PROP(VirtualCoupling, IsPassive, ()) {
   scene.device.encoder_m.reset();
   scene.device.friction_n.reset();
   const Run all = run(scene);
-  RC_ASSERT(*all.result.summary.passivity_margin_j >= -kRounding * all.turnover_j);
+  RC_ASSERT(*all.result.summary.passivity_margin_j >= -kLedgerRounding * all.turnover_j);
 }
 
 RC_GTEST_PROP(Force, IsFiniteAndWithinTheLimitAtEveryRow, ()) {
-  const Scene scene = random_scene(any_algorithm());
+  const Scene scene = random_scene(listed_algorithm());
   const Run all = run(scene);
   RC_ASSERT(all.rows.size() == scene.tick_count() ||
             all.result.summary.verdict == Verdict::kDiverged);
@@ -144,7 +144,7 @@ RC_GTEST_PROP(Force, IsFiniteAndWithinTheLimitAtEveryRow, ()) {
 }
 
 RC_GTEST_PROP(Simulate, TwiceIsTheSameToTheLastBit, ()) {
-  const Scene scene = random_scene(any_algorithm());
+  const Scene scene = random_scene(listed_algorithm());
   const Run first = run(scene);
   const Run second = run(scene);
   RC_ASSERT(first.rows.size() == second.rows.size());
@@ -159,7 +159,7 @@ RC_GTEST_PROP(Simulate, TwiceIsTheSameToTheLastBit, ()) {
 
 // The loop's own metrics and those of its samples are the same figures.
 RC_GTEST_PROP(Simulate, SummaryIsThatOfItsSamples, ()) {
-  const Scene scene = random_scene(any_algorithm());
+  const Scene scene = random_scene(listed_algorithm());
   const Run all = run(scene);
   RC_PRE(all.result.summary.verdict != Verdict::kDiverged);  // its last tick has no sample
   Metrics metrics(scene, scene.tick_count(), true);
@@ -178,7 +178,7 @@ RC_GTEST_PROP(Simulate, SummaryIsThatOfItsSamples, ()) {
 
 // Two runs that differ in the hand's script only after tick k agree up to tick k.
 RC_GTEST_PROP(Simulate, KnowsNothingOfTheFuture, ()) {
-  Scene scene = random_scene(any_algorithm());
+  Scene scene = random_scene(listed_algorithm());
   scene.hand->path.resize(1);
   scene.hand->path.push_back({0.5, 0.055});
   const Run first = run(scene);
@@ -193,11 +193,11 @@ RC_GTEST_PROP(Simulate, KnowsNothingOfTheFuture, ()) {
 
 // A change at a tick splits the run: before it nothing differs, and the force does not jump at it.
 RC_GTEST_PROP(ScheduledChange, TakesEffectAtItsTickWithoutAKick, ()) {
-  const Scene scene = random_scene(any_algorithm());
+  const Scene scene = random_scene(listed_algorithm());
   ScheduledChange change;
   change.tick = *rc::gen::inRange<std::uint64_t>(1, scene.tick_count() - 1);
   change.scene = scene;
-  change.scene.algorithm.index = find_algorithm(any_algorithm()).value();
+  change.scene.algorithm.index = find_algorithm(listed_algorithm()).value();
   RC_PRE(change.scene.algorithm.index != scene.algorithm.index);
   const Run plain = run(scene);
   std::vector<Sample> changed;

@@ -28,7 +28,8 @@ using runtime::CommandKind;
 
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kEndless = std::numeric_limits<double>::infinity();
-inline constexpr double kRounding = 1e-6;  // of a blend: the forces in it may be 1e8 times its end
+inline constexpr double kBlendRounding =
+    1e-6;  // of a blend: the forces in it may be 1e8 times its end
 
 // What somebody does to a scene while it runs. Valid or not: the owner's side refuses what is not.
 inline Scene changed_somehow(Draw& draw, Scene scene) {
@@ -165,7 +166,7 @@ class Life {
     const double full_n = force_before_n_ / gain_before_;
     const double limit_n = settings.force_limit_n;
     const double expected_n = gain * std::clamp(full_n, -limit_n, limit_n);
-    promise(std::abs(sample.force_n - expected_n) <= kRounding * std::max(1.0, limit_n),
+    promise(std::abs(sample.force_n - expected_n) <= kBlendRounding * std::max(1.0, limit_n),
             "no kick at a change");
     ++totals_.changes_under_force;
   }

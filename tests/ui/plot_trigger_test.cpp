@@ -9,7 +9,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kPeriodS = 1e-3;
+constexpr double kTriggerPeriodS = 1e-3;
 
 // A handle that is in the wall from tick `from` to tick `to` (exclusive).
 struct Touch {
@@ -23,7 +23,7 @@ class TriggerTest : public ::testing::Test {
     for (; next_ < end; ++next_) {
       Sample sample;
       sample.tick = next_;
-      sample.time_s = static_cast<double>(next_) * kPeriodS;
+      sample.time_s = static_cast<double>(next_) * kTriggerPeriodS;
       sample.penetration_m = -1e-3;
       for (const Touch& touch : touches) {
         if (next_ >= touch.from && next_ < touch.to) sample.penetration_m = 1e-4;

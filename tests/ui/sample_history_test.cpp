@@ -14,12 +14,12 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kPeriodS = 1e-3;
+constexpr double kHistoryPeriodS = 1e-3;
 
 Sample sample_at(std::uint64_t tick, double force_n) {
   Sample sample;
   sample.tick = tick;
-  sample.time_s = static_cast<double>(tick) * kPeriodS;
+  sample.time_s = static_cast<double>(tick) * kHistoryPeriodS;
   sample.force_n = force_n;
   return sample;
 }
@@ -52,8 +52,8 @@ TEST(SampleHistory, KeepsAtLeastTheNewestOfItsCapacityInOrder) {
     ASSERT_EQ(history.value(Quantity::kTick, i), static_cast<double>(tick));
     ASSERT_EQ(history.value(Quantity::kForce, i), noise(tick));
   }
-  EXPECT_DOUBLE_EQ(history.newest_time_s(), 29999 * kPeriodS);
-  EXPECT_DOUBLE_EQ(history.oldest_time_s(), static_cast<double>(29999 - newest) * kPeriodS);
+  EXPECT_DOUBLE_EQ(history.newest_time_s(), 29999 * kHistoryPeriodS);
+  EXPECT_DOUBLE_EQ(history.oldest_time_s(), static_cast<double>(29999 - newest) * kHistoryPeriodS);
 }
 
 TEST(SampleHistory, ForgetsEverythingWhenTheTicksStartAgain) {
@@ -196,8 +196,8 @@ TEST(SampleHistory, DecimationKeepsTheExtremesOfEveryGroupOverRandomRanges) {
       ASSERT_EQ(drawn.low, there.low);
       ASSERT_EQ(drawn.high, there.high);
       for (std::size_t i = point; i < point + points; ++i) {
-        ASSERT_GE(trace.time_s[i], static_cast<double>(from) * kPeriodS);
-        ASSERT_LE(trace.time_s[i], static_cast<double>(to - 1) * kPeriodS);
+        ASSERT_GE(trace.time_s[i], static_cast<double>(from) * kHistoryPeriodS);
+        ASSERT_LE(trace.time_s[i], static_cast<double>(to - 1) * kHistoryPeriodS);
       }
       from = to;
       point += points;

@@ -10,9 +10,9 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr AxisExtent kExtent{0.02, 0.08};
-const WallSpace kLine{kExtent, std::nullopt};
-const WallSpace kPlane{kExtent, AxisExtent{-0.03, 0.05}};
+constexpr AxisExtent kCameraExtent{0.02, 0.08};
+const WallSpace kCameraLine{kCameraExtent, std::nullopt};
+const WallSpace kCameraPlane{kCameraExtent, AxisExtent{-0.03, 0.05}};
 
 // Any state that the mouse can bring the camera to, and some that it cannot.
 class RandomViews {
@@ -34,8 +34,8 @@ class RandomViews {
 TEST(WallCamera, PickingUndoesDrawingFromEveryView) {
   RandomViews views;
   for (int i = 0; i < 3000; ++i) {
-    const WallCamera camera(kLine, views.orbit(), views.size(), views.size());
-    const double position_m = views.between(kExtent.from_m, kExtent.to_m);
+    const WallCamera camera(kCameraLine, views.orbit(), views.size(), views.size());
+    const double position_m = views.between(kCameraExtent.from_m, kCameraExtent.to_m);
     const glm::vec2 pixel = camera.pixel_of({camera.x_of(position_m), 0.0F, 0.0F});
     EXPECT_NEAR(camera.position_at(pixel), position_m, 2e-6) << i;
   }
@@ -44,8 +44,8 @@ TEST(WallCamera, PickingUndoesDrawingFromEveryView) {
 TEST(WallCamera, APointerBesideTheAxisCountsAsTheNearestPointOfIt) {
   RandomViews views;
   for (int i = 0; i < 300; ++i) {
-    const WallCamera camera(kLine, views.orbit(), 800.0F, 400.0F);
-    const double position_m = views.between(kExtent.from_m, kExtent.to_m);
+    const WallCamera camera(kCameraLine, views.orbit(), 800.0F, 400.0F);
+    const double position_m = views.between(kCameraExtent.from_m, kCameraExtent.to_m);
     const glm::vec2 foot = camera.pixel_of({camera.x_of(position_m), 0.0F, 0.0F});
     const glm::vec2 along =
         glm::normalize(camera.pixel_of({5.0F, 0.0F, 0.0F}) - camera.pixel_of({-5.0F, 0.0F, 0.0F}));
@@ -60,9 +60,9 @@ TEST(WallCamera, PickingUndoesDrawingOnTwoAxes) {
   for (int i = 0; i < 12000; ++i) {
     const float width = views.size();
     const float height = views.size();
-    const WallCamera camera(kPlane, views.orbit(), width, height);
-    const glm::dvec2 place_m(views.between(kPlane.x.from_m, kPlane.x.to_m),
-                             views.between(kPlane.y->from_m, kPlane.y->to_m));
+    const WallCamera camera(kCameraPlane, views.orbit(), width, height);
+    const glm::dvec2 place_m(views.between(kCameraPlane.x.from_m, kCameraPlane.x.to_m),
+                             views.between(kCameraPlane.y->from_m, kCameraPlane.y->to_m));
     const glm::vec2 pixel = camera.pixel_of(camera.point_of(place_m));
     // Outside of the picture, its edge counts.
     if (pixel.x < 0.0F || pixel.y < 0.0F || pixel.x > width || pixel.y > height) continue;
@@ -79,20 +79,20 @@ TEST(WallCamera, WhateverIsPickedLiesWithinTheExtents) {
   for (int i = 0; i < 1000; ++i) {
     const glm::vec2 pixel(views.between(-5000.0, 9000.0), views.between(-5000.0, 9000.0));
     const WallOrbit orbit = views.orbit();
-    const double position_m = WallCamera(kLine, orbit, 800.0F, 390.0F).position_at(pixel);
-    EXPECT_GE(position_m, kExtent.from_m);
-    EXPECT_LE(position_m, kExtent.to_m);
-    const glm::dvec2 place_m = WallCamera(kPlane, orbit, 800.0F, 390.0F).place_at(pixel);
-    EXPECT_GE(place_m.x, kPlane.x.from_m);
-    EXPECT_LE(place_m.x, kPlane.x.to_m);
-    EXPECT_GE(place_m.y, kPlane.y->from_m);
-    EXPECT_LE(place_m.y, kPlane.y->to_m);
+    const double position_m = WallCamera(kCameraLine, orbit, 800.0F, 390.0F).position_at(pixel);
+    EXPECT_GE(position_m, kCameraExtent.from_m);
+    EXPECT_LE(position_m, kCameraExtent.to_m);
+    const glm::dvec2 place_m = WallCamera(kCameraPlane, orbit, 800.0F, 390.0F).place_at(pixel);
+    EXPECT_GE(place_m.x, kCameraPlane.x.from_m);
+    EXPECT_LE(place_m.x, kCameraPlane.x.to_m);
+    EXPECT_GE(place_m.y, kCameraPlane.y->from_m);
+    EXPECT_LE(place_m.y, kCameraPlane.y->to_m);
   }
 }
 
 TEST(WallCamera, ASceneIsSeenWholeAtFirst) {
   for (const float width : {400.0F, 900.0F}) {
-    for (const WallSpace& space : {kLine, kPlane}) {
+    for (const WallSpace& space : {kCameraLine, kCameraPlane}) {
       const WallCamera camera(space, {}, width, 390.0F);
       const double margin_m = 0.05 * space.x.length_m();  // the air around what a scene names
       for (const double x_m : {space.x.from_m + margin_m, space.x.to_m - margin_m}) {
@@ -112,7 +112,7 @@ TEST(WallCamera, ZoomingKeepsWhatIsUnderThePointer) {
   orbit.yaw_rad = 0.4;
   const glm::dvec2 pointer(0.3, -0.2);
   const auto position_m = [&] {
-    const WallCamera camera(kLine, orbit, 800.0F, 400.0F);
+    const WallCamera camera(kCameraLine, orbit, 800.0F, 400.0F);
     return camera.position_at({400.0 * (1.0 + pointer.x), 200.0 * (1.0 - pointer.y)});
   };
   const double before_m = position_m();
@@ -128,7 +128,7 @@ TEST(WallCamera, NobodyGetsLost) {
   for (int i = 0; i < 2000; ++i) {
     for (const bool two_axes : {false, true}) {
       const WallOrbit orbit = limited(views.orbit(), two_axes);
-      const WallCamera camera(two_axes ? kPlane : kLine, orbit, 800.0F, 400.0F);
+      const WallCamera camera(two_axes ? kCameraPlane : kCameraLine, orbit, 800.0F, 400.0F);
       EXPECT_GT(camera.eye().y, 0.0F) << "from above";
       // What is in the middle of the picture was within the picture before it was zoomed.
       EXPECT_LE(std::abs(orbit.shift.x / orbit.zoom), 0.9) << i;
@@ -145,7 +145,7 @@ TEST(WallCamera, AStateThatIsNoNumberIsTheFirstView) {
 }
 
 TEST(WallCamera, YIsAwayFromTheViewer) {
-  const WallCamera camera(kPlane, {}, 800.0F, 400.0F);
+  const WallCamera camera(kCameraPlane, {}, 800.0F, 400.0F);
   const glm::vec2 near = camera.pixel_of(camera.point_of({0.05, 0.0}));
   const glm::vec2 far = camera.pixel_of(camera.point_of({0.05, 0.03}));
   const glm::vec2 right = camera.pixel_of(camera.point_of({0.06, 0.0}));

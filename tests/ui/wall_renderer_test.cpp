@@ -9,8 +9,8 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr int kWidth = 800;
-constexpr int kHeight = 400;
+constexpr int kPictureWidth = 800;
+constexpr int kPictureHeight = 400;
 constexpr AxisExtent kExtent{0.015, 0.08};
 const WallSpace kLine{kExtent, std::nullopt};
 const WallSpace kPlane{kExtent, kExtent};
@@ -31,14 +31,14 @@ class WallRendererTest : public ::testing::TestWithParam<Look> {
   void TearDown() override { renderer_.reset(); }
 
   void look_from(const WallSpace& space, const WallOrbit& orbit) {
-    camera_ = WallCamera(space, orbit, kWidth, kHeight);
+    camera_ = WallCamera(space, orbit, kPictureWidth, kPictureHeight);
   }
   GLuint draw_once(const WallPicture& picture) {
-    return renderer_->draw(picture, camera_, theme_, kWidth, kHeight);
+    return renderer_->draw(picture, camera_, theme_, kPictureWidth, kPictureHeight);
   }
   file::Picture draw(const WallPicture& picture) {
     EXPECT_NE(draw_once(picture), 0U);
-    return read_pixels(renderer_->framebuffer(), kWidth, kHeight);
+    return read_pixels(renderer_->framebuffer(), kPictureWidth, kPictureHeight);
   }
   [[nodiscard]] test::Colour at(const file::Picture& picture, glm::vec3 point) const {
     const glm::vec2 pixel = camera_.pixel_of(point);
@@ -61,7 +61,7 @@ class WallRendererTest : public ::testing::TestWithParam<Look> {
   std::unique_ptr<OffscreenContext> context_;
   std::unique_ptr<WallRenderer> renderer_;
   Theme theme_;
-  WallCamera camera_{kLine, {}, kWidth, kHeight};
+  WallCamera camera_{kLine, {}, kPictureWidth, kPictureHeight};
 };
 
 WallPicture one_wall(double stiffness_n_per_m = kStiff) {
@@ -255,7 +255,8 @@ TEST_P(WallRendererTest, TheCameraTurnsTheWholePicture) {
       picture.handle_m = {0.02, 0.0};
       const file::Picture away = draw(picture);
       const glm::vec2 pixel = camera_.pixel_of(ball(0.04));
-      if (pixel.x < 0.0F || pixel.x >= kWidth || pixel.y < 0.0F || pixel.y >= kHeight) continue;
+      if (pixel.x < 0.0F || pixel.x >= kPictureWidth || pixel.y < 0.0F || pixel.y >= kPictureHeight)
+        continue;
       EXPECT_GT(change(here, away, ball(0.04)), 30) << yaw << " " << zoom;
     }
   }
@@ -277,7 +278,7 @@ TEST_P(WallRendererTest, OnlyWhatLooksDifferentIsDrawnAgain) {
   theme_.colours = theme_colours(GetParam() == Look::kLight ? Look::kScreen : Look::kLight);
   draw_once(picture);
   EXPECT_EQ(renderer_->times_drawn(), before + 3);
-  renderer_->draw(picture, camera_, theme_, kWidth, kHeight + 1);
+  renderer_->draw(picture, camera_, theme_, kPictureWidth, kPictureHeight + 1);
   EXPECT_EQ(renderer_->times_drawn(), before + 4);
 }
 
@@ -290,11 +291,11 @@ TEST_P(WallRendererTest, APictureThatStaysIsRefinedOnceAndLooksTheSame) {
   EXPECT_LE(renderer_->times_drawn(), 2U);
   const file::Picture last = draw(picture);
   int different = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x)
+  for (int y = 0; y < kPictureHeight; ++y) {
+    for (int x = 0; x < kPictureWidth; ++x)
       if (test::difference(test::pixel(first, x, y), test::pixel(last, x, y)) > 24) ++different;
   }
-  EXPECT_LT(different, kWidth * kHeight / 50) << "only along edges";
+  EXPECT_LT(different, kPictureWidth * kPictureHeight / 50) << "only along edges";
 }
 
 TEST_P(WallRendererTest, AnyWindowSizeWorks) {

@@ -14,7 +14,7 @@
 namespace hapticwall::ui {
 namespace {
 
-bool has_display() {
+bool display_is_there() {
   return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
 }
 
@@ -44,7 +44,7 @@ void expect_clean_end(int signal) {
 }
 
 TEST(Window, EndsInOrderWhenAskedTo) {
-  if (!has_display()) GTEST_SKIP() << "no display";
+  if (!display_is_there()) GTEST_SKIP() << "no display";
   expect_clean_end(SIGTERM);
   expect_clean_end(SIGINT);
 }

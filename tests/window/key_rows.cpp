@@ -17,7 +17,7 @@ using Press = std::function<void()>;
 using Look = std::function<double(Person&)>;
 
 // Pressed twice it is as before.
-KeyRow flips(std::string what, Look look) {
+KeyRow key_flips(std::string what, Look look) {
   return {std::move(what), [look = std::move(look)](Person& person, const Press& press) {
             const double before = look(person);
             press();
@@ -139,17 +139,18 @@ void next_trigger(Person& person, const Press& press) {
 }
 
 std::vector<KeyRow> window_key_rows() {
-  return {flips("this help", [](Person& p) { return p.state().transient.help_shown ? 1.0 : 0.0; }),
-          flips("dark or light",
+  return {
+      key_flips("this help", [](Person& p) { return p.state().transient.help_shown ? 1.0 : 0.0; }),
+      key_flips("dark or light",
                 [](Person& p) { return static_cast<double>(p.state().persisted.look); }),
-          {"everything larger", [](Person& p, const Press& press) { scale(p, press, 1); }},
-          {"everything smaller", [](Person& p, const Press& press) { scale(p, press, -1); }},
-          {"as large as the screen says", scale_as_screen},
-          {"close a list, the help, or the newest message", put_away},
-          flips("follow the newest samples, or freeze",
+      {"everything larger", [](Person& p, const Press& press) { scale(p, press, 1); }},
+      {"everything smaller", [](Person& p, const Press& press) { scale(p, press, -1); }},
+      {"as large as the screen says", scale_as_screen},
+      {"close a list, the help, or the newest message", put_away},
+      key_flips("follow the newest samples, or freeze",
                 [](Person& p) { return p.state().transient.follow ? 1.0 : 0.0; }),
-          {"the next kind of trigger", next_trigger},
-          flips("show or hide the cursors",
+      {"the next kind of trigger", next_trigger},
+      key_flips("show or hide the cursors",
                 [](Person& p) { return p.state().plots.transient.cursors.shown ? 1.0 : 0.0; })};
 }
 
@@ -224,14 +225,15 @@ double active_slot(Person& person) {
 }  // namespace
 
 std::vector<KeyRow> key_rows() {
-  std::vector<KeyRow> rows{{"pause, or run on", pause},
-                           {"one tick, while paused", step},
-                           {"reset: back to tick 0, at rest", reset},
-                           {"record, or stop recording", record},
-                           {"mark this moment in the recording", mark},
-                           flips("slot A or B of Compare; in a field: the next field", active_slot),
-                           {"undo the last change", undo},
-                           {"redo it", redo}};
+  std::vector<KeyRow> rows{
+      {"pause, or run on", pause},
+      {"one tick, while paused", step},
+      {"reset: back to tick 0, at rest", reset},
+      {"record, or stop recording", record},
+      {"mark this moment in the recording", mark},
+      key_flips("slot A or B of Compare; in a field: the next field", active_slot),
+      {"undo the last change", undo},
+      {"redo it", redo}};
   for (std::size_t i = 0; i < algorithms().size(); ++i) rows.push_back(chooses(i));
   for (KeyRow& row : window_key_rows()) rows.push_back(std::move(row));
   for (KeyRow& row : replay_key_rows()) rows.push_back(std::move(row));

@@ -13,7 +13,7 @@ namespace {
 void open_settings(Person& person) { person.click("settings"); }
 
 double look(Person& person) { return static_cast<double>(person.state().persisted.look); }
-double percent(Person& person) { return ui::scale_percent_in_force(person.state()); }
+double scale_percent(Person& person) { return ui::scale_percent_in_force(person.state()); }
 double is_recording(Person& person) {
   return person.recording().state == runtime::RecordingState::kRecording ? 1.0 : 0.0;
 }
@@ -39,13 +39,13 @@ void undo_and_redo(Person& person) {
 
 void scale_up_and_down(Person& person) {
   open_settings(person);
-  const double before = percent(person);
+  const double before = scale_percent(person);
   person.click("larger");
-  EXPECT_GT(percent(person), before);
+  EXPECT_GT(scale_percent(person), before);
   person.click("smaller");
-  EXPECT_EQ(percent(person), before);
+  EXPECT_EQ(scale_percent(person), before);
   person.type("scale percent", "110");
-  EXPECT_EQ(percent(person), 110.0);
+  EXPECT_EQ(scale_percent(person), 110.0);
   person.click("automatic scale");
   EXPECT_EQ(person.state().persisted.scale_percent, 0);
 }
@@ -93,13 +93,13 @@ void step_once(Person& person) {
   person.click("pause");
 }
 
-void reset(Person& person) {
+void reset_once(Person& person) {
   const std::uint32_t before = person.session().snapshot().resets;
   person.click("reset");
   person.wait_until([&] { return person.session().snapshot().resets > before; }, "the reset");
 }
 
-void record(Person& person) {
+void record_and_stop(Person& person) {
   person.click("record");
   EXPECT_EQ(is_recording(person), 1.0);
   person.wait_until([&] { return person.recording().rows > 0; }, "rows");
@@ -170,8 +170,8 @@ Table head_rows(const std::string& folder) {
 Table toolbar_rows() {
   return {{"pause", pause_and_run},
           {"step", step_once},
-          {"reset", reset},
-          {"record", record},
+          {"reset", reset_once},
+          {"record", record_and_stop},
           {"recording name", name_the_recording}};
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using runtime::Slot;
 
-runtime::ReplaySession& replay(Person& person) { return *ui::replay_of(person.session()); }
+runtime::ReplaySession& replayed(Person& person) { return *ui::replay_of(person.session()); }
 
 Row page(const char* name, ui::LowerPage wanted) {
   return sets(
@@ -145,11 +145,11 @@ void set_a_mark(Person& person) {
 
 void move_in_time(Person& person) {
   for (const char* item : {"recording file", "replay time"}) person.hover(item);
-  const double before_s = replay(person).position_s();
+  const double before_s = replayed(person).position_s();
   person.drag_from("time slider", ImVec2(0.1F, 0.5F), ImVec2(40.0F, 0.0F));
-  EXPECT_NE(replay(person).position_s(), before_s);
+  EXPECT_NE(replayed(person).position_s(), before_s);
   person.type("speed", "0.5");
-  EXPECT_EQ(replay(person).speed(), 0.5);
+  EXPECT_EQ(replayed(person).speed(), 0.5);
   person.click("speeds");
   person.wait_a_frame();
   const std::vector<std::string> speeds = person.items_called("speed ");
@@ -160,7 +160,7 @@ void move_in_time(Person& person) {
   }
   for (const bool loops : {true, false}) {
     person.click("repeat");
-    EXPECT_EQ(replay(person).loops(), loops);
+    EXPECT_EQ(replayed(person).loops(), loops);
   }
 }
 
@@ -171,14 +171,14 @@ void rerun_under_all(Person& person) {
     if (choice == "re-run progress" || choice == "re-run nothing") continue;
     if (!person.sees(choice)) person.click("re-run");
     person.click(choice);
-    person.wait_until([&] { return replay(person).overlay() != nullptr; }, "what is laid over");
+    person.wait_until([&] { return replayed(person).overlay() != nullptr; }, "what is laid over");
     person.wait_a_frame();
     for (const std::string& legend : person.items_called("legend under ")) person.hover(legend);
   }
   person.click("re-run");
   person.click("re-run nothing");
   person.wait_a_frame();
-  EXPECT_EQ(replay(person).overlay(), nullptr);
+  EXPECT_EQ(replayed(person).overlay(), nullptr);
 }
 
 void use_replay(Person& person) {

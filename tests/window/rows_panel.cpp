@@ -69,7 +69,7 @@ void go_back_to_scene(Person& person) {
   EXPECT_EQ(person.scene().walls.front().stiffness_n_per_m, before);
 }
 
-std::size_t algorithm(Person& person) { return person.scene().algorithm.index; }
+std::size_t chosen_algorithm(Person& person) { return person.scene().algorithm.index; }
 
 std::optional<double> parameter(Person& person, std::string_view key) {
   return person.scene().algorithm.values.at(*find_algorithm_parameter(key));
@@ -108,7 +108,7 @@ void choose_parameter(Person& person, const ParameterDescription& description) {
 void use_algorithm(Person& person, std::size_t index) {
   const AlgorithmDescription& description = algorithms()[index];
   person.click(std::string(description.name));
-  EXPECT_EQ(algorithm(person), index);
+  EXPECT_EQ(chosen_algorithm(person), index);
   for (const ParameterDescription& parameter : description.parameters) {
     SCOPED_TRACE(std::string(parameter.key));
     if (parameter.kind == ParameterKind::kNumber) {

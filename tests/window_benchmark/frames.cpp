@@ -12,6 +12,7 @@
 #include "app/file/scene_file.h"
 #include "app/ui/application.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/units.h"
 #include "tests/ui/fake_session.h"
 #include "tests/window_benchmark/measurements.h"
 #include "tests/window_benchmark/stage.h"
@@ -150,7 +151,6 @@ void print_hour_to_minute(const std::vector<Row>& rows, const char* what, bool f
 }
 
 void print_table(const std::vector<Row>& rows, const Stage& stage, Size size) {
-  constexpr double kMillisecondsPerSecond = 1e3;
   std::printf("\n%dx%d, %s, median of %zu frames\n%-38s %9s %8s %14s %8s\n", size.width,
               size.height, stage.renderer().c_str(), rows.front().wall_s.size(), "", "ms", "ratio",
               "processor, ms", "ratio");

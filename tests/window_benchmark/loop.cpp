@@ -17,6 +17,7 @@
 #include "app/file/recording_reader.h"
 #include "app/file/scene_file.h"
 #include "app/ui/application.h"
+#include "core/units.h"
 #include "tests/app/runtime_support.h"
 #include "tests/window_benchmark/measurements.h"
 #include "tests/window_benchmark/stage.h"
@@ -118,7 +119,6 @@ void run_block(ui::Application& application, Stage& stage, bool drawn, double se
 }
 
 void print_row(const Blocks& blocks, const char* what, const runtime::LatencyCounts& counts) {
-  constexpr double kNanosecondsPerMicrosecond = 1e3;
   const runtime::Quantiles row = runtime::quantiles(counts);
   const auto us = [](std::int64_t time_ns) {
     return static_cast<double>(time_ns) / kNanosecondsPerMicrosecond;
@@ -137,7 +137,6 @@ std::int64_t p99_at(const Blocks& blocks, std::size_t quarters) {
 
 // How far the rest of the machine, and its host, make one block differ from the other.
 void print_spread(const Blocks& blocks) {
-  constexpr double kNanosecondsPerMicrosecond = 1e3;
   const auto at = [&](std::size_t quarters) {
     return static_cast<double>(p99_at(blocks, quarters)) / kNanosecondsPerMicrosecond;
   };
