@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "core/units.h"
+
 namespace hapticwall::device {
 namespace {
 
 constexpr double kNanosecondsPerSecond = 1e9;
-constexpr double kMicrosecondsPerSecond = 1e6;
 
 double seconds(std::int64_t nanoseconds) {
   return static_cast<double>(nanoseconds) / kNanosecondsPerSecond;

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/units.h"
+
 namespace hapticwall::device {
 namespace {
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 // A clock that moves on by more between two states, or a way there and back that takes longer, is
 // not of this life of the device.
 constexpr std::int32_t kLongestStepUs = 1'000'000;

@@ -10,13 +10,13 @@
 namespace hapticwall::device {
 namespace {
 
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
+constexpr std::int64_t kNanosecondsInSecond = 1'000'000'000;
 
 timespec after(std::chrono::nanoseconds wait) {
   const std::int64_t end_ns = monotonic_ns() + wait.count();
   timespec end{};
-  end.tv_sec = static_cast<time_t>(end_ns / kNanosecondsPerSecond);
-  end.tv_nsec = static_cast<long>(end_ns % kNanosecondsPerSecond);  // NOLINT(google-runtime-int)
+  end.tv_sec = static_cast<time_t>(end_ns / kNanosecondsInSecond);
+  end.tv_nsec = static_cast<long>(end_ns % kNanosecondsInSecond);  // NOLINT(google-runtime-int)
   return end;
 }
 
@@ -53,7 +53,7 @@ std::thread start_thread(std::function<void()> body) {
 std::int64_t monotonic_ns() {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<std::int64_t>(now.tv_sec) * kNanosecondsPerSecond + now.tv_nsec;
+  return static_cast<std::int64_t>(now.tv_sec) * kNanosecondsInSecond + now.tv_nsec;
 }
 
 }  // namespace hapticwall::device

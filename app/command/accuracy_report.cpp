@@ -13,13 +13,12 @@
 #include "app/command/json_report.h"
 #include "app/command/text_table.h"
 #include "app/file/text.h"
+#include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
 
-constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kMicrosecondsPerNanosecond = 1e-3;
-constexpr double kPercent = 100.0;
 constexpr std::string_view kWrongVerdictMark = " !";
 
 template <typename T>
@@ -68,14 +67,14 @@ std::string verdict_text(const AccuracyRow& row) {
   return text;
 }
 
-struct Column {
+struct AccuracyColumn {
   std::string_view title;
   std::string_view unit;
   std::string (*text)(const AccuracyRow&);
   Align align = Align::kRight;
 };
 
-constexpr std::array<Column, 10> kColumns{
+constexpr std::array<AccuracyColumn, 10> kAccuracyColumns{
     {{"integrator", "", [](const AccuracyRow& r) { return std::string(name_of(r.integrator)); },
       Align::kLeft},
      {"substeps", "",
@@ -97,7 +96,7 @@ constexpr std::array<Column, 10> kColumns{
 std::string table_text(const AccuracyStudy& study) {
   std::vector<std::vector<std::string>> rows(2 + study.rows.size());
   std::vector<Align> aligns;
-  for (const Column& column : kColumns) {
+  for (const AccuracyColumn& column : kAccuracyColumns) {
     aligns.push_back(column.align);
     rows[0].emplace_back(column.title);
     rows[1].emplace_back(column.unit);
@@ -108,7 +107,7 @@ std::string table_text(const AccuracyStudy& study) {
   return aligned(rows, aligns);
 }
 
-std::string heading(const Summary& reference) {
+std::string accuracy_heading(const Summary& reference) {
   std::string text =
       fmt::format("{} under {}, {} ticks\nreference: {}", reference.scene, reference.algorithm,
                   reference.ticks, verdict_name(reference.verdict));
@@ -125,7 +124,7 @@ std::string heading(const Summary& reference) {
 std::string accuracy_table(const AccuracyStudy& study) {
   const bool any_wrong = std::any_of(study.rows.begin(), study.rows.end(),
                                      [](const AccuracyRow& row) { return !row.verdict_agrees; });
-  return heading(study.reference) + table_text(study) +
+  return accuracy_heading(study.reference) + table_text(study) +
          (any_wrong ? "\n! the reference's verdict is another\n" : "");
 }
 

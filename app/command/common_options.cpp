@@ -15,11 +15,11 @@
 #include "app/runtime/spinning_clock.h"
 #include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/units.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::command {
 namespace {
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 Failure check_duration(const std::string& text) {
   const NumberKey<Scene>& key = scene_number_keys().front();
@@ -73,7 +73,6 @@ void add_spin_option(CLI::App& app, double& spin_us) {
 }
 
 Result<double> spin_seconds(double spin_us) {
-  constexpr double kMicrosecondsPerSecond = 1e6;
   const double spin_s = spin_us / kMicrosecondsPerSecond;
   if (spin_s >= 0.0 && spin_s <= runtime::kMostSpinS) return spin_s;
   return usage_error(fmt::format("--spin {:g}: it takes 0 to {:g} us", spin_us,

@@ -2,17 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "app/command/run_outputs.h"
 #include "app/file/picture.h"
 #include "app/file/recording_writer.h"
 
 namespace hapticwall::command {
-namespace {
-
-// A figure keeps the samples of all its runs in memory.
-constexpr std::uint64_t kMostPlottedTicks = 1'000'000;
-
-}  // namespace
-
 Failure ComparisonPlot::open(const std::string& path, const Scene& scene, std::size_t runs) {
   if (path.empty()) return {};
   if (runs > ui::kMostComparedRuns) {

@@ -11,21 +11,14 @@
 #include "app/command/json_report.h"
 #include "app/command/text_table.h"
 #include "app/file/text.h"
+#include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
 
-constexpr double kMillimetresPerMetre = 1e3;
-constexpr double kMillisecondsPerSecond = 1e3;
-constexpr double kMillijoulesPerJoule = 1e3;
-constexpr double kNewtonsPerKilonewton = 1e3;
 // In the order of RiseKind; all of a width, so that numbers stay below each other.
 constexpr std::array<std::string_view, 3> kRiseMarks{"  ", " *", " +"};
 constexpr std::array<std::string_view, 3> kRiseNames{"mean", "one-tick", "to-the-limit"};
-
-std::string kilonewtons_per_metre(std::optional<double> value) {
-  return fixed(value, 1.0 / kNewtonsPerKilonewton, 2);
-}
 
 bool has_islands(const ContactFigures& row) { return row.settled_ranges > 1; }
 
@@ -51,14 +44,14 @@ std::string rate_hardness_text(const ContactFigures& row) {
          std::string(kRiseMarks.at(static_cast<std::size_t>(kind)));
 }
 
-struct Column {
+struct StudyColumn {
   std::string_view title;
   std::string_view unit;
   std::string (*text)(const ContactFigures&);
   Align align = Align::kRight;
 };
 
-constexpr std::array<Column, 13> kColumns{
+constexpr std::array<StudyColumn, 13> kStudyColumns{
     {{"algorithm", "", [](const ContactFigures& r) { return r.summary.algorithm; }, Align::kLeft},
      {"stiffest", "kN/m",
       [](const ContactFigures& r) { return stiffness_text(r.stiffest_unbroken); }},
@@ -163,7 +156,7 @@ Json row_object(const ContactFigures& row) {
 std::string study_table(const ContactStudyPlan& plan, const std::vector<ContactFigures>& rows) {
   std::vector<std::vector<std::string>> cells(2 + rows.size());
   std::vector<Align> aligns;
-  for (const Column& column : kColumns) {
+  for (const StudyColumn& column : kStudyColumns) {
     aligns.push_back(column.align);
     cells[0].emplace_back(column.title);
     cells[1].emplace_back(column.unit);

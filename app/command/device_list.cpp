@@ -6,6 +6,7 @@
 
 #include "app/command/json_report.h"
 #include "app/file/text.h"
+#include "core/units.h"
 #include "device/hid_match.h"
 #include "embedded_rules.h"
 
@@ -15,7 +16,6 @@ namespace {
 using device::hid::DeviceFigures;
 using device::hid::Listing;
 using device::hid::Obstacle;
-constexpr double kMillimetresPerMetre = 1e3;
 ListedDevice look_at(device::hid::Port& port, const Listing& listing) {
   ListedDevice device;
   device.listing = listing;

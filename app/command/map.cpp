@@ -25,6 +25,7 @@
 #include "app/file/sidecar.h"
 #include "app/file/text.h"
 #include "app/ui/map_figure.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::command {
 namespace {

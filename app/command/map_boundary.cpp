@@ -14,6 +14,7 @@
 #include "app/command/terminal.h"
 #include "app/file/text.h"
 #include "core/study/boundary.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::command {
 namespace {

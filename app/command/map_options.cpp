@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "app/command/device_choice.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::command {
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 Failure check_map_options(const MapOptions& options) {
   if (!options.output.expectations.empty()) {

@@ -33,6 +33,4 @@ struct MapOptions {
 // A usage error of validate(), where it has found a problem.
 [[nodiscard]] Failure invalid_cell(const std::optional<SceneProblem>& problem);
 
-[[nodiscard]] Error usage_error(std::string message);
-
 }  // namespace hapticwall::command

@@ -12,13 +12,10 @@
 #include "app/command/text_table.h"
 #include "app/file/text.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
-
-constexpr double kPercent = 100.0;
-constexpr double kMillimetresPerMetre = 1e3;
-constexpr double kNewtonsPerKilonewton = 1e3;
 
 Json axis_object(const MapAxis& axis) {
   return {{"key", axis.number.path},

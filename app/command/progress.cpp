@@ -8,13 +8,14 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/units.h"
+
 namespace hapticwall::command {
 namespace {
 
 constexpr std::chrono::milliseconds kFirstAfter{500};  // short work shows nothing
 constexpr std::chrono::milliseconds kInterval{100};
 constexpr int kBarWidth = 30;
-constexpr double kPercent = 100.0;
 // Less than this tells nothing of the rest.
 constexpr double kLeastShare = 0.01;
 constexpr double kSecondsPerMinute = 60.0;

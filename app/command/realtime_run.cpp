@@ -19,13 +19,13 @@
 #include "app/command/terminal.h"
 #include "app/file/text.h"
 #include "app/runtime/session.h"
+#include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{5};
 constexpr std::size_t kSamplesPerPoll = 4096;
-constexpr double kMicrosecondsPerSecond = 1e6;
 
 // Of a real device too: how old its positions were, and what of its reports never came.
 std::string link_text(const runtime::Session& session, const device::LinkFigures& link) {

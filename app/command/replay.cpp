@@ -23,6 +23,7 @@
 #include "app/file/text.h"
 #include "app/runtime/replay_session.h"
 #include "app/runtime/rerun_overlay.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::command {
 namespace {
@@ -40,8 +41,6 @@ struct ReplayCommand {
            !output.expectations.empty() || output.quiet;
   }
 };
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 Failure check(const ReplayCommand& command) {
   if (!command.algorithm.empty()) {

@@ -8,15 +8,14 @@
 
 #include "app/command/progress.h"
 #include "app/command/signals.h"
+#include "app/command/summary_table.h"
 #include "app/command/terminal.h"
 #include "app/file/recording_writer.h"
 #include "app/file/text.h"
+#include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
-
-constexpr std::size_t kLabelWidth = 22;  // as in the summary
-constexpr double kMillimetresPerMetre = 1e3;
 
 file::RecordingMetadata metadata_of(const RecordedRerun& rerun,
                                     const runtime::RerunOutcome& outcome) {
@@ -89,7 +88,7 @@ std::string comparison_line(const runtime::RerunOutcome& outcome, double rate_hz
                        static_cast<double>(*outcome.first_different_tick) / rate_hz,
                        outcome.largest_distance_m * kMillimetresPerMetre);
   }
-  return fmt::format("  {:<{}}{}\n", "re-run", kLabelWidth, text);
+  return summary_line("re-run", text);
 }
 
 }  // namespace hapticwall::command

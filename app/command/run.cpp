@@ -15,11 +15,10 @@
 #include "app/command/summary_table.h"
 #include "app/command/terminal.h"
 #include "app/file/text.h"
+#include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
-
-constexpr double kMicrosecondsPerSecond = 1e6;
 
 struct RunOptions {
   SceneOptions scene;
@@ -29,7 +28,7 @@ struct RunOptions {
 };
 
 // What was run, however it was run.
-struct Outcome {
+struct RunOutcome {
   Summary summary;
   bool stopped_early = false;
   std::string realtime_status;
@@ -61,8 +60,8 @@ std::function<void(const Sample&, const Sample&)> sample_sink(RunOutputs& output
   return [&outputs](const Sample& x, const Sample& y) { outputs.take(x, y); };
 }
 
-Result<Outcome> run_in_real_time(const RunOptions& options, const DeviceChoice& device,
-                                 const Scene& scene, RunOutputs& outputs) {
+Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoice& device,
+                                    const Scene& scene, RunOutputs& outputs) {
   const Result<RealtimeOutcome> result =
       run_realtime({.scene = scene,
                     .csv = options.output.csv,
@@ -73,11 +72,11 @@ Result<Outcome> run_in_real_time(const RunOptions& options, const DeviceChoice& 
                     .spin_s = options.scene.spin_us / kMicrosecondsPerSecond,
                     .show_progress = !options.output.quiet});
   if (!result) return result.error();
-  return Outcome{result->summary, result->stopped_early, result->status};
+  return RunOutcome{result->summary, result->stopped_early, result->status};
 }
 
-Result<Outcome> run_headless(const RunOptions& options, const file::LoadedScene& loaded,
-                             RunOutputs& outputs) {
+Result<RunOutcome> run_headless(const RunOptions& options, const file::LoadedScene& loaded,
+                                RunOutputs& outputs) {
   const SimulationResult result =
       simulate_timed({.scene = loaded.scene,
                       .changes = loaded.changes,
@@ -88,17 +87,17 @@ Result<Outcome> run_headless(const RunOptions& options, const file::LoadedScene&
   const std::uint64_t ticks =
       result.stopped_early ? result.summary.ticks : loaded.scene.tick_count();
   if (Failure failed = outputs.finish_recording(loaded, ticks)) return *failed;
-  return Outcome{result.summary, result.stopped_early, ""};
+  return RunOutcome{result.summary, result.stopped_early, ""};
 }
 
-int tell_stopped(const Outcome& outcome, const Scene& scene, const std::string& csv) {
+int tell_stopped(const RunOutcome& outcome, const Scene& scene, const std::string& csv) {
   tell(fmt::format("ended early by {} after {} of {} ticks{}", signal_name(stop_signal()),
                    outcome.summary.ticks, scene.tick_count(),
                    csv.empty() ? "" : "; " + file::shown(csv) + " holds what was run"));
   return signal_exit_status(stop_signal());
 }
 
-Failure print_summary(const OutputOptions& options, const Scene& scene, const Outcome& outcome) {
+Failure print_summary(const OutputOptions& options, const Scene& scene, const RunOutcome& outcome) {
   if (options.json == kStandardOutput) return write_output(summary_json(outcome.summary));
   if (options.quiet) return {};
   const Summary& summary = outcome.summary;
@@ -131,9 +130,9 @@ int run(const RunOptions& options) {
   }
 
   catch_stop_signals();
-  const Result<Outcome> outcome = in_real_time
-                                      ? run_in_real_time(options, *device, loaded->scene, *outputs)
-                                      : run_headless(options, *loaded, *outputs);
+  const Result<RunOutcome> outcome =
+      in_real_time ? run_in_real_time(options, *device, loaded->scene, *outputs)
+                   : run_headless(options, *loaded, *outputs);
   if (!outcome) return report(outcome.error());
   if (outcome->stopped_early) return tell_stopped(*outcome, loaded->scene, options.output.csv);
   if (const Failure failed = outputs->finish(loaded->scene, outcome->summary)) {

@@ -11,9 +11,6 @@
 namespace hapticwall::command {
 namespace {
 
-// A figure keeps its samples in memory.
-constexpr std::uint64_t kMostPlottedTicks = 1'000'000;
-
 file::RecordingMetadata metadata_of(const file::LoadedScene& loaded, std::uint64_t ticks) {
   file::RecordingMetadata metadata;
   metadata.device = "simulator";

@@ -1,6 +1,7 @@
 // The files of one run: all are opened before it starts, all get their names when they are whole.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 #include "core/simulate.h"
 
 namespace hapticwall::command {
+
+// A figure keeps the samples of all its runs in memory.
+inline constexpr std::uint64_t kMostPlottedTicks = 1'000'000;
 
 class RunOutputs {
  public:

@@ -10,13 +10,11 @@
 
 #include "app/command/text_table.h"
 #include "core/metrics.h"
+#include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
 
-constexpr double kMillimetresPerMetre = 1e3;
-constexpr double kMillijoulesPerJoule = 1e3;
-constexpr double kNewtonsPerKilonewton = 1e3;
 constexpr std::size_t kLabelWidth = 22;
 constexpr std::string_view kHandMoves =
     "the hand's script still moves in the last second: peak to peak and verdict include its way";
@@ -28,13 +26,6 @@ std::string millijoules(std::optional<double> value_j) {
   return fixed(value_j, kMillijoulesPerJoule, 2);
 }
 std::string newtons(std::optional<double> value_n) { return fixed(value_n, 1.0, 3); }
-std::string kilonewtons_per_metre(std::optional<double> value) {
-  return fixed(value, 1.0 / kNewtonsPerKilonewton, 2);
-}
-
-std::string line(std::string_view label, std::string_view text) {
-  return fmt::format("  {:<{}}{}\n", label, kLabelWidth, text);
-}
 
 std::string speed_text(const Summary& summary) {
   if (!summary.simulated_seconds_per_second || !summary.ns_per_tick) return "";
@@ -114,24 +105,24 @@ std::string contact_text(const Summary& s) {
 }
 
 std::string axis_lines(const Summary& s) {
-  return line(tail_label(s), tail_text(s)) +
-         line("displayed stiffness",
-              kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
-         line("wall", contact_text(s)) +
-         line("energy observed",
-              fmt::format("{} mJ (Eq. 6), least {} mJ", millijoules(s.energy_cv_j),
-                          millijoules(s.min_energy_cv_j))) +
-         line("energy of the hold",
-              fmt::format("{} mJ (Eq. 9), budget {} mJ", millijoules(s.energy_hold_j),
-                          millijoules(s.energy_budget_j))) +
-         line("energy exchanged",
-              fmt::format("{} mJ (Eq. 10), least {} mJ", millijoules(s.energy_scv_j),
-                          millijoules(s.min_energy_scv_j))) +
-         line("true work",
-              fmt::format("hand {} mJ, actuator {} mJ, dissipated {} mJ",
-                          millijoules(s.true_hand_work_j), millijoules(s.true_actuator_work_j),
-                          millijoules(s.true_dissipation_j))) +
-         line("passivity margin", millijoules(s.passivity_margin_j) + " mJ");
+  return summary_line(tail_label(s), tail_text(s)) +
+         summary_line("displayed stiffness",
+                      kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
+         summary_line("wall", contact_text(s)) +
+         summary_line("energy observed",
+                      fmt::format("{} mJ (Eq. 6), least {} mJ", millijoules(s.energy_cv_j),
+                                  millijoules(s.min_energy_cv_j))) +
+         summary_line("energy of the hold",
+                      fmt::format("{} mJ (Eq. 9), budget {} mJ", millijoules(s.energy_hold_j),
+                                  millijoules(s.energy_budget_j))) +
+         summary_line("energy exchanged",
+                      fmt::format("{} mJ (Eq. 10), least {} mJ", millijoules(s.energy_scv_j),
+                                  millijoules(s.min_energy_scv_j))) +
+         summary_line("true work", fmt::format("hand {} mJ, actuator {} mJ, dissipated {} mJ",
+                                               millijoules(s.true_hand_work_j),
+                                               millijoules(s.true_actuator_work_j),
+                                               millijoules(s.true_dissipation_j))) +
+         summary_line("passivity margin", millijoules(s.passivity_margin_j) + " mJ");
 }
 
 // A line of the comparison.
@@ -192,6 +183,10 @@ std::vector<std::string> column_cells(const Column& column, const std::vector<Ro
 
 }  // namespace
 
+std::string summary_line(std::string_view label, std::string_view text) {
+  return fmt::format("  {:<{}}{}\n", label, kLabelWidth, text);
+}
+
 bool hand_moves_in_tail(const Scene& scene, const Summary& summary, double end_s) {
   const bool of_a_device = !summary.true_hand_work_j;  // held by a person
   if (of_a_device || summary.verdict == Verdict::kDiverged) return false;
@@ -206,15 +201,15 @@ bool hand_moves_in_tail(const Scene& scene, const Summary& summary, double end_s
 }
 
 std::string summary_lines(const Summary& s, const Circumstances& circumstances) {
-  std::string text =
-      heading(s) +
-      line("simulated", fmt::format("{:.6g} s, {} ticks{}", s.duration_s, s.ticks, speed_text(s))) +
-      axis_lines(s);
+  std::string text = heading(s) +
+                     summary_line("simulated", fmt::format("{:.6g} s, {} ticks{}", s.duration_s,
+                                                           s.ticks, speed_text(s))) +
+                     axis_lines(s);
   for (const Summary& y : s.y) text += fmt::format("axis y: {}\n", verdict_text(y)) + axis_lines(y);
   if (!circumstances.realtime_status.empty()) {
-    text += line("real time", circumstances.realtime_status);
+    text += summary_line("real time", circumstances.realtime_status);
   }
-  if (circumstances.hand_moves_in_tail) text += line("note", kHandMoves);
+  if (circumstances.hand_moves_in_tail) text += summary_line("note", kHandMoves);
   return text;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene.h"
@@ -19,6 +20,9 @@ struct Circumstances {
 // (seconds from the session's begin): its way is then in the tail's peak to peak, and the verdict.
 // What diverged did so whatever the hand's way.
 [[nodiscard]] bool hand_moves_in_tail(const Scene& scene, const Summary& summary, double end_s);
+
+// One line of a summary.
+[[nodiscard]] std::string summary_line(std::string_view label, std::string_view text);
 
 // A dozen aligned lines, the verdict first, and one for each circumstance.
 [[nodiscard]] std::string summary_lines(const Summary& summary, const Circumstances& circumstances);

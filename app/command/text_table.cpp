@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/units.h"
+
 namespace hapticwall::command {
 namespace {
 
@@ -26,6 +28,10 @@ std::string fixed(std::optional<double> value, double factor, int digits) {
   const std::string text = fmt::format("{:.{}f}", *value * factor, digits);
   return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, digits)
                                                             : text;
+}
+
+std::string kilonewtons_per_metre(std::optional<double> value_n_per_m) {
+  return fixed(value_n_per_m, 1.0 / kNewtonsPerKilonewton, 2);
 }
 
 std::string aligned(const std::vector<std::vector<std::string>>& rows,

@@ -13,6 +13,9 @@ namespace hapticwall::command {
 // zero is shown as what it is.
 [[nodiscard]] std::string fixed(std::optional<double> value, double factor, int digits);
 
+// The same of newtons per metre in kN/m, with two decimals.
+[[nodiscard]] std::string kilonewtons_per_metre(std::optional<double> value_n_per_m);
+
 enum class Align : bool { kRight, kLeft };
 
 // Rows of as many cells as there are columns, as aligned lines.

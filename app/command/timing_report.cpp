@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/command/json_report.h"
+#include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
@@ -16,9 +17,7 @@ using runtime::Quantiles;
 using runtime::TimingPlan;
 using runtime::TimingRecord;
 constexpr double kNanoseconds = 1e9;
-constexpr double kNanosecondsPerMicrosecond = 1e3;
-constexpr double kMicrosecondsPerSecond = 1e6;
-constexpr std::size_t kBarWidth = 50;
+constexpr std::size_t kHistogramWidth = 50;
 constexpr double kRateTolerance = 0.01;
 
 struct DeviceMarks {
@@ -94,7 +93,7 @@ std::string histogram(const std::vector<std::int64_t>& values_ns) {
   for (std::size_t bin = 0; bin < bins.size(); ++bin) {
     const std::size_t from = bin == 0 ? 0 : std::size_t{1} << (bin - 1);
     // A bar is never empty where there is something.
-    const std::size_t length = (bins[bin] * kBarWidth + most - 1) / most;
+    const std::size_t length = (bins[bin] * kHistogramWidth + most - 1) / most;
     text += fmt::format("{:>6} - {:<6}{:>12}  {:#<{}}\n", from, std::size_t{1} << bin, bins[bin],
                         "", length);
   }
@@ -164,7 +163,6 @@ std::string timing_text(const TimingPlan& plan, const TimingRecord& record,
                                  what.empty() ? "the loop" : what, plan.rate_hz,
                                  static_cast<double>(ticks + record.missed_ticks) / plan.rate_hz,
                                  ticks, record.missed_ticks, record.status.text);
-  constexpr double kPercent = 100.0;
   if (plan.spin_s > 0.0) {
     text.resize(text.size() - 1);
     text += fmt::format(

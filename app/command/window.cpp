@@ -37,7 +37,7 @@ std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)> session_s
   };
 }
 
-constexpr float kPercent = 100.0F;
+constexpr float kFullScalePercent = 100.0F;
 constexpr const char* kSimulator = "sim";
 
 // Of the window alone.
@@ -99,8 +99,8 @@ Action add_window(CLI::App& program) {
   add_algorithm_option(program, *options);
   add_scene_options(program, *options);
   add_device_options(program, *options);
-  constexpr float kSmallest = ui::kSmallestScalePercent / kPercent;
-  constexpr float kLargest = ui::kLargestScalePercent / kPercent;
+  constexpr float kSmallest = ui::kSmallestScalePercent / kFullScalePercent;
+  constexpr float kLargest = ui::kLargestScalePercent / kFullScalePercent;
   program
       .add_option("--scale", look->scale,
                   "How large the window's content is drawn: 1 as designed, 0.5 to 3")

@@ -8,14 +8,14 @@ namespace {
 using device::hid::BusRequest;
 using device::hid::RequestKind;
 
-constexpr std::int64_t kNanosecondsPerMicrosecond = 1000;
+constexpr std::int64_t kMicrosecondNs = 1000;
 
 }  // namespace
 
 DeviceLoop::DeviceLoop(device::hid::FirmwareEmulator& device, device::hid::VirtualBus& bus,
                        const LoopSettings& settings)
     : device_(device), bus_(bus), settings_(settings) {
-  tick_ns_ = static_cast<std::int64_t>(device_.tick_us()) * kNanosecondsPerMicrosecond;
+  tick_ns_ = static_cast<std::int64_t>(device_.tick_us()) * kMicrosecondNs;
   in_step_ = !settings_.in_step;
 }
 
@@ -38,7 +38,7 @@ bool DeviceLoop::is_over() const {
 }
 
 std::int64_t DeviceLoop::deadline_ns() const {
-  return start_ns_ + static_cast<std::int64_t>(device_.next_tick_us()) * kNanosecondsPerMicrosecond;
+  return start_ns_ + static_cast<std::int64_t>(device_.next_tick_us()) * kMicrosecondNs;
 }
 
 Failure DeviceLoop::keep_plugged() {
@@ -53,8 +53,7 @@ void DeviceLoop::take_requests() {
   while (const auto request = bus_.next_request()) {
     come_in_step(*request);
     // The device's time of the request: now, but never past a tick that has not happened yet.
-    const auto now_us =
-        static_cast<std::uint64_t>((bus_.now_ns() - start_ns_) / kNanosecondsPerMicrosecond);
+    const auto now_us = static_cast<std::uint64_t>((bus_.now_ns() - start_ns_) / kMicrosecondNs);
     const std::uint64_t until_us = std::min(now_us, device_.next_tick_us() - 1);
     if (until_us > device_.now_us()) device_.step(until_us - device_.now_us());
     take(*request);

@@ -11,16 +11,15 @@
 #include "app/emulator/fault_text.h"
 #include "app/file/scene_file.h"
 #include "app/file/text.h"
+#include "core/units.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::emulator {
 namespace {
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 constexpr double kLongestRunS = 86400.0;
 constexpr int kHexadecimal = 16;
 constexpr std::uint16_t kLongestTickUs = std::numeric_limits<std::uint16_t>::max();
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 // Tick of a scene, whole microseconds; 0 where it is none.
 std::uint64_t tick_us_of(const Scene& scene) {

@@ -27,7 +27,7 @@ namespace {
 using command::report;
 using command::tell;
 
-constexpr std::int64_t kNanosecondsPerMicrosecond = 1000;
+constexpr std::int64_t kNanosecondsInMicrosecond = 1000;
 constexpr const char* kDescription =
     "A haptic device that is not there: makes a HID device through /dev/uhid that behaves as\n"
     "docs/hid-protocol.md asks, with the handle and the hand of SCENE behind it. For trying a "
@@ -70,7 +70,7 @@ void tell_start(const Plan& plan, const std::string& realtime) {
 void tell_end(const LoopFigures& figures) {
   tell(fmt::format("{} ticks, {} commands; largest latency of a tick {} us, {} reports not sent",
                    figures.ticks, figures.commands,
-                   figures.largest_latency_ns / kNanosecondsPerMicrosecond, figures.late_ticks));
+                   figures.largest_latency_ns / kNanosecondsInMicrosecond, figures.late_ticks));
 }
 
 // The log's file is made before anything runs: whether it can be is not found out at the end.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/file/text.h"
+#include "core/units.h"
 
 namespace hapticwall::emulator {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 using device::hid::Fault;
 using device::hid::FaultKind;
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 constexpr double kLongestTimeS = 86400.0;
 constexpr std::uint32_t kMostTicksApart = 1'000'000;
 

@@ -19,13 +19,12 @@
 #include "app/file/table_reader.h"
 #include "app/file/text.h"
 #include "core/scene_keys.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 Error cannot_be_read(const std::string& path, int code) {
   return usage_error(

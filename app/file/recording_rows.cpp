@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/file/text.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::file {
 namespace {
@@ -104,8 +105,6 @@ std::string problem_of(std::string_view line, MoreColumns columns) {
   }
   return fmt::format("{} columns; it should be {}", fields.size(), names.size());
 }
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 }  // namespace
 

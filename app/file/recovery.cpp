@@ -18,14 +18,13 @@
 #include "app/file/table_reader.h"
 #include "app/file/text.h"
 #include "core/plant/plant_model.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kRowsAtATime = 1024;
-constexpr std::size_t kPieceBytes = std::size_t{1} << 16U;
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
+constexpr std::size_t kCopiedBytes = std::size_t{1} << 16U;
 
 // Whether the hand of one axis follows its script, row by row.
 class ScriptedHand {
@@ -113,7 +112,7 @@ Result<std::string> find_unknown_events(RecordingReader& reader) {
 // Of the first `bytes` of a file, as they are: somebody may have edited the rows by hand.
 Result<std::string> sha256_of(const std::string& path, std::uint64_t bytes) {
   std::ifstream in(path, std::ios::binary);
-  std::string piece(kPieceBytes, '\0');
+  std::string piece(kCopiedBytes, '\0');
   Sha256 digest;
   while (bytes > 0) {
     const std::uint64_t wanted = std::min<std::uint64_t>(bytes, piece.size());

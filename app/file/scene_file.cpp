@@ -13,14 +13,13 @@
 #include "app/file/small_file.h"
 #include "app/file/table_reader.h"
 #include "app/file/text.h"
+#include "core/usage_error.h"
 #include "embedded_scenes.h"
 
 namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kLargestSceneBytes = std::size_t{1} << 20U;
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 Result<LoadedScene> load_file(const std::string& path, std::span<const std::string> overrides) {
   const std::size_t largest_bytes =

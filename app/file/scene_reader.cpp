@@ -12,8 +12,8 @@
 namespace hapticwall::file {
 namespace {
 
-constexpr std::size_t kLongestName = 100;
-constexpr std::size_t kLongestDescription = 1000;
+constexpr std::size_t kLongestSceneName = 100;
+constexpr std::size_t kLongestSceneDescription = 1000;
 
 // Out of the tables of the first axis.
 void read_second_axis(const TableReader& reader, const toml::table& device, const toml::table* hand,
@@ -33,9 +33,9 @@ void read_second_axis(const TableReader& reader, const toml::table& device, cons
 
 Scene read_tables(TableReader& reader, const std::string& origin) {
   Scene scene;
-  scene.name = reader.line("name", kLongestName);
+  scene.name = reader.line("name", kLongestSceneName);
   if (scene.name.empty()) scene.name = shown(std::filesystem::path(origin).stem().string());
-  scene.description = reader.line("description", kLongestDescription);
+  scene.description = reader.line("description", kLongestSceneDescription);
   reader.numbers(scene_number_keys(), scene);
   if (const auto* table = reader.table("sampling")) scene.sampling = read_sampling(*table, origin);
   const toml::table* device = reader.table("device");

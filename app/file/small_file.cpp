@@ -10,13 +10,12 @@
 #include <utility>
 
 #include "app/file/text.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kFirstBytes = std::size_t{1} << 16U;
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 // At most one byte more than `largest_bytes`.
 Result<std::string> read_beginning(const std::string& path, std::size_t largest_bytes) {

@@ -6,11 +6,10 @@
 #include <utility>
 
 #include "app/file/text.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::runtime {
 namespace {
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 // SplitMix64 [lit, Steele, Lea & Flood 2014]: the same numbers on every machine.
 class Random {

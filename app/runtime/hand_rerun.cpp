@@ -14,13 +14,12 @@
 #include "core/metrics.h"
 #include "core/servo.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/usage_error.h"
 
 namespace hapticwall::runtime {
 namespace {
 
 constexpr std::uint64_t kTicksPerQuestion = 1024;
-
-Error usage_error(std::string message) { return {ErrorKind::kUsage, std::move(message)}; }
 
 Failure check_overrides(const Scene& recorded, const Scene& wanted) {
   const auto refused = [](std::string_view key) {

@@ -5,11 +5,10 @@
 #include <algorithm>
 
 #include "app/runtime/clock.h"
+#include "core/units.h"
 
 namespace hapticwall::runtime {
 namespace {
-
-constexpr double kNanosecondsPerMicrosecond = 1e3;
 
 struct LoopMarks {
   double latency;       // of the period

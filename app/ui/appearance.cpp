@@ -6,21 +6,22 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kPercent = 100.0F;
+constexpr float kFullScalePercent = 100.0F;
 constexpr int kStepPercent = 10;
 
 }  // namespace
 
 float scale_in_force(const UiState& state) {
   const TransientState& transient = state.transient;
-  const float chosen = static_cast<float>(state.persisted.scale_percent) / kPercent;
+  const float chosen = static_cast<float>(state.persisted.scale_percent) / kFullScalePercent;
   const float scale =
       transient.forced_scale.value_or(chosen > 0.0F ? chosen : transient.screen_scale);
-  return std::clamp(scale, kSmallestScalePercent / kPercent, kLargestScalePercent / kPercent);
+  return std::clamp(scale, kSmallestScalePercent / kFullScalePercent,
+                    kLargestScalePercent / kFullScalePercent);
 }
 
 int scale_percent_in_force(const UiState& state) {
-  return static_cast<int>(std::lround(scale_in_force(state) * kPercent));
+  return static_cast<int>(std::lround(scale_in_force(state) * kFullScalePercent));
 }
 
 void set_scale(UiState& state, int percent) {

@@ -5,15 +5,15 @@
 #include <algorithm>
 
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
 using runtime::ArmingState;
 
-constexpr float kHeightEms = 2.3F;
-constexpr float kButtonEms = 9.0F;
-constexpr float kPercent = 100.0F;
+constexpr float kStripHeightEms = 2.3F;
+constexpr float kArmButtonEms = 9.0F;
 
 // Off is calm, on is not to be overlooked.
 Tone tone_of(ArmingState state) {
@@ -43,7 +43,7 @@ void draw_background(const PanelContext& context, const ImVec2& corner, const Im
 
 void draw_button(const PanelContext& context) {
   const bool off = context.snapshot.arming.state == ArmingState::kOff;
-  const ImVec2 size(kButtonEms * ImGui::GetFontSize(), 0.0F);
+  const ImVec2 size(kArmButtonEms * ImGui::GetFontSize(), 0.0F);
   if (ImGui::Button(off ? "Arm (A)###arm" : "Stop (Space)###arm", size)) {
     off ? ask_to_arm(context) : disarm(context);
   }
@@ -73,7 +73,7 @@ void draw_arming_strip(const PanelContext& context) {
   if (context.snapshot.arming.state == ArmingState::kNotNeeded) return;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float em = ImGui::GetFontSize();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, kHeightEms * em);
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, kStripHeightEms * em);
   draw_background(context, corner, size);
   const float inset = 0.5F * (size.y - ImGui::GetFrameHeight());
   ImGui::SetCursorScreenPos(ImVec2(corner.x + inset, corner.y + inset));

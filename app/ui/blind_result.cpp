@@ -8,6 +8,7 @@
 #include "app/ui/blind_test.h"
 #include "app/ui/blind_test_page.h"
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -15,10 +16,9 @@ namespace {
 using runtime::Trial;
 using runtime::TrialResult;
 
-constexpr double kPercent = 100.0;
 constexpr float kFiguresShare = 0.52F;  // of the width; the trials stand in the rest
 constexpr float kWidestFiguresEms = 38.0F;
-constexpr float kGapEms = 1.5F;
+constexpr float kResultGapEms = 1.5F;
 
 std::string share_text(std::uint32_t count, std::uint32_t trials) {
   if (trials == 0) return "–";
@@ -136,7 +136,7 @@ void draw_blind_result(const PanelContext& context) {
                     ImGuiWindowFlags_NoBackground);
   draw_summary(context, test);
   ImGui::EndChild();
-  ImGui::SameLine(0.0F, kGapEms * em);
+  ImGui::SameLine(0.0F, kResultGapEms * em);
   ImGui::BeginChild("list", ImVec2(0.0F, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
   draw_trials(context, test);

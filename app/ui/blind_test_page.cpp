@@ -12,16 +12,16 @@
 #include "app/ui/comparing.h"
 #include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
 using runtime::Slot;
 
-constexpr double kPercent = 100.0;
 constexpr float kFieldsShare = 0.5F;  // of the width; what happens is told in the rest
 constexpr float kWidestFieldsEms = 34.0F;
-constexpr float kGapEms = 2.0F;
+constexpr float kPageGapEms = 2.0F;
 
 void draw_question(const PanelContext& context) {
   std::string& question = context.state.compare.persisted.question;
@@ -160,7 +160,7 @@ void draw_blind_setup(const PanelContext& context) {
                     ImGuiWindowFlags_NoBackground);
   draw_fields(context);
   ImGui::EndChild();
-  ImGui::SameLine(0.0F, kGapEms * em);
+  ImGui::SameLine(0.0F, kPageGapEms * em);
   ImGui::BeginChild("what happens",
                     ImVec2(std::min(ImGui::GetContentRegionAvail().x, kWidestFieldsEms * em), 0.0F),
                     ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground);

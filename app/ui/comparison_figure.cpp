@@ -15,21 +15,20 @@
 #include "app/ui/plot_heading.h"
 #include "app/ui/theme.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr int kWidth = 2400;  // pixels, of up to kUsualRuns columns
-constexpr int kHeight = 1400;
+constexpr int kFigureWidth = 2400;  // pixels, of up to kUsualRuns columns
+constexpr int kFigureHeight = 1400;
 constexpr std::size_t kUsualRuns = 8;
-constexpr int kColumnWidth = 290;     // of each column more
-constexpr float kDesignHeight = 900;  // figure of scale 1
-constexpr float kPrintLineWeight = 1.1F;
-constexpr float kColumnGapEms = 1.0F;
-constexpr double kMillimetresPerMetre = 1e3;
-constexpr double kNewtonsPerKilonewton = 1e3;
-constexpr std::array kOrder{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
-                            PlotId::kPassivity};
+constexpr int kColumnWidth = 290;               // of each column more
+constexpr float kComparisonDesignHeight = 900;  // figure of scale 1
+constexpr float kComparisonLineWeight = 1.1F;
+constexpr float kFigureColumnGapEms = 1.0F;
+constexpr std::array kComparedPlots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
+                                    PlotId::kPassivity};
 
 // Of the forces only the actuator's: what a soft wall asks for would flatten it.
 ChosenLines compared_lines() {
@@ -43,7 +42,8 @@ struct Comparison {
   const Scene& scene;
   std::span<const ComparedRun> runs;
   PlotSurface surface;
-  std::array<float, kOrder.size()> label_widths{};  // beside the first column; known after a frame
+  // Beside the first column; known after a frame.
+  std::array<float, kComparedPlots.size()> label_widths{};
 };
 
 std::optional<Extremes> united(std::optional<Extremes> a, Extremes b) {
@@ -72,7 +72,7 @@ bool stretches_axes(const ComparedRun& run, std::span<const ComparedRun> runs) {
 
 void share_axes(Comparison& comparison) {
   PlotSurface& surface = comparison.surface;
-  for (const PlotId id : kOrder) {
+  for (const PlotId id : kComparedPlots) {
     std::optional<Extremes> values;
     for (const ComparedRun& run : comparison.runs) {
       if (!stretches_axes(run, comparison.runs)) continue;
@@ -165,7 +165,7 @@ struct Columns {
 };
 
 Columns place_columns(const Comparison& comparison, float left, float width) {
-  const float gap = kColumnGapEms * ImGui::GetFontSize();
+  const float gap = kFigureColumnGapEms * ImGui::GetFontSize();
   const float labels = *std::ranges::max_element(comparison.label_widths);
   const auto count = static_cast<float>(std::max<std::size_t>(comparison.runs.size(), 1));
   const float each = std::max(1.0F, (width - labels - gap * (count - 1.0F)) / count);
@@ -175,7 +175,7 @@ Columns place_columns(const Comparison& comparison, float left, float width) {
 // Only the first column has labels; what room they take is known as soon as two are drawn.
 void draw_row(Comparison& comparison, std::size_t row, const Columns& columns, float height) {
   PlotSurface& surface = comparison.surface;
-  const PlotDescription& plot = plot_description(kOrder[row]);
+  const PlotDescription& plot = plot_description(kComparedPlots[row]);
   float& labels = comparison.label_widths[row];
   const float top = ImGui::GetCursorScreenPos().y;
   std::array<float, 2> areas{};
@@ -202,16 +202,16 @@ std::string row_note(Comparison& comparison, const PlotDescription& plot) {
 void draw_rows(Comparison& comparison, const Columns& columns, float left, ImVec2 free) {
   PlotSurface& surface = comparison.surface;
   const float gap = ImGui::GetStyle().ItemSpacing.y;
-  const auto count = static_cast<float>(kOrder.size());
+  const auto count = static_cast<float>(kComparedPlots.size());
   const float each = (free.y - (count - 1.0F) * gap) / count;
   const float top = ImGui::GetCursorScreenPos().y;
-  for (std::size_t row = 0; row < kOrder.size(); ++row) {
-    const PlotDescription& plot = plot_description(kOrder[row]);
+  for (std::size_t row = 0; row < kComparedPlots.size(); ++row) {
+    const PlotDescription& plot = plot_description(kComparedPlots[row]);
     const float row_top = top + static_cast<float>(row) * (each + gap);
     ImGui::SetCursorScreenPos(ImVec2(left, row_top));
     draw_plot_heading(surface, plot, fmt::format("({}) ", static_cast<char>('a' + row)),
                       row_note(comparison, plot), free.x);
-    surface.time_labels = row + 1 == kOrder.size();
+    surface.time_labels = row + 1 == kComparedPlots.size();
     const float used = ImGui::GetCursorScreenPos().y - row_top;
     draw_row(comparison, row, columns, std::max(1.0F, each - used));
   }
@@ -239,12 +239,12 @@ void draw_contents(const Theme& theme, Comparison& comparison) {
 
 FigureSize comparison_size(std::size_t runs) {
   const std::size_t more = std::max(runs, kUsualRuns) - kUsualRuns;
-  return {kWidth + static_cast<int>(more) * kColumnWidth, kHeight};
+  return {kFigureWidth + static_cast<int>(more) * kColumnWidth, kFigureHeight};
 }
 
 Result<file::Picture> draw_comparison(const Scene& scene, std::span<const ComparedRun> runs,
                                       FigureSize size) {
-  const float scale = static_cast<float>(size.height) / kDesignHeight;
+  const float scale = static_cast<float>(size.height) / kComparisonDesignHeight;
   TimeWindow window = whole_window(scene, runs);
   ChosenLines lines = compared_lines();
   HiddenLines hidden = 0;
@@ -262,7 +262,7 @@ Result<file::Picture> draw_comparison(const Scene& scene, std::span<const Compar
   surface.columns = &pixels;
   surface.interactive = false;
   surface.heading = false;
-  surface.line_weight = kPrintLineWeight * scale;
+  surface.line_weight = kComparisonLineWeight * scale;
   share_axes(comparison);
   return draw_page(size, scale, [&](const Theme& theme) { draw_contents(theme, comparison); });
 }

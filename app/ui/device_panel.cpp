@@ -10,6 +10,7 @@
 #include "app/ui/control_panel.h"
 #include "app/ui/parameter_rows.h"
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -38,8 +39,6 @@ const std::array kRows{
 
 // Of a real device everything else is its own and cannot be set.
 constexpr std::size_t kBelievedRows = 3;
-
-constexpr double kMicrosecondsPerSecond = 1e6;
 
 std::string summary(const DeviceSettings& device) {
   return fmt::format("{} kg, {} N·s/m", number_text(device.mass_kg),

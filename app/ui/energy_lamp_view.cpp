@@ -10,11 +10,11 @@
 
 #include "app/ui/blind_test.h"
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMillijoulesPerJoule = 1e3;
 constexpr float kRadiusEms = 0.36F;
 constexpr float kGlowEms = 0.62F;
 constexpr float kGlowAlpha = 0.22F;

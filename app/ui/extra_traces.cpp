@@ -15,7 +15,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kWidth = 2.4F;  // of a line of the session
+constexpr float kTraceWidth = 2.4F;  // of a line of the session
 
 bool has(const ExtraTrace& trace, const PlotLine& line) {
   return trace.history != nullptr && !trace.history->empty() &&
@@ -70,7 +70,7 @@ void draw_extra_traces(const PlotSurface& surface, const PlotDescription& plot) 
       const std::string name = fmt::format("{}##extra{}", line.name, index);
       draw_trace(points,
                  {name.c_str(), extra_colour(*surface.theme, trace, line.tone),
-                  kWidth * surface.line_weight},
+                  kTraceWidth * surface.line_weight},
                  line.on_right ? ImAxis_Y2 : ImAxis_Y1, *surface.columns);
     }
   }

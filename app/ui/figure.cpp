@@ -17,7 +17,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kDesignHeight = 880.0F;  // figure of scale 1
+constexpr float kFigureDesignHeight = 880.0F;  // figure of scale 1
 constexpr float kPrintLineWeight = 1.2F;
 constexpr float kPhaseShare = 0.38F;  // of the width, for the force over the penetration
 constexpr std::array kOrder{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
@@ -109,7 +109,7 @@ Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> sa
 
 Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& history,
                                   const FigureView& view, FigureSize size) {
-  const float scale = static_cast<float>(size.height) / kDesignHeight;
+  const float scale = static_cast<float>(size.height) / kFigureDesignHeight;
   // Drawing an axis writes to it.
   FigureView copy = view;
   Trace scratch;

@@ -9,11 +9,10 @@
 #include "app/ui/control_panel.h"
 #include "app/ui/parameter_rows.h"
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
-
-constexpr double kMillimetresPerMetre = 1e3;
 
 // A script of the usual kind: from a place to another at one speed.
 struct Approach {
@@ -93,7 +92,7 @@ void draw_pointer(const PanelContext& context, const HandSettings& hand) {
       "was.");
 }
 
-const std::array kRows{
+const std::array kHandRows{
     ParameterText{"mass_kg", "mass",
                   "m_h of the hand: joined to the handle, or holding it through the grip", 0.4},
     ParameterText{"stiffness_n_per_m", "spring",
@@ -117,7 +116,7 @@ void edit_hand(HandSettings& hand, const NumberKey<HandSettings>& key, const Par
 
 void draw_body(const PanelContext& context) {
   const auto& loaded = context.state.transient.loaded_scene.hand;
-  for (const ParameterText& text : kRows) {
+  for (const ParameterText& text : kHandRows) {
     const auto& key = key_called(hand_number_keys(), text.key);
     const HandSettings& in_force = *context.session.scene().hand;
     const ParameterRow row =

@@ -12,7 +12,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kMarkRadius = 4.5F;  // pixels at scale 1
-constexpr float kLineWeight = 1.4F;
+constexpr float kLogLineWeight = 1.4F;
 constexpr double kAxisMargin = 0.09;          // beyond the outermost points, of the axis
 constexpr double kSmallestAxisMargin = 0.25;  // decades
 constexpr int kMostDecadeLabels = 9;
@@ -117,7 +117,7 @@ void draw_series(const Theme& theme, const LogSeries& series, float scale) {
   }
   ImPlotSpec line;
   line.LineColor = theme.colour(series.tone);
-  line.LineWeight = kLineWeight * scale;
+  line.LineWeight = kLogLineWeight * scale;
   line.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
   ImPlot::PlotLine(series.name.c_str(), x.data(), y.data(), static_cast<int>(x.size()), line);
   for (std::size_t i = 0; i < x.size(); ++i) {

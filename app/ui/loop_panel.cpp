@@ -9,11 +9,11 @@
 #include "app/ui/control_panel.h"
 #include "app/ui/parameter_rows.h"
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 constexpr const char* kSubstepsKey = "simulator.substeps";
 
 void draw_rate(const PanelContext& context) {

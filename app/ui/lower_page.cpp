@@ -14,7 +14,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kGapEms = 1.2F;  // before the lamp
+constexpr float kTabGapEms = 1.2F;  // before the lamp
 
 struct Page {
   LowerPage page;
@@ -27,7 +27,7 @@ constexpr std::array kPages{
     Page{LowerPage::kBlindTest, "Blind test",
          "Which of two walls? A and B of Compare, felt in an order that nobody sees"}};
 
-void draw_choice(const PanelContext& context) {
+void draw_page_choice(const PanelContext& context) {
   const LowerPage now = lower_page(context.state);
   ImGui::BeginDisabled(blind_test_runs(context.state));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(1.0F, ImGui::GetStyle().ItemSpacing.y));
@@ -49,8 +49,8 @@ LowerPage lower_page(const UiState& state) {
 }
 
 void draw_lower_page(const PanelContext& context, const SampleHistory& history) {
-  draw_choice(context);
-  ImGui::SameLine(0.0F, kGapEms * ImGui::GetFontSize());
+  draw_page_choice(context);
+  ImGui::SameLine(0.0F, kTabGapEms * ImGui::GetFontSize());
   draw_energy_lamp(context);
   ImGui::BeginChild("lower page", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders);
   switch (lower_page(context.state)) {

@@ -45,7 +45,7 @@ int choose_magnification(WallState& state, double deepest_m, double unmagnified_
   return magnification;
 }
 
-void draw_choice(const PanelContext& context) {
+void draw_magnification(const PanelContext& context) {
   WallState& state = context.state.wall;
   const int now = state.transient.magnification;
   const auto button = [&](const char* label, const char* item, const char* tip) {
@@ -79,7 +79,7 @@ void draw_heading(const PanelContext& context, bool with_choice) {
   ImGui::PushFont(context.theme.fonts.strong, 0.0F);
   ImGui::TextUnformatted("Contact");
   ImGui::PopFont();
-  if (with_choice) draw_choice(context);
+  if (with_choice) draw_magnification(context);
 }
 
 // As many entries as there is room for.

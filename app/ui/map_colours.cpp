@@ -17,7 +17,7 @@ constexpr std::array<ImVec4, 4> kHot{{{0.99F, 0.88F, 0.55F, 1.0F},
                                       {0.83F, 0.29F, 0.22F, 1.0F},
                                       {0.46F, 0.09F, 0.24F, 1.0F}}};
 // Neighbours of nearly the same amplitude share a colour, so that they are drawn as one.
-constexpr double kSteps = 48.0;
+constexpr double kColourSteps = 48.0;
 
 ImVec4 between(const ImVec4& a, const ImVec4& b, float part) {
   return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y), a.z + part * (b.z - a.z), 1.0F};
@@ -31,7 +31,7 @@ ImU32 diverged_colour() { return kDiverged; }
 ImU32 oscillating_colour(double tail_peak_to_peak_m) {
   const double share = std::log(tail_peak_to_peak_m / kSettledPeakToPeakM) /
                        std::log(kHottestM / kSettledPeakToPeakM);
-  const double part = std::round(kSteps * std::clamp(share, 0.0, 1.0)) / kSteps;
+  const double part = std::round(kColourSteps * std::clamp(share, 0.0, 1.0)) / kColourSteps;
   const double place = part * static_cast<double>(kHot.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), kHot.size() - 2);
   return ImGui::ColorConvertFloat4ToU32(between(

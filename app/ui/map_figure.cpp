@@ -19,13 +19,13 @@
 #include "core/stabiliser/stabiliser.h"
 #include "core/study/bound_lines.h"
 #include "core/study/dimensionless.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kDesignHeight = 1000.0F;  // figure of scale 1
-constexpr float kLineWeight = 2.0F;
-constexpr double kMillimetresPerMetre = 1e3;
+constexpr float kMapDesignHeight = 1000.0F;  // figure of scale 1
+constexpr float kMapLineWeight = 2.0F;
 
 // A bound of theory, as it is drawn.
 struct BoundStyle {
@@ -91,7 +91,7 @@ void draw_bounds(const StabilityMap& map, const std::vector<BoundLines>& bounds,
   for (const BoundLines& bound : bounds) {
     for (const BoundSegment& line : bound.lines) {
       list.AddLine(pixels_of(map, line.from.x, line.from.y), pixels_of(map, line.to.x, line.to.y),
-                   bound.style->colour, kLineWeight * scale);
+                   bound.style->colour, kMapLineWeight * scale);
     }
   }
 }
@@ -232,7 +232,7 @@ void draw_contents(const Theme& theme, const Contents& contents) {
 Result<file::Picture> draw_map(const StabilityMap& map, std::span<const MapFigures> figures,
                                FigureSize size) {
   const std::vector<BoundLines> bounds = all_bound_lines(map);
-  const float scale = static_cast<float>(size.height) / kDesignHeight;
+  const float scale = static_cast<float>(size.height) / kMapDesignHeight;
   return draw_page(size, scale, [&](const Theme& theme) {
     draw_contents(theme, {map, figures, bounds, scale});
   });

@@ -14,6 +14,7 @@
 #include "app/ui/replay_state.h"
 #include "app/ui/undo_controls.h"
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -21,7 +22,6 @@ namespace {
 constexpr const char* kSettings = "settings";
 constexpr float kSettingsWidthEms = 22.0F;
 constexpr float kPercentEms = 4.5F;
-constexpr float kPercent = 100.0F;
 
 struct Button {
   const char* label;

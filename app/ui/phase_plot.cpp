@@ -8,14 +8,14 @@
 #include <string>
 #include <tuple>
 
+#include "core/units.h"
+
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMillimetresPerMetre = 1e3;
-constexpr double kMillijoulesPerJoule = 1e3;
 constexpr double kSmallestSpanMm = 0.05;
 constexpr double kSmallestSpanN = 1.0;
-constexpr double kMoved = 1e-9;  // of an axis' span
+constexpr double kPlaneMoved = 1e-9;  // of an axis' span
 
 // Of one coordinate of the path. The way to the wall, where there is no force, is of no interest,
 // and 0 always is.
@@ -172,15 +172,15 @@ void set_up_axis(ImAxis id, ValueAxis& axis, const char* format) {
   ImPlot::SetupAxisFormat(id, format);
 }
 
-void notice_moves(ValueAxis& axis, const ImPlotRange& now) {
+void notice_plane_moves(ValueAxis& axis, const ImPlotRange& now) {
   const double moved = std::abs(now.Min - axis.minimum) + std::abs(now.Max - axis.maximum);
-  if (moved > kMoved * (axis.maximum - axis.minimum)) axis.manual = true;
+  if (moved > kPlaneMoved * (axis.maximum - axis.minimum)) axis.manual = true;
 }
 
 void notice_input(PhaseView& view) {
   const ImPlotRect limits = ImPlot::GetPlotLimits();
-  notice_moves(view.penetration, limits.X);
-  notice_moves(view.force, limits.Y);
+  notice_plane_moves(view.penetration, limits.X);
+  notice_plane_moves(view.force, limits.Y);
   if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
   const bool inside = ImPlot::IsPlotHovered();
   if (inside || ImPlot::IsAxisHovered(ImAxis_X1)) view.penetration.manual = false;

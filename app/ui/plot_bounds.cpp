@@ -10,7 +10,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kLineWeight = 1.0F;
+constexpr float kBoundLineWeight = 1.0F;
 constexpr float kDash = 6.0F;  // pixels at scale 1
 constexpr float kGap = 4.0F;
 
@@ -20,7 +20,7 @@ void draw_dashes(ImDrawList* list, ImVec2 from, float to_x, ImU32 colour, float 
   for (int i = 0; i < count; ++i) {
     const float x = from.x + static_cast<float>(i) * step;
     list->AddLine(ImVec2(x, from.y), ImVec2(std::min(x + kDash * scale, to_x), from.y), colour,
-                  kLineWeight * scale);
+                  kBoundLineWeight * scale);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "app/ui/shown_axis.h"
 #include "app/ui/widgets.h"
 #include "core/stability_bounds.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -18,7 +19,6 @@ constexpr float kFollowEms = 4.4F;
 constexpr float kWindowEms = 5.5F;
 constexpr float kTriggerEms = 9.5F;
 constexpr float kExportEms = 3.6F;
-constexpr double kPercent = 100.0;
 constexpr double kMostPrePercent = 90.0;
 
 constexpr std::array kAllPlots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,

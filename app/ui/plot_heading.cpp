@@ -10,9 +10,9 @@ namespace {
 constexpr float kDashEms = 1.2F;      // a legend entry's piece of line
 constexpr float kDashWeight = 0.17F;  // of the text's size
 constexpr float kExtraDashWeight = 0.36F;
-constexpr float kTextAtEms = 1.5F;     // where its name begins
-constexpr float kEntryGapEms = 0.6F;   // between two entries
-constexpr float kEntryTailEms = 0.2F;  // behind its name
+constexpr float kHeadingNameEms = 1.5F;  // where its name begins
+constexpr float kEntryGapEms = 0.6F;     // between two entries
+constexpr float kEntryTailEms = 0.2F;    // behind its name
 
 void remember(const PlotSurface& surface, const std::string& item) {
   if (surface.remember) surface.remember(item);
@@ -24,7 +24,8 @@ std::string entry_text(const PlotDescription& plot, const PlotLine& line) {
 }
 
 float entry_width(const std::string& text) {
-  return ImGui::CalcTextSize(text.c_str()).x + (kTextAtEms + kEntryTailEms) * ImGui::GetFontSize();
+  return ImGui::CalcTextSize(text.c_str()).x +
+         (kHeadingNameEms + kEntryTailEms) * ImGui::GetFontSize();
 }
 
 struct LegendEntry {
@@ -41,7 +42,7 @@ void draw_dash(const PlotSurface& surface, const LegendEntry& entry) {
   const float middle = entry.corner.y + 0.6F * em;
   list->AddLine(ImVec2(entry.corner.x, middle), ImVec2(entry.corner.x + kDashEms * em, middle),
                 entry.colour, entry.weight * em);
-  list->AddText(ImVec2(entry.corner.x + kTextAtEms * em, entry.corner.y),
+  list->AddText(ImVec2(entry.corner.x + kHeadingNameEms * em, entry.corner.y),
                 surface.theme->packed(Tone::kText, 0.85F * entry.alpha), entry.text.c_str());
 }
 

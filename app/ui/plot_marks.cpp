@@ -11,14 +11,14 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kAlpha = 0.75F;
+constexpr float kMarkAlpha = 0.75F;
 constexpr float kThin = 0.65F;  // of a line of the session
-constexpr float kGapEms = 0.3F;
+constexpr float kMarkGapEms = 0.3F;
 constexpr float kFewestEms = 1.5F;  // of a text, to be worth its beginning
 
 // A text from `left` to `right` at most; the rest is cut.
 void draw_text(const Theme& theme, const std::string& text, float left, float right) {
-  const float gap = kGapEms * ImGui::GetFontSize();
+  const float gap = kMarkGapEms * ImGui::GetFontSize();
   if (text.empty() || right - left < kFewestEms * ImGui::GetFontSize()) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float top = ImPlot::GetPlotPos().y + gap;
@@ -57,7 +57,7 @@ void draw_plot_marks(const Theme& theme, const PlotMarks& marks, float line_weig
     const float left = std::floor(x - 0.5F * width);
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left, corner.y),
                                               ImVec2(left + width, corner.y + size.y),
-                                              theme.packed(Tone::kWarning, kAlpha));
+                                              theme.packed(Tone::kWarning, kMarkAlpha));
     draw_text(theme, mark->text, x + width, room_to);
   }
   ImPlot::PopPlotClipRect();

@@ -15,10 +15,10 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr double kAxisMovedS = 1e-9;  // what is not a rounding error
-constexpr float kGapEms = 1.6F;       // between two columns of plots
-constexpr float kSideShare = 0.38F;   // of the width, for the plane and the table of cursors
-constexpr float kNarrowestSideEms = 20.0F;
-constexpr float kWidestSideEms = 34.0F;
+constexpr float kPlotGapEms = 1.6F;   // between two columns of plots
+constexpr float kPlaneShare = 0.38F;  // of the width, for the plane and the table of cursors
+constexpr float kNarrowestPlaneEms = 20.0F;
+constexpr float kWidestPlaneEms = 34.0F;
 constexpr float kTableShare = 0.45F;  // of the height, below the plane
 
 TimeWindow window_of(const UiState& state) {
@@ -91,7 +91,7 @@ void draw_plots(UiState& state, PlotSurface& surface, ImVec2 corner, ImVec2 free
   const std::span<const PlotId> plots = plots_of(state.persisted.arrangement);
   const std::size_t columns = plots.size() == kPlotCount ? 2 : 1;
   const std::size_t whole_rows = (plots.size() + columns - 1) / columns;
-  const ImVec2 gap(kGapEms * ImGui::GetFontSize(), ImGui::GetStyle().ItemSpacing.y);
+  const ImVec2 gap(kPlotGapEms * ImGui::GetFontSize(), ImGui::GetStyle().ItemSpacing.y);
   const auto count = static_cast<float>(columns);
   const auto rows = static_cast<float>(whole_rows);
   const ImVec2 each((free.x - (count - 1.0F) * gap.x) / count,
@@ -158,9 +158,10 @@ void draw_plots_panel(const PanelContext& context, const SampleHistory& history)
   ImVec2 free = ImGui::GetContentRegionAvail();
   if (state.plots.persisted.phase.shown || state.plots.transient.cursors.shown) {
     const float em = ImGui::GetFontSize();
-    const float side = std::clamp(kSideShare * free.x, kNarrowestSideEms * em, kWidestSideEms * em);
+    const float side =
+        std::clamp(kPlaneShare * free.x, kNarrowestPlaneEms * em, kWidestPlaneEms * em);
     draw_side(context, surface, ImVec2(corner.x + free.x - side, corner.y), ImVec2(side, free.y));
-    free.x -= side + kGapEms * em;
+    free.x -= side + kPlotGapEms * em;
   }
   draw_plots(state, surface, corner, free);
   set_window(state, window);

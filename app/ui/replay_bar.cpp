@@ -39,7 +39,7 @@ constexpr float kSliderEms = 1.5F;    // how high all of it is
 constexpr float kNearMarkEms = 0.4F;  // a click so near to a mark is one on it
 constexpr double kQuietOpeningS = 0.3;
 
-float ems(float count) { return count * ImGui::GetFontSize(); }
+float in_ems(float count) { return count * ImGui::GetFontSize(); }
 
 // What is so wide stands beside the item before, or begins a row where there is no room.
 void beside(float width, float gap = -1.0F) {
@@ -55,28 +55,21 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-bool button(const PanelContext& context, const char* label, const char* name, float width_ems,
-            const char* tooltip) {
-  const bool clicked = ImGui::Button(label, ImVec2(ems(width_ems), 0.0F));
-  remember_item(context.state, name);
-  explain(tooltip);
-  return clicked;
-}
-
 void draw_transport(const PanelContext& context) {
   const bool paused = context.snapshot.paused;
-  if (button(context, paused ? "Play###pause" : "Pause###pause", "pause", kButtonEms,
-             "Plays the recording, or halts it (key P). Plays from the beginning again where it is "
-             "at the end."))
+  if (named_button(
+          context, paused ? "Play###pause" : "Pause###pause", "pause", kButtonEms,
+          "Plays the recording, or halts it (key P). Plays from the beginning again where it is "
+          "at the end."))
     toggle_pause(context);
-  beside(ems(kButtonEms));
+  beside(in_ems(kButtonEms));
   ImGui::BeginDisabled(!paused);
-  if (button(context, "Step", "step", kButtonEms,
-             "The next row, while paused (key S or →); ← goes back to the last one"))
+  if (named_button(context, "Step", "step", kButtonEms,
+                   "The next row, while paused (key S or →); ← goes back to the last one"))
     single_step(context);
   ImGui::EndDisabled();
-  beside(ems(kToStartEms));
-  if (button(context, "To start", "reset", kToStartEms, "To the first row (key R)"))
+  beside(in_ems(kToStartEms));
+  if (named_button(context, "To start", "reset", kToStartEms, "To the first row (key R)"))
     reset_session(context);
 }
 
@@ -107,8 +100,8 @@ void set_speed(const PanelContext& context, ReplaySession& replay, double speed)
 void draw_speed(const PanelContext& context, ReplaySession& replay) {
   constexpr const char* kTooltip =
       "How fast it plays: recorded seconds a second, 0.01 to 100 (keys [ and ])";
-  beside(ems(kSpeedGroupEms));
-  ImGui::SetNextItemWidth(ems(kSpeedEms));
+  beside(in_ems(kSpeedGroupEms));
+  ImGui::SetNextItemWidth(in_ems(kSpeedEms));
   if (const auto typed = number_field(context, "##speed", replay.speed()))
     set_speed(context, replay, *typed);
   remember_item(context.state, "speed");
@@ -133,8 +126,8 @@ void draw_speed(const PanelContext& context, ReplaySession& replay) {
 }
 
 void draw_way_back(const PanelContext& context, const ReplaySession& replay) {
-  const float back = ems(kBackEms);
-  beside(back, ems(1.0F));
+  const float back = in_ems(kBackEms);
+  beside(back, in_ems(1.0F));
   const std::string name = file_name(replay.recording().csv_path);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   // Flush right; in a narrow window the name is cut.
@@ -159,7 +152,7 @@ const file::Mark* mark_at(const ReplaySession& replay, std::span<const file::Mar
                           float pixel, const ImVec2& corner, float width) {
   const double duration_s = std::max(replay.duration_s(), 1e-9);
   const file::Mark* nearest = nullptr;
-  float distance = ems(kNearMarkEms);
+  float distance = in_ems(kNearMarkEms);
   for (const file::Mark& mark : marks) {
     const double share = (time_of(replay, mark) - replay.begin_s()) / duration_s;
     const float away = std::abs(corner.x + static_cast<float>(share) * width - pixel);
@@ -178,7 +171,7 @@ void draw_track(const PanelContext& context, ReplaySession& replay, const ImVec2
   };
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float middle = corner.y + 0.5F * size.y;
-  const float half = 0.5F * ems(kTrackEms);
+  const float half = 0.5F * in_ems(kTrackEms);
   const float now = x_of(replay.position_s());
   list->AddRectFilled(ImVec2(corner.x, middle - half), ImVec2(corner.x + size.x, middle + half),
                       context.theme.packed(Tone::kFaint), half);
@@ -187,18 +180,18 @@ void draw_track(const PanelContext& context, ReplaySession& replay, const ImVec2
   for (const file::Mark& mark : replay.marks()) {
     const float x = x_of(time_of(replay, mark));
     list->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + size.y),
-                  context.theme.packed(Tone::kWarning), std::max(1.0F, ems(0.12F)));
+                  context.theme.packed(Tone::kWarning), std::max(1.0F, in_ems(0.12F)));
   }
-  list->AddCircleFilled(ImVec2(now, middle), ems(0.55F), context.theme.packed(Tone::kAccent));
+  list->AddCircleFilled(ImVec2(now, middle), in_ems(0.55F), context.theme.packed(Tone::kAccent));
 }
 
 // Over the whole recording; a click on a mark goes to it.
 void draw_slider(const PanelContext& context, ReplaySession& replay) {
-  const float inset = ems(0.55F);
+  const float inset = in_ems(0.55F);
   const ImVec2 outer = ImGui::GetCursorScreenPos();
   const ImVec2 corner(outer.x + inset, outer.y);
   const ImVec2 size(std::max(1.0F, ImGui::GetContentRegionAvail().x - 2.0F * inset),
-                    ems(kSliderEms));
+                    in_ems(kSliderEms));
   ImGui::InvisibleButton("##time", ImVec2(size.x + 2.0F * inset, size.y));
   remember_item(context.state, "time slider");
   const ImGuiIO& io = ImGui::GetIO();

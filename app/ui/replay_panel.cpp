@@ -13,6 +13,7 @@
 #include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -20,7 +21,6 @@ namespace {
 using runtime::ReplaySession;
 
 constexpr double kReadShare = 0.3;  // of the work: the file once more
-constexpr double kPercent = 100.0;
 constexpr const char* kNothing = "nothing";
 
 using Progress = Background<LaidOver>::Progress;

@@ -94,7 +94,7 @@ Key word(const char* name, const std::array<Word<Value>, kCount>& words, Place p
 }
 
 constexpr std::array kLooks{Word<Look>{"dark", Look::kScreen}, Word<Look>{"light", Look::kLight}};
-constexpr std::array kArrangements{
+constexpr std::array kArrangementWords{
     Word<PlotArrangement>{"all", PlotArrangement::kAll},
     Word<PlotArrangement>{"figure-4", PlotArrangement::kFigure4},
     Word<PlotArrangement>{"figures-5-6", PlotArrangement::kFigure5And6}};
@@ -134,7 +134,7 @@ std::vector<Key> compare_keys() {
           kLeastConfidence, kMostConfidence)};
 }
 
-std::vector<Key> window_keys() {
+std::vector<Key> window_setting_keys() {
   constexpr double kMostPercent = kLargestScalePercent;
   return {word(
               "window.theme", kLooks, [](auto& s) -> auto& { return s.persisted.look; }),
@@ -171,7 +171,7 @@ std::vector<Key> plot_setting_keys() {
           "plots.time_window_s", [](auto& s) -> auto& { return s.persisted.time_window_s; },
           kTimeWindowsS.front(), kTimeWindowsS.back()),
       word(
-          "plots.arrangement", kArrangements,
+          "plots.arrangement", kArrangementWords,
           [](auto& s) -> auto& { return s.persisted.arrangement; }),
       flag(
           "plots.loop", [](auto& s) -> auto& { return s.plots.persisted.phase.shown; }),
@@ -253,9 +253,9 @@ std::vector<Key> line_keys() {
           hidden_lines(PlotId::kPassivity, "hidden_lines.passivity")};
 }
 
-const std::vector<Key>& all_keys() {
+const std::vector<Key>& all_setting_keys() {
   static const std::vector<Key> kKeys = [] {
-    std::vector<Key> all = window_keys();
+    std::vector<Key> all = window_setting_keys();
     for (auto&& part : {plot_setting_keys(), line_keys(), compare_keys()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
@@ -276,7 +276,7 @@ void apply_recent(const Settings& settings, std::vector<std::string>& recent) {
 
 Settings settings_of(const UiState& state) {
   Settings settings;
-  for (const Key& key : all_keys()) settings.insert_or_assign(key.name, key.get(state));
+  for (const Key& key : all_setting_keys()) settings.insert_or_assign(key.name, key.get(state));
   const std::vector<std::string>& recent = state.persisted.recent;
   for (std::size_t i = 0; i < recent.size(); ++i)
     settings.insert_or_assign(fmt::format("{}{}", kRecent, i + 1), recent[i]);
@@ -286,7 +286,7 @@ Settings settings_of(const UiState& state) {
 std::vector<std::string> apply_settings(const Settings& settings, UiState& state) {
   std::vector<std::string> problems;
   state.persisted.hidden_lines = 0;
-  for (const Key& key : all_keys()) {
+  for (const Key& key : all_setting_keys()) {
     const auto found = settings.find(key.name);
     if (found == settings.end()) continue;
     if (const auto problem = key.set(state, found->second))

@@ -12,8 +12,8 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kHeightEms = 0.6F;  // of what takes the pointer
-constexpr float kTrackEms = 0.16F;
+constexpr float kSliderHeightEms = 0.6F;  // of what takes the pointer
+constexpr float kSliderTrackEms = 0.16F;
 constexpr float kGrabEms = 0.28F;  // half of it
 constexpr double kDigits = 3.0;
 constexpr double kHalfWidthDecades = 1.5;
@@ -28,7 +28,7 @@ double rounded(double value) {
 void draw_track(const PanelContext& context, ImVec2 from, ImVec2 to, float share, bool held) {
   const float em = ImGui::GetFontSize();
   const float middle = 0.5F * (from.y + to.y);
-  const float half = 0.5F * kTrackEms * em;
+  const float half = 0.5F * kSliderTrackEms * em;
   const float grab = kGrabEms * em;
   const float x = from.x + grab + share * (to.x - from.x - 2.0F * grab);
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -85,7 +85,7 @@ void type_where_asked(const PanelContext& context, const char* id) {
 std::optional<double> thin_slider(const PanelContext& context, const char* id, double shown,
                                   const LogRange& range, float from, float to) {
   const ImVec2 corner(from, ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y);
-  const ImVec2 size(std::max(to - from, 1.0F), kHeightEms * ImGui::GetFontSize());
+  const ImVec2 size(std::max(to - from, 1.0F), kSliderHeightEms * ImGui::GetFontSize());
   ImGui::SetCursorScreenPos(corner);
   ImGui::PushID(id);
   ImGui::InvisibleButton("##slider", size);

@@ -8,12 +8,10 @@
 #include "app/ui/replay_state.h"
 #include "app/ui/widgets.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
-
-constexpr double kNanosecondsPerMicrosecond = 1e3;
-constexpr double kMillisecondsPerSecond = 1e3;
 
 // Name in grey, value in digits of constant width: nothing moves while it counts.
 void value(const PanelContext& context, const char* name, const std::string& text, Tone tone,

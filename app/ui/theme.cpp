@@ -17,7 +17,7 @@ constexpr ImVec4 rgb(unsigned hex) {
 }
 
 // Some of `b` in `a`.
-constexpr ImVec4 mixed(const ImVec4& a, const ImVec4& b, float share) {
+constexpr ImVec4 blended(const ImVec4& a, const ImVec4& b, float share) {
   const auto mix = [share](float x, float y) { return x + share * (y - x); };
   return {mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z), a.w};
 }
@@ -146,7 +146,7 @@ void set_plot_style(const Theme& theme, float scale) {
 ImVec4 raised(const Theme& theme) {
   constexpr float kLift = 0.05F;
   const ImVec4 panel = theme.colour(Tone::kPanel);
-  return panel.x < 0.5F ? mixed(panel, theme.colour(Tone::kText), kLift) : panel;
+  return panel.x < 0.5F ? blended(panel, theme.colour(Tone::kText), kLift) : panel;
 }
 
 void begin_raised(const Theme& theme) {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/units.h"
+
 namespace hapticwall::ui {
 namespace {
 
@@ -171,7 +173,6 @@ void draw_marks(const Theme& theme, const TimingHistogram& histogram) {
 }
 
 void explain_bar(const Bar& bar, std::uint64_t total) {
-  constexpr double kPercent = 100.0;
   ImGui::SetTooltip(
       "%s to %s\n%s", time_text(bar.from_ns).c_str(), time_text(bar.to_ns).c_str(),
       fmt::format("{} of {} cycles, {:.3g} %", bar.count, total,

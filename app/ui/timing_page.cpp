@@ -12,12 +12,11 @@
 #include "app/runtime/timing_verdict.h"
 #include "app/ui/timing_histogram.h"
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMicrosecondsPerSecond = 1e6;
-constexpr double kNanosecondsPerMicrosecond = 1e3;
 constexpr std::size_t kCyclesForAVerdict = 1000;
 constexpr float kSideShare = 0.34F;  // of the width, for the figures
 constexpr float kNarrowestSideEms = 24.0F;

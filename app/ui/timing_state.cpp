@@ -4,13 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/units.h"
+
 namespace hapticwall::ui {
-namespace {
-
-constexpr double kMillisecondsPerSecond = 1e3;
-
-}  // namespace
-
 void FrameTimes::add(double time_s) {
   times_ms_[added_ % kKept] = time_s * kMillisecondsPerSecond;
   ++added_;

@@ -13,7 +13,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kWidthEms = 30.0F;
+constexpr float kToastWidthEms = 30.0F;
 constexpr float kBarEms = 0.25F;  // the coloured bar at the left edge
 // A frame that took longer (a figure was drawn meanwhile) was no time to read in.
 constexpr double kLongestFrameS = 0.5;
@@ -84,7 +84,7 @@ void draw_clear(const PanelContext& context, std::size_t more, ImVec2 lower_righ
 float draw_toast(const PanelContext& context, const Toast& toast, ImVec2 lower_right, bool newest,
                  Wishes& wishes) {
   const float width =
-      std::min(kWidthEms * ImGui::GetFontSize(), ImGui::GetMainViewport()->WorkSize.x);
+      std::min(kToastWidthEms * ImGui::GetFontSize(), ImGui::GetMainViewport()->WorkSize.x);
   ImGui::SetNextWindowSize(ImVec2(width, 0.0F));
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * opacity(toast));
   begin_overlay(context, fmt::format("##toast{}", toast.id), lower_right);

@@ -18,18 +18,10 @@ namespace {
 using runtime::RecordingState;
 using runtime::RecordingStatus;
 
-constexpr float kButtonEms = 6.0F;
+constexpr float kToolButtonEms = 6.0F;
 constexpr float kRecordButtonEms = 7.0F;
 constexpr float kMarkButtonEms = 4.0F;
 constexpr float kNameEms = 15.0F;
-
-bool button(const PanelContext& context, const char* label, const char* name, float width_ems,
-            const char* tooltip) {
-  const bool clicked = ImGui::Button(label, ImVec2(width_ems * ImGui::GetFontSize(), 0.0F));
-  remember_item(context.state, name);
-  explain(tooltip);
-  return clicked;
-}
 
 std::string automatic_name(const PanelContext& context) {
   const Scene& scene = context.session.scene();
@@ -40,21 +32,22 @@ std::string automatic_name(const PanelContext& context) {
       fmt::format("{}-{}.csv", scene.name, known ? list[scene.algorithm.index].name : "unknown"));
 }
 
-void draw_transport(const PanelContext& context) {
+void draw_run_buttons(const PanelContext& context) {
   const bool paused = context.snapshot.paused;
-  if (button(context, paused ? "Run###pause" : "Pause###pause", "pause", kButtonEms,
-             "Halts the loop between two ticks, or lets it run (key P)")) {
+  if (named_button(context, paused ? "Run###pause" : "Pause###pause", "pause", kToolButtonEms,
+                   "Halts the loop between two ticks, or lets it run (key P)")) {
     toggle_pause(context);
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(!paused);
-  if (button(context, "Step", "step", kButtonEms, "One tick, while paused (key S or →)"))
+  if (named_button(context, "Step", "step", kToolButtonEms, "One tick, while paused (key S or →)"))
     single_step(context);
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (button(context, "Reset", "reset", kButtonEms,
-             "Back to tick 0, at rest, with the values that are set (key R). A recording ends "
-             "here.")) {
+  if (named_button(
+          context, "Reset", "reset", kToolButtonEms,
+          "Back to tick 0, at rest, with the values that are set (key R). A recording ends "
+          "here.")) {
     reset_session(context);
   }
   ImGui::SameLine();
@@ -98,7 +91,7 @@ void draw_mark(const PanelContext& context) {
   constexpr const char* kTooltip =
       "Notes this moment in the recording, with a few words where there are some: a line in the "
       "plots, and in the sidecar (key M)";
-  if (button(context, "Mark", "mark", kMarkButtonEms, kTooltip)) add_mark(context);
+  if (named_button(context, "Mark", "mark", kMarkButtonEms, kTooltip)) add_mark(context);
   ImGui::SameLine();
   const float width = kNameEms * ImGui::GetFontSize() - ImGui::GetItemRectSize().x;
   ImGui::SetNextItemWidth(width - ImGui::GetStyle().ItemSpacing.x);
@@ -120,9 +113,9 @@ void draw_recording(const PanelContext& context) {
   ImGui::SameLine(0.0F, 2.0F * em);
   if (ImGui::GetContentRegionAvail().x < (kRecordButtonEms + kNameEms) * em) ImGui::NewLine();
   if (recording) ImGui::PushStyleColor(ImGuiCol_Button, context.theme.packed(Tone::kBad, 0.55F));
-  const bool clicked =
-      button(context, recording ? "Stop###record" : "Record###record", "record", kRecordButtonEms,
-             "Writes every tick to a CSV file, with a sidecar that repeats the session (Ctrl+R)");
+  const bool clicked = named_button(
+      context, recording ? "Stop###record" : "Record###record", "record", kRecordButtonEms,
+      "Writes every tick to a CSV file, with a sidecar that repeats the session (Ctrl+R)");
   if (recording) ImGui::PopStyleColor();
   if (clicked) toggle_recording(context);
   ImGui::SameLine();
@@ -136,11 +129,19 @@ void draw_recording(const PanelContext& context) {
 
 }  // namespace
 
+bool named_button(const PanelContext& context, const char* label, const char* name, float width_ems,
+                  const char* tooltip) {
+  const bool clicked = ImGui::Button(label, ImVec2(width_ems * ImGui::GetFontSize(), 0.0F));
+  remember_item(context.state, name);
+  explain(tooltip);
+  return clicked;
+}
+
 void draw_toolbar(const PanelContext& context) {
   if (runtime::ReplaySession* replay = replay_of(context.session)) {
     draw_replay_bar(context, *replay);
   } else {
-    draw_transport(context);
+    draw_run_buttons(context);
     draw_recording(context);
   }
   draw_opening(context);

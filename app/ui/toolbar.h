@@ -9,6 +9,10 @@ namespace hapticwall::ui {
 
 void draw_toolbar(const PanelContext& context);
 
+// A button that tests and the help find by `name`; true when it is pressed.
+[[nodiscard]] bool named_button(const PanelContext& context, const char* label, const char* name,
+                                float width_ems, const char* tooltip);
+
 // What the buttons and keys do.
 void toggle_pause(const PanelContext& context);
 void single_step(const PanelContext& context);

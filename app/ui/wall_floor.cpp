@@ -20,7 +20,7 @@ constexpr float kFloorTone = 0.045F;  // of the text's colour in the floor's
 constexpr float kGridTone = 0.32F;
 const glm::vec2 kShadowShift(0.10F, -0.14F);  // away from the key light
 
-glm::vec4 vector_of(const ImVec4& colour) { return {colour.x, colour.y, colour.z, colour.w}; }
+glm::vec4 rgba(const ImVec4& colour) { return {colour.x, colour.y, colour.z, colour.w}; }
 
 float darkness(const Theme& theme) {
   const ImVec4& panel = theme.colour(Tone::kPanel);
@@ -73,9 +73,9 @@ void WallFloor::draw_backdrop(const WallCamera& camera, const Theme& theme, int 
   backdrop_.set("view_projection", camera.view_projection());
   backdrop_.set("model", glm::inverse(camera.view_projection()) * upright);
   backdrop_.set("normal_matrix", glm::mat3(1.0F));
-  backdrop_.set("lower", vector_of(theme.colour(Tone::kPanel)));
-  backdrop_.set(
-      "upper", vector_of(mixed(theme.colour(Tone::kPanel), theme.colour(Tone::kBackground), 0.6F)));
+  backdrop_.set("lower", rgba(theme.colour(Tone::kPanel)));
+  backdrop_.set("upper",
+                rgba(mixed(theme.colour(Tone::kPanel), theme.colour(Tone::kBackground), 0.6F)));
   backdrop_.set("height", static_cast<float>(height));
   plane_.draw();
 }
@@ -90,10 +90,10 @@ void WallFloor::draw(const WallPicture& picture, const WallCamera& camera, const
                         glm::vec3(kFloorSize)));
   floor_.set("normal_matrix", glm::mat3(1.0F));
   floor_.set("colour",
-             vector_of(mixed(theme.colour(Tone::kPanel), theme.colour(Tone::kText), kFloorTone)));
+             rgba(mixed(theme.colour(Tone::kPanel), theme.colour(Tone::kText), kFloorTone)));
   ImVec4 lines = theme.colour(Tone::kMuted);
   lines.w = kGridTone;
-  floor_.set("line_colour", vector_of(lines));
+  floor_.set("line_colour", rgba(lines));
   floor_.set("grid_origin", glm::vec2(camera.x_of(0.0), camera.z_of(0.0)));
   floor_.set("grid_step",
              static_cast<float>(grid_step_m(camera.space().x.length_m()) * camera.units_per_m()));

@@ -9,11 +9,11 @@
 
 #include "app/ui/wall_floor.h"
 #include "app/ui/wall_solids.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMillimetresPerMetre = 1e3;
 constexpr float kRulerFront = 0.25F;  // of the ruler, in front of the walls
 constexpr float kLeastArrow = 0.04F;  // without a figure below
 constexpr float kEdge = 4.0F;         // pixels that are kept free
@@ -304,7 +304,6 @@ void draw_stiffness_bar(StiffnessBar& bar, const WallPicture& picture) {
 }  // namespace
 
 std::string stiffness_text(double n_per_m) {
-  constexpr double kNewtonsPerKilonewton = 1e3;
   if (n_per_m >= kNewtonsPerKilonewton)
     return fmt::format("{:.3g} kN/m", n_per_m / kNewtonsPerKilonewton);
   return fmt::format("{:.3g} N/m", n_per_m);

@@ -12,12 +12,11 @@
 #include "app/ui/sliders.h"
 #include "app/ui/widgets.h"
 #include "core/stability_bounds.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMillimetresPerMetre = 1e3;
-constexpr double kMicrosecondsPerSecond = 1e6;
 // Of the sliders; any valid value can be typed.
 constexpr LogRange kStiffness{100.0, 1e6};
 constexpr LogRange kDamping{0.01, 1000.0, true};

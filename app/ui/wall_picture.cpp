@@ -9,13 +9,13 @@ namespace {
 constexpr double kDefaultFullScaleN = 10.0;  // where the device has no force limit
 constexpr double kLeastFullScaleN = 1e-9;
 constexpr double kLeastStiffnessNPerM = 1.0;
-constexpr double kSettled = 1e-3;  // a fading tint is there when it is this near
+constexpr double kSettledTint = 1e-3;  // a fading tint is there when it is this near
 // Where along the colours of stiffness the middle one lies.
 constexpr float kMiddleShare = 0.5F;
 
 double towards(double from, double to, double share) {
   const double value = from + share * (to - from);
-  return std::abs(to - value) < kSettled * std::max(std::abs(to), 1.0) ? to : value;
+  return std::abs(to - value) < kSettledTint * std::max(std::abs(to), 1.0) ? to : value;
 }
 
 void add_walls(WallPicture& picture, Axis axis, const std::vector<WallSettings>& walls) {

@@ -15,7 +15,7 @@ constexpr int kSamplesPerPixel = 4;
 constexpr int kStillCalls = 10;         // before a draft is refined
 constexpr double kStepsPerPixel = 8.0;  // of what moves
 constexpr double kForceSteps = 2000.0;  // of the full scale
-constexpr double kLeastFullScaleN = 1e-9;
+constexpr double kLeastScaleN = 1e-9;
 constexpr double kShades = 200.0;  // of the tint
 
 double in_steps(double value, double step) { return step * std::round(value / step); }
@@ -163,7 +163,7 @@ GLuint Renderer::draw(const WallPicture& picture, const WallCamera& camera, cons
 
 WallPicture in_visible_steps(const WallPicture& picture, double step_m) {
   WallPicture result = picture;
-  const double force_step_n = std::max(picture.full_scale_n, kLeastFullScaleN) / kForceSteps;
+  const double force_step_n = std::max(picture.full_scale_n, kLeastScaleN) / kForceSteps;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     result.handle_m[axis] = in_steps(picture.handle_m[axis], step_m);
     if (picture.hand_m) (*result.hand_m)[axis] = in_steps((*picture.hand_m)[axis], step_m);

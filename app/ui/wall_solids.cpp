@@ -25,7 +25,7 @@ constexpr float kHandAlpha = 0.55F;
 constexpr float kHandFlatness = 0.45F;
 constexpr float kProxyAlpha = 0.95F;
 constexpr float kProxyRadius = 1.16F * WallMeasures::kHandleRadius;  // around the handle's ball
-constexpr float kEdge = 0.035F;
+constexpr float kEdgeWidth = 0.035F;
 constexpr float kSmallestDentWidth = 0.40F;
 constexpr float kDentRoundness = 1.15F;  // a dent is this much wider than the ball that makes it
 constexpr float kNearness = 2.5F;        // from the face: where the handle's shadow on it begins
@@ -229,9 +229,10 @@ void WallSolids::draw_edges(const WallPicture& picture, const WallSlab& slab,
     part(box_, frame * glm::scale(glm::translate(glm::mat4(1.0F), middle), size), colour);
   };
   for (const float side : {slab.along_from, slab.along_to})
-    beam({slab.face, WallMeasures::kFloor + 0.5F * height, side}, {kEdge, height, kEdge});
+    beam({slab.face, WallMeasures::kFloor + 0.5F * height, side}, {kEdgeWidth, height, kEdgeWidth});
   for (const float level : {WallMeasures::kFloor, top})
-    beam({slab.face, level, 0.5F * (slab.along_from + slab.along_to)}, {kEdge, kEdge, length});
+    beam({slab.face, level, 0.5F * (slab.along_from + slab.along_to)},
+         {kEdgeWidth, kEdgeWidth, length});
 }
 
 // The face, which gives way, and then the sides, through which it is seen.

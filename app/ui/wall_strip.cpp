@@ -7,10 +7,11 @@
 #include <cmath>
 #include <string>
 
+#include "core/units.h"
+
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kMicrometresPerMetre = 1e6;
 constexpr float kPieceHeight = 4.0F;    // pixels of a wall that gives way
 constexpr float kDentWidth = 0.16F;     // of the strip's height

@@ -8,11 +8,11 @@
 #include "app/ui/shown_axis.h"
 #include "app/ui/wall_labels.h"
 #include "app/ui/widgets.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMillimetresPerMetre = 1e3;
 constexpr double kTurnPerPixel = glm::radians(0.3);
 constexpr double kZoomPerNotch = 1.15;
 

@@ -13,14 +13,13 @@
 #include "app/ui/log_plot.h"
 #include "app/ui/page.h"
 #include "app/ui/theme.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr float kDesignWidth = 1200.0F;  // figure of scale 1
-constexpr float kDesignHeight = 600.0F;
-constexpr double kPercent = 100.0;
-constexpr double kMillimetresPerMetre = 1e3;
+constexpr float kPrecisionDesignHeight = 600.0F;
 
 struct SeriesStyle {
   Integrator integrator;
@@ -160,7 +159,7 @@ void draw_contents(const Theme& theme, const Scene& scene, const AccuracyStudy& 
 Result<file::Picture> draw_work_precision(const Scene& scene, const AccuracyStudy& study,
                                           FigureSize size) {
   const float scale = std::min(static_cast<float>(size.width) / kDesignWidth,
-                               static_cast<float>(size.height) / kDesignHeight);
+                               static_cast<float>(size.height) / kPrecisionDesignHeight);
   return draw_page(size, scale,
                    [&](const Theme& theme) { draw_contents(theme, scene, study, scale); });
 }

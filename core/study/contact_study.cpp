@@ -26,9 +26,9 @@ Scene scene_of(const ContactStudyPlan& plan, std::size_t algorithm) {
 }
 
 // Counts runs for the caller's progress.
-class Work {
+class StudyWork {
  public:
-  Work(const ContactStudyPlan& plan, const ContactStudyOptions& options) : options_(options) {
+  StudyWork(const ContactStudyPlan& plan, const ContactStudyOptions& options) : options_(options) {
     const double steps = std::ceil(std::log2(1.0 / plan.tolerance));
     total_ = static_cast<double>(plan.algorithms.size()) *
              (static_cast<double>(plan.count + kRunsOfScene) + kRangesRefined * steps);
@@ -50,7 +50,7 @@ class Work {
 };
 
 // Nothing where it was stopped.
-std::vector<Summary> run_all(const std::vector<Scene>& scenes, Work& work) {
+std::vector<Summary> run_all(const std::vector<Scene>& scenes, StudyWork& work) {
   BatchOptions batch;
   batch.should_stop = work.options().should_stop;
   batch.progress = [&](std::size_t done, std::size_t) { work.show(done); };
@@ -65,19 +65,19 @@ std::vector<Summary> run_all(const std::vector<Scene>& scenes, Work& work) {
 using Stiffest = std::optional<LargestStiffness> ContactFigures::*;
 
 // The end of a settled range.
-struct Search {
+struct StiffnessSearch {
   std::size_t row = 0;  // algorithm in the plan
   Stiffest figure = nullptr;
   double settled = 0.0;
   double unsettled = 0.0;
 };
 
-bool settles(const Summary& summary) { return summary.verdict == Verdict::kSettled; }
+bool is_settled(const Summary& summary) { return summary.verdict == Verdict::kSettled; }
 
 bool take_stiffer(const Summary& run, double wall_n_per_m,
                   std::optional<LargestStiffness>& stiffest) {
   const std::optional<double> displayed = run.displayed_stiffness_n_per_m;
-  if (!settles(run) || !displayed) return false;
+  if (!is_settled(run) || !displayed) return false;
   if (stiffest && *displayed <= stiffest->displayed_n_per_m) return false;
   stiffest = {*displayed, wall_n_per_m, run.tail_force_std_n.value_or(0.0),
               stiffest && stiffest->open_ended};
@@ -91,14 +91,14 @@ struct Scan {
 
   // The first from `begin` on that does not settle.
   [[nodiscard]] std::size_t settled_end(std::size_t begin) const {
-    while (begin < runs.size() && settles(runs[begin])) ++begin;
+    while (begin < runs.size() && is_settled(runs[begin])) ++begin;
     return begin;
   }
 };
 
 // The settled range that ends at `end`: it is open-ended, or has to be refined.
-void close_range(const Scan& scan, std::size_t end, Search search, ContactFigures& figures,
-                 std::vector<Search>& open) {
+void close_range(const Scan& scan, std::size_t end, StiffnessSearch search, ContactFigures& figures,
+                 std::vector<StiffnessSearch>& open) {
   std::optional<LargestStiffness>& figure = figures.*search.figure;
   if (!figure) return;
   figure->open_ended = end == scan.runs.size();
@@ -110,12 +110,12 @@ void close_range(const Scan& scan, std::size_t end, Search search, ContactFigure
 
 // What is left to be refined goes to `open`.
 void take_scan(const Scan& scan, std::size_t row, ContactFigures& figures,
-               std::vector<Search>& open) {
+               std::vector<StiffnessSearch>& open) {
   std::size_t best = 0;
   const std::size_t first_end = scan.settled_end(0);
   for (std::size_t i = 0; i < scan.runs.size(); ++i) {
     const Summary& run = scan.runs[i];
-    if (settles(run) && (i == 0 || !settles(scan.runs[i - 1]))) ++figures.settled_ranges;
+    if (is_settled(run) && (i == 0 || !is_settled(scan.runs[i - 1]))) ++figures.settled_ranges;
     if (take_stiffer(run, scan.axis.value(i), figures.stiffest)) best = i;
     if (i < first_end) take_stiffer(run, scan.axis.value(i), figures.stiffest_unbroken);
   }
@@ -123,21 +123,21 @@ void take_scan(const Scan& scan, std::size_t row, ContactFigures& figures,
   close_range(scan, first_end, {row, &ContactFigures::stiffest_unbroken}, figures, open);
 }
 
-bool is_open(const ContactStudyPlan& plan, const Search& search) {
+bool is_open(const ContactStudyPlan& plan, const StiffnessSearch& search) {
   const double middle = std::sqrt(search.settled) * std::sqrt(search.unsettled);
   return search.unsettled - search.settled > plan.tolerance * search.unsettled &&
          middle > search.settled && middle < search.unsettled;
 }
 
 // False where it was stopped.
-bool refine(const ContactStudyPlan& plan, std::vector<Search> open, Work& work,
+bool refine(const ContactStudyPlan& plan, std::vector<StiffnessSearch> open, StudyWork& work,
             std::vector<ContactFigures>& rows) {
   const MapAxis axis = plan.stiffnesses();
-  const auto closed = [&](const Search& search) { return !is_open(plan, search); };
+  const auto closed = [&](const StiffnessSearch& search) { return !is_open(plan, search); };
   for (std::erase_if(open, closed); !open.empty(); std::erase_if(open, closed)) {
     std::vector<Scene> scenes;
     std::vector<double> middles;
-    for (const Search& search : open) {
+    for (const StiffnessSearch& search : open) {
       middles.push_back(std::sqrt(search.settled) * std::sqrt(search.unsettled));
       scenes.push_back(scene_of(plan, plan.algorithms[search.row]));
       axis.number.set(scenes.back(), middles.back());
@@ -146,14 +146,15 @@ bool refine(const ContactStudyPlan& plan, std::vector<Search> open, Work& work,
     if (runs.size() != open.size()) return false;
     for (std::size_t i = 0; i < open.size(); ++i) {
       take_stiffer(runs[i], middles[i], rows[open[i].row].*open[i].figure);
-      (settles(runs[i]) ? open[i].settled : open[i].unsettled) = middles[i];
+      (is_settled(runs[i]) ? open[i].settled : open[i].unsettled) = middles[i];
     }
   }
   return true;
 }
 
 // False where it was stopped.
-bool find_stiffest(const ContactStudyPlan& plan, Work& work, std::vector<ContactFigures>& rows) {
+bool find_stiffest(const ContactStudyPlan& plan, StudyWork& work,
+                   std::vector<ContactFigures>& rows) {
   const MapAxis axis = plan.stiffnesses();
   std::vector<Scene> scenes;
   for (const std::size_t algorithm : plan.algorithms) {
@@ -164,7 +165,7 @@ bool find_stiffest(const ContactStudyPlan& plan, Work& work, std::vector<Contact
   }
   const std::vector<Summary> scan = run_all(scenes, work);
   if (scan.size() != scenes.size()) return false;
-  std::vector<Search> open;
+  std::vector<StiffnessSearch> open;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     take_scan({axis, std::span(scan).subspan(row * axis.count, axis.count)}, row, rows[row], open);
   }
@@ -193,7 +194,7 @@ class ForceRise {
 
 // The scene as it is: once for what it comes to, once more, knowing that, sample by sample. False
 // where it was stopped.
-bool look_at_contact(const Scene& scene, Work& work, ContactFigures& figures) {
+bool look_at_contact(const Scene& scene, StudyWork& work, ContactFigures& figures) {
   SimulationOptions options;
   options.should_stop = work.options().should_stop;
   SimulationResult result = simulate(scene, options);
@@ -213,7 +214,7 @@ bool look_at_contact(const Scene& scene, Work& work, ContactFigures& figures) {
   figures.approach_speed_m_per_s = contact.approach_speed_m_per_s();
   figures.rate_hardness_n_per_m = contact.rate_hardness_n_per_m();
   figures.rise_kind = contact.kind();
-  if (settles(figures.summary)) figures.rise_time_s = rise.time_s();
+  if (is_settled(figures.summary)) figures.rise_time_s = rise.time_s();
   const double penetration_m = deepest_m - scene.walls.front().position_m;
   if (penetration_m > 0.0) figures.peak_penetration_m = penetration_m;
   figures.energy_to_hand_j = std::max(0.0, -figures.summary.passivity_margin_j.value_or(0.0));
@@ -246,7 +247,7 @@ std::optional<SceneProblem> validate(const ContactStudyPlan& plan) {
 std::vector<ContactFigures> study_contact(const ContactStudyPlan& plan,
                                           const ContactStudyOptions& options) {
   std::vector<ContactFigures> rows(plan.algorithms.size());
-  Work work(plan, options);
+  StudyWork work(plan, options);
   if (!find_stiffest(plan, work, rows)) return {};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!look_at_contact(scene_of(plan, plan.algorithms[i]), work, rows[i])) return {};

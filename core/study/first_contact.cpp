@@ -3,7 +3,7 @@
 namespace hapticwall {
 namespace {
 
-bool in_contact(const Sample& sample) { return (sample.flags & kFlagInContact) != 0; }
+bool touches(const Sample& sample) { return (sample.flags & kFlagInContact) != 0; }
 bool at_limit(const Sample& sample) { return (sample.flags & kFlagForceLimit) != 0; }
 
 }  // namespace
@@ -12,7 +12,7 @@ void FirstContact::add(const Sample& sample) {
   if (phase_ == Phase::kOver) return;
   if (phase_ == Phase::kRising) {
     follow(sample);
-  } else if (!in_contact(sample)) {
+  } else if (!touches(sample)) {
     phase_ = Phase::kFree;
     free_force_n_ = sample.force_n;
   } else if (phase_ == Phase::kFree) {
@@ -28,7 +28,7 @@ void FirstContact::enter(const Sample& sample) {
 }
 
 void FirstContact::follow(const Sample& sample) {
-  if (!in_contact(sample) || sample.force_n < last_force_n_) {
+  if (!touches(sample) || sample.force_n < last_force_n_) {
     phase_ = Phase::kOver;
     return;
   }

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "core/units.h"
+
 namespace hapticwall::device::hid {
 namespace {
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 constexpr double kFinestEncoderM = 1e-6;
-constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
-constexpr std::uint64_t kBusLossUs = 3 * kMicrosecondsPerMillisecond;
+constexpr std::uint64_t kMillisecondUs = 1000;
+constexpr std::uint64_t kBusLossUs = 3 * kMillisecondUs;
 constexpr std::uint32_t kFirmwareVersion = 0x00010000;
 constexpr std::size_t kShortBytes = 12;
 constexpr std::size_t kOverLongBytes = InputReport::kMostBytes;
@@ -158,7 +159,7 @@ StateReport FirmwareEmulator::latch() {
 void FirmwareEmulator::pass_tick() {
   move_plants();
   read_encoders();
-  const std::uint64_t watchdog_us = firmware_.info().watchdog_ms * kMicrosecondsPerMillisecond;
+  const std::uint64_t watchdog_us = firmware_.info().watchdog_ms * kMillisecondUs;
   const bool frozen = lasts(FaultKind::kFrozen);
   hung_ = frozen && (hung_ || now_us_ - alive_us_ >= watchdog_us);
   const bool powered = has_power();

@@ -1,0 +1,14 @@
+// What one unit is in another, for everything that is shown or sent. Inside, all is in SI units.
+#pragma once
+
+namespace hapticwall {
+
+inline constexpr double kPercent = 100.0;  // of one
+inline constexpr double kNewtonsPerKilonewton = 1e3;
+inline constexpr double kMillimetresPerMetre = 1e3;
+inline constexpr double kMillijoulesPerJoule = 1e3;
+inline constexpr double kMillisecondsPerSecond = 1e3;
+inline constexpr double kMicrosecondsPerSecond = 1e6;
+inline constexpr double kNanosecondsPerMicrosecond = 1e3;
+
+}  // namespace hapticwall
