@@ -72,6 +72,7 @@ function(hapticwall_gui_library name)
     ${imgui}/imgui.cpp ${imgui}/imgui_demo.cpp ${imgui}/imgui_draw.cpp ${imgui}/imgui_tables.cpp
     ${imgui}/imgui_widgets.cpp ${imgui}/backends/imgui_impl_glfw.cpp
     ${imgui}/backends/imgui_impl_opengl3.cpp ${implot}/implot.cpp ${implot}/implot_items.cpp ${ARGN})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # their names collide
   # Nothing here opens other programs.
   target_compile_definitions(${name} PRIVATE IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS)
   if(EXISTS ${imgui}/imgui_stacklayout.cpp)  # an addition of the copies that `./dev` fetches
