@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 namespace hapticwall::ui {
 namespace {
@@ -16,13 +17,6 @@ constexpr float kLogLineWeight = 1.4F;
 constexpr double kAxisMargin = 0.09;          // beyond the outermost points, of the axis
 constexpr double kSmallestAxisMargin = 0.25;  // decades
 constexpr int kMostDecadeLabels = 9;
-
-// Of an axis, in powers of ten.
-struct Decades {
-  double from = 0.0;
-  double to = 1.0;
-  double zero = 0.0;  // where a 0 is drawn
-};
 
 // Nothing where no value is above zero.
 std::optional<Decades> decades_of(const LogPlot& plot, double LogPoint::*member) {
@@ -47,20 +41,48 @@ std::optional<Decades> decades_of(const LogPlot& plot, double LogPoint::*member)
   return range;
 }
 
-// "0.1", "1000", "10⁻⁹".
-std::string power_of_ten(int exponent) {
+// "0.1", "1000", "10⁻⁹", "2·10⁵".
+std::string decimal_text(int digit, int exponent) {
   constexpr int kSmallestPlain = -2;
   constexpr int kLargestPlain = 3;
   if (exponent >= kSmallestPlain && exponent <= kLargestPlain) {
-    return fmt::format("{:g}", std::pow(10.0, exponent));
+    return fmt::format("{:g}", digit * std::pow(10.0, exponent));
   }
   constexpr std::array<const char*, 10> kSuperscripts{"⁰", "¹", "²", "³", "⁴",
                                                       "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = exponent < 0 ? "10⁻" : "10";
-  for (const char digit : fmt::format("{}", std::abs(exponent))) {
-    text += kSuperscripts.at(static_cast<std::size_t>(digit - '0'));
+  std::string text = digit == 1 ? "10" : fmt::format("{}·10", digit);
+  if (exponent < 0) text += "⁻";
+  for (const char figure : fmt::format("{}", std::abs(exponent))) {
+    text += kSuperscripts.at(static_cast<std::size_t>(figure - '0'));
   }
   return text;
+}
+
+// Each of these digits times every power of ten that is within.
+std::vector<AxisNumber> numbers_of(const Decades& decades, std::span<const int> digits) {
+  std::vector<AxisNumber> numbers;
+  const int last = static_cast<int>(std::floor(decades.to));
+  for (int exponent = static_cast<int>(std::floor(decades.from)); exponent <= last; ++exponent) {
+    for (const int digit : digits) {
+      const double power = exponent + std::log10(digit);
+      if (power < decades.from || power > decades.to) continue;
+      numbers.push_back({std::pow(10.0, power), decimal_text(digit, exponent)});
+    }
+  }
+  return numbers;
+}
+
+// Whatever the range, the numbers are those of whole steps: one of them is 1.
+std::vector<AxisNumber> thinned(const Decades& decades) {
+  const int first = static_cast<int>(std::ceil(decades.from));
+  const int last = static_cast<int>(std::floor(decades.to));
+  const int step = (last - first) / kMostDecadeLabels + 1;
+  const int lowest = static_cast<int>(std::ceil(static_cast<double>(first) / step)) * step;
+  std::vector<AxisNumber> numbers;
+  for (int exponent = lowest; exponent <= last; exponent += step) {
+    numbers.push_back({std::pow(10.0, exponent), decimal_text(1, exponent)});
+  }
+  return numbers;
 }
 
 void set_up_axis(ImAxis axis, const Decades& decades) {
@@ -68,21 +90,13 @@ void set_up_axis(ImAxis axis, const Decades& decades) {
   ImPlot::SetupAxisScale(axis, ImPlotScale_Log10);
   ImPlot::SetupAxisLimits(axis, std::pow(10.0, decades.from), std::pow(10.0, decades.to),
                           ImPlotCond_Always);
-  const int first = static_cast<int>(std::ceil(decades.from));
-  const int last = static_cast<int>(std::floor(decades.to));
-  const int step = (last - first) / kMostDecadeLabels + 1;
-  // Whatever the range, the labels are those of whole steps: one of them is 1.
-  const int lowest = static_cast<int>(std::ceil(static_cast<double>(first) / step)) * step;
+  const std::vector<AxisNumber> numbers = axis_numbers(decades);
   std::vector<double> values;
-  std::vector<std::string> texts;
-  for (int exponent = lowest; exponent <= last; exponent += step) {
-    values.push_back(std::pow(10.0, exponent));
-    texts.push_back(power_of_ten(exponent));
-  }
   std::vector<const char*> labels;
-  labels.reserve(texts.size());
-  for (const std::string& text : texts) labels.push_back(text.c_str());
-  if (values.empty()) return;
+  for (const AxisNumber& number : numbers) {
+    values.push_back(number.value);
+    labels.push_back(number.text.c_str());
+  }
   ImPlot::SetupAxisTicks(axis, values.data(), static_cast<int>(values.size()), labels.data());
 }
 
@@ -248,6 +262,16 @@ void draw_plot_area(const Theme& theme, const LogPlot& plot, const Decades& x, c
 }
 
 }  // namespace
+
+std::vector<AxisNumber> axis_numbers(const Decades& decades) {
+  constexpr std::array kFew{1, 2, 5};
+  constexpr std::array kAll{1, 2, 3, 4, 5, 6, 7, 8, 9};
+  constexpr std::size_t kEnough = 2;
+  std::vector<AxisNumber> numbers = thinned(decades);
+  if (numbers.size() < kEnough) numbers = numbers_of(decades, kFew);
+  if (numbers.size() < kEnough) numbers = numbers_of(decades, kAll);
+  return numbers;
+}
 
 void draw_log_plot(const Theme& theme, const LogPlot& plot, ImVec2 size, float scale) {
   ImGui::BeginChild(plot.title.c_str(), size);

@@ -39,6 +39,22 @@ struct LogPlot {
   std::vector<LogSeries> series;
 };
 
+// What an axis shows, in powers of ten: half of one at least.
+struct Decades {
+  double from = 0.0;
+  double to = 1.0;
+  double zero = 0.0;  // where a 0 is drawn
+};
+
+struct AxisNumber {
+  double value = 1.0;
+  std::string text;
+};
+
+// What is written beside an axis, two numbers at least: powers of ten, and where there are too few
+// of them their twofold and fivefold, and so on.
+[[nodiscard]] std::vector<AxisNumber> axis_numbers(const Decades& decades);
+
 // Draws heading, plot and the title of the x axis into `size`.
 void draw_log_plot(const Theme& theme, const LogPlot& plot, ImVec2 size, float scale);
 
