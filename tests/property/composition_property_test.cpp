@@ -15,14 +15,11 @@
 namespace hapticwall {
 namespace {
 
+using testing::any_algorithm;
 using testing::flip;
 using testing::log_uniform;
 using testing::random_scene;
 using testing::set_parameter;
-
-std::string_view any_algorithm() {
-  return algorithms()[*rc::gen::inRange<std::size_t>(0, algorithms().size())].name;
-}
 
 void randomise_follower(AlgorithmSettings& settings) {
   if (flip()) set_parameter(settings, "observer", 1.0);

@@ -42,6 +42,11 @@ inline HandSettings random_hand() {
   return hand;
 }
 
+// The name of one of all algorithms.
+inline std::string_view any_algorithm() {
+  return algorithms()[*rc::gen::inRange<std::size_t>(0, algorithms().size())].name;
+}
+
 // One second of contact with a wall at 0.05 m, under the algorithm that is named.
 inline Scene random_scene(std::string_view algorithm) {
   Scene scene;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 namespace hapticwall::ui {
@@ -12,29 +11,33 @@ namespace {
 
 using ::testing::ElementsAre;
 
-std::vector<std::string> texts(const Decades& decades) {
-  std::vector<std::string> all;
-  for (const AxisNumber& number : axis_numbers(decades)) all.push_back(number.text);
-  return all;
+// Each text that stands beside the axis, where the number that it says belongs.
+MATCHER_P2(Says, text, value, "") {
+  return arg.text == text && std::abs(arg.value / value - 1.0) < 1e-12;
 }
 
 TEST(LogPlot, AnAxisOfManyDecadesNamesSomeOfThem) {
-  EXPECT_THAT(texts({-16.4, -3.6}),
-              ElementsAre("10⁻¹⁶", "10⁻¹⁴", "10⁻¹²", "10⁻¹⁰", "10⁻⁸", "10⁻⁶", "10⁻⁴"));
-  EXPECT_THAT(texts({-2.2, 4.1}), ElementsAre("0.01", "0.1", "1", "10", "100", "1000", "10⁴"));
+  EXPECT_THAT(axis_numbers({-16.4, -3.6}),
+              ElementsAre(Says("10⁻¹⁶", 1e-16), Says("10⁻¹⁴", 1e-14), Says("10⁻¹²", 1e-12),
+                          Says("10⁻¹⁰", 1e-10), Says("10⁻⁸", 1e-8), Says("10⁻⁶", 1e-6),
+                          Says("10⁻⁴", 1e-4)));
+  EXPECT_THAT(axis_numbers({-2.2, 4.1}),
+              ElementsAre(Says("0.01", 0.01), Says("0.1", 0.1), Says("1", 1.0), Says("10", 10.0),
+                          Says("100", 100.0), Says("1000", 1000.0), Says("10⁴", 1e4)));
 }
 
 TEST(LogPlot, AnAxisOfLessThanTwoDecadesNamesWhatIsBetween) {
-  EXPECT_THAT(texts({1.2, 2.6}), ElementsAre("20", "50", "100", "200"));
-  EXPECT_THAT(texts({1.2, 1.9}), ElementsAre("20", "50"));
-  EXPECT_THAT(texts({-8.8, -8.2}), ElementsAre("2·10⁻⁹", "5·10⁻⁹"));
+  EXPECT_THAT(axis_numbers({1.2, 2.6}), ElementsAre(Says("20", 20.0), Says("50", 50.0),
+                                                    Says("100", 100.0), Says("200", 200.0)));
+  EXPECT_THAT(axis_numbers({-8.8, -8.2}), ElementsAre(Says("2·10⁻⁹", 2e-9), Says("5·10⁻⁹", 5e-9)));
 }
 
 TEST(LogPlot, AnAxisOfHalfADecadeNamesEveryDigit) {
-  EXPECT_THAT(texts({1.31, 1.81}), ElementsAre("30", "40", "50", "60"));
+  EXPECT_THAT(axis_numbers({1.31, 1.81}),
+              ElementsAre(Says("30", 30.0), Says("40", 40.0), Says("50", 50.0), Says("60", 60.0)));
 }
 
-TEST(LogPlot, EveryAxisHasTwoNumbersWhereTheyBelong) {
+TEST(LogPlot, EveryAxisHasTwoNumbersAndNoneBesideIt) {
   std::mt19937_64 random(20261122);
   std::uniform_real_distribution<double> place(-20.0, 20.0);
   std::uniform_real_distribution<double> width(0.5, 3.0);
@@ -46,10 +49,6 @@ TEST(LogPlot, EveryAxisHasTwoNumbersWhereTheyBelong) {
     for (const AxisNumber& number : numbers) {
       ASSERT_GE(number.value, std::pow(10.0, axis.from) * (1.0 - 1e-12));
       ASSERT_LE(number.value, std::pow(10.0, axis.to) * (1.0 + 1e-12));
-      if (number.text.find("10") == std::string::npos || number.text.find("·") == std::string::npos)
-        continue;
-      ASSERT_EQ(number.text.front() - '0',
-                std::lround(number.value / std::pow(10.0, std::floor(std::log10(number.value)))));
     }
   }
 }

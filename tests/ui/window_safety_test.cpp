@@ -18,6 +18,7 @@
 #include "app/ui/application.h"
 #include "app/ui/window.h"
 #include "tests/app/runtime_child_support.h"
+#include "tests/ui/display.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -26,10 +27,6 @@ using runtime::test::eventually;
 using runtime::test::kAlive;
 using runtime::test::Shared;
 using runtime::test::SharedDevice;
-
-bool has_display() {
-  return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-}
 
 void close_window() { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); }
 
@@ -62,7 +59,7 @@ struct PushingWindow {
 // ---- how it ends
 
 TEST(WindowSafety, ClosedItTakesTheForceAway) {
-  if (!has_display()) GTEST_SKIP() << "no display";
+  if (!test::has_display()) GTEST_SKIP() << "no display";
   Shared heard;
   PushingWindow window(heard);
   window.hooks.drawn = close_window;
@@ -71,7 +68,7 @@ TEST(WindowSafety, ClosedItTakesTheForceAway) {
 }
 
 TEST(WindowSafety, AskedToEndItTakesTheForceAway) {
-  if (!has_display()) GTEST_SKIP() << "no display";
+  if (!test::has_display()) GTEST_SKIP() << "no display";
   for (const int signal : {SIGINT, SIGTERM}) {
     Shared heard;
     PushingWindow window(heard);
@@ -82,7 +79,7 @@ TEST(WindowSafety, AskedToEndItTakesTheForceAway) {
 }
 
 TEST(WindowSafety, AnExceptionInAPanelTakesTheForceAway) {
-  if (!has_display()) GTEST_SKIP() << "no display";
+  if (!test::has_display()) GTEST_SKIP() << "no display";
   Shared heard;
   PushingWindow window(heard);
   window.in_a_panel = [] { throw std::runtime_error("a panel"); };
@@ -105,7 +102,7 @@ TEST(WindowSafety, AnExceptionInAPanelTakesTheForceAway) {
 class WindowDeath : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!has_display()) GTEST_SKIP() << "no display";
+    if (!test::has_display()) GTEST_SKIP() << "no display";
     GTEST_FLAG_SET(death_test_style, "threadsafe");
   }
 };
@@ -155,7 +152,7 @@ TEST_F(WindowDeath, AskedTwiceItEndsInTheMiddleOfAFrameForceFirst) {
 // ---- what does not stall the loop
 
 TEST(WindowSafety, AFrameThatHangsCostsNoTick) {
-  if (!has_display()) GTEST_SKIP() << "no display";
+  if (!test::has_display()) GTEST_SKIP() << "no display";
   constexpr std::uint64_t kMeanwhile = 500;
   Shared heard;
   PushingWindow window(heard);
@@ -181,7 +178,7 @@ TEST(WindowSafety, AFrameThatHangsCostsNoTick) {
 
 // Two hundred sizes, a long text to the clipboard and back in each, while it records.
 TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
-  if (!has_display()) GTEST_SKIP() << "no display";
+  if (!test::has_display()) GTEST_SKIP() << "no display";
   constexpr int kSizes = 200;
   const runtime::test::TemporaryFolder folder;
   const std::string path = folder.file("storm.csv");

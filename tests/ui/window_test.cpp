@@ -10,13 +10,10 @@
 #include <thread>
 
 #include "app/file/scene_file.h"
+#include "tests/ui/display.h"
 
 namespace hapticwall::ui {
 namespace {
-
-bool display_is_there() {
-  return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-}
 
 using Handler = void (*)(int);
 
@@ -44,7 +41,7 @@ void expect_clean_end(int signal) {
 }
 
 TEST(Window, EndsInOrderWhenAskedTo) {
-  if (!display_is_there()) GTEST_SKIP() << "no display";
+  if (!test::has_display()) GTEST_SKIP() << "no display";
   expect_clean_end(SIGTERM);
   expect_clean_end(SIGINT);
 }

@@ -1,0 +1,12 @@
+// Whether there is a screen to open a window on.
+#pragma once
+
+#include <cstdlib>
+
+namespace hapticwall::test {
+
+inline bool has_display() {
+  return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+}
+
+}  // namespace hapticwall::test
