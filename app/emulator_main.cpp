@@ -1,4 +1,4 @@
-// A haptic device that is not there, for every program of this machine: see app/emulator/.
+// An emulated haptic device for every program of this machine: see app/emulator/.
 #include "app/emulator/emulator_program.h"
 
 int main(int argc, char** argv) { return hapticwall::emulator::run_program(argc, argv); }

@@ -10,12 +10,12 @@ check_pie_supported()
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 add_library(hapticwall_common_options INTERFACE)
-# Results are the same on every machine: no contraction to FMA, no -ffast-math, no -march=native.
+# Results are the same on every machine: no FMA contraction, no -ffast-math, no -march=native.
 target_compile_options(hapticwall_common_options INTERFACE -ffp-contract=off -fstack-protector-strong)
-# Only libraries that are used, whether the compiler asks for that by itself or not.
+# Links only libraries that are used; some distributions make that the default.
 target_link_options(hapticwall_common_options INTERFACE -Wl,-z,relro,-z,now -Wl,--as-needed)
 if(HAPTICWALL_SANITIZE)
-  # Third-party code is watched for its memory and its threads, not for its arithmetic.
+  # Third-party code is checked for memory and threads, not for arithmetic.
   string(REPLACE "," ";" sanitizers "${HAPTICWALL_SANITIZE}")
   list(FILTER sanitizers EXCLUDE REGEX "undefined|fuzzer")
   list(JOIN sanitizers "," for_all)

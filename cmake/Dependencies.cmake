@@ -18,7 +18,7 @@ find_package(glm REQUIRED)
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 
-# Header only and without a file for CMake.
+# Header-only, without a CMake file.
 find_path(HAPTICWALL_READERWRITERQUEUE_DIR readerwriterqueue/readerwriterqueue.h REQUIRED)
 mark_as_advanced(HAPTICWALL_READERWRITERQUEUE_DIR)
 add_library(hapticwall_readerwriterqueue INTERFACE)
@@ -31,8 +31,8 @@ if(HAPTICWALL_TESTS)
   find_package(benchmark REQUIRED)
 endif()
 
-# Dear ImGui and ImPlot: no distribution packages both, so their sources come from the folder where
-# `./dev` keeps them, or from wherever a packager says.
+# No distribution packages both Dear ImGui and ImPlot. Their sources come from the folder where `./dev`
+# keeps them, or from HAPTICWALL_GUI_SOURCES.
 file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/gui-sources.txt pin REGEX "^imgui-bundle==")
 string(REGEX REPLACE "^imgui-bundle==([0-9.]+).*" "imgui-bundle-\\1" pin "${pin}")
 set(cache "$ENV{XDG_CACHE_HOME}")
@@ -57,29 +57,36 @@ endforeach()
 
 set(imgui ${HAPTICWALL_GUI_SOURCES}/imgui)
 set(implot ${HAPTICWALL_GUI_SOURCES}/implot)
-# What our code is compiled against. What it is linked to is one of the two libraries below.
+# The headers for our code. A program links one of the two libraries below.
 add_library(hapticwall_imgui_headers INTERFACE)
 target_include_directories(hapticwall_imgui_headers SYSTEM INTERFACE ${imgui} ${imgui}/backends
                                                                      ${implot})
 target_link_libraries(hapticwall_imgui_headers INTERFACE glfw)
-# Both combine flags of different enumerations by design, which C++20 deprecates.
+# Both combine flags of different enumerations, which C++20 deprecates.
 target_compile_options(hapticwall_imgui_headers INTERFACE -Wno-deprecated-enum-enum-conversion)
 
-# hapticwall_gui_library(NAME SOURCES...): Dear ImGui and ImPlot, and what comes on top.
+# The files that Dear ImGui Test Engine has no hooks in: compiled once for both libraries below.
+add_library(
+  hapticwall_imgui_common OBJECT
+  ${imgui}/imgui_demo.cpp ${imgui}/imgui_draw.cpp ${imgui}/backends/imgui_impl_glfw.cpp
+  ${imgui}/backends/imgui_impl_opengl3.cpp ${implot}/implot.cpp ${implot}/implot_items.cpp)
+if(EXISTS ${imgui}/imgui_stacklayout.cpp)  # an addition of the copies that `./dev` fetches
+  target_sources(hapticwall_imgui_common PRIVATE ${imgui}/imgui_stacklayout.cpp)
+endif()
+# Only plots of floats and doubles, which takes a third of the time to compile, and no demo window.
+target_compile_definitions(
+  hapticwall_imgui_common PRIVATE "IMPLOT_CUSTOM_NUMERIC_TYPES=(float)(double)" IMGUI_DISABLE_DEMO_WINDOWS)
+set_target_properties(hapticwall_imgui_common PROPERTIES UNITY_BUILD OFF)  # their names collide
+target_link_libraries(hapticwall_imgui_common PRIVATE hapticwall_imgui_headers
+                                                      hapticwall_third_party_options)
+
+# hapticwall_gui_library(NAME SOURCES...): Dear ImGui, ImPlot and SOURCES.
 function(hapticwall_gui_library name)
-  add_library(
-    ${name} STATIC
-    ${imgui}/imgui.cpp ${imgui}/imgui_demo.cpp ${imgui}/imgui_draw.cpp ${imgui}/imgui_tables.cpp
-    ${imgui}/imgui_widgets.cpp ${imgui}/backends/imgui_impl_glfw.cpp
-    ${imgui}/backends/imgui_impl_opengl3.cpp ${implot}/implot.cpp ${implot}/implot_items.cpp ${ARGN})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # their names collide
-  # Nothing here opens other programs.
+  add_library(${name} STATIC ${imgui}/imgui.cpp ${imgui}/imgui_tables.cpp ${imgui}/imgui_widgets.cpp
+                             $<TARGET_OBJECTS:hapticwall_imgui_common> ${ARGN})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
+  # The program never starts another program.
   target_compile_definitions(${name} PRIVATE IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS)
-  if(EXISTS ${imgui}/imgui_stacklayout.cpp)  # an addition of the copies that `./dev` fetches
-    target_sources(${name} PRIVATE ${imgui}/imgui_stacklayout.cpp)
-  endif()
-  # Plots of floats and doubles only: a third of the time to compile.
-  target_compile_definitions(${name} PRIVATE "IMPLOT_CUSTOM_NUMERIC_TYPES=(float)(double)")
   target_link_libraries(
     ${name}
     PUBLIC hapticwall_imgui_headers
@@ -88,8 +95,8 @@ endfunction()
 
 hapticwall_gui_library(hapticwall_imgui)
 
-# The same with hooks for Dear ImGui Test Engine, and the engine itself: for tests of the window alone.
-# The hooks lie in functions of Dear ImGui and change no type, so that our own code is compiled once.
+# The same with hooks for Dear ImGui Test Engine, and the engine: only for the tests of the window. The
+# hooks are in functions and change no type, so our code is compiled once.
 if(HAPTICWALL_TESTS)
   set(engine ${HAPTICWALL_GUI_SOURCES}/imgui_test_engine)
   file(GLOB engine_sources ${engine}/*.cpp)

@@ -19,8 +19,8 @@ struct EmbeddedFile {
 
 # hapticwall_embed(TARGET GROUP FILES...): gives TARGET the files and the header "embedded_GROUP.h" with
 #   std::span<const EmbeddedFile> hapticwall::embedded_GROUP();
-# in the order of FILES, each under its name without folder. The bytes are taken in by the assembler
-# (.incbin): no time to compile, and a changed file is seen at the next build.
+# in the order of FILES, each under its name without folder. The assembler includes the bytes (.incbin),
+# which takes no time; the next build sees a changed file.
 function(hapticwall_embed target group)
   set(folder ${embedded_folder}/${group})
   set(assembly "")

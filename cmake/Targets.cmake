@@ -1,4 +1,4 @@
-# Our targets take every source file of their folder; a new file is seen at the next build.
+# Our targets take every source file of their folder; the next build sees a new file.
 
 # hapticwall_sources(OUT FOLDER...): the .cpp files below the folders of this source folder.
 function(hapticwall_sources out)

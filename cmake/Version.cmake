@@ -1,5 +1,5 @@
-# `hapticwall_version.h` (kVersion, kBuild), written at build time so that a commit needs no new
-# configuration, and only when it changes.
+# `hapticwall_version.h` (kVersion, kBuild), written at build time and only when it changes: a commit
+# needs no new configuration.
 
 set(version_folder ${CMAKE_BINARY_DIR}/generated/version)
 find_package(Git QUIET)

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """tidy.py BUILD_FOLDER CACHE_FOLDER FILE...: clang-tidy over files, on all cores.
 
-A file that was clean is not read again while nothing that it is made of has changed: the key is the
-SHA-256 of the preprocessed text, the settings and clang-tidy's version. Ends with 1 where something
-was found.
+Skips files that were clean before and have not changed since. The key is the SHA-256 of the
+preprocessed text, the settings and clang-tidy's version. The exit status is 1 after findings.
 """
 
 import concurrent.futures
@@ -24,7 +23,7 @@ def compile_commands(build):
 
 
 def preprocessed(entry):
-    """The text that the compiler sees, without what only the compiler's cache needs."""
+    """The text that the compiler sees."""
     command = shlex.split(entry["command"])
     compiler = next(i for i, word in enumerate(command) if word.endswith(("c++", "g++", "clang++")))
     command = command[compiler:]
@@ -38,13 +37,13 @@ def preprocessed(entry):
         if option in command:
             at = command.index(option)
             del command[at : at + 2]
-    # Macros like __FILE__ tell where the checkout lies, which is no matter of the code.
+    # __FILE__ without the path of the checkout.
     command[1:1] = ["-P", f"-fmacro-prefix-map={pathlib.Path.cwd().resolve()}="]
     return subprocess.run(command, cwd=entry["directory"], capture_output=True, check=True).stdout
 
 
 def nested_settings(file):
-    """The text of the .clang-tidy files between the file and the root, which holds one too."""
+    """The text of the .clang-tidy files in the folders between the file and the root."""
     root = pathlib.Path.cwd().resolve()
     folders = [folder for folder in pathlib.Path(file).parents if root in folder.parents]
     return b"".join(
@@ -58,13 +57,13 @@ def key_of(entry, settings):
     digest = hashlib.sha256(settings)
     digest.update(nested_settings(entry["file"]))
     digest.update(preprocessed(entry))
-    # Comments can switch a check off.
+    # Comments can disable a check.
     digest.update(pathlib.Path(entry["file"]).read_bytes())
     return digest.hexdigest()
 
 
 def check(name, entry, build, cache, settings):
-    """What clang-tidy says of the file; nothing where it is clean."""
+    """The findings of clang-tidy; empty for a clean file."""
     if entry is None:
         return ""  # compiled by no target of this build
     try:

@@ -1,12 +1,12 @@
-// Position sensing: x_k = Δ rint(x/Δ), or x itself where the scene has no encoder.
+// Position sensing: x_k = Δ rint(x/Δ), or x itself without an encoder.
 #pragma once
 
 #include <cmath>
 
 namespace hapticwall {
 
-// rint() without a call: adding and taking away 1.5 * 2^52 rounds to the nearest whole number, ties
-// to even, for |value| < 2^51; beyond that it is taken as whole. Realtime-safe: yes.
+// rint() without a call: adding and subtracting 1.5 * 2^52 rounds to the nearest whole number, ties
+// to even, for |value| < 2^51. Larger values are returned unchanged. Realtime-safe: yes.
 [[nodiscard]] inline double round_to_even(double value) {
   constexpr double kReach = 2251799813685248.0;  // 2^51
   constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52
@@ -19,9 +19,8 @@ namespace hapticwall {
   return resolution_m * round_to_even(position_m / resolution_m);
 }
 
-// An encoder that remembers its last count: while the position surely stays within that count
-// nothing is divided. Gives exactly what quantise() gives, for |position| ≤ 1 m. Realtime-safe:
-// yes.
+// An encoder that remembers its last count and divides only when the position may have left it.
+// Same bits as quantise() for |position| ≤ 1 m. Realtime-safe: yes.
 class CountingEncoder {
  public:
   // `resolution_m`: at least 1e-12, or 0 for no encoder; read() then is not called.
@@ -36,12 +35,12 @@ class CountingEncoder {
   }
 
  private:
-  // Half a count, less than what the roundings of a position, a quotient and a product come to.
+  // Half a count, less the rounding errors of a position, a quotient and a product.
   static constexpr double kSureFraction = 0.5 - 1e-9;
   static constexpr double kRounding = 1e-15;
 
   double resolution_m_;
-  double surely_within_m_;  // may be negative: then every position is divided
+  double surely_within_m_;  // negative for a very fine encoder: then every position is divided
   double last_m_ = 0.0;
 };
 

@@ -1,4 +1,4 @@
-// A value, or one line that says what went wrong and which exit status that deserves.
+// A value, or an error with one line of text and the exit status of the program.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,11 @@ struct Error {
   ErrorKind kind = ErrorKind::kUsage;
   std::string message;  // one line: what, where, what would be right
 };
+
+// The most common error: an option or a file of the user is wrong.
+[[nodiscard]] inline Error usage_error(std::string message) {
+  return {ErrorKind::kUsage, std::move(message)};
+}
 
 template <typename T>
 class [[nodiscard]] Result {
@@ -36,7 +41,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> content_;
 };
 
-// The result of something that has no value: nothing, or what went wrong.
+// nullopt on success.
 using Failure = std::optional<Error>;
 
 }  // namespace hapticwall

@@ -1,7 +1,15 @@
-// One tick as it is plotted and recorded. Trivially copyable; SI units throughout.
+// One tick as it is plotted and recorded, and the one list of its columns. Trivially copyable; SI
+// units throughout.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 namespace hapticwall {
 
@@ -14,11 +22,11 @@ enum SampleFlag : std::uint32_t {
   kFlagDeviceFault = 32,
 };
 
-// What only a simulator knows, at the instant of the tick, before its force acts.
+// Known to a simulator only: at the instant of the tick, before its force acts.
 struct PlantTruth {
   double position_m = 0.0;
   double velocity_m_per_s = 0.0;
-  double hand_path_m = 0.0;   // intended position; the handle's start where there is no hand
+  double hand_path_m = 0.0;   // intended position; without a hand the handle's start
   double hand_force_n = 0.0;  // of the hand on the handle
   double actuator_work_j = 0.0;
   double dissipation_j = 0.0;
@@ -40,12 +48,127 @@ struct Sample {
   double energy_scv_j = 0.0;       // Eq. 10
   double energy_budget_j = 0.0;    // -T Σ b v²
   PlantTruth truth;
-  // Only a real device's: when the position was latched, by its own clock since it was opened, and
-  // how old the position was when it was acted upon. 0 from the simulator.
-  double device_time_s = 0.0;
-  double read_age_s = 0.0;
+  // Known to a real device only; 0 from the simulator.
+  double device_time_s = 0.0;  // when it latched the position, by its own clock since it was opened
+  double read_age_s = 0.0;     // age of the position when the loop used it
   std::uint32_t flags = 0;
   std::uint32_t generation = 0;  // of the parameters in force (live sessions; 0 in headless runs)
 };
+
+// Which columns a recording has: kTick once, kAxis for every axis, and of every axis kTruth (from a
+// simulator) or kDevice (from a real device).
+enum class ColumnGroup : std::uint8_t { kTick, kAxis, kTruth, kDevice };
+
+using SampleMember = std::variant<double Sample::*, double PlantTruth::*, std::uint64_t Sample::*,
+                                  std::uint32_t Sample::*>;
+
+struct SampleColumn {
+  std::string_view name;  // in a recording; ends with the unit
+  SampleMember member;
+  ColumnGroup group;
+};
+
+// In the order of a recording (docs/recording.md). A new field needs a line here; writer,
+// reader, history and every comparison read this table. `generation` is not recorded.
+inline constexpr std::array<SampleColumn, 23> kSampleColumns{
+    {{"tick", &Sample::tick, ColumnGroup::kTick},
+     {"time_s", &Sample::time_s, ColumnGroup::kTick},
+     {"position_m", &Sample::position_m, ColumnGroup::kAxis},
+     {"velocity_m_per_s", &Sample::velocity_m_per_s, ColumnGroup::kAxis},
+     {"penetration_m", &Sample::penetration_m, ColumnGroup::kAxis},
+     {"wall_force_n", &Sample::wall_force_n, ColumnGroup::kAxis},
+     {"force_n", &Sample::force_n, ColumnGroup::kAxis},
+     {"stiffness_n_per_m", &Sample::stiffness_n_per_m, ColumnGroup::kAxis},
+     {"energy_cv_j", &Sample::energy_cv_j, ColumnGroup::kAxis},
+     {"energy_hold_j", &Sample::energy_hold_j, ColumnGroup::kAxis},
+     {"energy_scv_j", &Sample::energy_scv_j, ColumnGroup::kAxis},
+     {"energy_budget_j", &Sample::energy_budget_j, ColumnGroup::kAxis},
+     {"flags", &Sample::flags, ColumnGroup::kAxis},
+     {"true_position_m", &PlantTruth::position_m, ColumnGroup::kTruth},
+     {"true_velocity_m_per_s", &PlantTruth::velocity_m_per_s, ColumnGroup::kTruth},
+     {"hand_path_m", &PlantTruth::hand_path_m, ColumnGroup::kTruth},
+     {"hand_force_n", &PlantTruth::hand_force_n, ColumnGroup::kTruth},
+     {"true_actuator_work_j", &PlantTruth::actuator_work_j, ColumnGroup::kTruth},
+     {"true_dissipation_j", &PlantTruth::dissipation_j, ColumnGroup::kTruth},
+     {"true_hand_work_j", &PlantTruth::hand_work_j, ColumnGroup::kTruth},
+     {"kinetic_j", &PlantTruth::kinetic_j, ColumnGroup::kTruth},
+     {"device_time_s", &Sample::device_time_s, ColumnGroup::kDevice},
+     {"read_age_s", &Sample::read_age_s, ColumnGroup::kDevice}}};
+
+// The place of a member in kSampleColumns. Fails to compile for a member that has no column.
+template <typename Member>
+[[nodiscard]] consteval std::size_t column_index(Member member) {
+  std::size_t index = 0;
+  while (kSampleColumns.at(index).member != SampleMember(member)) ++index;
+  return index;
+}
+
+// The value of a column: a reference into `sample`, which may be const.
+template <std::size_t kIndex, typename AnySample>
+[[nodiscard]] constexpr auto& column_value(AnySample& sample) {
+  constexpr SampleMember kMember = kSampleColumns[kIndex].member;
+  constexpr auto kPointer = std::get<kMember.index()>(kMember);
+  if constexpr (kMember.index() == 1) {
+    return sample.truth.*kPointer;
+  } else {
+    return sample.*kPointer;
+  }
+}
+
+// Calls test(column, value) column by column until one returns false; true if none does. `value`:
+// a reference into `sample`. Unrolled by the compiler: costs no more than the list written out.
+template <typename AnySample, typename Test>
+constexpr bool all_columns(AnySample& sample, Test&& test) {
+  return [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+    return (test(kSampleColumns[kIndex], column_value<kIndex>(sample)) && ...);
+  }
+  (std::make_index_sequence<kSampleColumns.size()>());
+}
+// The same for two samples: test(column, value of a, value of b).
+template <typename Test>
+constexpr bool all_columns(const Sample& a, const Sample& b, Test&& test) {
+  return [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+    return (test(kSampleColumns[kIndex], column_value<kIndex>(a), column_value<kIndex>(b)) && ...);
+  }
+  (std::make_index_sequence<kSampleColumns.size()>());
+}
+template <typename AnySample, typename Visit>
+constexpr void for_each_column(AnySample& sample, Visit&& visit) {
+  all_columns(sample, [&](const SampleColumn& column, auto& value) {
+    visit(column, value);
+    return true;
+  });
+}
+
+// Whether every number of the sample is finite. Realtime-safe: yes.
+[[nodiscard]] constexpr bool is_finite(const Sample& sample) {
+  // x * 0 is 0 for every finite x, and NaN for every other one.
+  double zero = 0.0;
+  for_each_column(sample, [&](const SampleColumn& /*column*/, const auto& value) {
+    zero += static_cast<double>(value) * 0.0;
+  });
+  return zero == 0.0;
+}
+
+inline constexpr std::size_t kMaxAxes = 2;
+
+// One tick of all axes: the unit of queues, recordings and histories. Its axes share tick, time and
+// generation.
+struct Tick {
+  std::array<Sample, kMaxAxes> axes;
+  std::uint8_t count = 1;  // of axes in use
+
+  [[nodiscard]] const Sample& x() const { return axes.front(); }
+  [[nodiscard]] std::span<Sample> in_use() { return std::span(axes).first(count); }
+  [[nodiscard]] std::span<const Sample> in_use() const { return std::span(axes).first(count); }
+};
+static_assert(std::is_trivially_copyable_v<Tick>);
+
+[[nodiscard]] constexpr bool is_finite(const Tick& tick) {
+  for (std::size_t axis = 0; axis < tick.count; ++axis) {
+    if (!is_finite(tick.axes[axis])) return false;
+  }
+  return true;
+}
 
 }  // namespace hapticwall

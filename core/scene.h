@@ -1,5 +1,5 @@
-// What a scene names: a device, a hand, walls, an algorithm. Plain values in SI units; the ranges
-// of every key live in scene_keys.h, the contradictions between keys in validate().
+// A scene: device, hand and walls of each axis, and one algorithm. Plain values in SI units.
+// scene_keys.h has the range of every number; validate() also finds contradictions between them.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/sample.h"
 #include "core/stabiliser/algorithm_settings.h"
 
 namespace hapticwall {
@@ -18,20 +19,20 @@ struct SamplingSettings {
   double rate_hz = 1000.0;
 
   [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
+  friend bool operator==(const SamplingSettings&, const SamplingSettings&) = default;
 };
 
-// An output is delayed by at most this many ticks.
-inline constexpr int kMaximumDelayTicks = 1000;
+inline constexpr int kMaxDelayTicks = 1000;
 
-// One axis of the haptic device. An absent optional is a part that the model leaves out.
+// One axis of the haptic device. The model omits a part whose optional is empty.
 struct DeviceSettings {
   double mass_kg = 0.05;
   double damping_n_s_per_m = 1.0;
   std::optional<double> friction_n;
   std::optional<double> encoder_m;
   std::optional<double> force_limit_n;
-  // What lies between a command and the force on the handle: rounding to whole steps of force, a
-  // delay of whole ticks, and an amplifier that follows as a first-order lag.
+  // The force chain from the command to the handle: rounding to steps of force, a delay of whole
+  // ticks (at most kMaxDelayTicks), and a first-order lag for the amplifier.
   std::optional<double> force_resolution_n;
   std::optional<int> delay_ticks;
   std::optional<double> amplifier_time_constant_s;
@@ -47,9 +48,8 @@ struct PathPoint {
   friend bool operator==(const PathPoint&, const PathPoint&) = default;
 };
 
-// The hand: a spring-damper to an intended path. With a mass and no grip, the mass is joined
-// rigidly to the handle; with a mass and a grip, it holds the handle through the grip's
-// spring-damper.
+// The hand follows an intended path through a spring-damper. Its mass, if any, is joined to the
+// handle: rigidly without a grip, through the spring-damper of the grip with one.
 struct HandSettings {
   std::optional<double> mass_kg;
   double stiffness_n_per_m = 0.0;
@@ -57,7 +57,7 @@ struct HandSettings {
   std::optional<double> grip_stiffness_n_per_m;
   std::optional<double> grip_damping_n_s_per_m;
   std::vector<PathPoint> path;
-  // The pointer in the window leads the hand (`path = "mouse"`); `path` is then empty.
+  // The pointer of the window leads the hand (`path = "mouse"`). Then `path` is empty.
   bool follows_mouse = false;
 
   [[nodiscard]] bool has_grip() const { return grip_stiffness_n_per_m.has_value(); }
@@ -75,14 +75,14 @@ struct WallSettings {
 // How the simulator moves the handle between two ticks.
 enum class Integrator : std::uint8_t { kExact, kSemiImplicitEuler, kRungeKutta4 };
 
-// The words of the scene file, in the order of Integrator.
+// Names in a scene file, in the order of Integrator.
 inline constexpr std::array<std::string_view, 3> kIntegratorNames{"exact", "semi-implicit-euler",
                                                                   "rk4"};
-inline constexpr int kMaximumSubsteps = 1000;
+inline constexpr int kMaxSubsteps = 1000;
 
 struct SimulatorSettings {
   Integrator integrator = Integrator::kExact;
-  int substeps = 1;  // per tick, 1 to kMaximumSubsteps; the exact integrator needs none and takes 1
+  int substeps = 1;  // per tick, 1 to kMaxSubsteps; 1 for the exact integrator
 
   [[nodiscard]] std::string_view integrator_name() const {
     return kIntegratorNames.at(static_cast<std::size_t>(integrator));
@@ -92,16 +92,16 @@ struct SimulatorSettings {
 
 [[nodiscard]] std::optional<Integrator> find_integrator(std::string_view name);
 
-inline constexpr std::size_t kMaximumWalls = 8;  // on an axis
+inline constexpr std::size_t kMaxWalls = 8;  // on an axis
 
-// The second axis of a corner: a handle, a hand and walls of its own. It is a loop of its own too;
-// rate, duration, algorithm and integrator are those of the scene.
-struct SecondAxis {
+// One axis of motion. Every axis is a control loop by itself; rate, duration, algorithm and
+// integrator belong to the scene.
+struct AxisSettings {
   DeviceSettings device;
   std::optional<HandSettings> hand;
   std::vector<WallSettings> walls;
 
-  friend bool operator==(const SecondAxis&, const SecondAxis&) = default;
+  friend bool operator==(const AxisSettings&, const AxisSettings&) = default;
 };
 
 struct Scene {
@@ -109,32 +109,42 @@ struct Scene {
   std::string description;
   double duration_s = 6.0;
   SamplingSettings sampling;
-  DeviceSettings device;
-  std::optional<HandSettings> hand;
-  std::vector<WallSettings> walls;
-  std::optional<SecondAxis> y;  // device, hand and walls above are those of axis x
+  std::vector<AxisSettings> axes = std::vector<AxisSettings>(1);  // x, or x and y
   AlgorithmSettings algorithm;
   SimulatorSettings simulator;
 
+  [[nodiscard]] AxisSettings& x() { return axes.front(); }
+  [[nodiscard]] const AxisSettings& x() const { return axes.front(); }
+  [[nodiscard]] bool two_axes() const { return axes.size() > 1; }
+
   // Number of ticks of a headless run: round(duration * rate), at least 1.
   [[nodiscard]] std::uint64_t tick_count() const;
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-// Axis y as a scene of one axis. Precondition: scene.y. Realtime-safe: no.
-[[nodiscard]] Scene second_axis(const Scene& scene);
+// A change of parameters during a session, in force from `tick` on. Sampling rate, duration, start
+// and path of the hand stay those of the first scene. The handle keeps its state.
+struct ScheduledChange {
+  std::uint64_t tick = 0;
+  Scene scene;
+};
 
-// True where both have the same plant on axis x: where two scenes of a session differ in this, the
-// plant changes.
+// One axis as a scene by itself. Precondition: index < scene.axes.size(). Realtime-safe: no.
+[[nodiscard]] Scene axis_scene(const Scene& scene, std::size_t index);
+
+// The scene with an empty path for every hand. Realtime-safe: no.
+[[nodiscard]] Scene without_paths(Scene scene);
+
+// Whether axis x has the same plant in both scenes.
 [[nodiscard]] bool same_plant(const Scene& a, const Scene& b);
 
-// One thing that is wrong with a scene: the dotted key and a sentence that says what would be
-// right.
+// An error in a scene: the dotted key and a message that says what the key takes.
 struct SceneProblem {
   std::string key;
   std::string message;
 };
 
-// The first problem of a scene (a value out of range, or a contradiction), or nothing.
+// The first problem of a scene: a number out of range, or a contradiction. nullopt if it is valid.
 // Realtime-safe: no.
 [[nodiscard]] std::optional<SceneProblem> validate(const Scene& scene);
 

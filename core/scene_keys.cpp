@@ -1,6 +1,12 @@
 #include "core/scene_keys.h"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {
@@ -12,56 +18,178 @@ constexpr ValueRange kFriction{0.0, 1e3};
 constexpr ValueRange kEncoder{0.0, 0.01};
 constexpr ValueRange kForceLimit{0.0, 1e6};
 constexpr ValueRange kForceResolution{0.0, 1e3};
-constexpr ValueRange kDelay{0.0, kMaximumDelayTicks};
+constexpr ValueRange kDelay{0.0, kMaxDelayTicks};
 constexpr ValueRange kTimeConstant{0.0, 10.0};
 constexpr ValueRange kRate{10.0, 100e3};
 constexpr ValueRange kDuration{0.0, 1e6, true};
+constexpr ValueRange kSpeedRange{0.0, 1e3, true};
 
-constexpr std::array<NumberKey<Scene>, 1> kSceneKeys{
-    NumberKey<Scene>{"duration_s", "s", kDuration, false, &Scene::duration_s}};
+constexpr auto kSceneKeys =
+    std::to_array<NumberKey<Scene>>({{"duration_s", "s", kDuration, false, &Scene::duration_s}});
 
-constexpr std::array<NumberKey<SamplingSettings>, 1> kSamplingKeys{
-    NumberKey<SamplingSettings>{"rate_hz", "Hz", kRate, false, &SamplingSettings::rate_hz}};
+constexpr auto kSamplingKeys = std::to_array<NumberKey<SamplingSettings>>(
+    {{"rate_hz", "Hz", kRate, false, &SamplingSettings::rate_hz}});
 
-constexpr std::array<NumberKey<DeviceSettings>, 9> kDeviceKeys{
-    NumberKey<DeviceSettings>{"mass_kg", "kg", kMass, true, &DeviceSettings::mass_kg},
-    NumberKey<DeviceSettings>{"damping_n_s_per_m", "N·s/m", kDamping, true,
-                              &DeviceSettings::damping_n_s_per_m},
-    NumberKey<DeviceSettings>{"friction_n", "N", kFriction, false, &DeviceSettings::friction_n},
-    NumberKey<DeviceSettings>{"encoder_m", "m", kEncoder, false, &DeviceSettings::encoder_m},
-    NumberKey<DeviceSettings>{"force_limit_n", "N", kForceLimit, false,
-                              &DeviceSettings::force_limit_n},
-    NumberKey<DeviceSettings>{"force_resolution_n", "N", kForceResolution, false,
-                              &DeviceSettings::force_resolution_n},
-    NumberKey<DeviceSettings>{"delay_ticks", "ticks", kDelay, false, &DeviceSettings::delay_ticks},
-    NumberKey<DeviceSettings>{"amplifier_time_constant_s", "s", kTimeConstant, false,
-                              &DeviceSettings::amplifier_time_constant_s},
-    NumberKey<DeviceSettings>{"start_m", "m", kPositionRange, false, &DeviceSettings::start_m}};
+constexpr auto kDeviceKeys = std::to_array<NumberKey<DeviceSettings>>(
+    {{"mass_kg", "kg", kMass, true, &DeviceSettings::mass_kg},
+     {"damping_n_s_per_m", "N·s/m", kDamping, true, &DeviceSettings::damping_n_s_per_m},
+     {"friction_n", "N", kFriction, false, &DeviceSettings::friction_n},
+     {"encoder_m", "m", kEncoder, false, &DeviceSettings::encoder_m},
+     {"force_limit_n", "N", kForceLimit, false, &DeviceSettings::force_limit_n},
+     {"force_resolution_n", "N", kForceResolution, false, &DeviceSettings::force_resolution_n},
+     {"delay_ticks", "ticks", kDelay, false, &DeviceSettings::delay_ticks},
+     {"amplifier_time_constant_s", "s", kTimeConstant, false,
+      &DeviceSettings::amplifier_time_constant_s},
+     {"start_m", "m", kPositionRange, false, &DeviceSettings::start_m}});
 
-constexpr std::array<NumberKey<HandSettings>, 5> kHandKeys{
-    NumberKey<HandSettings>{"mass_kg", "kg", kMass, false, &HandSettings::mass_kg},
-    NumberKey<HandSettings>{"stiffness_n_per_m", "N/m", kStiffness, false,
-                            &HandSettings::stiffness_n_per_m},
-    NumberKey<HandSettings>{"damping_n_s_per_m", "N·s/m", kDamping, false,
-                            &HandSettings::damping_n_s_per_m},
-    NumberKey<HandSettings>{"grip_stiffness_n_per_m", "N/m", kStiffness, false,
-                            &HandSettings::grip_stiffness_n_per_m},
-    NumberKey<HandSettings>{"grip_damping_n_s_per_m", "N·s/m", kDamping, false,
-                            &HandSettings::grip_damping_n_s_per_m}};
+constexpr auto kHandKeys = std::to_array<NumberKey<HandSettings>>(
+    {{"mass_kg", "kg", kMass, false, &HandSettings::mass_kg},
+     {"stiffness_n_per_m", "N/m", kStiffness, false, &HandSettings::stiffness_n_per_m},
+     {"damping_n_s_per_m", "N·s/m", kDamping, false, &HandSettings::damping_n_s_per_m},
+     {"grip_stiffness_n_per_m", "N/m", kStiffness, false, &HandSettings::grip_stiffness_n_per_m},
+     {"grip_damping_n_s_per_m", "N·s/m", kDamping, false, &HandSettings::grip_damping_n_s_per_m}});
 
-constexpr std::array<NumberKey<WallSettings>, 3> kWallKeys{
-    NumberKey<WallSettings>{"position_m", "m", kPositionRange, true, &WallSettings::position_m},
-    NumberKey<WallSettings>{"stiffness_n_per_m", "N/m", kStiffness, true,
-                            &WallSettings::stiffness_n_per_m},
-    NumberKey<WallSettings>{"damping_n_s_per_m", "N·s/m", kDamping, false,
-                            &WallSettings::damping_n_s_per_m}};
+constexpr auto kWallKeys = std::to_array<NumberKey<WallSettings>>(
+    {{"position_m", "m", kPositionRange, true, &WallSettings::position_m},
+     {"stiffness_n_per_m", "N/m", kStiffness, true, &WallSettings::stiffness_n_per_m},
+     {"damping_n_s_per_m", "N·s/m", kDamping, false, &WallSettings::damping_n_s_per_m}});
+
+// 0 if the path rests.
+double path_speed(const Scene& scene) {
+  double speed = 0.0;
+  if (!scene.x().hand) return speed;
+  const std::vector<PathPoint>& path = scene.x().hand->path;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double duration_s = path[i].time_s - path[i - 1].time_s;
+    if (duration_s <= 0.0) continue;
+    speed = std::max(speed, std::abs(path[i].position_m - path[i - 1].position_m) / duration_s);
+  }
+  return speed;
+}
+
+void set_path_speed(Scene& scene, double speed) {
+  const double factor = path_speed(scene) / speed;
+  for (PathPoint& point : scene.x().hand->path) point.time_s *= factor;
+}
 
 }  // namespace
 
-std::span<const NumberKey<Scene>> scene_number_keys() { return kSceneKeys; }
-std::span<const NumberKey<SamplingSettings>> sampling_number_keys() { return kSamplingKeys; }
-std::span<const NumberKey<DeviceSettings>> device_number_keys() { return kDeviceKeys; }
-std::span<const NumberKey<HandSettings>> hand_number_keys() { return kHandKeys; }
-std::span<const NumberKey<WallSettings>> wall_number_keys() { return kWallKeys; }
+template <>
+std::span<const NumberKey<Scene>> number_keys<Scene>() {
+  return kSceneKeys;
+}
+template <>
+std::span<const NumberKey<SamplingSettings>> number_keys<SamplingSettings>() {
+  return kSamplingKeys;
+}
+template <>
+std::span<const NumberKey<DeviceSettings>> number_keys<DeviceSettings>() {
+  return kDeviceKeys;
+}
+template <>
+std::span<const NumberKey<HandSettings>> number_keys<HandSettings>() {
+  return kHandKeys;
+}
+template <>
+std::span<const NumberKey<WallSettings>> number_keys<WallSettings>() {
+  return kWallKeys;
+}
+
+std::span<const AlgorithmNumberKey> algorithm_number_keys() {
+  static const std::vector<AlgorithmNumberKey> kKeys = [] {
+    std::vector<AlgorithmNumberKey> keys;
+    const std::span<const ParameterDescription> parameters = algorithm_parameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const ParameterDescription& parameter = parameters[i];
+      if (parameter.kind != ParameterKind::kNumber) continue;
+      keys.push_back({i, parameter.key, parameter.unit, {parameter.minimum, parameter.maximum}});
+    }
+    return keys;
+  }();
+  return kKeys;
+}
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "nan";
+  std::array<char, 32> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  std::string text(buffer.data(), end);
+  // to_chars() gives 1e-06 and 1e+09; people write 1e-6 and 1e9.
+  const std::size_t exponent = text.find('e');
+  if (exponent != std::string::npos) {
+    std::size_t digits = exponent + 2;
+    if (text[digits] == '0') text.erase(digits, 1);
+    if (text[exponent + 1] == '+') text.erase(exponent + 1, 1);
+  }
+  return text;
+}
+
+std::string out_of_range_text(double value, const ValueRange& range, std::string_view unit) {
+  std::string text = number_text(value) + " is out of range; it takes ";
+  text += range.minimum_excluded ? "more than " + number_text(range.minimum) + ", at most "
+                                 : number_text(range.minimum) + " to ";
+  text += number_text(range.maximum);
+  if (!unit.empty()) text.append(" ").append(unit);
+  return text;
+}
+
+std::string axis_key(std::string_view table, std::size_t axis) {
+  return std::string(table) + (axis == 0 ? "" : ".y");
+}
+
+std::string wall_key(std::size_t index, std::size_t count) {
+  return count == 1 ? "wall" : "wall[" + std::to_string(index) + "]";
+}
+
+std::optional<double> SceneNumber::get(const Scene& scene) const {
+  if (path == kPathSpeed) return path_speed(scene);
+  std::optional<double> value;
+  visit_scene_numbers(
+      scene,
+      [&](const NumberPath& visited, const auto& key, const auto& owner) {
+        if (visited == path) value = key.get(owner);
+      },
+      1);
+  return value;
+}
+
+void SceneNumber::set(Scene& scene, double value) const {
+  if (path == kPathSpeed) return set_path_speed(scene, value);
+  visit_scene_numbers(
+      scene,
+      [&](const NumberPath& visited, const auto& key, auto& owner) {
+        if (visited == path) key.set(owner, value);
+      },
+      1);
+}
+
+std::vector<SceneNumber> scene_numbers(const Scene& scene) {
+  std::vector<SceneNumber> numbers;
+  visit_scene_numbers(
+      scene,
+      [&](const NumberPath& path, const auto& key, const auto&) {
+        numbers.push_back({path.text(), std::string(key.unit), key.range, key.whole()});
+      },
+      1);
+  if (path_speed(scene) == 0.0) return numbers;
+  const auto is_of_hand = [](const SceneNumber& number) {
+    return number.path.starts_with("hand.");
+  };
+  const auto after_hand = std::find_if(numbers.rbegin(), numbers.rend(), is_of_hand).base();
+  numbers.insert(after_hand, {std::string(kPathSpeed), "m/s", kSpeedRange});
+  return numbers;
+}
+
+std::optional<SceneNumber> find_scene_number(const Scene& scene, std::string_view path) {
+  constexpr std::string_view kFirstWall = "wall[0].";
+  std::string wanted(path);
+  if (scene.x().walls.size() == 1 && wanted.starts_with(kFirstWall)) {
+    wanted.replace(0, kFirstWall.size(), "wall.");
+  }
+  for (SceneNumber& number : scene_numbers(scene)) {
+    if (number.path == wanted) return std::move(number);
+  }
+  return std::nullopt;
+}
 
 }  // namespace hapticwall

@@ -1,6 +1,5 @@
-// The keys of a scene file as data: name, unit, range, whether it must be there, and where its
-// value lives. Parsing, --set, validation, sidecars and the window's sliders all read these tables.
-// (`[algorithm]` keys come from the algorithms themselves: algorithm_parameters().)
+// The numbers of a scene as data: key, unit, range and place of each. Scene files, --set,
+// validation, sidecars, maps and the sliders of the window all read these tables.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +9,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
+#include <vector>
 
+#include "core/sample.h"
 #include "core/scene.h"
 
 namespace hapticwall {
@@ -26,8 +28,11 @@ struct ValueRange {
   }
 };
 
-// A number as people write it in a message: shortest that reads back the same, 1e9 and 1e-6.
+// A number for people: the shortest form that reads back the same, such as 1e9 and 1e-6.
 [[nodiscard]] std::string number_text(double value);
+// "-1 is out of range; it takes 1e-6 to 1000 kg".
+[[nodiscard]] std::string out_of_range_text(double value, const ValueRange& range,
+                                            std::string_view unit);
 
 // A number of the table Owner.
 template <typename Owner>
@@ -38,20 +43,19 @@ struct NumberKey {
   bool required = false;  // in a scene file
   std::variant<double Owner::*, std::optional<double> Owner::*, std::optional<int> Owner::*> member;
 
-  // A key that counts: it takes whole numbers only.
+  // Takes whole numbers only.
   [[nodiscard]] bool whole() const {
     return std::holds_alternative<std::optional<int> Owner::*>(member);
   }
   [[nodiscard]] std::optional<double> get(const Owner& owner) const {
     return std::visit([&](auto place) { return std::optional<double>(owner.*place); }, member);
   }
-  // A number that does not fit a counting key becomes the nearest that does; validate() then
-  // judges it.
+  // Rounds and clamps to int for a whole key. Does not validate.
   void set(Owner& owner, double value) const {
     if (whole()) {
-      constexpr double kMost = std::numeric_limits<int>::max();
+      constexpr double kMax = std::numeric_limits<int>::max();
       owner.*std::get<std::optional<int> Owner::*>(member) =
-          static_cast<int>(std::clamp(std::round(value), -kMost, kMost));
+          static_cast<int>(std::clamp(std::round(value), -kMax, kMax));
     } else if (const auto* plain = std::get_if<double Owner::*>(&member)) {
       owner.** plain = value;
     } else {
@@ -60,13 +64,106 @@ struct NumberKey {
   }
 };
 
-[[nodiscard]] std::span<const NumberKey<Scene>> scene_number_keys();                // duration_s
-[[nodiscard]] std::span<const NumberKey<SamplingSettings>> sampling_number_keys();  // [sampling]
-[[nodiscard]] std::span<const NumberKey<DeviceSettings>> device_number_keys();      // [device]
-[[nodiscard]] std::span<const NumberKey<HandSettings>> hand_number_keys();  // [hand], less path
-[[nodiscard]] std::span<const NumberKey<WallSettings>> wall_number_keys();  // [[wall]]
+// The numbers of one table, in the order of a scene file.
+template <typename Owner>
+[[nodiscard]] std::span<const NumberKey<Owner>> number_keys();
+template <>
+std::span<const NumberKey<Scene>> number_keys<Scene>();  // outside of all tables
+template <>
+std::span<const NumberKey<SamplingSettings>> number_keys<SamplingSettings>();
+template <>
+std::span<const NumberKey<DeviceSettings>> number_keys<DeviceSettings>();
+template <>
+std::span<const NumberKey<HandSettings>> number_keys<HandSettings>();
+template <>
+std::span<const NumberKey<WallSettings>> number_keys<WallSettings>();
 
-inline constexpr std::size_t kMaximumPathPoints = 10000;
+// A number of [algorithm], with the members of NumberKey.
+struct AlgorithmNumberKey {
+  std::size_t index = 0;  // in algorithm_parameters()
+  std::string_view key;
+  std::string_view unit;
+  ValueRange range;
+
+  [[nodiscard]] bool whole() const { return false; }
+  [[nodiscard]] std::optional<double> get(const AlgorithmSettings& owner) const {
+    return owner.values[index];
+  }
+  void set(AlgorithmSettings& owner, double value) const { owner.values[index] = value; }
+};
+[[nodiscard]] std::span<const AlgorithmNumberKey> algorithm_number_keys();
+
+// "device" of axis x, "device.y" of axis y.
+[[nodiscard]] std::string axis_key(std::string_view table, std::size_t axis);
+// "wall[2]"; "wall" if it is the only one.
+[[nodiscard]] std::string wall_key(std::size_t index, std::size_t count);
+
+// The dotted name that --set takes.
+struct NumberPath {
+  std::string_view table;  // ends with its point: "device."
+  std::string_view key;
+
+  [[nodiscard]] std::string text() const { return std::string(table).append(key); }
+  friend bool operator==(const NumberPath& path, std::string_view text) {
+    return text.starts_with(path.table) && text.substr(path.table.size()) == path.key;
+  }
+};
+
+// Calls visit(path, key, owner) for every number of the first `axes` axes, of the loop and of all
+// algorithms, in the order of a scene file. `key` is a NumberKey or AlgorithmNumberKey of `owner`.
+template <typename AnyScene, typename Visit>
+void visit_scene_numbers(AnyScene& scene, const Visit& visit, std::size_t axes = kMaxAxes) {
+  const auto visit_keys = [&](const std::string& table, const auto& keys, auto& owner) {
+    for (const auto& key : keys) visit(NumberPath{table, key.key}, key, owner);
+  };
+  const auto visit_table = [&](const std::string& table, auto& owner) {
+    visit_keys(table, number_keys<std::remove_cvref_t<decltype(owner)>>(), owner);
+  };
+  const std::span visited(scene.axes.data(), std::min(axes, scene.axes.size()));
+  visit_table("", scene);
+  visit_table("sampling.", scene.sampling);
+  for (std::size_t i = 0; i < visited.size(); ++i) {
+    visit_table(axis_key("device", i) + ".", visited[i].device);
+  }
+  for (std::size_t i = 0; i < visited.size(); ++i) {
+    if (visited[i].hand) visit_table(axis_key("hand", i) + ".", *visited[i].hand);
+  }
+  std::size_t walls = 0;
+  for (const auto& axis : visited) walls += axis.walls.size();
+  std::size_t index = 0;
+  for (auto& axis : visited) {
+    for (auto& wall : axis.walls) visit_table(wall_key(index++, walls) + ".", wall);
+  }
+  visit_keys("algorithm.", algorithm_number_keys(), scene.algorithm);
+}
+
+// A number of axis x, of the loop or of an algorithm by its path: what maps and studies vary.
+struct SceneNumber {
+  std::string path;  // "wall.stiffness_n_per_m"
+  std::string unit;  // "" for a pure number
+  ValueRange range;
+  bool whole = false;  // takes whole numbers only
+
+  // nullopt if the scene omits the part.
+  [[nodiscard]] std::optional<double> get(const Scene& scene) const;
+  // The scene must have the same tables as the one of find_scene_number(). Adds an omitted part.
+  // Does not validate.
+  void set(Scene& scene, double value) const;
+};
+
+// Speed of the fastest part of the path; setting it scales all times of the path. Not a key of a
+// scene file.
+inline constexpr std::string_view kPathSpeed = "hand.path_speed_m_per_s";
+
+// All of them; kPathSpeed, after the other numbers of the hand, if the path moves.
+// Realtime-safe: no.
+[[nodiscard]] std::vector<SceneNumber> scene_numbers(const Scene& scene);
+
+// "wall[0].KEY" also names the only wall. Realtime-safe: no.
+[[nodiscard]] std::optional<SceneNumber> find_scene_number(const Scene& scene,
+                                                           std::string_view path);
+
+inline constexpr std::size_t kMaxPathPoints = 10000;
 inline constexpr ValueRange kPathTimeRange{0.0, 1e6};
 inline constexpr ValueRange kPositionRange{-1.0, 1.0};
 

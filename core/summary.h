@@ -1,10 +1,12 @@
-// What a run comes to. What does not apply is an absent optional.
+// Result of a run, and the one list of its keys.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace hapticwall {
@@ -23,6 +25,7 @@ enum class Verdict : std::uint8_t { kSettled, kOscillating, kDiverged };
   return "diverged";
 }
 
+// Result of one run along one axis. Fields that do not apply are nullopt.
 struct Summary {
   std::string scene;
   std::string algorithm;
@@ -30,16 +33,16 @@ struct Summary {
   double duration_s = 0.0;  // simulated
   std::uint64_t ticks = 0;
   std::optional<std::uint64_t> diverged_at_tick;
-  // Wall-clock figures, filled by whoever holds a clock.
+  // From a wall clock; the caller that has one fills them.
   std::optional<double> simulated_seconds_per_second;
   std::optional<double> ns_per_tick;
-  // Over the last second ("tail"); absent where the run ended before it.
+  // Over the last second ("tail"); nullopt if the run ended before it.
   std::optional<double> tail_peak_to_peak_m;
   std::optional<double> tail_force_mean_n;
   std::optional<double> tail_force_std_n;
-  std::optional<double> displayed_stiffness_n_per_m;  // absent where the tail has no contact
+  std::optional<double> displayed_stiffness_n_per_m;  // nullopt if the tail has no contact
   // Over the whole run.
-  std::optional<double> max_penetration_m;  // absent without a wall or a tick
+  std::optional<double> max_penetration_m;  // nullopt without a wall or a tick
   double peak_force_n = 0.0;
   std::uint64_t saturated_ticks = 0;
   std::uint64_t contacts = 0;  // entries into the wall
@@ -49,15 +52,58 @@ struct Summary {
   double energy_budget_j = 0.0;
   double min_energy_cv_j = 0.0;
   double min_energy_scv_j = 0.0;
-  // Only a simulator knows these; at the end of the last tick's hold.
+  // Known to a simulator only; at the end of the last tick's hold.
   std::optional<double> true_actuator_work_j;
   std::optional<double> true_dissipation_j;
   std::optional<double> true_hand_work_j;
   std::optional<double> kinetic_j;
   std::optional<double> energy_balance_error_j;
   std::optional<double> passivity_margin_j;
-  // Of a corner: the summary of axis y alone; the rest is that of axis x.
-  std::vector<Summary> y;
 };
+
+// The axes of one run, x first. Precondition of its readers: not empty.
+using RunSummary = std::vector<Summary>;
+
+using SummaryMember = std::variant<std::string Summary::*, Verdict Summary::*, double Summary::*,
+                                   std::uint64_t Summary::*, std::optional<double> Summary::*,
+                                   std::optional<std::uint64_t> Summary::*>;
+
+struct SummaryKey {
+  std::string_view name;  // in JSON, CSV, --expect and --sort
+  SummaryMember member;
+  bool of_run = false;  // all axes share it
+};
+
+// In the order of JSON and CSV (docs/command-line.md). A new field needs a line here and one in
+// summarise(); every output and every comparison of summaries reads this table.
+inline constexpr std::array<SummaryKey, 28> kSummaryKeys{
+    {{"scene", &Summary::scene, true},
+     {"algorithm", &Summary::algorithm, true},
+     {"verdict", &Summary::verdict},
+     {"duration_s", &Summary::duration_s},
+     {"ticks", &Summary::ticks},
+     {"simulated_seconds_per_second", &Summary::simulated_seconds_per_second, true},
+     {"ns_per_tick", &Summary::ns_per_tick, true},
+     {"tail_peak_to_peak_m", &Summary::tail_peak_to_peak_m},
+     {"tail_force_mean_n", &Summary::tail_force_mean_n},
+     {"tail_force_std_n", &Summary::tail_force_std_n},
+     {"displayed_stiffness_n_per_m", &Summary::displayed_stiffness_n_per_m},
+     {"max_penetration_m", &Summary::max_penetration_m},
+     {"peak_force_n", &Summary::peak_force_n},
+     {"saturated_ticks", &Summary::saturated_ticks},
+     {"contacts", &Summary::contacts},
+     {"energy_cv_j", &Summary::energy_cv_j},
+     {"energy_hold_j", &Summary::energy_hold_j},
+     {"energy_scv_j", &Summary::energy_scv_j},
+     {"energy_budget_j", &Summary::energy_budget_j},
+     {"min_energy_cv_j", &Summary::min_energy_cv_j},
+     {"min_energy_scv_j", &Summary::min_energy_scv_j},
+     {"true_actuator_work_j", &Summary::true_actuator_work_j},
+     {"true_dissipation_j", &Summary::true_dissipation_j},
+     {"true_hand_work_j", &Summary::true_hand_work_j},
+     {"kinetic_j", &Summary::kinetic_j},
+     {"energy_balance_error_j", &Summary::energy_balance_error_j},
+     {"passivity_margin_j", &Summary::passivity_margin_j},
+     {"diverged_at_tick", &Summary::diverged_at_tick}}};
 
 }  // namespace hapticwall

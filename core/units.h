@@ -1,4 +1,4 @@
-// What one unit is in another, for everything that is shown or sent. Inside, all is in SI units.
+// Conversion factors for display and I/O. The program computes in SI units.
 #pragma once
 
 namespace hapticwall {

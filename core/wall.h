@@ -1,9 +1,10 @@
-// Virtual walls on one axis: F_e = max(0, K p + B v) while p > 0, else 0, added up over the walls
+// Virtual walls on one axis: F_e = max(0, K p + B v) while p > 0, else 0, summed over the walls
 // (paper, Eq. 11; a wall pushes, it never pulls).
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -11,13 +12,13 @@
 
 namespace hapticwall {
 
-// A trivially copyable list of walls, sorted by position: the first one is met first.
+// A trivially copyable list of walls, sorted by position: the handle meets the first one first.
 class WallSet {
  public:
   WallSet() = default;
-  // Takes the first kMaximumWalls. Realtime-safe: yes.
+  // Takes the first kMaxWalls. Realtime-safe: yes.
   explicit WallSet(std::span<const WallSettings> walls) {
-    for (const WallSettings& wall : walls.first(std::min(walls.size(), kMaximumWalls))) {
+    for (const WallSettings& wall : walls.first(std::min(walls.size(), kMaxWalls))) {
       std::size_t place = count_++;
       for (; place > 0 && walls_[place - 1].position_m > wall.position_m; --place) {
         walls_[place] = walls_[place - 1];
@@ -27,11 +28,19 @@ class WallSet {
   }
 
   [[nodiscard]] std::span<const WallSettings> walls() const { return {walls_.data(), count_}; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] const WallSettings& operator[](std::size_t i) const { return walls_[i]; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
+  // Number of walls that the position is inside. Realtime-safe: yes.
+  [[nodiscard]] double contacts(double position_m) const {
+    double contacts = 0.0;
+    for (const WallSettings& wall : walls()) contacts += position_m > wall.position_m ? 1.0 : 0.0;
+    return contacts;
+  }
   friend bool operator==(const WallSet&, const WallSet&) = default;
 
  private:
-  std::array<WallSettings, kMaximumWalls> walls_{};
+  std::array<WallSettings, kMaxWalls> walls_{};
   std::size_t count_ = 0;
 };
 
@@ -64,7 +73,25 @@ struct WallContact {
   return contact;
 }
 
-// The same for a single wall without damping.
+// The force of all springs together when they hold `energy_j` ≥ 0. Realtime-safe: yes.
+[[nodiscard]] inline double spring_force(const WallSet& walls, double energy_j) {
+  double force_n = 0.0;
+  double stiffness_n_per_m = 0.0;
+  for (std::size_t i = 0; i < walls.count(); ++i) {
+    stiffness_n_per_m += walls[i].stiffness_n_per_m;
+    if (i + 1 == walls.count()) break;
+    // Up to the next wall the force rises to next_n and the springs store gap_j.
+    const double gap_m = walls[i + 1].position_m - walls[i].position_m;
+    const double next_n = force_n + stiffness_n_per_m * gap_m;
+    const double gap_j = 0.5 * (force_n + next_n) * gap_m;
+    if (!(energy_j > gap_j)) break;
+    energy_j -= gap_j;
+    force_n = next_n;
+  }
+  return std::sqrt(force_n * force_n + 2.0 * stiffness_n_per_m * energy_j);
+}
+
+// The same as evaluate_walls() for a single wall without damping.
 [[nodiscard, gnu::always_inline]] inline WallContact evaluate_undamped_wall(
     const WallSettings& wall, double position_m) {
   WallContact contact;

@@ -1,4 +1,4 @@
-#include "device/link_figures.h"
+#include "device/link_stats.h"
 
 namespace hapticwall::device {
 
@@ -17,7 +17,7 @@ std::string_view trouble_text(Trouble trouble) {
     case Trouble::kCalibration:
       return "the calibration of the device has changed";
     case Trouble::kWatchdog:
-      return "the watchdog of the device has struck: it heard nothing for too long";
+      return "the watchdog of the device has expired: it received no command in time";
     case Trouble::kEmergencyStop:
       return "the emergency stop of the device is pressed";
     case Trouble::kOverTemperature:
@@ -25,9 +25,9 @@ std::string_view trouble_text(Trouble trouble) {
     case Trouble::kOverCurrent:
       return "the amplifiers of the device draw too much current";
     case Trouble::kEncoder:
-      return "an encoder of the device is not to be trusted";
+      return "an encoder of the device has failed";
     case Trouble::kOwnFault:
-      return "the device reports a fault of its own";
+      return "the device reports a fault specific to it";
   }
   return "";
 }

@@ -1,4 +1,4 @@
-// What a link to a real device has shown so far. Trivially copyable.
+// State and statistics of the link to a real device.
 #pragma once
 
 #include <cstdint>
@@ -6,39 +6,40 @@
 
 namespace hapticwall::device {
 
-// Why a device gives no position that may be acted upon. Each but kNone disarms. It names what is
-// so now: a link that is back, or a fault whose cause has gone, is kNone again, still disarmed.
+// Why the position of a device must not be used now. Every value except kNone disarms. When the
+// link is back or the cause of the fault has gone, the value is kNone again and the force stays
+// disarmed.
 enum class Trouble : std::uint8_t {
   kNone,
-  kNotFound,     // not on the bus since the session began to look for it
-  kSilent,       // no valid report for 20 ms, or it was unplugged: looked for again
-  kRefused,      // found, and not to be opened or not understood; the owner's side has the words
-  kRestarted,    // its clock or its sequence jumped: brought up anew
-  kCalibration,  // it lost its calibration, or found one: the place of count 0 is another
-  kWatchdog,     // the device heard nothing from us for too long
+  kNotFound,     // never seen on the bus in this session
+  kSilent,       // no valid report for 20 ms, or unplugged; the search goes on
+  kRefused,      // found, but cannot be opened or understood; trouble_details() says why
+  kRestarted,    // its clock or its sequence jumped
+  kCalibration,  // it lost or found its calibration: count 0 has moved
+  kWatchdog,     // the device received no command in time
   kEmergencyStop,
   kOverTemperature,
   kOverCurrent,
   kEncoder,
-  kOwnFault,  // one that only the device knows
+  kOwnFault,  // specific to the device
 };
 
 // One clause for people: "the device was silent for 20 ms". Empty for kNone. Realtime-safe: yes.
 [[nodiscard]] std::string_view trouble_text(Trouble trouble);
 
-// Faults that the device itself holds until they are cleared. Realtime-safe: yes.
+// Faults that the device holds until they are cleared. Realtime-safe: yes.
 [[nodiscard]] constexpr bool is_device_fault(Trouble trouble) {
   return trouble >= Trouble::kWatchdog;
 }
 
-// All zero for a simulator. Times in seconds, counters since open().
-struct LinkFigures {
+// All zero for a simulator. Times in seconds, counters since open(). Trivially copyable.
+struct LinkStats {
   Trouble trouble = Trouble::kNone;
   bool connected = false;
   bool calibrated = false;
-  bool enabled = false;              // as the device says: its amplifiers follow a command
-  std::uint64_t states = 0;          // valid ones, each counted once
-  std::uint64_t missing_states = 0;  // by their sequence: the device's ticks that never arrived
+  bool enabled = false;              // reported: the amplifiers follow a command
+  std::uint64_t states = 0;          // valid ones, without repetitions
+  std::uint64_t missing_states = 0;  // gaps in the sequence of the device's ticks
   std::uint64_t void_reports = 0;    // wrong length, id, CRC, major version or value
   std::uint64_t repeated_states = 0;
   std::uint64_t rejected_commands = 0;  // by the device
@@ -48,12 +49,11 @@ struct LinkFigures {
   double maximum_age_s = 0.0;           // while the link was up
   double write_time_s = 0.0;            // of the newest command into the operating system
   double maximum_write_time_s = 0.0;
-  // From the latch of a position to the arrival of the command that it led to, by the device's own
-  // clock (acknowledged time minus latch time); 0: nothing is known yet.
+  // From the latch of a position to the arrival of its command, by the device's clock; 0: unknown.
   double round_trip_s = 0.0;
   double maximum_round_trip_s = 0.0;
-  // The delay t_d of the loop through this device: from the latch to the tick at which the force
-  // acted, a mean that follows the last hundred or so. 0: nothing is known yet.
+  // Loop delay t_d: from the latch to the tick at which the force acted, averaged over about the
+  // last hundred ticks. 0: unknown.
   double delay_s = 0.0;
   double maximum_delay_s = 0.0;
 };

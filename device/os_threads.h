@@ -1,4 +1,4 @@
-// What the link's threads need of the operating system.
+// Threads, their wake-ups and the clock, from the operating system.
 #pragma once
 
 #include <semaphore.h>
@@ -9,7 +9,7 @@
 
 namespace hapticwall::device {
 
-// Wakes a thread that waits. Any number of posts may be one wake-up.
+// Wakes a waiting thread. Several posts may give one wake-up.
 class WakeSignal {
  public:
   WakeSignal();
@@ -19,18 +19,18 @@ class WakeSignal {
 
   // Never waits. Realtime-safe: yes.
   void post();
-  // Returns when there was a post since the last return, or after `longest`.
+  // Returns after a post since the last return, or after `longest`.
   void wait(std::chrono::milliseconds longest);
 
  private:
   sem_t semaphore_{};
 };
 
-// A thread that no signal interrupts: they are for the program's own. Throws std::system_error
-// where there are no more threads. Realtime-safe: no.
+// A thread with all signals blocked. Throws std::system_error if the system has no more threads.
+// Realtime-safe: no.
 [[nodiscard]] std::thread start_thread(std::function<void()> body);
 
-// Nanoseconds of a clock that never goes back. Realtime-safe: yes.
+// Nanoseconds of a monotonic clock. Realtime-safe: yes.
 [[nodiscard]] std::int64_t monotonic_ns();
 
 }  // namespace hapticwall::device

@@ -39,14 +39,14 @@ class BruteForcePath {
 
 inline BruteForcePlant brute_force_plant(const Scene& scene) {
   BruteForcePlant plant;
-  const DeviceSettings& device = scene.device;
+  const DeviceSettings& device = scene.x().device;
   plant.mass = device.mass_kg;
   plant.damping = device.damping_n_s_per_m;
   plant.friction = device.friction_n.value_or(0.0);
   plant.time_constant = device.amplifier_time_constant_s.value_or(0.0);
   plant.x = plant.y = device.start_m;
-  if (!scene.hand) return plant;
-  const HandSettings& hand = *scene.hand;
+  if (!scene.x().hand) return plant;
+  const HandSettings& hand = *scene.x().hand;
   plant.hand_stiffness = hand.stiffness_n_per_m;
   plant.hand_damping = hand.damping_n_s_per_m;
   if (hand.grip_stiffness_n_per_m) {
@@ -64,9 +64,9 @@ inline BruteForcePlant brute_force_plant(const Scene& scene) {
 
 inline BruteForceOutput brute_force_output(const Scene& scene) {
   BruteForceOutput output;
-  output.resolution = scene.device.force_resolution_n.value_or(0.0);
-  output.limit = scene.device.force_limit_n.value_or(0.0);
-  output.delay = static_cast<std::size_t>(scene.device.delay_ticks.value_or(0));
+  output.resolution = scene.x().device.force_resolution_n.value_or(0.0);
+  output.limit = scene.x().device.force_limit_n.value_or(0.0);
+  output.delay = static_cast<std::size_t>(scene.x().device.delay_ticks.value_or(0));
   return output;
 }
 

@@ -1,30 +1,64 @@
 # Fails when an #include line goes against the arrows of the house:
-#   core <- device <- app/runtime <- app/ui, app/command; app/file stands on core alone.
+#   core <- device <- app/runtime <- app/ui, app/command; app/file stands on core alone;
+#   core <- app/compare; core, app/file <- app/draw; app/compare, app/draw <- app/ui; app/draw <- app/command;
+#   core, app/file <- app/command/report <- app/command.
+# Within a layer the rooms have arrows, too:
+#   device <- device/hid <- device/emulator; app/runtime: loop <- session;
+#   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay;
+#   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen, Highway and itself;
 # core/batch alone spreads scenes over the cores, with oneTBB.
-# Only app/ui knows that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
+# Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(layers core device app/file app/runtime app/ui app/command app tests)
+set(layers core device app/file app/runtime app/compare app/draw app/ui app/command/report app/command app/emulator app
+    tests)
 set(may_include_core core)
 set(may_include_device core device)
 set(may_include_app/file core app/file)
 set(may_include_app/runtime core device app/file app/runtime)
-set(may_include_app/ui core device app/file app/runtime app/ui)
-set(may_include_app/command core device app/file app/runtime app/ui app/command)
+set(may_include_app/compare core app/compare)
+set(may_include_app/draw core app/file app/draw)
+set(may_include_app/ui core device app/file app/runtime app/compare app/draw app/ui)
+set(may_include_app/command/report core app/file app/command/report)
+set(may_include_app/command core device app/file app/runtime app/draw app/command/report app/command)
+set(may_include_app/emulator core device app/file app/runtime app/command/report app/command app/emulator)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
 
+set(rooms app/draw/plot app/draw/figure app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/window)
+set(may_include_app/draw/plot app/draw/plot)
+set(may_include_app/draw/figure app/draw/plot app/draw/figure)
+set(may_include_app/ui/wall app/ui/wall)
+set(may_include_app/ui/state app/ui/wall app/ui/state)
+set(may_include_app/ui/widget app/ui/state app/ui/widget)
+set(may_include_app/ui/panel app/ui/wall app/ui/state app/ui/widget app/ui/panel)
+set(may_include_app/ui/window app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/window)
+
+# A folder after its rooms stands for the files beside them.
+list(APPEND rooms device/hid device/emulator device app/runtime/loop app/runtime/session)
+set(may_include_device/hid device/hid)
+set(may_include_device/emulator device/hid device/emulator)
+set(may_include_app/runtime/loop app/runtime/loop)
+set(may_include_app/runtime/session app/runtime/loop app/runtime/session)
+foreach(room run compare map accuracy replay device)
+  list(APPEND rooms app/command/${room})
+  set(may_include_app/command/${room} app/command/${room})
+endforeach()
+list(APPEND rooms app/command)
+list(APPEND may_include_app/command/compare app/command/run)
+list(APPEND may_include_app/command/replay app/command/run)
+
 set(graphics "^(imgui|implot|backends/imgui_|GLFW/|epoxy/|GL/|GLES|EGL/|KHR/|glm/)")
-set(may_draw app/ui)
+set(may_draw app/draw app/ui)
 set(impure "^(chrono|condition_variable|ctime|filesystem|fstream|future|iostream|mutex|semaphore|shared_mutex|stop_token|syncstream|thread)$")
 
-# The first layer whose folder holds `path`; empty when there is none.
-function(layer_of path out)
-  foreach(layer ${layers})
-    string(FIND "${path}" "${layer}/" position)
+# The first of these folders that holds `path`; empty when there is none.
+function(folder_of path out)
+  foreach(folder ${ARGN})
+    string(FIND "${path}" "${folder}/" position)
     if(position EQUAL 0)
-      set(${out} ${layer} PARENT_SCOPE)
+      set(${out} ${folder} PARENT_SCOPE)
       return()
     endif()
   endforeach()
@@ -34,13 +68,18 @@ endfunction()
 # Why `file` of `layer` may not include `header`, or nothing.
 function(objection file layer header out)
   set(${out} "" PARENT_SCOPE)
-  layer_of("${header}" target)
+  folder_of("${header}" target ${layers})
+  folder_of("${file}" room ${rooms})
+  folder_of("${header}" target_room ${rooms})
+  string(FIND "${target_room}" "${layer}/" same_layer)
   if(header MATCHES "^\\.\\.?/")
     set(${out} "is not named from the root of the repository" PARENT_SCOPE)
-  elseif(header MATCHES "${graphics}" AND NOT layer IN_LIST may_draw AND NOT file MATCHES "^tests/(ui|window|window_benchmark)/")
-    set(${out} "draws, and only app/ui may" PARENT_SCOPE)
+  elseif(header MATCHES "${graphics}" AND NOT layer IN_LIST may_draw AND NOT file MATCHES "^tests/(app/draw|app/ui|window|window_benchmark)/")
+    set(${out} "draws, and only app/draw and app/ui may" PARENT_SCOPE)
   elseif(target AND NOT target IN_LIST may_include_${layer})
     set(${out} "is of ${target}, which ${layer} must not know" PARENT_SCOPE)
+  elseif(room AND same_layer EQUAL 0 AND NOT target_room IN_LIST may_include_${room})
+    set(${out} "is of ${target_room}, which ${room} must not know" PARENT_SCOPE)
   elseif(layer STREQUAL "core" AND NOT target)
     if(header STREQUAL "thread" AND file STREQUAL "core/batch/workers.cpp")
       return()  # what ThreadSanitizer gets instead of oneTBB
@@ -58,7 +97,7 @@ set(checked 0)
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/core/* ${ROOT}/device/* ${ROOT}/app/* ${ROOT}/tests/*)
 list(FILTER files INCLUDE REGEX "\\.(h|cpp)$")
 foreach(file ${files})
-  layer_of("${file}" layer)
+  folder_of("${file}" layer ${layers})
   file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]")
   foreach(line IN LISTS lines)
     string(REGEX REPLACE "^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"]*)[>\"].*" "\\1" header "${line}")

@@ -12,6 +12,7 @@
 #include <map>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/plant/plant_model.h"
@@ -44,8 +45,8 @@ class TurnoverWithinTicks {
   static constexpr int kHalvings = 40;
 
   explicit TurnoverWithinTicks(const Scene& scene)
-      : scene_(scene), output_(scene.device), path_(path_of(scene)) {
-    visit_plant([&](auto& plant) { state_ = plant.hand_over(0); }, start_plant());
+      : scene_(scene), output_(scene.x().device), path_(path_of(scene)) {
+    std::visit([&](auto& plant) { state_ = plant.hand_over(0); }, start_plant());
   }
 
   void tick(double command_n) {
@@ -59,8 +60,8 @@ class TurnoverWithinTicks {
 
  private:
   static HandPath path_of(const Scene& scene) {
-    return scene.hand ? HandPath(scene.hand->path, scene.sampling.rate_hz)
-                      : HandPath(scene.device.start_m, scene.sampling.rate_hz);
+    return scene.x().hand ? HandPath(scene.x().hand->path, scene.sampling.rate_hz)
+                          : HandPath(scene.x().device.start_m, scene.sampling.rate_hz);
   }
   ReferencePlantVariant& start_plant() { return plants(scene_.sampling.period_s()).front(); }
 
@@ -81,8 +82,8 @@ class TurnoverWithinTicks {
     for (int halvings = kHalvings + 1; halvings >= 1; --halvings) {
       const int step = std::min(halvings, kHalvings);
       const double step_s = std::ldexp(duration_s, -step);
-      visit_plant([&](auto& plant) { pass(plant, force_n, done_s, step_s); },
-                  made[static_cast<std::size_t>(step) - 1]);
+      std::visit([&](auto& plant) { pass(plant, force_n, done_s, step_s); },
+                 made[static_cast<std::size_t>(step) - 1]);
       done_s += step_s;
     }
   }
@@ -108,8 +109,8 @@ class TurnoverWithinTicks {
     add_spring(begin_m + speed * step_s);
   }
   void add_spring(double path_m) {
-    if (!scene_.hand) return;
-    const HandSettings& hand = *scene_.hand;
+    if (!scene_.x().hand) return;
+    const HandSettings& hand = *scene_.x().hand;
     const double end_m = hand.has_grip() ? static_cast<double>(state_.hand_position_m) : path_m;
     const double stretch_m = end_m - static_cast<double>(state_.position_m);
     const double stored_j = 0.5 * hand.grip_stiffness_n_per_m.value_or(hand.stiffness_n_per_m) *

@@ -10,12 +10,18 @@
 #include <utility>
 #include <vector>
 
-#include "core/servo.h"
+#include "core/loop/servo.h"
 
 namespace hapticwall::testing {
 
 inline void set_parameter(AlgorithmSettings& settings, std::string_view key, double value) {
   settings.values.at(find_algorithm_parameter(key).value()) = value;
+}
+
+// b/T: validate() takes no more for storage_stiffness_n_per_m.
+inline double max_storage_stiffness(const ServoSettings& settings) {
+  const StabiliserContext context = stabiliser_context(settings);
+  return believed_damping(context) / context.period_s;
 }
 
 class PositionBench {

@@ -22,15 +22,15 @@ using Quad = long double;
 class QuadPlant {
  public:
   explicit QuadPlant(const Scene& scene) {
-    const DeviceSettings& device = scene.device;
+    const DeviceSettings& device = scene.x().device;
     mass_ = device.mass_kg;
     damping_ = device.damping_n_s_per_m;
     x = y = device.start_m;
     if (device.amplifier_time_constant_s.value_or(0.0) > 0.0) {
       lag_rate_ = 1 / static_cast<Quad>(*device.amplifier_time_constant_s);
     }
-    if (!scene.hand) return;
-    const HandSettings& hand = *scene.hand;
+    if (!scene.x().hand) return;
+    const HandSettings& hand = *scene.x().hand;
     hand_stiffness_ = hand.stiffness_n_per_m;
     hand_damping_ = hand.damping_n_s_per_m;
     grip_ = hand.has_grip();

@@ -15,7 +15,7 @@ struct ReferenceWall {
   double at, stiffness, damping;
 };
 
-// What a scene names. `walls` in the order in which they are met.
+// A scene's values. `walls` are sorted by position.
 struct ReferenceScene {
   double rate = 1000.0;  // 1/T
   double b = 1.0;
@@ -90,7 +90,7 @@ inline double reference_virtual_coupling(const ReferenceScene& s, ReferenceState
   return m.force;
 }
 
-// What comes in as F_e is the argument `wanted`; energy and credit are kept in `m`.
+// `wanted` takes the place of F_e; `m` holds energy and credit.
 inline double reference_passivity(const ReferenceScene& s, ReferenceState& m, double wanted,
                                   double dx, bool contact) {
   const double v = dx * s.rate;

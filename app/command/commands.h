@@ -1,16 +1,19 @@
-// The commands of the program. Each adds itself to the command line; its action returns the exit
-// status.
+// The commands of the program. Each adds itself to the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "app/runtime/session/window_options.h"
+#include "core/result.h"
+
 namespace hapticwall::command {
 
-using Action = std::function<int()>;
+// Returns the exit status. The caller reports an error.
+using Action = std::function<Result<int>()>;
 
-// The window is what the program does without a command: its options are those of `program` itself.
-[[nodiscard]] Action add_window(CLI::App& program);
+// The window opens without a command: its options are those of `program` itself.
+[[nodiscard]] Action add_window(CLI::App& program, runtime::OpenWindow open);
 
 struct Command {
   CLI::App* app;
@@ -20,7 +23,7 @@ struct Command {
 [[nodiscard]] Command add_compare(CLI::App& program);
 [[nodiscard]] Command add_map(CLI::App& program);
 [[nodiscard]] Command add_accuracy(CLI::App& program);
-[[nodiscard]] Command add_replay(CLI::App& program);
+[[nodiscard]] Command add_replay(CLI::App& program, runtime::OpenWindow open);
 [[nodiscard]] Command add_recover(CLI::App& program);
 [[nodiscard]] Command add_timing(CLI::App& program);
 [[nodiscard]] Command add_devices(CLI::App& program);

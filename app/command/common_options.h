@@ -1,22 +1,22 @@
-// The options that `run` and `compare` share, and what follows from them before anything runs.
+// The options that several commands share, with their checks.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/command/expectation.h"
-#include "app/file/scene_file.h"
+#include "app/command/report/output_file.h"
+#include "app/file/scene/scene_file.h"
 #include "core/result.h"
 
 namespace hapticwall::command {
 
-// Of the window, where nothing is asked for.
+// Of the window.
 inline constexpr const char* kDefaultScene = "press";
 
-// What chooses a scene; the window takes these too.
+// The scene and its device, also of the window.
 struct SceneOptions {
   std::string scene;
   std::string algorithm;
@@ -27,51 +27,42 @@ struct SceneOptions {
   double spin_us = 0.0;
 };
 
-// What is done with the outcome.
-struct OutputOptions {
-  std::string csv;
-  std::string json;
-  std::string plot;
-  std::vector<std::string> expectations;
-  std::uint64_t seed = 0;  // nothing of the present model is random
-  bool quiet = false;
-};
-
-inline constexpr const char* kStandardOutput = "-";
-
 // --set.
 void add_scene_options(CLI::App& app, SceneOptions& options);
-// --device alone: accepted for scripts by commands that compute on the simulator.
+// --device, of commands that run on the simulator only.
 void add_simulator_option(CLI::App& app, SceneOptions& options);
 // --device, --allow-no-realtime and --spin.
 void add_device_options(CLI::App& app, SceneOptions& options);
-// --spin, and what it says in seconds.
+// --spin, and its value in seconds.
 void add_spin_option(CLI::App& app, double& spin_us);
 [[nodiscard]] Result<double> spin_seconds(double spin_us);
 void add_algorithm_option(CLI::App& app, SceneOptions& options);
 // The required SCENE of a command, and --duration.
 void add_headless_options(CLI::App& app, SceneOptions& options);
-// --json, --expect, --seed, --quiet.
+// --csv and --plot. The description of --csv says what a line is.
+void add_csv_option(CLI::App& app, OutputOptions& options, const std::string& description);
+void add_plot_option(CLI::App& app, OutputOptions& options, const std::string& description);
+// --json, --expect, --quiet.
 void add_output_options(CLI::App& app, OutputOptions& options);
 
 // The scene with --set, then --algorithm and --duration, applied.
 [[nodiscard]] Result<file::LoadedScene> load(const SceneOptions& options);
 
-// The same for runs of the simulator without a window, where no pointer can lead the hand.
+// The same without a window: refuses a hand that follows the mouse.
 [[nodiscard]] Result<file::LoadedScene> load_headless(const SceneOptions& options);
 
-// A scene in which parameters change at some tick is nothing for `command`.
-[[nodiscard]] Failure check_unchanging(const std::string& command, const SceneOptions& options,
-                                       const file::LoadedScene& loaded);
+// The same for a study on the simulator: refuses a device, and a scene whose parameters change.
+[[nodiscard]] Result<file::LoadedScene> load_for_study(const std::string& command,
+                                                       const SceneOptions& options);
 
-// Two outputs into one file, one in the place of a file of `read`, and --csv or --plot to standard
-// output, are usage errors.
+// Refuses two outputs to one file, an output to a file of `read`, and --csv or --plot to standard
+// output.
 [[nodiscard]] Failure check_outputs(const OutputOptions& options,
                                     std::initializer_list<std::string> read);
 
 // --algorithms A,B,...
 void add_algorithms_option(CLI::App& app, std::vector<std::string>& names);
-// Indices in algorithms(), in the order of the names; of no names: all.
+// Indices in algorithms(), in the order of the names; all if there are no names.
 [[nodiscard]] Result<std::vector<std::size_t>> chosen_algorithms(
     const std::vector<std::string>& names);
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <string_view>
 
-#include "app/file/device_file.h"
-#include "app/file/text.h"
-#include "app/runtime/realtime_setup.h"
+#include "app/file/scene/device_file.h"
+#include "app/file/text/text.h"
+#include "app/runtime/loop/realtime_setup.h"
 
 namespace hapticwall::command {
 namespace {
@@ -22,7 +22,7 @@ bool names_a_device_file(const std::string& path) {
                      [&](const file::BuiltinDevice& device) { return device.name == path; });
 }
 
-device::AxisFigures figures_of(const file::AxisDescription& axis) {
+device::AxisDescription description_of(const file::AxisDescription& axis) {
   return {axis.encoder_m, axis.force_limit_n};
 }
 
@@ -32,8 +32,8 @@ device::ImpulseEngineOptions described_by(const file::DeviceDescription& descrip
   options.product_id = description.product_id;
   options.serial = description.serial;
   options.name = description.name;
-  options.x = figures_of(description.x);
-  if (description.y) options.y = figures_of(*description.y);
+  options.x = description_of(description.x);
+  if (description.y) options.y = description_of(*description.y);
   return options;
 }
 
@@ -46,7 +46,7 @@ Result<DeviceChoice> parse_device_choice(const std::string& text) {
   if (!text.starts_with(prefix) || text.size() == prefix.size()) {
     return Error{ErrorKind::kDevice,
                  fmt::format("--device {}: it takes sim, ie2000 or ie2000:PATH; 'hapticwall "
-                             "devices' lists what is connected",
+                             "devices' lists the connected devices",
                              file::in_quotes(text))};
   }
   const std::string path = text.substr(prefix.size());
@@ -65,15 +65,15 @@ Failure check_simulator(const std::string& command, const std::string& device) {
   if (!choice) return choice.error();
   if (!choice->hardware) return {};
   return Error{ErrorKind::kDevice,
-               fmt::format("--device {}: '{}' computes on the simulator only, 'sim'; 'hapticwall "
-                           "run' and the window drive a device",
+               fmt::format("--device {}: '{}' runs on the simulator only; 'hapticwall run' and the "
+                           "window drive a device",
                            file::in_quotes(device), command)};
 }
 
 std::unique_ptr<device::Device> make_device(const device::ImpulseEngineOptions& hardware,
                                             const Scene& scene) {
   device::ImpulseEngineOptions options = hardware;
-  options.start_m.fill(scene.device.start_m);
+  options.start_m.fill(scene.x().device.start_m);
   options.prepare_thread = runtime::set_up_device_thread;
   return device::make_impulse_engine(options);
 }

@@ -1,4 +1,4 @@
-// What --device names: the simulator, or a device that speaks docs/hid-protocol.md.
+// --device: the simulator, or a device that speaks docs/hid-protocol.md.
 #pragma once
 
 #include <memory>
@@ -7,24 +7,24 @@
 
 #include "core/result.h"
 #include "core/scene.h"
-#include "device/impulse_engine.h"
+#include "device/hid/impulse_engine.h"
 
 namespace hapticwall::command {
 
 inline constexpr const char* kSimulator = "sim";
 
 struct DeviceChoice {
-  std::optional<device::ImpulseEngineOptions> hardware;  // nothing: the simulator
+  std::optional<device::ImpulseEngineOptions> hardware;  // nullopt: the simulator
 };
 
-// "sim", "ie2000", or "ie2000:PATH": PATH is one that 'hapticwall devices' lists, or a device file
-// (a name that is built in, or NAME.toml). Realtime-safe: no.
+// "sim", "ie2000", or "ie2000:PATH" with a path that 'hapticwall devices' lists, or a device file:
+// a built-in name or NAME.toml. Realtime-safe: no.
 [[nodiscard]] Result<DeviceChoice> parse_device_choice(const std::string& text);
 
-// Commands that only the simulator can do say so (exit status 3).
+// Refuses a device for commands that run on the simulator only (exit status 3).
 [[nodiscard]] Failure check_simulator(const std::string& command, const std::string& device);
 
-// The device, not open yet, for a session that begins as `scene` says.
+// The closed device, for a session that starts at the position of `scene`.
 [[nodiscard]] std::unique_ptr<device::Device> make_device(
     const device::ImpulseEngineOptions& hardware, const Scene& scene);
 

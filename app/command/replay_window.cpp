@@ -4,11 +4,9 @@
 #include <utility>
 
 #include "app/command/common_options.h"
-#include "app/command/terminal.h"
-#include "app/file/scene_file.h"
-#include "app/file/user_folders.h"
-#include "app/runtime/realtime_setup.h"
-#include "app/ui/window.h"
+#include "app/file/disk/user_folders.h"
+#include "app/file/scene/scene_file.h"
+#include "app/runtime/loop/realtime_setup.h"
 
 namespace hapticwall::command {
 namespace {
@@ -22,31 +20,32 @@ Result<Scene> scene_to_go_back_to(const file::RecordingInfo& recording) {
 
 }  // namespace
 
-int run_replay_window(std::unique_ptr<file::RecordingReader> recording, ReplayWindow window) {
+Failure run_replay_window(std::unique_ptr<file::RecordingReader> recording, ReplayWindow window,
+                          const runtime::OpenWindow& open) {
   const Result<Scene> scene = scene_to_go_back_to(recording->info());
-  if (!scene) return report(scene.error());
-  ui::WindowOptions options;
+  if (!scene) return scene.error();
+  runtime::WindowOptions options;
   options.scene = *scene;
   options.settings_path = file::settings_path(file::process_environment);
   options.opened_file = recording->info().csv_path;
   options.forced_scale = window.scale;
-  // Called once, when the window is there: only then the recording begins to play.
-  options.first = [&]() -> Result<std::unique_ptr<runtime::Session>> {
+  // Called once the window is open: the recording starts to play then.
+  options.replay = [&] {
     runtime::ReplayOptions replay;
     replay.speed = window.speed;
     auto session = std::make_unique<runtime::ReplaySession>(
         std::move(recording), std::make_unique<runtime::MonotonicClock>(), replay);
     session->lay_over(std::exchange(window.overlay, std::nullopt));
-    return std::unique_ptr<runtime::Session>(std::move(session));
+    return session;
   };
-  const Failure failed = ui::run_window(options);
-  return failed ? report(*failed) : 0;
+  return open(options);
 }
 
-int run_replay_window(const std::string& csv_path, ReplayWindow window) {
+Failure run_replay_window(const std::string& csv_path, ReplayWindow window,
+                          const runtime::OpenWindow& open) {
   auto recording = file::RecordingReader::open(csv_path);
-  if (!recording) return report(recording.error());
-  return run_replay_window(std::move(*recording), std::move(window));
+  if (!recording) return recording.error();
+  return run_replay_window(std::move(*recording), std::move(window), open);
 }
 
 }  // namespace hapticwall::command

@@ -1,27 +1,29 @@
-// The window on a recording.
+// The window with a recording.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "app/file/recording_reader.h"
-#include "app/runtime/replay_session.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/runtime/session/replay_session.h"
+#include "app/runtime/session/window_options.h"
 
 namespace hapticwall::command {
 
 struct ReplayWindow {
   double speed = 1.0;
   std::optional<runtime::Overlay> overlay;
-  std::optional<float> scale;  // as of WindowOptions
+  std::optional<float> scale;  // as in WindowOptions
 };
 
-// Returns the exit status, when the window is closed. From there the way back leads to the
-// recording's scene, or to the usual one where it has none.
-[[nodiscard]] int run_replay_window(std::unique_ptr<file::RecordingReader> recording,
-                                    ReplayWindow window);
+// Returns when the window is closed. Leaving the replay opens the recording's scene, or the default
+// one if it has none.
+[[nodiscard]] Failure run_replay_window(std::unique_ptr<file::RecordingReader> recording,
+                                        ReplayWindow window, const runtime::OpenWindow& open);
 
-// The same for a path that was given in the place of a scene.
-[[nodiscard]] int run_replay_window(const std::string& csv_path, ReplayWindow window);
+// The same for a path.
+[[nodiscard]] Failure run_replay_window(const std::string& csv_path, ReplayWindow window,
+                                        const runtime::OpenWindow& open);
 
 }  // namespace hapticwall::command

@@ -1,34 +1,46 @@
 #include "app/command/signals.h"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <csignal>
+#include <exception>
+#include <new>
 
-#include "app/runtime/crash_stop.h"
+#include "app/command/report/terminal.h"
+#include "app/runtime/loop/crash_stop.h"
 
 namespace hapticwall::command {
 namespace {
 
-// Signal handlers know nothing but globals; this one is set once.
+// A global, because signal handlers take no data.
 std::atomic<int> g_stop_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
-// The second one ends the program, force first: whoever sends it has seen that nothing happened.
 extern "C" void hapticwall_on_stop_signal(int signal) {
   if (g_stop_signal.exchange(signal) == signal) runtime::end_by(signal);
 }
 
 }  // namespace
 
-void ignore_write_signals() {
+int run_guarded(const std::function<Result<int>()>& program) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    const Result<int> status = program();
+    return status ? *status : report(status.error());
+  } catch (const std::bad_alloc&) {
+    return report({ErrorKind::kUsage, "out of memory: choose a smaller scene or study"});
+  } catch (const std::exception& error) {
+    return report({ErrorKind::kUsage, fmt::format("internal error: {}", error.what())});
+  }
 }
 
 void catch_stop_signals() {
   for (const int signal : {SIGINT, SIGTERM}) {
     struct sigaction before {};
     sigaction(signal, nullptr, &before);
-    if (before.sa_handler == SIG_IGN) continue;  // a background job's Ctrl-C is not meant for it
+    if (before.sa_handler == SIG_IGN) continue;  // a background job ignores Ctrl-C
     struct sigaction stop {};
     stop.sa_handler = hapticwall_on_stop_signal;
     sigaction(signal, &stop, nullptr);
@@ -37,6 +49,10 @@ void catch_stop_signals() {
 
 int stop_signal() { return g_stop_signal.load(); }
 
-std::string_view signal_name(int signal) { return signal == SIGINT ? "Ctrl-C" : "SIGTERM"; }
+int ended_early(std::string_view rest) {
+  constexpr int kOfShells = 128;
+  tell(fmt::format("ended early by {}{}", stop_signal() == SIGINT ? "Ctrl-C" : "SIGTERM", rest));
+  return kOfShells + stop_signal();
+}
 
 }  // namespace hapticwall::command

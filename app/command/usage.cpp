@@ -2,31 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "app/file/text.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::command {
 namespace {
-
-std::optional<double> finite_number(const std::string& text) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, code] = std::from_chars(text.data(), end, value);
-  if (code != std::errc{} || rest != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 std::string not_a_number(const std::string& text) {
   return file::in_quotes(text) + " is not a finite number";
 }
 
-// The command that was named, or the program itself.
+// The named command, or the program itself.
 const CLI::App& parsed_app(const CLI::App& program) {
   const auto commands = program.get_subcommands();
   return commands.empty() ? program : *commands.front();
@@ -47,13 +36,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 std::string unexpected(const CLI::App& program, const CLI::App& app, const std::string& word) {
   if (!word.starts_with('-') || word == "-") {
-    return fmt::format("{} is one word too many; {} shows what belongs there",
-                       file::in_quotes(word), help_of(program, app));
+    return fmt::format("{}: unexpected argument; {} shows the usage", file::in_quotes(word),
+                       help_of(program, app));
   }
   const std::string option = word.substr(0, word.find('='));
   const std::vector<std::string> names = option_names(app);
   const std::vector<std::string_view> views(names.begin(), names.end());
-  return fmt::format("{}: there is no such option{}; {} lists them", file::shown(option),
+  return fmt::format("{}: unknown option{}; {} lists the options", file::shown(option),
                      file::suggestion(option, views), help_of(program, app));
 }
 
@@ -64,13 +53,13 @@ std::string mismatch(const std::string& text) {
   const std::string name = text.substr(0, text.find(':'));
   const std::size_t type = text.find(kRequired);
   if (type == std::string::npos) return text;
-  if (!text.ends_with(kMissing)) return name + ": it is given more than once";
+  if (!text.ends_with(kMissing)) return name + ": it is given more than once; give it once";
   const std::size_t begin = type + kRequired.size();
   return fmt::format("{}: {} is missing", name,
                      text.substr(begin, text.size() - kMissing.size() - begin));
 }
 
-// "Could not convert: --quiet = maybe": everything else that is converted has been checked.
+// "Could not convert: --quiet = maybe". Other conversions are checked before.
 std::string flag_with_value(const std::string& text) {
   constexpr std::string_view kBegin = "Could not convert: ";
   const std::size_t end = text.find(" = ");
@@ -81,26 +70,17 @@ std::string flag_with_value(const std::string& text) {
 }  // namespace
 
 ValueCheck is_number() {
-  return [](const std::string& text) { return finite_number(text) ? "" : not_a_number(text); };
+  return
+      [](const std::string& text) { return file::parsed<double>(text) ? "" : not_a_number(text); };
 }
 
-ValueCheck is_number_within(double least, double most) {
-  return [least, most](const std::string& text) -> std::string {
-    const std::optional<double> value = finite_number(text);
+ValueCheck is_number_within(double min, double max) {
+  return [min, max](const std::string& text) -> std::string {
+    const std::optional<double> value = file::parsed<double>(text);
     if (!value) return not_a_number(text);
-    if (*value >= least && *value <= most) return "";
-    return fmt::format("{} is out of range; it takes {:g} to {:g}", file::in_quotes(text), least,
-                       most);
-  };
-}
-
-ValueCheck is_whole_number() {
-  return [](const std::string& text) -> std::string {
-    std::uint64_t value = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, code] = std::from_chars(text.data(), end, value);
-    if (code == std::errc{} && rest == end) return "";
-    return file::in_quotes(text) + " is not a whole number from 0 on";
+    if (*value >= min && *value <= max) return "";
+    return fmt::format("{} is out of range; it takes {:g} to {:g}", file::in_quotes(text), min,
+                       max);
   };
 }
 
@@ -122,7 +102,7 @@ Error usage_problem(const CLI::App& program, const CLI::ParseError& problem) {
   if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr && !left_over.empty()) {
     text = unexpected(program, app, left_over.front());
   } else if (dynamic_cast<const CLI::RequiredError*>(&problem) != nullptr) {
-    text = fmt::format("{} is missing; {} shows what belongs there",
+    text = fmt::format("{} is missing; {} shows the usage",
                        text.substr(0, text.find(" is required")), help_of(program, app));
   } else if (dynamic_cast<const CLI::ConversionError*>(&problem) != nullptr) {
     text = flag_with_value(text);

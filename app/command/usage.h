@@ -1,4 +1,4 @@
-// What is wrong with a command line, in one line: what, where, what would be right.
+// Checks and messages of the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,17 +9,16 @@
 
 namespace hapticwall::command {
 
-// For CLI11's check(): what is wrong with a value, or "".
+// For CLI11's check(): the problem of a value, or "".
 using ValueCheck = std::function<std::string(const std::string& text)>;
-[[nodiscard]] ValueCheck is_number();  // a finite one
-[[nodiscard]] ValueCheck is_number_within(double least, double most);
-[[nodiscard]] ValueCheck is_whole_number();  // from 0 on
+[[nodiscard]] ValueCheck is_number();  // finite
+[[nodiscard]] ValueCheck is_number_within(double min, double max);
 
-// An empty value is never right: some variable of a script was not set. To be called when all
-// options are there.
+// Refuses empty values, which come from unset variables of scripts. Call it after adding all
+// options.
 void refuse_empty_values(CLI::App& app);
 
-// `problem`: what program.parse() has thrown.
+// `problem`: thrown by program.parse().
 [[nodiscard]] Error usage_problem(const CLI::App& program, const CLI::ParseError& problem);
 
 }  // namespace hapticwall::command

@@ -1,6 +1,4 @@
 // hapticwall [SCENE]: the window.
-#include "app/ui/window.h"
-
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -15,37 +13,36 @@
 #include "app/command/common_options.h"
 #include "app/command/device_choice.h"
 #include "app/command/replay_window.h"
-#include "app/command/terminal.h"
+#include "app/command/report/terminal.h"
 #include "app/command/usage.h"
-#include "app/file/text.h"
-#include "app/file/user_folders.h"
-#include "app/ui/recent_files.h"
-#include "app/ui/scale_range.h"
+#include "app/file/disk/user_folders.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/text/text.h"
+#include "core/result.h"
 
 namespace hapticwall::command {
 namespace {
 
-// Every session of the window on the device that was chosen.
-std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)> session_starter(
+// Starts the window's sessions on the chosen device.
+std::function<Result<std::unique_ptr<runtime::LiveSession>>(const Scene&)> session_starter(
     const DeviceChoice& device, bool allow_no_realtime, double spin_s) {
   if (!device.hardware) return {};
   return [hardware = *device.hardware, allow_no_realtime, spin_s](const Scene& scene) {
     runtime::SessionOptions options;
     options.allow_no_realtime = allow_no_realtime;
     options.spin_s = spin_s;
-    return runtime::Session::start_on(make_device(hardware, scene), scene, options);
+    return runtime::LiveSession::start_on(make_device(hardware, scene), scene, options);
   };
 }
 
 constexpr float kFullScalePercent = 100.0F;
-constexpr const char* kSimulator = "sim";
 
 // Of the window alone.
 struct LookOptions {
   double scale = 0.0;  // 0: not given
 };
 
-// The scene is a file that the user may want to open again.
+// The path of a scene file, for the list of recent files.
 std::string opened_file(const std::string& scene) {
   std::error_code error;
   return std::filesystem::is_regular_file(scene, error) ? scene : std::string();
@@ -55,41 +52,42 @@ std::optional<float> forced_scale(const LookOptions& look) {
   return look.scale > 0.0 ? std::optional(static_cast<float>(look.scale)) : std::nullopt;
 }
 
-// A recording in the place of a scene: nothing of it can be chosen.
-int open_recording(const SceneOptions& options, const LookOptions& look) {
+// A recording instead of a scene. It takes no options of a scene.
+Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
+                           const runtime::OpenWindow& open) {
   if (!options.algorithm.empty() || !options.settings.empty() || options.device != kSimulator) {
-    return report({ErrorKind::kUsage,
-                   fmt::format("{}: a recording is shown as it is; `hapticwall replay` re-runs its "
-                               "hand with --algorithm and --set",
-                               file::shown(options.scene))});
+    return usage_error(fmt::format(
+        "{}: a recording takes no such option; 'hapticwall replay' re-runs its hand with "
+        "--algorithm and --set",
+        file::shown(options.scene)));
   }
   ReplayWindow window;
   window.scale = forced_scale(look);
-  return run_replay_window(options.scene, std::move(window));
+  return status_of(run_replay_window(options.scene, std::move(window), open));
 }
 
-int open_window(const SceneOptions& options, const LookOptions& look) {
-  if (ui::is_recording(options.scene)) return open_recording(options, look);
+Result<int> open_window(const SceneOptions& options, const LookOptions& look,
+                        const runtime::OpenWindow& open) {
+  if (file::is_recording(options.scene)) return open_recording(options, look, open);
   const Result<DeviceChoice> device = parse_device_choice(options.device);
-  if (!device) return report(device.error());
+  if (!device) return device.error();
   const Result<double> spin_s = spin_seconds(options.spin_us);
-  if (!spin_s) return report(spin_s.error());
+  if (!spin_s) return spin_s.error();
   Result<file::LoadedScene> loaded = load(options);
-  if (!loaded) return report(loaded.error());
-  ui::WindowOptions window;
+  if (!loaded) return loaded.error();
+  runtime::WindowOptions window;
   window.scene = loaded->scene;
   window.start_on_device = session_starter(*device, options.allow_no_realtime, *spin_s);
   window.spin_s = *spin_s;
   window.settings_path = file::settings_path(file::process_environment);
   window.opened_file = opened_file(options.scene);
   window.forced_scale = forced_scale(look);
-  const Failure failed = ui::run_window(window);
-  return failed ? report(*failed) : 0;
+  return status_of(open(window));
 }
 
 }  // namespace
 
-Action add_window(CLI::App& program) {
+Action add_window(CLI::App& program, runtime::OpenWindow open) {
   const auto options = std::make_shared<SceneOptions>();
   const auto look = std::make_shared<LookOptions>();
   program
@@ -99,16 +97,15 @@ Action add_window(CLI::App& program) {
   add_algorithm_option(program, *options);
   add_scene_options(program, *options);
   add_device_options(program, *options);
-  constexpr float kSmallest = ui::kSmallestScalePercent / kFullScalePercent;
-  constexpr float kLargest = ui::kLargestScalePercent / kFullScalePercent;
+  constexpr float kMin = runtime::kMinScalePercent / kFullScalePercent;
+  constexpr float kMax = runtime::kMaxScalePercent / kFullScalePercent;
   program
-      .add_option("--scale", look->scale,
-                  "How large the window's content is drawn: 1 as designed, 0.5 to 3")
-      ->check(is_number_within(kSmallest, kLargest))
+      .add_option("--scale", look->scale, "Scale of the window's content, 0.5 to 3; 1 as designed")
+      ->check(is_number_within(kMin, kMax))
       ->type_name("FACTOR");
-  return [options, look] {
+  return [options, look, open = std::move(open)] {
     if (options->scene.empty()) options->scene = kDefaultScene;
-    return open_window(*options, *look);
+    return open_window(*options, *look, open);
   };
 }
 

@@ -1,15 +1,15 @@
-#include "app/runtime/comparison_statistics.h"
+#include "app/compare/binomial.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace hapticwall::runtime {
+namespace hapticwall::compare {
 namespace {
 
-// Where `rises` of p goes from false to true, to the last digit: a double has fewer bits than this.
+// The p at which `rises` changes from false to true, to the last digit.
 template <typename Rises>
 double crossing(const Rises& rises) {
-  constexpr int kHalvings = 1100;  // down to the smallest number there is
+  constexpr int kHalvings = 1100;  // enough for the smallest double
   double low = 0.0;
   double high = 1.0;
   for (int i = 0; i < kHalvings; ++i) {
@@ -26,7 +26,7 @@ double binomial_at_least(std::uint32_t k, std::uint32_t n, double p) {
   if (k == 0) return 1.0;
   if (k > n || p <= 0.0) return 0.0;
   if (p >= 1.0) return 1.0;
-  // Term by term from the logarithm of the first: p^n alone may be too small for a double.
+  // Sums terms from the logarithm of the first one, because p^n may underflow.
   const double log_odds = std::log(p) - std::log1p(-p);
   double log_term = n * std::log1p(-p);
   double sum = 0.0;
@@ -57,4 +57,4 @@ double binomial_two_sided(std::uint32_t k, std::uint32_t n) {
   return std::min(1.0, 2.0 * binomial_at_least(std::max(k, n - k), n, kHalf));
 }
 
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall::compare

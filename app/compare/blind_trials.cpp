@@ -1,14 +1,14 @@
-#include "app/runtime/comparison_trials.h"
+#include "app/compare/blind_trials.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "app/file/text.h"
-#include "core/usage_error.h"
+#include "core/result.h"
+#include "core/scene_keys.h"
 
-namespace hapticwall::runtime {
+namespace hapticwall::compare {
 namespace {
 
 // SplitMix64 [lit, Steele, Lea & Flood 2014]: the same numbers on every machine.
@@ -24,7 +24,7 @@ class Random {
     z = (z ^ (z >> 27U)) * kSecondFactor;
     return z ^ (z >> 31U);
   }
-  // 0 to `count` - 1, each as likely as any other.
+  // Uniform in 0 to `count` - 1.
   std::uint64_t below(std::uint64_t count) {
     if (count < 2) return 0;
     const std::uint64_t rest = (~std::uint64_t{0} % count + 1) % count;  // 2^64 mod count
@@ -38,8 +38,8 @@ class Random {
   std::uint64_t state_;
 };
 
-// As many that begin with A as with B (with an odd number chance decides about the last one),
-// shuffled.
+// Shuffled, with equally many trials that begin with A and B; for an odd number the last one is
+// random.
 std::vector<Slot> balanced_order(std::size_t trials, std::uint64_t seed) {
   Random random(seed);
   std::vector<Slot> order(trials);
@@ -51,7 +51,7 @@ std::vector<Slot> balanced_order(std::size_t trials, std::uint64_t seed) {
   return order;
 }
 
-// As RFC 4180 has it, where it needs to be.
+// Quoted as in RFC 4180 where needed.
 std::string csv_field(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string field = "\"";
@@ -62,17 +62,11 @@ std::string csv_field(std::string_view text) {
   return field + '"';
 }
 
-std::string number(double value) {
-  std::string text;
-  file::append_number(text, value);
-  return text;
-}
-
 }  // namespace
 
 Result<BlindTrials> BlindTrials::create(const TrialPlan& plan) {
-  if (plan.trials < 1 || plan.trials > kMostTrials) {
-    return usage_error(fmt::format("{} trials: it takes 1 to {}", plan.trials, kMostTrials));
+  if (plan.trials < 1 || plan.trials > kMaxTrials) {
+    return usage_error(fmt::format("{} trials: it takes 1 to {}", plan.trials, kMaxTrials));
   }
   if (!(plan.confidence > 0.0 && plan.confidence < 1.0)) {
     return usage_error(
@@ -124,10 +118,11 @@ std::string BlindTrials::trials_csv(std::string_view a, std::string_view b) cons
       "trial,question,seed,a,b,first,second,chosen,chosen_presentation,looks,seconds\n";
   for (std::size_t i = 0; i < done_.size(); ++i) {
     const Trial& trial = done_[i];
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", i + 1, csv_field(plan_.question),
-                        plan_.seed, csv_field(a), csv_field(b), slot_name(trial.first),
-                        slot_name(other(trial.first)), slot_name(trial.chosen),
-                        trial.chosen == trial.first ? 1 : 2, trial.looks, number(trial.seconds));
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", i + 1, csv_field(plan_.question),
+                    plan_.seed, csv_field(a), csv_field(b), slot_name(trial.first),
+                    slot_name(other(trial.first)), slot_name(trial.chosen),
+                    trial.chosen == trial.first ? 1 : 2, trial.looks, number_text(trial.seconds));
   }
   return text;
 }
@@ -137,9 +132,9 @@ std::string BlindTrials::result_csv(std::string_view a, std::string_view b) cons
       "question,seed,a,b,planned_trials,trials,chose_a,chose_first,share_a,confidence,share_a_low,"
       "share_a_high,p_value\n{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
       csv_field(plan_.question), plan_.seed, csv_field(a), csv_field(b), plan_.trials,
-      result_.trials, result_.chose_a, result_.chose_first, number(result_.a.share),
-      number(plan_.confidence), number(result_.a.low), number(result_.a.high),
-      number(result_.p_value));
+      result_.trials, result_.chose_a, result_.chose_first, number_text(result_.a.share),
+      number_text(plan_.confidence), number_text(result_.a.low), number_text(result_.a.high),
+      number_text(result_.p_value));
 }
 
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall::compare

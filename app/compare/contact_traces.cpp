@@ -1,12 +1,12 @@
-#include "app/runtime/comparison.h"
+#include "app/compare/contact_traces.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/energy_story.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/study/energy_story.h"
 
-namespace hapticwall::runtime {
+namespace hapticwall::compare {
 std::string describe(const AlgorithmSettings& settings) {
   std::string keys;
   const std::span<const ParameterDescription> parameters = algorithm_parameters();
@@ -18,22 +18,22 @@ std::string describe(const AlgorithmSettings& settings) {
   return std::string(algorithms()[settings.index].name) + keys + (keys.empty() ? "" : ")");
 }
 
-Comparison::Comparison(const AlgorithmSettings& a, const AlgorithmSettings& b, double rate_hz)
+ContactTraces::ContactTraces(const AlgorithmSettings& a, const AlgorithmSettings& b, double rate_hz)
     : slots_{Contents{a, {}}, Contents{b, {}}},
       most_points_(
-          std::min(static_cast<std::size_t>(std::ceil(kTraceS * rate_hz)), kMostTracePoints)),
+          std::min(static_cast<std::size_t>(std::ceil(kTraceS * rate_hz)), kMaxTracePoints)),
       rest_ticks_(static_cast<std::uint64_t>(std::ceil(kRestS * rate_hz))) {
   for (Contents& slot : slots_) slot.trace.reserve(most_points_);
 }
 
-const AlgorithmSettings& Comparison::activate(Slot slot) {
+const AlgorithmSettings& ContactTraces::activate(Slot slot) {
   active_ = slot;
-  // Nothing will change in the loop where both are the same.
+  // The loop does not change when both are equal.
   if (settings(active_) == settings(sampled_) || !has_previous_) sampled_ = active_;
   return settings(active_);
 }
 
-void Comparison::add(const Sample& sample) {
+void ContactTraces::add(const Sample& sample) {
   note_changes(sample);
   const bool in_contact = (sample.flags & kFlagInContact) != 0;
   if (in_contact && resting_ticks_ >= rest_ticks_) begin_contact(sample);
@@ -44,7 +44,7 @@ void Comparison::add(const Sample& sample) {
   has_previous_ = true;
 }
 
-void Comparison::note_changes(const Sample& sample) {
+void ContactTraces::note_changes(const Sample& sample) {
   if (has_previous_ && sample.generation != previous_.generation) {
     sampled_ = active_;
     tracing_ = false;
@@ -53,17 +53,17 @@ void Comparison::note_changes(const Sample& sample) {
   onset_tick_.reset();
   resting_ticks_ = rest_ticks_;
   tracing_ = false;
-  previous_ = sample;  // nothing was before
+  previous_ = sample;  // no earlier sample
 }
 
-void Comparison::begin_contact(const Sample& sample) {
+void ContactTraces::begin_contact(const Sample& sample) {
   onset_tick_ = sample.tick;
   before_onset_ = previous_;
   slots_[index(sampled_)].trace.clear();
   tracing_ = true;
 }
 
-void Comparison::append(const Sample& sample) {
+void ContactTraces::append(const Sample& sample) {
   std::vector<TracePoint>& trace = slots_[index(sampled_)].trace;
   if (trace.size() >= most_points_) return;
   trace.push_back({static_cast<std::uint32_t>(sample.tick - *onset_tick_), sample.position_m,
@@ -74,10 +74,10 @@ void Comparison::append(const Sample& sample) {
                    sample.energy_budget_j - before_onset_.energy_budget_j});
 }
 
-std::optional<Ghost> Comparison::ghost() const {
+std::optional<Ghost> ContactTraces::ghost() const {
   const Slot shown = other(active_);
   if (!onset_tick_ || trace(shown).empty()) return std::nullopt;
   return Ghost{shown, *onset_tick_, trace(shown), ledger_of(before_onset_)};
 }
 
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall::compare

@@ -1,5 +1,4 @@
-// Two algorithms felt in turn: two slots, a toggle, and the last contact of each, so that the other
-// one's can be drawn over the present one.
+// Contact traces of two slots: the last contact of each, so that one can be drawn over the other.
 #pragma once
 
 #include <array>
@@ -10,17 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "app/runtime/comparison_trials.h"
-#include "core/energy_ledger.h"
+#include "app/compare/blind_trials.h"
+#include "core/loop/energy_ledger.h"
 #include "core/sample.h"
 #include "core/stabiliser/algorithm_settings.h"
 
-namespace hapticwall::runtime {
+namespace hapticwall::compare {
 
-// "energy-bounding (rest_force_step_n = 0.01)": with the keys that are set.
+// "energy-bounding (rest_force_step_n = 0.01)": the algorithm with the keys that are set.
 [[nodiscard]] std::string describe(const AlgorithmSettings& settings);
 
-// A tick of a contact. The energies are those since the contact began.
+// A tick of a contact. Energies count from the start of the contact.
 struct TracePoint {
   std::uint32_t ticks = 0;  // since the contact began
   double position_m = 0.0;
@@ -33,49 +32,48 @@ struct TracePoint {
   double energy_budget_j = 0.0;
 };
 
-// What is drawn as a ghost: points of the other slot, each at present_onset_tick + point.ticks.
+// The ghost: points of the other slot, each at present_onset_tick + point.ticks.
 struct Ghost {
   Slot slot = Slot::kA;
   std::uint64_t present_onset_tick = 0;
   std::span<const TracePoint> points;  // valid until the next add()
-  EnergyLedger before;                 // the present contact's, to which the points' are added
+  EnergyLedger before;  // ledger at the start of the present contact; add it to the points
 };
 
-// No member throws but for want of memory at construction; add() does not allocate.
-class Comparison {
+// Only the constructor may throw (no memory); add() does not allocate.
+class ContactTraces {
  public:
-  // A contact after less than this without contact and force is the same one: chatter.
+  // Shorter pauses without contact and force are chatter of the same contact.
   static constexpr double kRestS = 0.25;
-  // A contact is kept for this long from its beginning on.
+  // Length of the trace from the start of the contact.
   static constexpr double kTraceS = 8.0;
-  static constexpr std::size_t kMostTracePoints = 32768;
+  static constexpr std::size_t kMaxTracePoints = 32768;
 
-  Comparison(const AlgorithmSettings& a, const AlgorithmSettings& b, double rate_hz);
+  ContactTraces(const AlgorithmSettings& a, const AlgorithmSettings& b, double rate_hz);
 
   [[nodiscard]] Slot active() const { return active_; }
   [[nodiscard]] const AlgorithmSettings& settings(Slot slot) const {
     return slots_[index(slot)].settings;
   }
-  // Of either slot; what the session runs is the caller's business.
+  // Does not change the session.
   void set_settings(Slot slot, const AlgorithmSettings& settings) {
     slots_[index(slot)].settings = settings;
   }
 
-  // Makes `slot` the active one and returns what the session is to run now. The samples that
-  // follow belong to the slot before until the parameters that they were made with change
-  // (Sample::generation): the loop has not seen the change yet.
+  // Activates `slot` and returns the algorithm for the session. Samples belong to the previous slot
+  // until their generation changes, because the loop has not seen the change yet.
   const AlgorithmSettings& activate(Slot slot);
   const AlgorithmSettings& toggle() { return activate(other(active_)); }
 
-  // Every sample of the session, in order. A change of parameters ends the trace of a contact: what
-  // follows is neither slot's. So does a reset.
+  // Call it with every sample, in order. A change of parameters or a reset ends the trace of a
+  // contact.
   void add(const Sample& sample);
 
-  // The newest contact of a slot, from its beginning on.
+  // The newest contact of a slot, from its start.
   [[nodiscard]] std::span<const TracePoint> trace(Slot slot) const {
     return slots_[index(slot)].trace;
   }
-  // Nothing before the first contact, after a reset, and without a contact of the other slot.
+  // nullopt before the first contact, after a reset, and without a contact of the other slot.
   [[nodiscard]] std::optional<Ghost> ghost() const;
 
  private:
@@ -94,7 +92,7 @@ class Comparison {
   std::size_t most_points_;
   std::uint64_t rest_ticks_;
   Slot active_ = Slot::kA;
-  Slot sampled_ = Slot::kA;  // whose samples come in
+  Slot sampled_ = Slot::kA;  // slot of the incoming samples
   bool has_previous_ = false;
   Sample previous_;
   Sample before_onset_;
@@ -103,4 +101,4 @@ class Comparison {
   bool tracing_ = false;
 };
 
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall::compare

@@ -24,7 +24,7 @@ Failure DeviceLoop::run() {
   while (!is_over()) {
     if (Failure failed = keep_plugged()) return failed;
     bus_.wait_until_ns(deadline_ns());
-    // First what came before the tick, then the tick: a command acts at the next one.
+    // Requests before the tick come first: a command acts at the next tick.
     take_requests();
     pass_ticks();
   }
@@ -52,7 +52,7 @@ Failure DeviceLoop::keep_plugged() {
 void DeviceLoop::take_requests() {
   while (const auto request = bus_.next_request()) {
     come_in_step(*request);
-    // The device's time of the request: now, but never past a tick that has not happened yet.
+    // The device's time of the request is now, but not after the next tick.
     const auto now_us = static_cast<std::uint64_t>((bus_.now_ns() - start_ns_) / kMicrosecondNs);
     const std::uint64_t until_us = std::min(now_us, device_.next_tick_us() - 1);
     if (until_us > device_.now_us()) device_.step(until_us - device_.now_us());
@@ -63,7 +63,7 @@ void DeviceLoop::take_requests() {
 void DeviceLoop::take(const BusRequest& request) {
   switch (request.kind) {
     case RequestKind::kOutput:
-      if (device_.write_output(request.bytes)) ++figures_.commands;
+      if (device_.write_output(request.bytes)) ++stats_.commands;
       break;
     case RequestKind::kGetFeature: {
       const auto bytes = device_.get_feature(request.report_id);
@@ -74,7 +74,7 @@ void DeviceLoop::take(const BusRequest& request) {
     case RequestKind::kSet: {
       const bool taken =
           request.report_id == device::hid::kForceId && device_.write_output(request.bytes);
-      if (taken) ++figures_.commands;
+      if (taken) ++stats_.commands;
       bus_.answer_set(request.ticket, taken);
       break;
     }
@@ -90,17 +90,17 @@ void DeviceLoop::come_in_step(const BusRequest& request) {
   start_ns_ += since_tick_ns - tick_ns_ / 2;
 }
 
-// Where the machine held us up for more than a tick, the host fetched no report in that time.
+// During a delay of more than a tick, the host fetched no report.
 void DeviceLoop::pass_ticks() {
   std::int64_t behind_ns = bus_.now_ns() - deadline_ns();
   if (behind_ns < 0) return;
-  figures_.largest_latency_ns = std::max(figures_.largest_latency_ns, behind_ns);
+  stats_.largest_latency_ns = std::max(stats_.largest_latency_ns, behind_ns);
   for (; behind_ns >= 0; behind_ns -= tick_ns_) {
     const bool late = behind_ns >= tick_ns_;
-    if (late) ++figures_.late_ticks;
+    if (late) ++stats_.late_ticks;
     device_.hold_reports(late);
     device_.step(device_.next_tick_us() - device_.now_us());
-    ++figures_.ticks;
+    ++stats_.ticks;
     while (const auto report = device_.take_input()) bus_.send(report->view());
     if (on_tick) on_tick();
     if (settings_.duration_us != 0 && device_.now_us() >= settings_.duration_us) return;

@@ -11,18 +11,17 @@
 namespace hapticwall::emulator {
 
 struct LoopSettings {
-  std::uint64_t duration_us = 0;  // 0: until it is stopped
-  // Moves the tick once, by at most half of it, when the first command with enable comes: to where
-  // that command lies in the middle between two ticks. Host and device then keep in step, and a
-  // session can be repeated tick by tick.
+  std::uint64_t duration_us = 0;  // 0: until stopped
+  // Shifts the tick once, by at most half a tick, so that the first enabling command lies in the
+  // middle between two ticks. Host and device then stay in step, and a session is repeatable.
   bool in_step = false;
 };
 
-struct LoopFigures {
+struct LoopStats {
   std::uint64_t ticks = 0;
-  std::uint64_t late_ticks = 0;         // more than a tick behind: their reports were not sent
+  std::uint64_t late_ticks = 0;         // more than a tick late: their reports were not sent
   std::uint64_t commands = 0;           // taken from the bus
-  std::int64_t largest_latency_ns = 0;  // of a tick after its deadline
+  std::int64_t largest_latency_ns = 0;  // of a tick, after its deadline
 };
 
 class DeviceLoop {
@@ -33,14 +32,14 @@ class DeviceLoop {
 
   // Called after every tick.
   std::function<void()> on_tick;
-  // Asked at least once a tick.
+  // Called at least once a tick.
   std::function<bool()> should_stop;
 
-  // Plugs the device in and follows the clock, tick k at k ticks after now; unplugged when it
-  // returns. Fails where the bus does not take the device.
+  // Plugs the device in and follows the clock, with tick k at k ticks after now; unplugs it at the
+  // end. Fails if the bus refuses the device.
   [[nodiscard]] Failure run();
 
-  [[nodiscard]] const LoopFigures& figures() const { return figures_; }
+  [[nodiscard]] const LoopStats& stats() const { return stats_; }
 
  private:
   [[nodiscard]] bool is_over() const;
@@ -54,7 +53,7 @@ class DeviceLoop {
   device::hid::FirmwareEmulator& device_;
   device::hid::VirtualBus& bus_;
   LoopSettings settings_;
-  LoopFigures figures_;
+  LoopStats stats_;
   std::int64_t start_ns_ = 0;
   std::int64_t tick_ns_ = 0;
   bool plugged_ = false;

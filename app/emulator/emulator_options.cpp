@@ -2,31 +2,83 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
 
-#include "app/emulator/fault_text.h"
-#include "app/file/scene_file.h"
-#include "app/file/text.h"
+#include "app/file/scene/scene_file.h"
+#include "app/file/text/text.h"
+#include "core/result.h"
 #include "core/units.h"
-#include "core/usage_error.h"
 
 namespace hapticwall::emulator {
 namespace {
 
-constexpr double kLongestRunS = 86400.0;
-constexpr int kHexadecimal = 16;
-constexpr std::uint16_t kLongestTickUs = std::numeric_limits<std::uint16_t>::max();
+using device::hid::Fault;
+using device::hid::FaultKind;
 
-// Tick of a scene, whole microseconds; 0 where it is none.
+constexpr double kMaxTimeS = 86400.0;
+constexpr std::uint32_t kMaxTicksApart = 1'000'000;
+
+struct NamedKind {
+  std::string_view name;
+  FaultKind kind;
+};
+
+constexpr auto kKinds = std::to_array<NamedKind>({
+    {"empty", FaultKind::kEmpty},
+    {"short", FaultKind::kShort},
+    {"over-long", FaultKind::kOverLong},
+    {"wrong-id", FaultKind::kWrongId},
+    {"wrong-major", FaultKind::kWrongMajor},
+    {"bad-crc", FaultKind::kBadCrc},
+    {"all-zero", FaultKind::kAllZero},
+    {"skipped", FaultKind::kSkipped},
+    {"repeated", FaultKind::kRepeated},
+    {"silent", FaultKind::kSilent},
+    {"not-polled", FaultKind::kNotPolled},
+    {"no-output", FaultKind::kNoOutput},
+    {"unplugged", FaultKind::kUnplugged},
+    {"frozen", FaultKind::kFrozen},
+    {"restart", FaultKind::kRestart},
+    {"emergency-stop", FaultKind::kEmergencyStop},
+    {"over-temperature", FaultKind::kOverTemperature},
+    {"over-current", FaultKind::kOverCurrent},
+    {"encoder-fault", FaultKind::kEncoderFault},
+});
+static_assert(kKinds.size() == static_cast<std::size_t>(FaultKind::kEncoderFault) + 1);
+
+std::vector<std::string_view> names() {
+  std::vector<std::string_view> names;
+  names.reserve(kKinds.size());
+  for (const NamedKind& known : kKinds) names.push_back(known.name);
+  return names;
+}
+
+std::optional<std::uint64_t> microseconds_of(std::string_view text) {
+  const std::optional<double> seconds = file::parsed<double>(text);
+  if (!seconds || !(*seconds >= 0.0 && *seconds <= kMaxTimeS)) return std::nullopt;
+  return static_cast<std::uint64_t>(std::llround(*seconds * kMicrosecondsPerSecond));
+}
+
+Error refusal(std::string_view text, std::string_view why) {
+  return usage_error(fmt::format("--fault {}: {}", file::in_quotes(text), why));
+}
+
+constexpr double kMaxRunS = 86400.0;
+constexpr int kHexadecimal = 16;
+constexpr std::uint16_t kMaxTickUs = std::numeric_limits<std::uint16_t>::max();
+
+// Tick of a scene in whole microseconds; 0 if it is not whole.
 std::uint64_t tick_us_of(const Scene& scene) {
   const double tick_us = kMicrosecondsPerSecond / scene.sampling.rate_hz;
   const double whole_us = std::round(tick_us);
   constexpr double kRounding = 1e-9;  // relative, of a rate like 3125 Hz
-  if (whole_us < 1.0 || whole_us > kLongestTickUs) return 0;
+  if (whole_us < 1.0 || whole_us > kMaxTickUs) return 0;
   return std::abs(tick_us - whole_us) <= kRounding * tick_us ? static_cast<std::uint64_t>(whole_us)
                                                              : 0;
 }
@@ -37,19 +89,19 @@ Result<Scene> load_axis(const std::string& name, const std::vector<std::string>&
   const std::string shown = file::shown(name);
   if (!loaded->changes.empty() || loaded->first_recorded_tick != 0) {
     return usage_error(shown +
-                       ": a part of a session, or one in which parameters changed; a device takes "
-                       "a plain scene");
+                       ": a part of a session, or one in which parameters changed; choose a scene "
+                       "without changes");
   }
-  if (loaded->scene.hand && loaded->scene.hand->follows_mouse) {
+  if (loaded->scene.x().hand && loaded->scene.x().hand->follows_mouse) {
     return usage_error(shown +
-                       ": hand.path: there is no mouse here to follow; --set "
+                       ": hand.path: the emulator has no mouse to follow; --set "
                        "'hand.path=[[0, 0.03], [1, 0.06]]' gives it a path");
   }
   if (tick_us_of(loaded->scene) == 0) {
     return usage_error(
         fmt::format("{}: sampling.rate_hz: {} Hz; the tick of a device is a whole "
                     "number of microseconds, 1 to {}",
-                    shown, file::number_text(loaded->scene.sampling.rate_hz), kLongestTickUs));
+                    shown, file::shortest_number(loaded->scene.sampling.rate_hz), kMaxTickUs));
   }
   return std::move(loaded->scene);
 }
@@ -63,8 +115,8 @@ Failure load_scenes(const EmulatorOptions& options, Plan& plan) {
   if (!y) return y.error();
   if (y->sampling.rate_hz != plan.device.x.sampling.rate_hz) {
     return usage_error(
-        fmt::format("--y {}: both axes have one tick, and their scenes differ in "
-                    "sampling.rate_hz",
+        fmt::format("--y {}: its sampling.rate_hz differs from that of the first "
+                    "scene; both axes share one tick",
                     file::in_quotes(options.y_scene)));
   }
   plan.device.y = std::move(*y);
@@ -73,11 +125,7 @@ Failure load_scenes(const EmulatorOptions& options, Plan& plan) {
 
 std::optional<std::uint16_t> parse_id(std::string_view text) {
   if (text.substr(0, 2) == "0x" || text.substr(0, 2) == "0X") text.remove_prefix(2);
-  std::uint16_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, code] = std::from_chars(text.data(), end, value, kHexadecimal);
-  if (code != std::errc{} || rest != end) return std::nullopt;
-  return value;
+  return file::parsed<std::uint16_t>(text, kHexadecimal);
 }
 
 Failure identify(const EmulatorOptions& options, device::hid::HidIdentity& identity) {
@@ -92,8 +140,8 @@ Failure identify(const EmulatorOptions& options, device::hid::HidIdentity& ident
     *id = *value;
   }
   for (const auto& [option, text, longest] :
-       {std::tuple{"--serial", &options.serial, device::hid::kLongestUhidSerial},
-        std::tuple{"--name", &options.name, device::hid::kLongestUhidName}}) {
+       {std::tuple{"--serial", &options.serial, device::hid::kMaxUhidSerialBytes},
+        std::tuple{"--name", &options.name, device::hid::kMaxUhidNameBytes}}) {
     if (text->empty() || text->size() > longest) {
       return usage_error(
           fmt::format("{} {}: it takes 1 to {} bytes", option, file::in_quotes(*text), longest));
@@ -104,31 +152,22 @@ Failure identify(const EmulatorOptions& options, device::hid::HidIdentity& ident
   return {};
 }
 
-template <typename Number>
-std::optional<Number> number_of(const std::string& text) {
-  Number value{};
-  const char* end = text.data() + text.size();
-  const auto [rest, code] = std::from_chars(text.data(), end, value);
-  if (code != std::errc{} || rest != end) return std::nullopt;
-  return value;
-}
-
 Failure take_numbers(const EmulatorOptions& options, Plan& plan) {
   if (!options.duration.empty()) {
-    const std::optional<double> seconds = number_of<double>(options.duration);
-    if (!seconds || !(*seconds > 0.0 && *seconds <= kLongestRunS)) {
+    const std::optional<double> seconds = file::parsed<double>(options.duration);
+    if (!seconds || !(*seconds > 0.0 && *seconds <= kMaxRunS)) {
       return usage_error(fmt::format("--duration {}: it takes seconds, more than 0 and at most {}",
-                                     file::in_quotes(options.duration), kLongestRunS));
+                                     file::in_quotes(options.duration), kMaxRunS));
     }
     plan.loop.duration_us =
         static_cast<std::uint64_t>(std::ceil(*seconds * kMicrosecondsPerSecond));
   }
   if (!options.watchdog_ms.empty()) {
-    const auto watchdog = number_of<std::uint16_t>(options.watchdog_ms);
-    if (!watchdog || *watchdog == 0 || *watchdog > device::hid::kLongestTimeToLiveMs) {
+    const auto watchdog = file::parsed<std::uint16_t>(options.watchdog_ms);
+    if (!watchdog || *watchdog == 0 || *watchdog > device::hid::kMaxTimeToLiveMs) {
       return usage_error(fmt::format("--watchdog {}: it takes whole milliseconds, 1 to {}",
                                      file::in_quotes(options.watchdog_ms),
-                                     device::hid::kLongestTimeToLiveMs));
+                                     device::hid::kMaxTimeToLiveMs));
     }
     plan.device.watchdog_ms = *watchdog;
   }
@@ -154,7 +193,7 @@ Failure take_faults(const EmulatorOptions& options, Plan& plan) {
 void add_scenes(CLI::App& program, EmulatorOptions& options) {
   program
       .add_option("SCENE", options.scene,
-                  "Handle and hand: a scene file or the name of a built-in scene")
+                  "Handle and hand: a scene file, or the name of a built-in scene")
       ->type_name("")
       ->capture_default_str();
   program.add_option("--y", options.y_scene, "Handle and hand of a second axis")
@@ -175,36 +214,66 @@ void add_identity(CLI::App& program, EmulatorOptions& options) {
   program.add_option("--serial", options.serial, "Serial number")
       ->type_name("TEXT")
       ->capture_default_str();
-  program.add_option("--name", options.name, "What the device calls itself")
+  program.add_option("--name", options.name, "Name of the device")
       ->type_name("TEXT")
       ->capture_default_str();
 }
 
 }  // namespace
 
+std::string fault_names() { return file::joined(names()); }
+
+Result<Fault> parse_fault(std::string_view text) {
+  const std::size_t at = text.find('@');
+  const std::size_t plus = text.find('+', at == std::string_view::npos ? text.size() : at);
+  if (plus == std::string_view::npos) {
+    return refusal(text, "it takes KIND@BEGIN+DURATION in seconds, e.g. unplugged@3+1");
+  }
+  const std::string_view name = text.substr(0, at);
+  const auto* known = std::find_if(kKinds.begin(), kKinds.end(),
+                                   [&](const NamedKind& one) { return one.name == name; });
+  if (known == kKinds.end()) {
+    const std::string hint = file::suggestion(name, names());
+    return refusal(text, fmt::format("unknown fault{}; known: {}", hint, fault_names()));
+  }
+  const std::size_t slash = text.find('/', plus);
+  const auto begin = microseconds_of(text.substr(at + 1, plus - at - 1));
+  const auto duration = microseconds_of(text.substr(plus + 1, slash - plus - 1));
+  if (!begin || !duration) {
+    return refusal(text, fmt::format("BEGIN and DURATION take seconds, 0 to {}", kMaxTimeS));
+  }
+  std::optional<std::uint32_t> every = 1;
+  if (slash != std::string_view::npos) every = file::parsed<std::uint32_t>(text.substr(slash + 1));
+  if (!every || *every == 0 || *every > kMaxTicksApart) {
+    return refusal(text, fmt::format("/EVERY takes a number of ticks, 1 to {}", kMaxTicksApart));
+  }
+  return Fault{known->kind, *begin, *duration, *every};
+}
+
 void add_options(CLI::App& program, EmulatorOptions& options) {
   add_scenes(program, options);
   add_identity(program, options);
   program
       .add_option("--fault", options.faults,
-                  "KIND@BEGIN+DURATION, seconds since the start; /EVERY behind it for every so "
-                  "many ticks (repeatable)")
+                  "KIND@BEGIN+DURATION in seconds since the start; /EVERY: only every N-th tick "
+                  "(repeatable)")
       ->type_name("FAULT")
       ->allow_extra_args(false);
   program
       .add_option("--hand", options.hand,
-                  "waits: at its start, until the host enables the device for the first time; "
-                  "goes: at once")
+                  "waits: the hand starts when the host first enables the device; goes: at once")
       ->type_name("WORD")
       ->capture_default_str();
-  program.add_flag("--in-step", options.in_step,
-                   "Move the tick once, to where the host's commands lie half-way between two");
+  program.add_flag(
+      "--in-step", options.in_step,
+      "Shift the tick once, so that the host's commands arrive half-way between two ticks");
   program.add_option("--watchdog", options.watchdog_ms, "Milliseconds, instead of 50")
       ->type_name("MS");
   program.add_flag("--no-info", options.without_info,
-                   "Without the INFO report: a device that a file must describe");
-  program.add_option("--duration", options.duration, "End after so many seconds")->type_name("S");
-  program.add_option("--log", options.log, "At the end, every tick of the device as CSV")
+                   "Send no INFO report: a device file must describe the device");
+  program.add_option("--duration", options.duration, "End after this time, seconds")
+      ->type_name("S");
+  program.add_option("--log", options.log, "Write every tick of the device as CSV, at the end")
       ->type_name("FILE");
 }
 

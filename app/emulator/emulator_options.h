@@ -1,8 +1,9 @@
-// The options of hapticwall-emulator, and what is to be done by them.
+// The options of hapticwall-emulator.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/emulator/device_loop.h"
@@ -13,7 +14,7 @@
 
 namespace hapticwall::emulator {
 
-// As they were written.
+// As written.
 struct EmulatorOptions {
   std::string scene = "press";
   std::string y_scene;
@@ -31,7 +32,7 @@ struct EmulatorOptions {
   bool without_info = false;
 };
 
-// As they are meant.
+// As parsed.
 struct Plan {
   device::hid::EmulatorSettings device;
   device::hid::FaultScript faults;
@@ -40,9 +41,16 @@ struct Plan {
   std::string log;  // empty: none
 };
 
+// The names of all kinds of faults, separated by commas.
+[[nodiscard]] std::string fault_names();
+
+// A fault: KIND@BEGIN+DURATION in seconds since the start, with /EVERY for every N-th tick only
+// ("unplugged@3+1", "bad-crc@1+2/10").
+[[nodiscard]] Result<device::hid::Fault> parse_fault(std::string_view text);
+
 void add_options(CLI::App& program, EmulatorOptions& options);
 
-// Reads the scenes. The first thing that is wrong, in one line.
+// Checks the options and reads the scenes.
 [[nodiscard]] Result<Plan> make_plan(const EmulatorOptions& options);
 
 }  // namespace hapticwall::emulator

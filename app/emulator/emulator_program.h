@@ -1,9 +1,9 @@
-// The program hapticwall-emulator: its command line, and what follows from it.
+// The program hapticwall-emulator.
 #pragma once
 
 namespace hapticwall::emulator {
 
-// Returns the exit status, which means what those of hapticwall mean.
+// Returns the exit status, as `hapticwall` does.
 int run_program(int argc, const char* const* argv);
 
 }  // namespace hapticwall::emulator

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "app/file/text.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::emulator {
 namespace {

@@ -1,4 +1,4 @@
-// What happened at the device, tick by tick: for those who compare it with what a host recorded.
+// The ticks of the device, to compare with the recording of a host.
 #pragma once
 
 #include <array>
@@ -13,19 +13,19 @@
 namespace hapticwall::emulator {
 
 struct TickRow {
-  std::uint64_t time_us = 0;  // since the start, of the device's clock as long as it kept its power
+  std::uint64_t time_us = 0;  // since the start; the device's clock while it has power
   std::uint16_t sequence = 0;
   bool plugged = false;
   bool enabled = false;
-  std::uint16_t acknowledged = 0;  // sequence of the last command accepted
-  std::array<double, device::hid::kMostAxes> true_position_m{};
-  std::array<double, device::hid::kMostAxes> force_n{};  // at the amplifiers from this tick on
+  std::uint16_t acknowledged = 0;  // sequence of the last accepted command
+  std::array<double, device::hid::kMaxAxes> true_position_m{};
+  std::array<double, device::hid::kMaxAxes> force_n{};  // at the amplifiers from this tick on
 };
 
-// At the tick that has just passed.
+// The newest tick.
 [[nodiscard]] TickRow row_of(const device::hid::FirmwareEmulator& device);
 
-// Kept in memory and written at the end, so that no disk disturbs a tick.
+// Kept in memory until the end, so that the disk delays no tick.
 class TickLog {
  public:
   void take(const TickRow& row) { rows_.push_back(row); }

@@ -1,11 +1,12 @@
+#include "app/file/picture.h"
+
 #include <fmt/format.h>
 #include <png.h>
 
 #include <algorithm>
 #include <cstring>
 
-#include "app/file/atomic_file.h"
-#include "app/file/picture.h"
+#include "app/file/disk/atomic_file.h"
 
 namespace hapticwall::file {
 
@@ -36,7 +37,7 @@ Result<std::string> encode_png(const Picture& picture) {
   image.height = static_cast<png_uint_32>(picture.height);
   const std::size_t expected_bytes = PNG_IMAGE_SIZE(image);
   if (picture.width <= 0 || picture.height <= 0 || picture.rgba.size() != expected_bytes) {
-    return Error{ErrorKind::kFile, fmt::format("a picture of {} x {} with {} bytes is none",
+    return Error{ErrorKind::kFile, fmt::format("a picture of {} x {} pixels cannot have {} bytes",
                                                picture.width, picture.height, picture.rgba.size())};
   }
   std::string bytes;

@@ -1,4 +1,4 @@
-// A picture in memory and its way to a PNG file.
+// A picture in memory, and PNG files.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Picture {
 // The bytes of a PNG file. Realtime-safe: no.
 [[nodiscard]] Result<std::string> encode_png(const Picture& picture);
 
-// Writes the picture under a temporary name beside `path` and renames it when it is whole.
+// Writes the picture to a temporary file and renames it at the end.
 Failure write_png(const std::string& path, const Picture& picture);
 
 }  // namespace hapticwall::file

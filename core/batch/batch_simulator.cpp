@@ -4,26 +4,26 @@
 #include <atomic>
 #include <stdexcept>
 #include <tuple>
-#include <type_traits>
+#include <utility>
 
-#include "core/batch/lane_figures.h"
 #include "core/batch/lane_group.h"
+#include "core/batch/lane_summary.h"
 #include "core/batch/workers.h"
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 
 namespace hapticwall {
 namespace {
 
 using batch::LaneKind;
 
-// What one thread does at a time: scenes that go side by side, or one scene without lanes.
+// One piece of work of a thread: scenes side by side, or one scene without lanes.
 struct Work {
   std::vector<std::size_t> scenes;
   std::optional<LaneKind> kind;
 };
 
-// Like scenes go together: of one kind, and of about the same length, so that no lane idles long.
-// Neighbours stay neighbours: in a map they diverge together and share their plant.
+// Groups scenes of one kind and about the same length, so that no lane idles long. Neighbours stay
+// together: in a map they diverge together and share their plant.
 std::vector<Work> divide(std::span<const Scene> scenes, std::size_t lanes) {
   struct Place {
     LaneKind kind;
@@ -40,7 +40,7 @@ std::vector<Work> divide(std::span<const Scene> scenes, std::size_t lanes) {
     }
   }
   const auto order = [](const Place& place) {
-    return std::tuple(place.kind.law, place.kind.encoder, place.kind.damped, place.ticks,
+    return std::tuple(place.kind.algorithm, place.kind.encoder, place.kind.damped, place.ticks,
                       place.scene);
   };
   std::sort(places.begin(), places.end(),
@@ -54,8 +54,8 @@ std::vector<Work> divide(std::span<const Scene> scenes, std::size_t lanes) {
   return all;
 }
 
-// The caller's two functions, of which no two calls overlap; a thread that finds another one at
-// them goes on with its work.
+// The caller's two functions without overlapping calls: a thread that finds another one in a call
+// skips its own.
 class Reporter {
  public:
   Reporter(const BatchOptions& options, std::size_t total) : options_(options), total_(total) {}
@@ -94,20 +94,14 @@ class Reporter {
   std::size_t told_ = 0;
 };
 
-BatchVerdict verdict_of(const Summary& summary) {
-  return {summary.verdict, summary.ticks, summary.diverged_at_tick, summary.tail_peak_to_peak_m,
-          summary.max_penetration_m};
-}
-
-template <typename Figures>
 class Batch {
  public:
   Batch(std::span<const Scene> scenes, const BatchOptions& options)
       : scenes_(scenes), reporter_(options, scenes.size()) {
-    result_.figures.resize(scenes.size());
+    result_.summaries.resize(scenes.size());
   }
 
-  BatchResult<Figures> run(int threads) {
+  BatchResult run(int threads) {
     const std::vector<Work> all = divide(scenes_, batch::lane_count());
     const std::size_t workers =
         std::clamp<std::size_t>(all.size(), 1, batch::worker_count(threads));
@@ -120,8 +114,6 @@ class Batch {
   }
 
  private:
-  static constexpr bool kAccount = std::is_same_v<Figures, Summary>;
-
   void run(const Work& work, batch::LaneGroup& group) {
     if (reporter_.should_stop()) return;
     if (!work.kind) {
@@ -131,10 +123,10 @@ class Batch {
     std::vector<const Scene*> scenes;
     for (const std::size_t i : work.scenes) scenes.push_back(&scenes_[i]);
     group.run(
-        scenes, *work.kind, kAccount,
+        scenes, *work.kind,
         [&](const batch::LaneEnd& end, const batch::LaneBlock& block) {
           const std::size_t scene = work.scenes[end.lane];
-          result_.figures[scene] = batch::lane_figures<Figures>(scenes_[scene], end, block);
+          result_.summaries[scene] = batch::lane_summary(scenes_[scene], end, block);
           reporter_.add_done(1);
         },
         [&] { return reporter_.should_stop(); });
@@ -145,32 +137,24 @@ class Batch {
     options.should_stop = [this] { return reporter_.should_stop(); };
     SimulationResult result = simulate(scenes_[scene], options);
     if (result.stopped_early) return;
-    if constexpr (kAccount) {
-      result_.figures[scene] = std::move(result.summary);
-    } else {
-      result_.figures[scene] = verdict_of(result.summary);
-    }
+    result_.summaries[scene] = std::move(result.summary);
     reporter_.add_done(1);
   }
 
   std::span<const Scene> scenes_;
   Reporter reporter_;
-  BatchResult<Figures> result_;
+  BatchResult result_;
 };
 
 }  // namespace
 
-template <typename Figures>
-BatchResult<Figures> simulate_batch(std::span<const Scene> scenes, const BatchOptions& options) {
+BatchResult simulate_batch(std::span<const Scene> scenes, const BatchOptions& options) {
   for (const Scene& scene : scenes) {
-    if (scene.hand && scene.hand->follows_mouse) {
+    if (scene.x().hand && scene.x().hand->follows_mouse) {
       throw std::invalid_argument("a hand that follows the mouse needs the window");
     }
   }
-  return Batch<Figures>(scenes, options).run(options.threads);
+  return Batch(scenes, options).run(options.threads);
 }
-
-template BatchResult<Summary> simulate_batch(std::span<const Scene>, const BatchOptions&);
-template BatchResult<BatchVerdict> simulate_batch(std::span<const Scene>, const BatchOptions&);
 
 }  // namespace hapticwall

@@ -1,7 +1,8 @@
-// Ledger, energies and metrics of one vector of lanes, from the trace of its motion: the sums of
-// core/energy_ledger.h, core/plant/exact_plant.h and core/metrics.h in the same order, to the last
-// bit. A loop of its own: the motion waits for its own results, this does not, and each fits the
-// registers better alone. Compiled once per instruction set.
+// Ledger, energies and metrics of one vector of lanes, from the trace of its motion. The same sums
+// in the same order as core/loop/energy_ledger.h, core/plant/exact_plant.h and
+// core/simulation/metrics.h, so the bits are the same. Separate from the loop of the motion, which
+// is bound by latency; each loop fits the registers better alone. Compiled once per instruction
+// set.
 #if defined(HAPTICWALL_LANE_ACCOUNT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAPTICWALL_LANE_ACCOUNT_INL_H_
 #undef HAPTICWALL_LANE_ACCOUNT_INL_H_
@@ -31,7 +32,7 @@ class Account {
     was_in_contact_ = hn::Ne(load(a.in_contact, at_), hn::Zero(kTag));
     contacts_ = load(a.contacts, at_);
     peak_force_n_ = load(a.peak_force_n, at_);
-    maximum_m_ = load(block.state.reach.maximum_m, at_);
+    maximum_m_ = load(block.state.account.maximum_m, at_);
     cv_j_ = load(a.cv_j, at_);
     hold_j_ = load(a.hold_j, at_);
     scv_j_ = load(a.scv_j, at_);
@@ -52,7 +53,7 @@ class Account {
     store(one_where(was_in_contact_), a.in_contact, at_);
     store(contacts_, a.contacts, at_);
     store(peak_force_n_, a.peak_force_n, at_);
-    store(maximum_m_, state.reach.maximum_m, at_);
+    store(maximum_m_, state.account.maximum_m, at_);
     store(cv_j_, a.cv_j, at_);
     store(hold_j_, a.hold_j, at_);
     store(scv_j_, a.scv_j, at_);
@@ -85,7 +86,7 @@ class Account {
   }
 
  private:
-  // core/energy_ledger.h.
+  // core/loop/energy_ledger.h.
   HWY_INLINE void add_to_ledger(Vector displacement_m, Vector force_n) {
     cv_j_ = cv_j_ + force_n * displacement_m;
     hold_j_ = hold_j_ + (force_n_ - force_n) * displacement_m;
@@ -96,7 +97,8 @@ class Account {
     keep_minimum(min_scv_j_, scv_j_);
   }
 
-  // core/metrics.h, the last second. A lane that is not there yet gathers in vain (begin_tail()).
+  // core/simulation/metrics.h, the last second. begin_tail() discards the sums of lanes that are
+  // not there yet.
   HWY_INLINE void add_to_tail(Vector position_m, Vector penetration_m, Vector force_n,
                               Flags in_contact) {
     keep_minimum(minimum_m_, position_m);
@@ -152,7 +154,7 @@ class Account {
   }
 
   HWY_INLINE void load_tail(const LaneState& state) {
-    minimum_m_ = load(state.reach.minimum_m, at_);
+    minimum_m_ = load(state.account.minimum_m, at_);
     tail_ticks_ = load(state.account.tail_ticks, at_);
     mean_n_ = load(state.account.tail_mean_n, at_);
     square_n2_ = load(state.account.tail_square_n2, at_);
@@ -160,7 +162,7 @@ class Account {
     contact_penetration_m_ = load(state.account.tail_contact_penetration_m, at_);
   }
   HWY_INLINE void store_tail(LaneState& state) const {
-    store(minimum_m_, state.reach.minimum_m, at_);
+    store(minimum_m_, state.account.minimum_m, at_);
     store(tail_ticks_, state.account.tail_ticks, at_);
     store(mean_n_, state.account.tail_mean_n, at_);
     store(square_n2_, state.account.tail_square_n2, at_);

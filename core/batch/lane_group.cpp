@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
-#include "core/metrics.h"
 #include "core/plant/plant_model.h"
+#include "core/simulation/metrics.h"
 
 namespace hapticwall::batch {
 namespace {
 
-// Ticks between two questions whether to stop.
-constexpr std::uint64_t kMostTicks = 65536;
+// Between two calls of should_stop().
+constexpr std::uint64_t kMaxTicks = 65536;
 
 using LanePlant = ExactPlant<OneBody, false>;
 
-// One tick of a lane whose path bends in its course, by the plant that simulate() runs.
+// One tick of a lane whose path bends within it, by the plant of simulate().
 void advance_scalar(std::size_t lane, const LaneState& before, LanePlant& plant, LaneState& after) {
   LanePlant::Motion motion = plant.motion();
   motion.body.position_m = before.motion.position_m[lane];
@@ -34,9 +34,9 @@ void advance_scalar(std::size_t lane, const LaneState& before, LanePlant& plant,
 
 }  // namespace
 
-bool LaneGroup::run(std::span<const Scene* const> scenes, const LaneKind& kind, bool account,
-                    const OnEnd& on_end, const ShouldStop& should_stop) {
-  parts_ = {kind.law, kind.encoder, kind.damped, account, false, false};
+bool LaneGroup::run(std::span<const Scene* const> scenes, const LaneKind& kind, const OnEnd& on_end,
+                    const ShouldStop& should_stop) {
+  parts_ = {kind.algorithm, kind.encoder, kind.damped, false, false};
   tick_ = 0;
   set_lanes(scenes);
   while (any_running()) {
@@ -66,9 +66,9 @@ bool LaneGroup::any_running() const {
   return std::any_of(lanes_.begin(), lanes_.end(), [](const Lane& lane) { return lane.running; });
 }
 
-// To where the next thing happens in any lane: its end, its last second, a bend of its path.
+// Up to the next event in any lane: its end, its last second, a bend of its path.
 std::uint64_t LaneGroup::stretch_end() const {
-  std::uint64_t end = tick_ + kMostTicks;
+  std::uint64_t end = tick_ + kMaxTicks;
   for (const Lane& lane : lanes_) {
     if (!lane.running) continue;
     end = std::min(end, lane.ticks);
@@ -105,14 +105,14 @@ void LaneGroup::run_stretch(std::uint64_t end) {
   leave_segments();
 }
 
-// The lanes have passed the tick as if every path were straight.
+// Repeats the tick of the lanes whose path bends: the loops took every path for straight.
 void LaneGroup::bend_paths(const LaneState& before) {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = lanes_[i];
     if (!lane.running || !lane.path.bends_within_tick()) continue;
     const double period_s = lane.scene->sampling.period_s();
     LanePlant plant(plants_.plant(one_body_parameters(*lane.scene), period_s), lane.path, period_s,
-                    lane.scene->device.start_m, 0.0);
+                    lane.scene->x().device.start_m, 0.0);
     plant.path() = lane.path;
     advance_scalar(i, before, plant, block_.state);
     lane.path = plant.path();
@@ -120,7 +120,7 @@ void LaneGroup::bend_paths(const LaneState& before) {
   }
 }
 
-// Paths whose straight segment ends here enter the next tick by themselves.
+// Moves on the paths whose straight segment ends here.
 void LaneGroup::leave_segments() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = lanes_[i];

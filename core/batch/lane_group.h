@@ -15,25 +15,24 @@
 
 namespace hapticwall::batch {
 
-// How a lane's scene has ended.
+// The end of a lane's scene.
 struct LaneEnd {
   std::size_t lane = 0;
   std::uint64_t ticks = 0;
   std::optional<std::uint64_t> diverged_at_tick;
-  bool has_tail = false;  // a tick of the last second has come
+  bool has_tail = false;  // it has reached its last second
 };
 
-// What one thread needs to run groups, one after the other.
+// Runs groups one after the other; one per thread.
 class LaneGroup {
  public:
-  // Called once for every scene when it ends; its figures stand in lane `end.lane` of the block.
+  // Called once for every scene at its end; its metrics are in lane `end.lane` of the block.
   using OnEnd = std::function<void(const LaneEnd& end, const LaneBlock& block)>;
   using ShouldStop = std::function<bool()>;
 
-  // At most lane_count() scenes, all of lane_kind() `kind`. `account`: whether all of a summary is
-  // wanted or only what a verdict needs. False: stopped before the end of all.
-  bool run(std::span<const Scene* const> scenes, const LaneKind& kind, bool account,
-           const OnEnd& on_end, const ShouldStop& should_stop);
+  // At most lane_count() scenes, all of lane_kind() `kind`. False: stopped before the end of all.
+  bool run(std::span<const Scene* const> scenes, const LaneKind& kind, const OnEnd& on_end,
+           const ShouldStop& should_stop);
 
  private:
   struct Lane {

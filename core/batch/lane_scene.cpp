@@ -3,84 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <string_view>
 
 #include "core/encoder.h"
+#include "core/loop/servo_step.h"
 #include "core/plant/plant_model.h"
-#include "core/servo_step.h"
-#include "core/stabiliser/stabiliser_list.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::batch {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// A wall that is never met.
+// A wall out of reach.
 constexpr double kNowhereM = std::numeric_limits<double>::max();
-
-using LawNumbers = std::array<double, kLawParameters>;
-
-LawNumbers no_parameters(const StabiliserContext& /*context*/) { return {}; }
-
-LawNumbers virtual_coupling_parameters(const StabiliserContext& context) {
-  const double damping = VirtualCoupling::coupling_damping(context);
-  const double stiffness = VirtualCoupling::coupling_stiffness(context);
-  const auto walls = context.walls.walls();
-  const WallSettings wall = walls.empty() ? WallSettings{} : walls.front();
-  const double rate_n_per_m = (wall.damping_n_s_per_m + damping) / context.period_s;
-  return {stiffness, rate_n_per_m, wall.stiffness_n_per_m + stiffness + rate_n_per_m,
-          context.period_s, damping};
-}
-
-LawNumbers passivity_control_parameters(const StabiliserContext& context) {
-  return {believed_damping(context),
-          PassivityControl::max_damping(context),
-          context.value_or("velocity_floor_m_per_s", 0.0),
-          context.value_or("observer", 0.0),
-          context.value_or("damping_credit", 0.0),
-          context.value_or("reset_in_free_motion", 0.0)};
-}
-
-LawNumbers energy_bounding_parameters(const StabiliserContext& context) {
-  return {believed_damping(context), EnergyBounding::rest_force_step(context)};
-}
-
-LawNumbers energy_bounding_2010_parameters(const StabiliserContext& context) {
-  return {EnergyBounding2010::hold_stiffness(context),
-          EnergyBounding2010::storage_stiffness(context)};
-}
-
-LawNumbers force_bounding_parameters(const StabiliserContext& context) {
-  return {ForceBounding::damping_per_period(context)};
-}
-
-LawNumbers energy_bookkeeping_parameters(const StabiliserContext& context) {
-  return {EnergyBookkeeping::passive_stiffness(context)};
-}
-
-// The algorithms that have lanes, and the parameters that these read (lane_laws-inl.h).
-struct LawDescription {
-  std::string_view name;
-  LaneLaw law;
-  LawNumbers (*parameters)(const StabiliserContext& context);
-};
-constexpr std::array<LawDescription, 8> kLaws{
-    LawDescription{"none", LaneLaw::kNone, no_parameters},
-    LawDescription{"virtual-coupling", LaneLaw::kVirtualCoupling, virtual_coupling_parameters},
-    LawDescription{"passivity-control", LaneLaw::kPassivityControl, passivity_control_parameters},
-    LawDescription{"energy-bounding", LaneLaw::kEnergyBounding, energy_bounding_parameters},
-    LawDescription{"energy-bounding-2010", LaneLaw::kEnergyBounding2010,
-                   energy_bounding_2010_parameters},
-    LawDescription{"force-bounding", LaneLaw::kForceBounding, force_bounding_parameters},
-    LawDescription{"half-sample", LaneLaw::kHalfSample, no_parameters},
-    LawDescription{"energy-bookkeeping", LaneLaw::kEnergyBookkeeping,
-                   energy_bookkeeping_parameters}};
-
-const LawDescription* find_law(const Scene& scene) {
-  const std::string_view name = algorithms()[scene.algorithm.index].name;
-  const auto found = std::find_if(kLaws.begin(), kLaws.end(),
-                                  [&](const LawDescription& law) { return law.name == name; });
-  return found == kLaws.end() ? nullptr : &*found;
-}
 
 bool names(std::optional<double> part) { return part.value_or(0.0) != 0.0; }
 
@@ -97,11 +31,13 @@ void set_servo(const Scene& scene, std::size_t lane, LaneParameters& parameters)
   parameters.force_limit_n[lane] = settings.force_limit_n;
   parameters.budget_n_per_m[lane] = believed_damping(context) * settings.rate_hz;
   const WallSettings wall =
-      scene.walls.empty() ? WallSettings{kNowhereM, 0.0, 0.0} : scene.walls.front();
+      scene.x().walls.empty() ? WallSettings{kNowhereM, 0.0, 0.0} : scene.x().walls.front();
   parameters.wall_m[lane] = wall.position_m;
   parameters.wall_stiffness_n_per_m[lane] = wall.stiffness_n_per_m;
   parameters.wall_damping_n_s_per_m[lane] = wall.damping_n_s_per_m;
-  set_rows(parameters.law, lane, find_law(scene)->parameters(context));
+  Stabiliser stabiliser;
+  stabiliser.configure(scene.algorithm.index, context);
+  set_rows(parameters.law, lane, stabiliser.parameters());
 }
 
 void set_plant(const Scene& scene, const OneBody& body, std::size_t lane,
@@ -134,7 +70,7 @@ void reset_state(std::size_t lane, LaneState& state) {
     (*numbers)[lane] = 0.0;
   }
   for (LaneNumbers& numbers : m.law) numbers[lane] = 0.0;
-  state.reach.maximum_m[lane] = -kInfinity;
+  state.account.maximum_m[lane] = -kInfinity;
   begin_tail(lane, state);
 }
 
@@ -147,7 +83,7 @@ void clear_parameters(std::size_t lane, LaneParameters& p) {
     (*numbers)[lane] = 0.0;
   }
   p.encoder_m[lane] = 1.0;  // is divided by
-  const std::array<double, kLawParameters> none{};
+  const LawNumbers none{};
   set_rows(p.law, lane, none);
   set_rows(p.velocity, lane, none);
   for (auto* rows : {&p.drift, &p.hand_force_drift, &p.integral_at_rest})
@@ -158,16 +94,16 @@ void clear_parameters(std::size_t lane, LaneParameters& p) {
 }  // namespace
 
 std::optional<LaneKind> lane_kind(const Scene& scene) {
-  const DeviceSettings& device = scene.device;
-  const LawDescription* law = find_law(scene);
-  const bool fits = law != nullptr && !has_follower(scene.algorithm) &&
-                    scene.simulator.integrator == Integrator::kExact && scene.walls.size() <= 1 &&
-                    !names(device.friction_n) && !names(device.amplifier_time_constant_s) &&
-                    !names(device.force_resolution_n) && device.delay_ticks.value_or(0) == 0 &&
-                    !(scene.hand && (scene.hand->has_grip() || scene.hand->follows_mouse));
+  const DeviceSettings& device = scene.x().device;
+  const bool fits =
+      !has_follower(scene.algorithm) && scene.simulator.integrator == Integrator::kExact &&
+      scene.x().walls.size() <= 1 && !names(device.friction_n) &&
+      !names(device.amplifier_time_constant_s) && !names(device.force_resolution_n) &&
+      device.delay_ticks.value_or(0) == 0 &&
+      !(scene.x().hand && (scene.x().hand->has_grip() || scene.x().hand->follows_mouse));
   if (!fits) return std::nullopt;
-  const bool damped = !scene.walls.empty() && scene.walls.front().damping_n_s_per_m != 0.0;
-  return LaneKind{law->law, names(device.encoder_m), damped};
+  const bool damped = !scene.x().walls.empty() && scene.x().walls.front().damping_n_s_per_m != 0.0;
+  return LaneKind{scene.algorithm.index, names(device.encoder_m), damped};
 }
 
 const OneBody& PlantCache::plant(const OneBodyParameters& p, double period_s) {
@@ -175,7 +111,7 @@ const OneBody& PlantCache::plant(const OneBodyParameters& p, double period_s) {
                 period_s};
   const auto place = plants_.lower_bound(key);
   if (place != plants_.end() && place->first == key) return place->second;
-  if (plants_.size() < kMostEntries)
+  if (plants_.size() < kMaxEntries)
     return plants_.emplace_hint(place, key, OneBody(p, period_s))->second;
   plants_.clear();
   return plants_.emplace(key, OneBody(p, period_s)).first->second;
@@ -185,7 +121,7 @@ void set_lane(const Scene& scene, const OneBody& body, std::size_t lane, LaneBlo
   reset_state(lane, block.state);
   set_servo(scene, lane, block.parameters);
   set_plant(scene, body, lane, block.parameters);
-  const double start_m = scene.device.start_m;
+  const double start_m = scene.x().device.start_m;
   const double encoder_m = block.parameters.encoder_m[lane];
   const double measured_m = encoder_m > 0.0 ? quantise(start_m, encoder_m) : start_m;
   block.state.motion.position_m[lane] = start_m;
@@ -204,10 +140,9 @@ void begin_tail(std::size_t lane, LaneState& state) {
                                &a.tail_contact_force_n, &a.tail_contact_penetration_m}) {
     (*numbers)[lane] = 0.0;
   }
-  LaneReach& reach = state.reach;
-  reach.maximum_before_tail_m[lane] = reach.maximum_m[lane];
-  reach.maximum_m[lane] = -kInfinity;
-  reach.minimum_m[lane] = kInfinity;
+  a.maximum_before_tail_m[lane] = a.maximum_m[lane];
+  a.maximum_m[lane] = -kInfinity;
+  a.minimum_m[lane] = kInfinity;
 }
 
 }  // namespace hapticwall::batch

@@ -1,4 +1,4 @@
-// A scene as one lane of a batch: which scenes fit, and what their lane starts from.
+// A scene as one lane of a batch: which scenes fit, and the start of their lane.
 #pragma once
 
 #include <array>
@@ -14,19 +14,19 @@ namespace hapticwall::batch {
 
 // Lanes of one kind run side by side.
 struct LaneKind {
-  LaneLaw law = LaneLaw::kNone;
+  std::size_t algorithm = 0;  // index in algorithms()
   bool encoder = false;
   bool damped = false;  // the wall
 
   friend bool operator==(const LaneKind&, const LaneKind&) = default;
 };
 
-// The kind of a scene whose every part has lanes: one body without friction under the exact
-// integrator, at most one wall, nothing between command and handle but a force limit; else nothing.
+// The kind of a scene that fits a lane: one body without friction under the exact integrator, at
+// most one wall, nothing between command and handle except a force limit. Else nothing.
 [[nodiscard]] std::optional<LaneKind> lane_kind(const Scene& scene);
 
-// The plants of the scenes met so far: most maps vary what is not the plant's, and its matrix is by
-// far the dearest part of a set-up. Not for two threads at a time.
+// The plants of the scenes so far: most maps vary no parameter of the plant, and the matrix
+// exponential dominates set-up time. For one thread at a time.
 class PlantCache {
  public:
   // Valid until the next call.
@@ -34,16 +34,16 @@ class PlantCache {
 
  private:
   using Key = std::array<double, 5>;
-  static constexpr std::size_t kMostEntries = 1024;
+  static constexpr std::size_t kMaxEntries = 1024;
 
   std::map<Key, OneBody> plants_;
 };
 
 // Sets lane `lane` to tick 0 of `scene`, whose lane_kind() is something.
 void set_lane(const Scene& scene, const OneBody& body, std::size_t lane, LaneBlock& block);
-// A lane that rests for ever.
+// A lane that never moves.
 void clear_lane(std::size_t lane, LaneBlock& block);
-// The last second begins: forgets what the lane gathered for it so far.
+// Starts the sums of the last second.
 void begin_tail(std::size_t lane, LaneState& state);
 
 }  // namespace hapticwall::batch

@@ -1,5 +1,5 @@
-// The instruction sets that the lanes are compiled for; to be included before anything of Highway.
-// The best one that the processor has is chosen while the program runs.
+// The instruction sets of the lanes. Include it before any header of Highway. The program chooses
+// the processor's best set at run time.
 #pragma once
 
 #include <hwy/detect_targets.h>
@@ -12,8 +12,8 @@
 #define HWY_AVX3_SPR 0LL
 #endif
 
-// These have no instruction that lanes of doubles would use and their neighbours lack; vectors
-// without a fixed size (SVE, RVV) cannot be members of a class.
+// Disabled: sets that add no instruction for lanes of doubles, and sets whose vectors have no fixed
+// size (SVE, RVV) and cannot be members of a class.
 #undef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS                                                                   \
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_AVX3_ZEN4 | HWY_AVX3_SPR | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \

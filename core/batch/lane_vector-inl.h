@@ -26,6 +26,11 @@ using Flags = hn::Mask<Tag>;
 
 inline constexpr Tag kTag;
 
+// The motion is one chain of operations that wait for each other: this many vectors side by side
+// fill the time.
+inline constexpr std::size_t kVectors = 4;
+static_assert(hn::MaxLanes(kTag) * kVectors <= kMaxLanes);
+
 HWY_INLINE Vector constant(double value) { return hn::Set(kTag, value); }
 HWY_INLINE Vector load(const LaneNumbers& numbers, std::size_t first_lane) {
   return hn::Load(kTag, numbers.lane.data() + first_lane);
@@ -33,14 +38,21 @@ HWY_INLINE Vector load(const LaneNumbers& numbers, std::size_t first_lane) {
 HWY_INLINE void store(Vector value, LaneNumbers& numbers, std::size_t first_lane) {
   hn::Store(value, kTag, numbers.lane.data() + first_lane);
 }
-// `positive_only` where it is more than 0, else 0.
+// std::max(0.0, value).
 HWY_INLINE Vector positive_part(Vector value) {
   return hn::IfThenElseZero(hn::Gt(value, hn::Zero(kTag)), value);
 }
 
-// As std::max(maximum, value) and std::min(minimum, value).
-HWY_INLINE void keep_maximum(Vector& maximum, Vector value) { maximum = hn::Max(value, maximum); }
-HWY_INLINE void keep_minimum(Vector& minimum, Vector value) { minimum = hn::Min(value, minimum); }
+// std::max(a, b) and std::min(a, b): the first of two equal numbers, so that +0 and -0 are not
+// exchanged. The instructions of x86 give their second operand.
+HWY_INLINE Vector larger(Vector a, Vector b) {
+  return HWY_ARCH_X86 ? hn::Max(b, a) : hn::IfThenElse(hn::Lt(a, b), b, a);
+}
+HWY_INLINE Vector smaller(Vector a, Vector b) {
+  return HWY_ARCH_X86 ? hn::Min(b, a) : hn::IfThenElse(hn::Lt(b, a), b, a);
+}
+HWY_INLINE void keep_maximum(Vector& maximum, Vector value) { maximum = larger(maximum, value); }
+HWY_INLINE void keep_minimum(Vector& minimum, Vector value) { minimum = smaller(minimum, value); }
 HWY_INLINE Vector one_where(Flags flags) { return hn::IfThenElseZero(flags, constant(1.0)); }
 
 // core/plant/linear_motion.h: dot() and quadratic() of the states (u, f).
@@ -54,7 +66,7 @@ HWY_INLINE Vector quadratic(const std::array<LaneNumbers, 3>& form, std::size_t 
          f * (load(form[2], first_lane) * f);
 }
 
-// core/plant/hand_path.h: the intended position at a tick. A path that rests does so at path_m.
+// core/plant/hand_path.h: the intended position at a tick; a resting path is at path_m.
 template <bool kMoving>
 HWY_INLINE Vector path_position(const LaneParameters& parameters, std::size_t first_lane,
                                 std::uint64_t tick) {

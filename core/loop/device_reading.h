@@ -1,4 +1,4 @@
-// What one read of a device gives: simulated or real, the servo step knows nothing else of it.
+// Result of one read of a device, simulated or real.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@ namespace hapticwall {
 enum class DeviceState : std::uint8_t { kOk, kFault };
 
 struct DeviceReading {
-  double position_m = 0.0;  // as the encoder tells it
+  double position_m = 0.0;  // as measured by the encoder
   double age_s = 0.0;       // of the position; 0 for the simulator
   DeviceState state = DeviceState::kOk;
-  double device_time_s = 0.0;  // of the position, by the device's own clock; 0 for the simulator
+  double device_time_s = 0.0;  // of the position, by the device's clock; 0 for the simulator
 };
 
 }  // namespace hapticwall

@@ -9,7 +9,7 @@ struct EnergyLedger {
   double scv_j = 0.0;     // Σ_{k<n} F(k) Δx_{k+1}         [paper, Eq. 10]
   double budget_j = 0.0;  // -T Σ_{k≤n} b v_k²             [paper, Eq. 16, 22]
 
-  // One row. Forces as really commanded; `budget_n_per_m` is b/T, because T b v² = (b/T) Δx².
+  // Adds a row. Forces as really commanded; `budget_n_per_m` is b/T, because T b v² = (b/T) Δx².
   // Realtime-safe: yes.
   void add(double force_n, double previous_force_n, double displacement_m, double budget_n_per_m) {
     cv_j += force_n * displacement_m;

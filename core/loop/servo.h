@@ -1,7 +1,7 @@
-// The controller of one axis: settings, all algorithms, the ledger; and its tick.
+// The controller of one axis: settings, algorithm, ledger and tick.
 #pragma once
 
-#include "core/servo_step.h"
+#include "core/loop/servo_step.h"
 #include "core/stabiliser/followed_stabiliser.h"
 
 namespace hapticwall {
@@ -21,20 +21,19 @@ struct TruthKeeper {
   }
 };
 
-// Owns every algorithm and the state of the loop. Trivial to move at set-up, never allocates.
+// Owns the algorithm and the state of the loop. Trivial to move at set-up, never allocates.
 // Realtime-safe: yes, all of it (constructor included).
 class Servo {
  public:
   explicit Servo(const ServoSettings& settings);
 
-  // Takes new settings at a tick boundary; the rate must be the old one. A change of algorithm
-  // resets the new one and what follows it; a follower that is put behind begins anew, too. Any
-  // change starts a transition in which the force begins exactly where it was (no kick) and blends
-  // into the new law's over settings.transition_s. Settings that are the old ones change no bit of
-  // what follows.
+  // Takes new settings at a tick boundary; the rate must stay the same. A change of algorithm or
+  // follower starts them anew. Any change starts a transition: the force begins exactly where it
+  // was (no kick) and blends into the new law's over settings.transition_s. Equal settings change
+  // no bit of the run.
   void apply(const ServoSettings& settings);
 
-  // Back to tick 0: algorithms, ledger and previous force are forgotten.
+  // Back to tick 0: forgets the state of the algorithm, the ledger and the previous force.
   void reset();
 
   [[nodiscard]] const ServoSettings& settings() const { return settings_; }
@@ -43,25 +42,16 @@ class Servo {
   // `const PlantTruth* truth()`. Returns the tick's sample (generation left 0).
   template <typename Device>
   Sample tick(Device& device) {
-    return with_algorithm([&](auto& stabiliser) {
-      // The truth is that of the instant of the reading: a simulator's write() lets the tick pass.
-      Sample sample;
-      TruthKeeper<Device> keeper{device, sample};
-      const TickOutcome outcome = servo_step(settings_, state_, stabiliser, keeper);
-      write_sample(settings_, state_.ledger, outcome, sample);
-      return sample;
-    });
+    // The truth belongs to the instant of the reading: a simulator's write() passes the tick.
+    Sample sample;
+    TruthKeeper<Device> keeper{device, sample};
+    const TickOutcome outcome = servo_step(settings_, state_, stabiliser_, keeper);
+    write_sample(settings_, state_.ledger, outcome, sample);
+    return sample;
   }
 
-  // For a loop of its own around servo_step(): calls `visitor` with the algorithm in force.
-  template <typename Visitor>
-  decltype(auto) with_algorithm(Visitor&& visitor) {
-    if (followed_) [[unlikely]] {
-      FollowedStabiliser both(stabilisers_, settings_.algorithm.index, follower_);
-      return visitor(both);
-    }
-    return stabilisers_.visit(settings_.algorithm.index, std::forward<Visitor>(visitor));
-  }
+  // For a loop that calls servo_step() itself.
+  [[nodiscard]] FollowedStabiliser& stabiliser() { return stabiliser_; }
   [[nodiscard]] ServoState& state() { return state_; }
   [[nodiscard]] const ServoState& state() const { return state_; }
 
@@ -70,9 +60,7 @@ class Servo {
 
   ServoSettings settings_;
   ServoState state_;
-  StabiliserBank stabilisers_;
-  PassivityControl follower_;  // of `then`, with a state of its own
-  bool followed_ = false;
+  FollowedStabiliser stabiliser_;
 };
 
 }  // namespace hapticwall

@@ -3,8 +3,8 @@
 //   read → age check → velocity → walls → stabiliser → finite check → magnitude clamp → write →
 //   ledger → sample
 //
-// Finite before clamp: std::clamp(NaN, …) is NaN. Any failure means zero force. The live loop, the
-// headless run and the tests all call this; only the device differs.
+// Finite before clamp, because std::clamp(NaN, …) is NaN. Any failure means zero force. The live
+// loop, the headless run and the tests call the same function with different devices.
 #pragma once
 
 #include <algorithm>
@@ -12,28 +12,28 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/device_reading.h"
-#include "core/energy_ledger.h"
+#include "core/loop/device_reading.h"
+#include "core/loop/energy_ledger.h"
 #include "core/sample.h"
 #include "core/scene.h"
-#include "core/stabiliser/stabiliser_list.h"
+#include "core/stabiliser/stabiliser.h"
 #include "core/wall.h"
 
 namespace hapticwall {
 
-// A position older than this is not acted upon.
-inline constexpr double kDefaultMaximumAgeS = 0.02;
-// A switch of algorithm while running blends the force over this long.
+// An older position gives zero force.
+inline constexpr double kDefaultMaxAgeS = 0.02;
+// A switch of algorithm during a run blends the force over this time.
 inline constexpr double kSwitchTransitionS = 0.05;
 
-// What the loop needs of a scene. Trivially copyable.
+// The loop's part of a scene. Trivially copyable.
 struct ServoSettings {
   double rate_hz = 1000.0;
   double device_damping_n_s_per_m = 0.0;
   double encoder_m = 0.0;  // 0: none
   double force_limit_n =
       std::numeric_limits<double>::max();  // finite, so that an infinite force is over it
-  double maximum_age_s = kDefaultMaximumAgeS;
+  double maximum_age_s = kDefaultMaxAgeS;
   double transition_s = kSwitchTransitionS;
   WallSet walls;
   AlgorithmSettings algorithm;
@@ -43,11 +43,11 @@ struct ServoSettings {
 };
 
 [[nodiscard]] ServoSettings servo_settings(const Scene& scene);
-// Points into `settings`; valid as long as it is. Realtime-safe: yes.
+// Points into `settings`, which must outlive it. Realtime-safe: yes.
 [[nodiscard]] StabiliserContext stabiliser_context(const ServoSettings& settings);
 
-// After a switch the force starts where it was: the difference to what the new algorithm asks for
-// is kept as an offset that falls linearly to nothing.
+// After a switch the force starts at its last value: the difference to the new algorithm's force is
+// an offset that falls linearly to 0.
 struct SwitchTransition {
   std::uint32_t ticks_left = 0;
   std::uint32_t ticks_total = 0;
@@ -73,8 +73,8 @@ struct ServoState {
   double budget_n_per_m = 0.0;  // b/T, b as the algorithm believes it
   EnergyLedger ledger;
   SwitchTransition transition;
-  // What reaches the device of the force, 0 to 1: less than 1 while a device is not or not yet
-  // fully armed.
+  // Share of the force that reaches the device, 0 to 1; less than 1 until the device is fully
+  // armed.
   double force_gain = 1.0;
   double previous_gain = 1.0;   // of the previous force
   bool position_known = false;  // the last reading was without fault
@@ -82,7 +82,7 @@ struct ServoState {
   bool failed = false;  // a force that was not finite; sticky until reset
 };
 
-// What happened in a tick. The ledger after it stands in ServoState.
+// Result of a tick. ServoState has the ledger after it.
 struct TickOutcome {
   std::uint64_t tick = 0;
   double position_m = 0.0;
@@ -101,7 +101,7 @@ struct TickOutcome {
 
 namespace detail {
 
-// Finite check, then clamp; zero where the input was not to be trusted. Realtime-safe: yes.
+// Finite check, then clamp; zero if the input is not usable. Realtime-safe: yes.
 [[nodiscard]] inline double restrict_force(double wanted_n, double limit_n, bool usable,
                                            ServoState& state) {
   if (!std::isfinite(wanted_n)) state.failed = true;
@@ -109,33 +109,32 @@ namespace detail {
   return std::clamp(wanted_n, -limit_n, limit_n);
 }
 
-// What is to be blended: what a stiff wall asks for beyond the limit would stay in the offset, and
-// pull a handle in that leaves. What is not finite stays so. Realtime-safe: yes.
+// Clamps a force before it is blended: a stiff wall's excess over the limit would stay in the
+// offset and pull in a handle that leaves. Keeps NaN and infinity. Realtime-safe: yes.
 [[nodiscard]] inline double within(double wanted_n, double limit_n) {
   return std::isfinite(wanted_n) ? std::clamp(wanted_n, -limit_n, limit_n) : wanted_n;
 }
 
-// What the previous force would have been with all of it reaching the device. Realtime-safe: yes.
+// The previous force at a gain of 1. Realtime-safe: yes.
 [[nodiscard]] inline double previous_full_force(const ServoState& state, double limit_n) {
   if (state.previous_gain == 1.0) return state.previous_force_n;
   if (state.previous_gain == 0.0) return 0.0;
   return std::clamp(state.previous_force_n / state.previous_gain, -limit_n, limit_n);
 }
 
-// No negative zero, and what is not finite stays so. Realtime-safe: yes.
+// Gives no negative zero and keeps NaN and infinity. Realtime-safe: yes.
 [[nodiscard]] inline double scale_force(double wanted_n, double gain) {
   return gain == 0.0 && std::isfinite(wanted_n) ? 0.0 : wanted_n * gain;
 }
 
 }  // namespace detail
 
-// What a caller knows of its ticks beforehand; a question that has one answer only is then not in
-// the loop. Every such tick gives the same bits as one of which nothing is known.
+// Compile-time facts about a caller's ticks; they let the loop drop branches. The tick gives the
+// same bits without them.
 struct StepKnowledge {
-  bool sound_device = false;  // no reading is ever old or faulty
-  // The last reading was sound, no switch is being blended, all of the force reaches the device,
-  // and none was ever other than finite; see is_steady(). Stays true from tick to tick while
-  // state.failed is false and the device is sound.
+  bool sound_device = false;  // no reading is old or faulty
+  // The last reading was sound, no blend is running, the gain is 1, and every force was finite; see
+  // is_steady(). Stays true while state.failed is false and the device is sound.
   bool steady = false;
   bool one_undamped_wall = false;
 };
@@ -189,7 +188,8 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
     }
     if (state.force_gain < 1.0) [[unlikely]] {
       wanted_n = detail::scale_force(wanted_n, state.force_gain);
-      limit_n *= state.force_gain;  // a stiff wall is at its limit at once: that rises as well
+      limit_n *=
+          state.force_gain;  // a stiff wall reaches its limit at once, so the limit rises too
     }
   }
   out.force_n = wanted_n;
@@ -205,7 +205,7 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
   state.previous_force_n = out.force_n;
   if constexpr (!kKnown.steady) {
     state.previous_gain = state.force_gain;
-    // Where the handle was meanwhile is not known: the first reading after a fault is no move.
+    // Motion during a fault is unobserved: the first reading after it has zero displacement.
     state.position_known = !out.fault;
     out.parameters_changed = state.parameters_changed;
     state.parameters_changed = false;
@@ -214,8 +214,7 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
   return out;
 }
 
-// The tick as it is plotted and recorded; truth and generation are the caller's. Realtime-safe:
-// yes.
+// The tick as plotted and recorded; the caller adds truth and generation. Realtime-safe: yes.
 inline void write_sample(const ServoSettings& settings, const EnergyLedger& ledger,
                          const TickOutcome& out, Sample& sample) {
   sample.tick = out.tick;
@@ -225,11 +224,11 @@ inline void write_sample(const ServoSettings& settings, const EnergyLedger& ledg
   sample.penetration_m = out.contact.penetration_m;
   sample.wall_force_n = out.contact.force_n;
   sample.force_n = out.force_n;
-  // A penetration may be the smallest number there is; what is recorded is finite.
-  constexpr double kMost = std::numeric_limits<double>::max();
-  sample.stiffness_n_per_m =
-      out.contact.in_contact ? std::clamp(out.force_n / out.contact.penetration_m, -kMost, kMost)
-                             : 0.0;
+  // A denormal penetration gives an infinite quotient; a recording holds finite numbers only.
+  constexpr double kMax = std::numeric_limits<double>::max();
+  sample.stiffness_n_per_m = out.contact.in_contact
+                                 ? std::clamp(out.force_n / out.contact.penetration_m, -kMax, kMax)
+                                 : 0.0;
   sample.energy_cv_j = ledger.cv_j;
   sample.energy_hold_j = ledger.hold_j;
   sample.energy_scv_j = ledger.scv_j;

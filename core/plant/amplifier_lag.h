@@ -1,6 +1,6 @@
-// An amplifier that follows the force F it is told to give as a first-order lag: F_a' = (F -
-// F_a)/τ. Over a step with constant F the excess e = F_a - F falls as exp(-t/τ). Without a lag
-// (kLag false) everything here is empty: it adds no state and no arithmetic.
+// An amplifier that follows its command F as a first-order lag: F_a' = (F - F_a)/τ. Over a step
+// with constant F the excess e = F_a - F falls as exp(-t/τ). Without a lag (kLag false) these
+// structs are empty and cost nothing.
 #pragma once
 
 #include <array>

@@ -7,8 +7,7 @@
 namespace hapticwall {
 namespace {
 
-// A point this near to a tick, in ticks, is meant to be on it (decimal times have binary
-// roundings).
+// Points within this distance of a tick, in ticks, count as on it: decimal times round in binary.
 constexpr double kOnTickTolerance = 1e-9;
 
 double snap_to_tick(double ticks) {
@@ -77,7 +76,7 @@ bool HandPath::next_piece() {
   return true;
 }
 
-// The tick in whose course the present segment ends (it is not wholly inside), or never.
+// The first tick that is not wholly inside the present segment, or never.
 std::uint64_t HandPath::straight_until() const {
   if (segment_ + 1 >= segments_.size()) return std::numeric_limits<std::uint64_t>::max();
   return static_cast<std::uint64_t>(std::floor(segments_[segment_ + 1].begin_tick));
@@ -120,7 +119,7 @@ void HandPath::aim() {
     }
     target_m = scripted_position_m(end_tick);
   }
-  const double reach_m = kMaximumPointerSpeedMPerS * now_.period_s;
+  const double reach_m = kMaxPointerSpeedMPerS * now_.period_s;
   next_position_m_ = now_.position_m + std::clamp(target_m - now_.position_m, -reach_m, reach_m);
   now_.velocity_m_per_s = (next_position_m_ - now_.position_m) * rate_hz_;
   if (lead_ == Lead::kReturning && next_position_m_ == target_m) lead_ = Lead::kScript;

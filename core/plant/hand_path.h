@@ -1,6 +1,5 @@
-// Where the hand intends to be: a script that is linear between its points, or a pointer that it is
-// led by. Within a tick the intention moves at constant speed, except where a point of the script
-// falls between two ticks.
+// The hand's intended position: a script that is linear between its points, or a pointer. Within a
+// tick it moves at constant speed, unless a point of the script falls between two ticks.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +10,8 @@
 
 namespace hapticwall {
 
-// Positions that a pointer asks for are approached no faster than this, as an arm would.
-inline constexpr double kMaximumPointerSpeedMPerS = 1.0;
+// The hand approaches the pointer no faster than an arm.
+inline constexpr double kMaxPointerSpeedMPerS = 1.0;
 
 // The hand's intention at a tick and, while the path stays straight, at the ticks that follow.
 // Realtime-safe: yes.
@@ -26,7 +25,7 @@ struct StraightPath {
   double position_m = 0.0;
   double velocity_m_per_s = 0.0;
 
-  // True where the next tick is wholly inside the segment too.
+  // True if the next tick is also wholly inside the segment.
   [[nodiscard]] bool goes_on() const { return tick + 1 < straight_until_tick; }
   // To the next tick. Precondition: goes_on().
   void next_tick() {
@@ -39,7 +38,7 @@ struct StraightPath {
 
 class HandPath {
  public:
-  // A path that stays at `position_m`: a scene without a hand, or one whose hand a pointer leads.
+  // A path that stays at `position_m`: without a hand, or with one that a pointer leads.
   HandPath(double position_m, double rate_hz);
   HandPath(const std::vector<PathPoint>& points, double rate_hz);
 
@@ -48,11 +47,11 @@ class HandPath {
   // Intended position at the present instant, and its speed until remaining_in_piece() is over.
   [[nodiscard]] double position_m() const { return now_.position_m; }
   [[nodiscard]] double velocity_m_per_s() const { return now_.velocity_m_per_s; }
-  // True where a point of the script lies strictly inside the present tick.
+  // True if a point of the script lies strictly inside the present tick.
   [[nodiscard]] bool bends_within_tick() const { return bends_; }
-  // Length of the present straight piece, as a fraction of the tick; 1 where nothing bends.
+  // Length of the present straight piece as a fraction of the tick; 1 without a bend.
   [[nodiscard]] double piece_fraction() const { return piece_end_ - piece_begin_; }
-  // Goes on to the next piece of the same tick; false at the end of the tick.
+  // To the next piece of the same tick; false at the end of the tick.
   bool next_piece();
   // To the next tick.
   void next_tick() {
@@ -62,7 +61,7 @@ class HandPath {
       enter_tick();
     }
   }
-  // A copy that goes on by itself while the path is straight, and the way back.
+  // A copy that moves on its own while the path is straight, and its return.
   [[nodiscard]] const StraightPath& straight() const { return now_; }
   void resume(const StraightPath& straight) { now_ = straight; }
 
@@ -73,7 +72,7 @@ class HandPath {
   enum class Lead : std::uint8_t { kScript, kPointer, kReturning };
 
   struct Segment {
-    double begin_tick;  // in ticks, whole where the point falls on one
+    double begin_tick;  // in ticks; whole if the point falls on a tick
     double position_m;
     double velocity_m_per_s;
   };
@@ -94,7 +93,7 @@ class HandPath {
   bool bends_ = false;
   Lead lead_ = Lead::kScript;
   double pointer_m_ = 0.0;
-  double next_position_m_ = 0.0;  // at the end of the tick, where the script does not lead
+  double next_position_m_ = 0.0;  // at the end of the tick, if the script does not lead
 };
 
 }  // namespace hapticwall

@@ -1,5 +1,5 @@
-// What every plant has whatever integrates it: a state, energies, the hand's path, and how a plant
-// takes over from another while it moves.
+// The common part of all plants: a state, energies, the hand's path, and the change from one plant
+// to another during motion.
 #pragma once
 
 #include <cmath>
@@ -12,39 +12,32 @@
 
 namespace hapticwall {
 
-// The optional parts of a plant that its type names.
-struct PlantParts {
-  bool grip = false;  // the hand has a mass of its own
-  bool friction = false;
-  bool lag = false;  // of the amplifier
-};
-
 // A handle's position beyond this is `diverged`.
 inline constexpr double kDivergedPositionM = 1.0;
-// So is a hand's beyond this, which no path asks for: only an unstable integrator sends it there.
+// So is a hand's beyond this; only an unstable integrator sends it there.
 inline constexpr double kRunawayHandM = 1e3;
 
-// What one plant hands to the next when the scene's parameters change in the course of a session.
+// The state that one plant hands to the next when a session changes the scene's plant.
 template <typename Real>
 struct HandOver {
   Real position_m = 0;
   Real velocity_m_per_s = 0;
-  Real hand_position_m = 0;  // the handle's where the hand has no mass of its own
+  Real hand_position_m = 0;  // the handle's if the hand has no mass of its own
   Real hand_velocity_m_per_s = 0;
-  Real actuator_n = 0;  // that really acts
+  Real actuator_n = 0;  // really acting
   Real kinetic_j = 0;
   BasicEnergyTotals<Real> energy;
 };
 
-// State: of the body; what a body has not, its state has no member for. Realtime-safe: yes, all of
-// it after construction.
+// State: of the body; it holds only the members that this body needs. Realtime-safe: yes, all of it
+// after construction.
 template <typename State, typename Real>
 class MovingPlant {
  public:
   using Number = Real;
 
-  // What changes from tick to tick. A loop may keep a copy of its own (of the plant's), pass ticks
-  // with try_tick() as long as that works, and give it back with resume().
+  // Everything that changes from tick to tick. A loop may keep a copy, pass ticks with the plant's
+  // try_tick() while that succeeds, and give the copy back with resume().
   struct Motion {
     State body;
     BasicEnergyTotals<Real> energy;
@@ -56,8 +49,7 @@ class MovingPlant {
   [[nodiscard]] Real position_m() const { return motion_.body.position_m; }
   [[nodiscard]] const BasicEnergyTotals<Real>& energy() const { return motion_.energy; }
 
-  // False where the motion has left what a scene can mean: a handle that is not within ±1 m, or a
-  // hand that has run away.
+  // False if the run has diverged: the handle is not within ±1 m, or the hand has run away.
   [[nodiscard]] static bool in_reach(const Motion& motion) {
     bool in = std::abs(motion.body.position_m) <= static_cast<Real>(kDivergedPositionM);
     if constexpr (requires { motion.body.hand_position_m; }) {
@@ -96,7 +88,7 @@ class MovingPlant {
     truth.kinetic_j = static_cast<double>(kinetic_j);
   }
 
-  // `force_n`: the last one that the actuator was told to give.
+  // `force_n`: the last command to the actuator.
   [[nodiscard]] HandOver<Real> hand_over(Real force_n, Real kinetic_j) const {
     const State& body = motion_.body;
     HandOver<Real> state{
@@ -109,7 +101,7 @@ class MovingPlant {
     if constexpr (requires { body.actuator_n; }) state.actuator_n = body.actuator_n;
     return state;
   }
-  // Goes on from there, along the other's path.
+  // Continues from there along the other's path.
   void go_on_from(const HandOver<Real>& state, HandPath& path) {
     std::swap(path_, path);
     motion_.energy = state.energy;
@@ -124,8 +116,7 @@ class MovingPlant {
     }
     if constexpr (requires { body.actuator_n; }) body.actuator_n = state.actuator_n;
   }
-  // Whoever makes a moving handle heavier or lighter gives or takes its kinetic energy; in the
-  // ledger that is the hand.
+  // A change of mass changes the kinetic energy of a moving handle; the ledger charges the hand.
   void charge_hand_with(Real energy_j) { motion_.energy.hand_work_j += energy_j; }
 
   HandPath path_;

@@ -2,8 +2,7 @@
 
 #include <limits>
 
-#include "core/plant/ladder.h"
-#include "core/plant/propagator.h"
+#include "core/plant/linear_generator.h"
 
 namespace hapticwall {
 namespace {

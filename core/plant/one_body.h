@@ -3,10 +3,10 @@
 //   m dv/dt = F_h - F_a - f - b v,   F_h = k_h (p - x) + b_h (p' - v),
 //
 // F_a the actuator's force, f the friction of the present direction, and the intended path p moving
-// at a constant speed s. Without an amplifier's lag F_a is the force F that it is told to give;
-// with one, e = F_a - F and de/dt = -e/τ. Core states (linear_motion.h) are u = v - s, the net
-// force m a and e: m a' = -k_h u - (b + b_h) a + e/τ, so that x enters only through the balance of
-// forces at the start and all cancellation happens there.
+// at a constant speed s. Without an amplifier's lag F_a is the command F; with one, e = F_a - F and
+// de/dt = -e/τ. Core states (linear_motion.h) are u = v - s, the net force m a and e:
+// m a' = -k_h u - (b + b_h) a + e/τ. The position x enters only through the balance of forces at
+// the start, where all cancellation happens.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct OneBodyParameters {
   double damping_n_s_per_m = 0.0;       // b
   double hand_stiffness_n_per_m = 0.0;  // k_h
   double hand_damping_n_s_per_m = 0.0;  // b_h
-  double time_constant_s = 0.0;         // τ of the amplifier; not read without a lag
+  double time_constant_s = 0.0;         // τ of the amplifier; read with a lag only
 };
 
 // Real: double, or long double for the reference.
@@ -56,7 +56,7 @@ class BasicOneBody {
 
   static constexpr std::size_t kStates = kLag ? 3 : 2;  // u, m a[, e]
   using Row = std::array<Real, kStates>;
-  // While the path stands still, u = v: most of the time, and cheaper.
+  // For a path at rest, where u = v: the most frequent case, and cheaper.
   struct Rows : LinearRows<Real, kLag, kStates> {
     Row integral_at_rest{};                         // ∫v
     SymmetricForm<Real, kStates> square_at_rest{};  // ∫v²
@@ -70,7 +70,7 @@ class BasicOneBody {
     state.position_m = position_m;
     return state;
   }
-  // To coordinates that begin at `origin_m`, and back with its negative.
+  // To coordinates with the origin at `origin_m`; back with its negative.
   static void move_origin(State& state, Real origin_m) { state.position_m -= origin_m; }
   [[nodiscard]] Real kinetic_j(const State& state) const {
     return half_mass_kg_ * (state.velocity_m_per_s * state.velocity_m_per_s);
@@ -89,11 +89,11 @@ class BasicOneBody {
   [[nodiscard]] MotionIncrement<Real> advance_by(const Rows& rows, State& state,
                                                  const Load<Real>& load,
                                                  const BasicHandDrive<Real>& drive) const;
-  // True only if v keeps its sign (that of `direction`, ±1) over the whole step; false may be a
-  // doubt.
+  // True guarantees that v keeps its sign (that of `direction`, ±1) over the whole step. False is
+  // inconclusive.
   [[nodiscard]] bool surely_slides(const Rows& rows, const State& state, const Load<Real>& load,
                                    const BasicHandDrive<Real>& drive, Real direction) const;
-  // True only if a handle at rest stays so over the level's step; false may be a doubt.
+  // True guarantees that a handle at rest stays so over the level's step. False is inconclusive.
   [[nodiscard]] bool surely_sticks(int level, const State& state, Real force_n,
                                    const BasicHandDrive<Real>& drive, Real friction_n) const;
   void advance_stick_level(int level, State& state, Real force_n,
@@ -101,8 +101,8 @@ class BasicOneBody {
     if constexpr (kLag) this->level(level).lag.settle(state, force_n);
   }
 
-  // What is shorter than the deepest level. A handle that has just broken loose is not accelerated
-  // against `push`, the sign of its direction (0: it moves already).
+  // For steps shorter than the deepest level. A handle that has just broken loose is not
+  // accelerated against `push`, the sign of its direction (0: it already moves).
   [[nodiscard]] Slide slide(const State& state, const Load<Real>& load,
                             const BasicHandDrive<Real>& drive, Real duration_s, Real push) const;
   [[nodiscard]] MotionIncrement<Real> advance(State& state, const Slide& slide, Real theta) const;
@@ -113,7 +113,7 @@ class BasicOneBody {
   }
 
  private:
-  // The load last: it is what arrives last in a tick.
+  // Adds the load last, because it arrives last in a tick.
   [[nodiscard]] Real net_force_n(const State& state, const Load<Real>& load,
                                  const BasicHandDrive<Real>& drive) const {
     const Real net_n =

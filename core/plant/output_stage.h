@@ -1,5 +1,5 @@
-// What lies between a command and the amplifier: rounding to whole steps of force, the actuator's
-// limit, and a delay of whole ticks.
+// Between command and amplifier: rounding to whole steps of force, the actuator's limit, and a
+// delay of whole ticks.
 #pragma once
 
 #include <algorithm>
@@ -21,11 +21,11 @@ class OutputStage {
         limit_n_(device.force_limit_n.value_or(std::numeric_limits<double>::max())),
         waiting_n_(static_cast<std::size_t>(device.delay_ticks.value_or(0)), 0.0) {}
 
-  // False: pass() gives back what it gets.
+  // False: pass() returns its argument.
   [[nodiscard]] bool present() const { return resolution_n_ > 0.0 || !waiting_n_.empty(); }
 
-  // The command of this tick goes in; what the amplifier is told in this tick comes out, newtons.
-  // Before the first command has come through that is 0.
+  // Takes this tick's command and returns the amplifier's command of this tick, newtons; 0 before
+  // the first delayed command arrives.
   [[nodiscard]] double pass(double commanded_n) {
     double force_n = commanded_n;
     if (resolution_n_ > 0.0) {
@@ -38,7 +38,7 @@ class OutputStage {
     last_n_ = force_n;
     return force_n;
   }
-  // What came out last; 0 before that.
+  // The last return value of pass(), or 0.
   [[nodiscard]] double last_n() const { return last_n_; }
 
   void reset() {
@@ -47,8 +47,8 @@ class OutputStage {
     last_n_ = 0.0;
   }
 
-  // Goes on from another stage, out of which `last_n` came last: commands that are on their way
-  // arrive, at most a delay later; where this delay is longer, `last_n` goes on for the difference.
+  // Continues from another stage whose last output was `last_n`. Its delayed commands arrive, at
+  // most one delay later; if this delay is longer, `last_n` holds for the difference.
   void take_over(const OutputStage& other, double last_n) {
     reset();
     last_n_ = last_n;

@@ -5,18 +5,20 @@ namespace {
 
 // Which optional parts a scene names.
 PlantParts parts_of(const Scene& scene) {
-  return {scene.hand && scene.hand->has_grip(), scene.device.friction_n.value_or(0.0) > 0.0,
-          scene.device.amplifier_time_constant_s.value_or(0.0) > 0.0};
+  return {scene.x().hand && scene.x().hand->has_grip(),
+          scene.x().device.friction_n.value_or(0.0) > 0.0,
+          scene.x().device.amplifier_time_constant_s.value_or(0.0) > 0.0};
 }
 
 SteppedParameters parameters_of(const Scene& scene) {
   SteppedParameters parameters;
-  parameters.mass_kg = scene.device.mass_kg;
-  parameters.damping_n_s_per_m = scene.device.damping_n_s_per_m;
-  parameters.friction_n = scene.device.friction_n.value_or(0.0);
-  parameters.time_constant_s = scene.device.amplifier_time_constant_s.value_or(0.0);
-  if (!scene.hand) return parameters;
-  const HandSettings& hand = *scene.hand;
+  parameters.parts = parts_of(scene);
+  parameters.mass_kg = scene.x().device.mass_kg;
+  parameters.damping_n_s_per_m = scene.x().device.damping_n_s_per_m;
+  parameters.friction_n = scene.x().device.friction_n.value_or(0.0);
+  parameters.time_constant_s = scene.x().device.amplifier_time_constant_s.value_or(0.0);
+  if (!scene.x().hand) return parameters;
+  const HandSettings& hand = *scene.x().hand;
   parameters.hand_stiffness_n_per_m = hand.stiffness_n_per_m;
   parameters.hand_damping_n_s_per_m = hand.damping_n_s_per_m;
   if (hand.has_grip()) {
@@ -34,10 +36,10 @@ ExactPlantVariant<Real> make_exact_with(const Scene& scene, const Body& body) {
   const double period_s = scene.sampling.period_s();
   const HandPath path = hand_path(scene);
   if (!parts_of(scene).friction) {
-    return ExactPlant<Body, false>(body, path, period_s, scene.device.start_m, 0.0);
+    return ExactPlant<Body, false>(body, path, period_s, scene.x().device.start_m, 0.0);
   }
-  return ExactPlant<Body, true>(body, path, period_s, scene.device.start_m,
-                                *scene.device.friction_n);
+  return ExactPlant<Body, true>(body, path, period_s, scene.x().device.start_m,
+                                *scene.x().device.friction_n);
 }
 
 template <typename Real, bool kLag>
@@ -62,37 +64,23 @@ ExactPlantVariant<Real> make_exact_plant(const Scene& scene) {
                              : make_exact_with_lag<Real, false>(scene);
 }
 
-template <template <PlantParts> class Scheme, PlantParts kParts>
-SteppedPlantVariant<Scheme> make_stepped(const Scene& scene) {
-  return SteppedPlant<Scheme<kParts>>(parameters_of(scene), hand_path(scene),
-                                      scene.sampling.period_s(), scene.device.start_m,
-                                      scene.simulator.substeps);
+template <typename Scheme>
+SteppedPlant<Scheme> make_stepped_plant(const Scene& scene) {
+  return {parameters_of(scene), hand_path(scene), scene.sampling.period_s(),
+          scene.x().device.start_m, scene.simulator.substeps};
 }
 
-template <template <PlantParts> class Scheme, bool kGrip, bool kFriction>
-SteppedPlantVariant<Scheme> make_stepped_with(const Scene& scene) {
-  return parts_of(scene).lag ? make_stepped<Scheme, PlantParts{kGrip, kFriction, true}>(scene)
-                             : make_stepped<Scheme, PlantParts{kGrip, kFriction, false}>(scene);
-}
-
-template <template <PlantParts> class Scheme>
-SteppedPlantVariant<Scheme> make_stepped_plant(const Scene& scene) {
-  const PlantParts parts = parts_of(scene);
-  if (parts.grip) {
-    return parts.friction ? make_stepped_with<Scheme, true, true>(scene)
-                          : make_stepped_with<Scheme, true, false>(scene);
-  }
-  return parts.friction ? make_stepped_with<Scheme, false, true>(scene)
-                        : make_stepped_with<Scheme, false, false>(scene);
+PlantVariant widened(ExactPlantVariant<double> exact) {
+  return std::visit([](auto& plant) -> PlantVariant { return std::move(plant); }, exact);
 }
 
 }  // namespace
 
 HandPath hand_path(const Scene& scene) {
-  if (!scene.hand || scene.hand->path.empty()) {
-    return {scene.device.start_m, scene.sampling.rate_hz};
+  if (!scene.x().hand || scene.x().hand->path.empty()) {
+    return {scene.x().device.start_m, scene.sampling.rate_hz};
   }
-  return {scene.hand->path, scene.sampling.rate_hz};
+  return {scene.x().hand->path, scene.sampling.rate_hz};
 }
 
 OneBodyParameters one_body_parameters(const Scene& scene) {
@@ -104,7 +92,7 @@ OneBodyParameters one_body_parameters(const Scene& scene) {
 PlantVariant make_plant(const Scene& scene) {
   switch (scene.simulator.integrator) {
     case Integrator::kExact:
-      return make_exact_plant<double>(scene);
+      return widened(make_exact_plant<double>(scene));
     case Integrator::kSemiImplicitEuler:
       return make_stepped_plant<SemiImplicitEuler>(scene);
     case Integrator::kRungeKutta4:
@@ -119,42 +107,42 @@ ReferencePlantVariant make_reference_plant(const Scene& scene) {
 
 PlantModel::PlantModel(const Scene& scene)
     : plant_(make_plant(scene)),
-      output_(scene.device),
-      encoder_m_(scene.device.encoder_m.value_or(0.0)) {
+      output_(scene.x().device),
+      encoder_m_(scene.x().device.encoder_m.value_or(0.0)) {
   refresh();
 }
 
 bool PlantModel::has_diverged() const {
-  return visit_plant([](const auto& plant) { return !plant.in_reach(plant.motion()); }, plant_);
+  return std::visit([](const auto& plant) { return !plant.in_reach(plant.motion()); }, plant_);
 }
 
 void PlantModel::advance(double force_n) {
   const double passed_n = output_.pass(force_n);
-  visit_plant([&](auto& plant) { plant.advance(passed_n); }, plant_);
+  std::visit([&](auto& plant) { plant.advance(passed_n); }, plant_);
   refresh();
 }
 
 void PlantModel::reset() {
   output_.reset();
-  visit_plant([](auto& plant) { plant.reset(); }, plant_);
+  std::visit([](auto& plant) { plant.reset(); }, plant_);
   refresh();
 }
 
 void PlantModel::lead_hand_to(double position_m) {
-  visit_plant([&](auto& plant) { plant.path().lead_to(position_m); }, plant_);
+  std::visit([&](auto& plant) { plant.path().lead_to(position_m); }, plant_);
   refresh();
 }
 
 void PlantModel::release_hand() {
-  visit_plant([](auto& plant) { plant.path().release(); }, plant_);
+  std::visit([](auto& plant) { plant.path().release(); }, plant_);
   refresh();
 }
 
 void PlantModel::take_over(PlantModel& other) {
-  visit_plant(
+  std::visit(
       [&](auto& old) {
         const auto state = old.hand_over(other.output_.last_n());
-        visit_plant([&](auto& plant) { plant.take_over(state, old.path()); }, plant_);
+        std::visit([&](auto& plant) { plant.take_over(state, old.path()); }, plant_);
       },
       other.plant_);
   output_.take_over(other.output_, other.output_.last_n());
@@ -162,7 +150,7 @@ void PlantModel::take_over(PlantModel& other) {
 }
 
 void PlantModel::refresh() {
-  visit_plant([&](auto& plant) { plant.write_truth(plant.motion(), truth_); }, plant_);
+  std::visit([&](auto& plant) { plant.write_truth(plant.motion(), truth_); }, plant_);
 }
 
 }  // namespace hapticwall

@@ -1,5 +1,5 @@
-// Set-up mathematics of the exact integrator: one matrix exponential per scene, and exact integrals
-// of quadratic forms along the motion, in extended precision.
+// Set-up of the exact integrator: one matrix exponential per scene, and exact integrals of
+// quadratic forms along the motion, in extended precision.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,13 +25,13 @@ struct Propagator {
 
 namespace detail {
 
-// With |A h| ≤ 1/4 what is left out of either series is below the last digit.
+// With |A h| ≤ 1/4 the truncation error of either series is below the last digit.
 inline constexpr long double kSmallNorm = 0.25L;
 inline constexpr int kIncrementTerms = 14;
 inline constexpr int kIntegralTerms = 18;
 
-// The products below leave out what is known to be zero: a generator has columns only for the
-// kCore states that anything depends on, and so have all its powers.
+// A generator and its powers are zero outside the columns of the first kCore states, so the
+// products below skip the other columns.
 template <int kCore, int kSize>
 auto core_columns(const SetupMatrix<kSize>& matrix) {
   return matrix.template leftCols<kCore>();
@@ -101,14 +101,12 @@ Propagator<kSize, kWeights> doubled(const Propagator<kSize, kWeights>& half) {
 
 }  // namespace detail
 
-// `generator`: A of dy/dt = A y, time measured in ticks; on the states after the first kCore
-// nothing depends (their columns are zero). `weights`: symmetric matrices. Gives the whole tick
-// (first) and its `halvings` halves of halves.
+// `generator`: A of dy/dt = A y, with time in ticks; the columns after the first kCore are zero.
+// `weights`: symmetric matrices. Returns the steps of 1, 1/2, 1/4, … ticks, `halvings` + 1 of them.
 //
 // The shortest step, or a still shorter one with |A| h ≤ 1/4, is taken by its Taylor series and
-// doubled: E(2h) = 2E + E², I(2h) = I + ΦI, G(2h) = G + ΦᵀGΦ. Nothing grows on the way, however
-// stiff A is, and near-singular or critically damped matrices are nothing special. Realtime-safe:
-// no.
+// doubled: E(2h) = 2E + E², I(2h) = I + ΦI, G(2h) = G + ΦᵀGΦ. Errors do not grow, however stiff A
+// is; near-singular and critically damped matrices need no special case. Realtime-safe: no.
 template <int kCore, int kSize, std::size_t kWeights>
 [[nodiscard]] std::vector<Propagator<kSize, kWeights>> make_propagators(
     const SetupMatrix<kSize>& generator, const std::array<SetupMatrix<kSize>, kWeights>& weights,

@@ -1,54 +1,54 @@
-// The integrators that everyone else's simulator has: semi-implicit (symplectic) Euler and the
-// classical Runge-Kutta method of fourth order, with a number of equal substeps in a tick. They are
-// here so that a user can see what such a simulator would have shown; the exact integrator is the
-// default.
+// The usual integrators of simulators: semi-implicit (symplectic) Euler and the classical
+// Runge-Kutta method of fourth order, with a number of equal substeps in a tick. They show a user
+// what such a simulator computes; the exact integrator is the default. Only `accuracy` compares
+// their speed, so optional parts are tested at run time.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "core/plant/amplifier_lag.h"
 #include "core/plant/energy_totals.h"
 #include "core/plant/moving_plant.h"
 
 namespace hapticwall {
 
+// The optional parts of a plant.
+struct PlantParts {
+  bool grip = false;  // the hand has a mass of its own
+  bool friction = false;
+  bool lag = false;  // of the amplifier
+};
+
 struct SteppedParameters {
+  PlantParts parts;
   double mass_kg = 1.0;
   double damping_n_s_per_m = 0.0;
   double friction_n = 0.0;
-  double hand_mass_kg = 0.0;  // of a hand that grips; not read without one
+  double hand_mass_kg = 0.0;  // read with a grip only
   double hand_stiffness_n_per_m = 0.0;
   double hand_damping_n_s_per_m = 0.0;
   double grip_stiffness_n_per_m = 0.0;
   double grip_damping_n_s_per_m = 0.0;
-  double time_constant_s = 0.0;  // of the amplifier; not read without a lag
+  double time_constant_s = 0.0;  // of the amplifier; read with a lag only
 };
 
-template <bool kGrip>
-struct GrippingHand {};
-template <>
-struct GrippingHand<true> {
-  double hand_position_m = 0.0;
-  double hand_velocity_m_per_s = 0.0;
-};
-
-// Handle and, where it grips, hand.
-template <PlantParts kParts>
-struct SteppedState : GrippingHand<kParts.grip>, ActuatorState<double, kParts.lag> {
+// Handle, hand and amplifier. Members of an absent part stay 0.
+struct SteppedState {
   double position_m = 0.0;
   double velocity_m_per_s = 0.0;
+  double hand_position_m = 0.0;
+  double hand_velocity_m_per_s = 0.0;
+  double actuator_n = 0.0;
 };
 
 // The equations of motion.
-template <PlantParts kParts>
 struct SteppedMechanics {
-  using State = SteppedState<kParts>;
+  using State = SteppedState;
   SteppedParameters p;
 
   [[nodiscard]] double hand_force_n(const State& y, const HandDrive& drive) const {
-    if constexpr (kParts.grip) {
+    if (p.parts.grip) {
       return p.grip_stiffness_n_per_m * (y.hand_position_m - y.position_m) +
              p.grip_damping_n_s_per_m * (y.hand_velocity_m_per_s - y.velocity_m_per_s);
     } else {
@@ -56,12 +56,11 @@ struct SteppedMechanics {
              p.hand_damping_n_s_per_m * (drive.velocity_m_per_s - y.velocity_m_per_s);
     }
   }
-  // What really acts where the actuator is told to give `force_n`.
+  // The actuator's real force under the command `force_n`.
   [[nodiscard]] double actuator_n(const State& y, double force_n) const {
-    if constexpr (kParts.lag) return y.actuator_n;
-    return force_n;
+    return p.parts.lag ? y.actuator_n : force_n;
   }
-  // Of the handle, less friction.
+  // On the handle, without friction.
   [[nodiscard]] double net_force_n(const State& y, double force_n, const HandDrive& drive) const {
     return hand_force_n(y, drive) - actuator_n(y, force_n) -
            p.damping_n_s_per_m * y.velocity_m_per_s;
@@ -77,26 +76,23 @@ struct SteppedMechanics {
 // v += h a(x, v), then x += h v; an amplifier's force first. Friction as an impulse that can stop
 // the handle but not turn it. Energies are sums over substeps with the new velocity: as accurate as
 // the method.
-template <PlantParts kParts>
 struct SemiImplicitEuler {
-  using State = SteppedState<kParts>;
-  static constexpr PlantParts kPlantParts = kParts;
-
-  static void step(const SteppedMechanics<kParts>& m, SteppedState<kParts>& y, EnergyTotals& energy,
-                   double force_n, const HandDrive& drive, double h) {
+  static void step(const SteppedMechanics& m, SteppedState& y, EnergyTotals& energy, double force_n,
+                   const HandDrive& drive, double h) {
+    const PlantParts parts = m.p.parts;
     const double hand_force_n = m.hand_force_n(y, drive);
     double hand_acceleration = 0.0;
-    if constexpr (kParts.grip) hand_acceleration = m.hand_acceleration(y, drive);
-    if constexpr (kParts.lag) y.actuator_n += h * (force_n - y.actuator_n) / m.p.time_constant_s;
+    if (parts.grip) hand_acceleration = m.hand_acceleration(y, drive);
+    if (parts.lag) y.actuator_n += h * (force_n - y.actuator_n) / m.p.time_constant_s;
     double v = y.velocity_m_per_s + h * m.net_force_n(y, force_n, drive) / m.p.mass_kg;
-    if constexpr (kParts.friction) {
+    if (parts.friction) {
       const double stopping = h * m.p.friction_n / m.p.mass_kg;
       v = std::abs(v) <= stopping ? 0.0 : v - std::copysign(stopping, v);
     }
     const double dx = h * v;
     y.velocity_m_per_s = v;
     y.position_m += dx;
-    if constexpr (kParts.grip) {
+    if (parts.grip) {
       y.hand_velocity_m_per_s += h * hand_acceleration;
       y.hand_position_m += h * y.hand_velocity_m_per_s;
     }
@@ -109,18 +105,16 @@ struct SemiImplicitEuler {
 
 // The classical method, with the energies as further components. The direction of friction is that
 // of the substep's start; a handle that turns within a substep is stopped at its end.
-template <PlantParts kParts>
 struct RungeKutta4 {
-  using State = SteppedState<kParts>;
-  static constexpr PlantParts kPlantParts = kParts;
+  using State = SteppedState;
 
   struct Rate {
     double x, v, y, w, actuator, work, viscous, hand;
   };
 
-  static Rate rate(const SteppedMechanics<kParts>& m, const State& s, double force_n,
+  static Rate rate(const SteppedMechanics& m, const State& s, double force_n,
                    const HandDrive& drive, double direction) {
-    const bool sticks = kParts.friction && direction == 0.0;
+    const bool sticks = m.p.parts.friction && direction == 0.0;
     const double v = sticks ? 0.0 : s.velocity_m_per_s;
     Rate r{};
     r.x = v;
@@ -130,65 +124,64 @@ struct RungeKutta4 {
     if (!sticks) {
       r.v = (m.net_force_n(s, force_n, drive) - direction * m.p.friction_n) / m.p.mass_kg;
     }
-    if constexpr (kParts.grip) {
+    if (m.p.parts.grip) {
       r.y = s.hand_velocity_m_per_s;
       r.w = m.hand_acceleration(s, drive);
     }
-    if constexpr (kParts.lag) r.actuator = (force_n - s.actuator_n) / m.p.time_constant_s;
+    if (m.p.parts.lag) r.actuator = (force_n - s.actuator_n) / m.p.time_constant_s;
     return r;
   }
 
-  static State moved(const State& s, const Rate& r, double h) {
+  static State moved(const SteppedMechanics& m, const State& s, const Rate& r, double h) {
     State next = s;
     next.position_m += h * r.x;
     next.velocity_m_per_s += h * r.v;
-    if constexpr (kParts.grip) {
+    if (m.p.parts.grip) {
       next.hand_position_m += h * r.y;
       next.hand_velocity_m_per_s += h * r.w;
     }
-    if constexpr (kParts.lag) next.actuator_n += h * r.actuator;
+    if (m.p.parts.lag) next.actuator_n += h * r.actuator;
     return next;
   }
 
-  static double direction(const SteppedMechanics<kParts>& m, const State& y, double force_n,
+  static double direction(const SteppedMechanics& m, const State& y, double force_n,
                           const HandDrive& drive) {
-    if (!kParts.friction) return 0.0;
+    if (!m.p.parts.friction) return 0.0;
     if (y.velocity_m_per_s != 0.0) return std::copysign(1.0, y.velocity_m_per_s);
     const double net_n = m.net_force_n(y, force_n, drive);
     return std::abs(net_n) <= m.p.friction_n ? 0.0 : std::copysign(1.0, net_n);
   }
 
-  static void step(const SteppedMechanics<kParts>& m, State& y, EnergyTotals& energy,
-                   double force_n, const HandDrive& drive, double h) {
+  static void step(const SteppedMechanics& m, State& y, EnergyTotals& energy, double force_n,
+                   const HandDrive& drive, double h) {
     const double sign = direction(m, y, force_n, drive);
     const HandDrive middle{drive.position_m + 0.5 * h * drive.velocity_m_per_s,
                            drive.velocity_m_per_s};
     const HandDrive end{drive.position_m + h * drive.velocity_m_per_s, drive.velocity_m_per_s};
     const Rate a = rate(m, y, force_n, drive, sign);
-    const Rate b = rate(m, moved(y, a, 0.5 * h), force_n, middle, sign);
-    const Rate c = rate(m, moved(y, b, 0.5 * h), force_n, middle, sign);
-    const Rate d = rate(m, moved(y, c, h), force_n, end, sign);
+    const Rate b = rate(m, moved(m, y, a, 0.5 * h), force_n, middle, sign);
+    const Rate c = rate(m, moved(m, y, b, 0.5 * h), force_n, middle, sign);
+    const Rate d = rate(m, moved(m, y, c, h), force_n, end, sign);
     const auto mean = [&](double Rate::*part) {
       return (a.*part + 2.0 * (b.*part) + 2.0 * (c.*part) + d.*part) / 6.0;
     };
     const Rate average{mean(&Rate::x),       mean(&Rate::v),        mean(&Rate::y),
                        mean(&Rate::w),       mean(&Rate::actuator), mean(&Rate::work),
                        mean(&Rate::viscous), mean(&Rate::hand)};
-    y = moved(y, average, h);
-    if (kParts.friction && y.velocity_m_per_s * sign < 0.0) y.velocity_m_per_s = 0.0;
-    energy.actuator_work_j += kParts.lag ? h * average.work : force_n * h * average.x;
+    y = moved(m, y, average, h);
+    if (m.p.parts.friction && y.velocity_m_per_s * sign < 0.0) y.velocity_m_per_s = 0.0;
+    energy.actuator_work_j += m.p.parts.lag ? h * average.work : force_n * h * average.x;
     energy.viscous_j += h * average.viscous;
     energy.friction_j += m.p.friction_n * std::abs(h * average.x);
     energy.hand_work_j += h * average.hand;
   }
 };
 
-// A plant with the interface of ExactPlant. Scheme: SemiImplicitEuler or RungeKutta4 with the parts
-// of the plant. Realtime-safe: yes, after construction.
+// A plant with the interface of ExactPlant. Scheme: SemiImplicitEuler or RungeKutta4.
+// Realtime-safe: yes, after construction.
 template <typename Scheme>
-class SteppedPlant : public MovingPlant<typename Scheme::State, double> {
-  using Base = MovingPlant<typename Scheme::State, double>;
-  static constexpr PlantParts kParts = Scheme::kPlantParts;
+class SteppedPlant : public MovingPlant<SteppedState, double> {
+  using Base = MovingPlant<SteppedState, double>;
   using Base::drive;
   using Base::motion_;
   using Base::path_;
@@ -207,14 +200,15 @@ class SteppedPlant : public MovingPlant<typename Scheme::State, double> {
   void reset() {
     motion_ = {};
     motion_.body.position_m = this->start_m_;
-    if constexpr (kParts.grip) motion_.body.hand_position_m = this->start_m_;
+    if (mechanics_.p.parts.grip) motion_.body.hand_position_m = this->start_m_;
     path_.reset();
   }
 
   [[nodiscard]] double kinetic_j() const { return kinetic_j(motion_); }
 
   [[nodiscard]] double net_work_j(const Motion& motion) const {
-    const double loss_j = kParts.friction ? motion.energy.dissipation_j() : motion.energy.viscous_j;
+    const double loss_j =
+        mechanics_.p.parts.friction ? motion.energy.dissipation_j() : motion.energy.viscous_j;
     return motion.energy.actuator_work_j + loss_j + kinetic_j(motion);
   }
   void write_truth(const Motion& motion, PlantTruth& truth) const {
@@ -222,10 +216,18 @@ class SteppedPlant : public MovingPlant<typename Scheme::State, double> {
                       kinetic_j(motion), truth);
   }
   [[nodiscard]] HandOver<double> hand_over(double force_n) const {
-    return Base::hand_over(force_n, kinetic_j());
+    HandOver<double> state = Base::hand_over(force_n, kinetic_j());
+    if (!mechanics_.p.parts.grip) {
+      state.hand_position_m = state.position_m;
+      state.hand_velocity_m_per_s = state.velocity_m_per_s;
+    }
+    if (!mechanics_.p.parts.lag) state.actuator_n = force_n;
+    return state;
   }
   void take_over(const HandOver<double>& state, HandPath& path) {
     this->go_on_from(state, path);
+    SteppedState& body = motion_.body;
+    if (!mechanics_.p.parts.grip) body.hand_position_m = body.hand_velocity_m_per_s = 0.0;
     this->charge_hand_with(kinetic_j() - state.kinetic_j);
   }
 
@@ -264,7 +266,7 @@ class SteppedPlant : public MovingPlant<typename Scheme::State, double> {
     }
   }
 
-  SteppedMechanics<kParts> mechanics_;
+  SteppedMechanics mechanics_;
   int substeps_;
 };
 

@@ -76,9 +76,9 @@ Coefficients<Real> split_left(Coefficients<Real>& b) {
 // P(high) after multiplication by `sign`.
 template <typename Real>
 Real refine(const TaylorPolynomial<Real>& p, Real sign, Real low, Real high) {
-  constexpr int kMaximumIterations = 100;
+  constexpr int kMaxIterations = 100;
   Real theta = (low + high) / 2;
-  for (int i = 0; i < kMaximumIterations; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     const Real value = sign * p.at(theta);
     if (value == 0) return theta;
     (value > 0 ? low : high) = theta;
@@ -91,7 +91,7 @@ Real refine(const TaylorPolynomial<Real>& p, Real sign, Real low, Real high) {
   return theta;
 }
 
-constexpr int kMaximumDepth = 48;
+constexpr int kMaxDepth = 48;
 
 template <typename Real>
 std::optional<Real> search(const TaylorPolynomial<Real>& p, Real sign, Coefficients<Real> b,
@@ -99,7 +99,7 @@ std::optional<Real> search(const TaylorPolynomial<Real>& p, Real sign, Coefficie
   const int changes = sign_changes(b);
   if (changes == 0) return std::nullopt;
   if (changes == 1 && b.front() > 0 && b.back() < 0) return refine(p, sign, low, high);
-  if (depth == kMaximumDepth) return b.back() < 0 ? std::optional<Real>(high) : std::nullopt;
+  if (depth == kMaxDepth) return b.back() < 0 ? std::optional<Real>(high) : std::nullopt;
   const Coefficients<Real> left = split_left(b);
   const Real middle = (low + high) / 2;
   if (const auto found = search(p, sign, left, low, middle, depth + 1)) return found;
@@ -107,6 +107,15 @@ std::optional<Real> search(const TaylorPolynomial<Real>& p, Real sign, Coefficie
 }
 
 }  // namespace
+
+int halvings_within_reach(double rate_per_s, double period_s) {
+  int halvings = 0;
+  for (double step_s = period_s; rate_per_s * step_s > kTaylorReach && halvings < kMaxHalvings;
+       step_s *= 0.5) {
+    ++halvings;
+  }
+  return halvings;
+}
 
 template <typename Real>
 Real TaylorPolynomial<Real>::slope_at(Real theta) const {

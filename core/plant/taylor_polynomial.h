@@ -1,4 +1,4 @@
-// A piece of a motion as a polynomial in θ = t/h on [0, 1], and where it first changes its sign.
+// A piece of a motion as a polynomial in θ = t/h on [0, 1], and its first change of sign.
 #pragma once
 
 #include <array>
@@ -11,6 +11,12 @@ namespace hapticwall {
 // that are left out are below 1e-19 of the largest.
 inline constexpr int kTaylorDegree = 14;
 inline constexpr double kTaylorReach = 0.25;
+
+// A piece of a tick of any length is made of a few steps of T, T/2, T/4, … and a rest that is short
+// enough for a Taylor polynomial. At most this many halvings: 100 ms become 1e-17 s.
+inline constexpr int kMaxHalvings = 53;
+// Number of halvings after which the fastest rate (1/s) is within kTaylorReach. Realtime-safe: yes.
+[[nodiscard]] int halvings_within_reach(double rate_per_s, double period_s);
 
 template <typename Real>
 struct TaylorPolynomial {

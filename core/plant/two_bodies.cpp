@@ -1,7 +1,6 @@
 #include "core/plant/two_bodies.h"
 
-#include "core/plant/ladder.h"
-#include "core/plant/propagator.h"
+#include "core/plant/linear_generator.h"
 
 namespace hapticwall {
 namespace {

@@ -4,9 +4,9 @@
 //   m_h dw/dt   = k_h (p - y) + b_h (p' - w) - F_g
 //
 // x, v the handle's and y, w the hand's position and velocity; the rest as in one_body.h. Core
-// states (linear_motion.h) are a = v', d = w - v, d', u = w - s and e, so that a stiff grip, which
-// holds d small, is told by small numbers. The "hand force" F_h on the handle, whose work the
-// ledger tells, is F_g.
+// states (linear_motion.h) are a = v', d = w - v, d', u = w - s and e. A stiff grip holds d small,
+// so these states stay small as well. The "hand force" F_h on the handle, whose work is in the
+// ledger, is F_g.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct TwoBodyParameters {
   double hand_damping_n_s_per_m = 0.0;
   double grip_stiffness_n_per_m = 0.0;
   double grip_damping_n_s_per_m = 0.0;
-  double time_constant_s = 0.0;  // τ of the amplifier; not read without a lag
+  double time_constant_s = 0.0;  // τ of the amplifier; read with a lag only
 };
 
 // Members as in BasicOneBody.

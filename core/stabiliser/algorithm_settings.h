@@ -1,8 +1,7 @@
-// Which algorithm a scene names, and the values of the algorithms' own keys.
+// A scene's choice of algorithm, with the values of the algorithms' keys.
 //
-// Every algorithm declares the keys that it reads (stabiliser.h); the union of them all is one
-// fixed table, so that the values are a trivially copyable array which a scene, the window and the
-// real-time thread share, and which a new algorithm extends without a change here.
+// Every algorithm declares its keys (stabiliser.h), and their union is one fixed table. The values
+// are therefore a trivially copyable array, shared by a scene, the window and the real-time thread.
 #pragma once
 
 #include <array>
@@ -24,17 +23,17 @@ struct ParameterDescription {
   double minimum = 0.0;                       // inclusive; numbers only
   double maximum = 0.0;                       // inclusive; numbers only
   std::span<const std::string_view> choices;  // kChoice only; the value is the index
-  std::string_view default_text;              // what holds where the key is absent, in words
+  std::string_view default_text;              // the default in words
   std::string_view meaning;
 };
 
-inline constexpr std::size_t kMaximumAlgorithmParameters = 24;
+inline constexpr std::size_t kMaxAlgorithmParameters = 24;
 
 // Index of the algorithm in the closed list (stabiliser.h) and a value (or nothing) for every key
 // of algorithm_parameters(), in its order. A boolean is 0 or 1, a choice is its index.
 struct AlgorithmSettings {
   std::size_t index = 0;
-  std::array<std::optional<double>, kMaximumAlgorithmParameters> values{};
+  std::array<std::optional<double>, kMaxAlgorithmParameters> values{};
 
   friend bool operator==(const AlgorithmSettings&, const AlgorithmSettings&) = default;
 };

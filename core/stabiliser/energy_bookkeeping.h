@@ -1,34 +1,29 @@
 // Energy bookkeeping: the wall gives back only what the contact has put into it.
-#pragma once
+#include "core/stabiliser/law.h"
 
-#include <array>
+HAPTICWALL_LAW_BEGIN
 
-#include "core/stabiliser/stabiliser.h"
-
-namespace hapticwall {
-
-// H is the exact energy that the contact has put in (Eq. 10 since the contact began), and the force
-// is that of the wall's own springs when they hold that energy, but never less than that of the
-// spring which b makes passive by itself:
+// H is the exact energy that the contact has put in (Eq. 10 since the contact began). The force is
+// that of the wall's springs when they hold H, and at least that of the spring that b alone keeps
+// passive:
 //
 //   H(k) = H(k-1) + F_d(k-1) Δx_k,   0 out of contact,
 //   F_d(k) = min(F_e, max((2b/T) p_k, √(2K max(H, 0)))).
 //
 // With several walls √(2K H) becomes the force at which all their springs together hold H. A
-// deficit of H stays in the book until the contact ends. What it comes to is bounded: on a wall
-// without damping, with P the deepest penetration of the contact so far and κ = 2b/T,
+// deficit of H stays in the book until the contact ends. On a wall without damping it is bounded:
+// with P the deepest penetration of the contact so far and κ = 2b/T,
 //
 //   H(k) ≥ -(b/T) Σ Δx² - (max(κ, K/2) + κ/2) P²,
 //
-// because one retreat from H ≥ 0 takes at most max(κ, K/2) P², and the passive spring from then on
-// costs no more than the damping eats and ½κP². That is a bound, not passivity: with K > 2b/T a
-// quick retreat gets more than was put in. Displays about 2b/T.
+// because one retreat from H ≥ 0 takes at most max(κ, K/2) P², and from then on the passive spring
+// costs no more than the damping dissipates plus ½κP². This bound is weaker than passivity: with
+// K > 2b/T a quick retreat gets more than was put in. Displays about 2b/T.
 //
 // Source: after Stramigioli, Secchi, van der Schaft & Fantuzzi, "Sampled data systems passivity and
 // discrete port-Hamiltonian systems", IEEE Trans. Robotics 21(4), 2005 (paper, ref. 17); this form
-// derived. Realtime-safe: yes.
-class EnergyBookkeeping {
- public:
+// derived.
+struct EnergyBookkeeping {
   static constexpr std::array<ParameterDescription, 1> kParameters{kBelievedDampingParameter};
   static constexpr AlgorithmDescription kDescription{
       "energy-bookkeeping", "Energy bookkeeping",
@@ -36,23 +31,28 @@ class EnergyBookkeeping {
       kParameters,
       "H(k) = H(k-1) + F_d(k-1) Δx,  0 out of contact,\n"
       "F_d(k) = min(F_e, max((2b/T) p, √(2 K max(H, 0))))"};
+  static constexpr bool kOnlyPushes = true;
 
-  // 2b/T, the stiffness of the always-passive spring.
-  [[nodiscard]] static double passive_stiffness(const StabiliserContext& context) {
-    return 2.0 * believed_damping(context) / context.period_s;
+  template <class N>
+  struct Parameters {
+    N passive_n_per_m;  // 2b/T
+  };
+  template <class N>
+  struct State {
+    N energy_j;  // H
+  };
+
+  static Parameters<double> parameters(const StabiliserContext& context) {
+    return {2.0 * believed_damping(context) / context.period_s};
   }
 
-  void configure(const StabiliserContext& context);
-  void reset() { energy_j_ = 0.0; }
-  [[nodiscard]] double step(const StabiliserInput& input);
-
- private:
-  // Of the walls when their springs hold this energy, ≥ 0.
-  [[nodiscard]] double spring_force(double energy_j) const;
-
-  WallSet walls_;
-  double passive_n_per_m_ = 0.0;
-  double energy_j_ = 0.0;  // H
+  static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& walls,
+                     const LawInput& in) {
+    s.energy_j = or_zero(in.in_contact, s.energy_j + in.previous_force_n * in.displacement_m);
+    const Number spring_n = spring_force(walls, larger(s.energy_j, number(0.0)));
+    const Number allowed_n = larger(p.passive_n_per_m * in.penetration_m, spring_n);
+    return smaller(in.wall_force_n, allowed_n);
+  }
 };
 
-}  // namespace hapticwall
+HAPTICWALL_LAW_END

@@ -1,24 +1,18 @@
 // The energy bounding algorithm of the paper.
-#pragma once
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/stabiliser/law.h"
 
-namespace hapticwall {
+HAPTICWALL_LAW_BEGIN
 
 // F_d(k) = F_d(k-1) + clamp(F_e - F_d(k-1), ±b|v_k|)   where v_k ≠ 0,
 //          F_d(k-1) + clamp(F_e - F_d(k-1), ±α_max)    where the encoder shows no motion.
 //
-// Source: paper, Eq. 20-22; as published, written without the division by v_k, which would overflow
-// for a tiny velocity. Invariant: energy_hold ≥ energy_budget at every row, because each row adds
+// Source: paper, Eq. 20-22, without the published division by v_k, which overflows for a tiny
+// velocity. Invariant: energy_hold ≥ energy_budget at every row, because each row adds
 // (F_d(k-1) - F_d(k)) Δx_k ≥ -b|v_k||Δx_k| = -T b v_k². It bounds the hold only: the lag of F_d
-// behind F_e can make the control law itself active (docs/physics.md). Realtime-safe: yes.
-class EnergyBounding {
- public:
+// behind F_e can make the control law itself active (docs/physics.md).
+struct EnergyBounding {
   static constexpr std::array<ParameterDescription, 2> kParameters{
       kBelievedDampingParameter,
       ParameterDescription{"rest_force_step_n",
@@ -33,35 +27,35 @@ class EnergyBounding {
       "energy-bounding", "Energy bounding",
       "limits the change of force in a tick to what the device's damping can dissipate",
       kParameters, "F_d(k) = F_d(k-1) + (F_e - F_d(k-1)) within ±b|v|, within ±α_max where v = 0"};
+  static constexpr bool kOnlyPushes = false;
 
-  // α_max, named or by default. The largest motion that one count hides is Δ a tick: b Δ/T. Without
-  // an encoder v_k = 0 means rest, and the paper needs no bound.
-  [[nodiscard]] static double rest_force_step(const StabiliserContext& context) {
-    const double hidden_n = context.encoder_m > 0.0
-                                ? believed_damping(context) * context.encoder_m / context.period_s
-                                : std::numeric_limits<double>::max();
-    return context.value_or("rest_force_step_n", hidden_n);
+  template <class N>
+  struct Parameters {
+    N damping_n_s_per_m;  // b
+    N rest_force_step_n;  // α_max
+  };
+  template <class N>
+  struct State {};
+
+  // One count can hide a motion of Δ a tick, hence α_max = b Δ/T. Without an encoder v_k = 0 means
+  // rest, and the paper needs no bound.
+  static Parameters<double> parameters(const StabiliserContext& context) {
+    const double damping = believed_damping(context);
+    const double hidden_n = context.encoder_m > 0.0 ? damping * context.encoder_m / context.period_s
+                                                    : std::numeric_limits<double>::max();
+    return {damping, context.value_or("rest_force_step_n", hidden_n)};
   }
 
-  void configure(const StabiliserContext& context) {
-    damping_n_s_per_m_ = believed_damping(context);
-    rest_force_step_n_ = rest_force_step(context);
+  static Number step(const Parameters<Number>& p, State<Number>& /*s*/, const Walls& /*walls*/,
+                     const LawInput& in) {
+    const Number bound_n =
+        select(differs(in.velocity_m_per_s, number(0.0)),
+               p.damping_n_s_per_m * abs_of(in.velocity_m_per_s), p.rest_force_step_n);
+    const Number wanted_step_n = in.wall_force_n - in.previous_force_n;
+    // Within the bound F_d is F_e itself, not F_e up to rounding.
+    return select(at_most(abs_of(wanted_step_n), bound_n), in.wall_force_n,
+                  in.previous_force_n + with_sign(bound_n, wanted_step_n));
   }
-  void reset() {}
-
-  [[nodiscard]] double step(const StabiliserInput& input) {
-    const double bound_n = input.velocity_m_per_s != 0.0
-                               ? damping_n_s_per_m_ * std::abs(input.velocity_m_per_s)
-                               : rest_force_step_n_;
-    const double wanted_step_n = input.wall_force_n - input.previous_force_n;
-    // Where the bound does not bind, F_d is F_e itself and not F_e up to rounding.
-    if (std::abs(wanted_step_n) <= bound_n) return input.wall_force_n;
-    return input.previous_force_n + std::copysign(bound_n, wanted_step_n);
-  }
-
- private:
-  double damping_n_s_per_m_ = 0.0;
-  double rest_force_step_n_ = 0.0;
 };
 
-}  // namespace hapticwall
+HAPTICWALL_LAW_END

@@ -1,92 +1,107 @@
 // The second energy bounding algorithm: it makes the control law passive, too.
-#pragma once
-
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <string>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/scene_keys.h"
+#include "core/stabiliser/law.h"
 
-namespace hapticwall {
+HAPTICWALL_LAW_BEGIN
 
-// Where the encoder shows motion, the force follows F_e as far as two bounds let it:
+// While the encoder shows motion, the force follows F_e within two bounds:
 //
 //   |F_d(k) - F_d(k-1)| ≤ c₁|Δx_k|                              c₁ = b/T: the hold, as in Eq. 20-22
 //   F_d(k) Δx_k ≥ (F_d(k)² - F_d(k-1)²)/(2c₂)                   0 < c₂ ≤ c₁: the control law
 //
-// and is held where it shows none. The second says that the law pays what it gives out from a store
+// Without motion the force is held. By the second bound the law pays what it gives out from a store
 // of F²/(2c₂). In β = (F_d(k) - F_d(k-1))/Δx_k, with r = F_d(k-1)/Δx_k, both are
 //
 //   max(-c₁, γ-) ≤ β ≤ min(c₁, γ+),   γ± = c₂ - r ± √(c₂² + r²).
 //
-// It is computed in forces along the motion, w = F_d(k) sgn Δx_k and f = F_d(k-1) sgn Δx_k, where
-// the second bound is a - h ≤ w ≤ a + h with a = c₂|Δx_k|, h = √(a² + f²), and a - h = -f²/(a + h):
-// nothing is divided by a displacement, nothing cancels, nothing overflows.
+// The law computes forces along the motion, w = F_d(k) sgn Δx_k and f = F_d(k-1) sgn Δx_k. The
+// second bound is then a - h ≤ w ≤ a + h with a = c₂|Δx_k|, h = √(a² + f²), and
+// a - h = -f²/(a + h). This form does not divide by a displacement, cancel or overflow.
 //
 // Source: Kim & Ryu, "Robustly stable haptic interaction control using an energy-bounding
-// algorithm", IJRR 29(6), 2010; formula reconstructed. Displays about b/T. Realtime-safe: yes.
-class EnergyBounding2010 {
- public:
-  // More than 0: without a store no force may ever rise.
-  static constexpr double kLeastStorageStiffness = 1e-3;
+// algorithm", IJRR 29(6), 2010; formula reconstructed. Displays about b/T.
+struct EnergyBounding2010 {
+  // Without a store no force may ever rise.
+  static constexpr double kMinStorageStiffness = 1e-3;
   static constexpr std::array<ParameterDescription, 2> kParameters{
       kBelievedDampingParameter,
       ParameterDescription{"storage_stiffness_n_per_m",
                            ParameterKind::kNumber,
                            "N/m",
-                           kLeastStorageStiffness,
+                           kMinStorageStiffness,
                            1e9,
                            {},
                            "b/T, the most that it may be",
                            "c₂: the control law's store holds F²/(2c₂)"}};
-  static constexpr AlgorithmDescription kDescription{
-      "energy-bounding-2010", "Energy bounding (2010)",
-      "bounds what the hold gives out and what the control law gives out", kParameters,
-      "F_d(k) = F_d(k-1) + β Δx,  β = (F_e - F_d(k-1))/Δx within [max(-c₁, γ-), min(c₁, γ+)],\n"
-      "c₁ = b/T,  γ± = c₂ - r ± √(c₂² + r²),  r = F_d(k-1)/Δx;  held where Δx = 0"};
 
-  // c₁ and c₂, named or by default.
-  [[nodiscard]] static double hold_stiffness(const StabiliserContext& context) {
+  // c₁.
+  static double hold_stiffness(const StabiliserContext& context) {
     return believed_damping(context) / context.period_s;
   }
-  [[nodiscard]] static double storage_stiffness(const StabiliserContext& context) {
-    const double most = hold_stiffness(context);
-    return std::min(context.value_or("storage_stiffness_n_per_m", most), most);
+  static double storage_stiffness(const StabiliserContext& context) {
+    return context.value_or("storage_stiffness_n_per_m", hold_stiffness(context));
+  }
+  static std::optional<SceneProblem> problem(const StabiliserContext& context) {
+    const double storage = storage_stiffness(context);
+    const double max_storage = hold_stiffness(context);
+    if (storage <= max_storage) return std::nullopt;
+    return SceneProblem{"algorithm.storage_stiffness_n_per_m",
+                        number_text(storage) +
+                            " is more than the hold can carry: it takes at most b/T = " +
+                            number_text(max_storage) + " N/m"};
   }
 
-  void configure(const StabiliserContext& context) {
-    hold_n_per_m_ = hold_stiffness(context);
-    storage_n_per_m_ = storage_stiffness(context);
-  }
-  void reset() {}
+  static constexpr AlgorithmDescription kDescription{
+      "energy-bounding-2010",
+      "Energy bounding (2010)",
+      "bounds what the hold gives out and what the control law gives out",
+      kParameters,
+      "F_d(k) = F_d(k-1) + β Δx,  β = (F_e - F_d(k-1))/Δx within [max(-c₁, γ-), min(c₁, γ+)],\n"
+      "c₁ = b/T,  γ± = c₂ - r ± √(c₂² + r²),  r = F_d(k-1)/Δx;  held where Δx = 0",
+      problem};
+  static constexpr bool kOnlyPushes = false;
 
-  [[nodiscard]] double step(const StabiliserInput& input) const {
-    const double moved_m = std::abs(input.displacement_m);
-    if (!(moved_m > 0.0)) return input.previous_force_n;
-    const double sign = std::copysign(1.0, input.displacement_m);
-    const double before_n = sign * input.previous_force_n;  // f
-    const double step_n = hold_n_per_m_ * moved_m;
-    const double a_n = storage_n_per_m_ * moved_m;
-    const double sum_n = a_n + hypotenuse(a_n, std::abs(before_n));
-    const double lent_n = sum_n > 0.0 ? before_n * (before_n / sum_n) : 0.0;
-    const double least_n = std::max(before_n - step_n, -lent_n);
-    const double most_n = std::min(before_n + step_n, sum_n);
-    // Where the bounds do not bind, F_d is F_e itself. By rounding they may pass each other.
-    return sign * std::min(std::max(sign * input.wall_force_n, least_n), most_n);
+  template <class N>
+  struct Parameters {
+    N hold_n_per_m;     // c₁
+    N storage_n_per_m;  // c₂
+  };
+  template <class N>
+  struct State {};
+
+  static Parameters<double> parameters(const StabiliserContext& context) {
+    const double hold = hold_stiffness(context);
+    return {hold, std::min(storage_stiffness(context), hold)};
+  }
+
+  static Number step(const Parameters<Number>& p, State<Number>& /*s*/, const Walls& /*walls*/,
+                     const LawInput& in) {
+    const Number moved_m = abs_of(in.displacement_m);
+    const Flags moves = greater(moved_m, number(0.0));
+    if (none(moves)) return in.previous_force_n;
+    const Number sign = with_sign(number(1.0), in.displacement_m);
+    const Number before_n = sign * in.previous_force_n;  // f
+    const Number step_n = p.hold_n_per_m * moved_m;
+    const Number a_n = p.storage_n_per_m * moved_m;
+    const Number sum_n = a_n + hypotenuse(a_n, abs_of(before_n));
+    const Number lent_n = or_zero(greater(sum_n, number(0.0)), before_n * (before_n / sum_n));
+    const Number min_n = larger(before_n - step_n, minus(lent_n));
+    const Number max_n = smaller(before_n + step_n, sum_n);
+    // Within the bounds F_d is F_e itself. Rounding may let the bounds pass each other.
+    const Number force_n = sign * smaller(larger(sign * in.wall_force_n, min_n), max_n);
+    return select(moves, force_n, in.previous_force_n);
   }
 
  private:
-  // √(a² + b²), both ≥ 0, without overflow, from operations that round the same everywhere (the
-  // lanes of a batch do the same; a library's hypot() need not).
-  [[nodiscard]] static double hypotenuse(double a, double b) {
-    const double large = std::max(a, b);
-    if (!(large > 0.0)) return 0.0;
-    const double ratio = std::min(a, b) / large;
-    return large * std::sqrt(1.0 + ratio * ratio);
+  // √(a² + b²), both ≥ 0, without overflow. Not hypot(), whose rounding depends on the library.
+  static Number hypotenuse(Number a, Number b) {
+    const Number large = larger(a, b);
+    const Number ratio = smaller(a, b) / large;
+    return or_zero(greater(large, number(0.0)), large * root(number(1.0) + ratio * ratio));
   }
-
-  double hold_n_per_m_ = 0.0;
-  double storage_n_per_m_ = 0.0;
 };
 
-}  // namespace hapticwall
+HAPTICWALL_LAW_END

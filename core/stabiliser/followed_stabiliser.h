@@ -1,10 +1,7 @@
-// An algorithm followed by a passivity controller: `[algorithm] then = "passivity-control"`.
+// An algorithm and its follower: `[algorithm] then = "passivity-control"`.
 #pragma once
 
-#include <cstddef>
-
-#include "core/stabiliser/passivity_control.h"
-#include "core/stabiliser/stabiliser_list.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 
@@ -12,26 +9,40 @@ namespace hapticwall {
 //
 //   W = E(k-1) + F_1 Δx_k (or F_d(k-1) Δx_k: `observer`);  F_d = F_1 + α v_k where W is too low.
 //
-// Both see the force that was really commanded as F_d(k-1). With the same-sample observer, without
-// cap and floor, the control law as a whole is passive then (Eq. 6 never below zero), whatever the
-// algorithm does; a promise of the algorithm about the change of its force in a tick does not
-// survive, for α v comes on top of it. Source: derived. A view: the states are the servo's, and it
-// is copied freely. Realtime-safe: yes.
+// Both algorithms get the force really commanded as F_d(k-1). With the same-sample observer and
+// without cap and floor, the whole control law is then passive (Eq. 6 never below zero), whatever
+// the algorithm does. An algorithm's bound on the change of force in a tick does not hold any more,
+// because α v is added. Source: derived. Copied freely. Realtime-safe: yes, all of it.
 class FollowedStabiliser {
  public:
-  FollowedStabiliser(StabiliserBank& bank, std::size_t index, PassivityControl& follower)
-      : bank_(&bank), index_(index), follower_(&follower) {}
-
-  [[nodiscard]] double step(StabiliserInput input) {
-    input.wall_force_n =
-        bank_->visit(index_, [&](auto& stabiliser) { return stabiliser.step(input); });
-    return follower_->step(input);
+  // As Stabiliser::configure(). The follower also starts anew when it is put behind an algorithm.
+  void configure(const AlgorithmSettings& settings, const StabiliserContext& context) {
+    const bool same = settings.index == algorithm_ && has_follower(settings) == followed_;
+    algorithm_ = settings.index;
+    followed_ = has_follower(settings);
+    first_.configure(algorithm_, context);
+    follower_.configure(follower_index(), context);
+    if (!same) follower_.reset();
+  }
+  void reset() {
+    first_.reset();
+    follower_.reset();
   }
 
+  [[nodiscard]] double step(StabiliserInput input) {
+    if (!followed_) return first_.step(input);
+    input.wall_force_n = first_.step(input);
+    return follower_.step(input);
+  }
+
+  [[nodiscard]] bool followed() const { return followed_; }
+  [[nodiscard]] Stabiliser& first() { return first_; }
+
  private:
-  StabiliserBank* bank_;
-  std::size_t index_;
-  PassivityControl* follower_;
+  std::size_t algorithm_ = 0;
+  bool followed_ = false;
+  Stabiliser first_;
+  Stabiliser follower_;
 };
 
 }  // namespace hapticwall

@@ -1,39 +1,39 @@
-// Half-sample prediction: the wall is where the handle will be in the middle of the hold.
-#pragma once
+// Half-sample prediction: the wall's force at the position expected in the middle of the hold.
+#include "core/stabiliser/law.h"
 
-#include "core/stabiliser/stabiliser.h"
-
-namespace hapticwall {
+HAPTICWALL_LAW_BEGIN
 
 // F_d(k) = F_wall(x_k + Δx_k/2, v_k): the walls evaluated half a tick ahead, at p_k + v_k T/2.
 //
-// The hold delays a spring by half a tick on average, which is a negative damper of KT/2; the
-// prediction adds K v T/2, which takes it away. It knows nothing of energy and of the device: a
-// coarse encoder, a reversal or an entry within the tick is predicted wrongly, and what is left
-// over still chatters. It has no parameters.
+// The hold delays a spring by half a tick on average, which acts as a negative damper of KT/2. The
+// prediction adds K v T/2 and cancels it. The law uses neither energy nor the device's damping: it
+// predicts wrongly with a coarse encoder, at a reversal and at an entry within the tick, and the
+// rest still chatters. It has no parameters.
 //
 // Source: Gillespie & Cutkosky, "Stable user-specific haptic rendering of the virtual wall", ASME
-// IMECE 1996, in its simplest form; reconstructed. Realtime-safe: yes.
-class HalfSample {
- public:
+// IMECE 1996, in its simplest form; reconstructed.
+struct HalfSample {
   static constexpr AlgorithmDescription kDescription{
       "half-sample",
       "Half-sample prediction",
       "evaluates the wall half a tick ahead, which offsets the delay of the hold",
       {},
       "F_d(k) = K (p + v T/2) + B v  where p + v T/2 > 0, else 0; never negative"};
+  static constexpr bool kOnlyPushes = true;
 
-  void configure(const StabiliserContext& context) { walls_ = context.walls; }
-  void reset() {}
+  template <class N>
+  struct Parameters {};
+  template <class N>
+  struct State {};
 
-  [[nodiscard]] double step(const StabiliserInput& input) const {
-    // v_k T/2 without the rounding of a quotient and a product.
-    const double ahead_m = input.position_m + 0.5 * input.displacement_m;
-    return evaluate_walls(walls_, ahead_m, input.velocity_m_per_s).force_n;
+  static Parameters<double> parameters(const StabiliserContext& /*context*/) { return {}; }
+
+  static Number step(const Parameters<Number>& /*p*/, State<Number>& /*s*/, const Walls& walls,
+                     const LawInput& in) {
+    // Δx/2 in place of v T/2 saves the rounding of a quotient and a product.
+    const Number ahead_m = in.position_m + number(0.5) * in.displacement_m;
+    return wall_force(walls, ahead_m, in.velocity_m_per_s);
   }
-
- private:
-  WallSet walls_;
 };
 
-}  // namespace hapticwall
+HAPTICWALL_LAW_END

@@ -1,27 +1,23 @@
-// Time-domain passivity control of Hannaford and Ryu: an observer and a damper that answers it.
-#pragma once
-
-#include <array>
+// Time-domain passivity control of Hannaford and Ryu: an observer and the damper that it drives.
 #include <string_view>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/stabiliser/law.h"
 
-namespace hapticwall {
+HAPTICWALL_LAW_BEGIN
 
-// The observer sums the energy that went into the virtual wall; where it would fall below what is
-// tolerated, a damper takes back what is missing:
+// The observer sums the energy that went into the virtual wall. When it would fall below what is
+// tolerated, a damper takes back the missing part:
 //
 //   W = E(k-1) + F_e(k) Δx_k      (observer "same-sample": Hannaford & Ryu 2002; paper, Eq. 6)
 //   W = E(k-1) + F_d(k-1) Δx_k    (observer "held-force":  Ryu et al. 2004; paper, Eq. 10)
 //   W < -credit, |v_k| > floor:   α = min((-credit - W)/(T v_k²), α_max),  F_d = F_e + α v_k
 //   else                          F_d = F_e;      E follows the force really applied.
 //
-// With "same-sample" the observer is blind to the hold: on a spring wall W is never negative
+// The observer "same-sample" is blind to the hold: on a spring wall W is never negative
 // [paper, Eq. 12] and the controller never acts (the paper's Figure 4 (c)).
-// Source: Hannaford & Ryu 2002 and Ryu et al. 2004, formulas reconstructed.
-// Realtime-safe: yes. The quotient is taken only where it is at most α_max|v|: it cannot overflow.
-class PassivityControl {
- public:
+// Source: Hannaford & Ryu 2002 and Ryu et al. 2004, formulas reconstructed. The quotient is used
+// only where it is at most α_max|v|, so it cannot overflow.
+struct PassivityControl {
   static constexpr std::array<std::string_view, 2> kObservers{"same-sample", "held-force"};
   static constexpr std::array<ParameterDescription, 6> kParameters{
       kBelievedDampingParameter,
@@ -64,31 +60,61 @@ class PassivityControl {
       "passivity-control", "Passivity control",
       "watches the energy that the wall returns and damps the handle when it is too much",
       kParameters, "W = E(k-1) + F_e Δx;  F_d = F_e + α v where W < 0,  α = min(-W/(T v²), α_max)"};
+  static constexpr bool kOnlyPushes = false;
 
-  // The largest damping that it injects, named or by default: b, because b ≥ K T/2 + B with K = 0
-  // [paper, Eq. 18].
-  [[nodiscard]] static double max_damping(const StabiliserContext& context) {
-    return context.value_or("max_damping_n_s_per_m", believed_damping(context));
+  template <class N>
+  struct Parameters {
+    N damping_n_s_per_m;                                 // b
+    N max_damping_n_s_per_m;                             // α_max
+    N velocity_floor_m_per_s;                            // floor
+    N held_force, damping_credit, reset_in_free_motion;  // 1 or 0
+  };
+  template <class N>
+  struct State {
+    N observed_j;              // E
+    N credit_j;                // b T Σ v²
+    N pending_displacement_m;  // Δx of the last tick, whose force is known only now
+  };
+
+  // α_max defaults to b, because b ≥ K T/2 + B with K = 0 [paper, Eq. 18].
+  static Parameters<double> parameters(const StabiliserContext& context) {
+    const double damping = believed_damping(context);
+    return {damping,
+            context.value_or("max_damping_n_s_per_m", damping),
+            context.value_or("velocity_floor_m_per_s", 0.0),
+            context.value_or("observer", 0.0),
+            context.value_or("damping_credit", 0.0),
+            context.value_or("reset_in_free_motion", 0.0)};
   }
 
-  void configure(const StabiliserContext& context);
-  void reset();
-  [[nodiscard]] double step(const StabiliserInput& input);
+  static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& /*walls*/,
+                     const LawInput& in) {
+    const Number zero = number(0.0);
+    const Flags held_force = differs(p.held_force, zero);
+    // A damper α takes α T v² in a tick; T v = Δx.
+    const Number energy_per_damping = abs_of(in.velocity_m_per_s * in.displacement_m);
+    // The force really applied is known one tick later: both pairings take it from there.
+    s.observed_j = s.observed_j + in.previous_force_n * select(held_force, in.displacement_m,
+                                                               s.pending_displacement_m);
+    s.pending_displacement_m = in.displacement_m;
+    s.credit_j = s.credit_j +
+                 or_zero(differs(p.damping_credit, zero), p.damping_n_s_per_m * energy_per_damping);
+    const Flags remembers = either(in.in_contact, equals(p.reset_in_free_motion, zero));
+    s.observed_j = or_zero(remembers, s.observed_j);
+    s.credit_j = or_zero(remembers, s.credit_j);
+    s.pending_displacement_m = or_zero(remembers, s.pending_displacement_m);
 
- private:
-  [[nodiscard]] double damping_force(const StabiliserInput& input, double deficit_j) const;
-
-  bool held_force_ = false;
-  bool damping_credit_ = false;
-  bool reset_in_free_motion_ = false;
-  double period_s_ = 1e-3;
-  double damping_n_s_per_m_ = 0.0;
-  double max_damping_n_s_per_m_ = 0.0;
-  double velocity_floor_m_per_s_ = 0.0;
-
-  double observed_j_ = 0.0;              // E
-  double credit_j_ = 0.0;                // b T Σ v²
-  double pending_displacement_m_ = 0.0;  // Δx of the last tick, whose force is known only now
+    const Number energy_j =
+        select(held_force, s.observed_j, s.observed_j + in.wall_force_n * in.displacement_m);
+    const Number deficit_j = minus(s.credit_j) - energy_j;
+    const Flags acts = both(greater(deficit_j, zero),
+                            greater(abs_of(in.velocity_m_per_s), p.velocity_floor_m_per_s));
+    if (none(acts)) return in.wall_force_n;
+    const Flags capped = at_most(p.max_damping_n_s_per_m * energy_per_damping, deficit_j);
+    const Number damping_n = select(capped, p.max_damping_n_s_per_m * in.velocity_m_per_s,
+                                    deficit_j / in.displacement_m);
+    return select(acts, in.wall_force_n + damping_n, in.wall_force_n);
+  }
 };
 
-}  // namespace hapticwall
+HAPTICWALL_LAW_END

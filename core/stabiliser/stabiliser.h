@@ -1,23 +1,21 @@
 // The contract of a stabilising algorithm and the closed list of them.
 //
-// An algorithm is a small class in a file of its own in this folder:
+// An algorithm is a file of this folder and a line in core/CMakeLists.txt. Its file holds one
+// struct (law.h has the vocabulary, none.h is the shortest example):
 //
-//   class Name {
-//    public:
-//     static constexpr AlgorithmDescription kDescription{"name", "Title", "one line", kParameters,
-//                                                        "F_d = ..."};
+//   struct Name {
+//     static constexpr AlgorithmDescription kDescription{...};
+//     static constexpr bool kOnlyPushes;               // true if no force is ever negative
+//     template <class N> struct Parameters {...};      // members of type N only
+//     template <class N> struct State {...};           // the same; all zero after a reset
 //
-//     // The parameters or the scene have changed; keeps state.
-//     void configure(const StabiliserContext& context);
-//
-//     // Forgets everything.
-//     void reset();
-//
+//     static Parameters<double> parameters(const StabiliserContext& context);
 //     // F_d(k), newtons.
-//     double step(const StabiliserInput& input);
+//     static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& walls,
+//                        const LawInput& in);
 //   };
 //
-// All members are realtime-safe: O(1), no allocation, no lock, no system call. step() may return
+// Both functions are realtime-safe: O(1), no allocation, no lock, no system call. step() may return
 // any number; the servo step makes it finite and clamps it.
 #pragma once
 
@@ -33,7 +31,7 @@
 
 namespace hapticwall {
 
-// What an algorithm may know of the scene.
+// The part of a scene that an algorithm may use.
 struct StabiliserContext {
   double period_s = 1e-3;
   double device_damping_n_s_per_m = 0.0;
@@ -41,34 +39,39 @@ struct StabiliserContext {
   WallSet walls;
   const AlgorithmSettings* settings = nullptr;
 
-  // The value of a key where the scene names it. Realtime-safe: yes.
+  // The value of a key if the scene names it. Realtime-safe: yes.
   [[nodiscard]] std::optional<double> value(std::string_view key) const;
   [[nodiscard]] double value_or(std::string_view key, double fallback) const {
     return value(key).value_or(fallback);
   }
 };
 
-// What an algorithm is told at tick k; signs as in docs/physics.md (x grows into the wall, F_d > 0
-// pushes out of it).
-struct StabiliserInput {
-  double wall_force_n = 0.0;      // F_e(k)
-  double position_m = 0.0;        // x_k as measured
-  double displacement_m = 0.0;    // x_k - x_{k-1} as measured
-  double velocity_m_per_s = 0.0;  // displacement / period
-  double penetration_m = 0.0;     // into the outermost wall; negative in front of it
-  double previous_force_n = 0.0;  // F_d(k-1) as really commanded, after the clamp
-  bool in_contact = false;
+// The input of an algorithm at tick k; signs as in docs/physics.md (x grows into the wall, F_d > 0
+// pushes out of it). N and F: double and bool, or vectors of them with one scene per lane.
+template <class N, class F>
+struct BasicStabiliserInput {
+  N wall_force_n{};      // F_e(k)
+  N position_m{};        // x_k as measured
+  N displacement_m{};    // x_k - x_{k-1} as measured
+  N velocity_m_per_s{};  // displacement / period
+  N penetration_m{};     // into the outermost wall; negative in front of it
+  N previous_force_n{};  // F_d(k-1) as really commanded, after the clamp
+  F in_contact{};
 };
+using StabiliserInput = BasicStabiliserInput<double, bool>;
 
 struct AlgorithmDescription {
   std::string_view name;   // the word in the file, the menu, the command line and the CSV metadata
   std::string_view title;  // for people
   std::string_view idea;   // one line
   std::span<const ParameterDescription> parameters;
-  std::string_view equation;  // for people: what the force is, in one to three lines
+  std::string_view equation;  // for people: the force in one to three lines
+  // The first contradiction between the algorithm's keys, which are in range each. Checked in every
+  // scene, whichever algorithm it names. nullptr: none is possible.
+  std::optional<SceneProblem> (*problem)(const StabiliserContext& context) = nullptr;
 };
 
-// The key with which a user tells an algorithm the device's damping; shared by several.
+// The device's damping as the user states it; several algorithms share this key.
 inline constexpr ParameterDescription kBelievedDampingParameter{
     "damping_n_s_per_m",    ParameterKind::kNumber,          "N·s/m", 0.0, 1e6, {},
     "the device's damping", "b as the algorithm believes it"};
@@ -76,8 +79,8 @@ inline constexpr ParameterDescription kBelievedDampingParameter{
 // b as the algorithm believes it. Realtime-safe: yes.
 [[nodiscard]] double believed_damping(const StabiliserContext& context);
 
-// What every algorithm's force may pass through before it is commanded (followed_stabiliser.h). Of
-// no single algorithm's keys, but in the union of them all.
+// An algorithm's force may pass through a second algorithm, the follower. The key belongs to no
+// single algorithm; it is in the union of all keys.
 inline constexpr std::array<std::string_view, 2> kFollowers{"none", "passivity-control"};
 inline constexpr ParameterDescription kThenParameter{
     "then", ParameterKind::kChoice,
@@ -87,19 +90,53 @@ inline constexpr ParameterDescription kThenParameter{
 // Realtime-safe: yes.
 [[nodiscard]] bool has_follower(const AlgorithmSettings& settings);
 
-// ---- the closed list, as data (defined in stabiliser_list.cpp) ----
+// ---- the closed list, as data ----
 
 [[nodiscard]] std::span<const AlgorithmDescription> algorithms();
-// Index in algorithms() of a name, or nothing.
+// Index in algorithms() of a name, or nothing. Realtime-safe: yes.
 [[nodiscard]] std::optional<std::size_t> find_algorithm(std::string_view name);
-// Union of all algorithms' keys, each once; AlgorithmSettings::values follows this order.
+// Of the only follower. Realtime-safe: yes.
+[[nodiscard]] std::size_t follower_index();
+// Union of all algorithms' keys, each once; AlgorithmSettings::values has this order.
 [[nodiscard]] std::span<const ParameterDescription> algorithm_parameters();
 [[nodiscard]] std::optional<std::size_t> find_algorithm_parameter(std::string_view key);
 // "energy-bounding", "energy-bounding then passivity-control". Realtime-safe: no.
 [[nodiscard]] std::string algorithm_label(const AlgorithmSettings& settings);
-// Whether the algorithm of these settings, or what follows it, reads the key. Realtime-safe: yes.
+// True if the algorithm of these settings or its follower reads the key. Realtime-safe: yes.
 [[nodiscard]] bool reads(const AlgorithmSettings& settings, std::string_view key);
-// A value as a scene file has it: "true", "held-force", "0.01". Realtime-safe: no.
+// A value as a scene file shows it: "true", "held-force", "0.01". Realtime-safe: no.
 [[nodiscard]] std::string value_text(const ParameterDescription& parameter, double value);
+
+// ---- an algorithm at work ----
+
+// A law's parameters or its state as plain numbers, in the order of its struct's members.
+inline constexpr std::size_t kMaxLawNumbers = 8;
+using LawNumbers = std::array<double, kMaxLawNumbers>;
+
+// One algorithm on one axis. Copied freely, never allocates. Realtime-safe: yes, all of it.
+class Stabiliser {
+ public:
+  // New settings or a new scene. A change of algorithm resets the state; nothing else does.
+  void configure(std::size_t algorithm, const StabiliserContext& context);
+  void reset() { state_ = {}; }
+  [[nodiscard]] double step(const StabiliserInput& input) {
+    return step_(parameters_, state_, walls_, input);
+  }
+
+  [[nodiscard]] std::size_t algorithm() const { return algorithm_; }
+  [[nodiscard]] const WallSet& walls() const { return walls_; }
+  [[nodiscard]] const LawNumbers& parameters() const { return parameters_; }
+  [[nodiscard]] LawNumbers& state() { return state_; }
+
+ private:
+  using Step = double (*)(const LawNumbers& parameters, LawNumbers& state, const WallSet& walls,
+                          const StabiliserInput& input);
+
+  std::size_t algorithm_ = 0;
+  Step step_ = nullptr;
+  LawNumbers parameters_{};
+  LawNumbers state_{};
+  WallSet walls_;
+};
 
 }  // namespace hapticwall

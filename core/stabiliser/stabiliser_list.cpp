@@ -1,25 +1,46 @@
-#include "core/stabiliser/stabiliser_list.h"
-
+// The closed list of algorithms: the only file, beside the loops of each, that reads their laws.
 #include <algorithm>
 #include <array>
 #include <iterator>
 
 #include "core/scene_keys.h"
+#include "core/stabiliser/algorithm_files.h"
+#include "core/stabiliser/algorithm_list.h"
+#include "core/stabiliser/law_numbers.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {
 
-template <typename Tuple>
-struct Descriptions;
-template <typename... Stabiliser>
-struct Descriptions<std::tuple<Stabiliser...>> {
-  static constexpr std::array<AlgorithmDescription, sizeof...(Stabiliser)> kAll{
-      Stabiliser::kDescription...};
+#define HAPTICWALL_DESCRIPTION(Law) scalar::Law::kDescription,
+constexpr std::array kAlgorithms{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_DESCRIPTION)};
+#undef HAPTICWALL_DESCRIPTION
+
+template <class Law>
+LawNumbers parameters_of(const StabiliserContext& context) {
+  return to_numbers(Law::parameters(context));
+}
+
+template <class Law>
+double step_of(const LawNumbers& parameters, LawNumbers& state, const WallSet& walls,
+               const StabiliserInput& input) {
+  InlinedLaw<Law> law(parameters, state, walls);
+  const double force_n = law.step(input);
+  state = law.state();
+  return force_n;
+}
+
+struct LawFunctions {
+  LawNumbers (*parameters)(const StabiliserContext& context);
+  double (*step)(const LawNumbers& parameters, LawNumbers& state, const WallSet& walls,
+                 const StabiliserInput& input);
 };
-constexpr const auto& kAlgorithms = Descriptions<StabiliserTuple>::kAll;
+#define HAPTICWALL_FUNCTIONS(Law) LawFunctions{parameters_of<scalar::Law>, step_of<scalar::Law>},
+constexpr std::array kFunctions{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_FUNCTIONS)};
+#undef HAPTICWALL_FUNCTIONS
 
 struct ParameterUnion {
-  std::array<ParameterDescription, kMaximumAlgorithmParameters> parameters{};
+  std::array<ParameterDescription, kMaxAlgorithmParameters> parameters{};
   std::size_t count = 0;
 };
 
@@ -73,6 +94,8 @@ double believed_damping(const StabiliserContext& context) {
   return context.value_or(kBelievedDampingParameter.key, context.device_damping_n_s_per_m);
 }
 
+std::size_t follower_index() { return *find_algorithm(kFollowers.back()); }
+
 bool has_follower(const AlgorithmSettings& settings) {
   const StabiliserContext context{.walls = {}, .settings = &settings};
   return context.value_or(kThenParameter.key, 0.0) != 0.0;
@@ -84,6 +107,15 @@ std::string algorithm_label(const AlgorithmSettings& settings) {
   return label;
 }
 
+void Stabiliser::configure(std::size_t algorithm, const StabiliserContext& context) {
+  if (algorithm >= kFunctions.size()) algorithm = 0;
+  if (algorithm != algorithm_) reset();
+  algorithm_ = algorithm;
+  step_ = kFunctions[algorithm].step;
+  parameters_ = kFunctions[algorithm].parameters(context);
+  walls_ = context.walls;
+}
+
 bool reads(const AlgorithmSettings& settings, std::string_view key) {
   const auto has_key = [key](const AlgorithmDescription& algorithm) {
     return std::ranges::any_of(algorithm.parameters, [key](const ParameterDescription& parameter) {
@@ -91,7 +123,7 @@ bool reads(const AlgorithmSettings& settings, std::string_view key) {
     });
   };
   return key == kThenParameter.key || has_key(kAlgorithms.at(settings.index)) ||
-         (has_follower(settings) && has_key(PassivityControl::kDescription));
+         (has_follower(settings) && has_key(kAlgorithms[follower_index()]));
 }
 
 std::string value_text(const ParameterDescription& parameter, double value) {

@@ -1,4 +1,4 @@
-#include "core/accuracy.h"
+#include "core/study/accuracy.h"
 
 #include <algorithm>
 #include <array>
@@ -6,21 +6,20 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 
 namespace hapticwall {
 namespace {
 
-// Rounds of timed runs, odd for the median's sake. A disturbance shorter than a round spoils one
-// measurement of a few rows, and the median does not see it.
+// Odd, for the median. A disturbance shorter than a round affects one measurement of a few rows,
+// and the median removes it.
 constexpr int kRounds = 7;
-// A row's runs are repeated within a round until they have taken this long together: a single run
-// of a fast row is too short for a clock.
-constexpr std::int64_t kSmallestTimedNs = 2'000'000;
-constexpr int kMostRepetitions = 1000;  // the clock may stand still
-// Cost of the extended-precision run in exact runs, roughly; only the progress bar uses it.
+// Minimum time of a row in a round: a single run of a fast row is too short for the clock.
+constexpr std::int64_t kMinTimedNs = 2'000'000;
+constexpr int kMaxRepetitions = 1000;  // the clock may stand still
+// Approximate cost of the extended-precision run in exact runs, for the progress bar.
 constexpr double kReferenceWork = 10.0;
-constexpr double kTicksPerQuestion = 1024.0;  // about; only the progress bar uses it
+constexpr double kTicksPerQuestion = 1024.0;  // approximate, for the progress bar
 
 constexpr std::array kSteppedIntegrators{Integrator::kSemiImplicitEuler, Integrator::kRungeKutta4};
 
@@ -36,11 +35,10 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// A row and what it is measured with.
 struct Candidate {
   Scene scene;
   AccuracyRow row;
-  double work = 1.0;  // of one run, roughly, in exact runs
+  double work = 1.0;  // approximate cost of a run, in exact runs
   std::vector<double> ns_per_tick;
   std::vector<double> set_up_ns;
 };
@@ -100,7 +98,7 @@ class Study {
   void measure_errors(const Summary& reference, Candidate& candidate) {
     double largest_m = 0.0;
     const auto compare = [&](const Sample& sample) {
-      if (sample.tick >= reference_position_m_.size()) return;  // the reference diverged before
+      if (sample.tick >= reference_position_m_.size()) return;  // the reference diverged earlier
       const double error_m = std::abs(sample.truth.position_m - reference_position_m_[sample.tick]);
       largest_m = std::max(largest_m, error_m);
     };
@@ -132,16 +130,16 @@ class Study {
       sum.set_up_ns += run.set_up_ns;
       sum.ticks += run.ticks;
       ++repetitions;
-    } while (!stopped_ && repetitions < kMostRepetitions &&
-             sum.loop_ns < static_cast<double>(kSmallestTimedNs));
+    } while (!stopped_ && repetitions < kMaxRepetitions &&
+             sum.loop_ns < static_cast<double>(kMinTimedNs));
     work_done_ += candidate.work;
     candidate.set_up_ns.push_back(sum.set_up_ns / repetitions);
     if (sum.ticks == 0) return;
     candidate.ns_per_tick.push_back(sum.loop_ns / static_cast<double>(sum.ticks));
   }
 
-  // simulate() asks whether to stop before its first tick, when the plant is set up: that question
-  // parts the set-up from the loop.
+  // simulate() calls should_stop after the set-up and before the first tick: this call separates
+  // the two times.
   TimedRun time_run(const Candidate& candidate) {
     SimulationOptions options = watched(candidate.work);
     const std::int64_t start_ns = options_.now_ns();
@@ -168,7 +166,7 @@ class Study {
     }
   }
 
-  // A run of `work` that can be stopped and tells how far the study has come.
+  // Options of a run that can be stopped and reports progress.
   SimulationOptions watched(double work) {
     SimulationOptions options;
     const double each = work * kTicksPerQuestion / static_cast<double>(scene_.tick_count());
@@ -197,11 +195,11 @@ class Study {
 AccuracyStudy measure_accuracy(const Scene& scene, const AccuracyOptions& options) {
   if (!options.now_ns) throw std::invalid_argument("times need a clock");
   for (const int substeps : options.substeps) {
-    if (substeps < 1 || substeps > kMaximumSubsteps) {
+    if (substeps < 1 || substeps > kMaxSubsteps) {
       throw std::invalid_argument("a substep count is out of range");
     }
   }
-  if (scene.tick_count() > kMostAccuracyTicks) {
+  if (scene.tick_count() > kMaxAccuracyTicks) {
     throw std::invalid_argument("the scene has more ticks than a study keeps");
   }
   return Study(scene, options).run();

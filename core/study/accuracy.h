@@ -1,5 +1,4 @@
-// Speed against accuracy on one scene: every integrator and substep count beside a reference, with
-// what a tick costs and how far the motion, the energies and the verdict are off.
+// Cost and error of every integrator and substep count on one scene, against a reference.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +11,34 @@
 
 namespace hapticwall {
 
-// The reference's positions are kept in memory, eight bytes a tick; a scene may have this many.
-inline constexpr std::uint64_t kMostAccuracyTicks = 10'000'000;
+// The positions of the reference are kept in memory, eight bytes a tick.
+inline constexpr std::uint64_t kMaxAccuracyTicks = 10'000'000;
 
 struct AccuracyOptions {
-  // Substeps a tick of the integrators that take them, each from 1 to kMaximumSubsteps.
+  // Substeps a tick of the integrators that take them, each from 1 to kMaxSubsteps.
   std::vector<int> substeps;
-  // Nanoseconds since a fixed instant, never going back: the core has no clock of its own. The time
-  // that this thread has had the processor is better than the time of day: other programs do not
-  // count.
+  // Monotonic clock in nanoseconds. Prefer the processor time of this thread to wall time, because
+  // it excludes other programs.
   std::function<std::int64_t()> now_ns;
-  // Asked about every thousand ticks; true ends the study (Ctrl-C). May be empty.
+  // Called about every thousand ticks; true ends the study (Ctrl-C). May be empty.
   std::function<bool()> should_stop;
-  // Told the share of the work that is done, 0 to 1. May be empty.
+  // Receives the completed share of the work, 0 to 1. May be empty.
   std::function<void(double)> on_progress;
 };
 
-// One integrator and substep count. Absent is what does not apply: substeps of the exact
-// integrator, and every error of a run that diverged or whose reference did.
+// One integrator and substep count. Fields that do not apply are nullopt: substeps of the exact
+// integrator, and all errors if the run or the reference diverged.
 struct AccuracyRow {
   Integrator integrator = Integrator::kExact;
   std::optional<int> substeps;
-  std::optional<double> ns_per_tick;     // of the loop, without the set-up; absent without a tick
+  std::optional<double> ns_per_tick;     // of the loop, without set-up; nullopt without a tick
   std::optional<double> ratio_to_exact;  // of ns_per_tick
   std::optional<double> set_up_ns;       // once a run, before the first tick
-  std::optional<double> max_position_error_m;  // over all ticks, of the true position
+  std::optional<double> max_position_error_m;  // of the true position, over all ticks
   std::optional<double> energy_balance_error_j;
   std::optional<double> tail_peak_to_peak_m;
-  // (this - reference) / reference; -1 where the oscillation vanishes. Absent where the reference
-  // has settled: there is no oscillation to be off.
+  // (this - reference) / reference; -1 if the oscillation is missing. nullopt if the reference
+  // settled.
   std::optional<double> tail_peak_to_peak_relative_error;
   Verdict verdict = Verdict::kSettled;
   std::optional<std::uint64_t> diverged_at_tick;
@@ -50,14 +48,14 @@ struct AccuracyRow {
 struct AccuracyStudy {
   Summary reference;              // the exact propagator in extended precision
   std::vector<AccuracyRow> rows;  // exact, then integrator by integrator in the order of substeps
-  bool stopped_early = false;     // the rows are then not whole
+  bool stopped_early = false;     // the rows are then incomplete
 };
 
-// Measures a validated scene whatever integrator it names. The errors come from one run each; the
-// times from further runs without samples, all rows in turn, several rounds, the median of which is
-// told. Only the times differ from call to call.
-// Throws std::invalid_argument where a pointer leads the hand, no clock is given, a substep count
-// is out of range, or the scene has more than kMostAccuracyTicks ticks. Realtime-safe: no.
+// Measures a validated scene; ignores its integrator. One run per row gives the errors. The times
+// are medians over several rounds of runs without samples, in which all rows take turns. Only the
+// times differ from call to call.
+// Throws std::invalid_argument if a pointer leads the hand, no clock is given, a substep count
+// is out of range, or the scene has more than kMaxAccuracyTicks ticks. Realtime-safe: no.
 [[nodiscard]] AccuracyStudy measure_accuracy(const Scene& scene, const AccuracyOptions& options);
 
 }  // namespace hapticwall

@@ -9,21 +9,21 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// Of the first wall, and the bound of it; N/m.
+// N/m.
 struct Stiffnesses {
   double wall = kNone;
   double bound = kNone;
 
-  // Below 0 where the wall is softer than the bound, above 0 where it is stiffer.
+  // Negative if the wall is softer than the bound.
   [[nodiscard]] double excess() const { return wall - bound; }
-  // The same, straight along a logarithmic axis where both are powers of what it varies.
+  // Linear along a logarithmic axis if both are powers of its key.
   [[nodiscard]] double log_excess() const {
     return wall > 0.0 && bound > 0.0 ? std::log(wall / bound) : kNone;
   }
 };
 
 Stiffnesses stiffnesses(const Scene& scene, BoundMember bound) {
-  const WallSettings& wall = scene.walls.front();
+  const WallSettings& wall = scene.x().walls.front();
   const std::optional<double> limit = stability_bounds(scene, wall, delay_of(scene)).*bound;
   return {wall.stiffness_n_per_m, limit.value_or(kNone)};
 }
@@ -33,14 +33,14 @@ struct Corner {
   Stiffnesses found;
 };
 
-// How far from `a` to `b` the wall is as stiff as the bound.
+// Fraction of the way from `a` to `b` at which the stiffness equals the bound.
 double part_of_edge(const Stiffnesses& a, const Stiffnesses& b, bool logarithmic) {
   const double part = a.log_excess() / (a.log_excess() - b.log_excess());
   if (logarithmic && std::isfinite(part)) return part;
   return a.excess() / (a.excess() - b.excess());
 }
 
-// Where the line crosses the edge between two corners, which lies along one of the axes.
+// Intersection with the edge between two corners, which is parallel to an axis.
 std::optional<MapPoint> crossing(const StabilityMap& map, const Corner& a, const Corner& b) {
   if ((a.found.excess() < 0.0) == (b.found.excess() < 0.0)) return std::nullopt;
   const MapAxis& along = a.at.x != b.at.x ? map.x : map.y;
@@ -48,7 +48,7 @@ std::optional<MapPoint> crossing(const StabilityMap& map, const Corner& a, const
   return MapPoint{a.at.x + part * (b.at.x - a.at.x), a.at.y + part * (b.at.y - a.at.y)};
 }
 
-// The lines through one square, whose corners go round.
+// The corners are in circular order.
 void append_square(std::vector<BoundSegment>& lines, const StabilityMap& map,
                    const std::array<Corner, 4>& corners) {
   std::vector<MapPoint> crossings;
@@ -66,7 +66,7 @@ void append_square(std::vector<BoundSegment>& lines, const StabilityMap& map,
 
 std::vector<BoundSegment> bound_lines(const StabilityMap& map, BoundMember bound) {
   std::vector<BoundSegment> lines;
-  if (map.scene.walls.empty()) return lines;
+  if (map.scene.x().walls.empty()) return lines;
   std::vector<Stiffnesses> found(map.x.count * map.y.count);
   for (std::size_t i = 0; i < found.size(); ++i) found[i] = stiffnesses(map.scene_at(i), bound);
   const auto corner = [&](std::size_t x, std::size_t y) {

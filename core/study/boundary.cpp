@@ -10,10 +10,9 @@
 namespace hapticwall {
 namespace {
 
-// Where one boundary is searched.
 struct Search {
   Boundary found;
-  Scene scene;  // less the number that is searched
+  Scene scene;  // without the searched number
 };
 
 std::vector<Search> searches_of(const BoundaryPlan& plan) {
@@ -42,20 +41,20 @@ Scene scene_at(const BoundaryPlan& plan, const Search& search, double value) {
 
 bool settles(const Summary& summary) { return summary.verdict == Verdict::kSettled; }
 
-// Nothing where it was stopped.
+// Empty if stopped.
 std::vector<Summary> run_all(const std::vector<Scene>& scenes, const BoundaryOptions& options) {
   BatchOptions batch;
   batch.should_stop = options.should_stop;
-  BatchResult<Summary> result = simulate_batch<Summary>(scenes, batch);
+  BatchResult result = simulate_batch(scenes, batch);
   std::vector<Summary> summaries;
   if (result.stopped_early) return summaries;
-  for (std::optional<Summary>& summary : result.figures) summaries.push_back(std::move(*summary));
+  for (std::optional<Summary>& summary : result.summaries) summaries.push_back(std::move(*summary));
   return summaries;
 }
 
-// Takes the values of the scan, in their order.
+// `scan`: in the order of the values.
 void take_scan(const BoundaryPlan& plan, std::span<Summary> scan, Boundary& found) {
-  std::optional<std::size_t> change;  // the first value after it
+  std::optional<std::size_t> change;  // first value after it
   for (std::size_t i = 1; i < scan.size(); ++i) {
     if (settles(scan[i]) == settles(scan[i - 1])) continue;
     ++found.changes;
@@ -88,7 +87,7 @@ double middle(const BoundaryPlan& plan, const Boundary& found) {
   return plan.along.number.whole ? std::floor(value) : value;
 }
 
-// One step of all searches that are open; false where it was stopped.
+// One step of all open searches; false if stopped.
 bool bisect(const BoundaryPlan& plan, std::vector<Search*>& open, const BoundaryOptions& options) {
   std::vector<Scene> scenes;
   scenes.reserve(open.size());
@@ -100,7 +99,7 @@ bool bisect(const BoundaryPlan& plan, std::vector<Search*>& open, const Boundary
   for (std::size_t i = 0; i < open.size(); ++i) {
     Boundary& found = open[i]->found;
     const double value = middle(plan, found);
-    // Neighbours: nothing lies between them.
+    // The two ends are adjacent doubles.
     const bool stuck = value == *found.settled || value == *found.unsettled;
     if (settles(summaries[i])) {
       found.settled = value;

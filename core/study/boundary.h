@@ -1,4 +1,4 @@
-// Where along a number of the scene the verdict changes: a scan, then bisection.
+// Finds the change of verdict along a number of the scene, by a scan and bisection.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +14,24 @@ namespace hapticwall {
 struct BoundaryPlan {
   Scene scene;
   std::vector<std::size_t> algorithms;  // indices in algorithms()
-  std::optional<MapAxis> x;             // a boundary for each of its values; else one
-  MapAxis along;                        // what is searched; its values are scanned first
-  double tolerance = 1e-3;              // of the value itself, at least kFinestTolerance
+  std::optional<MapAxis> x;             // one boundary for each of its values
+  MapAxis along;                        // searched key; its values are scanned first
+  double tolerance = 1e-3;              // relative to the value, at least kMinTolerance
 
   [[nodiscard]] std::size_t boundary_count() const {
     return algorithms.size() * (x ? x->count : 1);
   }
 };
-inline constexpr double kFinestTolerance = 1e-12;
+inline constexpr double kMinTolerance = 1e-12;
 
-// The first change of verdict from the low end on. `settled` counts, everything else does not.
+// First change between settled and any other verdict, from the low end.
 struct Boundary {
   std::size_t algorithm = 0;          // in BoundaryPlan::algorithms
-  std::optional<double> x;            // where there is an axis
-  std::optional<double> settled;      // the last value known to settle; nothing: none of the scan
-  std::optional<double> unsettled;    // the first known not to; nothing: all of the scan settle
-  std::size_t changes = 0;            // of verdict in the scan; more than 1: there are islands
-  std::optional<Summary> at_settled;  // what it comes to there
+  std::optional<double> x;            // value of the axis x, if any
+  std::optional<double> settled;      // last value known to settle; nullopt: none
+  std::optional<double> unsettled;    // first known not to; nullopt: all settle
+  std::size_t changes = 0;            // of verdict in the scan; more than 1: islands
+  std::optional<Summary> at_settled;  // at `settled`
 };
 
 struct BoundaryOptions {
@@ -39,11 +39,10 @@ struct BoundaryOptions {
   std::function<void(double fraction)> progress;
 };
 
-// The first invalid scene of the scan, and why.
+// First invalid scene of the scan, if any.
 [[nodiscard]] std::optional<SceneProblem> validate(const BoundaryPlan& plan);
 
-// x runs fastest, then the algorithms. An empty result: `should_stop` has said so. Realtime-safe:
-// no.
+// x varies fastest, then the algorithm. Empty if `should_stop` returned true. Realtime-safe: no.
 [[nodiscard]] std::vector<Boundary> find_boundaries(const BoundaryPlan& plan,
                                                     const BoundaryOptions& options = {});
 

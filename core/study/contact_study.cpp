@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/batch/batch_simulator.h"
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 
 namespace hapticwall {
 namespace {
@@ -20,12 +20,11 @@ constexpr double kRangesRefined = 2.0;
 
 Scene scene_of(const ContactStudyPlan& plan, std::size_t algorithm) {
   Scene scene = plan.scene;
-  scene.y.reset();
+  scene.axes.resize(1);
   scene.algorithm.index = algorithm;
   return scene;
 }
 
-// Counts runs for the caller's progress.
 class StudyWork {
  public:
   StudyWork(const ContactStudyPlan& plan, const ContactStudyOptions& options) : options_(options) {
@@ -49,25 +48,25 @@ class StudyWork {
   double done_ = 0.0;
 };
 
-// Nothing where it was stopped.
+// Empty if stopped.
 std::vector<Summary> run_all(const std::vector<Scene>& scenes, StudyWork& work) {
   BatchOptions batch;
   batch.should_stop = work.options().should_stop;
   batch.progress = [&](std::size_t done, std::size_t) { work.show(done); };
-  BatchResult<Summary> result = simulate_batch<Summary>(scenes, batch);
+  BatchResult result = simulate_batch(scenes, batch);
   std::vector<Summary> summaries;
   if (result.stopped_early) return summaries;
   work.add(scenes.size());
-  for (std::optional<Summary>& summary : result.figures) summaries.push_back(std::move(*summary));
+  for (std::optional<Summary>& summary : result.summaries) summaries.push_back(std::move(*summary));
   return summaries;
 }
 
-using Stiffest = std::optional<LargestStiffness> ContactFigures::*;
+using Stiffest = std::optional<LargestStiffness> ContactMetrics::*;
 
-// The end of a settled range.
+// Bisection of the upper end of a settled range.
 struct StiffnessSearch {
-  std::size_t row = 0;  // algorithm in the plan
-  Stiffest figure = nullptr;
+  std::size_t row = 0;  // in ContactStudyPlan::algorithms
+  Stiffest stiffest = nullptr;
   double settled = 0.0;
   double unsettled = 0.0;
 };
@@ -84,43 +83,43 @@ bool take_stiffer(const Summary& run, double wall_n_per_m,
   return true;
 }
 
-// One algorithm's part of the scan.
+// The scan under one algorithm.
 struct Scan {
   const MapAxis& axis;
   std::span<const Summary> runs;
 
-  // The first from `begin` on that does not settle.
+  // Index of the first run from `begin` on that does not settle.
   [[nodiscard]] std::size_t settled_end(std::size_t begin) const {
     while (begin < runs.size() && is_settled(runs[begin])) ++begin;
     return begin;
   }
 };
 
-// The settled range that ends at `end`: it is open-ended, or has to be refined.
-void close_range(const Scan& scan, std::size_t end, StiffnessSearch search, ContactFigures& figures,
+// Marks the settled range that ends at `end` as open-ended, or adds its refinement to `open`.
+void close_range(const Scan& scan, std::size_t end, StiffnessSearch search, ContactMetrics& metrics,
                  std::vector<StiffnessSearch>& open) {
-  std::optional<LargestStiffness>& figure = figures.*search.figure;
-  if (!figure) return;
-  figure->open_ended = end == scan.runs.size();
-  if (figure->open_ended) return;
+  std::optional<LargestStiffness>& stiffest = metrics.*search.stiffest;
+  if (!stiffest) return;
+  stiffest->open_ended = end == scan.runs.size();
+  if (stiffest->open_ended) return;
   search.settled = scan.axis.value(end - 1);
   search.unsettled = scan.axis.value(end);
   open.push_back(search);
 }
 
-// What is left to be refined goes to `open`.
-void take_scan(const Scan& scan, std::size_t row, ContactFigures& figures,
+// Appends the refinements that are left to `open`.
+void take_scan(const Scan& scan, std::size_t row, ContactMetrics& metrics,
                std::vector<StiffnessSearch>& open) {
   std::size_t best = 0;
   const std::size_t first_end = scan.settled_end(0);
   for (std::size_t i = 0; i < scan.runs.size(); ++i) {
     const Summary& run = scan.runs[i];
-    if (is_settled(run) && (i == 0 || !is_settled(scan.runs[i - 1]))) ++figures.settled_ranges;
-    if (take_stiffer(run, scan.axis.value(i), figures.stiffest)) best = i;
-    if (i < first_end) take_stiffer(run, scan.axis.value(i), figures.stiffest_unbroken);
+    if (is_settled(run) && (i == 0 || !is_settled(scan.runs[i - 1]))) ++metrics.settled_ranges;
+    if (take_stiffer(run, scan.axis.value(i), metrics.stiffest)) best = i;
+    if (i < first_end) take_stiffer(run, scan.axis.value(i), metrics.stiffest_unbroken);
   }
-  close_range(scan, scan.settled_end(best), {row, &ContactFigures::stiffest}, figures, open);
-  close_range(scan, first_end, {row, &ContactFigures::stiffest_unbroken}, figures, open);
+  close_range(scan, scan.settled_end(best), {row, &ContactMetrics::stiffest}, metrics, open);
+  close_range(scan, first_end, {row, &ContactMetrics::stiffest_unbroken}, metrics, open);
 }
 
 bool is_open(const ContactStudyPlan& plan, const StiffnessSearch& search) {
@@ -129,9 +128,9 @@ bool is_open(const ContactStudyPlan& plan, const StiffnessSearch& search) {
          middle > search.settled && middle < search.unsettled;
 }
 
-// False where it was stopped.
+// False if stopped.
 bool refine(const ContactStudyPlan& plan, std::vector<StiffnessSearch> open, StudyWork& work,
-            std::vector<ContactFigures>& rows) {
+            std::vector<ContactMetrics>& rows) {
   const MapAxis axis = plan.stiffnesses();
   const auto closed = [&](const StiffnessSearch& search) { return !is_open(plan, search); };
   for (std::erase_if(open, closed); !open.empty(); std::erase_if(open, closed)) {
@@ -145,16 +144,16 @@ bool refine(const ContactStudyPlan& plan, std::vector<StiffnessSearch> open, Stu
     const std::vector<Summary> runs = run_all(scenes, work);
     if (runs.size() != open.size()) return false;
     for (std::size_t i = 0; i < open.size(); ++i) {
-      take_stiffer(runs[i], middles[i], rows[open[i].row].*open[i].figure);
+      take_stiffer(runs[i], middles[i], rows[open[i].row].*open[i].stiffest);
       (is_settled(runs[i]) ? open[i].settled : open[i].unsettled) = middles[i];
     }
   }
   return true;
 }
 
-// False where it was stopped.
+// False if stopped.
 bool find_stiffest(const ContactStudyPlan& plan, StudyWork& work,
-                   std::vector<ContactFigures>& rows) {
+                   std::vector<ContactMetrics>& rows) {
   const MapAxis axis = plan.stiffnesses();
   std::vector<Scene> scenes;
   for (const std::size_t algorithm : plan.algorithms) {
@@ -172,7 +171,7 @@ bool find_stiffest(const ContactStudyPlan& plan, StudyWork& work,
   return refine(plan, std::move(open), work, rows);
 }
 
-// When the command first reaches a part of what it comes to.
+// Ticks at which the command first reaches shares of its final value.
 class ForceRise {
  public:
   explicit ForceRise(double final_n) : final_n_(final_n) {}
@@ -192,17 +191,17 @@ class ForceRise {
   std::optional<double> to_s_;
 };
 
-// The scene as it is: once for what it comes to, once more, knowing that, sample by sample. False
-// where it was stopped.
-bool look_at_contact(const Scene& scene, StudyWork& work, ContactFigures& figures) {
+// Runs the unchanged scene twice: the rise time of the second run needs the summary of the first.
+// False if stopped.
+bool look_at_contact(const Scene& scene, StudyWork& work, ContactMetrics& metrics) {
   SimulationOptions options;
   options.should_stop = work.options().should_stop;
   SimulationResult result = simulate(scene, options);
   if (result.stopped_early) return false;
-  figures.summary = std::move(result.summary);
+  metrics.summary = std::move(result.summary);
   work.add(1);
   FirstContact contact(scene.sampling.period_s());
-  ForceRise rise(figures.summary.tail_force_mean_n.value_or(0.0));
+  ForceRise rise(metrics.summary.tail_force_mean_n.value_or(0.0));
   double deepest_m = result.final_state.truth.position_m;
   options.on_sample = [&](const Sample& sample) {
     contact.add(sample);
@@ -211,13 +210,13 @@ bool look_at_contact(const Scene& scene, StudyWork& work, ContactFigures& figure
   };
   if (simulate(scene, options).stopped_early) return false;
   work.add(1);
-  figures.approach_speed_m_per_s = contact.approach_speed_m_per_s();
-  figures.rate_hardness_n_per_m = contact.rate_hardness_n_per_m();
-  figures.rise_kind = contact.kind();
-  if (is_settled(figures.summary)) figures.rise_time_s = rise.time_s();
-  const double penetration_m = deepest_m - scene.walls.front().position_m;
-  if (penetration_m > 0.0) figures.peak_penetration_m = penetration_m;
-  figures.energy_to_hand_j = std::max(0.0, -figures.summary.passivity_margin_j.value_or(0.0));
+  metrics.approach_speed_m_per_s = contact.approach_speed_m_per_s();
+  metrics.rate_hardness_n_per_m = contact.rate_hardness_n_per_m();
+  metrics.rise_kind = contact.kind();
+  if (is_settled(metrics.summary)) metrics.rise_time_s = rise.time_s();
+  const double penetration_m = deepest_m - scene.x().walls.front().position_m;
+  if (penetration_m > 0.0) metrics.peak_penetration_m = penetration_m;
+  metrics.energy_to_hand_j = std::max(0.0, -metrics.summary.passivity_margin_j.value_or(0.0));
   return true;
 }
 
@@ -229,7 +228,7 @@ MapAxis ContactStudyPlan::stiffnesses() const {
 }
 
 std::optional<SceneProblem> validate(const ContactStudyPlan& plan) {
-  if (plan.scene.walls.empty()) {
+  if (plan.scene.x().walls.empty()) {
     return SceneProblem{"wall", "the study varies the stiffness of a wall, and there is none"};
   }
   const MapAxis axis = plan.stiffnesses();
@@ -244,9 +243,9 @@ std::optional<SceneProblem> validate(const ContactStudyPlan& plan) {
   return std::nullopt;
 }
 
-std::vector<ContactFigures> study_contact(const ContactStudyPlan& plan,
+std::vector<ContactMetrics> study_contact(const ContactStudyPlan& plan,
                                           const ContactStudyOptions& options) {
-  std::vector<ContactFigures> rows(plan.algorithms.size());
+  std::vector<ContactMetrics> rows(plan.algorithms.size());
   StudyWork work(plan, options);
   if (!find_stiffest(plan, work, rows)) return {};
   for (std::size_t i = 0; i < rows.size(); ++i) {

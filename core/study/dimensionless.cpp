@@ -21,11 +21,11 @@ std::optional<Dimensionless> dimensionless(const Scene& scene, const MapAxis& ax
                                            const MapAxis& other) {
   const std::string& path = axis.number.path;
   const double period_s = scene.sampling.period_s();
-  const double mass_kg = scene.device.mass_kg;
+  const double mass_kg = scene.x().device.mass_kg;
   if (path == "device.friction_n") {
-    const double encoder_m = scene.device.encoder_m.value_or(0.0);
-    if (scene.walls.empty() || encoder_m == 0.0) return std::nullopt;
-    const double count_n = scene.walls.front().stiffness_n_per_m * encoder_m;
+    const double encoder_m = scene.x().device.encoder_m.value_or(0.0);
+    if (scene.x().walls.empty() || encoder_m == 0.0) return std::nullopt;
+    const double count_n = scene.x().walls.front().stiffness_n_per_m * encoder_m;
     const bool constant =
         !is_wall(other.number.path, "stiffness_n_per_m") && other.number.path != "device.encoder_m";
     if (count_n == 0.0 || !constant) return std::nullopt;

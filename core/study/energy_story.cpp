@@ -1,9 +1,9 @@
-#include "core/energy_story.h"
+#include "core/study/energy_story.h"
 
 namespace hapticwall {
 namespace {
 
-// Sums of this many digits are kept apart from nothing; below it is rounding.
+// Relative to the sums; smaller values are rounding errors.
 constexpr double kRounding = 1e-12;
 
 bool in_contact(const Sample& sample) { return (sample.flags & kFlagInContact) != 0; }
@@ -14,14 +14,14 @@ EnergyBlame blame_of(const EnergyStory& story, double least_j) {
   const bool hold = story.hold_beyond_budget_j > least_j;
   const bool law = story.control_law_j > least_j;
   if (hold && law) return EnergyBlame::kBoth;
-  // What the hand took is the sum of both at most: where neither is large alone, the larger one.
+  // If neither term alone reaches the resolution, the larger one is to blame.
   if (hold || (!law && story.hold_beyond_budget_j >= story.control_law_j)) {
     return EnergyBlame::kHold;
   }
   return EnergyBlame::kControlLaw;
 }
 
-// Of a spring that gives this force at this penetration.
+// Energy of a spring with this force at this penetration.
 double stored_j(const Sample& sample) {
   return in_contact(sample) ? positive(0.5 * sample.force_n * sample.penetration_m) : 0.0;
 }
@@ -34,7 +34,7 @@ EnergyStory tell_energy_story(const EnergyLedger& now, const EnergyLedger& since
   const double hold_j = now.hold_j - since.hold_j;
   const double scv_j = now.scv_j - since.scv_j;
   const double budget_j = now.budget_j - since.budget_j;
-  // Of the sums themselves: differences inherit it.
+  // Differences inherit the rounding of the sums.
   const double rounding_j = kRounding * (std::abs(now.cv_j) + std::abs(now.hold_j) +
                                          std::abs(now.scv_j) + std::abs(now.budget_j));
   const double least_j = std::max(resolution_j, rounding_j);
@@ -66,7 +66,7 @@ void EnergyLamp::begin_at(const Sample& sample) {
 void EnergyLamp::add(const Sample& sample) {
   if (!has_previous_ || sample.tick <= previous_.tick) {
     begin_at(sample);
-    resting_ticks_ = rest_ticks_;  // nothing is known to be stored
+    resting_ticks_ = rest_ticks_;  // no stored energy is known
   } else if ((sample.flags & kFlagParametersChanged) != 0) {
     begin_at(previous_);
     const double lent_j = stored_j(previous_);

@@ -1,33 +1,31 @@
-// What the ledger says in a word: one lamp.
+// Summary of the energy ledger in one state, for the lamp.
 //
-// All of it is what a controller can see: measured displacements, its own forces, and the damping
-// that its algorithm believes in. From a beginning at which the virtual wall stores nothing,
+// It uses only quantities that a controller knows: measured displacements, its own forces, and the
+// damping that its algorithm assumes. From a start at which the virtual wall stores no energy,
 //
-//   scv = cv + hold                    what handle and actuator exchanged       [paper, Eq. 10]
-//   scv - budget = scv + T Σ b v²      with what the device's damping has eaten [paper, Eq. 16, 22]
+//   scv = cv + hold                  exchange of handle and actuator         [paper, Eq. 10]
+//   scv - budget = scv + T Σ b v²    plus the dissipation of the damping     [paper, Eq. 16, 22]
 //
-// The second is the least that the hand must have put in. So
+// The second is a lower bound of the hand's work. So
 //
-//   passive            scv >= 0: the computer has taken in at least what it gave out
-//   spending budget    budget <= scv < 0: it gave out more, but the device's damping ate all of
-//   that active             scv < budget: the hand has taken out budget - scv, and nobody had put
-//   it in
+//   passive           scv >= 0: the computer absorbed at least what it gave out
+//   spending budget   budget <= scv < 0: the device damping dissipated the difference
+//   active            scv < budget: the hand extracted budget - scv
 //
-// Because budget - scv = (budget - hold) + (-cv), what the hand took can only come from two terms:
-// the hold, by as much as it went beyond its budget, and the control law, by as much as cv fell
-// below zero. The energy bounding algorithm keeps the first at zero, always; the passivity observer
-// watches the second alone. Where one term is in credit, it has paid for a part of the other's
-// debt, and then a part is larger than what the hand took.
+// Because budget - scv = (budget - hold) + (-cv), the extracted energy has two sources: the hold
+// beyond its budget, and the control law below zero. The energy bounding algorithm keeps the first
+// at zero; the passivity observer watches only the second. A term in credit covers part of the
+// other's debt; then one part exceeds the extracted energy.
 //
-// The encoder sees multiples of its resolution only: what the hand took is called `active` from
-// `resolution_j` on, what one count carries under the largest force.
+// The encoder shows only multiples of its resolution. The state is therefore `active` only from
+// `resolution_j` on: the energy of one count under the largest force.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
-#include "core/energy_ledger.h"
+#include "core/loop/energy_ledger.h"
 #include "core/sample.h"
 
 namespace hapticwall {
@@ -38,16 +36,16 @@ enum class EnergyBlame : std::uint8_t { kNobody, kHold, kControlLaw, kBoth };
 // Joules; none is negative.
 struct EnergyStory {
   EnergyState state = EnergyState::kPassive;
-  EnergyBlame blame = EnergyBlame::kNobody;  // other than nobody's only while active
+  EnergyBlame blame = EnergyBlame::kNobody;  // kNobody unless active
   double extracted_j = 0.0;                  // by the hand; 0 unless active
-  double hold_beyond_budget_j = 0.0;         // also while cv still covers it
-  double control_law_j = 0.0;                // -cv, where that is positive
-  double given_out_j = 0.0;                  // -scv, where that is positive
-  double budget_j = 0.0;                     // what the device's damping has eaten
+  double hold_beyond_budget_j = 0.0;         // also while cv covers it
+  double control_law_j = 0.0;                // max(0, -cv)
+  double given_out_j = 0.0;                  // max(0, -scv)
+  double budget_j = 0.0;                     // dissipated by the device damping
 };
 
-// From `since` to `now`, two rows of one ledger; `since` is a row at which the wall stores nothing
-// (the all-zero row of the start). Realtime-safe: yes.
+// From `since` to `now`, two rows of one ledger. The wall must store no energy at `since` (default:
+// the start). Realtime-safe: yes.
 [[nodiscard]] EnergyStory tell_energy_story(const EnergyLedger& now, const EnergyLedger& since = {},
                                             double resolution_j = 0.0);
 
@@ -56,17 +54,17 @@ struct EnergyStory {
   return {sample.energy_cv_j, sample.energy_hold_j, sample.energy_scv_j, sample.energy_budget_j};
 }
 
-// The lamp beside a running session: the story of the present contact, and between contacts that of
-// the last one. Free motion before it would lend it a budget that the contact has not earned, and
-// an earlier contact its guilt; so the story begins anew
-//   - with the first sample, and where the ticks go back (reset, another recording);
-//   - where a contact begins after kRestS without contact and force: then nothing is stored;
-//   - where parameters change: the wall may store energy then, and is lent F p/2 for it, that of a
+// The lamp of a session: the story of the present contact or, between contacts, of the last one.
+// Free motion and earlier contacts must not affect its budget or its debt. The story therefore
+// restarts
+//   - with the first sample, and when the ticks go back (reset, another recording);
+//   - at a contact after kRestS without contact and force: the wall then stores no energy;
+//   - at a change of parameters: the wall may store energy, which is estimated as F p/2, that of a
 //     spring with this force at this penetration.
 // Realtime-safe: yes, all of it.
 class EnergyLamp {
  public:
-  // Chatter leaves the wall for less than this.
+  // Chatter leaves the wall for a shorter time.
   static constexpr double kRestS = 0.25;
 
   // `encoder_m`: 0 without an encoder.
@@ -74,11 +72,10 @@ class EnergyLamp {
       : rest_ticks_(static_cast<std::uint64_t>(std::ceil(kRestS * rate_hz))),
         encoder_m_(encoder_m) {}
 
-  // Every tick, in order.
+  // Call for every tick, in order.
   void add(const Sample& sample);
 
   [[nodiscard]] const EnergyStory& story() const { return story_; }
-  // Where the story begins.
   [[nodiscard]] std::uint64_t since_tick() const { return since_tick_; }
 
  private:

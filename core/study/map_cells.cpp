@@ -1,23 +1,24 @@
-// Cells of a stability map, computed; apart from the plan, which is text and numbers alone.
+// Computes the cells of a stability map. A file of its own: readers of maps need no simulator.
+#include "core/batch/batch_simulator.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall {
 
-std::vector<MapFigures> run_cells(const StabilityMap& map, std::size_t begin, std::size_t end,
+std::vector<MapMetrics> run_cells(const StabilityMap& map, std::size_t begin, std::size_t end,
                                   const std::function<bool()>& should_stop) {
   std::vector<Scene> scenes;
   scenes.reserve(end - begin);
   for (std::size_t cell = begin; cell < end; ++cell) scenes.push_back(map.scene_at(cell));
   BatchOptions options;
   options.should_stop = should_stop;
-  const BatchResult<Summary> result = simulate_batch<Summary>(scenes, options);
-  std::vector<MapFigures> figures;
-  if (result.stopped_early) return figures;
-  figures.reserve(scenes.size());
-  for (const std::optional<Summary>& summary : result.figures) {
-    figures.push_back(map_figures(*summary));
+  const BatchResult result = simulate_batch(scenes, options);
+  std::vector<MapMetrics> metrics;
+  if (result.stopped_early) return metrics;
+  metrics.reserve(scenes.size());
+  for (const std::optional<Summary>& summary : result.summaries) {
+    metrics.push_back(map_metrics(*summary));
   }
-  return figures;
+  return metrics;
 }
 
 }  // namespace hapticwall

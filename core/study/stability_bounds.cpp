@@ -1,11 +1,11 @@
-#include "core/stability_bounds.h"
+#include "core/study/stability_bounds.h"
 
 #include <algorithm>
 
 namespace hapticwall {
 
 StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall, double delay_s) {
-  const DeviceSettings& device = scene.device;
+  const DeviceSettings& device = scene.x().device;
   const double half_period_s = 0.5 * scene.sampling.period_s();
   const double damping = device.damping_n_s_per_m;
   StabilityBounds bounds;
@@ -20,8 +20,8 @@ StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall, d
 }
 
 double delay_of(const Scene& scene) {
-  return scene.device.delay_ticks.value_or(0) * scene.sampling.period_s() +
-         scene.device.amplifier_time_constant_s.value_or(0.0);
+  return scene.x().device.delay_ticks.value_or(0) * scene.sampling.period_s() +
+         scene.x().device.amplifier_time_constant_s.value_or(0.0);
 }
 
 }  // namespace hapticwall

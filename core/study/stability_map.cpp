@@ -11,7 +11,7 @@ double MapAxis::value(std::size_t index) const {
   return logarithmic ? low * std::pow(high / low, part) : low + part * (high - low);
 }
 
-MapFigures map_figures(const Summary& summary) {
+MapMetrics map_metrics(const Summary& summary) {
   return {summary.verdict,           summary.tail_peak_to_peak_m,         summary.tail_force_mean_n,
           summary.tail_force_std_n,  summary.displayed_stiffness_n_per_m, summary.max_penetration_m,
           summary.passivity_margin_j};
@@ -35,8 +35,7 @@ std::optional<SceneProblem> validate(const StabilityMap& map) {
   constexpr const char* kTooFew = "an axis takes two values or more";
   if (map.x.count < 2) return SceneProblem{map.x.number.path, kTooFew};
   if (map.y.count < 2) return SceneProblem{map.y.number.path, kTooFew};
-  // A problem is one of a value, or of a pair; ends and diagonal find every pair that a range of a
-  // key or an order of two keys forbids.
+  // A problem concerns one value, or the order of two. The edges of the grid therefore find all.
   const auto problem_at = [&](std::size_t x, std::size_t y) {
     return validate(map.scene_at(y * map.x.count + x));
   };

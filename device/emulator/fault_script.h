@@ -1,4 +1,4 @@
-// What goes wrong with an emulated device, and when.
+// The faults of an emulated device, and their times.
 #pragma once
 
 #include <cstdint>
@@ -9,31 +9,31 @@
 namespace hapticwall::device::hid {
 
 enum class FaultKind : std::uint8_t {
-  // Reports that arrive spoilt.
-  kEmpty,       // a packet of no bytes
-  kShort,       // cut off
-  kOverLong,    // more than a report
+  // Corrupt reports.
+  kEmpty,       // a packet without bytes
+  kShort,       // truncated
+  kOverLong,    // longer than a report
   kWrongId,     // another id, with the right CRC
   kWrongMajor,  // another major version, with the right CRC
   kBadCrc,      // one bit of the CRC flipped
   kAllZero,     // 64 zeros
   kSkipped,     // not sent
-  kRepeated,    // the one before once more, in place of the new one
+  kRepeated,    // the previous report instead of the new one
   // The link.
-  kSilent,     // nothing is sent; commands are heard
-  kNotPolled,  // the host does not fetch reports; the next one that goes out tells of it
-  kNoOutput,   // commands are not taken: whoever writes one waits
-  kUnplugged,  // off the bus; power of its own goes on
+  kSilent,     // sends nothing, still takes commands
+  kNotPolled,  // the host fetches no reports; the next one sent flags the overrun
+  kNoOutput,   // takes no commands: writes block
+  kUnplugged,  // off the bus, still powered
   // The device.
-  kFrozen,   // the firmware hangs, the amplifiers hold what they have; see FirmwareEmulator
-  kRestart,  // no power: what the firmware knew is gone, the counts too
+  kFrozen,   // the firmware hangs, and the amplifiers hold their force until the watchdog resets it
+  kRestart,  // power loss: firmware state and counts are lost
   kEmergencyStop,
   kOverTemperature,
   kOverCurrent,
-  kEncoderFault,  // the counts stand still
+  kEncoderFault,  // the counts freeze
 };
 
-// From `begin_us` on, for `duration_us`; a spoilt report is every `every`-th tick's in that time.
+// Lasts `duration_us` from `begin_us`; corrupts the report of every `every`-th tick.
 struct Fault {
   FaultKind kind = FaultKind::kSilent;
   std::uint64_t begin_us = 0;
@@ -58,7 +58,7 @@ class FaultScript {
     }
     return false;
   }
-  // The same, of those that strike only every so many ticks.
+  // The same for faults that strike every `every`-th tick.
   [[nodiscard]] bool strikes(FaultKind kind, std::uint64_t now_us, std::uint64_t tick_us) const {
     for (const Fault& fault : faults_) {
       if (fault.kind == kind && fault.lasts_at(now_us) &&

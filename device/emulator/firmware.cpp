@@ -7,9 +7,9 @@ namespace hapticwall::device::hid {
 namespace {
 
 constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
-constexpr std::uint64_t kOldestEchoUs = kLongestTimeToLiveMs * kMicrosecondsPerMillisecond;
+constexpr std::uint64_t kOldestEchoUs = kMaxTimeToLiveMs * kMicrosecondsPerMillisecond;
 
-// The code of one of the faults, 0 where there is none.
+// The code of one of the faults; 0 without faults.
 std::uint8_t code_of(std::uint16_t faults) {
   constexpr std::array<std::pair<StatusFlag, FaultCode>, 5> kCodes{
       {{kStatusEmergencyStop, kFaultEmergencyStop},
@@ -43,7 +43,7 @@ void Firmware::receive(std::span<const std::uint8_t> bytes, std::uint64_t clock_
   }
   command_ = *command;
   command_us_ = clock_us;
-  if (command->clear_faults) faults_ = 0;  // the tick finds those whose cause is still there
+  if (command->clear_faults) faults_ = 0;  // the tick sets those whose cause lasts
   following_ = command->enable;
 }
 

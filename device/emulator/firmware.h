@@ -1,42 +1,40 @@
-// What the firmware of a device must do with commands, time and faults: the duties of
-// docs/hid-protocol.md, without mechanics, bus or clock of its own.
-//
-// It is how the emulator behaves, and a model for those who write one. Realtime-safe: yes, all of
-// it.
+// The duties of a device's firmware by docs/hid-protocol.md: commands, time limits and faults,
+// without mechanics, bus or clock. The emulator runs it; it is also a model for real firmware.
+// Realtime-safe: yes, all of it.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
-#include "device/hid_report.h"
+#include "device/hid/report.h"
 
 namespace hapticwall::device::hid {
 
-// What the hardware tells the firmware at a tick.
+// Input of the firmware at a tick.
 struct HardwareState {
   bool bus_alive = true;     // a start of frame within the last 3 ms
-  std::uint16_t faults = 0;  // those of kStatusFaults that are there now
+  std::uint16_t faults = 0;  // present ones of kStatusFaults
 };
 
 class Firmware {
  public:
   explicit Firmware(const InfoReport& info) : info_(info) {}
 
-  // As after power-up: nothing is known of what was.
+  // The state after power-up.
   void restart() { *this = Firmware(info_); }
 
-  // A packet of the output endpoint: any bytes. It acts at the next tick.
+  // A packet of the output endpoint, any bytes. Takes effect at the next tick.
   void receive(std::span<const std::uint8_t> bytes, std::uint64_t clock_us);
 
-  // Begins a tick: one up with the sequence, then all that time and hardware ask for.
+  // Begins a tick: increments the sequence, then applies time limits and hardware faults.
   void tick(std::uint64_t clock_us, const HardwareState& hardware);
 
-  // What the amplifiers are told from this tick on, newtons towards growing counts.
-  [[nodiscard]] const std::array<double, kMostAxes>& force_n() const { return force_n_; }
+  // Command to the amplifiers from this tick on, newtons towards growing counts.
+  [[nodiscard]] const std::array<double, kMaxAxes>& force_n() const { return force_n_; }
 
-  // All of STATE that firmware alone knows; counts, velocities, calibration, buttons, temperature
-  // and supply are the caller's.
+  // STATE without counts, velocities, calibration, buttons, temperature and supply, which the
+  // caller adds.
   [[nodiscard]] StateReport state(std::uint64_t clock_us) const;
 
   [[nodiscard]] const InfoReport& info() const { return info_; }
@@ -48,12 +46,12 @@ class Firmware {
 
   InfoReport info_;
   std::uint16_t sequence_ = 0;
-  // Idle is not following without faults, stopped is not following with some (a fault ends it at
-  // the tick). Following is driven while the time to live lasts, waiting after it.
+  // Idle: not following, no faults. Stopped: not following, with faults. Following: driven within
+  // the time to live, waiting after it. A fault ends following at the tick.
   bool following_ = false;
   ForceReport command_{};  // the last one accepted
   std::uint64_t command_us_ = 0;
-  std::array<double, kMostAxes> force_n_{};
+  std::array<double, kMaxAxes> force_n_{};
   std::uint16_t faults_ = 0;  // until they are cleared
   std::uint8_t first_fault_ = kNoFault;
   bool driven_ = false;

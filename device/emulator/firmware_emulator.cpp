@@ -14,7 +14,7 @@ constexpr std::uint64_t kMillisecondUs = 1000;
 constexpr std::uint64_t kBusLossUs = 3 * kMillisecondUs;
 constexpr std::uint32_t kFirmwareVersion = 0x00010000;
 constexpr std::size_t kShortBytes = 12;
-constexpr std::size_t kOverLongBytes = InputReport::kMostBytes;
+constexpr std::size_t kOverLongBytes = InputReport::kMaxBytes;
 constexpr std::uint8_t kNoId = 0x07;
 constexpr std::uint8_t kNextMajor = (kProtocolMajor + 1) << 4U;
 
@@ -23,7 +23,7 @@ const Scene& scene_of(const EmulatorSettings& settings, std::size_t axis) {
 }
 
 double encoder_of(const Scene& scene) {
-  const double encoder_m = scene.device.encoder_m.value_or(0.0);
+  const double encoder_m = scene.x().device.encoder_m.value_or(0.0);
   return encoder_m > 0.0 ? encoder_m : kFinestEncoderM;
 }
 
@@ -36,7 +36,7 @@ InfoReport info_of(const EmulatorSettings& settings) {
     const Scene& scene = scene_of(settings, axis);
     info.counts_per_metre[axis] = saturated_count(1.0 / encoder_of(scene));
     info.maximum_force_n[axis] =
-        std::min(scene.device.force_limit_n.value_or(kLargestForceN), kLargestForceN);
+        std::min(scene.x().device.force_limit_n.value_or(kMaxForceN), kMaxForceN);
   }
   info.tick_us =
       static_cast<std::uint16_t>(std::lround(kMicrosecondsPerSecond / settings.x.sampling.rate_hz));
@@ -96,7 +96,7 @@ std::optional<ReportBytes> FirmwareEmulator::get_feature(std::uint8_t id) const 
   return encode_info(firmware_.info());
 }
 
-std::array<double, kMostAxes> FirmwareEmulator::amplifier_force_n() const {
+std::array<double, kMaxAxes> FirmwareEmulator::amplifier_force_n() const {
   if (!has_power() || lasts(FaultKind::kEmergencyStop)) return {};
   return firmware_.force_n();
 }
@@ -104,7 +104,7 @@ std::array<double, kMostAxes> FirmwareEmulator::amplifier_force_n() const {
 // The plant's positive force pushes out of the wall, towards smaller positions.
 void FirmwareEmulator::move_plants() {
   if (hand_waits_) return;
-  const std::array<double, kMostAxes> force_n = amplifier_force_n();
+  const std::array<double, kMaxAxes> force_n = amplifier_force_n();
   for (std::size_t axis = 0; axis < plants_.size(); ++axis) {
     plants_[axis].advance(-force_n[axis]);
   }
@@ -131,7 +131,7 @@ HardwareState FirmwareEmulator::hardware() const {
   return state;
 }
 
-// Incremental encoders: count 0 is where the handle was when the power came back.
+// Incremental encoders: count 0 is the position at power-up.
 void FirmwareEmulator::lose_power() {
   firmware_.restart();
   counts_at_power_up_ = encoder_counts_;

@@ -1,6 +1,5 @@
-// A haptic device that is not there: the plant of the simulator, a firmware that keeps every duty
-// of docs/hid-protocol.md, a bus, and a script of faults. In virtual time: no threads, no I/O, no
-// clock; the same calls give the same bytes.
+// An emulated haptic device: the simulator's plant, firmware by docs/hid-protocol.md, a bus, and a
+// script of faults. Deterministic in virtual time: no threads, no I/O, no clock.
 #pragma once
 
 #include <array>
@@ -15,32 +14,32 @@
 #include "core/scene.h"
 #include "device/emulator/fault_script.h"
 #include "device/emulator/firmware.h"
-#include "device/hid_report.h"
+#include "device/hid/report.h"
 
 namespace hapticwall::device::hid {
 
 struct EmulatorSettings {
-  // Device and hand of each axis; walls and algorithm are the host's and are not read. Their rate
-  // is the device's tick, of whole microseconds and the same for both. Without an encoder a count
-  // is a micrometre, without a force limit the maximum is what a report can carry.
+  // Device and hand of each axis; walls and algorithm belong to the host and are ignored. The
+  // common rate is the device's tick, in whole microseconds. Defaults: a count of 1 um, and the
+  // largest force of a report.
   Scene x;
   std::optional<Scene> y;
   std::uint16_t watchdog_ms = 50;
-  bool has_info = true;  // false: a device that must be described by a file
-  // The hand and the handle stand still until the amplifiers are enabled for the first time: what
-  // follows is the scene from its start, however long the host took to come.
+  bool has_info = true;  // false: only a device file describes it
+  // Hand and handle rest until the amplifiers are first enabled, so that the scene starts with the
+  // host's session.
   bool hand_waits = false;
   double temperature_c = 25.0;
   double supply_v = 24.0;
 };
 
-// An input report as it went over the bus.
+// An input report as sent over the bus.
 struct InputReport {
-  static constexpr std::size_t kMostBytes = 80;
+  static constexpr std::size_t kMaxBytes = 80;
 
   std::uint64_t time_us = 0;
   std::size_t size = 0;
-  std::array<std::uint8_t, kMostBytes> bytes{};
+  std::array<std::uint8_t, kMaxBytes> bytes{};
 
   [[nodiscard]] std::span<const std::uint8_t> view() const { return std::span(bytes).first(size); }
 };
@@ -50,37 +49,33 @@ class FirmwareEmulator {
   // Precondition: the scenes are valid. Realtime-safe: no.
   explicit FirmwareEmulator(const EmulatorSettings& settings, FaultScript script = {});
 
-  // Time passes; every tick in it happens, at its microsecond. The first is one tick after the
-  // start.
+  // Advances the time and executes every tick in it. The first is one tick after the start.
   void step(std::uint64_t microseconds);
   [[nodiscard]] std::uint64_t now_us() const { return now_us_; }
   [[nodiscard]] std::uint64_t next_tick_us() const { return next_tick_us_; }
   [[nodiscard]] std::uint64_t tick_us() const { return tick_us_; }
   [[nodiscard]] std::size_t axes() const { return plants_.size(); }
 
-  // The oldest report that has not been taken yet. The bus of a host that never takes one keeps
-  // them all.
+  // The oldest queued report. The queue is unbounded.
   [[nodiscard]] std::optional<InputReport> take_input();
 
-  // While held nobody fetches reports: none goes out, and the next one that does tells of it.
+  // While held, no report is sent; the next one sent flags the overrun.
   void hold_reports(bool held) { held_ = held; }
 
-  // True where a packet of the output endpoint would be taken at this moment; else a host waits.
+  // Whether write_output() would be accepted now; otherwise a host waits.
   [[nodiscard]] bool accepts_output() const;
-  // Any bytes, at this moment; false where they are not taken.
+  // A packet of any bytes to the output endpoint; false if it is not accepted.
   bool write_output(std::span<const std::uint8_t> bytes);
 
-  // A feature report, where the device answers.
+  // A feature report, if the device answers.
   [[nodiscard]] std::optional<ReportBytes> get_feature(std::uint8_t id) const;
 
-  // False while the device is off the bus.
   [[nodiscard]] bool is_plugged() const;
 
-  // Really at the amplifiers now, newtons towards growing counts.
-  [[nodiscard]] std::array<double, kMostAxes> amplifier_force_n() const;
-  // What the firmware latched last, sent or not; all zero before its first tick.
+  // Force at the amplifiers now, newtons towards growing counts.
+  [[nodiscard]] std::array<double, kMaxAxes> amplifier_force_n() const;
+  // The newest latched state, sent or not; all zero before the first tick.
   [[nodiscard]] const StateReport& state() const { return state_; }
-  // Axis 0 or, where there is a second one, 1.
   [[nodiscard]] const PlantTruth& truth(std::size_t axis) const { return plants_.at(axis).truth(); }
   [[nodiscard]] PlantModel& plant(std::size_t axis) { return plants_.at(axis); }
 
@@ -100,20 +95,20 @@ class FirmwareEmulator {
   EmulatorSettings settings_;
   Firmware firmware_;
   std::vector<PlantModel> plants_;
-  std::array<double, kMostAxes> encoder_m_{};
+  std::array<double, kMaxAxes> encoder_m_{};
   std::uint64_t tick_us_ = 0;
   std::uint64_t now_us_ = 0;
   std::uint64_t next_tick_us_ = 0;
-  std::uint64_t power_up_us_ = 0;  // where the device's clock begins
-  std::uint64_t on_bus_us_ = 0;    // when it was last seen there
+  std::uint64_t power_up_us_ = 0;  // start of the device's clock
+  std::uint64_t on_bus_us_ = 0;    // when it was last on the bus
   std::uint64_t alive_us_ = 0;     // when the firmware last ran
-  std::array<std::int32_t, kMostAxes> encoder_counts_{};
-  std::array<std::int32_t, kMostAxes> counts_at_power_up_{};
+  std::array<std::int32_t, kMaxAxes> encoder_counts_{};
+  std::array<std::int32_t, kMaxAxes> counts_at_power_up_{};
   bool calibrated_ = true;
-  bool hung_ = false;  // the watchdog in hardware has struck, the firmware is not back yet
+  bool hung_ = false;  // the hardware watchdog expired, and the firmware still hangs
   bool overrun_ = false;
   bool held_ = false;
-  bool hand_waits_ = false;  // still
+  bool hand_waits_ = false;
   StateReport state_;
   std::deque<InputReport> on_the_wire_;
   std::optional<InputReport> last_sent_;

@@ -20,8 +20,8 @@ constexpr const char* kUhidPath = "/dev/uhid";
 constexpr std::int64_t kNanosecondsInSecond = 1'000'000'000;
 constexpr std::uint32_t kDeviceVersion = 0x0100;
 
-static_assert(sizeof(uhid_create2_req::name) == kLongestUhidName + 1);
-static_assert(sizeof(uhid_create2_req::uniq) == kLongestUhidSerial + 1);
+static_assert(sizeof(uhid_create2_req::name) == kMaxUhidNameBytes + 1);
+static_assert(sizeof(uhid_create2_req::uniq) == kMaxUhidSerialBytes + 1);
 
 std::string words_of(int error) { return std::generic_category().message(error); }
 
@@ -66,8 +66,8 @@ class UhidBus final : public VirtualBus {
     device.product = identity_.product_id;
     device.version = kDeviceVersion;
     if (const int error = write_event(event); error != 0) {
-      return Error{ErrorKind::kDevice,
-                   std::string(kUhidPath) + ": the device could not be made: " + words_of(error)};
+      return Error{ErrorKind::kDevice, std::string(kUhidPath) +
+                                           ": the device could not be created: " + words_of(error)};
     }
     plugged_ = true;
     return {};
@@ -78,7 +78,7 @@ class UhidBus final : public VirtualBus {
     uhid_event event{};
     event.type = UHID_DESTROY;
     write_event(event);
-    // What the host asked for before is nobody's now.
+    // Drop the requests of the host that are left.
     while (next_request()) {
     }
   }

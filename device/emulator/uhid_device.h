@@ -1,5 +1,5 @@
-// The virtual bus of the Linux kernel, /dev/uhid: what is plugged in here is a HID device for every
-// program of this machine. Realtime-safe: no, none of it.
+// The virtual bus of the Linux kernel, /dev/uhid: every program of this machine sees the device.
+// Realtime-safe: no, none of it.
 #pragma once
 
 #include <cstdint>
@@ -8,26 +8,25 @@
 
 #include "core/result.h"
 #include "device/emulator/virtual_bus.h"
-#include "device/hid_report.h"
+#include "device/hid/report.h"
 
 namespace hapticwall::device::hid {
 
-// The kernel's room for them, without the terminating zero.
-inline constexpr std::size_t kLongestUhidName = 127;
-inline constexpr std::size_t kLongestUhidSerial = 63;
+// Limits of the kernel, bytes without the terminating zero.
+inline constexpr std::size_t kMaxUhidNameBytes = 127;
+inline constexpr std::size_t kMaxUhidSerialBytes = 63;
 
 struct HidIdentity {
   std::uint16_t vendor_id = kTestVendorId;
   std::uint16_t product_id = kTestProductId;
-  std::string serial = "emulated";                   // at most kLongestUhidSerial bytes
-  std::string name = "Haptic Wall emulated device";  // at most kLongestUhidName bytes
+  std::string serial = "emulated";                   // at most kMaxUhidSerialBytes bytes
+  std::string name = "Haptic Wall emulated device";  // at most kMaxUhidNameBytes bytes
 };
 
-// Not plugged in yet. Fails with ErrorKind::kDevice and one line that says what to do. Leaving
-// unplugs.
+// Returns a bus with the device unplugged; destruction unplugs it. Fails with ErrorKind::kDevice.
 //
-// Two things a real bus does and this one cannot: a host that writes never waits (what the device
-// does not take is lost), and a report without bytes or with an unknown id ends in the kernel.
+// It differs from a real bus in two ways: a write of the host never waits and may be lost, and the
+// kernel drops reports without bytes or with an unknown id.
 [[nodiscard]] Result<std::unique_ptr<VirtualBus>> open_uhid(const HidIdentity& identity);
 
 }  // namespace hapticwall::device::hid

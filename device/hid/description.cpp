@@ -1,4 +1,4 @@
-#include "device/hid_description.h"
+#include "device/hid/description.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,20 +8,31 @@
 namespace hapticwall::device::hid {
 namespace {
 
-// More than a report, so that one that is too long shows.
+// Larger than a report, so that an overlong one is noticed.
 constexpr std::size_t kFeatureRoom = kReportBytes + 16;
 constexpr std::size_t kProtocolOffset = 1;
 constexpr double kStepsPerNewton = 1000.0;
-// A device that has an INFO report may fail to answer once.
+// A device with an INFO report may fail to answer once.
 constexpr int kAsks = 3;
-// 8.9 N is 8900 steps, whatever its last bit says.
+// Keeps 8.9 N at 8900 steps despite rounding.
 constexpr double kRoundingSteps = 1e-6;
 
-// What a report can carry without going over the limit.
+// The largest force that a report can carry within the limit.
 double whole_millinewtons(double limit_n) {
-  const double steps = std::floor(std::min(limit_n, kLargestForceN) * kStepsPerNewton +  //
+  const double steps = std::floor(std::min(limit_n, kMaxForceN) * kStepsPerNewton +  //
                                   kRoundingSteps);
   return std::max(steps, 0.0) / kStepsPerNewton;
+}
+
+bool is_of_the_protocol(const Listing& listing) {
+  const bool test_numbers =
+      listing.vendor_id == kTestVendorId && listing.product_id == kTestProductId;
+  return may_be_haptic(listing) && (listing.usage_page != 0 || test_numbers);
+}
+
+bool is_same_device(const Listing& listing, const Listing& known) {
+  return may_be_haptic(listing) && listing.vendor_id == known.vendor_id &&
+         listing.product_id == known.product_id && listing.serial == known.serial;
 }
 
 Error refused(const Listing& listing, const std::string& why) {
@@ -41,17 +52,17 @@ Error not_understood(const Listing& listing, Refusal refusal, std::span<const st
                               "): its firmware has to follow docs/hid-protocol.md");
 }
 
-AxisFigures axis_of(const InfoReport* info, std::size_t axis,
-                    const std::optional<AxisFigures>& file) {
-  AxisFigures figures = file.value_or(AxisFigures{});
+AxisDescription axis_of(const InfoReport* info, std::size_t axis,
+                        const std::optional<AxisDescription>& file) {
+  AxisDescription described = file.value_or(AxisDescription{});
   if (info != nullptr) {
-    if (figures.encoder_m <= 0.0) figures.encoder_m = 1.0 / info->counts_per_metre[axis];
-    figures.force_limit_n = figures.force_limit_n > 0.0
-                                ? std::min(figures.force_limit_n, info->maximum_force_n[axis])
-                                : info->maximum_force_n[axis];
+    if (described.encoder_m <= 0.0) described.encoder_m = 1.0 / info->counts_per_metre[axis];
+    described.force_limit_n = described.force_limit_n > 0.0
+                                  ? std::min(described.force_limit_n, info->maximum_force_n[axis])
+                                  : info->maximum_force_n[axis];
   }
-  figures.force_limit_n = whole_millinewtons(figures.force_limit_n);
-  return figures;
+  described.force_limit_n = whole_millinewtons(described.force_limit_n);
+  return described;
 }
 
 std::string name_of(const Listing& listing, const ImpulseEngineOptions& options) {
@@ -62,8 +73,34 @@ std::string name_of(const Listing& listing, const ImpulseEngineOptions& options)
 
 }  // namespace
 
-Result<DeviceFigures> describe(const Listing& listing, Handle& handle,
-                               const ImpulseEngineOptions& options) {
+bool fits(const Listing& listing, const ImpulseEngineOptions& options) {
+  if (!may_be_haptic(listing)) return false;
+  if (!options.path.empty() && listing.path != options.path) return false;
+  if (!options.serial.empty() && listing.serial != options.serial) return false;
+  if (options.vendor_id != 0) {
+    return listing.vendor_id == options.vendor_id && listing.product_id == options.product_id;
+  }
+  return !options.path.empty() || is_of_the_protocol(listing);
+}
+
+std::optional<Listing> choose(const std::vector<Listing>& listings,
+                              const ImpulseEngineOptions& options,
+                              const std::optional<Listing>& known) {
+  const auto first = [&](const auto& wanted) -> std::optional<Listing> {
+    const auto found = std::find_if(listings.begin(), listings.end(), wanted);
+    return found == listings.end() ? std::nullopt : std::optional(*found);
+  };
+  if (!known) return first([&](const Listing& listing) { return fits(listing, options); });
+  auto same_place = first([&](const Listing& listing) {
+    return is_same_device(listing, *known) && listing.path == known->path;
+  });
+  if (same_place) return same_place;
+  if (known->serial.empty() && !options.path.empty()) return std::nullopt;
+  return first([&](const Listing& listing) { return is_same_device(listing, *known); });
+}
+
+Result<DeviceDescription> describe(const Listing& listing, Handle& handle,
+                                   const ImpulseEngineOptions& options) {
   std::array<std::uint8_t, kFeatureRoom> room{};
   std::size_t size = 0;
   for (int i = 0; i < kAsks && size == 0; ++i) {
@@ -79,15 +116,16 @@ Result<DeviceFigures> describe(const Listing& listing, Handle& handle,
     return refused(listing,
                    "does not describe itself (no INFO report): name a device file that does");
   }
-  DeviceFigures figures;
-  figures.name = name_of(listing, options);
-  figures.axes = info ? info->axes : (options.y ? 2 : 1);
-  for (std::size_t axis = 0; axis < figures.axes; ++axis) {
-    figures.axis[axis] = axis_of(info ? &*info : nullptr, axis, axis == 0 ? options.x : options.y);
+  DeviceDescription described;
+  described.name = name_of(listing, options);
+  described.axes = info ? info->axes : (options.y ? 2 : 1);
+  for (std::size_t axis = 0; axis < described.axes; ++axis) {
+    described.axis[axis] =
+        axis_of(info ? &*info : nullptr, axis, axis == 0 ? options.x : options.y);
   }
-  figures.describes_itself = info.has_value();
-  figures.firmware = info ? info->firmware : 0;
-  return figures;
+  described.describes_itself = info.has_value();
+  described.firmware = info ? info->firmware : 0;
+  return described;
 }
 
 }  // namespace hapticwall::device::hid

@@ -1,8 +1,8 @@
-#include "device/impulse_engine.h"
+#include "device/hid/impulse_engine.h"
 
 #include <utility>
 
-#include "device/link_machine.h"
+#include "device/hid/link_machine.h"
 #include "device/os_threads.h"
 
 namespace hapticwall::device {
@@ -27,11 +27,11 @@ DeviceInfo ImpulseEngine::info() const {
   DeviceInfo info;
   info.name = options_.name.empty() ? "haptic device" : options_.name;
   const auto machine = this->machine();
-  const auto figures = machine ? machine->owner().figures() : std::nullopt;
-  if (!figures) return info;
-  info.name = figures->name;
-  info.encoder_m = figures->axis[0].encoder_m;
-  info.force_limit_n = figures->axis[0].force_limit_n;
+  const auto description = machine ? machine->owner().description() : std::nullopt;
+  if (!description) return info;
+  info.name = description->name;
+  info.encoder_m = description->axis[0].encoder_m;
+  info.force_limit_n = description->axis[0].force_limit_n;
   return info;
 }
 
@@ -67,9 +67,7 @@ void ImpulseEngine::enable(bool enabled) {
   if (machine_) machine_->loop().enable(enabled);
 }
 
-LinkFigures ImpulseEngine::link() const {
-  return machine_ ? machine_->loop().figures() : LinkFigures{};
-}
+LinkStats ImpulseEngine::link() const { return machine_ ? machine_->loop().stats() : LinkStats{}; }
 
 void ImpulseEngine::close() {
   if (!machine_) return;

@@ -1,4 +1,4 @@
-#include "device/link_command.h"
+#include "device/hid/link_command.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +24,9 @@ hid::ForceReport force_report(const LinkCommand& command, std::uint16_t sequence
   report.clear_faults = command.clear_faults && !report.enable;
   if (!report.enable) return report;
   for (std::size_t axis = 0; axis < report.force_n.size(); ++axis) {
-    const double most_n = std::max(0.0, command.limit_n[axis]);  // in this order 0 for NaN
-    // In a report a positive force pushes towards growing counts, which is into the wall.
-    report.force_n[axis] = std::clamp(-command.force_n[axis], -most_n, most_n);
+    const double max_n = std::max(0.0, command.limit_n[axis]);  // this order gives 0 for NaN
+    // A positive force of a report pushes towards growing counts: into the wall.
+    report.force_n[axis] = std::clamp(-command.force_n[axis], -max_n, max_n);
   }
   return report;
 }

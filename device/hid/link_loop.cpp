@@ -1,4 +1,4 @@
-#include "device/link_loop.h"
+#include "device/hid/link_loop.h"
 
 #include <algorithm>
 
@@ -27,17 +27,16 @@ AxesReading LinkLoop::read() {
   const std::int64_t age_ns = std::max<std::int64_t>(read_ns_ - since_ns, 0);
   trouble_ = judge(age_ns);
   if (trouble_ != Trouble::kNone) enabled_ = false;
-  collect_figures(seconds(age_ns));
+  collect_stats(seconds(age_ns));
   AxesReading reading;
   reading.position_m = view.position_m;
-  reading.age_s = figures_.age_s;
+  reading.age_s = stats_.age_s;
   reading.device_time_s = static_cast<double>(view.device_time_us) / kMicrosecondsPerSecond;
   reading.state = trouble_ == Trouble::kNone ? DeviceState::kOk : DeviceState::kFault;
   return reading;
 }
 
-// A link that was silent for too long stays lost, whatever still comes from it: the owner brings it
-// up anew.
+// A silent link stays lost, even if it sends again, until the owner has reopened it.
 Trouble LinkLoop::judge(std::int64_t age_ns) {
   const LinkView& view = exchange_.views.current();
   const Trouble reason = status_.reason == Trouble::kNone ? Trouble::kSilent : status_.reason;
@@ -49,27 +48,26 @@ Trouble LinkLoop::judge(std::int64_t age_ns) {
     exchange_.lost_session.store(view.session, std::memory_order_release);
     return Trouble::kSilent;
   }
-  // Lost and back since the last look: whoever looks must learn of it.
+  // The link was lost and came back since the last read: report it once.
   const bool came_back_unseen = seen_session_ != 0 && seen_session_ != view.session;
   seen_session_ = view.session;
   return came_back_unseen ? reason : Trouble::kNone;
 }
 
-void LinkLoop::collect_figures(double age_s) {
+void LinkLoop::collect_stats(double age_s) {
   const LinkView& view = exchange_.views.current();
-  const double maximum_age_s = figures_.maximum_age_s;
-  figures_ = view.figures;
-  figures_.trouble = trouble_;
-  figures_.connected =
+  const double maximum_age_s = stats_.maximum_age_s;
+  stats_ = view.stats;
+  stats_.trouble = trouble_;
+  stats_.connected =
       status_.session != 0 && view.session == status_.session && lost_session_ != view.session;
-  figures_.calibrated = figures_.calibrated && figures_.connected;
-  figures_.enabled = figures_.enabled && figures_.connected;
-  figures_.age_s = age_s;
-  figures_.maximum_age_s = figures_.connected ? std::max(maximum_age_s, age_s) : maximum_age_s;
-  figures_.write_time_s = seconds(exchange_.write_ns.load(std::memory_order_relaxed));
-  figures_.maximum_write_time_s =
-      seconds(exchange_.longest_write_ns.load(std::memory_order_relaxed));
-  figures_.losses = exchange_.losses.load(std::memory_order_relaxed);
+  stats_.calibrated = stats_.calibrated && stats_.connected;
+  stats_.enabled = stats_.enabled && stats_.connected;
+  stats_.age_s = age_s;
+  stats_.maximum_age_s = stats_.connected ? std::max(maximum_age_s, age_s) : maximum_age_s;
+  stats_.write_time_s = seconds(exchange_.write_ns.load(std::memory_order_relaxed));
+  stats_.maximum_write_time_s = seconds(exchange_.longest_write_ns.load(std::memory_order_relaxed));
+  stats_.losses = exchange_.losses.load(std::memory_order_relaxed);
 }
 
 void LinkLoop::enable(bool enabled) {
@@ -85,7 +83,7 @@ void LinkLoop::write(const AxisValues& force_n) {
   command.session = status_.session;
   command.made_ns = read_ns_;
   command.enable = enabled_;
-  // Faults are cleared by somebody who does not ask for force, so that clearing never brings any.
+  // Clears faults only while no force is asked for, so that clearing never starts a force.
   command.clear_faults = !asked_ && is_device_fault(trouble_);
   command.force_n = force_n;
   command.limit_n = view.limit_n;

@@ -1,4 +1,4 @@
-#include "device/link_machine.h"
+#include "device/hid/link_machine.h"
 
 #include <algorithm>
 #include <system_error>
@@ -12,11 +12,11 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-constexpr std::chrono::seconds kLongestOpening{3};
-// Longer than a last command and a reader's wait; what is not over then is in a write.
-constexpr milliseconds kLongestClosing{1000};
+constexpr std::chrono::seconds kMaxOpening{3};
+// Longer than a last command and a reader's wait: a thread that runs longer is in a write.
+constexpr milliseconds kMaxClosing{1000};
 constexpr int kReadWaitMs = 5;
-// A reader whose reads fail looks again so often: only time tells whether the link is lost.
+// Retry interval of failed reads: only a time-out shows that the link is lost.
 constexpr milliseconds kAfterFailure{1};
 constexpr milliseconds kReaderRest{1000};
 constexpr milliseconds kWriterRest{100};
@@ -38,10 +38,11 @@ Failure LinkMachine::bring_up() {
   try {
     thread_ = start_thread([self = shared_from_this()] { self->own(); });
   } catch (const std::system_error&) {
-    return Error{ErrorKind::kDevice, "no thread for the device: too many run"};
+    return Error{ErrorKind::kDevice,
+                 "the device gets no thread: the system runs too many; end other programs"};
   }
   std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, kLongestOpening,
+  changed_.wait_for(lock, kMaxOpening,
                     [this] { return over_ || owner_.opening() != Opening::kPending; });
   if (owner_.opening() == Opening::kUp) return std::nullopt;
   const std::string words = owner_.words();
@@ -55,7 +56,7 @@ void LinkMachine::take_down() {
   owner_.stop();
   wake_owner_ = true;
   changed_.notify_all();
-  changed_.wait_for(lock, kLongestClosing,
+  changed_.wait_for(lock, kMaxClosing,
                     [this] { return over_ || owner_.ending() == Ending::kLeftAlone; });
   const bool over = over_;
   lock.unlock();

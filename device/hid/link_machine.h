@@ -1,5 +1,5 @@
-// The threads of a link, and all that they share. They hold it together: whoever is the last one,
-// which is the owner's thread where a write does not end, lets it go.
+// The threads of a link and the data that they share. Shared ownership: the last thread to leave
+// frees it, which is the owner's thread if a write does not end.
 #pragma once
 
 #include <atomic>
@@ -11,22 +11,21 @@
 #include <thread>
 
 #include "core/result.h"
-#include "device/link_exchange.h"
-#include "device/link_loop.h"
-#include "device/link_options.h"
-#include "device/link_owner.h"
-#include "device/link_reader.h"
+#include "device/hid/link.h"
+#include "device/hid/link_loop.h"
+#include "device/hid/link_owner.h"
+#include "device/hid/link_reader.h"
 
 namespace hapticwall::device {
 
-// One open(): used up by take_down().
+// Serves one open(); take_down() ends it for good.
 class LinkMachine : public std::enable_shared_from_this<LinkMachine> {
  public:
   LinkMachine(const ImpulseEngineOptions& options, hid::PortOpener open_port, HostClock now_ns);
 
-  // Starts the threads and waits for the first link-up. After a failure too, take_down().
+  // Starts the threads and waits for the first link-up. Call take_down() after a failure, too.
   [[nodiscard]] Failure bring_up();
-  // Ends them: waits for them, but not for what does not end. Harmless twice.
+  // Ends the threads and waits for them, except for a write that does not end. Idempotent.
   void take_down();
 
   [[nodiscard]] LinkLoop& loop() { return loop_; }

@@ -1,19 +1,19 @@
-#include "device/link_owner.h"
+#include "device/hid/link_owner.h"
 
 #include <algorithm>
 #include <system_error>
 #include <utility>
 
-#include "device/hid_match.h"
+#include "device/hid/description.h"
 
 namespace hapticwall::device {
 namespace {
 
-// How often the owner looks at a link that is up, and at what is about to happen.
+// Intervals of the owner: while the link is up, and while a change is pending.
 constexpr std::int64_t kWatchNs = 5 * kMillisecondNs;
 constexpr std::int64_t kSoonNs = kMillisecondNs;
-// More writers than this in writes that do not end: wait for them before the next attempt.
-constexpr std::size_t kMostLeftAlone = 4;
+// The owner reopens only while fewer writers than this hang in a write.
+constexpr std::size_t kMaxLeftAlone = 4;
 
 std::string four_digits(std::uint16_t number) {
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -29,7 +29,7 @@ std::string nobody_there(const ImpulseEngineOptions& options) {
   }
   if (!options.serial.empty()) text += " with the serial number " + options.serial;
   if (!options.path.empty()) text += " at " + options.path;
-  return text + " is connected; 'hapticwall devices' lists what is there";
+  return text + " is connected; 'hapticwall devices' lists the connected devices";
 }
 
 }  // namespace
@@ -49,9 +49,9 @@ std::string LinkOwner::words() const {
   return words_;
 }
 
-std::optional<hid::DeviceFigures> LinkOwner::figures() const {
+std::optional<hid::DeviceDescription> LinkOwner::description() const {
   const std::lock_guard lock(mutex_);
-  return figures_;
+  return description_;
 }
 
 void LinkOwner::say(const std::string& words) {
@@ -72,7 +72,7 @@ std::int64_t LinkOwner::step() {
   }
   switch (phase_) {
     case Phase::kLooking:
-      if (now_ns >= next_attempt_ns_ && left_alone_.size() < kMostLeftAlone) look(now_ns);
+      if (now_ns >= next_attempt_ns_ && left_alone_.size() < kMaxLeftAlone) look(now_ns);
       break;
     case Phase::kStarting:
       watch_start(now_ns);
@@ -105,7 +105,7 @@ std::int64_t LinkOwner::next_step_ns(std::int64_t now_ns) const {
 
 void LinkOwner::look(std::int64_t now_ns) {
   next_attempt_ns_ = now_ns + back_off_ns_;
-  back_off_ns_ = std::min(2 * back_off_ns_, kLongestBackOffNs);
+  back_off_ns_ = std::min(2 * back_off_ns_, kMaxBackOffNs);
   ++attempts_;
   const Failure failure = bring_up(now_ns);
   if (!failure) return;
@@ -116,8 +116,6 @@ void LinkOwner::look(std::int64_t now_ns) {
   }
 }
 
-// Not found is a failure too, of its own reason: before the first link-up nothing was there, after
-// it what was there is gone.
 Failure LinkOwner::bring_up(std::int64_t now_ns) {
   const Trouble before = reason_;
   reason_ = Trouble::kRefused;
@@ -132,30 +130,32 @@ Failure LinkOwner::bring_up(std::int64_t now_ns) {
   if (!tried_) {
     reason_ = known_ ? Trouble::kSilent : Trouble::kNotFound;
     return Error{ErrorKind::kDevice,
-                 known_ ? known_->path + " is not connected any more: plug the device in again"
+                 known_ ? known_->path + " is no longer connected: plug the device in again"
                         : nobody_there(options_)};
   }
   auto to_read = port_->open(tried_->path);
   if (!to_read) return to_read.error();
   auto to_write = port_->open(tried_->path);
   if (!to_write) return to_write.error();
-  const auto figures = hid::describe(*tried_, **to_read, options_);
-  if (!figures) return figures.error();
-  // A device file alone may allow more force than the device did.
-  if (known_describes_itself_ && !figures->describes_itself) {
+  const auto description = hid::describe(*tried_, **to_read, options_);
+  if (!description) return description.error();
+  // A device file alone could allow more force than the device did.
+  if (known_describes_itself_ && !description->describes_itself) {
     return Error{ErrorKind::kDevice,
-                 tried_->path + " does not say any more what it is: plug the device in again"};
+                 tried_->path + " no longer sends its INFO report: plug the device in again"};
   }
   reason_ = before;
   try {
-    start(*tried_, *figures, std::move(*to_read), std::move(*to_write), now_ns);
+    start(*tried_, *description, std::move(*to_read), std::move(*to_write), now_ns);
   } catch (const std::system_error&) {
-    return Error{ErrorKind::kDevice, "no thread to write to " + tried_->path + ": too many run"};
+    return Error{
+        ErrorKind::kDevice,
+        tried_->path + " gets no thread to write: the system runs too many; end other programs"};
   }
   return std::nullopt;
 }
 
-void LinkOwner::start(const hid::Listing& listing, const hid::DeviceFigures& figures,
+void LinkOwner::start(const hid::Listing& listing, const hid::DeviceDescription& description,
                       std::unique_ptr<hid::Handle> to_read, std::unique_ptr<hid::Handle> to_write,
                       std::int64_t now_ns) {
   ++session_number_;
@@ -166,7 +166,7 @@ void LinkOwner::start(const hid::Listing& listing, const hid::DeviceFigures& fig
   writer.join = start_writer_(writer.session);
   write_ = std::move(writer);
   read_ = std::make_shared<ReadSession>();
-  read_->link = {session_number_, figures, options_.start_m, sent};
+  read_->link = {session_number_, description, options_.start_m, sent};
   read_->handle = std::move(to_read);
   exchange_.show({session_number_, reason_});
   reader_.give(read_);
@@ -184,7 +184,7 @@ void LinkOwner::watch_start(std::int64_t now_ns) {
     {
       const std::lock_guard lock(mutex_);
       words_.clear();
-      figures_ = read_->link.device;
+      description_ = read_->link.device;
     }
     if (opening() == Opening::kPending) opening_.store(Opening::kUp, std::memory_order_release);
     watch(now_ns);
@@ -214,7 +214,7 @@ void LinkOwner::watch(std::int64_t now_ns) {
   take_down(trouble, known_->path + ": " + std::string(trouble_text(trouble)), now_ns);
 }
 
-// The loop learns first, and commands nothing more; then the writer takes the force away.
+// The loop stops commanding first; then the writer removes the force.
 void LinkOwner::take_down(Trouble reason, const std::string& words, std::int64_t now_ns) {
   reason_ = reason;
   exchange_.show({0, reason});
@@ -230,7 +230,7 @@ void LinkOwner::take_down(Trouble reason, const std::string& words, std::int64_t
 
 void LinkOwner::go_on_closing(std::int64_t now_ns) {
   if (read_ && read_->released.load(std::memory_order_acquire)) {
-    read_->handle.reset();  // here, whoever holds the rest a moment longer
+    read_->handle.reset();  // on this thread, even if the reader still holds the session
     read_.reset();
   }
   if (write_ && write_->session->done()) {
@@ -244,7 +244,7 @@ void LinkOwner::go_on_closing(std::int64_t now_ns) {
   if (!read_ && !write_) phase_ = Phase::kLooking;
 }
 
-// Closes what has come back from a write.
+// Closes the abandoned writers whose write has returned.
 void LinkOwner::bury() {
   for (Writer& writer : left_alone_) {
     if (!writer.session->done()) continue;

@@ -1,5 +1,5 @@
-// What the owner's thread does: look for the device, open it, watch the link, close it, look again.
-// The only one that lists, opens and closes.
+// The owner's thread: finds the device, opens it, watches the link, closes it and searches again.
+// Only this thread lists, opens and closes.
 #pragma once
 
 #include <atomic>
@@ -12,56 +12,55 @@
 #include <vector>
 
 #include "core/result.h"
-#include "device/hid_description.h"
-#include "device/hid_port.h"
-#include "device/link_exchange.h"
-#include "device/link_options.h"
-#include "device/link_reader.h"
-#include "device/link_writer.h"
+#include "device/hid/description.h"
+#include "device/hid/link.h"
+#include "device/hid/link_reader.h"
+#include "device/hid/link_writer.h"
+#include "device/hid/port.h"
 
 namespace hapticwall::device {
 
 // Times of the owner.
 inline constexpr std::int64_t kMillisecondNs = 1'000'000;
 inline constexpr std::int64_t kFirstBackOffNs = 50 * kMillisecondNs;
-inline constexpr std::int64_t kLongestBackOffNs = 1000 * kMillisecondNs;
-// How long an opened device may take until its first valid state.
+inline constexpr std::int64_t kMaxBackOffNs = 1000 * kMillisecondNs;
+// Time limit of an opened device for its first valid state.
 inline constexpr std::int64_t kFirstStateNs = 200 * kMillisecondNs;
-// How long the last command may take before its writer is left alone.
+// Time limit of the last command, after which its writer is abandoned.
 inline constexpr std::int64_t kLastCommandNs = 100 * kMillisecondNs;
-// So often is it tried before the first link-up; after that for ever.
+// Attempts before the first link-up fails; later losses are retried without end.
 inline constexpr int kAttemptsToOpen = 4;
 
 enum class Opening : std::uint8_t { kPending, kUp, kFailed };
 
 enum class Ending : std::uint8_t {
   kNotYet,
-  kLeftAlone,  // all is closed but what is in a write that does not end
-  kEnded       // all is closed
+  kLeftAlone,  // everything is closed except writers in a write that does not end
+  kEnded       // everything is closed
 };
 
 class LinkOwner {
  public:
-  // Runs a writer for the session, on a thread of its own; what it returns is called once the
-  // session is done, and joins that thread.
+  // Runs the session's writer on a new thread. Returns a function that joins it, to be called once
+  // the session is done.
   using StartWriter = std::function<std::function<void()>(std::shared_ptr<WriteSession>)>;
 
   LinkOwner(LinkExchange& exchange, LinkReader& reader, ImpulseEngineOptions options,
             hid::PortOpener open_port, const HostClock& now_ns, StartWriter start_writer);
 
-  // The owner's thread: does what there is to do, and returns when it wants to be called again
-  // (host's clock). Waits for nothing but the transport.
+  // One round of the owner's thread. Returns the time of the next one, by the host's clock. Waits
+  // only for the transport.
   std::int64_t step();
 
-  // Any thread. From the next step on the link is taken down, and not brought up again.
+  // Any thread. The next step takes the link down for good.
   void stop() { stop_.store(true, std::memory_order_release); }
   [[nodiscard]] Ending ending() const { return ending_.load(std::memory_order_acquire); }
-  // How the first link-up went: kFailed and kUp stay.
+  // Result of the first link-up; kFailed and kUp are final.
   [[nodiscard]] Opening opening() const { return opening_.load(std::memory_order_acquire); }
-  // One line: what trouble there is, in words; empty where there is none.
+  // The present trouble in one line; empty if there is none.
   [[nodiscard]] std::string words() const;
-  // Of the link that came up last.
-  [[nodiscard]] std::optional<hid::DeviceFigures> figures() const;
+  // Of the newest link that came up.
+  [[nodiscard]] std::optional<hid::DeviceDescription> description() const;
 
  private:
   enum class Phase : std::uint8_t { kLooking, kStarting, kUp, kClosing };
@@ -72,7 +71,7 @@ class LinkOwner {
 
   void look(std::int64_t now_ns);
   [[nodiscard]] Failure bring_up(std::int64_t now_ns);
-  void start(const hid::Listing& listing, const hid::DeviceFigures& figures,
+  void start(const hid::Listing& listing, const hid::DeviceDescription& description,
              std::unique_ptr<hid::Handle> to_read, std::unique_ptr<hid::Handle> to_write,
              std::int64_t now_ns);
   void watch_start(std::int64_t now_ns);
@@ -111,8 +110,8 @@ class LinkOwner {
   std::atomic<Opening> opening_{Opening::kPending};
 
   mutable std::mutex mutex_;
-  std::string words_;                          // under the mutex
-  std::optional<hid::DeviceFigures> figures_;  // under the mutex
+  std::string words_;                                  // under the mutex
+  std::optional<hid::DeviceDescription> description_;  // under the mutex
 };
 
 }  // namespace hapticwall::device

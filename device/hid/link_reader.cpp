@@ -1,4 +1,4 @@
-#include "device/link_reader.h"
+#include "device/hid/link_reader.h"
 
 #include <array>
 #include <span>
@@ -7,11 +7,11 @@
 namespace hapticwall::device {
 namespace {
 
-// More than a report, so that one that is too long shows.
+// Larger than a report, so that an overlong one is noticed.
 constexpr std::size_t kInputRoom = hid::kReportBytes + 64;
-// The queues below hold 63 reports (hidraw) or some 30 (libusb); a device that is faster than this
-// loop would else never let it go.
-constexpr int kMostAtOnce = 256;
+// The transport queues 63 reports (hidraw) or about 30 (libusb). The bound ends the loop if a
+// device sends faster than the reader reads.
+constexpr int kMaxAtOnce = 256;
 
 }  // namespace
 
@@ -55,12 +55,12 @@ LinkReader::Step LinkReader::step(int wait_ms) {
   return works ? Step::kWorked : Step::kFailed;
 }
 
-// Waits for the first report only, then takes what is there: the newest is what counts.
+// Waits for the first report only, then drains the queue: only the newest counts.
 bool LinkReader::drain(int wait_ms) {
   std::array<std::uint8_t, kInputRoom> room{};
   bool news = false;
   bool works = true;
-  for (int i = 0; i < kMostAtOnce; ++i) {
+  for (int i = 0; i < kMaxAtOnce; ++i) {
     const hid::ReadOutcome outcome = session_->handle->read(room, i == 0 ? wait_ms : 0);
     works = outcome.kind != hid::ReadKind::kFailed;
     if (outcome.kind != hid::ReadKind::kReport) break;

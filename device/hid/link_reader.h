@@ -1,4 +1,4 @@
-// What the reader's thread does: wait for a report, drain to the newest, publish.
+// The reader's thread: waits for a report, drains to the newest, publishes it.
 #pragma once
 
 #include <atomic>
@@ -7,23 +7,22 @@
 #include <memory>
 #include <mutex>
 
-#include "device/hid_port.h"
-#include "device/link_exchange.h"
-#include "device/link_options.h"
-#include "device/link_state.h"
+#include "device/hid/link.h"
+#include "device/hid/link_state.h"
+#include "device/hid/port.h"
 
 namespace hapticwall::device {
 
-// One open link, as far as it reads. Made and destroyed by the owner, whose the handle is again
+// The reading half of an open link. The owner creates and destroys it, and gets the handle back
 // once `released` is set.
 struct ReadSession {
   LinkSession link;
   std::unique_ptr<hid::Handle> handle;
 
   std::atomic<bool> stop{false};               // owner -> reader
-  std::atomic<bool> released{false};           // reader -> owner: it never touches this again
-  std::atomic<std::int64_t> newest_ns{0};      // when the newest valid state came; 0: none yet
-  std::atomic<Trouble> ended{Trouble::kNone};  // the reader takes no more from it
+  std::atomic<bool> released{false};           // reader -> owner: the reader no longer uses it
+  std::atomic<std::int64_t> newest_ns{0};      // arrival of the newest valid state; 0: none
+  std::atomic<Trouble> ended{Trouble::kNone};  // why the reader stopped taking states
   std::atomic<std::uint64_t> packets{0};       // of any kind
 };
 
@@ -32,15 +31,15 @@ class LinkReader {
   LinkReader(LinkExchange& exchange, const HostClock& now_ns)
       : exchange_(exchange), now_ns_(now_ns) {}
 
-  // The owner's: the next session; the one before has been released. Returns at once.
+  // Owner: hands over the next session, after the previous one was released. Does not wait.
   void give(std::shared_ptr<ReadSession> session);
-  // Whoever's: wakes a reader that has nothing to do.
+  // Any thread: wakes a resting reader.
   void wake();
 
   enum class Step : std::uint8_t { kWorked, kNothingToDo, kFailed };
-  // The reader's: one look. Waits for a report `wait_ms` at most.
+  // Reader: one round. Waits for a report at most `wait_ms`.
   Step step(int wait_ms);
-  // The reader's: until there may be something to do.
+  // Reader: waits for work.
   void rest(std::chrono::milliseconds longest);
 
  private:

@@ -1,4 +1,4 @@
-#include "device/link_state.h"
+#include "device/hid/link_state.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,12 +8,11 @@
 namespace hapticwall::device {
 namespace {
 
-// A clock that moves on by more between two states, or a way there and back that takes longer, is
-// not of this life of the device.
-constexpr std::int32_t kLongestStepUs = 1'000'000;
+// A longer clock step between two states, or a longer round trip, means that the device restarted.
+constexpr std::int32_t kMaxStepUs = 1'000'000;
 // More ticks than any device makes in that time.
-constexpr int kLongestStepTicks = 20'000;
-// The mean of the delay follows the last hundred or so.
+constexpr int kMaxStepTicks = 20'000;
+// Weight of one tick in the moving average of the delay.
 constexpr double kDelayWeight = 1.0 / 64.0;
 
 Trouble trouble_of(std::uint8_t fault_code) {
@@ -63,11 +62,11 @@ void StateTracker::begin(const LinkSession& session) {
   session_ = session;
   ended_ = Trouble::kNone;
   newest_.reset();
-  // What is shown as the newest measurement is this link's.
-  LinkFigures& figures = view_.figures;
-  figures.round_trip_s = 0.0;
-  figures.delay_s = 0.0;
-  figures.device_period_s = 0.0;
+  // Measurements of the previous link do not apply to this one.
+  LinkStats& stats = view_.stats;
+  stats.round_trip_s = 0.0;
+  stats.delay_s = 0.0;
+  stats.device_period_s = 0.0;
 }
 
 bool StateTracker::take(std::span<const std::uint8_t> bytes, std::int64_t received_ns) {
@@ -75,12 +74,12 @@ bool StateTracker::take(std::span<const std::uint8_t> bytes, std::int64_t receiv
   const hid::Decoded<hid::StateReport> decoded = hid::decode_state(bytes);
   const hid::StateReport* state = decoded.report();
   if (state == nullptr) {
-    ++view_.figures.void_reports;
+    ++view_.stats.void_reports;
     return false;
   }
   if (newest_) {
     if (state->sequence == newest_->sequence) {
-      ++view_.figures.repeated_states;
+      ++view_.stats.repeated_states;
       return false;
     }
     ended_ = objection(*state, received_ns);
@@ -96,12 +95,12 @@ bool StateTracker::take(std::span<const std::uint8_t> bytes, std::int64_t receiv
   return true;
 }
 
-// Why a state is not the successor of the one before.
+// Why a state cannot follow the previous one.
 Trouble StateTracker::objection(const hid::StateReport& state, std::int64_t received_ns) const {
   if (received_ns - view_.received_ns > kLinkLostNs) return Trouble::kSilent;
   const std::int32_t step_us = hid::clock_step_us(newest_->time_us, state.time_us);
   const int ticks = hid::sequence_step(newest_->sequence, state.sequence);
-  if (step_us <= 0 || step_us > kLongestStepUs || ticks <= 0 || ticks > kLongestStepTicks) {
+  if (step_us <= 0 || step_us > kMaxStepUs || ticks <= 0 || ticks > kMaxStepTicks) {
     return Trouble::kRestarted;
   }
   if (is_calibrated(state) != is_calibrated(*newest_)) return Trouble::kCalibration;
@@ -122,15 +121,15 @@ void StateTracker::begin_with(const hid::StateReport& state) {
 }
 
 void StateTracker::follow(const hid::StateReport& state) {
-  LinkFigures& figures = view_.figures;
+  LinkStats& stats = view_.stats;
   const auto ticks =
       static_cast<std::uint64_t>(hid::sequence_step(newest_->sequence, state.sequence));
-  figures.missing_states += ticks - 1;
+  stats.missing_states += ticks - 1;
   ticks_ += ticks;
   view_.device_time_us = hid::unwrapped_us(view_.device_time_us, state.time_us);
-  figures.device_period_s = static_cast<double>(view_.device_time_us - first_time_us_) /
-                            kMicrosecondsPerSecond / static_cast<double>(ticks_);
-  figures.rejected_commands +=
+  stats.device_period_s = static_cast<double>(view_.device_time_us - first_time_us_) /
+                          kMicrosecondsPerSecond / static_cast<double>(ticks_);
+  stats.rejected_commands +=
       static_cast<std::uint16_t>(state.rejected_commands - newest_->rejected_commands);
   const bool acknowledges = state.acknowledged_sequence != newest_->acknowledged_sequence ||
                             state.acknowledged_time_us != newest_->acknowledged_time_us;
@@ -148,27 +147,27 @@ void StateTracker::accept(const hid::StateReport& state, std::int64_t received_n
     view_.position_m[axis] =
         static_cast<double>(counts) * session_.device.axis[axis].encoder_m + origin_m_[axis];
   }
-  LinkFigures& figures = view_.figures;
-  ++figures.states;
-  figures.calibrated = is_calibrated(state);
-  figures.enabled = (state.status & hid::kStatusEnabled) != 0;
+  LinkStats& stats = view_.stats;
+  ++stats.states;
+  stats.calibrated = is_calibrated(state);
+  stats.enabled = (state.status & hid::kStatusEnabled) != 0;
 }
 
-// By the device's own clock, and only from commands of this session: what another one sent is not
-// among those sent, or came in before the state that ours went back to.
+// Measures by the device's clock, and only commands of this session: those of another session are
+// not in `sent`, or arrived before the latch of their state.
 void StateTracker::measure(const hid::StateReport& state, bool next_tick) {
   const auto latch_us = session_.sent->latch_us(state.acknowledged_sequence);
   if (!latch_us) return;
   const std::int32_t round_trip_us = hid::clock_step_us(*latch_us, state.acknowledged_time_us);
   const std::int32_t since_us = hid::clock_step_us(state.acknowledged_time_us, state.time_us);
-  if (round_trip_us < 0 || round_trip_us > kLongestStepUs || since_us < 0) return;
-  LinkFigures& figures = view_.figures;
-  figures.round_trip_s = seconds(round_trip_us);
-  figures.maximum_round_trip_s = std::max(figures.maximum_round_trip_s, figures.round_trip_s);
-  if (!next_tick) return;  // it acted at a tick that was not told of
+  if (round_trip_us < 0 || round_trip_us > kMaxStepUs || since_us < 0) return;
+  LinkStats& stats = view_.stats;
+  stats.round_trip_s = seconds(round_trip_us);
+  stats.maximum_round_trip_s = std::max(stats.maximum_round_trip_s, stats.round_trip_s);
+  if (!next_tick) return;  // the state of the tick at which it acted is missing
   const double delay_s = seconds(hid::clock_step_us(*latch_us, state.time_us));
-  figures.delay_s += (delay_s - figures.delay_s) * (figures.delay_s > 0.0 ? kDelayWeight : 1.0);
-  figures.maximum_delay_s = std::max(figures.maximum_delay_s, delay_s);
+  stats.delay_s += (delay_s - stats.delay_s) * (stats.delay_s > 0.0 ? kDelayWeight : 1.0);
+  stats.maximum_delay_s = std::max(stats.maximum_delay_s, delay_s);
 }
 
 }  // namespace hapticwall::device

@@ -1,4 +1,4 @@
-#include "device/link_writer.h"
+#include "device/hid/link_writer.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,8 +9,8 @@ WriteSession::WriteSession(std::uint32_t number, std::unique_ptr<hid::Handle> ha
                            std::shared_ptr<SentCommands> sent, LinkExchange& exchange)
     : number_(number), handle_(std::move(handle)), sent_(std::move(sent)), exchange_(exchange) {}
 
-// The first command and the last one take force away; between them the mailbox says what to send.
-// What is left in it from the session before is not for this one.
+// The first and the last command remove the force; those between come from the exchange. A command
+// of the previous session is ignored.
 bool WriteSession::next_command(LinkCommand& command) {
   const bool news = exchange_.commands.update();
   const LinkCommand& found = exchange_.commands.current();

@@ -1,7 +1,7 @@
-// What a writer's thread does: take the newest command, and write it, however long that takes.
+// The writer's thread: takes the newest command and writes it, however long that takes.
 //
-// A write that does not end cannot be interrupted. The owner then abandons the session: whoever
-// writes touches nothing any more but the session itself, and ends when the write does.
+// A hanging write cannot be interrupted. The owner then abandons the session: the writer uses only
+// the session from then on, and ends when the write returns.
 #pragma once
 
 #include <atomic>
@@ -9,32 +9,31 @@
 #include <memory>
 #include <optional>
 
-#include "device/hid_port.h"
-#include "device/link_command.h"
-#include "device/link_exchange.h"
-#include "device/link_options.h"
+#include "device/hid/link.h"
+#include "device/hid/link_command.h"
+#include "device/hid/port.h"
 
 namespace hapticwall::device {
 
 class WriteSession {
  public:
-  // `exchange` outlives whatever is done here before abandon() or done().
+  // `exchange` must outlive every call before abandon() or done().
   WriteSession(std::uint32_t number, std::unique_ptr<hid::Handle> handle,
                std::shared_ptr<SentCommands> sent, LinkExchange& exchange);
 
-  // The writer's. What to write now, if anything: after a report came out, write it, then finish().
-  // The first one is without enable, and so is the last.
+  // Writer: the report to write now, if any; call finish() after writing it. The first and the last
+  // report do not enable the force.
   [[nodiscard]] std::optional<hid::ReportBytes> begin(std::int64_t now_ns);
   void finish(std::int64_t now_ns);
   [[nodiscard]] hid::Handle& handle() { return *handle_; }
-  // Nothing more to do, for ever: the writer lets go.
+  // The writer has nothing more to do.
   [[nodiscard]] bool over() const { return state() == State::kDone; }
 
-  // The owner's. One last command without enable, then it is done().
+  // Owner: one last command without enable, then the session is done().
   void stop() { stop_.store(true, std::memory_order_release); }
-  // Leaves a writer alone that is in a write; false where it is not (then it is about to be done).
+  // Abandons a writer that is in a write; false if it is not in one and is about to be done.
   [[nodiscard]] bool abandon();
-  // The writer never touches this again, but for letting go.
+  // The writer no longer uses the session.
   [[nodiscard]] bool done() const { return state() == State::kDone; }
   // Once done.
   void close() { handle_.reset(); }
@@ -42,8 +41,8 @@ class WriteSession {
  private:
   enum class State : std::uint8_t {
     kIdle,
-    kTaking,     // at the mailbox: for an instant only
-    kWriting,    // in a write: for up to five seconds
+    kTaking,     // takes a command: for an instant
+    kWriting,    // in a write: up to five seconds were seen
     kAbandoned,  // in a write, and done after it
     kDone
   };

@@ -1,4 +1,4 @@
-#include "device/hid_port.h"
+#include "device/hid/port.h"
 
 #include <algorithm>
 
@@ -10,12 +10,12 @@ std::string obstacle_text(const std::string& path, Obstacle obstacle) {
       return "";
     case Obstacle::kPermission:
       return path +
-             " may not be opened: permission denied; install the udev rule 70-hapticwall.rules, "
+             " cannot be opened: permission denied; install the udev rule 70-hapticwall.rules, "
              "then plug the device in again";
     case Obstacle::kBusy:
-      return path + " is in use: close the program that has it";
+      return path + " is in use: close the program that uses it";
     case Obstacle::kGone:
-      return path + " is not there any more: plug the device in again";
+      return path + " is no longer connected: plug the device in again";
   }
   return "";
 }

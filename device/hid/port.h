@@ -1,8 +1,7 @@
-// The thin wrapper on hidapi, and what stands in its place in tests. Everything hidapi needs to be
-// told or protected from is behind this: nothing else in the program includes it.
+// A thin wrapper on hidapi, replaced in tests. No other file includes hidapi.
 //
-// Listing, opening and destruction of everything of one port happen on one thread, the owner's. A
-// handle that is open is used by one thread at a time. Realtime-safe: no, none of it.
+// One thread, the owner's, lists, opens and destroys. One thread at a time uses an open handle.
+// Realtime-safe: no, none of it.
 #pragma once
 
 #include <cstddef>
@@ -15,28 +14,28 @@
 #include <vector>
 
 #include "core/result.h"
-#include "device/hid_report.h"
+#include "device/hid/report.h"
 
 namespace hapticwall::device::hid {
 
 // A device as the operating system lists it.
 struct Listing {
-  std::string path;  // the only thing that open() takes
+  std::string path;  // for open()
   std::uint16_t vendor_id = 0;
   std::uint16_t product_id = 0;
   std::string serial;
   std::string manufacturer;
   std::string product;
-  std::uint16_t usage_page = 0;  // 0: not known (hidraw tells it of devices that may be opened)
+  std::uint16_t usage_page = 0;  // 0: unknown (hidraw knows it if the device may be opened)
   std::uint16_t usage = 0;
 
   friend bool operator==(const Listing&, const Listing&) = default;
 };
 
 enum class ReadKind : std::uint8_t {
-  kReport,   // `size` bytes; 0 for an empty packet where the transport can tell it
+  kReport,   // `size` bytes; 0: an empty packet, if the transport reports it
   kNothing,  // none within the wait
-  kFailed,   // the device is gone, or something else that will not pass
+  kFailed,   // permanent: the device is gone, for example
 };
 struct ReadOutcome {
   ReadKind kind = ReadKind::kNothing;
@@ -51,24 +50,24 @@ class Handle {
   Handle& operator=(const Handle&) = delete;
   virtual ~Handle() = default;  // closed
 
-  // The oldest report that waits, or the next one within `wait_ms` (0: without waiting). What does
-  // not fit into `bytes` is cut off: give it more than a report.
+  // The oldest queued report, or the next one within `wait_ms` (0: no wait). Longer reports are cut
+  // to `bytes`: pass more than a report.
   virtual ReadOutcome read(std::span<std::uint8_t> bytes, int wait_ms) = 0;
-  // An output report. May block: five seconds have been seen. False where it failed.
+  // An output report. May block: five seconds were seen. False on failure.
   virtual bool write(const ReportBytes& bytes) = 0;
-  // A feature report into `bytes`, whose first one becomes the id; how many came, 0 where it
-  // failed.
+  // Reads a feature report into `bytes`, of which the first becomes the id. Returns the number of
+  // bytes; 0 on failure.
   virtual std::size_t get_feature(std::uint8_t id, std::span<std::uint8_t> bytes) = 0;
 };
 
 // Why a listed device cannot be opened.
 enum class Obstacle : std::uint8_t {
   kNone,
-  kPermission,  // the user may not: the udev rule is missing
+  kPermission,  // denied: the udev rule is missing
   kBusy,        // another program has it
-  kGone,        // it is not there any more
+  kGone,        // unplugged
 };
-// One line for people: what, and what would help. Empty for kNone.
+// One line for people: problem and remedy. Empty for kNone.
 [[nodiscard]] std::string obstacle_text(const std::string& path, Obstacle obstacle);
 
 class Port {
@@ -78,30 +77,26 @@ class Port {
   Port& operator=(const Port&) = delete;
   virtual ~Port() = default;
 
-  // Every HID device, each path once. Fails where the transport does not work at all.
+  // Every HID device, each path once. Fails if the transport does not work.
   [[nodiscard]] virtual Result<std::vector<Listing>> list() = 0;
-  // `path` must be one of list()'s. Opened twice, a device gives two handles that two threads may
-  // use at the same time: one handle must never be. The message of a failure is obstacle_text()
-  // where that says it.
+  // `path` must come from list(). Two threads may use a device at the same time through two
+  // handles, never through one. A known obstacle fails with its obstacle_text().
   [[nodiscard]] virtual Result<std::unique_ptr<Handle>> open(const std::string& path) = 0;
-  // What an open() of one of list()'s paths would meet now; opens nothing. kBusy is only known by
-  // trying.
+  // What would prevent open() now, without opening. Cannot detect kBusy.
   [[nodiscard]] virtual Obstacle obstacle(const std::string& path) = 0;
 };
 
 using PortOpener = std::function<Result<std::shared_ptr<Port>>()>;
 
-// hidapi. One at a time in a process; fails while there is another one. All of its life on one
-// thread.
+// hidapi. One port a process: fails while another one exists. Use it on one thread.
 [[nodiscard]] Result<std::unique_ptr<Port>> open_system_port();
-// The transport that this program was built with: "hidraw" or "libusb".
+// The transport of this build: "hidraw" or "libusb".
 [[nodiscard]] std::string_view transport_name();
 
-// Listings that may be a device of this protocol: its usage page, or none told.
+// Whether a listing has the protocol's usage page, or an unknown one.
 [[nodiscard]] bool may_be_haptic(const Listing& listing);
 
-// The first listing of each path; where one path is listed with several usages, the protocol's own
-// wins.
+// The first listing of each path; if a path has several usages, the protocol's one wins.
 [[nodiscard]] std::vector<Listing> each_path_once(const std::vector<Listing>& listings);
 
 }  // namespace hapticwall::device::hid

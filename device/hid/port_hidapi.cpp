@@ -1,8 +1,8 @@
-// hidapi behind the port. What it needs to be protected from:
-//   reading and writing one handle from two threads ends in a double free of its error text after
-//   an unplug; on hidraw every open() is a handle of its own, on libusb, where only one is
-//   possible, a mutex keeps the two apart; list, open and close keep global state without a lock:
-//   all of one thread, one port at a time; a path that was not listed can crash it.
+// hidapi behind the port. Three defects of hidapi shape this file:
+// * Reading and writing one handle from two threads frees its error text twice after an unplug. On
+//   hidraw each open() gives a new handle; on libusb only one is possible, so a mutex guards it.
+// * List, open and close use global state without a lock: one thread and one port at a time.
+// * A path that was not listed can crash it.
 #include <fcntl.h>
 #include <hidapi.h>
 #include <unistd.h>
@@ -18,8 +18,8 @@
 #include <thread>
 #include <utility>
 
-#include "device/hid_port.h"
-#include "device/utf8.h"
+#include "core/utf8.h"
+#include "device/hid/port.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -28,10 +28,10 @@ constexpr std::string_view kTransport = HAPTICWALL_HIDAPI;
 constexpr bool kIsLibusb = kTransport == "libusb";
 static_assert(kIsLibusb || kTransport == "hidraw", "HAPTICWALL_HIDAPI is hidraw or libusb");
 
-// How often a reader looks that shares its handle with a writer.
+// Poll interval of a reader that shares its handle with a writer.
 constexpr std::chrono::microseconds kSharedPoll{250};
 
-// What hidapi says where nothing went wrong that it knows of.
+// hidapi's error text if it knows of no error.
 constexpr std::string_view kNoReason = "Success";
 
 struct CloseDevice {
@@ -39,17 +39,17 @@ struct CloseDevice {
 };
 using OpenDevice = std::unique_ptr<hid_device, CloseDevice>;
 
-// An open device and, where two handles share it, what keeps them apart.
+// An open device, which two handles may share.
 struct SharedDevice {
   OpenDevice device;
   std::mutex mutex;
-  // One of the handles is closed: the other one is on its way, and nobody joins it.
+  // One handle is closed and the other one will be: no new handle may share it.
   std::atomic<bool> closing{false};
 };
 
 ReadOutcome outcome_of(int result) {
   if (result < 0) return {ReadKind::kFailed, 0};
-  // hidapi does not tell a time-out from an empty packet.
+  // hidapi does not distinguish a time-out from an empty packet.
   if (result == 0) return {ReadKind::kNothing, 0};
   return {ReadKind::kReport, static_cast<std::size_t>(result)};
 }
@@ -92,8 +92,8 @@ class HidapiHandle : public Handle {
   std::shared_ptr<SharedDevice> shared_;
 };
 
-// The file that has to be opened: of hidraw the path itself; libusb's ("1-4.2:1.0") names the
-// device as sysfs does, which knows its number on the bus.
+// The device file to open. hidraw's path is that file; libusb's ("1-4.2:1.0") is the name in sysfs,
+// which knows the number on the bus.
 std::string node_of(const std::string& path) {
   if constexpr (!kIsLibusb) return path;
   const std::string folder = "/sys/bus/usb/devices/" + path.substr(0, path.find(':'));
@@ -173,7 +173,7 @@ class HidapiPort : public Port {
     return std::unique_ptr<Handle>(std::make_unique<HidapiHandle>(std::move(shared)));
   }
 
-  // On libusb, what is open at that path.
+  // On libusb, the device that is open at that path.
   std::shared_ptr<SharedDevice> shared_device(const std::string& path) {
     if constexpr (!kIsLibusb) return nullptr;
     const auto found = open_.find(path);
@@ -185,7 +185,7 @@ class HidapiPort : public Port {
     const Obstacle now = obstacle_at(path);
     if (now != Obstacle::kNone) return {ErrorKind::kDevice, obstacle_text(path, now)};
     if (kIsLibusb) return {ErrorKind::kDevice, obstacle_text(path, Obstacle::kBusy)};
-    // The system call may have worked, and what it opened be something else.
+    // The system call may have succeeded on something else than a HID device.
     const std::string reason = to_utf8(hid_error(nullptr));
     const bool told = !reason.empty() && reason != kNoReason;
     return {ErrorKind::kDevice,
@@ -200,9 +200,10 @@ class HidapiPort : public Port {
 
 Result<std::unique_ptr<Port>> open_system_port() {
   if (port_exists().exchange(true)) {
-    return Error{ErrorKind::kDevice,
-                 "this program still uses the HID transport: end its other session, or wait a few "
-                 "seconds for a write that does not end"};
+    return Error{
+        ErrorKind::kDevice,
+        "the HID transport is in use by this program: end its other session, or wait a few "
+        "seconds until its last write has ended"};
   }
   if (hid_init() != 0) {
     port_exists() = false;

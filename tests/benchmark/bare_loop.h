@@ -22,13 +22,13 @@ struct BareState {
 class BareLoop {
  public:
   explicit BareLoop(const Scene& scene)
-      : start_m_(scene.device.start_m),
-        wall_m_(scene.walls.at(0).position_m),
-        stiffness_(scene.walls.at(0).stiffness_n_per_m),
-        limit_n_(scene.device.force_limit_n.value()),
+      : start_m_(scene.x().device.start_m),
+        wall_m_(scene.x().walls.at(0).position_m),
+        stiffness_(scene.x().walls.at(0).stiffness_n_per_m),
+        limit_n_(scene.x().device.force_limit_n.value()),
         ticks_(scene.tick_count()) {
-    const HandSettings& hand = scene.hand.value();
-    const double mass = scene.device.mass_kg + hand.mass_kg.value_or(0.0);
+    const HandSettings& hand = scene.x().hand.value();
+    const double mass = scene.x().device.mass_kg + hand.mass_kg.value_or(0.0);
     const double period = scene.sampling.period_s();
     ramp_ticks_ =
         static_cast<std::uint64_t>(std::lround(hand.path.at(1).time_s * scene.sampling.rate_hz));
@@ -40,7 +40,8 @@ class BareLoop {
     generator(0, 1) = period;
     generator(0, 2) = -period;
     generator(1, 0) = -hand.stiffness_n_per_m / mass * period;
-    generator(1, 1) = -(hand.damping_n_s_per_m + scene.device.damping_n_s_per_m) / mass * period;
+    generator(1, 1) =
+        -(hand.damping_n_s_per_m + scene.x().device.damping_n_s_per_m) / mass * period;
     generator(1, 2) = hand.damping_n_s_per_m / mass * period;
     generator(1, 3) = -period / mass;
     const SetupMatrix<4> increment =

@@ -18,39 +18,35 @@ constexpr std::size_t kScenes = 128;
 std::vector<Scene> varied(const Scene& scene) {
   std::vector<Scene> scenes(kScenes, scene);
   for (std::size_t i = 0; i < kScenes; ++i) {
-    scenes[i].walls.front().stiffness_n_per_m *= 0.5 + 0.01 * static_cast<double>(i);
+    scenes[i].x().walls.front().stiffness_n_per_m *= 0.5 + 0.01 * static_cast<double>(i);
   }
   return scenes;
 }
 
-// On one core, as every row of the table. `target`: the only instruction set that is used; 0: the
-// best one.
-template <typename Figures>
+// On one core, as every row of the table. `target`: the only instruction set; 0: the best one.
 void measure(benchmark::State& state, const std::vector<Scene>& scenes, std::int64_t target) {
   BatchOptions options;
   options.threads = 1;
   hwy::SetSupportedTargetsForTest(target);
-  for (auto _ : state) benchmark::DoNotOptimize(simulate_batch<Figures>(scenes, options));
+  for (auto _ : state) benchmark::DoNotOptimize(simulate_batch(scenes, options));
   hwy::SetSupportedTargetsForTest(0);
   state.counters[kTicksCounter] = static_cast<double>(kScenes * scenes.front().tick_count());
 }
 
-template <typename Figures>
-void add_details(const std::string& name, const Scene& scene, std::int64_t target = 0) {
+void add_batch_row(const std::string& name, const Scene& scene, std::int64_t target = 0) {
   const std::vector<Scene> scenes = varied(scene);
   Scene one_tick = scene;
   one_tick.duration_s = scene.sampling.period_s();
   const std::vector<Scene> set_ups = varied(one_tick);
-  benchmark::RegisterBenchmark(name.c_str(), [scenes, target](benchmark::State& state) {
-    measure<Figures>(state, scenes, target);
-  });
+  benchmark::RegisterBenchmark(
+      name.c_str(), [scenes, target](benchmark::State& state) { measure(state, scenes, target); });
   benchmark::RegisterBenchmark(
       (name + kSetUpSuffix).c_str(),
-      [set_ups, target](benchmark::State& state) { measure<Figures>(state, set_ups, target); });
+      [set_ups, target](benchmark::State& state) { measure(state, set_ups, target); });
 }
 
 Scene with_encoder(Scene scene) {
-  scene.device.encoder_m = 0.254e-3;
+  scene.x().device.encoder_m = 0.254e-3;
   return scene;
 }
 
@@ -61,15 +57,12 @@ void add_batch() {
   for (const AlgorithmDescription& algorithm : algorithms()) {
     const Scene scene = under(std::string(algorithm.name).c_str(), soft);
     const std::string name = ", " + std::string(algorithm.name);
-    add_details<BatchVerdict>("batch, verdict" + name, scene);
-    add_details<BatchVerdict>("batch, verdict" + name + ", encoder", with_encoder(scene));
-    add_details<Summary>("batch, summary" + name, scene);
-    add_details<Summary>("batch, summary" + name + ", encoder", with_encoder(scene));
+    add_batch_row("batch, summary" + name, scene);
+    add_batch_row("batch, summary" + name + ", encoder", with_encoder(scene));
   }
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    const std::string name = std::string(" by ") + hwy::TargetName(target) + ", none";
-    add_details<BatchVerdict>("batch, verdict" + name, soft, target);
-    add_details<Summary>("batch, summary" + name, soft, target);
+    add_batch_row(std::string("batch, summary by ") + hwy::TargetName(target) + ", none", soft,
+                  target);
   }
 }
 

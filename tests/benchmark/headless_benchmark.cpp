@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/benchmark/bare_loop.h"
 #include "tests/benchmark/ratio_reporter.h"
@@ -44,7 +44,7 @@ void register_all() {
   benchmark::RegisterBenchmark(kBareLoop, bare_loop);
   const Scene soft = builtin("golden-soft");
   Scene encoder = soft;
-  encoder.device.encoder_m = 0.254e-3;
+  encoder.x().device.encoder_m = 0.254e-3;
   add_scene("golden-soft, full ledger", soft);
   add_scene("golden-soft, encoder, full ledger", encoder);
   benchmark::RegisterBenchmark("golden-soft, full ledger, every sample kept",

@@ -24,7 +24,7 @@ StabilityMap map_of(Scene scene) {
   return map;
 }
 
-void add(const std::string& name, const Scene& scene) {
+void add_map(const std::string& name, const Scene& scene) {
   const StabilityMap map = map_of(scene);
   benchmark::RegisterBenchmark(name.c_str(),
                                [map](benchmark::State& state) {
@@ -44,9 +44,9 @@ void add(const std::string& name, const Scene& scene) {
 }  // namespace
 
 void add_maps() {
-  add("map, golden-soft, none", builtin("golden-soft"));
-  add("map, press, none", under("none", builtin("press")));
-  add("map, press, energy-bounding", under("energy-bounding", builtin("press")));
+  add_map("map, golden-soft, none", builtin("golden-soft"));
+  add_map("map, press, none", under("none", builtin("press")));
+  add_map("map, press, energy-bounding", under("energy-bounding", builtin("press")));
 }
 
 }  // namespace hapticwall::benchmark_rows

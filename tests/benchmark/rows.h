@@ -30,7 +30,7 @@ void add_scene(const std::string& name, const Scene& scene);
 void add_ladder();
 // What an event of friction costs.
 void add_friction_events();
-// Many scenes at once, on one core: both details, by algorithm, by instruction set.
+// Many scenes at once, on one core: by algorithm, by instruction set.
 void add_batch();
 // Maps of 200 x 200 scenes of 2 s, on all cores.
 void add_maps();

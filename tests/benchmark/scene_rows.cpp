@@ -6,11 +6,12 @@
 #include <functional>
 #include <string>
 #include <type_traits>
+#include <variant>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
+#include "core/loop/servo.h"
 #include "core/plant/plant_model.h"
-#include "core/servo.h"
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/benchmark/rows.h"
 
@@ -38,7 +39,7 @@ void register_row(const std::string& name, const Scene& scene, double events = 0
 // golden-soft without its force limit: a mass, a hand's spring and damper, a wall.
 Scene linear_scene() {
   Scene scene = builtin("golden-soft");
-  scene.device.force_limit_n.reset();
+  scene.x().device.force_limit_n.reset();
   return scene;
 }
 
@@ -47,16 +48,16 @@ struct Feature {
   void (*add)(Scene& scene);
 };
 constexpr std::array<Feature, 6> kFeatures{
-    Feature{"encoder", [](Scene& scene) { scene.device.encoder_m = 0.254e-3; }},
-    Feature{"force limit", [](Scene& scene) { scene.device.force_limit_n = 8.9; }},
-    Feature{"friction", [](Scene& scene) { scene.device.friction_n = 0.14; }},
+    Feature{"encoder", [](Scene& scene) { scene.x().device.encoder_m = 0.254e-3; }},
+    Feature{"force limit", [](Scene& scene) { scene.x().device.force_limit_n = 8.9; }},
+    Feature{"friction", [](Scene& scene) { scene.x().device.friction_n = 0.14; }},
     Feature{"grip",
             [](Scene& scene) {
-              scene.hand->grip_stiffness_n_per_m = 1000.0;
-              scene.hand->grip_damping_n_s_per_m = 1.0;
+              scene.x().hand->grip_stiffness_n_per_m = 1000.0;
+              scene.x().hand->grip_damping_n_s_per_m = 1.0;
             }},
-    Feature{"delay", [](Scene& scene) { scene.device.delay_ticks = 2; }},
-    Feature{"lag", [](Scene& scene) { scene.device.amplifier_time_constant_s = 1e-3; }}};
+    Feature{"delay", [](Scene& scene) { scene.x().device.delay_ticks = 2; }},
+    Feature{"lag", [](Scene& scene) { scene.x().device.amplifier_time_constant_s = 1e-3; }}};
 
 // A plant behind the servo's tick, as the live loop has it.
 template <typename Plant>
@@ -71,7 +72,7 @@ struct PlantDevice {
 std::uint64_t count_friction_events(const Scene& scene) {
   PlantVariant variant = make_plant(scene);
   std::uint64_t events = 0;
-  visit_plant(
+  std::visit(
       [&](auto& plant) {
         if constexpr (requires { plant.friction_events(); }) {
           Servo servo(servo_settings(scene));
@@ -86,9 +87,9 @@ std::uint64_t count_friction_events(const Scene& scene) {
 
 // A scene with friction, which is counted, and the same without.
 void add_events(const std::string& name, Scene scene) {
-  scene.device.encoder_m.reset();
+  scene.x().device.encoder_m.reset();
   register_row(name, scene, static_cast<double>(count_friction_events(scene)));
-  scene.device.friction_n.reset();
+  scene.x().device.friction_n.reset();
   register_row(name + kWithoutSuffix, scene);
 }
 
@@ -134,7 +135,7 @@ void add_ladder() {
 // Handles that a stiff wall throws to and fro for ever: they stop and break loose at every turn.
 void add_friction_events() {
   Scene light = under("none", builtin("light"));
-  light.device.friction_n = 0.5;
+  light.x().device.friction_n = 0.5;
   add_events("friction events, handle alone (light)", light);
   add_events("friction events, grip (tap)", under("none", builtin("tap")));
 }

@@ -1,4 +1,4 @@
-#include "core/study/scene_number.h"
+#include "core/scene_keys.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/stabiliser/stabiliser.h"
-#include "tests/core/study_scenes.h"
+#include "tests/core/study/study_scenes.h"
 
 namespace hapticwall {
 namespace {
@@ -20,7 +20,7 @@ using ::testing::StartsWith;
 
 Scene tapped() {
   Scene scene = testing::pressed_wall(1000.0);
-  scene.hand->path = {{0.0, 0.03}, {1.0, 0.05}, {1.5, 0.065}, {2.0, 0.065}};
+  scene.x().hand->path = {{0.0, 0.03}, {1.0, 0.05}, {1.5, 0.065}, {2.0, 0.065}};
   return scene;
 }
 
@@ -39,15 +39,15 @@ TEST(SceneNumbers, AreThoseOfTheScenesOwnTables) {
             // Choices and switches are no numbers.
             Not(Contains("algorithm.then"))));
   Scene bare = tapped();
-  bare.hand.reset();
-  bare.walls.clear();
+  bare.x().hand.reset();
+  bare.x().walls.clear();
   EXPECT_THAT(paths(bare), Each(Not(StartsWith("hand."))));
   EXPECT_THAT(paths(bare), Each(Not(StartsWith("wall"))));
 }
 
 TEST(SceneNumbers, EveryOneIsReadBackAsItWasSet) {
   Scene scene = tapped();
-  scene.walls.push_back({0.06, 500.0, 0.0});
+  scene.x().walls.push_back({0.06, 500.0, 0.0});
   for (const SceneNumber& number : scene_numbers(scene)) {
     SCOPED_TRACE(number.path);
     Scene changed = scene;
@@ -67,13 +67,13 @@ TEST(SceneNumbers, AreFoundByPathAndTheOnlyWallByItsIndexToo) {
   Scene scene = tapped();
   ASSERT_TRUE(find_scene_number(scene, "wall.stiffness_n_per_m"));
   find_scene_number(scene, "wall[0].stiffness_n_per_m")->set(scene, 123.0);
-  EXPECT_EQ(scene.walls[0].stiffness_n_per_m, 123.0);
+  EXPECT_EQ(scene.x().walls[0].stiffness_n_per_m, 123.0);
   EXPECT_FALSE(find_scene_number(scene, "wall[1].stiffness_n_per_m"));
   EXPECT_FALSE(find_scene_number(scene, "wall.axis"));
   EXPECT_FALSE(find_scene_number(scene, ""));
-  scene.walls.push_back({0.06, 500.0, 0.0});
+  scene.x().walls.push_back({0.06, 500.0, 0.0});
   find_scene_number(scene, "wall[1].stiffness_n_per_m")->set(scene, 77.0);
-  EXPECT_EQ(scene.walls[1].stiffness_n_per_m, 77.0);
+  EXPECT_EQ(scene.x().walls[1].stiffness_n_per_m, 77.0);
   EXPECT_FALSE(find_scene_number(scene, "wall.stiffness_n_per_m"));
 }
 
@@ -83,10 +83,10 @@ TEST(SceneNumbers, ASpeedIsThatOfTheFastestPartAndScalesAllTimes) {
   ASSERT_TRUE(speed);
   EXPECT_DOUBLE_EQ(*speed->get(scene), 0.03);
   speed->set(scene, 0.3);
-  EXPECT_DOUBLE_EQ(scene.hand->path[1].time_s, 0.1);
-  EXPECT_DOUBLE_EQ(scene.hand->path[3].time_s, 0.2);
-  EXPECT_DOUBLE_EQ(scene.hand->path[2].position_m, 0.065);
-  scene.hand->path = {{0.0, 0.03}};
+  EXPECT_DOUBLE_EQ(scene.x().hand->path[1].time_s, 0.1);
+  EXPECT_DOUBLE_EQ(scene.x().hand->path[3].time_s, 0.2);
+  EXPECT_DOUBLE_EQ(scene.x().hand->path[2].position_m, 0.065);
+  scene.x().hand->path = {{0.0, 0.03}};
   EXPECT_FALSE(find_scene_number(scene, kPathSpeed)) << "a path that rests has no speed";
 }
 

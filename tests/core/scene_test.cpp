@@ -16,12 +16,12 @@ namespace {
 Scene good_scene() {
   Scene scene;
   scene.name = "good";
-  scene.walls = {{0.05, 35e3, 0.0}};
-  scene.hand.emplace();
-  scene.hand->mass_kg = 0.4;
-  scene.hand->grip_stiffness_n_per_m = 1000.0;
-  scene.hand->grip_damping_n_s_per_m = 1.0;
-  scene.hand->path = {{0.0, 0.03}, {1.0, 0.06}};
+  scene.x().walls = {{0.05, 35e3, 0.0}};
+  scene.x().hand.emplace();
+  scene.x().hand->mass_kg = 0.4;
+  scene.x().hand->grip_stiffness_n_per_m = 1000.0;
+  scene.x().hand->grip_damping_n_s_per_m = 1.0;
+  scene.x().hand->path = {{0.0, 0.03}, {1.0, 0.06}};
   return scene;
 }
 
@@ -44,37 +44,37 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
        "duration_s"},
       {[&](Scene& s) { s.sampling.rate_hz = nan; }, "sampling.rate_hz"},
       {[](Scene& s) { s.sampling.rate_hz = 0.0; }, "sampling.rate_hz"},
-      {[](Scene& s) { s.device.mass_kg = -0.05; }, "device.mass_kg"},
-      {[](Scene& s) { s.device.mass_kg = 0.0; }, "device.mass_kg"},
-      {[&](Scene& s) { s.device.damping_n_s_per_m = infinity; }, "device.damping_n_s_per_m"},
-      {[](Scene& s) { s.device.friction_n = -1.0; }, "device.friction_n"},
-      {[](Scene& s) { s.device.encoder_m = 1.0; }, "device.encoder_m"},
-      {[](Scene& s) { s.device.encoder_m = 1e-320; }, "device.encoder_m"},
-      {[](Scene& s) { s.device.force_limit_n = -1.0; }, "device.force_limit_n"},
-      {[](Scene& s) { s.device.start_m = 2.0; }, "device.start_m"},
-      {[](Scene& s) { s.walls[0].stiffness_n_per_m = 1e10; }, "wall.stiffness_n_per_m"},
+      {[](Scene& s) { s.x().device.mass_kg = -0.05; }, "device.mass_kg"},
+      {[](Scene& s) { s.x().device.mass_kg = 0.0; }, "device.mass_kg"},
+      {[&](Scene& s) { s.x().device.damping_n_s_per_m = infinity; }, "device.damping_n_s_per_m"},
+      {[](Scene& s) { s.x().device.friction_n = -1.0; }, "device.friction_n"},
+      {[](Scene& s) { s.x().device.encoder_m = 1.0; }, "device.encoder_m"},
+      {[](Scene& s) { s.x().device.encoder_m = 1e-320; }, "device.encoder_m"},
+      {[](Scene& s) { s.x().device.force_limit_n = -1.0; }, "device.force_limit_n"},
+      {[](Scene& s) { s.x().device.start_m = 2.0; }, "device.start_m"},
+      {[](Scene& s) { s.x().walls[0].stiffness_n_per_m = 1e10; }, "wall.stiffness_n_per_m"},
       {[](Scene& s) {
-         s.walls.push_back({0.06, -1.0, 0.0});
+         s.x().walls.push_back({0.06, -1.0, 0.0});
        },
        "wall[1].stiffness_n_per_m"},
-      {[](Scene& s) { s.walls.resize(9); }, "wall"},
-      {[](Scene& s) { s.hand->mass_kg.reset(); }, "hand.grip_stiffness_n_per_m"},
-      {[](Scene& s) { s.hand->grip_stiffness_n_per_m.reset(); }, "hand.grip_damping_n_s_per_m"},
-      {[](Scene& s) { s.hand->path.clear(); }, "hand.path"},
-      {[](Scene& s) { s.hand->follows_mouse = true; }, "hand.path"},
+      {[](Scene& s) { s.x().walls.resize(9); }, "wall"},
+      {[](Scene& s) { s.x().hand->mass_kg.reset(); }, "hand.grip_stiffness_n_per_m"},
+      {[](Scene& s) { s.x().hand->grip_stiffness_n_per_m.reset(); }, "hand.grip_damping_n_s_per_m"},
+      {[](Scene& s) { s.x().hand->path.clear(); }, "hand.path"},
+      {[](Scene& s) { s.x().hand->follows_mouse = true; }, "hand.path"},
       {[](Scene& s) {
-         s.hand->path = {{1.0, 0.03}, {1.0, 0.04}};
+         s.x().hand->path = {{1.0, 0.03}, {1.0, 0.04}};
        },
        "hand.path[1]"},
       {[](Scene& s) {
-         s.hand->path = {{-1.0, 0.03}};
+         s.x().hand->path = {{-1.0, 0.03}};
        },
        "hand.path[0]"},
       {[](Scene& s) {
-         s.hand->path = {{0.0, 3.0}};
+         s.x().hand->path = {{0.0, 3.0}};
        },
        "hand.path[0]"},
-      {[](Scene& s) { s.hand->path.resize(kMaximumPathPoints + 1); }, "hand.path"},
+      {[](Scene& s) { s.x().hand->path.resize(kMaxPathPoints + 1); }, "hand.path"},
       {[](Scene& s) { s.algorithm.index = 99; }, "algorithm.name"},
       {[](Scene& s) { s.algorithm.values[*find_algorithm_parameter("rest_force_step_n")] = -1.0; },
        "algorithm.rest_force_step_n"},
@@ -113,8 +113,8 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
 
 TEST(Validate, AMouseHandNeedsNoPath) {
   Scene scene = good_scene();
-  scene.hand->path.clear();
-  scene.hand->follows_mouse = true;
+  scene.x().hand->path.clear();
+  scene.x().hand->follows_mouse = true;
   EXPECT_FALSE(validate(scene).has_value());
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/encoder.h"
-#include "core/energy_ledger.h"
+#include "core/loop/energy_ledger.h"
 
 namespace hapticwall {
 namespace {

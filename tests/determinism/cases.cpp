@@ -8,13 +8,13 @@
 #include <string_view>
 #include <utility>
 
-#include "app/file/map_rows.h"
-#include "app/file/recording_writer.h"
-#include "app/file/scene_file.h"
-#include "app/file/sha256.h"
-#include "core/simulate.h"
+#include "app/file/disk/sha256.h"
+#include "app/file/map/map_rows.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/file/scene/scene_file.h"
+#include "core/scene_keys.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
-#include "core/study/scene_number.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall::determinism {
@@ -35,25 +35,18 @@ std::string with_settings(std::string arguments, const Overrides& overrides) {
 
 // The SHA-256 of the recording of a headless run.
 std::string recording_of(const Scene& scene) {
-  const file::MoreColumns columns = file::more_columns(true, scene.y.has_value());
+  const file::CsvColumns columns = file::csv_columns(true, scene.axes.size());
   file::Sha256 digest;
   digest.update(file::csv_header(columns) + "\n");
   std::string row;
-  const auto add = [&](const Sample& x, const Sample& y) {
-    if (!file::is_finite(x) || !file::is_finite(y)) return;
+  AxesOptions options;
+  options.on_tick = [&](const Tick& tick) {
+    if (!is_finite(tick)) return;
     row.clear();
-    file::append_csv_row(row, x, columns, y);
+    file::append_csv_row(row, tick, columns);
     digest.update(row);
   };
-  if (scene.y) {
-    AxesOptions options;
-    options.on_samples = add;
-    static_cast<void>(simulate_axes(scene, options));
-  } else {
-    SimulationOptions options;
-    options.on_sample = [&](const Sample& sample) { add(sample, Sample{}); };
-    static_cast<void>(simulate(scene, options));
-  }
+  static_cast<void>(simulate_axes(scene, options));
   return digest.finish();
 }
 
@@ -114,7 +107,7 @@ void add_map(std::vector<Case>& cases, std::size_t threads) {
   map.x = axis(map.scene, "wall.stiffness_n_per_m", 1000.0, 41000.0, 11);
   map.y = axis(map.scene, "device.damping_n_s_per_m", 0.0, 4.0, 5);
   std::string text = file::map_header(map);
-  const std::vector<MapFigures> figures = run_cells(map, 0, map.cell_count());
+  const std::vector<MapMetrics> figures = run_cells(map, 0, map.cell_count());
   for (std::size_t cell = 0; cell < figures.size(); ++cell) {
     file::append_map_row(text, map, cell, figures[cell]);
   }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/servo.h"
+#include "core/loop/servo.h"
 
 namespace hapticwall::device {
 namespace {
@@ -14,8 +14,8 @@ constexpr double kStepM = 0.254e-3;
 
 Scene free_scene() {
   Scene scene;
-  scene.device.encoder_m = kStepM;
-  scene.device.start_m = 0.03;
+  scene.x().device.encoder_m = kStepM;
+  scene.x().device.start_m = 0.03;
   return scene;
 }
 
@@ -25,7 +25,7 @@ Scene held_scene() {
   hand.stiffness_n_per_m = 250.0;
   hand.damping_n_s_per_m = 10.0;
   hand.path = {{0.0, 0.03}, {0.1, 0.03}};
-  scene.hand = hand;
+  scene.x().hand = hand;
   return scene;
 }
 
@@ -107,7 +107,7 @@ TEST(SimulatedDevice, ThePointerLeadsTheHandUntilItIsReleased) {
 
 TEST(SimulatedDevice, ANewPlantGoesOnWhereTheOldOneIsAfterTheTickThatPasses) {
   Scene heavy = held_scene();
-  heavy.device.mass_kg = 0.4;
+  heavy.x().device.mass_kg = 0.4;
   PlantModel before(held_scene());
   PlantModel after(heavy);
   PlantModel next(heavy);
@@ -149,12 +149,12 @@ TEST(Device, OneWithAPlantOfItsOwnIgnoresAnother) {
   EXPECT_EQ(device.truth(), nullptr);
 }
 
-// An unstable wall without a force limit would grow beyond every number.
+// The force of an unstable wall without a limit would overflow.
 TEST(SimulatedDevice, OutsideTheWorkspaceItIsAtFaultAndStaysFinite) {
   Scene scene = held_scene();
-  scene.walls = {{0.03, 1e8, 0.0}};
-  scene.hand->path = {{0.0, 0.031}};
-  scene.device.start_m = 0.031;
+  scene.x().walls = {{0.03, 1e8, 0.0}};
+  scene.x().hand->path = {{0.0, 0.031}};
+  scene.x().device.start_m = 0.031;
   SimulatedDevice device(scene);
   Servo servo(servo_settings(scene));
   bool fault = false;

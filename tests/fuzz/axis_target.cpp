@@ -2,8 +2,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/command/map_axis.h"
-#include "app/file/scene_file.h"
+#include "app/command/map/map_axis.h"
+#include "app/file/scene/scene_file.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"
 
@@ -22,7 +22,7 @@ Scene scene_with(const char* more) {
 void require_values(const MapAxis& axis) {
   require(std::isfinite(axis.low) && std::isfinite(axis.high) && axis.low < axis.high,
           "an axis has a range");
-  require(axis.count >= 2 && axis.count <= kMostMapValues, "an axis has some values");
+  require(axis.count >= 2 && axis.count <= kMaxMapValues, "an axis has some values");
   require(!axis.logarithmic || axis.low > 0.0, "a logarithm is of what is more than 0");
   require(axis.value(0) == axis.low && axis.value(axis.count - 1) == axis.high,
           "the ends of an axis are among its values");

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/file/device_file.h"
+#include "app/file/scene/device_file.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"
 
@@ -12,9 +12,9 @@ namespace {
 using file::AxisDescription;
 using file::DeviceDescription;
 
-constexpr std::size_t kLongestName = 100;
-constexpr std::size_t kLongestSource = 1000;
-constexpr std::size_t kLongestSerial = 126;
+constexpr std::size_t kMaxNameBytes = 100;
+constexpr std::size_t kMaxSourceBytes = 1000;
+constexpr std::size_t kMaxSerialBytes = 126;
 
 bool is_within(double value, double least, double most) { return value >= least && value <= most; }
 
@@ -24,10 +24,10 @@ bool is_axis(const AxisDescription& axis) {
 }
 
 void require_texts(const DeviceDescription& device) {
-  require(!device.name.empty() && device.name.size() <= kLongestName, "a device has a name");
-  require(!device.source.empty() && device.source.size() <= kLongestSource,
+  require(!device.name.empty() && device.name.size() <= kMaxNameBytes, "a device has a name");
+  require(!device.source.empty() && device.source.size() <= kMaxSourceBytes,
           "a device's numbers have a source");
-  require(device.serial.size() <= kLongestSerial, "a serial number fits into a descriptor");
+  require(device.serial.size() <= kMaxSerialBytes, "a serial number fits into a descriptor");
   require(is_clean(device.name) && is_clean(device.source) && is_clean(device.serial),
           "the texts of a device are clean lines");
 }

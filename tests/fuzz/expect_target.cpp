@@ -3,7 +3,7 @@
 #include <string>
 #include <variant>
 
-#include "app/command/expectation.h"
+#include "app/command/report/expectation.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"
 
@@ -20,7 +20,7 @@ Outcome fuzz_one(Bytes input) {
   require(expectation->text == text, "an expectation remembers how it was written");
   const double* number = std::get_if<double>(&expectation->value);
   require(number == nullptr || std::isfinite(*number), "an expectation's number is finite");
-  const std::optional<std::string> found = command::unmet(*expectation, {});
+  const std::optional<std::string> found = command::unmet(*expectation, RunSummary(1));
   require(!found || is_clean(*found), "what was found is one clean line");
   return Outcome::kTaken;
 }

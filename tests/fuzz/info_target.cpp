@@ -8,7 +8,7 @@ using device::hid::InfoReport;
 
 constexpr std::size_t kAxesAt = 2;
 constexpr std::size_t kCountsAt = 8;
-constexpr std::size_t kMaximumForceAt = 16;
+constexpr std::size_t kMaxForceAt = 16;
 constexpr std::size_t kTickAt = 20;
 constexpr std::size_t kWatchdogAt = 22;
 constexpr Layout kLayout{0x03, true, {3, 0xFC}, 24};
@@ -26,8 +26,8 @@ bool are_common_values(unsigned axes, unsigned tick_us, unsigned watchdog_ms) {
 bool bytes_make_sense(Bytes bytes) {
   const unsigned axes = bytes[kAxesAt];
   return are_common_values(axes, u16_at(bytes, kTickAt), u16_at(bytes, kWatchdogAt)) &&
-         is_axis(true, i32_at(bytes, kCountsAt), i16_at(bytes, kMaximumForceAt)) &&
-         is_axis(axes == 2, i32_at(bytes, kCountsAt + 4), i16_at(bytes, kMaximumForceAt + 2));
+         is_axis(true, i32_at(bytes, kCountsAt), i16_at(bytes, kMaxForceAt)) &&
+         is_axis(axes == 2, i32_at(bytes, kCountsAt + 4), i16_at(bytes, kMaxForceAt + 2));
 }
 
 bool values_make_sense(const InfoReport& info) {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/file/map_file.h"
-#include "app/file/map_rows.h"
-#include "app/file/scene_file.h"
+#include "app/file/map/map_file.h"
+#include "app/file/map/map_rows.h"
+#include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/study/stability_map.h"
 #include "tests/fuzz/target.h"
@@ -38,7 +38,7 @@ StabilityMap small_map() {
   return map;
 }
 
-bool is_finite(const MapFigures& figures) {
+bool is_finite(const MapMetrics& figures) {
   return std::ranges::all_of(
       std::vector{figures.tail_peak_to_peak_m, figures.tail_force_mean_n, figures.tail_force_std_n,
                   figures.displayed_stiffness_n_per_m, figures.max_penetration_m,

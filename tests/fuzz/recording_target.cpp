@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/file/recording_rows.h"
-#include "app/file/recording_scan.h"
+#include "app/file/recording/recording_rows.h"
+#include "app/file/recording/recording_scan.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"
 
@@ -33,13 +33,13 @@ bool same(const Result<ScannedRows>& a, const Result<ScannedRows>& b) {
 }
 
 // What was taken is written as rows that are taken for the same.
-void require_repeatable(std::string_view line, file::MoreColumns columns) {
-  Sample sample;
-  require(!file::parse_csv_row(line, columns, sample), "a row that was taken is taken again");
-  require(file::is_finite(sample), "a row that was taken is finite");
+void require_repeatable(std::string_view line, file::CsvColumns columns) {
+  Tick tick;
+  require(!file::parse_csv_row(line, columns, tick), "a row that was taken is taken again");
+  require(is_finite(tick), "a row that was taken is finite");
   std::string written;
-  file::append_csv_row(written, sample, columns);
-  Sample again;
+  file::append_csv_row(written, tick, columns);
+  Tick again;
   require(
       !file::parse_csv_row(std::string_view(written).substr(0, written.size() - 1), columns, again),
       "a row that was written can be read");

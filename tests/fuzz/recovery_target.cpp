@@ -8,8 +8,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/file/recording_reader.h"
-#include "app/file/recovery.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/recording/recovery.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"
 

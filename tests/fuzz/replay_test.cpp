@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/fuzz/target.h"
+#include "tests/paths.h"
 
 namespace hapticwall::fuzz {
 
@@ -25,7 +26,7 @@ struct FirstInput {
 };
 
 std::vector<FirstInput> first_inputs(std::string_view target) {
-  const std::filesystem::path folder = HAPTICWALL_TEST_DATA_DIR "/corpus";
+  const std::filesystem::path folder = test::data_folder() + "/fuzz/corpus";
   std::vector<FirstInput> inputs;
   for (const auto& entry : std::filesystem::directory_iterator(folder / target)) {
     std::ifstream file(entry.path(), std::ios::binary);

@@ -93,6 +93,6 @@ bool is_force_mn(std::int16_t force_mn) {
   return force_mn != std::numeric_limits<std::int16_t>::min();
 }
 
-bool is_force_n(double force_n) { return std::abs(force_n) <= device::hid::kLargestForceN; }
+bool is_force_n(double force_n) { return std::abs(force_n) <= device::hid::kMaxForceN; }
 
 }  // namespace hapticwall::fuzz

@@ -1,7 +1,7 @@
 // Scenes, and the sidecars of recordings, which are scenes with more in them: any text.
 #include <string>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"
 

@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
-#include "app/file/scene_file.h"
-#include "app/file/sidecar.h"
+#include "app/file/recording/sidecar.h"
+#include "app/file/scene/scene_file.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"
 
@@ -22,7 +22,7 @@ std::string written(const LoadedScene& loaded) {
   metadata.repeatable = loaded.not_repeatable_because.empty();
   metadata.not_repeatable_because = loaded.not_repeatable_because;
   for (const ScheduledChange& change : loaded.changes) {
-    metadata.changes.push_back({change.tick, change.scene});
+    metadata.changes.push_back(change);
   }
   metadata.marks = loaded.marks;
   file::RecordedRows rows;
@@ -31,11 +31,11 @@ std::string written(const LoadedScene& loaded) {
 }
 
 void require_marks(const LoadedScene& loaded) {
-  require(loaded.marks.size() <= file::kMostMarks, "there are not too many marks");
+  require(loaded.marks.size() <= file::kMaxMarks, "there are not too many marks");
   std::uint64_t tick = 0;
   for (const Mark& mark : loaded.marks) {
     require(mark.tick >= tick, "marks are in the order of their ticks");
-    require(mark.text.size() <= file::kLongestMarkBytes && is_clean(mark.text),
+    require(mark.text.size() <= file::kMaxMarkBytes && is_clean(mark.text),
             "the text of a mark is a clean short line");
     tick = mark.tick;
   }

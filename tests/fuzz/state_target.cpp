@@ -16,11 +16,11 @@ bool bytes_make_sense(Bytes bytes) {
 }
 
 bool values_make_sense(const StateReport& state) {
-  constexpr double kMostDegrees = 327.68;
-  constexpr double kMostVolts = 65.535;
+  constexpr double kMaxDegrees = 327.68;
+  constexpr double kMaxVolts = 65.535;
   return is_force_n(state.applied_force_n[0]) && is_force_n(state.applied_force_n[1]) &&
-         std::abs(state.temperature_c) <= kMostDegrees && state.supply_v >= 0.0 &&
-         state.supply_v <= kMostVolts && state.status <= device::hid::kStatusKnown &&
+         std::abs(state.temperature_c) <= kMaxDegrees && state.supply_v >= 0.0 &&
+         state.supply_v <= kMaxVolts && state.status <= device::hid::kStatusKnown &&
          state.minor_version < 16;
 }
 

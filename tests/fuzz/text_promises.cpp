@@ -11,7 +11,7 @@ namespace hapticwall::fuzz {
 namespace {
 
 // Longer than the longest list of known keys that a message gives.
-constexpr std::size_t kLongestMessage = 1500;
+constexpr std::size_t kMaxMessageBytes = 1500;
 
 struct Form {
   std::uint8_t lead_mask;
@@ -68,7 +68,7 @@ void require_one_clean_line(const Error& error, std::string_view place) {
   require(is_clean(message), "a message is one clean line");
   require(message.starts_with(place), "a message begins with where the mistake is");
   require(message.size() > place.size(), "a message says what is wrong");
-  require(message.size() <= kLongestMessage, "a message is short enough to be read");
+  require(message.size() <= kMaxMessageBytes, "a message is short enough to be read");
 }
 
 }  // namespace hapticwall::fuzz

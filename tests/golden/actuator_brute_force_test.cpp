@@ -23,20 +23,20 @@ using Parts = std::tuple<bool, bool, bool, bool, bool>;
 Scene scene_with(const Parts& parts) {
   const auto [delay, lag, resolution, friction, grip] = parts;
   Scene scene;
-  scene.device.mass_kg = 0.1;
-  scene.device.force_limit_n = 3.1;
-  scene.hand.emplace();
-  scene.hand->stiffness_n_per_m = 900.0;
-  scene.hand->damping_n_s_per_m = 5.0;
-  scene.hand->path = {{0.0, 0.03}, {0.0205, 0.032}, {0.05, 0.0315}};
-  if (delay) scene.device.delay_ticks = 5;
-  if (lag) scene.device.amplifier_time_constant_s = 0.0023;
-  if (resolution) scene.device.force_resolution_n = 0.25;
-  if (friction) scene.device.friction_n = 0.6;
+  scene.x().device.mass_kg = 0.1;
+  scene.x().device.force_limit_n = 3.1;
+  scene.x().hand.emplace();
+  scene.x().hand->stiffness_n_per_m = 900.0;
+  scene.x().hand->damping_n_s_per_m = 5.0;
+  scene.x().hand->path = {{0.0, 0.03}, {0.0205, 0.032}, {0.05, 0.0315}};
+  if (delay) scene.x().device.delay_ticks = 5;
+  if (lag) scene.x().device.amplifier_time_constant_s = 0.0023;
+  if (resolution) scene.x().device.force_resolution_n = 0.25;
+  if (friction) scene.x().device.friction_n = 0.6;
   if (grip) {
-    scene.hand->mass_kg = 0.4;
-    scene.hand->grip_stiffness_n_per_m = 1000.0;
-    scene.hand->grip_damping_n_s_per_m = 1.0;
+    scene.x().hand->mass_kg = 0.4;
+    scene.x().hand->grip_stiffness_n_per_m = 1000.0;
+    scene.x().hand->grip_damping_n_s_per_m = 1.0;
   }
   return scene;
 }

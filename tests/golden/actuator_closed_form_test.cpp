@@ -9,18 +9,18 @@
 
 #include "core/plant/output_stage.h"
 #include "core/plant/plant_model.h"
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 
 namespace hapticwall {
 namespace {
 
 // e^(-z) less the first `terms` of its series, by the rest of the series where that would cancel.
 long double exponential_rest(long double z, int terms) {
-  constexpr int kMostTerms = 40;
+  constexpr int kMaxTerms = 40;
   long double term = 1.0L;
   long double first = 0.0L;
   long double rest = 0.0L;
-  for (int n = 0; n < kMostTerms; ++n) {
+  for (int n = 0; n < kMaxTerms; ++n) {
     (n < terms ? first : rest) += term;
     term *= -z / static_cast<long double>(n + 1);
   }
@@ -38,10 +38,10 @@ TEST(AmplifierLag, MovesAFreeMassAsItsStepResponseSays) {
   constexpr double kLastDigit = std::numeric_limits<double>::epsilon();
   for (const double tau_s : {1e-9, 1e-4, 1e-3, 0.02, 10.0}) {
     Scene scene;
-    scene.device.mass_kg = kMassKg;
-    scene.device.damping_n_s_per_m = 0.0;
-    scene.device.start_m = 0.0;
-    scene.device.amplifier_time_constant_s = tau_s;
+    scene.x().device.mass_kg = kMassKg;
+    scene.x().device.damping_n_s_per_m = 0.0;
+    scene.x().device.start_m = 0.0;
+    scene.x().device.amplifier_time_constant_s = tau_s;
     PlantModel plant(scene);
     const long double tau = tau_s;
     const long double rate = tau * static_cast<long double>(kForceN) / kMassKg;
@@ -64,13 +64,13 @@ TEST(AmplifierLag, MovesAFreeMassAsItsStepResponseSays) {
 Scene wall_scene() {
   Scene scene;
   scene.duration_s = 1.0;
-  scene.device.mass_kg = 0.2;
-  scene.device.force_limit_n = 8.9;
-  scene.hand.emplace();
-  scene.hand->stiffness_n_per_m = 300.0;
-  scene.hand->damping_n_s_per_m = 5.0;
-  scene.hand->path = {{0.0, 0.03}, {0.3, 0.06}};
-  scene.walls = {{.position_m = 0.05, .stiffness_n_per_m = 1000.0}};
+  scene.x().device.mass_kg = 0.2;
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().hand.emplace();
+  scene.x().hand->stiffness_n_per_m = 300.0;
+  scene.x().hand->damping_n_s_per_m = 5.0;
+  scene.x().hand->path = {{0.0, 0.03}, {0.3, 0.06}};
+  scene.x().walls = {{.position_m = 0.05, .stiffness_n_per_m = 1000.0}};
   return scene;
 }
 
@@ -88,14 +88,14 @@ TEST(OutputDelay, ShiftsTheForceByExactlyItsTicks) {
     for (const bool grip : {false, true}) {
       Scene scene = wall_scene();
       if (grip) {
-        scene.hand->mass_kg = 0.2;
-        scene.hand->grip_stiffness_n_per_m = 2000.0;
+        scene.x().hand->mass_kg = 0.2;
+        scene.x().hand->grip_stiffness_n_per_m = 2000.0;
       }
-      scene.device.delay_ticks = delay;
+      scene.x().device.delay_ticks = delay;
       const std::vector<Sample> samples = run(scene);
       ASSERT_GT(samples.size(), 100U);
       Scene plain = scene;
-      plain.device.delay_ticks.reset();
+      plain.x().device.delay_ticks.reset();
       PlantModel plant(plain);
       double most_n = 0.0;
       for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -140,7 +140,7 @@ TEST(ForceResolution, RoundingUpDoesNotExceedTheLimit) {
 // The recorded force and the ledger are the command; what acts is rounded.
 TEST(ForceResolution, TheLedgerHoldsTheCommandAndThePlantTheRoundedForce) {
   Scene scene = wall_scene();
-  scene.device.force_resolution_n = 0.5;
+  scene.x().device.force_resolution_n = 0.5;
   const std::vector<Sample> samples = run(scene);
   double scv_j = 0.0;
   double work_j = 0.0;

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <vector>
 
-#include "app/file/scene_file.h"
-#include "core/simulate.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 
 namespace hapticwall {
 namespace {
@@ -57,12 +57,12 @@ TEST_P(ReferenceParts, AgreesInClosedLoop) {
   const auto [grip, friction, lag, delay] = GetParam();
   Scene scene = golden("golden-soft");
   if (grip) {
-    scene.hand->grip_stiffness_n_per_m = 2000.0;
-    scene.hand->grip_damping_n_s_per_m = 2.0;
+    scene.x().hand->grip_stiffness_n_per_m = 2000.0;
+    scene.x().hand->grip_damping_n_s_per_m = 2.0;
   }
-  if (friction) scene.device.friction_n = 0.14;
-  if (lag) scene.device.amplifier_time_constant_s = 0.8e-3;
-  if (delay) scene.device.delay_ticks = 2;
+  if (friction) scene.x().device.friction_n = 0.14;
+  if (lag) scene.x().device.amplifier_time_constant_s = 0.8e-3;
+  if (delay) scene.x().device.delay_ticks = 2;
   const double difference_m = largest_difference_m(scene);
   std::printf("%.2g m\n", difference_m);
   EXPECT_LE(difference_m, 1e-15);

@@ -11,10 +11,10 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "core/stabiliser/stabiliser.h"
-#include "core/stability_bounds.h"
 #include "core/study/boundary.h"
+#include "core/study/stability_bounds.h"
 #include "core/study/stability_map.h"
-#include "tests/core/study_scenes.h"
+#include "tests/core/study/study_scenes.h"
 
 namespace hapticwall {
 namespace {
@@ -24,7 +24,7 @@ constexpr double kHandStiffness = 5.0;  // of pressed_wall()
 // Growth of the loop in a tick, while the handle stays in the wall: largest modulus of an
 // eigenvalue of position, velocity and the `delay` forces that are on their way.
 double growth_in_a_tick(const Scene& scene, double stiffness, int delay) {
-  const DeviceSettings& device = scene.device;
+  const DeviceSettings& device = scene.x().device;
   const double period_s = scene.sampling.period_s();
   Eigen::Matrix3d rates = Eigen::Matrix3d::Zero();  // position, velocity, held force
   rates(0, 1) = 1.0;
@@ -67,9 +67,9 @@ Boundary largest_stiffness(Scene scene, double expected) {
 TEST(AnalyticLimits, OfASampledSpringIsTwiceTheDampingOverThePeriod) {
   for (const double mass_kg : {0.05, 0.1, 0.5}) {
     Scene scene = testing::pressed_wall(2000.0);
-    scene.device.mass_kg = mass_kg;
+    scene.x().device.mass_kg = mass_kg;
     scene.duration_s = 4000.0 * mass_kg;
-    const double bound = stability_bounds(scene, scene.walls[0], 0.0).passive_n_per_m.value();
+    const double bound = stability_bounds(scene, scene.x().walls[0], 0.0).passive_n_per_m.value();
     const double exact = eigenvalue_limit(scene, 0);
     const Boundary found = largest_stiffness(scene, bound);
     ASSERT_TRUE(found.settled && found.unsettled);
@@ -80,7 +80,7 @@ TEST(AnalyticLimits, OfASampledSpringIsTwiceTheDampingOverThePeriod) {
     EXPECT_NEAR(*found.settled / exact, 1.0, 1e-3);
     // 2b/T is of small steps: the first term that it leaves out is (b T / m) / 6; the hand's spring
     // is a thousandth of the wall's.
-    const double step = scene.device.damping_n_s_per_m * scene.sampling.period_s() / mass_kg;
+    const double step = scene.x().device.damping_n_s_per_m * scene.sampling.period_s() / mass_kg;
     EXPECT_NEAR(exact / bound, 1.0 + step / 6.0, 1.5e-3);
     EXPECT_NEAR(*found.settled / bound, 1.0, 5e-3);
   }
@@ -89,11 +89,11 @@ TEST(AnalyticLimits, OfASampledSpringIsTwiceTheDampingOverThePeriod) {
 TEST(AnalyticLimits, WithADelayTheDampingOverHalfThePeriodAndTheDelay) {
   for (const int delay : {1, 2, 5, 10}) {
     Scene scene = testing::pressed_wall(500.0);
-    scene.device.delay_ticks = delay;
+    scene.x().device.delay_ticks = delay;
     scene.duration_s = 400.0;
     const double bound =
-        stability_bounds(scene, scene.walls[0], delay_of(scene)).delayed_n_per_m.value();
-    scene.device.start_m = testing::kWallAtM + testing::kPressN / bound + 0.2e-3;
+        stability_bounds(scene, scene.x().walls[0], delay_of(scene)).delayed_n_per_m.value();
+    scene.x().device.start_m = testing::kWallAtM + testing::kPressN / bound + 0.2e-3;
     const double exact = eigenvalue_limit(scene, delay);
     const Boundary found = largest_stiffness(scene, bound);
     ASSERT_TRUE(found.settled && found.unsettled);
@@ -112,17 +112,17 @@ TEST(AnalyticLimits, OfAQuantisedWallIsTwiceTheFrictionOverTheCount) {
   StabilityMap map;
   map.scene = testing::pressed_wall(1000.0);
   map.scene.duration_s = 8.0;
-  map.scene.device.friction_n = 0.14;
-  map.scene.device.encoder_m = 0.254e-3;
-  map.scene.device.start_m = testing::kWallAtM;
+  map.scene.x().device.friction_n = 0.14;
+  map.scene.x().device.encoder_m = 0.254e-3;
+  map.scene.x().device.start_m = testing::kWallAtM;
   map.algorithms = {find_algorithm("none").value()};
   const double bound =
-      stability_bounds(map.scene, map.scene.walls[0], 0.0).friction_n_per_m.value();
+      stability_bounds(map.scene, map.scene.x().walls[0], 0.0).friction_n_per_m.value();
   map.x = {find_scene_number(map.scene, "wall.stiffness_n_per_m").value(), 0.9 * bound, 1.1 * bound,
            41, false};
   // About a count's worth of force.
   map.y = {find_scene_number(map.scene, "hand.stiffness_n_per_m").value(), 5.0, 5.35, 36, false};
-  const std::vector<MapFigures> figures = run_cells(map, 0, map.cell_count());
+  const std::vector<MapMetrics> figures = run_cells(map, 0, map.cell_count());
   double softest_restless = std::numeric_limits<double>::infinity();
   double stiffest_at_rest = 0.0;
   for (std::size_t cell = 0; cell < figures.size(); ++cell) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/study/boundary.h"
 #include "tests/brute_force_plant.h"

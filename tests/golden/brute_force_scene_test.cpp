@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "app/file/scene_file.h"
-#include "core/simulate.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/brute_force_plant.h"
 #include "tests/reference_algorithms.h"

@@ -1,5 +1,5 @@
 // The paper's own story, on the built-in scenes: what the lamp says under which algorithm.
-#include "core/energy_story.h"
+#include "core/study/energy_story.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/file/scene_file.h"
-#include "core/simulate.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 
 namespace hapticwall {
 namespace {
@@ -34,7 +34,7 @@ Told tell(const std::string& name, const std::string& algorithm) {
   const auto loaded = file::load_scene(name, std::vector{"algorithm.name=" + algorithm});
   if (!loaded) throw std::runtime_error(loaded.error().message);
   const Scene& scene = loaded->scene;
-  EnergyLamp lamp(scene.sampling.rate_hz, scene.device.encoder_m.value_or(0.0));
+  EnergyLamp lamp(scene.sampling.rate_hz, scene.x().device.encoder_m.value_or(0.0));
   Told told;
   SimulationOptions options;
   options.on_sample = [&](const Sample& sample) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <variant>
 #include <vector>
 
 #include "core/plant/plant_model.h"
@@ -25,19 +26,19 @@ constexpr int kEventSubsteps = 100'000;
 Scene swinging(bool grip) {
   Scene scene;
   scene.sampling.rate_hz = 10.0;
-  scene.device.mass_kg = 0.1;
-  scene.device.damping_n_s_per_m = 0.02;
-  scene.device.friction_n = 0.04;
-  scene.hand.emplace();
-  scene.hand->stiffness_n_per_m = 4e4;
-  scene.hand->damping_n_s_per_m = 0.03;
-  scene.hand->path = {{0.0, 0.03}, {1.03, 0.0303}, {2.01, 0.0297}};
+  scene.x().device.mass_kg = 0.1;
+  scene.x().device.damping_n_s_per_m = 0.02;
+  scene.x().device.friction_n = 0.04;
+  scene.x().hand.emplace();
+  scene.x().hand->stiffness_n_per_m = 4e4;
+  scene.x().hand->damping_n_s_per_m = 0.03;
+  scene.x().hand->path = {{0.0, 0.03}, {1.03, 0.0303}, {2.01, 0.0297}};
   if (grip) {
-    scene.device.friction_n = 0.02;
-    scene.hand->mass_kg = 0.4;
-    scene.hand->stiffness_n_per_m = 9e3;
-    scene.hand->grip_stiffness_n_per_m = 4e3;
-    scene.hand->grip_damping_n_s_per_m = 0.05;
+    scene.x().device.friction_n = 0.02;
+    scene.x().hand->mass_kg = 0.4;
+    scene.x().hand->stiffness_n_per_m = 9e3;
+    scene.x().hand->grip_stiffness_n_per_m = 4e3;
+    scene.x().hand->grip_damping_n_s_per_m = 0.05;
   }
   return scene;
 }
@@ -56,7 +57,7 @@ struct Course {
 Course exact(const Scene& scene) {
   Course course;
   PlantVariant plants = make_plant(scene);
-  visit_plant(
+  std::visit(
       [&](auto& plant) {
         for (int tick = 0; tick < kEventTicks; ++tick) {
           plant.advance(force_n(tick));
@@ -129,7 +130,7 @@ TEST_P(FrictionEvents, AreThoseOfTheBruteForce) {
 TEST_P(FrictionEvents, EnergiesBalance) {
   const Scene scene = swinging(GetParam());
   PlantVariant plants = make_plant(scene);
-  visit_plant(
+  std::visit(
       [&](auto& plant) {
         for (int tick = 0; tick < kEventTicks; ++tick) {
           plant.advance(force_n(tick));

@@ -13,10 +13,11 @@
 #include <variant>
 #include <vector>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
+#include "core/loop/servo.h"
 #include "core/plant/plant_model.h"
-#include "core/servo.h"
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
+#include "tests/paths.h"
 
 namespace hapticwall {
 namespace {
@@ -25,7 +26,7 @@ namespace {
 using GoldenRow = std::array<double, 6>;
 
 std::vector<GoldenRow> read_reference(const std::string& name) {
-  std::ifstream file(std::string(HAPTICWALL_TEST_DATA_DIR) + "/golden/" + name);
+  std::ifstream file(test::data_folder() + "/golden/" + name);
   std::string line;
   std::getline(file, line);
   std::vector<GoldenRow> rows;
@@ -48,14 +49,14 @@ class PlantDevice {
  public:
   explicit PlantDevice(const Scene& scene) : plant_(make_plant(scene)) {}
   DeviceReading read() {
-    return {visit_plant([](auto& plant) { return plant.position_m(); }, plant_), 0.0,
+    return {std::visit([](auto& plant) { return plant.position_m(); }, plant_), 0.0,
             DeviceState::kOk};
   }
   void write(double force_n) {
-    visit_plant([&](auto& plant) { plant.advance(force_n); }, plant_);
+    std::visit([&](auto& plant) { plant.advance(force_n); }, plant_);
   }
   [[nodiscard]] double viscous_j() const {
-    return visit_plant([](const auto& plant) { return plant.energy().viscous_j; }, plant_);
+    return std::visit([](const auto& plant) { return plant.energy().viscous_j; }, plant_);
   }
 
  private:

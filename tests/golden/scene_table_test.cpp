@@ -7,8 +7,8 @@
 #include <ostream>
 #include <string>
 
-#include "app/file/scene_file.h"
-#include "core/simulate.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {

@@ -1,19 +1,20 @@
-// What the formula of an algorithm promises, checked on the rows of a run. Every function fails its
-// property where the promise is broken.
+// The promises of the algorithms' formulas, checked on the rows of a run. Every function fails its
+// property if a promise is broken.
 #pragma once
 
 #include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "core/loop/servo.h"
 #include "core/sample.h"
-#include "core/servo.h"
 
 namespace hapticwall::testing {
 
-// Of sums: what they may be off by, of all that went into them.
+// Relative error of sums.
 inline constexpr double kRounding = 1e-12;
 
 // The settings and the rows of a run that no parameter changed.
@@ -55,7 +56,10 @@ inline void forces_are_finite_and_within_the_limit(const Trial& trial) {
 
 // |F(k) - F(k-1)| ≤ b|v|, at rest ≤ α_max; so energy_hold ≥ energy_budget.
 inline void energy_bounding_keeps_its_bound(const Trial& trial) {
-  const double rest_n = EnergyBounding::rest_force_step(stabiliser_context(trial.settings));
+  const double hidden_n = trial.settings.encoder_m > 0.0
+                              ? trial.per_period() * trial.settings.encoder_m
+                              : std::numeric_limits<double>::max();
+  const double rest_n = stabiliser_context(trial.settings).value_or("rest_force_step_n", hidden_n);
   for_each_step(trial, [&](const Step& step) {
     const double v = step.now.velocity_m_per_s;
     const double bound_n = v != 0.0 ? trial.b() * std::abs(v) : rest_n;
@@ -68,9 +72,8 @@ inline void energy_bounding_keeps_its_bound(const Trial& trial) {
 // |β| ≤ c₁, held at rest, F Δx ≥ (F(k)² - F(k-1)²)/(2c₂); so energy_hold ≥ energy_budget and
 // energy_cv ≥ F²/(2c₂) ≥ 0.
 inline void energy_bounding_2010_keeps_its_bounds(const Trial& trial) {
-  const StabiliserContext context = stabiliser_context(trial.settings);
-  const double c1 = EnergyBounding2010::hold_stiffness(context);
-  const double c2 = EnergyBounding2010::storage_stiffness(context);
+  const double c1 = trial.per_period();
+  const double c2 = stabiliser_context(trial.settings).value_or("storage_stiffness_n_per_m", c1);
   for_each_step(trial, [&](const Step& step) {
     const double force_n = step.now.force_n;
     const double scale_n =
@@ -156,6 +159,21 @@ inline void passivity_control_acts_or_is_capped(const Trial& trial, double cap, 
     const double tolerated_j = credit ? step.now.energy_budget_j : 0.0;
     if (step.moved_m != 0.0 && std::abs(damper_n) < most_n - kRounding * scale_n) {
       RC_ASSERT(step.now.energy_cv_j >= tolerated_j - kRounding * step.turnover_j);
+    }
+  });
+}
+
+// The held-force observer of Eq. 10 without limit, credit and reset, and a damper with a velocity
+// floor.
+inline void passivity_control_acts_above(const Trial& trial, double floor_m_per_s) {
+  double observed_j = 0.0;
+  for_each_step(trial, [&](const Step& step) {
+    observed_j += step.before_n * step.moved_m;
+    const double v = step.now.velocity_m_per_s;
+    if (std::abs(v) <= floor_m_per_s) {
+      RC_ASSERT(step.now.force_n == step.now.wall_force_n);
+    } else if (observed_j < -kRounding * step.turnover_j) {
+      RC_ASSERT((step.now.force_n - step.now.wall_force_n) * v > 0.0);
     }
   });
 }

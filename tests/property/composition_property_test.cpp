@@ -7,7 +7,7 @@
 
 #include "core/batch/batch_simulator.h"
 #include "core/batch/lane_scene.h"
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "tests/batch_support.h"
 #include "tests/position_bench.h"
 #include "tests/property/scene_generator.h"
@@ -119,16 +119,15 @@ RC_GTEST_PROP(Composition, IsTheSameInABatch, ()) {
   std::vector<Scene> scenes;
   for (int i = 0; i < 12; ++i) {
     scenes.push_back(random_scene(any_algorithm()));
-    scenes.back().device.friction_n.reset();
-    scenes.back().hand->grip_stiffness_n_per_m.reset();
-    scenes.back().hand->grip_damping_n_s_per_m.reset();
+    scenes.back().x().device.friction_n.reset();
+    scenes.back().x().hand->grip_stiffness_n_per_m.reset();
+    scenes.back().x().hand->grip_damping_n_s_per_m.reset();
     RC_ASSERT(batch::lane_kind(scenes.back()).has_value());
     randomise_follower(scenes.back().algorithm);
     set_parameter(scenes.back().algorithm, "then", 1.0);
     RC_ASSERT(!batch::lane_kind(scenes.back()).has_value());
   }
-  RC_ASSERT(testing::first_difference(simulate_batch<Summary>(scenes),
-                                      testing::one_by_one(scenes)) == "");
+  RC_ASSERT(testing::first_difference(simulate_batch(scenes), testing::one_by_one(scenes)) == "");
 }
 
 }  // namespace

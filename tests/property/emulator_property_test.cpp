@@ -19,17 +19,17 @@ constexpr std::uint64_t kMillisecondUs = 1000;
 constexpr double kLimitN = 8.9;
 // A firmware that hangs holds its force until the watchdog in hardware strikes; the command before
 // may have been as old as it may live.
-constexpr std::uint64_t kLongestForceUs = (kLongestTimeToLiveMs + 50 + 1) * kMillisecondUs;
+constexpr std::uint64_t kMaxForceUs = (kMaxTimeToLiveMs + 50 + 1) * kMillisecondUs;
 
 EmulatorSettings settings() {
   EmulatorSettings settings;
-  settings.x.device.encoder_m = 0.254e-3;
-  settings.x.device.force_limit_n = kLimitN;
+  settings.x.x().device.encoder_m = 0.254e-3;
+  settings.x.x().device.force_limit_n = kLimitN;
   HandSettings hand;
   hand.stiffness_n_per_m = 250.0;
   hand.damping_n_s_per_m = 10.0;
   hand.path = {{0.0, 0.03}, {0.1, 0.05}};
-  settings.x.hand = hand;
+  settings.x.x().hand = hand;
   return settings;
 }
 
@@ -78,7 +78,7 @@ RC_GTEST_PROP(EmulatorProperty, TheForceKeepsItsLimitsWhateverHappens, ()) {
     if (force_n != 0.0) {
       force_seen = true;
       RC_ASSERT(last_enabled_us.has_value());
-      RC_ASSERT(device.now_us() - *last_enabled_us <= kLongestForceUs);
+      RC_ASSERT(device.now_us() - *last_enabled_us <= kMaxForceUs);
     }
     if (*rc::gen::inRange(0, 20) == 0) sequence = *rc::gen::arbitrary<std::uint16_t>();
     const ForceReport command = random_command(sequence, state);

@@ -22,16 +22,16 @@ Scene corner(const Numbers& n, double ticks) {
   scene.name = "corner";
   scene.sampling.rate_hz = 1.0 / n.period_s;
   scene.duration_s = ticks * n.period_s;
-  scene.device.mass_kg = n.mass_kg;
-  scene.device.damping_n_s_per_m = n.damping_n_s_per_m;
-  scene.device.friction_n = n.friction_n;
-  scene.device.encoder_m = n.encoder_m;
-  scene.device.start_m = 0.049;
-  scene.walls = {{.position_m = 0.05, .stiffness_n_per_m = n.stiffness_n_per_m}};
-  scene.hand.emplace();
-  scene.hand->stiffness_n_per_m = 300.0;
-  scene.hand->damping_n_s_per_m = 5.0;
-  scene.hand->path = {{0.0, 0.049}, {ticks / 2 * n.period_s, 0.06}, {ticks * n.period_s, 0.04}};
+  scene.x().device.mass_kg = n.mass_kg;
+  scene.x().device.damping_n_s_per_m = n.damping_n_s_per_m;
+  scene.x().device.friction_n = n.friction_n;
+  scene.x().device.encoder_m = n.encoder_m;
+  scene.x().device.start_m = 0.049;
+  scene.x().walls = {{.position_m = 0.05, .stiffness_n_per_m = n.stiffness_n_per_m}};
+  scene.x().hand.emplace();
+  scene.x().hand->stiffness_n_per_m = 300.0;
+  scene.x().hand->damping_n_s_per_m = 5.0;
+  scene.x().hand->path = {{0.0, 0.049}, {ticks / 2 * n.period_s, 0.06}, {ticks * n.period_s, 0.04}};
   return scene;
 }
 
@@ -64,10 +64,10 @@ TEST_P(ExtremeGrid, EveryCornerIsSound) {
     scene.simulator = {std::get<1>(GetParam()),
                        std::get<1>(GetParam()) == Integrator::kExact ? 1 : 3};
     for (const double limit_n : {0.0, 8.9, 1e6}) {
-      scene.device.force_limit_n = limit_n;
+      scene.x().device.force_limit_n = limit_n;
       (void)expect_sound(scene);
     }
-    scene.device.force_limit_n.reset();
+    scene.x().device.force_limit_n.reset();
     (void)expect_sound(scene);
   });
 }
@@ -75,19 +75,19 @@ TEST_P(ExtremeGrid, EveryCornerIsSound) {
 // The parts between command and handle, alone and together, from one end to the other.
 TEST_P(ExtremeGrid, EveryOutputIsSound) {
   constexpr double kTicks = 60.0;
-  for (const int delay : {0, 1, 30, kMaximumDelayTicks}) {
+  for (const int delay : {0, 1, 30, kMaxDelayTicks}) {
     for (const double lag_s : {0.0, 1e-9, 1e-3, 10.0}) {
       for (const double resolution_n : {0.0, 1e-12, 0.1, 1e3}) {
         for (const double grip : {-1.0, 0.0, 1e3, 1e9}) {
           Scene scene = corner({1e5, 0.05, 1.0, 0.14, 1e-3, 0.254e-3}, kTicks);
-          if (grip >= 1e9) scene.device.friction_n.reset();  // its swing would take real time
-          scene.device.force_limit_n = 8.9;
-          scene.device.delay_ticks = delay;
-          scene.device.amplifier_time_constant_s = lag_s;
-          scene.device.force_resolution_n = resolution_n;
+          if (grip >= 1e9) scene.x().device.friction_n.reset();  // its swing would take real time
+          scene.x().device.force_limit_n = 8.9;
+          scene.x().device.delay_ticks = delay;
+          scene.x().device.amplifier_time_constant_s = lag_s;
+          scene.x().device.force_resolution_n = resolution_n;
           if (grip >= 0.0) {
-            scene.hand->mass_kg = 0.4;
-            scene.hand->grip_stiffness_n_per_m = grip;
+            scene.x().hand->mass_kg = 0.4;
+            scene.x().hand->grip_stiffness_n_per_m = grip;
           }
           scene.algorithm.index = std::get<0>(GetParam());
           scene.simulator = {std::get<1>(GetParam()),

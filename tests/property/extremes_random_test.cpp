@@ -48,7 +48,7 @@ void expect_sound_under(Integrator integrator) {
     SCOPED_TRACE(number);
     Scene scene = extreme_scene(number);
     Draw draw(~number);
-    scene.simulator = {integrator, static_cast<int>(draw.log_uniform(1.0, kMaximumSubsteps))};
+    scene.simulator = {integrator, static_cast<int>(draw.log_uniform(1.0, kMaxSubsteps))};
     (void)expect_sound(scene);
     if (::testing::Test::HasFailure()) break;
   }
@@ -71,18 +71,19 @@ TEST(ExtremeScenes, ReachEveryExtreme) {
   constexpr std::uint64_t kScenes = 3000;
   for (std::uint64_t number = 0; number < kScenes; ++number) {
     const Scene scene = extreme_scene(number);
-    frictions += scene.device.friction_n.value_or(0.0) > 0.0 ? 1 : 0;
-    lags += scene.device.amplifier_time_constant_s.value_or(0.0) > 0.0 ? 1 : 0;
-    delays += scene.device.delay_ticks.value_or(0) > 0 ? 1 : 0;
+    frictions += scene.x().device.friction_n.value_or(0.0) > 0.0 ? 1 : 0;
+    lags += scene.x().device.amplifier_time_constant_s.value_or(0.0) > 0.0 ? 1 : 0;
+    delays += scene.x().device.delay_ticks.value_or(0) > 0 ? 1 : 0;
     single_ticks += scene.tick_count() == 1 ? 1 : 0;
-    for (const WallSettings& wall : scene.walls) {
-      starts_on_a_wall += wall.position_m == scene.device.start_m ? 1 : 0;
+    for (const WallSettings& wall : scene.x().walls) {
+      starts_on_a_wall += wall.position_m == scene.x().device.start_m ? 1 : 0;
       stiffest = std::max(stiffest, wall.stiffness_n_per_m);
     }
-    if (!scene.hand) continue;
-    grips += scene.hand->has_grip() ? 1 : 0;
-    for (std::size_t i = 1; i < scene.hand->path.size(); ++i) {
-      const double move_m = scene.hand->path[i].position_m - scene.hand->path[i - 1].position_m;
+    if (!scene.x().hand) continue;
+    grips += scene.x().hand->has_grip() ? 1 : 0;
+    for (std::size_t i = 1; i < scene.x().hand->path.size(); ++i) {
+      const double move_m =
+          scene.x().hand->path[i].position_m - scene.x().hand->path[i - 1].position_m;
       tiny_slopes += move_m != 0.0 && std::abs(move_m) < 1e-199 ? 1 : 0;
     }
   }

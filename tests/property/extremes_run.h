@@ -4,56 +4,35 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "tests/energy_turnover.h"
 #include "tests/property/extremes_scene.h"
 
 namespace hapticwall::testing {
 
-inline bool is_finite(const Sample& s) {
-  const PlantTruth& t = s.truth;
-  const std::array numbers{
-      s.time_s,          s.position_m,        s.velocity_m_per_s, s.penetration_m, s.wall_force_n,
-      s.force_n,         s.stiffness_n_per_m, s.energy_cv_j,      s.energy_hold_j, s.energy_scv_j,
-      s.energy_budget_j, t.position_m,        t.velocity_m_per_s, t.hand_path_m,   t.hand_force_n,
-      t.actuator_work_j, t.dissipation_j,     t.hand_work_j,      t.kinetic_j};
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
-}
-
-inline bool is_finite(const Summary& s) {
-  const std::array numbers{s.duration_s,
-                           s.tail_peak_to_peak_m.value_or(0.0),
-                           s.tail_force_mean_n.value_or(0.0),
-                           s.tail_force_std_n.value_or(0.0),
-                           s.displayed_stiffness_n_per_m.value_or(0.0),
-                           s.max_penetration_m.value_or(0.0),
-                           s.peak_force_n,
-                           s.energy_cv_j,
-                           s.energy_hold_j,
-                           s.energy_scv_j,
-                           s.energy_budget_j,
-                           s.min_energy_cv_j,
-                           s.min_energy_scv_j,
-                           s.true_actuator_work_j.value(),
-                           s.true_dissipation_j.value(),
-                           s.true_hand_work_j.value(),
-                           s.kinetic_j.value(),
-                           s.energy_balance_error_j.value(),
-                           s.passivity_margin_j.value()};
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+// True if every number that the summary has is finite, and it has the plant's energies.
+inline bool is_finite(const Summary& summary) {
+  const bool finite = std::ranges::all_of(kSummaryKeys, [&](const SummaryKey& key) {
+    const auto* always = std::get_if<double Summary::*>(&key.member);
+    const auto* maybe = std::get_if<std::optional<double> Summary::*>(&key.member);
+    return (always == nullptr || std::isfinite(summary.**always)) &&
+           (maybe == nullptr || std::isfinite((summary.**maybe).value_or(0.0)));
+  });
+  return finite && summary.passivity_margin_j && summary.energy_balance_error_j;
 }
 
 inline constexpr double kPromisedBalance = 1e-9;
 // Below this an energy has no digits left: it is a product of numbers near the smallest.
-inline constexpr double kSmallestEnergyJ = 1e-300;
+inline constexpr double kMinEnergyJ = 1e-300;
 
 // What the balance may be off, relative to the turnover. 1e-9, but where a damper stops its mass in
 // a small fraction 1/S of a tick. What then flows in that fraction is told by sums over the whole
@@ -62,7 +41,7 @@ inline constexpr double kSmallestEnergyJ = 1e-300;
 // body and 2.1e3 for a grip; the paper's device has S = 0.02.
 inline double promised_balance(const Scene& scene) {
   const double s = fastest_decay_per_s(scene) * scene.sampling.period_s();
-  const bool grip = scene.hand && scene.hand->has_grip();
+  const bool grip = scene.x().hand && scene.x().hand->has_grip();
   const double loss = std::numeric_limits<double>::epsilon() * (grip ? s * s : s);
   return std::max(kPromisedBalance, loss);
 }
@@ -78,7 +57,8 @@ struct ExtremeRun {
 
 inline ExtremeRun run_watched(const Scene& scene, std::span<const ScheduledChange> changes = {}) {
   ExtremeRun run;
-  const double limit_n = scene.device.force_limit_n.value_or(std::numeric_limits<double>::max());
+  const double limit_n =
+      scene.x().device.force_limit_n.value_or(std::numeric_limits<double>::max());
   SimulationOptions options;
   options.changes = changes;
   options.on_sample = [&](const Sample& sample) {
@@ -111,7 +91,7 @@ inline bool ended_in_good_order(const Scene& scene, const ExtremeRun& run) {
 // where the cheap one does not do.
 inline double balance_error(const Scene& scene, const ExtremeRun& run) {
   const double error_j =
-      std::max(0.0, std::abs(*run.result.summary.energy_balance_error_j) - kSmallestEnergyJ);
+      std::max(0.0, std::abs(*run.result.summary.energy_balance_error_j) - kMinEnergyJ);
   if (error_j <= kPromisedBalance * run.turnover.joules()) {
     return error_j > 0.0 ? error_j / run.turnover.joules() : 0.0;
   }
@@ -120,7 +100,7 @@ inline double balance_error(const Scene& scene, const ExtremeRun& run) {
 
 inline std::string scene_text(const Scene& scene) {
   std::ostringstream out;
-  const DeviceSettings& d = scene.device;
+  const DeviceSettings& d = scene.x().device;
   constexpr int kDigits = 17;
   out.precision(kDigits);
   out << "rate " << scene.sampling.rate_hz << " ticks " << scene.tick_count() << " m " << d.mass_kg
@@ -130,12 +110,12 @@ inline std::string scene_text(const Scene& scene) {
       << d.amplifier_time_constant_s.value_or(0.0) << " start " << d.start_m << ' '
       << algorithms()[scene.algorithm.index].name << ' ' << scene.simulator.integrator_name() << '/'
       << scene.simulator.substeps;
-  for (const WallSettings& wall : scene.walls) {
+  for (const WallSettings& wall : scene.x().walls) {
     out << "; wall " << wall.position_m << " K " << wall.stiffness_n_per_m << " B "
         << wall.damping_n_s_per_m;
   }
-  if (!scene.hand) return out.str();
-  const HandSettings& h = *scene.hand;
+  if (!scene.x().hand) return out.str();
+  const HandSettings& h = *scene.x().hand;
   out << "; hand m " << h.mass_kg.value_or(0.0) << " k " << h.stiffness_n_per_m << " b "
       << h.damping_n_s_per_m << " grip " << h.grip_stiffness_n_per_m.value_or(-1.0) << ' '
       << h.grip_damping_n_s_per_m.value_or(0.0) << " path";

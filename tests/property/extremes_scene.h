@@ -8,9 +8,10 @@
 #include <random>
 #include <vector>
 
+#include "core/loop/servo_step.h"
 #include "core/scene.h"
-#include "core/servo_step.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/position_bench.h"
 
 namespace hapticwall::testing {
 
@@ -44,9 +45,9 @@ class Draw {
 // What takes real time in the exact integrator: a swing that friction stops at each turn, a grip
 // that swings or creeps under friction, and the parts of a tick where a grip swings through it. A
 // scene may have this many radians (or time constants) in all.
-inline constexpr double kMostSwingsWithFriction = 2e4;
-inline constexpr double kMostSwingsWithGrip = 2e7;
-inline constexpr double kMostTicks = 300.0;
+inline constexpr double kMaxSwingsWithFriction = 2e4;
+inline constexpr double kMaxSwingsWithGrip = 2e7;
+inline constexpr double kMaxTicks = 300.0;
 
 // Points about `centre_m`: equal ones, ones that differ in the last digit or in the denormals,
 // steps within 1e-15 s, and moves as far as a hand reaches.
@@ -148,45 +149,45 @@ inline void bound_storage(Scene& scene) {
   auto& storage = scene.algorithm.values.at(index);
   if (!storage) return;
   const ServoSettings settings = servo_settings(scene);
-  const double most = EnergyBounding2010::hold_stiffness(stabiliser_context(settings));
+  const double most = max_storage_stiffness(settings);
   storage = std::min(std::max(*storage, algorithm_parameters()[index].minimum), most);
   if (*storage < algorithm_parameters()[index].minimum) storage.reset();
 }
 
 // The fastest swing of the scene's springs, rad/s.
 inline double fastest_swing_per_s(const Scene& scene) {
-  if (!scene.hand) return 0.0;
-  const HandSettings& hand = *scene.hand;
-  if (!hand.has_grip()) return std::sqrt(hand.stiffness_n_per_m / scene.device.mass_kg);
+  if (!scene.x().hand) return 0.0;
+  const HandSettings& hand = *scene.x().hand;
+  if (!hand.has_grip()) return std::sqrt(hand.stiffness_n_per_m / scene.x().device.mass_kg);
   const double grip = *hand.grip_stiffness_n_per_m;
-  return std::sqrt(2.0 * grip / scene.device.mass_kg +
+  return std::sqrt(2.0 * grip / scene.x().device.mass_kg +
                    (2.0 * grip + hand.stiffness_n_per_m) / *hand.mass_kg);
 }
 
 // The fastest decay by the scene's dampers, 1/s.
 inline double fastest_decay_per_s(const Scene& scene) {
-  const double damping = scene.device.damping_n_s_per_m;
-  if (!scene.hand) return damping / scene.device.mass_kg;
-  const HandSettings& hand = *scene.hand;
-  if (!hand.has_grip()) return (damping + hand.damping_n_s_per_m) / scene.device.mass_kg;
+  const double damping = scene.x().device.damping_n_s_per_m;
+  if (!scene.x().hand) return damping / scene.x().device.mass_kg;
+  const HandSettings& hand = *scene.x().hand;
+  if (!hand.has_grip()) return (damping + hand.damping_n_s_per_m) / scene.x().device.mass_kg;
   const double grip = hand.grip_damping_n_s_per_m.value_or(0.0);
-  return std::max((damping + grip) / scene.device.mass_kg,
+  return std::max((damping + grip) / scene.x().device.mass_kg,
                   (hand.damping_n_s_per_m + grip) / *hand.mass_kg);
 }
 
 // Where friction or a grip makes motion cost time, the tick or the run is made short enough.
 inline void bound_cost(Scene& scene, double ticks) {
-  const bool friction = scene.device.friction_n.value_or(0.0) > 0.0;
-  const bool grip = scene.hand && scene.hand->has_grip();
+  const bool friction = scene.x().device.friction_n.value_or(0.0) > 0.0;
+  const bool grip = scene.x().hand && scene.x().hand->has_grip();
   double rate_per_s = 0.0;
   double most = 0.0;  // of the rate times the duration
   if (friction) {
     rate_per_s = fastest_swing_per_s(scene);
-    most = kMostSwingsWithFriction;
+    most = kMaxSwingsWithFriction;
     if (grip) rate_per_s = std::max(rate_per_s, 0.1 * fastest_decay_per_s(scene));
   } else if (grip) {
     rate_per_s = fastest_swing_per_s(scene);
-    most = kMostSwingsWithGrip;
+    most = kMaxSwingsWithGrip;
   }
   if (rate_per_s > most * scene.sampling.rate_hz) {
     scene.sampling.rate_hz = std::min(1e5, rate_per_s / most);
@@ -201,11 +202,11 @@ inline Scene extreme_scene(std::uint64_t number) {
   Scene scene;
   scene.name = "extreme";
   scene.sampling.rate_hz = draw.chance(0.5) ? 1000.0 : draw.log_uniform(10.0, 1e5);
-  const double ticks = draw.chance(0.1) ? 1.0 : std::floor(draw.uniform(1.0, kMostTicks));
-  draw_device(draw, scene.device);
-  draw_walls(draw, scene.device.start_m, scene.walls);
+  const double ticks = draw.chance(0.1) ? 1.0 : std::floor(draw.uniform(1.0, kMaxTicks));
+  draw_device(draw, scene.x().device);
+  draw_walls(draw, scene.x().device.start_m, scene.x().walls);
   if (draw.chance(0.85)) {
-    scene.hand = extreme_hand(draw, scene.device.start_m, ticks / scene.sampling.rate_hz);
+    scene.x().hand = extreme_hand(draw, scene.x().device.start_m, ticks / scene.sampling.rate_hz);
   }
   draw_algorithm(draw, scene.algorithm);
   bound_cost(scene, ticks);

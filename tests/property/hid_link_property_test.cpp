@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/device/link_rig.h"
+#include "tests/device/hid/link_rig.h"
 
 namespace hapticwall::device {
 namespace {
@@ -42,10 +42,10 @@ double random_force() {
 
 // The device's, where it has told it, and the file's.
 double limit_of(const Rig& rig, const ImpulseEngineOptions& options) {
-  const auto figures = rig.host.owner.figures();
-  if (!figures) return 0.0;
-  double limit_n = hid::kLargestForceN;
-  if (figures->describes_itself) limit_n = std::min(limit_n, hid::testing::kLimitN);
+  const auto described = rig.host.owner.description();
+  if (!described) return 0.0;
+  double limit_n = hid::kMaxForceN;
+  if (described->describes_itself) limit_n = std::min(limit_n, hid::testing::kLimitN);
   if (options.x) limit_n = std::min(limit_n, options.x->force_limit_n);
   return limit_n;
 }
@@ -66,7 +66,7 @@ void disturb(Rig& rig) {
 RC_GTEST_PROP(HidLinkProperty, WhatLeavesTheHostIsAlwaysAllowedTo, ()) {
   ImpulseEngineOptions options;
   if (*rc::gen::arbitrary<bool>()) {
-    options.x = AxisFigures{1e-4, *rc::gen::inRange(1, 20'000'000) / 1e6};
+    options.x = AxisDescription{1e-4, *rc::gen::inRange(1, 20'000'000) / 1e6};
   }
   Rig rig(random_script(), options);
   rig.plug.bridged = *rc::gen::arbitrary<bool>();

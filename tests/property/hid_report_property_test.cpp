@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "device/hid_report.h"
+#include "device/hid/report.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -53,13 +53,13 @@ ForceReport any_force() {
           any<bool>(),
           any<std::uint16_t>(),
           any<std::uint16_t>(),
-          *rc::gen::inRange<std::uint16_t>(1, kLongestTimeToLiveMs + 1),
+          *rc::gen::inRange<std::uint16_t>(1, kMaxTimeToLiveMs + 1),
           {any_millinewtons(), any_millinewtons()}};
 }
 
 InfoReport any_info() {
   InfoReport info;
-  info.axes = *rc::gen::inRange<std::uint8_t>(1, kMostAxes + 1);
+  info.axes = *rc::gen::inRange<std::uint8_t>(1, kMaxAxes + 1);
   info.flags = any<std::uint8_t>() & kInfoKnown;
   info.firmware = any<std::uint32_t>();
   for (std::size_t axis = 0; axis < info.axes; ++axis) {
@@ -67,7 +67,7 @@ InfoReport any_info() {
     info.maximum_force_n.at(axis) = *rc::gen::inRange(1, 32768) / 1e3;
   }
   info.tick_us = *rc::gen::inRange<std::uint16_t>(1, 65535);
-  info.watchdog_ms = *rc::gen::inRange<std::uint16_t>(1, kLongestTimeToLiveMs + 1);
+  info.watchdog_ms = *rc::gen::inRange<std::uint16_t>(1, kMaxTimeToLiveMs + 1);
   return info;
 }
 
@@ -98,11 +98,11 @@ RC_GTEST_PROP(HidReportProperty, WhateverForceGoesInAFiniteOneWithinTheLimitCome
   force.time_to_live_ms = any<std::uint16_t>();
   const auto decoded = decode_force(encode_force(force));
   RC_ASSERT(decoded.report() != nullptr);
-  for (std::size_t axis = 0; axis < kMostAxes; ++axis) {
+  for (std::size_t axis = 0; axis < kMaxAxes; ++axis) {
     const double out_n = decoded.report()->force_n.at(axis);
     const double in_n = force.force_n.at(axis);
-    RC_ASSERT(std::abs(out_n) <= kLargestForceN);
-    if (std::abs(in_n) <= kLargestForceN) RC_ASSERT(std::abs(out_n - in_n) <= 0.50001e-3);
+    RC_ASSERT(std::abs(out_n) <= kMaxForceN);
+    if (std::abs(in_n) <= kMaxForceN) RC_ASSERT(std::abs(out_n - in_n) <= 0.50001e-3);
   }
 }
 
@@ -121,12 +121,12 @@ RC_GTEST_PROP(HidReportProperty, RandomBytesAreRefusedOrUnderstoodWhole, ()) {
   RC_ASSERT(taken <= 1);
   // -32768 mN is the one pattern that is never sent.
   if (state.report() && state.report()->minor_version == 0 &&
-      std::abs(state.report()->applied_force_n[0]) <= kLargestForceN &&
-      std::abs(state.report()->applied_force_n[1]) <= kLargestForceN) {
+      std::abs(state.report()->applied_force_n[0]) <= kMaxForceN &&
+      std::abs(state.report()->applied_force_n[1]) <= kMaxForceN) {
     RC_ASSERT(encode_state(*state.report()) == bytes);
   }
-  if (force.report() && std::abs(force.report()->force_n[0]) <= kLargestForceN &&
-      std::abs(force.report()->force_n[1]) <= kLargestForceN) {
+  if (force.report() && std::abs(force.report()->force_n[0]) <= kMaxForceN &&
+      std::abs(force.report()->force_n[1]) <= kMaxForceN) {
     RC_ASSERT(encode_force(*force.report()) == bytes);
   }
   RC_CLASSIFY(taken == 1, "understood");

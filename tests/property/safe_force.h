@@ -14,9 +14,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "app/runtime/plant_keeper.h"
-#include "app/runtime/servo_loop.h"
-#include "tests/app/runtime_support.h"
+#include "app/runtime/loop/servo_loop.h"
+#include "app/runtime/session/plant_keeper.h"
+#include "tests/app/runtime/support.h"
 #include "tests/property/extremes_scene.h"
 #include "tests/property/safe_force_devices.h"
 #include "tests/property/scene_generator.h"
@@ -37,16 +37,16 @@ inline Scene changed_somehow(Draw& draw, Scene scene) {
   if (draw.chance(0.4)) scene.algorithm.index = draw.index(algorithms().size());
   if (draw.chance(0.1)) draw_algorithm(draw, scene.algorithm);
   if (draw.chance(0.4)) {
-    scene.walls.clear();
+    scene.x().walls.clear();
     for (std::size_t i = draw.index(3); i < 3; ++i) {
-      scene.walls.push_back({.position_m = kWallM + draw.uniform(-3e-3, 3e-3),
-                             .stiffness_n_per_m = draw.zero_or(1.0, 1e6),
-                             .damping_n_s_per_m = draw.zero_or(1e-3, 1e3)});
+      scene.x().walls.push_back({.position_m = kWallM + draw.uniform(-3e-3, 3e-3),
+                                 .stiffness_n_per_m = draw.zero_or(1.0, 1e6),
+                                 .damping_n_s_per_m = draw.zero_or(1e-3, 1e3)});
     }
   }
-  if (draw.chance(0.3)) scene.device.force_limit_n = draw.log_uniform(0.01, 100.0);
-  if (draw.chance(0.2)) scene.device.mass_kg = draw.log_uniform(0.01, 1.0);
-  if (draw.chance(0.2)) scene.device.damping_n_s_per_m = draw.log_uniform(0.01, 20.0);
+  if (draw.chance(0.3)) scene.x().device.force_limit_n = draw.log_uniform(0.01, 100.0);
+  if (draw.chance(0.2)) scene.x().device.mass_kg = draw.log_uniform(0.01, 1.0);
+  if (draw.chance(0.2)) scene.x().device.damping_n_s_per_m = draw.log_uniform(0.01, 20.0);
   return scene;
 }
 
@@ -60,8 +60,8 @@ class Life {
         totals_(totals),
         device_(device),
         plants_(first),
-        exchange_(options(), {servo_settings(first), 1}),
-        loop_(device, exchange_, {servo_settings(first), 1}, false),
+        exchange_({.plot = 16}, runtime::test::parameters_of(first)),
+        loop_({&device}, exchange_, runtime::test::parameters_of(first), false),
         real_(!device.info().is_simulated) {
     settings_[1] = servo_settings(first);
   }
@@ -79,17 +79,12 @@ class Life {
     promise(device_.commands.newest_n == 0.0, "the last force is zero");
     if (real_) promise(!device_.commands.enabled, "disabled at the end");
     promise(exchange_.finished.load(), "the owner is told of the end");
-    promise(newest().sample.force_n == 0.0, "the end is shown without force");
+    promise(newest().newest.x().force_n == 0.0, "the end is shown without force");
     const std::string& broken = device_.commands.broken.promise;
     RC_ASSERT(broken == std::string());
   }
 
  private:
-  static runtime::SessionOptions options() {
-    runtime::SessionOptions options;
-    options.plot_queue_capacity = 16;
-    return options;
-  }
   void promise(bool holds, const char* what) { device_.commands.broken.unless(holds, what); }
   runtime::Snapshot newest() {
     exchange_.snapshots.update();
@@ -112,9 +107,9 @@ class Life {
 
   void judge_cycle(const runtime::Snapshot& now) {
     const bool ticked = now.timing.ticks > before_.timing.ticks;
-    Sample sample;
-    promise(exchange_.plot.try_pop(sample) == ticked, "one sample a tick");
-    if (ticked) judge_tick(sample, now);
+    Tick tick;
+    promise(exchange_.plot.try_pop(tick) == ticked, "one sample a tick");
+    if (ticked) judge_tick(tick.x(), now);
     if (!real_) return;
     const bool trouble = bad_reading_ || hole_ || disarmed_ || !ticked;
     if (trouble) may_push_ = false;
@@ -124,7 +119,7 @@ class Life {
       promise(!device_.commands.enabled, "not enabled while it is not allowed");
       promise(now.arming.gain == 0.0 || asked_, "no gain while it is not allowed");
     }
-    const double rise = kMostRise / (runtime::kArmingRampS * scene_.sampling.rate_hz);
+    const double rise = kMaxRise / (runtime::kArmingRampS * scene_.sampling.rate_hz);
     promise(now.arming.gain <= before_.arming.gain + rise, "the gain rises evenly");
     // The hole was before somebody asked.
     if (asked_ && ticked && !bad_reading_ && !disarmed_) may_push_ = true;
@@ -185,7 +180,7 @@ class Life {
   void late(runtime::test::FakeClock& clock) {
     const double late_s = draw_.chance(0.1) ? draw_.log_uniform(0.0201, 10.0)  //
                                             : draw_.uniform(0.0, 0.0199);
-    hole_ = late_s > kDefaultMaximumAgeS;
+    hole_ = late_s > kDefaultMaxAgeS;
     totals_.holes += hole_ ? 1 : 0;
     clock.advance_ns(static_cast<std::int64_t>(late_s * runtime::kNanosecondsPerSecond));
   }
@@ -198,13 +193,13 @@ class Life {
     ++generation_;
     settings_[generation_] = servo_settings(wanted);
     PlantModel* plant = real_ ? nullptr : plants_.plant_for(wanted, generation_, unread);
-    exchange_.parameters.publish({settings_[generation_], generation_, plant});
+    exchange_.parameters.publish(runtime::test::parameters_of(wanted, generation_, plant));
   }
 
   void lead() {
-    exchange_.pointer_m = draw_.chance(0.5)   ? kNotANumber
-                          : draw_.chance(0.2) ? 1.0
-                                              : draw_.uniform(0.0, 0.1);
+    exchange_.pointer_m[0] = draw_.chance(0.5)   ? kNotANumber
+                             : draw_.chance(0.2) ? 1.0
+                                                 : draw_.uniform(0.0, 0.1);
   }
 
   void command_something() {
@@ -231,8 +226,8 @@ class Life {
   }
 
   void step() {
-    constexpr std::size_t kMostSteps = 600;
-    command(CommandKind::kStep, static_cast<std::uint32_t>(1 + draw_.index(kMostSteps)));
+    constexpr std::size_t kMaxSteps = 600;
+    command(CommandKind::kStep, static_cast<std::uint32_t>(1 + draw_.index(kMaxSteps)));
   }
 
   // The handle goes into the wall and out of it, by jumps now and then; readings fail for a while.
@@ -286,7 +281,7 @@ class Life {
     (draw_.chance(0.5) ? device_.commands.throws_at_read : device_.commands.throws_at_write) = true;
   }
 
-  static constexpr double kMostRise = 1.01;  // the ramp is a whole number of ticks
+  static constexpr double kMaxRise = 1.01;  // the ramp is a whole number of ticks
 
   Scene scene_;
   Draw draw_;

@@ -54,7 +54,7 @@ TEST(SafeForce, OnARealDeviceThatFailsInEveryWay) {
   LifeTotals totals;
   EXPECT_TRUE(rc::check([&] {
     Scene scene = any_scene();
-    scene.hand.reset();  // a person's own is there
+    scene.x().hand.reset();  // a person's own is there
     const std::uint64_t seed = any_seed();
     for (std::uint64_t i = 0; i < kLivesOfAScene; ++i) {
       FaultyDevice device;

@@ -53,13 +53,13 @@ inline Scene random_scene(std::string_view algorithm) {
   scene.name = "random";
   scene.duration_s = 1.0;
   scene.sampling.rate_hz = flip() ? 1000.0 : std::round(log_uniform(200.0, 5000.0));
-  scene.device.mass_kg = log_uniform(0.01, 1.0);
-  scene.device.damping_n_s_per_m = flip() ? 1.0 : log_uniform(0.01, 20.0);
-  if (flip()) scene.device.friction_n = log_uniform(0.01, 1.0);
-  if (flip()) scene.device.encoder_m = log_uniform(1e-6, 1e-3);
-  scene.device.force_limit_n = log_uniform(1.0, 100.0);
-  scene.hand = random_hand();
-  scene.walls = {{0.05, log_uniform(100.0, 1e5), 0.0}};
+  scene.x().device.mass_kg = log_uniform(0.01, 1.0);
+  scene.x().device.damping_n_s_per_m = flip() ? 1.0 : log_uniform(0.01, 20.0);
+  if (flip()) scene.x().device.friction_n = log_uniform(0.01, 1.0);
+  if (flip()) scene.x().device.encoder_m = log_uniform(1e-6, 1e-3);
+  scene.x().device.force_limit_n = log_uniform(1.0, 100.0);
+  scene.x().hand = random_hand();
+  scene.x().walls = {{0.05, log_uniform(100.0, 1e5), 0.0}};
   scene.algorithm.index = find_algorithm(algorithm).value();
   if (flip()) {
     scene.algorithm.values.at(*find_algorithm_parameter("rest_force_step_n")) =

@@ -16,9 +16,9 @@
 #include <thread>
 #include <vector>
 
-#include "app/runtime/latency_histogram.h"
-#include "app/runtime/session.h"
-#include "tests/app/runtime_support.h"
+#include "app/runtime/loop/latency_histogram.h"
+#include "app/runtime/session/live_session.h"
+#include "tests/app/runtime/support.h"
 #include "tests/soak/researcher.h"
 #include "tests/soak/watched_clock.h"
 
@@ -32,8 +32,8 @@ constexpr std::uint64_t kTurnsAnHour = 216'000;
 constexpr int kLines = 12;
 constexpr std::uint64_t kSeed = 1;
 
-constexpr double kMostPhaseNs = 1.0;  // a deadline is a whole number of nanoseconds
-constexpr double kMostGrowthMb = 0.5;
+constexpr double kMaxPhaseNs = 1.0;  // a deadline is a whole number of nanoseconds
+constexpr double kMaxGrowthMb = 0.5;
 constexpr double kBytesInMb = 1e6;
 constexpr double kNanosecondsInMicrosecond = 1e3;
 
@@ -72,7 +72,7 @@ class MemoryAtRest {
 };
 
 // Every period was a cycle or is counted as missed, from the first deadline to now.
-bool every_period_is_accounted_for(runtime::Session& session, const WatchedClock& clock) {
+bool every_period_is_accounted_for(runtime::LiveSession& session, const WatchedClock& clock) {
   constexpr int kTries = 1000;  // the loop goes on while we look
   auto timing = std::make_unique<runtime::TimingHistograms>();
   for (int i = 0; i < kTries; ++i) {
@@ -85,7 +85,7 @@ bool every_period_is_accounted_for(runtime::Session& session, const WatchedClock
   return false;
 }
 
-void print_line(std::uint64_t turn, runtime::Session& session, const WatchedClock& clock,
+void print_line(std::uint64_t turn, runtime::LiveSession& session, const WatchedClock& clock,
                 const Tally& tally) {
   auto timing = std::make_unique<runtime::TimingHistograms>();
   session.read_timing(*timing);
@@ -115,9 +115,9 @@ int verdict(const Tally& tally, const MemoryAtRest& rest, const WatchedClock& cl
                                    ? "no sample and no row lost, no force over the limit"
                                    : tally.trouble);
   judge(accounted, "every period is a cycle or counted as missed");
-  judge(clock.worst_phase_ns() <= kMostPhaseNs,
+  judge(clock.worst_phase_ns() <= kMaxPhaseNs,
         "no deadline further from its grid than " + std::to_string(clock.worst_phase_ns()) + " ns");
-  judge(rest.growth_mb() <= kMostGrowthMb,
+  judge(rest.growth_mb() <= kMaxGrowthMb,
         "memory after a reset, the least in the first half and in the second: " +
             std::to_string(rest.first().allocated_mb) + " and " +
             std::to_string(rest.second().allocated_mb) + " MB, resident " +
@@ -133,9 +133,9 @@ int verdict(const Tally& tally, const MemoryAtRest& rest, const WatchedClock& cl
 int soak(WatchedClock& clock, double hours) {
   runtime::SessionOptions options;
   options.clock = &clock;
-  auto started = runtime::Session::start(pressing_scene(kRateHz), options);
+  auto started = runtime::LiveSession::start(pressing_scene(kRateHz), options);
   if (!started) throw std::runtime_error(started.error().message);
-  runtime::Session& session = **started;
+  runtime::LiveSession& session = **started;
   const runtime::test::TemporaryFolder folder;
   Researcher researcher(session, folder.file("soak.csv"), kSeed);
   MemoryAtRest rest;

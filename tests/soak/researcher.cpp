@@ -9,15 +9,15 @@
 #include <thread>
 #include <utility>
 
-#include "app/file/recording_reader.h"
-#include "app/file/scene_file.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::soak {
 namespace {
 
 constexpr std::uint64_t kTurnsASecond = 60;
-constexpr std::uint64_t kLongestRecordingTurns = 10 * kTurnsASecond;
+constexpr std::uint64_t kMaxRecordingTurns = 10 * kTurnsASecond;
 constexpr std::uint64_t kTurnsBetweenResets = 300 * kTurnsASecond;
 constexpr int kPresses = 200;  // two seconds each: longer than from reset to reset
 constexpr double kAwayM = 0.03;
@@ -30,15 +30,15 @@ Scene pressing_scene(double rate_hz) {
   if (!loaded) throw std::runtime_error(loaded.error().message);
   Scene scene = std::move(loaded->scene);
   scene.sampling.rate_hz = rate_hz;
-  scene.hand->path.clear();
+  scene.x().hand->path.clear();
   for (int press = 0; press < kPresses; ++press) {
-    scene.hand->path.push_back({2.0 * press, kAwayM});
-    scene.hand->path.push_back({2.0 * press + 1.0, kPressedM});
+    scene.x().hand->path.push_back({2.0 * press, kAwayM});
+    scene.x().hand->path.push_back({2.0 * press + 1.0, kPressedM});
   }
   return scene;
 }
 
-Researcher::Researcher(runtime::Session& session, std::string csv_path, std::uint64_t seed)
+Researcher::Researcher(runtime::LiveSession& session, std::string csv_path, std::uint64_t seed)
     : session_(session), path_(std::move(csv_path)), random_(seed) {}
 
 double Researcher::between(double low, double high) {
@@ -54,7 +54,7 @@ void Researcher::trouble(const std::string& text) {
 }
 
 void Researcher::turn(const std::function<void()>& on_reset) {
-  take_samples();
+  take_ticks();
   ++turn_;
   if (turn_ % kTurnsBetweenResets == 0) {
     reset(on_reset);
@@ -63,10 +63,10 @@ void Researcher::turn(const std::function<void()>& on_reset) {
   act();
 }
 
-void Researcher::take_samples() {
-  std::array<Sample, 256> some;
-  while (const std::size_t count = session_.take_samples(some)) {
-    std::for_each_n(some.begin(), count, [this](const Sample& sample) { look_at(sample); });
+void Researcher::take_ticks() {
+  std::array<Tick, 256> some;
+  while (const std::size_t count = session_.take_ticks(some)) {
+    std::for_each_n(some.begin(), count, [this](const Tick& tick) { look_at(tick.x()); });
   }
   if (session_.dropped_plot_samples() > 0) trouble("a sample was dropped on its way to the plots");
   if (session_.snapshot().ended_by_fault) trouble("the loop gave up");
@@ -83,7 +83,7 @@ void Researcher::look_at(const Sample& sample) {
   next_tick_ = sample.tick + 1;
   if ((sample.flags & kFlagInContact) != 0) ++tally_.contacts;
   tally_.largest_force_n = std::max(tally_.largest_force_n, std::abs(sample.force_n));
-  const double limit_n = session_.scene().device.force_limit_n.value();
+  const double limit_n = session_.scene().x().device.force_limit_n.value();
   if (!(std::abs(sample.force_n) <= limit_n)) {
     trouble("tick " + std::to_string(sample.tick) + ": a force of " +
             std::to_string(sample.force_n) + " N");
@@ -123,17 +123,17 @@ void Researcher::another_algorithm(Scene& scene) {
 }
 
 void Researcher::another_wall(Scene& scene) {
-  scene.walls[0].stiffness_n_per_m = std::pow(10.0, between(2.0, 5.0));
-  scene.walls[0].damping_n_s_per_m = between(0.0, 2.0);
+  scene.x().walls[0].stiffness_n_per_m = std::pow(10.0, between(2.0, 5.0));
+  scene.x().walls[0].damping_n_s_per_m = between(0.0, 2.0);
 }
 
 void Researcher::another_device(Scene& scene) {
-  scene.device.mass_kg = between(0.03, 0.3);
-  scene.device.damping_n_s_per_m = between(0.2, 3.0);
+  scene.x().device.mass_kg = between(0.03, 0.3);
+  scene.x().device.damping_n_s_per_m = between(0.2, 3.0);
   if (once_in(2)) {
-    scene.device.friction_n.reset();
+    scene.x().device.friction_n.reset();
   } else {
-    scene.device.friction_n = between(0.02, 0.5);
+    scene.x().device.friction_n = between(0.02, 0.5);
   }
 }
 
@@ -156,7 +156,7 @@ void Researcher::start_recording() {
     return;
   }
   recording_ = true;
-  recorded_until_turn_ = turn_ + kLongestRecordingTurns;
+  recorded_until_turn_ = turn_ + kMaxRecordingTurns;
 }
 
 void Researcher::stop_recording() {
@@ -188,14 +188,14 @@ void Researcher::reset(const std::function<void()>& on_reset) {
   while (session_.snapshot().resets == before && !session_.snapshot().ended_by_fault) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  take_samples();
+  take_ticks();
   ++tally_.resets;
   on_reset();
 }
 
 void Researcher::leave() {
   if (recording_) stop_recording();
-  take_samples();
+  take_ticks();
 }
 
 }  // namespace hapticwall::soak

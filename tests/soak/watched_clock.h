@@ -8,8 +8,8 @@
 #include <mutex>
 #include <random>
 
-#include "app/runtime/clock.h"
-#include "app/runtime/realtime_setup.h"
+#include "app/runtime/loop/clock.h"
+#include "app/runtime/loop/realtime_setup.h"
 
 namespace hapticwall::soak {
 

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tests/device/emulator_support.h"
+#include "tests/device/emulator/emulator_support.h"
 
 namespace hapticwall::device::hid::testing {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "device/hid_report.h"
+#include "device/hid/report.h"
 #include "tests/umockdev/hidraw_node.h"
 
 namespace hapticwall::device::hid::testing {

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/device/emulator_support.h"
+#include "tests/device/emulator/emulator_support.h"
 #include "tests/umockdev/hidraw_test.h"
 
 namespace hapticwall::device::hid::testing {

@@ -4,9 +4,8 @@
 
 #include <utility>
 
-#include "app/ui/appearance.h"
-#include "app/ui/comparing.h"
-#include "app/ui/replay_state.h"
+#include "app/ui/state/appearance.h"
+#include "app/ui/state/comparing.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/window/recordings.h"
 
@@ -40,10 +39,10 @@ void step(Person& person, const Press& press) {
   person.session().pause(true);
   person.wait_until([&] { return is_paused(person); }, "pause");
   person.wait_a_frame();
-  const std::uint64_t before = person.session().snapshot().sample.tick;
+  const std::uint64_t before = person.session().snapshot().newest.x().tick;
   press();
-  person.wait_until([&] { return person.session().snapshot().sample.tick > before; }, "a tick");
-  EXPECT_EQ(person.session().snapshot().sample.tick, before + 1);
+  person.wait_until([&] { return person.session().snapshot().newest.x().tick > before; }, "a tick");
+  EXPECT_EQ(person.session().snapshot().newest.x().tick, before + 1);
   person.session().pause(false);
   person.wait_until([&] { return !is_paused(person); }, "running");
 }
@@ -67,7 +66,7 @@ std::size_t algorithm(Person& person) { return person.scene().algorithm.index; }
 void set_algorithm(Person& person, std::size_t index) {
   AlgorithmSettings settings = person.scene().algorithm;
   settings.index = index;
-  EXPECT_FALSE(person.session().set_algorithm(settings));
+  EXPECT_FALSE(person.live().set_algorithm(settings));
   person.wait_a_frame();
 }
 
@@ -129,10 +128,10 @@ void put_away(Person& person, const Press& press) {
 }
 
 void next_trigger(Person& person, const Press& press) {
-  using enum ui::TriggerMode;
+  using enum draw::TriggerMode;
   const auto mode = [&] { return person.state().plots.persisted.trigger.mode; };
   EXPECT_EQ(mode(), kOff);
-  for (const ui::TriggerMode next : {kAuto, kNormal, kSingle, kOff}) {
+  for (const draw::TriggerMode next : {kAuto, kNormal, kSingle, kOff}) {
     press();
     EXPECT_EQ(mode(), next);
   }
@@ -156,7 +155,7 @@ std::vector<KeyRow> window_key_rows() {
 
 // ---- with a recording open
 
-runtime::ReplaySession& replay(Person& person) { return *ui::replay_of(person.session()); }
+runtime::ReplaySession& replay(Person& person) { return *person.replay(); }
 
 KeyRow in_replay(std::string what, std::function<void(Person&, const Press&)> check) {
   return {std::move(what), [check = std::move(check)](Person& person, const Press& press) {
@@ -171,9 +170,9 @@ KeyRow in_replay(std::string what, std::function<void(Person&, const Press&)> ch
 void step_back(Person& person, const Press& press) {
   replay(person).seek(replay(person).end_s());
   person.wait_a_frame();
-  const std::uint64_t before = person.session().snapshot().sample.tick;
+  const std::uint64_t before = person.session().snapshot().newest.x().tick;
   press();
-  EXPECT_LT(person.session().snapshot().sample.tick, before);
+  EXPECT_LT(person.session().snapshot().newest.x().tick, before);
 }
 
 void change_speed(Person& person, const Press& press, double way) {
@@ -186,7 +185,7 @@ void go_to_mark(Person& person, const Press& press, double from_s, std::uint64_t
   replay(person).seek(from_s);
   person.wait_a_frame();
   press();
-  EXPECT_EQ(person.session().snapshot().sample.tick, tick);
+  EXPECT_EQ(person.session().snapshot().newest.x().tick, tick);
 }
 
 std::vector<KeyRow> replay_key_rows() {

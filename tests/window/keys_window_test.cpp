@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/keys.h"
+#include "app/ui/window/keys.h"
 #include "tests/window/key_rows.h"
 #include "tests/window/window_test.h"
 
@@ -97,7 +97,7 @@ TEST_P(KeysWindowTest, WhatIsTypedIntoAFieldIsNoKey) {
     EXPECT_FALSE(person.session().snapshot().paused);
     EXPECT_TRUE(person.state().transient.follow);
     EXPECT_FALSE(person.state().plots.transient.cursors.shown);
-    EXPECT_EQ(person.state().plots.persisted.trigger.mode, ui::TriggerMode::kOff);
+    EXPECT_EQ(person.state().plots.persisted.trigger.mode, draw::TriggerMode::kOff);
     EXPECT_EQ(person.session().snapshot().resets, 0U);
     person.press(ImGuiKey_Enter);
     EXPECT_EQ(person.state().transient.recording_name, "apfct123r");

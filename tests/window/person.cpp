@@ -16,7 +16,7 @@ constexpr std::chrono::seconds kPatience{60};
 }  // namespace
 
 std::string kind_of(const std::string& item) {
-  for (const char* kind : {"legend ghost", "legend under"}) {
+  for (const char* kind : {"ghost of", "under "}) {
     if (item.starts_with(kind)) return kind;
   }
   for (const char* kind : {"toast ", "recent "}) {
@@ -25,13 +25,13 @@ std::string kind_of(const std::string& item) {
   return item;
 }
 
-runtime::RecordingStatus Person::recording() const { return session().recording_status(); }
+runtime::RecordingStatus Person::recording() const { return live().recording_status(); }
 
-bool Person::sees(const std::string& item) const { return state().transient.items.contains(item); }
+bool Person::sees(const std::string& item) { return find_item(item).has_value(); }
 
-std::vector<std::string> Person::items_called(std::string_view beginning) const {
+std::vector<std::string> Person::items_called(std::string_view beginning) {
   std::vector<std::string> names;
-  for (const auto& [name, rect] : state().transient.items) {
+  for (const auto& [name, rect] : drawn_items()) {
     if (name.starts_with(beginning)) names.push_back(name);
   }
   return names;
@@ -41,19 +41,15 @@ std::string Person::clipboard() const { return ImGui::GetClipboardText(); }
 
 bool Person::is_stuck() const { return engine_->IsError(); }
 
-std::optional<ui::ItemRect> Person::take(const std::string& item) {
+std::optional<ItemRect> Person::take(const std::string& item) {
   log_->used.insert(kind_of(item));
-  const auto& items = state().transient.items;
-  const auto found = items.find(item);
-  if (found == items.end()) {
-    ADD_FAILURE() << "'" << item << "' is not there";
-    return std::nullopt;
-  }
-  return found->second;
+  auto found = find_item(item);
+  if (!found) ADD_FAILURE() << "'" << item << "' is not there";
+  return found;
 }
 
 // What has an identity is scrolled into view, and must be what the pointer then really meets.
-void Person::point_at(const ui::ItemRect& rect) {
+void Person::point_at(const ItemRect& rect) {
   if (rect.id != 0) {
     engine_->MouseMove(rect.id);
   } else {
@@ -87,8 +83,7 @@ void Person::hover(const std::string& item) {
   if (place.y >= screen.y) {  // below the end of a panel that scrolls
     ImGuiWindow* panel = engine_->FindHoveredWindowAtPos(ImVec2(place.x, 0.5F * screen.y));
     engine_->ScrollToPosY(panel->ID, place.y);
-    const auto now = state().transient.items.find(item);
-    if (now != state().transient.items.end()) place = now->second.centre();
+    if (const auto now = find_item(item)) place = now->centre();
     EXPECT_LT(place.y, screen.y) << "'" << item << "' cannot be brought to light";
   }
   engine_->MouseMoveToPos(place);
@@ -135,6 +130,7 @@ void Person::ctrl_click(const std::string& item) {
 
 void Person::choose(const std::string& item, const std::string& word) {
   click(item);
+  log_->used.insert(kind_of(word));
   engine_->ItemClick(("//$FOCUSED/" + word).c_str());
 }
 
@@ -151,12 +147,12 @@ void Person::write(const std::string& text) {
 }
 
 void Person::put_everything_away() {
-  constexpr int kMost = 100;
+  constexpr int kMax = 100;
   const auto something = [this] {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) || state().transient.help_shown ||
            !state().transient.toasts.list().empty();
   };
-  for (int i = 0; i < kMost && something() && !is_stuck(); ++i) press(ImGuiKey_Escape);
+  for (int i = 0; i < kMax && something() && !is_stuck(); ++i) press(ImGuiKey_Escape);
   EXPECT_FALSE(something()) << "Escape does not put everything away";
 }
 

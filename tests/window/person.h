@@ -12,7 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/ui/application.h"
+#include "app/ui/window/application.h"
+#include "tests/app/ui/items.h"
 
 struct ImGuiTestContext;
 
@@ -36,13 +37,15 @@ class Person {
 
   // ---- what is there
   [[nodiscard]] ui::UiState& state() const { return application_->state(); }
-  [[nodiscard]] runtime::Session& session() const { return application_->session(); }
+  [[nodiscard]] runtime::SampleSource& session() const { return application_->session(); }
+  [[nodiscard]] runtime::LiveSession& live() const { return *application_->live(); }
+  [[nodiscard]] runtime::ReplaySession* replay() const { return application_->replay(); }
   [[nodiscard]] const Scene& scene() const { return application_->session().scene(); }
-  [[nodiscard]] const ui::SampleHistory& history() const { return application_->history(); }
+  [[nodiscard]] const draw::SampleHistory& history() const { return application_->history(); }
   [[nodiscard]] runtime::RecordingStatus recording() const;
   [[nodiscard]] ui::Message message() const { return state().transient.toasts.newest(); }
-  [[nodiscard]] bool sees(const std::string& item) const;
-  [[nodiscard]] std::vector<std::string> items_called(std::string_view beginning) const;
+  [[nodiscard]] static bool sees(const std::string& item);
+  [[nodiscard]] static std::vector<std::string> items_called(std::string_view beginning);
   [[nodiscard]] std::string clipboard() const;
   // Something could not be used: nothing more is done.
   [[nodiscard]] bool is_stuck() const;
@@ -77,8 +80,8 @@ class Person {
   bool wait_for_ticks(std::uint64_t ticks);
 
  private:
-  [[nodiscard]] std::optional<ui::ItemRect> take(const std::string& item);
-  void point_at(const ui::ItemRect& rect);
+  [[nodiscard]] std::optional<ItemRect> take(const std::string& item);
+  void point_at(const ItemRect& rect);
 
   ImGuiTestContext* engine_;
   ui::Application* application_;

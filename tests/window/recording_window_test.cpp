@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/file/recording_reader.h"
+#include "app/file/recording/recording_reader.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/window/window_test.h"
 
@@ -90,10 +90,10 @@ TEST_P(RecordingWindowTest, IsRepeatableWithTheValuesThatWereChangedMeanwhile) {
   const file::LoadedScene& loaded = reader->info().loaded;
   EXPECT_EQ(loaded.not_repeatable_because, "");
   ASSERT_GE(loaded.changes.size(), 3U);
-  EXPECT_EQ(loaded.changes.front().scene.walls.front().stiffness_n_per_m, 12345.0);
-  const WallSettings& last = loaded.changes.back().scene.walls.front();
+  EXPECT_EQ(loaded.changes.front().scene.x().walls.front().stiffness_n_per_m, 12345.0);
+  const WallSettings& last = loaded.changes.back().scene.x().walls.front();
   EXPECT_EQ(last.stiffness_n_per_m, 12345.0);
-  EXPECT_EQ(last.damping_n_s_per_m, options_.scene.walls.front().damping_n_s_per_m)
+  EXPECT_EQ(last.damping_n_s_per_m, options_.scene.x().walls.front().damping_n_s_per_m)
       << "the drag was one step to undo";
 }
 
@@ -169,12 +169,12 @@ TEST_P(RecordingWindowTest, ExportsWhatIsSeen) {
   ASSERT_NE(reader, nullptr);
   EXPECT_GE(reader->rows(), 300U);
   EXPECT_EQ(reader->info().scanned.missing_rows, 0U);
-  std::array<Sample, 1> first{};
-  std::array<Sample, 1> last{};
+  std::array<Tick, 1> first{};
+  std::array<Tick, 1> last{};
   ASSERT_TRUE(reader->read(0, first).ok());
   ASSERT_TRUE(reader->read(reader->rows() - 1, last).ok());
-  EXPECT_GE(first.front().time_s, from_s);
-  EXPECT_LE(last.front().time_s, to_s);
+  EXPECT_GE(first.front().x().time_s, from_s);
+  EXPECT_LE(last.front().x().time_s, to_s);
 }
 
 HAPTICWALL_ON_BOTH_SCREENS(RecordingWindowTest);

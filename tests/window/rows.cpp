@@ -32,11 +32,10 @@ void expect_flips(Person& person, const std::string& item, const Look& look) {
 Row shown(std::string item, std::function<void(Person&)> first) {
   return row(std::move(item), std::move(first), [](Person& person, const std::string& name) {
     person.hover(name);
-    const auto& items = person.state().transient.items;
-    const auto found = items.find(name);
-    ASSERT_NE(found, items.end());
-    EXPECT_GT(found->second.to.x, found->second.from.x);
-    EXPECT_GT(found->second.to.y, found->second.from.y);
+    const auto found = find_item(name);
+    ASSERT_TRUE(found);
+    EXPECT_GT(found->to.x, found->from.x);
+    EXPECT_GT(found->to.y, found->from.y);
   });
 }
 

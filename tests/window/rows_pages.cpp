@@ -5,19 +5,18 @@
 #include <filesystem>
 #include <string>
 
-#include "app/runtime/replay_session.h"
-#include "app/ui/blind_test.h"
-#include "app/ui/comparing.h"
-#include "app/ui/replay_state.h"
+#include "app/runtime/session/replay_session.h"
+#include "app/ui/state/blind_test.h"
+#include "app/ui/state/comparing.h"
 #include "tests/window/recordings.h"
 #include "tests/window/rows.h"
 
 namespace hapticwall::test {
 namespace {
 
-using runtime::Slot;
+using compare::Slot;
 
-runtime::ReplaySession& replayed(Person& person) { return *ui::replay_of(person.session()); }
+runtime::ReplaySession& replayed(Person& person) { return *person.replay(); }
 
 Row page(const char* name, ui::LowerPage wanted) {
   return sets(
@@ -33,10 +32,9 @@ void go_to_page(Person& person, const char* name) {
 
 void hover_timing(Person& person) {
   go_to_page(person, "Timing");
-  for (const std::string& item : person.items_called("timing ")) {
-    if (item != "timing clear") person.hover(item);
-  }
-  for (const char* item : {"histogram wake-up", "histogram compute"}) person.hover(item);
+  for (const char* item : {"median", "p99", "p99.9", "max", "ticks", "missed ticks",
+                           "plot Wake-up latency", "plot Compute time"})
+    person.hover(item);
   const std::uint64_t before = person.state().timing.shown.ticks;
   person.wait_until([&] { return person.state().timing.shown.ticks > before + 50; }, "ticks");
   person.click("timing clear");
@@ -68,7 +66,7 @@ void touch(Person& person) {
   person.wait_until([&] { return person.session().snapshot().resets > resets; }, "the reset");
   person.wait_until(
       [&] {
-        const Sample sample = person.session().snapshot().sample;
+        const Sample sample = person.session().snapshot().newest.x();
         return (sample.flags & kFlagInContact) != 0 && sample.time_s > 1.0;
       },
       "a contact");
@@ -78,8 +76,8 @@ void see_a_ghost(Person& person) {
   touch(person);
   person.click("slot B");
   touch(person);
-  person.wait_until([&] { return !person.items_called("legend ghost").empty(); }, "a ghost");
-  for (const std::string& legend : person.items_called("legend ghost")) person.hover(legend);
+  person.wait_until([&] { return !person.items_called("ghost of").empty(); }, "a ghost");
+  for (const std::string& legend : person.items_called("ghost of")) person.hover(legend);
   person.click("slot A");
 }
 
@@ -98,8 +96,8 @@ void set_up_blind_test(Person& person) {
 }
 
 void answer(Person& person, const char* choice) {
-  person.hover("energy hidden");
-  person.hover("blind progress");
+  person.hover("energy: hidden");
+  person.hover("trial …");
   person.click("feel first");
   person.click("feel second");
   person.click(choice);
@@ -112,8 +110,8 @@ void take_blind_test(Person& person) {
   EXPECT_FALSE(ui::blind_test_runs(person.state()));
   ASSERT_TRUE(person.state().compare.transient.test.has_value());
   EXPECT_EQ(person.state().compare.transient.test->trials.result().trials, 2U);
-  for (const char* item : {"blind answered", "blind share", "blind interval", "blind p-value",
-                           "blind first", "blind verdict", "blind trial list"}) {
+  for (const char* item : {"answered", "chose A", "share of A", "p-value", "chose the first",
+                           "trial", "order", "chosen", "looks", "time"}) {
     person.hover(item);
   }
   person.click("blind save");
@@ -144,7 +142,6 @@ void set_a_mark(Person& person) {
 }
 
 void move_in_time(Person& person) {
-  for (const char* item : {"recording file", "replay time"}) person.hover(item);
   const double before_s = replayed(person).position_s();
   person.drag_from("time slider", ImVec2(0.1F, 0.5F), ImVec2(40.0F, 0.0F));
   EXPECT_NE(replayed(person).position_s(), before_s);
@@ -168,12 +165,12 @@ void rerun_under_all(Person& person) {
   person.click("re-run");
   person.wait_a_frame();
   for (const std::string& choice : person.items_called("re-run ")) {
-    if (choice == "re-run progress" || choice == "re-run nothing") continue;
+    if (choice == "re-run nothing") continue;
     if (!person.sees(choice)) person.click("re-run");
     person.click(choice);
     person.wait_until([&] { return replayed(person).overlay() != nullptr; }, "what is laid over");
     person.wait_a_frame();
-    for (const std::string& legend : person.items_called("legend under ")) person.hover(legend);
+    for (const std::string& legend : person.items_called("under ")) person.hover(legend);
   }
   person.click("re-run");
   person.click("re-run nothing");
@@ -216,21 +213,24 @@ void open_a_recording(Person& person) {
   set_a_mark(person);
   const std::string path = person.recording().path;
   person.drop(std::array{path});
-  person.wait_until([&] { return ui::replay_of(person.session()) != nullptr; }, "the recording");
+  person.wait_until([&] { return person.replay() != nullptr; }, "the recording");
   person.wait_a_frame();
 }
 
 void back_to_the_scene(Person& person) {
   person.click("back to the scene");
-  person.wait_until([&] { return ui::replay_of(person.session()) == nullptr; }, "the scene");
+  person.wait_until([&] { return person.replay() == nullptr; }, "the scene");
   person.wait_a_frame();
   person.put_everything_away();
 }
 
 Table page_rows() {
   using enum ui::LowerPage;
-  return {page("Timing", kTiming),        page("Blind test", kBlindTest), page("Plots", kPlots),
-          {"timing clear", hover_timing}, shown("energy lamp"),           shown("readout")};
+  return {page("Timing", kTiming),
+          page("Blind test", kBlindTest),
+          page("Plots", kPlots),
+          {"timing clear", hover_timing},
+          shown("penetration")};
 }
 
 Table compare_rows() {

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/window/rows.h"
 
@@ -62,11 +62,11 @@ Row figure(const char* label, const char* algorithm, ui::PlotArrangement arrange
 }
 
 void go_back_to_scene(Person& person) {
-  const double before = person.scene().walls.front().stiffness_n_per_m;
+  const double before = person.scene().x().walls.front().stiffness_n_per_m;
   person.type("stiffness", "1234");
-  EXPECT_EQ(person.scene().walls.front().stiffness_n_per_m, 1234.0);
+  EXPECT_EQ(person.scene().x().walls.front().stiffness_n_per_m, 1234.0);
   person.click("reset to scene");
-  EXPECT_EQ(person.scene().walls.front().stiffness_n_per_m, before);
+  EXPECT_EQ(person.scene().x().walls.front().stiffness_n_per_m, before);
 }
 
 std::size_t chosen_algorithm(Person& person) { return person.scene().algorithm.index; }
@@ -119,19 +119,19 @@ void use_algorithm(Person& person, std::size_t index) {
   }
 }
 
-double stiffness(Person& person) { return person.scene().walls.front().stiffness_n_per_m; }
-double damping(Person& person) { return person.scene().walls.front().damping_n_s_per_m; }
-double position_mm(Person& person) { return person.scene().walls.front().position_m * 1e3; }
+double stiffness(Person& person) { return person.scene().x().walls.front().stiffness_n_per_m; }
+double damping(Person& person) { return person.scene().x().walls.front().damping_n_s_per_m; }
+double position_mm(Person& person) { return person.scene().x().walls.front().position_m * 1e3; }
 
 void choose_wall(Person& person, const std::string& scene_of_two_walls) {
   person.drop(std::array{scene_of_two_walls});
-  person.wait_until([&] { return person.scene().walls.size() == 2; }, "two walls");
+  person.wait_until([&] { return person.scene().x().walls.size() == 2; }, "two walls");
   person.wait_a_frame();
   person.click("wall 2");
   EXPECT_EQ(person.state().transient.chosen_wall, 1U);
   const double first = stiffness(person);
   person.type("stiffness", "4321");
-  EXPECT_EQ(person.scene().walls.back().stiffness_n_per_m, 4321.0);
+  EXPECT_EQ(person.scene().x().walls.back().stiffness_n_per_m, 4321.0);
   EXPECT_EQ(stiffness(person), first);
   person.click("wall 1");
   EXPECT_EQ(person.state().transient.chosen_wall, 0U);
@@ -201,9 +201,6 @@ Table wall_rows(const std::string& scene_of_two_walls) {
           slides("damping-slider", damping),
           takes("position", "51", position_mm, 51.0),
           shown("bound, passive"),
-          shown("bound, delay"),
-          shown("bound, friction"),
-          shown("bound, resolution"),
           {"wall 2",
            [scene_of_two_walls](Person& person) { choose_wall(person, scene_of_two_walls); }}};
 }
@@ -212,7 +209,7 @@ Table loop_rows() {
   return {{"rate", change_rate},
           {"integrator", choose_integrators},
           {"substeps", type_substeps},
-          shown("cost"),
+          shown("cost of a tick"),
           shown("energy error")};
 }
 

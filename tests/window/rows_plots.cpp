@@ -4,13 +4,12 @@
 
 #include <array>
 
-#include "app/ui/plots_state.h"
 #include "tests/window/rows.h"
 
 namespace hapticwall::test {
 namespace {
 
-using ui::PlotId;
+using draw::PlotId;
 
 constexpr std::array kAllPlots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
                                PlotId::kPassivity};
@@ -70,6 +69,9 @@ void choose_arrangements(Person& person) {
     person.wait_a_frame();
     person.click(name);
     EXPECT_EQ(person.state().persisted.arrangement, value);
+    person.wait_a_frame();
+    EXPECT_EQ(person.sees("plot Passivity"), value != kFigure5And6);
+    EXPECT_EQ(person.sees("plot Stiffness"), value != kFigure4);
   }
 }
 
@@ -110,7 +112,7 @@ void slide_pre_trigger(Person& person) {
   EXPECT_GT(share(), before);
 }
 
-Row trigger(ui::TriggerMode mode, const char* name) {
+Row trigger(draw::TriggerMode mode, const char* name) {
   return sets(fmt::format("trigger {}", name), trigger_mode, static_cast<double>(mode),
               open_trigger);
 }
@@ -150,18 +152,18 @@ void show_cursor_table(Person& person) {
 
 // ---- the plots
 
-ui::LineSet chosen(Person& person, PlotId id) {
+draw::LineSet chosen(Person& person, PlotId id) {
   return person.state().plots.persisted.lines[static_cast<std::size_t>(id)];
 }
 
 void open_signals(Person& person, PlotId id) {
-  person.click(std::string("signals ") + ui::plot_description(id).title);
+  person.click(std::string("signals ") + draw::plot_description(id).title);
   person.wait_a_frame();
 }
 
 void choose_every_signal(Person& person, PlotId id) {
   open_signals(person, id);
-  for (const ui::PlotLine& line : ui::plot_description(id).lines) {
+  for (const draw::PlotLine& line : draw::plot_description(id).lines) {
     expect_flips(person, std::string("signal ") + line.name,
                  [id](Person& p) { return static_cast<double>(chosen(p, id)); });
   }
@@ -169,8 +171,8 @@ void choose_every_signal(Person& person, PlotId id) {
 
 void show_all_signals(Person& person, PlotId id) {
   open_signals(person, id);
-  for (const ui::PlotLine& line : ui::plot_description(id).lines) {
-    if ((chosen(person, id) & ui::line_bit(line.quantity)) == 0)
+  for (const draw::PlotLine& line : draw::plot_description(id).lines) {
+    if ((chosen(person, id) & draw::line_bit(line.quantity)) == 0)
       person.click(std::string("signal ") + line.name);
   }
   person.put_everything_away();
@@ -178,12 +180,12 @@ void show_all_signals(Person& person, PlotId id) {
 
 void hide_every_line(Person& person, PlotId id) {
   show_all_signals(person, id);
-  for (const ui::PlotLine& line : ui::plot_description(id).lines) {
+  for (const draw::PlotLine& line : draw::plot_description(id).lines) {
     expect_flips(person, std::string("legend ") + line.name, [&line](Person& p) {
-      return static_cast<double>(p.state().persisted.hidden_lines & ui::line_bit(line.quantity));
+      return static_cast<double>(p.state().persisted.hidden_lines & draw::line_bit(line.quantity));
     });
   }
-  person.state().plots.persisted.lines = ui::usual_lines();
+  person.state().plots.persisted.lines = draw::usual_lines();
   person.wait_a_frame();
 }
 
@@ -205,7 +207,7 @@ void drag_and_zoom_time(Person& person, const std::string& plot) {
 }
 
 Row time_of(PlotId id) {
-  const std::string item = std::string("plot ") + ui::plot_description(id).title;
+  const std::string item = std::string("plot ") + draw::plot_description(id).title;
   return {item, [item](Person& person) { drag_and_zoom_time(person, item); }};
 }
 
@@ -216,7 +218,7 @@ void use_phase_plane(Person& person) {
   person.wait_a_frame();
   expect_flips(person, "last contact", [&](Person&) { return phase.last_contact ? 1.0 : 0.0; });
   expect_flips(person, "true", [&](Person&) { return phase.true_position ? 1.0 : 0.0; });
-  person.hover("loop energy");
+  person.hover(person.sees("in …") ? "in …" : "out …");
   person.turn_wheel("plot Phase", 1.0F);
   EXPECT_TRUE(person.state().plots.transient.phase.force.manual);
   person.double_click("plot Phase");
@@ -236,7 +238,7 @@ Table view_rows() {
 }
 
 Table plot_control_rows() {
-  using enum ui::TriggerMode;
+  using enum draw::TriggerMode;
   return {{"arrangement", choose_arrangements},
           {"follow", freeze_and_follow},
           {"time window", choose_lengths},
@@ -259,9 +261,9 @@ Table plot_rows() {
   Table table{{"phase plane", use_phase_plane}, {"bounds", toggle_bounds}};
   for (const PlotId id : kAllPlots) {
     table.push_back(time_of(id));
-    table.push_back({std::string("signals ") + ui::plot_description(id).title,
+    table.push_back({std::string("signals ") + draw::plot_description(id).title,
                      [id](Person& person) { choose_every_signal(person, id); }});
-    table.push_back({std::string("legend ") + ui::plot_description(id).lines.front().name,
+    table.push_back({std::string("legend ") + draw::plot_description(id).lines.front().name,
                      [id](Person& person) { hide_every_line(person, id); }});
   }
   return table;
@@ -269,8 +271,7 @@ Table plot_rows() {
 
 Table status_rows() {
   Table table;
-  for (const char* item : {"device state", "rate state", "missed state", "wake-up state",
-                           "compute state", "plot drops state", "frame state", "realtime"})
+  for (const char* item : {"Simulator", "missed", "wake-up", "compute", "plot drops", "frame"})
     table.push_back(shown(item));
   return table;
 }

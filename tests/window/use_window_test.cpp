@@ -4,9 +4,9 @@
 #include <array>
 #include <string>
 
-#include "app/file/settings_text.h"
-#include "app/file/small_file.h"
-#include "app/ui/magnifier.h"
+#include "app/file/disk/small_file.h"
+#include "app/file/scene/settings_text.h"
+#include "app/ui/panel/magnifier.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/window/rows.h"
 #include "tests/window/window_test.h"
@@ -18,7 +18,7 @@ class UseWindowTest : public WindowTest {
  protected:
   file::Settings kept_settings() const {
     const auto text =
-        file::read_small_file(home_.settings_path(), "settings", file::kLargestSettings);
+        file::read_small_file(home_.settings_path(), "settings", file::kMaxSettingsBytes);
     EXPECT_TRUE(text.ok()) << text.error().message;
     const auto settings = file::parse_settings(*text, "settings");
     EXPECT_TRUE(settings.ok());
@@ -36,7 +36,7 @@ TEST_P(UseWindowTest, OpensASceneThatIsDroppedOntoIt) {
     EXPECT_EQ(person.scene().name, "press");
     person.drop(std::array{good});
     person.wait_until([&] { return person.scene().name == "dropped"; }, "the scene");
-    EXPECT_EQ(person.scene().walls.front().stiffness_n_per_m, 777.0);
+    EXPECT_EQ(person.scene().x().walls.front().stiffness_n_per_m, 777.0);
     person.wait_for_ticks(10);
     ASSERT_FALSE(person.state().persisted.recent.empty());
     EXPECT_EQ(person.state().persisted.recent.front(), good);
@@ -64,7 +64,7 @@ TEST_P(UseWindowTest, ARefusedValueIsSaidAndChangesNothing) {
     }
     person.type("device.mass_kg", "0.06");
     EXPECT_FALSE(person.state().transient.refusal);
-    EXPECT_EQ(person.scene().device.mass_kg, 0.06);
+    EXPECT_EQ(person.scene().x().device.mass_kg, 0.06);
     EXPECT_TRUE(person.state().transient.undo.redo_text().empty());
   });
 }
@@ -90,7 +90,7 @@ TEST_P(UseWindowTest, EveryStepIsTakenBackAndDoneAgain) {
     person.write("4000");
     person.press(ImGuiKey_Enter);
     const Scene at_last = person.scene();
-    EXPECT_EQ(at_last.walls.front().stiffness_n_per_m, 4000.0);
+    EXPECT_EQ(at_last.x().walls.front().stiffness_n_per_m, 4000.0);
     EXPECT_EQ(person.state().transient.undo.size(), 5U) << "a drag is one step";
     for (int i = 0; i < 4; ++i) person.click("undo");
     EXPECT_TRUE(ui::same_scene(person.scene(), at_first));
@@ -119,7 +119,7 @@ TEST_P(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
   EXPECT_EQ(kept.at("plots.time_window_s"), file::SettingValue(1.0));
   use([](Person& person) {
     const ui::UiState& state = person.state();
-    EXPECT_EQ(state.persisted.look, ui::Look::kLight);
+    EXPECT_EQ(state.persisted.look, draw::Look::kLight);
     EXPECT_EQ(state.persisted.scale_percent, 110);
     EXPECT_EQ(state.persisted.time_window_s, 1.0);
     EXPECT_NE(state.persisted.hidden_lines, 0U);
@@ -132,7 +132,7 @@ TEST_P(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
 TEST_P(UseWindowTest, TheButtonsOfTheMagnifierStayWhereTheyAre) {
   use([](Person& person) {
     ui::WallState& wall = person.state().wall;
-    const auto place = [&] { return person.state().transient.items.at("magnify more").from.x; };
+    const auto place = [&] { return find_item("magnify more")->from.x; };
     wall.persisted.magnification = ui::kMagnifications.front();
     person.wait_a_frame();
     const float before = place();
@@ -167,7 +167,7 @@ TEST_P(UseWindowTest, ThePointerLeadsTheHandWhileItIsDown) {
     const double led_m = *person.state().transient.hand_m;
     person.wait_until(
         [&] {
-          return std::abs(person.session().snapshot().sample.truth.hand_path_m - led_m) < 1e-9;
+          return std::abs(person.session().snapshot().newest.x().truth.hand_path_m - led_m) < 1e-9;
         },
         "the hand where it was let go");
     person.click("hand stays");
@@ -178,10 +178,10 @@ TEST_P(UseWindowTest, ThePointerLeadsTheHandWhileItIsDown) {
 TEST_P(UseWindowTest, AManualAxisStaysWhileTheSessionRuns) {
   use([](Person& person) {
     const auto& axes = person.state().plots.transient.axes;
-    const auto& force = axes[static_cast<std::size_t>(ui::PlotId::kForce)].left;
+    const auto& force = axes[static_cast<std::size_t>(draw::PlotId::kForce)].left;
     person.drag_from("plot Force", ImVec2(-0.04F, 0.5F), ImVec2(0.0F, 25.0F));
     ASSERT_TRUE(force.manual);
-    const ui::ValueAxis before = force;
+    const draw::ValueAxis before = force;
     person.wait_for_ticks(300);
     person.wait_a_frame();
     EXPECT_EQ(force.minimum, before.minimum);
@@ -221,7 +221,7 @@ TEST_P(UseWindowTest, ASingleTriggerCatchesTheContactAndKeepsIt) {
     person.click("trigger single");
     person.put_everything_away();
     person.click("reset");
-    person.wait_until([&] { return trigger.stage == ui::TriggerStage::kDone; }, "a contact");
+    person.wait_until([&] { return trigger.stage == draw::TriggerStage::kDone; }, "a contact");
     person.wait_a_frame();
     EXPECT_FALSE(person.state().transient.follow);
     ASSERT_TRUE(trigger.contact_s);

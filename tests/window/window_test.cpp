@@ -1,5 +1,7 @@
 #include "tests/window/window_test.h"
 
+#include "tests/app/ui/items.h"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -14,12 +16,12 @@
 #include <memory>
 #include <utility>
 
-#include "app/file/atomic_file.h"
-#include "app/file/scene_file.h"
-#include "app/file/settings_text.h"
-#include "app/file/user_folders.h"
-#include "app/ui/offscreen.h"
-#include "app/ui/theme.h"
+#include "app/draw/figure/offscreen.h"
+#include "app/draw/plot/theme.h"
+#include "app/file/disk/atomic_file.h"
+#include "app/file/disk/user_folders.h"
+#include "app/file/scene/scene_file.h"
+#include "app/file/scene/settings_text.h"
 
 namespace hapticwall::test {
 namespace {
@@ -47,6 +49,7 @@ class Engine {
     };
     test_ = test;
     ImGuiTestEngine_Start(engine_, ImGui::GetCurrentContext());
+    watch_items_beside_engine();
     ImGuiTestEngine_QueueTest(engine_, test);
   }
   Engine(const Engine&) = delete;
@@ -61,8 +64,8 @@ class Engine {
 
   // After every frame.
   void look() {
-    for (const auto& [name, rect] : application_->state().transient.items)
-      log_->seen.insert(kind_of(name));
+    for (const auto& [name, rect] : drawn_items())
+      if (rect.id != 0) log_->seen.insert(kind_of(name));
   }
 
  private:
@@ -82,7 +85,7 @@ void drop_onto(GLFWwindow* window, std::span<const std::string> paths) {
   callback(window, static_cast<int>(names.size()), names.data());
 }
 
-void use_real_window(const ui::WindowOptions& options, const Script& script, ItemLog& log) {
+void use_real_window(const runtime::WindowOptions& options, const Script& script, ItemLog& log) {
   std::unique_ptr<Engine> engine;
   GLFWwindow* window = nullptr;
   ui::WindowHooks hooks;
@@ -106,7 +109,7 @@ void use_real_window(const ui::WindowOptions& options, const Script& script, Ite
 class HeadlessGui {
  public:
   HeadlessGui() {
-    auto context = ui::OffscreenContext::create();
+    auto context = draw::OffscreenContext::create();
     EXPECT_TRUE(context.ok()) << context.error().message;
     if (context) context_ = std::move(*context);
     ImGui::CreateContext();
@@ -126,19 +129,19 @@ class HeadlessGui {
   }
 
  private:
-  std::unique_ptr<ui::OffscreenContext> context_;
+  std::unique_ptr<draw::OffscreenContext> context_;
 };
 
 // What run_window() does, less the window; nothing is painted.
-void use_headless(const ui::WindowOptions& options, const Script& script, ItemLog& log) {
+void use_headless(const runtime::WindowOptions& options, const Script& script, ItemLog& log) {
   const HeadlessGui gui;
   ui::Application::Sessions sessions;
-  sessions.simulate = [](const Scene& scene) { return runtime::Session::start(scene); };
+  sessions.simulate = [](const Scene& scene) { return runtime::LiveSession::start(scene); };
   sessions.start_on_device = options.start_on_device;
   const auto created = ui::Application::create(
       options.scene,
       {options.settings_path, options.recording_folder, options.forced_scale, options.opened_file},
-      ui::apply_theme(ui::Look::kScreen, 1.0F), sessions);
+      draw::apply_theme(draw::Look::kScreen, 1.0F), sessions);
   ASSERT_TRUE(created.ok()) << created.error().message;
   ui::Application& application = **created;
   Engine engine(application, script, log,
@@ -192,8 +195,8 @@ std::string Home::write_scene(const std::string& name, const std::string& builti
 std::string Home::write_scene_of_two_walls(const std::string& name) const {
   constexpr double kBehindM = 0.005;
   Scene scene = file::load_scene("press")->scene;
-  scene.walls.push_back(scene.walls.front());
-  scene.walls.back().position_m += kBehindM;
+  scene.x().walls.push_back(scene.x().walls.front());
+  scene.x().walls.back().position_m += kBehindM;
   return write(scene, name);
 }
 
@@ -221,12 +224,12 @@ void WindowTest::use(const Script& script) {
 
 void WindowTest::connect_device() {
   options_.start_on_device =
-      [this](const Scene& scene) -> Result<std::unique_ptr<runtime::Session>> {
+      [this](const Scene& scene) -> Result<std::unique_ptr<runtime::LiveSession>> {
     auto session = std::make_unique<FakeSession>(scene);
     session->info = {"paddle", false};
     session->arming.state = runtime::ArmingState::kOff;
     device_ = session.get();
-    return std::unique_ptr<runtime::Session>(std::move(session));
+    return std::unique_ptr<runtime::LiveSession>(std::move(session));
   };
 }
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/window.h"
+#include "app/ui/window/window.h"
+#include "tests/app/ui/fake_session.h"
 #include "tests/temporary_folder.h"
-#include "tests/ui/fake_session.h"
 #include "tests/window/person.h"
 
 namespace hapticwall::test {
@@ -55,7 +55,7 @@ class WindowTest : public ::testing::TestWithParam<Screen> {
   [[nodiscard]] FakeSession& device() const { return *device_; }
 
   Home home_;
-  ui::WindowOptions options_;
+  runtime::WindowOptions options_;
   ItemLog log_;
 
  private:

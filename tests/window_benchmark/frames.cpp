@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/file/scene_file.h"
-#include "app/ui/application.h"
+#include "app/file/scene/scene_file.h"
+#include "app/ui/window/application.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
-#include "tests/ui/fake_session.h"
+#include "tests/app/ui/fake_session.h"
 #include "tests/window_benchmark/measurements.h"
 #include "tests/window_benchmark/stage.h"
 
@@ -29,7 +29,7 @@ constexpr int kFramesAVisit = 2;  // after one that is not counted
 constexpr int kMinuteTicks = 60'000;
 constexpr int kHourTicks = 3'600'000;
 constexpr double kFollowedS = 6.0;
-constexpr double kMostHourToMinute = 1.3;
+constexpr double kMaxHourToMinute = 1.3;
 
 struct Size {
   int width;
@@ -72,17 +72,18 @@ std::vector<Row> rows() {
 
 Failure open(Window& window, const Stage& stage, const Scene& scene) {
   ui::Application::Sessions sessions;
-  sessions.simulate = [&window](const Scene& wanted) -> Result<std::unique_ptr<runtime::Session>> {
+  sessions.simulate =
+      [&window](const Scene& wanted) -> Result<std::unique_ptr<runtime::LiveSession>> {
     auto session = std::make_unique<test::FakeSession>(wanted);
     window.session = session.get();
-    return std::unique_ptr<runtime::Session>(std::move(session));
+    return std::unique_ptr<runtime::LiveSession>(std::move(session));
   };
   auto application = ui::Application::create(scene, {}, stage.theme(), sessions);
   if (!application) return application.error();
   window.application = std::move(*application);
   for (int done = 0; done < window.ticks; done += kTicksAtATime) {
     window.session->advance(std::min(kTicksAtATime, window.ticks - done));
-    window.application->take_samples();
+    window.application->take_ticks();
   }
   return std::nullopt;
 }
@@ -147,7 +148,7 @@ void print_hour_to_minute(const std::vector<Row>& rows, const char* what, bool f
   const Row& hour = find(rows, kHourTicks, following);
   std::printf("an hour to a minute, %s: %.2fx, processor %.2fx (at most %.1fx is wanted)\n", what,
               median(hour.wall_s) / median(minute.wall_s),
-              median(hour.processor_s) / median(minute.processor_s), kMostHourToMinute);
+              median(hour.processor_s) / median(minute.processor_s), kMaxHourToMinute);
 }
 
 void print_table(const std::vector<Row>& rows, const Stage& stage, Size size) {

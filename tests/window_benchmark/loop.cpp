@@ -14,11 +14,11 @@
 #include <thread>
 #include <vector>
 
-#include "app/file/recording_reader.h"
-#include "app/file/scene_file.h"
-#include "app/ui/application.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/scene/scene_file.h"
+#include "app/ui/window/application.h"
 #include "core/units.h"
-#include "tests/app/runtime_support.h"
+#include "tests/app/runtime/support.h"
 #include "tests/window_benchmark/measurements.h"
 #include "tests/window_benchmark/stage.h"
 
@@ -31,7 +31,7 @@ constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 constexpr int kHogs = 2;
 constexpr double kWarmUpS = 3.0;
-constexpr double kMostRatio = 1.2;
+constexpr double kMaxRatio = 1.2;
 // How often a window that nobody sees takes its samples.
 constexpr std::chrono::milliseconds kUnseenFrame{100};
 
@@ -93,7 +93,7 @@ void draw_once(ui::Application& application, Stage& stage) {
 void run_block(ui::Application& application, Stage& stage, bool drawn, double seconds,
                Blocks& blocks) {
   runtime::TimingHistograms before;
-  application.session().read_timing(before);
+  application.live()->read_timing(before);
   const std::uint64_t missed = application.session().snapshot().timing.missed_ticks;
   const double stolen_before_s = stolen_s();
   const auto start = Clock::now();
@@ -103,14 +103,14 @@ void run_block(ui::Application& application, Stage& stage, bool drawn, double se
       draw_once(application, stage);
       ++blocks.frames;
     } else {
-      application.take_samples();
+      application.take_ticks();
       std::this_thread::sleep_for(kUnseenFrame);
     }
   }
   blocks.seconds += passed_s();
   blocks.stolen_s += stolen_s() - stolen_before_s;
   runtime::TimingHistograms after;
-  application.session().read_timing(after);
+  application.live()->read_timing(after);
   const runtime::LatencyCounts latencies = after.wake_latency.since(before.wake_latency);
   blocks.timing.wake_latency += latencies;
   blocks.p99_ns.push_back(runtime::quantiles(latencies).p99_ns);
@@ -166,7 +166,7 @@ void print_table(const Blocks& without, const Blocks& with) {
   std::printf(
       "wake-up, with to without: median %.2fx, p99 %.2fx (at most %.1fx is wanted), p99.9 %.2fx, "
       "most %.2fx\n",
-      ratio(b.median_ns, a.median_ns), ratio(b.p99_ns, a.p99_ns), kMostRatio,
+      ratio(b.median_ns, a.median_ns), ratio(b.p99_ns, a.p99_ns), kMaxRatio,
       ratio(b.p999_ns, a.p999_ns), ratio(b.maximum_ns, a.maximum_ns));
   print_spread(without);
   print_spread(with);
@@ -183,14 +183,14 @@ std::uint64_t gaps(double first_tick, double last_tick, std::uint64_t count) {
 
 // What was lost on the way to the plots and to the disk; 0 where everything arrived.
 Result<std::uint64_t> print_losses(ui::Application& application, const std::string& csv) {
-  runtime::Session& session = application.session();
+  runtime::LiveSession& session = *application.live();
   session.pause(true);
   while (!session.snapshot().paused) std::this_thread::sleep_for(kUnseenFrame);
-  application.take_samples();
-  const ui::SampleHistory& history = application.history();
+  application.take_ticks();
+  const draw::SampleHistory& history = application.history();
   const std::uint64_t plot_gaps =
-      gaps(history.value(ui::Quantity::kTick, 0),
-           history.value(ui::Quantity::kTick, history.size() - 1), history.size());
+      gaps(history.value(&Sample::tick, 0), history.value(&Sample::tick, history.size() - 1),
+           history.size());
   const std::uint64_t plot_drops = session.dropped_plot_samples();
   if (Failure failure = session.stop_recording()) return *failure;
   const std::uint64_t row_drops = session.recording_status().dropped_rows;
@@ -238,7 +238,7 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene,
   const runtime::test::TemporaryFolder folder;
   const std::string csv = folder.file("loop.csv");
   ui::Application::Sessions sessions;
-  sessions.simulate = [](const Scene& wanted) { return runtime::Session::start(wanted); };
+  sessions.simulate = [](const Scene& wanted) { return runtime::LiveSession::start(wanted); };
   auto created = ui::Application::create(scene, {}, stage.theme(), sessions);
   if (!created) return created.error();
   ui::Application& application = **created;
@@ -249,7 +249,7 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene,
   std::fflush(stdout);
   Blocks warm_up{"", {}, 0, 0, 0.0, 0.0, {}};
   run_block(application, stage, true, kWarmUpS, warm_up);
-  if (Failure failure = application.session().start_recording(csv)) return *failure;
+  if (Failure failure = application.live()->start_recording(csv)) return *failure;
   measure(application);
   return print_losses(application, csv);
 }

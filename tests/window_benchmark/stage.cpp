@@ -11,16 +11,16 @@
 namespace hapticwall::window_benchmark {
 
 Result<std::unique_ptr<Stage>> Stage::create(int width, int height) {
-  auto context = ui::OffscreenContext::create();
+  auto context = draw::OffscreenContext::create();
   if (!context) return context.error();
-  auto target = ui::GlTarget::create(width, height, 0);
+  auto target = draw::GlTarget::create(width, height, 0);
   if (!target) return target.error();
   std::unique_ptr<Stage> stage(new Stage(std::move(*context), width, height));
   stage->target_ = std::move(*target);
   return stage;
 }
 
-Stage::Stage(std::unique_ptr<ui::OffscreenContext> context, int width, int height)
+Stage::Stage(std::unique_ptr<draw::OffscreenContext> context, int width, int height)
     : context_(std::move(context)) {
   ImGui::CreateContext();
   ImPlot::CreateContext();
@@ -29,7 +29,7 @@ Stage::Stage(std::unique_ptr<ui::OffscreenContext> context, int width, int heigh
   io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
   io.DeltaTime = 1.0F / 60.0F;
   ImGui_ImplOpenGL3_Init("#version 330 core");
-  theme_ = ui::apply_theme(ui::Look::kScreen, 1.0F);
+  theme_ = draw::apply_theme(draw::Look::kScreen, 1.0F);
 }
 
 Stage::~Stage() {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/gl_objects.h"
-#include "app/ui/offscreen.h"
-#include "app/ui/theme.h"
+#include "app/draw/figure/gl_objects.h"
+#include "app/draw/figure/offscreen.h"
+#include "app/draw/plot/theme.h"
 #include "core/result.h"
 
 namespace hapticwall::window_benchmark {
@@ -28,15 +28,15 @@ class Stage {
   // Draws and paints what `content` says; returns when the last pixel is there.
   FrameCost frame(const std::function<void()>& content);
 
-  [[nodiscard]] const ui::Theme& theme() const { return theme_; }
+  [[nodiscard]] const draw::Theme& theme() const { return theme_; }
   [[nodiscard]] std::string renderer() const;  // the driver's words
 
  private:
-  Stage(std::unique_ptr<ui::OffscreenContext> context, int width, int height);
+  Stage(std::unique_ptr<draw::OffscreenContext> context, int width, int height);
 
-  std::unique_ptr<ui::OffscreenContext> context_;
-  std::optional<ui::GlTarget> target_;
-  ui::Theme theme_;
+  std::unique_ptr<draw::OffscreenContext> context_;
+  std::optional<draw::GlTarget> target_;
+  draw::Theme theme_;
 };
 
 }  // namespace hapticwall::window_benchmark

@@ -1,4 +1,4 @@
-#include "app/command/accuracy_report.h"
+#include "app/command/accuracy/accuracy_report.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/command/json_report.h"
-#include "app/command/text_table.h"
-#include "app/file/text.h"
+#include "app/command/report/json_report.h"
+#include "app/command/report/text_table.h"
+#include "app/file/text/text.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
@@ -67,14 +67,7 @@ std::string verdict_text(const AccuracyRow& row) {
   return text;
 }
 
-struct AccuracyColumn {
-  std::string_view title;
-  std::string_view unit;
-  std::string (*text)(const AccuracyRow&);
-  Align align = Align::kRight;
-};
-
-constexpr std::array<AccuracyColumn, 10> kAccuracyColumns{
+constexpr std::array<TableColumn<AccuracyRow>, 10> kAccuracyColumns{
     {{"integrator", "", [](const AccuracyRow& r) { return std::string(name_of(r.integrator)); },
       Align::kLeft},
      {"substeps", "",
@@ -93,18 +86,10 @@ constexpr std::array<AccuracyColumn, 10> kAccuracyColumns{
       [](const AccuracyRow& r) { return fixed(r.tail_peak_to_peak_relative_error, kPercent, 2); }},
      {"verdict", "", verdict_text, Align::kLeft}}};
 
-std::string table_text(const AccuracyStudy& study) {
-  std::vector<std::vector<std::string>> rows(2 + study.rows.size());
-  std::vector<Align> aligns;
-  for (const AccuracyColumn& column : kAccuracyColumns) {
-    aligns.push_back(column.align);
-    rows[0].emplace_back(column.title);
-    rows[1].emplace_back(column.unit);
-    for (std::size_t r = 0; r < study.rows.size(); ++r) {
-      rows[2 + r].push_back(column.text(study.rows[r]));
-    }
-  }
-  return aligned(rows, aligns);
+std::vector<Json> row_objects(const AccuracyStudy& study) {
+  std::vector<Json> rows;
+  for (const AccuracyRow& row : study.rows) rows.push_back(row_object(row));
+  return rows;
 }
 
 std::string accuracy_heading(const Summary& reference) {
@@ -124,24 +109,16 @@ std::string accuracy_heading(const Summary& reference) {
 std::string accuracy_table(const AccuracyStudy& study) {
   const bool any_wrong = std::any_of(study.rows.begin(), study.rows.end(),
                                      [](const AccuracyRow& row) { return !row.verdict_agrees; });
-  return accuracy_heading(study.reference) + table_text(study) +
-         (any_wrong ? "\n! the reference's verdict is another\n" : "");
+  return accuracy_heading(study.reference) + table_of(kAccuracyColumns, study.rows) +
+         (any_wrong ? "\n! the verdict differs from the reference's\n" : "");
 }
 
 std::string accuracy_json(const AccuracyStudy& study) {
-  Json object = reference_object(study.reference);
-  Json& rows = object["rows"] = Json::array();
-  for (const AccuracyRow& row : study.rows) rows.push_back(row_object(row));
-  return json_text(object);
+  return study_json_text(reference_object(study.reference), row_objects(study));
 }
 
 std::string accuracy_csv(const AccuracyStudy& study) {
-  std::vector<Json> lines;
-  for (const AccuracyRow& row : study.rows) {
-    Json& line = lines.emplace_back(reference_object(study.reference));
-    line.update(row_object(row));
-  }
-  return csv_text(lines);
+  return study_csv_text(reference_object(study.reference), row_objects(study));
 }
 
 }  // namespace hapticwall::command

@@ -3,17 +3,17 @@
 
 #include <string>
 
-#include "core/accuracy.h"
+#include "core/study/accuracy.h"
 
 namespace hapticwall::command {
 
-// Two lines of heading, one aligned table, and what its marks mean.
+// Two lines of heading, an aligned table, and the meaning of its marks.
 [[nodiscard]] std::string accuracy_table(const AccuracyStudy& study);
 
 // One object with the reference and an array of rows (docs/command-line.md), with a line end.
 [[nodiscard]] std::string accuracy_json(const AccuracyStudy& study);
 
-// The same flat: a header and a line a row; `null` is an empty field.
+// A header and one line per row; `null` is an empty field.
 [[nodiscard]] std::string accuracy_csv(const AccuracyStudy& study);
 
 }  // namespace hapticwall::command

@@ -1,4 +1,4 @@
-#include "app/command/compare_order.h"
+#include "app/command/compare/compare_order.h"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,14 @@
 #include <tuple>
 #include <utility>
 
-#include "app/command/summary_fields.h"
-#include "app/file/text.h"
+#include "app/command/report/summary_fields.h"
+#include "app/file/text/text.h"
+#include "core/result.h"
 
 namespace hapticwall::command {
 namespace {
 
-// What a row is sorted by: the smaller number first, among equal ones the smaller word.
+// Sort key of a row: by number, then by word.
 struct Place {
   bool missing = true;
   double number = 0.0;
@@ -28,7 +29,7 @@ Place place_of(std::optional<double> value) {
   return {false, *value, ""};
 }
 
-// The good ones first, not as they are spelt.
+// Verdicts sort from good to bad, not alphabetically.
 std::optional<double> verdict_rank(std::string_view word) {
   for (const Verdict verdict : {Verdict::kSettled, Verdict::kOscillating, Verdict::kDiverged}) {
     if (verdict_name(verdict) == word) return static_cast<double>(verdict);
@@ -48,23 +49,22 @@ Place place_of(const SummaryField& field) {
   return real != nullptr ? place_of(*real) : Place{};
 }
 
-Place place_by_key(const Summary& summary, const std::string& key) {
-  for (const SummaryField& field : summary_fields(summary)) {
+Place place_by_key(const RunSummary& run, const std::string& key) {
+  for (const SummaryField& field : summary_fields(run)) {
     if (field.key == key) return place_of(field);
   }
   return {};
 }
 
 // A corner is as good as its worse axis.
-Verdict worst_verdict(const Summary& summary) {
-  Verdict worst = summary.verdict;
-  for (const Summary& y : summary.y) worst = std::max(worst, y.verdict);
-  return worst;
+Verdict worst_verdict(const RunSummary& run) {
+  return std::ranges::max(run, {}, &Summary::verdict).verdict;
 }
 
-Place usual_place(const Summary& summary) {
-  if (worst_verdict(summary) != Verdict::kSettled) return place_of(summary.tail_peak_to_peak_m);
-  Place place = place_of(summary.displayed_stiffness_n_per_m);
+Place usual_place(const RunSummary& run) {
+  const Summary& x = run.front();
+  if (worst_verdict(run) != Verdict::kSettled) return place_of(x.tail_peak_to_peak_m);
+  Place place = place_of(x.displayed_stiffness_n_per_m);
   place.number = -place.number;
   return place;
 }
@@ -83,20 +83,19 @@ Result<RowOrder> parse_order(const std::string& text) {
   RowOrder order{text.substr(descending ? 1 : 0), descending};
   const std::vector<SummaryField> known = all_summary_fields();
   if (std::ranges::find(known, order.key, &SummaryField::key) != known.end()) return order;
-  return Error{ErrorKind::kUsage,
-               fmt::format("--sort {}: {}", file::in_quotes(text), unknown_key(order.key))};
+  return usage_error(fmt::format("--sort {}: {}", file::in_quotes(text), unknown_key(order.key)));
 }
 
-std::vector<std::size_t> ordered(const std::vector<Summary>& summaries, const RowOrder& order) {
-  std::vector<std::size_t> indices(summaries.size());
+std::vector<std::size_t> ordered(const std::vector<RunSummary>& runs, const RowOrder& order) {
+  std::vector<std::size_t> indices(runs.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   if (order.key == kUnsorted) return indices;
   const bool usual = order.key.empty();
   std::vector<std::pair<Verdict, Place>> places;
-  places.reserve(summaries.size());
-  for (const Summary& summary : summaries) {
-    places.emplace_back(usual ? worst_verdict(summary) : Verdict::kSettled,
-                        usual ? usual_place(summary) : place_by_key(summary, order.key));
+  places.reserve(runs.size());
+  for (const RunSummary& run : runs) {
+    places.emplace_back(usual ? worst_verdict(run) : Verdict::kSettled,
+                        usual ? usual_place(run) : place_by_key(run, order.key));
   }
   std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) {
     if (places[a].first != places[b].first) return places[a].first < places[b].first;

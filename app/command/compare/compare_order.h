@@ -1,4 +1,4 @@
-// In which order `compare` prints its rows.
+// The order of the rows that `compare` prints.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,21 @@
 
 namespace hapticwall::command {
 
-// The order of the list, which --algorithms gives.
+// The order of --algorithms.
 inline constexpr const char* kUnsorted = "none";
 
 struct RowOrder {
-  std::string key;          // of the summary, or kUnsorted; empty: the usual order
+  std::string key;          // of the summary, or kUnsorted; empty: the default order
   bool descending = false;  // of a key
 };
 
 // "", "none", "KEY" or "-KEY"; any other word is a usage error.
 [[nodiscard]] Result<RowOrder> parse_order(const std::string& text);
 
-// Indices of `summaries`, as they are to be printed; ties keep the order of the list. Usual: the
-// worst verdict of the axes, then the stiffest of those that settled and the quietest of the others
-// first. What has no value stands last in either direction.
-[[nodiscard]] std::vector<std::size_t> ordered(const std::vector<Summary>& summaries,
+// Indices of `runs` in print order; ties keep the order of the list. The default order is by the
+// worst verdict of the axes; then the stiffest settled run and the quietest other run come first.
+// Missing values come last in either direction.
+[[nodiscard]] std::vector<std::size_t> ordered(const std::vector<RunSummary>& runs,
                                                const RowOrder& order);
 
 }  // namespace hapticwall::command

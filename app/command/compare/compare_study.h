@@ -1,5 +1,5 @@
-// hapticwall compare SCENE --study: how stiff and how hard a wall feels under every algorithm, and
-// what that costs.
+// hapticwall compare SCENE --study: stiffness and hardness of a wall under every algorithm, and
+// their cost.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 namespace hapticwall::command {
 
 // `algorithms`: names; empty: all. Returns the exit status.
-[[nodiscard]] int compare_study(const SceneOptions& scene, const OutputOptions& output,
-                                const std::vector<std::string>& algorithms);
+[[nodiscard]] Result<int> compare_study(const SceneOptions& scene, const OutputOptions& output,
+                                        const std::vector<std::string>& algorithms);
 
-// Two lines of conditions, a row an algorithm, and the meaning of the marks that occur.
+// Two lines of conditions, one row per algorithm, and the meaning of the marks.
 [[nodiscard]] std::string study_table(const ContactStudyPlan& plan,
-                                      const std::vector<ContactFigures>& rows);
+                                      const std::vector<ContactMetrics>& rows);
 // One object, with the conditions, and `rows`.
 [[nodiscard]] std::string study_json(const ContactStudyPlan& plan,
-                                     const std::vector<ContactFigures>& rows);
-// A header and a line an algorithm: the keys of `rows`, those of the conditions repeated in each.
+                                     const std::vector<ContactMetrics>& rows);
+// A header and one line per algorithm, each with the conditions and the keys of its row.
 [[nodiscard]] std::string study_csv(const ContactStudyPlan& plan,
-                                    const std::vector<ContactFigures>& rows);
+                                    const std::vector<ContactMetrics>& rows);
 
 }  // namespace hapticwall::command

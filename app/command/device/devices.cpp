@@ -1,21 +1,27 @@
-#include "app/command/device_list.h"
+#include "app/command/device/devices.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
-#include "app/command/json_report.h"
-#include "app/file/text.h"
+#include "app/command/commands.h"
+#include "app/command/common_options.h"
+#include "app/command/report/json_report.h"
+#include "app/command/report/output_file.h"
+#include "app/command/report/terminal.h"
+#include "app/file/text/text.h"
 #include "core/units.h"
-#include "device/hid_match.h"
+#include "device/hid/description.h"
 #include "embedded_rules.h"
 
 namespace hapticwall::command {
 namespace {
 
-using device::hid::DeviceFigures;
+using device::hid::DeviceDescription;
 using device::hid::Listing;
 using device::hid::Obstacle;
+
 ListedDevice look_at(device::hid::Port& port, const Listing& listing) {
   ListedDevice device;
   device.listing = listing;
@@ -29,11 +35,11 @@ ListedDevice look_at(device::hid::Port& port, const Listing& listing) {
     device.problem = handle.error().message;
     return device;
   }
-  const Result<DeviceFigures> figures = device::hid::describe(listing, **handle, {});
-  if (figures) {
-    device.figures = *figures;
+  const Result<DeviceDescription> description = device::hid::describe(listing, **handle, {});
+  if (description) {
+    device.description = *description;
   } else {
-    device.problem = figures.error().message;
+    device.problem = description.error().message;
   }
   return device;
 }
@@ -48,23 +54,33 @@ std::string name_of(const Listing& listing) {
   return text;
 }
 
-std::string axes_text(const DeviceFigures& figures) {
-  std::string text = figures.axes == 1 ? "one axis" : fmt::format("{} axes", figures.axes);
-  for (std::size_t axis = 0; axis < figures.axes; ++axis) {
+std::string axes_text(const DeviceDescription& description) {
+  std::string text = description.axes == 1 ? "one axis" : fmt::format("{} axes", description.axes);
+  for (std::size_t axis = 0; axis < description.axes; ++axis) {
     text += fmt::format("{} {:.4g} mm a count, {:.4g} N", axis == 0 ? ":" : ";",
-                        figures.axis[axis].encoder_m * kMillimetresPerMetre,
-                        figures.axis[axis].force_limit_n);
+                        description.axis[axis].encoder_m * kMillimetresPerMetre,
+                        description.axis[axis].force_limit_n);
   }
   return text;
 }
 
 std::string rule_text() {
   std::string text =
-      "\nThe rule that lets you open it (assets/70-hapticwall.rules). As root, write it to\n"
+      "\nThis rule permits opening it (assets/70-hapticwall.rules). As root, write it to\n"
       "/etc/udev/rules.d/70-hapticwall.rules, then 'udevadm control --reload && udevadm trigger',\n"
       "and plug the device in again:\n\n";
   for (const EmbeddedFile& file : embedded_rules()) text += file.bytes;
   return text;
+}
+
+Result<int> list_devices(const OutputOptions& options) {
+  Result<OutputFiles> files = OutputFiles::open(options);
+  if (!files) return files.error();
+  const auto port = device::hid::open_system_port();
+  if (!port) return port.error();
+  const Result<DeviceList> list = look_at_devices(**port);
+  if (!list) return list.error();
+  return status_of(files->write({"", device_list_json(*list), device_list_text(*list)}));
 }
 
 }  // namespace
@@ -74,8 +90,8 @@ Result<DeviceList> look_at_devices(device::hid::Port& port) {
   if (!listings) return listings.error();
   DeviceList list;
   for (const Listing& listing : *listings) {
-    // Only what --device ie2000 would take: where the transport tells no usage page, anything else
-    // may be somebody's keyboard, and opening it would take it away.
+    // Only devices that --device ie2000 would open: without a known usage page, any other one could
+    // be a keyboard, which opening would take away.
     if (device::hid::fits(listing, {})) {
       list.haptic.push_back(look_at(port, listing));
     } else {
@@ -89,13 +105,13 @@ std::string device_list_text(const DeviceList& list) {
   std::string text = "sim  the simulator\n  usable\n";
   for (const ListedDevice& device : list.haptic) {
     text += name_of(device.listing) + "\n  " +
-            (device.figures ? "usable: " + axes_text(*device.figures)
-                            : "not usable: " + file::shown(device.problem, 400)) +
+            (device.description ? "usable: " + axes_text(*device.description)
+                                : "not usable: " + file::shown(device.problem, 400)) +
             "\n";
   }
   if (list.haptic.empty()) text += "no haptic device is connected\n";
   if (list.others > 0) {
-    text += fmt::format("{} other HID device{} of no concern here (transport: {})\n", list.others,
+    text += fmt::format("{} other HID device{} ignored (transport: {})\n", list.others,
                         list.others == 1 ? "" : "s", device::hid::transport_name());
   }
   const bool denied = std::any_of(list.haptic.begin(), list.haptic.end(), [](const auto& device) {
@@ -113,17 +129,26 @@ std::string device_list_json(const DeviceList& list) {
                    {"serial", device.listing.serial},
                    {"manufacturer", device.listing.manufacturer},
                    {"product", device.listing.product},
-                   {"usable", device.figures.has_value()},
+                   {"usable", device.description.has_value()},
                    {"problem", device.problem.empty() ? Json() : Json(device.problem)}};
     Json axes = Json::array();
-    for (std::size_t axis = 0; device.figures && axis < device.figures->axes; ++axis) {
-      axes.push_back({{"encoder_m", device.figures->axis[axis].encoder_m},
-                      {"force_limit_n", device.figures->axis[axis].force_limit_n}});
+    for (std::size_t axis = 0; device.description && axis < device.description->axes; ++axis) {
+      axes.push_back({{"encoder_m", device.description->axis[axis].encoder_m},
+                      {"force_limit_n", device.description->axis[axis].force_limit_n}});
     }
     object["axes"] = axes;
     array.push_back(object);
   }
   return json_text(array);
+}
+
+Command add_devices(CLI::App& program) {
+  const auto options = std::make_shared<OutputOptions>();
+  CLI::App* app = program.add_subcommand(
+      "devices", "List the connected devices, whether they are usable, and why not");
+  app->add_option("--json", options->json, "Write the list as JSON; - is standard output")
+      ->type_name("FILE");
+  return {app, [options] { return list_devices(*options); }};
 }
 
 }  // namespace hapticwall::command

@@ -1,4 +1,4 @@
-#include "app/command/timing_report.h"
+#include "app/command/device/timing_report.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "app/command/json_report.h"
+#include "app/command/report/json_report.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
@@ -16,14 +16,15 @@ using runtime::Measure;
 using runtime::Quantiles;
 using runtime::TimingPlan;
 using runtime::TimingRecord;
+
 constexpr double kNanoseconds = 1e9;
 constexpr std::size_t kHistogramWidth = 50;
 constexpr double kRateTolerance = 0.01;
 
 struct DeviceMarks {
-  double age;  // of the period, like the next
-  double write;
-  double missing_states;  // of all
+  double age;             // in periods
+  double write;           // in periods
+  double missing_states;  // share of all
 };
 constexpr DeviceMarks kGoodMarks{1.5, 0.5, 0.0};
 constexpr DeviceMarks kUsableMarks{3.0, 1.0, 1e-3};
@@ -38,28 +39,28 @@ double share(std::uint64_t part, std::uint64_t whole) {
 
 void judge_device(const TimingPlan& plan, const TimingRecord& record, TimingJudgement& judgement) {
   const double period_ns = kNanoseconds / plan.rate_hz;
-  const device::LinkFigures& link = record.link;
+  const device::LinkStats& link = record.link;
   const std::uint64_t lost = link.missing_states + link.void_reports;
   judge(Measure{share(lost, link.states + lost), kGoodMarks.missing_states,
                 kUsableMarks.missing_states,
-                fmt::format("{} of {} reports never came, {} more were void", link.missing_states,
+                fmt::format("{} of {} reports are missing, {} more are void", link.missing_states,
                             link.states + lost, link.void_reports),
-                "plug the device straight into the machine, without a hub, and try another cable"},
+                "plug the device into the machine without a hub, and try another cable"},
         judgement);
   const Quantiles age = runtime::quantiles(record.age_ns);
   judge(
-      Measure{static_cast<double>(age.p99_ns), kGoodMarks.age * period_ns,
-              kUsableMarks.age * period_ns,
-              fmt::format("one position in 100 is {:.0f} us old or more", microseconds(age.p99_ns)),
-              "give the device a USB port of its own"},
+      Measure{
+          static_cast<double>(age.p99_ns), kGoodMarks.age * period_ns, kUsableMarks.age * period_ns,
+          fmt::format("one position in 100 is at least {:.0f} us old", microseconds(age.p99_ns)),
+          "give the device a USB port of its own"},
       judgement);
   const Quantiles write = runtime::quantiles(record.write_ns);
-  judge(Measure{static_cast<double>(write.p99_ns), kGoodMarks.write * period_ns,
-                kUsableMarks.write * period_ns,
-                fmt::format("one command in 100 takes {:.0f} us or more to be written",
-                            microseconds(write.p99_ns)),
-                "give the device a USB port of its own"},
-        judgement);
+  judge(
+      Measure{static_cast<double>(write.p99_ns), kGoodMarks.write * period_ns,
+              kUsableMarks.write * period_ns,
+              fmt::format("one write in 100 takes at least {:.0f} us", microseconds(write.p99_ns)),
+              "give the device a USB port of its own"},
+      judgement);
   if (link.device_period_s <= 0.0) return;
   const double device_rate_hz = 1.0 / link.device_period_s;
   if (std::abs(device_rate_hz / plan.rate_hz - 1.0) > kRateTolerance) {
@@ -88,19 +89,19 @@ std::string histogram(const std::vector<std::int64_t>& values_ns) {
     if (bin >= bins.size()) bins.resize(bin + 1);
     ++bins[bin];
   }
-  const std::size_t most = bins.empty() ? 1 : *std::max_element(bins.begin(), bins.end());
+  const std::size_t max = bins.empty() ? 1 : *std::max_element(bins.begin(), bins.end());
   std::string text = "\nwoken late, us        ticks\n";
   for (std::size_t bin = 0; bin < bins.size(); ++bin) {
     const std::size_t from = bin == 0 ? 0 : std::size_t{1} << (bin - 1);
-    // A bar is never empty where there is something.
-    const std::size_t length = (bins[bin] * kHistogramWidth + most - 1) / most;
+    // Rounded up: a bin with ticks shows a bar.
+    const std::size_t length = (bins[bin] * kHistogramWidth + max - 1) / max;
     text += fmt::format("{:>6} - {:<6}{:>12}  {:#<{}}\n", from, std::size_t{1} << bin, bins[bin],
                         "", length);
   }
   return text;
 }
 
-std::string link_text(const device::LinkFigures& link) {
+std::string link_text(const device::LinkStats& link) {
   std::string text = fmt::format(
       "\n{} states, {} missing, {} void, {} repeated; {} commands rejected; link lost {} times\n",
       link.states, link.missing_states, link.void_reports, link.repeated_states,
@@ -110,7 +111,7 @@ std::string link_text(const device::LinkFigures& link) {
   }
   if (link.delay_s > 0.0) {
     text += fmt::format(
-        "from a position to its force, t_d: {:.0f} us, most {:.0f} us (the device's clock)\n",
+        "from a position to its force, t_d: {:.0f} us, max {:.0f} us (by the device's clock)\n",
         link.delay_s * kMicrosecondsPerSecond, link.maximum_delay_s * kMicrosecondsPerSecond);
   }
   return text;
@@ -129,9 +130,9 @@ Json quantiles_object(const std::vector<std::int64_t>& values_ns) {
           {"maximum_s", seconds(row.maximum_ns)}};
 }
 
-Json device_object(const TimingRecord& record, const std::string& what) {
-  const device::LinkFigures& link = record.link;
-  return {{"name", what},
+Json device_object(const TimingRecord& record, const std::string& device_name) {
+  const device::LinkStats& link = record.link;
+  return {{"name", device_name},
           {"states", link.states},
           {"missing_states", link.missing_states},
           {"void_reports", link.void_reports},
@@ -157,29 +158,29 @@ TimingJudgement judge_timing(const TimingPlan& plan, const TimingRecord& record,
 }
 
 std::string timing_text(const TimingPlan& plan, const TimingRecord& record,
-                        const std::string& what) {
+                        const std::string& device_name) {
   const std::size_t ticks = record.latency_ns.size();
   std::string text = fmt::format("{} at {:g} Hz for {:.4g} s: {} ticks, {} missed\n{}\n\n",
-                                 what.empty() ? "the loop" : what, plan.rate_hz,
+                                 device_name.empty() ? "the loop" : device_name, plan.rate_hz,
                                  static_cast<double>(ticks + record.missed_ticks) / plan.rate_hz,
                                  ticks, record.missed_ticks, record.status.text);
   if (plan.spin_s > 0.0) {
     text.resize(text.size() - 1);
     text += fmt::format(
-        "awake for the last {:.0f} us before a tick; the loop takes {:.1f} % of a core\n\n",
+        "busy waiting for the last {:.0f} us before a tick; the loop takes {:.1f} % of a core\n\n",
         plan.spin_s * kMicrosecondsPerSecond, kPercent * record.processor_share);
   }
-  text += fmt::format("{:<16}{:>10}{:>10}{:>10}{:>10}\n", "us", "median", "p99", "p99.9", "most");
+  text += fmt::format("{:<16}{:>10}{:>10}{:>10}{:>10}\n", "us", "median", "p99", "p99.9", "max");
   text += quantile_row("woken late", record.latency_ns);
   text += quantile_row("a tick's work", record.compute_ns);
-  if (!what.empty()) {
+  if (!device_name.empty()) {
     text += quantile_row("position's age", record.age_ns);
     text += quantile_row("round trip", record.round_trip_ns);
     text += quantile_row("write", record.write_ns);
     text += link_text(record.link);
   }
   text += histogram(record.latency_ns);
-  const TimingJudgement judgement = judge_timing(plan, record, !what.empty());
+  const TimingJudgement judgement = judge_timing(plan, record, !device_name.empty());
   text += fmt::format("\nverdict: {}\n", timing_verdict_name(judgement.verdict));
   for (const std::string& reason : judgement.reasons) text += "  because " + reason + "\n";
   for (const std::string& advice : judgement.advice) text += "  advice: " + advice + "\n";
@@ -187,20 +188,21 @@ std::string timing_text(const TimingPlan& plan, const TimingRecord& record,
 }
 
 std::string timing_json(const TimingPlan& plan, const TimingRecord& record,
-                        const std::string& what) {
-  const TimingJudgement judgement = judge_timing(plan, record, !what.empty());
-  const Json object = {{"rate_hz", plan.rate_hz},
-                       {"ticks", record.latency_ns.size()},
-                       {"missed_ticks", record.missed_ticks},
-                       {"realtime", record.status.text},
-                       {"spin_s", plan.spin_s},
-                       {"processor_share", record.processor_share},
-                       {"verdict", timing_verdict_name(judgement.verdict)},
-                       {"reasons", judgement.reasons},
-                       {"advice", judgement.advice},
-                       {"latency", quantiles_object(record.latency_ns)},
-                       {"compute", quantiles_object(record.compute_ns)},
-                       {"device", what.empty() ? Json() : device_object(record, what)}};
+                        const std::string& device_name) {
+  const TimingJudgement judgement = judge_timing(plan, record, !device_name.empty());
+  const Json object = {
+      {"rate_hz", plan.rate_hz},
+      {"ticks", record.latency_ns.size()},
+      {"missed_ticks", record.missed_ticks},
+      {"realtime", record.status.text},
+      {"spin_s", plan.spin_s},
+      {"processor_share", record.processor_share},
+      {"verdict", timing_verdict_name(judgement.verdict)},
+      {"reasons", judgement.reasons},
+      {"advice", judgement.advice},
+      {"latency", quantiles_object(record.latency_ns)},
+      {"compute", quantiles_object(record.compute_ns)},
+      {"device", device_name.empty() ? Json() : device_object(record, device_name)}};
   return json_text(object);
 }
 

@@ -1,27 +1,29 @@
-// What 'hapticwall timing' says of a measurement: table, histogram, verdict and advice.
+// The report of 'hapticwall timing': table, histogram, verdict and advice.
 #pragma once
 
 #include <string>
 
-#include "app/runtime/timing_probe.h"
-#include "app/runtime/timing_verdict.h"
+#include "app/runtime/loop/timing_probe.h"
+#include "app/runtime/loop/timing_verdict.h"
 
 namespace hapticwall::command {
 
 using runtime::TimingJudgement;
 using runtime::TimingVerdict;
 
-// The loop as runtime::judge() has it. A device besides: good where every report came, 99 of 100
-// positions are younger than a period and a half and 99 of 100 commands are written within half a
-// period; usable with one report in 1000 missing, positions of three periods and commands of one.
+// Judges the loop by runtime::judge(), and a device. Good: no report missing, p99 of the age of
+// positions up to 1.5 periods, p99 of the write time up to half a period. Usable: one report in
+// 1000 missing, 3 periods and 1 period.
 [[nodiscard]] TimingJudgement judge_timing(const runtime::TimingPlan& plan,
                                            const runtime::TimingRecord& record, bool has_device);
 
-// `what`: the device's name, or empty.
+// `device_name`: empty without a device.
 [[nodiscard]] std::string timing_text(const runtime::TimingPlan& plan,
-                                      const runtime::TimingRecord& record, const std::string& what);
+                                      const runtime::TimingRecord& record,
+                                      const std::string& device_name);
 // One object, with a line end; times in seconds.
 [[nodiscard]] std::string timing_json(const runtime::TimingPlan& plan,
-                                      const runtime::TimingRecord& record, const std::string& what);
+                                      const runtime::TimingRecord& record,
+                                      const std::string& device_name);
 
 }  // namespace hapticwall::command

@@ -1,4 +1,4 @@
-// What the command line says of a map or a boundary, as far as both share it.
+// hapticwall map SCENE: a grid over two numbers of a scene, or its stability boundary along one.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct MapOptions {
   SceneOptions scene;
   OutputOptions output;
   std::vector<std::string> algorithms;  // empty: all
-  // As they were written; empty: not given.
+  // As written; empty: not given.
   std::string x;
   std::string y;
   std::string boundary;
@@ -24,13 +24,10 @@ struct MapOptions {
   std::string read;
 };
 
-// Options that do not go together, and those that are missing.
-[[nodiscard]] Failure check_map_options(const MapOptions& options);
-
-// A scene that stays as it is.
-[[nodiscard]] Result<Scene> load_map_scene(const MapOptions& options);
-
-// A usage error of validate(), where it has found a problem.
+// The problem of validate() as a usage error.
 [[nodiscard]] Failure invalid_cell(const std::optional<SceneProblem>& problem);
+
+// --boundary: finds, writes and prints the boundaries; returns the exit status.
+[[nodiscard]] Result<int> run_boundary(const MapOptions& options, Scene scene);
 
 }  // namespace hapticwall::command

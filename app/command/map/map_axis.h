@@ -8,7 +8,7 @@
 
 namespace hapticwall::command {
 
-// `option`: "--x", for messages. KEY is a number of the scene. Usage errors for everything else.
+// `option`: "--x", for messages. KEY must be a number of the scene.
 [[nodiscard]] Result<MapAxis> parse_map_axis(const std::string& option, const std::string& text,
                                              const Scene& scene);
 

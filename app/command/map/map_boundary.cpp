@@ -1,20 +1,19 @@
-#include "app/command/map_boundary.h"
-
 #include <fmt/format.h>
 
-#include <charconv>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "app/command/map_axis.h"
-#include "app/command/map_report.h"
-#include "app/command/output_file.h"
-#include "app/command/progress.h"
+#include "app/command/map/map.h"
+#include "app/command/map/map_axis.h"
+#include "app/command/map/map_report.h"
+#include "app/command/report/output_file.h"
+#include "app/command/report/progress.h"
+#include "app/command/report/terminal.h"
 #include "app/command/signals.h"
-#include "app/command/terminal.h"
-#include "app/file/text.h"
+#include "app/file/text/text.h"
+#include "core/result.h"
 #include "core/study/boundary.h"
-#include "core/usage_error.h"
 
 namespace hapticwall::command {
 namespace {
@@ -23,16 +22,11 @@ constexpr double kDefaultTolerance = 1e-3;
 
 Result<double> parse_tolerance(const std::string& text) {
   if (text.empty()) return kDefaultTolerance;
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, code] = std::from_chars(text.data(), end, value);
-  if (code != std::errc{} || rest != end || !(value >= kFinestTolerance && value < 1.0)) {
-    return usage_error(
-        fmt::format("--tolerance {}: it takes a part of the value, {:g} to less "
-                    "than 1",
-                    file::in_quotes(text), kFinestTolerance));
-  }
-  return value;
+  const std::optional<double> value = file::parsed<double>(text);
+  if (value && *value >= kMinTolerance && *value < 1.0) return *value;
+  return usage_error(
+      fmt::format("--tolerance {}: it takes a relative tolerance, {:g} to less than 1",
+                  file::in_quotes(text), kMinTolerance));
 }
 
 Result<BoundaryPlan> plan_boundary(const MapOptions& options, Scene scene) {
@@ -61,36 +55,21 @@ Result<BoundaryPlan> plan_boundary(const MapOptions& options, Scene scene) {
 
 }  // namespace
 
-int run_boundary(const MapOptions& options, Scene scene) {
+Result<int> run_boundary(const MapOptions& options, Scene scene) {
   const Result<BoundaryPlan> plan = plan_boundary(options, std::move(scene));
-  if (!plan) return report(plan.error());
+  if (!plan) return plan.error();
   catch_stop_signals();
-  OutputFile csv;
-  OutputFile json;
-  if (const Failure failed = csv.open(options.output.csv)) return report(*failed);
-  if (const Failure failed = json.open(options.output.json)) return report(*failed);
+  Result<OutputFiles> files = OutputFiles::open(options.output);
+  if (!files) return files.error();
   std::vector<Boundary> boundaries;
   {
     Progress progress(fmt::format("boundary of {}", plan->scene.name), !options.output.quiet);
     boundaries = find_boundaries(*plan, {.should_stop = [] { return stop_signal() != 0; },
                                          .progress = [&](double done) { progress.show(done); }});
   }
-  if (boundaries.empty()) {
-    tell(fmt::format("ended early by {}; nothing was written", signal_name(stop_signal())));
-    return signal_exit_status(stop_signal());
-  }
-  if (const Failure failed = csv.write_whole(boundary_csv(*plan, boundaries))) {
-    return report(*failed);
-  }
-  const std::string text = boundary_json(*plan, boundaries);
-  if (const Failure failed = json.write_whole(text)) return report(*failed);
-  Failure failed;
-  if (options.output.json == kStandardOutput) {
-    failed = write_output(text);
-  } else if (!options.output.quiet) {
-    failed = write_output(boundary_table(*plan, boundaries));
-  }
-  return failed ? report(*failed) : 0;
+  if (boundaries.empty()) return ended_early();
+  return status_of(files->write({boundary_csv(*plan, boundaries), boundary_json(*plan, boundaries),
+                                 boundary_table(*plan, boundaries)}));
 }
 
 }  // namespace hapticwall::command

@@ -1,4 +1,4 @@
-#include "app/command/map_report.h"
+#include "app/command/map/map_report.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <optional>
 #include <string_view>
 
-#include "app/command/json_report.h"
-#include "app/command/text_table.h"
-#include "app/file/text.h"
+#include "app/command/report/json_report.h"
+#include "app/command/report/text_table.h"
+#include "app/file/text/text.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 
@@ -43,7 +43,7 @@ struct Counts {
 };
 
 std::vector<Counts> counts_of(const StabilityMap& map, std::size_t begin,
-                              std::span<const MapFigures> figures) {
+                              std::span<const MapMetrics> figures) {
   std::vector<Counts> counts(map.algorithms.size());
   for (std::size_t i = 0; i < figures.size(); ++i) {
     Counts& of_algorithm = counts.at(map.place(begin + i).algorithm);
@@ -53,12 +53,13 @@ std::vector<Counts> counts_of(const StabilityMap& map, std::size_t begin,
 }
 
 std::string axis_text(const MapAxis& axis) {
-  return fmt::format("{} from {} to {} {} in {} {}", axis.number.path, file::number_text(axis.low),
-                     file::number_text(axis.high), axis.number.unit, axis.count,
+  return fmt::format("{} from {} to {} {} in {} {}", axis.number.path,
+                     file::shortest_number(axis.low), file::shortest_number(axis.high),
+                     axis.number.unit, axis.count,
                      axis.logarithmic ? "equal ratios" : "equal steps");
 }
 
-// Which way the verdict goes along the key.
+// The side of the boundary that settles.
 std::string end_text(const Boundary& boundary) {
   if (!boundary.settled) return "nowhere";
   if (!boundary.unsettled) return "throughout";
@@ -118,7 +119,7 @@ std::vector<std::vector<std::string>> boundary_heading(const BoundaryPlan& plan)
 }  // namespace
 
 std::string map_table(const StabilityMap& map, std::size_t begin,
-                      std::span<const MapFigures> figures) {
+                      std::span<const MapMetrics> figures) {
   std::vector<std::vector<std::string>> rows{
       {"algorithm", "cells", "settled", "oscillating", "diverged"}, {"", "", "%", "%", "%"}};
   const std::vector<Counts> counts = counts_of(map, begin, figures);
@@ -135,7 +136,7 @@ std::string map_table(const StabilityMap& map, std::size_t begin,
 }
 
 std::string map_json(const StabilityMap& map, std::size_t begin,
-                     std::span<const MapFigures> figures) {
+                     std::span<const MapMetrics> figures) {
   Json object{{"scene", map.scene.name},
               {"x", axis_object(map.x)},
               {"y", axis_object(map.y)},

@@ -1,4 +1,4 @@
-// A map or its boundaries as text: for people, and for programs.
+// A map or its boundaries as table, JSON and CSV.
 #pragma once
 
 #include <span>
@@ -10,13 +10,13 @@
 
 namespace hapticwall::command {
 
-// How many cells of each verdict, a line an algorithm. `figures`: of cells `begin` and following.
+// Number of cells of each verdict, one line per algorithm. `figures`: of the cells from `begin`.
 [[nodiscard]] std::string map_table(const StabilityMap& map, std::size_t begin,
-                                    std::span<const MapFigures> figures);
+                                    std::span<const MapMetrics> figures);
 [[nodiscard]] std::string map_json(const StabilityMap& map, std::size_t begin,
-                                   std::span<const MapFigures> figures);
+                                   std::span<const MapMetrics> figures);
 
-// A line a boundary, and what its marks mean.
+// One line per boundary, and the meaning of the marks.
 [[nodiscard]] std::string boundary_table(const BoundaryPlan& plan,
                                          const std::vector<Boundary>& boundaries);
 [[nodiscard]] std::string boundary_json(const BoundaryPlan& plan,

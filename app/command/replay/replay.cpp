@@ -1,29 +1,28 @@
 // hapticwall replay RECORDING.csv: shows a recording, or re-runs its hand under another algorithm.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "app/command/axes_metrics.h"
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
-#include "app/command/progress.h"
-#include "app/command/replay_rerun.h"
+#include "app/command/replay/replay_rerun.h"
 #include "app/command/replay_window.h"
-#include "app/command/run_outputs.h"
+#include "app/command/report/axes_metrics.h"
+#include "app/command/report/expectation.h"
+#include "app/command/report/progress.h"
+#include "app/command/report/summary_table.h"
+#include "app/command/report/terminal.h"
+#include "app/command/run/run_outputs.h"
 #include "app/command/signals.h"
-#include "app/command/summary_fields.h"
-#include "app/command/summary_table.h"
-#include "app/command/terminal.h"
 #include "app/command/usage.h"
-#include "app/file/recording_reader.h"
-#include "app/file/sidecar.h"
-#include "app/file/text.h"
-#include "app/runtime/replay_session.h"
-#include "app/runtime/rerun_overlay.h"
-#include "core/usage_error.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/recording/sidecar.h"
+#include "app/file/text/text.h"
+#include "app/runtime/session/hand_rerun.h"
+#include "app/runtime/session/replay_session.h"
+#include "core/result.h"
 
 namespace hapticwall::command {
 namespace {
@@ -47,10 +46,11 @@ Failure check(const ReplayCommand& command) {
     if (Failure failed = check_algorithm_name("--algorithm", command.algorithm)) return failed;
   }
   if (!command.output.csv.empty() && !command.reruns()) {
-    return usage_error("--csv: only a re-run is recorded; --algorithm NAME asks for one");
+    return usage_error("--csv: it records a re-run; add --algorithm NAME");
   }
   if (command.speed && command.shows_no_window()) {
-    return usage_error("--speed: it is for the window, which the other options leave out");
+    return usage_error(
+        "--speed: it is for the window; leave out --csv, --json, --plot, --expect and --quiet");
   }
   return check_outputs(command.output,
                        {command.recording, file::sidecar_path_of(command.recording)});
@@ -72,31 +72,30 @@ void tell_notes(const ReplayCommand& command, const file::RecordingInfo& info) {
 }
 
 struct Outcome {
-  Summary summary;
+  RunSummary summary;
   double end_s = 0.0;      // of the session's time
-  std::string comparison;  // a line more, of a re-run
+  std::string comparison;  // of a re-run: one more line
   bool stopped_early = false;
 };
 
-// The figures of the rows as they were recorded.
+// The summary of the recorded rows.
 Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs) {
   const file::RecordingInfo& info = recording.info();
   AxesMetrics metrics(info.loaded.scene, recording.rows(), info.of_simulator());
-  std::vector<Sample> rows(file::kRowsPerBlock);
-  std::vector<Sample> y_rows(file::kRowsPerBlock);
+  std::vector<Tick> rows(file::kRowsPerBlock);
   for (std::uint64_t row = 0; row < recording.rows() && stop_signal() == 0;) {
-    const Result<std::size_t> count = recording.read(row, rows, y_rows);
+    const Result<std::size_t> count = recording.read(row, rows);
     if (!count) return count.error();
-    for (std::size_t i = 0; i < *count; ++i) {
-      metrics.add(rows[i], y_rows[i]);
-      if (outputs.wants_samples()) outputs.take(rows[i], y_rows[i]);
+    for (const Tick& tick : std::span(rows).first(*count)) {
+      metrics.add(tick);
+      if (outputs.wants_ticks()) outputs.take(tick);
     }
     row += *count;
   }
   const double end_s =
       static_cast<double>(info.scanned.last_tick + 1) / info.loaded.scene.sampling.rate_hz;
   Outcome outcome{metrics.finish(), end_s, "", stop_signal() != 0};
-  if (!info.has_sidecar) outcome.summary.algorithm = "unknown";
+  if (!info.has_sidecar) outcome.summary.front().algorithm = "unknown";
   return outcome;
 }
 
@@ -106,11 +105,13 @@ Result<Outcome> rerun(const ReplayCommand& command, file::RecordingReader& recor
       rerun_recorded({recording, loaded, command.output.csv, !command.output.quiet}, outputs);
   if (!outcome) return outcome.error();
   const double rate_hz = loaded.scene.sampling.rate_hz;
-  return Outcome{outcome->summary, static_cast<double>(outcome->ticks) / rate_hz,
-                 comparison_line(*outcome, rate_hz), outcome->stopped_early};
+  return Outcome{{outcome->summary},
+                 static_cast<double>(outcome->ticks) / rate_hz,
+                 comparison_line(*outcome, rate_hz),
+                 outcome->stopped_early};
 }
 
-// What the rows are of, or what their hand is to meet instead.
+// The scene of the rows, or of the re-run.
 Result<file::LoadedScene> scene_of(const ReplayCommand& command, const file::RecordingInfo& info) {
   if (command.reruns()) return runtime::rerun_scene(info, command.algorithm, command.settings);
   file::LoadedScene loaded = info.loaded;
@@ -118,64 +119,58 @@ Result<file::LoadedScene> scene_of(const ReplayCommand& command, const file::Rec
   return loaded;
 }
 
-int tell_stopped() {
-  tell(fmt::format("ended early by {}", signal_name(stop_signal())));
-  return signal_exit_status(stop_signal());
-}
-
-Failure print(const OutputOptions& options, const Scene& scene, const Outcome& outcome) {
-  if (options.json == kStandardOutput) return write_output(summary_json(outcome.summary));
-  if (options.quiet) return {};
+std::string table_of(const Scene& scene, const Outcome& outcome) {
   const bool hand_moves = hand_moves_in_tail(scene, outcome.summary, outcome.end_s);
-  return write_output(summary_lines(outcome.summary, {"", hand_moves}) + outcome.comparison);
+  return summary_lines(outcome.summary, {"", hand_moves}) + outcome.comparison;
 }
 
 // With --json, --plot, ... and without a window.
-int run_headless(const ReplayCommand& command) {
+Result<int> run_headless(const ReplayCommand& command) {
   const auto expectations = parse_expectations(command.output.expectations);
-  if (!expectations) return report(expectations.error());
+  if (!expectations) return expectations.error();
   catch_stop_signals();
   const auto recording = open_recording(command);
-  if (!recording) return stop_signal() == 0 ? report(recording.error()) : tell_stopped();
+  if (!recording && stop_signal() != 0) return ended_early("");
+  if (!recording) return recording.error();
   tell_notes(command, (*recording)->info());
   const Result<file::LoadedScene> loaded = scene_of(command, (*recording)->info());
-  if (!loaded) return report(loaded.error());
+  if (!loaded) return loaded.error();
   Result<RunOutputs> outputs = RunOutputs::open(command.output, *loaded, true);
-  if (!outputs) return report(outputs.error());
+  if (!outputs) return outputs.error();
 
   const Result<Outcome> outcome = command.reruns() ? rerun(command, **recording, *loaded, *outputs)
                                                    : summarise(**recording, *outputs);
-  if (!outcome) return report(outcome.error());
-  if (outcome->stopped_early) return tell_stopped();
-  if (const Failure failed = outputs->finish(loaded->scene, outcome->summary)) {
-    return report(*failed);
+  if (!outcome) return outcome.error();
+  if (outcome->stopped_early) return ended_early("");
+  if (Failure failed =
+          outputs->finish(loaded->scene, outcome->summary, table_of(loaded->scene, *outcome))) {
+    return *failed;
   }
-  if (const Failure failed = print(command.output, loaded->scene, *outcome)) return report(*failed);
   return judge(*expectations, {&outcome->summary, 1});
 }
 
-int open_window(const ReplayCommand& command) {
+Result<int> open_window(const ReplayCommand& command, const runtime::OpenWindow& open) {
   auto recording = open_recording(command);
-  if (!recording) return report(recording.error());
+  if (!recording) return recording.error();
   tell_notes(command, (*recording)->info());
   ReplayWindow window;
   if (command.reruns()) {
     auto laid_over = runtime::rerun_as_overlay(**recording, command.algorithm, command.settings);
-    if (!laid_over) return report(laid_over.error());
+    if (!laid_over) return laid_over.error();
     window.overlay = std::move(*laid_over);
   }
   window.speed = command.speed.value_or(window.speed);
-  return run_replay_window(std::move(*recording), std::move(window));
+  return status_of(run_replay_window(std::move(*recording), std::move(window), open));
 }
 
-int replay(const ReplayCommand& command) {
-  if (const Failure failed = check(command)) return report(*failed);
-  return command.shows_no_window() ? run_headless(command) : open_window(command);
+Result<int> replay(const ReplayCommand& command, const runtime::OpenWindow& open) {
+  if (Failure failed = check(command)) return *failed;
+  return command.shows_no_window() ? run_headless(command) : open_window(command, open);
 }
 
 }  // namespace
 
-Command add_replay(CLI::App& program) {
+Command add_replay(CLI::App& program, runtime::OpenWindow open) {
   const auto command = std::make_shared<ReplayCommand>();
   CLI::App* app = program.add_subcommand(
       "replay", "Show a recording; --algorithm re-runs its hand under another algorithm");
@@ -183,22 +178,20 @@ Command add_replay(CLI::App& program) {
       ->type_name("")
       ->required();
   app->add_option("--algorithm", command->algorithm,
-                  "Re-run the recorded hand under this algorithm, and lay it over the recording")
+                  "Re-run the recorded hand under this algorithm, over the recording")
       ->type_name("NAME");
   app->add_option("--set", command->settings,
-                  "Re-run it with another key of the scene, e.g. wall.stiffness_n_per_m=5000 "
+                  "Re-run it with a changed key of the scene, e.g. wall.stiffness_n_per_m=5000 "
                   "(repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app->add_option("--speed", command->speed, "Recorded seconds a second in the window, 0.01 to 100")
+  app->add_option("--speed", command->speed, "Speed of the replay, 0.01 to 100")
       ->type_name("X")
-      ->check(is_number_within(runtime::kSlowestReplay, runtime::kFastestReplay));
-  app->add_option("--csv", command->output.csv, "Record the re-run; without a window")
-      ->type_name("FILE");
-  app->add_option("--plot", command->output.plot, "Draw the figure; needs no display, no window")
-      ->type_name("FILE.png");
+      ->check(is_number_within(runtime::kMinReplaySpeed, runtime::kMaxReplaySpeed));
+  add_csv_option(*app, command->output, "Record the re-run, without a window");
+  add_plot_option(*app, command->output, "Draw the figure, without a window");
   add_output_options(*app, command->output);
-  return {app, [command] { return replay(*command); }};
+  return {app, [command, open = std::move(open)] { return replay(*command, open); }};
 }
 
 }  // namespace hapticwall::command

@@ -1,4 +1,4 @@
-#include "app/command/replay_rerun.h"
+#include "app/command/replay/replay_rerun.h"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <memory>
 #include <utility>
 
-#include "app/command/progress.h"
+#include "app/command/report/progress.h"
+#include "app/command/report/summary_table.h"
+#include "app/command/report/terminal.h"
 #include "app/command/signals.h"
-#include "app/command/summary_table.h"
-#include "app/command/terminal.h"
-#include "app/file/recording_writer.h"
-#include "app/file/text.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/file/text/text.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
@@ -32,17 +32,16 @@ file::RecordingMetadata metadata_of(const RecordedRerun& rerun,
         "the pointer led the hand in " + file::shown(name) + "; `hapticwall replay` repeats it";
   }
   for (const ScheduledChange& change : rerun.loaded.changes) {
-    if (change.tick < outcome.ticks) metadata.changes.push_back({change.tick, change.scene});
+    if (change.tick < outcome.ticks) metadata.changes.push_back(change);
   }
   return metadata;
 }
 
-void tell_what_is_not_known(const RecordedRerun& rerun) {
+void tell_unknown_start(const RecordedRerun& rerun) {
   const file::LoadedScene& recorded = rerun.recording.info().loaded;
   if (rerun.loaded.first_recorded_tick == 0 || recorded.not_repeatable_because.empty()) return;
   tell(fmt::format(
-      "note: {} begins at tick {} of its session; where the pointer led the hand before "
-      "that is not known",
+      "note: {} begins at tick {} of its session; the pointer's earlier motion is not recorded",
       file::shown(rerun.recording.info().csv_path), rerun.loaded.first_recorded_tick));
 }
 
@@ -51,13 +50,13 @@ void tell_what_is_not_known(const RecordedRerun& rerun) {
 Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutputs& outputs) {
   std::unique_ptr<file::RecordingWriter> writer;
   if (!rerun.csv.empty()) {
-    auto created = file::RecordingWriter::create(rerun.csv, file::MoreColumns::kSimulator);
+    auto created = file::RecordingWriter::create(rerun.csv, file::CsvColumns{});
     if (!created) return created.error();
     writer = std::move(*created);
   }
-  if (rerun.talks) tell_what_is_not_known(rerun);
-  if (rerun.talks && rerun.recording.info().loaded.scene.y) {
-    tell("note: the recording has two axes; axis x is run again, axis y is left out");
+  if (rerun.talks) tell_unknown_start(rerun);
+  if (rerun.talks && rerun.recording.info().loaded.scene.two_axes()) {
+    tell("note: the recording has two axes; the re-run covers axis x only");
   }
   Progress progress(rerun.loaded.scene.name, rerun.talks);
   Failure failed;
@@ -67,8 +66,8 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
     return stop_signal() == 0 && !failed;
   };
   options.on_sample = [&](const Sample& sample) {
-    if (writer && !failed) failed = writer->append(sample);
-    if (outputs.wants_samples()) outputs.take(sample, Sample{});
+    if (writer && !failed) failed = writer->append({{sample}});
+    if (outputs.wants_ticks()) outputs.take({{sample}});
   };
   auto outcome = runtime::rerun_hand(rerun.recording, rerun.loaded, options);
   if (failed) return *std::move(failed);
@@ -81,12 +80,12 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
 }
 
 std::string comparison_line(const runtime::RerunOutcome& outcome, double rate_hz) {
-  std::string text = "the recording again, bit for bit";
+  std::string text = "equal to the recording, bit for bit";
   if (outcome.first_different_tick) {
-    text = fmt::format("leaves the recording at tick {} ({:.6g} s), at most {:.3g} mm apart",
-                       *outcome.first_different_tick,
-                       static_cast<double>(*outcome.first_different_tick) / rate_hz,
-                       outcome.largest_distance_m * kMillimetresPerMetre);
+    text = fmt::format(
+        "differs from the recording from tick {} ({:.6g} s) on, by at most {:.3g} mm",
+        *outcome.first_different_tick, static_cast<double>(*outcome.first_different_tick) / rate_hz,
+        outcome.largest_distance_m * kMillimetresPerMetre);
   }
   return summary_line("re-run", text);
 }

@@ -1,16 +1,15 @@
-#include "app/command/expectation.h"
+#include "app/command/report/expectation.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
-#include "app/command/summary_fields.h"
-#include "app/command/terminal.h"
-#include "app/file/text.h"
+#include "app/command/report/summary_fields.h"
+#include "app/command/report/terminal.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::command {
 namespace {
@@ -34,14 +33,6 @@ Comparison comparison_of(std::string_view sign) {
   if (sign == ">=") return Comparison::kGreaterOrEqual;
   if (sign == ">") return Comparison::kGreater;
   return Comparison::kEqual;
-}
-
-std::optional<double> finite_number(std::string_view text) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, code] = std::from_chars(text.data(), end, value);
-  if (code != std::errc{} || rest != end || !std::isfinite(value)) return std::nullopt;
-  return value;
 }
 
 std::optional<SummaryField> field_of(std::string_view key,
@@ -119,7 +110,7 @@ Result<Expectation> parse_expectation(const std::string& text) {
     if (const std::optional<Error> error = check_word(expectation, value)) return *error;
     return expectation;
   }
-  const std::optional<double> number = finite_number(value);
+  const std::optional<double> number = file::parsed<double>(value);
   if (!number) return problem(text, fmt::format("{} is not a number", file::in_quotes(value)));
   expectation.value = *number;
   return expectation;
@@ -135,19 +126,19 @@ Result<std::vector<Expectation>> parse_expectations(const std::vector<std::strin
   return expectations;
 }
 
-std::optional<std::string> unmet(const Expectation& expectation, const Summary& summary) {
-  const std::optional<SummaryField> field = field_of(expectation.key, summary_fields(summary));
+std::optional<std::string> unmet(const Expectation& expectation, const RunSummary& run) {
+  const std::optional<SummaryField> field = field_of(expectation.key, summary_fields(run));
   if (field && holds(expectation, field->value)) return std::nullopt;
   const std::string found = field ? value_text(field->value) : "null";
   return fmt::format("expected {}, found {} = {} ({} under {})", file::shown(expectation.text),
-                     expectation.key, found, file::shown(summary.scene), summary.algorithm);
+                     expectation.key, found, file::shown(run.front().scene), run.front().algorithm);
 }
 
-int judge(const std::vector<Expectation>& expectations, std::span<const Summary> summaries) {
+int judge(const std::vector<Expectation>& expectations, std::span<const RunSummary> runs) {
   int status = 0;
-  for (const Summary& summary : summaries) {
+  for (const RunSummary& run : runs) {
     for (const Expectation& expectation : expectations) {
-      if (const std::optional<std::string> line = unmet(expectation, summary)) {
+      if (const std::optional<std::string> line = unmet(expectation, run)) {
         tell(*line);
         status = kExpectationFailed;
       }

@@ -1,4 +1,4 @@
-// --expect: a condition on the summary that a script relies on.
+// --expect: a condition on the summary.
 #pragma once
 
 #include <optional>
@@ -26,12 +26,12 @@ struct Expectation {
 [[nodiscard]] Result<std::vector<Expectation>> parse_expectations(
     const std::vector<std::string>& texts);
 
-// Nothing where it holds, else one line that says what was found. `null` fails every comparison.
+// Nullopt if it holds, else one line with the value found. `null` fails every comparison.
 [[nodiscard]] std::optional<std::string> unmet(const Expectation& expectation,
-                                               const Summary& summary);
+                                               const RunSummary& run);
 
-// One line on standard error for each that does not hold of a summary; the exit status: 0 or 1.
+// Prints one line on standard error for each that does not hold; returns the exit status, 0 or 1.
 [[nodiscard]] int judge(const std::vector<Expectation>& expectations,
-                        std::span<const Summary> summaries);
+                        std::span<const RunSummary> runs);
 
 }  // namespace hapticwall::command

@@ -1,8 +1,8 @@
-#include "app/command/json_report.h"
+#include "app/command/report/json_report.h"
 
 #include <cmath>
 
-#include "app/file/text.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::command {
 namespace {
@@ -11,7 +11,7 @@ constexpr int kIndent = 2;
 
 std::string field_of(const Json& value) {
   if (value.is_null()) return "";
-  if (value.is_number_float()) return file::number_text(value.get<double>());
+  if (value.is_number_float()) return file::shortest_number(value.get<double>());
   if (!value.is_string()) return value.dump();
   return csv_field(value.get_ref<const std::string&>());
 }
@@ -49,6 +49,17 @@ std::string csv_text(const std::vector<Json>& objects) {
     text += line + '\n';
   }
   return text;
+}
+
+std::string study_json_text(Json head, const std::vector<Json>& rows) {
+  head["rows"] = rows;
+  return json_text(head);
+}
+
+std::string study_csv_text(const Json& head, const std::vector<Json>& rows) {
+  std::vector<Json> lines(rows.size(), head);
+  for (std::size_t i = 0; i < rows.size(); ++i) lines[i].update(rows[i]);
+  return csv_text(lines);
 }
 
 }  // namespace hapticwall::command

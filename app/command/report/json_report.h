@@ -1,4 +1,4 @@
-// Results for programs: JSON objects, and the same flat as CSV.
+// Results for programs, as JSON or as CSV.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,16 +11,20 @@ namespace hapticwall::command {
 
 using Json = nlohmann::ordered_json;
 
-// `null` where there is no value, or none that is finite.
+// `null` if there is no value or the value is not finite.
 [[nodiscard]] Json json_number(std::optional<double> value);
 
-// With a line end. Names of scenes are the user's: invalid UTF-8 is replaced, never thrown about.
+// With a line end. Replaces invalid UTF-8, which a scene's name may contain.
 [[nodiscard]] std::string json_text(const Json& object);
 
-// A field of CSV as RFC 4180 has it, in quotes where it must be.
+// A CSV field as in RFC 4180, quoted if necessary.
 [[nodiscard]] std::string csv_field(std::string_view text);
 
-// A header and a line an object; all have the same keys. `null` is an empty field.
+// A header and one line per object; `null` is an empty field. All objects have the same keys.
 [[nodiscard]] std::string csv_text(const std::vector<Json>& objects);
+
+// A study: `head` with the array "rows", and the same flat, with `head` in every line.
+[[nodiscard]] std::string study_json_text(Json head, const std::vector<Json>& rows);
+[[nodiscard]] std::string study_csv_text(const Json& head, const std::vector<Json>& rows);
 
 }  // namespace hapticwall::command

@@ -1,4 +1,4 @@
-#include "app/command/progress.h"
+#include "app/command/report/progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -16,8 +16,8 @@ namespace {
 constexpr std::chrono::milliseconds kFirstAfter{500};  // short work shows nothing
 constexpr std::chrono::milliseconds kInterval{100};
 constexpr int kBarWidth = 30;
-// Less than this tells nothing of the rest.
-constexpr double kLeastShare = 0.01;
+// Too little for an estimate.
+constexpr double kMinShare = 0.01;
 constexpr double kSecondsPerMinute = 60.0;
 constexpr int kMinutesPerHour = 60;
 
@@ -34,7 +34,7 @@ std::string duration_text(double seconds) {
 }
 
 std::optional<double> remaining_s(double passed_s, double began_at, double done) {
-  if (done - began_at < kLeastShare) return std::nullopt;
+  if (done - began_at < kMinShare) return std::nullopt;
   return passed_s * (1.0 - done) / (done - began_at);
 }
 

@@ -1,4 +1,4 @@
-// A progress bar on standard error, where that is a terminal and the work is long.
+// A progress bar on standard error, if that is a terminal and the work is long.
 #pragma once
 
 #include <chrono>
@@ -10,21 +10,21 @@ namespace hapticwall::command {
 // "2 h 05 min", "3 min 20 s", "12 s".
 [[nodiscard]] std::string duration_text(double seconds);
 
-// Seconds that remain when so many have passed and `done` of the work is done, of which `began_at`
-// was done before; nothing where that tells too little yet.
+// The estimated remaining seconds after `passed_s`, when the work went from the fraction `began_at`
+// to `done`; nullopt while that is too little for an estimate.
 [[nodiscard]] std::optional<double> remaining_s(double passed_s, double began_at, double done);
 
 class Progress {
  public:
-  // `wanted` false, or no terminal: nothing is ever drawn.
+  // Draws nothing if not `wanted` or if there is no terminal.
   Progress(std::string label, bool wanted);
-  ~Progress();  // the line is cleared
+  ~Progress();  // clears the line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // An earlier run has done this part of the work: it does not count for the time that remains.
+  // An earlier run did this fraction of the work; the estimate of the remaining time leaves it out.
   void begin_at(double fraction) { began_at_ = fraction; }
-  // `fraction` of the work is done, 0 to 1; cheap enough to be called often.
+  // `fraction` of the work is done, 0 to 1. Cheap: may be called often.
   void show(double fraction);
 
  private:

@@ -1,5 +1,4 @@
-// A summary as named values, in the order of the promise (docs/command-line.md): JSON, tables and
-// --expect all read this.
+// Summaries as named values, and as JSON and CSV (docs/command-line.md).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +11,7 @@
 
 namespace hapticwall::command {
 
-// std::monostate is `null`: what does not apply, and what is not a finite number.
+// std::monostate is `null`: the field does not apply, or its number is not finite.
 using SummaryValue = std::variant<std::monostate, std::string, std::uint64_t, double>;
 
 struct SummaryField {
@@ -20,22 +19,23 @@ struct SummaryField {
   SummaryValue value;
 };
 
-// Where there is a second axis, its fields follow with the prefix y_, less those that both share.
-[[nodiscard]] std::vector<SummaryField> summary_fields(const Summary& summary);
-// What can be asked for of some summary: the fields of one with two axes.
+// The keys of kSummaryKeys, for every axis. Keys of axis y have the prefix y_; those that the axes
+// share appear once.
+[[nodiscard]] std::vector<SummaryField> summary_fields(const RunSummary& run);
+// Every key that a summary can have: those of two axes.
 [[nodiscard]] std::vector<SummaryField> all_summary_fields();
 
-// What is wrong with a key that none of them has: with the nearest one, or with all.
+// Message for a key that does not exist; suggests the nearest one or lists all.
 [[nodiscard]] std::string unknown_key(std::string_view key);
 
 // "oscillating", "12", "0.0028", "null".
 [[nodiscard]] std::string value_text(const SummaryValue& value);
 
 // One object, or an array of them, with a line end.
-[[nodiscard]] std::string summary_json(const Summary& summary);
-[[nodiscard]] std::string summaries_json(const std::vector<Summary>& summaries);
+[[nodiscard]] std::string summary_json(const RunSummary& run);
+[[nodiscard]] std::string summaries_json(const std::vector<RunSummary>& runs);
 
-// A table, a header and a line a summary; `null` is an empty field.
-[[nodiscard]] std::string summaries_csv(const std::vector<Summary>& summaries);
+// A header and one line per run; `null` is an empty field. All runs have as many axes.
+[[nodiscard]] std::string summaries_csv(const std::vector<RunSummary>& runs);
 
 }  // namespace hapticwall::command

@@ -1,4 +1,4 @@
-#include "app/command/summary_table.h"
+#include "app/command/report/summary_table.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <ranges>
+#include <vector>
 
-#include "app/command/text_table.h"
-#include "core/metrics.h"
+#include "app/command/report/text_table.h"
+#include "core/simulation/metrics.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
@@ -43,12 +45,12 @@ std::string heading(const Summary& summary) {
   return fmt::format("{} under {}: {}\n", summary.scene, summary.algorithm, verdict_text(summary));
 }
 
-// What makes a value the best of its column; most figures are neither good nor bad.
+// Which value is the best of its column; most columns have no best one.
 enum class Best : std::uint8_t {
   kNone,
-  kSmallest,         // of what did not diverge
-  kLargest,          // the same
-  kSmallestSettled,  // of what settled: a wall that shakes is not good, whatever else it shows
+  kSmallest,         // of the runs that did not diverge
+  kLargest,          // of the same
+  kSmallestSettled,  // of the runs that settled: a wall that shakes is never the best
   kLargestSettled,
 };
 
@@ -57,7 +59,7 @@ struct Column {
   std::string_view unit;
   std::string (*text)(const Summary&);
   Best best = Best::kNone;
-  std::optional<double> (*value)(const Summary&) = nullptr;  // of which the best is marked
+  std::optional<double> (*value)(const Summary&) = nullptr;  // compared for `best`
 };
 
 constexpr std::array<Column, 11> kColumns{
@@ -128,25 +130,24 @@ std::string axis_lines(const Summary& s) {
 // A line of the comparison.
 struct Row {
   Summary summary;   // of one axis
-  std::size_t axis;  // only rows of the same are compared
-  bool diverged;     // the run did, on whichever axis: all its figures are of a shorter one
+  std::size_t axis;  // rows of one axis are compared with each other
+  bool diverged;     // on any axis: all metrics of the run are those of a shorter run
 };
 
-std::vector<Row> comparison_rows(const std::vector<Summary>& summaries) {
+std::vector<Row> comparison_rows(const std::vector<RunSummary>& runs) {
   std::vector<Row> rows;
-  for (const Summary& summary : summaries) {
-    const bool diverged = summary.verdict == Verdict::kDiverged ||
-                          std::ranges::count(summary.y, Verdict::kDiverged, &Summary::verdict) > 0;
-    rows.push_back({summary, 0, diverged});
-    for (std::size_t i = 0; i < summary.y.size(); ++i) {
-      rows.push_back({summary.y[i], i + 1, diverged});
-      rows.back().summary.algorithm = "  axis y";
+  for (const RunSummary& run : runs) {
+    const bool diverged = std::ranges::count(run, Verdict::kDiverged, &Summary::verdict) > 0;
+    for (std::size_t axis = 0; axis < run.size(); ++axis) {
+      rows.push_back({run[axis], axis, diverged});
+      if (axis > 0) rows.back().summary.algorithm = "  axis y";
     }
   }
   return rows;
 }
 
-// What a row enters the contest of a column with, the smaller the better; nothing: it does not.
+// The value of a row that the best of a column is chosen by, smaller is better; nullopt: the row
+// does not take part.
 std::optional<double> entry(const Column& column, const Row& row) {
   if (column.best == Best::kNone || row.diverged) return std::nullopt;
   const bool of_settled =
@@ -167,8 +168,8 @@ bool is_best(const Column& column, const Row& row, const std::vector<Row>& rows)
   });
 }
 
-// The cells of a column below its title and unit. A mark moves no digit: whatever has none has a
-// space instead, where anything of the column has one.
+// The cells of a column below its title and unit. If any of them has a mark, the others get a space
+// in its place, so that the digits stay aligned.
 std::vector<std::string> column_cells(const Column& column, const std::vector<Row>& rows,
                                       bool marks) {
   std::vector<std::string> cells{std::string(column.title), std::string(column.unit)};
@@ -187,25 +188,28 @@ std::string summary_line(std::string_view label, std::string_view text) {
   return fmt::format("  {:<{}}{}\n", label, kLabelWidth, text);
 }
 
-bool hand_moves_in_tail(const Scene& scene, const Summary& summary, double end_s) {
-  const bool of_a_device = !summary.true_hand_work_j;  // held by a person
-  if (of_a_device || summary.verdict == Verdict::kDiverged) return false;
-  const auto moves = [&](const std::optional<HandSettings>& hand) {
-    if (!hand) return false;
+bool hand_moves_in_tail(const Scene& scene, const RunSummary& run, double end_s) {
+  const bool of_a_device = !run.front().true_hand_work_j;  // held by a person
+  if (of_a_device || run.front().verdict == Verdict::kDiverged) return false;
+  const auto moves = [&](const AxisSettings& axis) {
+    if (!axis.hand) return false;
     const auto is_late = [&](const PathPoint& a, const PathPoint& b) {
       return a.position_m != b.position_m && a.time_s < end_s && b.time_s > end_s - kTailS;
     };
-    return std::ranges::adjacent_find(hand->path, is_late) != hand->path.end();
+    return std::ranges::adjacent_find(axis.hand->path, is_late) != axis.hand->path.end();
   };
-  return moves(scene.hand) || (scene.y && moves(scene.y->hand));
+  return std::ranges::any_of(scene.axes, moves);
 }
 
-std::string summary_lines(const Summary& s, const Circumstances& circumstances) {
+std::string summary_lines(const RunSummary& run, const Circumstances& circumstances) {
+  const Summary& s = run.front();
   std::string text = heading(s) +
                      summary_line("simulated", fmt::format("{:.6g} s, {} ticks{}", s.duration_s,
                                                            s.ticks, speed_text(s))) +
                      axis_lines(s);
-  for (const Summary& y : s.y) text += fmt::format("axis y: {}\n", verdict_text(y)) + axis_lines(y);
+  for (const Summary& y : run | std::views::drop(1)) {
+    text += fmt::format("axis y: {}\n", verdict_text(y)) + axis_lines(y);
+  }
   if (!circumstances.realtime_status.empty()) {
     text += summary_line("real time", circumstances.realtime_status);
   }
@@ -213,9 +217,9 @@ std::string summary_lines(const Summary& s, const Circumstances& circumstances) 
   return text;
 }
 
-std::string comparison_table(const std::vector<Summary>& summaries) {
-  const std::vector<Row> rows = comparison_rows(summaries);
-  const bool marks = summaries.size() > 1;
+std::string comparison_table(const std::vector<RunSummary>& runs) {
+  const std::vector<Row> rows = comparison_rows(runs);
+  const bool marks = runs.size() > 1;
   std::vector<std::vector<std::string>> cells(rows.size() + kHeadRows);
   for (const Column& column : kColumns) {
     const std::vector<std::string> texts = column_cells(column, rows, marks);

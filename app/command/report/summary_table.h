@@ -10,25 +10,25 @@
 
 namespace hapticwall::command {
 
-// What a summary does not hold, and its reader should know.
+// Facts beside the summary that its reader needs.
 struct Circumstances {
   std::string realtime_status;  // empty: not in real time
   bool hand_moves_in_tail = false;
 };
 
-// True where a script still leads a simulated hand, of either axis, in the second before `end_s`
-// (seconds from the session's begin): its way is then in the tail's peak to peak, and the verdict.
-// What diverged did so whatever the hand's way.
-[[nodiscard]] bool hand_moves_in_tail(const Scene& scene, const Summary& summary, double end_s);
+// True if a script moves a simulated hand, of either axis, in the second before `end_s` (seconds
+// since the session began): the tail's peak to peak and the verdict then include that motion. False
+// for a run that diverged.
+[[nodiscard]] bool hand_moves_in_tail(const Scene& scene, const RunSummary& run, double end_s);
 
 // One line of a summary.
 [[nodiscard]] std::string summary_line(std::string_view label, std::string_view text);
 
-// A dozen aligned lines, the verdict first, and one for each circumstance.
-[[nodiscard]] std::string summary_lines(const Summary& summary, const Circumstances& circumstances);
+// A dozen aligned lines, the verdict first, then one for each circumstance.
+[[nodiscard]] std::string summary_lines(const RunSummary& run, const Circumstances& circumstances);
 
-// One aligned table, a line an axis of a summary, in the order given. With more than one summary
-// the best of a column are marked, axis by axis, and lines below say what best is.
-[[nodiscard]] std::string comparison_table(const std::vector<Summary>& summaries);
+// One aligned table with one line per run and axis, in the order given. With more than one run it
+// marks the best of each column, axis by axis, and says below how best is defined.
+[[nodiscard]] std::string comparison_table(const std::vector<RunSummary>& runs);
 
 }  // namespace hapticwall::command

@@ -1,4 +1,4 @@
-#include "app/command/terminal.h"
+#include "app/command/report/terminal.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,13 +8,13 @@
 #include <string>
 #include <system_error>
 
-#include "app/file/text.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::command {
 namespace {
 
-// Whatever its source, a message stays one line of a sane length.
-constexpr std::size_t kLongestLine = 1000;
+// Bytes of a message.
+constexpr std::size_t kMaxLineBytes = 1000;
 
 // 0, or errno.
 int write_all(int descriptor, std::string_view text) {
@@ -44,7 +44,7 @@ int report(const Error& error) {
 void tell(std::string_view line) {
   std::string text(line);
   std::replace(text.begin(), text.end(), '\n', ' ');
-  write_all(STDERR_FILENO, file::shown(text, kLongestLine) + '\n');
+  write_all(STDERR_FILENO, file::shown(text, kMaxLineBytes) + '\n');
 }
 
 }  // namespace hapticwall::command

@@ -1,4 +1,4 @@
-#include "app/command/text_table.h"
+#include "app/command/report/text_table.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kGap = "  ";
 
-// What a terminal shows of it: bytes that continue a character of UTF-8 take no place.
+// The width on a terminal: continuation bytes of UTF-8 take no place.
 std::size_t width_of(const std::string& text) {
   constexpr unsigned kContinuationMask = 0xC0U;
   constexpr unsigned kContinuation = 0x80U;

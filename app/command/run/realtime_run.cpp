@@ -1,4 +1,4 @@
-#include "app/command/realtime_run.h"
+#include "app/command/run/realtime_run.h"
 
 #include <fmt/format.h>
 
@@ -12,30 +12,30 @@
 #include <utility>
 #include <vector>
 
-#include "app/command/axes_metrics.h"
 #include "app/command/device_choice.h"
-#include "app/command/progress.h"
+#include "app/command/report/axes_metrics.h"
+#include "app/command/report/progress.h"
+#include "app/command/report/terminal.h"
 #include "app/command/signals.h"
-#include "app/command/terminal.h"
-#include "app/file/text.h"
-#include "app/runtime/session.h"
+#include "app/file/text/text.h"
+#include "app/runtime/session/live_session.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{5};
-constexpr std::size_t kSamplesPerPoll = 4096;
+constexpr std::size_t kTicksPerPoll = 4096;
 
-// Of a real device too: how old its positions were, and what of its reports never came.
-std::string link_text(const runtime::Session& session, const device::LinkFigures& link) {
+// Age of positions and missing reports of a real device.
+std::string link_text(const runtime::LiveSession& session, const device::LinkStats& link) {
   return fmt::format("; {}: {} states, {} missing, {} void, at most {:.0f} us old, delay {:.0f} us",
                      session.device_info().name, link.states, link.missing_states,
                      link.void_reports, link.maximum_age_s * kMicrosecondsPerSecond,
                      link.delay_s * kMicrosecondsPerSecond);
 }
 
-std::string status_text(const runtime::Session& session, const runtime::Snapshot& snapshot) {
+std::string status_text(const runtime::LiveSession& session, const runtime::Snapshot& snapshot) {
   const runtime::TimingStatistics& timing = snapshot.timing;
   std::string text = fmt::format("{}; {} ticks missed, woken at most {:.0f} us late",
                                  session.realtime_status().text, timing.missed_ticks,
@@ -45,47 +45,48 @@ std::string status_text(const runtime::Session& session, const runtime::Snapshot
 }
 
 // Takes what the loop has produced.
-class SampleTaker {
+class TickTaker {
  public:
-  SampleTaker(const Scene& scene, bool has_truth)
-      : metrics_(scene, scene.tick_count(), has_truth), x_(kSamplesPerPoll), y_(kSamplesPerPoll) {}
+  TickTaker(const Scene& scene, bool has_truth)
+      : metrics_(scene, scene.tick_count(), has_truth), ticks_(kTicksPerPoll) {}
 
-  // Returns how many samples that was.
-  std::uint64_t take(runtime::Session& session, const RealtimeRun& run) {
-    const std::size_t count = session.take_samples(x_);
-    static_cast<void>(session.take_second_axis(std::span(y_).first(count)));
-    for (std::size_t i = 0; i < count; ++i) {
-      metrics_.add(x_[i], y_[i]);
-      if (run.on_sample) run.on_sample(x_[i], y_[i]);
+  // Returns the number of ticks.
+  std::uint64_t take(runtime::LiveSession& session, const RealtimeRun& run) {
+    const std::size_t count = session.take_ticks(ticks_);
+    for (const Tick& tick : std::span(ticks_).first(count)) {
+      metrics_.add(tick);
+      if (run.on_tick) run.on_tick(tick);
     }
     return count;
   }
-  [[nodiscard]] Summary summary() const { return metrics_.finish(); }
+  [[nodiscard]] RunSummary summary() const { return metrics_.finish(); }
 
  private:
   AxesMetrics metrics_;
-  std::vector<Sample> x_;
-  std::vector<Sample> y_;  // all zero where there is one axis
+  std::vector<Tick> ticks_;
 };
 
-Result<std::unique_ptr<runtime::Session>> start_session(const RealtimeRun& run) {
+Result<std::unique_ptr<runtime::LiveSession>> start_session(const RealtimeRun& run) {
   runtime::SessionOptions options;
   options.start_paused = true;  // the recording begins with tick 0
   options.allow_no_realtime = run.allow_no_realtime;
   options.spin_s = run.spin_s;
-  if (!run.hardware) return runtime::Session::start(run.scene, options);
-  return runtime::Session::start_on(make_device(*run.hardware, run.scene), run.scene, options);
+  if (!run.hardware) return runtime::LiveSession::start(run.scene, options);
+  return runtime::LiveSession::start_on(make_device(*run.hardware, run.scene), run.scene, options);
 }
 
-// What ends a run before its time, apart from a signal.
-Failure trouble_in(const runtime::Session& session, const runtime::Snapshot& snapshot,
+// Trouble that ends a run early.
+Failure trouble_in(const runtime::LiveSession& session, const runtime::Snapshot& snapshot,
                    const RealtimeRun& run) {
   const auto failed = [](std::string text) { return Error{ErrorKind::kDevice, std::move(text)}; };
   if (snapshot.ended_by_fault) {
-    return failed(fmt::format("the loop gave up after {} ticks", snapshot.sample.tick));
+    return failed(
+        fmt::format("the loop ended by a fault after {} ticks", snapshot.newest.x().tick));
   }
   if (session.dropped_plot_samples() > 0) {
-    return failed("samples were lost: this machine is too slow for the rate");
+    return failed(
+        "samples were lost: this machine is too slow for the rate; choose a lower "
+        "sampling.rate_hz");
   }
   const runtime::ArmingStatus& arming = snapshot.arming;
   const std::string& name = session.device_info().name;
@@ -94,28 +95,27 @@ Failure trouble_in(const runtime::Session& session, const runtime::Snapshot& sna
     return failed(
         fmt::format("{}: {}; the force is off since {:.3f} s", name,
                     details.empty() ? device::trouble_text(snapshot.link.trouble) : details,
-                    snapshot.sample.time_s));
+                    snapshot.newest.x().time_s));
   }
-  // The last tick's pause is no trouble.
+  // The pause after the last tick is no trouble.
   if (run.arm && arming.asked > 0 && arming.state == runtime::ArmingState::kOff &&
       arming.note != runtime::ArmingNote::kPaused) {
     return failed(fmt::format("{}: the force is off since {:.3f} s: {}", name,
-                              snapshot.sample.time_s, runtime::arming_note_text(arming.note)));
+                              snapshot.newest.x().time_s, runtime::arming_note_text(arming.note)));
   }
   return {};
 }
 
-// Without the steps that are still to come, so that the figures and the recording end with the same
-// tick.
-void leave_out_the_rest(runtime::Session& session) {
+// Drops the remaining steps, so that summary and recording end with the same tick.
+void leave_out_the_rest(runtime::LiveSession& session) {
   session.pause(false);
   session.pause(true);
 }
 
-// Tells of a recording that fails as soon as that is known. The run goes on, and ends with it.
+// Reports a failing recording at once; the run continues and fails at its end.
 class RecordingWatch {
  public:
-  void look(const runtime::Session& session) {
+  void look(const runtime::LiveSession& session) {
     if (told_) return;
     const runtime::RecordingStatus status = session.recording_status();
     std::string trouble;
@@ -125,7 +125,7 @@ class RecordingWatch {
       trouble = file::shown(status.path) + ": rows are missing: the disk is too slow";
     }
     if (trouble.empty()) return;
-    tell(trouble + "; the run goes on");
+    tell(trouble + "; the run continues");
     told_ = true;
   }
 
@@ -140,14 +140,14 @@ Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
   if (ticks > UINT32_MAX) {
     return Error{ErrorKind::kUsage, fmt::format("--realtime runs at most {} ticks", UINT32_MAX)};
   }
-  Result<std::unique_ptr<runtime::Session>> started = start_session(run);
+  Result<std::unique_ptr<runtime::LiveSession>> started = start_session(run);
   if (!started) return started.error();
-  runtime::Session& session = **started;
+  runtime::LiveSession& session = **started;
   if (!run.csv.empty()) {
     if (Failure failed = session.start_recording(run.csv)) return *failed;
   }
 
-  SampleTaker taker(session.scene(), session.device_info().is_simulated);
+  TickTaker taker(session.scene(), session.device_info().is_simulated);
   Progress progress(run.scene.name, run.show_progress);
   session.step(static_cast<std::uint32_t>(ticks));
   if (run.arm) session.arm(true);

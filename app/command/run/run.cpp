@@ -7,14 +7,15 @@
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
 #include "app/command/device_choice.h"
-#include "app/command/headless.h"
-#include "app/command/realtime_run.h"
-#include "app/command/run_outputs.h"
+#include "app/command/report/expectation.h"
+#include "app/command/report/summary_table.h"
+#include "app/command/report/terminal.h"
+#include "app/command/run/headless.h"
+#include "app/command/run/realtime_run.h"
+#include "app/command/run/run_outputs.h"
 #include "app/command/signals.h"
-#include "app/command/summary_fields.h"
-#include "app/command/summary_table.h"
-#include "app/command/terminal.h"
-#include "app/file/text.h"
+#include "app/file/text/text.h"
+#include "core/result.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
@@ -27,37 +28,34 @@ struct RunOptions {
   bool arm = false;
 };
 
-// What was run, however it was run.
 struct RunOutcome {
-  Summary summary;
+  RunSummary summary;
   bool stopped_early = false;
   std::string realtime_status;
 };
 
 Failure check_arming(const RunOptions& options, const DeviceChoice& device) {
   if (!options.arm || device.hardware) return {};
-  return Error{ErrorKind::kUsage,
-               "--arm: the simulator needs no arming; it is for --device ie2000"};
+  return usage_error("--arm: the simulator needs no arming; it is for --device ie2000");
 }
 
 Failure check_spin(const RunOptions& options, bool in_real_time) {
   const Result<double> spin_s = spin_seconds(options.scene.spin_us);
   if (!spin_s) return spin_s.error();
   if (*spin_s == 0.0 || in_real_time) return {};
-  return Error{ErrorKind::kUsage, "--spin: it is for --realtime and for a device"};
+  return usage_error("--spin: it needs --realtime or a device");
 }
 
 Failure check_realtime(const SceneOptions& options, const file::LoadedScene& loaded) {
   if (loaded.changes.empty() && loaded.first_recorded_tick == 0) return {};
-  return Error{ErrorKind::kUsage,
-               fmt::format("{}: a part of a session, or one in which parameters changed; only a "
-                           "run without --realtime repeats it, tick by tick",
-                           file::shown(options.scene))};
+  return usage_error(fmt::format(
+      "{}: a part of a session, or one in which parameters changed; run it without --realtime",
+      file::shown(options.scene)));
 }
 
-std::function<void(const Sample&, const Sample&)> sample_sink(RunOutputs& outputs) {
-  if (!outputs.wants_samples()) return {};
-  return [&outputs](const Sample& x, const Sample& y) { outputs.take(x, y); };
+std::function<void(const Tick&)> tick_sink(RunOutputs& outputs) {
+  if (!outputs.wants_ticks()) return {};
+  return [&outputs](const Tick& tick) { outputs.take(tick); };
 }
 
 Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoice& device,
@@ -65,7 +63,7 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
   const Result<RealtimeOutcome> result =
       run_realtime({.scene = scene,
                     .csv = options.output.csv,
-                    .on_sample = sample_sink(outputs),
+                    .on_tick = tick_sink(outputs),
                     .hardware = device.hardware,
                     .arm = options.arm,
                     .allow_no_realtime = options.scene.allow_no_realtime,
@@ -77,55 +75,51 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
 
 Result<RunOutcome> run_headless(const RunOptions& options, const file::LoadedScene& loaded,
                                 RunOutputs& outputs) {
-  const SimulationResult result =
+  const HeadlessResult result =
       simulate_timed({.scene = loaded.scene,
                       .changes = loaded.changes,
-                      .on_sample = sample_sink(outputs),
+                      .on_tick = tick_sink(outputs),
                       .should_stop = [&] { return outputs.failure().has_value(); },
                       .progress_label = loaded.scene.name,
                       .show_progress = !options.output.quiet});
   const std::uint64_t ticks =
-      result.stopped_early ? result.summary.ticks : loaded.scene.tick_count();
+      result.stopped_early ? result.summary.front().ticks : loaded.scene.tick_count();
   if (Failure failed = outputs.finish_recording(loaded, ticks)) return *failed;
   return RunOutcome{result.summary, result.stopped_early, ""};
 }
 
-int tell_stopped(const RunOutcome& outcome, const Scene& scene, const std::string& csv) {
-  tell(fmt::format("ended early by {} after {} of {} ticks{}", signal_name(stop_signal()),
-                   outcome.summary.ticks, scene.tick_count(),
-                   csv.empty() ? "" : "; " + file::shown(csv) + " holds what was run"));
-  return signal_exit_status(stop_signal());
+int end_early(const RunOutcome& outcome, const Scene& scene, const std::string& csv) {
+  return ended_early(fmt::format(" after {} of {} ticks{}", outcome.summary.front().ticks,
+                                 scene.tick_count(),
+                                 csv.empty() ? "" : "; " + file::shown(csv) + " holds these"));
 }
 
-Failure print_summary(const OutputOptions& options, const Scene& scene, const RunOutcome& outcome) {
-  if (options.json == kStandardOutput) return write_output(summary_json(outcome.summary));
-  if (options.quiet) return {};
-  const Summary& summary = outcome.summary;
-  const bool hand_moves = hand_moves_in_tail(scene, summary, summary.duration_s);
-  return write_output(summary_lines(summary, {outcome.realtime_status, hand_moves}));
+std::string table_of(const Scene& scene, const RunOutcome& outcome) {
+  const RunSummary& summary = outcome.summary;
+  const bool hand_moves = hand_moves_in_tail(scene, summary, summary.front().duration_s);
+  return summary_lines(summary, {outcome.realtime_status, hand_moves});
 }
 
-int run(const RunOptions& options) {
+Result<int> run(const RunOptions& options) {
   const Result<std::vector<Expectation>> expectations =
       parse_expectations(options.output.expectations);
-  if (!expectations) return report(expectations.error());
-  if (const Failure failed = check_outputs(options.output, {options.scene.scene}))
-    return report(*failed);
+  if (!expectations) return expectations.error();
+  if (Failure failed = check_outputs(options.output, {options.scene.scene})) return *failed;
   const Result<DeviceChoice> device = parse_device_choice(options.scene.device);
-  if (!device) return report(device.error());
-  if (const Failure failed = check_arming(options, *device)) return report(*failed);
+  if (!device) return device.error();
+  if (Failure failed = check_arming(options, *device)) return *failed;
   const bool in_real_time = options.realtime || device->hardware.has_value();
-  if (const Failure failed = check_spin(options, in_real_time)) return report(*failed);
+  if (Failure failed = check_spin(options, in_real_time)) return *failed;
   const Result<file::LoadedScene> loaded =
       device->hardware ? load(options.scene) : load_headless(options.scene);
-  if (!loaded) return report(loaded.error());
+  if (!loaded) return loaded.error();
   if (in_real_time) {
-    if (const Failure failed = check_realtime(options.scene, *loaded)) return report(*failed);
+    if (Failure failed = check_realtime(options.scene, *loaded)) return *failed;
   }
   Result<RunOutputs> outputs = RunOutputs::open(options.output, *loaded, in_real_time);
-  if (!outputs) return report(outputs.error());
+  if (!outputs) return outputs.error();
   if (!loaded->not_repeatable_because.empty() && !options.output.quiet && !device->hardware) {
-    tell(fmt::format("note: this will differ from the recorded session: {}",
+    tell(fmt::format("note: the run will differ from the recorded session: {}",
                      file::shown(loaded->not_repeatable_because)));
   }
 
@@ -133,13 +127,11 @@ int run(const RunOptions& options) {
   const Result<RunOutcome> outcome =
       in_real_time ? run_in_real_time(options, *device, loaded->scene, *outputs)
                    : run_headless(options, *loaded, *outputs);
-  if (!outcome) return report(outcome.error());
-  if (outcome->stopped_early) return tell_stopped(*outcome, loaded->scene, options.output.csv);
-  if (const Failure failed = outputs->finish(loaded->scene, outcome->summary)) {
-    return report(*failed);
-  }
-  if (const Failure failed = print_summary(options.output, loaded->scene, *outcome)) {
-    return report(*failed);
+  if (!outcome) return outcome.error();
+  if (outcome->stopped_early) return end_early(*outcome, loaded->scene, options.output.csv);
+  if (Failure failed =
+          outputs->finish(loaded->scene, outcome->summary, table_of(loaded->scene, *outcome))) {
+    return *failed;
   }
   return judge(*expectations, {&outcome->summary, 1});
 }
@@ -154,15 +146,13 @@ Command add_run(CLI::App& program) {
   add_scene_options(*app, options->scene);
   add_device_options(*app, options->scene);
   app->add_flag("--realtime", options->realtime,
-                "In real time, through the loop that the window uses; always so on a device");
+                "Run in real time, with the window's loop; a device always does");
   app->add_flag("--arm", options->arm,
-                "Let a device push, as soon as its handle is seen outside the wall; without it the "
-                "force stays off");
-  app->add_option("--csv", options->output.csv,
-                  "Record every tick; the sidecar FILE.toml repeats the run")
-      ->type_name("FILE");
-  app->add_option("--plot", options->output.plot, "Draw the figure of the run; needs no display")
-      ->type_name("FILE.png");
+                "Enable a device's force once its handle is outside the wall; without it the force "
+                "stays off");
+  add_csv_option(*app, options->output,
+                 "Record every tick; run the sidecar FILE.toml to repeat it");
+  add_plot_option(*app, options->output, "Draw the figure of the run");
   add_output_options(*app, options->output);
   return {app, [options] { return run(*options); }};
 }

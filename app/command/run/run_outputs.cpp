@@ -1,12 +1,12 @@
-#include "app/command/run_outputs.h"
+#include "app/command/run/run_outputs.h"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "app/command/summary_fields.h"
-#include "app/file/picture.h"
-#include "app/ui/figure.h"
+#include "app/command/report/summary_fields.h"
+#include "app/draw/figure/figure.h"
+#include "core/result.h"
 
 namespace hapticwall::command {
 namespace {
@@ -17,9 +17,7 @@ file::RecordingMetadata metadata_of(const file::LoadedScene& loaded, std::uint64
   metadata.realtime_status = "not in real time: as fast as the machine can";
   metadata.first_tick = loaded.first_recorded_tick;
   metadata.session_ticks = ticks;
-  for (const ScheduledChange& change : loaded.changes) {
-    metadata.changes.push_back({change.tick, change.scene});
-  }
+  metadata.changes = loaded.changes;
   return metadata;
 }
 
@@ -27,19 +25,21 @@ file::RecordingMetadata metadata_of(const file::LoadedScene& loaded, std::uint64
 
 Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::LoadedScene& loaded,
                                     bool session_records) {
-  if (!options.plot.empty() && loaded.scene.tick_count() > kMostPlottedTicks) {
-    return Error{ErrorKind::kUsage, fmt::format("--plot: a figure shows at most {} ticks, this run "
-                                                "has {}; --duration shortens it",
-                                                kMostPlottedTicks, loaded.scene.tick_count())};
+  if (!options.plot.empty() && loaded.scene.tick_count() > kMaxPlottedTicks) {
+    return usage_error(fmt::format(
+        "--plot: a figure shows at most {} ticks, this run has {}; --duration shortens it",
+        kMaxPlottedTicks, loaded.scene.tick_count()));
   }
   RunOutputs outputs;
   outputs.first_recorded_tick_ = loaded.first_recorded_tick;
-  outputs.second_axis_ = loaded.scene.y.has_value();
-  if (Failure failed = outputs.json_.open(options.json)) return *failed;
-  if (Failure failed = outputs.plot_.open(options.plot)) return *failed;
+  OutputOptions without_csv = options;
+  without_csv.csv.clear();
+  Result<OutputFiles> files = OutputFiles::open(without_csv);
+  if (!files) return files.error();
+  outputs.files_ = std::move(*files);
   if (!options.csv.empty() && !session_records) {
     auto recording = file::RecordingWriter::create(
-        options.csv, file::more_columns(true, loaded.scene.y.has_value()));
+        options.csv, file::csv_columns(true, loaded.scene.axes.size()));
     if (!recording) return recording.error();
     if (Failure failed =
             (*recording)->note(loaded.scene, metadata_of(loaded, loaded.scene.tick_count()))) {
@@ -50,12 +50,13 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
   return outputs;
 }
 
-void RunOutputs::take(const Sample& x, const Sample& y) {
-  if (x.tick < first_recorded_tick_) return;
-  if (recording_ && !failure_) failure_ = recording_->append(x, y);
-  if (!plot_.is_open() || !file::is_finite(x) || !file::is_finite(y)) return;
-  samples_.push_back(x);
-  if (second_axis_) y_samples_.push_back(y);
+void RunOutputs::take(const Tick& tick) {
+  if (tick.x().tick < first_recorded_tick_) return;
+  if (recording_ && !failure_) failure_ = recording_->append(tick);
+  if (!files_.wants_plot() || !is_finite(tick)) return;
+  for (std::size_t axis = 0; axis < tick.count; ++axis) {
+    samples_[axis].push_back(tick.axes[axis]);
+  }
 }
 
 Failure RunOutputs::finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks) {
@@ -63,25 +64,19 @@ Failure RunOutputs::finish_recording(const file::LoadedScene& loaded, std::uint6
   return recording_->finish(loaded.scene, metadata_of(loaded, ticks));
 }
 
-// Axis x, and at its right axis y where there is one.
+// Axis x, and axis y to its right.
 Result<file::Picture> RunOutputs::draw(const Scene& scene) const {
-  Result<file::Picture> x = ui::draw_figure(scene, samples_);
-  if (!x || !scene.y) return x;
-  Scene y_scene = second_axis(scene);
+  Result<file::Picture> x = draw::draw_figure(scene, samples_[0]);
+  if (!x || !scene.two_axes()) return x;
+  Scene y_scene = axis_scene(scene, 1);
   y_scene.name += ", axis y";
-  Result<file::Picture> y = ui::draw_figure(y_scene, y_samples_);
+  Result<file::Picture> y = draw::draw_figure(y_scene, samples_[1]);
   if (!y) return y;
   return file::beside(*x, *y);
 }
 
-Failure RunOutputs::finish(const Scene& scene, const Summary& summary) {
-  if (Failure failed = json_.write_whole(summary_json(summary))) return failed;
-  if (!plot_.is_open()) return {};
-  const Result<file::Picture> figure = draw(scene);
-  if (!figure) return figure.error();
-  const Result<std::string> bytes = file::encode_png(*figure);
-  if (!bytes) return bytes.error();
-  return plot_.write_whole(*bytes);
+Failure RunOutputs::finish(const Scene& scene, const RunSummary& summary, std::string table) {
+  return files_.write({"", summary_json(summary), std::move(table)}, [&] { return draw(scene); });
 }
 
 }  // namespace hapticwall::command

@@ -1,16 +1,16 @@
-// hapticwall scenes: the built-in ones, a line each.
+// hapticwall scenes: lists the built-in scenes.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "app/command/commands.h"
-#include "app/command/terminal.h"
-#include "app/file/scene_file.h"
+#include "app/command/report/terminal.h"
+#include "app/file/scene/scene_file.h"
 
 namespace hapticwall::command {
 namespace {
 
-int list_scenes() {
+Result<int> list_scenes() {
   std::size_t width = 0;
   for (const file::BuiltinScene& scene : file::builtin_scenes()) {
     width = std::max(width, scene.name.size());
@@ -19,8 +19,7 @@ int list_scenes() {
   for (const file::BuiltinScene& scene : file::builtin_scenes()) {
     text += fmt::format("{:<{}}  {}\n", scene.name, width, scene.description);
   }
-  const Failure failed = write_output(text);
-  return failed ? report(*failed) : 0;
+  return status_of(write_output(text));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/ui/comparison_figure.h"
+#include "app/draw/figure/comparison_figure.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/page.h"
-#include "app/ui/plot.h"
-#include "app/ui/plot_heading.h"
-#include "app/ui/theme.h"
+#include "app/draw/figure/page.h"
+#include "app/draw/plot/plot.h"
+#include "app/draw/plot/plot_heading.h"
+#include "app/draw/plot/theme.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr int kFigureWidth = 2400;  // pixels, of up to kUsualRuns columns
@@ -33,7 +33,7 @@ constexpr std::array kComparedPlots{PlotId::kPosition, PlotId::kForce, PlotId::k
 // Of the forces only the actuator's: what a soft wall asks for would flatten it.
 ChosenLines compared_lines() {
   ChosenLines lines = usual_lines();
-  lines[static_cast<std::size_t>(PlotId::kForce)] = line_bit(Quantity::kForce);
+  lines[static_cast<std::size_t>(PlotId::kForce)] = line_bit(&Sample::force_n);
   return lines;
 }
 
@@ -92,7 +92,7 @@ void draw_title(const Theme& theme, const Scene& scene, std::size_t runs) {
   ImGui::TextDisabled(
       "  compared: %zu algorithm%s%s%s", runs, runs == 1 ? "" : "s",
       has_follower(scene.algorithm) ? ", each with a passivity controller behind it" : "",
-      scene.y ? "  ·  axis x" : "");
+      scene.two_axes() ? "  ·  axis x" : "");
   ImGui::PushFont(nullptr, kSmallFontSize);
   ImGui::TextDisabled("%s", describe(scene).c_str());
   ImGui::TextDisabled(
@@ -253,7 +253,7 @@ Result<file::Picture> draw_comparison(const Scene& scene, std::span<const Compar
   std::vector<PixelColumn> pixels;
   Comparison comparison{scene, runs, {}, {}};
   PlotSurface& surface = comparison.surface;
-  surface.walls = scene.walls;
+  surface.walls = scene.x().walls;
   surface.window = &window;
   surface.chosen = &lines;
   surface.hidden = &hidden;
@@ -267,4 +267,4 @@ Result<file::Picture> draw_comparison(const Scene& scene, std::span<const Compar
   return draw_page(size, scale, [&](const Theme& theme) { draw_contents(theme, comparison); });
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -5,14 +5,14 @@
 #include <cstddef>
 #include <span>
 
+#include "app/draw/figure/figure.h"
+#include "app/draw/plot/sample_history.h"
 #include "app/file/picture.h"
-#include "app/ui/figure.h"
-#include "app/ui/sample_history.h"
 #include "core/result.h"
 #include "core/scene.h"
 #include "core/summary.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 // One algorithm of a comparison: of a scene with two axes, axis x.
 struct ComparedRun {
@@ -21,7 +21,7 @@ struct ComparedRun {
 };
 
 // Wider pages than for so many are no figure any more.
-inline constexpr std::size_t kMostComparedRuns = 16;
+inline constexpr std::size_t kMaxComparedRuns = 16;
 
 // Of a page on which the columns of so many runs can be read.
 [[nodiscard]] FigureSize comparison_size(std::size_t runs);
@@ -33,4 +33,4 @@ inline constexpr std::size_t kMostComparedRuns = 16;
                                                     std::span<const ComparedRun> runs,
                                                     FigureSize size);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

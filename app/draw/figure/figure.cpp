@@ -1,4 +1,4 @@
-#include "app/ui/figure.h"
+#include "app/draw/figure/figure.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/page.h"
-#include "app/ui/phase_plot.h"
-#include "app/ui/plot.h"
-#include "app/ui/theme.h"
+#include "app/draw/figure/page.h"
+#include "app/draw/plot/phase_plot.h"
+#include "app/draw/plot/plot.h"
+#include "app/draw/plot/theme.h"
 #include "core/stabiliser/stabiliser.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr float kFigureDesignHeight = 880.0F;  // figure of scale 1
@@ -61,14 +61,8 @@ void draw_contents(const Scene& scene, PlotSurface& surface, const FigureView& v
     ImGui::SetCursorScreenPos(ImVec2(corner.x + free.x - side, corner.y));
     PhaseSettings settings = view.phase;
     PhaseView memory;
-    draw_phase_plot({surface.theme,
-                     surface.history,
-                     surface.walls,
-                     *surface.window,
-                     surface.simulated,
-                     false,
-                     surface.line_weight,
-                     {}},
+    draw_phase_plot({surface.theme, surface.history, surface.walls, *surface.window,
+                     surface.simulated, false, surface.line_weight},
                     settings, memory, ImVec2(side, side));
     ImGui::SetCursorScreenPos(corner);
     free.x -= side + gap;
@@ -80,19 +74,20 @@ void draw_contents(const Scene& scene, PlotSurface& surface, const FigureView& v
 
 std::string describe(const Scene& scene) {
   std::string text;
-  for (const WallSettings& wall : scene.walls) {
+  for (const WallSettings& wall : scene.x().walls) {
     text += fmt::format("wall {:.4g} kN/m", wall.stiffness_n_per_m / 1e3);
     if (wall.damping_n_s_per_m != 0.0)
       text += fmt::format(" and {:.4g} N·s/m", wall.damping_n_s_per_m);
     text += fmt::format(" at {:.4g} mm  ·  ", wall.position_m * 1e3);
   }
   text += fmt::format("{:g} Hz  ·  handle {:.4g} g, {:.4g} N·s/m", scene.sampling.rate_hz,
-                      scene.device.mass_kg * 1e3, scene.device.damping_n_s_per_m);
-  if (scene.device.friction_n) text += fmt::format(", friction {:.4g} N", *scene.device.friction_n);
-  if (scene.device.encoder_m)
-    text += fmt::format("  ·  encoder {:.4g} mm", *scene.device.encoder_m * 1e3);
-  if (scene.device.force_limit_n)
-    text += fmt::format("  ·  force limit {:.4g} N", *scene.device.force_limit_n);
+                      scene.x().device.mass_kg * 1e3, scene.x().device.damping_n_s_per_m);
+  if (scene.x().device.friction_n)
+    text += fmt::format(", friction {:.4g} N", *scene.x().device.friction_n);
+  if (scene.x().device.encoder_m)
+    text += fmt::format("  ·  encoder {:.4g} mm", *scene.x().device.encoder_m * 1e3);
+  if (scene.x().device.force_limit_n)
+    text += fmt::format("  ·  force limit {:.4g} N", *scene.x().device.force_limit_n);
   return text;
 }
 
@@ -116,7 +111,7 @@ Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& histo
   std::vector<PixelColumn> columns;
   PlotSurface surface;
   surface.history = &history;
-  surface.walls = scene.walls;
+  surface.walls = scene.x().walls;
   surface.window = &copy.window;
   surface.chosen = &copy.lines;
   surface.hidden = &copy.hidden;
@@ -134,4 +129,4 @@ Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& histo
   });
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

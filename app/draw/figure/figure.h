@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "app/draw/plot/phase_plot.h"
+#include "app/draw/plot/plot.h"
+#include "app/draw/plot/sample_history.h"
 #include "app/file/picture.h"
-#include "app/ui/phase_plot.h"
-#include "app/ui/plot.h"
-#include "app/ui/sample_history.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 struct FigureSize {
   int width = 1600;
@@ -44,4 +44,4 @@ struct FigureView {
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& history,
                                                 const FigureView& view, FigureSize size = {});
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-#include "app/ui/gl_objects.h"
+#include "app/draw/figure/gl_objects.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "embedded_shaders.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 std::optional<std::string_view> shader_text(std::string_view file_name) {
@@ -235,4 +235,4 @@ file::Picture read_pixels(GLuint framebuffer, int width, int height) {
   return picture;
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

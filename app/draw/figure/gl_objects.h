@@ -13,7 +13,7 @@
 #include "app/file/picture.h"
 #include "core/result.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 // A name that OpenGL gave out, and the way to give it back.
 template <void (*Release)(GLuint)>
@@ -110,4 +110,4 @@ class GlTarget {
 // The pixels of a framebuffer object, upper row first, opaque. Needs a current context.
 [[nodiscard]] file::Picture read_pixels(GLuint framebuffer, int width, int height);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

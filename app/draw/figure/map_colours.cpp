@@ -1,12 +1,12 @@
-#include "app/ui/map_colours.h"
+#include "app/draw/figure/map_colours.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "core/metrics.h"
+#include "core/simulation/metrics.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr ImU32 kSettled = IM_COL32(203, 226, 222, 255);
@@ -38,10 +38,10 @@ ImU32 oscillating_colour(double tail_peak_to_peak_m) {
       kHot.at(below), kHot.at(below + 1), static_cast<float>(place - static_cast<double>(below))));
 }
 
-ImU32 colour_of(const MapFigures& figures) {
+ImU32 colour_of(const MapMetrics& figures) {
   if (figures.verdict == Verdict::kSettled) return settled_colour();
   if (figures.verdict == Verdict::kDiverged) return diverged_colour();
   return oscillating_colour(figures.tail_peak_to_peak_m.value_or(kHottestM));
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

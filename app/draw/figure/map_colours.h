@@ -7,7 +7,7 @@
 
 #include "core/study/stability_map.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 // The amplitudes between which the hot colours run, peak to peak; the lower one is the verdict's.
 inline constexpr double kHottestM = 0.1;
@@ -15,6 +15,6 @@ inline constexpr double kHottestM = 0.1;
 [[nodiscard]] ImU32 settled_colour();
 [[nodiscard]] ImU32 oscillating_colour(double tail_peak_to_peak_m);
 [[nodiscard]] ImU32 diverged_colour();
-[[nodiscard]] ImU32 colour_of(const MapFigures& figures);
+[[nodiscard]] ImU32 colour_of(const MapMetrics& figures);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

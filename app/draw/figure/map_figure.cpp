@@ -1,4 +1,4 @@
-#include "app/ui/map_figure.h"
+#include "app/draw/figure/map_figure.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -12,16 +12,16 @@
 #include <string_view>
 #include <vector>
 
-#include "app/ui/map_colours.h"
-#include "app/ui/page.h"
-#include "app/ui/theme.h"
-#include "core/metrics.h"
+#include "app/draw/figure/map_colours.h"
+#include "app/draw/figure/page.h"
+#include "app/draw/plot/theme.h"
+#include "core/simulation/metrics.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/study/bound_lines.h"
 #include "core/study/dimensionless.h"
 #include "core/units.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr float kMapDesignHeight = 1000.0F;  // figure of scale 1
@@ -69,7 +69,7 @@ ImVec2 pixels_of(const StabilityMap& map, double x, double y) {
 }
 
 // Neighbours in x of one colour become one rectangle.
-void draw_cells(const StabilityMap& map, std::span<const MapFigures> figures) {
+void draw_cells(const StabilityMap& map, std::span<const MapMetrics> figures) {
   constexpr double kHalf = 0.5;
   ImDrawList& list = *ImPlot::GetPlotDrawList();
   for (std::size_t y = 0; y < map.y.count; ++y) {
@@ -118,7 +118,7 @@ void set_up_axis(ImAxis id, const MapAxis& axis, const std::string& title) {
 
 struct Contents {
   const StabilityMap& map;
-  std::span<const MapFigures> figures;
+  std::span<const MapMetrics> figures;
   const std::vector<BoundLines>& bounds;
   float scale;
 };
@@ -132,8 +132,8 @@ std::string label_of(const StabilityMap& map, std::size_t algorithm) {
 void draw_field(const Theme& theme, const Contents& contents, std::size_t algorithm, ImVec2 size) {
   const StabilityMap& map = contents.map;
   const std::size_t cells = map.x.count * map.y.count;
-  const std::span<const MapFigures> figures = contents.figures.subspan(algorithm * cells, cells);
-  const auto settled = std::ranges::count(figures, Verdict::kSettled, &MapFigures::verdict);
+  const std::span<const MapMetrics> figures = contents.figures.subspan(algorithm * cells, cells);
+  const auto settled = std::ranges::count(figures, Verdict::kSettled, &MapMetrics::verdict);
   ImGui::BeginGroup();
   ImGui::PushFont(theme.fonts.strong, kFontSize);
   ImGui::TextUnformatted(label_of(map, algorithm).c_str());
@@ -198,8 +198,8 @@ void draw_legend(const std::vector<BoundLines>& bounds) {
 
 // Fields in a row.
 std::size_t columns_for(std::size_t fields) {
-  constexpr std::size_t kMostInOneRow = 3;
-  return fields <= kMostInOneRow ? fields : (fields + 1) / 2;
+  constexpr std::size_t kMaxInOneRow = 3;
+  return fields <= kMaxInOneRow ? fields : (fields + 1) / 2;
 }
 
 void draw_contents(const Theme& theme, const Contents& contents) {
@@ -229,7 +229,7 @@ void draw_contents(const Theme& theme, const Contents& contents) {
 
 }  // namespace
 
-Result<file::Picture> draw_map(const StabilityMap& map, std::span<const MapFigures> figures,
+Result<file::Picture> draw_map(const StabilityMap& map, std::span<const MapMetrics> figures,
                                FigureSize size) {
   const std::vector<BoundLines> bounds = all_bound_lines(map);
   const float scale = static_cast<float>(size.height) / kMapDesignHeight;
@@ -238,4 +238,4 @@ Result<file::Picture> draw_map(const StabilityMap& map, std::span<const MapFigur
   });
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -3,16 +3,16 @@
 
 #include <span>
 
+#include "app/draw/figure/figure.h"
 #include "app/file/picture.h"
-#include "app/ui/figure.h"
 #include "core/result.h"
 #include "core/study/stability_map.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 // `figures`: of all cells of the map. Fails as draw_page() does.
 [[nodiscard]] Result<file::Picture> draw_map(const StabilityMap& map,
-                                             std::span<const MapFigures> figures,
+                                             std::span<const MapMetrics> figures,
                                              FigureSize size = {});
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-#include "app/ui/offscreen.h"
+#include "app/draw/figure/offscreen.h"
 
 // Not together with epoxy: both declare the same types, differently.
 #define EGL_NO_X11
@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 bool has_client_extension(std::string_view name) {
@@ -111,4 +111,4 @@ Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
   return std::unique_ptr<OffscreenContext>(std::move(context));
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-#include "app/ui/page.h"
+#include "app/draw/figure/page.h"
 
 #include <fmt/format.h>
 #include <imgui_impl_opengl3.h>
@@ -6,15 +6,15 @@
 
 #include <algorithm>
 
-#include "app/ui/gl_objects.h"
-#include "app/ui/offscreen.h"
+#include "app/draw/figure/gl_objects.h"
+#include "app/draw/figure/offscreen.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
-constexpr int kSmallestPage = 200;   // pixels
-constexpr int kLargestPage = 16384;  // what OpenGL 3.3 drivers take, in practice
-constexpr int kFrames = 3;           // until ImGui's and ImPlot's sizes have settled
+constexpr int kMinPage = 200;    // pixels
+constexpr int kMaxPage = 16384;  // what OpenGL 3.3 drivers take, in practice
+constexpr int kFrames = 3;       // until ImGui's and ImPlot's sizes have settled
 constexpr float kFrameTimeS = 1.0F / 60.0F;
 constexpr float kMargin = 24.0F;
 
@@ -69,11 +69,11 @@ void draw_frame(const Theme& theme, ImVec2 size, float scale, const DrawPage& dr
 }  // namespace
 
 Result<file::Picture> draw_page(FigureSize size, float scale, const DrawPage& draw) {
-  if (std::min(size.width, size.height) < kSmallestPage ||
-      std::max(size.width, size.height) > kLargestPage) {
+  if (std::min(size.width, size.height) < kMinPage ||
+      std::max(size.width, size.height) > kMaxPage) {
     return Error{ErrorKind::kUsage,
                  fmt::format("a figure of {}x{} pixels: both must be from {} to {}", size.width,
-                             size.height, kSmallestPage, kLargestPage)};
+                             size.height, kMinPage, kMaxPage)};
   }
   const auto context = OffscreenContext::create();
   if (!context) return context.error();
@@ -94,4 +94,4 @@ Result<file::Picture> draw_page(FigureSize size, float scale, const DrawPage& dr
   return read_pixels(target->resolved_framebuffer(), size.width, size.height);
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -3,12 +3,12 @@
 
 #include <functional>
 
+#include "app/draw/figure/figure.h"
+#include "app/draw/plot/theme.h"
 #include "app/file/picture.h"
-#include "app/ui/figure.h"
-#include "app/ui/theme.h"
 #include "core/result.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 // What one frame of the page shows, below the margin; called a few times for one picture.
 using DrawPage = std::function<void(const Theme& theme)>;
@@ -17,4 +17,4 @@ using DrawPage = std::function<void(const Theme& theme)>;
 // is to be had (ErrorKind::kFile) or the size is none (ErrorKind::kUsage).
 [[nodiscard]] Result<file::Picture> draw_page(FigureSize size, float scale, const DrawPage& draw);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

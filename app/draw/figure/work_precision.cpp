@@ -1,4 +1,4 @@
-#include "app/ui/work_precision.h"
+#include "app/draw/figure/work_precision.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -10,12 +10,12 @@
 #include <string>
 #include <string_view>
 
-#include "app/ui/log_plot.h"
-#include "app/ui/page.h"
-#include "app/ui/theme.h"
+#include "app/draw/figure/page.h"
+#include "app/draw/plot/log_plot.h"
+#include "app/draw/plot/theme.h"
 #include "core/units.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr float kDesignWidth = 1200.0F;  // figure of scale 1
@@ -164,4 +164,4 @@ Result<file::Picture> draw_work_precision(const Scene& scene, const AccuracyStud
                    [&](const Theme& theme) { draw_contents(theme, scene, study, scale); });
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

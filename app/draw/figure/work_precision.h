@@ -2,13 +2,13 @@
 // display.
 #pragma once
 
+#include "app/draw/figure/figure.h"
 #include "app/file/picture.h"
-#include "app/ui/figure.h"
-#include "core/accuracy.h"
 #include "core/result.h"
 #include "core/scene.h"
+#include "core/study/accuracy.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 inline constexpr FigureSize kWorkPrecisionSize{1600, 800};
 
@@ -19,4 +19,4 @@ inline constexpr FigureSize kWorkPrecisionSize{1600, 800};
                                                         const AccuracyStudy& study,
                                                         FigureSize size = kWorkPrecisionSize);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

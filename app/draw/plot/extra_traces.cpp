@@ -1,4 +1,4 @@
-#include "app/ui/extra_traces.h"
+#include "app/draw/plot/extra_traces.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -8,14 +8,14 @@
 #include <iterator>
 #include <utility>
 
-#include "app/ui/plot.h"
-#include "app/ui/plot_heading.h"
-#include "app/ui/plot_trace.h"
+#include "app/draw/plot/plot.h"
+#include "app/draw/plot/plot_heading.h"
+#include "app/draw/plot/plot_trace.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
-constexpr float kTraceWidth = 2.4F;  // of a line of the session
+constexpr float kTraceWidth = 2.4F;  // relative to a line of the session
 
 bool has(const ExtraTrace& trace, const PlotLine& line) {
   return trace.history != nullptr && !trace.history->empty() &&
@@ -56,7 +56,7 @@ std::optional<Extremes> extra_extremes(const PlotSurface& surface, const PlotLin
 }
 
 void draw_extra_traces(const PlotSurface& surface, const PlotDescription& plot) {
-  int index = 0;  // names apart what has the same label
+  int index = 0;  // makes names of equal labels unique
   for (const ExtraTrace& trace : surface.extra_traces) {
     ++index;
     for (const PlotLine& line : plot.lines) {
@@ -92,7 +92,7 @@ void draw_extra_readout(const PlotSurface& surface, const PlotDescription& plot,
   }
 }
 
-// Mixed, not transparent: where two pieces of a line overlap they are not darker than elsewhere.
+// Mixed, not transparent: overlapping pieces of a line do not get darker.
 ImVec4 extra_colour(const Theme& theme, const ExtraTrace& trace, Tone of_line) {
   const ImVec4& full = theme.colour(trace.tone.value_or(of_line));
   const ImVec4& ground = theme.colour(Tone::kBackground);
@@ -100,4 +100,4 @@ ImVec4 extra_colour(const Theme& theme, const ExtraTrace& trace, Tone of_line) {
   return {mix(ground.x, full.x), mix(ground.y, full.y), mix(ground.z, full.z), 1.0F};
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

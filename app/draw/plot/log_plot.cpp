@@ -1,4 +1,4 @@
-#include "app/ui/log_plot.h"
+#include "app/draw/plot/log_plot.h"
 
 #include <fmt/format.h>
 #include <implot.h>
@@ -9,16 +9,16 @@
 #include <cstdlib>
 #include <span>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr float kMarkRadius = 4.5F;  // pixels at scale 1
 constexpr float kLogLineWeight = 1.4F;
-constexpr double kAxisMargin = 0.09;          // beyond the outermost points, of the axis
-constexpr double kSmallestAxisMargin = 0.25;  // decades
-constexpr int kMostDecadeLabels = 9;
+constexpr double kAxisMargin = 0.09;     // beyond the outermost points, of the axis
+constexpr double kMinAxisMargin = 0.25;  // decades
+constexpr int kMaxDecadeLabels = 9;
 
-// Nothing where no value is above zero.
+// Nullopt if no value is above zero.
 std::optional<Decades> decades_of(const LogPlot& plot, double LogPoint::*member) {
   std::optional<Decades> range;
   bool any_zero = false;
@@ -34,7 +34,7 @@ std::optional<Decades> decades_of(const LogPlot& plot, double LogPoint::*member)
     }
   }
   if (!range) return range;
-  const double margin = std::max(kAxisMargin * (range->to - range->from), kSmallestAxisMargin);
+  const double margin = std::max(kAxisMargin * (range->to - range->from), kMinAxisMargin);
   range->zero = range->from - margin;
   range->from -= any_zero ? 2.0 * margin : margin;
   range->to += margin;
@@ -43,9 +43,9 @@ std::optional<Decades> decades_of(const LogPlot& plot, double LogPoint::*member)
 
 // "0.1", "1000", "10⁻⁹", "2·10⁵".
 std::string decimal_text(int digit, int exponent) {
-  constexpr int kSmallestPlain = -2;
-  constexpr int kLargestPlain = 3;
-  if (exponent >= kSmallestPlain && exponent <= kLargestPlain) {
+  constexpr int kMinPlain = -2;
+  constexpr int kMaxPlain = 3;
+  if (exponent >= kMinPlain && exponent <= kMaxPlain) {
     return fmt::format("{:g}", digit * std::pow(10.0, exponent));
   }
   constexpr std::array<const char*, 10> kSuperscripts{"⁰", "¹", "²", "³", "⁴",
@@ -58,7 +58,7 @@ std::string decimal_text(int digit, int exponent) {
   return text;
 }
 
-// Each of these digits times every power of ten that is within.
+// Each of these digits times every power of ten within the range.
 std::vector<AxisNumber> numbers_of(const Decades& decades, std::span<const int> digits) {
   std::vector<AxisNumber> numbers;
   const int last = static_cast<int>(std::floor(decades.to));
@@ -72,11 +72,11 @@ std::vector<AxisNumber> numbers_of(const Decades& decades, std::span<const int> 
   return numbers;
 }
 
-// Whatever the range, the numbers are those of whole steps: one of them is 1.
+// Multiples of the step; one of them is 1.
 std::vector<AxisNumber> thinned(const Decades& decades) {
   const int first = static_cast<int>(std::ceil(decades.from));
   const int last = static_cast<int>(std::floor(decades.to));
-  const int step = (last - first) / kMostDecadeLabels + 1;
+  const int step = (last - first) / kMaxDecadeLabels + 1;
   const int lowest = static_cast<int>(std::ceil(static_cast<double>(first) / step)) * step;
   std::vector<AxisNumber> numbers;
   for (int exponent = lowest; exponent <= last; exponent += step) {
@@ -155,7 +155,7 @@ float overlap(const Box& a, const Box& b) {
   return width > 0.0F && height > 0.0F ? width * height : 0.0F;
 }
 
-// The place around `mark` where the text covers least of what is `taken`, the preferred side first.
+// The place around `mark` where the text covers least of `taken`; the preferred side comes first.
 Box place_label(const Box& mark, ImVec2 text, bool above, const std::vector<Box>& taken) {
   const ImVec2 centre(0.5F * (mark.from.x + mark.to.x), 0.5F * (mark.from.y + mark.to.y));
   const float over = mark.from.y - text.y;
@@ -219,7 +219,7 @@ void draw_labels(const Theme& theme, const LogPlot& plot, float scale) {
   ImPlot::PopPlotClipRect();
 }
 
-// A logarithm has no zero: it is drawn at the foot, and says so.
+// A logarithmic axis has no zero: it is drawn at the bottom with a label.
 LogPlot with_zeros_shown(LogPlot plot, const Decades& y) {
   for (LogSeries& series : plot.series) {
     for (LogPoint& point : series.points) {
@@ -315,4 +315,4 @@ void draw_legend_mark(const Theme& theme, Tone tone, Mark mark, bool filled) {
   ImGui::SameLine(0.0F, 0.35F * em);
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

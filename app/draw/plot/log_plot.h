@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/theme.h"
+#include "app/draw/plot/theme.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 enum class Mark : std::uint8_t { kCircle, kSquare, kDiamond };
 
 struct LogPoint {
   double x = 1.0;  // above 0
-  double y = 1.0;  // 0 or above; 0 is drawn at the foot and says so in its label
+  double y = 1.0;  // at least 0; 0 is drawn at the bottom with a label
   std::string label;
   bool filled = true;
 };
@@ -27,7 +27,7 @@ struct LogSeries {
   Mark mark = Mark::kCircle;
   float radius = 1.0F;           // of the marks, in the usual radius
   bool labels_above = true;      // where there is room
-  std::vector<LogPoint> points;  // in the order in which they are joined
+  std::vector<LogPoint> points;  // joined in this order
 };
 
 struct LogPlot {
@@ -35,11 +35,11 @@ struct LogPlot {
   std::string unit;
   std::string x_title;
   std::optional<double> goal;  // a line across at this y
-  std::string nothing;         // said where no point has a y above 0
+  std::string nothing;         // text if no point has a y above 0
   std::vector<LogSeries> series;
 };
 
-// What an axis shows, in powers of ten: half of one at least.
+// The range of an axis in powers of ten, at least half of one.
 struct Decades {
   double from = 0.0;
   double to = 1.0;
@@ -51,8 +51,8 @@ struct AxisNumber {
   std::string text;
 };
 
-// What is written beside an axis, two numbers at least: powers of ten, and where there are too few
-// of them their twofold and fivefold, and so on.
+// The labels of an axis, at least two: powers of ten; if those are too few, also their multiples by
+// two and five, and so on.
 [[nodiscard]] std::vector<AxisNumber> axis_numbers(const Decades& decades);
 
 // Draws heading, plot and the title of the x axis into `size`.
@@ -61,4 +61,4 @@ void draw_log_plot(const Theme& theme, const LogPlot& plot, ImVec2 size, float s
 // The mark of a series in a line of text; the next item stands beside it.
 void draw_legend_mark(const Theme& theme, Tone tone, Mark mark, bool filled);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-#include "app/ui/phase_plot.h"
+#include "app/draw/plot/phase_plot.h"
 
 #include <fmt/format.h>
 #include <implot.h>
@@ -10,15 +10,15 @@
 
 #include "core/units.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
-constexpr double kSmallestSpanMm = 0.05;
-constexpr double kSmallestSpanN = 1.0;
+constexpr double kMinSpanMm = 0.05;
+constexpr double kMinSpanN = 1.0;
 constexpr double kPlaneMoved = 1e-9;  // of an axis' span
 
-// Of one coordinate of the path. The way to the wall, where there is no force, is of no interest,
-// and 0 always is.
+// The range of one coordinate of the path: without free motion, with 0, which every plane
+// shows.
 Extremes extremes_of(const PhasePath& path, const std::vector<double>& values, double scale) {
   Extremes all;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -36,10 +36,6 @@ void fit(ValueAxis& axis, Extremes data, double smallest_span) {
   axis.maximum = rounded.maximum;
 }
 
-void remember(const PhaseSurface& surface, const char* item) {
-  if (surface.remember) surface.remember(item);
-}
-
 bool toggle(const PhaseSurface& surface, const char* label, bool& value, const char* tooltip) {
   const ImU32 background =
       value ? surface.theme->packed(Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
@@ -47,7 +43,6 @@ bool toggle(const PhaseSurface& surface, const char* label, bool& value, const c
   const bool clicked = ImGui::SmallButton(label);
   ImGui::PopStyleColor();
   if (clicked) value = !value;
-  remember(surface, label);
   ImGui::SetItemTooltip("%s", tooltip);
   return clicked;
 }
@@ -64,7 +59,6 @@ void draw_energy(const PhaseSurface& surface, const PhaseView& view, bool whole)
         "in: the handle has put energy into the wall; out: the wall has given it energy.",
         view.samples);
   }
-  remember(surface, "loop energy");
   if (whole) return;
   ImGui::SameLine();
   ImGui::TextDisabled("newest %zu samples", view.samples);
@@ -80,18 +74,18 @@ void draw_heading(const PhaseSurface& surface, PhaseSettings& settings, const Ph
   if (surface.interactive) {
     ImGui::SameLine();
     toggle(surface, "last contact", settings.last_contact,
-           "The newest contact of the visible range alone");
+           "Only the newest contact of the visible range");
     if (surface.simulated) {
       ImGui::SameLine();
       toggle(surface, "true", settings.true_position,
              "Over the true penetration, which only a simulator knows,\n"
-             "instead of the one that the encoder tells");
+             "instead of the measured one");
     }
   }
   ImGui::PopFont();
 }
 
-// What the walls ask for at rest: straight pieces that bend at each face.
+// The walls' static force: straight pieces that bend at each face.
 void draw_walls(const PhaseSurface& surface) {
   if (surface.walls.empty()) return;
   const double face_m = surface.walls.front().position_m;
@@ -117,7 +111,7 @@ void draw_walls(const PhaseSurface& surface) {
 }
 
 int pixel_of(float place) {
-  constexpr float kFar = 1e5F;  // as good as just outside
+  constexpr float kFar = 1e5F;  // far outside the plot
   return static_cast<int>(std::floor(std::clamp(place, -kFar, kFar)));
 }
 
@@ -159,7 +153,7 @@ void draw_path(const PhaseSurface& surface, PhaseView& view) {
   for (const PixelSpan& row : view.rows) rectangle(row.from, row.line, row.to, row.line + weight);
   for (const PixelSpan& column : view.columns)
     rectangle(column.line, column.from, column.line + weight, column.to);
-  // Where it ends: now, while the plots follow.
+  // The path's end: the present, while the plots follow.
   const ImVec2 tip = ImPlot::PlotToPixels(view.path.penetration_m.back() * kMillimetresPerMetre,
                                           view.path.force_n.back());
   list->AddCircleFilled(tip, 2.5F * surface.line_weight, surface.theme->packed(Tone::kText));
@@ -192,7 +186,7 @@ PlotArea draw_plane(const PhaseSurface& surface, PhaseView& view, ImVec2 size) {
   if (surface.interactive) flags &= ~ImPlotFlags_NoBoxSelect;
   if (!surface.interactive) flags |= ImPlotFlags_NoInputs;
   PlotArea area;
-  if (!ImPlot::BeginPlot("##plane", size, flags)) return area;
+  if (!ImPlot::BeginPlot("##plot Phase", size, flags)) return area;
   set_up_axis(ImAxis_X1, view.penetration, "%g mm");
   set_up_axis(ImAxis_Y1, view.force, "%g N");
   ImPlot::SetupFinish();
@@ -236,12 +230,12 @@ void trace_phase(const SampleHistory& history, IndexRange range, bool true_posit
   path.clear();
   double held_n = 0.0;
   for (std::size_t i = range.first; i < range.last; ++i) {
-    double penetration_m = history.value(Quantity::kPenetration, i);
+    double penetration_m = history.value(&Sample::penetration_m, i);
     if (true_position) {
       penetration_m +=
-          history.value(Quantity::kTruePosition, i) - history.value(Quantity::kPosition, i);
+          history.value(&PlantTruth::position_m, i) - history.value(&Sample::position_m, i);
     }
-    const double force_n = history.value(Quantity::kForce, i);
+    const double force_n = history.value(&Sample::force_n, i);
     if (i > range.first) path.add(penetration_m, held_n);
     if (i == range.first || force_n != held_n) path.add(penetration_m, force_n);
     held_n = force_n;
@@ -263,10 +257,10 @@ IndexRange phase_range(const SampleHistory& history, const PhaseSettings& settin
   if (settings.last_contact) {
     const auto contact = newest_contact(history, range);
     if (!contact) return {range.last, range.last};
-    // One sample on either side: the path begins and ends in front of the wall.
+    // One sample more on either side, so that the path begins and ends in front of the wall.
     range = {contact->first - 1, std::min(contact->last + 1, range.last)};
   }
-  if (range.count() > kMostPhaseSamples) range.first = range.last - kMostPhaseSamples;
+  if (range.count() > kMaxPhaseSamples) range.first = range.last - kMaxPhaseSamples;
   return range;
 }
 
@@ -278,11 +272,11 @@ PlotArea draw_phase_plot(const PhaseSurface& surface, PhaseSettings& settings, P
   view.energy_j = phase_energy_j(view.path);
   view.samples = range.count();
   fit(view.penetration, extremes_of(view.path, view.path.penetration_m, kMillimetresPerMetre),
-      kSmallestSpanMm);
-  fit(view.force, extremes_of(view.path, view.path.force_n, 1.0), kSmallestSpanN);
+      kMinSpanMm);
+  fit(view.force, extremes_of(view.path, view.path.force_n, 1.0), kMinSpanN);
   ImGui::BeginGroup();  // its rows begin where the first one does
   const float top = ImGui::GetCursorPosY();
-  draw_heading(surface, settings, view, range.count() < kMostPhaseSamples);
+  draw_heading(surface, settings, view, range.count() < kMaxPhaseSamples);
   const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));
   ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
   const PlotArea area = draw_plane(surface, view, ImVec2(size.x, height));
@@ -292,4 +286,4 @@ PlotArea draw_phase_plot(const PhaseSurface& surface, PhaseSettings& settings, P
   return area;
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

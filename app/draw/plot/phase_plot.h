@@ -6,18 +6,18 @@
 #include <string_view>
 #include <vector>
 
-#include "app/ui/plot.h"
-#include "app/ui/plot_trigger.h"
-#include "app/ui/sample_history.h"
-#include "app/ui/theme.h"
+#include "app/draw/plot/plot.h"
+#include "app/draw/plot/plot_trigger.h"
+#include "app/draw/plot/sample_history.h"
+#include "app/draw/plot/theme.h"
 #include "core/scene.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 struct PhaseSettings {
   bool shown = false;
-  bool last_contact = false;   // of the visible range the newest contact alone, else all
-  bool true_position = false;  // as the simulator knows it, else as the encoder tells it
+  bool last_contact = false;   // only the newest contact of the visible range
+  bool true_position = false;  // from the simulator, else from the encoder
 };
 
 // Points in SI units: penetration in m, force in N.
@@ -29,20 +29,20 @@ struct PhasePath {
   void add(double x_m, double y_n);
 };
 
-// The path of a range: the force of a tick is held until the next one, so the path goes across at
-// constant force and then up or down, and its area is the energy that the actuator exchanged.
-// `path` is overwritten.
+// The path of a range. The force of a tick is held until the next one: the path goes across at
+// constant force, then up or down. Its area is the energy that the actuator exchanged.
+// Overwrites `path`.
 void trace_phase(const SampleHistory& history, IndexRange range, bool true_position,
                  PhasePath& path);
 
-// ∫ F dp along the path, in J. Positive: the wall took energy; negative: it gave some. For a closed
-// path this is the area that it encloses.
+// ∫ F dp along the path, in J. Positive: the wall took energy; negative: it gave energy. A closed
+// path encloses this area.
 [[nodiscard]] double phase_energy_j(const PhasePath& path);
 
-// More samples than these are not drawn: of a longer range the newest.
-inline constexpr std::size_t kMostPhaseSamples = 10'000;
+// Of a longer range only the newest samples are drawn.
+inline constexpr std::size_t kMaxPhaseSamples = 10'000;
 
-// What of the window is traced.
+// The part of the window that is traced.
 [[nodiscard]] IndexRange phase_range(const SampleHistory& history, const PhaseSettings& settings,
                                      TimeWindow window);
 
@@ -55,19 +55,19 @@ struct PixelSpan {
   friend bool operator==(const PixelSpan&, const PixelSpan&) = default;
 };
 
-// Sorts the spans and joins those of the same line that touch: what is drawn over and over is drawn
+// Sorts the spans and joins those of a line that touch, so that each pixel is drawn
 // once.
 void join_spans(std::vector<PixelSpan>& spans);
 
-// What the plane remembers from frame to frame.
+// The state of the plane between frames.
 struct PhaseView {
   ValueAxis penetration;  // mm
   ValueAxis force;        // N
   PhasePath path;
   std::vector<PixelSpan> rows;
   std::vector<PixelSpan> columns;
-  double energy_j = 0.0;    // of what is drawn
-  std::size_t samples = 0;  // of what is drawn
+  double energy_j = 0.0;    // of the drawn path
+  std::size_t samples = 0;  // of the drawn path
 };
 
 struct PhaseSurface {
@@ -78,11 +78,10 @@ struct PhaseSurface {
   bool simulated = true;
   bool interactive = true;
   float line_weight = kLineWeight;
-  std::function<void(std::string_view)> remember;  // may be empty
 };
 
 // Draws heading, controls and the plane into `size`.
 PlotArea draw_phase_plot(const PhaseSurface& surface, PhaseSettings& settings, PhaseView& view,
                          ImVec2 size);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-#include "app/ui/plot.h"
+#include "app/draw/plot/plot.h"
 
 #include <fmt/format.h>
 #include <implot.h>
@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/plot_heading.h"
-#include "app/ui/plot_trace.h"
+#include "app/draw/plot/plot_heading.h"
+#include "app/draw/plot/plot_trace.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
-constexpr double kMoved = 1e-9;  // of an axis' span: what is not a rounding error
-constexpr double kShortestTimeAxisS = 1e-4;
-constexpr double kLongestTimeAxisS = 1e6;
+constexpr double kMoved = 1e-9;  // of an axis' span: more than a rounding error
+constexpr double kMinTimeAxisS = 1e-4;
+constexpr double kMaxTimeAxisS = 1e6;
 
 bool has_right_axis(const PlotSurface& surface, const PlotDescription& plot) {
   return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
@@ -22,16 +22,16 @@ bool has_right_axis(const PlotSurface& surface, const PlotDescription& plot) {
   });
 }
 
-// Other than penetrations, which begin at the wall.
+// Positions, unlike penetrations, do not begin at the wall.
 bool shows_positions(const PlotSurface& surface, const PlotDescription& plot) {
   return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
     const bool position =
-        line.quantity == Quantity::kPosition || line.quantity == Quantity::kTruePosition;
+        line.quantity == &Sample::position_m || line.quantity == &PlantTruth::position_m;
     return position && is_drawn(surface, plot, line);
   });
 }
 
-// What the automatic axis shows of the visible range.
+// The extremes that the automatic axis shows.
 Extremes fitted_values(const PlotSurface& surface, const PlotDescription& plot, IndexRange range,
                        bool right) {
   std::optional<Extremes> all;
@@ -41,8 +41,8 @@ Extremes fitted_values(const PlotSurface& surface, const PlotDescription& plot, 
   };
   const ValueScale& scale = right ? plot.right : plot.left;
   for (const PlotLine& line : plot.lines) {
-    // The hand's intention lies far inside a stiff wall; the contact is what is to be seen.
-    if (line.on_right != right || line.quantity == Quantity::kHandPath) continue;
+    // The hand's path lies far inside a stiff wall and would hide the contact.
+    if (line.on_right != right || line.quantity == &PlantTruth::hand_path_m) continue;
     if (!is_drawn(surface, plot, line)) continue;
     if (const auto extra = extra_extremes(surface, line))
       include(extra->minimum * scale.scale, extra->maximum * scale.scale);
@@ -67,7 +67,7 @@ void fit(const PlotSurface& surface, const PlotDescription& plot, IndexRange ran
   axis.maximum = values.maximum;
 }
 
-// A wheel or a drag that began between the axes is about time.
+// A wheel or drag that began between the axes changes the time axis.
 ImPlotAxisFlags value_lock(const PlotSurface& surface, const PlotAxes& axes) {
   if (!surface.interactive) return 0;
   const ImGuiIO& io = ImGui::GetIO();
@@ -86,7 +86,7 @@ void set_up_axes(PlotSurface& surface, PlotAxes& axes, double* length_s, bool ri
   ImPlot::SetupAxis(ImAxis_X1, nullptr, flags | time_labels);
   ImPlot::SetupAxis(ImAxis_Y1, nullptr, flags | lock | value_labels);
   ImPlot::SetupAxisLinks(ImAxis_X1, &surface.window->from_s, &surface.window->to_s);
-  ImPlot::SetupAxisZoomConstraints(ImAxis_X1, kShortestTimeAxisS, kLongestTimeAxisS);
+  ImPlot::SetupAxisZoomConstraints(ImAxis_X1, kMinTimeAxisS, kMaxTimeAxisS);
   ImPlot::SetupAxisFormat(ImAxis_X1, format_time, length_s);
   ImPlot::SetupAxisLinks(ImAxis_Y1, &axes.left.minimum, &axes.left.maximum);
   ImPlot::SetupAxisFormat(ImAxis_Y1, "%6.4g");
@@ -137,7 +137,7 @@ void draw_lines(const PlotSurface& surface, const PlotDescription& plot, IndexRa
   ImPlot::SetAxes(ImAxis_X1, ImAxis_Y1);
 }
 
-// Where the scope stands: a small triangle at the top, and a faint line.
+// The trigger's contact: a small triangle at the top and a faint line.
 void draw_contact_mark(const PlotSurface& surface) {
   if (!surface.contact_s) return;
   const ImVec2 top = ImPlot::GetPlotPos();
@@ -152,7 +152,7 @@ void draw_contact_mark(const PlotSurface& surface) {
   ImPlot::PopPlotClipRect();
 }
 
-// True: the pointer is at one of them.
+// Returns true if the pointer is at one of them.
 bool draw_cursors(const PlotSurface& surface) {
   if (surface.cursors == nullptr || !surface.cursors->shown) return false;
   constexpr std::array kNames{"A", "B"};
@@ -183,7 +183,7 @@ void draw_readout(const PlotSurface& surface, const PlotDescription& plot) {
   const std::size_t index = *history.nearest(pointed_s);
   ImGui::BeginTooltip();
   ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
-  ImGui::Text("%-20s %10.4f s", "time", history.value(Quantity::kTime, index));
+  ImGui::Text("%-20s %10.4f s", "time", history.value(&Sample::time_s, index));
   for (const PlotLine& line : plot.lines) {
     if (!is_chosen(surface, plot, line)) continue;
     const ValueScale& scale = plot.scale_of(line);
@@ -195,7 +195,7 @@ void draw_readout(const PlotSurface& surface, const PlotDescription& plot) {
   ImGui::EndTooltip();
 }
 
-// An axis that is not where it was put has been moved by the user.
+// If an axis is not at its place, the user has moved it.
 void notice_moves(ValueAxis& axis, const ImPlotRange& now) {
   const double moved = std::abs(now.Min - axis.minimum) + std::abs(now.Max - axis.maximum);
   if (moved > kMoved * (axis.maximum - axis.minimum)) axis.manual = true;
@@ -239,7 +239,7 @@ std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot
   if (plot.id != PlotId::kPosition || range.count() == 0) return {};
   if (!is_drawn(surface, plot, plot.lines.front())) return {};
   const double highest =
-      surface.history->extremes(Quantity::kHandPath, range).maximum * plot.left.scale;
+      surface.history->extremes(&PlantTruth::hand_path_m, range).maximum * plot.left.scale;
   if (highest <= axis_maximum) return {};
   return fmt::format("hand up to {:.4g} {} ↑", highest, plot.left.unit);
 }
@@ -261,9 +261,9 @@ Extremes round_range(Extremes data, double smallest_span) {
 int format_time(double value, char* text, int size, void* length_s) {
   const double length = *static_cast<const double*>(length_s);
   // About ten ticks to the length; one more digit tells them apart.
-  constexpr int kMostDigits = 9;
+  constexpr int kMaxDigits = 9;
   const int digits =
-      std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(length))), 0, kMostDigits);
+      std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(length))), 0, kMaxDigits);
   std::string label = fmt::format("{:.{}f}", value, digits);
   if (digits > 0) {
     label.erase(label.find_last_not_of('0') + 1);
@@ -293,7 +293,8 @@ PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std:
   if (surface.interactive) flags &= ~ImPlotFlags_NoBoxSelect;
   if (!surface.interactive) flags |= ImPlotFlags_NoInputs;
   double length_s = surface.window->length_s();
-  const bool visible = ImPlot::BeginPlot("##plot", ImVec2(size.x, height), flags);
+  const bool visible = ImPlot::BeginPlot(fmt::format("##plot {}", plot.title).c_str(),
+                                         ImVec2(size.x, height), flags);
   if (!visible) axes.area = {};
   if (visible) {
     set_up_axes(surface, axes, &length_s, right);
@@ -307,4 +308,4 @@ PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std:
   return axes.area;
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -12,22 +12,22 @@
 #include <string_view>
 #include <vector>
 
-#include "app/ui/extra_traces.h"
-#include "app/ui/plot_bounds.h"
-#include "app/ui/plot_cursors.h"
-#include "app/ui/plot_envelope.h"
-#include "app/ui/plot_lines.h"
-#include "app/ui/plot_marks.h"
-#include "app/ui/plot_trigger.h"
-#include "app/ui/sample_history.h"
-#include "app/ui/theme.h"
+#include "app/draw/plot/extra_traces.h"
+#include "app/draw/plot/plot_bounds.h"
+#include "app/draw/plot/plot_cursors.h"
+#include "app/draw/plot/plot_envelope.h"
+#include "app/draw/plot/plot_lines.h"
+#include "app/draw/plot/plot_marks.h"
+#include "app/draw/plot/plot_trigger.h"
+#include "app/draw/plot/sample_history.h"
+#include "app/draw/plot/theme.h"
 #include "core/scene.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 inline constexpr float kLineWeight = 1.6F;  // pixels at scale 1
 
-// Where the plot area (between the axes) was drawn, for whoever wants to look at its pixels.
+// The rectangle of the plot area (between the axes), for tests of its pixels.
 struct PlotArea {
   ImVec2 position;
   ImVec2 size;
@@ -38,14 +38,14 @@ struct PlotArea {
   }
 };
 
-// An axis of values: fitted to what is seen, or where the user has put it.
+// An axis of values: fitted to the visible range, or set by the user.
 struct ValueAxis {
   bool manual = false;
   double minimum = 0.0;
   double maximum = 1.0;
 };
 
-// What a plot remembers from frame to frame.
+// The state of a plot between frames.
 struct PlotAxes {
   ValueAxis left;
   ValueAxis right;
@@ -53,8 +53,8 @@ struct PlotAxes {
 };
 using AllPlotAxes = std::array<PlotAxes, kPlotCount>;  // by PlotId
 
-// What all plots of a frame share. Owned by the caller; pointers must be valid, or null where that
-// is told.
+// Shared by all plots of a frame. Owned by the caller; a pointer may be null only if its comment
+// says so.
 struct PlotSurface {
   const Theme* theme = nullptr;
   const SampleHistory* history = nullptr;
@@ -66,39 +66,37 @@ struct PlotSurface {
   Trace* scratch = nullptr;
   std::vector<PixelColumn>* columns = nullptr;  // scratch, too
   Cursors* cursors = nullptr;                   // null: none
-  std::optional<double> contact_s;              // the contact that the window stands at
+  std::optional<double> contact_s;              // the contact that the trigger shows
   std::vector<BoundLine> bounds;                // of the stiffness plot
   std::span<const ExtraTrace> extra_traces;     // of other runs
   PlotMarks marks;                              // of recordings
-  bool* show_bounds = nullptr;                  // null: no choice; shown where there are any
-  bool simulated = true;                        // false: nobody knows what only a simulator does
+  bool* show_bounds = nullptr;                  // null: no choice; always shown
+  bool simulated = true;                        // false: the plant's truth is unknown
   bool interactive = true;
   bool time_labels = true;   // below the plot
   bool value_labels = true;  // beside it
   bool heading = true;       // above it
   float line_weight = kLineWeight;
-  // Called after items that somebody may want to find again; may be empty.
-  std::function<void(std::string_view)> remember;
-  bool wants_newest = false;  // set where the user asks for the automatic time axis
+  bool wants_newest = false;  // set when the user asks for the automatic time axis
 };
 
-// Draws a heading with the legend and the plot below it into `size`. `mark` stands before the
-// title: the paper's "(a)". A wheel or a drag in the plot moves time, over the value axis values; a
-// right drag zooms into a rectangle; a double click makes both automatic again.
+// Draws a heading with the legend and the plot below it into `size`. `mark` precedes the title: the
+// paper's "(a)". Wheel and drag change the time axis in the plot and the value axis over that axis;
+// a right drag zooms into a rectangle; a double click makes both automatic again.
 PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                    ImVec2 size);
 
-// What the automatic left axis would show of the window.
+// The range of the automatic left axis.
 [[nodiscard]] Extremes automatic_values(const PlotSurface& surface, const PlotDescription& plot);
 
-// Where the hand is above `axis_maximum` within the window: how far, for the heading.
+// The heading's note if the hand goes above `axis_maximum` within the window, and how far.
 [[nodiscard]] std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot,
                                        double axis_maximum);
 
 // The range of the value axis: the extremes enlarged a little and rounded outwards to a round step.
 [[nodiscard]] Extremes round_range(Extremes data, double smallest_span);
 
-// Labels of a time axis whose visible length is a double at `length_s`: as many digits as it takes.
+// Labels of a time axis, as ImPlot asks; `length_s`: a double with the visible length.
 int format_time(double value, char* text, int size, void* length_s);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-#include "app/ui/plot_bounds.h"
+#include "app/draw/plot/plot_bounds.h"
 
 #include <implot.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr float kBoundLineWeight = 1.0F;
@@ -56,7 +56,7 @@ void draw_bounds(const Theme& theme, const std::vector<BoundLine>& bounds, doubl
   const ImVec2 corner = ImPlot::GetPlotPos();
   const float right = corner.x + ImPlot::GetPlotSize().x;
   const float gap = 0.3F * ImGui::GetFontSize();
-  // Labels of bounds that are closer than a line of text stand beside each other.
+  // Labels of bounds closer than a line of text go beside each other.
   float label_right = right;
   float last_y = std::numeric_limits<float>::infinity();
   ImPlot::PushPlotClipRect();
@@ -78,4 +78,4 @@ void draw_bounds(const Theme& theme, const std::vector<BoundLine>& bounds, doubl
   ImPlot::PopPlotClipRect();
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-#include "app/ui/plot_cursors.h"
+#include "app/draw/plot/plot_cursors.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <string>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
-constexpr std::array kShares{1.0 / 3.0, 2.0 / 3.0};  // of the window, where cursors are put
+constexpr std::array kShares{1.0 / 3.0, 2.0 / 3.0};  // of the window
 
 // Digits of constant width, flush right.
 void number_cell(const std::string& text) {
@@ -69,7 +69,7 @@ CursorTable read_cursors(const SampleHistory& history, const Cursors& cursors,
   std::array<std::size_t, 2> index{};
   for (std::size_t i = 0; i < index.size(); ++i) {
     index[i] = *history.nearest(cursors.time_s[i]);
-    table.time_s[i] = history.value(Quantity::kTime, index[i]);
+    table.time_s[i] = history.value(&Sample::time_s, index[i]);
   }
   for (const PlotId id : plots) {
     const PlotDescription& plot = plot_description(id);
@@ -109,4 +109,4 @@ void draw_cursor_table(const Theme& theme, const CursorTable& table) {
   ImGui::PopFont();
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

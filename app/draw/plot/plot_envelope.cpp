@@ -1,17 +1,17 @@
-#include "app/ui/plot_envelope.h"
+#include "app/draw/plot/plot_envelope.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
-// Pixels up and down for a pixel to the right from which on a line is a band.
+// From so many pixels up and down per pixel to the right a line is drawn as a band.
 constexpr double kBandTravel = 3.0;
-constexpr std::size_t kFewestPoints = 16;
-// Far outside is as good as just outside, and safe for the whole numbers and floats of a screen.
+constexpr std::size_t kMinPoints = 16;
+// Clamps far points just outside the screen, within the range of pixel numbers.
 constexpr double kFarPixels = 1e5;
 
 double near_screen(double pixel) { return std::clamp(pixel, -kFarPixels, kFarPixels); }
@@ -19,9 +19,9 @@ double near_screen(double pixel) { return std::clamp(pixel, -kFarPixels, kFarPix
 }  // namespace
 
 bool is_band(const Trace& trace, const PixelScale& x, const PixelScale& y) {
-  if (trace.value.size() < kFewestPoints) return false;
+  if (trace.value.size() < kMinPoints) return false;
   const double width = std::abs(x(trace.time_s.back()) - x(trace.time_s.front()));
-  if (width > static_cast<double>(trace.value.size())) return false;  // there is room for strokes
+  if (width > static_cast<double>(trace.value.size())) return false;  // enough room for strokes
   double travel = 0.0;
   for (std::size_t i = 1; i < trace.value.size(); ++i)
     travel += std::abs(trace.value[i] - trace.value[i - 1]);
@@ -38,7 +38,7 @@ void band_of(const Trace& trace, const PixelScale& x, const PixelScale& y,
     columns.back().top = std::min(columns.back().top, pixel);
     columns.back().bottom = std::max(columns.back().bottom, pixel);
   }
-  // The way between two columns that have nothing in common belongs to the later one.
+  // The gap between two columns without common rows belongs to the later one.
   std::pair<double, double> before;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     PixelColumn& column = columns[i];
@@ -58,7 +58,7 @@ void draw_band(ImDrawList* list, const std::vector<PixelColumn>& columns, ImU32 
   list->PrimReserve(6 * count, 4 * count);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const PixelColumn& column = columns[i];
-    // Up to the next column, which is the next pixel but where samples are missing.
+    // Up to the next column; with missing samples that is farther than one pixel.
     const int right = i + 1 < columns.size() ? columns[i + 1].x : column.x + 1;
     list->PrimRect(
         ImVec2(static_cast<float>(column.x), static_cast<float>(column.top) - 0.5F * weight),
@@ -67,4 +67,4 @@ void draw_band(ImDrawList* list, const std::vector<PixelColumn>& columns, ImU32 
   }
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

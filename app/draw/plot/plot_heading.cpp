@@ -1,10 +1,10 @@
-#include "app/ui/plot_heading.h"
+#include "app/draw/plot/plot_heading.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr float kDashEms = 1.2F;      // a legend entry's piece of line
@@ -14,11 +14,7 @@ constexpr float kHeadingNameEms = 1.5F;  // where its name begins
 constexpr float kEntryGapEms = 0.6F;     // between two entries
 constexpr float kEntryTailEms = 0.2F;    // behind its name
 
-void remember(const PlotSurface& surface, const std::string& item) {
-  if (surface.remember) surface.remember(item);
-}
-
-// The second axis tells its unit here, for it has no heading of its own.
+// The second axis has no heading, so its unit is in the legend.
 std::string entry_text(const PlotDescription& plot, const PlotLine& line) {
   return line.on_right ? fmt::format("{} {} →", line.name, plot.right.unit) : line.name;
 }
@@ -51,20 +47,18 @@ void draw_legend_entry(PlotSurface& surface, const PlotDescription& plot, const 
                        const std::string& text, ImVec2 corner) {
   const float em = ImGui::GetFontSize();
   ImGui::SetCursorScreenPos(corner);
-  ImGui::PushID(line.name);
-  if (ImGui::InvisibleButton("##legend", ImVec2(entry_width(text), 1.2F * em)) &&
+  if (ImGui::InvisibleButton(fmt::format("##legend {}", line.name).c_str(),
+                             ImVec2(entry_width(text), 1.2F * em)) &&
       surface.interactive) {
     *surface.hidden ^= line_bit(line.quantity);
   }
-  ImGui::PopID();
-  remember(surface, fmt::format("legend {}", line.name));
   if (surface.interactive && ImGui::IsItemHovered())
     ImGui::SetTooltip("%s\nclick to hide or show", line.meaning);
   const float alpha = is_drawn(surface, plot, line) ? 1.0F : 0.3F;
   draw_dash(surface, {corner, text, surface.theme->packed(line.tone, alpha), kDashWeight, alpha});
 }
 
-// The same of a trace of another run, which takes no click.
+// The same for a trace of another run; it takes no click.
 void draw_extra_entry(PlotSurface& surface, const PlotDescription& plot, const ExtraTrace& trace,
                       ImVec2 corner) {
   const auto line = std::find_if(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& each) {
@@ -73,7 +67,6 @@ void draw_extra_entry(PlotSurface& surface, const PlotDescription& plot, const E
   const ImVec4 colour = extra_colour(*surface.theme, trace, line->tone);
   ImGui::SetCursorScreenPos(corner);
   ImGui::Dummy(ImVec2(entry_width(trace.label), 1.2F * ImGui::GetFontSize()));
-  remember(surface, fmt::format("legend {}", trace.label));
   draw_dash(surface,
             {corner, trace.label, ImGui::ColorConvertFloat4ToU32(colour), kExtraDashWeight, 1.0F});
 }
@@ -93,7 +86,7 @@ class LegendRows {
   LegendRows(ImVec2 corner, float start, float right)
       : left_(corner.x), right_(right), place_(start, corner.y + 1.0F) {}
 
-  // Where an entry so wide stands.
+  // The place of an entry of this width.
   ImVec2 next(float width) {
     if (place_.x + width > right_ + 1.0F && place_.x > left_) {
       place_ = ImVec2(left_, place_.y + row());
@@ -111,8 +104,8 @@ class LegendRows {
   ImVec2 place_;
 };
 
-// From `left` on, flush right where one row is enough; else in as many rows as it takes. Returns
-// the bottom.
+// Begins at `left`; flush right if one row is enough, else in as many rows as needed. Returns the
+// bottom.
 float draw_legend(PlotSurface& surface, const PlotDescription& plot, float left, ImVec2 corner,
                   float width) {
   const float em = ImGui::GetFontSize();
@@ -142,10 +135,10 @@ void draw_choice_of_lines(PlotSurface& surface, const PlotDescription& plot) {
     bool on = is_chosen(surface, plot, line);
     ImGui::BeginDisabled(line.kind == LineKind::kSimulator && !surface.simulated);
     ImGui::PushStyleColor(ImGuiCol_CheckMark, surface.theme->colour(line.tone));
-    if (ImGui::Checkbox(line.name, &on)) chosen ^= line_bit(line.quantity);
+    if (ImGui::Checkbox(fmt::format("{0}###signal {0}", line.name).c_str(), &on))
+      chosen ^= line_bit(line.quantity);
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
-    remember(surface, fmt::format("signal {}", line.name));
     ImGui::SameLine();
     ImGui::TextDisabled("%s", plot.scale_of(line).unit);
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
@@ -153,20 +146,19 @@ void draw_choice_of_lines(PlotSurface& surface, const PlotDescription& plot) {
   }
   if (plot.id != PlotId::kStiffness || surface.show_bounds == nullptr) return;
   ImGui::Separator();
-  ImGui::Checkbox("bounds of theory", surface.show_bounds);
-  remember(surface, "bounds");
+  ImGui::Checkbox("bounds of theory###bounds", surface.show_bounds);
   ImGui::SetItemTooltip(
-      "The stiffest wall without an algorithm, as four criteria have it:\n"
-      "lines across this plot where its axis reaches them");
+      "The stiffest wall without an algorithm, by four criteria:\n"
+      "lines across this plot, if they are within its axis");
 }
 
-// Three dots behind the unit, and what they open.
+// The button with three dots and its menu.
 void draw_signals_button(PlotSurface& surface, const PlotDescription& plot) {
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32_BLACK_TRANS);
-  if (ImGui::SmallButton("…")) ImGui::OpenPopup("signals");
+  if (ImGui::SmallButton(fmt::format("…###signals {}", plot.title).c_str()))
+    ImGui::OpenPopup("signals");
   ImGui::PopStyleColor();
-  remember(surface, fmt::format("signals {}", plot.title));
   ImGui::SetItemTooltip("Which signals this plot shows");
   if (!ImGui::BeginPopup("signals")) return;
   draw_choice_of_lines(surface, plot);
@@ -206,4 +198,4 @@ void draw_plot_heading(PlotSurface& surface, const PlotDescription& plot, const 
   ImGui::SetCursorScreenPos(ImVec2(corner.x, std::max(below, bottom)));
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "app/ui/plot.h"
+#include "app/draw/plot/plot.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
-// Is the line chosen for this plot, and not hidden for the moment?
+// True if the line is chosen for this plot and not hidden.
 [[nodiscard]] bool is_chosen(const PlotSurface& surface, const PlotDescription& plot,
                              const PlotLine& line);
 [[nodiscard]] bool is_drawn(const PlotSurface& surface, const PlotDescription& plot,
@@ -18,4 +18,4 @@ namespace hapticwall::ui {
 void draw_plot_heading(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                        const std::string& note, float width);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

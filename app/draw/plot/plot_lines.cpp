@@ -1,53 +1,53 @@
-#include "app/ui/plot_lines.h"
+#include "app/draw/plot/plot_lines.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 using enum LineKind;
 
 constexpr std::array kPositionLines{
-    PlotLine{Quantity::kHandPath, "hand",
+    PlotLine{&PlantTruth::hand_path_m, "hand",
              "where the hand intends to be; the value axis does not stretch for it", Tone::kHand},
-    PlotLine{Quantity::kPosition, "handle", "x, the position as the encoder tells it",
+    PlotLine{&Sample::position_m, "handle", "x, the position as the encoder tells it",
              Tone::kPosition},
-    PlotLine{Quantity::kTruePosition, "true position", "where the handle is, between two counts",
+    PlotLine{&PlantTruth::position_m, "true position", "where the handle is, between two counts",
              Tone::kAccent, kSimulator},
-    PlotLine{Quantity::kPenetration, "penetration", "p = x - x_w, into the outermost wall",
+    PlotLine{&Sample::penetration_m, "penetration", "p = x - x_w, into the outermost wall",
              Tone::kBad, kExtra},
-    PlotLine{Quantity::kVelocity, "velocity", "v, the backward difference of the position",
+    PlotLine{&Sample::velocity_m_per_s, "velocity", "v, the backward difference of the position",
              Tone::kWarning, kExtra, true},
-    PlotLine{Quantity::kTrueVelocity, "true velocity", "how fast the handle is at the tick",
+    PlotLine{&PlantTruth::velocity_m_per_s, "true velocity", "how fast the handle is at the tick",
              Tone::kGood, kSimulator, true}};
 constexpr std::array kForceLines{
-    PlotLine{Quantity::kWallForce, "wall F_e", "F_e, what the virtual wall asks for",
+    PlotLine{&Sample::wall_force_n, "wall F_e", "F_e, what the virtual wall asks for",
              Tone::kWallForce},
-    PlotLine{Quantity::kForce, "actuator F_d",
+    PlotLine{&Sample::force_n, "actuator F_d",
              "F_d, what the algorithm makes of it: the force on the handle", Tone::kForce},
-    PlotLine{Quantity::kHandForce, "hand F_h", "F_h, of the hand on the handle", Tone::kHand,
+    PlotLine{&PlantTruth::hand_force_n, "hand F_h", "F_h, of the hand on the handle", Tone::kHand,
              kSimulator}};
-constexpr std::array kStiffnessLines{PlotLine{Quantity::kStiffness, "force / penetration",
+constexpr std::array kStiffnessLines{PlotLine{&Sample::stiffness_n_per_m, "force / penetration",
                                               "F_d over penetration; 0 out of contact",
                                               Tone::kStiffness}};
 constexpr std::array kPassivityLines{
-    PlotLine{Quantity::kEnergyBudget, "budget",
+    PlotLine{&Sample::energy_budget_j, "budget",
              "−T Σ b v²: the most that the hold may generate (Eq. 22)", Tone::kBudget},
-    PlotLine{Quantity::kEnergyHold, "hold (9)", "Eq. 9: energy of the sample-and-hold",
+    PlotLine{&Sample::energy_hold_j, "hold (9)", "Eq. 9: energy of the sample-and-hold",
              Tone::kHold},
-    PlotLine{Quantity::kEnergyScv, "SCV (10)",
+    PlotLine{&Sample::energy_scv_j, "SCV (10)",
              "Eq. 10: what handle and actuator really exchanged, as the encoder sees it",
              Tone::kScv},
-    PlotLine{Quantity::kEnergyCv, "observer (6)",
+    PlotLine{&Sample::energy_cv_j, "observer (6)",
              "Eq. 6: the passivity observer of Hannaford and Ryu; blind to the hold",
              Tone::kObserver},
-    PlotLine{Quantity::kActuatorWork, "actuator work",
+    PlotLine{&PlantTruth::actuator_work_j, "actuator work",
              "∫ F_d v dt: what the handle has given to the actuator. Below 0: what it was given",
              Tone::kForce, kSimulator},
-    PlotLine{Quantity::kDissipation, "losses", "∫ (b v² + f_c |v|) dt: heat in the device",
+    PlotLine{&PlantTruth::dissipation_j, "losses", "∫ (b v² + f_c |v|) dt: heat in the device",
              Tone::kGood, kSimulator},
-    PlotLine{Quantity::kHandWork, "hand's work",
+    PlotLine{&PlantTruth::hand_work_j, "hand's work",
              "∫ F_h v dt: what the hand has put in. Below 0: what it has extracted", Tone::kHand,
              kSimulator},
-    PlotLine{Quantity::kKinetic, "kinetic", "½ m v² of the handle", Tone::kAccent, kSimulator}};
+    PlotLine{&PlantTruth::kinetic_j, "kinetic", "½ m v² of the handle", Tone::kAccent, kSimulator}};
 
 const std::array<PlotDescription, kPlotCount> kPlots{
     PlotDescription{
@@ -75,4 +75,4 @@ const ChosenLines& usual_lines() {
   return kUsualLines;
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-// Which signals there are to plot, in which of the four plots, and in which unit.
+// The signals, their plots and their units.
 #pragma once
 
 #include <array>
@@ -7,26 +7,26 @@
 #include <span>
 #include <string>
 
-#include "app/ui/sample_history.h"
-#include "app/ui/theme.h"
+#include "app/draw/plot/sample_history.h"
+#include "app/draw/plot/theme.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 enum class PlotId : std::uint8_t { kPosition, kForce, kStiffness, kPassivity };
 inline constexpr std::size_t kPlotCount = 4;
 
-// A set of lines: one bit for each Quantity.
+// A set of lines, one bit per Quantity.
 using LineSet = std::uint32_t;
 using HiddenLines = LineSet;
 static_assert(kQuantityCount <= 32);
 [[nodiscard]] constexpr LineSet line_bit(Quantity quantity) {
-  return LineSet{1} << static_cast<unsigned>(quantity);
+  return LineSet{1} << quantity.index();
 }
 
 enum class LineKind : std::uint8_t {
-  kUsual,      // shown unless the user chooses otherwise
-  kExtra,      // shown where chosen
-  kSimulator,  // the same, and nobody but a simulator knows it
+  kUsual,      // shown by default
+  kExtra,      // shown on request
+  kSimulator,  // as kExtra, and known to a simulator only
 };
 
 // An axis of values, on the left or on the right.
@@ -37,7 +37,7 @@ struct ValueScale {
 };
 
 struct PlotLine {
-  Quantity quantity = Quantity::kPosition;
+  Quantity quantity = &Sample::position_m;
   const char* name = "";
   const char* meaning = "";
   Tone tone = Tone::kText;
@@ -49,7 +49,7 @@ struct PlotDescription {
   PlotId id = PlotId::kPosition;
   const char* title = "";
   ValueScale left;
-  ValueScale right;  // of the lines that say so
+  ValueScale right;  // of the lines with `on_right`
   std::span<const PlotLine> lines;
 
   [[nodiscard]] const ValueScale& scale_of(const PlotLine& line) const {
@@ -63,4 +63,4 @@ struct PlotDescription {
 using ChosenLines = std::array<LineSet, kPlotCount>;
 [[nodiscard]] const ChosenLines& usual_lines();
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,4 +1,4 @@
-#include "app/ui/plot_marks.h"
+#include "app/draw/plot/plot_marks.h"
 
 #include <implot.h>
 
@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr float kMarkAlpha = 0.75F;
 constexpr float kThin = 0.65F;  // of a line of the session
 constexpr float kMarkGapEms = 0.3F;
-constexpr float kFewestEms = 1.5F;  // of a text, to be worth its beginning
+constexpr float kMinEms = 1.5F;  // the shortest text that is drawn
 
-// A text from `left` to `right` at most; the rest is cut.
+// Draws a text from `left`, cut off at `right`.
 void draw_text(const Theme& theme, const std::string& text, float left, float right) {
   const float gap = kMarkGapEms * ImGui::GetFontSize();
-  if (text.empty() || right - left < kFewestEms * ImGui::GetFontSize()) return;
+  if (text.empty() || right - left < kMinEms * ImGui::GetFontSize()) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float top = ImPlot::GetPlotPos().y + gap;
   const float height = ImGui::GetFontSize();
@@ -53,7 +53,7 @@ void draw_plot_marks(const Theme& theme, const PlotMarks& marks, float line_weig
     const float room_to = next == marks.list.end()
                               ? right
                               : std::min(right, ImPlot::PlotToPixels(time_of(*next), 0.0).x);
-    // Whole pixels: as thin as it gets, and sharp.
+    // Whole pixels keep the line thin and sharp.
     const float left = std::floor(x - 0.5F * width);
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left, corner.y),
                                               ImVec2(left + width, corner.y + size.y),
@@ -63,4 +63,4 @@ void draw_plot_marks(const Theme& theme, const PlotMarks& marks, float line_weig
   ImPlot::PopPlotClipRect();
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

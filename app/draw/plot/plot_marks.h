@@ -3,18 +3,18 @@
 
 #include <span>
 
-#include "app/file/mark.h"
-#include "app/ui/theme.h"
+#include "app/draw/plot/theme.h"
+#include "app/file/recording/recording_writer.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
-// What somebody noted at ticks of this rate, in order.
+// The marks in order; their ticks have this rate.
 struct PlotMarks {
   std::span<const file::Mark> list;
   double rate_hz = 1000.0;
 };
 
-// Those within the current plot; a text where there is room for it.
+// Draws those within the current plot, with their texts if there is room.
 void draw_plot_marks(const Theme& theme, const PlotMarks& marks, float line_weight);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,8 +1,8 @@
-#include "app/ui/plot_trace.h"
+#include "app/draw/plot/plot_trace.h"
 
 #include <algorithm>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 PixelScale pixel_scale(double first, double second, float first_pixel, float second_pixel) {
@@ -42,4 +42,4 @@ std::size_t plot_columns() {
   return static_cast<std::size_t>(std::max(2.0F, ImPlot::GetPlotSize().x));
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

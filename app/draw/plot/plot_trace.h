@@ -1,4 +1,4 @@
-// One line of a plot, from what decimation has left of it.
+// One line of a plot, drawn from its decimated trace.
 #pragma once
 
 #include <imgui.h>
@@ -6,23 +6,23 @@
 
 #include <vector>
 
-#include "app/ui/plot_envelope.h"
-#include "app/ui/sample_history.h"
+#include "app/draw/plot/plot_envelope.h"
+#include "app/draw/plot/sample_history.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 struct TraceStyle {
-  const char* name = "";  // that no other line of the plot has
+  const char* name = "";  // unique in the plot
   ImVec4 colour;
   float weight = 1.0F;  // pixels
 };
 
-// Draws the trace into the current plot, as strokes or as the band that they fill. `columns` is
-// scratch.
+// Draws the trace into the current plot, as strokes or as the band that they fill. `columns`:
+// scratch memory.
 void draw_trace(const Trace& trace, const TraceStyle& style, ImAxis value_axis,
                 std::vector<PixelColumn>& columns);
 
-// How many columns of pixels the current plot has.
+// The width of the current plot in columns of pixels.
 [[nodiscard]] std::size_t plot_columns();
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

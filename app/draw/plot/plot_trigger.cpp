@@ -1,8 +1,8 @@
-#include "app/ui/plot_trigger.h"
+#include "app/draw/plot/plot_trigger.h"
 
 #include <algorithm>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 // The beginning of the newest contact in (after_s, up_to_s].
@@ -10,13 +10,13 @@ std::optional<double> newest_contact_s(const SampleHistory& history,
                                        const std::optional<double>& after_s, double up_to_s) {
   IndexRange range = history.range_within(history.oldest_time_s(), up_to_s);
   if (after_s) {
-    // One sample more in front: it is the one that must not be in contact.
+    // Includes the sample before: a contact begins after a sample without one.
     const std::size_t first = history.range_within(*after_s, up_to_s).first;
     range.first = std::min(first > 0 ? first - 1 : 0, range.last);
   }
   const auto contact = newest_contact(history, range);
   if (!contact) return std::nullopt;
-  const double contact_s = history.value(Quantity::kTime, contact->first);
+  const double contact_s = history.value(&Sample::time_s, contact->first);
   if (after_s && contact_s <= *after_s) return std::nullopt;
   return contact_s;
 }
@@ -38,14 +38,14 @@ Trigger armed_trigger(const TriggerSettings& settings, double newest_s) {
 std::optional<TimeWindow> run_trigger(const SampleHistory& history, const TriggerSettings& settings,
                                       double length_s, Trigger& trigger) {
   const double newest_s = history.newest_time_s();
-  // After a reset time begins again, and what was seen is gone.
+  // A reset restarts the time and clears the history.
   if (trigger.contact_s && *trigger.contact_s > newest_s) trigger = {};
   if (trigger.after_s && *trigger.after_s > newest_s) trigger.after_s.reset();
   const double behind_s = (1.0 - settings.pre_share) * length_s;
   const bool full = trigger.contact_s && newest_s >= *trigger.contact_s + behind_s;
   const bool once = settings.mode == TriggerMode::kSingle && trigger.contact_s.has_value();
   if (!once && (full || !trigger.contact_s)) {
-    const double up_to_s = behind_s > kLongestUnseenFillS ? newest_s : newest_s - behind_s;
+    const double up_to_s = behind_s > kMaxUnseenFillS ? newest_s : newest_s - behind_s;
     if (const auto found_s = newest_contact_s(history, trigger.after_s, up_to_s)) {
       trigger.contact_s = found_s;
       trigger.after_s = found_s;
@@ -72,12 +72,12 @@ TimeWindow newest_window(double newest_s, double length_s) {
 
 std::optional<IndexRange> newest_contact(const SampleHistory& history, IndexRange range) {
   std::size_t end = range.last;
-  const auto last = history.newest_above(Quantity::kPenetration, {range.first, end}, 0.0);
+  const auto last = history.newest_above(&Sample::penetration_m, {range.first, end}, 0.0);
   if (!last) return std::nullopt;
   end = *last + 1;
-  const auto before = history.newest_not_above(Quantity::kPenetration, {range.first, *last}, 0.0);
+  const auto before = history.newest_not_above(&Sample::penetration_m, {range.first, *last}, 0.0);
   if (!before) return std::nullopt;
   return IndexRange{*before + 1, end};
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

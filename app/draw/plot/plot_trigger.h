@@ -1,12 +1,12 @@
-// The scope: a time window that stands still at the newest contact.
+// The trigger: a time window that stands still at the newest contact, as on an oscilloscope.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
-#include "app/ui/sample_history.h"
+#include "app/draw/plot/sample_history.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 struct TimeWindow {
   double from_s = 0.0;
@@ -17,9 +17,9 @@ struct TimeWindow {
 
 enum class TriggerMode : std::uint8_t {
   kOff,     // the window follows the newest samples
-  kAuto,    // at the newest contact; where none comes, the newest samples
-  kNormal,  // at the newest contact, for as long as no other comes
-  kSingle,  // at the next contact, and then it stays
+  kAuto,    // at the newest contact; without one, the newest samples
+  kNormal,  // at the newest contact until the next one
+  kSingle,  // at the next contact for good
 };
 
 struct TriggerSettings {
@@ -29,37 +29,37 @@ struct TriggerSettings {
 
 enum class TriggerStage : std::uint8_t {
   kWaiting,  // for a contact
-  kFilling,  // the contact is there, the end of its window is not
+  kFilling,  // the window of a contact is not full yet
   kShown,    // the window is full; the next contact replaces it
-  kDone,     // the same, and nothing replaces it: single
+  kDone,     // the window is full and stays (kSingle)
 };
 
-// What the trigger remembers from frame to frame.
+// The state of the trigger between frames.
 struct Trigger {
   TriggerStage stage = TriggerStage::kWaiting;
   std::optional<double> contact_s;  // the one that the window shows
   std::optional<double> after_s;    // a contact must be later than this
 };
 
-// A window that fills in less than this is shown when it is full: no picture is ever half empty.
-inline constexpr double kLongestUnseenFillS = 0.25;
+// A window that fills in less than this appears only when it is full.
+inline constexpr double kMaxUnseenFillS = 0.25;
 // How long `auto` shows an old contact before it follows the newest samples.
 inline constexpr double kAutoPatienceS = 1.0;
 
-// Waits for a contact. `newest_s`: only later ones count (single); nothing: any that is kept.
+// A trigger that waits for a contact; kSingle ignores contacts up to `newest_s`.
 [[nodiscard]] Trigger armed_trigger(const TriggerSettings& settings, double newest_s);
 
-// One frame. Returns where the window of this length must stand, or nothing where it must stay.
+// One frame. Returns the place of the window of this length, or nullopt if it must not move.
 [[nodiscard]] std::optional<TimeWindow> run_trigger(const SampleHistory& history,
                                                     const TriggerSettings& settings,
                                                     double length_s, Trigger& trigger);
 
-// The newest length of time; a session younger than that begins at the left.
+// The window at the newest sample; a younger session begins at the left edge.
 [[nodiscard]] TimeWindow newest_window(double newest_s, double length_s);
 
 // The newest contact that begins in the range: from its first sample in the wall to one past its
-// last, or to the end of the range. A contact that was there from the first sample does not count.
+// last, or to the end of the range. A contact at the first sample of the range does not count.
 [[nodiscard]] std::optional<IndexRange> newest_contact(const SampleHistory& history,
                                                        IndexRange range);
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,5 +1,5 @@
-// An array that grows at its end and is forgotten at its front, in blocks: nothing is moved when it
-// grows, and a copy shares what both have.
+// An array that grows at its end and shrinks at its front, in blocks: growing moves nothing, and a
+// copy shares the blocks that both have.
 #pragma once
 
 #include <algorithm>
@@ -10,18 +10,18 @@
 #include <memory>
 #include <vector>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
-// Elements keep their index for life: the n-th that was ever pushed is n. A block of which all
-// elements have the same bits (a quantity that nobody measures, a force in free motion) costs no
-// memory. A copy is cheap and stays as it was while the original grows, on another thread too, as
-// long as only one of the two is pushed to. Realtime-safe: no.
+// An element keeps its index: that of the n-th push is n. A block whose elements all have the same
+// bits (an unmeasured quantity, a force in free motion) takes no memory. A copy is cheap and does
+// not change while the original grows, on another thread too, as long as only one of the two is
+// pushed to. Realtime-safe: no.
 template <typename T>
 class BlockArray {
  public:
   static constexpr std::uint64_t kBlock = 1024;  // elements
 
-  [[nodiscard]] std::uint64_t first() const { return first_; }  // the oldest that is kept
+  [[nodiscard]] std::uint64_t first() const { return first_; }  // the oldest one kept
   [[nodiscard]] std::uint64_t end() const { return end_; }
 
   // Precondition: first() <= index < end().
@@ -43,7 +43,7 @@ class BlockArray {
     ++end_;
   }
 
-  // Forgets the blocks of which no element has this index or a later one.
+  // Drops the blocks that end before this index.
   void forget_before(std::uint64_t index) {
     const std::uint64_t whole = (std::min(index, end_) - std::min(index, first_)) / kBlock;
     blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(whole));
@@ -65,4 +65,4 @@ class BlockArray {
   std::uint64_t end_ = 0;
 };
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

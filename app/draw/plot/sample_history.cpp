@@ -1,41 +1,9 @@
-#include "app/ui/sample_history.h"
+#include "app/draw/plot/sample_history.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace hapticwall::ui {
-namespace {
-
-// In the order of Quantity.
-std::array<double, kQuantityCount> quantities_of(const Sample& sample) {
-  const PlantTruth& truth = sample.truth;
-  return {sample.time_s,
-          sample.position_m,
-          truth.position_m,
-          truth.hand_path_m,
-          sample.force_n,
-          sample.wall_force_n,
-          sample.stiffness_n_per_m,
-          sample.energy_cv_j,
-          sample.energy_hold_j,
-          sample.energy_scv_j,
-          sample.energy_budget_j,
-          sample.velocity_m_per_s,
-          sample.penetration_m,
-          truth.velocity_m_per_s,
-          truth.hand_force_n,
-          truth.actuator_work_j,
-          truth.dissipation_j,
-          truth.hand_work_j,
-          truth.kinetic_j,
-          static_cast<double>(sample.tick),
-          sample.device_time_s,
-          sample.read_age_s,
-          static_cast<double>(sample.flags)};
-}
-
-}  // namespace
-
+namespace hapticwall::draw {
 std::size_t decimation_group(std::size_t samples, std::size_t columns) {
   const std::size_t most = std::max<std::size_t>(samples / std::max<std::size_t>(columns, 1), 1);
   std::size_t unit = 1;
@@ -51,8 +19,10 @@ SampleHistory::SampleHistory(std::size_t capacity)
 
 void SampleHistory::push(const Sample& sample) {
   if (!empty() && sample.tick <= newest_tick_) clear();
-  const auto values = quantities_of(sample);
-  for (std::size_t i = 0; i < kQuantityCount; ++i) columns_[i].push_back(values[i]);
+  SamplePyramid* next = columns_.data();
+  for_each_column(sample, [&](const SampleColumn& /*column*/, const auto& value) {
+    (next++)->push_back(static_cast<double>(value));
+  });
   newest_tick_ = sample.tick;
   if (size() >= capacity_ + BlockArray<double>::kBlock) {
     for (SamplePyramid& column : columns_) column.forget_before(column.end() - capacity_);
@@ -69,38 +39,18 @@ std::size_t SampleHistory::size() const {
   return static_cast<std::size_t>(columns_.front().end() - columns_.front().first());
 }
 
-double SampleHistory::oldest_time_s() const { return empty() ? 0.0 : value(Quantity::kTime, 0); }
+double SampleHistory::oldest_time_s() const { return empty() ? 0.0 : value(&Sample::time_s, 0); }
 
 double SampleHistory::newest_time_s() const {
-  return empty() ? 0.0 : value(Quantity::kTime, size() - 1);
+  return empty() ? 0.0 : value(&Sample::time_s, size() - 1);
 }
 
 Sample SampleHistory::sample(std::size_t index) const {
-  const auto of = [&](Quantity quantity) { return value(quantity, index); };
   Sample sample;
-  sample.tick = static_cast<std::uint64_t>(of(Quantity::kTick));
-  sample.time_s = of(Quantity::kTime);
-  sample.position_m = of(Quantity::kPosition);
-  sample.velocity_m_per_s = of(Quantity::kVelocity);
-  sample.penetration_m = of(Quantity::kPenetration);
-  sample.wall_force_n = of(Quantity::kWallForce);
-  sample.force_n = of(Quantity::kForce);
-  sample.stiffness_n_per_m = of(Quantity::kStiffness);
-  sample.energy_cv_j = of(Quantity::kEnergyCv);
-  sample.energy_hold_j = of(Quantity::kEnergyHold);
-  sample.energy_scv_j = of(Quantity::kEnergyScv);
-  sample.energy_budget_j = of(Quantity::kEnergyBudget);
-  sample.truth.position_m = of(Quantity::kTruePosition);
-  sample.truth.velocity_m_per_s = of(Quantity::kTrueVelocity);
-  sample.truth.hand_path_m = of(Quantity::kHandPath);
-  sample.truth.hand_force_n = of(Quantity::kHandForce);
-  sample.truth.actuator_work_j = of(Quantity::kActuatorWork);
-  sample.truth.dissipation_j = of(Quantity::kDissipation);
-  sample.truth.hand_work_j = of(Quantity::kHandWork);
-  sample.truth.kinetic_j = of(Quantity::kKinetic);
-  sample.device_time_s = of(Quantity::kDeviceTime);
-  sample.read_age_s = of(Quantity::kReadAge);
-  sample.flags = static_cast<std::uint32_t>(of(Quantity::kFlags));
+  const SamplePyramid* next = columns_.data();
+  for_each_column(sample, [&]<typename Value>(const SampleColumn& /*column*/, Value& value) {
+    value = static_cast<Value>((*next++)[oldest() + index]);
+  });
   return sample;
 }
 
@@ -109,7 +59,7 @@ std::size_t SampleHistory::first_not_before(double time_s) const {
   std::size_t last = size();
   while (first < last) {
     const std::size_t middle = first + (last - first) / 2;
-    if (value(Quantity::kTime, middle) < time_s) {
+    if (value(&Sample::time_s, middle) < time_s) {
       first = middle + 1;
     } else {
       last = middle;
@@ -121,7 +71,7 @@ std::size_t SampleHistory::first_not_before(double time_s) const {
 IndexRange SampleHistory::range_within(double from_s, double to_s) const {
   const std::size_t first = first_not_before(from_s);
   std::size_t last = first_not_before(to_s);
-  if (last < size() && value(Quantity::kTime, last) == to_s) ++last;
+  if (last < size() && value(&Sample::time_s, last) == to_s) ++last;
   return {first, std::max(first, last)};
 }
 
@@ -136,8 +86,8 @@ std::optional<std::size_t> SampleHistory::nearest(double time_s) const {
   if (empty()) return std::nullopt;
   const std::size_t after = std::min(first_not_before(time_s), size() - 1);
   if (after == 0) return after;
-  const double before_s = time_s - value(Quantity::kTime, after - 1);
-  return value(Quantity::kTime, after) - time_s < before_s ? after : after - 1;
+  const double before_s = time_s - value(&Sample::time_s, after - 1);
+  return value(&Sample::time_s, after) - time_s < before_s ? after : after - 1;
 }
 
 Extremes SampleHistory::extremes(Quantity quantity, IndexRange range) const {
@@ -165,7 +115,7 @@ void SampleHistory::decimate(Quantity quantity, IndexRange range, std::size_t co
                              Trace& trace) const {
   trace.time_s.clear();
   trace.value.clear();
-  const SamplePyramid& time = column(Quantity::kTime);
+  const SamplePyramid& time = column(&Sample::time_s);
   const SamplePyramid& values = column(quantity);
   const std::uint64_t group = decimation_group(range.count(), columns);
   const std::uint64_t end = oldest() + range.last;
@@ -181,8 +131,8 @@ void SampleHistory::decimate(Quantity quantity, IndexRange range, std::size_t co
       continue;
     }
     const Extremes found = values.extremes(first, last);
-    // Whichever extreme is nearer to where the line stands comes first: the line then crosses a
-    // column once instead of twice, which halves what a software renderer has to paint.
+    // The extreme nearer to the line's end comes first: the line then crosses a column once, which
+    // halves the pixels that a software renderer paints.
     const double stands = trace.value.empty() ? values[first] : trace.value.back() / scale;
     const bool low_first = std::abs(stands - found.minimum) <= std::abs(stands - found.maximum);
     const std::uint64_t middle = first + (last - first) / 2;
@@ -192,4 +142,14 @@ void SampleHistory::decimate(Quantity quantity, IndexRange range, std::size_t co
   }
 }
 
-}  // namespace hapticwall::ui
+void TickHistory::push(std::span<const Tick> ticks) {
+  for (const Tick& tick : ticks) {
+    for (std::size_t axis = 0; axis < tick.count; ++axis) axes_[axis].push(tick.axes[axis]);
+  }
+}
+
+void TickHistory::clear() {
+  for (SampleHistory& axis : axes_) axis.clear();
+}
+
+}  // namespace hapticwall::draw

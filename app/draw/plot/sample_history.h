@@ -1,5 +1,5 @@
-// The newest samples of a session, kept for the plots, and their reduction to what a screen can
-// show.
+// The newest samples of a session, kept for the plots, and their reduction to the pixels of a
+// screen.
 #pragma once
 
 #include <array>
@@ -9,41 +9,29 @@
 #include <span>
 #include <vector>
 
-#include "app/ui/sample_pyramid.h"
+#include "app/draw/plot/sample_pyramid.h"
 #include "core/sample.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
-// What is kept of every sample, in SI units: everything that a recording has.
-enum class Quantity : std::uint8_t {
-  kTime,
-  kPosition,
-  kTruePosition,
-  kHandPath,
-  kForce,
-  kWallForce,
-  kStiffness,
-  kEnergyCv,
-  kEnergyHold,
-  kEnergyScv,
-  kEnergyBudget,
-  kVelocity,
-  kPenetration,
-  kTrueVelocity,
-  kHandForce,
-  kActuatorWork,
-  kDissipation,
-  kHandWork,
-  kKinetic,
-  kTick,  // exact up to 2^53
-  kDeviceTime,
-  kReadAge,
-  kFlags,  // of SampleFlag
+// A column of kSampleColumns, written as the member: `history.value(&Sample::force_n, i)`. A member
+// that has no column does not compile.
+class Quantity {
+ public:
+  template <typename Member>
+  consteval Quantity(Member member)  // NOLINT(google-explicit-constructor): a member is its column
+      : index_(static_cast<std::uint8_t>(column_index(member))) {}
+
+  [[nodiscard]] constexpr std::size_t index() const { return index_; }
+  friend constexpr bool operator==(Quantity, Quantity) = default;
+
+ private:
+  std::uint8_t index_;
 };
-inline constexpr std::size_t kQuantityCount = 23;
+inline constexpr std::size_t kQuantityCount = kSampleColumns.size();
 
-// An hour at 1 kHz: what the window keeps of a session. At most about 200 bytes a sample, less
-// where quantities stand still.
+// The window keeps an hour at 1 kHz. At most about 200 bytes a sample, less while quantities do not
+// change.
 inline constexpr std::size_t kHistoryCapacity = 3'600'000;
 
 // Samples [first, last) by age: 0 is the oldest that is still kept.
@@ -60,15 +48,15 @@ struct Trace {
   std::vector<double> value;
 };
 
-// How many of so many samples are drawn as one group: the most that are not wider than one of the
-// columns of pixels, and at least 1. Large groups are made of whole blocks of the pyramid, from 4
-// to 16 of them, and so up to a fifth smaller than a column.
+// The number of samples that are drawn as one group: as many as fit one column of pixels, at least
+// 1. A large group is 4 to 16 whole blocks of the pyramid, and so up to a fifth narrower than a
+// column.
 [[nodiscard]] std::size_t decimation_group(std::size_t samples, std::size_t columns);
 
-// Keeps at least the newest `capacity` samples, and not many more, in columns. A sample that is not
-// newer than the last one means that the session was reset: everything older is forgotten. A copy
-// is cheap and stays as it is while the original grows, on another thread too; only one of the two
-// may be pushed to. Realtime-safe: no.
+// Keeps at least the newest `capacity` samples of one axis, and not many more, in columns. A sample
+// that is not newer than the last one means that the session was reset: it clears the history. A
+// copy is cheap and does not change while the original grows, on another thread too; only one of
+// the two may be pushed to. Realtime-safe: no.
 class SampleHistory {
  public:
   explicit SampleHistory(std::size_t capacity);
@@ -79,21 +67,21 @@ class SampleHistory {
 
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] bool empty() const { return size() == 0; }
-  [[nodiscard]] double oldest_time_s() const;  // 0 where empty
-  [[nodiscard]] double newest_time_s() const;  // 0 where empty
+  [[nodiscard]] double oldest_time_s() const;  // 0 if empty
+  [[nodiscard]] double newest_time_s() const;  // 0 if empty
 
   // Precondition of both: index < size().
   [[nodiscard]] double value(Quantity quantity, std::size_t index) const {
     return column(quantity)[oldest() + index];
   }
-  // As it was pushed, but for the generation of its parameters.
+  // As it was pushed, without the generation of its parameters.
   [[nodiscard]] Sample sample(std::size_t index) const;
 
   // The samples within [from_s, to_s] and one more on either side, so that lines reach the edges.
   [[nodiscard]] IndexRange range(double from_s, double to_s) const;
   // The same without those beyond the edges.
   [[nodiscard]] IndexRange range_within(double from_s, double to_s) const;
-  // The sample whose time is nearest; nothing where empty.
+  // The sample whose time is nearest; nullopt if empty.
   [[nodiscard]] std::optional<std::size_t> nearest(double time_s) const;
 
   // Precondition: the range is not empty.
@@ -105,18 +93,17 @@ class SampleHistory {
   [[nodiscard]] std::optional<std::size_t> newest_not_above(Quantity quantity, IndexRange range,
                                                             double threshold) const;
 
-  // Reduces the range to what `columns` columns of pixels can show: of each decimation_group() the
-  // smallest and the largest sample, both at the time of its middle. Values are multiplied by
-  // `scale` (not 0). No spike is lost, none is made up, and where there are fewer than three
-  // samples to a column, every sample is there. Groups are fixed to the samples' count since the
-  // reset, so that a moving window does not flicker. Costs O(columns) steps however many samples
-  // there are.
+  // Reduces the range to `columns` columns of pixels: the smallest and the largest sample of each
+  // decimation_group(), both at the time of its middle, multiplied by `scale` (not 0). It loses no
+  // spike and invents none. Below three samples to a column it keeps every sample. Groups are
+  // counted from the reset, so that a moving window does not flicker. Costs O(columns) steps for
+  // any number of samples.
   void decimate(Quantity quantity, IndexRange range, std::size_t columns, double scale,
                 Trace& trace) const;
 
  private:
   [[nodiscard]] const SamplePyramid& column(Quantity quantity) const {
-    return columns_[static_cast<std::size_t>(quantity)];
+    return columns_[quantity.index()];
   }
   [[nodiscard]] std::uint64_t oldest() const { return columns_.front().first(); }
   [[nodiscard]] std::size_t first_not_before(double time_s) const;
@@ -127,4 +114,16 @@ class SampleHistory {
   std::array<SamplePyramid, kQuantityCount> columns_;
 };
 
-}  // namespace hapticwall::ui
+// The histories of all axes of a session.
+class TickHistory {
+ public:
+  void push(std::span<const Tick> ticks);
+  void clear();
+  [[nodiscard]] const SampleHistory& axis(std::size_t index) const { return axes_.at(index); }
+
+ private:
+  std::array<SampleHistory, kMaxAxes> axes_{SampleHistory(kHistoryCapacity),
+                                            SampleHistory(kHistoryCapacity)};
+};
+
+}  // namespace hapticwall::draw

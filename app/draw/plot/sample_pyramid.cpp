@@ -1,8 +1,8 @@
-#include "app/ui/sample_pyramid.h"
+#include "app/draw/plot/sample_pyramid.h"
 
 #include <algorithm>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 static_assert(SamplePyramid::kFan == 4, "size_of() shifts by two bits a level");
@@ -28,7 +28,7 @@ void SamplePyramid::push_back(double value) {
 
 void SamplePyramid::forget_before(std::uint64_t index) {
   samples_.forget_before(index);
-  // A block that is cut by the new beginning is never asked for, and may go or stay.
+  // No range asks for the block that the new beginning cuts.
   for (std::size_t level = 0; level < kLevels; ++level)
     levels_[level].forget_before(samples_.first() / size_of(level));
 }
@@ -43,8 +43,8 @@ Extremes SamplePyramid::extremes(std::uint64_t first, std::uint64_t last) const 
   return all;
 }
 
-// `wanted` tells of extremes whether a sample within them may be wanted, and of a sample as its own
-// extremes whether it is.
+// `wanted(extremes)`: whether a block may hold a wanted sample; of a sample's own extremes, whether
+// it is wanted.
 template <typename Wanted>
 std::optional<std::uint64_t> SamplePyramid::newest(std::uint64_t first, std::uint64_t last,
                                                    Wanted&& wanted) const {
@@ -77,4 +77,4 @@ std::optional<std::uint64_t> SamplePyramid::newest_not_above(std::uint64_t first
   return newest(first, last, [=](const Extremes& part) { return part.minimum <= threshold; });
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

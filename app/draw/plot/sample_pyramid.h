@@ -1,4 +1,4 @@
-// A column of samples with the extremes of its blocks, so that those of any range cost a few steps.
+// A column of samples with the extremes of its blocks, for the extremes of any range in few steps.
 #pragma once
 
 #include <array>
@@ -7,23 +7,23 @@
 #include <limits>
 #include <optional>
 
-#include "app/ui/sample_blocks.h"
+#include "app/draw/plot/sample_blocks.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 struct Extremes {
   double minimum = 0.0;
   double maximum = 0.0;
 };
 
-// Over the samples lie levels of blocks, of 16 samples, of 64, of 256 and so on; each knows the
-// smallest and the largest of its samples. Built as the samples come: a push costs less than two
-// comparisons of pairs. Indices are those of BlockArray. All values must be finite.
+// Levels of blocks lie over the samples: of 16 samples, of 64, of 256 and so on. Each block holds
+// its smallest and largest sample. A push updates them in less than two comparisons of pairs.
+// Indices are those of BlockArray. All values must be finite.
 class SamplePyramid {
  public:
-  static constexpr std::uint64_t kSmallestBlock = 16;  // samples
-  static constexpr std::uint64_t kFan = 4;             // blocks that make one of the next level
-  static constexpr std::size_t kLevels = 9;            // the largest block: 2^20 samples
+  static constexpr std::uint64_t kMinBlock = 16;  // samples
+  static constexpr std::uint64_t kFan = 4;        // blocks in a block of the next level
+  static constexpr std::size_t kLevels = 9;       // the largest block: 2^20 samples
 
   void push_back(double value);
   void forget_before(std::uint64_t index);
@@ -32,7 +32,7 @@ class SamplePyramid {
   [[nodiscard]] std::uint64_t end() const { return samples_.end(); }
   [[nodiscard]] double operator[](std::uint64_t index) const { return samples_[index]; }
 
-  // Of the samples [first, last). Precondition: there is one.
+  // Of the samples [first, last). Precondition: not empty.
   [[nodiscard]] Extremes extremes(std::uint64_t first, std::uint64_t last) const;
 
   // The newest of the samples [first, last) that is above `threshold`, or that is not.
@@ -56,14 +56,14 @@ class SamplePyramid {
         first += size_of(level - 1);
         continue;
       }
-      const std::uint64_t next = (first / kSmallestBlock + 1) * kSmallestBlock;
+      const std::uint64_t next = (first / kMinBlock + 1) * kMinBlock;
       for (const std::uint64_t stop = next < last ? next : last; first < stop; ++first)
         sample(samples_[first]);
     }
   }
 
   [[nodiscard]] static constexpr std::uint64_t size_of(std::size_t level) {
-    return kSmallestBlock << (2 * level);
+    return kMinBlock << (2 * level);
   }
 
  private:
@@ -81,7 +81,7 @@ class SamplePyramid {
 
   BlockArray<double> samples_;
   std::array<BlockArray<Extremes>, kLevels> levels_;
-  std::array<Extremes, kLevels> growing_ = all_nothing();  // the blocks that are not whole yet
+  std::array<Extremes, kLevels> growing_ = all_nothing();  // the incomplete blocks
 };
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

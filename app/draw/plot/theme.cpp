@@ -1,4 +1,4 @@
-#include "app/ui/theme.h"
+#include "app/draw/plot/theme.h"
 
 #include <implot.h>
 
@@ -7,7 +7,7 @@
 
 #include "embedded_fonts.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr ImVec4 rgb(unsigned hex) {
@@ -33,7 +33,7 @@ constexpr std::array<ImVec4, kToneCount> kScreenColours{
     rgb(0x4FB6C9), rgb(0x6CC08B), rgb(0xE9B45A), rgb(0xF0716B), rgb(0x6FB1FF),
     rgb(0xB7A3E8), rgb(0x5FBFA8), rgb(0xF2B25C), rgb(0x5C6B7E), rgb(0x8FD17F),
     rgb(0x6FB1FF), rgb(0xC792EA), rgb(0xF0716B), rgb(0xD9C56B)};
-// In light rooms: the same hues, as dark as it takes to be read on white.
+// For light rooms: the same hues, dark enough to be read on white.
 constexpr std::array<ImVec4, kToneCount> kLightColours{
     rgb(0x1B222A), rgb(0x56616D), rgb(0xDDE2E8), rgb(0xF2F4F7), rgb(0xFFFFFF),
     rgb(0x0B6E86), rgb(0x1E7A45), rgb(0x8F5A00), rgb(0xB3261E), rgb(0x1F69B8),
@@ -51,7 +51,7 @@ ImFont* load_font(std::string_view name) {
     if (file.name != name) continue;
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
-    // ImGui wants a pointer to non-const, and does not write through it.
+    // ImGui takes a pointer to non-const but does not write through it.
     void* bytes = const_cast<char*>(file.bytes.data());
     return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(bytes, static_cast<int>(file.bytes.size()),
                                                       kFontSize, &config);
@@ -142,7 +142,7 @@ void set_plot_style(const Theme& theme, float scale) {
 
 }  // namespace
 
-// A little lighter than a panel where that is dark; white on white stands out by its border.
+// A little lighter than a dark panel; in the light look the border separates it.
 ImVec4 raised(const Theme& theme) {
   constexpr float kLift = 0.05F;
   const ImVec4 panel = theme.colour(Tone::kPanel);
@@ -191,4 +191,4 @@ void restyle(Theme& theme, Look look, float scale) {
   set_plot_style(theme, scale);
 }
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

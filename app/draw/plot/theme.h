@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 
 // Colours by meaning, the same everywhere.
 enum class Tone : std::uint8_t {
@@ -16,7 +16,7 @@ enum class Tone : std::uint8_t {
   kFaint,  // frames, grid
   kBackground,
   kPanel,
-  kAccent,  // what is chosen or running
+  kAccent,  // chosen or running
   kGood,
   kWarning,
   kBad,
@@ -69,10 +69,10 @@ inline constexpr float kTitleFontSize = 17.0F;
 // The same for a theme that has its fonts, between two frames.
 void restyle(Theme& theme, Look look, float scale);
 
-// The background of what stands over the window.
+// The background of popups over the window.
 [[nodiscard]] ImVec4 raised(const Theme& theme);
-// Around the ImGui window of such a thing.
+// Around the ImGui window of a popup.
 void begin_raised(const Theme& theme);
 void end_raised();
 
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

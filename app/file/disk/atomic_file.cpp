@@ -1,4 +1,4 @@
-#include "app/file/atomic_file.h"
+#include "app/file/disk/atomic_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,20 +11,20 @@
 #include <system_error>
 #include <utility>
 
-#include "app/file/text.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::file {
 namespace {
 
-constexpr mode_t kNewFileMode = 0666;  // less the user's umask
+constexpr mode_t kNewFileMode = 0666;  // without the umask
 
 Error file_error(const std::string& path, std::string_view what, int code) {
   return {ErrorKind::kFile,
           fmt::format("{}: {}: {}", shown(path), what, std::generic_category().message(code))};
 }
 
-// Whether the name still stands for the open file: another process may have renamed it between our
-// open and our lock.
+// Whether the name still refers to the open file: another process may rename it between open and
+// lock.
 bool is_still_named(int descriptor, const std::string& path) {
   struct stat opened {};
   struct stat named {};
@@ -32,15 +32,15 @@ bool is_still_named(int descriptor, const std::string& path) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-// Why a partial file is none of ours, or nothing. Whoever unpacked a folder from elsewhere may find
-// one there that leads out of it.
+// Why a partial file must not be written, or an empty text. A folder from elsewhere could hold one
+// that leads out of the folder.
 std::string_view strangeness(const struct stat& status) {
   if (S_ISLNK(status.st_mode)) return "is a symbolic link";
   if (!S_ISREG(status.st_mode)) return "is not a regular file";
-  return status.st_nlink > 1 ? "has another name too" : "";
+  return status.st_nlink > 1 ? "has a second name" : "";
 }
 
-// Opens PATH.partial as it is, or makes it; -1 and `status` where that cannot be.
+// Opens or creates PATH.partial; on failure returns -1, and `status` of a strange file.
 int open_partial(const std::string& partial_path, struct stat& status) {
   constexpr int kFlags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
   const int descriptor = open(partial_path.c_str(), kFlags, kNewFileMode);
@@ -55,7 +55,7 @@ int open_partial(const std::string& partial_path, struct stat& status) {
   return -1;
 }
 
-// A rename is on the disk when its folder is. Best effort: not every file system can.
+// Syncs the folder, to make a rename durable. Best effort: some file systems cannot.
 void sync_folder(const std::string& path) {
   std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (folder.empty()) folder = ".";
@@ -121,7 +121,7 @@ AtomicFile::~AtomicFile() { discard(); }
 
 void AtomicFile::discard() {
   if (descriptor_ < 0) return;
-  // Another file that has taken the name meanwhile is another process's.
+  // A new file of this name belongs to another process.
   if (!keep_partial_ && is_still_named(descriptor_, partial_path_)) unlink(partial_path_.c_str());
   close(std::exchange(descriptor_, -1));
 }
@@ -129,7 +129,7 @@ void AtomicFile::discard() {
 Error AtomicFile::failure(std::string_view what) const {
   Error error = file_error(path_, what, errno);
   if (keep_partial_) {
-    error.message += fmt::format(" (what was written is in {})", shown(partial_path_));
+    error.message += fmt::format(" (the written part is in {})", shown(partial_path_));
   }
   return error;
 }
@@ -148,7 +148,7 @@ Failure AtomicFile::keep_only(std::uint64_t bytes) {
   return {};
 }
 
-// Without its last name nothing of it can be reached any more; only moved, it can.
+// True if the last name was removed: the data is unreachable. A moved file is not removed.
 bool AtomicFile::is_removed() const {
   struct stat status {};
   return fstat(descriptor_, &status) == 0 && status.st_nlink == 0 &&
@@ -157,7 +157,7 @@ bool AtomicFile::is_removed() const {
 
 Error AtomicFile::lost() const {
   return {ErrorKind::kFile,
-          fmt::format("{}: could not be written whole: {} was {} meanwhile", shown(path_),
+          fmt::format("{}: could not be written: {} was {} during the writing", shown(path_),
                       shown(partial_path_), is_removed() ? "removed" : "moved")};
 }
 
@@ -166,7 +166,7 @@ Failure AtomicFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return failure("could not be written whole");
+    if (written < 0) return failure("could not be written");
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return {};
@@ -174,21 +174,21 @@ Failure AtomicFile::write(std::string_view bytes) {
 
 Failure AtomicFile::sync() {
   if (!is_still_named(descriptor_, partial_path_)) return lost();
-  // EINVAL: the file system has nothing to put on a disk.
-  if (fsync(descriptor_) != 0 && errno != EINVAL) return failure("could not be written whole");
+  // EINVAL: the file system does not support fsync.
+  if (fsync(descriptor_) != 0 && errno != EINVAL) return failure("could not be written");
   return {};
 }
 
 Failure AtomicFile::commit() {
   if (Failure failed = sync()) return failed;
-  if (std::rename(partial_path_.c_str(), path_.c_str()) != 0) return failure("cannot be named");
+  if (std::rename(partial_path_.c_str(), path_.c_str()) != 0) return failure("cannot be renamed");
   close(std::exchange(descriptor_, -1));
   sync_folder(path_);
   return {};
 }
 
 Failure rename_file(const std::string& from, const std::string& to) {
-  if (std::rename(from.c_str(), to.c_str()) != 0) return file_error(to, "cannot be named", errno);
+  if (std::rename(from.c_str(), to.c_str()) != 0) return file_error(to, "cannot be renamed", errno);
   sync_folder(to);
   return {};
 }

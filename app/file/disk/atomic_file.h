@@ -1,4 +1,4 @@
-// A file that takes its name only when it is whole.
+// A file that gets its name only when it is complete.
 #pragma once
 
 #include <cstdint>
@@ -9,38 +9,36 @@
 
 namespace hapticwall::file {
 
-// What is not whole yet.
+// Of an incomplete file.
 inline constexpr std::string_view kPartialEnding = ".partial";
 
-// Written as PATH.partial (locked: one writer at a time); commit() puts it on the disk and gives it
-// its name, which replaces an older file at once. Every error is of ErrorKind::kFile and names the
-// file. Realtime-safe: no.
+// Writes to PATH.partial, which it locks. commit() syncs the file and renames it, which replaces an
+// older file atomically. Errors are ErrorKind::kFile and name the file. Realtime-safe: no.
 class AtomicFile {
  public:
-  // Refuses a PATH that exists and is no regular file, a PATH.partial that another process holds,
-  // and one that leads elsewhere: a symbolic link, a pipe, a file that has another name too.
+  // Refuses a PATH that is no regular file, and a PATH.partial that another process holds, or that
+  // is a symbolic link, a pipe or a file with another name.
   [[nodiscard]] static Result<AtomicFile> create(const std::string& path);
-  // The same, but what stands in PATH.partial stays, and writing goes on behind it.
+  // The same, but keeps the content of PATH.partial; writing continues after keep_only().
   [[nodiscard]] static Result<AtomicFile> resume(const std::string& path);
 
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
-  // Without commit() the final name is not touched; the partial file goes, unless it is to be kept.
+  // Without commit(), removes the partial file unless keep_partial() was called.
   ~AtomicFile();
 
   void keep_partial() { keep_partial_ = true; }
-  // Cuts the file to its first `bytes`; writing goes on there.
+  // Truncates the file to `bytes`; writing continues there.
   [[nodiscard]] Failure keep_only(std::uint64_t bytes);
-  // Fails at once where somebody has removed PATH.partial, or its folder.
+  // Fails at once if PATH.partial or its folder was removed.
   [[nodiscard]] Failure write(std::string_view bytes);
-  // On the disk, still without its name. Fails where PATH.partial was moved, too: what was written
-  // is where it was moved to.
+  // Syncs to the disk without renaming. Fails also if PATH.partial was moved.
   [[nodiscard]] Failure sync();
-  [[nodiscard]] Failure commit();  // sync(), then the name
+  [[nodiscard]] Failure commit();  // sync(), then rename
 
-  [[nodiscard]] std::uint64_t size() const;  // bytes; 0 where it is no regular file
+  [[nodiscard]] std::uint64_t size() const;  // bytes; 0 if it is no regular file
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const std::string& partial_path() const { return partial_path_; }
@@ -58,10 +56,10 @@ class AtomicFile {
   bool keep_partial_ = false;
 };
 
-// Gives a file another name, which replaces what had it.
+// Renames a file, and replaces an existing one.
 [[nodiscard]] Failure rename_file(const std::string& from, const std::string& to);
 
-// A whole small file in one call.
+// Writes a small file in one call.
 [[nodiscard]] Failure write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace hapticwall::file

@@ -1,4 +1,4 @@
-#include "app/file/sha256.h"
+#include "app/file/disk/sha256.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

@@ -11,9 +11,9 @@ namespace hapticwall::file {
 
 class Sha256 {
  public:
-  Sha256();  // throws std::runtime_error where libcrypto offers no SHA-256
+  Sha256();  // throws std::runtime_error if libcrypto has no SHA-256
   void update(std::string_view bytes);
-  // 64 hexadecimal digits; call it once, last.
+  // 64 hexadecimal digits. Call it once, at the end.
   [[nodiscard]] std::string finish();
 
  private:

@@ -1,4 +1,4 @@
-#include "app/file/small_file.h"
+#include "app/file/disk/small_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,16 +9,16 @@
 #include <system_error>
 #include <utility>
 
-#include "app/file/text.h"
-#include "core/usage_error.h"
+#include "app/file/text/text.h"
+#include "core/result.h"
 
 namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kFirstBytes = std::size_t{1} << 16U;
 
-// At most one byte more than `largest_bytes`.
-Result<std::string> read_beginning(const std::string& path, std::size_t largest_bytes) {
+// Reads at most one byte more than `max_bytes`.
+Result<std::string> read_beginning(const std::string& path, std::size_t max_bytes) {
   const auto failure = [&](int code) {
     return usage_error(
         fmt::format("{}: cannot be read: {}", shown(path), std::generic_category().message(code)));
@@ -27,10 +27,10 @@ Result<std::string> read_beginning(const std::string& path, std::size_t largest_
   if (descriptor < 0) return failure(errno);
   std::string text;
   std::size_t size = 0;
-  while (size <= largest_bytes) {
-    // Most files are far smaller than they may be.
+  while (size <= max_bytes) {
+    // Grows with the file: most are far smaller than the limit.
     if (size == text.size()) {
-      text.resize(std::min(std::max(kFirstBytes, 2 * size), largest_bytes + 1));
+      text.resize(std::min(std::max(kFirstBytes, 2 * size), max_bytes + 1));
     }
     const ssize_t count = read(descriptor, text.data() + size, text.size() - size);
     if (count < 0 && errno == EINTR) continue;
@@ -50,12 +50,12 @@ Result<std::string> read_beginning(const std::string& path, std::size_t largest_
 }  // namespace
 
 Result<std::string> read_small_file(const std::string& path, std::string_view kind,
-                                    std::size_t largest_bytes) {
-  Result<std::string> text = read_beginning(path, largest_bytes);
+                                    std::size_t max_bytes) {
+  Result<std::string> text = read_beginning(path, max_bytes);
   if (!text) return text;
-  if (text->size() > largest_bytes) {
+  if (text->size() > max_bytes) {
     return usage_error(
-        fmt::format("{}: not a {}: larger than {} bytes", shown(path), kind, largest_bytes));
+        fmt::format("{}: not a {}: larger than {} bytes", shown(path), kind, max_bytes));
   }
   if (text->empty()) return usage_error(fmt::format("{}: not a {}: empty", shown(path), kind));
   return text;

@@ -1,4 +1,4 @@
-// Text files that people write: read whole, and refused where they are too large to be one.
+// Reads small text files, and refuses large ones.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,8 @@
 
 namespace hapticwall::file {
 
-// The whole file. `kind` names in messages what it should have been ("scene"). An empty file is
-// refused too.
+// The whole file. `kind` names the expected content in messages ("scene"). Refuses an empty file.
 [[nodiscard]] Result<std::string> read_small_file(const std::string& path, std::string_view kind,
-                                                  std::size_t largest_bytes);
+                                                  std::size_t max_bytes);
 
 }  // namespace hapticwall::file

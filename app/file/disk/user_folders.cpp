@@ -1,4 +1,4 @@
-#include "app/file/user_folders.h"
+#include "app/file/disk/user_folders.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "app/file/text.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::file {
 namespace {
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOff = "off";
 
-// The specification: what is not absolute counts as not set.
+// By the specification, a relative path counts as not set.
 std::optional<fs::path> absolute_folder(const Environment& environment, const char* name) {
   const std::optional<std::string> value = environment(name);
   if (!value || !fs::path(*value).is_absolute()) return std::nullopt;
@@ -25,7 +25,7 @@ std::optional<fs::path> absolute_folder(const Environment& environment, const ch
 }  // namespace
 
 std::optional<std::string> process_environment(const std::string& name) {
-  // Read at the start of the program, before it has other threads.
+  // Called at the start of the program, before other threads exist.
   const char* value = std::getenv(name.c_str());  // NOLINT(concurrency-mt-unsafe)
   return value == nullptr ? std::nullopt : std::optional<std::string>(value);
 }
@@ -51,7 +51,7 @@ Failure make_folder_of(const std::string& path) {
     return std::nullopt;
   }
   return Error{ErrorKind::kFile,
-               fmt::format("{}: cannot be made: {}", shown(folder.string()), error.message())};
+               fmt::format("{}: cannot be created: {}", shown(folder.string()), error.message())};
 }
 
 }  // namespace hapticwall::file

@@ -1,4 +1,4 @@
-// Where a user's own files are kept, after the XDG base directories.
+// The user's folders, by the XDG base directories.
 #pragma once
 
 #include <functional>
@@ -9,15 +9,15 @@
 
 namespace hapticwall::file {
 
-// A variable of the environment, or nothing where it is not set.
+// A variable of the environment; nullopt if it is not set.
 using Environment = std::function<std::optional<std::string>(const std::string& name)>;
 [[nodiscard]] std::optional<std::string> process_environment(const std::string& name);
 
-// The file of the window's settings. HAPTICWALL_SETTINGS names one, or says "off"; else
-// hapticwall/settings.toml in $XDG_CONFIG_HOME, else in $HOME/.config. Empty: none is kept.
+// The file of the window's settings: HAPTICWALL_SETTINGS if set, else hapticwall/settings.toml in
+// $XDG_CONFIG_HOME or $HOME/.config. Empty, also for "off": no settings are stored.
 [[nodiscard]] std::string settings_path(const Environment& environment);
 
-// Makes the folder of a file, and those above it, for this user alone. Realtime-safe: no.
+// Creates the folder of a file and its parents, accessible by this user only. Realtime-safe: no.
 [[nodiscard]] Failure make_folder_of(const std::string& path);
 
 }  // namespace hapticwall::file

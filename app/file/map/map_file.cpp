@@ -1,4 +1,4 @@
-#include "app/file/map_file.h"
+#include "app/file/map/map_file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,11 +11,11 @@
 #include <system_error>
 #include <utility>
 
-#include "app/file/map_rows.h"
-#include "app/file/scene_file.h"
-#include "app/file/sidecar.h"
-#include "app/file/text.h"
-#include "app/file/toml_text.h"
+#include "app/file/map/map_rows.h"
+#include "app/file/recording/sidecar.h"
+#include "app/file/scene/scene_file.h"
+#include "app/file/scene/toml_text.h"
+#include "app/file/text/text.h"
 #include "core/stabiliser/stabiliser.h"
 #include "hapticwall_version.h"
 
@@ -23,20 +23,17 @@ namespace hapticwall::file {
 namespace {
 
 std::string axis_text(const MapAxis& axis) {
-  return fmt::format("{}={}:{}:{}{}", axis.number.path, number_text(axis.low),
-                     number_text(axis.high), axis.count, axis.logarithmic ? ":log" : "");
+  return fmt::format("{}={}:{}:{}{}", axis.number.path, shortest_number(axis.low),
+                     shortest_number(axis.high), axis.count, axis.logarithmic ? ":log" : "");
 }
 
 std::string algorithms_text(const StabilityMap& map) {
   std::vector<std::string_view> names;
   for (const std::size_t index : map.algorithms) names.push_back(algorithms()[index].name);
-  std::string text;
-  for (const std::string_view name : names)
-    text += fmt::format("{}{}", text.empty() ? "" : ",", name);
-  return text;
+  return fmt::format("{}", fmt::join(names, ","));
 }
 
-// Empty where there is no such file.
+// Empty if there is no such file.
 std::string contents(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return {};
@@ -49,15 +46,15 @@ bool is_empty(const std::string& path) {
   return std::filesystem::file_size(path, failed) == 0 || failed;
 }
 
-// Whether what there is of a map is of the map with this sidecar. A finished sidecar tells it only
-// where the run ended between its two names: beside one that is not whole it is an older map's.
+// Whether the partial rows belong to the map with this sidecar. The finished sidecar counts only if
+// there is no partial one: then the run ended between the two renames.
 bool is_of_map(const std::string& sidecar_path, const std::string& sidecar_text) {
   const std::string partial = sidecar_path + std::string(kPartialEnding);
   return contents(is_empty(partial) ? sidecar_path : partial) == sidecar_text;
 }
 
-// The sidecar, whole and on the disk, without its name. One that is there stays as it is: on a full
-// disk it could not be written again, and without it nobody could tell whose the rows are.
+// The complete sidecar on the disk, under its partial name. An equal one is kept: a full disk could
+// prevent writing it again, and the rows are lost without it.
 Result<AtomicFile> open_sidecar(const std::string& path, const std::string& text) {
   Result<AtomicFile> file = AtomicFile::resume(path);
   if (!file) return file;
@@ -73,11 +70,11 @@ Result<AtomicFile> open_sidecar(const std::string& path, const std::string& text
 }
 
 struct FoundRows {
-  std::vector<MapFigures> figures;
+  std::vector<MapMetrics> figures;
   std::size_t bytes = 0;  // of the header and the whole lines
 };
 
-// As many whole lines of `text` as are the header and cells of the part, in their order.
+// The leading complete lines of `text` that are the header and cells of the part.
 FoundRows whole_rows(std::string_view text, const StabilityMap& map, const MapPart& part) {
   FoundRows rows;
   if (part.begin == 0) {
@@ -101,7 +98,7 @@ FoundRows whole_rows(std::string_view text, const StabilityMap& map, const MapPa
 
 MapPart map_part(const StabilityMap& map, std::size_t index, std::size_t count) {
   const std::size_t cells = map.cell_count();
-  // Whole quotient and remainder: no product of two large numbers.
+  // Quotient and remainder separately, to avoid an overflow.
   const auto begin = [&](std::size_t i) { return cells / count * i + cells % count * i / count; };
   return {begin(index - 1), begin(index)};
 }
@@ -125,16 +122,16 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
   const std::string sidecar_path = sidecar_path_of(path);
   if (!may_replace_sidecar(sidecar_path, kMapTable)) {
     return Error{ErrorKind::kFile,
-                 fmt::format("{}: it would be the sidecar of {}, and is something else; choose "
-                             "another name",
+                 fmt::format("{}: the sidecar of {} would replace this other file; choose another "
+                             "name",
                              shown(sidecar_path), shown(path))};
   }
   const std::string partial = path + std::string(kPartialEnding);
   const std::string sidecar_text = map_sidecar(map, part);
   if (!is_empty(partial) && !is_of_map(sidecar_path, sidecar_text)) {
     return Error{ErrorKind::kFile,
-                 fmt::format("{}: is not of this map or not of this program; finish it as it was "
-                             "begun, or remove it",
+                 fmt::format("{}: it belongs to another map or build; finish it with its own "
+                             "command, or remove it",
                              shown(partial))};
   }
   Result<AtomicFile> csv = AtomicFile::resume(path);
@@ -153,7 +150,7 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
 }
 
 Failure MapWriter::append(const StabilityMap& map, std::size_t begin,
-                          const std::vector<MapFigures>& figures) {
+                          const std::vector<MapMetrics>& figures) {
   std::string text;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     append_map_row(text, map, begin + i, figures[i]);
@@ -162,12 +159,12 @@ Failure MapWriter::append(const StabilityMap& map, std::size_t begin,
 }
 
 Failure MapWriter::finish() {
-  // As of a recording: when the CSV is there, its sidecar is too.
+  // The sidecar first, so that a finished CSV always has one.
   if (Failure failed = sidecar_.commit()) return failed;
   return csv_.commit();
 }
 
-Result<std::vector<MapFigures>> parse_map(std::string_view text, const std::string& origin,
+Result<std::vector<MapMetrics>> parse_map(std::string_view text, const std::string& origin,
                                           const StabilityMap& map) {
   const auto wrong = [&](const std::string& what) {
     return Error{ErrorKind::kUsage, shown(origin) + what};
@@ -181,12 +178,12 @@ Result<std::vector<MapFigures>> parse_map(std::string_view text, const std::stri
   if (rows.figures.size() < cells) {
     const std::size_t cell = rows.figures.size();
     return wrong(
-        fmt::format(":{}: not cell {} of the {} of this map, which begins with '{}' and "
-                    "goes on with a verdict and {} numbers or empty fields",
-                    cell + 2, cell + 1, cells, map_row_beginning(map, cell), kMapFigures));
+        fmt::format(":{}: not cell {} of the {} of this map: expected '{}', a verdict and {} "
+                    "numbers or empty fields",
+                    cell + 2, cell + 1, cells, map_row_beginning(map, cell), kMapMetrics));
   }
   if (rows.bytes != text.size()) {
-    return wrong(fmt::format(":{}: there is more behind the last cell of this map", cells + 2));
+    return wrong(fmt::format(":{}: unexpected text after the last cell of this map", cells + 2));
   }
   return std::move(rows.figures);
 }
@@ -197,7 +194,7 @@ bool has_other_sidecar(const std::string& path, const StabilityMap& map) {
          contents(sidecar_path) != map_sidecar(map, {0, map.cell_count()});
 }
 
-Result<std::vector<MapFigures>> read_map(const std::string& path, const StabilityMap& map) {
+Result<std::vector<MapMetrics>> read_map(const std::string& path, const StabilityMap& map) {
   const auto wrong = [&](const std::string& what) {
     return Error{ErrorKind::kUsage, shown(path) + what};
   };

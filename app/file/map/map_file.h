@@ -1,5 +1,4 @@
-// The CSV of a stability map: written as the cells come, so that a run that was killed goes on
-// where it stood; and read back.
+// The CSV of a stability map. It is written cell by cell, so that an interrupted run can resume.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
-#include "app/file/atomic_file.h"
+#include "app/file/disk/atomic_file.h"
 #include "core/result.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall::file {
 
-// The cells of a map that are one run's; all of them, where it is not in parts. Parts in a row have
-// the cells in a row, so that their files put together are the file of the whole.
+// The cells of one run, without --shard all of the map. Consecutive parts hold consecutive cells,
+// so that their joined files are the file of the whole map.
 struct MapPart {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -23,22 +22,22 @@ struct MapPart {
 // Part `index` (from 1) of `count`.
 [[nodiscard]] MapPart map_part(const StabilityMap& map, std::size_t index, std::size_t count);
 
-// The map's sidecar: the whole scene, and a table [map] that says what was made of it.
+// The map's sidecar: the scene, and a table [map] with the plan.
 [[nodiscard]] std::string map_sidecar(const StabilityMap& map, const MapPart& part);
 
-// NAME.csv.partial and NAME.toml.partial until both are whole.
+// Writes NAME.csv.partial and NAME.toml.partial, and renames both at the end.
 class MapWriter {
  public:
-  // Goes on from a NAME.csv.partial that is of the same map, by the same build (its
-  // NAME.toml.partial says so); refuses one that is not.
+  // Resumes a NAME.csv.partial of the same map and build, according to its NAME.toml.partial;
+  // refuses any other one.
   [[nodiscard]] static Result<MapWriter> open(const std::string& path, const StabilityMap& map,
                                               const MapPart& part);
 
-  // Of the cells from part.begin on: what an earlier run left.
-  [[nodiscard]] const std::vector<MapFigures>& found() const { return found_; }
-  // Cells [begin, begin + figures.size()), which follow those that are there.
+  // Cells of an earlier run, from part.begin on.
+  [[nodiscard]] const std::vector<MapMetrics>& found() const { return found_; }
+  // Appends cells [begin, begin + figures.size()), in order.
   [[nodiscard]] Failure append(const StabilityMap& map, std::size_t begin,
-                               const std::vector<MapFigures>& figures);
+                               const std::vector<MapMetrics>& figures);
   [[nodiscard]] Failure finish();
 
  private:
@@ -47,19 +46,19 @@ class MapWriter {
 
   AtomicFile csv_;
   AtomicFile sidecar_;
-  std::vector<MapFigures> found_;
+  std::vector<MapMetrics> found_;
 };
 
-// Whether the sidecar beside the cells at `path` is one of another map than this whole one, or of
-// another version of the program. Parts that were put together have none.
+// Whether the sidecar of `path` describes another map, or comes from another version of the
+// program. False without a sidecar, as for joined parts.
 [[nodiscard]] bool has_other_sidecar(const std::string& path, const StabilityMap& map);
 
-// All cells of the map, out of the text of the whole; `origin` names it in messages.
-[[nodiscard]] Result<std::vector<MapFigures>> parse_map(std::string_view text,
+// All cells of the map; `origin` names the text in messages.
+[[nodiscard]] Result<std::vector<MapMetrics>> parse_map(std::string_view text,
                                                         const std::string& origin,
                                                         const StabilityMap& map);
-// The same, out of its file.
-[[nodiscard]] Result<std::vector<MapFigures>> read_map(const std::string& path,
+// The same from a file.
+[[nodiscard]] Result<std::vector<MapMetrics>> read_map(const std::string& path,
                                                        const StabilityMap& map);
 
 }  // namespace hapticwall::file

@@ -1,4 +1,4 @@
-#include "app/file/recording_reader.h"
+#include "app/file/recording/recording_reader.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,15 +11,15 @@
 #include <system_error>
 #include <utility>
 
-#include "app/file/atomic_file.h"
-#include "app/file/recording_rows.h"
-#include "app/file/sha256.h"
-#include "app/file/sidecar.h"
-#include "app/file/small_file.h"
-#include "app/file/table_reader.h"
-#include "app/file/text.h"
+#include "app/file/disk/atomic_file.h"
+#include "app/file/disk/sha256.h"
+#include "app/file/disk/small_file.h"
+#include "app/file/recording/recording_rows.h"
+#include "app/file/recording/sidecar.h"
+#include "app/file/scene/table_reader.h"
+#include "app/file/text/text.h"
+#include "core/result.h"
 #include "core/scene_keys.h"
-#include "core/usage_error.h"
 
 namespace hapticwall::file {
 namespace {
@@ -31,7 +31,7 @@ Error cannot_be_read(const std::string& path, int code) {
       fmt::format("{}: cannot be read: {}", shown(path), std::generic_category().message(code)));
 }
 
-// Fewer bytes than asked for only at the end of the file; -1 where it failed.
+// Returns fewer bytes than asked for only at the end of the file; -1 on failure.
 ssize_t read_fully(int descriptor, char* out, std::size_t size, std::uint64_t offset) {
   std::size_t done = 0;
   while (done < size) {
@@ -45,13 +45,17 @@ ssize_t read_fully(int descriptor, char* out, std::size_t size, std::uint64_t of
   return static_cast<ssize_t>(done);
 }
 
-// The text of a key of [recording]; empty where there is none.
+// The text of a key of [recording]; empty if there is none.
 std::string recorded(const toml::table& root, std::string_view key) {
-  constexpr std::size_t kLongestText = 500;
-  return shown(root["recording"][key].value_or(std::string_view()), kLongestText);
+  constexpr std::size_t kMaxTextBytes = 500;
+  return shown(root["recording"][key].value_or(std::string_view()), kMaxTextBytes);
 }
 
 }  // namespace
+
+bool is_recording(std::string_view path) {
+  return path.ends_with(".csv") || path.ends_with(".csv.partial");
+}
 
 Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::string& csv_path,
                                                                const ReadProgress& progress) {
@@ -71,7 +75,7 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::string
 
 RecordingReader::~RecordingReader() { close(descriptor_); }
 
-// A wrong sidecar is no reason not to show the rows.
+// The rows are shown even if the sidecar is wrong.
 void RecordingReader::read_sidecar() {
   const std::string& csv_path = info_.csv_path;
   std::vector<std::string>& notes = info_.notes;
@@ -88,14 +92,14 @@ void RecordingReader::read_sidecar() {
         fmt::format("no sidecar {}: scene, walls and algorithm are not known", shown(path)));
     return;
   }
-  const Result<std::string> text = read_small_file(path, "sidecar", kLargestSidecarBytes);
+  const Result<std::string> text = read_small_file(path, "sidecar", kMaxSidecarBytes);
   Result<LoadedScene> loaded = text ? parse_scene(*text, path) : text.error();
   if (!loaded) {
     info_.sidecar_problem = loaded.error().message;
     notes.push_back("shown without its sidecar: " + info_.sidecar_problem);
     return;
   }
-  const toml::table root = parse_toml(*text, path);  // parse_scene() has taken it
+  const toml::table root = parse_toml(*text, path);  // parse_scene() has accepted it
   if (!root["recording"].is_table()) {
     info_.sidecar_problem = shown(path) + " has no [recording]: not this recording's sidecar";
     notes.push_back(info_.sidecar_problem);
@@ -145,7 +149,7 @@ void RecordingReader::take_over(ScannedRows scanned) {
   }
   if (scanned.cut_off) info_.notes.emplace_back("its last line is cut off and left out");
   if (!info_.has_sidecar && scanned.rate_hz &&
-      sampling_number_keys().front().range.contains(*scanned.rate_hz)) {
+      number_keys<SamplingSettings>().front().range.contains(*scanned.rate_hz)) {
     info_.loaded.scene.sampling.rate_hz = *scanned.rate_hz;
   }
   info_.rate_hz = info_.loaded.scene.sampling.rate_hz;
@@ -181,34 +185,27 @@ Failure RecordingReader::load_block(std::uint64_t block) {
 }
 
 bool RecordingReader::parse_block(std::uint64_t wanted_rows) {
-  samples_.clear();
-  y_samples_.clear();
+  ticks_.clear();
   for (std::string_view rest = text_; !rest.empty();) {
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos) return false;
-    if (parse_csv_row(rest.substr(0, end), info_.scanned.columns, samples_.emplace_back(),
-                      &y_samples_.emplace_back())) {
-      return false;
-    }
-    samples_.back().generation = generation_at(samples_.back().tick);
-    y_samples_.back().generation = samples_.back().generation;
+    Tick& tick = ticks_.emplace_back();
+    if (parse_csv_row(rest.substr(0, end), info_.scanned.columns, tick)) return false;
+    const std::uint32_t generation = generation_at(tick.x().tick);
+    for (Sample& sample : tick.in_use()) sample.generation = generation;
     rest.remove_prefix(end + 1);
   }
-  return samples_.size() == wanted_rows;
+  return ticks_.size() == wanted_rows;
 }
 
-Result<std::size_t> RecordingReader::read(std::uint64_t first_row, std::span<Sample> out,
-                                          std::span<Sample> y) {
+Result<std::size_t> RecordingReader::read(std::uint64_t first_row, std::span<Tick> out) {
   std::size_t done = 0;
   while (done < out.size() && first_row + done < rows()) {
     const std::uint64_t row = first_row + done;
     if (Failure failed = load_block(row / kRowsPerBlock)) return *std::move(failed);
     const std::size_t from = row % kRowsPerBlock;
-    const std::size_t count = std::min(samples_.size() - from, out.size() - done);
-    std::ranges::copy(std::span(samples_).subspan(from, count), out.subspan(done).begin());
-    if (!y.empty()) {
-      std::ranges::copy(std::span(y_samples_).subspan(from, count), y.subspan(done).begin());
-    }
+    const std::size_t count = std::min(ticks_.size() - from, out.size() - done);
+    std::ranges::copy(std::span(ticks_).subspan(from, count), out.subspan(done).begin());
     done += count;
   }
   return done;
@@ -222,10 +219,10 @@ Result<std::uint64_t> RecordingReader::row_at(std::uint64_t tick) {
   if (behind == blocks.begin()) return std::uint64_t{0};
   const auto block = static_cast<std::uint64_t>(behind - blocks.begin() - 1);
   if (Failure failed = load_block(block)) return *std::move(failed);
-  const auto found = std::lower_bound(
-      samples_.begin(), samples_.end(), tick,
-      [](const Sample& sample, std::uint64_t value) { return sample.tick < value; });
-  return block * kRowsPerBlock + static_cast<std::uint64_t>(found - samples_.begin());
+  const auto found =
+      std::lower_bound(ticks_.begin(), ticks_.end(), tick,
+                       [](const Tick& row, std::uint64_t value) { return row.x().tick < value; });
+  return block * kRowsPerBlock + static_cast<std::uint64_t>(found - ticks_.begin());
 }
 
 }  // namespace hapticwall::file

@@ -1,6 +1,6 @@
-// A recording that is read: every row checked once, then any stretch of it at any time.
+// Reads a recording: checks every row once, then reads any range of rows at any time.
 //
-// The rows stay in the file; memory holds where every thousandth of them is. An hour at 1 kHz has
+// The rows stay in the file; memory holds the offset of every thousandth. An hour at 1 kHz has
 // 3.6 million.
 #pragma once
 
@@ -9,46 +9,50 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/file/recording_scan.h"
-#include "app/file/scene_file.h"
+#include "app/file/recording/recording_scan.h"
+#include "app/file/scene/scene_file.h"
 #include "core/result.h"
 #include "core/sample.h"
 
 namespace hapticwall::file {
 
-// What is known of a recording besides its rows.
+// Facts about a recording besides its rows.
 struct RecordingInfo {
   std::string csv_path;
   ScannedRows scanned;
-  double rate_hz = 1000.0;  // the sidecar's; without one as the last row's time tells it, else 1000
+  double rate_hz = 1000.0;  // from the sidecar, else from the last row, else 1000
 
-  // Of the sidecar. Without one `loaded` is a scene without walls and hand, and the rest is empty.
+  // From the sidecar. Without one `loaded` is a scene without walls and hand; the rest is empty.
   bool has_sidecar = false;
-  std::string sidecar_problem;  // why there is none, where a file is there
+  std::string sidecar_problem;  // why the file there is no sidecar
   LoadedScene loaded;
   std::string device;
   std::string realtime;    // how the real-time set-up went, in words
   std::string start_time;  // UTC
 
-  // What a person should know before believing what is shown; a line each.
+  // Warnings for the user, one line each.
   std::vector<std::string> notes;
 
-  [[nodiscard]] bool of_simulator() const { return file::of_simulator(scanned.columns); }
+  [[nodiscard]] bool of_simulator() const { return scanned.columns.of_simulator(); }
 };
 
-// How the first pass goes on: told a fraction from 0 to 1 now and then; false ends it.
+// Progress of the first pass, a fraction from 0 to 1; returning false ends it.
 using ReadProgress = std::function<bool(double fraction)>;
+
+// A path that ends with .csv or .csv.partial names a recording; every other path a scene.
+[[nodiscard]] bool is_recording(std::string_view path);
 
 // Realtime-safe: no; used by one thread at a time.
 class RecordingReader {
  public:
-  // NAME.csv with NAME.toml beside it, or NAME.csv.partial with NAME.toml.partial. Reads all of
-  // it once. An error (exit status 2) where anything in it is wrong: "NAME.csv:12: force_n: 'x' is
-  // no finite number", and where `progress` ended it. Only a note: no sidecar or a wrong one, a CSV
-  // that is not the one its sidecar was written for, holes that the sidecar tells of, and the
-  // cut-off last line of a partial file.
+  // Opens NAME.csv with NAME.toml beside it, or NAME.csv.partial with NAME.toml.partial, and reads
+  // it once. Fails (exit status 2) at a wrong row ("NAME.csv:12: force_n: 'x' is no finite number")
+  // and when `progress` ends it. These are notes, not errors: no sidecar or a wrong one, a CSV that
+  // its sidecar was not written for, holes that the sidecar tells of, and the cut-off last line of
+  // a partial file.
   [[nodiscard]] static Result<std::unique_ptr<RecordingReader>> open(
       const std::string& csv_path, const ReadProgress& progress = {});
 
@@ -59,15 +63,12 @@ class RecordingReader {
   [[nodiscard]] const RecordingInfo& info() const { return info_; }
   [[nodiscard]] std::uint64_t rows() const { return info_.scanned.rows; }
 
-  // The rows from `first_row` on, up to out.size() of them; returns how many, 0 behind the last.
-  // A sample's `generation` counts the parameter changes up to its tick. Fails (exit status 2)
-  // where the file is no longer what it was.
-  // `y`: as many places for the same rows of the second axis, or none; all zero but tick and time
-  // where the recording has one axis.
-  [[nodiscard]] Result<std::size_t> read(std::uint64_t first_row, std::span<Sample> out,
-                                         std::span<Sample> y = {});
+  // Reads up to out.size() rows from `first_row` on; returns how many, 0 after the last one. A
+  // sample's `generation` counts the parameter changes up to its tick. Fails (exit status 2) if the
+  // file has changed.
+  [[nodiscard]] Result<std::size_t> read(std::uint64_t first_row, std::span<Tick> out);
 
-  // The first row of `tick` or later; rows() behind the last. Fails as read() does.
+  // The first row of `tick` or later; rows() after the last. Fails as read() does.
   [[nodiscard]] Result<std::uint64_t> row_at(std::uint64_t tick);
 
  private:
@@ -87,8 +88,7 @@ class RecordingReader {
 
   static constexpr std::uint64_t kNoBlock = ~std::uint64_t{0};
   std::uint64_t loaded_block_ = kNoBlock;
-  std::vector<Sample> samples_;    // of the loaded block
-  std::vector<Sample> y_samples_;  // the same rows of the second axis
+  std::vector<Tick> ticks_;  // of the loaded block
   std::string text_;
 };
 

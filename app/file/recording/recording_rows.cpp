@@ -1,30 +1,39 @@
-#include "app/file/recording_rows.h"
+#include "app/file/recording/recording_rows.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <concepts>
+#include <limits>
 #include <system_error>
 #include <vector>
 
-#include "app/file/text.h"
-#include "core/usage_error.h"
+#include "app/file/text/text.h"
+#include "core/result.h"
 
 namespace hapticwall::file {
 namespace {
 
-constexpr std::array kAxisNumbers{&Sample::position_m,    &Sample::velocity_m_per_s,
-                                  &Sample::penetration_m, &Sample::wall_force_n,
-                                  &Sample::force_n,       &Sample::stiffness_n_per_m,
-                                  &Sample::energy_cv_j,   &Sample::energy_hold_j,
-                                  &Sample::energy_scv_j,  &Sample::energy_budget_j};
-constexpr std::array kTruthNumbers{&PlantTruth::position_m,      &PlantTruth::velocity_m_per_s,
-                                   &PlantTruth::hand_path_m,     &PlantTruth::hand_force_n,
-                                   &PlantTruth::actuator_work_j, &PlantTruth::dissipation_j,
-                                   &PlantTruth::hand_work_j,     &PlantTruth::kinetic_j};
+constexpr std::string_view kSecondAxisPrefix = "y_";
 
-// Reads fields from left to right; once one is wrong, it is false for good.
+void append_value(std::string& text, double value) { append_number(text, value); }
+void append_value(std::string& text, std::unsigned_integral auto value) {
+  std::array<char, std::numeric_limits<std::uint64_t>::digits10 + 1> digits{};
+  text.append(digits.data(),
+              std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+// Lambdas, so that each use is compiled for its columns alone.
+constexpr auto kOfTick = [](const SampleColumn& column, CsvColumns /*columns*/) {
+  return column.group == ColumnGroup::kTick;
+};
+constexpr auto kOfAxis = [](const SampleColumn& column, CsvColumns columns) {
+  return column.group == ColumnGroup::kAxis || column.group == columns.source;
+};
+
+// Reads fields from left to right.
 class Fields {
  public:
   explicit Fields(std::string_view line) : at_(line.data()), end_(line.data() + line.size()) {}
@@ -45,7 +54,7 @@ class Fields {
     ++at_;
     return true;
   }
-  // The last field has been taken, and no comma stands after it.
+  // True after the last field, if no comma follows it.
   [[nodiscard]] bool at_end() const { return ended_; }
 
  private:
@@ -54,18 +63,20 @@ class Fields {
   bool ended_ = false;
 };
 
-bool take_axis(Fields& fields, MoreColumns columns, Sample& sample) {
-  for (const auto number : kAxisNumbers) {
-    if (!fields.take(sample.*number)) return false;
-  }
-  if (!fields.take(sample.flags)) return false;
-  if (!of_simulator(columns)) {
-    return fields.take(sample.device_time_s) && fields.take(sample.read_age_s);
-  }
-  for (const auto number : kTruthNumbers) {
-    if (!fields.take(sample.truth.*number)) return false;
-  }
-  return true;
+template <typename Wanted>
+bool take_columns(Fields& fields, CsvColumns columns, Wanted&& wanted, Sample& sample) {
+  return all_columns(sample, [&](const SampleColumn& column, auto& value) {
+    return !wanted(column, columns) || fields.take(value);
+  });
+}
+
+template <typename Wanted>
+void append_columns(std::string& text, CsvColumns columns, Wanted&& wanted, const Sample& sample) {
+  for_each_column(sample, [&](const SampleColumn& column, const auto& value) {
+    if (!wanted(column, columns)) return;
+    append_value(text, value);
+    text += ',';
+  });
 }
 
 std::vector<std::string_view> split(std::string_view line) {
@@ -78,28 +89,20 @@ std::vector<std::string_view> split(std::string_view line) {
   }
 }
 
-template <typename Number>
-bool is_number(std::string_view field) {
-  Number value{};
-  const char* end = field.data() + field.size();
-  const auto [rest, code] = std::from_chars(field.data(), end, value);
-  return code == std::errc{} && rest == end && std::isfinite(static_cast<double>(value));
-}
-
-// Only for a row that is wrong: slow, and says why.
-std::string problem_of(std::string_view line, MoreColumns columns) {
+// The reason why a row is wrong. Slow.
+std::string problem_of(std::string_view line, CsvColumns columns) {
   const std::string header = csv_header(columns);
   const std::vector<std::string_view> names = split(header);
   const std::vector<std::string_view> fields = split(line);
   for (std::size_t i = 0; i < std::min(names.size(), fields.size()); ++i) {
     const std::string_view name = names[i];
-    if (name == "tick" && !is_number<std::uint64_t>(fields[i])) {
+    if (name == "tick" && !parsed<std::uint64_t>(fields[i])) {
       return fmt::format("tick: {} is no whole number", in_quotes(fields[i]));
     }
-    if (name.ends_with("flags") && !is_number<std::uint32_t>(fields[i])) {
+    if (name.ends_with("flags") && !parsed<std::uint32_t>(fields[i])) {
       return fmt::format("{}: {} is no whole number", name, in_quotes(fields[i]));
     }
-    if (!is_number<double>(fields[i])) {
+    if (!parsed<double>(fields[i])) {
       return fmt::format("{}: {} is no finite number", name, in_quotes(fields[i]));
     }
   }
@@ -108,18 +111,34 @@ std::string problem_of(std::string_view line, MoreColumns columns) {
 
 }  // namespace
 
-Result<MoreColumns> parse_csv_header(std::string_view line) {
+std::string csv_header(CsvColumns columns) {
+  std::string header;
+  const auto add = [&](auto&& wanted, std::string_view prefix) {
+    for (const SampleColumn& column : kSampleColumns) {
+      if (!wanted(column, columns)) continue;
+      if (!header.empty()) header += ',';
+      header.append(prefix).append(column.name);
+    }
+  };
+  add(kOfTick, "");
+  for (std::size_t axis = 0; axis < columns.axes; ++axis) {
+    add(kOfAxis, axis > 0 ? kSecondAxisPrefix : "");
+  }
+  return header;
+}
+
+Result<CsvColumns> parse_csv_header(std::string_view line) {
   for (const bool simulated : {true, false}) {
-    for (const bool second_axis : {false, true}) {
-      const MoreColumns columns = more_columns(simulated, second_axis);
+    for (std::size_t axes = 1; axes <= kMaxAxes; ++axes) {
+      const CsvColumns columns = csv_columns(simulated, axes);
       if (line == csv_header(columns)) return columns;
     }
   }
-  const MoreColumns meant = more_columns(line.find("device_time_s") == std::string_view::npos,
-                                         line.find(",y_") != std::string_view::npos);
+  const CsvColumns meant = csv_columns(line.find("device_time_s") == std::string_view::npos,
+                                       line.find(",y_") == std::string_view::npos ? 1 : 2);
   const std::string header = csv_header(meant);
   const std::vector<std::string_view> wanted = split(header);
-  const std::vector<std::string_view> found = split(line.substr(0, kLongestCsvLine));
+  const std::vector<std::string_view> found = split(line.substr(0, kMaxCsvLineBytes));
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (i >= found.size()) return usage_error(fmt::format("the column {} is missing", wanted[i]));
     if (found[i] == wanted[i]) continue;
@@ -131,17 +150,23 @@ Result<MoreColumns> parse_csv_header(std::string_view line) {
                                  in_quotes(found[wanted.size()])));
 }
 
-std::optional<std::string> parse_csv_row(std::string_view line, MoreColumns columns, Sample& sample,
-                                         Sample* y) {
-  sample = Sample{};
-  Sample second;
+void append_csv_row(std::string& text, const Tick& tick, CsvColumns columns) {
+  append_columns(text, columns, kOfTick, tick.x());
+  for (const Sample& sample : tick.in_use()) append_columns(text, columns, kOfAxis, sample);
+  text.back() = '\n';
+}
+
+std::optional<std::string> parse_csv_row(std::string_view line, CsvColumns columns, Tick& tick) {
+  tick = Tick{};
+  tick.count = columns.axes;
   Fields fields(line);
-  bool whole =
-      fields.take(sample.tick) && fields.take(sample.time_s) && take_axis(fields, columns, sample);
-  second.tick = sample.tick;
-  second.time_s = sample.time_s;
-  if (whole && has_second_axis(columns)) whole = take_axis(fields, columns, second);
-  if (y != nullptr) *y = second;
+  Sample& x = tick.axes.front();
+  bool whole = take_columns(fields, columns, kOfTick, x);
+  for (Sample& sample : tick.in_use()) {
+    sample.tick = x.tick;
+    sample.time_s = x.time_s;
+    whole = whole && take_columns(fields, columns, kOfAxis, sample);
+  }
   if (whole && fields.at_end()) return std::nullopt;
   return problem_of(line, columns);
 }

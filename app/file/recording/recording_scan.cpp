@@ -1,20 +1,20 @@
-#include "app/file/recording_scan.h"
+#include "app/file/recording/recording_scan.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
-#include "app/file/recording_rows.h"
-#include "app/file/text.h"
+#include "app/file/recording/recording_rows.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::file {
 namespace {
 
-// Ticks are times of a double's making, too; no session lasts for 2^53 of them.
+// The largest tick that a double holds exactly.
 constexpr std::uint64_t kLastTick = (std::uint64_t{1} << 53U) - 1;
 
-// Rates are whole numbers nearly always; what the last row says is that to rounding.
+// Most rates are whole numbers; the last row gives the rate to rounding.
 std::optional<double> rate_of(const Sample& sample) {
   if (sample.tick == 0 || !(sample.time_s > 0.0)) return std::nullopt;
   const auto ticks = static_cast<double>(sample.tick);
@@ -34,9 +34,9 @@ Failure RecordingScan::take(std::string_view piece) {
   while (!piece.empty()) {
     const std::size_t end = piece.find('\n');
     const std::string_view part = piece.substr(0, end);
-    if (begun_.size() + part.size() > kLongestCsvLine) {
+    if (begun_.size() + part.size() > kMaxCsvLineBytes) {
       ++line_;
-      return problem(fmt::format("longer than {} bytes: no row of a recording", kLongestCsvLine));
+      return problem(fmt::format("longer than {} bytes: no row of a recording", kMaxCsvLineBytes));
     }
     if (end == std::string_view::npos) {
       begun_ += part;
@@ -60,7 +60,7 @@ Failure RecordingScan::take_line(std::string_view line) {
     return problem("its end is of another system, \\r\\n; the lines of a recording end with \\n");
   }
   if (line_++ > 0) return take_row(line);
-  const Result<MoreColumns> columns = parse_csv_header(line);
+  const Result<CsvColumns> columns = parse_csv_header(line);
   if (!columns) return problem(columns.error().message);
   rows_.columns = *columns;
   rows_.end_offset = line.size() + 1;
@@ -68,11 +68,12 @@ Failure RecordingScan::take_line(std::string_view line) {
 }
 
 Failure RecordingScan::take_row(std::string_view line) {
-  if (const auto wrong = parse_csv_row(line, rows_.columns, sample_)) return problem(*wrong);
-  if (Failure failed = check_tick(sample_.tick)) return failed;
-  if (rows_.rows % kRowsPerBlock == 0) rows_.blocks.push_back({rows_.end_offset, sample_.tick});
-  if (rows_.rows++ == 0) rows_.first_tick = sample_.tick;
-  rows_.last_tick = sample_.tick;
+  if (const auto wrong = parse_csv_row(line, rows_.columns, tick_)) return problem(*wrong);
+  const std::uint64_t tick = tick_.x().tick;
+  if (Failure failed = check_tick(tick)) return failed;
+  if (rows_.rows % kRowsPerBlock == 0) rows_.blocks.push_back({rows_.end_offset, tick});
+  if (rows_.rows++ == 0) rows_.first_tick = tick;
+  rows_.last_tick = tick;
   rows_.end_offset += line.size() + 1;
   return {};
 }
@@ -107,7 +108,7 @@ Result<ScannedRows> RecordingScan::finish() {
   if (rows_.rows == 0) {
     return Error{ErrorKind::kUsage, shown(origin_) + ": a recording without rows"};
   }
-  rows_.rate_hz = rate_of(sample_);
+  rows_.rate_hz = rate_of(tick_.x());
   return std::move(rows_);
 }
 

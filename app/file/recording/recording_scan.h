@@ -1,4 +1,4 @@
-// The one pass over the bytes of a recording in which every row is checked.
+// One pass over the bytes of a recording that checks every row.
 #pragma once
 
 #include <cstdint>
@@ -7,33 +7,32 @@
 #include <string_view>
 #include <vector>
 
-#include "app/file/recording_writer.h"
+#include "app/file/recording/recording_rows.h"
 #include "core/result.h"
-#include "core/sample.h"
 
 namespace hapticwall::file {
 
 inline constexpr std::uint64_t kRowsPerBlock = 1024;
 
-// Where a stretch of kRowsPerBlock rows begins (the last one may be shorter).
+// The beginning of kRowsPerBlock rows; the last block may be shorter.
 struct RowBlock {
   std::uint64_t offset = 0;  // in the file, of its first row
   std::uint64_t first_tick = 0;
 };
 
 struct ScannedRows {
-  MoreColumns columns = MoreColumns::kSimulator;
+  CsvColumns columns;
   std::uint64_t rows = 0;  // at least 1
   std::uint64_t first_tick = 0;
   std::uint64_t last_tick = 0;
   std::uint64_t missing_rows = 0;  // in holes
-  std::uint64_t end_offset = 0;    // behind the last whole row
-  bool cut_off = false;            // something that is no whole row stood behind that
-  std::optional<double> rate_hz;   // as tick and time of the last row tell it
+  std::uint64_t end_offset = 0;    // after the last whole row
+  bool cut_off = false;            // an incomplete row follows it
+  std::optional<double> rate_hz;   // from tick and time of the last row
   std::vector<RowBlock> blocks;
 };
 
-// What is forgiven in a file that was never finished, or that says of itself that it has holes.
+// Defects tolerated in a partial recording, or in one whose sidecar tells of them.
 struct Tolerance {
   bool holes = false;
   bool cut_off = false;
@@ -59,9 +58,9 @@ class RecordingScan {
 
   std::string origin_;
   Tolerance tolerance_;
-  std::string begun_;  // a line of which the end has not come yet
+  std::string begun_;  // a line without its end
   std::uint64_t line_ = 0;
-  Sample sample_;
+  Tick tick_;
   ScannedRows rows_;
 };
 

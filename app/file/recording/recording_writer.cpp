@@ -1,4 +1,4 @@
-#include "app/file/recording_writer.h"
+#include "app/file/recording/recording_writer.h"
 
 #include <fmt/format.h>
 
@@ -8,18 +8,17 @@
 #include <fstream>
 #include <utility>
 
-#include "app/file/atomic_file.h"
-#include "app/file/recovery.h"
-#include "app/file/sha256.h"
-#include "app/file/sidecar.h"
-#include "app/file/text.h"
+#include "app/file/disk/atomic_file.h"
+#include "app/file/disk/sha256.h"
+#include "app/file/recording/recovery.h"
+#include "app/file/recording/sidecar.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
 
-// `remedy`: what to do about it.
 Failure check_sidecar(const std::string& csv_path, const std::string& remedy) {
   const std::string sidecar_path = sidecar_path_of(csv_path);
   if (may_replace_sidecar(sidecar_path, kRecordingTable)) return {};
@@ -29,14 +28,13 @@ Failure check_sidecar(const std::string& csv_path, const std::string& remedy) {
                            shown(csv_path), shown(sidecar_path), remedy)};
 }
 
-// Whether there is anything behind the header.
 bool has_rows(const std::string& partial_csv) {
   std::ifstream in(partial_csv);
   std::string header;
   return std::getline(in, header) && in.peek() != std::ifstream::traits_type::eof();
 }
 
-// Whether somebody may still want what an earlier recording has left under the name.
+// An earlier recording under this name was cut off and can still be recovered.
 bool can_be_finished(const std::string& csv_path) {
   const std::string partial = csv_path + std::string(kPartialEnding);
   std::error_code ignored;
@@ -46,9 +44,9 @@ bool can_be_finished(const std::string& csv_path) {
 
 class CsvRecordingWriter final : public RecordingWriter {
  public:
-  CsvRecordingWriter(AtomicFile csv, MoreColumns columns)
+  CsvRecordingWriter(AtomicFile csv, CsvColumns columns)
       : csv_(std::move(csv)), sidecar_path_(sidecar_path_of(csv_.path())), columns_(columns) {
-    buffer_.reserve(kBufferBytes + kLongestCsvLine + 1);
+    buffer_.reserve(kBufferBytes + kMaxCsvLineBytes + 1);
     buffer_ = csv_header(columns_) + '\n';
   }
 
@@ -65,17 +63,16 @@ class CsvRecordingWriter final : public RecordingWriter {
     return write_file(partial_sidecar(), sidecar_toml(scene, metadata, recorded));
   }
 
-  using RecordingWriter::append;
-  Failure append(const Sample& sample, const Sample& y) override {
+  Failure append(const Tick& tick) override {
     if (failed_) return failed_;
-    if (!is_finite(sample) || !is_finite(y)) {
+    if (!is_finite(tick)) {
       ++skipped_rows_;
       return {};
     }
     dropped_rows_ += std::exchange(skipped_rows_, 0);
-    append_csv_row(buffer_, sample, columns_, y);
+    append_csv_row(buffer_, tick, columns_);
     if (rows_++ == 0) csv_.keep_partial();
-    session_ticks_ = std::max(session_ticks_, sample.tick + 1);
+    session_ticks_ = std::max(session_ticks_, tick.x().tick + 1);
     return buffer_.size() < kBufferBytes ? Failure{} : flush();
   }
 
@@ -87,7 +84,7 @@ class CsvRecordingWriter final : public RecordingWriter {
     return failed_;
   }
 
-  // The CSV gets its name last: when it is there, its sidecar is too.
+  // The CSV gets its name last, after its sidecar.
   Failure finish(const Scene& scene, const RecordingMetadata& metadata) override {
     if (Failure failed = flush()) return failed;
     if (Failure failed = csv_.sync()) return failed;
@@ -104,7 +101,7 @@ class CsvRecordingWriter final : public RecordingWriter {
   [[nodiscard]] const std::string& sidecar_path() const override { return sidecar_path_; }
 
  private:
-  // What is in the way has come while it was recorded.
+  // Another file took the sidecar's name during the recording.
   [[nodiscard]] std::string recovery_remedy() const {
     return fmt::format(
         "its rows are in {}; move that file, then 'hapticwall recover {}' finishes it",
@@ -116,12 +113,12 @@ class CsvRecordingWriter final : public RecordingWriter {
 
   AtomicFile csv_;
   std::string sidecar_path_;
-  MoreColumns columns_;
+  CsvColumns columns_;
   Sha256 digest_;
   std::string buffer_;
   Failure failed_;
   std::uint64_t rows_ = 0;
-  std::uint64_t skipped_rows_ = 0;  // not finite, and nothing finite since
+  std::uint64_t skipped_rows_ = 0;  // not finite, since the last finite one
   std::uint64_t dropped_rows_ = 0;  // holes
   std::uint64_t session_ticks_ = 0;
 };
@@ -129,7 +126,7 @@ class CsvRecordingWriter final : public RecordingWriter {
 }  // namespace
 
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& csv_path,
-                                                                 MoreColumns columns) {
+                                                                 CsvColumns columns) {
   if (Failure refused = check_sidecar(csv_path, "choose another name")) return *refused;
   Result<AtomicFile> csv = AtomicFile::resume(csv_path);
   if (!csv) return csv.error();

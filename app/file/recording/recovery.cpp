@@ -1,4 +1,4 @@
-#include "app/file/recovery.h"
+#include "app/file/recording/recovery.h"
 
 #include <fmt/format.h>
 
@@ -9,16 +9,16 @@
 #include <string_view>
 #include <utility>
 
-#include "app/file/atomic_file.h"
-#include "app/file/recording_reader.h"
-#include "app/file/scene_file.h"
-#include "app/file/sha256.h"
-#include "app/file/sidecar.h"
-#include "app/file/small_file.h"
-#include "app/file/table_reader.h"
-#include "app/file/text.h"
+#include "app/file/disk/atomic_file.h"
+#include "app/file/disk/sha256.h"
+#include "app/file/disk/small_file.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/recording/sidecar.h"
+#include "app/file/scene/scene_file.h"
+#include "app/file/scene/table_reader.h"
+#include "app/file/text/text.h"
 #include "core/plant/plant_model.h"
-#include "core/usage_error.h"
+#include "core/result.h"
 
 namespace hapticwall::file {
 namespace {
@@ -26,19 +26,19 @@ namespace {
 constexpr std::size_t kRowsAtATime = 1024;
 constexpr std::size_t kCopiedBytes = std::size_t{1} << 16U;
 
-// Whether the hand of one axis follows its script, row by row.
+// Checks row by row whether the hand of one axis follows its script.
 class ScriptedHand {
  public:
-  explicit ScriptedHand(const Scene& scene) : has_hand_(scene.hand), path_(hand_path(scene)) {}
+  explicit ScriptedHand(const Scene& scene) : has_hand_(scene.x().hand), path_(hand_path(scene)) {}
 
-  // Rows in their order, with holes or without.
+  // To be called with the rows in order; rows may be missing.
   [[nodiscard]] bool is_where_it_should_be(const Sample& sample) {
     go_to(sample.tick);
     return !has_hand_ || path_.position_m() == sample.truth.hand_path_m;
   }
 
  private:
-  // A file may have any tick: what is straight is gone along in one step.
+  // One step for each straight piece: a file may begin at any tick.
   void go_to(std::uint64_t tick) {
     while (path_.straight().tick < tick) {
       StraightPath straight = path_.straight();
@@ -56,24 +56,25 @@ class ScriptedHand {
   HandPath path_;
 };
 
-// What the rows tell of the session, and NAME.toml.partial may not know.
+// Events in the rows that NAME.toml.partial may lack.
 class UnknownEvents {
  public:
   explicit UnknownEvents(const RecordingInfo& info) : info_(info) {
     if (!info.of_simulator()) return;
-    hands_.emplace_back(info.loaded.scene);
-    if (info.loaded.scene.y) hands_.emplace_back(second_axis(info.loaded.scene));
+    const Scene& scene = info.loaded.scene;
+    for (std::size_t i = 0; i < scene.axes.size(); ++i) hands_.emplace_back(axis_scene(scene, i));
   }
 
-  void look_at(const Sample& x, const Sample& y) {
+  void look_at(const Tick& row) {
+    const Sample& x = row.x();
     const bool changed = (x.flags & kFlagParametersChanged) != 0;
     if (changed && !is_known(x.tick) && !unknown_change_) unknown_change_ = x.tick;
     for (std::size_t axis = 0; axis < hands_.size() && !led_; ++axis) {
-      led_ = !hands_[axis].is_where_it_should_be(axis == 0 ? x : y);
+      led_ = !hands_[axis].is_where_it_should_be(row.axes[axis]);
     }
   }
 
-  // Why the session cannot be repeated; empty where nothing speaks against it.
+  // The reason why the session cannot be repeated; empty if it can.
   [[nodiscard]] std::string reason() const {
     if (unknown_change_) {
       return fmt::format(
@@ -98,18 +99,17 @@ class UnknownEvents {
 
 Result<std::string> find_unknown_events(RecordingReader& reader) {
   UnknownEvents events(reader.info());
-  std::vector<Sample> x(kRowsAtATime);
-  std::vector<Sample> y(kRowsAtATime);
+  std::vector<Tick> rows(kRowsAtATime);
   for (std::uint64_t row = 0; row < reader.rows();) {
-    const Result<std::size_t> count = reader.read(row, x, y);
+    const Result<std::size_t> count = reader.read(row, rows);
     if (!count) return count.error();
-    for (std::size_t i = 0; i < *count; ++i) events.look_at(x[i], y[i]);
+    for (const Tick& tick : std::span(rows).first(*count)) events.look_at(tick);
     row += *count;
   }
   return events.reason();
 }
 
-// Of the first `bytes` of a file, as they are: somebody may have edited the rows by hand.
+// The SHA-256 of the first `bytes` of a file, read anew: a user may have edited the rows.
 Result<std::string> sha256_of(const std::string& path, std::uint64_t bytes) {
   std::ifstream in(path, std::ios::binary);
   std::string piece(kCopiedBytes, '\0');
@@ -138,7 +138,7 @@ RecordingMetadata metadata_of(const RecordingInfo& info, const std::string& unkn
   if (metadata.not_repeatable_because.empty()) metadata.not_repeatable_because = unknown_event;
   metadata.repeatable = metadata.not_repeatable_because.empty();
   for (const ScheduledChange& change : info.loaded.changes) {
-    if (change.tick < end_tick) metadata.changes.push_back({change.tick, change.scene});
+    if (change.tick < end_tick) metadata.changes.push_back(change);
   }
   for (Mark mark : info.loaded.marks) {
     mark.tick = std::clamp(mark.tick, info.scanned.first_tick, info.scanned.last_tick);
@@ -147,7 +147,7 @@ RecordingMetadata metadata_of(const RecordingInfo& info, const std::string& unkn
   return metadata;
 }
 
-// The names of a recording, whichever of them was given.
+// The final name of a recording, from its final or its partial name.
 std::string csv_path_of(std::string path) {
   if (path.ends_with(kPartialEnding)) path.resize(path.size() - kPartialEnding.size());
   return path;
@@ -183,15 +183,15 @@ Failure check_names(const std::string& csv_path, const std::string& partial) {
   return {};
 }
 
-// The SHA-256 that a finished sidecar tells of its CSV; empty where there is none.
+// The CSV's SHA-256 in a finished sidecar; empty if there is none.
 std::string claimed_sha256(const std::string& sidecar_path) {
-  const Result<std::string> text = read_small_file(sidecar_path, "sidecar", kLargestSidecarBytes);
+  const Result<std::string> text = read_small_file(sidecar_path, "sidecar", kMaxSidecarBytes);
   if (!text || !parse_scene(*text, sidecar_path)) return {};
-  const toml::table root = parse_toml(*text, sidecar_path);  // parse_scene() has taken it
+  const toml::table root = parse_toml(*text, sidecar_path);  // parse_scene() has accepted it
   return root["recording"]["csv_sha256"].value_or(std::string());
 }
 
-// The names are all that is left to do, and what is behind the last whole row.
+// Cuts off an incomplete last row and gives the CSV its name.
 Result<Recovered> finish_names(AtomicFile csv, const RecordingInfo& info) {
   Recovered recovered{csv.path(),
                       info.scanned.rows,
@@ -219,7 +219,7 @@ Result<Recovered> recover_recording(const std::string& path) {
   const std::string csv_path = csv_path_of(path);
   const std::string partial = partial_of(csv_path);
   if (Failure failed = check_names(csv_path, partial)) return *failed;
-  Result<AtomicFile> csv = AtomicFile::resume(csv_path);  // nobody writes it now
+  Result<AtomicFile> csv = AtomicFile::resume(csv_path);  // locks it: no other process writes it
   if (!csv) return csv.error();
   csv->keep_partial();
   const auto reader = RecordingReader::open(partial);

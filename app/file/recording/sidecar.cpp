@@ -1,14 +1,14 @@
-#include "app/file/sidecar.h"
+#include "app/file/recording/sidecar.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
-#include "app/file/atomic_file.h"
-#include "app/file/scene_file.h"
-#include "app/file/toml_text.h"
+#include "app/file/disk/atomic_file.h"
+#include "app/file/scene/toml_text.h"
+#include "core/scene_keys.h"
 #include "hapticwall_version.h"
 
 namespace hapticwall::file {
@@ -16,37 +16,27 @@ namespace {
 
 constexpr std::string_view kChangePrefix = "recording.change.";
 
-void write_second_change(TomlText& out, const SecondAxis& start, const SecondAxis& axis) {
-  if (axis.device != start.device) write_device(out, "recording.change.device.y", axis.device);
-  if (axis.hand && axis.hand != start.hand) {
-    write_hand_numbers(out, "recording.change.hand.y", *axis.hand);
-  }
-}
-
-// A path does not change in a session, and may be long.
-Scene without_paths(Scene scene) {
-  if (scene.hand) scene.hand->path.clear();
-  if (scene.y && scene.y->hand) scene.y->hand->path.clear();
-  return scene;
-}
-
-// Algorithm and walls as they are from this tick on; of the plant only the tables that differ from
-// those of the start. Both without their paths.
-void write_change(TomlText& out, const Scene& start, const RecordedChange& change) {
+// Writes algorithm and walls, and of the plant the tables that differ from the start. The scenes
+// come without their paths.
+void write_change(TomlText& out, const Scene& start, const ScheduledChange& change) {
   const Scene scene = without_paths(change.scene);
   out.table_of_array("recording.change");
   out.integer("tick", change.tick);
-  if (scene.device != start.device) write_device(out, "recording.change.device", scene.device);
-  if (scene.hand && scene.hand != start.hand) {
-    write_hand_numbers(out, "recording.change.hand", *scene.hand);
+  for (std::size_t i = 0; i < std::min(scene.axes.size(), start.axes.size()); ++i) {
+    const AxisSettings& axis = scene.axes[i];
+    if (axis.device != start.axes[i].device) {
+      write_device(out, axis_key("recording.change.device", i), axis.device);
+    }
+    if (axis.hand && axis.hand != start.axes[i].hand) {
+      write_hand_numbers(out, axis_key("recording.change.hand", i), *axis.hand);
+    }
   }
-  if (scene.y && start.y) write_second_change(out, *start.y, *scene.y);
   if (scene.simulator != start.simulator) write_simulator(out, kChangePrefix, scene.simulator);
   write_algorithm(out, kChangePrefix, scene.algorithm);
   write_walls(out, kChangePrefix, scene);
 }
 
-// The tick is what counts; the time is for people.
+// Only the tick is read back; the time is for people.
 void write_mark(TomlText& out, const Mark& mark, double rate_hz) {
   out.table_of_array("recording.mark");
   out.integer("tick", mark.tick);
@@ -54,8 +44,8 @@ void write_mark(TomlText& out, const Mark& mark, double rate_hz) {
   if (!mark.text.empty()) out.string("text", mark.text);
 }
 
-// Of the whole session, where it is known. False where a scene cannot be that long: then it stays
-// as it was.
+// Sets the duration of the whole session, if known. Returns false, and changes nothing, if a scene
+// cannot be that long.
 bool take_duration(Scene& scene, std::uint64_t session_ticks) {
   if (session_ticks == 0 || session_ticks == scene.tick_count()) return true;
   Scene longer = scene;
@@ -92,7 +82,7 @@ std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
   if (!repeatable) out.string("not_repeatable_because", not_repeatable_because);
   if (recorded.finished) out.string("csv_sha256", recorded.csv_sha256);
   const Scene start = without_paths(scene);
-  for (const RecordedChange& change : metadata.changes) write_change(out, start, change);
+  for (const ScheduledChange& change : metadata.changes) write_change(out, start, change);
   for (const Mark& mark : metadata.marks) write_mark(out, mark, scene.sampling.rate_hz);
   return scene_to_toml(scene) + out.text();
 }
@@ -118,18 +108,6 @@ Failure write_sidecar(const std::string& csv_path, std::string_view text) {
 bool may_replace_sidecar(const std::string& path, std::string_view table) {
   std::error_code ignored;
   return !std::filesystem::exists(path, ignored) || is_sidecar(path, table);
-}
-
-bool is_sidecar(const std::string& path, std::string_view table) {
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(path, failed)) return false;
-  if (std::filesystem::file_size(path, failed) > kLargestSidecarBytes || failed) return false;
-  const std::string first_line = fmt::format("[{}]", table);
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) {
-    if (line == first_line) return true;
-  }
-  return false;
 }
 
 }  // namespace hapticwall::file

@@ -6,18 +6,17 @@
 #include <string>
 #include <string_view>
 
-#include "app/file/recording_writer.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/file/scene/scene_file.h"
 #include "core/result.h"
 #include "core/scene.h"
 
 namespace hapticwall::file {
 
-// More is no sidecar. A change of all walls, device and hand takes 4 KB at most.
-inline constexpr std::size_t kLargestSidecarBytes = std::size_t{1} << 26U;
-// Of one recording; a slider that is dragged makes sixty a second.
-inline constexpr std::size_t kMostChanges = 10'000;
+// Of one recording; dragging a slider makes sixty changes a second.
+inline constexpr std::size_t kMaxChanges = 10'000;
 
-// What the writer of the CSV counted.
+// Counted by the writer of the CSV.
 struct RecordedRows {
   std::uint64_t rows = 0;
   std::uint64_t dropped_rows = 0;
@@ -26,27 +25,20 @@ struct RecordedRows {
   bool finished = true;  // false: more rows may follow, and the CSV has no SHA-256 yet
 };
 
-// Where the session was not as long as scene.duration_s says, the sidecar says how long it was, and
-// that it cannot be repeated where no scene can be that long. Of the hands' paths only those of
-// `scene` are looked at.
+// The sidecar's duration is that of the session; if no scene can be that long, the sidecar says
+// that the session cannot be repeated. Takes the hands' paths from `scene` alone, not from the
+// changes.
 [[nodiscard]] std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
                                        const RecordedRows& recorded);
 
 // NAME.toml beside NAME.csv (or beside any other name); NAME.toml.partial beside NAME.csv.partial.
 [[nodiscard]] std::string sidecar_path_of(const std::string& csv_path);
 
-// Gives NAME.csv its sidecar. NAME.toml.partial, where there is one, is what it was or the new text
-// at any moment: a full disk or a kill takes nothing of it.
+// Gives NAME.csv its sidecar. A NAME.toml.partial holds the old or the new text at any moment, also
+// on a full disk or after a kill.
 [[nodiscard]] Failure write_sidecar(const std::string& csv_path, std::string_view text);
 
-// What a sidecar belongs to, by the table that makes it one.
-inline constexpr std::string_view kRecordingTable = "recording";
-inline constexpr std::string_view kMapTable = "map";
-
-// Whether the file at `path` has this table, and is no larger than a sidecar.
-[[nodiscard]] bool is_sidecar(const std::string& path, std::string_view table);
-
-// Whether replacing the file at `path` destroys nothing but an older sidecar of the same kind.
+// True if there is no file at `path`, or only an older sidecar of the same kind.
 [[nodiscard]] bool may_replace_sidecar(const std::string& path, std::string_view table);
 
 }  // namespace hapticwall::file

@@ -1,4 +1,4 @@
-#include "app/file/device_file.h"
+#include "app/file/scene/device_file.h"
 
 #include <fmt/format.h>
 
@@ -10,19 +10,19 @@
 #include <system_error>
 #include <utility>
 
-#include "app/file/small_file.h"
-#include "app/file/table_reader.h"
-#include "app/file/text.h"
+#include "app/file/disk/small_file.h"
+#include "app/file/scene/table_reader.h"
+#include "app/file/text/text.h"
 #include "core/scene_keys.h"
 #include "embedded_devices.h"
 
 namespace hapticwall::file {
 namespace {
 
-constexpr std::size_t kLargestBytes = std::size_t{1} << 16U;
-constexpr std::size_t kLongestName = 100;
-constexpr std::size_t kLongestSource = 1000;
-constexpr std::size_t kLongestSerial = 126;  // of a USB string descriptor
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 16U;
+constexpr std::size_t kMaxNameBytes = 100;
+constexpr std::size_t kMaxSourceBytes = 1000;
+constexpr std::size_t kMaxSerialBytes = 126;  // of a USB string descriptor
 
 constexpr ValueRange kRate{10.0, 10e3};
 constexpr std::array<NumberKey<DeviceDescription>, 1> kDeviceKeys{
@@ -35,25 +35,15 @@ constexpr std::array<NumberKey<AxisDescription>, 2> kAxisKeys{
     NumberKey<AxisDescription>{"force_limit_n", "N", kForceLimit, true,
                                &AxisDescription::force_limit_n}};
 
-std::string range_text(const ValueRange& range, std::string_view unit) {
-  return fmt::format(
-      "{}{}{} {}", range.minimum_excluded ? "more than " : "",
-      hapticwall::number_text(range.minimum),
-      (range.minimum_excluded ? ", at most " : " to ") + hapticwall::number_text(range.maximum),
-      unit);
-}
-
 template <typename Owner>
 void read_numbers(TableReader& reader, const toml::table& table,
                   std::span<const NumberKey<Owner>> keys, Owner& owner) {
-  reader.numbers(keys, owner);
+  reader.numbers(owner, keys);
   for (const NumberKey<Owner>& key : keys) {
     const toml::node* node = table.get(key.key);
     const double value = *key.get(owner);
     if (node == nullptr || key.range.contains(value)) continue;
-    reader.fail(*node, key.key,
-                fmt::format("{} is out of range; it takes {}", hapticwall::number_text(value),
-                            range_text(key.range, key.unit)));
+    reader.fail(*node, key.key, out_of_range_text(value, key.range, key.unit));
   }
 }
 
@@ -67,10 +57,10 @@ AxisDescription read_axis(const toml::table& table, const std::string& name,
 }
 
 std::uint16_t read_id(TableReader& reader, std::string_view key) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint16_t>::max();
+  constexpr std::uint64_t kMax = std::numeric_limits<std::uint16_t>::max();
   const std::optional<std::uint64_t> id = reader.count(key);
   if (!id) reader.fail_missing(key, "a number from 0x0001 to 0xffff");
-  if (*id < 1 || *id > kMost) {
+  if (*id < 1 || *id > kMax) {
     reader.fail(*reader.node(key), key,
                 fmt::format("{} is out of range; it takes 0x0001 to 0xffff", *id));
   }
@@ -81,16 +71,16 @@ void read_usb(const toml::table& table, const std::string& origin, DeviceDescrip
   TableReader reader(table, "usb.", origin);
   device.vendor_id = read_id(reader, "vendor_id");
   device.product_id = read_id(reader, "product_id");
-  device.serial = reader.line("serial", kLongestSerial);
+  device.serial = reader.line("serial", kMaxSerialBytes);
   reader.finish();
 }
 
-DeviceDescription read_device(const toml::table& root, const std::string& origin) {
+DeviceDescription read_description(const toml::table& root, const std::string& origin) {
   TableReader reader(root, "", origin);
   DeviceDescription device;
-  device.name = reader.line("name", kLongestName);
+  device.name = reader.line("name", kMaxNameBytes);
   if (device.name.empty()) device.name = shown(std::filesystem::path(origin).stem().string());
-  device.source = reader.line("source", kLongestSource);
+  device.source = reader.line("source", kMaxSourceBytes);
   if (device.source.empty()) {
     reader.fail_missing("source", "a line that says where the numbers come from");
   }
@@ -110,9 +100,9 @@ DeviceDescription read_device(const toml::table& root, const std::string& origin
 
 Result<DeviceDescription> parse_device(std::string_view toml_text, const std::string& origin) {
   try {
-    return read_device(parse_toml(toml_text, origin, "device description"), origin);
+    return read_description(parse_toml(toml_text, origin, "device description"), origin);
   } catch (const ReadFailure& failure) {
-    return Error{ErrorKind::kUsage, failure.what()};
+    return usage_error(failure.what());
   }
 }
 
@@ -133,7 +123,7 @@ Result<DeviceDescription> load_device(const std::string& name_or_path) {
                     in_quotes(name_or_path), suggestion(name_or_path, names), joined(names))};
   }
   const Result<std::string> text =
-      read_small_file(name_or_path, "device description", kLargestBytes);
+      read_small_file(name_or_path, "device description", kMaxFileBytes);
   if (!text) return text.error();
   return parse_device(*text, name_or_path);
 }

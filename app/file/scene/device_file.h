@@ -1,5 +1,5 @@
-// Descriptions of haptic devices as TOML files, and the built-in ones: for a device that cannot
-// describe itself (docs/hid-protocol.md), or to correct what it says.
+// Device descriptions, built in or from TOML files. They serve devices that cannot describe
+// themselves (docs/hid-protocol.md) or describe themselves wrongly.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace hapticwall::file {
 
 struct AxisDescription {
-  double encoder_m = 0.0;      // the hand's travel a count, 1e-9 to 0.01
+  double encoder_m = 0.0;      // travel of the hand per count, 1e-9 to 0.01
   double force_limit_n = 0.0;  // more than 0, at most 32.767
 
   friend bool operator==(const AxisDescription&, const AxisDescription&) = default;
@@ -36,7 +36,7 @@ struct DeviceDescription {
 [[nodiscard]] Result<DeviceDescription> parse_device(std::string_view toml_text,
                                                      const std::string& origin);
 
-// A built-in description's name, or a path. Realtime-safe: no.
+// `name_or_path`: a built-in description or a file. Realtime-safe: no.
 [[nodiscard]] Result<DeviceDescription> load_device(const std::string& name_or_path);
 
 struct BuiltinDevice {

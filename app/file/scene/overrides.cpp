@@ -1,23 +1,22 @@
-// --set KEY=VALUE: one key of a parsed scene is replaced or added.
+// --set KEY=VALUE replaces or adds one key of a parsed scene.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "app/file/scene_reader.h"
-#include "app/file/table_reader.h"
-#include "app/file/text.h"
+#include "app/file/scene/scene_reader.h"
+#include "app/file/scene/table_reader.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::file {
 namespace {
 
 constexpr std::string_view kKeyCharacters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
-constexpr std::size_t kMostParts = 8;
-constexpr std::size_t kLongestOverride = std::size_t{1} << 20U;
+constexpr std::size_t kMaxParts = 8;
+constexpr std::size_t kMaxOverrideBytes = std::size_t{1} << 20U;
 
 struct KeyPart {
   std::string name;
@@ -41,12 +40,8 @@ KeyPart key_part(std::string_view text, const std::string& label) {
   bool well_formed =
       !part.name.empty() && part.name.find_first_not_of(kKeyCharacters) == std::string::npos;
   if (bracket != std::string_view::npos) {
-    const std::string_view rest = text.substr(bracket + 1);
-    std::size_t index = 0;
-    const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), index);
-    const std::size_t digits = static_cast<std::size_t>(end - rest.data());
-    well_formed = well_formed && code == std::errc{} && rest.substr(digits) == "]";
-    part.index = index;
+    part.index = parsed<std::size_t>(text.substr(bracket + 1, text.size() - bracket - 2));
+    well_formed = well_formed && part.index && text.ends_with(']');
   }
   if (!well_formed) {
     fail(label, "the key is not dotted words like hand.mass_kg or wall[0].stiffness_n_per_m");
@@ -56,7 +51,7 @@ KeyPart key_part(std::string_view text, const std::string& label) {
 
 std::vector<KeyPart> key_parts(std::string_view key, const std::string& label) {
   std::vector<KeyPart> parts;
-  while (parts.size() < kMostParts) {
+  while (parts.size() < kMaxParts) {
     const std::size_t point = key.find('.');
     parts.push_back(key_part(trimmed(key.substr(0, point)), label));
     if (point == std::string_view::npos) return parts;
@@ -115,7 +110,7 @@ void apply_override(toml::table& root, const std::string& override_text) {
     return static_cast<unsigned char>(c) < 0x20U && c != '\t';
   });
   if (value.empty()) fail(label, "there is no value: it takes KEY=VALUE");
-  if (!one_line || value.size() > kLongestOverride)
+  if (!one_line || value.size() > kMaxOverrideBytes)
     fail(label, "the value is not one line of TOML");
   const std::vector<KeyPart> parts =
       key_parts(std::string_view(override_text).substr(0, equals), label);

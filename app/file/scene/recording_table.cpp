@@ -1,5 +1,4 @@
-#include "app/file/recording_table.h"
-
+// Reads the table [recording] of a sidecar: changes, marks and how to repeat the session.
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -8,20 +7,21 @@
 #include <utility>
 #include <vector>
 
-#include "app/file/scene_check.h"
-#include "app/file/scene_tables.h"
-#include "app/file/table_reader.h"
+#include "app/file/scene/scene_check.h"
+#include "app/file/scene/scene_reader.h"
+#include "app/file/scene/scene_tables.h"
+#include "app/file/scene/table_reader.h"
 
 namespace hapticwall::file {
 namespace {
 
-// The hand of a change: all of it but the path, which stays that of the start.
+// The hand of a change, with the path of the start.
 HandSettings read_changed_hand(const toml::table& table, const std::string& name,
                                const HandSettings& first, const std::string& origin) {
   TableReader reader(table, name, origin);
   static_cast<void>(reader.table("y"));
   HandSettings hand;
-  reader.numbers(hand_number_keys(), hand);
+  reader.numbers(hand);
   reader.finish();
   hand.path = first.path;
   hand.follows_mouse = first.follows_mouse;
@@ -29,47 +29,41 @@ HandSettings read_changed_hand(const toml::table& table, const std::string& name
 }
 
 DeviceSettings read_changed_device(const TableReader& parent, const toml::table& table,
-                                   const std::string& prefix, const std::string& name,
-                                   const DeviceSettings& first, TableAxis axis) {
-  DeviceSettings device = read_device(table, prefix + name + ".", parent.origin(), axis);
+                                   const std::string& prefix, std::size_t axis,
+                                   const DeviceSettings& first) {
+  DeviceSettings device = read_device(table, prefix, axis, parent.origin());
   if (device.start_m != first.start_m) {
-    parent.fail(table, name + ".start_m", "a change leaves the start as it was");
+    parent.fail(table, axis_key("device", axis) + ".start_m",
+                "a change leaves the start as it was");
   }
   return device;
 }
 
-// The second axis of a change, out of the tables of the first one.
-void read_changed_second_axis(const TableReader& reader, const toml::table* device,
-                              const toml::table* hand, const std::string& prefix, Scene& scene) {
-  const toml::table* y_device = device != nullptr ? (*device)["y"].as_table() : nullptr;
-  const toml::table* y_hand = hand != nullptr ? (*hand)["y"].as_table() : nullptr;
-  for (const toml::table* table : {y_device, y_hand}) {
-    if (table != nullptr && !scene.y) reader.fail(*table, "y", "the scene began with one axis");
-  }
-  if (y_device != nullptr) {
-    scene.y->device =
-        read_changed_device(reader, *y_device, prefix, "device.y", scene.y->device, TableAxis::kY);
-  }
-  if (y_hand != nullptr) {
-    if (!scene.y->hand) reader.fail(*y_hand, "hand.y", "the scene began without it");
-    scene.y->hand = read_changed_hand(*y_hand, prefix + "hand.y.", *scene.y->hand, reader.origin());
+void read_changed_axes(const TableReader& reader, const toml::table* device,
+                       const toml::table* hand, const std::string& prefix, Scene& scene) {
+  for (std::size_t i = 0; i < kMaxAxes; ++i) {
+    const toml::table* of_device = axis_table(device, i);
+    const toml::table* of_hand = axis_table(hand, i);
+    if (of_device == nullptr && of_hand == nullptr) continue;
+    if (i == scene.axes.size()) {
+      reader.fail(of_device != nullptr ? *of_device : *of_hand, "y",
+                  "the scene began with one axis");
+    }
+    AxisSettings& axis = scene.axes[i];
+    if (of_device != nullptr) {
+      axis.device = read_changed_device(reader, *of_device, prefix, i, axis.device);
+    }
+    if (of_hand == nullptr) continue;
+    const std::string key = axis_key("hand", i);
+    if (!axis.hand) reader.fail(*of_hand, key, "the scene began without this hand");
+    axis.hand = read_changed_hand(*of_hand, prefix + key + ".", *axis.hand, reader.origin());
   }
 }
 
-// The plant of a change; a table that is not there is that of the start.
+// The plant of a change. A table that is absent keeps the settings of the start.
 void read_changed_plant(TableReader& reader, const std::string& prefix, const std::string& origin,
                         Scene& scene) {
-  const toml::table* device = reader.table("device");
-  const toml::table* hand = reader.table("hand");
-  if (device != nullptr && is_of_axis_x(*device)) {
-    scene.device =
-        read_changed_device(reader, *device, prefix, "device", scene.device, TableAxis::kX);
-  }
-  if (hand != nullptr && is_of_axis_x(*hand)) {
-    if (!scene.hand) reader.fail(*hand, "hand", "the scene began without a hand");
-    scene.hand = read_changed_hand(*hand, prefix + "hand.", *scene.hand, origin);
-  }
-  read_changed_second_axis(reader, device, hand, prefix, scene);
+  read_changed_axes(reader, reader.table("device"), reader.table("hand"), prefix, scene);
   if (const toml::table* simulator = reader.table("simulator")) {
     scene.simulator = read_simulator(*simulator, prefix, origin);
   }
@@ -95,7 +89,7 @@ Mark read_mark(const toml::table& table, std::size_t index, const std::string& o
   mark.tick = reader.count("tick").value_or(0);
   if (reader.node("tick") == nullptr) reader.fail_missing("tick", "a whole number");
   static_cast<void>(reader.number("time_s", "s"));  // for people
-  mark.text = reader.line("text", kLongestMarkBytes);
+  mark.text = reader.line("text", kMaxMarkBytes);
   reader.finish();
   return mark;
 }
@@ -103,8 +97,8 @@ Mark read_mark(const toml::table& table, std::size_t index, const std::string& o
 std::vector<Mark> read_marks(TableReader& parent) {
   std::vector<Mark> marks;
   for (const toml::table* table : parent.tables("mark")) {
-    if (marks.size() == kMostMarks) {
-      parent.fail(*table, "mark", fmt::format("more than {} of them", kMostMarks));
+    if (marks.size() == kMaxMarks) {
+      parent.fail(*table, "mark", fmt::format("more than {} of them", kMaxMarks));
     }
     Mark mark = read_mark(*table, marks.size(), parent.origin());
     if (!marks.empty() && mark.tick < marks.back().tick) {

@@ -1,4 +1,4 @@
-#include "app/file/scene_check.h"
+#include "app/file/scene/scene_check.h"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "app/file/table_reader.h"
+#include "app/file/scene/table_reader.h"
 
 namespace hapticwall::file {
 namespace {
 
-// The node that a problem's key names, or the nearest that encloses it.
+// The node of the key, or the nearest enclosing one.
 const toml::node& node_at(const toml::table& root, std::string key) {
   while (!key.empty()) {
     const auto found = toml::at_path(root, key);
@@ -29,7 +29,7 @@ const toml::node& node_at(const toml::table& root, std::string key) {
   return root;
 }
 
-// validate() counts the walls of axis x first; a file may have them in any order.
+// validate() counts the walls of axis x first; a file may list walls in any order.
 std::string in_order_of_file(const std::string& key, const toml::table& root,
                              const std::string& prefix) {
   constexpr std::string_view kWall = "wall[";

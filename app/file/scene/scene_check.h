@@ -1,4 +1,4 @@
-// What validate() says of a scene, with the place in the file that it is about.
+// Validates a scene and reports the place in its file.
 #pragma once
 
 #include <toml++/toml.h>
@@ -9,7 +9,7 @@
 
 namespace hapticwall::file {
 
-// Throws ReadFailure where the scene, read out of `root`, is not valid. `prefix`: as in
+// Throws ReadFailure if the scene, which was read from `root`, is invalid. `prefix`: as in
 // scene_tables.h.
 void check(const Scene& scene, const toml::table& root, const std::string& prefix,
            const std::string& origin);

@@ -1,29 +1,29 @@
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "app/file/scene_reader.h"
-#include "app/file/sidecar.h"
-#include "app/file/small_file.h"
-#include "app/file/table_reader.h"
-#include "app/file/text.h"
-#include "core/usage_error.h"
+#include "app/file/disk/small_file.h"
+#include "app/file/scene/scene_reader.h"
+#include "app/file/scene/table_reader.h"
+#include "app/file/text/text.h"
+#include "core/result.h"
 #include "embedded_scenes.h"
 
 namespace hapticwall::file {
 namespace {
 
-constexpr std::size_t kLargestSceneBytes = std::size_t{1} << 20U;
+constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20U;
 
 Result<LoadedScene> load_file(const std::string& path, std::span<const std::string> overrides) {
   const std::size_t largest_bytes =
-      is_sidecar(path, kRecordingTable) ? kLargestSidecarBytes : kLargestSceneBytes;
+      is_sidecar(path, kRecordingTable) ? kMaxSidecarBytes : kMaxSceneBytes;
   const Result<std::string> text = read_small_file(path, "scene", largest_bytes);
   if (!text) return text.error();
   return parse_scene(*text, path, overrides);
@@ -37,7 +37,7 @@ std::vector<BuiltinScene> read_builtin_scenes() {
     scenes.push_back(
         {name, loaded ? loaded->scene.description : loaded.error().message, embedded.bytes});
   }
-  // The references last: they are for checking the program, not for looking at.
+  // The golden scenes come last: they are for checking the program.
   const auto rank = [](const BuiltinScene& scene) {
     return std::pair(scene.name.starts_with("golden-"), std::string_view(scene.name));
   };
@@ -47,6 +47,24 @@ std::vector<BuiltinScene> read_builtin_scenes() {
 }
 
 }  // namespace
+
+// shown() may exceed its limit by 3 bytes of a last character and by three dots.
+std::string mark_text(std::string_view typed) {
+  constexpr std::size_t kEndBytes = 3 + 3;
+  return shown(typed, kMaxMarkBytes - kEndBytes);
+}
+
+bool is_sidecar(const std::string& path, std::string_view table) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed)) return false;
+  if (std::filesystem::file_size(path, failed) > kMaxSidecarBytes || failed) return false;
+  const std::string first_line = fmt::format("[{}]", table);
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (line == first_line) return true;
+  }
+  return false;
+}
 
 Result<LoadedScene> parse_scene(std::string_view toml_text, const std::string& origin,
                                 std::span<const std::string> overrides) {

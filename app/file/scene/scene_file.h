@@ -1,26 +1,41 @@
-// Scenes as TOML files, and the built-in ones.
+// Scenes from TOML files, and the built-in scenes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "app/file/mark.h"
 #include "core/result.h"
 #include "core/scene.h"
-#include "core/simulate.h"
 
 namespace hapticwall::file {
 
-// A scene and, where the file is the sidecar of a recording, what is needed to repeat that session.
+// A note that the user made at a tick of a recording.
+struct Mark {
+  std::uint64_t tick = 0;
+  std::string text;  // may be empty
+
+  friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+// Together well below kMaxSidecarBytes.
+inline constexpr std::size_t kMaxMarks = 1000;     // of a recording
+inline constexpr std::size_t kMaxMarkBytes = 200;  // of a text, UTF-8
+
+// The text of a mark from user input: cut to kMaxMarkBytes, without control characters and invalid
+// UTF-8.
+[[nodiscard]] std::string mark_text(std::string_view typed);
+
+// A scene; if the file is the sidecar of a recording, also what repeats its session.
 struct LoadedScene {
   Scene scene;
   std::vector<ScheduledChange> changes;
   std::uint64_t first_recorded_tick = 0;
-  std::string not_repeatable_because;  // why a repetition will differ; empty: it will not
-  std::vector<Mark> marks;             // of the recording, in order
+  std::string not_repeatable_because;  // empty: a repetition gives the same rows
+  std::vector<Mark> marks;             // in order
 };
 
 // Parses and validates; `origin` names the text in messages ("scene.toml:12: wall.stiffness_n_per_m
@@ -28,9 +43,19 @@ struct LoadedScene {
 [[nodiscard]] Result<LoadedScene> parse_scene(std::string_view toml_text, const std::string& origin,
                                               std::span<const std::string> overrides = {});
 
-// A built-in scene's name, or a path. Refuses what is too large to be a scene.
+// `name_or_path`: a built-in scene or a file. Fails for files that are too large.
 [[nodiscard]] Result<LoadedScene> load_scene(const std::string& name_or_path,
                                              std::span<const std::string> overrides = {});
+
+// The table that makes a file the sidecar of a recording or of a map.
+inline constexpr std::string_view kRecordingTable = "recording";
+inline constexpr std::string_view kMapTable = "map";
+
+// A larger file is not a sidecar. A change of all walls, device and hand takes at most 4 KB.
+inline constexpr std::size_t kMaxSidecarBytes = std::size_t{1} << 26U;
+
+// True if the file at `path` has this table and is no larger than a sidecar.
+[[nodiscard]] bool is_sidecar(const std::string& path, std::string_view table);
 
 struct BuiltinScene {
   std::string name;
@@ -39,7 +64,7 @@ struct BuiltinScene {
 };
 [[nodiscard]] const std::vector<BuiltinScene>& builtin_scenes();
 
-// The whole resolved scene as TOML, every number in the shortest form that reads back the same.
+// The whole scene as TOML, with every number in the shortest form that reads back the same.
 [[nodiscard]] std::string scene_to_toml(const Scene& scene);
 
 }  // namespace hapticwall::file

@@ -1,51 +1,44 @@
-#include "app/file/scene_reader.h"
+#include "app/file/scene/scene_reader.h"
 
 #include <cstddef>
 #include <filesystem>
 
-#include "app/file/recording_table.h"
-#include "app/file/scene_check.h"
-#include "app/file/scene_tables.h"
-#include "app/file/table_reader.h"
-#include "app/file/text.h"
+#include "app/file/scene/scene_check.h"
+#include "app/file/scene/scene_tables.h"
+#include "app/file/scene/table_reader.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::file {
 namespace {
 
-constexpr std::size_t kLongestSceneName = 100;
-constexpr std::size_t kLongestSceneDescription = 1000;
+constexpr std::size_t kMaxSceneNameBytes = 100;
+constexpr std::size_t kMaxSceneDescriptionBytes = 1000;
 
-// Out of the tables of the first axis.
-void read_second_axis(const TableReader& reader, const toml::table& device, const toml::table* hand,
-                      Scene& scene) {
-  const toml::table* y_hand = hand != nullptr ? (*hand)["y"].as_table() : nullptr;
-  const toml::table* y_device = device["y"].as_table();
-  if (y_device != nullptr) {
-    scene.y.emplace();
-    scene.y->device = read_device(*y_device, "device.y.", reader.origin(), TableAxis::kY);
+void read_axes(TableReader& reader, const std::string& origin, Scene& scene) {
+  const toml::table* devices = reader.table("device");
+  if (devices == nullptr) reader.fail_missing("device", "a table [device]");
+  const toml::table* hands = reader.table("hand");
+  for (std::size_t i = 0; i < kMaxAxes; ++i) {
+    const toml::table* device = i == 0 ? devices : axis_table(devices, i);
+    const toml::table* hand = axis_table(hands, i);
+    if (device == nullptr && hand != nullptr) {
+      reader.fail(*hand, "hand.y", "the scene has no second axis: it takes a table [device.y]");
+    }
+    if (device == nullptr) return;
+    scene.axes.resize(i + 1);
+    scene.axes[i].device = read_device(*device, "", i, origin);
+    if (hand != nullptr) scene.axes[i].hand = read_hand(*hand, i, origin);
   }
-  if (y_hand == nullptr) return;
-  if (!scene.y) {
-    reader.fail(*y_hand, "hand.y", "the scene has no second axis: it takes a table [device.y]");
-  }
-  scene.y->hand = read_hand(*y_hand, "hand.y.", reader.origin(), TableAxis::kY);
 }
 
 Scene read_tables(TableReader& reader, const std::string& origin) {
   Scene scene;
-  scene.name = reader.line("name", kLongestSceneName);
+  scene.name = reader.line("name", kMaxSceneNameBytes);
   if (scene.name.empty()) scene.name = shown(std::filesystem::path(origin).stem().string());
-  scene.description = reader.line("description", kLongestSceneDescription);
-  reader.numbers(scene_number_keys(), scene);
+  scene.description = reader.line("description", kMaxSceneDescriptionBytes);
+  reader.numbers(scene);
   if (const auto* table = reader.table("sampling")) scene.sampling = read_sampling(*table, origin);
-  const toml::table* device = reader.table("device");
-  if (device == nullptr) reader.fail_missing("device", "a table [device]");
-  scene.device = read_device(*device, "device.", origin, TableAxis::kX);
-  const toml::table* hand = reader.table("hand");
-  if (hand != nullptr && is_of_axis_x(*hand)) {
-    scene.hand = read_hand(*hand, "hand.", origin, TableAxis::kX);
-  }
-  read_second_axis(reader, *device, hand, scene);
+  read_axes(reader, origin, scene);
   read_walls(reader, "", scene);
   if (const auto* table = reader.table("algorithm")) {
     scene.algorithm = read_algorithm(*table, "", origin);
@@ -56,7 +49,7 @@ Scene read_tables(TableReader& reader, const std::string& origin) {
   return scene;
 }
 
-// What was made of the scene; for people.
+// Checks the table of a map; its values are for people.
 void check_map(const toml::table& table, const std::string& origin) {
   TableReader reader(table, "map.", origin);
   for (const std::string_view key : {"program", "version", "build", "x", "y", "algorithms"}) {

@@ -1,11 +1,11 @@
-#include "app/file/scene_tables.h"
+#include "app/file/scene/scene_tables.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <climits>
 
-#include "app/file/text.h"
+#include "app/file/text/text.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::file {
@@ -57,31 +57,33 @@ std::optional<double> read_parameter(TableReader& reader, const ParameterDescrip
 SamplingSettings read_sampling(const toml::table& table, const std::string& origin) {
   TableReader reader(table, "sampling.", origin);
   SamplingSettings sampling;
-  reader.numbers(sampling_number_keys(), sampling);
+  reader.numbers(sampling);
   reader.finish();
   return sampling;
 }
 
-bool is_of_axis_x(const toml::table& table) {
-  return table.empty() || table.size() > 1 || !table.contains("y");
+const toml::table* axis_table(const toml::table* table, std::size_t axis) {
+  if (table == nullptr) return nullptr;
+  if (axis > 0) return (*table)["y"].as_table();
+  const bool holds_y_alone = table->size() == 1 && table->contains("y");
+  return holds_y_alone ? nullptr : table;
 }
 
-DeviceSettings read_device(const toml::table& table, const std::string& name,
-                           const std::string& origin, TableAxis axis) {
-  TableReader reader(table, name, origin);
-  if (axis == TableAxis::kX) static_cast<void>(reader.table("y"));  // read by itself
+DeviceSettings read_device(const toml::table& table, const std::string& prefix, std::size_t axis,
+                           const std::string& origin) {
+  TableReader reader(table, prefix + axis_key("device", axis) + ".", origin);
+  if (axis == 0) static_cast<void>(reader.table("y"));  // has a call for itself
   DeviceSettings device;
-  reader.numbers(device_number_keys(), device);
+  reader.numbers(device);
   reader.finish();
   return device;
 }
 
-HandSettings read_hand(const toml::table& table, const std::string& name, const std::string& origin,
-                       TableAxis axis) {
-  TableReader reader(table, name, origin);
-  if (axis == TableAxis::kX) static_cast<void>(reader.table("y"));
+HandSettings read_hand(const toml::table& table, std::size_t axis, const std::string& origin) {
+  TableReader reader(table, axis_key("hand", axis) + ".", origin);
+  if (axis == 0) static_cast<void>(reader.table("y"));
   HandSettings hand;
-  reader.numbers(hand_number_keys(), hand);
+  reader.numbers(hand);
   const toml::node* path = reader.node("path");
   hand.follows_mouse = path != nullptr && path->value_or(std::string_view()) == "mouse";
   if (path != nullptr && !hand.follows_mouse) {
@@ -92,26 +94,24 @@ HandSettings read_hand(const toml::table& table, const std::string& name, const 
 }
 
 void read_walls(TableReader& parent, const std::string& prefix, Scene& scene) {
-  scene.walls.clear();
-  if (scene.y) scene.y->walls.clear();
+  for (AxisSettings& axis : scene.axes) axis.walls.clear();
   const std::vector<const toml::table*> tables = parent.tables("wall");
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const toml::table* table = tables[i];
-    const std::string name = tables.size() == 1 ? "wall." : fmt::format("wall[{}].", i);
-    TableReader reader(*table, prefix + name, parent.origin());
+    TableReader reader(*table, prefix + wall_key(i, tables.size()) + ".", parent.origin());
     WallSettings wall;
-    reader.numbers(wall_number_keys(), wall);
+    reader.numbers(wall);
     const std::string axis = reader.string("axis").value_or("x");
     if (axis != "x" && axis != "y") {
       reader.fail(*table->get("axis"), "axis",
                   fmt::format("{} is no axis; it takes \"x\" or \"y\"", in_quotes(axis)));
     }
-    if (axis == "y" && !scene.y) {
+    if (axis == "y" && !scene.two_axes()) {
       reader.fail(*table->get("axis"), "axis",
                   "the scene has no second axis: it takes a table [device.y]");
     }
     reader.finish();
-    (axis == "y" ? scene.y->walls : scene.walls).push_back(wall);
+    scene.axes[axis == "y" ? 1 : 0].walls.push_back(wall);
   }
 }
 
@@ -152,7 +152,7 @@ SimulatorSettings read_simulator(const toml::table& table, const std::string& pr
     simulator.integrator = *integrator;
   }
   if (const std::optional<std::uint64_t> substeps = reader.count("substeps")) {
-    // Out of range is for validate() to say; it must only survive the way there.
+    // validate() reports a value that is out of range; here it must only fit into an int.
     simulator.substeps = static_cast<int>(std::min<std::uint64_t>(*substeps, INT_MAX));
   }
   reader.finish();

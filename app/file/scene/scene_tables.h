@@ -1,34 +1,33 @@
-// The tables of a scene, each read by itself: a scene has them, and so has every change in a
+// Readers of single tables of a scene. A scene has these tables, and so has every change in a
 // recording.
 #pragma once
 
 #include <toml++/toml.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 
-#include "app/file/table_reader.h"
+#include "app/file/scene/table_reader.h"
 #include "core/scene.h"
 
 namespace hapticwall::file {
 
-enum class TableAxis : std::uint8_t { kX, kY };
+// The table of one axis in [device] or [hand], which hold axis y as a table inside that of axis x.
+// Null where there is none.
+[[nodiscard]] const toml::table* axis_table(const toml::table* table, std::size_t axis);
 
-// A table of axis x holds that of axis y; this is whether it holds anything of its own.
-[[nodiscard]] bool is_of_axis_x(const toml::table& table);
-
-// All of these throw ReadFailure for what they cannot take. `prefix`: what stands before the
-// table's name, "" or "recording.change[N].". `name`: "device." or "device.y.", with the prefix.
+// All readers throw ReadFailure. `prefix` precedes the name of the table: "" or
+// "recording.change[N].".
 [[nodiscard]] SamplingSettings read_sampling(const toml::table& table, const std::string& origin);
-[[nodiscard]] DeviceSettings read_device(const toml::table& table, const std::string& name,
-                                         const std::string& origin, TableAxis axis);
-[[nodiscard]] HandSettings read_hand(const toml::table& table, const std::string& name,
-                                     const std::string& origin, TableAxis axis);
+[[nodiscard]] DeviceSettings read_device(const toml::table& table, const std::string& prefix,
+                                         std::size_t axis, const std::string& origin);
+[[nodiscard]] HandSettings read_hand(const toml::table& table, std::size_t axis,
+                                     const std::string& origin);
 [[nodiscard]] AlgorithmSettings read_algorithm(const toml::table& table, const std::string& prefix,
                                                const std::string& origin);
 [[nodiscard]] SimulatorSettings read_simulator(const toml::table& table, const std::string& prefix,
                                                const std::string& origin);
-// All walls of the scene, or of a change of it.
+// Replaces all walls of the scene.
 void read_walls(TableReader& parent, const std::string& prefix, Scene& scene);
 
 }  // namespace hapticwall::file

@@ -1,11 +1,11 @@
-#include "app/file/settings_text.h"
+#include "app/file/scene/settings_text.h"
 
 #include <cmath>
 #include <optional>
 
-#include "app/file/table_reader.h"
-#include "app/file/toml_text.h"
-#include "app/file/utf8.h"
+#include "app/file/scene/table_reader.h"
+#include "app/file/scene/toml_text.h"
+#include "core/utf8.h"
 
 namespace hapticwall::file {
 namespace {
@@ -19,7 +19,7 @@ std::optional<SettingValue> value_of(const toml::node& node) {
   return SettingValue(**real);
 }
 
-// A path may be any bytes; a TOML file may not.
+// A path may hold any bytes; TOML takes UTF-8 only.
 bool can_be_written(const SettingValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   return text == nullptr || is_utf8(*text);
@@ -52,7 +52,7 @@ Result<Settings> parse_settings(std::string_view text, const std::string& origin
       }
     }
   } catch (const ReadFailure& failure) {
-    return Error{ErrorKind::kUsage, failure.what()};
+    return usage_error(failure.what());
   }
   return settings;
 }

@@ -1,4 +1,4 @@
-// A program's settings as TOML: tables of plain values, without any of them having to be there.
+// Settings of the program as TOML: tables of plain values, all of them optional.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 namespace hapticwall::file {
 
 using SettingValue = std::variant<bool, double, std::string>;
-// By "table.key". What a file has beyond that (arrays, dates, deeper tables) is left out.
+// By "table.key". Arrays, dates and nested tables are ignored.
 using Settings = std::map<std::string, SettingValue, std::less<>>;
 
-inline constexpr std::size_t kLargestSettings = 256U << 10U;  // bytes
+inline constexpr std::size_t kMaxSettingsBytes = 256U << 10U;
 
-// Fails for what is not TOML; `origin` names the text in the message. Numbers that are not finite
-// are left out.
+// Fails if the text is not TOML; `origin` names it in the message. Ignores numbers that are not
+// finite.
 [[nodiscard]] Result<Settings> parse_settings(std::string_view text, const std::string& origin);
 
-// Reads back the same, less texts that are not UTF-8. Every key must have its point.
+// Omits texts that are not UTF-8. Precondition: every key contains a point.
 [[nodiscard]] std::string settings_text(const Settings& settings);
 
 }  // namespace hapticwall::file

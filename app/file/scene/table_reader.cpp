@@ -1,4 +1,4 @@
-#include "app/file/table_reader.h"
+#include "app/file/scene/table_reader.h"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 
-#include "app/file/text.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::file {
 namespace {
 
-constexpr std::size_t kMostKeysInMessage = 12;
+constexpr std::size_t kMaxKeysInMessage = 12;
 
 std::string type_name(const toml::node& node) {
   switch (node.type()) {
@@ -127,7 +127,7 @@ void TableReader::finish() const {
     const std::string_view name = key.str();
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
     std::string hint = suggestion(name, known_);
-    if (hint.empty() && known_.size() <= kMostKeysInMessage) {
+    if (hint.empty() && known_.size() <= kMaxKeysInMessage) {
       hint = fmt::format("; known here: {}", joined(known_));
     }
     throw ReadFailure(fmt::format("{}: {}{}: unknown key{}", place_of(value, origin_), prefix_,
@@ -150,12 +150,12 @@ void TableReader::fail_type(const toml::node& node, std::string_view key,
 }
 
 void TableReader::fail_missing(std::string_view key, std::string_view wanted) const {
-  constexpr std::size_t kShortestHint = 3;  // "y" is not a misspelt "x"
+  constexpr std::size_t kMinHintBytes = 3;  // "y" is not a misspelt "x"
   std::string hint;
   for (const auto& [found, value] : table_) {
     const std::string_view name = found.str();
     const bool read = std::find(known_.begin(), known_.end(), name) != known_.end();
-    if (read || name.size() < kShortestHint || !nearest_name(name, std::array{key})) continue;
+    if (read || name.size() < kMinHintBytes || !nearest_name(name, std::array{key})) continue;
     hint = fmt::format("; is {} meant for it?", in_quotes(name));
   }
   throw ReadFailure(fmt::format("{}: {}{} is missing; it takes {}{}", place_of(table_, origin_),

@@ -1,21 +1,21 @@
-// TOML from an untrusted text: what toml++ does, less what would exhaust the stack.
+// Parses untrusted TOML. Refuses texts with which toml++ would exhaust the stack.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
 
-#include "app/file/table_reader.h"
-#include "app/file/text.h"
+#include "app/file/scene/table_reader.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::file {
 namespace {
 
-// toml++ limits nested values, but a dotted key of a hundred thousand parts makes as many nested
-// tables, whose destruction overflows the stack.
-constexpr std::size_t kDeepestKey = 32;
-constexpr std::size_t kLongestDescription = 200;
+// toml++ limits nested values but not dotted keys. A key of 1e5 parts makes as many nested tables,
+// whose destruction overflows the stack.
+constexpr std::size_t kMaxKeyParts = 32;
+constexpr std::size_t kMaxDescriptionBytes = 200;
 
-// The position after the string that begins at `begin`; the text's end where it is not closed.
+// The position after the string that begins at `begin`; the end of the text if it is not closed.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const bool escapes = quote == '"';
@@ -61,16 +61,16 @@ std::size_t deepest_key(std::string_view text) {
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& origin, std::string_view kind) {
-  if (deepest_key(text) > kDeepestKey) {
+  if (deepest_key(text) > kMaxKeyParts) {
     throw ReadFailure(
-        fmt::format("{}: not a {}: keys of more than {} parts", shown(origin), kind, kDeepestKey));
+        fmt::format("{}: not a {}: keys of more than {} parts", shown(origin), kind, kMaxKeyParts));
   }
   try {
     return toml::parse(text, std::string_view(origin));
   } catch (const toml::parse_error& error) {
     throw ReadFailure(fmt::format("{}:{}: not valid TOML: {}", shown(origin),
                                   error.source().begin.line,
-                                  shown(error.description(), kLongestDescription)));
+                                  shown(error.description(), kMaxDescriptionBytes)));
   }
 }
 

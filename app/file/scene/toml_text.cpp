@@ -1,21 +1,21 @@
-#include "app/file/toml_text.h"
+#include "app/file/scene/toml_text.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <string>
 
-#include "app/file/scene_file.h"
-#include "app/file/text.h"
+#include "app/file/scene/scene_file.h"
+#include "app/file/text/text.h"
 #include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::file {
 namespace {
 
-// A float of TOML has a point or an exponent.
+// TOML reads a number without point and exponent as an integer.
 std::string toml_number(double value) {
-  std::string text = number_text(value);
+  std::string text = shortest_number(value);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }
@@ -37,8 +37,8 @@ std::string toml_string(std::string_view value) {
 }
 
 template <typename Owner>
-void write_numbers(TomlText& out, std::span<const NumberKey<Owner>> keys, const Owner& owner) {
-  for (const NumberKey<Owner>& key : keys) {
+void write_numbers(TomlText& out, const Owner& owner) {
+  for (const NumberKey<Owner>& key : number_keys<Owner>()) {
     const std::optional<double> value = key.get(owner);
     if (!value) continue;
     if (key.whole()) {
@@ -105,12 +105,12 @@ void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSett
 
 void write_device(TomlText& out, std::string_view table, const DeviceSettings& device) {
   out.table(table);
-  write_numbers(out, device_number_keys(), device);
+  write_numbers(out, device);
 }
 
 void write_hand_numbers(TomlText& out, std::string_view table, const HandSettings& hand) {
   out.table(table);
-  write_numbers(out, hand_number_keys(), hand);
+  write_numbers(out, hand);
 }
 
 void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSettings& simulator) {
@@ -120,32 +120,30 @@ void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSett
 }
 
 void write_walls(TomlText& out, std::string_view prefix, const Scene& scene) {
-  const auto write = [&](const WallSettings& wall, const char* axis) {
-    out.table_of_array(fmt::format("{}wall", prefix));
-    if (scene.y) out.string("axis", axis);
-    write_numbers(out, wall_number_keys(), wall);
-  };
-  for (const WallSettings& wall : scene.walls) write(wall, "x");
-  if (!scene.y) return;
-  for (const WallSettings& wall : scene.y->walls) write(wall, "y");
+  for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+    for (const WallSettings& wall : scene.axes[i].walls) {
+      out.table_of_array(fmt::format("{}wall", prefix));
+      if (scene.two_axes()) out.string("axis", i == 0 ? "x" : "y");
+      write_numbers(out, wall);
+    }
+  }
 }
 
 std::string scene_to_toml(const Scene& scene) {
   TomlText out;
   out.string("name", scene.name);
   if (!scene.description.empty()) out.string("description", scene.description);
-  write_numbers(out, scene_number_keys(), scene);
+  write_numbers(out, scene);
   out.table("sampling");
-  write_numbers(out, sampling_number_keys(), scene.sampling);
-  write_device(out, "device", scene.device);
-  if (scene.y) write_device(out, "device.y", scene.y->device);
-  if (scene.hand) {
-    write_hand_numbers(out, "hand", *scene.hand);
-    write_path(out, *scene.hand);
+  write_numbers(out, scene.sampling);
+  for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+    write_device(out, axis_key("device", i), scene.axes[i].device);
   }
-  if (scene.y && scene.y->hand) {
-    write_hand_numbers(out, "hand.y", *scene.y->hand);
-    write_path(out, *scene.y->hand);
+  for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+    const std::optional<HandSettings>& hand = scene.axes[i].hand;
+    if (!hand) continue;
+    write_hand_numbers(out, axis_key("hand", i), *hand);
+    write_path(out, *hand);
   }
   write_walls(out, "", scene);
   write_algorithm(out, "", scene.algorithm);

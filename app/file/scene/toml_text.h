@@ -1,4 +1,4 @@
-// TOML as it is written: plain lines, every number in the shortest form that reads back the same.
+// Writes TOML: plain lines, every number in the shortest form that reads back the same.
 #pragma once
 
 #include <cstdint>
@@ -28,13 +28,13 @@ class TomlText {
   std::string text_;
 };
 
-// The tables that a live session may change. `table`: its whole name, "device" or
-// "recording.change.hand.y"; `prefix`: what stands before it, "" or "recording.change.".
+// The tables that a live session can change. `table`: the whole name, "device" or
+// "recording.change.hand.y". `prefix` precedes the name: "" or "recording.change.".
 void write_device(TomlText& out, std::string_view table, const DeviceSettings& device);
-// Less the path, which no session changes.
+// Without the path, which no session changes.
 void write_hand_numbers(TomlText& out, std::string_view table, const HandSettings& hand);
 void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSettings& algorithm);
-// Those of axis x, then those of axis y.
+// The walls of axis x, then of axis y.
 void write_walls(TomlText& out, std::string_view prefix, const Scene& scene);
 void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSettings& simulator);
 

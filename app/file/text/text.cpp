@@ -1,22 +1,19 @@
-#include "app/file/text.h"
+#include "app/file/text/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstddef>
 #include <numeric>
-#include <vector>
 
-#include "app/file/utf8.h"
+#include "core/utf8.h"
 
 namespace hapticwall::file {
 namespace {
 
-constexpr std::size_t kLongestNumber = 32;  // "-1.7976931348623157e+308" has 24
-constexpr std::size_t kLongestWord = 64;    // compared with known names; none is longer
-constexpr std::size_t kShortestPrefix = 3;  // "damping" stands for "damping_n_s_per_m"
+constexpr std::size_t kMaxNumberBytes = 32;  // "-1.7976931348623157e+308" has 24
+constexpr std::size_t kMaxWordBytes = 64;    // compared with known names; none is longer
+constexpr std::size_t kShortestPrefix = 3;   // "damping" stands for "damping_n_s_per_m"
 constexpr unsigned char kFirstPrintable = 0x20;
 constexpr unsigned char kDelete = 0x7f;
 
@@ -62,13 +59,23 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
 void append_number(std::string& text, double value) {
-  std::array<char, kLongestNumber> digits{};
+  std::array<char, kMaxNumberBytes> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   text.append(digits.data(), end);
 }
 
-std::string number_text(double value) {
+std::string shortest_number(double value) {
   std::string text;
   append_number(text, value);
   return text;
@@ -82,7 +89,7 @@ std::string shown(std::string_view user_text, std::size_t longest) {
 
 std::optional<std::string_view> nearest_name(std::string_view word,
                                              std::span<const std::string_view> candidates) {
-  if (word.empty() || word.size() > kLongestWord) return std::nullopt;
+  if (word.empty() || word.size() > kMaxWordBytes) return std::nullopt;
   std::optional<std::string_view> nearest;
   std::size_t nearest_distance = std::max<std::size_t>(word.size() / 3, 1) + 1;
   for (const std::string_view candidate : candidates) {

@@ -1,4 +1,4 @@
-#include "app/runtime/arming.h"
+#include "app/runtime/loop/arming.h"
 
 namespace hapticwall::runtime {
 
@@ -11,7 +11,7 @@ std::string_view arming_note_text(ArmingNote note) {
     case ArmingNote::kInsideWall:
       return "the handle is inside the wall: move it out first";
     case ArmingNote::kNotReady:
-      return "the device gives no position that may be acted upon";
+      return "the device gives no valid position";
     case ArmingNote::kPaused:
       return "the session is paused";
     case ArmingNote::kStale:

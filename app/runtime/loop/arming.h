@@ -1,8 +1,6 @@
-// Whether a real device's force may act: off at first, on only when the person asks for it with the
-// handle outside the wall, full only after a ramp, off again at the first thing that is wrong.
-//
-// A simulator needs none of it: nobody's hand is there, and its runs repeat bit for bit from tick 0
-// on. Arithmetic only: no clock, no device. Realtime-safe: yes, all of it.
+// Arming of a real device. The force starts off, turns on at the person's request if the handle is
+// outside the wall, ramps up, and turns off at the first problem. A simulator needs no arming.
+// Arithmetic only: no clock, no device. Realtime-safe: yes, all of it.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +12,7 @@
 
 namespace hapticwall::runtime {
 
-// From no force to all of it.
+// From zero to full force.
 inline constexpr double kArmingRampS = 0.5;
 
 enum class ArmingState : std::uint8_t {
@@ -26,22 +24,22 @@ enum class ArmingState : std::uint8_t {
 
 // Why the force is off.
 enum class ArmingNote : std::uint8_t {
-  kNone,        // it is not off, or was never asked for
+  kNone,        // it is on, or was never asked for
   kAsked,       // by the person
   kInsideWall,  // refused: the handle was inside the wall
-  kNotReady,    // refused: the device gave no position that may be acted upon
-  kPaused,      // refused while paused, or taken away by the pause
+  kNotReady,    // refused: the device gave no valid position
+  kPaused,      // refused or disarmed by a pause
   kStale,       // the newest position was too old
   kDevice,      // the device reported a fault, or was lost
   kForce,       // the algorithm's force was not a finite number
   kWallMoved,   // a change of parameters put the wall over the handle
-  kLate         // the loop was not woken for longer than a force may stand
+  kLate         // the loop woke up later than the time to live of a force
 };
 
-// A clause for people: "the handle was inside the wall". Empty for kNone.
+// A clause for people; empty for kNone.
 [[nodiscard]] std::string_view arming_note_text(ArmingNote note);
 
-// What a tick has shown that matters here.
+// The facts of a tick that arming depends on.
 struct ArmingFacts {
   bool fault = false;
   bool stale = false;
@@ -57,12 +55,12 @@ struct ArmingFacts {
 
 class Arming {
  public:
-  // `rate_hz` > 0, of the ticks.
+  // `rate_hz`: of the ticks, positive.
   Arming(bool needed, double rate_hz)
       : state_(needed ? ArmingState::kOff : ArmingState::kNotNeeded),
         gain_step_(1.0 / std::max(1.0, std::round(kArmingRampS * rate_hz))) {}
 
-  // Asks for the force. Judged by the next tick: not before the handle's place is known.
+  // Asks for the force. The next tick decides, when the position of the handle is known.
   void ask() {
     if (state_ == ArmingState::kOff) asked_ = true;
   }
@@ -75,7 +73,7 @@ class Arming {
     gain_ = 0.0;
   }
 
-  // After every tick. Returns true where it took the force away: the device is to be told at once.
+  // Call after every tick. True if it disarmed: the caller must disable the device at once.
   bool after_tick(const ArmingFacts& facts) {
     if (state_ == ArmingState::kNotNeeded) return false;
     const ArmingNote trouble = trouble_in(facts);
@@ -95,15 +93,15 @@ class Arming {
 
   [[nodiscard]] ArmingState state() const { return state_; }
   [[nodiscard]] ArmingNote note() const { return note_; }
-  // Whether the device may act on what it is told.
+  // Whether the device may apply the commanded force.
   [[nodiscard]] bool enabled() const { return state_ != ArmingState::kOff; }
-  // How many requests were answered, either way.
+  // Number of answered requests, granted or refused.
   [[nodiscard]] std::uint32_t answers() const { return answers_; }
   // Of the force at the next tick, 0 to 1.
   [[nodiscard]] double gain() const { return state_ == ArmingState::kNotNeeded ? 1.0 : gain_; }
 
  private:
-  // While the force is on; contact as such is what it is for.
+  // While the force is on. Contact alone is no problem.
   [[nodiscard]] ArmingNote trouble_in(const ArmingFacts& facts) const {
     if (facts.fault) return ArmingNote::kDevice;
     if (facts.stale) return ArmingNote::kStale;

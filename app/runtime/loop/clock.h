@@ -1,4 +1,4 @@
-// The clock that the loop lives by, so that tests can bring their own.
+// The loop's clock, replaced in tests.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ class Clock {
   Clock& operator=(const Clock&) = delete;
   virtual ~Clock() = default;
 
-  // Nanoseconds since a fixed instant; never goes back. Realtime-safe: yes.
+  // Nanoseconds since a fixed instant; monotonic. Realtime-safe: yes.
   [[nodiscard]] virtual std::int64_t now_ns() = 0;
 
-  // Returns at `deadline_ns` or later, never before it; at once where that has passed.
-  // Realtime-safe: yes (it waits, which is what it is for; never called inside a tick).
+  // Returns at `deadline_ns` or later; at once if that has passed. Realtime-safe: yes (it waits,
+  // but never inside a tick).
   virtual void sleep_until_ns(std::int64_t deadline_ns) = 0;
 };
 

@@ -1,8 +1,7 @@
-// What a tick has cost in the last second: median and maximum, in constant memory.
+// Median and maximum of a tick's cost over the last second, in constant memory.
 //
-// Four quarters of a second, each with a histogram and a maximum of its own; when a quarter is over
-// the oldest is forgotten and the figures are told anew. The bins are those of latency_histogram.h,
-// so the median is right to 1 part in 32.
+// Keeps a histogram and a maximum for each of four quarters of a second. At the end of a quarter it
+// drops the oldest and updates the statistics. The median is within 1 part in 32.
 #pragma once
 
 #include <algorithm>
@@ -10,23 +9,23 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "app/runtime/latency_histogram.h"
+#include "app/runtime/loop/latency_histogram.h"
 
 namespace hapticwall::runtime {
 
-struct CostFigures {
+struct CostStats {
   std::int64_t median_ns = 0;
   std::int64_t maximum_ns = 0;
-  std::uint32_t ticks = 0;  // 0: nothing is known yet
+  std::uint32_t ticks = 0;  // 0: unknown
 };
 
-// Realtime-safe: yes. A quarter's end costs a pass over the bins, about a microsecond.
+// Realtime-safe: yes. The end of a quarter costs a pass over the bins, about a microsecond.
 class CostWindow {
  public:
   static constexpr std::int64_t kQuarterNs = 250'000'000;
   static constexpr std::size_t kQuarters = 4;
 
-  // A tick that began at `now_ns` (not before the last one) took `cost_ns`.
+  // A tick that began at `now_ns`, not before the previous one, took `cost_ns`.
   void add(std::int64_t now_ns, std::int64_t cost_ns) {
     if (!started_) {
       started_ = true;
@@ -40,8 +39,8 @@ class CostWindow {
     quarter.maximum_ns = std::max(quarter.maximum_ns, cost);
   }
 
-  // Of the last second, as of the last quarter's end.
-  [[nodiscard]] const CostFigures& figures() const { return figures_; }
+  // Over the second before the end of the last quarter.
+  [[nodiscard]] const CostStats& stats() const { return stats_; }
 
  private:
   struct Quarter {
@@ -51,8 +50,8 @@ class CostWindow {
   };
 
   void turn_over(std::int64_t now_ns) {
-    tell();
-    // After a pause of a second or more nothing of what was before is in the last second.
+    update();
+    // A pause of a second or more clears all quarters.
     for (std::size_t turned = 0; turned < kQuarters && now_ns >= quarter_end_ns_; ++turned) {
       quarter_end_ns_ += kQuarterNs;
       current_ = (current_ + 1) % kQuarters;
@@ -61,28 +60,28 @@ class CostWindow {
     if (now_ns >= quarter_end_ns_) quarter_end_ns_ = now_ns + kQuarterNs;
   }
 
-  void tell() {
-    CostFigures figures;
+  void update() {
+    CostStats stats;
     for (const Quarter& quarter : quarters_) {
-      figures.ticks += quarter.ticks;
-      figures.maximum_ns = std::max(figures.maximum_ns, quarter.maximum_ns);
+      stats.ticks += quarter.ticks;
+      stats.maximum_ns = std::max(stats.maximum_ns, quarter.maximum_ns);
     }
     std::uint32_t below = 0;
     for (std::size_t bin = 0; bin < LatencyBins::kCount; ++bin) {
       for (const Quarter& quarter : quarters_) below += quarter.bins[bin];
-      if (2 * static_cast<std::uint64_t>(below) >= figures.ticks) {
-        figures.median_ns = LatencyBins::middle_ns(bin);
+      if (2 * static_cast<std::uint64_t>(below) >= stats.ticks) {
+        stats.median_ns = LatencyBins::middle_ns(bin);
         break;
       }
     }
-    figures_ = figures;
+    stats_ = stats;
   }
 
   std::array<Quarter, kQuarters> quarters_{};
   std::size_t current_ = 0;
   std::int64_t quarter_end_ns_ = 0;
   bool started_ = false;
-  CostFigures figures_;
+  CostStats stats_;
 };
 
 }  // namespace hapticwall::runtime

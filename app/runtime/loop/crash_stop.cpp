@@ -1,4 +1,4 @@
-#include "app/runtime/crash_stop.h"
+#include "app/runtime/loop/crash_stop.h"
 
 #include <unistd.h>
 
@@ -15,27 +15,27 @@
 namespace hapticwall::runtime {
 namespace {
 
-// Of a fault, in whatever thread; sanitizers and the like may have handlers for them.
+// Faults; sanitizers may have handlers for them.
 constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::array kSignals{SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT,
                               SIGHUP,  SIGQUIT, SIGINT, SIGTERM, SIGXCPU};
 constexpr std::int64_t kWaitStepNs = 200'000;
-// More than any frame of a signal; the handler itself needs next to nothing.
-constexpr std::size_t kSmallestStackBytes = std::size_t{64} * 1024;
+// Larger than any signal frame; the handler itself needs little.
+constexpr std::size_t kMinStackBytes = std::size_t{64} * 1024;
 
-// All that a signal handler may touch.
+// The only data that the signal handler uses.
 std::atomic<bool> g_must_end{false};
 std::atomic<int> g_loops_with_force{0};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-// What was in place before, of each signal that is caught. Written before its signal is caught.
+// The previous handler of each caught signal. Written before the signal is caught.
 struct Caught {
   struct sigaction before {};
   bool here = false;
 };
 std::array<Caught, kSignals.size()> g_caught;
 
-std::mutex g_mutex;  // of the two below, and of writing the one above
+std::mutex g_mutex;  // of g_crash_stops, and of writing g_caught
 int g_crash_stops = 0;
 
 bool is_fault(int signal) {
@@ -48,9 +48,9 @@ void put_back(int signal) {
   }
 }
 
-// A fault happens once more when this returns, and then takes its way as if nobody had been here.
-// What was sent does not, neither by a process (si_code 0 and below) nor by the kernel for a
-// terminal or a limit: it is sent again, and waits until this returns.
+// A fault happens again when this returns, and then meets the previous handler. A signal that was
+// sent, by a process (si_code 0 and below) or by the kernel for a terminal or a limit, does not
+// happen again: raise it, pending until this returns.
 extern "C" void hapticwall_on_crash(int signal, siginfo_t* info, void* /*context*/) {
   const int error = errno;
   end_all_force();
@@ -82,7 +82,7 @@ void catch_signals() {
   }
 }
 
-// But for those that somebody else has asked for since.
+// Keeps handlers that were installed since.
 void release_signals() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     struct sigaction present {};
@@ -92,14 +92,14 @@ void release_signals() {
   }
 }
 
-// A thread's own, as long as the thread lives.
+// A thread's signal stack for its lifetime.
 class SignalStack {
  public:
   SignalStack() {
     stack_t present{};
     if (sigaltstack(nullptr, &present) != 0 || (present.ss_flags & SS_DISABLE) == 0) return;
     const auto wanted = static_cast<std::size_t>(std::max(0L, sysconf(_SC_SIGSTKSZ)));
-    const std::size_t bytes = std::max(kSmallestStackBytes, wanted);
+    const std::size_t bytes = std::max(kMinStackBytes, wanted);
     memory_ = std::make_unique<std::byte[]>(bytes);
     stack_t own{};
     own.ss_sp = memory_.get();
@@ -144,7 +144,7 @@ bool must_end_force() noexcept { return g_must_end.load(std::memory_order_relaxe
 
 void end_all_force() noexcept {
   g_must_end.store(true, std::memory_order_release);
-  constexpr auto kSteps = static_cast<int>(kLongestLastWaitNs / kWaitStepNs);
+  constexpr auto kSteps = static_cast<int>(kMaxLastWaitNs / kWaitStepNs);
   for (int i = 0; i < kSteps && g_loops_with_force.load(std::memory_order_acquire) > 0; ++i) {
     const timespec pause{0, static_cast<decltype(timespec::tv_nsec)>(kWaitStepNs)};
     nanosleep(&pause, nullptr);

@@ -1,22 +1,21 @@
-// When the cycles of a fixed-rate loop are due: arithmetic only, no clock.
+// Deadlines of a fixed-rate loop: arithmetic only, no clock.
 //
-// Deadline k lies at start + round(k * 1e9 / rate), computed from k and not by adding a rounded
-// period, so that 3 kHz does not drift. A cycle that comes late is executed once, whatever whole
-// periods it slept through: those are counted as missed and the phase stays (no burst to catch up).
+// Deadline k is start + round(k * 1e9 / rate), computed from k so that 3 kHz does not drift. A late
+// cycle is executed once and keeps the phase: whole periods it slept through count as missed.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 
-#include "app/runtime/clock.h"
+#include "app/runtime/loop/clock.h"
 
 namespace hapticwall::runtime {
 
-// One waking of the loop.
+// One wake-up of the loop.
 struct Wake {
   std::int64_t now_ns = 0;
-  std::int64_t latency_ns = 0;  // after the deadline that was waited for
-  std::uint64_t missed = 0;     // deadlines since that one which have passed as well
+  std::int64_t latency_ns = 0;  // after the deadline
+  std::uint64_t missed = 0;     // later deadlines that have also passed
 };
 
 // Realtime-safe: yes, every member.
@@ -25,11 +24,11 @@ class CycleScheduler {
   // `rate_hz` > 0. The first deadline is one period after `start_ns`.
   CycleScheduler(double rate_hz, std::int64_t start_ns) : rate_hz_(rate_hz), start_ns_(start_ns) {}
 
-  // Of the cycle to wait for now.
+  // Of the next cycle.
   [[nodiscard]] std::int64_t deadline_ns() const { return deadline_of(next_); }
 
-  // Says that the loop is awake at `now_ns` (not before deadline_ns()), and moves on to the first
-  // deadline after that.
+  // Takes a wake-up at `now_ns` (not before deadline_ns()) and moves to the first deadline after
+  // it.
   Wake wake(std::int64_t now_ns) {
     Wake wake{now_ns, now_ns - deadline_ns(), 0};
     const std::uint64_t first_future = first_deadline_after(now_ns);
@@ -39,14 +38,14 @@ class CycleScheduler {
   }
 
  private:
-  // long double: k * 1e9 leaves the 53 bits of a double after two and a half hours at 1 kHz.
+  // long double: k * 1e9 exceeds the 53 bits of a double after two and a half hours at 1 kHz.
   [[nodiscard]] std::int64_t deadline_of(std::uint64_t index) const {
     constexpr auto kNanoseconds = static_cast<long double>(kNanosecondsPerSecond);
     return start_ns_ + std::llroundl(static_cast<long double>(index) * kNanoseconds /
                                      static_cast<long double>(rate_hz_));
   }
 
-  // A guess from the elapsed time, then corrected for the rounding of deadlines; constant time.
+  // Estimates from the elapsed time, then corrects for the rounding of deadlines; constant time.
   [[nodiscard]] std::uint64_t first_deadline_after(std::int64_t now_ns) const {
     std::uint64_t index = next_ + 1;
     const double late_ns = static_cast<double>(now_ns - deadline_ns());

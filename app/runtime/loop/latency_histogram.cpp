@@ -1,8 +1,14 @@
-#include "app/runtime/latency_histogram.h"
+#include "app/runtime/loop/latency_histogram.h"
 
 #include <numeric>
 
 namespace hapticwall::runtime {
+
+Quantiles quantiles(std::vector<std::int64_t> values_ns) {
+  if (values_ns.empty()) return {};
+  std::sort(values_ns.begin(), values_ns.end());
+  return quantiles_of(values_ns.size(), [&](std::uint64_t rank) { return values_ns[rank - 1]; });
+}
 
 std::uint64_t LatencyCounts::total() const {
   return std::accumulate(bins.begin(), bins.end(), std::uint64_t{0});
@@ -29,7 +35,6 @@ LatencyCounts LatencyCounts::since(const LatencyCounts& earlier) const {
 Quantiles quantiles(const LatencyCounts& counts) {
   const std::uint64_t total = counts.total();
   if (total == 0) return {};
-  // The ranks are asked for in ascending order.
   std::size_t bin = 0;
   std::uint64_t up_to = counts.bins[0];
   Quantiles result = quantiles_of(total, [&](std::uint64_t rank) {
@@ -44,7 +49,7 @@ void LatencyHistogram::read(LatencyCounts& counts) const noexcept {
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
     counts.bins[bin] = bins_[bin].load(std::memory_order_acquire);
   }
-  // Written before its bin and read after it: never smaller than what the bins hold.
+  // Written before its bin and read after it: never below the highest bin.
   counts.maximum_ns = maximum_ns_.load(std::memory_order_relaxed);
 }
 

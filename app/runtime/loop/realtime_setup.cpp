@@ -1,4 +1,4 @@
-#include "app/runtime/realtime_setup.h"
+#include "app/runtime/loop/realtime_setup.h"
 
 #include <linux/capability.h>
 #include <pthread.h>
@@ -21,25 +21,25 @@
 namespace hapticwall::runtime {
 namespace {
 
-// More than a tick needs; touched once so that no tick meets a page for the first time.
+// More than a tick needs; touched once so that no tick takes a page fault.
 constexpr std::size_t kStackToTouchBytes = std::size_t{128} * 1024;
-constexpr std::size_t kSmallestPageBytes = 4096;
+constexpr std::size_t kMinPageBytes = 4096;
 constexpr std::int64_t kNanosecondsInSecond = 1'000'000'000;
 
 [[gnu::noinline]] void touch_stack() {
   std::array<std::byte, kStackToTouchBytes> area;
   volatile std::byte* bytes = area.data();
-  for (std::size_t i = 0; i < area.size(); i += kSmallestPageBytes) bytes[i] = std::byte{0};
+  for (std::size_t i = 0; i < area.size(); i += kMinPageBytes) bytes[i] = std::byte{0};
 }
 
-// The window's signals (Ctrl-C) are the main thread's; here they would only cut a sleep short.
+// The main thread handles signals (Ctrl-C); here they would only shorten a sleep.
 void block_signals() {
   sigset_t all;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
 }
 
-// The highest that is permitted up to kLoopPriority: an unprivileged limit (ulimit -r) may be
+// The highest permitted priority up to kLoopPriority: an unprivileged limit (ulimit -r) may be
 // lower.
 int permitted_priority() {
   rlimit limit{};
@@ -56,16 +56,16 @@ bool may_lock_without_limit() {
   return (data[CAP_TO_INDEX(CAP_IPC_LOCK)].effective & CAP_TO_MASK(CAP_IPC_LOCK)) != 0;
 }
 
-// Under a finite limit a lock on future pages would make the window's own allocations fail later,
-// so it is not even tried. Pages are locked once they are touched: the window's are not all needed.
+// Under a finite limit, a lock on future pages would make later allocations of the window fail, so
+// it is not tried. Pages are locked when touched, because the window does not need all of its
+// pages.
 int lock_memory() {
   if (!may_lock_without_limit()) return EPERM;
   return mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0 ? 0 : errno;
 }
 
-// The kernel's collector of huge pages holds the process's memory map while it works, at the lowest
-// priority there is; a tick that meets a page then waits for it, for milliseconds. Locked memory
-// does not help.
+// Disables huge pages: the kernel collects them with lowest priority while it holds the memory map,
+// and a page fault in a tick waits for it for milliseconds, even with locked memory.
 void keep_small_pages() { prctl(PR_SET_THP_DISABLE, 1UL, 0UL, 0UL, 0UL); }
 
 int set_affinity(int core) {
@@ -130,7 +130,7 @@ Failure refuse_without_realtime(const device::DeviceInfo& device, const Realtime
                                 bool allowed) {
   if (device.is_simulated || status.fifo_priority || allowed) return std::nullopt;
   return Error{ErrorKind::kDevice, device.name + ": " + status.text + ": " + status.advice +
-                                       "; --allow-no-realtime drives the device all the same"};
+                                       "; --allow-no-realtime drives the device anyway"};
 }
 
 RealtimeOutcome set_up_realtime_thread(int affinity_core) {

@@ -1,11 +1,11 @@
-#include "app/runtime/servo_loop.h"
+#include "app/runtime/loop/servo_loop.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "app/runtime/crash_stop.h"
+#include "app/runtime/loop/crash_stop.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -15,8 +15,8 @@ double seconds(std::int64_t nanoseconds) {
 }
 
 std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
-  constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
-  return a > kMost - b ? kMost : a + b;
+  constexpr std::uint32_t kMax = std::numeric_limits<std::uint32_t>::max();
+  return a > kMax - b ? kMax : a + b;
 }
 
 }  // namespace
@@ -53,22 +53,24 @@ Sample LoopAxis::at_rest() {
   return sample;
 }
 
-ServoLoop::ServoLoop(device::Device& device, Exchange& exchange, const LoopParameters& initial,
-                     bool start_paused, device::Device* y_device)
-    : x_{device, Servo(initial.servo)},
-      exchange_(exchange),
-      arming_(!device.info().is_simulated, initial.servo.rate_hz) {
-  if (y_device != nullptr) y_.emplace(LoopAxis{*y_device, Servo(initial.y_servo)});
+ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
+                     const LoopParameters& initial, bool start_paused)
+    : exchange_(exchange),
+      arming_(!devices.front()->info().is_simulated, initial.axes.front().servo.rate_hz) {
+  for (device::Device* device : devices) {
+    axes_.push_back({*device, Servo(initial.axes.at(axes_.size()).servo)});
+  }
+  snapshot_.newest.count = static_cast<std::uint8_t>(axes_.size());
   snapshot_.generation = initial.generation;
   snapshot_.paused = start_paused;
   show_start();
   exchange_.snapshots.publish(snapshot_);
 }
 
-// A real device has let go of a force that nobody renewed for so long (docs/hid-protocol.md): what
-// comes back then must not come back at once.
+// After a cycle this late a real device has dropped the force (docs/hid-protocol.md). It must not
+// return abruptly, so the loop disarms.
 void ServoLoop::cycle(const Wake& wake, Clock& clock) {
-  if (seconds(wake.latency_ns) > kDefaultMaximumAgeS) disarm(ArmingNote::kLate);
+  if (seconds(wake.latency_ns) > kDefaultMaxAgeS) disarm(ArmingNote::kLate);
   take_commands();
   const bool ticks = !snapshot_.paused || steps_left_ > 0;
   if (ticks) {
@@ -79,7 +81,7 @@ void ServoLoop::cycle(const Wake& wake, Clock& clock) {
     idle();
   }
   show_arming();
-  snapshot_.link = x_.device.link();
+  snapshot_.link = axes_.front().device.link();
   count(wake, clock.now_ns(), ticks);
   exchange_.snapshots.publish(snapshot_);
 }
@@ -115,7 +117,7 @@ void ServoLoop::execute(const Command& command) {
     case CommandKind::kStartRecording:
     case CommandKind::kStopRecording:
       recording_ = command.kind == CommandKind::kStartRecording;
-      // Everything recorded before is in the queue by now; the owner waits for this.
+      // The owner waits for this: all earlier rows are in the queue now.
       exchange_.recording_switches.fetch_add(1, std::memory_order_release);
       break;
   }
@@ -123,7 +125,7 @@ void ServoLoop::execute(const Command& command) {
 
 void ServoLoop::reset() {
   disarm(ArmingNote::kAsked);
-  for_each_axis([](LoopAxis& axis) { axis.reset(); });
+  for (LoopAxis& axis : axes_) axis.reset();
   steps_left_ = 0;
   echo_due_ = true;
   at_start_ = true;
@@ -133,34 +135,38 @@ void ServoLoop::reset() {
 }
 
 void ServoLoop::show_start() {
-  snapshot_.sample = x_.at_rest();
-  snapshot_.sample.generation = snapshot_.generation;
-  if (!y_) return;
-  snapshot_.y = y_->at_rest();
-  snapshot_.y.generation = snapshot_.generation;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    Sample& sample = snapshot_.newest.axes[i];
+    sample = axes_[i].at_rest();
+    sample.generation = snapshot_.generation;
+  }
 }
 
 void ServoLoop::take_parameters() {
   if (exchange_.echoes.size() >= kFreeEchoPlaces || !exchange_.parameters.update()) return;
   const LoopParameters& parameters = exchange_.parameters.current();
-  x_.apply(parameters.servo, parameters.plant);
-  if (y_) y_->apply(parameters.y_servo, parameters.y_plant);
-  // Before tick 0 nothing is in force yet: no change to flag, no force to lead over from.
-  if (at_start_) for_each_axis([](LoopAxis& axis) { axis.servo.reset(); });
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    axes_[i].apply(parameters.axes[i].servo, parameters.axes[i].plant);
+    // Before tick 0 there is no change to flag and no force to blend from.
+    if (at_start_) axes_[i].servo.reset();
+  }
   snapshot_.generation = parameters.generation;
   echo_due_ = true;
 }
 
 void ServoLoop::lead_hand() {
-  bool begun = x_.lead_hand(exchange_.pointer_m.load(std::memory_order_relaxed));
-  if (y_ && y_->lead_hand(exchange_.y_pointer_m.load(std::memory_order_relaxed))) begun = true;
-  if (begun) exchange_.pointer_led.store(true, std::memory_order_relaxed);
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (axes_[i].lead_hand(exchange_.pointer_m[i].load(std::memory_order_relaxed))) {
+      exchange_.pointer_led.store(true, std::memory_order_relaxed);
+    }
+  }
 }
 
-// A simulator's amplifiers need no leave.
+// A simulator stays enabled.
 void ServoLoop::disarm(ArmingNote why) {
   arming_.disarm(why);
-  if (!arming_.enabled()) for_each_axis([](LoopAxis& axis) { axis.device.enable(false); });
+  if (arming_.enabled()) return;
+  for (LoopAxis& axis : axes_) axis.device.enable(false);
 }
 
 void ServoLoop::show_arming() {
@@ -171,17 +177,18 @@ void ServoLoop::show_arming() {
   shown.asked = arming_.answers();
 }
 
-// The arming of both axes is one: what is wrong with either concerns both.
-ArmingFacts ServoLoop::facts(const Sample& x, const Sample& y) const {
-  ArmingFacts both = arming_facts(x, x_.servo.state().failed);
-  if (!y_) return both;
-  const ArmingFacts second = arming_facts(y, y_->servo.state().failed);
-  both.fault = both.fault || second.fault;
-  both.stale = both.stale || second.stale;
-  both.failed = both.failed || second.failed;
-  both.in_contact = both.in_contact || second.in_contact;
-  both.parameters_changed = both.parameters_changed || second.parameters_changed;
-  return both;
+// All axes are armed together: a fault of one disarms all.
+ArmingFacts ServoLoop::facts(const Tick& tick) const {
+  ArmingFacts all;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const ArmingFacts one = arming_facts(tick.axes[i], axes_[i].servo.state().failed);
+    all.fault = all.fault || one.fault;
+    all.stale = all.stale || one.stale;
+    all.failed = all.failed || one.failed;
+    all.in_contact = all.in_contact || one.in_contact;
+    all.parameters_changed = all.parameters_changed || one.parameters_changed;
+  }
+  return all;
 }
 
 Sample ServoLoop::tick_axis(LoopAxis& axis) {
@@ -195,50 +202,47 @@ Sample ServoLoop::tick_axis(LoopAxis& axis) {
 void ServoLoop::tick() {
   take_parameters();
   lead_hand();
-  const Sample x = tick_axis(x_);
-  const Sample y = y_ ? tick_axis(*y_) : Sample{};
-  if (arming_.after_tick(facts(x, y))) {
-    for_each_axis([](LoopAxis& axis) {
+  Tick tick;
+  tick.count = static_cast<std::uint8_t>(axes_.size());
+  for (std::size_t i = 0; i < axes_.size(); ++i) tick.axes[i] = tick_axis(axes_[i]);
+  if (arming_.after_tick(facts(tick))) {
+    for (LoopAxis& axis : axes_) {
       axis.device.enable(false);
       axis.device.write(0.0);
-    });
+    }
   }
   at_start_ = false;
-  hand_out(x, y);
+  hand_out(tick);
 }
 
-void ServoLoop::hand_out(const Sample& x, const Sample& y) {
-  snapshot_.sample = x;
-  snapshot_.y = y;
+void ServoLoop::hand_out(const Tick& tick) {
+  snapshot_.newest = tick;
   if (echo_due_) {
-    // Cannot fail: nothing makes an echo due while there is no room for it.
-    echo_due_ = !exchange_.echoes.try_push({x.tick, x.generation});
+    // Cannot fail: no echo becomes due while the queue lacks room.
+    echo_due_ = !exchange_.echoes.try_push({tick.x().tick, tick.x().generation});
   }
-  const auto push = [&](SpscQueue<Sample>& x_queue, SpscQueue<Sample>& y_queue) {
-    return y_ ? push_both(x_queue, y_queue, x, y) : x_queue.try_push(x);
-  };
-  if (!push(exchange_.plot, exchange_.y_plot)) {
+  if (!exchange_.plot.try_push(tick)) {
     exchange_.dropped_plot_samples.fetch_add(1, std::memory_order_relaxed);
   }
-  if (recording_ && !push(exchange_.recorder, exchange_.y_recorder)) {
+  if (recording_ && !exchange_.recorder.try_push(tick)) {
     exchange_.dropped_rows.fetch_add(1, std::memory_order_relaxed);
   }
 }
 
-// Paused. A simulated plant stands still with the force that it has; in a real device's hands time
-// goes on, so it is disarmed, its force is zero and its watchdog is fed.
+// Paused. A simulated plant freezes with its force. A real device is disarmed, and zero forces keep
+// its watchdog from expiring.
 void ServoLoop::idle() {
-  if (x_.device.truth() != nullptr) return;
+  if (axes_.front().device.truth() != nullptr) return;
   disarm(ArmingNote::kPaused);
-  for_each_axis([this](LoopAxis& axis) {
-    Sample& shown = &axis == &x_ ? snapshot_.sample : snapshot_.y;
-    shown.position_m = axis.device.read().position_m;
-    shown.force_n = 0.0;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    LoopAxis& axis = axes_[i];
+    snapshot_.newest.axes[i].position_m = axis.device.read().position_m;
+    snapshot_.newest.axes[i].force_n = 0.0;
     axis.device.write(0.0);
-    // The handle is moved meanwhile: the next tick's position is no step from the last one's.
+    // Motion during a pause is unobserved: the next tick must not derive a velocity from it.
     axis.servo.state().position_known = false;
     axis.servo.state().previous_force_n = 0.0;
-  });
+  }
 }
 
 void ServoLoop::count(const Wake& wake, std::int64_t done_ns, bool ticked) {
@@ -252,15 +256,15 @@ void ServoLoop::count(const Wake& wake, std::int64_t done_ns, bool ticked) {
   exchange_.compute_time.add(done_ns - wake.now_ns);
   if (!ticked) return;
   cost_.add(wake.now_ns, done_ns - wake.now_ns);
-  const CostFigures& cost = cost_.figures();
+  const CostStats& cost = cost_.stats();
   timing.cost_ticks = cost.ticks;
   timing.median_cost_s = seconds(cost.median_ns);
   timing.maximum_cost_s = seconds(cost.maximum_ns);
 }
 
 void ServoLoop::shut_down(bool by_itself) noexcept {
-  // A device that throws here as well is still to be closed, and the owner to be told.
-  for_each_axis([&](LoopAxis& axis) {
+  // If a device throws here too, the others must still be closed and the owner informed.
+  for (LoopAxis& axis : axes_) {
     try {
       axis.device.enable(false);
       axis.device.write(0.0);
@@ -272,13 +276,12 @@ void ServoLoop::shut_down(bool by_itself) noexcept {
     } catch (...) {
       by_itself = true;
     }
-  });
+  }
   snapshot_.ended_by_fault = by_itself;
-  snapshot_.sample.force_n = 0.0;
-  snapshot_.y.force_n = 0.0;
+  for (Sample& sample : snapshot_.newest.in_use()) sample.force_n = 0.0;
   arming_.disarm(by_itself ? ArmingNote::kDevice : ArmingNote::kAsked);
   show_arming();
-  if (by_itself) snapshot_.sample.flags |= kFlagDeviceFault;
+  if (by_itself) snapshot_.newest.axes[0].flags |= kFlagDeviceFault;
   exchange_.snapshots.publish(snapshot_);
   exchange_.finished.store(true, std::memory_order_release);
 }

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <vector>
 
-#include "app/runtime/arming.h"
-#include "app/runtime/clock.h"
-#include "app/runtime/cost_window.h"
-#include "app/runtime/cycle_scheduler.h"
-#include "app/runtime/exchange.h"
-#include "core/servo.h"
+#include "app/runtime/loop/arming.h"
+#include "app/runtime/loop/clock.h"
+#include "app/runtime/loop/cost_window.h"
+#include "app/runtime/loop/cycle_scheduler.h"
+#include "app/runtime/loop/exchange.h"
+#include "core/loop/servo.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {
@@ -21,29 +21,28 @@ struct LoopAxis {
   PlantModel* plant = nullptr;  // in use; nullptr: the device's own
   bool hand_led = false;
 
-  // Realtime-safe: yes, all of it.
+  // Realtime-safe: yes, every member.
   void apply(const ServoSettings& settings, PlantModel* new_plant);
-  // Nothing, or not a number: the script leads the hand. True where the pointer has begun to.
+  // NaN: the script leads the hand. True if the pointer begins to lead.
   bool lead_hand(double pointer_m);
   void reset();
-  // The sample before tick 0: where the device rests, no force, no energies.
+  // The sample before tick 0: the device's rest position, no force, no energies.
   [[nodiscard]] Sample at_rest();
 };
 
-// The loop's state. The devices are open; it and the exchange outlive the loop.
+// The loop's state. The devices are open; they and the exchange outlive the loop.
 class ServoLoop {
  public:
+  // One device for each axis, x first; all axes tick together. Precondition: 1 to kMaxAxes devices.
   // Realtime-safe: no.
-  // `y_device`: of the second axis, or null. Both axes tick together, each by itself.
-  ServoLoop(device::Device& device, Exchange& exchange, const LoopParameters& initial,
-            bool start_paused, device::Device* y_device = nullptr);
+  ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
+            const LoopParameters& initial, bool start_paused);
 
-  // One cycle: commands, newest parameters, a tick (unless paused), and its results handed out.
-  // `clock` is asked once, after the tick, for the time that the tick took.
-  // Throws only what the device throws. Realtime-safe: yes.
+  // One cycle: takes commands and parameters, ticks unless paused, and publishes the results. Reads
+  // `clock` once, after the tick. Throws only what the device throws. Realtime-safe: yes.
   void cycle(const Wake& wake, Clock& clock);
 
-  // Zero force, device closed, the owner told. Realtime-safe: no.
+  // Zero force, closes the devices and informs the owner. Realtime-safe: no.
   void shut_down(bool by_itself) noexcept;
 
  private:
@@ -56,20 +55,13 @@ class ServoLoop {
   void show_arming();
   void tick();
   [[nodiscard]] Sample tick_axis(LoopAxis& axis);
-  [[nodiscard]] ArmingFacts facts(const Sample& x, const Sample& y) const;
-  void hand_out(const Sample& x, const Sample& y);
+  [[nodiscard]] ArmingFacts facts(const Tick& tick) const;
+  void hand_out(const Tick& tick);
   void idle();
   void show_start();
   void count(const Wake& wake, std::int64_t done_ns, bool ticked);
 
-  template <typename Action>
-  void for_each_axis(Action&& action) {
-    action(x_);
-    if (y_) action(*y_);
-  }
-
-  LoopAxis x_;
-  std::optional<LoopAxis> y_;
+  std::vector<LoopAxis> axes_;
   Exchange& exchange_;
   Arming arming_;
   Snapshot snapshot_;
@@ -80,9 +72,9 @@ class ServoLoop {
   bool at_start_ = true;  // the next tick is tick 0
 };
 
-// The thread's body: cycles at `rate_hz` until the exchange says stop; whatever happens, it ends
-// with zero force and a closed device. No exception leaves it. Realtime-safe: yes, from the first
-// cycle to the last.
+// The thread's body: cycles at `rate_hz` until the exchange says stop. It always ends with zero
+// force and closed devices, also after an exception. Realtime-safe: yes, from the first cycle to
+// the last.
 void run_servo_loop(ServoLoop& loop, Exchange& exchange, double rate_hz, Clock& clock) noexcept;
 
 }  // namespace hapticwall::runtime

@@ -1,4 +1,4 @@
-#include "app/runtime/timing_probe.h"
+#include "app/runtime/loop/timing_probe.h"
 
 #include <atomic>
 #include <chrono>
@@ -6,9 +6,9 @@
 #include <ctime>
 #include <thread>
 
-#include "app/runtime/cycle_scheduler.h"
-#include "app/runtime/realtime_setup.h"
-#include "app/runtime/spinning_clock.h"
+#include "app/runtime/loop/cycle_scheduler.h"
+#include "app/runtime/loop/realtime_setup.h"
+#include "app/runtime/loop/spinning_clock.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -26,12 +26,12 @@ void reserve(TimingRecord& record, std::uint64_t ticks, bool has_device) {
   record.write_ns.reserve(ticks);
 }
 
-// What a tick shows of the link, each of it once. No more than was reserved: one a tick.
+// Records each new measurement of the link once: at most one a tick, as reserved.
 class LinkWatch {
  public:
   explicit LinkWatch(TimingRecord& record) : record_(record) {}
 
-  void look(const device::LinkFigures& link) {
+  void look(const device::LinkStats& link) {
     if (link.connected) record_.age_ns.push_back(nanoseconds(link.age_s));
     const bool new_state = link.states != states_;
     states_ = link.states;

@@ -1,14 +1,13 @@
-// How well this machine keeps time: the real-time loop without a scene, every wake-up written down,
-// on nothing or on a real device whose force stays off.
+// Measures timing with the real-time loop without a scene: records every wake-up, optionally on a
+// real device whose force stays off.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "app/runtime/clock.h"
-#include "app/runtime/quantiles.h"
-#include "app/runtime/session.h"
+#include "app/runtime/loop/clock.h"
+#include "app/runtime/loop/realtime_setup.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {
@@ -16,14 +15,14 @@ namespace hapticwall::runtime {
 struct TimingRecord {
   RealtimeStatus status;
   std::uint64_t missed_ticks = 0;
-  double processor_share = 0.0;          // of one core, that the loop took
+  double processor_share = 0.0;          // of one core
   std::vector<std::int64_t> latency_ns;  // of every wake-up
   std::vector<std::int64_t> compute_ns;  // of every tick's work: the device's read and write
-  // Of a device, every tick in which there was something new.
+  // Of a device, for each tick with a new state.
   std::vector<std::int64_t> age_ns;
   std::vector<std::int64_t> round_trip_ns;
   std::vector<std::int64_t> write_ns;
-  device::LinkFigures link;  // at the end
+  device::LinkStats link;  // at the end
 };
 
 struct TimingPlan {
@@ -33,9 +32,8 @@ struct TimingPlan {
   double spin_s = 0.0;  // as SessionOptions::spin_s
 };
 
-// Runs the loop in a thread of its own, `ticks` of them, fewer where `should_stop` says so (asked
-// from the caller's thread; `done` ticks are told to it). `device`: open, or nullptr. Memory for
-// every tick is taken before it begins. Realtime-safe: no.
+// Runs `ticks` cycles in a new thread, or until `should_stop` returns true on the caller's thread.
+// `device`: open, or nullptr. Allocates the memory for all ticks first. Realtime-safe: no.
 [[nodiscard]] TimingRecord probe_timing(const TimingPlan& plan, device::Device* device,
                                         Clock& clock,
                                         const std::function<bool(std::uint64_t done)>& should_stop);

@@ -1,10 +1,10 @@
-#include "app/runtime/timing_verdict.h"
+#include "app/runtime/loop/timing_verdict.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/runtime/clock.h"
+#include "app/runtime/loop/clock.h"
 #include "core/units.h"
 
 namespace hapticwall::runtime {

@@ -1,4 +1,4 @@
-// Whether a loop keeps its time: one verdict for `hapticwall timing` and for the window.
+// The verdict on a loop's timing, for `hapticwall timing` and the window.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/runtime/quantiles.h"
+#include "app/runtime/loop/latency_histogram.h"
 
 namespace hapticwall::runtime {
 
@@ -16,17 +16,17 @@ enum class TimingVerdict : std::uint8_t { kGood, kUsable, kPoor };
 
 struct TimingJudgement {
   TimingVerdict verdict = TimingVerdict::kGood;
-  std::vector<std::string> reasons;  // what kept it from a better one
-  std::vector<std::string> advice;   // what may help
+  std::vector<std::string> reasons;  // against a better verdict
+  std::vector<std::string> advice;
 };
 
-// One thing that is measured against its marks: what it is, and what may help where it is too much.
+// A measured value with its limits.
 struct Measure {
   double value = 0.0;
-  double good = 0.0;    // at most
-  double usable = 0.0;  // at most
+  double good = 0.0;    // upper limit
+  double usable = 0.0;  // upper limit
   std::string reason;
-  std::string advice;  // said once, however many measures have it; may be empty
+  std::string advice;  // may be empty; equal advice is given once
 };
 void judge(const Measure& measure, TimingJudgement& judgement);
 
@@ -34,10 +34,10 @@ struct LoopTiming {
   double rate_hz = 1000.0;
   Quantiles latency;  // of the wake-ups
   std::uint64_t missed_ticks = 0;
-  std::string advice;  // of the real-time set-up; empty where there is none
+  std::string advice;  // of the real-time set-up; may be empty
 };
-// Good: nothing missed, and 999 of 1000 wake-ups within a tenth of the period. Usable: at most one
-// tick in 10 000 missed, 999 of 1000 within half of it.
+// Good: no tick missed, and p99.9 of the wake-up latency within a tenth of the period. Usable: at
+// most one tick in 10 000 missed, p99.9 within half a period.
 void judge(const LoopTiming& loop, TimingJudgement& judgement);
 
 }  // namespace hapticwall::runtime

@@ -1,4 +1,4 @@
-#include "app/runtime/hand_rerun.h"
+#include "app/runtime/session/hand_rerun.h"
 
 #include <fmt/format.h>
 
@@ -9,12 +9,12 @@
 #include <span>
 #include <utility>
 
-#include "app/file/sidecar.h"
-#include "app/file/text.h"
-#include "core/metrics.h"
-#include "core/servo.h"
+#include "app/file/recording/sidecar.h"
+#include "app/file/text/text.h"
+#include "core/loop/servo.h"
+#include "core/result.h"
+#include "core/simulation/metrics.h"
 #include "core/stabiliser/stabiliser.h"
-#include "core/usage_error.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -27,15 +27,15 @@ Failure check_overrides(const Scene& recorded, const Scene& wanted) {
   };
   if (wanted.sampling.rate_hz != recorded.sampling.rate_hz) return refused("sampling.rate_hz");
   if (wanted.duration_s != recorded.duration_s) return refused("duration_s");
-  if (wanted.hand.has_value() != recorded.hand.has_value()) return refused("hand");
-  if (wanted.hand && (wanted.hand->path != recorded.hand->path ||
-                      wanted.hand->follows_mouse != recorded.hand->follows_mouse)) {
+  if (wanted.x().hand.has_value() != recorded.x().hand.has_value()) return refused("hand");
+  if (wanted.x().hand && (wanted.x().hand->path != recorded.x().hand->path ||
+                          wanted.x().hand->follows_mouse != recorded.x().hand->follows_mouse)) {
     return refused("hand.path");
   }
   return {};
 }
 
-// The loop's device: one write() is one tick, and the hand is led before it passes.
+// The servo's device: one write() is one tick.
 struct RerunDevice {
   PlantModel* plant = nullptr;
   double force_n = 0.0;
@@ -47,43 +47,36 @@ struct RerunDevice {
   [[nodiscard]] const PlantTruth* truth() const { return &plant->truth(); }
 };
 
-// The numbers of a recording, less hand_force_n.
+// Compares what a simulator records, except hand_force_n (see hand_rerun.h).
 bool same_numbers(const Sample& a, const Sample& b) {
-  const PlantTruth& p = a.truth;
-  const PlantTruth& q = b.truth;
-  return a.tick == b.tick && a.flags == b.flags && a.position_m == b.position_m &&
-         a.velocity_m_per_s == b.velocity_m_per_s && a.penetration_m == b.penetration_m &&
-         a.wall_force_n == b.wall_force_n && a.force_n == b.force_n &&
-         a.stiffness_n_per_m == b.stiffness_n_per_m && a.energy_cv_j == b.energy_cv_j &&
-         a.energy_hold_j == b.energy_hold_j && a.energy_scv_j == b.energy_scv_j &&
-         a.energy_budget_j == b.energy_budget_j && p.position_m == q.position_m &&
-         p.velocity_m_per_s == q.velocity_m_per_s && p.hand_path_m == q.hand_path_m &&
-         p.actuator_work_j == q.actuator_work_j && p.dissipation_j == q.dissipation_j &&
-         p.hand_work_j == q.hand_work_j && p.kinetic_j == q.kinetic_j;
+  return all_columns(a, b, [](const SampleColumn& column, const auto& x, const auto& y) {
+    return column.group == ColumnGroup::kDevice ||
+           column.member == SampleMember(&PlantTruth::hand_force_n) || x == y;
+  });
 }
 
-// The rows in order, a block at a time.
+// Axis x of the rows in order, read a block at a time.
 class RowStream {
  public:
   explicit RowStream(file::RecordingReader& recording) : recording_(recording) {}
 
-  // Null at the end, and where failure() is.
+  // Null at the end and after a failure.
   const Sample* next() {
     if (at_ == count_) {
-      const auto count = recording_.read(row_, samples_);
+      const auto count = recording_.read(row_, ticks_);
       if (!count) failure_ = count.error();
       count_ = count ? *count : 0;
       row_ += count_;
       at_ = 0;
       if (count_ == 0) return nullptr;
     }
-    return &samples_[at_++];
+    return &ticks_[at_++].axes.front();
   }
   [[nodiscard]] const Failure& failure() const { return failure_; }
 
  private:
   file::RecordingReader& recording_;
-  std::array<Sample, file::kRowsPerBlock> samples_;
+  std::vector<Tick> ticks_{file::kRowsPerBlock};
   std::uint64_t row_ = 0;
   std::size_t at_ = 0;
   std::size_t count_ = 0;
@@ -119,10 +112,6 @@ class Rerun {
     }
     if (rows_.failure()) return *rows_.failure();
     outcome_.summary = metrics_.finish();
-    if (diverged_at_tick_) {
-      outcome_.summary.verdict = Verdict::kDiverged;
-      outcome_.summary.diverged_at_tick = diverged_at_tick_;
-    }
     outcome_.ticks = outcome_.summary.ticks;
     outcome_.pointer_led = hand_.has_led();
     return outcome_;
@@ -141,7 +130,7 @@ class Rerun {
     const bool in_reach = !plant_->has_diverged();
     const Sample sample = in_reach ? servo_.tick(device) : Sample{};
     if (!in_reach || servo_.state().failed) {
-      diverged_at_tick_ = tick;
+      metrics_.diverge(tick);
       return false;
     }
     metrics_.add(sample);
@@ -163,7 +152,7 @@ class Rerun {
     return true;
   }
 
-  // As a live session does it: the plant goes on from where it is.
+  // As in a live session: the new plant takes over the state.
   void apply_changes(std::uint64_t tick) {
     while (change_ < loaded_.changes.size() && loaded_.changes[change_].tick <= tick) {
       Scene changed = loaded_.changes[change_++].scene;
@@ -188,7 +177,6 @@ class Rerun {
   RecordedHand hand_;
   Metrics metrics_;
   std::size_t change_ = 0;
-  std::optional<std::uint64_t> diverged_at_tick_;
   RerunOutcome outcome_;
 };
 
@@ -197,7 +185,7 @@ class Rerun {
 RecordedHand::RecordedHand(const Scene& scene, std::uint64_t first_tick,
                            std::vector<double> positions_m)
     : script_(hand_path(scene)),
-      reach_m_(kMaximumPointerSpeedMPerS * scene.sampling.period_s()),
+      reach_m_(kMaxPointerSpeedMPerS * scene.sampling.period_s()),
       first_tick_(first_tick),
       positions_m_(std::move(positions_m)) {
   HandPath before = script_;
@@ -217,13 +205,13 @@ std::optional<double> RecordedHand::position_m(std::uint64_t tick) const {
   return *start_m_ + fraction * (positions_m_.front() - *start_m_);
 }
 
-// HandPath's own arithmetic.
+// The same arithmetic as HandPath.
 double RecordedHand::reached_m(double from_m, double target_m) const {
   return from_m + std::clamp(target_m - from_m, -reach_m_, reach_m_);
 }
 
-// Where the pointer is to be so that the hand gets from one position exactly to the other. It is
-// beyond that one where the hand goes on the same way afterwards.
+// The pointer position that takes the hand exactly from one position to the other. It is farther
+// away if the hand continues in the same direction.
 double RecordedHand::target_m(double from_m, double to_m) const {
   constexpr double kFar = 2.0;
   const std::optional<double> after_m = position_m(tick_ + 2);
@@ -288,9 +276,9 @@ Result<file::LoadedScene> rerun_scene(const file::RecordingInfo& recording,
     wanted = std::move(*loaded);
   }
   wanted.first_recorded_tick = recording.scanned.first_tick;
-  // Axis x alone is run again.
-  wanted.scene.y.reset();
-  for (ScheduledChange& change : wanted.changes) change.scene.y.reset();
+  // Only axis x is re-run.
+  wanted.scene.axes.resize(1);
+  for (ScheduledChange& change : wanted.changes) change.scene.axes.resize(1);
   if (algorithm.empty()) return wanted;
   const std::optional<std::size_t> index = find_algorithm(algorithm);
   if (!index) return usage_error("no algorithm is called " + file::in_quotes(algorithm));
@@ -304,6 +292,35 @@ Result<RerunOutcome> rerun_hand(file::RecordingReader& recording, const file::Lo
   Result<std::vector<double>> positions_m = recorded_path(recording);
   if (!positions_m) return positions_m.error();
   return Rerun(recording, scene, options, std::move(*positions_m)).run();
+}
+
+Result<Overlay> rerun_as_overlay(file::RecordingReader& recording, const std::string& algorithm,
+                                 const std::vector<std::string>& settings,
+                                 const std::function<bool(double)>& keep_going) {
+  const std::uint64_t rows = recording.rows();
+  const std::string name = file::shown(recording.info().csv_path);
+  if (rows > kMaxOverlaidTicks) {
+    return Error{
+        ErrorKind::kUsage,
+        fmt::format("{}: at most {} ticks are laid over a recording, this one has {}; `hapticwall "
+                    "replay --csv` records the re-run of any",
+                    name, kMaxOverlaidTicks, rows)};
+  }
+  const auto scene = rerun_scene(recording.info(), algorithm, settings);
+  if (!scene) return scene.error();
+  Overlay overlay;
+  overlay.label = algorithms()[scene->scene.algorithm.index].name;
+  if (!settings.empty()) overlay.label += fmt::format(", {}", fmt::join(settings, ", "));
+  overlay.samples.reserve(rows);
+  RerunOptions options;
+  options.on_sample = [&](const Sample& sample) { overlay.samples.push_back(sample); };
+  options.keep_going = keep_going;
+  const auto outcome = rerun_hand(recording, *scene, options);
+  if (!outcome) return outcome.error();
+  if (outcome->stopped_early) {
+    return Error{ErrorKind::kUsage, name + ": the re-run was ended early"};
+  }
+  return overlay;
 }
 
 }  // namespace hapticwall::runtime

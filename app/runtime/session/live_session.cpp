@@ -1,25 +1,32 @@
-#include "app/runtime/session.h"
+#include "app/runtime/session/live_session.h"
 
 #include <exception>
 #include <utility>
+#include <vector>
 
-#include "app/runtime/live_session.h"
-#include "app/runtime/realtime_setup.h"
-#include "app/runtime/scene_change.h"
+#include "app/runtime/loop/realtime_setup.h"
+#include "app/runtime/session/loop_session.h"
+#include "app/runtime/session/scene_change.h"
 #include "device/simulated_device.h"
 
 namespace hapticwall::runtime {
 namespace {
 
-// The simulator of the second axis; null where the scene has one axis.
-std::unique_ptr<device::Device> second_device(const Scene& scene) {
-  if (!scene.y) return nullptr;
-  return std::make_unique<device::SimulatedDevice>(second_axis(scene));
+// The device of axis x, and simulators for the other axes.
+std::vector<std::unique_ptr<device::Device>> devices_of(const Scene& scene,
+                                                        std::unique_ptr<device::Device> of_x) {
+  std::vector<std::unique_ptr<device::Device>> devices;
+  devices.push_back(std::move(of_x));
+  for (std::size_t i = 1; i < scene.axes.size(); ++i) {
+    devices.push_back(std::make_unique<device::SimulatedDevice>(axis_scene(scene, i)));
+  }
+  return devices;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Session>> Session::start(const Scene& scene, const SessionOptions& options) {
+Result<std::unique_ptr<LiveSession>> LiveSession::start(const Scene& scene,
+                                                        const SessionOptions& options) {
   // Before the plant is built: it relies on a valid scene.
   if (const std::optional<SceneProblem> problem = validate(scene)) {
     return Error{ErrorKind::kUsage, problem->key + ": " + problem->message};
@@ -27,13 +34,13 @@ Result<std::unique_ptr<Session>> Session::start(const Scene& scene, const Sessio
   return start_on(std::make_unique<device::SimulatedDevice>(scene), scene, options);
 }
 
-Result<std::unique_ptr<Session>> Session::start_on(std::unique_ptr<device::Device> device,
-                                                   const Scene& scene,
-                                                   const SessionOptions& options) {
+Result<std::unique_ptr<LiveSession>> LiveSession::start_on(std::unique_ptr<device::Device> device,
+                                                           const Scene& scene,
+                                                           const SessionOptions& options) {
   if (const std::optional<SceneProblem> problem = validate(scene)) {
     return Error{ErrorKind::kUsage, problem->key + ": " + problem->message};
   }
-  if (scene.y && !device->info().is_simulated) {
+  if (scene.two_axes() && !device->info().is_simulated) {
     return Error{ErrorKind::kUsage,
                  "the scene has a second axis, which sessions on a device do not drive yet; "
                  "the simulator does"};
@@ -45,16 +52,28 @@ Result<std::unique_ptr<Session>> Session::start_on(std::unique_ptr<device::Devic
                  device->info().name + ": " + problem->key + ": " + problem->message};
   }
   try {
-    auto session = std::make_unique<LiveSession>(std::move(device), second_device(scene_here),
+    auto session = std::make_unique<LoopSession>(devices_of(scene_here, std::move(device)),
                                                  scene_here, options);
     if (Failure refused = refuse_without_realtime(
             session->device_info(), session->realtime_status(), options.allow_no_realtime)) {
       return *std::move(refused);
     }
-    return std::unique_ptr<Session>(std::move(session));
+    return std::unique_ptr<LiveSession>(std::move(session));
   } catch (const std::exception& problem) {  // no memory for the queues, no thread to be had
     return Error{ErrorKind::kDevice, std::string("the loop did not start: ") + problem.what()};
   }
+}
+
+std::optional<SceneProblem> LiveSession::set_algorithm(const AlgorithmSettings& algorithm) {
+  Scene changed = scene();
+  changed.algorithm = algorithm;
+  return change_scene(changed);
+}
+
+std::optional<SceneProblem> LiveSession::set_walls(std::span<const WallSettings> walls) {
+  Scene changed = scene();
+  changed.x().walls.assign(walls.begin(), walls.end());
+  return change_scene(changed);
 }
 
 }  // namespace hapticwall::runtime

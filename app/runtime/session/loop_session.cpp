@@ -1,4 +1,4 @@
-#include "app/runtime/live_session.h"
+#include "app/runtime/session/loop_session.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,14 +8,14 @@
 #include <limits>
 #include <utility>
 
-#include "app/file/sidecar.h"
-#include "app/runtime/scene_change.h"
+#include "app/file/recording/sidecar.h"
+#include "app/runtime/session/scene_change.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall::runtime {
 namespace {
 
-// The owner's pause between two looks at whether the loop has answered.
+// Polling interval of the owner while it waits for the loop.
 constexpr std::chrono::microseconds kAnswerPollInterval{200};
 
 std::string utc_now() {
@@ -27,40 +27,54 @@ std::string utc_now() {
   return {text, length};
 }
 
+// The axes of a scene, each as a scene of its own.
+std::vector<Scene> axes_of(const Scene& scene) {
+  std::vector<Scene> axes;
+  for (std::size_t i = 0; i < scene.axes.size(); ++i) axes.push_back(axis_scene(scene, i));
+  return axes;
+}
+
 LoopParameters parameters_of(const ParameterHistory& history) {
-  const Scene& scene = history.newest();
+  const std::vector<Scene> axes = axes_of(history.newest());
   LoopParameters parameters;
-  parameters.servo = servo_settings(scene);
+  for (std::size_t i = 0; i < axes.size(); ++i) parameters.axes[i].servo = servo_settings(axes[i]);
   parameters.generation = history.generation();
-  if (scene.y) parameters.y_servo = servo_settings(second_axis(scene));
   return parameters;
 }
 
-// Where a pointer leads a hand.
+std::deque<PlantKeeper> plant_keepers(const Scene& scene) {
+  std::deque<PlantKeeper> keepers;
+  for (const Scene& axis : axes_of(scene)) keepers.emplace_back(axis);
+  return keepers;
+}
+
+std::vector<device::Device*> pointers_to(
+    const std::vector<std::unique_ptr<device::Device>>& devices) {
+  std::vector<device::Device*> pointers;
+  for (const auto& device : devices) pointers.push_back(device.get());
+  return pointers;
+}
+
+// Clamped pointer position; NaN releases the hand.
 double pointer_place(std::optional<double> position_m) {
   if (!position_m || !std::isfinite(*position_m)) return kNoPointer;
   return std::clamp(*position_m, kPositionRange.minimum, kPositionRange.maximum);
 }
 
-// A recording of which the end is not known yet.
+// End of a recording that still runs.
 constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
-
-bool follows_mouse(const std::optional<HandSettings>& hand) { return hand && hand->follows_mouse; }
 
 }  // namespace
 
-LiveSession::LiveSession(std::unique_ptr<device::Device> device,
-                         std::unique_ptr<device::Device> y_device, const Scene& scene,
+LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, const Scene& scene,
                          const SessionOptions& options)
-    : plants_(scene),
-      y_plants_(scene.y ? std::optional<PlantKeeper>(second_axis(scene)) : std::nullopt),
-      device_(std::move(device)),
-      y_device_(std::move(y_device)),
-      device_info_(device_->info()),
+    : plants_(plant_keepers(scene)),
+      devices_(std::move(devices)),
+      device_info_(devices_.front()->info()),
       history_(scene),
-      exchange_(options, parameters_of(history_), y_device_ != nullptr),
-      loop_(*device_, exchange_, parameters_of(history_), options.start_paused, y_device_.get()),
-      recorder_(exchange_.recorder, y_device_ != nullptr ? &exchange_.y_recorder : nullptr),
+      exchange_(options.queues, parameters_of(history_)),
+      loop_(pointers_to(devices_), exchange_, parameters_of(history_), options.start_paused),
+      recorder_(exchange_.recorder),
       clock_(options.clock != nullptr ? *options.clock : monotonic_clock_,
              spin_ns(options.spin_s, scene.sampling.rate_hz)) {
   std::promise<RealtimeOutcome> set_up;
@@ -74,28 +88,16 @@ LiveSession::LiveSession(std::unique_ptr<device::Device> device,
   realtime_ = describe(outcome.get());
 }
 
-// Zero force comes first; the disk may take its time after that.
-LiveSession::~LiveSession() {
+// Zero force first; the disk may take its time.
+LoopSession::~LoopSession() {
   exchange_.stop.store(true, std::memory_order_relaxed);
   thread_.join();
   static_cast<void>(finish_recording());
 }
 
-std::optional<SceneProblem> LiveSession::set_algorithm(const AlgorithmSettings& algorithm) {
-  Scene changed = scene();
-  changed.algorithm = algorithm;
-  return change_scene(changed);
-}
-
-std::optional<SceneProblem> LiveSession::set_walls(std::span<const WallSettings> walls) {
-  Scene changed = scene();
-  changed.walls.assign(walls.begin(), walls.end());
-  return change_scene(changed);
-}
-
-// What the loop has not seen is taken back first: then this side knows which plant the loop will be
-// running with when it takes the new parameters.
-std::optional<SceneProblem> LiveSession::change_scene(const Scene& asked) {
+// Withdraws parameters that the loop has not read, so that the owner knows which plant the loop
+// uses when it reads the new ones.
+std::optional<SceneProblem> LoopSession::change_scene(const Scene& asked) {
   const Scene wanted = scene_on(asked, device_info_);
   if (std::optional<SceneProblem> problem = needs_new_session(scene(), wanted)) return problem;
   if (same_parameters(wanted, scene())) return std::nullopt;
@@ -109,35 +111,40 @@ std::optional<SceneProblem> LiveSession::change_scene(const Scene& asked) {
   history_.add(changed, unread);
   LoopParameters parameters = parameters_of(history_);
   if (device_info_.is_simulated) {
-    parameters.plant = plants_.plant_for(history_.newest(), history_.generation(), unread);
-    if (y_plants_) {
-      parameters.y_plant =
-          y_plants_->plant_for(second_axis(history_.newest()), history_.generation(), unread);
+    const std::vector<Scene> axes = axes_of(history_.newest());
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      parameters.axes[i].plant = plants_[i].plant_for(axes[i], history_.generation(), unread);
     }
   }
   exchange_.parameters.publish(parameters);
   return std::nullopt;
 }
 
-void LiveSession::lead_hand(std::optional<double> position_m) {
-  if (!scene().hand) return;
-  exchange_.pointer_m.store(pointer_place(position_m), std::memory_order_relaxed);
+void LoopSession::lead_hand(std::optional<double> position_m) {
+  if (!scene().x().hand) return;
+  exchange_.pointer_m[0].store(pointer_place(position_m), std::memory_order_relaxed);
 }
 
-void LiveSession::lead_second_hand(std::optional<double> position_m) {
-  if (!scene().y || !scene().y->hand) return;
-  exchange_.y_pointer_m.store(pointer_place(position_m), std::memory_order_relaxed);
+void LoopSession::lead_second_hand(std::optional<double> position_m) {
+  if (!scene().two_axes() || !scene().axes[1].hand) return;
+  exchange_.pointer_m[1].store(pointer_place(position_m), std::memory_order_relaxed);
 }
 
-void LiveSession::arm(bool armed) { send({armed ? CommandKind::kArm : CommandKind::kDisarm, 0}); }
+std::size_t LoopSession::plants_kept() const {
+  std::size_t count = 0;
+  for (const PlantKeeper& plants : plants_) count += plants.count();
+  return count;
+}
 
-void LiveSession::pause(bool paused) {
+void LoopSession::arm(bool armed) { send({armed ? CommandKind::kArm : CommandKind::kDisarm, 0}); }
+
+void LoopSession::pause(bool paused) {
   send({paused ? CommandKind::kPause : CommandKind::kResume, 0});
 }
 
-void LiveSession::step(std::uint32_t ticks) { send({CommandKind::kStep, ticks}); }
+void LoopSession::step(std::uint32_t ticks) { send({CommandKind::kStep, ticks}); }
 
-void LiveSession::reset() {
+void LoopSession::reset() {
   if (recorder_.running()) static_cast<void>(stop_recording());
   marks_.clear();
   first_mark_ = 0;
@@ -146,64 +153,57 @@ void LiveSession::reset() {
   send({CommandKind::kReset, 0});
 }
 
-// No command is lost, however many there are at once: what does not fit waits on this side.
-void LiveSession::send(const Command& command) {
+// No command is lost: commands that do not fit wait here.
+void LoopSession::send(const Command& command) {
   unsent_.push_back(command);
   exchange_news();
 }
 
-void LiveSession::exchange_news() {
+void LoopSession::exchange_news() {
   while (!unsent_.empty() && exchange_.commands.try_push(unsent_.front())) unsent_.pop_front();
   ParameterEcho echo;
   while (exchange_.echoes.try_pop(echo)) {
     history_.came_into_force(echo);
-    plants_.came_into_force(echo.generation);
-    if (y_plants_) y_plants_->came_into_force(echo.generation);
+    for (PlantKeeper& plants : plants_) plants.came_into_force(echo.generation);
   }
   note_recording();
 }
 
-Snapshot LiveSession::snapshot() {
+Snapshot LoopSession::snapshot() {
   exchange_news();
   exchange_.snapshots.update();
   return exchange_.snapshots.current();
 }
 
-void LiveSession::read_timing(TimingHistograms& timing) const {
+void LoopSession::read_timing(TimingHistograms& timing) const {
   exchange_.wake_latency.read(timing.wake_latency);
   exchange_.compute_time.read(timing.compute_time);
 }
 
-std::size_t LiveSession::take_samples(std::span<Sample> out) {
+std::size_t LoopSession::take_ticks(std::span<Tick> out) {
   exchange_news();
   std::size_t count = 0;
   while (count < out.size() && exchange_.plot.try_pop(out[count])) ++count;
   return count;
 }
 
-std::size_t LiveSession::take_second_axis(std::span<Sample> out) {
-  std::size_t count = 0;
-  while (count < out.size() && exchange_.y_plot.try_pop(out[count])) ++count;
-  return count;
-}
-
-std::uint64_t LiveSession::dropped_plot_samples() const {
+std::uint64_t LoopSession::dropped_plot_samples() const {
   return exchange_.dropped_plot_samples.load(std::memory_order_relaxed);
 }
 
-std::uint64_t LiveSession::dropped_rows() const {
+std::uint64_t LoopSession::dropped_rows() const {
   return exchange_.dropped_rows.load(std::memory_order_relaxed) - dropped_rows_before_;
 }
 
-Failure LiveSession::start_recording(const std::string& csv_path) {
-  // One that failed has nothing more to say than it said; it does not stand in the way.
+Failure LoopSession::start_recording(const std::string& csv_path) {
+  // A failed recording does not block a new one.
   if (recorder_.running() && recorder_.failure()) static_cast<void>(stop_recording());
   if (recorder_.running()) {
     return Error{ErrorKind::kUsage,
                  "a recording to " + recording_path_ + " is running: stop it first"};
   }
   auto writer = file::RecordingWriter::create(
-      csv_path, file::more_columns(device_info_.is_simulated, y_device_ != nullptr));
+      csv_path, file::csv_columns(device_info_.is_simulated, devices_.size()));
   if (!writer) return writer.error();
   recording_start_time_ = utc_now();
   first_mark_ = marks_.size();
@@ -214,7 +214,7 @@ Failure LiveSession::start_recording(const std::string& csv_path) {
   return std::nullopt;
 }
 
-void LiveSession::record_into(std::unique_ptr<file::RecordingWriter> writer) {
+void LoopSession::record_into(std::unique_ptr<file::RecordingWriter> writer) {
   recording_path_ = writer->csv_path();
   recording_start_time_ = utc_now();
   noted_ = {history_.revision(), marks_.size(), hand_was_led()};
@@ -226,7 +226,7 @@ void LiveSession::record_into(std::unique_ptr<file::RecordingWriter> writer) {
   send({CommandKind::kStartRecording, 0});
 }
 
-Failure LiveSession::stop_recording() {
+Failure LoopSession::stop_recording() {
   if (!recorder_.running()) return std::nullopt;
   ++recording_switches_sent_;
   send({CommandKind::kStopRecording, 0});
@@ -234,8 +234,8 @@ Failure LiveSession::stop_recording() {
   return finish_recording();
 }
 
-// Until the loop has pushed the last row, or is no more.
-void LiveSession::wait_for_recording_switch() {
+// Waits until the loop has pushed the last row or has ended.
+void LoopSession::wait_for_recording_switch() {
   while (exchange_.recording_switches.load(std::memory_order_acquire) != recording_switches_sent_ &&
          !exchange_.finished.load(std::memory_order_acquire)) {
     std::this_thread::sleep_for(kAnswerPollInterval);
@@ -244,7 +244,7 @@ void LiveSession::wait_for_recording_switch() {
 }
 
 // Precondition: the loop pushes no more rows.
-Failure LiveSession::finish_recording() {
+Failure LoopSession::finish_recording() {
   if (!recorder_.running()) return std::nullopt;
   exchange_news();
   recorder_.drain_and_join();
@@ -259,13 +259,14 @@ Failure LiveSession::finish_recording() {
   return recording_failure_;
 }
 
-bool LiveSession::hand_was_led() const {
+bool LoopSession::hand_was_led() const {
   return exchange_.pointer_led.load(std::memory_order_relaxed) ||
-         follows_mouse(history_.newest().hand) ||
-         (history_.newest().y && follows_mouse(history_.newest().y->hand));
+         std::ranges::any_of(history_.newest().axes, [](const AxisSettings& axis) {
+           return axis.hand && axis.hand->follows_mouse;
+         });
 }
 
-file::RecordingMetadata LiveSession::metadata(std::uint64_t end_tick) const {
+file::RecordingMetadata LoopSession::metadata(std::uint64_t end_tick) const {
   file::RecordingMetadata metadata;
   metadata.start_time = recording_start_time_;
   metadata.device = device_info_.name;
@@ -281,15 +282,15 @@ file::RecordingMetadata LiveSession::metadata(std::uint64_t end_tick) const {
     metadata.not_repeatable_because = "the session was cut off before it was known how it began";
   } else if (history_.has_lost_changes()) {
     metadata.not_repeatable_because = "there were more changes of parameters than the " +
-                                      std::to_string(file::kMostChanges) + " that are kept";
+                                      std::to_string(file::kMaxChanges) + " that are kept";
   }
   metadata.repeatable = metadata.not_repeatable_because.empty();
   return metadata;
 }
 
-// Not more often than it costs little: a dragged slider makes sixty changes a second.
-void LiveSession::note_recording() {
-  constexpr auto kShortestPause = Recorder::kFlushInterval;
+// Rate-limited by its cost: a dragged slider makes sixty changes a second.
+void LoopSession::note_recording() {
+  constexpr auto kMinPause = Recorder::kFlushInterval;
   constexpr int kPauseToCost = 50;
   if (!recorder_.running()) return;
   const Noted present{history_.revision(), marks_.size(), hand_was_led()};
@@ -298,27 +299,26 @@ void LiveSession::note_recording() {
   noted_ = present;
   recorder_.note(history_.scene_at_start(), metadata(kEndless));
   const auto cost = std::chrono::steady_clock::now() - now;
-  next_note_ =
-      now + std::max<std::chrono::steady_clock::duration>(kShortestPause, kPauseToCost * cost);
+  next_note_ = now + std::max<std::chrono::steady_clock::duration>(kMinPause, kPauseToCost * cost);
 }
 
-Failure LiveSession::mark(std::string_view text) {
+Failure LoopSession::mark(std::string_view text) {
   if (!recorder_.running()) {
     return Error{ErrorKind::kUsage, "marks belong to a recording: start one first"};
   }
-  if (marks_.size() - first_mark_ >= file::kMostMarks) {
-    return Error{ErrorKind::kUsage, "a recording has at most " + std::to_string(file::kMostMarks) +
+  if (marks_.size() - first_mark_ >= file::kMaxMarks) {
+    return Error{ErrorKind::kUsage, "a recording has at most " + std::to_string(file::kMaxMarks) +
                                         " marks, and this one has them"};
   }
-  // Until the loop has gone back its newest sample is one of before.
-  const Snapshot newest = snapshot();
-  const std::uint64_t tick = newest.resets == resets_sent_ ? newest.sample.tick : 0;
+  // Before the loop has executed the reset, its newest sample is an old one.
+  const Snapshot present = snapshot();
+  const std::uint64_t tick = present.resets == resets_sent_ ? present.newest.x().tick : 0;
   marks_.push_back({tick, file::mark_text(text)});
   return std::nullopt;
 }
 
-// Every mark is at a row: the loop may have begun, or ended, a moment later than the owner asked.
-std::vector<file::Mark> LiveSession::recorded_marks() const {
+// Clamps every mark to a recorded row, because the loop may start or end later than asked.
+std::vector<file::Mark> LoopSession::recorded_marks() const {
   if (recorder_.rows() == 0) return {};
   std::vector<file::Mark> marks(marks_.begin() + static_cast<std::ptrdiff_t>(first_mark_),
                                 marks_.end());
@@ -328,7 +328,7 @@ std::vector<file::Mark> LiveSession::recorded_marks() const {
   return marks;
 }
 
-RecordingStatus LiveSession::recording_status() const {
+RecordingStatus LoopSession::recording_status() const {
   RecordingStatus status;
   status.rows = recorder_.rows();
   status.dropped_rows = dropped_rows();

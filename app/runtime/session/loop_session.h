@@ -1,4 +1,5 @@
-// The session behind session.h: the owner's side of the loop, its thread and its recorder.
+// The live session behind live_session.h: the owner's side of the loop, its thread and its
+// recorder.
 #pragma once
 
 #include <chrono>
@@ -13,31 +14,29 @@
 #include <thread>
 #include <vector>
 
-#include "app/runtime/crash_stop.h"
-#include "app/runtime/exchange.h"
-#include "app/runtime/parameter_history.h"
-#include "app/runtime/plant_keeper.h"
-#include "app/runtime/realtime_setup.h"
-#include "app/runtime/recorder.h"
-#include "app/runtime/servo_loop.h"
-#include "app/runtime/session.h"
-#include "app/runtime/spinning_clock.h"
+#include "app/runtime/loop/crash_stop.h"
+#include "app/runtime/loop/exchange.h"
+#include "app/runtime/loop/realtime_setup.h"
+#include "app/runtime/loop/servo_loop.h"
+#include "app/runtime/loop/spinning_clock.h"
+#include "app/runtime/session/live_session.h"
+#include "app/runtime/session/parameter_history.h"
+#include "app/runtime/session/plant_keeper.h"
+#include "app/runtime/session/recorder.h"
 
 namespace hapticwall::runtime {
 
-class LiveSession final : public Session {
+class LoopSession final : public LiveSession {
  public:
-  // Precondition: the scene is valid and one of this device (scene_on()), the device open. Returns
-  // when the loop's set-up is done.
-  // `y_device`: of the second axis, where the scene has one.
-  LiveSession(std::unique_ptr<device::Device> device, std::unique_ptr<device::Device> y_device,
-              const Scene& scene, const SessionOptions& options);
-  ~LiveSession() override;
+  // Preconditions: the scene is valid and fits the devices (scene_on()), one for each axis, x
+  // first; the devices are open. Returns when the loop is set up.
+  LoopSession(std::vector<std::unique_ptr<device::Device>> devices, const Scene& scene,
+              const SessionOptions& options);
+  ~LoopSession() override;
 
   [[nodiscard]] const Scene& scene() const override { return history_.newest(); }
-  std::optional<SceneProblem> set_algorithm(const AlgorithmSettings& algorithm) override;
-  std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls) override;
   std::optional<SceneProblem> change_scene(const Scene& wanted) override;
+  [[nodiscard]] std::uint32_t generation() const override { return history_.generation(); }
   void lead_hand(std::optional<double> position_m) override;
   void lead_second_hand(std::optional<double> position_m) override;
   void arm(bool armed) override;
@@ -46,8 +45,7 @@ class LiveSession final : public Session {
   void reset() override;
   [[nodiscard]] Snapshot snapshot() override;
   void read_timing(TimingHistograms& timing) const override;
-  std::size_t take_samples(std::span<Sample> out) override;
-  std::size_t take_second_axis(std::span<Sample> out) override;
+  std::size_t take_ticks(std::span<Tick> out) override;
   [[nodiscard]] std::uint64_t dropped_plot_samples() const override;
   [[nodiscard]] Failure start_recording(const std::string& csv_path) override;
   [[nodiscard]] Failure stop_recording() override;
@@ -57,33 +55,32 @@ class LiveSession final : public Session {
   [[nodiscard]] const RealtimeStatus& realtime_status() const override { return realtime_; }
   [[nodiscard]] const device::DeviceInfo& device_info() const override { return device_info_; }
 
-  [[nodiscard]] std::string device_trouble() const override { return device_->trouble_details(); }
+  [[nodiscard]] std::string device_trouble() const override {
+    return devices_.front()->trouble_details();
+  }
+  [[nodiscard]] bool knows_truth() const override { return device_info_.is_simulated; }
 
-  // start_recording() with a writer of the caller's. Precondition: no recording runs.
+  // start_recording() with an existing writer. Precondition: no recording runs.
   void record_into(std::unique_ptr<file::RecordingWriter> writer);
 
-  // Plants that are kept for the loop at this moment, without the device's own.
-  [[nodiscard]] std::size_t plants_kept() const {
-    return plants_.count() + (y_plants_ ? y_plants_->count() : 0);
-  }
+  // Number of plants kept for the loop, without that of the device.
+  [[nodiscard]] std::size_t plants_kept() const;
 
  private:
   void send(const Command& command);
   void exchange_news();
   void wait_for_recording_switch();
   [[nodiscard]] Failure finish_recording();
-  // What is known of the recording, with the changes before `end_tick`.
+  // Metadata of the recording, with the changes before `end_tick`.
   [[nodiscard]] file::RecordingMetadata metadata(std::uint64_t end_tick) const;
   [[nodiscard]] bool hand_was_led() const;
   void note_recording();
   [[nodiscard]] std::vector<file::Mark> recorded_marks() const;
   [[nodiscard]] std::uint64_t dropped_rows() const;
 
-  CrashStop crash_stop_;  // outlives the loop
-  PlantKeeper plants_;    // outlives the device
-  std::optional<PlantKeeper> y_plants_;
-  std::unique_ptr<device::Device> device_;
-  std::unique_ptr<device::Device> y_device_;
+  CrashStop crash_stop_;            // outlives the loop
+  std::deque<PlantKeeper> plants_;  // of the axes; outlive the devices
+  std::vector<std::unique_ptr<device::Device>> devices_;
   const device::DeviceInfo device_info_;
   ParameterHistory history_;
   Exchange exchange_;
@@ -93,17 +90,17 @@ class LiveSession final : public Session {
   SpinningClock clock_;
   RealtimeStatus realtime_;
 
-  std::deque<Command> unsent_;  // did not fit into the queue yet
+  std::deque<Command> unsent_;  // waits for room in the queue
   std::uint32_t recording_switches_sent_ = 0;
   std::uint64_t dropped_rows_before_ = 0;  // by earlier recordings
   std::string recording_start_time_;
   std::string recording_path_;
-  Failure recording_failure_;  // of the newest recording, once it is over
+  Failure recording_failure_;  // of the newest recording, after its end
   std::vector<file::Mark> marks_;
   std::size_t first_mark_ = 0;  // of the newest recording
   std::uint32_t resets_sent_ = 0;
 
-  // What the recorder was told of the recording, and when it may be told again.
+  // Metadata that the recorder has, and the earliest time of the next update.
   struct Noted {
     std::uint64_t parameters = 0;  // revision of their history
     std::size_t marks = 0;

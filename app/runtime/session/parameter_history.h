@@ -1,7 +1,7 @@
-// Which scene came into force at which tick: the owner's side of the parameter exchange.
+// History of the scenes in force: the owner's side of the parameter exchange.
 //
-// The owner numbers every scene that it publishes; the loop echoes number and tick when it begins
-// to use one. A scene that was overtaken by a newer one before the loop saw it was never in force.
+// The owner numbers every published scene. The loop echoes number and tick when it starts to use
+// one. A scene that was replaced before the loop saw it was never in force.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/file/recording_writer.h"
-#include "app/runtime/exchange.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/runtime/loop/exchange.h"
 #include "core/scene.h"
 
 namespace hapticwall::runtime {
@@ -20,40 +20,38 @@ class ParameterHistory {
  public:
   explicit ParameterHistory(const Scene& first);
 
-  // The newest scene, whether in force yet or not, and its number.
+  // The newest scene, in force or not, and its number.
   [[nodiscard]] const Scene& newest() const { return newest_; }
   [[nodiscard]] std::uint32_t generation() const { return generation_; }
 
-  // A newer scene is about to be published; only what may change in a session (scene_change.h)
-  // differs from the one before. `unread`: the loop has not seen the one before and never will.
+  // Call it before publishing a newer scene. Only values that may change in a session
+  // (scene_change.h) differ. `unread`: the loop never sees the previous one.
   void add(const Scene& scene, bool unread = false);
 
-  // The loop's word. Echoes come in the order in which they were sent.
+  // An echo of the loop. Echoes arrive in order.
   void came_into_force(const ParameterEcho& echo);
 
-  // As it was at tick 0 of the run that goes on now.
+  // Scene at tick 0 of the present run.
   [[nodiscard]] Scene scene_at_start() const { return scene_with(newest_, at_start_); }
-  // Whether the loop has said how that run began; what is known until then is of an earlier one.
+  // Whether the loop has echoed the start of this run; until then the history belongs to the
+  // previous run.
   [[nodiscard]] bool knows_start() const { return knows_start_; }
-  // Grows with every word of the loop.
+  // Increases with every echo.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
-  // Since tick 0, in order, those in force before `end_tick`; scenes without their hands' paths.
-  [[nodiscard]] std::vector<file::RecordedChange> changes_before(std::uint64_t end_tick) const;
-  // There were more than a sidecar has room for (file::kMostChanges): the rest is not kept.
+  // Changes since tick 0 that were in force before `end_tick`, in order; scenes without hand paths.
+  [[nodiscard]] std::vector<ScheduledChange> changes_before(std::uint64_t end_tick) const;
+  // More changes than a sidecar holds (file::kMaxChanges); the rest is lost.
   [[nodiscard]] bool has_lost_changes() const { return lost_changes_; }
 
-  // The loop is about to go back to tick 0.
+  // Call it before the loop goes back to tick 0.
   void restart() { knows_start_ = false; }
 
  private:
-  // What a live session lets its user change; the rest of the scene (a long path) is kept once.
+  // Values that may change in a session; the rest of the scene (a long path) is stored once.
   struct Adjustment {
     explicit Adjustment(const Scene& scene);
 
-    DeviceSettings device;
-    std::optional<HandSettings> hand;  // less its path
-    std::vector<WallSettings> walls;
-    std::optional<SecondAxis> y;  // less its hand's path
+    std::vector<AxisSettings> axes;  // without the paths of their hands
     AlgorithmSettings algorithm;
     SimulatorSettings simulator;
   };
@@ -70,7 +68,7 @@ class ParameterHistory {
 
   Scene newest_;
   std::uint32_t generation_ = 1;
-  std::deque<Published> published_;  // the one in force first, then those not yet echoed
+  std::deque<Published> published_;  // the scene in force, then those not yet echoed
   Adjustment at_start_;
   std::vector<Change> changes_;
   std::uint64_t revision_ = 0;

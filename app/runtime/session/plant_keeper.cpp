@@ -1,9 +1,9 @@
-#include "app/runtime/plant_keeper.h"
+#include "app/runtime/session/plant_keeper.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/runtime/scene_change.h"
+#include "app/runtime/session/scene_change.h"
 
 namespace hapticwall::runtime {
 
@@ -12,8 +12,8 @@ PlantKeeper::PlantKeeper(const Scene& first) { kept_.push_back(kept(first, 1, nu
 PlantKeeper::Kept PlantKeeper::kept(const Scene& scene, std::uint32_t generation,
                                     std::unique_ptr<PlantModel> plant) {
   Kept entry;
-  entry.scene.device = scene.device;
-  entry.scene.hand = scene.hand;
+  entry.scene.x().device = scene.x().device;
+  entry.scene.x().hand = scene.x().hand;
   entry.scene.simulator = scene.simulator;
   entry.generation = generation;
   entry.plant = std::move(plant);
@@ -21,7 +21,7 @@ PlantKeeper::Kept PlantKeeper::kept(const Scene& scene, std::uint32_t generation
 }
 
 PlantModel* PlantKeeper::plant_for(const Scene& scene, std::uint32_t generation, bool unread) {
-  // A plant that was first offered with unread parameters has never been touched.
+  // The loop has never used a plant that was first offered with unread parameters.
   const bool untouched =
       unread && kept_.size() > 1 && kept_.back().generation == newest_generation_;
   newest_generation_ = generation;
@@ -29,8 +29,8 @@ PlantModel* PlantKeeper::plant_for(const Scene& scene, std::uint32_t generation,
     kept_.back().generation = generation;
     return kept_.back().plant.get();
   }
-  // What the loop runs with decides, as it does in a headless run: a change and back again, both
-  // unseen, are no change.
+  // Compares with the plant that the loop uses, as a headless run does: an unseen change and its
+  // reversal are no change.
   if (untouched) kept_.pop_back();
   if (!same_plant(kept_.back().scene, scene)) {
     kept_.push_back(kept(scene, generation, std::make_unique<PlantModel>(scene)));

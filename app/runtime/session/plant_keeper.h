@@ -1,9 +1,8 @@
-// The owner's side of plants that change while a session runs.
+// Ownership of plants that change during a session.
 //
-// A plant is built here, on the owner's thread, and its address travels with the parameters. The
-// loop lets it take over from the one before and uses it from then on; it never frees one. The
-// loop's echo of the parameters says that it has let go of everything older, and the owner frees
-// that.
+// The owner's thread builds a plant and passes its address with the parameters. The loop takes over
+// the state and uses the new plant; it never frees one. The loop's echo shows that all older plants
+// are unused, and the owner frees them.
 #pragma once
 
 #include <cstddef>
@@ -19,25 +18,25 @@ namespace hapticwall::runtime {
 // Used by one thread. Realtime-safe: no.
 class PlantKeeper {
  public:
-  // `first`: the scene of generation 1, whose plant the device has brought itself.
+  // `first`: the scene of generation 1, with the plant of the device.
   explicit PlantKeeper(const Scene& first);
 
-  // The plant for parameters that are about to be published under this generation (which increases
-  // from call to call): the one that the loop will then be running with where the scene has the
-  // same, else a new one. nullptr: the device's own. `unread`: the loop has not seen and will not
-  // see the parameters of the call before. Precondition: the scene is valid.
+  // The plant for the parameters of this generation (increasing from call to call): the one that
+  // the loop will be using if the scene has the same plant, else a new one. nullptr: that of the
+  // device. `unread`: the loop never sees the parameters of the previous call. Precondition: the
+  // scene is valid.
   [[nodiscard]] PlantModel* plant_for(const Scene& scene, std::uint32_t generation, bool unread);
 
-  // The loop runs with these parameters: what was replaced by then is freed.
+  // The loop uses these parameters: frees all older plants.
   void came_into_force(std::uint32_t generation);
 
-  // Plants that are kept at this moment, without the device's own.
+  // Number of plants kept, without that of the device.
   [[nodiscard]] std::size_t count() const;
 
  private:
   struct Kept {
-    Scene scene;                   // less what no plant depends on
-    std::uint32_t generation = 1;  // the first that uses it
+    Scene scene;                   // without values that no plant depends on
+    std::uint32_t generation = 1;  // the first one that uses it
     std::unique_ptr<PlantModel> plant;
   };
 

@@ -1,14 +1,14 @@
-#include "app/runtime/recorder.h"
+#include "app/runtime/session/recorder.h"
 
 #include <exception>
 #include <utility>
 
-#include "app/runtime/realtime_setup.h"
+#include "app/runtime/loop/realtime_setup.h"
 
 namespace hapticwall::runtime {
 namespace {
 
-// Whatever a writer throws (no memory, say) ends the recording and not the program.
+// An exception of a writer (no memory, for example) ends the recording, not the program.
 template <typename Work>
 Failure guarded(Work&& work) {
   try {
@@ -23,8 +23,8 @@ Failure guarded(Work&& work) {
 Recorder::~Recorder() { drain_and_join(); }
 
 void Recorder::start(std::unique_ptr<file::RecordingWriter> writer) {
-  Sample left_over;
-  while (take(left_over, left_over)) {
+  Tick left_over;
+  while (queue_.try_pop(left_over)) {
   }
   writer_ = std::move(writer);
   rows_ = 0;
@@ -44,8 +44,8 @@ void Recorder::work() {
   while (!end_) {
     wake_.wait_for(lock, kDrainInterval, [this] { return end_; });
     lock.unlock();
-    write_note();  // first: no row is to be on the disk before what it means
-    move_samples();
+    write_note();  // first: a row on the disk needs its sidecar
+    move_ticks();
     const auto now = std::chrono::steady_clock::now();
     if (now - last_flush >= kFlushInterval) {
       last_flush = now;
@@ -70,24 +70,18 @@ void Recorder::write_note() {
   keep(guarded([&] { return writer_->note(note->scene, note->metadata); }));
 }
 
-bool Recorder::take(Sample& x, Sample& y) {
-  if (!queue_.try_pop(x)) return false;
-  return y_queue_ == nullptr || y_queue_->try_pop(y);
-}
-
-void Recorder::move_samples() {
-  Sample x;
-  Sample y;
-  while (take(x, y)) {
-    if (writable_) write(x, y);
+void Recorder::move_ticks() {
+  Tick tick;
+  while (queue_.try_pop(tick)) {
+    if (writable_) write(tick);
   }
 }
 
-void Recorder::write(const Sample& x, const Sample& y) {
-  keep(guarded([&] { return writer_->append(x, y); }));
+void Recorder::write(const Tick& tick) {
+  keep(guarded([&] { return writer_->append(tick); }));
   if (!writable_) return;
-  if (rows() == 0) first_tick_ = x.tick;
-  end_tick_ = x.tick + 1;
+  if (rows() == 0) first_tick_ = tick.x().tick;
+  end_tick_ = tick.x().tick + 1;
   rows_.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -111,7 +105,7 @@ void Recorder::drain_and_join() {
   }
   wake_.notify_one();
   thread_.join();
-  move_samples();
+  move_ticks();
 }
 
 Failure Recorder::finish(const Scene& scene, file::RecordingMetadata metadata) {

@@ -1,4 +1,4 @@
-// The thread between the loop's recorder queue and the disk.
+// The thread between recorder queue and disk.
 #pragma once
 
 #include <atomic>
@@ -11,73 +11,70 @@
 #include <string>
 #include <thread>
 
-#include "app/file/recording_writer.h"
-#include "app/runtime/spsc_queue.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/runtime/loop/spsc_queue.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
 
 namespace hapticwall::runtime {
 
-// One recording at a time: start(), finish(), start() again. All members are called from the
-// owner's thread; the loop only pushes into the queue. Realtime-safe: no.
+// One recording at a time: start(), finish(), start() again. Call all members from the owner's
+// thread; the loop only pushes into the queue. Realtime-safe: no.
 class Recorder {
  public:
-  // How long samples may wait in the queue, and written rows in our own buffers.
+  // How long ticks may wait in the queue, and rows in our own buffers.
   static constexpr std::chrono::milliseconds kDrainInterval{50};
   static constexpr std::chrono::milliseconds kFlushInterval{250};
 
-  // `y_queue`: of the second axis, filled by push_both(); null: there is none.
-  explicit Recorder(SpscQueue<Sample>& queue, SpscQueue<Sample>* y_queue = nullptr)
-      : queue_(queue), y_queue_(y_queue) {}
+  explicit Recorder(SpscQueue<Tick>& queue) : queue_(queue) {}
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
-  ~Recorder();  // without finish() the partial file stays
+  ~Recorder();  // keeps the partial file without finish()
 
   [[nodiscard]] bool running() const { return thread_.joinable(); }
 
-  // Begins to move samples from the queue into `writer`. Precondition: not running, and nothing
-  // pushes into the queue yet: what an earlier recording left in it is thrown away.
+  // Begins to move ticks from the queue into `writer`. Drops what an earlier recording left in the
+  // queue. Precondition: not running, and nothing pushes into the queue yet.
   void start(std::unique_ptr<file::RecordingWriter> writer);
 
-  // What is known of the recording by now goes to the writer's note(), before the samples that
-  // wait in the queue.
+  // Passes the present facts about the recording to the writer's note(), before the ticks that wait
+  // in the queue.
   void note(const Scene& scene, file::RecordingMetadata metadata);
 
-  // Drains the queue, which nobody may push into any more, and joins the thread. The writer is left
-  // open for finish(). Harmless when not running.
+  // Drains the queue and joins the thread; the writer stays open for finish(). Does nothing when
+  // not running. Precondition: nothing pushes into the queue any more.
   void drain_and_join();
 
-  // Gives the files their names; `metadata.first_tick` becomes that of the first row.
-  // Precondition: drain_and_join() was called. Fails with the first thing that went wrong.
+  // Gives the files their names; sets `metadata.first_tick` to the first row. Precondition:
+  // drain_and_join(). Fails with the first error.
   [[nodiscard]] Failure finish(const Scene& scene, file::RecordingMetadata metadata);
 
   [[nodiscard]] std::uint64_t rows() const { return rows_.load(std::memory_order_relaxed); }
-  // After drain_and_join(): ticks of the first row and after the last one; both 0 without rows.
+  // After drain_and_join(): tick of the first row, and the one after the last row; both 0 without
+  // rows.
   [[nodiscard]] std::uint64_t first_tick() const { return first_tick_; }
   [[nodiscard]] std::uint64_t end_tick() const { return end_tick_; }
-  // The first thing that went wrong, if anything did.
+  // The first failure, if any.
   [[nodiscard]] Failure failure() const;
 
  private:
   void work();
-  void move_samples();
+  void move_ticks();
   void write_note();
-  [[nodiscard]] bool take(Sample& x, Sample& y);
-  void write(const Sample& x, const Sample& y);
+  void write(const Tick& tick);
   void keep(Failure failure);
 
-  SpscQueue<Sample>& queue_;
-  SpscQueue<Sample>* y_queue_;
+  SpscQueue<Tick>& queue_;
   std::unique_ptr<file::RecordingWriter> writer_;
   std::thread thread_;
 
   std::atomic<std::uint64_t> rows_{0};
   std::uint64_t first_tick_ = 0;
   std::uint64_t end_tick_ = 0;
-  bool writable_ = false;  // false once something went wrong: samples are taken and thrown away
+  bool writable_ = false;  // false after a failure: ticks are taken and dropped
 
-  mutable std::mutex mutex_;  // between owner and recorder thread; the loop never sees it
+  mutable std::mutex mutex_;  // shared by owner and recorder thread; never taken by the loop
   std::condition_variable wake_;
   bool end_ = false;
   struct Note {

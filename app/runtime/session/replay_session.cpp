@@ -1,24 +1,13 @@
-#include "app/runtime/replay_session.h"
+#include "app/runtime/session/replay_session.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
-#include "app/file/text.h"
-#include "app/runtime/realtime_setup.h"
-#include "app/runtime/scene_change.h"
+#include "app/runtime/loop/realtime_setup.h"
 
 namespace hapticwall::runtime {
-namespace {
-
-SceneProblem refusal(std::string key) {
-  return {std::move(key),
-          "what was recorded does not change; start a session to try something else"};
-}
-
-}  // namespace
-
 const Sample* Overlay::at(std::uint64_t tick) const {
   if (samples.empty() || tick < samples.front().tick) return nullptr;
   const std::uint64_t index = tick - samples.front().tick;
@@ -37,7 +26,7 @@ ReplaySession::ReplaySession(std::unique_ptr<file::RecordingReader> recording,
   set_speed(options.speed);
   const file::RecordingInfo& info = this->recording();
   device_info_.name = "recording " + std::filesystem::path(info.csv_path).filename().string();
-  device_info_.is_simulated = true;  // nothing is there that could push
+  device_info_.is_simulated = true;  // there is nothing that could push
   realtime_.text = "no loop: a recording";
   if (!info.realtime.empty()) realtime_.text += " (of one with " + info.realtime + ")";
   show_place();
@@ -56,7 +45,7 @@ bool ReplaySession::at_end() {
 void ReplaySession::seek(double time_s) {
   if (!std::isfinite(time_s)) return;
   advance();
-  // The time of a tick is that tick, whatever the rounding of a product.
+  // Rounds to the tick when the time is that of a tick.
   constexpr double kSameTick = 1e-6;
   const double ticks = time_s * recording().rate_hz;
   const double nearest = std::round(ticks);
@@ -66,10 +55,10 @@ void ReplaySession::seek(double time_s) {
 void ReplaySession::set_speed(double speed) {
   if (!std::isfinite(speed)) return;
   advance();
-  speed_ = std::clamp(speed, kSlowestReplay, kFastestReplay);
+  speed_ = std::clamp(speed, kMinReplaySpeed, kMaxReplaySpeed);
 }
 
-// To where the clock says. At the end it waits until every row was taken: only then it begins anew.
+// Advances to the time of the clock. At the end it restarts only after every row was taken.
 void ReplaySession::advance() {
   const std::int64_t now_ns = clock_->now_ns();
   const double passed_s =
@@ -89,7 +78,7 @@ void ReplaySession::go_to(double place_ticks, double history_ticks) {
   const double begin = std::max(0.0, place_ticks_ - std::max(0.0, history_ticks));
   const auto row = recording_->row_at(static_cast<std::uint64_t>(begin));
   if (!row) return fail(row.error());
-  // In a hole the place is that of the last row before it.
+  // In a gap the last row before it is shown.
   next_row_ = std::min(*row, recording_->rows() - 1);
   ++resets_;
   show_place();
@@ -101,7 +90,7 @@ void ReplaySession::show_place() {
   const auto behind = recording_->row_at(tick_now() + 1);
   if (!behind) return fail(behind.error());
   shown_row_ = *behind == 0 ? 0 : *behind - 1;
-  const auto count = recording_->read(shown_row_, {&shown_, 1}, {&shown_y_, 1});
+  const auto count = recording_->read(shown_row_, {&shown_, 1});
   if (!count) fail(count.error());
 }
 
@@ -112,24 +101,8 @@ void ReplaySession::fail(const Error& error) {
 
 const Scene& ReplaySession::scene() const {
   const file::LoadedScene& loaded = recording().loaded;
-  return shown_.generation == 0 ? loaded.scene : loaded.changes[shown_.generation - 1].scene;
-}
-
-std::optional<SceneProblem> ReplaySession::set_algorithm(const AlgorithmSettings& algorithm) {
-  if (algorithm == scene().algorithm) return std::nullopt;
-  return refusal("algorithm");
-}
-
-std::optional<SceneProblem> ReplaySession::set_walls(std::span<const WallSettings> walls) {
-  if (std::equal(walls.begin(), walls.end(), scene().walls.begin(), scene().walls.end())) {
-    return std::nullopt;
-  }
-  return refusal("wall");
-}
-
-std::optional<SceneProblem> ReplaySession::change_scene(const Scene& wanted) {
-  if (same_parameters(wanted, scene())) return std::nullopt;
-  return refusal("scene");
+  const std::uint32_t generation = shown_.x().generation;
+  return generation == 0 ? loaded.scene : loaded.changes[generation - 1].scene;
 }
 
 void ReplaySession::pause(bool paused) {
@@ -155,45 +128,27 @@ void ReplaySession::reset() {
 Snapshot ReplaySession::snapshot() {
   advance();
   Snapshot snapshot;
-  snapshot.sample = shown_;
-  snapshot.y = shown_y_;
+  snapshot.newest = shown_;
   snapshot.timing.ticks = shown_row_ + 1;
-  snapshot.generation = shown_.generation;
+  snapshot.generation = shown_.x().generation;
   snapshot.resets = resets_;
   snapshot.paused = paused_;
   snapshot.ended_by_fault = failure_.has_value();
   return snapshot;
 }
 
-std::size_t ReplaySession::take_samples(std::span<Sample> out) {
+std::size_t ReplaySession::take_ticks(std::span<Tick> out) {
   advance();
   if (failure_ || next_row_ > shown_row_) return 0;
   const std::uint64_t due = shown_row_ + 1 - next_row_;
   const auto places = static_cast<std::size_t>(std::min<std::uint64_t>(out.size(), due));
-  taken_y_.resize(has_second_axis() ? places : 0);
-  const auto count = recording_->read(next_row_, out.first(places), taken_y_);
+  const auto count = recording_->read(next_row_, out.first(places));
   if (!count) {
     fail(count.error());
     return 0;
   }
   next_row_ += *count;
   return *count;
-}
-
-std::size_t ReplaySession::take_second_axis(std::span<Sample> out) {
-  const std::size_t count = std::min(out.size(), taken_y_.size());
-  std::copy_n(taken_y_.begin(), count, out.begin());
-  taken_y_.clear();
-  return count;
-}
-
-Failure ReplaySession::start_recording(const std::string& /*csv_path*/) {
-  return Error{ErrorKind::kUsage,
-               "this is a recording already: " + file::shown(recording().csv_path)};
-}
-
-Failure ReplaySession::mark(std::string_view /*text*/) {
-  return Error{ErrorKind::kUsage, "marks are made while a recording runs; this one is finished"};
 }
 
 std::string ReplaySession::device_trouble() const { return failure_ ? failure_->message : ""; }

@@ -1,6 +1,6 @@
-// A recording that plays: a session without a loop, seen through the same door as a live one.
+// A playing recording: a source of samples without a loop.
 //
-// No thread: whoever calls snapshot() or take_samples() moves it on, to where its clock says.
+// Without a thread: snapshot() and take_samples() advance it to the time of its clock.
 #pragma once
 
 #include <cstddef>
@@ -9,36 +9,34 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "app/file/recording_reader.h"
-#include "app/runtime/clock.h"
-#include "app/runtime/session.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/runtime/loop/clock.h"
+#include "app/runtime/session/sample_source.h"
 
 namespace hapticwall::runtime {
 
 struct ReplayOptions {
-  double speed = 1.0;  // recorded seconds a second, kSlowestReplay to kFastestReplay
-  bool loop = false;   // from the end to the beginning again
+  double speed = 1.0;  // recorded seconds per second, kMinReplaySpeed to kMaxReplaySpeed
+  bool loop = false;   // restarts at the end
   bool start_paused = false;
-  double history_s = 10.0;  // so much before the place is handed out again after a seek
+  double history_s = 10.0;  // history handed out again after a seek, s
 };
 
-inline constexpr double kSlowestReplay = 0.01;
-inline constexpr double kFastestReplay = 100.0;
+inline constexpr double kMinReplaySpeed = 0.01;
+inline constexpr double kMaxReplaySpeed = 100.0;
 
-// The same hand under another algorithm, to be drawn over the recording: samples of consecutive
-// ticks.
+// A re-run to draw over the recording: samples of consecutive ticks.
 struct Overlay {
   std::string label;
   std::vector<Sample> samples;
 
-  // The one of this tick, or null.
+  // The sample of this tick, or null.
   [[nodiscard]] const Sample* at(std::uint64_t tick) const;
 };
 
-class ReplaySession final : public Session {
+class ReplaySession final : public SampleSource {
  public:
   ReplaySession(std::unique_ptr<file::RecordingReader> recording, std::unique_ptr<Clock> clock,
                 const ReplayOptions& options = {});
@@ -46,75 +44,57 @@ class ReplaySession final : public Session {
   // Of the recording.
 
   [[nodiscard]] const file::RecordingInfo& recording() const { return recording_->info(); }
-  // Any rows, whatever is played (an overview): RecordingReader::read().
-  [[nodiscard]] Result<std::size_t> read(std::uint64_t first_row, std::span<Sample> out) {
+  // Any rows, independent of the playback: RecordingReader::read().
+  [[nodiscard]] Result<std::size_t> read(std::uint64_t first_row, std::span<Tick> out) {
     return recording_->read(first_row, out);
   }
 
-  // Recorded time: that of the samples. begin_s() <= position_s() <= end_s().
+  // Recorded time, s. begin_s() <= position_s() <= end_s().
   [[nodiscard]] double begin_s() const { return seconds(first_tick()); }
   [[nodiscard]] double end_s() const { return seconds(last_tick()); }
   [[nodiscard]] double duration_s() const { return end_s() - begin_s(); }
   [[nodiscard]] double position_s();
   [[nodiscard]] bool at_end();
 
-  // Goes to the nearest place there is; the samples of the last history_s before it follow again,
-  // and Snapshot::resets counts it. Not a number: without effect.
+  // Goes to the nearest recorded time. The samples of the last history_s before it follow again,
+  // and Snapshot::resets increases. Ignores NaN.
   void seek(double time_s);
 
   [[nodiscard]] double speed() const { return speed_; }
-  void set_speed(double speed);  // kept within its range; not a number: without effect
+  void set_speed(double speed);  // clamped to its range; ignores NaN
   [[nodiscard]] bool loops() const { return loop_; }
   void set_loop(bool loop) { loop_ = loop; }
-  // So much before the place follows again after the next seek.
+  // History before the target of the next seek, s.
   void set_history(double history_s) { history_s_ = history_s; }
 
-  // Null where nothing is laid over.
+  // Null without an overlay.
   [[nodiscard]] const Overlay* overlay() const { return overlay_ ? &*overlay_ : nullptr; }
   void lay_over(std::optional<Overlay> overlay) { overlay_ = std::move(overlay); }
 
-  // Of any session.
+  // The interface of SampleSource.
 
-  // As it was at the present place, with the changes up to it.
+  // Scene at the present time, including changes.
   [[nodiscard]] const Scene& scene() const override;
-  // What was recorded does not change: a problem, unless nothing differs.
-  std::optional<SceneProblem> set_algorithm(const AlgorithmSettings& algorithm) override;
-  std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls) override;
-  std::optional<SceneProblem> change_scene(const Scene& wanted) override;
-  void lead_hand(std::optional<double> /*position_m*/) override {}
-  void lead_second_hand(std::optional<double> /*position_m*/) override {}
-  void arm(bool /*armed*/) override {}
-
-  // Going on at the end begins anew. At the end it pauses by itself, unless it loops.
+  // Resuming at the end starts again. Pauses by itself at the end, unless it loops.
   void pause(bool paused) override;
   void step(std::uint32_t ticks) override;
   void reset() override;  // to the first row
 
-  // Its sample is that of the present place. timing.ticks counts the rows up to it, the rest is 0.
+  // The sample at the present time. timing.ticks counts the rows up to it; other timing is 0.
   [[nodiscard]] Snapshot snapshot() override;
-  void read_timing(TimingHistograms& timing) const override { timing = {}; }
-  // Every row up to the present place, however fast it plays.
-  std::size_t take_samples(std::span<Sample> out) override;
-  std::size_t take_second_axis(std::span<Sample> out) override;
-  [[nodiscard]] std::uint64_t dropped_plot_samples() const override { return 0; }
-
-  [[nodiscard]] Failure start_recording(const std::string& csv_path) override;
-  [[nodiscard]] Failure stop_recording() override { return std::nullopt; }
-  [[nodiscard]] RecordingStatus recording_status() const override { return {}; }
-  [[nodiscard]] Failure mark(std::string_view text) override;
-  // Of the recording, whatever its place.
+  // Every row up to the present time, at any speed.
+  std::size_t take_ticks(std::span<Tick> out) override;
+  // All marks of the recording.
   [[nodiscard]] std::span<const file::Mark> marks() const override {
     return recording().loaded.marks;
   }
   [[nodiscard]] const RealtimeStatus& realtime_status() const override { return realtime_; }
   [[nodiscard]] const device::DeviceInfo& device_info() const override { return device_info_; }
-  // Why it stopped, where the file is no longer what it was.
+  // Reason why it stopped: the file has changed.
   [[nodiscard]] std::string device_trouble() const override;
+  [[nodiscard]] bool knows_truth() const override { return recording().of_simulator(); }
 
  private:
-  [[nodiscard]] bool has_second_axis() const {
-    return file::has_second_axis(recording().scanned.columns);
-  }
   [[nodiscard]] std::uint64_t first_tick() const { return recording().scanned.first_tick; }
   [[nodiscard]] std::uint64_t last_tick() const { return recording().scanned.last_tick; }
   [[nodiscard]] double seconds(std::uint64_t tick) const {
@@ -139,17 +119,15 @@ class ReplaySession final : public Session {
   std::optional<Overlay> overlay_;
 
   std::int64_t last_ns_;
-  double place_ticks_ = 0.0;    // from first_tick() to last_tick()
-  std::uint64_t next_row_ = 0;  // the next to be handed out
+  double place_ticks_ = 0.0;    // first_tick() to last_tick()
+  std::uint64_t next_row_ = 0;  // next row for take_samples()
   std::uint32_t resets_ = 0;
-  Sample shown_;                 // of the present place
-  Sample shown_y_;               // the same of the second axis
-  std::vector<Sample> taken_y_;  // of the newest take_samples()
+  Tick shown_;  // at the present time
   std::uint64_t shown_row_ = 0;
   Failure failure_;
 };
 
-// Opens a recording and plays it by the monotonic clock. The hook of a window.
+// Opens a recording and plays it with the monotonic clock.
 [[nodiscard]] Result<std::unique_ptr<ReplaySession>> start_replay(
     const std::string& csv_path, const ReplayOptions& options = {},
     const file::ReadProgress& progress = {});

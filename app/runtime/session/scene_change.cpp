@@ -1,31 +1,32 @@
-#include "app/runtime/scene_change.h"
+#include "app/runtime/session/scene_change.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
+#include "core/scene_keys.h"
+
 namespace hapticwall::runtime {
 
 bool same_parameters(const Scene& a, const Scene& b) {
-  return same_plant(a, b) && a.algorithm == b.algorithm && a.walls == b.walls && a.y == b.y;
+  return a.axes == b.axes && a.algorithm == b.algorithm && a.simulator == b.simulator;
 }
 
 namespace {
 
 constexpr const char* kNewSession = "cannot change while the session runs: it takes a new one";
 
-// `axis`: "" or "y.".
-std::optional<SceneProblem> axis_needs_new_session(const Scene& running, const Scene& wanted,
-                                                   const std::string& axis) {
+std::optional<SceneProblem> axis_needs_new_session(const AxisSettings& running,
+                                                   const AxisSettings& wanted, std::size_t index) {
   if (wanted.device.start_m != running.device.start_m) {
-    return SceneProblem{"device." + axis + "start_m", kNewSession};
+    return SceneProblem{axis_key("device", index) + ".start_m", kNewSession};
   }
   if (wanted.hand.has_value() != running.hand.has_value()) {
-    return SceneProblem{axis.empty() ? "hand" : "hand.y", kNewSession};
+    return SceneProblem{axis_key("hand", index), kNewSession};
   }
   if (wanted.hand && (wanted.hand->path != running.hand->path ||
                       wanted.hand->follows_mouse != running.hand->follows_mouse)) {
-    return SceneProblem{"hand." + axis + "path", kNewSession};
+    return SceneProblem{axis_key("hand", index) + ".path", kNewSession};
   }
   return std::nullopt;
 }
@@ -36,19 +37,22 @@ std::optional<SceneProblem> needs_new_session(const Scene& running, const Scene&
   if (wanted.sampling.rate_hz != running.sampling.rate_hz) {
     return SceneProblem{"sampling.rate_hz", kNewSession};
   }
-  if (wanted.y.has_value() != running.y.has_value()) return SceneProblem{"device.y", kNewSession};
-  if (auto problem = axis_needs_new_session(running, wanted, "")) return problem;
-  if (!wanted.y) return std::nullopt;
-  return axis_needs_new_session(second_axis(running), second_axis(wanted), "y.");
+  if (wanted.axes.size() != running.axes.size()) return SceneProblem{"device.y", kNewSession};
+  for (std::size_t i = 0; i < wanted.axes.size(); ++i) {
+    if (auto problem = axis_needs_new_session(running.axes[i], wanted.axes[i], i)) {
+      return problem;
+    }
+  }
+  return std::nullopt;
 }
 
 Scene scene_on(Scene scene, const device::DeviceInfo& device) {
   if (device.is_simulated) return scene;
-  scene.hand.reset();
-  if (device.encoder_m > 0.0) scene.device.encoder_m = device.encoder_m;
+  scene.x().hand.reset();
+  if (device.encoder_m > 0.0) scene.x().device.encoder_m = device.encoder_m;
   if (device.force_limit_n > 0.0) {
-    scene.device.force_limit_n =
-        std::min(scene.device.force_limit_n.value_or(device.force_limit_n), device.force_limit_n);
+    scene.x().device.force_limit_n = std::min(
+        scene.x().device.force_limit_n.value_or(device.force_limit_n), device.force_limit_n);
   }
   return scene;
 }

@@ -1,5 +1,5 @@
-// What of a scene may change while a session runs: device, hand, walls, algorithm and simulator.
-// The rate, the hand's path and whether there is a hand, and the start need a new session.
+// Changes of a scene during a session: device, hand, walls, algorithm and simulator. Rate, hand
+// path, presence of a hand and start need a new session.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace hapticwall::runtime {
 
-// True where nothing differs of what may change in a session.
+// True if all values that may change in a session are equal.
 [[nodiscard]] bool same_parameters(const Scene& a, const Scene& b);
 
-// Why `wanted` cannot follow on `running` without a new session, or nothing.
+// Reason why `wanted` needs a new session, or nullopt.
 [[nodiscard]] std::optional<SceneProblem> needs_new_session(const Scene& running,
                                                             const Scene& wanted);
 
-// The scene as it runs on an open device. A real one: its resolution in place of the scene's, its
-// force limit where that is the smaller one, and no hand, for a person's own is there.
+// The scene on an open device. A real device replaces the resolution, limits the force, and has no
+// simulated hand.
 [[nodiscard]] Scene scene_on(Scene scene, const device::DeviceInfo& device);
 
 }  // namespace hapticwall::runtime

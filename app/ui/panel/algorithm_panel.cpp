@@ -1,15 +1,14 @@
-// Choice of the algorithm, and its own parameters as it declares them.
+#include "app/ui/panel/algorithm_panel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <string>
 
-#include "app/ui/control_panel.h"
-#include "app/ui/replay_panel.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/widgets.h"
-#include "core/stabiliser/passivity_control.h"
+#include "app/ui/panel/replay_panel.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/widget/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
@@ -18,7 +17,7 @@ namespace {
 void set_parameter(const PanelContext& context, std::size_t index, std::optional<double> value) {
   AlgorithmSettings changed = context.session.scene().algorithm;
   changed.values[index] = value;
-  if (const auto problem = context.session.set_algorithm(changed)) tell(context.state, *problem);
+  if (const auto problem = ask_for_algorithm(context, changed)) tell(context.state, *problem);
 }
 
 std::string parameter_tooltip(const ParameterDescription& parameter) {
@@ -30,11 +29,16 @@ std::string parameter_tooltip(const ParameterDescription& parameter) {
   return text + fmt::format("\nempty: {}", parameter.default_text);
 }
 
-// Empty means the algorithm's own default, which the hint tells.
+std::string field_id(const ParameterDescription& parameter) {
+  return fmt::format("##algorithm.{}", parameter.key);
+}
+
+// An empty field means the algorithm's default, shown as a hint.
 void draw_number(const PanelContext& context, const ParameterDescription& parameter,
                  std::size_t index, std::optional<double> value) {
-  const std::string shown = value ? number_text(*value) : std::string();
-  const auto text = text_field(context, "##value", std::string(parameter.default_text), shown);
+  const std::string shown = value ? rounded_number(*value) : std::string();
+  const auto text =
+      text_field(context, field_id(parameter).c_str(), std::string(parameter.default_text), shown);
   if (!text) return;
   if (text->find_first_not_of(' ') == std::string::npos) {
     set_parameter(context, index, std::nullopt);
@@ -58,13 +62,13 @@ void draw_choice(const PanelContext& context, const ParameterDescription& parame
   const std::string default_word = fmt::format("{} (default)", parameter.default_text);
   const auto chosen = value ? static_cast<std::size_t>(*value) : words.size();
   const std::string shown = chosen < words.size() ? std::string(words[chosen]) : default_word;
-  if (!ImGui::BeginCombo("##value", shown.c_str())) return;
+  if (!ImGui::BeginCombo(field_id(parameter).c_str(), shown.c_str())) return;
   if (ImGui::Selectable(default_word.c_str(), !value)) set_parameter(context, index, std::nullopt);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (ImGui::Selectable(std::string(words[i]).c_str(), value && i == chosen)) {
+    const std::string label = fmt::format("{0}###{1} = {0}", words[i], parameter.key);
+    if (ImGui::Selectable(label.c_str(), value && i == chosen)) {
       set_parameter(context, index, static_cast<double>(i));
     }
-    remember_item(context.state, fmt::format("{} = {}", parameter.key, words[i]));
   }
   ImGui::EndCombo();
 }
@@ -88,7 +92,6 @@ void draw_parameter(const PanelContext& context, const ParameterDescription& par
   if (!index) return;
   const std::optional<double> value = context.session.scene().algorithm.values[*index];
   const std::string key(parameter.key);
-  ImGui::PushID(key.c_str());
   const std::string tooltip = key + "\n" + parameter_tooltip(parameter);
   field_label(context, readable_key(parameter.key), tooltip, parameter.unit);
   if (parameter.kind == ParameterKind::kNumber) {
@@ -96,18 +99,16 @@ void draw_parameter(const PanelContext& context, const ParameterDescription& par
   } else {
     draw_choice(context, parameter, *index, value);
   }
-  remember_item(context.state, "algorithm." + key);
   if (parameter.kind != ParameterKind::kNumber) explain(tooltip);
   unit_label(parameter.unit);
-  ImGui::PopID();
 }
 
-// What follows the algorithm, and those of its parameters that the algorithm has not shown already.
+// The following algorithm, and its parameters that are not shown yet.
 void draw_follower(const PanelContext& context, const AlgorithmDescription& algorithm) {
   draw_parameter(context, kThenParameter);
   if (!has_follower(context.session.scene().algorithm)) return;
   const auto shown = algorithm.parameters;
-  for (const ParameterDescription& parameter : PassivityControl::kParameters) {
+  for (const ParameterDescription& parameter : algorithms()[follower_index()].parameters) {
     const bool twice = std::any_of(shown.begin(), shown.end(),
                                    [&](const auto& other) { return other.key == parameter.key; });
     if (!twice) draw_parameter(context, parameter);
@@ -118,23 +119,25 @@ void draw_follower(const PanelContext& context, const AlgorithmDescription& algo
 
 void choose_algorithm(const PanelContext& context, std::size_t index) {
   if (index >= algorithms().size()) return;
-  if (const runtime::ReplaySession* replay = replay_of(context.session)) {
-    start_rerun(context.state, *replay, std::string(algorithms()[index].name));
+  if (context.shows.replay != nullptr) {
+    start_rerun(context.state, *context.shows.replay, std::string(algorithms()[index].name));
     return;
   }
   AlgorithmSettings changed = context.session.scene().algorithm;
   changed.index = index;
-  if (const auto problem = context.session.set_algorithm(changed)) tell(context.state, *problem);
+  if (const auto problem = ask_for_algorithm(context, changed)) tell(context.state, *problem);
 }
 
 void draw_algorithm_section(const PanelContext& context) {
-  section(context, "Algorithm");
+  section(context, "Algorithm", asked_for(context).algorithm);
   const auto list = algorithms();
   const std::size_t current = context.session.scene().algorithm.index;
+  const std::size_t in_force = context.shows.in_force->algorithm.index;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string label = fmt::format("{}   {}", i + 1, list[i].name);
-    if (ImGui::Selectable(label.c_str(), i == current)) choose_algorithm(context, i);
-    remember_item(context.state, list[i].name);
+    const bool waits = i == current && current != in_force;
+    const std::string label = fmt::format("{}   {}{}###{}", i + 1, list[i].name,
+                                          waits ? "   asked for" : "", list[i].name);
+    if (ImGui::Selectable(label.c_str(), i == in_force)) choose_algorithm(context, i);
     explain(
         fmt::format("{}\n{}\n\n{}\n\nkey {}; changes while it runs, without a jump of the force",
                     list[i].title, list[i].idea, list[i].equation, i + 1));

@@ -1,10 +1,10 @@
-#include "app/ui/arming_strip.h"
+#include "app/ui/panel/arming_strip.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/ui/widgets.h"
+#include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -15,26 +15,26 @@ using runtime::ArmingState;
 constexpr float kStripHeightEms = 2.3F;
 constexpr float kArmButtonEms = 9.0F;
 
-// Off is calm, on is not to be overlooked.
-Tone tone_of(ArmingState state) {
+// Off is calm; on must be obvious.
+draw::Tone tone_of(ArmingState state) {
   switch (state) {
     case ArmingState::kRamping:
-      return Tone::kWarning;
+      return draw::Tone::kWarning;
     case ArmingState::kOn:
-      return Tone::kBad;
+      return draw::Tone::kBad;
     default:
-      return Tone::kFaint;
+      return draw::Tone::kFaint;
   }
 }
 
-// All of the strip's width for the force's share of it.
+// Width proportional to the gain of the force.
 void draw_background(const PanelContext& context, const ImVec2& corner, const ImVec2& size) {
   const runtime::ArmingStatus& arming = context.snapshot.arming;
   const float share = std::clamp(static_cast<float>(arming.gain), 0.0F, 1.0F);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
   const ImVec2 end(corner.x + size.x, corner.y + size.y);
-  list->AddRectFilled(corner, end, context.theme.packed(Tone::kFaint, 0.6F), rounding);
+  list->AddRectFilled(corner, end, context.theme.packed(draw::Tone::kFaint, 0.6F), rounding);
   if (share > 0.0F && arming.state != ArmingState::kOff) {
     list->AddRectFilled(corner, ImVec2(corner.x + share * size.x, end.y),
                         context.theme.packed(tone_of(arming.state), 0.75F), rounding);
@@ -47,11 +47,9 @@ void draw_button(const PanelContext& context) {
   if (ImGui::Button(off ? "Arm (A)###arm" : "Stop (Space)###arm", size)) {
     off ? ask_to_arm(context) : disarm(context);
   }
-  remember_item(context.state, "arm");
-  explain(
-      off ? "Lets the device push, rising over half a second. Refused while the handle is inside "
-            "the wall. Anything that goes wrong takes the force away."
-          : "Takes the force away at once (Space, whatever else has the keyboard).");
+  explain(off ? "Enables the force, which rises over half a second. Refused while the handle is "
+                "inside the wall. Any fault removes the force."
+              : "Removes the force at once (Space, even while text is typed).");
 }
 
 }  // namespace
@@ -80,18 +78,21 @@ void draw_arming_strip(const PanelContext& context) {
   draw_button(context);
   ImGui::SameLine(0.0F, em);
   ImGui::AlignTextToFramePadding();
-  ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);
+  ImGui::PushFont(context.theme.fonts.strong, draw::kTitleFontSize);
   ImGui::TextUnformatted(arming_text(context.snapshot).c_str());
   ImGui::PopFont();
-  remember_item(context.state, "arming");
   const std::string details = context.session.device_trouble();
   if (!details.empty()) explain(details);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y + ImGui::GetStyle().ItemSpacing.y));
   ImGui::Dummy(ImVec2(size.x, 0.0F));
 }
 
-void ask_to_arm(const PanelContext& context) { context.session.arm(true); }
+void ask_to_arm(const PanelContext& context) {
+  if (context.shows.live != nullptr) context.shows.live->arm(true);
+}
 
-void disarm(const PanelContext& context) { context.session.arm(false); }
+void disarm(const PanelContext& context) {
+  if (context.shows.live != nullptr) context.shows.live->arm(false);
+}
 
 }  // namespace hapticwall::ui

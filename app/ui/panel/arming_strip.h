@@ -1,18 +1,18 @@
-// The strip above everything that says whether a real device pushes; a simulator has none.
+// The strip at the top: whether a real device pushes. A simulator has none.
 #pragma once
 
 #include <string>
 
-#include "app/ui/ui_state.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
-// What the strip says, in one line: "FORCE OFF: the handle is inside the wall: move it out first".
+// Text of the strip: "FORCE OFF: the handle is inside the wall: move it out first".
 [[nodiscard]] std::string arming_text(const runtime::Snapshot& snapshot);
 
 void draw_arming_strip(const PanelContext& context);
 
-// What the button and the keys A and Space do; nothing on a simulator.
+// Actions of the button and of the keys A and Space. No effect on a simulator.
 void ask_to_arm(const PanelContext& context);
 void disarm(const PanelContext& context);
 

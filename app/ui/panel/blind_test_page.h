@@ -1,13 +1,9 @@
 // The page of the blind test: set-up, trials, result.
 #pragma once
 
-#include "app/ui/ui_state.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
-
-// What can be chosen for the interval.
-inline constexpr double kLeastConfidence = 0.5;
-inline constexpr double kMostConfidence = 0.999;
 
 void draw_blind_test_page(const PanelContext& context);  // blind_test_page.cpp
 

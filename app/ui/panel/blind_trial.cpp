@@ -1,25 +1,26 @@
-// A trial of the blind test: two walls to be felt, and the choice.
+// A trial of the blind test: two walls to feel, and the choice.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <string>
 
-#include "app/ui/blind_test.h"
-#include "app/ui/blind_test_page.h"
-#include "app/ui/widgets.h"
+#include "app/ui/panel/blind_test_page.h"
+#include "app/ui/state/blind_test.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
 
-using runtime::Presentation;
+using compare::Presentation;
 
 constexpr float kBigFontSize = 22.0F;
-constexpr float kProgressEms = 0.3F;   // height
-constexpr float kChooseEms = 2.4F;     // height of the buttons below
-constexpr float kLeastFeelEms = 4.0F;  // height of the big buttons, at least
-constexpr float kMostFeelEms = 16.0F;  // and at most
-constexpr float kWidestEms = 62.0F;    // of it all
+constexpr float kProgressEms = 0.3F;  // height
+constexpr float kChooseEms = 2.4F;    // height of the buttons below
+constexpr float kMinFeelEms = 4.0F;   // height of the big buttons, at least
+constexpr float kMaxFeelEms = 16.0F;  // and at most
+constexpr float kMaxPageEms = 62.0F;  // of the page
 
 struct Words {
   Presentation presentation;
@@ -44,28 +45,28 @@ void draw_centred(ImVec2 middle, ImFont* font, float size, ImU32 colour, const c
   ImGui::PopFont();
 }
 
-// What is felt now is lit; what was felt says so.
+// The presentation in force is highlighted; others say whether they were felt.
 void draw_feel_button(const PanelContext& context, const BlindTest& test, const Words& words,
                       ImVec2 size) {
-  const Theme& theme = context.theme;
+  const draw::Theme& theme = context.theme;
   const bool now = test.felt == words.presentation;
   const bool felt = test.trials.felt(words.presentation);
-  if (now) ImGui::PushStyleColor(ImGuiCol_Button, theme.packed(Tone::kAccent, 0.30F));
+  if (now) ImGui::PushStyleColor(ImGuiCol_Button, theme.packed(draw::Tone::kAccent, 0.30F));
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const bool clicked = ImGui::Button(fmt::format("##{}", words.feel).c_str(), size);
   if (now) ImGui::PopStyleColor();
-  remember_item(context.state, words.feel);
-  explain(fmt::format("Puts this wall in force, as often as you like (key {})", words.key));
+  explain(fmt::format("Applies this wall, as often as you like (key {})", words.key));
   const ImVec2 middle(corner.x + 0.5F * size.x, corner.y + 0.5F * size.y);
   const float em = ImGui::GetFontSize();
   draw_centred(ImVec2(middle.x, middle.y - 0.6F * em), theme.fonts.strong, kBigFontSize,
-               theme.packed(Tone::kText), words.wall);
-  const std::string below = std::string(now    ? "felt now"
-                                        : felt ? "felt"
-                                               : "not felt yet") +
+               theme.packed(draw::Tone::kText), words.wall);
+  const std::string below = std::string(now && asked_for(context).algorithm ? "asked for"
+                                        : now                               ? "felt now"
+                                        : felt                              ? "felt"
+                                                                            : "not felt yet") +
                             "   " + words.key;
-  draw_centred(ImVec2(middle.x, middle.y + 1.1F * em), theme.fonts.text, kSmallFontSize,
-               theme.packed(now ? Tone::kAccent : Tone::kMuted), below.c_str());
+  draw_centred(ImVec2(middle.x, middle.y + 1.1F * em), theme.fonts.text, draw::kSmallFontSize,
+               theme.packed(now ? draw::Tone::kAccent : draw::Tone::kMuted), below.c_str());
   if (clicked) feel(context, words.presentation);
 }
 
@@ -76,16 +77,16 @@ bool both_felt(const BlindTest& test) {
 void draw_choose_button(const PanelContext& context, const BlindTest& test, const Words& words,
                         ImVec2 size) {
   ImGui::BeginDisabled(!both_felt(test));
-  const bool clicked = ImGui::Button(words.choice, size);
+  const bool clicked =
+      ImGui::Button(fmt::format("{}###{}", words.choice, words.choose).c_str(), size);
   ImGui::EndDisabled();
-  remember_item(context.state, words.choose);
   explain(both_felt(test) ? words.choice_tooltip : "Feel both first");
   if (clicked) choose(context, words.presentation);
 }
 
-// Beside the progress and the way out where there is room, else above them.
+// Beside progress and stop button where it fits, else above them.
 void draw_question(const PanelContext& context, const std::string& question, float room) {
-  ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);
+  ImGui::PushFont(context.theme.fonts.strong, draw::kTitleFontSize);
   ImGui::AlignTextToFramePadding();
   const bool fits = ImGui::CalcTextSize(question.c_str()).x <= room;
   ImGui::TextWrapped("%s", question.c_str());
@@ -105,10 +106,8 @@ void draw_head(const PanelContext& context, const BlindTest& test, float width) 
   ImGui::SetCursorPosX(left + progress_at);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", progress.c_str());
-  remember_item(context.state, "blind progress");
   ImGui::SameLine(left + width - stop_width);
-  if (ImGui::Button(stop)) end_blind_test(context);
-  remember_item(context.state, "stop and show");
+  if (ImGui::Button("Stop and show###stop and show")) end_blind_test(context);
   explain("Ends the test with the trials that were answered, and shows their order");
 }
 
@@ -119,10 +118,10 @@ void draw_progress(const PanelContext& context, const BlindTest& test, float wid
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(from, ImVec2(from.x + width, from.y + height),
-                      context.theme.packed(Tone::kFaint), 0.5F * height);
+                      context.theme.packed(draw::Tone::kFaint), 0.5F * height);
   if (share > 0.0F) {
     list->AddRectFilled(from, ImVec2(from.x + share * width, from.y + height),
-                        context.theme.packed(Tone::kAccent), 0.5F * height);
+                        context.theme.packed(draw::Tone::kAccent), 0.5F * height);
   }
   ImGui::Dummy(ImVec2(width, height + ImGui::GetStyle().ItemSpacing.y));
 }
@@ -131,10 +130,10 @@ void draw_buttons(const PanelContext& context, float width) {
   const float em = ImGui::GetFontSize();
   const ImGuiStyle& style = ImGui::GetStyle();
   const float each = 0.5F * (width - style.ItemSpacing.x);
-  const float hint = 2.0F * kSmallFontSize * style.FontScaleMain + 2.0F * style.ItemSpacing.y;
+  const float hint = 2.0F * draw::kSmallFontSize * style.FontScaleMain + 2.0F * style.ItemSpacing.y;
   const float free = ImGui::GetContentRegionAvail().y - kChooseEms * em - hint;
-  const float height = std::clamp(free, kLeastFeelEms * em, kMostFeelEms * em);
-  // A click may end the test or the trial: each button looks at what there is then.
+  const float height = std::clamp(free, kMinFeelEms * em, kMaxFeelEms * em);
+  // A click may end the trial or the test, so that each button reads the present state.
   const auto test = [&]() -> const BlindTest& { return *context.state.compare.transient.test; };
   const auto row = [&](auto draw, ImVec2 size) {
     for (const Words& words : kWords) {
@@ -151,7 +150,7 @@ void draw_buttons(const PanelContext& context, float width) {
 void draw_blind_trial(const PanelContext& context) {
   const float em = ImGui::GetFontSize();
   const float free = ImGui::GetContentRegionAvail().x;
-  const float widest = std::min(free, kWidestEms * em);
+  const float widest = std::min(free, kMaxPageEms * em);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (free - widest));
   ImGui::BeginChild("trial", ImVec2(widest, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
@@ -159,7 +158,7 @@ void draw_blind_trial(const PanelContext& context) {
   const BlindTest& test = *context.state.compare.transient.test;
   draw_head(context, test, width);
   draw_progress(context, test, width);
-  // Also where the head has just ended it: a finished test has no trial any more.
+  // The head may just have ended the test; a finished test has no trial.
   if (blind_test_runs(context.state)) draw_buttons(context, width);
   muted_text(context,
              "Feel each as often as you like, in any order. To begin from rest, leave the wall "

@@ -1,25 +1,26 @@
-// Two slots: which algorithms are felt in turn.
+#include "app/ui/panel/compare_panel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
-#include "app/ui/comparing.h"
-#include "app/ui/control_panel.h"
-#include "app/ui/widgets.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/state/comparing.h"
+#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
 
-using runtime::Slot;
+using compare::Slot;
 
 constexpr const char* kTake = "take present";
 constexpr float kNameAtEms = 1.6F;  // behind the slot's letter
 
-// Beside the heading: whether the plots show the other slot's contact.
+// Switch beside the heading: shows the other slot's contact in the plots.
 void draw_ghost_switch(const PanelContext& context) {
   bool& shown = context.state.compare.persisted.ghost_shown;
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const ImGuiStyle& style = ImGui::GetStyle();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       ImVec2(style.FramePadding.x, 0.25F * style.FramePadding.y));
@@ -29,47 +30,42 @@ void draw_ghost_switch(const PanelContext& context) {
   ImGui::Checkbox("ghost", &shown);
   ImGui::PopStyleVar();
   ImGui::PopFont();
-  remember_item(context.state, "ghost");
-  explain(
-      "Draws the other slot's newest contact over the present one in the plots, softly, from its "
-      "beginning on.");
+  explain("Draws the other slot's newest contact over the present one in the plots.");
 }
 
-// At the right of its row where there is room, else below it.
+// At the right end of its row where it fits, else below.
 void draw_take_button(const PanelContext& context, Slot slot, float name_ends, float right) {
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const float width = ImGui::CalcTextSize(kTake).x + 2.0F * ImGui::GetStyle().FramePadding.x;
   if (name_ends + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine(right - width);
-  if (ImGui::SmallButton(kTake)) take_present(context, slot);
+  if (ImGui::SmallButton(fmt::format("{}###take {}", kTake, compare::slot_name(slot)).c_str()))
+    take_present(context, slot);
   ImGui::PopFont();
-  remember_item(context.state, fmt::format("take {}", runtime::slot_name(slot)));
-  explain(fmt::format("Stores the algorithm in force, with its values, in slot {}.",
-                      runtime::slot_name(slot)));
+  explain(fmt::format("Copies the present algorithm and its values into slot {}.",
+                      compare::slot_name(slot)));
 }
 
 void draw_in_force(const PanelContext& context, float name_ends, float right) {
-  const char* text = "in force";
+  const char* text = asked_for(context).algorithm ? "asked for" : "in force";
   const float width = ImGui::CalcTextSize(text).x;
   if (name_ends + ImGui::GetStyle().ItemSpacing.x + width > right) return;
   ImGui::SameLine(right - width);
-  ImGui::TextColored(context.theme.colour(Tone::kAccent), "%s", text);
+  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "%s", text);
 }
 
 void draw_slot(const PanelContext& context, Slot slot) {
   const CompareSlots slots = slots_of(context.state);
   const AlgorithmSettings& settings = slots.of(slot);
   const bool active = slots.active == slot;
-  const std::string name(runtime::slot_name(slot));
+  const std::string name(compare::slot_name(slot));
   const float left = ImGui::GetCursorPosX();
   const float right = left + ImGui::GetContentRegionAvail().x;
   const float indent = left + kNameAtEms * ImGui::GetFontSize();
-  ImGui::PushID(name.c_str());
-  const bool clicked = ImGui::Selectable(fmt::format("{}##slot", name).c_str(), active,
+  const bool clicked = ImGui::Selectable(fmt::format("{0}###slot {0}", name).c_str(), active,
                                          ImGuiSelectableFlags_AllowOverlap);
-  remember_item(context.state, "slot " + name);
-  explain(fmt::format("{}\n{}", runtime::describe(settings),
-                      active ? "It is in force: what you change now changes this slot."
-                             : "A click or Tab puts it in force, without a jump of the force."));
+  explain(fmt::format("{}\n{}", compare::describe(settings),
+                      active ? "The active slot: what you change now changes it."
+                             : "A click or Tab activates it, without a jump of the force."));
   ImGui::SameLine(indent);
   ImGui::TextUnformatted(algorithm_name(settings).c_str());
   const float name_ends = indent + ImGui::GetItemRectSize().x;
@@ -83,7 +79,6 @@ void draw_slot(const PanelContext& context, Slot slot) {
     ImGui::SetCursorPosX(indent);
     muted_text(context, keys);
   }
-  ImGui::PopID();
   if (clicked && !active) choose_slot(context, slot);
 }
 

@@ -1,4 +1,4 @@
-#include "app/ui/energy_lamp_view.h"
+#include "app/ui/panel/energy_lamp_view.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "app/ui/blind_test.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -41,7 +40,7 @@ const char* blame_text(EnergyBlame blame) {
   return "nobody";
 }
 
-// The paper's own story: one of the two is blind to what the other does.
+// One of the two observers misses what the other one sees, as in the paper.
 std::string remark_of(const EnergyStory& story) {
   if (story.blame == EnergyBlame::kHold && story.control_law_j <= 0.0)
     return "the observer (Eq. 6) sees nothing";
@@ -54,20 +53,22 @@ std::string remark_of(const EnergyStory& story) {
 LampWords active_words(const EnergyStory& story) {
   const std::string took = energy_text(story.extracted_j);
   const std::string blame = blame_text(story.blame);
-  return {Tone::kBad, fmt::format("active: the hand has extracted {}, {} to blame", took, blame),
+  return {draw::Tone::kBad,
+          fmt::format("active: the hand has extracted {}, {} to blame", took, blame),
           remark_of(story), fmt::format("active: {}, {}", took, blame), "active"};
 }
 
 LampWords spending_words(const EnergyStory& story) {
-  // In the budget's unit, so that the two can be compared.
+  // Both values in the unit of the budget, for comparison.
   const bool whole = story.budget_j >= 1.0;
   const double scale = whole ? 1.0 : kMillijoulesPerJoule;
   const std::string share = fmt::format("{:.{}f} of {}", story.given_out_j * scale, whole ? 2 : 1,
                                         energy_text(story.budget_j));
-  return {Tone::kWarning, "spending the budget: " + share, {}, "spending " + share, "spending"};
+  return {
+      draw::Tone::kWarning, "spending the budget: " + share, {}, "spending " + share, "spending"};
 }
 
-// As wide as its widest digits: what fits must not depend on which digits these are.
+// Width with all digits 0, so that the layout does not depend on the digits.
 float steady_width(std::string text) {
   for (char& c : text) {
     if (std::isdigit(static_cast<unsigned char>(c)) != 0) c = '0';
@@ -75,7 +76,7 @@ float steady_width(std::string text) {
   return ImGui::CalcTextSize(text.c_str()).x;
 }
 
-void draw_light(const PanelContext& context, Tone tone, bool glows) {
+void draw_light(const PanelContext& context, draw::Tone tone, bool glows) {
   const float em = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 centre(corner.x + kGlowEms * em, corner.y + 0.5F * ImGui::GetFrameHeight());
@@ -95,20 +96,19 @@ void draw_words(const PanelContext& context, const LampWords& words, float room)
   if (words.remark.empty() || chosen != &words.text || steady_width(words.text + remark) > room)
     return;
   ImGui::SameLine(0.0F, 0.0F);
-  ImGui::TextColored(context.theme.colour(Tone::kMuted), "%s", remark.c_str());
+  ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "%s", remark.c_str());
 }
 
 void draw_story(const PanelContext& context, const EnergyLamp& lamp) {
   const LampWords words = lamp_words(lamp.story());
   ImGui::BeginGroup();
-  draw_light(context, words.tone, words.tone != Tone::kGood);
+  draw_light(context, words.tone, words.tone != draw::Tone::kGood);
   draw_words(context, words, ImGui::GetContentRegionAvail().x);
   ImGui::EndGroup();
-  remember_item(context.state, "energy lamp");
   if (!ImGui::IsItemHovered()) return;
   const Scene& scene = context.session.scene();
   const double since_s = static_cast<double>(lamp.since_tick()) / scene.sampling.rate_hz;
-  explain((scene.y ? "Axis x alone: axis y is a loop of its own.\n" : "") +
+  explain((scene.two_axes() ? "Axis x alone: axis y is a loop of its own.\n" : "") +
           lamp_tooltip(lamp.story(), since_s));
 }
 
@@ -123,7 +123,7 @@ LampWords lamp_words(const EnergyStory& story) {
     case EnergyState::kPassive:
       break;
   }
-  return {Tone::kGood, "passive", {}, "passive", "passive"};
+  return {draw::Tone::kGood, "passive", {}, "passive", "passive"};
 }
 
 std::string lamp_tooltip(const EnergyStory& story, double since_s) {
@@ -149,13 +149,12 @@ std::string lamp_tooltip(const EnergyStory& story, double since_s) {
 
 void draw_energy_lamp(const PanelContext& context) {
   const auto& lamp = context.state.compare.transient.lamp;
-  if (blind_test_runs(context.state)) {
+  if (context.shows.hides_force) {
     ImGui::BeginGroup();
-    draw_light(context, Tone::kFaint, false);
+    draw_light(context, draw::Tone::kFaint, false);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("energy: hidden");
     ImGui::EndGroup();
-    remember_item(context.state, "energy hidden");
   } else if (lamp) {
     draw_story(context, *lamp);
   }

@@ -1,4 +1,4 @@
-#include "app/ui/ghosts.h"
+#include "app/ui/panel/ghosts.h"
 
 #include <fmt/format.h>
 
@@ -6,21 +6,22 @@
 #include <string>
 #include <utility>
 
-#include "app/ui/comparing.h"
-#include "app/ui/extra_traces.h"
+#include "app/draw/plot/extra_traces.h"
+#include "app/ui/state/comparing.h"
 
 namespace hapticwall::ui {
 namespace {
 
-using runtime::Ghost;
-using runtime::TracePoint;
+using compare::Ghost;
+using compare::TracePoint;
 
 constexpr float kStrength = 0.42F;  // of a line's colour
-constexpr LineSet kGhostLines = kExtraLines | line_bit(Quantity::kPenetration) |
-                                line_bit(Quantity::kEnergyHold) | line_bit(Quantity::kEnergyScv) |
-                                line_bit(Quantity::kEnergyBudget);
+constexpr draw::LineSet kGhostLines = draw::kExtraLines | draw::line_bit(&Sample::penetration_m) |
+                                      draw::line_bit(&Sample::energy_hold_j) |
+                                      draw::line_bit(&Sample::energy_scv_j) |
+                                      draw::line_bit(&Sample::energy_budget_j);
 
-// At the present contact's time, on top of what the ledger had when it began.
+// At the time of the present contact, added to the ledger at its start.
 Sample sample_at(const Ghost& ghost, const TracePoint& point, double rate_hz) {
   Sample sample;
   sample.tick = ghost.present_onset_tick + point.ticks;
@@ -36,12 +37,12 @@ Sample sample_at(const Ghost& ghost, const TracePoint& point, double rate_hz) {
   return sample;
 }
 
-ExtraTrace trace_of(const Ghost& ghost, double rate_hz, const AlgorithmSettings& settings) {
-  auto history = std::make_shared<SampleHistory>(ghost.points.size());
+draw::ExtraTrace trace_of(const Ghost& ghost, double rate_hz, const AlgorithmSettings& settings) {
+  auto history = std::make_shared<draw::SampleHistory>(ghost.points.size());
   for (const TracePoint& point : ghost.points) history->push(sample_at(ghost, point, rate_hz));
-  ExtraTrace trace;
+  draw::ExtraTrace trace;
   trace.label =
-      fmt::format("ghost of {}: {}", runtime::slot_name(ghost.slot), algorithm_name(settings));
+      fmt::format("ghost of {}: {}", compare::slot_name(ghost.slot), algorithm_name(settings));
   trace.history = std::move(history);
   trace.strength = kStrength;
   trace.lines = kGhostLines;
@@ -63,12 +64,12 @@ void show_ghost(const PanelContext& context) {
   }
   if (wanted == compare.transient.shown_ghost) return;
   compare.transient.shown_ghost = wanted;
-  std::vector<ExtraTrace> traces;
+  std::vector<draw::ExtraTrace> traces;
   if (ghost) {
     traces.push_back(trace_of(*ghost, context.session.scene().sampling.rate_hz,
                               compare.transient.comparison->settings(ghost->slot)));
   }
-  replace_extra_traces(context.state.plots.transient.extra_traces, ExtraSource::kComparison,
+  replace_extra_traces(context.state.plots.transient.extra_traces, draw::ExtraSource::kComparison,
                        std::move(traces));
 }
 

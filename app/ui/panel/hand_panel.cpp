@@ -1,4 +1,5 @@
-// The simulated hand: its script, or the pointer.
+#include "app/ui/panel/hand_panel.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -6,15 +7,15 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/control_panel.h"
-#include "app/ui/parameter_rows.h"
-#include "app/ui/widgets.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/widget/parameter_rows.h"
+#include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-// A script of the usual kind: from a place to another at one speed.
+// A script with one move at constant speed.
 struct Approach {
   double start_m = 0.0;
   double end_m = 0.0;
@@ -37,40 +38,37 @@ void want_approach(const PanelContext& context, const Approach& approach) {
     return;
   }
   Scene changed = context.session.scene();
-  PathPoint& to = changed.hand->path.back();
+  PathPoint& to = changed.x().hand->path.back();
   to.position_m = approach.end_m;
-  to.time_s = changed.hand->path.front().time_s +
+  to.time_s = changed.x().hand->path.front().time_s +
               std::abs(approach.end_m - approach.start_m) / approach.speed_m_per_s;
   context.state.transient.wanted_scene = WantedScene{std::move(changed)};
 }
 
 void draw_approach(const PanelContext& context, Approach approach) {
   const char* tooltip_end =
-      "The last point of p(t), where the hand wants to be in the end, in mm. Starts the script "
-      "anew, from rest.";
+      "The last point of the script p(t), in mm. Restarts the script from rest.";
   field_label(context, "end position", tooltip_end, "mm");
-  if (const auto typed = number_field(context, "##end", approach.end_m * kMillimetresPerMetre)) {
+  if (const auto typed =
+          number_field(context, "##end position", approach.end_m * kMillimetresPerMetre)) {
     approach.end_m = *typed / kMillimetresPerMetre;
     want_approach(context, approach);
   }
-  remember_item(context.state, "end position");
   unit_label("mm");
   field_label(context, "approach speed",
-              "p', how fast the hand goes there, in mm/s. Starts the script anew, from rest.",
-              "mm/s");
-  if (const auto typed =
-          number_field(context, "##speed", approach.speed_m_per_s * kMillimetresPerMetre)) {
+              "p', speed of the approach, in mm/s. Restarts the script from rest.", "mm/s");
+  if (const auto typed = number_field(context, "##approach speed",
+                                      approach.speed_m_per_s * kMillimetresPerMetre)) {
     approach.speed_m_per_s = *typed / kMillimetresPerMetre;
     want_approach(context, approach);
   }
-  remember_item(context.state, "approach speed");
   unit_label("mm/s");
 }
 
 void draw_pointer(const PanelContext& context, const HandSettings& hand) {
   TransientState& transient = context.state.transient;
   if (transient.hand_m) {
-    ImGui::TextColored(context.theme.colour(Tone::kHand), "The pointer leads: %.1f mm",
+    ImGui::TextColored(context.theme.colour(draw::Tone::kHand), "The pointer leads: %.1f mm",
                        *transient.hand_m * kMillimetresPerMetre);
   } else {
     muted_text(context, hand.follows_mouse
@@ -79,17 +77,17 @@ void draw_pointer(const PanelContext& context, const HandSettings& hand) {
   }
   if (hand.follows_mouse) return;
   bool& stays = context.state.persisted.hand_stays_where_released;
-  if (ImGui::Checkbox("stays where it is let go", &stays) && !stays && !transient.dragging_hand) {
+  if (ImGui::Checkbox("stays where it is let go###hand stays", &stays) && !stays &&
+      !transient.dragging_hand) {
     transient.hand_m.reset();
-    context.session.lead_second_hand(std::nullopt);
-    context.session.lead_hand(std::nullopt);
+    if (context.shows.live != nullptr) {
+      context.shows.live->lead_second_hand(std::nullopt);
+      context.shows.live->lead_hand(std::nullopt);
+    }
   }
-  remember_item(context.state, "hand stays");
   explain(
       "While the mouse button is down in the view, the hand's spring pulls the handle to the "
-      "pointer. When "
-      "it is let go, the hand returns to where its script is by now; ticked, it stays where it "
-      "was.");
+      "pointer. After release the hand returns to its script; ticked, it stays where it was.");
 }
 
 const std::array kHandRows{
@@ -108,36 +106,38 @@ const std::array kHandRows{
                   "b_g in F_h = k_g (x_h - x) + b_g (v_h - v): the damper beside the grip's spring",
                   1.0}};
 
-// A grip takes its damping with it when it goes.
+// Removing the grip removes its damping.
 void edit_hand(HandSettings& hand, const NumberKey<HandSettings>& key, const ParameterEdit& edit) {
   assign(key, hand, edit.value);
   if (!hand.has_grip() && key.key == "grip_stiffness_n_per_m") hand.grip_damping_n_s_per_m.reset();
 }
 
 void draw_body(const PanelContext& context) {
-  const auto& loaded = context.state.transient.loaded_scene.hand;
+  const auto& loaded = context.state.transient.loaded_scene.x().hand;
   for (const ParameterText& text : kHandRows) {
-    const auto& key = key_called(hand_number_keys(), text.key);
-    const HandSettings& in_force = *context.session.scene().hand;
+    const auto& key = key_called<HandSettings>(text.key);
+    const HandSettings& in_force = *context.session.scene().x().hand;
     const ParameterRow row =
         parameter_row("hand.", key, text, in_force, loaded ? *loaded : in_force);
     const auto edit = draw_parameter_row(context, row);
     if (!edit) continue;
-    change_parameters(context, row.key, [&](Scene& scene) { edit_hand(*scene.hand, key, *edit); });
+    change_parameters(context, row.key,
+                      [&](Scene& scene) { edit_hand(*scene.x().hand, key, *edit); });
   }
 }
 
-// Who leads the hand, in a word or two.
+// Short text: who leads the hand.
 std::string summary(const PanelContext& context) {
-  const auto& hand = context.session.scene().hand;
+  const auto& hand = context.session.scene().x().hand;
   if (!hand) return context.session.device_info().is_simulated ? "none" : "yours";
   if (const auto hand_m = context.state.transient.hand_m) {
     return fmt::format("led by the pointer, {:.1f} mm", *hand_m * kMillimetresPerMetre);
   }
   if (hand->follows_mouse) return "waits for the pointer";
   if (const auto approach = approach_of(*hand)) {
-    return fmt::format("to {} mm at {} mm/s", number_text(approach->end_m * kMillimetresPerMetre),
-                       number_text(approach->speed_m_per_s * kMillimetresPerMetre));
+    return fmt::format("to {} mm at {} mm/s",
+                       rounded_number(approach->end_m * kMillimetresPerMetre),
+                       rounded_number(approach->speed_m_per_s * kMillimetresPerMetre));
   }
   return fmt::format("a script of {} points", hand->path.size());
 }
@@ -145,8 +145,8 @@ std::string summary(const PanelContext& context) {
 }  // namespace
 
 void draw_hand_section(const PanelContext& context) {
-  if (!folding_section(context, "Hand", summary(context))) return;
-  const auto& hand = context.session.scene().hand;
+  if (!folding_section(context, "Hand", summary(context), asked_for(context).hand)) return;
+  const auto& hand = context.session.scene().x().hand;
   if (!hand) {
     muted_text(context, context.session.device_info().is_simulated
                             ? "This scene has no hand: nothing holds the handle."

@@ -1,4 +1,5 @@
-// Rate and integrator, and beside them what they cost and what they lose.
+#include "app/ui/panel/loop_panel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/ui/control_panel.h"
-#include "app/ui/parameter_rows.h"
-#include "app/ui/widgets.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/widget/parameter_rows.h"
+#include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -17,14 +18,12 @@ namespace {
 constexpr const char* kSubstepsKey = "simulator.substeps";
 
 void draw_rate(const PanelContext& context) {
-  field_label(
-      context, "sampling rate",
-      "Ticks of the real-time loop a second, 10 Hz to 100 kHz. A new rate starts a new session, at "
-      "rest.",
-      "Hz");
+  field_label(context, "sampling rate",
+              "Ticks of the real-time loop per second, 10 Hz to 100 kHz. A new rate starts a new "
+              "session from rest.",
+              "Hz");
   const Scene& scene = context.session.scene();
   const auto rate_hz = number_field(context, "##rate", scene.sampling.rate_hz);
-  remember_item(context.state, "rate");
   unit_label("Hz");
   if (!rate_hz) return;
   Scene changed = scene;
@@ -44,37 +43,34 @@ void draw_integrator(const PanelContext& context) {
       const bool chosen = name == simulator.integrator_name();
       if (ImGui::Selectable(std::string(name).c_str(), chosen) && !chosen) {
         const Integrator integrator = *find_integrator(name);
-        // The exact one has no substeps; the others keep what was chosen.
+        // The exact integrator has no substeps; the others keep the chosen number.
         set_simulator(context,
                       {integrator, integrator == Integrator::kExact ? 1 : simulator.substeps});
       }
-      remember_item(context.state, name);
     }
     ImGui::EndCombo();
   }
-  remember_item(context.state, "integrator");
   explain(
-      "How the simulator moves the handle between two ticks. The others show what a simulator that "
-      "uses them would have shown: at one substep semi-implicit Euler hides a chattering wall. "
-      "Changes while it runs.");
+      "Integration of the handle between two ticks. The approximate integrators are for "
+      "comparison: with one substep, semi-implicit Euler hides a chattering wall. Changes during "
+      "the session.");
 }
 
 void draw_substeps(const PanelContext& context) {
   const SimulatorSettings simulator = context.session.scene().simulator;
   if (simulator.integrator == Integrator::kExact) return;
-  field_label(context, "substeps",
-              fmt::format("Steps of the integrator in a tick, 1 to {}. Changes while it runs.",
-                          kMaximumSubsteps),
-              "per tick");
+  field_label(
+      context, "substeps",
+      fmt::format("Integrator steps per tick, 1 to {}. Changes during the session.", kMaxSubsteps),
+      "per tick");
   const auto substeps =
       number_field(context, "##substeps", static_cast<double>(simulator.substeps));
-  remember_item(context.state, "substeps");
   unit_label("per tick");
   if (substeps && *substeps != std::floor(*substeps)) {
-    refuse(context, kSubstepsKey, fmt::format("{} is no whole number", number_text(*substeps)));
+    refuse(context, kSubstepsKey, fmt::format("{} is no whole number", rounded_number(*substeps)));
   } else if (substeps) {
-    // What is out of range is for the scene's own check to say.
-    const double within_reach = std::clamp(*substeps, -1.0, kMaximumSubsteps + 1.0);
+    // Values out of range go to the scene's validation.
+    const double within_reach = std::clamp(*substeps, -1.0, kMaxSubsteps + 1.0);
     set_simulator(context, {simulator.integrator, static_cast<int>(within_reach)});
   }
   draw_refusal(context, kSubstepsKey);
@@ -83,26 +79,25 @@ void draw_substeps(const PanelContext& context) {
 void draw_cost(const PanelContext& context) {
   const runtime::TimingStatistics& timing = context.snapshot.timing;
   const bool too_slow = timing.median_cost_s > context.session.scene().sampling.period_s();
-  figure_row(
-      context, "cost of a tick", cost_text(timing), too_slow ? Tone::kWarning : Tone::kText,
-      "What the loop computes in a tick, simulator, controller and recording together: median "
-      "and maximum of the last second. More than a period, and the simulation falls behind.");
-  remember_item(context.state, "cost");
+  figure_row(context, "cost of a tick", cost_text(timing),
+             too_slow ? draw::Tone::kWarning : draw::Tone::kText,
+             "Compute time of a tick with simulator, controller and recording: median and maximum "
+             "of the last second. If it exceeds the period, the simulation falls behind.");
 }
 
 void draw_balance(const PanelContext& context) {
   figure_row(context, "energy error",
-             fmt::format("{:+.1e} J", energy_error_j(context.snapshot.sample.truth)), Tone::kText,
-             "Energy that the integrator has lost (+) or made (-) since tick 0: the hand's work, "
-             "less what moves, what was dissipated and what the actuator took.");
-  remember_item(context.state, "energy error");
+             fmt::format("{:+.1e} J", energy_error_j(context.snapshot.newest.x().truth)),
+             draw::Tone::kText,
+             "Energy that the integrator has lost (+) or created (-) since tick 0: the hand's work "
+             "minus kinetic energy, dissipation and actuator work.");
 }
 
 }  // namespace
 
 std::string cost_text(const runtime::TimingStatistics& timing) {
   if (timing.cost_ticks == 0) return "–";
-  return fmt::format("{:5.1f} µs, most {:4.0f} µs", timing.median_cost_s * kMicrosecondsPerSecond,
+  return fmt::format("{:5.1f} µs, max {:4.0f} µs", timing.median_cost_s * kMicrosecondsPerSecond,
                      timing.maximum_cost_s * kMicrosecondsPerSecond);
 }
 
@@ -111,7 +106,7 @@ double energy_error_j(const PlantTruth& truth) {
 }
 
 void draw_loop_section(const PanelContext& context) {
-  section(context, "Loop");
+  section(context, "Loop", asked_for(context).simulator);
   draw_rate(context);
   const bool simulated = context.session.device_info().is_simulated;
   if (simulated) {

@@ -1,15 +1,16 @@
-#include "app/ui/lower_page.h"
+#include "app/ui/panel/lower_page.h"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <string>
 
-#include "app/ui/blind_test.h"
-#include "app/ui/blind_test_page.h"
-#include "app/ui/energy_lamp_view.h"
-#include "app/ui/ghosts.h"
-#include "app/ui/plots_panel.h"
-#include "app/ui/timing_page.h"
-#include "app/ui/widgets.h"
+#include "app/ui/panel/blind_test_page.h"
+#include "app/ui/panel/energy_lamp_view.h"
+#include "app/ui/panel/ghosts.h"
+#include "app/ui/panel/plots_panel.h"
+#include "app/ui/panel/timing_page.h"
+#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -23,19 +24,18 @@ struct Page {
 };
 constexpr std::array kPages{
     Page{LowerPage::kPlots, "Plots", "Position, force, stiffness and energy over time"},
-    Page{LowerPage::kTiming, "Timing", "How the loop and the window keep their time"},
+    Page{LowerPage::kTiming, "Timing", "Timing of the loop and of the window"},
     Page{LowerPage::kBlindTest, "Blind test",
-         "Which of two walls? A and B of Compare, felt in an order that nobody sees"}};
+         "Which of two walls? A and B of Compare, in hidden order"}};
 
 void draw_page_choice(const PanelContext& context) {
-  const LowerPage now = lower_page(context.state);
-  ImGui::BeginDisabled(blind_test_runs(context.state));
+  const LowerPage now = lower_page(context);
+  ImGui::BeginDisabled(context.shows.hides_force);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(1.0F, ImGui::GetStyle().ItemSpacing.y));
   for (const Page& page : kPages) {
-    if (choice_button(context, page.name, now == page.page))
+    if (choice_button(context, fmt::format("{0}###page {0}", page.name).c_str(), now == page.page))
       context.state.persisted.lower_page = page.page;
-    remember_item(context.state, std::string("page ") + page.name);
-    explain(blind_test_runs(context.state) ? "Hidden until the blind test ends" : page.meaning);
+    explain(context.shows.hides_force ? "Hidden until the blind test ends" : page.meaning);
     ImGui::SameLine();
   }
   ImGui::PopStyleVar();
@@ -44,16 +44,16 @@ void draw_page_choice(const PanelContext& context) {
 
 }  // namespace
 
-LowerPage lower_page(const UiState& state) {
-  return blind_test_runs(state) ? LowerPage::kBlindTest : state.persisted.lower_page;
+LowerPage lower_page(const PanelContext& context) {
+  return context.shows.hides_force ? LowerPage::kBlindTest : context.state.persisted.lower_page;
 }
 
-void draw_lower_page(const PanelContext& context, const SampleHistory& history) {
+void draw_lower_page(const PanelContext& context, const draw::SampleHistory& history) {
   draw_page_choice(context);
   ImGui::SameLine(0.0F, kTabGapEms * ImGui::GetFontSize());
   draw_energy_lamp(context);
   ImGui::BeginChild("lower page", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders);
-  switch (lower_page(context.state)) {
+  switch (lower_page(context)) {
     case LowerPage::kPlots:
       show_ghost(context);
       draw_plots_panel(context, history);

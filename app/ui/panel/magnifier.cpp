@@ -1,4 +1,4 @@
-#include "app/ui/magnifier.h"
+#include "app/ui/panel/magnifier.h"
 
 #include <fmt/format.h>
 
@@ -6,35 +6,34 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/blind_test.h"
-#include "app/ui/shown_axis.h"
-#include "app/ui/wall_strip.h"
-#include "app/ui/widgets.h"
+#include "app/ui/wall/wall_strip.h"
+#include "app/ui/widget/shown_axis.h"
+#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr double kFreeShare = 0.35;   // of the strip, in front of the face
-constexpr double kRoomToSpare = 0.8;  // magnify more when even then this share is enough
-constexpr double kLookBackS = 0.5;    // for the choice of the magnification
-constexpr double kFollowS = 0.1;      // of the handle's motion, which has to fit to be followed
-constexpr double kNearerShare = 0.5;  // another face is looked at when it is so much nearer
-constexpr double kStayWithin = 0.40;  // of the span, from its middle: the handle moves in there
-constexpr double kWithinFace = 0.47;  // the same while the face is in its place
+constexpr double kRoomToSpare = 0.8;  // magnify more only when the depth needs less than this share
+constexpr double kLookBackS = 0.5;    // window for the choice of the magnification
+constexpr double kFollowS = 0.1;      // window of the motion that must fit to be followed
+constexpr double kNearerShare = 0.5;  // switch to another face when it is nearer by this factor
+constexpr double kStayWithin = 0.40;  // of the span from its middle: range of the handle
+constexpr double kWithinFace = 0.47;  // the same while the view is at the face
 
 double depth_share(double unmagnified_m, int magnification) {
   return (1.0 - kFreeShare) * unmagnified_m / magnification;
 }
 
-// Where the handle was from `seconds` ago until now.
-Extremes recent_positions(const SampleHistory& history, double seconds, double now_m) {
+// Range of the handle in the last `seconds`.
+draw::Extremes recent_positions(const draw::SampleHistory& history, double seconds, double now_m) {
   const double newest_s = history.newest_time_s();
-  const IndexRange recent = history.range(newest_s - seconds, newest_s);
+  const draw::IndexRange recent = history.range(newest_s - seconds, newest_s);
   if (recent.count() == 0) return {now_m, now_m};
-  return history.extremes(Quantity::kTruePosition, recent);
+  return history.extremes(&PlantTruth::position_m, recent);
 }
 
-// How much is magnified from now on.
+// Updates and returns the magnification.
 int choose_magnification(WallState& state, double deepest_m, double unmagnified_m) {
   int& magnification = state.transient.magnification;
   if (state.persisted.magnification > 0) {
@@ -48,30 +47,29 @@ int choose_magnification(WallState& state, double deepest_m, double unmagnified_
 void draw_magnification(const PanelContext& context) {
   WallState& state = context.state.wall;
   const int now = state.transient.magnification;
-  const auto button = [&](const char* label, const char* item, const char* tip) {
+  const auto button = [&](const char* label, const char* tip) {
     ImGui::SameLine();
     const bool pressed = ImGui::SmallButton(label);
-    remember_item(context.state, item);
     explain(tip);
     return pressed;
   };
-  if (button("–", "magnify less", "Magnify less; so does the wheel over the picture."))
+  if (button("–###magnify less", "Magnify less; so does the wheel over the picture."))
     state.persisted.magnification = next_magnification(now, -1);
   ImGui::SameLine();
-  // As wide as the longest, or the buttons would move under the pointer when it changes by itself.
+  // Width of the longest text, so that the buttons do not move.
   const float width = ImGui::CalcTextSize("×1000").x;
   ImGui::BeginGroup();
-  ImGui::TextColored(context.theme.colour(Tone::kAccent), "×%d", now);
+  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "×%d", now);
   ImGui::SameLine(0.0F, 0.0F);
   ImGui::Dummy(ImVec2(std::max(width - ImGui::GetItemRectSize().x, 0.0F), 0.0F));
   ImGui::EndGroup();
-  explain("How much larger than the wall view shows the scene at first.");
-  if (button("+", "magnify more", "Magnify more; so does the wheel over the picture."))
+  explain("Magnification relative to the initial wall view.");
+  if (button("+###magnify more", "Magnify more; so does the wheel over the picture."))
     state.persisted.magnification = next_magnification(now, 1);
   const bool automatic = state.persisted.magnification == 0;
   if (!automatic &&
-      button("auto", "magnify automatically",
-             "As suits the depth of the last half second; so does a double click on the picture."))
+      button("auto###magnify automatically",
+             "Fits the depth of the last half second; so does a double click on the picture."))
     state.persisted.magnification = 0;
 }
 
@@ -82,10 +80,10 @@ void draw_heading(const PanelContext& context, bool with_choice) {
   if (with_choice) draw_magnification(context);
 }
 
-// As many entries as there is room for.
+// Draws as many entries as fit.
 void draw_legend(const PanelContext& context) {
   const float size = ImGui::GetFontSize();
-  const auto entry = [&](Tone tone, const std::string& text) {
+  const auto entry = [&](draw::Tone tone, const std::string& text) {
     if (ImGui::GetContentRegionAvail().x < 0.9F * size + ImGui::CalcTextSize(text.c_str()).x)
       return;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -96,12 +94,12 @@ void draw_legend(const PanelContext& context) {
     ImGui::TextDisabled("%s", text.c_str());
     ImGui::SameLine(0.0F, size);
   };
-  entry(Tone::kText, "true");
-  entry(Tone::kPosition, "measured");
-  entry(Tone::kAccent, "proxy");
+  entry(draw::Tone::kText, "true");
+  entry(draw::Tone::kPosition, "measured");
+  entry(draw::Tone::kAccent, "proxy");
   const Scene scene = shown_scene(context);
-  if (const auto& encoder_m = scene.device.encoder_m)
-    entry(Tone::kMuted, fmt::format("counts of {}", length_text(*encoder_m)));
+  if (const auto& encoder_m = scene.x().device.encoder_m)
+    entry(draw::Tone::kMuted, fmt::format("counts of {}", length_text(*encoder_m)));
   ImGui::NewLine();
 }
 
@@ -111,7 +109,6 @@ void take_pointer(const PanelContext& context, const Strip& strip) {
   ImGui::SetCursorScreenPos(strip.from);
   ImGui::InvisibleButton("##magnifier",
                          ImVec2(strip.to.x - strip.from.x, strip.to.y - strip.from.y));
-  remember_item(context.state, "magnifier");
   if (!ImGui::IsItemHovered()) return;
   ImGui::SetItemKeyOwner(ImGuiKey_MouseWheelY);
   const float wheel = ImGui::GetIO().MouseWheel;
@@ -122,7 +119,7 @@ void take_pointer(const PanelContext& context, const Strip& strip) {
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) state.persisted.magnification = 0;
 }
 
-Strip place_strip(const PanelContext& context, const SampleHistory& history,
+Strip place_strip(const PanelContext& context, const draw::SampleHistory& history,
                   const WallPicture& picture, double view_pixels_per_m) {
   WallState& state = context.state.wall;
   const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -136,13 +133,13 @@ Strip place_strip(const PanelContext& context, const SampleHistory& history,
   Magnified& magnified = state.transient.magnified;
   const double deepest_m = recent_positions(history, kLookBackS, tip_m).maximum - magnified.face_m;
   strip.span_m = unmagnified_m / choose_magnification(state, deepest_m, unmagnified_m);
-  const Extremes recent = recent_positions(history, kFollowS, tip_m);
+  const draw::Extremes recent = recent_positions(history, kFollowS, tip_m);
   magnified = look_at_contact(picture, recent.minimum, recent.maximum, strip.span_m, magnified);
   strip.middle_m = magnified.middle_m;
   return strip;
 }
 
-// The wall whose face is nearest to the handle; the one before, unless another is much nearer.
+// The nearest face; keeps the previous one unless another is much nearer.
 double face_to_look_at(const WallPicture& picture, double tip_m, double before_m) {
   const auto distance = [tip_m](double face_m) { return std::abs(tip_m - face_m); };
   const PictureWall* nearest = nullptr;
@@ -195,9 +192,9 @@ Magnified look_at_contact(const WallPicture& picture, double least_m, double mos
   return result;
 }
 
-void draw_magnifier(const PanelContext& context, const SampleHistory& history,
+void draw_magnifier(const PanelContext& context, const draw::SampleHistory& history,
                     double view_pixels_per_m) {
-  if (blind_test_runs(context.state)) {
+  if (context.shows.hides_force) {
     draw_heading(context, false);
     ImGui::TextDisabled("Hidden during the blind test.");
     return;
@@ -212,16 +209,16 @@ void draw_magnifier(const PanelContext& context, const SampleHistory& history,
   }
   WallState& state = context.state.wall;
   const auto& shown = state.transient.shown;
-  picture.shown.front() = shows_second_axis(context) ? shown.back() : shown.front();
+  picture.shown.front() = context.shows.axis == Axis::kY ? shown.back() : shown.front();
   draw_heading(context, true);
   const Strip strip = place_strip(context, history, picture, view_pixels_per_m);
   take_pointer(context, strip);
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(strip.from, strip.to, context.theme.packed(Tone::kBackground));
+  list->AddRectFilled(strip.from, strip.to, context.theme.packed(draw::Tone::kBackground));
   list->PushClipRect(strip.from, strip.to, true);
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const StripContent content{&picture, state.transient.magnified.face_m, sample.position_m,
-                             scene.device.encoder_m};
+                             scene.x().device.encoder_m};
   draw_strip(context.theme, strip, content, list);
   draw_trail(context.theme, strip, history, state.transient.trail, list);
   list->PopClipRect();

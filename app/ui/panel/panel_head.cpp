@@ -1,4 +1,4 @@
-#include "app/ui/panel_head.h"
+#include "app/ui/panel/panel_head.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,9 @@
 #include <string>
 #include <system_error>
 
-#include "app/ui/appearance.h"
-#include "app/ui/blind_test.h"
-#include "app/ui/help_overlay.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/undo_controls.h"
-#include "app/ui/widgets.h"
+#include "app/ui/state/appearance.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -34,44 +31,38 @@ struct Button {
 void open_settings(const PanelContext& /*context*/) { ImGui::OpenPopup(kSettings); }
 
 void draw_look(const PanelContext& context) {
-  Look& look = context.state.persisted.look;
+  draw::Look& look = context.state.persisted.look;
   field_label(context, "colours", "Dark, or light for bright rooms (key F2)", "");
-  if (ImGui::RadioButton("dark", look == Look::kScreen)) look = Look::kScreen;
-  remember_item(context.state, "dark");
+  if (ImGui::RadioButton("dark", look == draw::Look::kScreen)) look = draw::Look::kScreen;
   ImGui::SameLine();
-  if (ImGui::RadioButton("light", look == Look::kLight)) look = Look::kLight;
-  remember_item(context.state, "light");
+  if (ImGui::RadioButton("light", look == draw::Look::kLight)) look = draw::Look::kLight;
 }
 
 void draw_scale(const PanelContext& context) {
   UiState& state = context.state;
   const float em = ImGui::GetFontSize();
-  field_label(context, "size",
-              fmt::format("How large everything is drawn, {} to {} %. Keys Ctrl +, Ctrl −; Ctrl 0: "
-                          "as the screen says.",
-                          kSmallestScalePercent, kLargestScalePercent),
-              "");
+  field_label(
+      context, "size",
+      fmt::format("Size of everything, {} to {} %. Keys Ctrl +, Ctrl −; Ctrl 0 follows the screen.",
+                  runtime::kMinScalePercent, runtime::kMaxScalePercent),
+      "");
   if (ImGui::Button("−###smaller")) step_scale(state, -1);
-  remember_item(state, "smaller");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(kPercentEms * em);
-  if (const auto percent = number_field(context, "##percent", scale_percent_in_force(state)))
+  if (const auto percent = number_field(context, "##scale percent", scale_percent_in_force(state)))
     set_scale(state, static_cast<int>(std::clamp(*percent, 1.0, 1e4)));
-  remember_item(state, "scale percent");
   ImGui::SameLine();
   ImGui::TextDisabled("%%");
   ImGui::SameLine();
   if (ImGui::Button("+###larger")) step_scale(state, 1);
-  remember_item(state, "larger");
   const bool automatic = state.persisted.scale_percent == 0 && !state.transient.forced_scale;
   field_label(context, "", "", "");
   ImGui::BeginDisabled(automatic);
-  if (ImGui::Button(fmt::format("as the screen says ({:.0f} %)###automatic",
+  if (ImGui::Button(fmt::format("as the screen says ({:.0f} %)###automatic scale",
                                 state.transient.screen_scale * kPercent)
                         .c_str()))
     set_scale(state, 0);
   ImGui::EndDisabled();
-  remember_item(state, "automatic scale");
 }
 
 void set_recording_folder(UiState& state, const std::string& folder) {
@@ -89,12 +80,11 @@ void set_recording_folder(UiState& state, const std::string& folder) {
 
 void draw_folder(const PanelContext& context) {
   field_label(context, "recordings",
-              "Where recordings, samples and figures are written. Empty: the folder in which the "
-              "program was started.",
+              "Folder of recordings, samples and figures. Empty: the folder in which the program "
+              "was started.",
               "");
-  const auto folder = text_field(context, "##folder", "the current folder",
+  const auto folder = text_field(context, "##recording folder", "the current folder",
                                  context.state.transient.recording_folder);
-  remember_item(context.state, "recording folder");
   if (folder) set_recording_folder(context.state, *folder);
 }
 
@@ -105,8 +95,7 @@ void reset_layout(PersistedState& kept) {
   kept.picture_share = usual.picture_share;
 }
 
-void draw_settings(const PanelContext& context, const ItemRect& button) {
-  const ImVec2 below(button.from.x, button.to.y + ImGui::GetStyle().ItemInnerSpacing.y);
+void draw_settings(const PanelContext& context, ImVec2 below) {
   ImGui::SetNextWindowPos(below, ImGuiCond_Appearing);
   ImGui::SetNextWindowSize(ImVec2(kSettingsWidthEms * ImGui::GetFontSize(), 0.0F));
   if (!ImGui::BeginPopup(kSettings)) return;
@@ -114,9 +103,9 @@ void draw_settings(const PanelContext& context, const ItemRect& button) {
   draw_scale(context);
   draw_folder(context);
   field_label(context, "layout", "", "");
-  if (ImGui::Button("as at first###reset")) reset_layout(context.state.persisted);
-  remember_item(context.state, "reset layout");
-  explain("Panel, views and plots as large as at first. Drag the gaps between them to change it.");
+  if (ImGui::Button("as at first###reset layout")) reset_layout(context.state.persisted);
+  explain(
+      "Restores the sizes of panel, views and plots. Drag the gaps between them to change them.");
   const std::string& path = context.state.transient.settings_path;
   muted_text(context, path.empty() ? "Nothing of this is kept." : "Kept in " + path);
   ImGui::EndPopup();
@@ -126,7 +115,7 @@ void draw_settings(const PanelContext& context, const ItemRect& button) {
 
 void draw_panel_head(const PanelContext& context) {
   const UndoHistory& undo = context.state.transient.undo;
-  const bool changeable = replay_of(context.session) == nullptr && !blind_test_runs(context.state);
+  const bool changeable = context.shows.live != nullptr && !context.shows.hides_algorithm;
   const std::array buttons{
       Button{"Undo", "undo", undo.can_undo() && changeable,
              "Takes back (Ctrl+Z):\n" + undo.undo_text(), undo_change},
@@ -134,12 +123,14 @@ void draw_panel_head(const PanelContext& context) {
              "Does again (Ctrl+Y):\n" + undo.redo_text(), redo_change},
       Button{"Settings", "settings", true, "Colours, size, folder of recordings", open_settings},
       Button{"?", "help", true, "All keys (F1)", toggle_help}};
-  ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);
+  ImGui::PushFont(context.theme.fonts.strong, draw::kTitleFontSize);
   ImGui::TextUnformatted("Haptic Wall");
   ImGui::PopFont();
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float gap = style.ItemInnerSpacing.x;
+  const float gap_below = style.ItemInnerSpacing.y;
+  ImVec2 settings_below;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(gap, 0.5F * style.FramePadding.y));
   float width = -gap;
   for (const Button& button : buttons) width += ImGui::CalcTextSize(button.label).x + 3.0F * gap;
@@ -148,16 +139,23 @@ void draw_panel_head(const PanelContext& context) {
                                 ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width));
   for (const Button& button : buttons) {
     ImGui::BeginDisabled(!button.enabled);
-    if (ImGui::Button(button.label)) button.act(context);
+    if (ImGui::Button(fmt::format("{}###{}", button.label, button.name).c_str()))
+      button.act(context);
     ImGui::EndDisabled();
-    remember_item(context.state, button.name);
+    if (button.act == open_settings)
+      settings_below = ImVec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + gap_below);
     if (button.enabled) explain(button.tooltip);
     ImGui::SameLine(0.0F, gap);
   }
   ImGui::NewLine();
   ImGui::PopStyleVar();
   ImGui::PopFont();
-  draw_settings(context, context.state.transient.items.at("settings"));
+  draw_settings(context, settings_below);
+}
+
+void toggle_help(const PanelContext& context) {
+  bool& shown = context.state.transient.help_shown;
+  shown = !shown;
 }
 
 }  // namespace hapticwall::ui

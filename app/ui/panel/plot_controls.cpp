@@ -1,4 +1,4 @@
-#include "app/ui/plot_controls.h"
+#include "app/ui/panel/plot_controls.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,10 @@
 #include <array>
 #include <string>
 
-#include "app/ui/shown_axis.h"
-#include "app/ui/widgets.h"
-#include "core/stability_bounds.h"
+#include "app/ui/panel/plot_export.h"
+#include "app/ui/widget/shown_axis.h"
+#include "app/ui/widget/widgets.h"
+#include "core/study/stability_bounds.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -19,12 +20,14 @@ constexpr float kFollowEms = 4.4F;
 constexpr float kWindowEms = 5.5F;
 constexpr float kTriggerEms = 9.5F;
 constexpr float kExportEms = 3.6F;
-constexpr double kMostPrePercent = 90.0;
+constexpr double kMaxPrePercent = 90.0;
 
-constexpr std::array kAllPlots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
-                               PlotId::kPassivity};
-constexpr std::array kFigure4Plots{PlotId::kPosition, PlotId::kForce, PlotId::kPassivity};
-constexpr std::array kFigure5And6Plots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness};
+constexpr std::array kAllPlots{draw::PlotId::kPosition, draw::PlotId::kForce,
+                               draw::PlotId::kStiffness, draw::PlotId::kPassivity};
+constexpr std::array kFigure4Plots{draw::PlotId::kPosition, draw::PlotId::kForce,
+                                   draw::PlotId::kPassivity};
+constexpr std::array kFigure5And6Plots{draw::PlotId::kPosition, draw::PlotId::kForce,
+                                       draw::PlotId::kStiffness};
 
 struct Arrangement {
   PlotArrangement value;
@@ -45,9 +48,9 @@ struct Mode {
 };
 constexpr std::array kModes{
     Mode{"off", "The plots follow the newest samples"},
-    Mode{"auto", "At the newest contact; where none comes for a while, the newest samples"},
+    Mode{"auto", "At the newest contact, or at the newest samples when there is none for a while"},
     Mode{"normal", "At the newest contact, until the next one"},
-    Mode{"single", "At the next contact, then frozen; Arm waits for another"}};
+    Mode{"single", "At the next contact, then frozen; Arm waits for the next one"}};
 
 float ems(float count) { return count * ImGui::GetFontSize(); }
 
@@ -59,19 +62,16 @@ void draw_arrangement(const PanelContext& context) {
   if (ImGui::BeginCombo("##arrangement", current->name)) {
     for (const Arrangement& choice : kArrangements) {
       if (ImGui::Selectable(choice.name, choice.value == arrangement)) arrangement = choice.value;
-      remember_item(context.state, choice.name);
       explain(choice.meaning);
     }
     ImGui::EndCombo();
   } else {
     explain("Which plots are shown");
   }
-  remember_item(context.state, "arrangement");
   ImGui::SameLine();
   bool& phase = context.state.plots.persisted.phase.shown;
-  if (choice_button(context, "Loop", phase)) phase = !phase;
-  remember_item(context.state, "phase plane");
-  explain("The force over the penetration: a loop, whose area is energy");
+  if (choice_button(context, "Loop###phase plane", phase)) phase = !phase;
+  explain("Force over penetration; the area of the loop is energy");
   ImGui::SameLine();
 }
 
@@ -79,10 +79,9 @@ void toggle_follow(UiState& state) { state.transient.follow = !state.transient.f
 
 void draw_follow(const PanelContext& context) {
   const bool following = context.state.transient.follow;
-  const bool single = context.state.plots.persisted.trigger.mode == TriggerMode::kSingle;
+  const bool single = context.state.plots.persisted.trigger.mode == draw::TriggerMode::kSingle;
   const char* label = following ? "Freeze###follow" : single ? "Arm###follow" : "Follow###follow";
   if (ImGui::Button(label, ImVec2(ems(kFollowEms), 0.0F))) toggle_follow(context.state);
-  remember_item(context.state, "follow");
   explain(following ? "The plots follow the session: stops them (key F). A drag or the wheel in a "
                       "plot does it, too."
                     : "Back to the newest samples, or to the next contact (key F)");
@@ -101,25 +100,24 @@ std::string length_text(double length_s) {
 void draw_length(const PanelContext& context) {
   double& length_s = context.state.persisted.time_window_s;
   ImGui::SetNextItemWidth(ems(kWindowEms));
-  if (ImGui::BeginCombo("##window", length_text(length_s).c_str(), ImGuiComboFlags_HeightLarge)) {
+  if (ImGui::BeginCombo("##time window", length_text(length_s).c_str(),
+                        ImGuiComboFlags_HeightLarge)) {
     for (const double choice_s : kTimeWindowsS) {
       const std::string text = length_text(choice_s);
-      if (ImGui::Selectable(text.c_str(), choice_s == length_s)) {
+      if (ImGui::Selectable(fmt::format("{0}###length {0}", text).c_str(), choice_s == length_s)) {
         length_s = choice_s;
         context.state.transient.follow = true;
       }
-      remember_item(context.state, "length " + text);
     }
     ImGui::EndCombo();
   } else {
     explain("The length of the time axes");
   }
-  remember_item(context.state, "time window");
   ImGui::SameLine();
 }
 
 void make_automatic(PlotsState& plots) {
-  for (PlotAxes& axes : plots.transient.axes) {
+  for (draw::PlotAxes& axes : plots.transient.axes) {
     axes.left.manual = false;
     axes.right.manual = false;
   }
@@ -130,50 +128,50 @@ void make_automatic(PlotsState& plots) {
 bool any_manual(const PlotsState& plots) {
   const auto& phase = plots.transient.phase;
   return phase.penetration.manual || phase.force.manual ||
-         std::any_of(plots.transient.axes.begin(), plots.transient.axes.end(),
-                     [](const PlotAxes& axes) { return axes.left.manual || axes.right.manual; });
+         std::any_of(
+             plots.transient.axes.begin(), plots.transient.axes.end(),
+             [](const draw::PlotAxes& axes) { return axes.left.manual || axes.right.manual; });
 }
 
 void draw_automatic(const PanelContext& context) {
   ImGui::BeginDisabled(!any_manual(context.state.plots));
-  if (ImGui::Button("Auto")) make_automatic(context.state.plots);
+  if (ImGui::Button("Auto###automatic axes")) make_automatic(context.state.plots);
   ImGui::EndDisabled();
-  remember_item(context.state, "automatic axes");
   explain(
-      "Fits all axes of values again. They stay where you put them with the wheel or a drag over "
-      "an "
-      "axis, or a right drag in a plot; a double click makes one plot automatic.");
+      "Fits all value axes again. The wheel or a drag over an axis, or a right drag in a plot, "
+      "fixes them; a double click makes one plot automatic.");
   ImGui::SameLine();
 }
 
-void set_mode(UiState& state, TriggerMode mode) {
+void set_mode(UiState& state, draw::TriggerMode mode) {
   state.plots.persisted.trigger.mode = mode;
   state.plots.transient.trigger = {};
   state.plots.transient.was_following = false;  // arms it
   state.transient.follow = true;
 }
 
-const char* stage_text(TriggerStage stage) {
+const char* stage_text(draw::TriggerStage stage) {
   switch (stage) {
-    case TriggerStage::kFilling:
+    case draw::TriggerStage::kFilling:
       return "filling";
-    case TriggerStage::kShown:
+    case draw::TriggerStage::kShown:
       return "contact";
-    case TriggerStage::kDone:
+    case draw::TriggerStage::kDone:
       return "done";
-    case TriggerStage::kWaiting:
+    case draw::TriggerStage::kWaiting:
       break;
   }
   return "waiting";
 }
 
 void draw_trigger_choices(const PanelContext& context) {
-  TriggerSettings& settings = context.state.plots.persisted.trigger;
+  draw::TriggerSettings& settings = context.state.plots.persisted.trigger;
   ImGui::TextDisabled("The time axes stand at a contact");
   for (std::size_t i = 0; i < kModes.size(); ++i) {
-    const auto mode = static_cast<TriggerMode>(i);
-    if (ImGui::RadioButton(kModes[i].name, settings.mode == mode)) set_mode(context.state, mode);
-    remember_item(context.state, fmt::format("trigger {}", kModes[i].name));
+    const auto mode = static_cast<draw::TriggerMode>(i);
+    if (ImGui::RadioButton(fmt::format("{0}###trigger {0}", kModes[i].name).c_str(),
+                           settings.mode == mode))
+      set_mode(context.state, mode);
     explain(kModes[i].meaning);
     ImGui::SameLine();
   }
@@ -181,27 +179,26 @@ void draw_trigger_choices(const PanelContext& context) {
   const double least = 0.0;
   double percent = settings.pre_share * kPercent;
   ImGui::SetNextItemWidth(ems(10.0F));
-  if (ImGui::SliderScalar("before it", ImGuiDataType_Double, &percent, &least, &kMostPrePercent,
-                          "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
+  if (ImGui::SliderScalar("before it###pre-trigger", ImGuiDataType_Double, &percent, &least,
+                          &kMaxPrePercent, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
     settings.pre_share = percent / kPercent;
   }
-  remember_item(context.state, "pre-trigger");
   explain("How much of the time axes lies before the contact");
 }
 
 void draw_trigger(const PanelContext& context) {
-  const TriggerSettings& settings = context.state.plots.persisted.trigger;
-  const bool on = settings.mode != TriggerMode::kOff;
+  const draw::TriggerSettings& settings = context.state.plots.persisted.trigger;
+  const bool on = settings.mode != draw::TriggerMode::kOff;
   const std::string label =
       on ? fmt::format("{}: {}###trigger", kModes[static_cast<std::size_t>(settings.mode)].name,
                        stage_text(context.state.plots.transient.trigger.stage))
          : "Trigger###trigger";
-  const ImU32 background = on ? context.theme.packed(Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
+  const ImU32 background =
+      on ? context.theme.packed(draw::Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
   ImGui::PushStyleColor(ImGuiCol_Button, background);
   if (ImGui::Button(label.c_str(), ImVec2(ems(kTriggerEms), 0.0F))) ImGui::OpenPopup("trigger");
   ImGui::PopStyleColor();
-  remember_item(context.state, "trigger");
-  explain("Like a scope: the time axes stand still at the newest contact (key T)");
+  explain("Holds the time axes at the newest contact, like a scope (key T)");
   if (ImGui::BeginPopup("trigger")) {
     draw_trigger_choices(context);
     ImGui::EndPopup();
@@ -210,41 +207,39 @@ void draw_trigger(const PanelContext& context) {
 }
 
 void toggle_cursors(UiState& state) {
-  Cursors& cursors = state.plots.transient.cursors;
+  draw::Cursors& cursors = state.plots.transient.cursors;
   cursors.shown = !cursors.shown;
   if (cursors.shown)
     place_cursors(cursors, {state.transient.time_from_s, state.transient.time_to_s});
 }
 
 void draw_cursors_button(const PanelContext& context) {
-  if (choice_button(context, "Cursors", context.state.plots.transient.cursors.shown))
+  if (choice_button(context, "Cursors###cursors", context.state.plots.transient.cursors.shown))
     toggle_cursors(context.state);
-  remember_item(context.state, "cursors");
-  explain("Two cursors to drag, and what the signals are there (key C)");
+  explain("Two cursors to drag, and the signals at them (key C)");
   ImGui::SameLine();
 }
 
-void draw_exports(const PanelContext& context, const SampleHistory& history) {
+void draw_exports(const PanelContext& context, const draw::SampleHistory& history) {
   const float width = 2.0F * ems(kExportEms) + ImGui::GetStyle().ItemSpacing.x;
   ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
   const bool busy = context.state.plots.transient.exporting.running();
   const ImVec2 size(ems(kExportEms), 0.0F);
   ImGui::BeginDisabled(busy || history.empty());
-  if (ImGui::Button(busy ? "…###csv" : "CSV###csv", size)) export_samples(context, history);
+  if (ImGui::Button(busy ? "…###export csv" : "CSV###export csv", size))
+    export_samples(context, history);
   ImGui::EndDisabled();
-  remember_item(context.state, "export csv");
   explain("Writes the samples of the visible range like a recording: CSV and sidecar");
   ImGui::SameLine();
   ImGui::BeginDisabled(history.empty());
-  if (ImGui::Button("PNG", size)) export_figure(context, history);
+  if (ImGui::Button("PNG###export png", size)) export_figure(context, history);
   ImGui::EndDisabled();
-  remember_item(context.state, "export png");
   explain("Draws the plots of the visible range for print into a PNG file");
 }
 
 }  // namespace
 
-std::span<const PlotId> plots_of(PlotArrangement arrangement) {
+std::span<const draw::PlotId> plots_of(PlotArrangement arrangement) {
   switch (arrangement) {
     case PlotArrangement::kFigure4:
       return kFigure4Plots;
@@ -256,7 +251,7 @@ std::span<const PlotId> plots_of(PlotArrangement arrangement) {
   return kAllPlots;
 }
 
-void draw_plot_controls(const PanelContext& context, const SampleHistory& history) {
+void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& history) {
   draw_axis_choice(context, "plots");
   draw_arrangement(context);
   draw_follow(context);
@@ -270,7 +265,7 @@ void draw_plot_controls(const PanelContext& context, const SampleHistory& histor
 std::vector<KeyBinding> plot_keys() {
   const auto next_mode = [](const PanelContext& context) {
     const auto mode = static_cast<std::size_t>(context.state.plots.persisted.trigger.mode);
-    set_mode(context.state, static_cast<TriggerMode>((mode + 1) % kModes.size()));
+    set_mode(context.state, static_cast<draw::TriggerMode>((mode + 1) % kModes.size()));
   };
   return {
       {KeyGroup::kPlots,

@@ -1,4 +1,4 @@
-#include "app/ui/plots_panel.h"
+#include "app/ui/panel/plots_panel.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/plot_controls.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/shown_axis.h"
-#include "app/ui/widgets.h"
+#include "app/ui/panel/plot_controls.h"
+#include "app/ui/panel/plot_export.h"
+#include "app/ui/widget/shown_axis.h"
+#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -17,15 +17,15 @@ namespace {
 constexpr double kAxisMovedS = 1e-9;  // what is not a rounding error
 constexpr float kPlotGapEms = 1.6F;   // between two columns of plots
 constexpr float kPlaneShare = 0.38F;  // of the width, for the plane and the table of cursors
-constexpr float kNarrowestPlaneEms = 20.0F;
-constexpr float kWidestPlaneEms = 34.0F;
+constexpr float kMinPlaneEms = 20.0F;
+constexpr float kMaxPlaneEms = 34.0F;
 constexpr float kTableShare = 0.45F;  // of the height, below the plane
 
-TimeWindow window_of(const UiState& state) {
+draw::TimeWindow window_of(const UiState& state) {
   return {state.transient.time_from_s, state.transient.time_to_s};
 }
 
-void set_window(UiState& state, TimeWindow window) {
+void set_window(UiState& state, draw::TimeWindow window) {
   state.transient.time_from_s = window.from_s;
   state.transient.time_to_s = window.to_s;
 }
@@ -34,29 +34,29 @@ double window_length_s(const UiState& state) {
   return std::clamp(state.persisted.time_window_s, kTimeWindowsS.front(), kTimeWindowsS.back());
 }
 
-// Where the time axes go by themselves: to the newest samples, or to a contact.
-void move_window(UiState& state, const SampleHistory& history) {
+// Moves the time axes to the newest samples, or to a contact.
+void move_window(UiState& state, const draw::SampleHistory& history) {
   PlotsState::Transient& plots = state.plots.transient;
-  const TriggerSettings& settings = state.plots.persisted.trigger;
-  const TimeWindow before = window_of(state);
-  if (settings.mode == TriggerMode::kOff) {
+  const draw::TriggerSettings& settings = state.plots.persisted.trigger;
+  const draw::TimeWindow before = window_of(state);
+  if (settings.mode == draw::TriggerMode::kOff) {
     follow_newest(state, history.newest_time_s());
   } else {
     if (!plots.was_following) plots.trigger = armed_trigger(settings, history.newest_time_s());
     if (const auto window = run_trigger(history, settings, window_length_s(state), plots.trigger)) {
       set_window(state, *window);
     }
-    // What single has caught stays, and may be looked at closely.
-    if (plots.trigger.stage == TriggerStage::kDone) state.transient.follow = false;
+    // A single shot stays, so that it can be examined.
+    if (plots.trigger.stage == draw::TriggerStage::kDone) state.transient.follow = false;
   }
   carry_cursors(plots.cursors, before, window_of(state));
 }
 
-PlotSurface surface_of(const PanelContext& context, const SampleHistory& history,
-                       TimeWindow& window) {
+draw::PlotSurface surface_of(const PanelContext& context, const draw::SampleHistory& history,
+                             draw::TimeWindow& window) {
   UiState& state = context.state;
   PlotsState& plots = state.plots;
-  PlotSurface surface;
+  draw::PlotSurface surface;
   surface.theme = &context.theme;
   surface.history = &history;
   surface.walls = shown_walls(context);
@@ -67,29 +67,22 @@ PlotSurface surface_of(const PanelContext& context, const SampleHistory& history
   surface.scratch = &state.transient.scratch;
   surface.columns = &plots.transient.columns;
   surface.cursors = &plots.transient.cursors;
-  if (plots.persisted.trigger.mode != TriggerMode::kOff)
+  if (plots.persisted.trigger.mode != draw::TriggerMode::kOff)
     surface.contact_s = plots.transient.trigger.contact_s;
   surface.bounds = bounds_of(context);
-  // Overlays and ghosts are of axis x.
-  if (!shows_second_axis(context)) surface.extra_traces = plots.transient.extra_traces;
+  // Overlays and ghosts belong to axis x.
+  if (context.shows.axis == Axis::kX) surface.extra_traces = plots.transient.extra_traces;
   surface.marks = {context.session.marks(), context.session.scene().sampling.rate_hz};
   surface.show_bounds = &plots.persisted.show_bounds;
-  surface.simulated = knows_truth(context.session);
-  surface.line_weight = kLineWeight * ImGui::GetStyle().FontScaleMain;
-  surface.remember = [&state](std::string_view name) { remember_item(state, name); };
+  surface.simulated = context.session.knows_truth();
+  surface.line_weight = draw::kLineWeight * ImGui::GetStyle().FontScaleMain;
   return surface;
 }
 
-void remember_area(UiState& state, const std::string& name, const PlotArea& area) {
-  state.transient.items.insert_or_assign(
-      name, ItemRect{area.position,
-                     ImVec2(area.position.x + area.size.x, area.position.y + area.size.y)});
-}
-
-// Four make a square; the paper's three stand in a column, as on its pages.
-void draw_plots(UiState& state, PlotSurface& surface, ImVec2 corner, ImVec2 free) {
-  const std::span<const PlotId> plots = plots_of(state.persisted.arrangement);
-  const std::size_t columns = plots.size() == kPlotCount ? 2 : 1;
+// Four plots make a square; the three of the paper's figures make a column.
+void draw_plots(UiState& state, draw::PlotSurface& surface, ImVec2 corner, ImVec2 free) {
+  const std::span<const draw::PlotId> plots = plots_of(state.persisted.arrangement);
+  const std::size_t columns = plots.size() == draw::kPlotCount ? 2 : 1;
   const std::size_t whole_rows = (plots.size() + columns - 1) / columns;
   const ImVec2 gap(kPlotGapEms * ImGui::GetFontSize(), ImGui::GetStyle().ItemSpacing.y);
   const auto count = static_cast<float>(columns);
@@ -103,15 +96,14 @@ void draw_plots(UiState& state, PlotSurface& surface, ImVec2 corner, ImVec2 free
     ImGui::SetCursorScreenPos(
         ImVec2(corner.x + column * (each.x + gap.x), corner.y + row * (each.y + gap.y)));
     const std::string mark = columns == 1 ? fmt::format("({}) ", static_cast<char>('a' + i)) : "";
-    const PlotDescription& plot = plot_description(plots[i]);
+    const draw::PlotDescription& plot = plot_description(plots[i]);
     surface.time_labels = i + columns >= plots.size();  // linked axes need them once
-    const PlotArea area = draw_plot(surface, plot, mark, each);
-    remember_area(state, std::string("plot ") + plot.title, area);
+    draw_plot(surface, plot, mark, each);
   }
 }
 
-// The plane on top of the table of cursors, or whichever is shown.
-void draw_side(const PanelContext& context, const PlotSurface& surface, ImVec2 corner,
+// The phase plane above the cursor table, or the one that is shown.
+void draw_side(const PanelContext& context, const draw::PlotSurface& surface, ImVec2 corner,
                ImVec2 size) {
   UiState& state = context.state;
   PlotsState& plots = state.plots;
@@ -119,31 +111,28 @@ void draw_side(const PanelContext& context, const PlotSurface& surface, ImVec2 c
   const bool table = plots.transient.cursors.shown;
   if (plots.persisted.phase.shown) {
     const float height = table ? (1.0F - kTableShare) * size.y : size.y;
-    const PhaseSurface phase{surface.theme,       surface.history,   surface.walls,
-                             window_of(state),    surface.simulated, true,
-                             surface.line_weight, surface.remember};
-    remember_area(state, "plot Phase",
-                  draw_phase_plot(phase, plots.persisted.phase, plots.transient.phase,
-                                  ImVec2(size.x, height)));
+    const draw::PhaseSurface phase{surface.theme,      surface.history,   surface.walls,
+                                   window_of(state),   surface.simulated, true,
+                                   surface.line_weight};
+    draw_phase_plot(phase, plots.persisted.phase, plots.transient.phase, ImVec2(size.x, height));
     ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + height));
   }
   if (!table) return;
-  ImGui::BeginChild("cursors", ImVec2(size.x, 0.0F));
+  ImGui::BeginChild("cursor table", ImVec2(size.x, 0.0F));
   draw_cursor_table(
       context.theme,
       read_cursors(*surface.history, plots.transient.cursors, plots_of(state.persisted.arrangement),
                    plots.persisted.lines, state.persisted.hidden_lines));
   ImGui::EndChild();
-  remember_item(state, "cursor table");
 }
 
 }  // namespace
 
 void follow_newest(UiState& state, double newest_time_s) {
-  set_window(state, newest_window(newest_time_s, window_length_s(state)));
+  set_window(state, draw::newest_window(newest_time_s, window_length_s(state)));
 }
 
-void draw_plots_panel(const PanelContext& context, const SampleHistory& history) {
+void draw_plots_panel(const PanelContext& context, const draw::SampleHistory& history) {
   UiState& state = context.state;
   notice_exported(context);
   draw_plot_controls(context, history);
@@ -151,21 +140,20 @@ void draw_plots_panel(const PanelContext& context, const SampleHistory& history)
   if (following) move_window(state, history);
   state.plots.transient.was_following = following;
 
-  const TimeWindow before = window_of(state);
-  TimeWindow window = before;
-  PlotSurface surface = surface_of(context, history, window);
+  const draw::TimeWindow before = window_of(state);
+  draw::TimeWindow window = before;
+  draw::PlotSurface surface = surface_of(context, history, window);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImVec2 free = ImGui::GetContentRegionAvail();
   if (state.plots.persisted.phase.shown || state.plots.transient.cursors.shown) {
     const float em = ImGui::GetFontSize();
-    const float side =
-        std::clamp(kPlaneShare * free.x, kNarrowestPlaneEms * em, kWidestPlaneEms * em);
+    const float side = std::clamp(kPlaneShare * free.x, kMinPlaneEms * em, kMaxPlaneEms * em);
     draw_side(context, surface, ImVec2(corner.x + free.x - side, corner.y), ImVec2(side, free.y));
     free.x -= side + kPlotGapEms * em;
   }
   draw_plots(state, surface, corner, free);
   set_window(state, window);
-  // Whoever drags an axis wants to look, not to follow.
+  // Dragging an axis stops following.
   if (std::abs(window.from_s - before.from_s) > kAxisMovedS ||
       std::abs(window.to_s - before.to_s) > kAxisMovedS) {
     state.transient.follow = false;

@@ -1,4 +1,4 @@
-#include "app/ui/replay_bar.h"
+#include "app/ui/panel/replay_bar.h"
 
 #include <fmt/format.h>
 
@@ -10,23 +10,22 @@
 #include <span>
 #include <string>
 
-#include "app/file/mark.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/toolbar.h"
-#include "app/ui/widgets.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/ui/panel/toolbar.h"
+#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
 
-using runtime::kFastestReplay;
-using runtime::kSlowestReplay;
+using runtime::kMaxReplaySpeed;
+using runtime::kMinReplaySpeed;
 using runtime::ReplaySession;
 
-constexpr std::array kSpeeds{kSlowestReplay, 0.02, 0.05, 0.1,           0.2, 0.5, 1.0, 2.0, 5.0,
-                             10.0,           20.0, 50.0, kFastestReplay};
-// After a jump so much before the place is read, or as much as the plots show, within reason.
-constexpr double kShortestHistoryS = 10.0;
-constexpr double kLongestHistoryS = 120.0;
+constexpr std::array kSpeeds{
+    kMinReplaySpeed, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, kMaxReplaySpeed};
+// History that is read before the target of a jump: the plotted time, within these limits.
+constexpr double kMinHistoryS = 10.0;
+constexpr double kMaxHistoryS = 120.0;
 constexpr double kSameSpeed = 1e-9;  // of it: what is not a rounding error
 
 constexpr float kButtonEms = 4.6F;
@@ -41,7 +40,7 @@ constexpr double kQuietOpeningS = 0.3;
 
 float in_ems(float count) { return count * ImGui::GetFontSize(); }
 
-// What is so wide stands beside the item before, or begins a row where there is no room.
+// Continues the row if `width` fits, else begins a new one.
 void beside(float width, float gap = -1.0F) {
   ImGui::SameLine(0.0F, gap);
   if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
@@ -57,19 +56,17 @@ std::string file_name(const std::string& path) {
 
 void draw_transport(const PanelContext& context) {
   const bool paused = context.snapshot.paused;
-  if (named_button(
-          context, paused ? "Play###pause" : "Pause###pause", "pause", kButtonEms,
-          "Plays the recording, or halts it (key P). Plays from the beginning again where it is "
-          "at the end."))
+  if (tool_button(paused ? "Play###pause" : "Pause###pause", kButtonEms,
+                  "Plays or pauses the recording (key P). At the end it starts again."))
     toggle_pause(context);
   beside(in_ems(kButtonEms));
   ImGui::BeginDisabled(!paused);
-  if (named_button(context, "Step", "step", kButtonEms,
-                   "The next row, while paused (key S or →); ← goes back to the last one"))
+  if (tool_button("Step###step", kButtonEms,
+                  "The next row, while paused (key S or →); ← goes back to the last one"))
     single_step(context);
   ImGui::EndDisabled();
   beside(in_ems(kToStartEms));
-  if (named_button(context, "To start", "reset", kToStartEms, "To the first row (key R)"))
+  if (tool_button("To start###reset", kToStartEms, "To the first row (key R)"))
     reset_session(context);
 }
 
@@ -80,7 +77,6 @@ void draw_time(const PanelContext& context, ReplaySession& replay) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(time.c_str());
   ImGui::PopFont();
-  remember_item(context.state, "replay time");
   explain(
       fmt::format("Time of the session that was recorded. This recording goes from {:.3f} s to "
                   "{:.3f} s.",
@@ -88,40 +84,36 @@ void draw_time(const PanelContext& context, ReplaySession& replay) {
 }
 
 void set_speed(const PanelContext& context, ReplaySession& replay, double speed) {
-  if (speed >= kSlowestReplay && speed <= kFastestReplay) {
+  if (speed >= kMinReplaySpeed && speed <= kMaxReplaySpeed) {
     replay.set_speed(speed);
     return;
   }
   tell(context.state, MessageKind::kProblem,
-       fmt::format("speed: from {:g} to {:g} times; {} stays", kSlowestReplay, kFastestReplay,
-                   number_text(replay.speed())));
+       fmt::format("speed: from {:g} to {:g} times; {} stays", kMinReplaySpeed, kMaxReplaySpeed,
+                   rounded_number(replay.speed())));
 }
 
 void draw_speed(const PanelContext& context, ReplaySession& replay) {
   constexpr const char* kTooltip =
-      "How fast it plays: recorded seconds a second, 0.01 to 100 (keys [ and ])";
+      "Speed in recorded seconds per second, 0.01 to 100 (keys [ and ])";
   beside(in_ems(kSpeedGroupEms));
   ImGui::SetNextItemWidth(in_ems(kSpeedEms));
   if (const auto typed = number_field(context, "##speed", replay.speed()))
     set_speed(context, replay, *typed);
-  remember_item(context.state, "speed");
   explain(kTooltip);
   ImGui::SameLine(0.0F, 1.0F);
   if (ImGui::BeginCombo("##speeds", "", ImGuiComboFlags_NoPreview | ImGuiComboFlags_HeightLarge)) {
     for (const double speed : kSpeeds) {
-      const std::string label = fmt::format("{:g}x", speed);
+      const std::string label = fmt::format("{0:g}x###speed {0:g}x", speed);
       if (ImGui::Selectable(label.c_str(), std::abs(speed - replay.speed()) < kSameSpeed * speed))
         replay.set_speed(speed);
-      remember_item(context.state, "speed " + label);
     }
     ImGui::EndCombo();
   }
-  remember_item(context.state, "speeds");
   explain(kTooltip);
   ImGui::SameLine();
   const bool loops = replay.loops();
   if (choice_button(context, "Repeat###repeat", loops)) replay.set_loop(!loops);
-  remember_item(context.state, "repeat");
   explain("Begins anew at the end (key L)");
 }
 
@@ -130,24 +122,23 @@ void draw_way_back(const PanelContext& context, const ReplaySession& replay) {
   beside(back, in_ems(1.0F));
   const std::string name = file_name(replay.recording().csv_path);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  // Flush right; in a narrow window the name is cut.
+  // Right-aligned; a narrow window clips the name.
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float room = std::max(0.0F, ImGui::GetContentRegionAvail().x - back - gap);
   ImGui::PushClipRect(corner, ImVec2(corner.x + room, corner.y + ImGui::GetFrameHeight()), true);
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kAccent));
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kAccent));
   ImGui::TextUnformatted(name.c_str());
   ImGui::PopStyleColor();
   ImGui::PopClipRect();
   explain(replay.recording().csv_path);
   ImGui::SetCursorScreenPos(ImVec2(corner.x + room + gap, corner.y));
-  if (ImGui::Button("Back to the scene", ImVec2(back, 0.0F)))
+  if (ImGui::Button("Back to the scene###back to the scene", ImVec2(back, 0.0F)))
     context.state.replay.wants_back = true;
-  remember_item(context.state, "back to the scene");
   explain("Ends the replay and starts the scene that ran before, at rest.");
 }
 
-// The mark that a pointer at this pixel is on.
+// The mark at this pixel, or null.
 const file::Mark* mark_at(const ReplaySession& replay, std::span<const file::Mark> marks,
                           float pixel, const ImVec2& corner, float width) {
   const double duration_s = std::max(replay.duration_s(), 1e-9);
@@ -174,26 +165,26 @@ void draw_track(const PanelContext& context, ReplaySession& replay, const ImVec2
   const float half = 0.5F * in_ems(kTrackEms);
   const float now = x_of(replay.position_s());
   list->AddRectFilled(ImVec2(corner.x, middle - half), ImVec2(corner.x + size.x, middle + half),
-                      context.theme.packed(Tone::kFaint), half);
+                      context.theme.packed(draw::Tone::kFaint), half);
   list->AddRectFilled(ImVec2(corner.x, middle - half), ImVec2(now, middle + half),
-                      context.theme.packed(Tone::kAccent, 0.55F), half);
+                      context.theme.packed(draw::Tone::kAccent, 0.55F), half);
   for (const file::Mark& mark : replay.marks()) {
     const float x = x_of(time_of(replay, mark));
     list->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + size.y),
-                  context.theme.packed(Tone::kWarning), std::max(1.0F, in_ems(0.12F)));
+                  context.theme.packed(draw::Tone::kWarning), std::max(1.0F, in_ems(0.12F)));
   }
-  list->AddCircleFilled(ImVec2(now, middle), in_ems(0.55F), context.theme.packed(Tone::kAccent));
+  list->AddCircleFilled(ImVec2(now, middle), in_ems(0.55F),
+                        context.theme.packed(draw::Tone::kAccent));
 }
 
-// Over the whole recording; a click on a mark goes to it.
+// The time slider of the recording; a click on a mark goes to it.
 void draw_slider(const PanelContext& context, ReplaySession& replay) {
   const float inset = in_ems(0.55F);
   const ImVec2 outer = ImGui::GetCursorScreenPos();
   const ImVec2 corner(outer.x + inset, outer.y);
   const ImVec2 size(std::max(1.0F, ImGui::GetContentRegionAvail().x - 2.0F * inset),
                     in_ems(kSliderEms));
-  ImGui::InvisibleButton("##time", ImVec2(size.x + 2.0F * inset, size.y));
-  remember_item(context.state, "time slider");
+  ImGui::InvisibleButton("##time slider", ImVec2(size.x + 2.0F * inset, size.y));
   const ImGuiIO& io = ImGui::GetIO();
   const double share =
       std::clamp(static_cast<double>((io.MousePos.x - corner.x) / size.x), 0.0, 1.0);
@@ -215,8 +206,6 @@ void draw_slider(const PanelContext& context, ReplaySession& replay) {
     ImGui::SetTooltip("%.3f s", pointed_s);
   }
 }
-
-ReplaySession* replay_in(const PanelContext& context) { return replay_of(context.session); }
 
 }  // namespace
 
@@ -249,41 +238,39 @@ void draw_opening(const PanelContext& context) {
   ImGui::Text("reading %s  %.0f %%", file_name(state.opening_path).c_str(),
               100.0 * state.opening.fraction());
   ImGui::SameLine();
-  if (ImGui::Button("Cancel###cancel-opening")) state.opening.give_up();
-  remember_item(context.state, "cancel opening");
+  if (ImGui::Button("Cancel###cancel opening")) state.opening.give_up();
   explain("What runs now goes on.");
 }
 
 void go_to(const PanelContext& context, ReplaySession& replay, double time_s) {
-  replay.set_history(
-      std::clamp(context.state.persisted.time_window_s, kShortestHistoryS, kLongestHistoryS));
+  replay.set_history(std::clamp(context.state.persisted.time_window_s, kMinHistoryS, kMaxHistoryS));
   replay.seek(time_s);
   context.state.transient.follow = true;
 }
 
 void slower(const PanelContext& context) {
-  if (ReplaySession* replay = replay_in(context)) replay->set_speed(slower_than(replay->speed()));
+  if (ReplaySession* replay = context.shows.replay) replay->set_speed(slower_than(replay->speed()));
 }
 
 void faster(const PanelContext& context) {
-  if (ReplaySession* replay = replay_in(context)) replay->set_speed(faster_than(replay->speed()));
+  if (ReplaySession* replay = context.shows.replay) replay->set_speed(faster_than(replay->speed()));
 }
 
 void toggle_loop(const PanelContext& context) {
-  if (ReplaySession* replay = replay_in(context)) replay->set_loop(!replay->loops());
+  if (ReplaySession* replay = context.shows.replay) replay->set_loop(!replay->loops());
 }
 
 void step_back(const PanelContext& context) {
-  ReplaySession* replay = replay_in(context);
+  ReplaySession* replay = context.shows.replay;
   if (replay == nullptr || !context.snapshot.paused) return;
-  const auto tick = static_cast<double>(context.snapshot.sample.tick);
+  const auto tick = static_cast<double>(context.snapshot.newest.x().tick);
   go_to(context, *replay, (tick - 1.0) / replay->recording().rate_hz);
 }
 
 void previous_mark(const PanelContext& context) {
-  ReplaySession* replay = replay_in(context);
+  ReplaySession* replay = context.shows.replay;
   if (replay == nullptr) return;
-  const std::uint64_t tick = context.snapshot.sample.tick;
+  const std::uint64_t tick = context.snapshot.newest.x().tick;
   const auto marks = replay->marks();
   const auto from = std::lower_bound(
       marks.begin(), marks.end(), tick,
@@ -292,9 +279,9 @@ void previous_mark(const PanelContext& context) {
 }
 
 void next_mark(const PanelContext& context) {
-  ReplaySession* replay = replay_in(context);
+  ReplaySession* replay = context.shows.replay;
   if (replay == nullptr) return;
-  const std::uint64_t tick = context.snapshot.sample.tick;
+  const std::uint64_t tick = context.snapshot.newest.x().tick;
   const auto marks = replay->marks();
   const auto next = std::upper_bound(
       marks.begin(), marks.end(), tick,

@@ -1,21 +1,20 @@
-// The row on top while a recording is replayed: transport, speed, a slider over all of it, and the
-// way back to the scene.
+// The top row during a replay: transport, speed, time slider, and the way back to the scene.
 #pragma once
 
-#include "app/runtime/replay_session.h"
-#include "app/ui/ui_state.h"
+#include "app/runtime/session/replay_session.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
 void draw_replay_bar(const PanelContext& context, runtime::ReplaySession& replay);
 
-// Says how far a recording has been read that takes a while to open.
+// Shows the progress while a large recording opens.
 void draw_opening(const PanelContext& context);
 
-// Goes there, and lets the plots follow.
+// Seeks, and lets the plots follow.
 void go_to(const PanelContext& context, runtime::ReplaySession& replay, double time_s);
 
-// What the keys do while a recording is replayed; else nothing.
+// Key actions during a replay; no effect otherwise.
 void slower(const PanelContext& context);
 void faster(const PanelContext& context);
 void toggle_loop(const PanelContext& context);
@@ -23,7 +22,7 @@ void step_back(const PanelContext& context);  // one tick, while paused
 void previous_mark(const PanelContext& context);
 void next_mark(const PanelContext& context);
 
-// The next of the usual speeds below or above this one; the last one stays.
+// The next lower or higher usual speed; clamped at the ends.
 [[nodiscard]] double slower_than(double speed);
 [[nodiscard]] double faster_than(double speed);
 

@@ -1,4 +1,4 @@
-#include "app/ui/replay_panel.h"
+#include "app/ui/panel/replay_panel.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/runtime/hand_rerun.h"
-#include "app/runtime/rerun_overlay.h"
-#include "app/ui/extra_traces.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/widgets.h"
+#include "app/draw/plot/extra_traces.h"
+#include "app/runtime/session/hand_rerun.h"
+#include "app/ui/widget/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 
@@ -27,7 +25,7 @@ using Progress = Background<LaidOver>::Progress;
 
 Result<LaidOver> rerun(const file::RecordingInfo& shown, const std::string& algorithm,
                        const Progress& progress) {
-  // A reader of its own: the session's is used while this goes on.
+  // Opens its own reader, because the session uses its reader meanwhile.
   auto reader = file::RecordingReader::open(
       shown.csv_path, [&](double fraction) { return progress(kReadShare * fraction); });
   if (!reader) return reader.error();
@@ -51,12 +49,12 @@ void take_away(UiState& state, ReplaySession& replay) {
 }
 
 void draw_choices(const PanelContext& context, ReplaySession& replay, const std::string& current) {
-  if (ImGui::Selectable(kNothing, current == kNothing)) take_away(context.state, replay);
-  remember_item(context.state, "re-run nothing");
+  if (ImGui::Selectable(fmt::format("{0}###re-run {0}", kNothing).c_str(), current == kNothing))
+    take_away(context.state, replay);
   for (const AlgorithmDescription& algorithm : algorithms()) {
     const std::string name(algorithm.name);
-    if (ImGui::Selectable(name.c_str(), current == name)) start_rerun(context.state, replay, name);
-    remember_item(context.state, "re-run " + name);
+    if (ImGui::Selectable(fmt::format("{0}###re-run {0}", name).c_str(), current == name))
+      start_rerun(context.state, replay, name);
     explain(fmt::format("{}\n{}", algorithm.title, algorithm.idea));
   }
 }
@@ -64,10 +62,9 @@ void draw_choices(const PanelContext& context, ReplaySession& replay, const std:
 void draw_rerun(const PanelContext& context, ReplaySession& replay) {
   const ReplayState& state = context.state.replay;
   const Failure impossible = runtime::check_rerun(replay.recording());
-  const std::string tooltip =
-      impossible ? impossible->message
-                 : "The recorded hand once more, under another algorithm: drawn over the plots as "
-                   "wide, soft lines.";
+  const std::string tooltip = impossible ? impossible->message
+                                         : "Re-runs the recorded hand under another algorithm, and "
+                                           "draws it over the plots as wide, soft lines.";
   field_label(context, "re-run under", tooltip, "");
   const std::string current = state.rerun.running()         ? state.rerun_algorithm
                               : replay.overlay() != nullptr ? replay.overlay()->label
@@ -78,7 +75,6 @@ void draw_rerun(const PanelContext& context, ReplaySession& replay) {
     ImGui::EndCombo();
   }
   ImGui::EndDisabled();
-  remember_item(context.state, "re-run");
   explain(tooltip);
 }
 
@@ -90,10 +86,8 @@ void draw_progress(const PanelContext& context) {
   const float width = ImGui::GetContentRegionAvail().x - cancel - ImGui::GetStyle().ItemSpacing.x;
   ImGui::ProgressBar(fraction, ImVec2(std::max(width, 1.0F), 0.0F),
                      fmt::format("{:.0f} %", kPercent * state.rerun.fraction()).c_str());
-  remember_item(context.state, "re-run progress");
   ImGui::SameLine();
-  if (ImGui::Button("Cancel###cancel-rerun")) state.rerun.give_up();
-  remember_item(context.state, "cancel re-run");
+  if (ImGui::Button("Cancel###cancel re-run")) state.rerun.give_up();
 }
 
 // Of what, and when.
@@ -115,11 +109,10 @@ void draw_replay_section(const PanelContext& context, ReplaySession& replay) {
   section(context, "Recording");
   const std::string name = std::filesystem::path(recording.csv_path).filename().string();
   ImGui::TextUnformatted(name.c_str());
-  remember_item(context.state, "recording file");
   explain(recording.csv_path);
   muted_text(context, origin(recording));
-  ImGui::PushFont(nullptr, kSmallFontSize);
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kWarning));
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kWarning));
   ImGui::PushTextWrapPos(0.0F);
   for (const std::string& note : recording.notes) ImGui::TextUnformatted(note.c_str());
   ImGui::PopTextWrapPos();
@@ -128,7 +121,7 @@ void draw_replay_section(const PanelContext& context, ReplaySession& replay) {
   draw_rerun(context, replay);
   draw_progress(context);
   muted_text(context,
-             "Everything below is as it was at this place; what was recorded does not change.");
+             "Everything below shows the recorded state at this time and cannot be changed.");
 }
 
 void start_rerun(UiState& state, const ReplaySession& replay, const std::string& algorithm) {
@@ -155,19 +148,21 @@ void notice_rerun(UiState& state, ReplaySession& replay) {
 }
 
 void draw_overlay_in_plots(UiState& state, const runtime::Overlay* overlay,
-                           std::shared_ptr<const SampleHistory> history) {
-  std::vector<ExtraTrace> traces;
+                           std::shared_ptr<const draw::SampleHistory> history) {
+  std::vector<draw::ExtraTrace> traces;
   if (overlay != nullptr) {
-    ExtraTrace trace;
+    draw::ExtraTrace trace;
     trace.label = "under " + overlay->label;
     trace.history = std::move(history);
     traces.push_back(std::move(trace));
   }
-  replace_extra_traces(state.plots.transient.extra_traces, ExtraSource::kReplay, std::move(traces));
+  replace_extra_traces(state.plots.transient.extra_traces, draw::ExtraSource::kReplay,
+                       std::move(traces));
 }
 
-std::shared_ptr<const SampleHistory> history_of(const runtime::Overlay& overlay) {
-  auto history = std::make_shared<SampleHistory>(std::max<std::size_t>(overlay.samples.size(), 1));
+std::shared_ptr<const draw::SampleHistory> history_of(const runtime::Overlay& overlay) {
+  auto history =
+      std::make_shared<draw::SampleHistory>(std::max<std::size_t>(overlay.samples.size(), 1));
   history->push(overlay.samples);
   return history;
 }

@@ -1,4 +1,5 @@
-// The scene, and the way back to it.
+#include "app/ui/panel/scene_panel.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -7,12 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "app/file/scene_file.h"
-#include "app/ui/control_panel.h"
-#include "app/ui/parameter_rows.h"
-#include "app/ui/recent_files.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/widgets.h"
+#include "app/file/scene/scene_file.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/state/recent_files.h"
+#include "app/ui/widget/parameter_rows.h"
+#include "app/ui/widget/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
@@ -67,38 +67,37 @@ void draw_figure_buttons(const PanelContext& context) {
       want_builtin(context, kPaperScene, figure.algorithm);
       context.state.persisted.arrangement = figure.arrangement;
     }
-    remember_item(context.state, figure.label);
     explain(figure.tooltip);
   }
 }
 
-// Beside the heading, so that nothing moves when it comes and goes.
+// Beside the heading, so that its appearance moves nothing.
 void draw_way_back(const PanelContext& context) {
-  if (replay_of(context.session) != nullptr) return;
+  if (context.shows.live == nullptr) return;
   const Scene& loaded = context.state.transient.loaded_scene;
   const std::vector<std::string> changed = changed_values(context.session.scene(), loaded);
   if (changed.empty()) return;
-  const std::string label = fmt::format("Reset to scene ({})###way-back", changed.size());
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  const std::string label = fmt::format("Reset to scene ({})###reset to scene", changed.size());
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const float width =
       ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
   ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
   const bool clicked = ImGui::SmallButton(label.c_str());
   ImGui::PopFont();
-  remember_item(context.state, "reset to scene");
-  explain(fmt::format("Back to the scene's values, while it runs:\n{}", fmt::join(changed, "\n")));
+  explain(
+      fmt::format("Restores the scene's values during the session:\n{}", fmt::join(changed, "\n")));
   if (!clicked) return;
   context.state.transient.refusal.reset();
   const Scene back = with_loaded_values(context.session.scene(), loaded);
-  if (const auto problem = context.session.change_scene(back)) tell(context.state, *problem);
+  if (const auto problem = ask_for(context, back)) tell(context.state, *problem);
 }
 
 void draw_builtin_choices(const PanelContext& context) {
   const std::string& current = context.session.scene().name;
   for (const file::BuiltinScene& builtin : file::builtin_scenes()) {
-    if (ImGui::Selectable(builtin.name.c_str(), builtin.name == current))
+    const std::string label = fmt::format("{0}###scene {0}", builtin.name);
+    if (ImGui::Selectable(label.c_str(), builtin.name == current))
       want_builtin(context, builtin.name, {});
-    remember_item(context.state, "scene " + builtin.name);
     explain(builtin.description);
   }
 }
@@ -112,10 +111,7 @@ void draw_recent_choices(const PanelContext& context) {
   }
   for (std::size_t i = 0; i < recent.size(); ++i) {
     const std::string name = std::filesystem::path(recent[i]).filename().string();
-    ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable(name.c_str())) chosen = recent[i];
-    ImGui::PopID();
-    remember_item(context.state, fmt::format("recent {}", i + 1));
+    if (ImGui::Selectable(fmt::format("{}###recent {}", name, i + 1).c_str())) chosen = recent[i];
     explain(recent[i]);
   }
   if (!chosen.empty()) open_file(context.state, chosen);
@@ -124,8 +120,7 @@ void draw_recent_choices(const PanelContext& context) {
 void draw_path_field(const PanelContext& context) {
   ImGui::Separator();
   ImGui::SetNextItemWidth(-1.0F);
-  const auto path = text_field(context, "##path", "path of a scene or a recording", "");
-  remember_item(context.state, "open path");
+  const auto path = text_field(context, "##open path", "path of a scene or a recording", "");
   explain(
       "Opens this file: a scene (.toml) or a recording (.csv). A file can also be dragged onto "
       "the window.");
@@ -148,8 +143,7 @@ void draw_scene_section(const PanelContext& context) {
     draw_path_field(context);
     ImGui::EndCombo();
   }
-  remember_item(context.state, "scene");
-  explain("A scene starts a new session, at rest: a built-in one, or one of your own.");
+  explain("A scene starts a new session from rest.");
   if (!scene.description.empty()) muted_text(context, scene.description);
   draw_figure_buttons(context);
 }

@@ -1,7 +1,7 @@
-// The two rows at the bottom: the keys that one wants most, and how the loop is doing.
+// The two rows at the bottom: the most-used keys, and the state of the loop.
 #pragma once
 
-#include "app/ui/ui_state.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 

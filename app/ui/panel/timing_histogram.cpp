@@ -1,4 +1,4 @@
-#include "app/ui/timing_histogram.h"
+#include "app/ui/panel/timing_histogram.h"
 
 #include <fmt/format.h>
 #include <implot.h>
@@ -18,10 +18,10 @@ using runtime::LatencyCounts;
 
 constexpr std::size_t kBinsABar = 4;  // 4 bars to a power of two
 constexpr std::size_t kBars = LatencyBins::kCount / kBinsABar;
-constexpr double kShortestNs = 100.0;  // what is shorter stands in the first bar
-constexpr double kLeastCount = 0.6;    // the foot of the count axis: a count of 1 is seen
+constexpr double kMinTimeNs = 100.0;  // shorter times are in the first bar
+constexpr double kMinCount = 0.6;     // lower end of the count axis; a count of 1 is visible
 constexpr double kDecade = 10.0;
-constexpr int kLabelRows = 4;          // one a quantile, so that no two labels collide
+constexpr int kLabelRows = 4;          // one per quantile, so that no labels collide
 constexpr float kTimeLabelEms = 4.0F;  // of an axis, for one label
 constexpr float kCountLabelEms = 2.0F;
 constexpr float kRoomForTimesEms = 17.0F;  // of a plot, for labels that tell their times
@@ -32,7 +32,7 @@ struct Bar {
   std::uint64_t count;
 };
 
-// Those that are not empty, in order; what is shorter than the axis is in one.
+// The non-empty bins in order; times below the axis share one.
 std::vector<Bar> bars_of(const LatencyCounts& counts) {
   std::vector<Bar> bars;
   for (std::size_t i = 0; i < kBars; ++i) {
@@ -40,7 +40,7 @@ std::vector<Bar> bars_of(const LatencyCounts& counts) {
     Bar bar{LatencyBins::from_ns(bin), LatencyBins::from_ns(bin + kBinsABar), 0};
     for (std::size_t j = 0; j < kBinsABar; ++j) bar.count += counts.bins[bin + j];
     if (bar.count == 0) continue;
-    const auto axis_ns = static_cast<std::int64_t>(kShortestNs);
+    const auto axis_ns = static_cast<std::int64_t>(kMinTimeNs);
     if (!bars.empty() && bars.back().to_ns <= axis_ns) {
       bars.back().to_ns = bar.to_ns;
       bars.back().count += bar.count;
@@ -54,14 +54,14 @@ std::vector<Bar> bars_of(const LatencyCounts& counts) {
 double decade_below(double value) { return std::pow(kDecade, std::floor(std::log10(value))); }
 double decade_above(double value) { return std::pow(kDecade, std::ceil(std::log10(value))); }
 
-// What fits of it, with a null at the end; its length.
+// Copies as much as fits, with a null at the end; returns the length.
 int put_text(const std::string& whole, char* text, int size) {
   const auto result = fmt::format_to_n(text, static_cast<std::size_t>(size - 1), "{}", whole);
   *result.out = '\0';
   return static_cast<int>(result.out - text);
 }
 
-// The tick's text, for ImPlot: it wants a function.
+// Tick formatter for ImPlot.
 int format_time_tick(double value_ns, char* text, int size, void* /*unused*/) {
   return put_text(time_text(static_cast<std::int64_t>(value_ns)), text, size);
 }
@@ -75,8 +75,7 @@ int format_count_tick(double count, char* text, int size, void* /*unused*/) {
   return put_text(number, text, size);
 }
 
-// Powers of ten from `from` on and below `to`, both of them such: as many as have `room` for their
-// labels.
+// Powers of ten in [from, to), both powers of ten; as many as have `room` for labels.
 void set_up_ticks(ImAxis axis, double from, double to, int room) {
   const int decades = static_cast<int>(std::lround(std::log10(to / from)));
   const int step = (decades - 1) / std::max(room, 1) + 1;
@@ -89,7 +88,7 @@ void set_up_axes(const TimingHistogram& histogram, const std::vector<Bar>& bars,
   const auto flags = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight;
   std::uint64_t most = 1;
   for (const Bar& bar : bars) most = std::max(most, bar.count);
-  const double shortest = std::max(static_cast<double>(bars.front().from_ns), kShortestNs);
+  const double shortest = std::max(static_cast<double>(bars.front().from_ns), kMinTimeNs);
   const double longest =
       std::max(static_cast<double>(bars.back().to_ns), static_cast<double>(histogram.period_ns));
   const double from_ns = decade_below(shortest);
@@ -102,8 +101,8 @@ void set_up_axes(const TimingHistogram& histogram, const std::vector<Bar>& bars,
   ImPlot::SetupAxisFormat(ImAxis_X1, format_time_tick);
   ImPlot::SetupAxisFormat(ImAxis_Y1, format_count_tick);
   ImPlot::SetupAxisLimits(ImAxis_X1, from_ns, to_ns, ImPlotCond_Always);
-  // Above the highest bar there is room for the labels of the quantiles.
-  ImPlot::SetupAxisLimits(ImAxis_Y1, kLeastCount, top * kDecade, ImPlotCond_Always);
+  // Leaves room above the highest bar for the labels of the quantiles.
+  ImPlot::SetupAxisLimits(ImAxis_Y1, kMinCount, top * kDecade, ImPlotCond_Always);
   const float em = ImGui::GetFontSize();
   set_up_ticks(ImAxis_X1, from_ns, to_ns, static_cast<int>(size.x / (kTimeLabelEms * em)));
   set_up_ticks(ImAxis_Y1, 1.0, top * kDecade, static_cast<int>(size.y / (kCountLabelEms * em)));
@@ -113,7 +112,7 @@ void set_up_axes(const TimingHistogram& histogram, const std::vector<Bar>& bars,
 float pixel_x(double time_ns) { return ImPlot::PlotToPixels(std::max(time_ns, 1.0), 1.0).x; }
 
 // Returns the bar under the pointer, or null.
-const Bar* draw_bars(const Theme& theme, const std::vector<Bar>& bars, Tone tone) {
+const Bar* draw_bars(const draw::Theme& theme, const std::vector<Bar>& bars, draw::Tone tone) {
   constexpr float kAlpha = 0.75F;
   const ImVec2 corner = ImPlot::GetPlotPos();
   const float foot = corner.y + ImPlot::GetPlotSize().y;
@@ -124,10 +123,10 @@ const Bar* draw_bars(const Theme& theme, const std::vector<Bar>& bars, Tone tone
   for (const Bar& bar : bars) {
     const float left = std::max(pixel_x(static_cast<double>(bar.from_ns)), corner.x);
     const float right = std::max(pixel_x(static_cast<double>(bar.to_ns)), left + 1.0F);
-    const float top = ImPlot::PlotToPixels(kShortestNs, static_cast<double>(bar.count)).y;
+    const float top = ImPlot::PlotToPixels(kMinTimeNs, static_cast<double>(bar.count)).y;
     const bool here = pointed && pointer.x >= left && pointer.x < right;
     if (here) under = &bar;
-    // A pixel between two bars, where they are wide enough for it.
+    // One pixel between wide bars.
     const float gap = right - left > 3.0F ? 1.0F : 0.0F;
     list->AddRectFilled(ImVec2(left, top), ImVec2(right - gap, foot),
                         theme.packed(tone, here ? 1.0F : kAlpha));
@@ -135,9 +134,9 @@ const Bar* draw_bars(const Theme& theme, const std::vector<Bar>& bars, Tone tone
   return under;
 }
 
-// A vertical line with its label beside it, in one of the rows at the top.
-void draw_mark(const Theme& theme, std::int64_t time_ns, const std::string& label, int row,
-               Tone tone) {
+// A vertical line with its label in one of the top rows.
+void draw_mark(const draw::Theme& theme, std::int64_t time_ns, const std::string& label, int row,
+               draw::Tone tone) {
   const ImVec2 corner = ImPlot::GetPlotPos();
   const ImVec2 size = ImPlot::GetPlotSize();
   const float x = std::floor(pixel_x(static_cast<double>(time_ns)));
@@ -152,9 +151,9 @@ void draw_mark(const Theme& theme, std::int64_t time_ns, const std::string& labe
   list->AddText(ImVec2(left, y), theme.packed(tone), label.c_str());
 }
 
-void draw_marks(const Theme& theme, const TimingHistogram& histogram) {
+void draw_marks(const draw::Theme& theme, const TimingHistogram& histogram) {
   const runtime::Quantiles& quantiles = histogram.quantiles;
-  draw_mark(theme, histogram.period_ns, "period", kLabelRows, Tone::kBad);
+  draw_mark(theme, histogram.period_ns, "period", kLabelRows, draw::Tone::kBad);
   struct Named {
     const char* name;
     std::int64_t time_ns;
@@ -168,7 +167,7 @@ void draw_marks(const Theme& theme, const TimingHistogram& histogram) {
     const Named& mark = named[static_cast<std::size_t>(row)];
     const std::string label =
         times ? fmt::format("{} {}", mark.name, time_text(mark.time_ns)) : mark.name;
-    draw_mark(theme, mark.time_ns, label, row, Tone::kText);
+    draw_mark(theme, mark.time_ns, label, row, draw::Tone::kText);
   }
 }
 
@@ -180,7 +179,7 @@ void explain_bar(const Bar& bar, std::uint64_t total) {
           .c_str());
 }
 
-void draw_heading(const Theme& theme, const TimingHistogram& histogram) {
+void draw_heading(const draw::Theme& theme, const TimingHistogram& histogram) {
   ImGui::PushFont(theme.fonts.strong, 0.0F);
   ImGui::TextUnformatted(histogram.title);
   ImGui::PopFont();
@@ -207,7 +206,8 @@ std::string time_text(std::int64_t time_ns) {
   return fmt::format("{} ns", time_ns);
 }
 
-void draw_timing_histogram(const Theme& theme, const TimingHistogram& histogram, ImVec2 size) {
+void draw_timing_histogram(const draw::Theme& theme, const TimingHistogram& histogram,
+                           ImVec2 size) {
   ImGui::BeginChild(histogram.title, size, ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   draw_heading(theme, histogram);
@@ -217,12 +217,12 @@ void draw_timing_histogram(const Theme& theme, const TimingHistogram& histogram,
     ImGui::EndChild();
     return;
   }
-  ImGui::PushFont(theme.fonts.digits, kSmallFontSize);
+  ImGui::PushFont(theme.fonts.digits, draw::kSmallFontSize);
   constexpr ImPlotFlags kFlags =
       ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame | ImPlotFlags_NoInputs;
   const Bar* under = nullptr;
   const ImVec2 free = ImGui::GetContentRegionAvail();
-  if (ImPlot::BeginPlot("##histogram", free, kFlags)) {
+  if (ImPlot::BeginPlot(fmt::format("##plot {}", histogram.title).c_str(), free, kFlags)) {
     set_up_axes(histogram, bars, free);
     ImPlot::PushPlotClipRect();
     under = draw_bars(theme, bars, histogram.tone);

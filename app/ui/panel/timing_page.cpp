@@ -1,4 +1,4 @@
-#include "app/ui/timing_page.h"
+#include "app/ui/panel/timing_page.h"
 
 #include <fmt/format.h>
 #include <implot.h>
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <string>
 
-#include "app/runtime/clock.h"
-#include "app/runtime/timing_verdict.h"
-#include "app/ui/timing_histogram.h"
-#include "app/ui/widgets.h"
+#include "app/runtime/loop/clock.h"
+#include "app/runtime/loop/timing_verdict.h"
+#include "app/ui/panel/timing_histogram.h"
+#include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::size_t kCyclesForAVerdict = 1000;
 constexpr float kSideShare = 0.34F;  // of the width, for the figures
-constexpr float kNarrowestSideEms = 24.0F;
-constexpr float kWidestSideEms = 34.0F;
-constexpr float kLowestPlotEms = 9.0F;
+constexpr float kMinSideEms = 24.0F;
+constexpr float kMaxSideEms = 34.0F;
+constexpr float kMinPlotEms = 9.0F;
 constexpr float kColumnGapEms = 1.5F;
-constexpr float kNarrowestRowEms = 54.0F;  // where less is free, the figures stand below the plots
-constexpr float kStackedPlotEms = 14.0F;   // height of the plots then
-constexpr float kLowestFramesEms = 5.0F;
+constexpr float kMinRowEms = 54.0F;       // where less is free, the figures stand below the plots
+constexpr float kStackedPlotEms = 14.0F;  // height of the plots then
+constexpr float kMinFramesEms = 5.0F;
 
 runtime::TimingJudgement judgement_of(const TimingState& timing, double rate_hz,
                                       const std::string& advice) {
@@ -35,7 +35,7 @@ runtime::TimingJudgement judgement_of(const TimingState& timing, double rate_hz,
   return judgement;
 }
 
-// Ends at the right edge; returns where it begins.
+// Right-aligned; returns its left edge.
 float draw_clear(const PanelContext& context) {
   TimingState& timing = context.state.timing;
   const char* label = "Clear";
@@ -43,17 +43,14 @@ float draw_clear(const PanelContext& context) {
   const float width = ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
   const float left = std::max(corner.x, corner.x + ImGui::GetContentRegionAvail().x - width);
   ImGui::SetCursorPosX(left);
-  if (ImGui::Button(label)) timing.clear_asked = true;
-  remember_item(context.state, "timing clear");
-  explain(
-      "Counts everything on this page anew from now on. The session and its recording do not "
-      "notice.");
+  if (ImGui::Button("Clear###timing clear")) timing.clear_asked = true;
+  explain("Restarts the counts on this page. Session and recording are not affected.");
   ImGui::SetCursorPos(corner);
   return ImGui::GetCursorScreenPos().x + left - corner.x;
 }
 
 void draw_head(const PanelContext& context) {
-  Tone tone = Tone::kText;
+  draw::Tone tone = draw::Tone::kText;
   const std::string sentence =
       timing_sentence(context.state.timing, context.session.scene().sampling.rate_hz, tone);
   const float right = draw_clear(context) - ImGui::GetFontSize();
@@ -64,10 +61,7 @@ void draw_head(const PanelContext& context) {
   ImGui::TextColored(context.theme.colour(tone), "%s", sentence.c_str());
   ImGui::PopFont();
   ImGui::PopClipRect();
-  context.state.transient.items.insert_or_assign(
-      "timing verdict", ItemRect{corner, ImVec2(std::min(right, ImGui::GetItemRectMax().x),
-                                                ImGui::GetItemRectMax().y)});
-  // What does not fit is in the tooltip.
+  // The tooltip has the whole text.
   explain(
       sentence +
       "\n\nGood: no tick missed, and 999 of 1000 wake-ups within a tenth of the period. Usable: "
@@ -76,7 +70,7 @@ void draw_head(const PanelContext& context) {
 }
 
 void quantile_cells(const PanelContext& context, const runtime::Quantiles& quantiles) {
-  ImGui::PushFont(context.theme.fonts.digits, kSmallFontSize);
+  ImGui::PushFont(context.theme.fonts.digits, draw::kSmallFontSize);
   for (const std::int64_t time_ns :
        {quantiles.median_ns, quantiles.p99_ns, quantiles.p999_ns, quantiles.maximum_ns}) {
     ImGui::TableNextColumn();
@@ -96,7 +90,6 @@ void quantile_row(const PanelContext& context, const char* name, const char* too
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(name);
-  remember_item(context.state, std::string("timing ") + name);
   explain(tooltip);
   quantile_cells(context, quantiles);
 }
@@ -110,7 +103,7 @@ void draw_quantiles(const PanelContext& context) {
       Heading{"median", "Half of all cycles are at most this (right to 1 part in 32)"},
       Heading{"p99", "99 of 100 cycles are at most this (right to 1 part in 32)"},
       Heading{"p99.9", "999 of 1000 cycles are at most this (right to 1 part in 32)"},
-      Heading{"most", "The worst of all cycles; exact since the start of the session"}};
+      Heading{"max", "The largest of all cycles; exact since the start of the session"}};
   constexpr int kColumns = 1 + static_cast<int>(kHeadings.size());
   if (!ImGui::BeginTable("quantiles", kColumns, ImGuiTableFlags_SizingStretchProp)) return;
   ImGui::TableNextRow();
@@ -121,47 +114,47 @@ void draw_quantiles(const PanelContext& context) {
     const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(heading.name).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(free, 0.0F));
     ImGui::TextDisabled("%s", heading.name);
-    remember_item(context.state, std::string("timing ") + heading.name);
     explain(heading.tooltip);
   }
   const TimingState& timing = context.state.timing;
-  quantile_row(context, "wake-up", "How late the loop woke up, after the instant it had asked for",
+  quantile_row(context, "wake-up", "Delay of the wake-up after the requested time",
                timing.wake_latency);
   quantile_row(context, "compute",
-               "From waking to the last result handed out: device, algorithm, ledger, queues",
+               "From wake-up to the last output: device, algorithm, ledger, queues",
                timing.compute_time);
   ImGui::EndTable();
 }
 
-void counter_row(const PanelContext& context, const char* name, const std::string& text, Tone tone,
-                 const char* tooltip) {
+void counter_row(const PanelContext& context, const char* name, const std::string& text,
+                 draw::Tone tone, const char* tooltip) {
   figure_row(context, name, text, tone, tooltip);
-  remember_item(context.state, std::string("timing ") + name);
 }
 
 void draw_counters(const PanelContext& context) {
   const TimingState& timing = context.state.timing;
   const TimingCounters& shown = timing.shown;
-  const auto tone = [](std::uint64_t count) { return count > 0 ? Tone::kWarning : Tone::kText; };
+  const auto tone = [](std::uint64_t count) {
+    return count > 0 ? draw::Tone::kWarning : draw::Tone::kText;
+  };
   counter_row(context, "ticks",
               fmt::format("{} since {}", shown.ticks,
                           timing.since_start() ? "the start" : "it was cleared"),
-              Tone::kText, "Ticks of the loop that were done; a pause has none");
+              draw::Tone::kText, "Executed ticks of the loop; a pause has none");
   counter_row(context, "missed ticks", fmt::format("{}", shown.missed_ticks),
               tone(shown.missed_ticks),
-              "Ticks that the loop slept through; they are left out, never caught up with. A "
-              "simulation stays right, it only falls behind the clock.");
+              "Ticks that the loop slept through; they are skipped. A simulation stays correct and "
+              "falls behind the clock.");
   counter_row(context, "plot drops", fmt::format("{}", shown.plot_drops), tone(shown.plot_drops),
-              "Samples that the window was too slow to take; the recording has a queue of its own");
+              "Samples that the window was too slow to take; the recording has its own queue");
 }
 
 void draw_realtime(const PanelContext& context) {
   const runtime::RealtimeStatus& status = context.session.realtime_status();
-  ImGui::PushStyleColor(ImGuiCol_Text,
-                        context.theme.colour(status.fifo_priority ? Tone::kGood : Tone::kWarning));
+  ImGui::PushStyleColor(
+      ImGuiCol_Text,
+      context.theme.colour(status.fifo_priority ? draw::Tone::kGood : draw::Tone::kWarning));
   ImGui::TextWrapped("%s", status.text.c_str());
   ImGui::PopStyleColor();
-  remember_item(context.state, "timing realtime");
   explain("What the operating system granted to the loop's thread");
   const runtime::TimingJudgement judgement =
       judgement_of(context.state.timing, context.session.scene().sampling.rate_hz, status.advice);
@@ -173,7 +166,7 @@ void draw_realtime(const PanelContext& context) {
   }
 }
 
-void draw_frame_plot(const Theme& theme, std::span<const double> times_ms, double top_ms,
+void draw_frame_plot(const draw::Theme& theme, std::span<const double> times_ms, double top_ms,
                      float height) {
   constexpr ImPlotFlags kFlags =
       ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame | ImPlotFlags_NoInputs;
@@ -187,15 +180,15 @@ void draw_frame_plot(const Theme& theme, std::span<const double> times_ms, doubl
   ImPlot::SetupAxisLimits(ImAxis_Y1, 0.0, top_ms, ImPlotCond_Always);
   ImPlot::SetupFinish();
   ImPlotSpec line;
-  line.LineColor = theme.colour(Tone::kAccent);
+  line.LineColor = theme.colour(draw::Tone::kAccent);
   line.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
-  // The newest stands at the right edge.
+  // The newest is at the right edge.
   const auto first = static_cast<double>(FrameTimes::kKept - times_ms.size());
   ImPlot::PlotLine("##times", times_ms.data(), static_cast<int>(times_ms.size()), 1.0, first, line);
   ImPlot::EndPlot();
 }
 
-// The smallest of 1, 2, 5 times a power of ten that is above.
+// The smallest of 1, 2, 5 times a power of ten above `value`.
 double round_above(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-3))));
   for (const double step : {2.0, 5.0}) {
@@ -206,23 +199,21 @@ double round_above(double value) {
 
 void draw_frames(const PanelContext& context) {
   const FrameTimes& frames = context.state.timing.frames;
-  const FrameFigures figures = frame_figures(frames);
+  const FrameStats figures = frame_stats(frames);
   const std::string text = frames.size() == 0
                                ? "–"
-                               : fmt::format("mean {:.1f}, p99 {:.1f}, most {:.1f} ms",
+                               : fmt::format("mean {:.1f}, p99 {:.1f}, max {:.1f} ms",
                                              figures.mean_ms, figures.p99_ms, figures.maximum_ms);
-  figure_row(context, "frame", text, Tone::kText,
-             fmt::format("What it took to draw this window and hand it to the screen, of the "
-                         "newest {} frames. Where the screen's driver makes the window wait, the "
-                         "wait is in it. The loop does not wait for any of it.",
+  figure_row(context, "frame", text, draw::Tone::kText,
+             fmt::format("Time to draw this window, of the newest {} frames. It includes waiting "
+                         "for the driver of the screen. The loop does not wait.",
                          FrameTimes::kKept));
-  remember_item(context.state, "timing frame");
   if (frames.size() == 0) return;
   FrameTimes::Series series{};
   const std::span<const double> times_ms = frames.copy_ms(series);
   const float height =
-      std::max(ImGui::GetContentRegionAvail().y, kLowestFramesEms * ImGui::GetFontSize());
-  ImGui::PushFont(context.theme.fonts.digits, kSmallFontSize);
+      std::max(ImGui::GetContentRegionAvail().y, kMinFramesEms * ImGui::GetFontSize());
+  ImGui::PushFont(context.theme.fonts.digits, draw::kSmallFontSize);
   draw_frame_plot(context.theme, times_ms, round_above(figures.maximum_ms), height);
   ImGui::PopFont();
 }
@@ -235,17 +226,15 @@ void draw_histograms(const PanelContext& context, ImVec2 size) {
   const ImVec2 each(std::floor(0.5F * (size.x - gap)), size.y);
   draw_timing_histogram(
       context.theme,
-      {"Wake-up latency", "How late the loop woke up: how many cycles, by how much",
-       &timing.shown.histograms.wake_latency, timing.wake_latency, period_ns, Tone::kAccent},
+      {"Wake-up latency", "Number of cycles for each wake-up latency",
+       &timing.shown.histograms.wake_latency, timing.wake_latency, period_ns, draw::Tone::kAccent},
       each);
-  remember_item(context.state, "histogram wake-up");
   ImGui::SameLine(0.0F, gap);
-  draw_timing_histogram(
-      context.theme,
-      {"Compute time", "How long the work of a cycle took: how many cycles, how long",
-       &timing.shown.histograms.compute_time, timing.compute_time, period_ns, Tone::kStiffness},
-      each);
-  remember_item(context.state, "histogram compute");
+  draw_timing_histogram(context.theme,
+                        {"Compute time", "Number of cycles for each compute time",
+                         &timing.shown.histograms.compute_time, timing.compute_time, period_ns,
+                         draw::Tone::kStiffness},
+                        each);
 }
 
 void draw_figures(const PanelContext& context) {
@@ -257,8 +246,8 @@ void draw_figures(const PanelContext& context) {
 
 }  // namespace
 
-std::string timing_sentence(const TimingState& timing, double rate_hz, Tone& tone) {
-  tone = Tone::kMuted;
+std::string timing_sentence(const TimingState& timing, double rate_hz, draw::Tone& tone) {
+  tone = draw::Tone::kMuted;
   if (timing.wake_latency.count == 0) return "No loop runs here.";
   if (timing.wake_latency.count < kCyclesForAVerdict) {
     return fmt::format("Measuring: a verdict comes after {} cycles.", kCyclesForAVerdict);
@@ -275,16 +264,16 @@ std::string timing_sentence(const TimingState& timing, double rate_hz, Tone& ton
                         timing.wake_latency.count + timing.shown.missed_ticks);
   switch (judgement_of(timing, rate_hz, "").verdict) {
     case runtime::TimingVerdict::kGood:
-      tone = Tone::kGood;
+      tone = draw::Tone::kGood;
       return fmt::format("The loop keeps its time: {}.", late("p99", timing.wake_latency.p99_ns));
     case runtime::TimingVerdict::kUsable:
-      tone = Tone::kWarning;
+      tone = draw::Tone::kWarning;
       return fmt::format("The loop mostly keeps its time: {}{}.",
                          late("p99.9", timing.wake_latency.p999_ns), missed);
     case runtime::TimingVerdict::kPoor:
       break;
   }
-  tone = Tone::kBad;
+  tone = draw::Tone::kBad;
   return fmt::format("The loop does not keep its time: {}{}.",
                      late("p99.9", timing.wake_latency.p999_ns), missed);
 }
@@ -293,13 +282,13 @@ void draw_timing_page(const PanelContext& context) {
   draw_head(context);
   const float em = ImGui::GetFontSize();
   const ImVec2 free = ImGui::GetContentRegionAvail();
-  if (free.x < kNarrowestRowEms * em) {
+  if (free.x < kMinRowEms * em) {
     draw_histograms(context, ImVec2(free.x, kStackedPlotEms * em));
     draw_figures(context);
     return;
   }
-  const float side = std::clamp(kSideShare * free.x, kNarrowestSideEms * em, kWidestSideEms * em);
-  const float height = std::max(free.y, kLowestPlotEms * em);
+  const float side = std::clamp(kSideShare * free.x, kMinSideEms * em, kMaxSideEms * em);
+  const float height = std::max(free.y, kMinPlotEms * em);
   draw_histograms(context, ImVec2(free.x - side - kColumnGapEms * em, height));
   ImGui::SameLine(0.0F, kColumnGapEms * em);
   ImGui::BeginChild("timing figures", ImVec2(0.0F, height));

@@ -1,17 +1,18 @@
-// How the loop and the window keep their time: histograms, figures, a verdict in words.
+// The timing page: histograms, quantiles and a verdict for loop and window.
 #pragma once
 
 #include <string>
 
-#include "app/ui/timing_state.h"
-#include "app/ui/ui_state.h"
+#include "app/ui/state/timing_state.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
 // "The loop keeps its time: p99 14 µs late of a 1000 µs period." `tone`: of the words.
-[[nodiscard]] std::string timing_sentence(const TimingState& timing, double rate_hz, Tone& tone);
+[[nodiscard]] std::string timing_sentence(const TimingState& timing, double rate_hz,
+                                          draw::Tone& tone);
 
-// Fills what is left of the current window.
+// Fills the rest of the current window.
 void draw_timing_page(const PanelContext& context);
 
 }  // namespace hapticwall::ui

@@ -1,15 +1,14 @@
-#include "app/ui/toolbar.h"
+#include "app/ui/panel/toolbar.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <system_error>
 
-#include "app/ui/blind_test.h"
-#include "app/ui/export.h"
-#include "app/ui/replay_bar.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/widgets.h"
+#include "app/file/text/text.h"
+#include "app/ui/panel/replay_bar.h"
+#include "app/ui/state/export.h"
+#include "app/ui/widget/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
@@ -25,7 +24,7 @@ constexpr float kNameEms = 15.0F;
 
 std::string automatic_name(const PanelContext& context) {
   const Scene& scene = context.session.scene();
-  if (blind_test_runs(context.state)) return plain_file_name(scene.name + "-blind-test.csv");
+  if (context.shows.hides_algorithm) return plain_file_name(scene.name + "-blind-test.csv");
   const auto list = algorithms();
   const bool known = scene.algorithm.index < list.size();
   return plain_file_name(
@@ -34,40 +33,38 @@ std::string automatic_name(const PanelContext& context) {
 
 void draw_run_buttons(const PanelContext& context) {
   const bool paused = context.snapshot.paused;
-  if (named_button(context, paused ? "Run###pause" : "Pause###pause", "pause", kToolButtonEms,
-                   "Halts the loop between two ticks, or lets it run (key P)")) {
+  if (tool_button(paused ? "Run###pause" : "Pause###pause", kToolButtonEms,
+                  "Pauses or runs the loop (key P)")) {
     toggle_pause(context);
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(!paused);
-  if (named_button(context, "Step", "step", kToolButtonEms, "One tick, while paused (key S or →)"))
+  if (tool_button("Step###step", kToolButtonEms, "One tick, while paused (key S or →)"))
     single_step(context);
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (named_button(
-          context, "Reset", "reset", kToolButtonEms,
-          "Back to tick 0, at rest, with the values that are set (key R). A recording ends "
-          "here.")) {
+  if (tool_button("Reset###reset", kToolButtonEms,
+                  "Back to tick 0 at rest, with the present values (key R). Ends a recording.")) {
     reset_session(context);
   }
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(context.theme.fonts.digits, 0.0F);
-  ImGui::Text("%9.3f s", context.snapshot.sample.time_s);
+  ImGui::Text("%9.3f s", context.snapshot.newest.x().time_s);
   ImGui::PopFont();
-  explain("Time since the last reset; the time of the session, not of the clock on the wall.");
+  explain("Session time since the last reset.");
 }
 
 void draw_recording_status(const PanelContext& context, const RecordingStatus& status) {
   if (status.state == RecordingState::kIdle && status.path.empty()) return;
   ImGui::SameLine();
   if (status.state == RecordingState::kFailed) {
-    ImGui::TextColored(context.theme.colour(Tone::kBad), "%s", status.error.c_str());
+    ImGui::TextColored(context.theme.colour(draw::Tone::kBad), "%s", status.error.c_str());
     explain(status.error);
     return;
   }
   const bool lost = status.dropped_rows > 0;
-  const Tone tone = lost ? Tone::kBad : Tone::kMuted;
+  const draw::Tone tone = lost ? draw::Tone::kBad : draw::Tone::kMuted;
   ImGui::TextColored(context.theme.colour(tone), "%llu rows, %llu dropped",
                      static_cast<unsigned long long>(status.rows),
                      static_cast<unsigned long long>(status.dropped_rows));
@@ -78,43 +75,42 @@ void draw_name(const PanelContext& context) {
   TransientState& transient = context.state.transient;
   ImGui::SetNextItemWidth(kNameEms * ImGui::GetFontSize());
   const std::string hint = automatic_name(context);
-  if (const auto name = text_field(context, "##recording-name", hint, transient.recording_name)) {
+  if (const auto name = text_field(context, "##recording name", hint, transient.recording_name)) {
     transient.recording_name = *name;
   }
-  remember_item(context.state, "recording name");
   explain(
       "Name of the file; empty: after scene and algorithm. An existing file is never overwritten.");
 }
 
-// In the place of the name, which a running recording keeps.
+// Replaces the name field during a recording.
 void draw_mark(const PanelContext& context) {
   constexpr const char* kTooltip =
-      "Notes this moment in the recording, with a few words where there are some: a line in the "
-      "plots, and in the sidecar (key M)";
-  if (named_button(context, "Mark", "mark", kMarkButtonEms, kTooltip)) add_mark(context);
+      "Marks this moment in the recording, with an optional text: a line in the plots and in the "
+      "sidecar (key M)";
+  if (tool_button("Mark###mark", kMarkButtonEms, kTooltip)) add_mark(context);
   ImGui::SameLine();
   const float width = kNameEms * ImGui::GetFontSize() - ImGui::GetItemRectSize().x;
   ImGui::SetNextItemWidth(width - ImGui::GetStyle().ItemSpacing.x);
   std::string& text = context.state.transient.mark_text;
-  const auto typed = text_field(context, "##mark-text", "what happens here", text);
-  remember_item(context.state, "mark text");
-  explain("What the next mark says; Enter sets it.");
+  const auto typed = text_field(context, "##mark text", "what happens here", text);
+  explain("Text of the next mark; Enter sets it.");
   if (!typed) return;
   text = *typed;
   if (ImGui::IsKeyPressed(ImGuiKey_Enter) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter))
     add_mark(context);
 }
 
-void draw_recording(const PanelContext& context) {
-  const RecordingStatus status = context.session.recording_status();
+void draw_recording(const PanelContext& context, const runtime::LiveSession& live) {
+  const RecordingStatus status = live.recording_status();
   const bool recording = status.state == RecordingState::kRecording;
-  // In a narrow window it takes a row of its own.
+  // A narrow window gives it its own row.
   const float em = ImGui::GetFontSize();
   ImGui::SameLine(0.0F, 2.0F * em);
   if (ImGui::GetContentRegionAvail().x < (kRecordButtonEms + kNameEms) * em) ImGui::NewLine();
-  if (recording) ImGui::PushStyleColor(ImGuiCol_Button, context.theme.packed(Tone::kBad, 0.55F));
-  const bool clicked = named_button(
-      context, recording ? "Stop###record" : "Record###record", "record", kRecordButtonEms,
+  if (recording)
+    ImGui::PushStyleColor(ImGuiCol_Button, context.theme.packed(draw::Tone::kBad, 0.55F));
+  const bool clicked = tool_button(
+      recording ? "Stop###record" : "Record###record", kRecordButtonEms,
       "Writes every tick to a CSV file, with a sidecar that repeats the session (Ctrl+R)");
   if (recording) ImGui::PopStyleColor();
   if (clicked) toggle_recording(context);
@@ -129,20 +125,18 @@ void draw_recording(const PanelContext& context) {
 
 }  // namespace
 
-bool named_button(const PanelContext& context, const char* label, const char* name, float width_ems,
-                  const char* tooltip) {
+bool tool_button(const char* label, float width_ems, const char* tooltip) {
   const bool clicked = ImGui::Button(label, ImVec2(width_ems * ImGui::GetFontSize(), 0.0F));
-  remember_item(context.state, name);
   explain(tooltip);
   return clicked;
 }
 
 void draw_toolbar(const PanelContext& context) {
-  if (runtime::ReplaySession* replay = replay_of(context.session)) {
-    draw_replay_bar(context, *replay);
+  if (context.shows.replay != nullptr) {
+    draw_replay_bar(context, *context.shows.replay);
   } else {
     draw_run_buttons(context);
-    draw_recording(context);
+    draw_recording(context, *context.shows.live);
   }
   draw_opening(context);
 }
@@ -160,9 +154,15 @@ void reset_session(const PanelContext& context) {
 
 void toggle_recording(const PanelContext& context) {
   UiState& state = context.state;
-  if (context.session.recording_status().state == RecordingState::kRecording) {
-    const Failure failure = context.session.stop_recording();
-    const std::string path = context.session.recording_status().path;
+  if (context.shows.replay != nullptr) {
+    tell(state, MessageKind::kProblem,
+         "this is a recording already: " + file::shown(context.shows.replay->recording().csv_path));
+    return;
+  }
+  runtime::LiveSession& live = *context.shows.live;
+  if (live.recording_status().state == RecordingState::kRecording) {
+    const Failure failure = live.stop_recording();
+    const std::string path = live.recording_status().path;
     tell(state, failure ? MessageKind::kProblem : MessageKind::kNote,
          failure ? failure->message : "recording finished: " + path);
     return;
@@ -170,14 +170,18 @@ void toggle_recording(const PanelContext& context) {
   const std::string& typed = state.transient.recording_name;
   const std::string path = unused_recording_path(state.transient.recording_folder,
                                                  typed.empty() ? automatic_name(context) : typed);
-  const Failure failure = context.session.start_recording(path);
+  const Failure failure = live.start_recording(path);
   tell(state, failure ? MessageKind::kProblem : MessageKind::kNote,
        failure ? failure->message : "recording to " + path);
 }
 
 void add_mark(const PanelContext& context) {
   TransientState& transient = context.state.transient;
-  if (const Failure failure = context.session.mark(transient.mark_text)) {
+  if (context.shows.replay != nullptr) {
+    tell(context.state, MessageKind::kNote, "marks need a running recording; this one is finished");
+    return;
+  }
+  if (const Failure failure = context.shows.live->mark(transient.mark_text)) {
     tell(context.state, MessageKind::kNote, failure->message);
     return;
   }

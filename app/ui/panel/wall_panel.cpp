@@ -1,4 +1,5 @@
-// Stiffness, damping and position of a wall, and what theory says of them.
+#include "app/ui/panel/wall_panel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,17 +8,17 @@
 #include <string_view>
 #include <vector>
 
-#include "app/ui/control_panel.h"
-#include "app/ui/shown_axis.h"
-#include "app/ui/sliders.h"
-#include "app/ui/widgets.h"
-#include "core/stability_bounds.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/widget/shown_axis.h"
+#include "app/ui/widget/sliders.h"
+#include "app/ui/widget/widgets.h"
+#include "core/study/stability_bounds.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
-// Of the sliders; any valid value can be typed.
+// Range of the sliders; any valid value can be typed.
 constexpr LogRange kStiffness{100.0, 1e6};
 constexpr LogRange kDamping{0.01, 1000.0, true};
 
@@ -33,30 +34,27 @@ void draw_chooser(const PanelContext& context, std::size_t count) {
     if (i > 0) ImGui::SameLine();
     const std::string label = fmt::format("wall {}", i + 1);
     if (ImGui::RadioButton(label.c_str(), chosen == i)) chosen = i;
-    remember_item(context.state, label);
-    explain("The wall that the fields below are of");
+    explain("Selects the wall for the fields below");
   }
 }
 
 void draw_stiffness(const PanelContext& context, std::size_t index, WallSettings wall) {
   const auto value = slider_row(
-      context,
-      {"stiffness", "stiffness", "N/m",
-       "K in F_e = K p + B v (Eq. 11): how many newtons a metre of penetration p costs. From 0 to "
-       "1e9 N/m.",
-       wall.stiffness_n_per_m, kStiffness});
+      context, {"stiffness", "stiffness", "N/m",
+                "K in F_e = K p + B v (Eq. 11): force per metre of penetration p. From 0 to "
+                "1e9 N/m.",
+                wall.stiffness_n_per_m, kStiffness});
   if (!value) return;
   wall.stiffness_n_per_m = *value;
   set_wall(context, index, wall);
 }
 
 void draw_damping(const PanelContext& context, std::size_t index, WallSettings wall) {
-  const auto value = slider_row(
-      context,
-      {"damping", "damping", "N·s/m",
-       "B in F_e = K p + B v (Eq. 11): the wall's own damping, from 0 to 1e4 N·s/m. The hold turns "
-       "it into energy, too (Eq. 13).",
-       wall.damping_n_s_per_m, kDamping});
+  const auto value =
+      slider_row(context, {"damping", "damping", "N·s/m",
+                           "B in F_e = K p + B v (Eq. 11): damping of the wall, from 0 to 1e4 "
+                           "N·s/m. The hold turns it into energy, too (Eq. 13).",
+                           wall.damping_n_s_per_m, kDamping});
   if (!value) return;
   wall.damping_n_s_per_m = *value;
   set_wall(context, index, wall);
@@ -64,7 +62,7 @@ void draw_damping(const PanelContext& context, std::size_t index, WallSettings w
 
 void draw_position(const PanelContext& context, std::size_t index, WallSettings wall) {
   const char* tooltip =
-      "x_w in p = x - x_w: where the face of the wall is, in mm, from -1000 to 1000; x grows into "
+      "x_w in p = x - x_w: position of the face, in mm, from -1000 to 1000; x grows into "
       "the wall.";
   field_label(context, "position", tooltip, "mm");
   if (const auto typed =
@@ -72,12 +70,7 @@ void draw_position(const PanelContext& context, std::size_t index, WallSettings 
     wall.position_m = *typed / kMillimetresPerMetre;
     set_wall(context, index, wall);
   }
-  remember_item(context.state, "position");
   unit_label("mm");
-}
-
-std::string stiffness_text(double stiffness_n_per_m) {
-  return fmt::format("{:.0f} N/m", stiffness_n_per_m);
 }
 
 double delay_s(const PanelContext& context) {
@@ -88,21 +81,20 @@ double delay_s(const PanelContext& context) {
 void draw_bound(const PanelContext& context, std::string_view name,
                 const std::optional<double>& bound_n_per_m, double stiffness_n_per_m,
                 const std::string& tooltip) {
-  // The row stays where a part is switched off: nothing moves under the pointer.
+  // The row stays when a part is switched off, so that nothing moves.
   const bool over = bound_n_per_m && stiffness_n_per_m > *bound_n_per_m;
-  figure_row(context, name, bound_n_per_m ? stiffness_text(*bound_n_per_m) : "none",
-             over ? Tone::kWarning : Tone::kText,
+  figure_row(context, name, bound_n_per_m ? fmt::format("{:.0f} N/m", *bound_n_per_m) : "none",
+             over ? draw::Tone::kWarning : draw::Tone::kText,
              tooltip +
                  "\n\nOf the bare wall, without an algorithm. In this colour where the wall "
                  "is stiffer.");
-  remember_item(context.state, name);
 }
 
 void draw_bounds(const PanelContext& context, const WallSettings& wall) {
   const StabilityBounds bounds = stability_bounds(shown_scene(context), wall, delay_s(context));
   const double stiffness = wall.stiffness_n_per_m;
   draw_bound(context, "bound, passive", bounds.passive_n_per_m, stiffness,
-             "K < 2 (b - B) / T, in N/m (Eq. 18): makes no energy whatever the hand does, but for "
+             "K < 2 (b - B) / T, in N/m (Eq. 18): creates no energy for any motion, except through "
              "the encoder.");
   draw_bound(
       context, "bound, delay", bounds.delayed_n_per_m, stiffness,
@@ -110,27 +102,27 @@ void draw_bounds(const PanelContext& context, const WallSettings& wall) {
                   delay_s(context) * kMicrosecondsPerSecond,
                   context.session.device_info().is_simulated ? "as simulated" : "as measured"));
   draw_bound(context, "bound, friction", bounds.friction_n_per_m, stiffness,
-             "K < 2 f_c / Δ, in N/m: what the friction can hold still between two counts.");
+             "K < 2 f_c / Δ, in N/m: friction can hold the handle between two counts.");
   draw_bound(context, "bound, resolution", bounds.resolution_n_per_m, stiffness,
-             "K < F_max / Δ, in N/m: one count is all of the force.");
+             "K < F_max / Δ, in N/m: one count uses the whole force.");
 }
 
 }  // namespace
 
 void draw_wall_section(const PanelContext& context) {
-  section(context, "Wall");
+  section(context, "Wall", asked_for(context).walls);
   draw_axis_choice(context, "wall");
-  if (context.session.scene().y) ImGui::NewLine();
+  if (context.session.scene().two_axes()) ImGui::NewLine();
   const std::vector<WallSettings>& walls = shown_walls(context);
   if (walls.empty()) {
-    muted_text(context,
-               context.session.scene().y ? "This axis has no wall." : "This scene has no wall.");
+    muted_text(context, context.session.scene().two_axes() ? "This axis has no wall."
+                                                           : "This scene has no wall.");
     return;
   }
   std::size_t& chosen = context.state.transient.chosen_wall;
   chosen = std::min(chosen, walls.size() - 1);
   if (walls.size() > 1) draw_chooser(context, walls.size());
-  // Each takes the wall as it is now: the one before may have changed it.
+  // Each row reads the wall again, because the previous row may have changed it.
   draw_stiffness(context, chosen, shown_walls(context)[chosen]);
   draw_damping(context, chosen, shown_walls(context)[chosen]);
   draw_position(context, chosen, shown_walls(context)[chosen]);

@@ -1,13 +1,11 @@
-#include "app/ui/wall_view.h"
+#include "app/ui/panel/wall_view.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/blind_test.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/shown_axis.h"
-#include "app/ui/wall_labels.h"
-#include "app/ui/widgets.h"
+#include "app/ui/wall/wall_labels.h"
+#include "app/ui/widget/shown_axis.h"
+#include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -16,14 +14,16 @@ namespace {
 constexpr double kTurnPerPixel = glm::radians(0.3);
 constexpr double kZoomPerNotch = 1.15;
 
-// While the button is down the pointer leads; then the script again, or the hand stays.
+// The pointer leads while the button is down; then the script, or the hand stays.
 void lead_hand(const PanelContext& context, const WallCamera& camera, ImVec2 corner, bool held) {
-  if (replay_of(context.session) != nullptr) return;
+  runtime::LiveSession* live = context.shows.live;
+  if (live == nullptr) return;
   UiState& state = context.state;
   TransientState& transient = state.transient;
   const Scene& scene = context.session.scene();
-  const auto& hand = scene.hand;
-  const bool any_hand = hand || (scene.y && scene.y->hand);
+  const auto& hand = scene.x().hand;
+  const bool any_hand = std::ranges::any_of(
+      scene.axes, [](const AxisSettings& axis) { return axis.hand.has_value(); });
   if (held && !any_hand) {
     tell(state, MessageKind::kNote, "this scene has no hand that the pointer could lead");
     return;
@@ -31,16 +31,16 @@ void lead_hand(const PanelContext& context, const WallCamera& camera, ImVec2 cor
   if (held) {
     const ImVec2 pointer = ImGui::GetIO().MousePos;
     const glm::dvec2 place = camera.place_at({pointer.x - corner.x, pointer.y - corner.y});
-    if (!transient.dragging_hand || transient.hand_m != place.x) context.session.lead_hand(place.x);
-    if (scene.y) context.session.lead_second_hand(place.y);
+    if (!transient.dragging_hand || transient.hand_m != place.x) live->lead_hand(place.x);
+    if (scene.two_axes()) live->lead_second_hand(place.y);
     transient.hand_m = place.x;
     transient.dragging_hand = true;
   } else if (transient.dragging_hand) {
     transient.dragging_hand = false;
     if (state.persisted.hand_stays_where_released || (hand && hand->follows_mouse)) return;
     transient.hand_m.reset();
-    context.session.lead_hand(std::nullopt);
-    context.session.lead_second_hand(std::nullopt);
+    live->lead_hand(std::nullopt);
+    live->lead_second_hand(std::nullopt);
   }
 }
 
@@ -50,7 +50,7 @@ ViewDrag drag_of_button() {
   return ViewDrag::kLeadHand;
 }
 
-// Turns, moves and zooms by what the pointer does over the item that was just submitted.
+// Turns, moves and zooms the camera by pointer actions on the last item.
 void move_camera(WallState& state, const ViewArea& area, bool two_axes) {
   WallOrbit& orbit = state.persisted.orbit;
   const ImGuiIO& io = ImGui::GetIO();
@@ -88,7 +88,7 @@ void draw_readout(const PanelContext& context, ImVec2 corner) {
     }
   };
   const ImGuiStyle& style = ImGui::GetStyle();
-  ImGui::PushFont(context.theme.fonts.digits, kSmallFontSize);
+  ImGui::PushFont(context.theme.fonts.digits, draw::kSmallFontSize);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                       ImVec2(style.ItemSpacing.x, 0.25F * style.ItemSpacing.y));
   const ImVec2 from(corner.x + style.WindowPadding.x, corner.y + style.WindowPadding.y);
@@ -97,7 +97,7 @@ void draw_readout(const PanelContext& context, ImVec2 corner) {
   ImGui::GetWindowDrawList()->AddRectFilled(
       ImVec2(from.x - style.ItemSpacing.x, from.y - 0.5F * style.ItemSpacing.y),
       ImVec2(from.x + width + style.ItemSpacing.x, from.y + height + 0.5F * style.ItemSpacing.y),
-      context.theme.packed(Tone::kPanel, kBehindText), style.FrameRounding);
+      context.theme.packed(draw::Tone::kPanel, kBehindText), style.FrameRounding);
   ImGui::SetCursorScreenPos(from);
   ImGui::BeginGroup();
   row("position", sample.position_m * kMillimetresPerMetre, 3, "mm", true);
@@ -105,12 +105,11 @@ void draw_readout(const PanelContext& context, ImVec2 corner) {
   row("force", sample.force_n, 3, "N", true);
   row("stiffness", sample.stiffness_n_per_m / 1e3, 2, "kN/m", contact);
   ImGui::EndGroup();
-  remember_item(context.state, "readout");
   ImGui::PopStyleVar();
   ImGui::PopFont();
 }
 
-// Only where it would do something.
+// Only drawn where it has an effect.
 void draw_reset_button(const PanelContext& context, const ViewArea& area) {
   WallOrbit& orbit = context.state.wall.persisted.orbit;
   if (orbit == WallOrbit{}) return;
@@ -119,17 +118,16 @@ void draw_reset_button(const PanelContext& context, const ViewArea& area) {
   const float width = ImGui::CalcTextSize(text).x + 2.0F * style.FramePadding.x;
   ImGui::SetCursorScreenPos(ImVec2(area.corner.x + area.size.x - width - style.WindowPadding.x,
                                    area.corner.y + style.WindowPadding.y));
-  if (ImGui::Button(text)) orbit = {};
-  remember_item(context.state, "reset view");
-  explain("As the scene is first shown; so does a double click with the right button.");
+  if (ImGui::Button("Reset view###reset view")) orbit = {};
+  explain("Restores the initial view; so does a double click with the right button.");
 }
 
 WallPicture fading_picture(const PanelContext& context) {
-  WallPicture picture =
-      wall_picture(context.session.scene(), context.snapshot.sample, context.snapshot.y);
+  WallPicture picture = wall_picture(context.session.scene(), context.snapshot.newest.axes[0],
+                                     context.snapshot.newest.axes[1]);
   WallState::Transient& transient = context.state.wall.transient;
-  if (blind_test_runs(context.state)) {
-    // Neither an arrow nor a tint, now or when it ends.
+  if (context.shows.hides_force) {
+    // Hides arrow and tint, also right after the test.
     picture.force_n = {};
     picture.saturated = false;
     picture.shown = {};
@@ -161,10 +159,9 @@ void draw_picture(const PanelContext& context, WallRenderer& renderer, const Wal
 void take_pointer(const PanelContext& context, const WallCamera& camera, const ViewArea& area) {
   WallState& state = context.state.wall;
   ImGui::SetNextItemAllowOverlap();
-  ImGui::InvisibleButton("##wall-view", area.size,
+  ImGui::InvisibleButton("##wall view", area.size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
-  remember_item(context.state, "wall view");
   if (ImGui::IsItemActivated()) state.transient.drag = drag_of_button();
   if (!ImGui::IsItemActive()) state.transient.drag = ViewDrag::kNone;
   lead_hand(context, camera, area.corner, state.transient.drag == ViewDrag::kLeadHand);
@@ -172,8 +169,8 @@ void take_pointer(const PanelContext& context, const WallCamera& camera, const V
   const bool turning = ImGui::IsItemActive() && state.transient.drag != ViewDrag::kLeadHand;
   if (turning) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  } else if (ImGui::IsItemHovered() && context.session.scene().hand &&
-             replay_of(context.session) == nullptr) {
+  } else if (ImGui::IsItemHovered() && context.session.scene().x().hand &&
+             context.shows.live != nullptr) {
     ImGui::SetMouseCursor(camera.space().y ? ImGuiMouseCursor_ResizeAll
                                            : ImGuiMouseCursor_ResizeEW);
   }
@@ -194,10 +191,10 @@ void draw_wall_view(const PanelContext& context, WallRenderer& renderer) {
   const WallPicture picture = fading_picture(context);
   draw_picture(context, renderer, picture, camera, area);
   take_pointer(context, camera, area);
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
   draw_wall_labels(context.theme, picture, camera, area);
   ImGui::PopFont();
-  if (!blind_test_runs(context.state)) draw_readout(context, area.corner);
+  if (!context.shows.hides_force) draw_readout(context, area.corner);
   draw_reset_button(context, area);
 }
 

@@ -1,4 +1,4 @@
-#include "app/ui/appearance.h"
+#include "app/ui/state/appearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ float scale_in_force(const UiState& state) {
   const float chosen = static_cast<float>(state.persisted.scale_percent) / kFullScalePercent;
   const float scale =
       transient.forced_scale.value_or(chosen > 0.0F ? chosen : transient.screen_scale);
-  return std::clamp(scale, kSmallestScalePercent / kFullScalePercent,
-                    kLargestScalePercent / kFullScalePercent);
+  return std::clamp(scale, runtime::kMinScalePercent / kFullScalePercent,
+                    runtime::kMaxScalePercent / kFullScalePercent);
 }
 
 int scale_percent_in_force(const UiState& state) {
@@ -27,19 +27,19 @@ int scale_percent_in_force(const UiState& state) {
 void set_scale(UiState& state, int percent) {
   state.transient.forced_scale.reset();
   state.persisted.scale_percent =
-      percent == 0 ? 0 : std::clamp(percent, kSmallestScalePercent, kLargestScalePercent);
+      percent == 0 ? 0 : std::clamp(percent, runtime::kMinScalePercent, runtime::kMaxScalePercent);
 }
 
 void step_scale(UiState& state, int steps) {
-  // From 125 % up to 130, down to 120.
+  // Rounds to whole steps: from 125 % up to 130 %, down to 120 %.
   const int now = scale_percent_in_force(state);
   const int whole = steps > 0 ? now / kStepPercent : (now + kStepPercent - 1) / kStepPercent;
   set_scale(state, (whole + steps) * kStepPercent);
 }
 
 void toggle_look(const PanelContext& context) {
-  Look& look = context.state.persisted.look;
-  look = look == Look::kLight ? Look::kScreen : Look::kLight;
+  draw::Look& look = context.state.persisted.look;
+  look = look == draw::Look::kLight ? draw::Look::kScreen : draw::Look::kLight;
 }
 
 }  // namespace hapticwall::ui

@@ -1,15 +1,15 @@
-// Dark or light, and how large everything is: chosen in the window, in force at the next frame.
+// Colours and scale. A choice takes effect at the next frame.
 #pragma once
 
-#include "app/ui/ui_state.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
-// How much larger than designed everything is drawn.
+// Scale of everything, relative to the designed size.
 [[nodiscard]] float scale_in_force(const UiState& state);
 [[nodiscard]] int scale_percent_in_force(const UiState& state);
 
-// 0: as the screen says; else kept within the range that there is.
+// 0 follows the screen; any other value is clamped to the allowed range.
 void set_scale(UiState& state, int percent);
 // One step larger (1) or smaller (-1).
 void step_scale(UiState& state, int steps);

@@ -1,4 +1,4 @@
-// Work that takes a while, on a thread of its own, while the window goes on.
+// Long work on its own thread, so that the window never waits.
 #pragma once
 
 #include <atomic>
@@ -15,12 +15,12 @@
 
 namespace hapticwall::ui {
 
-// One piece of work at a time. All members are called from the owner's thread and never wait, but
-// for the destructor, which waits for the end.
+// One task at a time. All members are called from the owner's thread. None waits, except the
+// destructor, which waits for the end of the task.
 template <typename T>
 class Background {
  public:
-  // Told a fraction from 0 to 1 now and then; false: nobody wants the outcome any more.
+  // Called with a fraction from 0 to 1; returns false to ask for cancellation.
   using Progress = std::function<bool(double fraction)>;
   using Work = std::function<Result<T>(const Progress& progress)>;
 
@@ -34,7 +34,7 @@ class Background {
   }
   ~Background() { give_up(); }
 
-  // What still goes on is given up.
+  // Cancels a running task first.
   void start(Work work) {
     give_up();
     state_ = std::make_shared<State>();
@@ -46,7 +46,7 @@ class Background {
     });
   }
 
-  // The outcome is of no interest; the thread ends when it next asks.
+  // Cancels the task; its thread ends at its next progress report.
   void give_up() {
     std::erase_if(ending_, is_ready);
     if (!future_.valid()) return;
@@ -58,7 +58,7 @@ class Background {
   [[nodiscard]] double fraction() const {
     return state_ == nullptr ? 0.0 : state_->fraction.load(std::memory_order_relaxed);
   }
-  // What became of it, once, when it is done.
+  // The result, once, when the task is done.
   [[nodiscard]] std::optional<Result<T>> take() {
     if (!future_.valid() || !is_ready(future_)) return std::nullopt;
     return future_.get();
@@ -83,7 +83,7 @@ class Background {
 
   std::shared_ptr<State> state_;
   std::future<Result<T>> future_;
-  std::vector<std::future<Result<T>>> ending_;  // given up, and not at its end yet
+  std::vector<std::future<Result<T>>> ending_;  // cancelled, but not finished yet
 };
 
 }  // namespace hapticwall::ui

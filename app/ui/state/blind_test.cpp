@@ -1,4 +1,4 @@
-#include "app/ui/blind_test.h"
+#include "app/ui/state/blind_test.h"
 
 #include <fmt/format.h>
 
@@ -7,16 +7,16 @@
 #include <system_error>
 #include <utility>
 
-#include "app/file/atomic_file.h"
-#include "app/ui/comparing.h"
-#include "app/ui/export.h"
+#include "app/file/disk/atomic_file.h"
+#include "app/ui/state/comparing.h"
+#include "app/ui/state/export.h"
 
 namespace hapticwall::ui {
 namespace {
 
-using runtime::BlindTrials;
-using runtime::Presentation;
-using runtime::Slot;
+using compare::BlindTrials;
+using compare::Presentation;
+using compare::Slot;
 
 constexpr const char* kTrialsEnding = "-trials.csv";
 constexpr const char* kResultEnding = "-result.csv";
@@ -32,7 +32,7 @@ std::optional<SceneProblem> problem_with(const Scene& scene, const AlgorithmSett
   return validate(candidate);
 }
 
-// Whatever becomes of the switch must not tell which slot it was.
+// The outcome of the switch must not reveal the slot.
 bool put_blindly(const PanelContext& context, Slot slot) {
   if (!put_in_force(context, slot)) return true;
   end_blind_test(context);
@@ -41,7 +41,7 @@ bool put_blindly(const PanelContext& context, Slot slot) {
   return false;
 }
 
-// No file of this test has this beginning.
+// A path prefix that no result file uses yet.
 std::string unused_base(const std::string& folder, const std::string& name) {
   const std::filesystem::path stem = std::filesystem::path(folder) / name;
   const auto taken = [](const std::string& base) {
@@ -58,7 +58,7 @@ std::string unused_base(const std::string& folder, const std::string& name) {
   return base;
 }
 
-// Both are on the disk before either takes its name.
+// Both files are on the disk before either gets its name.
 Failure write_both(const BlindTest& test, const std::string& base) {
   auto trials = file::AtomicFile::create(base + kTrialsEnding);
   if (!trials) return trials.error();
@@ -85,7 +85,7 @@ void start_blind_test(const PanelContext& context) {
       return;
     }
   }
-  runtime::TrialPlan plan;
+  compare::TrialPlan plan;
   plan.seed = compare.transient.seed ? *compare.transient.seed : seed_by_chance();
   plan.trials = compare.persisted.trials;
   plan.question = compare.persisted.question;
@@ -95,8 +95,8 @@ void start_blind_test(const PanelContext& context) {
     tell(state, MessageKind::kProblem, trials.error().message);
     return;
   }
-  compare.transient.test = BlindTest{std::move(*trials), runtime::describe(slots.of(Slot::kA)),
-                                     runtime::describe(slots.of(Slot::kB)), slots.active};
+  compare.transient.test = BlindTest{std::move(*trials), compare::describe(slots.of(Slot::kA)),
+                                     compare::describe(slots.of(Slot::kB)), slots.active};
   compare.transient.setting_up = false;
   state.persisted.lower_page = LowerPage::kBlindTest;
 }

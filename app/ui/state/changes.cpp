@@ -1,22 +1,22 @@
-#include "app/ui/undo_controls.h"
+#include "app/ui/state/changes.h"
 
+#include <algorithm>
 #include <utility>
 
-#include "app/runtime/scene_change.h"
-#include "app/ui/comparing.h"
-#include "app/ui/replay_state.h"
+#include "app/runtime/session/scene_change.h"
+#include "app/ui/state/comparing.h"
 
 namespace hapticwall::ui {
 namespace {
 
 void go_to(const PanelContext& context, std::optional<SceneStep> step) {
-  if (!step || replay_of(context.session) != nullptr) return;
+  if (!step || context.shows.live == nullptr) return;
   TransientState& transient = context.state.transient;
   transient.refusal.reset();
   const Scene& running = context.session.scene();
   step->scene.algorithm = step->slots.of(slots_of(context.state).active);
   const bool other =
-      running.name != step->scene.name || running.walls.size() != step->scene.walls.size();
+      running.name != step->scene.name || running.x().walls.size() != step->scene.x().walls.size();
   if (other || runtime::needs_new_session(running, step->scene)) {
     WantedScene wanted{std::move(step->scene)};
     wanted.back_to = std::make_shared<const Scene>(std::move(step->loaded));
@@ -24,7 +24,7 @@ void go_to(const PanelContext& context, std::optional<SceneStep> step) {
     transient.wanted_scene = std::move(wanted);
     return;
   }
-  if (const auto problem = context.session.change_scene(step->scene)) {
+  if (const auto problem = context.shows.live->change_scene(step->scene)) {
     tell(context.state, *problem);
     return;
   }
@@ -33,6 +33,32 @@ void go_to(const PanelContext& context, std::optional<SceneStep> step) {
 }
 
 }  // namespace
+
+std::optional<SceneProblem> ask_for(const PanelContext& context, const Scene& wanted) {
+  if (context.shows.live == nullptr) return std::nullopt;
+  return context.shows.live->change_scene(wanted);
+}
+
+std::optional<SceneProblem> ask_for_algorithm(const PanelContext& context,
+                                              const AlgorithmSettings& algorithm) {
+  Scene wanted = context.session.scene();
+  wanted.algorithm = algorithm;
+  return ask_for(context, wanted);
+}
+
+AskedFor asked_for(const PanelContext& context) {
+  const Scene& asked = context.session.scene();
+  const Scene& in_force = *context.shows.in_force;
+  AskedFor differs;
+  differs.algorithm = asked.algorithm != in_force.algorithm;
+  differs.simulator = asked.simulator != in_force.simulator;
+  for (std::size_t i = 0; i < std::min(asked.axes.size(), in_force.axes.size()); ++i) {
+    differs.walls = differs.walls || asked.axes[i].walls != in_force.axes[i].walls;
+    differs.hand = differs.hand || asked.axes[i].hand != in_force.axes[i].hand;
+    differs.device = differs.device || asked.axes[i].device != in_force.axes[i].device;
+  }
+  return differs;
+}
 
 void undo_change(const PanelContext& context) {
   go_to(context, context.state.transient.undo.undo());

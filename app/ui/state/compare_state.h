@@ -1,4 +1,4 @@
-// What the window remembers of two algorithms felt in turn, of a blind test, and of the energy.
+// State of the comparison by touch, of the blind test and of the energy lamp.
 #pragma once
 
 #include <array>
@@ -7,37 +7,37 @@
 #include <optional>
 #include <string>
 
-#include "app/runtime/comparison.h"
-#include "app/runtime/comparison_trials.h"
-#include "core/energy_story.h"
+#include "app/compare/blind_trials.h"
+#include "app/compare/contact_traces.h"
 #include "core/stabiliser/algorithm_settings.h"
+#include "core/study/energy_story.h"
 
 namespace hapticwall::ui {
 
-// The two algorithms of a comparison, and which of them the session runs.
+// The two compared algorithms, and the one that the session runs.
 struct CompareSlots {
-  runtime::Slot active = runtime::Slot::kA;
+  compare::Slot active = compare::Slot::kA;
   std::array<AlgorithmSettings, 2> settings{};
 
-  [[nodiscard]] const AlgorithmSettings& of(runtime::Slot slot) const {
+  [[nodiscard]] const AlgorithmSettings& of(compare::Slot slot) const {
     return settings[static_cast<std::size_t>(slot)];
   }
 };
 
-// A blind test from its beginning, and its result after it.
+// A running blind test, or the result of the last one.
 struct BlindTest {
-  runtime::BlindTrials trials;
+  compare::BlindTrials trials;
   std::string a;  // what the slots held, in words
   std::string b;
-  runtime::Slot slot_before = runtime::Slot::kA;             // in force again after the end
-  std::optional<runtime::Presentation> felt = std::nullopt;  // what is felt now, of this trial
+  compare::Slot slot_before = compare::Slot::kA;             // restored after the test
+  std::optional<compare::Presentation> felt = std::nullopt;  // the presentation in force
   bool running = true;
   std::string saved_as = {};  // empty: not yet
 };
 
-// Which ghost the plots have.
+// Identifies the ghost in the plots.
 struct ShownGhost {
-  runtime::Slot slot = runtime::Slot::kA;
+  compare::Slot slot = compare::Slot::kA;
   std::uint64_t onset_tick = 0;
   std::size_t points = 0;
   std::size_t algorithm = 0;
@@ -45,25 +45,29 @@ struct ShownGhost {
   friend bool operator==(const ShownGhost&, const ShownGhost&) = default;
 };
 
+// Limits of the confidence that can be chosen for the interval of a blind test.
+inline constexpr double kMinConfidence = 0.5;
+inline constexpr double kMaxConfidence = 0.999;
+
 struct CompareState {
-  // Worth keeping from one start of the program to the next.
+  // Stored in the settings file.
   struct Persisted {
     bool ghost_shown = true;
     // Of the next blind test.
-    std::string question = runtime::TrialPlan{}.question;
-    std::size_t trials = runtime::TrialPlan{}.trials;
-    double confidence = runtime::TrialPlan{}.confidence;
+    std::string question = compare::TrialPlan{}.question;
+    std::size_t trials = compare::TrialPlan{}.trials;
+    double confidence = compare::TrialPlan{}.confidence;
   } persisted;
 
-  // Lasts as long as the window.
+  // Lives as long as the window.
   struct Transient {
-    std::optional<runtime::Comparison> comparison;  // of the session that runs
-    std::optional<EnergyLamp> lamp;                 // as well
-    double lamp_encoder_m = 0.0;                    // that it was made with
+    std::optional<compare::ContactTraces> comparison;  // of the session that runs
+    std::optional<EnergyLamp> lamp;                    // as well
+    double lamp_encoder_m = 0.0;                       // of that lamp
     std::optional<ShownGhost> shown_ghost;
-    std::optional<std::uint64_t> seed;  // of the next blind test; nothing: by chance
+    std::optional<std::uint64_t> seed;  // of the next blind test; nullopt: random
     std::optional<BlindTest> test;
-    bool setting_up = false;  // the next one, although a result is there
+    bool setting_up = false;  // the set-up page is open although a result exists
   } transient;
 };
 

@@ -1,24 +1,23 @@
-#include "app/ui/comparing.h"
+#include "app/ui/state/comparing.h"
 
 #include <fmt/format.h>
 
 #include <string_view>
 
-#include "app/ui/blind_test.h"
-#include "app/ui/extra_traces.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/widgets.h"
+#include "app/draw/plot/extra_traces.h"
+#include "app/ui/state/blind_test.h"
+#include "app/ui/state/changes.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
 namespace {
 
-using runtime::Slot;
+using compare::Slot;
 
 constexpr std::string_view kUsualOther = "energy-bounding";
 constexpr std::string_view kOtherThanThat = "virtual-coupling";
 
-double encoder_of(const Scene& scene) { return scene.device.encoder_m.value_or(0.0); }
+double encoder_of(const Scene& scene) { return scene.x().device.encoder_m.value_or(0.0); }
 
 void begin_lamp(CompareState::Transient& compare, const Scene& scene) {
   compare.lamp_encoder_m = encoder_of(scene);
@@ -59,7 +58,7 @@ void begin_comparison(UiState& state, const Scene& scene, const CompareSlots& sl
   compare.comparison.emplace(slots.of(Slot::kA), slots.of(Slot::kB), scene.sampling.rate_hz);
   compare.comparison->activate(slots.active);
   compare.shown_ghost.reset();
-  replace_extra_traces(state.plots.transient.extra_traces, ExtraSource::kComparison, {});
+  replace_extra_traces(state.plots.transient.extra_traces, draw::ExtraSource::kComparison, {});
   begin_lamp(compare, scene);
 }
 
@@ -70,14 +69,14 @@ void set_slots(UiState& state, const std::array<AlgorithmSettings, 2>& settings)
   comparison->set_settings(Slot::kB, settings.back());
 }
 
-void note_samples(UiState& state, const Scene& scene, std::span<const Sample> samples) {
+void note_ticks(UiState& state, const Scene& scene, std::span<const Tick> ticks) {
   CompareState::Transient& compare = state.compare.transient;
   if (!compare.comparison || !compare.lamp) return;
-  // The lamp judges by what one count carries.
+  // The lamp's threshold is the energy of one encoder count.
   if (compare.lamp_encoder_m != encoder_of(scene)) begin_lamp(compare, scene);
-  for (const Sample& sample : samples) {
-    compare.comparison->add(sample);
-    compare.lamp->add(sample);
+  for (const Tick& tick : ticks) {
+    compare.comparison->add(tick.x());
+    compare.lamp->add(tick.x());
   }
 }
 
@@ -89,20 +88,20 @@ void keep_slots(UiState& state, const Scene& scene) {
 std::optional<SceneProblem> put_in_force(const PanelContext& context, Slot slot) {
   auto& comparison = context.state.compare.transient.comparison;
   if (!comparison) return std::nullopt;
-  if (auto problem = context.session.set_algorithm(comparison->settings(slot))) return problem;
+  if (auto problem = ask_for_algorithm(context, comparison->settings(slot))) return problem;
   comparison->activate(slot);
   return std::nullopt;
 }
 
 void choose_slot(const PanelContext& context, Slot slot) {
-  if (replay_of(context.session) != nullptr) return;  // what was recorded does not change
-  // An edit of this very frame belongs to the slot that it was made in.
+  if (context.shows.live == nullptr) return;
+  // An edit of this frame belongs to the slot in which it was made.
   keep_slots(context.state, context.session.scene());
   if (const auto problem = put_in_force(context, slot)) tell(context.state, *problem);
 }
 
 void toggle_slot(const PanelContext& context) {
-  choose_slot(context, runtime::other(slots_of(context.state).active));
+  choose_slot(context, compare::other(slots_of(context.state).active));
 }
 
 void take_present(const PanelContext& context, Slot slot) {

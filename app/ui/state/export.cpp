@@ -1,4 +1,4 @@
-#include "app/ui/export.h"
+#include "app/ui/state/export.h"
 
 #include <fmt/format.h>
 
@@ -15,19 +15,19 @@
 namespace hapticwall::ui {
 namespace {
 
-// Ticks between the first and the last of the range that never came to the plots.
-std::uint64_t missing_ticks(const SampleHistory& history, IndexRange range) {
+// Ticks of the range that were dropped on their way to the plots.
+std::uint64_t missing_ticks(const draw::SampleHistory& history, draw::IndexRange range) {
   const double ticks =
-      history.value(Quantity::kTick, range.last - 1) - history.value(Quantity::kTick, range.first);
+      history.value(&Sample::tick, range.last - 1) - history.value(&Sample::tick, range.first);
   return static_cast<std::uint64_t>(ticks) + 1 - range.count();
 }
 
-file::RecordingMetadata metadata_of(const SampleHistory& history, IndexRange range,
+file::RecordingMetadata metadata_of(const draw::SampleHistory& history, draw::IndexRange range,
                                     const ExportSource& source) {
   file::RecordingMetadata metadata;
   metadata.device = source.device;
   metadata.realtime_status = "exported from the window";
-  metadata.first_tick = static_cast<std::uint64_t>(history.value(Quantity::kTick, range.first));
+  metadata.first_tick = static_cast<std::uint64_t>(history.value(&Sample::tick, range.first));
   metadata.dropped_rows = missing_ticks(history, range);
   metadata.repeatable = false;
   metadata.not_repeatable_because = "it is a range of a session, exported from its plots";
@@ -36,16 +36,14 @@ file::RecordingMetadata metadata_of(const SampleHistory& history, IndexRange ran
 
 }  // namespace
 
-Result<std::uint64_t> export_csv(const SampleHistory& history, IndexRange range,
+Result<std::uint64_t> export_csv(const draw::SampleHistory& history, draw::IndexRange range,
                                  const ExportSource& source, const std::string& csv_path) {
   if (range.count() == 0)
     return Error{ErrorKind::kUsage, "nothing to export: no sample in the visible range"};
-  const auto columns =
-      source.simulated ? file::MoreColumns::kSimulator : file::MoreColumns::kDevice;
-  auto writer = file::RecordingWriter::create(csv_path, columns);
+  auto writer = file::RecordingWriter::create(csv_path, file::csv_columns(source.simulated));
   if (!writer) return writer.error();
   for (std::size_t i = range.first; i < range.last; ++i) {
-    if (Failure failure = (*writer)->append(history.sample(i))) return *failure;
+    if (Failure failure = (*writer)->append({{history.sample(i)}})) return *failure;
   }
   if (Failure failure = (*writer)->finish(source.scene, metadata_of(history, range, source)))
     return *failure;
@@ -53,8 +51,8 @@ Result<std::uint64_t> export_csv(const SampleHistory& history, IndexRange range,
 }
 
 std::string plain_file_name(std::string name) {
-  constexpr std::size_t kLongest = 200;  // bytes; no file system takes many more
-  name.resize(std::min(name.size(), kLongest));
+  constexpr std::size_t kMaxBytes = 200;  // bytes; close to the limit of file systems
+  name.resize(std::min(name.size(), kMaxBytes));
   for (char& c : name) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (!plain && c != '-' && c != '_' && c != '.') c = '-';
@@ -81,9 +79,9 @@ std::string unused_path(const std::string& folder, const std::string& name,
   return path;
 }
 
-void ExportJob::start(const SampleHistory& history, IndexRange range, const ExportSource& source,
-                      const std::string& csv_path) {
-  auto copy = std::make_shared<const SampleHistory>(history);
+void ExportJob::start(const draw::SampleHistory& history, draw::IndexRange range,
+                      const ExportSource& source, const std::string& csv_path) {
+  auto copy = std::make_shared<const draw::SampleHistory>(history);
   future_ = std::async(std::launch::async, [copy = std::move(copy), range, source, csv_path] {
               return Outcome{csv_path, export_csv(*copy, range, source, csv_path)};
             }).share();

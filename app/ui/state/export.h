@@ -1,4 +1,4 @@
-// What is seen of a session as files: the samples as a recording, the plots as a picture.
+// Exports of a session: the samples as a recording, the plots as a picture.
 #pragma once
 
 #include <cstdint>
@@ -6,39 +6,39 @@
 #include <optional>
 #include <string>
 
-#include "app/file/recording_writer.h"
-#include "app/ui/sample_history.h"
+#include "app/draw/plot/sample_history.h"
+#include "app/file/recording/recording_writer.h"
 #include "core/result.h"
 #include "core/scene.h"
 
 namespace hapticwall::ui {
 
-// What the files say of the session that they are taken from.
+// Description of the exported session.
 struct ExportSource {
   Scene scene;  // as it is now
   bool simulated = true;
   std::string device;  // for people
 };
 
-// Writes the samples of the range as a recording: CSV and sidecar, both only when they are whole.
-// It is not repeatable: what was changed before and within the range is not known here. Returns the
-// number of rows. Fails where there is no sample, and where the disk does.
-[[nodiscard]] Result<std::uint64_t> export_csv(const SampleHistory& history, IndexRange range,
-                                               const ExportSource& source,
+// Writes the samples of the range as a recording: CSV and sidecar, both only when they are
+// complete. The recording is not repeatable, because earlier changes are not known here. Returns
+// the number of rows. Fails when there is no sample and when the disk fails.
+[[nodiscard]] Result<std::uint64_t> export_csv(const draw::SampleHistory& history,
+                                               draw::IndexRange range, const ExportSource& source,
                                                const std::string& csv_path);
 
-// The name of a file, whatever a scene from elsewhere is called: what no file system takes, leads
-// to another folder, or is read otherwise by a shell becomes '-', and no file is hidden.
+// A safe file name: replaces everything except letters, digits, "-", "_" and "." by "-", and never
+// starts with a dot or a dash.
 [[nodiscard]] std::string plain_file_name(std::string name);
 
-// "SCENE-ALGORITHM-FROM-TOs", in characters that every file system takes.
+// "SCENE-ALGORITHM-FROM-TOs" as a safe file name.
 [[nodiscard]] std::string export_name(const Scene& scene, double from_s, double to_s);
 
-// A path in `folder` that no file has yet: "-2", "-3" … are appended. `ending` with its dot.
+// An unused path in `folder`; appends "-2", "-3" … where needed. `ending` includes the dot.
 [[nodiscard]] std::string unused_path(const std::string& folder, const std::string& name,
                                       const std::string& ending);
 
-// A CSV that is written on a thread of its own while the session goes on: an hour takes a while.
+// Writes a CSV on its own thread, because an hour of samples takes long.
 class ExportJob {
  public:
   struct Outcome {
@@ -46,15 +46,15 @@ class ExportJob {
     Result<std::uint64_t> rows;
   };
 
-  // Takes a copy of the history, which is cheap. Precondition: !running().
-  void start(const SampleHistory& history, IndexRange range, const ExportSource& source,
+  // Copies the history, which is cheap. Precondition: !running().
+  void start(const draw::SampleHistory& history, draw::IndexRange range, const ExportSource& source,
              const std::string& csv_path);
   [[nodiscard]] bool running() const { return future_.valid(); }
-  // What became of it, once, when it is done; never waits.
+  // The result, once, when the job is done; never waits.
   [[nodiscard]] std::optional<Outcome> take();
 
  private:
-  std::shared_future<Outcome> future_;  // the last one to hold it waits for the end
+  std::shared_future<Outcome> future_;  // the last owner waits for the end
 };
 
 }  // namespace hapticwall::ui

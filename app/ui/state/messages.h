@@ -1,4 +1,4 @@
-// What there is to tell: notes that fade, and problems that stay until they are put away.
+// Messages to the user. Notes fade; problems stay until the user closes them.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,6 @@
 #include <vector>
 
 namespace hapticwall::ui {
-
-struct PanelContext;
 
 enum class MessageKind : std::uint8_t { kNone, kNote, kProblem };
 
@@ -19,29 +17,28 @@ struct Message {
 struct Toast {
   std::uint64_t id = 0;
   Message message;
-  int times = 1;       // how often it was told
-  double age_s = 0.0;  // since it was last told or looked at
+  int times = 1;       // number of repetitions
+  double age_s = 0.0;  // since it was last raised or hovered
 };
 
 inline constexpr double kNoteLifeS = 6.0;
 inline constexpr double kFadeS = 0.6;  // the last part of a note's life
-inline constexpr std::size_t kMostToasts = 50;
+inline constexpr std::size_t kMaxToasts = 50;
 
 class Toasts {
  public:
-  // The newest comes last. What was told already and is still there is not told twice: it is
-  // counted, and becomes the newest.
+  // The newest is last. A repeated message is counted and becomes the newest.
   void tell(MessageKind kind, std::string text);
   void put_away(std::uint64_t id);
   void put_newest_away();
   void clear() { list_.clear(); }
-  // Lets time pass: notes grow old and go. `looked_at`: the one that the pointer is on stays young.
+  // Ages the notes and removes old ones. `looked_at`: the hovered message, which stays young.
   void pass(double seconds, std::uint64_t looked_at);
 
   [[nodiscard]] const std::vector<Toast>& list() const { return list_; }
-  // Of kind kNone where there is none.
+  // Kind kNone when there is no message.
   [[nodiscard]] Message newest() const;
-  // Something of it changes by itself: frames are wanted.
+  // True while a note fades: frames are needed.
   [[nodiscard]] bool moving() const;
 
  private:
@@ -49,10 +46,7 @@ class Toasts {
   std::uint64_t next_id_ = 1;
 };
 
-// How much of a toast is to be seen, 0 to 1.
+// Opacity of a toast, 0 to 1.
 [[nodiscard]] float opacity(const Toast& toast);
-
-// Stacked over everything else, the newest lowest, their lower right corner at (right, bottom).
-void draw_toasts(const PanelContext& context, float right, float bottom);
 
 }  // namespace hapticwall::ui

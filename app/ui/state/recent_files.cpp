@@ -1,11 +1,12 @@
-#include "app/ui/recent_files.h"
+#include "app/ui/state/recent_files.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
-#include "app/file/scene_file.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/scene/scene_file.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -29,20 +30,16 @@ void open_scene(UiState& state, const std::string& path) {
 
 }  // namespace
 
-bool is_recording(const std::string& path) {
-  return path.ends_with(".csv") || path.ends_with(".csv.partial");
-}
-
 void remember_recent(std::vector<std::string>& recent, const std::string& path) {
   const std::string whole = whole_path(path);
   std::erase(recent, whole);
   recent.insert(recent.begin(), whole);
-  recent.resize(std::min(recent.size(), kMostRecentFiles));
+  recent.resize(std::min(recent.size(), kMaxRecentFiles));
 }
 
 void open_file(UiState& state, const std::string& path) {
   const std::string whole = whole_path(path);
-  if (!is_recording(whole)) {
+  if (!file::is_recording(whole)) {
     open_scene(state, whole);
     return;
   }

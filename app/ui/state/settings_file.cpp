@@ -1,4 +1,4 @@
-#include "app/ui/settings_file.h"
+#include "app/ui/state/settings_file.h"
 
 #include <fmt/format.h>
 
@@ -6,16 +6,16 @@
 #include <system_error>
 #include <utility>
 
-#include "app/file/atomic_file.h"
-#include "app/file/small_file.h"
-#include "app/file/user_folders.h"
+#include "app/file/disk/atomic_file.h"
+#include "app/file/disk/small_file.h"
+#include "app/file/disk/user_folders.h"
 
 namespace hapticwall::ui {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLookS = 0.25;  // from one look for changes to the next
+constexpr double kLookS = 0.25;  // between two looks for changes
 
 void keep_broken(UiState& state, const std::string& path, const std::string& problem) {
   const std::string copy = path + ".broken";
@@ -33,12 +33,12 @@ void SettingsFile::load(UiState& state) {
   std::error_code error;
   if (path_.empty() || !fs::exists(path_, error)) return;
   const Result<std::string> text =
-      file::read_small_file(path_, "settings file", file::kLargestSettings);
+      file::read_small_file(path_, "settings file", file::kMaxSettingsBytes);
   const Result<file::Settings> settings =
       text ? file::parse_settings(*text, path_) : Result<file::Settings>(text.error());
   if (!settings) {
     keep_broken(state, path_, settings.error().message);
-    saved_.clear();  // the next save replaces it
+    saved_.clear();  // so that the next save replaces the file
     return;
   }
   const std::vector<std::string> problems = apply_settings(*settings, state);
@@ -72,7 +72,7 @@ void SettingsFile::save(UiState& state) {
 void SettingsFile::write(UiState& state, const file::Settings& settings) {
   Failure failure = file::make_folder_of(path_);
   if (!failure) failure = file::write_file(path_, file::settings_text(settings));
-  saved_ = settings;  // or it would be tried again at every frame
+  saved_ = settings;  // prevents a new attempt at every frame
   if (failure && !std::exchange(told_, true))
     tell(state, MessageKind::kProblem, "settings are not kept: " + failure->message);
 }

@@ -1,37 +1,37 @@
-// What the window keeps from one start to the next, in a file of the user's.
+// The settings file: values that the window keeps between runs.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "app/file/settings_text.h"
-#include "app/ui/ui_state.h"
+#include "app/file/scene/settings_text.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
 [[nodiscard]] file::Settings settings_of(const UiState& state);
 
-// Takes what is there and fits; the rest stays as it is. Returns a line for every value that does
-// not fit; unknown keys are none.
+// Applies every value that is valid. Returns one line for every invalid value; ignores unknown
+// keys.
 [[nodiscard]] std::vector<std::string> apply_settings(const file::Settings& settings,
                                                       UiState& state);
 
-// How long a change rests before it is written: a drag is one change.
+// Delay before a change is written, so that a drag is one write.
 inline constexpr double kSettingsRestS = 1.0;
 
 class SettingsFile {
  public:
-  // An empty path: nothing is read or written.
+  // With an empty path nothing is read or written.
   explicit SettingsFile(std::string path) : path_(std::move(path)) {}
 
-  // Reads the file into `state`, where there is one. What is wrong with it is told; then a copy
-  // stays beside it as PATH.broken, for the next save replaces it.
+  // Reads the file into `state`, if it exists. Tells the user about a broken file and copies it to
+  // PATH.broken, because the next save replaces it.
   void load(UiState& state);
 
-  // Once a frame, `seconds` after the last: writes what has changed and rested.
+  // Once a frame, `seconds` after the previous one: writes changes that have rested.
   void pass(UiState& state, double seconds);
 
-  // Writes at once, where something has changed.
+  // Writes changes at once.
   void save(UiState& state);
 
  private:
@@ -39,10 +39,10 @@ class SettingsFile {
 
   std::string path_;
   file::Settings saved_;    // as it is in the file
-  file::Settings resting_;  // as it was when it was last looked at
+  file::Settings resting_;  // at the last look
   double rested_s_ = 0.0;
-  double unseen_s_ = 0.0;  // since it was last looked at
-  bool told_ = false;      // that it cannot be written
+  double unseen_s_ = 0.0;  // since the last look
+  bool told_ = false;      // the user knows that writing fails
 };
 
 }  // namespace hapticwall::ui

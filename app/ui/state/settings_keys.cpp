@@ -8,11 +8,9 @@
 #include <string_view>
 #include <type_traits>
 
-#include "app/file/text.h"
-#include "app/ui/blind_test_page.h"
-#include "app/ui/magnifier.h"
-#include "app/ui/recent_files.h"
-#include "app/ui/settings_file.h"
+#include "app/file/text/text.h"
+#include "app/ui/state/recent_files.h"
+#include "app/ui/state/settings_file.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -21,20 +19,20 @@ using file::Settings;
 using file::SettingValue;
 
 constexpr const char* kRecent = "recent.file_";
-constexpr double kMostPixels = 16384.0;
-constexpr double kMostPanelEms = 60.0;
-constexpr double kLeastPanelEms = 14.0;
-constexpr double kLeastShare = 0.1;
-constexpr double kMostShare = 0.9;
+constexpr double kMaxPixels = 16384.0;
+constexpr double kMaxPanelEms = 60.0;
+constexpr double kMinPanelEms = 14.0;
+constexpr double kMinShare = 0.1;
+constexpr double kMaxShare = 0.9;
 
 struct Key {
   const char* name;
   std::function<SettingValue(const UiState&)> get;
-  // Sets the value, or says what would be right.
+  // Sets the value, or returns a text that says which values are allowed.
   std::function<std::optional<std::string>(UiState&, const SettingValue&)> set;
 };
 
-// `place(state)` is a reference to a number, kept within [least, most].
+// `place(state)` returns a reference to a number, clamped to [least, most].
 template <typename Place>
 Key number(const char* name, Place place, double least, double most) {
   return {name,
@@ -93,7 +91,8 @@ Key word(const char* name, const std::array<Word<Value>, kCount>& words, Place p
           }};
 }
 
-constexpr std::array kLooks{Word<Look>{"dark", Look::kScreen}, Word<Look>{"light", Look::kLight}};
+constexpr std::array kLooks{Word<draw::Look>{"dark", draw::Look::kScreen},
+                            Word<draw::Look>{"light", draw::Look::kLight}};
 constexpr std::array kArrangementWords{
     Word<PlotArrangement>{"all", PlotArrangement::kAll},
     Word<PlotArrangement>{"figure-4", PlotArrangement::kFigure4},
@@ -101,10 +100,10 @@ constexpr std::array kArrangementWords{
 constexpr std::array kLowerPages{Word<LowerPage>{"plots", LowerPage::kPlots},
                                  Word<LowerPage>{"timing", LowerPage::kTiming},
                                  Word<LowerPage>{"blind-test", LowerPage::kBlindTest}};
-constexpr std::array kTriggers{Word<TriggerMode>{"off", TriggerMode::kOff},
-                               Word<TriggerMode>{"auto", TriggerMode::kAuto},
-                               Word<TriggerMode>{"normal", TriggerMode::kNormal},
-                               Word<TriggerMode>{"single", TriggerMode::kSingle}};
+constexpr std::array kTriggers{Word<draw::TriggerMode>{"off", draw::TriggerMode::kOff},
+                               Word<draw::TriggerMode>{"auto", draw::TriggerMode::kAuto},
+                               Word<draw::TriggerMode>{"normal", draw::TriggerMode::kNormal},
+                               Word<draw::TriggerMode>{"single", draw::TriggerMode::kSingle}};
 
 template <typename Place>
 Key text(const char* name, Place place) {
@@ -128,36 +127,36 @@ std::vector<Key> compare_keys() {
           "blind_test.question", [](auto& s) -> auto& { return s.compare.persisted.question; }),
       number(
           "blind_test.trials", [](auto& s) -> auto& { return s.compare.persisted.trials; }, 1.0,
-          static_cast<double>(runtime::kMostTrials)),
+          static_cast<double>(compare::kMaxTrials)),
       number(
           "blind_test.confidence", [](auto& s) -> auto& { return s.compare.persisted.confidence; },
-          kLeastConfidence, kMostConfidence)};
+          kMinConfidence, kMaxConfidence)};
 }
 
 std::vector<Key> window_setting_keys() {
-  constexpr double kMostPercent = kLargestScalePercent;
+  constexpr double kMaxPercent = runtime::kMaxScalePercent;
   return {word(
               "window.theme", kLooks, [](auto& s) -> auto& { return s.persisted.look; }),
           number(
               "window.scale_percent", [](auto& s) -> auto& { return s.persisted.scale_percent; },
-              0.0, kMostPercent),
+              0.0, kMaxPercent),
           number(
               "window.width", [](auto& s) -> auto& { return s.persisted.window_width; }, 0.0,
-              kMostPixels),
+              kMaxPixels),
           number(
               "window.height", [](auto& s) -> auto& { return s.persisted.window_height; }, 0.0,
-              kMostPixels),
+              kMaxPixels),
           flag(
               "window.maximised", [](auto& s) -> auto& { return s.persisted.window_maximised; }),
           number(
               "window.panel_ems", [](auto& s) -> auto& { return s.persisted.panel_ems; },
-              kLeastPanelEms, kMostPanelEms),
+              kMinPanelEms, kMaxPanelEms),
           number(
               "window.view_share", [](auto& s) -> auto& { return s.persisted.view_share; },
-              kLeastShare, kMostShare),
+              kMinShare, kMaxShare),
           number(
               "window.picture_share", [](auto& s) -> auto& { return s.persisted.picture_share; },
-              kLeastShare, kMostShare),
+              kMinShare, kMaxShare),
           flag(
               "hand.stays_where_released",
               [](auto& s) -> auto& { return s.persisted.hand_stays_where_released; }),
@@ -166,44 +165,43 @@ std::vector<Key> window_setting_keys() {
 }
 
 std::vector<Key> plot_setting_keys() {
-  return {
-      number(
-          "plots.time_window_s", [](auto& s) -> auto& { return s.persisted.time_window_s; },
-          kTimeWindowsS.front(), kTimeWindowsS.back()),
-      word(
-          "plots.arrangement", kArrangementWords,
-          [](auto& s) -> auto& { return s.persisted.arrangement; }),
-      flag(
-          "plots.loop", [](auto& s) -> auto& { return s.plots.persisted.phase.shown; }),
-      flag(
-          "plots.loop_of_last_contact",
-          [](auto& s) -> auto& { return s.plots.persisted.phase.last_contact; }),
-      flag(
-          "plots.bounds", [](auto& s) -> auto& { return s.plots.persisted.show_bounds; }),
-      word(
-          "plots.trigger", kTriggers,
-          [](auto& s) -> auto& { return s.plots.persisted.trigger.mode; }),
-      number(
-          "plots.before_trigger",
-          [](auto& s) -> auto& { return s.plots.persisted.trigger.pre_share; }, 0.0, kMostShare),
-      number(
-          "wall.magnification", [](auto& s) -> auto& { return s.wall.persisted.magnification; },
-          0.0, kMagnifications.back())};
+  return {number(
+              "plots.time_window_s", [](auto& s) -> auto& { return s.persisted.time_window_s; },
+              kTimeWindowsS.front(), kTimeWindowsS.back()),
+          word(
+              "plots.arrangement", kArrangementWords,
+              [](auto& s) -> auto& { return s.persisted.arrangement; }),
+          flag(
+              "plots.loop", [](auto& s) -> auto& { return s.plots.persisted.phase.shown; }),
+          flag(
+              "plots.loop_of_last_contact",
+              [](auto& s) -> auto& { return s.plots.persisted.phase.last_contact; }),
+          flag(
+              "plots.bounds", [](auto& s) -> auto& { return s.plots.persisted.show_bounds; }),
+          word(
+              "plots.trigger", kTriggers,
+              [](auto& s) -> auto& { return s.plots.persisted.trigger.mode; }),
+          number(
+              "plots.before_trigger",
+              [](auto& s) -> auto& { return s.plots.persisted.trigger.pre_share; }, 0.0, kMaxShare),
+          number(
+              "wall.magnification", [](auto& s) -> auto& { return s.wall.persisted.magnification; },
+              0.0, kMagnifications.back())};
 }
 
-// A list of lines by their names: the bits are of no use to another version of the program.
-std::string names_of(PlotId id, LineSet set) {
+// Lines are stored by name, because bit positions change between versions.
+std::string names_of(draw::PlotId id, draw::LineSet set) {
   std::string names;
-  for (const PlotLine& line : plot_description(id).lines) {
+  for (const draw::PlotLine& line : plot_description(id).lines) {
     if ((set & line_bit(line.quantity)) == 0) continue;
     names += (names.empty() ? "" : ", ") + std::string(line.name);
   }
   return names;
 }
 
-LineSet lines_called(PlotId id, std::string_view names) {
-  LineSet set = 0;
-  for (const PlotLine& line : plot_description(id).lines) {
+draw::LineSet lines_called(draw::PlotId id, std::string_view names) {
+  draw::LineSet set = 0;
+  for (const draw::PlotLine& line : plot_description(id).lines) {
     std::string_view rest = names;
     while (!rest.empty()) {
       const std::size_t comma = std::min(rest.find(", "), rest.size());
@@ -214,7 +212,7 @@ LineSet lines_called(PlotId id, std::string_view names) {
   return set;
 }
 
-Key plot_lines(PlotId id, const char* name) {
+Key plot_lines(draw::PlotId id, const char* name) {
   const auto index = static_cast<std::size_t>(id);
   return {name,
           [id, index](const UiState& state) {
@@ -228,8 +226,8 @@ Key plot_lines(PlotId id, const char* name) {
           }};
 }
 
-// Which of them are hidden is one set for all plots.
-Key hidden_lines(PlotId id, const char* name) {
+// One set of hidden lines serves all plots.
+Key hidden_lines(draw::PlotId id, const char* name) {
   return {name,
           [id](const UiState& state) {
             return SettingValue(names_of(id, state.persisted.hidden_lines));
@@ -243,14 +241,14 @@ Key hidden_lines(PlotId id, const char* name) {
 }
 
 std::vector<Key> line_keys() {
-  return {plot_lines(PlotId::kPosition, "lines.position"),
-          plot_lines(PlotId::kForce, "lines.force"),
-          plot_lines(PlotId::kStiffness, "lines.stiffness"),
-          plot_lines(PlotId::kPassivity, "lines.passivity"),
-          hidden_lines(PlotId::kPosition, "hidden_lines.position"),
-          hidden_lines(PlotId::kForce, "hidden_lines.force"),
-          hidden_lines(PlotId::kStiffness, "hidden_lines.stiffness"),
-          hidden_lines(PlotId::kPassivity, "hidden_lines.passivity")};
+  return {plot_lines(draw::PlotId::kPosition, "lines.position"),
+          plot_lines(draw::PlotId::kForce, "lines.force"),
+          plot_lines(draw::PlotId::kStiffness, "lines.stiffness"),
+          plot_lines(draw::PlotId::kPassivity, "lines.passivity"),
+          hidden_lines(draw::PlotId::kPosition, "hidden_lines.position"),
+          hidden_lines(draw::PlotId::kForce, "hidden_lines.force"),
+          hidden_lines(draw::PlotId::kStiffness, "hidden_lines.stiffness"),
+          hidden_lines(draw::PlotId::kPassivity, "hidden_lines.passivity")};
 }
 
 const std::vector<Key>& all_setting_keys() {
@@ -265,7 +263,7 @@ const std::vector<Key>& all_setting_keys() {
 
 void apply_recent(const Settings& settings, std::vector<std::string>& recent) {
   recent.clear();
-  for (std::size_t i = 1; i <= kMostRecentFiles; ++i) {
+  for (std::size_t i = 1; i <= kMaxRecentFiles; ++i) {
     const auto found = settings.find(fmt::format("{}{}", kRecent, i));
     if (found == settings.end()) continue;
     if (const auto* path = std::get_if<std::string>(&found->second)) recent.push_back(*path);

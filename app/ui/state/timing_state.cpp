@@ -1,4 +1,4 @@
-#include "app/ui/timing_state.h"
+#include "app/ui/state/timing_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ std::span<const double> FrameTimes::copy_ms(Series& out) const {
   return std::span(out).first(size());
 }
 
-FrameFigures frame_figures(const FrameTimes& frames) {
+FrameStats frame_stats(const FrameTimes& frames) {
   FrameTimes::Series sorted{};
   const std::span<const double> times_ms = frames.copy_ms(sorted);
   if (times_ms.empty()) return {};
@@ -29,13 +29,15 @@ FrameFigures frame_figures(const FrameTimes& frames) {
           times_ms[runtime::nearest_rank(kP99, times_ms.size()) - 1], times_ms.back()};
 }
 
-void note_timing(TimingState& state, const runtime::Session& session,
+void note_timing(TimingState& state, const runtime::LiveSession* live,
                  const runtime::TimingStatistics& timing) {
   TimingCounters now;
-  session.read_timing(now.histograms);
   now.ticks = timing.ticks;
   now.missed_ticks = timing.missed_ticks;
-  now.plot_drops = session.dropped_plot_samples();
+  if (live != nullptr) {
+    live->read_timing(now.histograms);
+    now.plot_drops = live->dropped_plot_samples();
+  }
   const TimingCounters& cleared = state.cleared;
   const bool another_session =
       now.ticks < cleared.ticks || now.missed_ticks < cleared.missed_ticks ||

@@ -1,4 +1,4 @@
-// What the window knows of the loop's time and of its own.
+// Timing of the loop and of the window.
 #pragma once
 
 #include <array>
@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <span>
 
-#include "app/runtime/quantiles.h"
-#include "app/runtime/session.h"
+#include "app/runtime/loop/latency_histogram.h"
+#include "app/runtime/session/live_session.h"
 
 namespace hapticwall::ui {
 
-// What the newest pictures of the window took to be made, in ms.
+// Drawing times of the newest frames, ms.
 class FrameTimes {
  public:
   static constexpr std::size_t kKept = 600;
@@ -21,7 +21,7 @@ class FrameTimes {
   void clear() { added_ = 0; }
 
   [[nodiscard]] std::size_t size() const { return added_ < kKept ? added_ : kKept; }
-  // Oldest first; returns the part of `out` that was filled.
+  // Oldest first; returns the filled part of `out`.
   std::span<const double> copy_ms(Series& out) const;
 
  private:
@@ -29,13 +29,13 @@ class FrameTimes {
   std::size_t added_ = 0;
 };
 
-// Mean, and of every hundred the worst; all 0 where there are none.
-struct FrameFigures {
+// All 0 when there are no frames.
+struct FrameStats {
   double mean_ms = 0.0;
   double p99_ms = 0.0;
   double maximum_ms = 0.0;
 };
-[[nodiscard]] FrameFigures frame_figures(const FrameTimes& frames);
+[[nodiscard]] FrameStats frame_stats(const FrameTimes& frames);
 
 // Counters of a session at one moment.
 struct TimingCounters {
@@ -45,10 +45,10 @@ struct TimingCounters {
   std::uint64_t plot_drops = 0;
 };
 
-// Lasts as long as the window.
+// Lives as long as the window.
 struct TimingState {
   TimingCounters cleared;  // when the user last cleared the page; zeros: never
-  // As they were in this frame, since then.
+  // In this frame, counted since `cleared`.
   TimingCounters shown;
   runtime::Quantiles wake_latency;
   runtime::Quantiles compute_time;
@@ -58,8 +58,9 @@ struct TimingState {
   [[nodiscard]] bool since_start() const { return cleared.histograms.wake_latency.total() == 0; }
 };
 
-// Once a frame, before anything shows it. Another session starts at zero again.
-void note_timing(TimingState& state, const runtime::Session& session,
+// Called once a frame, before anything shows it. Another session starts at zero again. `live`: null
+// where there is no loop, and all counts are 0.
+void note_timing(TimingState& state, const runtime::LiveSession* live,
                  const runtime::TimingStatistics& timing);
 
 }  // namespace hapticwall::ui

@@ -1,18 +1,19 @@
-#include "app/ui/undo.h"
+#include "app/ui/state/undo.h"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "app/runtime/scene_change.h"
-#include "app/ui/comparing.h"
-#include "app/ui/parameter_rows.h"
+#include "app/runtime/session/scene_change.h"
+#include "app/ui/state/changed_values.h"
+#include "app/ui/state/comparing.h"
+#include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
 namespace {
 
-// Toggling between the slots is no change of what they hold.
+// Toggling the slots does not change their contents.
 bool same_step(const SceneStep& step, const Scene& scene, const CompareSlots& slots) {
   if (step.slots.settings != slots.settings) return false;
   if (step.slots.active == slots.active) return same_scene(step.scene, scene);
@@ -25,20 +26,19 @@ std::string difference(const SceneStep& from_step, const SceneStep& to_step) {
   const Scene& from = from_step.scene;
   Scene to = to_step.scene;
   if (from.name != to.name) return "scene " + to.name;
-  const runtime::Slot active = from_step.slots.active;
-  const runtime::Slot passive = runtime::other(active);
+  const compare::Slot active = from_step.slots.active;
+  const compare::Slot passive = compare::other(active);
   to.algorithm = to_step.slots.of(active);
   std::vector<std::string> lines = changed_values(to, from);
   if (from_step.slots.of(passive) != to_step.slots.of(passive)) {
-    lines.push_back(fmt::format("slot {}: {}", runtime::slot_name(passive),
-                                runtime::describe(to_step.slots.of(passive))));
+    lines.push_back(fmt::format("slot {}: {}", compare::slot_name(passive),
+                                compare::describe(to_step.slots.of(passive))));
   }
   const auto list = algorithms();
   if (from.algorithm.index != to.algorithm.index && to.algorithm.index < list.size())
     lines.push_back(fmt::format("algorithm {}", list[to.algorithm.index].name));
   if (from.sampling.rate_hz != to.sampling.rate_hz)
-    lines.push_back(
-        fmt::format("sampling rate {} Hz", hapticwall::number_text(to.sampling.rate_hz)));
+    lines.push_back(fmt::format("sampling rate {} Hz", number_text(to.sampling.rate_hz)));
   if (lines.empty()) return "the hand's script";
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
@@ -47,8 +47,8 @@ std::string difference(const SceneStep& from_step, const SceneStep& to_step) {
 
 bool same_scene(const Scene& a, const Scene& b) {
   return a.name == b.name && a.description == b.description && a.duration_s == b.duration_s &&
-         a.sampling.rate_hz == b.sampling.rate_hz && a.device == b.device && a.hand == b.hand &&
-         a.simulator == b.simulator && runtime::same_parameters(a, b);
+         a.sampling.rate_hz == b.sampling.rate_hz && a.x().device == b.x().device &&
+         a.x().hand == b.x().hand && a.simulator == b.simulator && runtime::same_parameters(a, b);
 }
 
 void UndoHistory::observe(const Scene& scene, const Scene& loaded, bool dragging,
@@ -66,7 +66,7 @@ void UndoHistory::observe(const Scene& scene, const Scene& loaded, bool dragging
     return;
   }
   if (wanted) {
-    // A device may have made of it what it can do.
+    // A device may have limited the values.
     present_ = *wanted;
     steps_[present_] = {scene, loaded, slots};
     return;
@@ -82,7 +82,7 @@ void UndoHistory::observe(const Scene& scene, const Scene& loaded, bool dragging
 void UndoHistory::add(SceneStep step) {
   steps_.resize(present_ + 1);
   steps_.push_back(std::move(step));
-  if (steps_.size() > kMostUndoSteps) steps_.erase(steps_.begin());
+  if (steps_.size() > kMaxUndoSteps) steps_.erase(steps_.begin());
   present_ = steps_.size() - 1;
 }
 

@@ -1,4 +1,4 @@
-// Undo and redo of everything that the user changes of a scene: whole scenes, side by side.
+// Undo history of scenes.
 #pragma once
 
 #include <cstddef>
@@ -6,41 +6,41 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/compare_state.h"
+#include "app/ui/state/compare_state.h"
 #include "core/scene.h"
 
 namespace hapticwall::ui {
 
-// A scene, and the one that its values can be reset to. The scene's algorithm is that of the slot
-// that was active; undo puts the one of the slot that is active into its place.
+// A scene, and the scene to which its values can be reset. The algorithm is that of the slot that
+// was active; undo replaces it by that of the slot that is active.
 struct SceneStep {
   Scene scene;
   Scene loaded;
   CompareSlots slots;
 };
 
-// Everything of two scenes is the same.
+// All fields of the two scenes are equal.
 [[nodiscard]] bool same_scene(const Scene& a, const Scene& b);
 
-// Sees the running scene once a frame and makes a step of every change that it finds: no panel has
-// to say what it does. All that changes within one drag of the pointer is one step.
+// Compares the running scene once a frame and records every change as a step, so that no panel has
+// to report one. All changes of one drag are one step.
 class UndoHistory {
  public:
-  // `dragging`: the pointer holds an item. The scene's algorithm is that of the active slot; which
-  // one that is makes no step. Without slots there is one algorithm.
+  // `dragging`: the pointer holds an item. The scene's algorithm is that of the active slot; a
+  // change of the active slot is no step. Without slots there is one algorithm.
   void observe(const Scene& scene, const Scene& loaded, bool dragging, const CompareSlots& slots);
   void observe(const Scene& scene, const Scene& loaded, bool dragging) {
     observe(scene, loaded, dragging, {{}, {scene.algorithm, {}}});
   }
 
-  // The step before or after the present one, or nothing. It is asked for, not done: the next
-  // observe() finds out whether the session has taken it.
+  // The previous or the next step, or nullopt. The caller asks the session for it; the next
+  // observe() finds out whether the session has accepted it.
   [[nodiscard]] std::optional<SceneStep> undo();
   [[nodiscard]] std::optional<SceneStep> redo();
 
   [[nodiscard]] bool can_undo() const { return present_ > 0; }
   [[nodiscard]] bool can_redo() const { return present_ + 1 < steps_.size(); }
-  // What undo or redo would change, a line for every value; empty where there is nothing.
+  // One line for every value that undo or redo would change; empty when there is no step.
   [[nodiscard]] std::string undo_text() const;
   [[nodiscard]] std::string redo_text() const;
   [[nodiscard]] std::size_t size() const { return steps_.size(); }
@@ -52,9 +52,9 @@ class UndoHistory {
   std::vector<SceneStep> steps_;
   std::size_t present_ = 0;
   std::optional<std::size_t> wanted_;
-  bool within_drag_ = false;  // the present step is of a drag that still goes on
+  bool within_drag_ = false;  // the present step belongs to a drag in progress
 };
 
-inline constexpr std::size_t kMostUndoSteps = 200;
+inline constexpr std::size_t kMaxUndoSteps = 200;
 
 }  // namespace hapticwall::ui

@@ -1,4 +1,4 @@
-#include "app/ui/shapes.h"
+#include "app/ui/wall/shapes.h"
 
 #include <array>
 #include <cmath>
@@ -34,7 +34,7 @@ void join_rings(Shape& shape) {
 }
 
 void add_lid(Shape& shape, float x, float normal_x) {
-  // The lid as a cone of no height; which ring comes first decides which side is the front.
+  // The lid is a flat cone; the order of the rings decides its front side.
   add_ring(shape, x, normal_x < 0.0F ? 0.0F : 1.0F, normal_x);
   add_ring(shape, x, normal_x < 0.0F ? 1.0F : 0.0F, normal_x);
   join_rings(shape);
@@ -68,7 +68,7 @@ Shape make_box() {
 Shape make_plane() {
   Shape shape;
   add_side(shape, 1, 1.0F);
-  for (Vertex& vertex : shape.vertices) vertex.position.y = 0.0F;
+  for (draw::Vertex& vertex : shape.vertices) vertex.position.y = 0.0F;
   return shape;
 }
 
@@ -99,7 +99,7 @@ Shape make_sides() {
   for (const int axis : {1, 2}) {
     for (const float side : {-1.0F, 1.0F}) add_side(shape, axis, side);
   }
-  for (Vertex& vertex : shape.vertices) vertex.position.x += 0.5F;
+  for (draw::Vertex& vertex : shape.vertices) vertex.position.x += 0.5F;
   return shape;
 }
 

@@ -1,15 +1,15 @@
-// The solids that the wall view is put together from, around the origin.
+// Solids of the wall view, around the origin.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "app/ui/gl_objects.h"
+#include "app/draw/figure/gl_objects.h"
 
 namespace hapticwall::ui {
 
 struct Shape {
-  std::vector<Vertex> vertices;
+  std::vector<draw::Vertex> vertices;
   std::vector<std::uint32_t> indices;
 };
 

@@ -1,4 +1,4 @@
-#include "app/ui/wall_camera.h"
+#include "app/ui/wall/wall_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +7,15 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kSmallestExtentM = 0.02;
+constexpr double kMinExtentM = 0.02;
 constexpr double kFreeSideMargin = 0.32;  // of the extent: the handle's body lies there
 constexpr double kWallSideMargin = 0.12;
 
 constexpr double kFieldOfView = glm::radians(20.0);
 constexpr double kNear = 0.5;
-constexpr double kBehind = 60.0;  // how far beyond the middle of the scene the picture reaches
+constexpr double kBehind = 60.0;  // reach of the picture beyond the middle of the scene
 
-// How a scene is first shown, and how far it may be turned.
+// Initial view and limits of the rotation.
 struct View {
   double yaw_rad;    // from the front towards the wall's side
   double pitch_rad;  // above the level of the axes
@@ -26,21 +26,21 @@ struct View {
 };
 const View kOneAxisView{glm::radians(-24.0), glm::radians(17.0), glm::radians(4.0), 5.5, 2.4,
                         {0.15, -0.2, 0.0}};
-// Low enough to see the walls' faces; a line of sight always meets the level of the axes.
+// Low enough to see the faces of the walls; every line of sight meets the plane of the axes.
 const View kTwoAxesView{glm::radians(-26.0), glm::radians(36.0), glm::radians(20.0), 8.0, 4.9,
                         {0.3, -0.6, -0.3}};
-constexpr double kLargestYaw = glm::radians(75.0);
+constexpr double kMaxYaw = glm::radians(75.0);
 constexpr double kHighestPitch = glm::radians(80.0);
-constexpr double kSmallestZoom = 0.8;
-constexpr double kLargestZoom = 20.0;
+constexpr double kMinZoom = 0.8;
+constexpr double kMaxZoom = 20.0;
 constexpr double kFreeShift = 0.5;  // without any zoom
-// What is in the middle of a zoomed picture lies within this share of the unzoomed one.
+// The middle of a zoomed picture stays within this share of the unzoomed one.
 const glm::dvec2 kShownShare(0.9, 0.75);
 
 const View& view_of(bool two_axes) { return two_axes ? kTwoAxesView : kOneAxisView; }
 
 AxisExtent with_margins(double from_m, double to_m) {
-  const double length_m = std::max(to_m - from_m, kSmallestExtentM);
+  const double length_m = std::max(to_m - from_m, kMinExtentM);
   const double middle_m = 0.5 * (from_m + to_m);
   return {middle_m - (0.5 + kFreeSideMargin) * length_m,
           middle_m + (0.5 + kWallSideMargin) * length_m};
@@ -48,38 +48,37 @@ AxisExtent with_margins(double from_m, double to_m) {
 
 }  // namespace
 
-AxisExtent axis_extent(const Scene& scene) {
-  double from_m = scene.device.start_m;
+AxisExtent axis_extent(const AxisSettings& axis) {
+  double from_m = axis.device.start_m;
   double to_m = from_m;
   const auto include = [&](double position_m) {
     from_m = std::min(from_m, position_m);
     to_m = std::max(to_m, position_m);
   };
-  for (const WallSettings& wall : scene.walls) include(wall.position_m);
-  if (scene.hand) {
-    for (const PathPoint& point : scene.hand->path) include(point.position_m);
+  for (const WallSettings& wall : axis.walls) include(wall.position_m);
+  if (axis.hand) {
+    for (const PathPoint& point : axis.hand->path) include(point.position_m);
   }
   return with_margins(from_m, to_m);
 }
 
 WallSpace wall_space(const Scene& scene) {
-  WallSpace space{axis_extent(scene), std::nullopt};
-  if (scene.y) space.y = axis_extent(second_axis(scene));
+  WallSpace space{axis_extent(scene.x()), std::nullopt};
+  if (scene.two_axes()) space.y = axis_extent(scene.axes[1]);
   return space;
 }
 
 WallOrbit limited(const WallOrbit& orbit, bool two_axes) {
   const View& view = view_of(two_axes);
-  // A state that was kept in a file may hold anything.
+  // A stored state may hold any value.
   const auto within = [](double value, double from, double to, double otherwise) {
     return std::isfinite(value) ? std::clamp(value, from, to) : otherwise;
   };
   WallOrbit result;
-  result.yaw_rad =
-      within(orbit.yaw_rad, -kLargestYaw - view.yaw_rad, kLargestYaw - view.yaw_rad, 0.0);
+  result.yaw_rad = within(orbit.yaw_rad, -kMaxYaw - view.yaw_rad, kMaxYaw - view.yaw_rad, 0.0);
   result.pitch_rad = within(orbit.pitch_rad, view.lowest_pitch_rad - view.pitch_rad,
                             kHighestPitch - view.pitch_rad, 0.0);
-  result.zoom = within(orbit.zoom, kSmallestZoom, kLargestZoom, 1.0);
+  result.zoom = within(orbit.zoom, kMinZoom, kMaxZoom, 1.0);
   for (int i = 0; i < 2; ++i) {
     const double reach = kFreeShift + kShownShare[i] * std::max(0.0, result.zoom - 1.0);
     result.shift[i] = within(orbit.shift[i], -reach, reach, 0.0);
@@ -89,7 +88,7 @@ WallOrbit limited(const WallOrbit& orbit, bool two_axes) {
 
 WallOrbit zoomed(const WallOrbit& orbit, double factor, glm::dvec2 pointer) {
   WallOrbit result = orbit;
-  result.zoom = std::clamp(orbit.zoom * factor, kSmallestZoom, kLargestZoom);
+  result.zoom = std::clamp(orbit.zoom * factor, kMinZoom, kMaxZoom);
   result.shift = pointer - (pointer - orbit.shift) * (result.zoom / orbit.zoom);
   return result;
 }
@@ -138,7 +137,7 @@ glm::vec2 WallCamera::pixel_of(glm::vec3 point) const {
 }
 
 double WallCamera::position_at(glm::vec2 pixel) const {
-  // Both ends of the axis in pixels times their depth: what lies between is a weighted mean.
+  // Both ends of the axis in homogeneous pixels: points between are a weighted mean.
   const auto end = [this](double x_m) {
     const glm::dvec4 clip =
         exact_ * glm::dvec4((x_m - space_.x.middle_m()) * units_per_m_, 0.0, 0.0, 1.0);
@@ -148,17 +147,17 @@ double WallCamera::position_at(glm::vec2 pixel) const {
   const glm::dvec3 to = end(space_.x.to_m);
   const glm::dvec2 from_pixel = glm::dvec2(from) / from.z;
   const glm::dvec2 along = glm::dvec2(to) / to.z - from_pixel;
-  // The foot of the pixel on the axis as it is seen; beyond an end counts as the end.
+  // The nearest point on the visible axis, clamped to its ends.
   const double foot = glm::dot(glm::dvec2(pixel) - from_pixel, along) / glm::dot(along, along);
   const double seen = std::clamp(foot, 0.0, 1.0);
-  // The nearer half of a line looks longer than the farther one.
+  // Perspective: the nearer half of a line looks longer.
   const double share = seen * from.z / (seen * from.z + (1.0 - seen) * to.z);
   return space_.x.from_m + share * space_.x.length_m();
 }
 
 glm::dvec2 WallCamera::place_at(glm::vec2 pixel) const {
   if (!space_.y) return {position_at(pixel), 0.0};
-  // A pointer that has left the picture counts as being at its edge.
+  // A pointer outside counts as on the edge.
   const glm::dvec2 inside = glm::clamp(glm::dvec2(pixel), glm::dvec2(0.0), size_);
   const glm::dvec2 device(2.0 * inside.x / size_.x - 1.0, 1.0 - 2.0 * inside.y / size_.y);
   const glm::dmat4 inverse = glm::inverse(exact_);

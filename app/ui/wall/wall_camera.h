@@ -1,4 +1,4 @@
-// From metres along the device's axes to the picture and back.
+// Transforms between metres on the device axes and the picture.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,10 +18,10 @@ struct AxisExtent {
   friend bool operator==(const AxisExtent&, const AxisExtent&) = default;
 };
 
-// Everything that a scene names (start, walls, the hand's path) with some air around it.
-[[nodiscard]] AxisExtent axis_extent(const Scene& scene);
+// Contains all positions of a scene (start, walls, hand path), with some margin.
+[[nodiscard]] AxisExtent axis_extent(const AxisSettings& axis);
 
-// What the picture shows of the device's one or two axes.
+// The shown part of one or two device axes.
 struct WallSpace {
   AxisExtent x;
   std::optional<AxisExtent> y;
@@ -30,7 +30,7 @@ struct WallSpace {
 };
 [[nodiscard]] WallSpace wall_space(const Scene& scene);
 
-// How far the user has turned, zoomed and moved the picture from how a scene is first shown.
+// Rotation, zoom and shift by the user, relative to the initial view.
 struct WallOrbit {
   double yaw_rad = 0.0;    // positive: the eye goes round to the wall's side
   double pitch_rad = 0.0;  // positive: the eye goes up
@@ -40,11 +40,10 @@ struct WallOrbit {
   friend bool operator==(const WallOrbit&, const WallOrbit&) = default;
 };
 
-// As near to `orbit` as one may go without getting lost: the axes are never seen end-on, nor from
-// below, and some of the scene is always within the picture.
+// `orbit` clamped to useful views: axes are never seen end-on or from below, and part of the scene
+// stays in the picture.
 [[nodiscard]] WallOrbit limited(const WallOrbit& orbit, bool two_axes);
-// The same, zoomed by `factor`, so that what is under the pointer stays there. `pointer` as
-// WallOrbit::shift.
+// Zooms by `factor` around the pointer. `pointer` as WallOrbit::shift.
 [[nodiscard]] WallOrbit zoomed(const WallOrbit& orbit, double factor, glm::dvec2 pointer);
 
 // Looks at the axes from the side of free space, from a little above. The longer extent is kLength
@@ -68,7 +67,7 @@ class WallCamera {
   }
   [[nodiscard]] const WallSpace& space() const { return space_; }
   [[nodiscard]] double units_per_m() const { return units_per_m_; }
-  // In the middle of the picture, across the line of sight.
+  // Size at the middle of the picture, perpendicular to the line of sight.
   [[nodiscard]] double pixels_per_unit() const { return pixels_per_unit_; }
   [[nodiscard]] const glm::mat4& view_projection() const { return view_projection_; }
   [[nodiscard]] const glm::vec3& eye() const { return eye_; }
@@ -77,7 +76,8 @@ class WallCamera {
   [[nodiscard]] glm::vec2 pixel_of(glm::vec3 point) const;
   // The position on a single axis that is nearest to a pixel, within the extent.
   [[nodiscard]] double position_at(glm::vec2 pixel) const;
-  // The place on two axes under a pixel, within the extents; on a single axis position_at(), 0.
+  // The position on two axes under a pixel, clamped to the extents. With one axis: (position_at(),
+  // 0).
   [[nodiscard]] glm::dvec2 place_at(glm::vec2 pixel) const;
 
  private:

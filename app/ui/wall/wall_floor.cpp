@@ -1,29 +1,29 @@
-#include "app/ui/wall_floor.h"
+#include "app/ui/wall/wall_floor.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/ui/shapes.h"
-#include "app/ui/wall_solids.h"
+#include "app/ui/wall/shapes.h"
+#include "app/ui/wall/wall_solids.h"
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr float kFloorSize = 40.0F;
-constexpr double kGridLines = 6.0;  // at least so many on an extent
+constexpr double kGridLines = 6.0;  // minimum on an extent
 constexpr float kDarkness = 0.85F;  // of shadows, in the dark
-constexpr float kLightness = 0.5F;  // of what counts as a light theme
+constexpr float kLightness = 0.5F;  // threshold of a light theme
 constexpr float kDarknessInLight = 0.50F;
-constexpr float kFloorTone = 0.045F;  // of the text's colour in the floor's
+constexpr float kFloorTone = 0.045F;  // share of the text colour in the floor
 constexpr float kGridTone = 0.32F;
 const glm::vec2 kShadowShift(0.10F, -0.14F);  // away from the key light
 
 glm::vec4 rgba(const ImVec4& colour) { return {colour.x, colour.y, colour.z, colour.w}; }
 
-float darkness(const Theme& theme) {
-  const ImVec4& panel = theme.colour(Tone::kPanel);
+float darkness(const draw::Theme& theme) {
+  const ImVec4& panel = theme.colour(draw::Tone::kPanel);
   const float brightness = (panel.x + panel.y + panel.z) / 3.0F;
   return brightness > kLightness ? kDarknessInLight : kDarkness;
 }
@@ -49,38 +49,39 @@ std::optional<glm::vec4> wall_block(const WallPicture& picture, const WallCamera
   return glm::vec4(slab.along_from, slab.along_to, -end, -slab.face);
 }
 
-WallFloor::WallFloor(GlProgram backdrop, GlProgram floor, GlProgram shadow)
+WallFloor::WallFloor(draw::GlProgram backdrop, draw::GlProgram floor, draw::GlProgram shadow)
     : backdrop_(std::move(backdrop)), floor_(std::move(floor)), shadow_(std::move(shadow)) {
   const Shape plane = make_plane();
-  plane_ = GlMesh(plane.vertices, plane.indices);
+  plane_ = draw::GlMesh(plane.vertices, plane.indices);
 }
 
 Result<WallFloor> WallFloor::create() {
-  Result<GlProgram> backdrop = GlProgram::create("solid.vert", "backdrop.frag");
+  Result<draw::GlProgram> backdrop = draw::GlProgram::create("solid.vert", "backdrop.frag");
   if (!backdrop) return backdrop.error();
-  Result<GlProgram> floor = GlProgram::create("solid.vert", "floor.frag");
+  Result<draw::GlProgram> floor = draw::GlProgram::create("solid.vert", "floor.frag");
   if (!floor) return floor.error();
-  Result<GlProgram> shadow = GlProgram::create("solid.vert", "shadow.frag");
+  Result<draw::GlProgram> shadow = draw::GlProgram::create("solid.vert", "shadow.frag");
   if (!shadow) return shadow.error();
   return WallFloor(std::move(*backdrop), std::move(*floor), std::move(*shadow));
 }
 
-void WallFloor::draw_backdrop(const WallCamera& camera, const Theme& theme, int height) const {
+void WallFloor::draw_backdrop(const WallCamera& camera, const draw::Theme& theme,
+                              int height) const {
   backdrop_.use();
-  // Just what fills the picture: the plane turned towards the eye, in the picture's own measures.
+  // A plane that fills the picture and faces the eye.
   const glm::mat4 upright = glm::scale(
       glm::rotate(glm::mat4(1.0F), glm::radians(90.0F), {1.0F, 0.0F, 0.0F}), glm::vec3(2.0F));
   backdrop_.set("view_projection", camera.view_projection());
   backdrop_.set("model", glm::inverse(camera.view_projection()) * upright);
   backdrop_.set("normal_matrix", glm::mat3(1.0F));
-  backdrop_.set("lower", rgba(theme.colour(Tone::kPanel)));
-  backdrop_.set("upper",
-                rgba(mixed(theme.colour(Tone::kPanel), theme.colour(Tone::kBackground), 0.6F)));
+  backdrop_.set("lower", rgba(theme.colour(draw::Tone::kPanel)));
+  backdrop_.set("upper", rgba(mixed(theme.colour(draw::Tone::kPanel),
+                                    theme.colour(draw::Tone::kBackground), 0.6F)));
   backdrop_.set("height", static_cast<float>(height));
   plane_.draw();
 }
 
-void WallFloor::draw(const WallPicture& picture, const WallCamera& camera, const Theme& theme,
+void WallFloor::draw(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme,
                      int height) const {
   draw_backdrop(camera, theme, height);
   floor_.use();
@@ -89,9 +90,9 @@ void WallFloor::draw(const WallPicture& picture, const WallCamera& camera, const
              glm::scale(glm::translate(glm::mat4(1.0F), {0.0F, WallMeasures::kFloor, 0.0F}),
                         glm::vec3(kFloorSize)));
   floor_.set("normal_matrix", glm::mat3(1.0F));
-  floor_.set("colour",
-             rgba(mixed(theme.colour(Tone::kPanel), theme.colour(Tone::kText), kFloorTone)));
-  ImVec4 lines = theme.colour(Tone::kMuted);
+  floor_.set("colour", rgba(mixed(theme.colour(draw::Tone::kPanel), theme.colour(draw::Tone::kText),
+                                  kFloorTone)));
+  ImVec4 lines = theme.colour(draw::Tone::kMuted);
   lines.w = kGridTone;
   floor_.set("line_colour", rgba(lines));
   floor_.set("grid_origin", glm::vec2(camera.x_of(0.0), camera.z_of(0.0)));
@@ -108,7 +109,7 @@ void WallFloor::draw(const WallPicture& picture, const WallCamera& camera, const
 }
 
 void WallFloor::draw_shadow(const WallPicture& picture, const WallCamera& camera,
-                            const Theme& theme) const {
+                            const draw::Theme& theme) const {
   constexpr float kRadius = WallMeasures::kHandleRadius;
   constexpr float kReach = 2.3F * kRadius;  // as in the shader
   const glm::vec3 ball = ball_centre(picture.two_axes, camera, picture.handle_m);

@@ -1,4 +1,4 @@
-#include "app/ui/wall_labels.h"
+#include "app/ui/wall/wall_labels.h"
 
 #include <fmt/format.h>
 
@@ -7,21 +7,21 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/wall_floor.h"
-#include "app/ui/wall_solids.h"
+#include "app/ui/wall/wall_floor.h"
+#include "app/ui/wall/wall_solids.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr float kRulerFront = 0.25F;  // of the ruler, in front of the walls
-constexpr float kLeastArrow = 0.04F;  // without a figure below
+constexpr float kMinArrow = 0.04F;    // shorter arrows have no label
 constexpr float kEdge = 4.0F;         // pixels that are kept free
 
 // Places in the picture's units become pixels of the window.
 class Pen {
  public:
-  Pen(const Theme& theme, const WallCamera& camera, const ViewArea& area)
+  Pen(const draw::Theme& theme, const WallCamera& camera, const ViewArea& area)
       : theme_(theme), camera_(camera), area_(area), list_(ImGui::GetWindowDrawList()) {}
 
   [[nodiscard]] ImVec2 screen(glm::vec3 point) const {
@@ -32,24 +32,24 @@ class Pen {
     return place.x >= area_.corner.x && place.x <= area_.corner.x + area_.size.x &&
            place.y >= area_.corner.y && place.y <= area_.corner.y + area_.size.y;
   }
-  // Nothing is to be read right of and below this place.
+  // Reserves the area right of and below this place.
   void cover_from(ImVec2 place) { covered_ = place; }
   [[nodiscard]] bool is_covered(ImVec2 place) const {
     return place.x > covered_.x && place.y > covered_.y;
   }
   // Centred at `place`, kept inside the picture.
-  void write(ImVec2 place, Tone tone, const std::string& text) const {
+  void write(ImVec2 place, draw::Tone tone, const std::string& text) const {
     const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
     const float x = kept(place.x - 0.5F * extent.x, area_.corner.x, area_.size.x - extent.x);
     const float y = kept(place.y - 0.5F * extent.y, area_.corner.y, area_.size.y - extent.y);
     list_->AddRectFilled(ImVec2(x - 2.0F, y), ImVec2(x + extent.x + 2.0F, y + extent.y),
-                         theme_.packed(Tone::kPanel, kBehindText), 3.0F);
+                         theme_.packed(draw::Tone::kPanel, kBehindText), 3.0F);
     list_->AddText(ImVec2(x, y), theme_.packed(tone), text.c_str());
   }
-  void line(ImVec2 from, ImVec2 to, Tone tone, float alpha = 1.0F) const {
+  void line(ImVec2 from, ImVec2 to, draw::Tone tone, float alpha = 1.0F) const {
     list_->AddLine(from, to, theme_.packed(tone, alpha), 1.0F);
   }
-  [[nodiscard]] const Theme& theme() const { return theme_; }
+  [[nodiscard]] const draw::Theme& theme() const { return theme_; }
   [[nodiscard]] ImDrawList* list() const { return list_; }
   [[nodiscard]] const ViewArea& area() const { return area_; }
 
@@ -57,14 +57,14 @@ class Pen {
   static float kept(float from, float edge, float room) {
     return std::clamp(from, edge + kEdge, std::max(edge + kEdge, edge + room - kEdge));
   }
-  const Theme& theme_;
+  const draw::Theme& theme_;
   const WallCamera& camera_;
   const ViewArea& area_;
   ImDrawList* list_;
   ImVec2 covered_{1e6F, 1e6F};
 };
 
-// Along one axis, on the floor; as many marks as have room for their figures.
+// Draws the ruler of one axis, with as many marks as fit.
 void draw_ruler(const Pen& pen, const WallCamera& camera, Axis axis, bool two_axes) {
   const AxisExtent extent = axis == Axis::kX ? camera.space().x : *camera.space().y;
   const double step_m = grid_step_m(extent.length_m());
@@ -84,26 +84,26 @@ void draw_ruler(const Pen& pen, const WallCamera& camera, Axis axis, bool two_ax
     const ImVec2 place = place_of(mark * step_m);
     if (!pen.within(ImVec2(place.x, place.y + 1.5F * line))) continue;
     if (pen.is_covered(ImVec2(place.x + 2.0F * line, place.y + line))) continue;
-    pen.line(ImVec2(place.x, place.y - 3.0F), ImVec2(place.x, place.y + 3.0F), Tone::kMuted);
+    pen.line(ImVec2(place.x, place.y - 3.0F), ImVec2(place.x, place.y + 3.0F), draw::Tone::kMuted);
     const std::string text = fmt::format("{:g} mm", mark * step_m * kMillimetresPerMetre);
     if (std::abs(place.x - last.x) < ImGui::CalcTextSize(text.c_str()).x + line &&
         std::abs(place.y - last.y) < 1.2F * line)
       continue;
-    pen.write(ImVec2(place.x, place.y + 0.9F * line), Tone::kMuted, text);
+    pen.write(ImVec2(place.x, place.y + 0.9F * line), draw::Tone::kMuted, text);
     last = place;
   }
 }
 
-// A name and what it belongs to.
+// A name and its object.
 struct Name {
   ImVec2 thing;
-  Tone tone;
+  draw::Tone tone;
   std::string text;
 };
 bool is_left_of(const Name& a, const Name& b) { return a.thing.x < b.thing.x; }
 
-// Above the walls, from left to right; where faces are near to each other, the names are pushed
-// apart and lines lead to them.
+// Names above the walls, from left to right. Close names are pushed apart, with lines to their
+// walls.
 void draw_wall_names(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
   const float line = ImGui::GetFontSize();
   const float top = WallMeasures::wall_top(picture);
@@ -116,14 +116,14 @@ void draw_wall_names(const Pen& pen, const WallPicture& picture, const WallCamer
         pen.screen(on_x ? glm::vec3(slab.face, top, along) : glm::vec3(along, top, -slab.face));
     const char* axis = on_x ? "x " : "y ";
     names.push_back(
-        {foot, Tone::kWall,
+        {foot, draw::Tone::kWall,
          fmt::format("{}{:.4g} mm · {}", picture.two_axes ? axis : "",
                      wall.face_m * kMillimetresPerMetre, stiffness_text(wall.stiffness_n_per_m))});
   }
   std::sort(names.begin(), names.end(), is_left_of);
   float free_from = -1e6F;
   for (const Name& name : names) {
-    // A wall whose upper edge is above the picture is named at its edge.
+    // A wall whose top is outside is named at the edge of the picture.
     if (!pen.within(ImVec2(name.thing.x, std::max(name.thing.y, pen.area().corner.y)))) continue;
     const float half = 0.5F * ImGui::CalcTextSize(name.text.c_str()).x;
     const float x = picture.two_axes ? name.thing.x : std::max(name.thing.x, free_from + half);
@@ -134,7 +134,7 @@ void draw_wall_names(const Pen& pen, const WallPicture& picture, const WallCamer
   }
 }
 
-// Side by side under what they name: pushed apart where they would overlap.
+// Names below their objects, pushed apart where they would overlap.
 void draw_names_below(const Pen& pen, std::vector<Name> names, float level) {
   const float gap = ImGui::GetFontSize();
   std::sort(names.begin(), names.end(), is_left_of);
@@ -150,7 +150,7 @@ void draw_names_below(const Pen& pen, std::vector<Name> names, float level) {
   }
 }
 
-// `side` -1: to the left of what it names; 1: to the right.
+// `side`: -1 left, 1 right of the object.
 void draw_name_beside(const Pen& pen, const Name& name, float side) {
   if (!pen.within(name.thing)) return;
   const float gap = 1.2F * ImGui::GetFontSize();
@@ -167,16 +167,16 @@ void draw_things_on_axis(const Pen& pen, const WallPicture& picture, const WallC
   const glm::vec3 handle = ball_centre(false, camera, picture.handle_m);
   std::vector<Name> names;
   names.push_back(
-      {pen.screen(handle + glm::vec3(kAtRod, -kNeckHalf, 0.0F)), Tone::kText, "handle"});
+      {pen.screen(handle + glm::vec3(kAtRod, -kNeckHalf, 0.0F)), draw::Tone::kText, "handle"});
   if (const auto proxy_m = proxy_of(picture)) {
     const glm::vec3 proxy = ball_centre(false, camera, *proxy_m);
     names.push_back({pen.screen(proxy + 1.1F * kRadius * glm::vec3(0.35F, -1.0F, 0.0F)),
-                     Tone::kAccent, "proxy"});
+                     draw::Tone::kAccent, "proxy"});
   }
   if (picture.hand_m) {
     const glm::vec3 hand = ball_centre(false, camera, *picture.hand_m);
     names.push_back({pen.screen(hand + glm::vec3(kSleeve, -WallMeasures::kSleeveRadius, 0.0F)),
-                     Tone::kHand, "hand"});
+                     draw::Tone::kHand, "hand"});
   }
   draw_names_below(pen, std::move(names),
                    pen.screen(handle - glm::vec3(0.0F, 2.0F * kRadius, 0.0F)).y);
@@ -187,38 +187,41 @@ void draw_things_on_plane(const Pen& pen, const WallPicture& picture, const Wall
   const glm::vec3 rod = rod_direction(true);
   const glm::vec3 handle = ball_centre(true, camera, picture.handle_m);
   draw_name_beside(
-      pen, {pen.screen(handle + 0.92F * WallMeasures::kStylusLength * rod), Tone::kText, "handle"},
+      pen,
+      {pen.screen(handle + 0.92F * WallMeasures::kStylusLength * rod), draw::Tone::kText, "handle"},
       -1.0F);
   if (const auto proxy_m = proxy_of(picture)) {
     const glm::vec3 proxy = ball_centre(true, camera, *proxy_m);
     draw_name_beside(
-        pen, {pen.screen(proxy - glm::vec3(kRadius, 0.0F, 0.0F)), Tone::kAccent, "proxy"}, -1.0F);
+        pen, {pen.screen(proxy - glm::vec3(kRadius, 0.0F, 0.0F)), draw::Tone::kAccent, "proxy"},
+        -1.0F);
   }
   if (!picture.hand_m) return;
   const glm::vec3 hand = ball_centre(true, camera, *picture.hand_m);
   const float back = 0.5F * (WallMeasures::kSleeveFrom + WallMeasures::kSleeveTo) - kRadius;
   const glm::vec3 aside(WallMeasures::kSleeveRadius, 0.0F, 0.0F);
-  draw_name_beside(pen, {pen.screen(hand + back * rod + aside), Tone::kHand, "hand"}, 1.0F);
+  draw_name_beside(pen, {pen.screen(hand + back * rod + aside), draw::Tone::kHand, "hand"}, 1.0F);
 }
 
 void draw_force(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
   const glm::vec2 arrow = arrow_of(picture);
-  if (glm::length(arrow) < kLeastArrow) return;
+  if (glm::length(arrow) < kMinArrow) return;
   const glm::vec3 from = picture.two_axes
                              ? ball_centre(true, camera, picture.handle_m)
                              : camera.point_of(picture.handle_m, WallMeasures::kArrowHeight);
-  // Above its middle; on two axes, where it may point towards the viewer, beyond its tip.
+  // Above the middle of the arrow. With two axes beyond its tip, because the arrow may point
+  // towards the viewer.
   const glm::vec3 along(arrow.x, 0.0F, -arrow.y);
   const glm::vec3 beside = picture.two_axes ? from + (1.0F + 0.8F / glm::length(along)) * along
                                             : from + 0.5F * along + glm::vec3(0.0F, 0.3F, 0.0F);
   ImVec2 place = pen.screen(beside);
   if (!picture.two_axes) place.y -= 0.5F * ImGui::GetFontSize();
   const double size_n = picture.two_axes ? glm::length(picture.force_n) : picture.force_n.x;
-  pen.write(place, picture.saturated ? Tone::kBad : Tone::kForce,
+  pen.write(place, picture.saturated ? draw::Tone::kBad : draw::Tone::kForce,
             fmt::format("{:.2f} N{}", size_n, picture.saturated ? "  limit" : ""));
 }
 
-// The colours of stiffness as a bar at the right, with what is displayed at the moment.
+// The colour bar of stiffness, with the displayed stiffness.
 class StiffnessBar {
  public:
   StiffnessBar(const Pen& pen, const WallPicture& picture)
@@ -236,13 +239,13 @@ class StiffnessBar {
   void draw_colours() const {
     constexpr int kSteps = 16;
     const float part = length_ / kSteps;
-    const ImU32 behind = pen_.theme().packed(Tone::kPanel, 0.85F);
+    const ImU32 behind = pen_.theme().packed(draw::Tone::kPanel, 0.85F);
     pen_.list()->AddRectFilled(from_, ImVec2(right_ + 0.4F * line_, bottom_ + 0.8F * line_), behind,
                                4.0F);
     const char* title = "stiffness";
     pen_.list()->AddText(
         ImVec2(right_ - ImGui::CalcTextSize(title).x, bottom_ - length_ - 1.9F * line_),
-        pen_.theme().packed(Tone::kMuted), title);
+        pen_.theme().packed(draw::Tone::kMuted), title);
     const auto shade = [&](int step) {
       const float share = static_cast<float>(step) / kSteps;
       return ImGui::ColorConvertFloat4ToU32(stiffness_colour(pen_.theme(), share));
@@ -258,10 +261,10 @@ class StiffnessBar {
     const float y = level(n_per_m);
     pen_.list()->AddTriangleFilled(
         ImVec2(left_ - 0.1F * line_, y), ImVec2(left_ - 0.55F * line_, y - 0.3F * line_),
-        ImVec2(left_ - 0.55F * line_, y + 0.3F * line_), pen_.theme().packed(Tone::kText));
+        ImVec2(left_ - 0.55F * line_, y + 0.3F * line_), pen_.theme().packed(draw::Tone::kText));
   }
-  // Left of the bar, unless another one is there.
-  void write(double n_per_m, Tone tone, const std::string& text) {
+  // Writes left of the bar, unless another text is there.
+  void write(double n_per_m, draw::Tone tone, const std::string& text) {
     const float y = level(n_per_m);
     for (const float other : taken_)
       if (std::abs(other - y) < 1.1F * line_) return;
@@ -293,12 +296,12 @@ void draw_stiffness_bar(StiffnessBar& bar, const WallPicture& picture) {
     if (shown.strength <= 0.0) continue;
     const char* name = axis == 0 ? "x " : "y ";
     bar.mark(shown.n_per_m);
-    bar.write(shown.n_per_m, Tone::kText,
+    bar.write(shown.n_per_m, draw::Tone::kText,
               (picture.two_axes ? name : "") + stiffness_text(shown.n_per_m));
   }
   const StiffnessScale scale = stiffness_scale(picture);
   for (const double end : {scale.softest_n_per_m(), scale.stiffest_n_per_m})
-    bar.write(end, Tone::kMuted, stiffness_text(end));
+    bar.write(end, draw::Tone::kMuted, stiffness_text(end));
 }
 
 }  // namespace
@@ -309,8 +312,8 @@ std::string stiffness_text(double n_per_m) {
   return fmt::format("{:.3g} N/m", n_per_m);
 }
 
-void draw_wall_labels(const Theme& theme, const WallPicture& picture, const WallCamera& camera,
-                      const ViewArea& area) {
+void draw_wall_labels(const draw::Theme& theme, const WallPicture& picture,
+                      const WallCamera& camera, const ViewArea& area) {
   Pen pen(theme, camera, area);
   StiffnessBar bar(pen, picture);
   const bool with_bar = !picture.walls.empty() && bar.has_room();

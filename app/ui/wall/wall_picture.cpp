@@ -1,4 +1,4 @@
-#include "app/ui/wall_picture.h"
+#include "app/ui/wall/wall_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr double kDefaultFullScaleN = 10.0;  // where the device has no force limit
-constexpr double kLeastFullScaleN = 1e-9;
-constexpr double kLeastStiffnessNPerM = 1.0;
+constexpr double kMinFullScaleN = 1e-9;
+constexpr double kMinStiffnessNPerM = 1.0;
 constexpr double kSettledTint = 1e-3;  // a fading tint is there when it is this near
 // Where along the colours of stiffness the middle one lies.
 constexpr float kMiddleShare = 0.5F;
@@ -32,14 +32,14 @@ void add_second_axis(WallPicture& picture, const Scene& scene, const Sample& y) 
   picture.two_axes = true;
   picture.handle_m.y = y.truth.position_m;
   // A hand on one axis only stays beside the handle on the other.
-  if (scene.hand || scene.y->hand) {
+  if (scene.x().hand || scene.axes[1].hand) {
     if (!picture.hand_m) picture.hand_m = glm::dvec2(picture.handle_m.x, 0.0);
-    picture.hand_m->y = scene.y->hand ? y.truth.hand_path_m : y.truth.position_m;
+    picture.hand_m->y = scene.axes[1].hand ? y.truth.hand_path_m : y.truth.position_m;
   }
-  add_walls(picture, Axis::kY, scene.y->walls);
+  add_walls(picture, Axis::kY, scene.axes[1].walls);
   picture.force_n.y = y.force_n;
-  picture.full_scale_n =
-      std::max(picture.full_scale_n, scene.y->device.force_limit_n.value_or(kDefaultFullScaleN));
+  picture.full_scale_n = std::max(picture.full_scale_n,
+                                  scene.axes[1].device.force_limit_n.value_or(kDefaultFullScaleN));
   picture.saturated = picture.saturated || (y.flags & kFlagForceLimit) != 0U;
   picture.shown.back() = shown_now(y);
 }
@@ -49,13 +49,13 @@ void add_second_axis(WallPicture& picture, const Scene& scene, const Sample& y) 
 WallPicture wall_picture(const Scene& scene, const Sample& sample, const Sample& y) {
   WallPicture picture;
   picture.handle_m = {sample.truth.position_m, 0.0};
-  if (scene.hand) picture.hand_m = glm::dvec2(sample.truth.hand_path_m, 0.0);
-  add_walls(picture, Axis::kX, scene.walls);
+  if (scene.x().hand) picture.hand_m = glm::dvec2(sample.truth.hand_path_m, 0.0);
+  add_walls(picture, Axis::kX, scene.x().walls);
   picture.force_n = {sample.force_n, 0.0};
-  picture.full_scale_n = scene.device.force_limit_n.value_or(kDefaultFullScaleN);
+  picture.full_scale_n = scene.x().device.force_limit_n.value_or(kDefaultFullScaleN);
   picture.saturated = (sample.flags & kFlagForceLimit) != 0U;
   picture.shown.front() = shown_now(sample);
-  if (scene.y) add_second_axis(picture, scene, y);
+  if (scene.two_axes()) add_second_axis(picture, scene, y);
   std::stable_sort(picture.walls.begin(), picture.walls.end(),
                    [](const PictureWall& a, const PictureWall& b) { return a.face_m < b.face_m; });
   return picture;
@@ -84,9 +84,9 @@ std::optional<glm::dvec2> proxy_of(const WallPicture& picture) {
 }
 
 glm::vec2 arrow_of(const WallPicture& picture) {
-  const glm::dvec2 share = picture.force_n / std::max(picture.full_scale_n, kLeastFullScaleN);
+  const glm::dvec2 share = picture.force_n / std::max(picture.full_scale_n, kMinFullScaleN);
   const double length = std::max(1.0, glm::length(share));
-  return -WallMeasures::kLongestArrow * glm::vec2(share / length);
+  return -WallMeasures::kMaxArrow * glm::vec2(share / length);
 }
 
 ShownStiffness faded(const ShownStiffness& shown, const ShownStiffness& now, double passed_s) {
@@ -118,7 +118,7 @@ double StiffnessScale::at(double share) const {
 }
 
 StiffnessScale stiffness_scale(const WallPicture& picture) {
-  StiffnessScale scale{kLeastStiffnessNPerM};
+  StiffnessScale scale{kMinStiffnessNPerM};
   for (const PictureWall& wall : picture.walls)
     scale.stiffest_n_per_m = std::max(scale.stiffest_n_per_m, wall.stiffness_n_per_m);
   return scale;
@@ -130,10 +130,11 @@ ImVec4 mixed(const ImVec4& first, const ImVec4& second, float share) {
           between(first.w, second.w)};
 }
 
-ImVec4 stiffness_colour(const Theme& theme, float share) {
-  const ImVec4 soft = mixed(theme.colour(Tone::kPanel), theme.colour(Tone::kMuted), 0.55F);
-  const ImVec4 middle = mixed(theme.colour(Tone::kBudget), soft, 0.15F);
-  const ImVec4& stiff = theme.colour(Tone::kWall);
+ImVec4 stiffness_colour(const draw::Theme& theme, float share) {
+  const ImVec4 soft =
+      mixed(theme.colour(draw::Tone::kPanel), theme.colour(draw::Tone::kMuted), 0.55F);
+  const ImVec4 middle = mixed(theme.colour(draw::Tone::kBudget), soft, 0.15F);
+  const ImVec4& stiff = theme.colour(draw::Tone::kWall);
   if (share < kMiddleShare) return mixed(soft, middle, share / kMiddleShare);
   return mixed(middle, stiff, (share - kMiddleShare) / (1.0F - kMiddleShare));
 }

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/ui/theme.h"
+#include "app/draw/plot/theme.h"
 #include "core/sample.h"
 #include "core/scene.h"
 
@@ -65,7 +65,7 @@ struct WallPicture {
 [[nodiscard]] std::optional<glm::dvec2> proxy_of(const WallPicture& picture);
 
 // The force arrow in the picture's units along the device's axes, positive into the wall; as long
-// as WallMeasures::kLongestArrow at full scale, never longer.
+// as WallMeasures::kMaxArrow at full scale, never longer.
 [[nodiscard]] glm::vec2 arrow_of(const WallPicture& picture);
 
 // Moves what is shown towards what is displayed now, `passed_s` later: a force that chatters would
@@ -87,7 +87,7 @@ struct StiffnessScale {
 };
 [[nodiscard]] StiffnessScale stiffness_scale(const WallPicture& picture);
 // The colour of a share.
-[[nodiscard]] ImVec4 stiffness_colour(const Theme& theme, float share);
+[[nodiscard]] ImVec4 stiffness_colour(const draw::Theme& theme, float share);
 // Between two colours; share 0 is the first.
 [[nodiscard]] ImVec4 mixed(const ImVec4& first, const ImVec4& second, float share);
 
@@ -100,7 +100,7 @@ struct WallMeasures {
   static constexpr float kSleeveTo = 1.35F;
   static constexpr float kSleeveRadius = 0.46F;
   static constexpr float kArrowHeight = 0.95F;  // of the arrow above a single axis
-  static constexpr float kLongestArrow = 3.4F;
+  static constexpr float kMaxArrow = 3.4F;
   static constexpr float kFloor = -1.25F;
   static constexpr float kWallTop = 1.65F;
   static constexpr float kWallHalfDepth = 1.5F;  // of a wall on a single axis

@@ -1,12 +1,12 @@
-#include "app/ui/wall_renderer.h"
+#include "app/ui/wall/wall_renderer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
 
-#include "app/ui/wall_floor.h"
-#include "app/ui/wall_solids.h"
+#include "app/ui/wall/wall_floor.h"
+#include "app/ui/wall/wall_solids.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -15,12 +15,12 @@ constexpr int kSamplesPerPixel = 4;
 constexpr int kStillCalls = 10;         // before a draft is refined
 constexpr double kStepsPerPixel = 8.0;  // of what moves
 constexpr double kForceSteps = 2000.0;  // of the full scale
-constexpr double kLeastScaleN = 1e-9;
+constexpr double kMinScaleN = 1e-9;
 constexpr double kShades = 200.0;  // of the tint
 
 double in_steps(double value, double step) { return step * std::round(value / step); }
 
-bool same_colours(const Theme& a, const Theme& b) {
+bool same_colours(const draw::Theme& a, const draw::Theme& b) {
   return std::equal(a.colours.begin(), a.colours.end(), b.colours.begin(),
                     [](const ImVec4& one, const ImVec4& other) {
                       return one.x == other.x && one.y == other.y && one.z == other.z;
@@ -40,7 +40,7 @@ bool draws_by_software() {
 struct Drawn {
   WallPicture picture;
   glm::mat4 view_projection{0.0F};
-  std::array<ImVec4, kToneCount> colours{};
+  std::array<ImVec4, draw::kToneCount> colours{};
   int width = 0;
   int height = 0;
 
@@ -59,28 +59,29 @@ class Renderer final : public WallRenderer {
   Renderer(WallFloor floor, WallSolids solids)
       : floor_(std::move(floor)), solids_(std::move(solids)), drafts_first_(draws_by_software()) {}
 
-  GLuint draw(const WallPicture& picture, const WallCamera& camera, const Theme& theme, int width,
-              int height) override;
+  GLuint draw(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme,
+              int width, int height) override;
   [[nodiscard]] bool refined() const override { return refined_; }
   [[nodiscard]] std::uint64_t times_drawn() const override { return times_drawn_; }
   [[nodiscard]] GLuint framebuffer() const override {
-    const std::optional<GlTarget>& target = refined_ ? fine_ : draft_;
+    const std::optional<draw::GlTarget>& target = refined_ ? fine_ : draft_;
     return target ? target->resolved_framebuffer() : 0;
   }
 
  private:
   [[nodiscard]] bool needs_drawing(const Drawn& wanted);
-  static bool ensure(std::optional<GlTarget>& target, int width, int height, int samples);
-  bool draw_draft(const WallPicture& picture, const WallCamera& camera, const Theme& theme);
-  bool draw_fine(const WallPicture& picture, const WallCamera& camera, const Theme& theme);
-  void draw_solids(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
+  static bool ensure(std::optional<draw::GlTarget>& target, int width, int height, int samples);
+  bool draw_draft(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme);
+  bool draw_fine(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme);
+  void draw_solids(const WallPicture& picture, const WallCamera& camera,
+                   const draw::Theme& theme) const;
 
   WallFloor floor_;
   WallSolids solids_;
   bool drafts_first_;
-  std::optional<GlTarget> ground_;  // the floor of the last draft, which seldom changes
-  std::optional<GlTarget> draft_;
-  std::optional<GlTarget> fine_;
+  std::optional<draw::GlTarget> ground_;  // the floor of the last draft, which seldom changes
+  std::optional<draw::GlTarget> draft_;
+  std::optional<draw::GlTarget> fine_;
   Drawn last_;
   std::optional<Drawn> last_ground_;
   bool valid_ = false;
@@ -89,10 +90,10 @@ class Renderer final : public WallRenderer {
   std::uint64_t times_drawn_ = 0;
 };
 
-bool Renderer::ensure(std::optional<GlTarget>& target, int width, int height, int samples) {
+bool Renderer::ensure(std::optional<draw::GlTarget>& target, int width, int height, int samples) {
   if (target && target->width() == width && target->height() == height) return true;
   target.reset();
-  Result<GlTarget> created = GlTarget::create(width, height, samples);
+  Result<draw::GlTarget> created = draw::GlTarget::create(width, height, samples);
   if (created) target = std::move(*created);
   return created.ok();
 }
@@ -109,14 +110,14 @@ bool Renderer::needs_drawing(const Drawn& wanted) {
 }
 
 void Renderer::draw_solids(const WallPicture& picture, const WallCamera& camera,
-                           const Theme& theme) const {
+                           const draw::Theme& theme) const {
   floor_.draw_shadow(picture, camera, theme);
   glClear(GL_DEPTH_BUFFER_BIT);
   solids_.draw(picture, camera, theme);
 }
 
 bool Renderer::draw_draft(const WallPicture& picture, const WallCamera& camera,
-                          const Theme& theme) {
+                          const draw::Theme& theme) {
   if (!ensure(draft_, last_.width, last_.height, 1)) return false;
   if (!last_ground_ || !last_ground_->same_ground(last_)) {
     last_ground_.reset();
@@ -132,7 +133,8 @@ bool Renderer::draw_draft(const WallPicture& picture, const WallCamera& camera,
   return true;
 }
 
-bool Renderer::draw_fine(const WallPicture& picture, const WallCamera& camera, const Theme& theme) {
+bool Renderer::draw_fine(const WallPicture& picture, const WallCamera& camera,
+                         const draw::Theme& theme) {
   if (!ensure(fine_, last_.width, last_.height, kSamplesPerPixel)) return false;
   fine_->bind();
   floor_.draw(picture, camera, theme, last_.height);
@@ -141,8 +143,8 @@ bool Renderer::draw_fine(const WallPicture& picture, const WallCamera& camera, c
   return true;
 }
 
-GLuint Renderer::draw(const WallPicture& picture, const WallCamera& camera, const Theme& theme,
-                      int width, int height) {
+GLuint Renderer::draw(const WallPicture& picture, const WallCamera& camera,
+                      const draw::Theme& theme, int width, int height) {
   const double step_m = 1.0 / (kStepsPerPixel * camera.pixels_per_unit() * camera.units_per_m());
   const Drawn wanted{in_visible_steps(picture, step_m), camera.view_projection(), theme.colours,
                      width, height};
@@ -163,7 +165,7 @@ GLuint Renderer::draw(const WallPicture& picture, const WallCamera& camera, cons
 
 WallPicture in_visible_steps(const WallPicture& picture, double step_m) {
   WallPicture result = picture;
-  const double force_step_n = std::max(picture.full_scale_n, kLeastScaleN) / kForceSteps;
+  const double force_step_n = std::max(picture.full_scale_n, kMinScaleN) / kForceSteps;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     result.handle_m[axis] = in_steps(picture.handle_m[axis], step_m);
     if (picture.hand_m) (*result.hand_m)[axis] = in_steps((*picture.hand_m)[axis], step_m);

@@ -4,17 +4,17 @@
 #include <cstdint>
 #include <memory>
 
-#include "app/ui/gl_objects.h"
-#include "app/ui/theme.h"
-#include "app/ui/wall_camera.h"
-#include "app/ui/wall_picture.h"
+#include "app/draw/figure/gl_objects.h"
+#include "app/draw/plot/theme.h"
+#include "app/ui/wall/wall_camera.h"
+#include "app/ui/wall/wall_picture.h"
 #include "core/result.h"
 
 namespace hapticwall::ui {
 
 class WallRenderer {
  public:
-  // Needs a current OpenGL 3.3 context, for its whole life. Fails with a sentence.
+  // Needs a current OpenGL 3.3 context for its whole life.
   [[nodiscard]] static Result<std::unique_ptr<WallRenderer>> create();
   virtual ~WallRenderer() = default;
 
@@ -23,8 +23,8 @@ class WallRenderer {
   // pixel or a shade. Without a graphics card a picture that moves is a draft (one sample a pixel),
   // and is refined when it has stayed the same for some calls. The default framebuffer is bound
   // afterwards.
-  virtual GLuint draw(const WallPicture& picture, const WallCamera& camera, const Theme& theme,
-                      int width, int height) = 0;
+  virtual GLuint draw(const WallPicture& picture, const WallCamera& camera,
+                      const draw::Theme& theme, int width, int height) = 0;
   // False: the picture is a draft, to be refined by further calls.
   [[nodiscard]] virtual bool refined() const = 0;
   // How often draw() has really drawn.

@@ -1,11 +1,11 @@
-#include "app/ui/wall_solids.h"
+#include "app/ui/wall/wall_solids.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/ui/shapes.h"
+#include "app/ui/wall/shapes.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -26,12 +26,12 @@ constexpr float kHandFlatness = 0.45F;
 constexpr float kProxyAlpha = 0.95F;
 constexpr float kProxyRadius = 1.16F * WallMeasures::kHandleRadius;  // around the handle's ball
 constexpr float kEdgeWidth = 0.035F;
-constexpr float kSmallestDentWidth = 0.40F;
+constexpr float kMinDentWidth = 0.40F;
 constexpr float kDentRoundness = 1.15F;  // a dent is this much wider than the ball that makes it
 constexpr float kNearness = 2.5F;        // from the face: where the handle's shadow on it begins
 constexpr float kFaceGrid = 0.5F;
 
-GlMesh mesh_of(const Shape& shape) { return {shape.vertices, shape.indices}; }
+draw::GlMesh mesh_of(const Shape& shape) { return {shape.vertices, shape.indices}; }
 
 glm::vec4 vector_of(const ImVec4& colour, float alpha = 1.0F) {
   return {colour.x, colour.y, colour.z, alpha};
@@ -43,13 +43,14 @@ glm::mat4 frame_of(Axis axis) {
   return glm::rotate(glm::mat4(1.0F), glm::radians(90.0F), {0.0F, 1.0F, 0.0F});
 }
 
-glm::vec4 own_colour(const WallPicture& picture, const Theme& theme, const PictureWall& wall) {
+glm::vec4 own_colour(const WallPicture& picture, const draw::Theme& theme,
+                     const PictureWall& wall) {
   return vector_of(stiffness_colour(theme, stiffness_scale(picture).share(wall.stiffness_n_per_m)));
 }
 
 // The colours of the handle come from the text's: it is what the eye follows.
-glm::vec4 handle_colour(const Theme& theme, float share) {
-  return vector_of(mixed(theme.colour(Tone::kText), theme.colour(Tone::kMuted), share));
+glm::vec4 handle_colour(const draw::Theme& theme, float share) {
+  return vector_of(mixed(theme.colour(draw::Tone::kText), theme.colour(draw::Tone::kMuted), share));
 }
 
 }  // namespace
@@ -92,8 +93,8 @@ WallSlab wall_slab(const WallPicture& picture, const WallCamera& camera, const P
   slab.dent = std::max(0.0F, slab.tip - slab.face);
   const auto deepest =
       static_cast<float>(true_penetration_m(picture, wall.axis) * camera.units_per_m());
-  slab.dent_width = std::max(kSmallestDentWidth,
-                             std::sqrt(kDentRoundness * deepest * WallMeasures::kHandleRadius));
+  slab.dent_width =
+      std::max(kMinDentWidth, std::sqrt(kDentRoundness * deepest * WallMeasures::kHandleRadius));
   return slab;
 }
 
@@ -114,7 +115,7 @@ std::vector<WallSlab> wall_slabs(const WallPicture& picture, const WallCamera& c
   return slabs;
 }
 
-WallSolids::WallSolids(GlProgram solid, GlProgram wall)
+WallSolids::WallSolids(draw::GlProgram solid, draw::GlProgram wall)
     : solid_(std::move(solid)),
       wall_(std::move(wall)),
       box_(mesh_of(make_box())),
@@ -126,14 +127,15 @@ WallSolids::WallSolids(GlProgram solid, GlProgram wall)
       sides_(mesh_of(make_sides())) {}
 
 Result<WallSolids> WallSolids::create() {
-  Result<GlProgram> solid = GlProgram::create("solid.vert", "solid.frag");
+  Result<draw::GlProgram> solid = draw::GlProgram::create("solid.vert", "solid.frag");
   if (!solid) return solid.error();
-  Result<GlProgram> wall = GlProgram::create("wall.vert", "wall.frag");
+  Result<draw::GlProgram> wall = draw::GlProgram::create("wall.vert", "wall.frag");
   if (!wall) return wall.error();
   return WallSolids(std::move(*solid), std::move(*wall));
 }
 
-void WallSolids::part(const GlMesh& mesh, const glm::mat4& model, const glm::vec4& colour) const {
+void WallSolids::part(const draw::GlMesh& mesh, const glm::mat4& model,
+                      const glm::vec4& colour) const {
   solid_.set("model", model);
   solid_.set("normal_matrix", glm::inverseTranspose(glm::mat3(model)));
   solid_.set("colour", colour);
@@ -141,7 +143,7 @@ void WallSolids::part(const GlMesh& mesh, const glm::mat4& model, const glm::vec
 }
 
 // The mesh lies along x from 0 to 1.
-void WallSolids::rod(const GlMesh& mesh, glm::vec3 from, glm::vec3 to, float radius,
+void WallSolids::rod(const draw::GlMesh& mesh, glm::vec3 from, glm::vec3 to, float radius,
                      const glm::vec4& colour) const {
   const glm::vec3 along = to - from;
   const glm::vec3 x = glm::normalize(along);
@@ -163,7 +165,7 @@ void WallSolids::surface(float shininess, float flatness, float shell) const {
 }
 
 void WallSolids::draw_handle(const WallPicture& picture, const WallCamera& camera,
-                             const Theme& theme) const {
+                             const draw::Theme& theme) const {
   const glm::vec3 centre = ball_centre(picture.two_axes, camera, picture.handle_m);
   const float length = picture.two_axes ? WallMeasures::kStylusLength
                                         : WallMeasures::kHandleLength - WallMeasures::kHandleRadius;
@@ -177,31 +179,31 @@ void WallSolids::draw_handle(const WallPicture& picture, const WallCamera& camer
 
 // A sleeve around the handle's rod where the hand would hold it, and the tip that it aims at.
 void WallSolids::draw_hand(const WallPicture& picture, const WallCamera& camera,
-                           const Theme& theme) const {
+                           const draw::Theme& theme) const {
   if (!picture.hand_m) return;
   const glm::vec3 centre = ball_centre(picture.two_axes, camera, *picture.hand_m);
   const glm::vec3 direction = rod_direction(picture.two_axes);
   const float from = WallMeasures::kSleeveFrom - WallMeasures::kHandleRadius;
   const float to = WallMeasures::kSleeveTo - WallMeasures::kHandleRadius;
-  const glm::vec4 colour = vector_of(theme.colour(Tone::kHand), kHandAlpha);
+  const glm::vec4 colour = vector_of(theme.colour(draw::Tone::kHand), kHandAlpha);
   surface(0.3F, kHandFlatness, 0.0F);
   rod(cylinder_, centre + from * direction, centre + to * direction, WallMeasures::kSleeveRadius,
       colour);
   surface(0.0F, 1.0F, 1.0F);
-  ball(centre, WallMeasures::kHandleRadius, vector_of(theme.colour(Tone::kHand)));
+  ball(centre, WallMeasures::kHandleRadius, vector_of(theme.colour(draw::Tone::kHand)));
 }
 
 void WallSolids::draw_proxy(const WallPicture& picture, const WallCamera& camera,
-                            const Theme& theme) const {
+                            const draw::Theme& theme) const {
   const std::optional<glm::dvec2> proxy_m = proxy_of(picture);
   if (!proxy_m) return;
   surface(0.0F, 1.0F, 1.0F);
   ball(ball_centre(picture.two_axes, camera, *proxy_m), kProxyRadius,
-       vector_of(theme.colour(Tone::kAccent), kProxyAlpha));
+       vector_of(theme.colour(draw::Tone::kAccent), kProxyAlpha));
 }
 
 void WallSolids::draw_arrow(const WallPicture& picture, const WallCamera& camera,
-                            const Theme& theme) const {
+                            const draw::Theme& theme) const {
   const glm::vec2 arrow = arrow_of(picture);
   const float length = glm::length(arrow);
   if (length < kInvisible) return;
@@ -213,7 +215,8 @@ void WallSolids::draw_arrow(const WallPicture& picture, const WallCamera& camera
   // A short arrow is all head.
   const float head = std::min(kArrowHeadLength, length);
   const glm::vec3 neck = start + (length - head) * direction;
-  const glm::vec4 colour = vector_of(theme.colour(picture.saturated ? Tone::kBad : Tone::kForce));
+  const glm::vec4 colour =
+      vector_of(theme.colour(picture.saturated ? draw::Tone::kBad : draw::Tone::kForce));
   surface(0.3F, kArrowFlatness, 0.0F);
   if (length > head) rod(cylinder_, start, neck, kArrowRadius, colour);
   rod(cone_, neck, neck + head * direction, kArrowHeadRadius * head / kArrowHeadLength, colour);
@@ -252,7 +255,7 @@ void WallSolids::draw_slab(const WallPicture& picture, const WallSlab& slab) con
 
 // Transparent, so drawn after all that may be inside; the handle stays visible there.
 void WallSolids::draw_walls(const WallPicture& picture, const WallCamera& camera,
-                            const Theme& theme, const std::vector<WallSlab>& slabs) const {
+                            const draw::Theme& theme, const std::vector<WallSlab>& slabs) const {
   const StiffnessScale scale = stiffness_scale(picture);
   wall_.use();
   wall_.set("view_projection", camera.view_projection());
@@ -275,7 +278,7 @@ void WallSolids::draw_walls(const WallPicture& picture, const WallCamera& camera
 }
 
 void WallSolids::draw(const WallPicture& picture, const WallCamera& camera,
-                      const Theme& theme) const {
+                      const draw::Theme& theme) const {
   const std::vector<WallSlab> slabs = wall_slabs(picture, camera);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "app/ui/gl_objects.h"
-#include "app/ui/theme.h"
-#include "app/ui/wall_camera.h"
-#include "app/ui/wall_picture.h"
+#include "app/draw/figure/gl_objects.h"
+#include "app/draw/plot/theme.h"
+#include "app/ui/wall/wall_camera.h"
+#include "app/ui/wall/wall_picture.h"
 #include "core/result.h"
 
 namespace hapticwall::ui {
@@ -36,38 +36,42 @@ struct WallSlab {
 
 class WallSolids {
  public:
-  // Needs a current OpenGL 3.3 context, for its whole life. Fails with a sentence.
+  // Needs a current OpenGL 3.3 context for its whole life.
   [[nodiscard]] static Result<WallSolids> create();
 
   // Into the bound target, whose depth is clear.
-  void draw(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
+  void draw(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme) const;
 
  private:
-  WallSolids(GlProgram solid, GlProgram wall);
+  WallSolids(draw::GlProgram solid, draw::GlProgram wall);
 
-  void part(const GlMesh& mesh, const glm::mat4& model, const glm::vec4& colour) const;
-  void rod(const GlMesh& mesh, glm::vec3 from, glm::vec3 to, float radius,
+  void part(const draw::GlMesh& mesh, const glm::mat4& model, const glm::vec4& colour) const;
+  void rod(const draw::GlMesh& mesh, glm::vec3 from, glm::vec3 to, float radius,
            const glm::vec4& colour) const;
   void ball(glm::vec3 centre, float radius, const glm::vec4& colour) const;
   void surface(float shininess, float flatness, float shell) const;
-  void draw_handle(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
-  void draw_hand(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
-  void draw_proxy(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
-  void draw_arrow(const WallPicture& picture, const WallCamera& camera, const Theme& theme) const;
+  void draw_handle(const WallPicture& picture, const WallCamera& camera,
+                   const draw::Theme& theme) const;
+  void draw_hand(const WallPicture& picture, const WallCamera& camera,
+                 const draw::Theme& theme) const;
+  void draw_proxy(const WallPicture& picture, const WallCamera& camera,
+                  const draw::Theme& theme) const;
+  void draw_arrow(const WallPicture& picture, const WallCamera& camera,
+                  const draw::Theme& theme) const;
   void draw_edges(const WallPicture& picture, const WallSlab& slab, const glm::vec4& colour) const;
-  void draw_walls(const WallPicture& picture, const WallCamera& camera, const Theme& theme,
+  void draw_walls(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme,
                   const std::vector<WallSlab>& slabs) const;
   void draw_slab(const WallPicture& picture, const WallSlab& slab) const;
 
-  GlProgram solid_;
-  GlProgram wall_;
-  GlMesh box_;
-  GlMesh sphere_;
-  GlMesh cylinder_;
-  GlMesh cone_;
-  GlMesh flat_face_;
-  GlMesh bent_face_;
-  GlMesh sides_;
+  draw::GlProgram solid_;
+  draw::GlProgram wall_;
+  draw::GlMesh box_;
+  draw::GlMesh sphere_;
+  draw::GlMesh cylinder_;
+  draw::GlMesh cone_;
+  draw::GlMesh flat_face_;
+  draw::GlMesh bent_face_;
+  draw::GlMesh sides_;
 };
 
 }  // namespace hapticwall::ui

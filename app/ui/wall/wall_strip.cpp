@@ -1,4 +1,4 @@
-#include "app/ui/wall_strip.h"
+#include "app/ui/wall/wall_strip.h"
 
 #include <fmt/format.h>
 
@@ -26,15 +26,15 @@ ImU32 packed(const ImVec4& colour, float alpha) {
 
 // What a strip is drawn with.
 struct Brush {
-  const Theme& theme;
+  const draw::Theme& theme;
   const Strip& strip;
   const StripContent& content;
   ImDrawList* list;
   float line = ImGui::GetFontSize();
 
   // The width of a line on a screen of many pixels per inch.
-  [[nodiscard]] float pixels(float usual) const { return usual * line / kSmallFontSize; }
-  void text(ImVec2 place, Tone tone, const std::string& words) const {
+  [[nodiscard]] float pixels(float usual) const { return usual * line / draw::kSmallFontSize; }
+  void text(ImVec2 place, draw::Tone tone, const std::string& words) const {
     list->AddText(place, theme.packed(tone), words.c_str());
   }
 };
@@ -114,7 +114,7 @@ void draw_counts(const Brush& brush) {
   const float from = strip.x_of(brush.content.measured_m - 0.5 * encoder_m);
   const float to = strip.x_of(brush.content.measured_m + 0.5 * encoder_m);
   brush.list->AddRectFilled(ImVec2(from, strip.from.y), ImVec2(to, strip.to.y),
-                            brush.theme.packed(Tone::kPosition, 0.10F));
+                            brush.theme.packed(draw::Tone::kPosition, 0.10F));
   const double left_m = strip.middle_m - 0.5 * strip.span_m;
   const auto first = static_cast<long>(std::ceil(left_m / encoder_m));
   const auto last = static_cast<long>(std::floor((left_m + strip.span_m) / encoder_m));
@@ -125,12 +125,12 @@ void draw_counts(const Brush& brush) {
   for (long count = first; count <= last; ++count) {
     const float x = strip.x_of(static_cast<double>(count) * encoder_m);
     brush.list->AddLine(ImVec2(x, strip.from.y), ImVec2(x, strip.to.y),
-                        brush.theme.packed(Tone::kText, 0.09F));
+                        brush.theme.packed(draw::Tone::kText, 0.09F));
     brush.list->AddLine(ImVec2(x, strip.to.y - length), ImVec2(x, strip.to.y),
-                        brush.theme.packed(Tone::kMuted), brush.pixels(1.5F));
+                        brush.theme.packed(draw::Tone::kMuted), brush.pixels(1.5F));
     if (!numbered) continue;
     const std::string number = fmt::format("{}", count);
-    brush.text(ImVec2(x + 3.0F, strip.to.y - 1.05F * brush.line), Tone::kMuted, number);
+    brush.text(ImVec2(x + 3.0F, strip.to.y - 1.05F * brush.line), draw::Tone::kMuted, number);
   }
 }
 
@@ -143,14 +143,14 @@ void draw_handle(const Brush& brush) {
   const float outside = strip.from.x - 2.0F * half;
   const float tip = strip.x_of(picture.handle_m.x);
   brush.list->AddRectFilled(ImVec2(outside, middle - half), ImVec2(tip, middle + half),
-                            brush.theme.packed(Tone::kText, 0.80F), 0.9F * half,
+                            brush.theme.packed(draw::Tone::kText, 0.80F), 0.9F * half,
                             ImDrawFlags_RoundCornersRight);
   brush.list->AddLine(ImVec2(tip, middle - 1.5F * half), ImVec2(tip, strip.trail_from()),
-                      brush.theme.packed(Tone::kText), brush.pixels(1.0F));
+                      brush.theme.packed(draw::Tone::kText), brush.pixels(1.0F));
   if (const auto proxy_m = proxy_of(picture)) {
     const float face = strip.x_of(proxy_m->x);
     brush.list->AddRect(ImVec2(outside, middle - 1.25F * half), ImVec2(face, middle + 1.25F * half),
-                        brush.theme.packed(Tone::kAccent), 1.1F * half,
+                        brush.theme.packed(draw::Tone::kAccent), 1.1F * half,
                         ImDrawFlags_RoundCornersRight, brush.pixels(2.0F));
   }
 }
@@ -160,7 +160,7 @@ void draw_measured(const Brush& brush) {
   const float x = strip.x_of(brush.content.measured_m);
   const float half = Strip::kHandleHalf * strip.height();
   const float upper = strip.handle_level() - 1.5F * half;
-  const ImU32 colour = brush.theme.packed(Tone::kPosition);
+  const ImU32 colour = brush.theme.packed(draw::Tone::kPosition);
   brush.list->AddLine(ImVec2(x, upper), ImVec2(x, strip.trail_from()), colour, brush.pixels(2.0F));
   const float size = 0.3F * brush.line;
   brush.list->AddTriangleFilled(ImVec2(x - size, upper - size), ImVec2(x + size, upper - size),
@@ -168,7 +168,8 @@ void draw_measured(const Brush& brush) {
 }
 
 // Whatever is beyond an edge is named there, with its distance from the face.
-void draw_beyond(const Brush& brush, const char* name, double position_m, Tone tone, float row) {
+void draw_beyond(const Brush& brush, const char* name, double position_m, draw::Tone tone,
+                 float row) {
   const Strip& strip = brush.strip;
   if (strip.shows(position_m)) return;
   const double depth_m = position_m - brush.content.face_m;
@@ -192,7 +193,7 @@ void draw_face_beyond(const Brush& brush) {
   brush.text(
       ImVec2(right ? strip.to.x - width - 0.5F * brush.line : strip.from.x + 0.5F * brush.line,
              strip.trail_from() - 1.2F * brush.line),
-      Tone::kWall, words);
+      draw::Tone::kWall, words);
 }
 
 void draw_true_depth(const Brush& brush) {
@@ -200,7 +201,7 @@ void draw_true_depth(const Brush& brush) {
   if (depth_m <= 0.0 || !brush.strip.shows(brush.content.picture->handle_m.x)) return;
   brush.text(
       ImVec2(brush.strip.from.x + 0.5F * brush.line, brush.strip.from.y + 0.25F * brush.line),
-      Tone::kText, fmt::format("true depth {:.4f} mm", depth_m * kMillimetresPerMetre));
+      draw::Tone::kText, fmt::format("true depth {:.4f} mm", depth_m * kMillimetresPerMetre));
 }
 
 void draw_scale_bar(const Brush& brush) {
@@ -210,23 +211,23 @@ void draw_scale_bar(const Brush& brush) {
                   std::min(kBarPixels, 0.3 * static_cast<double>(strip.to.x - strip.from.x)));
   const auto length = static_cast<float>(length_m * strip.pixels_per_m());
   const ImVec2 start(strip.from.x + 0.7F * brush.line, strip.to.y - 1.9F * brush.line);
-  const ImU32 colour = brush.theme.packed(Tone::kText);
+  const ImU32 colour = brush.theme.packed(draw::Tone::kText);
   const float tick = 0.25F * brush.line;
   const std::string words = length_text(length_m);
   const float reach = length + brush.line + ImGui::CalcTextSize(words.c_str()).x;
   brush.list->AddRectFilled(ImVec2(start.x - 0.3F * brush.line, start.y - 0.65F * brush.line),
                             ImVec2(start.x + reach, start.y + 0.65F * brush.line),
-                            brush.theme.packed(Tone::kBackground, 0.75F), 3.0F);
+                            brush.theme.packed(draw::Tone::kBackground, 0.75F), 3.0F);
   brush.list->AddLine(start, ImVec2(start.x + length, start.y), colour, brush.pixels(2.0F));
   for (const float x : {start.x, start.x + length})
     brush.list->AddLine(ImVec2(x, start.y - tick), ImVec2(x, start.y + tick), colour,
                         brush.pixels(1.5F));
   brush.text(ImVec2(start.x + length + 0.5F * brush.line, start.y - 0.55F * brush.line),
-             Tone::kText, words);
+             draw::Tone::kText, words);
 }
 
 // One quantity against age, in pieces that are fainter the older they are.
-void draw_trail_line(const Strip& strip, const Trace& trace, double newest_s, ImVec4 colour,
+void draw_trail_line(const Strip& strip, const draw::Trace& trace, double newest_s, ImVec4 colour,
                      bool steps, ImDrawList* list) {
   constexpr double kPieces = 10.0;
   constexpr float kNewestAlpha = 0.95F;
@@ -266,7 +267,7 @@ bool Strip::shows(double position_m) const {
   return std::abs(position_m - middle_m) <= 0.5 * span_m;
 }
 
-void draw_strip(const Theme& theme, const Strip& strip, const StripContent& content,
+void draw_strip(const draw::Theme& theme, const Strip& strip, const StripContent& content,
                 ImDrawList* list) {
   const Brush brush{theme, strip, content, list};
   const WallPicture& picture = *content.picture;
@@ -276,28 +277,29 @@ void draw_strip(const Theme& theme, const Strip& strip, const StripContent& cont
   draw_measured(brush);
   if (picture.hand_m && strip.shows(picture.hand_m->x)) {
     const float x = strip.x_of(picture.hand_m->x);
-    list->AddLine(ImVec2(x, strip.from.y), ImVec2(x, strip.to.y), theme.packed(Tone::kHand), 1.5F);
+    list->AddLine(ImVec2(x, strip.from.y), ImVec2(x, strip.to.y), theme.packed(draw::Tone::kHand),
+                  1.5F);
   }
   draw_true_depth(brush);
-  draw_beyond(brush, "handle", picture.handle_m.x, Tone::kText, 0.0F);
+  draw_beyond(brush, "handle", picture.handle_m.x, draw::Tone::kText, 0.0F);
   const bool both_right = !strip.shows(picture.handle_m.x) && picture.handle_m.x > strip.middle_m;
   if (picture.hand_m)
-    draw_beyond(brush, "hand", picture.hand_m->x, Tone::kHand,
+    draw_beyond(brush, "hand", picture.hand_m->x, draw::Tone::kHand,
                 both_right || picture.hand_m->x < strip.middle_m ? 1.0F : 0.0F);
   draw_face_beyond(brush);
   draw_scale_bar(brush);
 }
 
-void draw_trail(const Theme& theme, const Strip& strip, const SampleHistory& history,
-                Trace& scratch, ImDrawList* list) {
+void draw_trail(const draw::Theme& theme, const Strip& strip, const draw::SampleHistory& history,
+                draw::Trace& scratch, ImDrawList* list) {
   const double newest_s = history.newest_time_s();
-  const IndexRange recent = history.range(newest_s - kTrailS, newest_s);
+  const draw::IndexRange recent = history.range(newest_s - kTrailS, newest_s);
   if (recent.count() < 2) return;
   const auto rows = static_cast<std::size_t>(std::max(strip.to.y - strip.trail_from(), 1.0F));
-  history.decimate(Quantity::kPosition, recent, rows, 1.0, scratch);
-  draw_trail_line(strip, scratch, newest_s, theme.colour(Tone::kPosition), true, list);
-  history.decimate(Quantity::kTruePosition, recent, rows, 1.0, scratch);
-  draw_trail_line(strip, scratch, newest_s, theme.colour(Tone::kText), false, list);
+  history.decimate(&Sample::position_m, recent, rows, 1.0, scratch);
+  draw_trail_line(strip, scratch, newest_s, theme.colour(draw::Tone::kPosition), true, list);
+  history.decimate(&PlantTruth::position_m, recent, rows, 1.0, scratch);
+  draw_trail_line(strip, scratch, newest_s, theme.colour(draw::Tone::kText), false, list);
 }
 
 double scale_bar_m(double pixels_per_m, double pixels) {

@@ -1,6 +1,5 @@
-// Rows of the parameters that may change while it runs, straight from the tables of scene keys:
-// label, a typed value, its unit, a switch where the part may be absent, and, where a value was
-// refused, why.
+// Rows for the parameters that may change during a session, from the tables of scene keys: label,
+// field, unit, a switch for optional parts, and the reason of a refusal.
 #pragma once
 
 #include <functional>
@@ -12,21 +11,21 @@
 #include <variant>
 #include <vector>
 
-#include "app/ui/ui_state.h"
+#include "app/ui/state/ui_state.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall::ui {
 
-// What the tables of keys do not say.
+// Texts that the tables of keys do not have.
 struct ParameterText {
   std::string key;
   std::string label;
   std::string meaning;
-  // For a part that is switched on and never had a value; the middle of its slider.
+  // Initial value of a part without one, and the middle of its slider.
   double suggestion = 0.0;
 };
 
-// One row: what is in force, and what the loaded scene says.
+// One row: the present value and the value of the loaded scene.
 struct ParameterRow {
   std::string key;  // dotted, from the root
   ParameterText text;
@@ -39,21 +38,21 @@ struct ParameterRow {
 };
 
 struct ParameterEdit {
-  std::optional<double> value;  // nothing: the part is left out
+  std::optional<double> value;  // nullopt: the part is absent
 };
 
-// Draws a row; returns what the user has asked for in this frame, if anything.
+// Draws a row; returns the edit of this frame, if any.
 [[nodiscard]] std::optional<ParameterEdit> draw_parameter_row(const PanelContext& context,
                                                               const ParameterRow& row);
 
-// Asks the session for its scene with an edit. A refusal is told below the row of `key`.
+// Asks the session for an edit of its scene. Shows a refusal below the row of `key`.
 void change_parameters(const PanelContext& context, const std::string& key,
                        const std::function<void(Scene&)>& edit);
 
-// Says below the row of `key` why what was typed there is not in force.
+// Shows the reason of a refusal below the row of `key`.
 void refuse(const PanelContext& context, const std::string& key, std::string why);
 
-// Below the row of `key`, in words, where its last value was refused.
+// Draws the refusal of `key`, if there is one.
 void draw_refusal(const PanelContext& context, const std::string& key);
 
 template <typename Owner>
@@ -61,7 +60,7 @@ template <typename Owner>
   return !std::holds_alternative<double Owner::*>(key.member);
 }
 
-// Sets or leaves out; what may not be absent stays.
+// Sets or removes the value; a required value stays.
 template <typename Owner>
 void assign(const NumberKey<Owner>& key, Owner& owner, std::optional<double> value) {
   if (value) {
@@ -75,7 +74,7 @@ void assign(const NumberKey<Owner>& key, Owner& owner, std::optional<double> val
   }
 }
 
-// The row of `text` in the table `keys`. `prefix` ends with its point.
+// The row of one key. `prefix` ends with a dot.
 template <typename Owner>
 [[nodiscard]] ParameterRow parameter_row(const std::string& prefix, const NumberKey<Owner>& key,
                                          const ParameterText& text, const Owner& in_force,
@@ -91,21 +90,11 @@ template <typename Owner>
 }
 
 template <typename Owner>
-[[nodiscard]] const NumberKey<Owner>& key_called(std::span<const NumberKey<Owner>> keys,
-                                                 std::string_view name) {
-  for (const NumberKey<Owner>& key : keys) {
+[[nodiscard]] const NumberKey<Owner>& key_called(std::string_view name) {
+  for (const NumberKey<Owner>& key : number_keys<Owner>()) {
     if (key.key == name) return key;
   }
-  return keys.front();
+  return number_keys<Owner>().front();
 }
-
-// ---- against the loaded scene ----
-
-// One line for every value that is not the loaded scene's: of device, hand, simulator, walls and
-// the algorithms' keys; the choice of the algorithm does not count.
-[[nodiscard]] std::vector<std::string> changed_values(const Scene& running, const Scene& loaded);
-
-// `running` with all of these as the loaded scene has them.
-[[nodiscard]] Scene with_loaded_values(const Scene& running, const Scene& loaded);
 
 }  // namespace hapticwall::ui

@@ -1,11 +1,12 @@
-#include "app/ui/shown_axis.h"
+#include "app/ui/widget/shown_axis.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <string>
 
-#include "app/ui/widgets.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -16,45 +17,38 @@ struct Choice {
 };
 constexpr std::array kChoices{Choice{Axis::kX, "x"}, Choice{Axis::kY, "y"}};
 
-}  // namespace
-
-bool shows_second_axis(const PanelContext& context) {
-  return context.session.scene().y && context.state.transient.shown_axis == Axis::kY;
+std::size_t shown_index(const PanelContext& context) {
+  return context.shows.axis == Axis::kY ? 1 : 0;
 }
 
+}  // namespace
+
 Scene shown_scene(const PanelContext& context) {
-  if (shows_second_axis(context)) return second_axis(context.session.scene());
-  Scene scene = context.session.scene();
-  scene.y.reset();
-  return scene;
+  return axis_scene(context.session.scene(), shown_index(context));
 }
 
 const std::vector<WallSettings>& shown_walls(const PanelContext& context) {
-  const Scene& scene = context.session.scene();
-  return shows_second_axis(context) ? scene.y->walls : scene.walls;
+  return context.session.scene().axes[shown_index(context)].walls;
 }
 
 const Sample& shown_sample(const PanelContext& context) {
-  return shows_second_axis(context) ? context.snapshot.y : context.snapshot.sample;
+  return context.snapshot.newest.axes[shown_index(context)];
 }
 
 std::optional<SceneProblem> set_shown_walls(const PanelContext& context,
                                             const std::vector<WallSettings>& walls) {
-  if (!shows_second_axis(context)) return context.session.set_walls(walls);
   Scene changed = context.session.scene();
-  changed.y->walls = walls;
-  return context.session.change_scene(changed);
+  changed.axes[shown_index(context)].walls = walls;
+  return ask_for(context, changed);
 }
 
 void draw_axis_choice(const PanelContext& context, const char* name) {
-  if (!context.session.scene().y) return;
+  if (!context.session.scene().two_axes()) return;
   Axis& shown = context.state.transient.shown_axis;
   for (const Choice& choice : kChoices) {
-    ImGui::PushID(choice.text);
-    if (choice_button(context, choice.text, shown == choice.axis)) shown = choice.axis;
-    ImGui::PopID();
-    remember_item(context.state, fmt::format("{} axis {}", name, choice.text));
-    explain("The axis that plots, magnifier, readout and the fields of the wall are of");
+    const std::string label = fmt::format("{0}###{1} axis {0}", choice.text, name);
+    if (choice_button(context, label.c_str(), shown == choice.axis)) shown = choice.axis;
+    explain("Axis of plots, magnifier, readout and wall fields");
     ImGui::SameLine();
   }
 }

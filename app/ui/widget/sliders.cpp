@@ -1,4 +1,4 @@
-#include "app/ui/sliders.h"
+#include "app/ui/widget/sliders.h"
 
 #include <fmt/format.h>
 #include <imgui_internal.h>
@@ -7,21 +7,21 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/widgets.h"
+#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kSliderHeightEms = 0.6F;  // of what takes the pointer
+constexpr float kSliderHeightEms = 0.6F;  // height of the sensitive area
 constexpr float kSliderTrackEms = 0.16F;
 constexpr float kGrabEms = 0.28F;  // half of it
 constexpr double kDigits = 3.0;
 constexpr double kHalfWidthDecades = 1.5;
-constexpr double kZeroShare = 0.01;  // of the slider, at its left end
+constexpr double kZeroShare = 0.01;  // share of the slider at its left end
 
 double rounded(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) + 1.0 - kDigits);
-  // Back by way of the text, for 1234 * 0.01 is not 12.34.
+  // Converts through text, because 1234 * 0.01 is not 12.34.
   return parse_number(fmt::format("{:.12g}", std::round(value / unit) * unit)).value_or(value);
 }
 
@@ -33,15 +33,14 @@ void draw_track(const PanelContext& context, ImVec2 from, ImVec2 to, float share
   const float x = from.x + grab + share * (to.x - from.x - 2.0F * grab);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(ImVec2(from.x, middle - half), ImVec2(to.x, middle + half),
-                      context.theme.packed(Tone::kFaint), half);
+                      context.theme.packed(draw::Tone::kFaint), half);
   list->AddRectFilled(ImVec2(from.x, middle - half), ImVec2(x, middle + half),
-                      context.theme.packed(Tone::kAccent, 0.5F), half);
+                      context.theme.packed(draw::Tone::kAccent, 0.5F), half);
   list->AddCircleFilled(ImVec2(x, middle), grab,
-                        context.theme.packed(Tone::kAccent, held ? 1.0F : 0.85F));
+                        context.theme.packed(draw::Tone::kAccent, held ? 1.0F : 0.85F));
 }
 
-// Where the pointer leads the grab of the item that it holds. Who takes it a little beside its
-// middle does not move it by that.
+// The share at which the pointer holds the grab. Grabbing it off its centre does not move it.
 double dragged_share(const char* id, float from, float width, double share) {
   const float grab = kGrabEms * ImGui::GetFontSize();
   const float way = width - 2.0F * grab;
@@ -87,16 +86,14 @@ std::optional<double> thin_slider(const PanelContext& context, const char* id, d
   const ImVec2 corner(from, ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y);
   const ImVec2 size(std::max(to - from, 1.0F), kSliderHeightEms * ImGui::GetFontSize());
   ImGui::SetCursorScreenPos(corner);
-  ImGui::PushID(id);
-  ImGui::InvisibleButton("##slider", size);
-  ImGui::PopID();
+  ImGui::InvisibleButton(fmt::format("{}-slider", id).c_str(), size);
   const bool held = ImGui::IsItemActive();
   const bool hovered = ImGui::IsItemHovered();
   draw_track(context, corner, ImVec2(corner.x + size.x, corner.y + size.y),
              static_cast<float>(slider_share(shown, range)), held || hovered);
   if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   explain(fmt::format("{} to {}, logarithmic{}. Drag it, or Ctrl+click to type any value.",
-                      number_text(range.minimum), number_text(range.maximum),
+                      rounded_number(range.minimum), rounded_number(range.maximum),
                       range.zero_at_left ? ", 0 at the left end" : ""));
   if (ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl) {
     context.state.transient.edit.asked = ImGui::GetID(id);
@@ -106,25 +103,21 @@ std::optional<double> thin_slider(const PanelContext& context, const char* id, d
   if (!held) return std::nullopt;
   const double value =
       slider_value(dragged_share(id, from, size.x, slider_share(shown, range)), range);
-  // A click where it stands leaves all digits of what was typed.
+  // A click without motion keeps all digits of a typed value.
   const double as_told = shown > 0.0 ? rounded(shown) : shown;
   return value == shown || value == as_told ? std::nullopt : std::optional(value);
 }
 
 std::optional<double> slider_row(const PanelContext& context, const NumberRow& row) {
-  constexpr const char* kField = "##value";
-  ImGui::PushID(row.name);
+  const std::string id = fmt::format("##{}", row.name);
   field_label(context, row.label, row.tooltip, row.unit);
-  type_where_asked(context, kField);
-  std::optional<double> value = number_field(context, kField, row.value);
-  remember_item(context.state, row.name);
+  type_where_asked(context, id.c_str());
+  std::optional<double> value = number_field(context, id.c_str(), row.value);
   const float from = ImGui::GetItemRectMin().x;
   const float to = ImGui::GetItemRectMax().x;
   unit_label(row.unit);
-  const auto slid = thin_slider(context, kField, row.value, row.range, from, to);
-  remember_item(context.state, std::string(row.name) + "-slider");
+  const auto slid = thin_slider(context, id.c_str(), row.value, row.range, from, to);
   if (slid) value = slid;
-  ImGui::PopID();
   return value;
 }
 

@@ -1,38 +1,37 @@
-// Numbers of wide range: a field that is typed into, and below it a thin slider, as far from 1 to
-// 10 as from 10 to 100.
+// Numbers of wide range: a field to type in, and a thin logarithmic slider below it.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
-#include "app/ui/ui_state.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
-// Of the slider; what lies beyond it can be typed.
+// Range of the slider; values beyond it can be typed.
 struct LogRange {
   double minimum = 1.0;  // more than 0
   double maximum = 10.0;
   bool zero_at_left = false;  // the left end stands for 0
 };
 
-// Where a slider stands, 0 to 1, and back: with three digits, for it cannot tell more apart.
+// Slider position (0 to 1) and value. Values have three digits, the resolution of the slider.
 [[nodiscard]] double slider_share(double value, const LogRange& range);
 [[nodiscard]] double slider_value(double share, const LogRange& range);
 
-// A decade and a half to either side of a usual value, in whole decades.
+// A decade and a half on either side of a usual value, rounded to whole decades.
 [[nodiscard]] LogRange range_around(double usual, bool zero_at_left);
 
-// Before a field: gives it the keyboard where the slider below it was clicked with Ctrl.
+// Call it before a field: gives it the keyboard after a Ctrl+click on its slider.
 void type_where_asked(const PanelContext& context, const char* id);
 
-// Right after the field `id` and its unit, `from` to `to` across (on the screen). Returns the value
-// while the user drags it.
+// Call it right after the field `id` and its unit; `from` to `to` in screen pixels. Returns the
+// value while the user drags.
 [[nodiscard]] std::optional<double> thin_slider(const PanelContext& context, const char* id,
                                                 double shown, const LogRange& range, float from,
                                                 float to);
 
-// All of it: label, field, unit and slider. The items are called `name` and "NAME-slider".
+// Label, field, unit and slider. Their ids are "##NAME" and "##NAME-slider".
 struct NumberRow {
   const char* name = "";
   std::string_view label;

@@ -1,9 +1,9 @@
-// A bar between two parts of the window that can be dragged.
+// A draggable bar between two parts of the window.
 #pragma once
 
 #include <cstdint>
 
-#include "app/ui/ui_state.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
@@ -14,11 +14,11 @@ struct Split {
   bool reset = false;  // a double click
 };
 
-// In the gap (of the usual spacing) that begins at `from`, of this length; after both parts.
+// Draws the bar in the gap that begins at `from`, with this length. Call it after both parts.
 [[nodiscard]] Split draw_splitter(const PanelContext& context, const char* name, SplitWay way,
                                   ImVec2 from, float length);
 
-// Applies a split to the first part's share of `whole` pixels, and leaves both parts to be seen.
+// Applies a split to the first part's share of `whole` pixels. Keeps both parts visible.
 void move_share(double& share, const Split& split, float whole, double usual);
 
 }  // namespace hapticwall::ui

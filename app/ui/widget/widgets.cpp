@@ -1,59 +1,64 @@
-#include "app/ui/widgets.h"
+#include "app/ui/widget/widgets.h"
 
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr float kUnitEms = 3.1F;         // width kept free for the unit
-constexpr float kArrowAndGapEms = 2.2F;  // of a heading that folds: before and after its title
+constexpr float kArrowAndGapEms = 2.2F;  // before and after the title of a folding heading
 constexpr float kTooltipWidthEms = 26.0F;
 
 }  // namespace
 
-void section(const PanelContext& context, const char* title) {
+void section(const PanelContext& context, const char* title, bool asked_for) {
   ImGui::Dummy(ImVec2(0.0F, 0.2F * ImGui::GetFontSize()));
   ImGui::PushFont(context.theme.fonts.strong, 0.0F);
-  ImGui::TextColored(context.theme.colour(Tone::kAccent), "%s", title);
+  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "%s", title);
   ImGui::PopFont();
+  if (!asked_for) return;
+  ImGui::SameLine();
+  ImGui::TextDisabled("asked for");
+  explain("The loop has not confirmed these values yet: they are not in force.");
 }
 
-bool folding_section(const PanelContext& context, const char* title, std::string_view summary) {
-  // What cannot be changed can still be looked at.
+bool folding_section(const PanelContext& context, const char* title, std::string_view summary,
+                     bool asked_for) {
+  // A locked section can still be unfolded.
   const bool locked = (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
   if (locked) ImGui::EndDisabled();
   ImGui::PushFont(context.theme.fonts.strong, 0.0F);
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kAccent));
-  // The arrow stands where the other headings begin.
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kAccent));
+  // Aligns the arrow with the other headings.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0F, 2.0F));
-  const bool open = ImGui::TreeNodeEx(title, ImGuiTreeNodeFlags_NoTreePushOnOpen |
-                                                 ImGuiTreeNodeFlags_FramePadding |
-                                                 ImGuiTreeNodeFlags_SpanAvailWidth);
+  const std::string heading = asked_for ? fmt::format("{0}  asked for###section {0}", title)
+                                        : fmt::format("{0}###section {0}", title);
+  const bool open = ImGui::TreeNodeEx(heading.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                                                           ImGuiTreeNodeFlags_FramePadding |
+                                                           ImGuiTreeNodeFlags_SpanAvailWidth);
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   ImGui::PopFont();
-  remember_item(context.state, std::string("section ") + title);
   if (locked) ImGui::BeginDisabled();
   if (open) return true;
-  const float text_width = ImGui::CalcTextSize(title).x + kArrowAndGapEms * ImGui::GetFontSize();
+  const float text_width = ImGui::CalcTextSize(heading.c_str(), nullptr, true).x +
+                           kArrowAndGapEms * ImGui::GetFontSize();
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + text_width);
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const std::string text(summary);
-  ImGui::TextColored(context.theme.colour(Tone::kMuted), "%s", text.c_str());
+  ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "%s", text.c_str());
   ImGui::PopFont();
   return false;
 }
 
 void muted_text(const PanelContext& context, std::string_view text) {
-  ImGui::PushFont(nullptr, kSmallFontSize);
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kMuted));
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kMuted));
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopTextWrapPos();
@@ -63,7 +68,7 @@ void muted_text(const PanelContext& context, std::string_view text) {
 
 bool choice_button(const PanelContext& context, const char* label, bool chosen) {
   const ImU32 background =
-      chosen ? context.theme.packed(Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
+      chosen ? context.theme.packed(draw::Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
   ImGui::PushStyleColor(ImGuiCol_Button, background);
   const bool clicked = ImGui::Button(label);
   ImGui::PopStyleColor();
@@ -87,7 +92,7 @@ void field_label(const PanelContext& context, std::string_view label, std::strin
   const float left = ImGui::GetCursorPosX();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kText));
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kText));
   ImGui::TextUnformatted(label.data(), label.data() + label.size());
   ImGui::PopStyleColor();
   explain(tooltip);
@@ -104,13 +109,13 @@ float unit_width(std::string_view unit) {
 }
 
 void figure_row(const PanelContext& context, std::string_view name, const std::string& text,
-                Tone tone, std::string_view tooltip) {
+                draw::Tone tone, std::string_view tooltip) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::BeginGroup();
   muted_text(context, name);
-  // Under the text of the fields above; inside a group the row begins at 0.
+  // Aligned with the text of the fields above; inside a group the row begins at 0.
   ImGui::SameLine(kLabelShare * width + ImGui::GetStyle().FramePadding.x);
-  ImGui::PushFont(context.theme.fonts.digits, kSmallFontSize);
+  ImGui::PushFont(context.theme.fonts.digits, draw::kSmallFontSize);
   ImGui::TextColored(context.theme.colour(tone), "%s", text.c_str());
   ImGui::PopFont();
   ImGui::EndGroup();
@@ -142,34 +147,20 @@ std::optional<std::string> text_field(const PanelContext& context, const char* i
   explain(std::exchange(edit.tooltip, {}));
   if (!ImGui::IsItemDeactivated()) return std::nullopt;
   edit.field = 0;
-  // Escape has put the old text back, which is then no edit.
+  // Escape has restored the old text: no edit.
   if (!ImGui::IsItemDeactivatedAfterEdit() || shown == text.data()) return std::nullopt;
   return std::string(text.data());
 }
 
 std::optional<double> number_field(const PanelContext& context, const char* id, double shown) {
-  const auto text = text_field(context, id, "", number_text(shown));
+  const auto text = text_field(context, id, "", rounded_number(shown));
   if (!text) return std::nullopt;
   const auto number = parse_number(*text);
   if (!number) {
     tell(context.state, MessageKind::kProblem,
-         fmt::format("'{}' is not a number; {} stays in force", *text, number_text(shown)));
+         fmt::format("'{}' is not a number; {} stays in force", *text, rounded_number(shown)));
   }
   return number;
 }
-
-std::optional<double> parse_number(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
-std::string number_text(double value) { return fmt::format("{:.10g}", value); }
 
 }  // namespace hapticwall::ui

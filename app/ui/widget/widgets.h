@@ -1,60 +1,54 @@
-// The small pieces that all panels are made of.
+// Widgets that all panels use.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "app/ui/ui_state.h"
+#include "app/ui/state/changed_values.h"
+#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
-// Where a row's field begins, of the width of the panel.
+// Start of a row's field, as a share of the panel's width.
 inline constexpr float kLabelShare = 0.37F;
 
-// A heading of a section of the control panel.
-void section(const PanelContext& context, const char* title);
+// Heading of a section. `asked_for`: its values are not in force yet, and the heading says so.
+void section(const PanelContext& context, const char* title, bool asked_for = false);
 
-// A heading that opens and closes its section; closed at first, with `summary` beside it. True:
-// open.
+// Heading of a folding section, closed at first, with `summary` beside it. Returns true while open.
 [[nodiscard]] bool folding_section(const PanelContext& context, const char* title,
-                                   std::string_view summary);
+                                   std::string_view summary, bool asked_for = false);
 
-// Text in the colour of secondary things, wrapped at the edge of the panel.
+// Secondary text, wrapped at the edge of the panel.
 void muted_text(const PanelContext& context, std::string_view text);
 
-// One of several buttons of which one is chosen.
+// One of several buttons; `chosen` highlights it.
 [[nodiscard]] bool choice_button(const PanelContext& context, const char* label, bool chosen);
 
-// Explains the last item when the pointer rests on it.
+// Shows a tooltip for the last item.
 void explain(std::string_view text);
 
-// A label on the left; the next item fills the rest of the row but for `unit`, which unit_label()
-// adds. A text or number field that follows has the same tooltip.
+// A label on the left. The next item fills the rest of the row, except the width of `unit`, which
+// unit_label() adds. A field that follows has the same tooltip.
 void field_label(const PanelContext& context, std::string_view label, std::string_view tooltip,
                  std::string_view unit);
 void unit_label(std::string_view unit);
-// The width that a field leaves free for its unit.
+// Width reserved for the unit of a field.
 [[nodiscard]] float unit_width(std::string_view unit);
 
-// A figure that is looked at and not typed: name, and digits of constant width.
+// A row that shows a value: name, and digits of constant width.
 void figure_row(const PanelContext& context, std::string_view name, const std::string& text,
-                Tone tone, std::string_view tooltip);
+                draw::Tone tone, std::string_view tooltip);
 
-// A field that shows `shown` and is typed into. Returns the new text once, when the user has
-// confirmed it (Enter, Tab, or a click elsewhere); Escape leaves things as they are.
+// A text field. Returns the new text once, when the user confirms it (Enter, Tab, or a click
+// elsewhere). Escape cancels.
 [[nodiscard]] std::optional<std::string> text_field(const PanelContext& context, const char* id,
                                                     const std::string& hint,
                                                     const std::string& shown);
 
-// The same for a number, which must be one; else the user is told, and nothing is returned.
+// The same for a number. Tells the user about invalid input and returns nullopt.
 [[nodiscard]] std::optional<double> number_field(const PanelContext& context, const char* id,
                                                  double shown);
-
-// A finite number as people type it, `.` as decimal point, or nothing.
-[[nodiscard]] std::optional<double> parse_number(std::string_view text);
-
-// As short as possible, without the noise of the last binary digits.
-[[nodiscard]] std::string number_text(double value);
 
 }  // namespace hapticwall::ui

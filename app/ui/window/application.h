@@ -1,5 +1,5 @@
-// The window's content: owns the session and everything the panels remember, and draws one frame of
-// it. Knows nothing of GLFW.
+// Content of the window: owns the session and the state of the panels, and draws frames.
+// Independent of GLFW.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "app/file/recording_reader.h"
-#include "app/runtime/session.h"
-#include "app/ui/sample_history.h"
-#include "app/ui/settings_file.h"
-#include "app/ui/theme.h"
-#include "app/ui/ui_state.h"
-#include "app/ui/wall_renderer.h"
+#include "app/draw/plot/sample_history.h"
+#include "app/draw/plot/theme.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/runtime/session/live_session.h"
+#include "app/ui/state/settings_file.h"
+#include "app/ui/state/ui_state.h"
+#include "app/ui/wall/wall_renderer.h"
 #include "core/result.h"
 #include "core/scene.h"
 
@@ -24,61 +24,69 @@ namespace hapticwall::ui {
 
 class Application {
  public:
-  using SessionStarter = std::function<Result<std::unique_ptr<runtime::Session>>(const Scene&)>;
-  // Called on a thread of its own, for a large recording takes a while to read.
-  using RecordingOpener = std::function<Result<std::unique_ptr<runtime::Session>>(
+  using SessionStarter = std::function<Result<std::unique_ptr<runtime::LiveSession>>(const Scene&)>;
+  // Called on its own thread, because a large recording takes long to read.
+  using RecordingOpener = std::function<Result<std::unique_ptr<runtime::ReplaySession>>(
       const std::string& csv_path, const file::ReadProgress& progress)>;
   struct Sessions {
     SessionStarter simulate;
     SessionStarter start_on_device;  // empty: everything is simulated
     RecordingOpener open_recording;  // empty: runtime::start_replay()
-    // What is shown at first; empty: a session of the scene. Of a replay the scene is the one to go
-    // back to.
-    std::function<Result<std::unique_ptr<runtime::Session>>()> first;
+    // Makes the recording to show first, with the scene to go back to. Empty: a session of the
+    // scene.
+    std::function<std::unique_ptr<runtime::ReplaySession>()> replay;
   };
 
-  // What the window keeps and was told, besides the scene.
+  // Options besides the scene.
   struct Options {
     std::string settings_path;          // empty: settings are neither read nor kept
     std::string recording_folder;       // empty: the one of the settings
     std::optional<float> forced_scale;  // empty: the settings, or the screen
-    std::string opened_file;            // that the scene came from; empty: it is built in
+    std::string opened_file;            // file of the scene; empty: built in
   };
 
-  // Needs current contexts of OpenGL 3.3, ImGui and ImPlot, for its whole life. Starts a session,
-  // on the device where there is one to be driven.
+  // Needs current contexts of OpenGL 3.3, ImGui and ImPlot for its whole life. Starts a session, on
+  // the device if there is one.
   [[nodiscard]] static Result<std::unique_ptr<Application>> create(const Scene& scene,
                                                                    const Options& options,
-                                                                   const Theme& theme,
+                                                                   const draw::Theme& theme,
                                                                    Sessions sessions);
 
   // Draws one frame, between ImGui::NewFrame() and ImGui::Render(); never waits for the loop.
   void frame();
 
-  // Takes what the session has measured without drawing anything (a window that nobody sees).
-  void take_samples();
+  // Takes samples without drawing, for a window that nobody sees.
+  void take_ticks();
 
-  // What the screen asks for: 1 where everything has the size that it was designed with.
+  // Scale of the screen; 1 is the designed size.
   void set_screen_scale(float scale) { state_.transient.screen_scale = scale; }
 
-  // Files that were let go over the window: scenes, or recordings.
+  // Files dropped on the window: scenes or recordings.
   void drop(std::span<const std::string> paths);
 
-  // Something moves: the session, or a message that fades.
+  // True while samples arrive or something is animated.
   [[nodiscard]] bool moving() const;
-  // Writes the settings, where they have changed.
+  // Writes changed settings.
   void save_settings() { settings_.save(state_); }
 
-  [[nodiscard]] runtime::Session& session() { return *session_; }
+  [[nodiscard]] runtime::SampleSource& session() {
+    return live_ ? static_cast<runtime::SampleSource&>(*live_) : *replay_;
+  }
+  // One of these two is null.
+  [[nodiscard]] runtime::LiveSession* live() { return live_.get(); }
+  [[nodiscard]] runtime::ReplaySession* replay() { return replay_.get(); }
   [[nodiscard]] UiState& state() { return state_; }
-  [[nodiscard]] const SampleHistory& history() const { return history_; }
+  [[nodiscard]] const draw::SampleHistory& history() const { return history_.axis(0); }
   [[nodiscard]] const WallRenderer& renderer() const { return *renderer_; }
 
  private:
-  Application(Sessions sessions, std::unique_ptr<runtime::Session> session,
-              std::unique_ptr<WallRenderer> renderer, const Theme& theme, const Options& options);
+  Application(Sessions sessions, std::unique_ptr<WallRenderer> renderer, const draw::Theme& theme,
+              const Options& options);
+
+  [[nodiscard]] Failure start_first(const Scene& scene);
 
   void keep_appearance();
+  [[nodiscard]] Visibility visibility(std::uint32_t echoed_generation);
   void start_wanted_scene();
   [[nodiscard]] bool start_anew(const Scene& scene);
   [[nodiscard]] bool start_beside_replay(const Scene& scene);
@@ -87,31 +95,31 @@ class Application {
   // application_recordings.cpp
   void open_wanted_recording();
   void take_opened_recording();
-  void show_recording(std::unique_ptr<runtime::Session> replay);
+  void show_recording(std::unique_ptr<runtime::ReplaySession> replay);
   void end_live_session();
   void go_back();
   void notice_jumps();
-  [[nodiscard]] bool measured() const;
 
   Sessions sessions_;
-  std::unique_ptr<runtime::Session> session_;
+  std::unique_ptr<runtime::LiveSession> live_;      // this one,
+  std::unique_ptr<runtime::ReplaySession> replay_;  // or that
   std::unique_ptr<WallRenderer> renderer_;
-  Theme theme_;
-  Look look_ = Look::kScreen;  // in force, like the scale
+  draw::Theme theme_;
+  draw::Look look_ = draw::Look::kScreen;  // in force, like the scale
   float scale_ = 0.0F;
   SettingsFile settings_;
-  // The scene that ran before a replay, and the one that its values can be reset to.
+  // The scene before a replay, and the one to which its values can be reset.
   struct Before {
     Scene scene;
     Scene loaded;
   };
   std::optional<Before> before_;
-  std::uint32_t jumps_ = 0;  // of the replay, that were noticed
+  Scene in_force_;                         // the newest one that the loop has echoed,
+  std::uint32_t in_force_generation_ = 0;  // and its number; 0: none of this session
+  std::uint32_t jumps_ = 0;                // jumps of the replay that were handled
   UiState state_;
-  SampleHistory history_;
-  SampleHistory y_history_;  // of the second axis, where the scene has one
-  std::vector<Sample> incoming_;
-  std::vector<Sample> incoming_y_;
+  draw::TickHistory history_;
+  std::vector<Tick> incoming_;
   bool samples_came_ = false;  // in the last frame
 };
 

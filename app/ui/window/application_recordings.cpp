@@ -1,27 +1,24 @@
-// How a recording takes the place of the session, and the scene that of a recording.
+// Changes between a live session and a recording.
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "app/ui/application.h"
-#include "app/ui/comparing.h"
-#include "app/ui/recent_files.h"
-#include "app/ui/replay_panel.h"
-#include "app/ui/replay_state.h"
+#include "app/ui/panel/replay_panel.h"
+#include "app/ui/state/comparing.h"
+#include "app/ui/state/recent_files.h"
+#include "app/ui/window/application.h"
 
 namespace hapticwall::ui {
 namespace {
 
-Result<std::unique_ptr<runtime::Session>> open_replay(const std::string& csv_path,
-                                                      const file::ReadProgress& progress) {
-  auto replay = runtime::start_replay(csv_path, {}, progress);
-  if (!replay) return replay.error();
-  return std::unique_ptr<runtime::Session>(std::move(*replay));
+Result<std::unique_ptr<runtime::ReplaySession>> open_replay(const std::string& csv_path,
+                                                            const file::ReadProgress& progress) {
+  return runtime::start_replay(csv_path, {}, progress);
 }
 
 }  // namespace
 
-// The session goes on while the file is read: of a device, too, whose force can be taken away.
+// The session continues while the file is read, so that the force of a device can still be removed.
 void Application::open_wanted_recording() {
   std::string path = std::exchange(state_.transient.wanted_recording, {});
   if (path.empty()) return;
@@ -44,53 +41,47 @@ void Application::take_opened_recording() {
     std::erase(state_.persisted.recent, replay.opening_path);
     return;
   }
-  if (replay_of(*session_) == nullptr) {
-    before_ = Before{session_->scene(), state_.transient.loaded_scene};
+  if (live_) {
+    before_ = Before{live_->scene(), state_.transient.loaded_scene};
     end_live_session();
   }
   show_recording(std::move(**opened));
 }
 
-// Without force first; then what is still to be written may take its time.
+// Removes the force first; writing the rest may take time.
 void Application::end_live_session() {
-  session_->arm(false);
-  if (session_->recording_status().state != runtime::RecordingState::kRecording) return;
-  const Failure failure = session_->stop_recording();
+  live_->arm(false);
+  if (live_->recording_status().state != runtime::RecordingState::kRecording) return;
+  const Failure failure = live_->stop_recording();
   tell(state_, failure ? MessageKind::kProblem : MessageKind::kNote,
-       failure ? failure->message : "recording finished: " + session_->recording_status().path);
+       failure ? failure->message : "recording finished: " + live_->recording_status().path);
 }
 
-void Application::show_recording(std::unique_ptr<runtime::Session> session) {
-  session_ = std::move(session);
+void Application::show_recording(std::unique_ptr<runtime::ReplaySession> replay) {
+  live_.reset();
+  replay_ = std::move(replay);
   forget_session();
-  begin_comparison(state_, session_->scene(), slots_of(state_));
-  runtime::ReplaySession* replay = replay_of(*session_);
-  state_.transient.loaded_scene = session_->scene();
-  jumps_ = session_->snapshot().resets;
-  if (replay == nullptr) return;
-  state_.transient.loaded_scene = replay->recording().loaded.scene;
-  if (const runtime::Overlay* overlay = replay->overlay())
+  begin_comparison(state_, replay_->scene(), slots_of(state_));
+  jumps_ = replay_->snapshot().resets;
+  state_.transient.loaded_scene = replay_->recording().loaded.scene;
+  if (const runtime::Overlay* overlay = replay_->overlay())
     draw_overlay_in_plots(state_, overlay, history_of(*overlay));
 }
 
 void Application::go_back() {
-  if (runtime::ReplaySession* replay = replay_of(*session_)) notice_rerun(state_, *replay);
+  if (replay_) notice_rerun(state_, *replay_);
   if (!std::exchange(state_.replay.wants_back, false) || !before_) return;
   WantedScene wanted{before_->scene};
   wanted.back_to = std::make_shared<const Scene>(before_->loaded);
   state_.transient.wanted_scene = std::move(wanted);
 }
 
-// A jump forwards would else be a line across what was jumped over.
+// Prevents a line across a forward jump.
 void Application::notice_jumps() {
-  if (replay_of(*session_) == nullptr) return;
-  const std::uint32_t jumps = session_->snapshot().resets;
+  if (!replay_) return;
+  const std::uint32_t jumps = replay_->snapshot().resets;
   if (std::exchange(jumps_, jumps) == jumps) return;
   history_.clear();
-  y_history_.clear();
 }
-
-// Nobody knows the true place of a real handle, nor of one that was recorded.
-bool Application::measured() const { return !knows_truth(*session_); }
 
 }  // namespace hapticwall::ui

@@ -1,4 +1,4 @@
-#include "app/ui/help_overlay.h"
+#include "app/ui/window/help_overlay.h"
 
 #include <imgui_internal.h>
 
@@ -6,14 +6,14 @@
 #include <array>
 #include <optional>
 
-#include "app/ui/keys.h"
-#include "app/ui/widgets.h"
+#include "app/ui/widget/widgets.h"
+#include "app/ui/window/keys.h"
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr float kWidthEms = 52.0F;
-constexpr float kMarginEms = 2.0F;  // to the edges of the window, where that is small
+constexpr float kMarginEms = 2.0F;  // to the edges of a small window
 constexpr float kKeyColumnShare = 0.36F;
 
 struct Gesture {
@@ -32,7 +32,7 @@ constexpr std::array kGestures{Gesture{"drag in the view", "leads the hand"},
 void heading(const PanelContext& context, const char* title) {
   ImGui::Dummy(ImVec2(0.0F, 0.3F * ImGui::GetFontSize()));
   ImGui::PushFont(context.theme.fonts.strong, 0.0F);
-  ImGui::TextColored(context.theme.colour(Tone::kAccent), "%s", title);
+  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "%s", title);
   ImGui::PopFont();
 }
 
@@ -41,9 +41,9 @@ void row(const PanelContext& context, const char* left, const char* right) {
   const float column = kKeyColumnShare * ImGui::GetContentRegionAvail().x;
   ImGui::TextUnformatted(left);
   ImGui::SameLine();
-  // What is longer than its column pushes its neighbour.
+  // A long key text pushes the description.
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), start + column));
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(Tone::kMuted));
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kMuted));
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextUnformatted(right);
   ImGui::PopTextWrapPos();
@@ -52,12 +52,11 @@ void row(const PanelContext& context, const char* left, const char* right) {
 
 void draw_keys(const PanelContext& context) {
   std::optional<KeyGroup> group;
-  for (const KeyBinding& binding : bindings_in_force(context.state)) {
+  for (const KeyBinding& binding : bindings_in_force(context.shows)) {
     if (binding.group == KeyGroup::kPlots && group != KeyGroup::kPlots) ImGui::TableNextColumn();
     if (binding.group != group) heading(context, group_title(binding.group));
     group = binding.group;
     row(context, keys_text(binding).c_str(), binding.what.c_str());
-    remember_item(context.state, "help: " + binding.what);
   }
 }
 
@@ -67,15 +66,14 @@ void draw_gestures(const PanelContext& context) {
 }
 
 void draw_content(const PanelContext& context) {
-  ImGui::PushFont(context.theme.fonts.strong, kTitleFontSize);
+  ImGui::PushFont(context.theme.fonts.strong, draw::kTitleFontSize);
   ImGui::TextUnformatted("Keys and pointer");
   ImGui::PopFont();
   ImGui::SameLine();
   const char* close = "Close (Esc)";
   const float width = ImGui::CalcTextSize(close).x + 2.0F * ImGui::GetStyle().FramePadding.x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
-  if (ImGui::Button(close)) context.state.transient.help_shown = false;
-  remember_item(context.state, "close help");
+  if (ImGui::Button("Close (Esc)###close help")) context.state.transient.help_shown = false;
   if (ImGui::BeginTable("help", 2)) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -110,12 +108,7 @@ void draw_help(const PanelContext& context) {
                          !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   if (elsewhere && !ImGui::IsWindowAppearing()) context.state.transient.help_shown = false;
   ImGui::End();
-  end_raised();
-}
-
-void toggle_help(const PanelContext& context) {
-  bool& shown = context.state.transient.help_shown;
-  shown = !shown;
+  draw::end_raised();
 }
 
 void put_away(const PanelContext& context) {

@@ -1,4 +1,4 @@
-#include "app/ui/keys.h"
+#include "app/ui/window/keys.h"
 
 #include <imgui_internal.h>
 
@@ -6,17 +6,18 @@
 #include <iterator>
 #include <utility>
 
-#include "app/ui/appearance.h"
-#include "app/ui/arming_strip.h"
-#include "app/ui/blind_test.h"
-#include "app/ui/comparing.h"
-#include "app/ui/control_panel.h"
-#include "app/ui/help_overlay.h"
-#include "app/ui/plot_controls.h"
-#include "app/ui/replay_bar.h"
-#include "app/ui/toolbar.h"
-#include "app/ui/ui_state.h"
-#include "app/ui/undo_controls.h"
+#include "app/ui/panel/algorithm_panel.h"
+#include "app/ui/panel/arming_strip.h"
+#include "app/ui/panel/panel_head.h"
+#include "app/ui/panel/plot_controls.h"
+#include "app/ui/panel/replay_bar.h"
+#include "app/ui/panel/toolbar.h"
+#include "app/ui/state/appearance.h"
+#include "app/ui/state/blind_test.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/state/comparing.h"
+#include "app/ui/state/ui_state.h"
+#include "app/ui/window/help_overlay.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
@@ -45,7 +46,7 @@ std::vector<KeyBinding> session_keys() {
           {KeyGroup::kSession, "mark this moment in the recording", {ImGuiKey_M}, add_mark}};
 }
 
-// Besides those of a session, which mean the same.
+// In addition to the session keys, which also apply.
 std::vector<KeyBinding> replay_keys() {
   return {{KeyGroup::kReplay,
            "one tick back, while paused",
@@ -122,7 +123,7 @@ std::vector<KeyBinding> all_keys() {
   return all;
 }
 
-// → feels the second wall.
+// The right arrow is used for the second wall.
 std::vector<KeyBinding> blind_session_keys() {
   std::vector<KeyBinding> keys = session_keys();
   for (KeyBinding& binding : keys) std::erase(binding.chords, ImGuiKey_RightArrow);
@@ -136,7 +137,7 @@ std::vector<KeyBinding> all_blind_keys() {
   return all;
 }
 
-// Shift counts only where a key is named with Ctrl: a letter is a letter with and without it.
+// Shift counts only together with Ctrl; letters ignore it.
 bool modifiers_fit(ImGuiKeyChord chord) {
   constexpr ImGuiKeyChord kStrong = ImGuiMod_Ctrl | ImGuiMod_Alt | ImGuiMod_Super;
   const ImGuiKeyChord held = ImGui::GetIO().KeyMods;
@@ -201,13 +202,13 @@ const std::vector<KeyBinding>& blind_key_bindings() {
   return kBindings;
 }
 
-const std::vector<KeyBinding>& bindings_in_force(const UiState& state) {
-  return blind_test_runs(state) ? blind_key_bindings() : key_bindings();
+const std::vector<KeyBinding>& bindings_in_force(const Visibility& shows) {
+  return shows.hides_algorithm ? blind_key_bindings() : key_bindings();
 }
 
 void handle_keys(const PanelContext& context, std::span<const KeyBinding> bindings) {
   const bool typing = ImGui::GetIO().WantTextInput;
-  // Else Tab would give the keyboard to the first field that there is.
+  // Otherwise Tab would move the keyboard to the first field.
   if (!typing) ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("keys of the window"));
   for (const KeyBinding& binding : bindings) {
     if ((!typing || binding.always) && pressed(binding)) binding.act(context);

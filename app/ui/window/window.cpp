@@ -1,4 +1,4 @@
-#include "app/ui/window.h"
+#include "app/ui/window/window.h"
 
 #include <epoxy/gl.h>
 // After OpenGL's own header.
@@ -17,23 +17,22 @@
 #include <string>
 #include <vector>
 
-#include "app/runtime/crash_stop.h"
-#include "app/ui/application.h"
-#include "app/ui/idleness.h"
-#include "app/ui/settings_file.h"
-#include "app/ui/theme.h"
+#include "app/draw/plot/theme.h"
+#include "app/runtime/loop/crash_stop.h"
+#include "app/ui/state/settings_file.h"
+#include "app/ui/window/application.h"
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr int kWidth = 1600;
 constexpr int kHeight = 1000;
-constexpr int kSmallestWidth = 1000;
-constexpr int kSmallestHeight = 640;
-constexpr double kUnseenFrameS = 0.1;  // how often samples are taken while minimised
-constexpr int kPaintedInAHurry = 10;   // one of so many frames
+constexpr int kMinWidth = 1000;
+constexpr int kMinHeight = 640;
+constexpr double kUnseenFrameS = 0.1;  // sampling interval while minimised
+constexpr int kPaintedInAHurry = 10;   // one frame of this many
 
-// A signal handler may touch nothing but this: the signal that asked for an end, or none.
+// The only state that the signal handler touches: the signal that asked for the end, or 0.
 std::atomic<int> end_requested{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -41,8 +40,8 @@ void request_end(int signal) {
   if (end_requested.exchange(signal) == signal) runtime::end_by(signal);
 }
 
-// SIGINT and SIGTERM ask for an end in good order while this lives; a second one of the same ends
-// the program, force first: whoever sends it has seen that nothing happened.
+// While this lives, SIGINT and SIGTERM ask for an orderly end. A repeated signal ends the program
+// at once, force first.
 class EndSignals {
  public:
   EndSignals() {
@@ -71,7 +70,7 @@ std::string glfw_message() {
   return text != nullptr ? text : "no reason given";
 }
 
-// GLFW, from first to last.
+// Initialises and terminates GLFW.
 class Glfw {
  public:
   Glfw() : ready_(glfwInit() == GLFW_TRUE) {}
@@ -89,14 +88,14 @@ struct DestroyWindow {
 };
 using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
-// What the settings say of the window itself.
+// Window size in the settings.
 PersistedState kept_window(const std::string& settings_path) {
   UiState state;
   SettingsFile(settings_path).load(state);
   return state.persisted;
 }
 
-// As large as the user has left it, but for what does not fit the screen.
+// The stored size, limited to the screen.
 ImVec2 wanted_size(const PersistedState& kept) {
   int width = kept.window_width > 0 ? kept.window_width : kWidth;
   int height = kept.window_height > 0 ? kept.window_height : kHeight;
@@ -123,21 +122,20 @@ WindowHandle open_window(const PersistedState& kept) {
   WindowHandle window(glfwCreateWindow(static_cast<int>(size.x), static_cast<int>(size.y),
                                        "Haptic Wall", nullptr, nullptr));
   if (!window) return window;
-  glfwSetWindowSizeLimits(window.get(), kSmallestWidth, kSmallestHeight, GLFW_DONT_CARE,
-                          GLFW_DONT_CARE);
+  glfwSetWindowSizeLimits(window.get(), kMinWidth, kMinHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(1);
   return window;
 }
 
-// For the next start. A maximised window keeps the size that it had before.
+// Stores the size. A maximised window keeps its previous size.
 void keep_window(GLFWwindow* window, PersistedState& kept) {
   kept.window_maximised = glfwGetWindowAttrib(window, GLFW_MAXIMIZED) == GLFW_TRUE;
   if (kept.window_maximised || glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE) return;
   int width = 0;
   int height = 0;
   glfwGetWindowSize(window, &width, &height);
-  // A new window is enlarged by this again.
+  // GLFW applies this scale again to a new window.
   const float scale = std::max(ImGui_ImplGlfw_GetContentScaleForWindow(window), 1.0F);
   kept.window_width = static_cast<int>(static_cast<float>(width) / scale);
   kept.window_height = static_cast<int>(static_cast<float>(height) / scale);
@@ -151,7 +149,7 @@ void take_dropped_files(GLFWwindow* window, int count, const char** paths) {
   application->drop(files);
 }
 
-// Lets the application have what is dropped onto the window.
+// Passes dropped files to the application.
 class DropTarget {
  public:
   DropTarget(GLFWwindow* window, Application& application) : window_(window) {
@@ -214,7 +212,7 @@ bool is_seen(GLFWwindow* window) {
          glfwGetWindowAttrib(window, GLFW_VISIBLE) == GLFW_TRUE;
 }
 
-// The user does something: what has arrived since the last frame is still to be handled.
+// True when there is user input to handle.
 bool user_acts() { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
 
 void run_loop(GLFWwindow* window, Application& application, const WindowHooks& hooks) {
@@ -225,7 +223,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
          end_requested.load(std::memory_order_relaxed) == 0) {
     glfwPollEvents();
     if (!is_seen(window)) {
-      application.take_samples();
+      application.take_ticks();
       glfwWaitEventsTimeout(kUnseenFrameS);
       continue;
     }
@@ -239,7 +237,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
     }
     if (hooks.drawn) hooks.drawn();
     if (acts || application.moving()) idleness.wake(glfwGetTime());
-    // Where swapping does not wait for the screen, we do; events end the wait early.
+    // Limits the frame rate where swapping does not wait; events end the wait early.
     const double now_s = glfwGetTime();
     application.state().timing.frames.add(now_s - start_s);
     const double rest_s = idleness.frame_s(now_s) - (now_s - start_s);
@@ -252,7 +250,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
 
 }  // namespace
 
-Failure run_window(const WindowOptions& options, const WindowHooks& hooks) {
+Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hooks) {
   const EndSignals signals;
   const Glfw glfw;
   if (!glfw.ready()) {
@@ -263,15 +261,16 @@ Failure run_window(const WindowOptions& options, const WindowHooks& hooks) {
   const WindowHandle window = open_window(kept_window(options.settings_path));
   if (!window) return Error{ErrorKind::kDevice, "no window with OpenGL 3.3: " + glfw_message()};
   const Gui gui(window.get());
-  const Theme theme = apply_theme(Look::kScreen, 1.0F);  // the application knows better
+  const draw::Theme theme =
+      apply_theme(draw::Look::kScreen, 1.0F);  // the application applies the settings
   Application::Sessions sessions;
   sessions.simulate = [spin_s = options.spin_s](const Scene& scene) {
     runtime::SessionOptions session;
     session.spin_s = spin_s;
-    return runtime::Session::start(scene, session);
+    return runtime::LiveSession::start(scene, session);
   };
   sessions.start_on_device = options.start_on_device;
-  sessions.first = options.first;
+  sessions.replay = options.replay;
   const auto application = Application::create(
       options.scene,
       {options.settings_path, options.recording_folder, options.forced_scale, options.opened_file},

@@ -1,42 +1,54 @@
-#include "app/ui/window_layout.h"
+#include "app/ui/window/window_layout.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/arming_strip.h"
-#include "app/ui/blind_test.h"
-#include "app/ui/control_panel.h"
-#include "app/ui/help_overlay.h"
-#include "app/ui/lower_page.h"
-#include "app/ui/magnifier.h"
-#include "app/ui/panel_head.h"
-#include "app/ui/replay_panel.h"
-#include "app/ui/replay_state.h"
-#include "app/ui/splitter.h"
-#include "app/ui/status_line.h"
-#include "app/ui/toasts.h"
-#include "app/ui/toolbar.h"
-#include "app/ui/wall_view.h"
-#include "app/ui/widgets.h"
+#include "app/ui/panel/algorithm_panel.h"
+#include "app/ui/panel/arming_strip.h"
+#include "app/ui/panel/compare_panel.h"
+#include "app/ui/panel/device_panel.h"
+#include "app/ui/panel/hand_panel.h"
+#include "app/ui/panel/loop_panel.h"
+#include "app/ui/panel/lower_page.h"
+#include "app/ui/panel/magnifier.h"
+#include "app/ui/panel/panel_head.h"
+#include "app/ui/panel/replay_panel.h"
+#include "app/ui/panel/scene_panel.h"
+#include "app/ui/panel/status_line.h"
+#include "app/ui/panel/toolbar.h"
+#include "app/ui/panel/wall_panel.h"
+#include "app/ui/panel/wall_view.h"
+#include "app/ui/state/changes.h"
+#include "app/ui/widget/splitter.h"
+#include "app/ui/widget/toasts.h"
+#include "app/ui/widget/widgets.h"
+#include "app/ui/window/help_overlay.h"
 
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kNarrowestPanelEms = 14.0F;
-constexpr float kLockedAlpha = 0.7F;       // of what was recorded and does not change
-constexpr float kWidestPanelShare = 0.5F;  // of the window
+constexpr float kMinPanelWidthEms = 14.0F;
+constexpr float kLockedAlpha = 0.7F;    // of values that cannot change
+constexpr float kMaxPanelShare = 0.5F;  // of the window
 
 float panel_width(const PanelContext& context, float window_width) {
   const float wanted = static_cast<float>(context.state.persisted.panel_ems) * ImGui::GetFontSize();
-  const float most = kWidestPanelShare * window_width;
+  const float most = kMaxPanelShare * window_width;
   return std::floor(
-      std::clamp(wanted, std::min(kNarrowestPanelEms * ImGui::GetFontSize(), most), most));
+      std::clamp(wanted, std::min(kMinPanelWidthEms * ImGui::GetFontSize(), most), most));
+}
+
+// Values that the loop has not echoed yet are dimmed.
+void draw_dimmed(const PanelContext& context, bool dimmed, void (*draw)(const PanelContext&)) {
+  if (dimmed) ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kMuted));
+  draw(context);
+  if (dimmed) ImGui::PopStyleColor();
 }
 
 void draw_panel(const PanelContext& context, float width, float height) {
   ImGui::BeginChild("controls", ImVec2(width, height), ImGuiChildFlags_Borders);
   draw_panel_head(context);
-  if (blind_test_runs(context.state)) {
+  if (context.shows.hides_algorithm) {
     muted_text(context,
                "A blind test runs. What stands here at other times would give the order of the two "
                "walls away; it comes back when the test ends.");
@@ -44,16 +56,17 @@ void draw_panel(const PanelContext& context, float width, float height) {
     return;
   }
   draw_scene_section(context);
-  runtime::ReplaySession* replay = replay_of(context.session);
+  runtime::ReplaySession* replay = context.shows.replay;
   if (replay != nullptr) draw_replay_section(context, *replay);
   ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, kLockedAlpha);
   ImGui::BeginDisabled(replay != nullptr);
-  draw_algorithm_section(context);
-  draw_compare_section(context);
-  draw_wall_section(context);
-  draw_hand_section(context);
-  draw_device_section(context);
-  draw_loop_section(context);
+  const AskedFor asked = asked_for(context);
+  draw_dimmed(context, asked.algorithm, draw_algorithm_section);
+  draw_dimmed(context, asked.algorithm, draw_compare_section);
+  draw_dimmed(context, asked.walls, draw_wall_section);
+  draw_dimmed(context, asked.hand, draw_hand_section);
+  draw_dimmed(context, asked.device, draw_device_section);
+  draw_dimmed(context, asked.simulator, draw_loop_section);
   ImGui::EndDisabled();
   ImGui::PopStyleVar();
   ImGui::EndChild();
@@ -63,25 +76,25 @@ void move_panel(const PanelContext& context, float width, const Split& split) {
   double& ems = context.state.persisted.panel_ems;
   if (split.moved != 0.0F) {
     ems = std::max(static_cast<double>((width + split.moved) / ImGui::GetFontSize()),
-                   static_cast<double>(kNarrowestPanelEms));
+                   static_cast<double>(kMinPanelWidthEms));
   }
   if (split.reset) ems = PersistedState{}.panel_ems;
 }
 
-// Pixels of the wall's picture, as the scene is first shown, for a metre at the contact.
+// Scale of the initial wall view at the contact, pixels per metre.
 double view_scale(const PanelContext& context, ImVec2 size) {
   constexpr double kProbeM = 1e-3;
   const Scene& scene = context.session.scene();
-  if (scene.walls.empty()) return 1.0;
+  if (scene.x().walls.empty()) return 1.0;
   const WallCamera camera = wall_view_camera(scene, size);
-  const double face_m = scene.walls.front().position_m;
+  const double face_m = scene.x().walls.front().position_m;
   const glm::vec2 face = camera.pixel_of({camera.x_of(face_m), 0.0F, 0.0F});
   const glm::vec2 beside = camera.pixel_of({camera.x_of(face_m + kProbeM), 0.0F, 0.0F});
   return static_cast<double>(glm::distance(face, beside)) / kProbeM;
 }
 
-void draw_views(const PanelContext& context, const SampleHistory& history, WallRenderer& renderer,
-                ImVec2 size) {
+void draw_views(const PanelContext& context, const draw::SampleHistory& history,
+                WallRenderer& renderer, ImVec2 size) {
   constexpr ImGuiWindowFlags kStill =
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   double& share = context.state.persisted.picture_share;
@@ -104,8 +117,8 @@ void draw_views(const PanelContext& context, const SampleHistory& history, WallR
   ImGui::EndChild();
 }
 
-void draw_right(const PanelContext& context, const SampleHistory& history, WallRenderer& renderer,
-                float height) {
+void draw_right(const PanelContext& context, const draw::SampleHistory& history,
+                WallRenderer& renderer, float height) {
   double& share = context.state.persisted.view_share;
   ImGui::BeginChild("right", ImVec2(0.0F, height), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
@@ -122,7 +135,7 @@ void draw_right(const PanelContext& context, const SampleHistory& history, WallR
   ImGui::EndChild();
 }
 
-// Where the messages stand: above the status, at the right edge.
+// The messages are above the status, at the right edge.
 void draw_over_everything(const PanelContext& context, ImVec2 lower_right) {
   draw_help(context);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -131,7 +144,7 @@ void draw_over_everything(const PanelContext& context, ImVec2 lower_right) {
 
 }  // namespace
 
-void draw_window(const PanelContext& context, const SampleHistory& history,
+void draw_window(const PanelContext& context, const draw::SampleHistory& history,
                  WallRenderer& renderer) {
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   ImGui::SetNextWindowPos(viewport->WorkPos);
@@ -147,7 +160,8 @@ void draw_window(const PanelContext& context, const SampleHistory& history,
   ImGui::Begin("Haptic Wall", nullptr, kFlags);
   ImGui::PopStyleVar();
   const float status_height =
-      2.0F * (kSmallFontSize * style.FontScaleMain + style.ItemSpacing.y) + style.ItemSpacing.y;
+      2.0F * (draw::kSmallFontSize * style.FontScaleMain + style.ItemSpacing.y) +
+      style.ItemSpacing.y;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 free = ImGui::GetContentRegionAvail();
   const float height = std::max(1.0F, free.y - status_height);
@@ -158,7 +172,7 @@ void draw_window(const PanelContext& context, const SampleHistory& history,
   move_panel(context, width,
              draw_splitter(context, "panel splitter", SplitWay::kColumns,
                            ImVec2(corner.x + width, corner.y), height));
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  ImGui::PushFont(nullptr, draw::kSmallFontSize);
   draw_hint_row(context);
   draw_status_row(context);
   ImGui::PopFont();

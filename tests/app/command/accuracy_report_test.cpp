@@ -1,4 +1,6 @@
 // A study as a table, as JSON and as CSV.
+#include "app/command/accuracy/accuracy_report.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,8 +8,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
-
-#include "app/command/accuracy_report.h"
 
 namespace hapticwall::command {
 namespace {
@@ -60,7 +60,7 @@ TEST(AccuracyReport, TheTableSaysWhoIsWrong) {
   EXPECT_THAT(table, HasSubstr("  0.5000       0.00  oscillating\n"));
   EXPECT_THAT(table, HasSubstr("    -100.00  settled !\n"));
   EXPECT_THAT(table, HasSubstr("  diverged at tick 12 !\n"));
-  EXPECT_THAT(table, HasSubstr("\n! the reference's verdict is another\n"));
+  EXPECT_THAT(table, HasSubstr("\n! the verdict differs from the reference's\n"));
   EXPECT_THAT(table, Not(HasSubstr("inf")));
   AccuracyStudy agreeing = made_up();
   agreeing.rows.resize(1);

@@ -7,16 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/command_binary.h"
+#include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
 
 class AccuracyCommand : public ProgramTest {
  protected:
@@ -128,8 +122,8 @@ TEST_F(AccuracyCommand, Help) {
 
 TEST_F(AccuracyCommand, CtrlCEndsItAndNothingIsWritten) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const pid_t child = start({HAPTICWALL_BINARY, "accuracy", "press", "--duration", "10000",
-                               "--json", "a.json", "--csv", "a.csv"});
+    const pid_t child = start({program(), "accuracy", "press", "--duration", "10000", "--json",
+                               "a.json", "--csv", "a.csv"});
     // Signals are caught before a file is opened.
     while (files().empty() && is_running(child)) sched_yield();
     kill(child, signal);

@@ -6,13 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/command_binary.h"
+#include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {
 namespace {
-
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
 
 class BadInput : public ProgramTest {
  protected:

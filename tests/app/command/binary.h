@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -16,9 +17,19 @@
 #include <utility>
 #include <vector>
 
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::command::test {
+
+using hapticwall::test::program;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 struct Answer {
   int status = -1;  // exit status; 128 + signal where one killed it
@@ -38,7 +49,7 @@ class ProgramTest : public hapticwall::test::FolderTest {
     const std::uintmax_t bytes = std::filesystem::file_size(path(name), missing);
     return missing ? 0 : bytes;
   }
-  // Names in the folder, less what the helper itself keeps there.
+  // Names in the folder, except the helper's own.
   [[nodiscard]] std::vector<std::string> files() const {
     std::vector<std::string> names = folder_.names();
     std::erase(names, "stdout");
@@ -46,7 +57,7 @@ class ProgramTest : public hapticwall::test::FolderTest {
     return names;
   }
 
-  // Starts a program in the folder; "stdout" and "stderr" there take what it says.
+  // Starts a program in the folder, with output to "stdout" and "stderr" there.
   [[nodiscard]] pid_t start(std::vector<std::string> arguments) const {
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -88,13 +99,13 @@ class ProgramTest : public hapticwall::test::FolderTest {
   }
 
   [[nodiscard]] Answer hapticwall(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), HAPTICWALL_BINARY);
+    arguments.insert(arguments.begin(), program());
     return wait_for(start(std::move(arguments)));
   }
 
   // A line for a shell, in which $P is the program.
   [[nodiscard]] Answer shell(const std::string& line) const {
-    return wait_for(start({"/bin/sh", "-c", "P='" HAPTICWALL_BINARY "'; " + line}));
+    return wait_for(start({"/bin/sh", "-c", "P='" + program() + "'; " + line}));
   }
 
  private:

@@ -1,4 +1,4 @@
-// `compare`: the order of its rows, what is marked in them, and its figure.
+// `compare`: order and marks of the rows, and the figure.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -9,19 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "app/command/compare_order.h"
-#include "app/command/summary_fields.h"
-#include "app/command/summary_table.h"
-#include "tests/app/command_binary.h"
+#include "app/command/compare/compare_order.h"
+#include "app/command/report/summary_fields.h"
+#include "app/command/report/summary_table.h"
+#include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
-using ::testing::StartsWith;
 
 Summary settled(const std::string& name, std::optional<double> stiffness_n_per_m) {
   Summary summary;
@@ -49,19 +43,25 @@ Summary diverged(const std::string& name) {
   return summary;
 }
 
-std::string names(const std::vector<Summary>& summaries, const std::string& sort) {
+// Each summary as a run of one axis.
+std::vector<RunSummary> one_axis(const std::vector<Summary>& summaries) {
+  std::vector<RunSummary> runs;
+  for (const Summary& summary : summaries) runs.push_back({summary});
+  return runs;
+}
+
+std::string names(const std::vector<RunSummary>& runs, const std::string& sort) {
   const Result<RowOrder> order = parse_order(sort);
   EXPECT_TRUE(order) << order.error().message;
   std::string text;
-  for (const std::size_t i : ordered(summaries, *order)) text += summaries[i].algorithm + " ";
+  for (const std::size_t i : ordered(runs, *order)) text += runs[i].front().algorithm + " ";
   return text;
 }
 
-const std::vector<Summary>& seven() {
-  static const std::vector<Summary> kSeven{
-      diverged("d"),       oscillating("o2", 2e-3), settled("soft", 1e3), settled("hard", 3e4),
-      settled("free", {}), oscillating("o1", 1e-3), settled("hard2", 3e4)};
-  return kSeven;
+std::vector<RunSummary> seven() {
+  return one_axis({diverged("d"), oscillating("o2", 2e-3), settled("soft", 1e3),
+                   settled("hard", 3e4), settled("free", {}), oscillating("o1", 1e-3),
+                   settled("hard2", 3e4)});
 }
 
 TEST(CompareOrder, TheUsualOneIsByVerdictThenByWhatTellsThemApart) {
@@ -85,10 +85,8 @@ TEST(CompareOrder, VerdictsFromGoodToBadAndNamesAsTheyAreSpelt) {
 }
 
 TEST(CompareOrder, ACornerIsAsGoodAsItsWorseAxis) {
-  Summary corner = settled("stiff", 3e4);
-  corner.y.push_back(oscillating("stiff", 1e-3));
-  Summary quiet = settled("quiet", 1e3);
-  quiet.y.push_back(settled("quiet", 1e3));
+  const RunSummary corner{settled("stiff", 3e4), oscillating("stiff", 1e-3)};
+  const RunSummary quiet{settled("quiet", 1e3), settled("quiet", 1e3)};
   EXPECT_EQ(names({corner, quiet}, ""), "quiet stiff ");
   EXPECT_EQ(names({quiet, corner}, "-y_displayed_stiffness_n_per_m"), "stiff quiet ");
 }
@@ -110,8 +108,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 // The columns of a row whose value has the mark, by their place: 0 is the algorithm.
-std::string marked(const std::vector<Summary>& summaries, std::size_t row) {
-  std::istringstream cells(lines_of(comparison_table(summaries)).at(row + 2));
+std::string marked(const std::vector<RunSummary>& runs, std::size_t row) {
+  std::istringstream cells(lines_of(comparison_table(runs)).at(row + 2));
   std::string columns;
   std::string cell;
   for (int i = 0; cells >> cell; ++i) {
@@ -128,8 +126,8 @@ TEST(CompareMarks, TheBestOfEachColumn) {
   b.tail_force_std_n = 0.05;
   a.max_penetration_m = 5e-4;
   a.passivity_margin_j = -5e-4;
-  EXPECT_EQ(marked({a, b}, 0), "5 6 10 ");
-  EXPECT_EQ(marked({a, b}, 1), "2 4 ");
+  EXPECT_EQ(marked(one_axis({a, b}), 0), "5 6 10 ");
+  EXPECT_EQ(marked(one_axis({a, b}), 1), "2 4 ");
 }
 
 TEST(CompareMarks, AWallThatShakesIsNeitherStiffNorHardToPushInto) {
@@ -137,63 +135,60 @@ TEST(CompareMarks, AWallThatShakesIsNeitherStiffNorHardToPushInto) {
   shaking.tail_force_std_n = 0.0;
   shaking.max_penetration_m = 0.0;
   shaking.passivity_margin_j = 0.0;
-  EXPECT_EQ(marked({shaking, settled("quiet", 1e3)}, 0), "10 ");
-  EXPECT_EQ(marked({shaking, settled("quiet", 1e3)}, 1), "2 4 5 6 ");
-  EXPECT_EQ(marked({shaking, oscillating("more", 2e-3)}, 0), "2 10 ");
+  EXPECT_EQ(marked(one_axis({shaking, settled("quiet", 1e3)}), 0), "10 ");
+  EXPECT_EQ(marked(one_axis({shaking, settled("quiet", 1e3)}), 1), "2 4 5 6 ");
+  EXPECT_EQ(marked(one_axis({shaking, oscillating("more", 2e-3)}), 0), "2 10 ");
 }
 
 TEST(CompareMarks, WhatDivergedWinsNothing) {
   Summary lost = diverged("lost");
   lost.tail_peak_to_peak_m = 0.0;
   lost.passivity_margin_j = 0.0;
-  EXPECT_EQ(marked({lost, oscillating("shaking", 1e-3)}, 0), "");
-  EXPECT_EQ(marked({lost, oscillating("shaking", 1e-3)}, 1), "2 10 ");
-  EXPECT_THAT(comparison_table({lost, lost}), Not(HasSubstr("*")));
+  EXPECT_EQ(marked(one_axis({lost, oscillating("shaking", 1e-3)}), 0), "");
+  EXPECT_EQ(marked(one_axis({lost, oscillating("shaking", 1e-3)}), 1), "2 10 ");
+  EXPECT_THAT(comparison_table(one_axis({lost, lost})), Not(HasSubstr("*")));
 }
 
 TEST(CompareMarks, TiesAreTiesBeforeRounding) {
   Summary a = settled("a", 1e3);
   Summary b = settled("b", 1e3);
   b.max_penetration_m = *a.max_penetration_m * (1.0 + 1e-15);
-  EXPECT_EQ(marked({a, b}, 0), "2 4 5 6 10 ");
-  EXPECT_EQ(marked({a, b}, 1), "2 4 5 10 ");
+  EXPECT_EQ(marked(one_axis({a, b}), 0), "2 4 5 6 10 ");
+  EXPECT_EQ(marked(one_axis({a, b}), 1), "2 4 5 10 ");
 }
 
 TEST(CompareMarks, WhatIsNotANumberWinsNothing) {
   Summary odd = settled("odd", {});
   odd.passivity_margin_j = std::numeric_limits<double>::quiet_NaN();
   odd.max_penetration_m = -std::numeric_limits<double>::infinity();
-  EXPECT_EQ(marked({odd, settled("even", 1e3)}, 0), "2 4 ");
-  EXPECT_EQ(marked({odd, settled("even", 1e3)}, 1), "2 4 5 6 10 ");
+  EXPECT_EQ(marked(one_axis({odd, settled("even", 1e3)}), 0), "2 4 ");
+  EXPECT_EQ(marked(one_axis({odd, settled("even", 1e3)}), 1), "2 4 5 6 10 ");
 }
 
 TEST(CompareMarks, OneAloneIsNotTheBest) {
-  const std::string table = comparison_table({settled("a", 1e3)});
+  const std::string table = comparison_table(one_axis({settled("a", 1e3)}));
   EXPECT_THAT(table, Not(HasSubstr("*")));
   EXPECT_EQ(lines_of(table).size(), 3U);
 }
 
 TEST(CompareMarks, AxesAreComparedAmongThemselves) {
-  Summary a = settled("a", 1e3);
-  a.y.push_back(settled("a", 9e3));
-  Summary b = settled("b", 2e3);
-  b.y.push_back(settled("b", 8e3));
-  b.y.front().verdict = Verdict::kOscillating;
+  RunSummary a{settled("a", 1e3), settled("a", 9e3)};
+  RunSummary b{settled("b", 2e3), settled("b", 8e3)};
+  b.back().verdict = Verdict::kOscillating;
   const std::vector<std::string> lines = lines_of(comparison_table({a, b}));
   EXPECT_THAT(lines.at(2), StartsWith("a "));
   EXPECT_THAT(lines.at(3), StartsWith("  axis y"));
   EXPECT_THAT(lines.at(2), Not(HasSubstr("1.00*  ")));
   EXPECT_THAT(lines.at(3), HasSubstr(" 9.00* "));
   EXPECT_THAT(lines.at(4), HasSubstr(" 2.00* "));
-  // A run that one axis ended tells nothing of the other.
-  a.y.front().verdict = Verdict::kDiverged;
+  // A run that one axis ended has no result for the other.
+  a.back().verdict = Verdict::kDiverged;
   EXPECT_EQ(marked({a, b}, 0), "");
 }
 
 TEST(CompareMarks, TheyMoveNoDigit) {
-  Summary a = settled("a", 3e4);
-  Summary b = settled("b", 1e3);
-  const std::vector<std::string> lines = lines_of(comparison_table({a, b}));
+  const auto runs = one_axis({settled("a", 3e4), settled("b", 1e3)});
+  const std::vector<std::string> lines = lines_of(comparison_table(runs));
   EXPECT_EQ(lines.at(2).find("30.00*") + 1, lines.at(3).find("1.00 "));
   EXPECT_EQ(lines.at(0).find("stiffness") + 9, lines.at(2).find("30.00*") + 5);
   EXPECT_THAT(lines.at(4), StartsWith("* best of its column"));
@@ -257,7 +252,7 @@ TEST_F(Compare, PlotWritesAPictureThatFollowsTheOrder) {
 
 TEST_F(Compare, EndedEarlyItWritesNothing) {
   const pid_t child =
-      start({HAPTICWALL_BINARY, "compare", "press", "--set", "simulator.integrator=rk4", "--set",
+      start({program(), "compare", "press", "--set", "simulator.integrator=rk4", "--set",
              "simulator.substeps=1000", "--duration", "125", "--plot", "a.png", "--quiet"});
   // Its file is there: it catches its signals.
   while (files().empty() && is_running(child)) sched_yield();

@@ -1,5 +1,4 @@
-// The bytes that tests/determinism promises are those that a user gets: every line of its table is
-// run as it stands.
+// The program gives the bytes of tests/determinism: runs every line of its table.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,8 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/file/sha256.h"
-#include "tests/app/command_binary.h"
+#include "app/file/disk/sha256.h"
+#include "tests/app/command/binary.h"
+#include "tests/paths.h"
 
 namespace hapticwall::command::test {
 namespace {
@@ -22,7 +22,7 @@ class Determinism : public ProgramTest {
   };
 
   static std::vector<Row> table() {
-    std::ifstream file(HAPTICWALL_TEST_DATA_DIR "/determinism/hashes.txt");
+    std::ifstream file(hapticwall::test::data_folder() + "/determinism/hashes.txt");
     std::vector<Row> rows;
     for (std::string line; std::getline(file, line);) {
       std::istringstream words(line.substr(0, line.find(", threads:")));

@@ -1,13 +1,14 @@
 // hapticwall devices on an emulated bus.
+#include "app/command/device/devices.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "app/command/device_list.h"
-#include "tests/app/command_binary.h"
-#include "tests/device/emulator_support.h"
-#include "tests/device/link_fake_bus.h"
+#include "tests/app/command/binary.h"
+#include "tests/device/emulator/emulator_support.h"
+#include "tests/device/hid/link_fake_bus.h"
 
 namespace hapticwall::command::test {
 namespace {
@@ -17,8 +18,6 @@ using device::hid::testing::FakePort;
 using device::hid::testing::one_axis;
 using device::hid::testing::two_axes;
 using device::hid::testing::usual_listing;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 struct Desk {
   [[nodiscard]] DeviceList look() {
@@ -66,7 +65,7 @@ TEST(DeviceList, ADeviceThatIsNotUnderstoodSaysWhy) {
   const DeviceList list = desk.look();
   ASSERT_EQ(list.haptic.size(), 2U);
   for (const ListedDevice& device : list.haptic) {
-    EXPECT_FALSE(device.figures);
+    EXPECT_FALSE(device.description);
     EXPECT_THAT(device.problem, Not(HasSubstr("\n")));
     EXPECT_FALSE(device.problem.empty());
   }
@@ -80,7 +79,7 @@ TEST(DeviceList, OtherHidDevicesAreCountedAndNotOpened) {
   keyboard.usage_page = 1;
   keyboard.vendor_id = 0x046d;
   desk.bus.add(keyboard, one_axis()).denied = true;
-  EXPECT_THAT(desk.text(), HasSubstr("1 other HID device of no concern here"));
+  EXPECT_THAT(desk.text(), HasSubstr("1 other HID device ignored"));
   EXPECT_TRUE(desk.look().haptic.empty());
 }
 
@@ -99,7 +98,7 @@ TEST(DeviceList, JsonHasEveryDeviceWithItsAxes) {
   EXPECT_EQ(json[1]["axes"].size(), 0U);
 }
 
-// Whatever is connected to this machine: it answers, and leaves nothing behind.
+// It answers on any machine, and leaves no files.
 TEST_F(ProgramTest, DevicesAnswersOnAnyMachine) {
   const Answer answer = hapticwall({"devices"});
   EXPECT_EQ(answer.status, 0) << answer.err;

@@ -1,5 +1,5 @@
-// Every output of every command on a disk that fills up or goes away: one line, exit status 4, and
-// nothing under a name that it does not deserve.
+// Every output of every command on a full or removed disk: one line, exit status 4, no incomplete
+// file under its final name.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -9,17 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/command_binary.h"
-#include "tests/app/command_no_room.h"
+#include "tests/app/command/binary.h"
+#include "tests/app/command/no_room.h"
 
 namespace hapticwall::command::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::EndsWith;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
 
 struct Output {
   const char* arguments;
@@ -45,8 +39,8 @@ class DiskTest : public ProgramTest {
     const std::string name = output.file;
     const std::string left = output.left;
     EXPECT_EQ(answer.status, 4);
-    EXPECT_EQ(answer.err, "error: " + name + ": could not be written whole: File too large" +
-                              (left.empty() ? "" : " (what was written is in " + left + ")") +
+    EXPECT_EQ(answer.err, "error: " + name + ": could not be written: File too large" +
+                              (left.empty() ? "" : " (the written part is in " + left + ")") +
                               "\n");
     EXPECT_THAT(answer.out, IsEmpty());
     for (const std::string& found : files()) {
@@ -94,7 +88,7 @@ TEST_F(DiskTest, FullWhileAMapIsWritten) {
   }
 }
 
-// The map's first rows are not lost with the disk: a later run goes on from them.
+// A later run resumes from the rows before the disk error.
 TEST_F(DiskTest, AMapThatFoundNoRoomIsGoneOnWith) {
   ASSERT_EQ(shell("ulimit -f 4; exec $P " + std::string(kMap) + "--csv m.csv").status, 4);
   const std::string left = content("m.csv.partial");
@@ -108,15 +102,15 @@ TEST_F(DiskTest, AMapThatFoundNoRoomIsGoneOnWith) {
 
 TEST_F(DiskTest, AFullDiskIsToldWhileARunInRealTimeGoesOn) {
   const pid_t child = start({"/bin/sh", "-c",
-                             "ulimit -f 8; exec '" HAPTICWALL_BINARY
-                             "' run press --realtime --duration 1000 --csv a.csv --quiet"});
+                             "ulimit -f 8; exec '" + program() +
+                                 "' run press --realtime --duration 1000 --csv a.csv --quiet"});
   wait_for_word(child, "; the run goes on\n");
   EXPECT_TRUE(is_running(child));
   kill(child, SIGINT);
   const Answer answer = wait_for(child);
   EXPECT_EQ(answer.status, 4);
   const std::string what =
-      "a.csv: could not be written whole: File too large (what was written is in a.csv.partial)";
+      "a.csv: could not be written: File too large (the written part is in a.csv.partial)";
   EXPECT_EQ(answer.err, what + "; the run goes on\nerror: " + what + "\n");
   EXPECT_EQ(size("a.csv.partial"), 8U * 512U);
   EXPECT_EQ(size("a.csv") + size("a.toml"), 0U);
@@ -126,8 +120,8 @@ TEST_F(DiskTest, AFullDiskIsToldWhileARunInRealTimeGoesOn) {
 TEST_F(DiskTest, AFolderThatIsRemovedEndsARunAndIsToldInRealTime) {
   for (const bool in_real_time : {false, true}) {
     std::filesystem::create_directory(path("sub"));
-    std::vector<std::string> arguments{HAPTICWALL_BINARY, "run",   "press",     "--duration",
-                                       "100000",          "--csv", "sub/a.csv", "--quiet"};
+    std::vector<std::string> arguments{program(), "run",   "press",     "--duration",
+                                       "100000",  "--csv", "sub/a.csv", "--quiet"};
     if (in_real_time) arguments.emplace_back("--realtime");
     const pid_t child = start(arguments);
     wait_for_bytes(child, "sub/a.csv.partial");
@@ -140,16 +134,16 @@ TEST_F(DiskTest, AFolderThatIsRemovedEndsARunAndIsToldInRealTime) {
     const Answer answer = wait_for(child);
     EXPECT_EQ(answer.status, 4);
     EXPECT_THAT(answer.err,
-                EndsWith("error: sub/a.csv: could not be written whole: sub/a.csv.partial was "
-                         "removed meanwhile\n"));
+                EndsWith("error: sub/a.csv: could not be written: sub/a.csv.partial was "
+                         "removed during the writing\n"));
     EXPECT_THAT(files(), IsEmpty());
   }
 }
 
 TEST_F(DiskTest, AFolderThatIsMovedKeepsTheRowsForRecovery) {
   std::filesystem::create_directory(path("sub"));
-  const pid_t child = start(
-      {HAPTICWALL_BINARY, "run", "press", "--duration", "100000", "--csv", "sub/a.csv", "--quiet"});
+  const pid_t child =
+      start({program(), "run", "press", "--duration", "100000", "--csv", "sub/a.csv", "--quiet"});
   wait_for_bytes(child, "sub/a.csv.partial");
   std::filesystem::rename(path("sub"), path("moved"));
   kill(child, SIGINT);
@@ -157,14 +151,14 @@ TEST_F(DiskTest, AFolderThatIsMovedKeepsTheRowsForRecovery) {
   EXPECT_EQ(answer.status, 4);
   EXPECT_EQ(
       answer.err,
-      "error: sub/a.csv: could not be written whole: sub/a.csv.partial was moved meanwhile\n");
+      "error: sub/a.csv: could not be written: sub/a.csv.partial was moved during the writing\n");
   const Answer recovered = hapticwall({"recover", "moved/a.csv"});
   EXPECT_EQ(recovered.status, 0) << recovered.err;
   EXPECT_THAT(recovered.out, AllOf(StartsWith("moved/a.csv: "), HasSubstr(" rows")));
   EXPECT_EQ(hapticwall({"run", "moved/a.toml", "--quiet"}).status, 0);
 }
 
-// Also for root, whom permissions do not bind.
+// Also as root, who ignores permissions.
 TEST_F(DiskTest, ReadOnlyFoldersAreToldBeforeAnythingRuns) {
   for (const std::string option : {"--csv", "--json", "--plot"}) {
     const Answer answer =

@@ -1,4 +1,6 @@
 // --expect, and the summary as JSON and CSV.
+#include "app/command/report/expectation.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,9 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/command/expectation.h"
-#include "app/command/summary_fields.h"
-#include "app/command/summary_table.h"
+#include "app/command/report/summary_fields.h"
+#include "app/command/report/summary_table.h"
 
 namespace hapticwall::command {
 namespace {
@@ -31,7 +32,7 @@ Summary example() {
 bool holds(const std::string& text) {
   const Result<Expectation> expectation = parse_expectation(text);
   EXPECT_TRUE(expectation) << expectation.error().message;
-  return expectation && !unmet(*expectation, example());
+  return expectation && !unmet(*expectation, {example()});
 }
 
 std::string problem(const std::string& text) {
@@ -67,12 +68,12 @@ TEST(Expectation, NullFailsEveryComparison) {
     EXPECT_FALSE(holds("displayed_stiffness_n_per_m" + sign + "0"));
   }
   const Result<Expectation> expectation = parse_expectation("displayed_stiffness_n_per_m>0");
-  EXPECT_THAT(unmet(*expectation, example()).value(), HasSubstr("= null"));
+  EXPECT_THAT(unmet(*expectation, {example()}).value(), HasSubstr("= null"));
 }
 
 TEST(Expectation, SaysWhatWasFound) {
   EXPECT_EQ(
-      unmet(*parse_expectation("tail_peak_to_peak_m<1e-4"), example()),
+      unmet(*parse_expectation("tail_peak_to_peak_m<1e-4"), {example()}),
       "expected tail_peak_to_peak_m<1e-4, found tail_peak_to_peak_m = 0.0028 (press under none)");
 }
 
@@ -94,7 +95,8 @@ TEST(Expectation, MistakesAreUsageErrors) {
 
 TEST(SummaryFields, KeysAndOrderAreThePromisedOnes) {
   std::string keys;
-  for (const SummaryField& field : summary_fields({})) keys += std::string(field.key) + " ";
+  for (const SummaryField& field : summary_fields(RunSummary(1)))
+    keys += std::string(field.key) + " ";
   EXPECT_EQ(keys,
             "scene algorithm verdict duration_s ticks simulated_seconds_per_second ns_per_tick "
             "tail_peak_to_peak_m tail_force_mean_n tail_force_std_n displayed_stiffness_n_per_m "
@@ -110,7 +112,7 @@ TEST(SummaryFields, JsonHasNullWhereNothingApplies) {
   summary.peak_force_n = std::numeric_limits<double>::infinity();
   summary.kinetic_j = 0.1 + 0.2;
   summary.scene = "bad \xff name";
-  const auto json = nlohmann::ordered_json::parse(summary_json(summary));
+  const auto json = nlohmann::ordered_json::parse(summary_json({summary}));
   EXPECT_TRUE(json.at("energy_cv_j").is_null());
   EXPECT_TRUE(json.at("peak_force_n").is_null());
   EXPECT_TRUE(json.at("displayed_stiffness_n_per_m").is_null());
@@ -118,16 +120,16 @@ TEST(SummaryFields, JsonHasNullWhereNothingApplies) {
   EXPECT_EQ(json.at("kinetic_j").get<double>(), 0.1 + 0.2);
   EXPECT_TRUE(json.at("ticks").is_number_integer());
   EXPECT_EQ(json.begin().key(), "scene");
-  for (const SummaryField& field : summary_fields(summary)) {
+  for (const SummaryField& field : summary_fields({summary})) {
     EXPECT_NE(value_text(field.value), "nan") << field.key;
   }
-  EXPECT_EQ(nlohmann::json::parse(summaries_json({summary, summary})).size(), 2U);
+  EXPECT_EQ(nlohmann::json::parse(summaries_json({{summary}, {summary}})).size(), 2U);
 }
 
 TEST(SummaryFields, CsvQuotesAndLeavesNullEmpty) {
   Summary summary = example();
   summary.scene = "a, \"b\"";
-  const std::string text = summaries_csv({summary});
+  const std::string text = summaries_csv({RunSummary{summary}});
   EXPECT_THAT(text, HasSubstr("\n\"a, \"\"b\"\"\",none,oscillating,6,6000,,,0.0028,"));
 }
 
@@ -136,7 +138,7 @@ TEST(SummaryTable, AlignsItsColumns) {
   Summary second = example();
   second.algorithm = "a-long-name-for-an-algorithm";
   second.energy_cv_j = -1e-9;
-  const std::string table = comparison_table({first, second});
+  const std::string table = comparison_table({{first}, {second}});
   EXPECT_THAT(table, HasSubstr("\nnone                          oscillating     2.800"));
   EXPECT_THAT(table, HasSubstr("\na-long-name-for-an-algorithm  oscillating     2.800"));
   EXPECT_EQ(table.find("-0.00"), std::string::npos) << table;
@@ -146,43 +148,43 @@ TEST(SummaryTable, TheVerdictComesFirst) {
   Summary summary = example();
   summary.verdict = Verdict::kDiverged;
   summary.diverged_at_tick = 12;
-  EXPECT_THAT(summary_lines(summary, {}), StartsWith("press under none: diverged at tick 12\n"));
+  EXPECT_THAT(summary_lines({summary}, {}), StartsWith("press under none: diverged at tick 12\n"));
 }
 
 TEST(SummaryTable, TellsHowLongATailIs) {
   Summary summary = example();
-  EXPECT_THAT(summary_lines(summary, {}), HasSubstr("  last second  "));
+  EXPECT_THAT(summary_lines({summary}, {}), HasSubstr("  last second  "));
   summary.duration_s = 0.3;
-  EXPECT_THAT(summary_lines(summary, {}), HasSubstr("  whole run  "));
+  EXPECT_THAT(summary_lines({summary}, {}), HasSubstr("  whole run  "));
   summary.tail_peak_to_peak_m.reset();  // diverged before it
-  EXPECT_THAT(summary_lines(summary, {}), HasSubstr("  last second           not reached"));
+  EXPECT_THAT(summary_lines({summary}, {}), HasSubstr("  last second           not reached"));
 }
 
 TEST(SummaryTable, TellsOfAHandOnItsWay) {
-  EXPECT_THAT(summary_lines(example(), {}), Not(HasSubstr("note")));
-  EXPECT_THAT(summary_lines(example(), {"", true}),
+  EXPECT_THAT(summary_lines({example()}, {}), Not(HasSubstr("note")));
+  EXPECT_THAT(summary_lines({example()}, {"", true}),
               HasSubstr("\n  note                  the hand's script still moves"));
 }
 
 TEST(SummaryTable, AHandIsOnItsWayWhereItsScriptMovesInTheTail) {
   Scene scene;
-  scene.hand.emplace();
-  scene.hand->path = {{0.0, 0.0}, {2.0, 0.1}, {4.0, 0.1}};
+  scene.x().hand.emplace();
+  scene.x().hand->path = {{0.0, 0.0}, {2.0, 0.1}, {4.0, 0.1}};
   Summary simulated;
   simulated.true_hand_work_j = 0.0;
-  EXPECT_TRUE(hand_moves_in_tail(scene, simulated, 0.5));
-  EXPECT_TRUE(hand_moves_in_tail(scene, simulated, 2.9));
-  EXPECT_FALSE(hand_moves_in_tail(scene, simulated, 3.1));
-  EXPECT_FALSE(hand_moves_in_tail(scene, simulated, 9.0));
-  EXPECT_FALSE(hand_moves_in_tail(scene, Summary{}, 2.0)) << "a person holds a device";
+  EXPECT_TRUE(hand_moves_in_tail(scene, {simulated}, 0.5));
+  EXPECT_TRUE(hand_moves_in_tail(scene, {simulated}, 2.9));
+  EXPECT_FALSE(hand_moves_in_tail(scene, {simulated}, 3.1));
+  EXPECT_FALSE(hand_moves_in_tail(scene, {simulated}, 9.0));
+  EXPECT_FALSE(hand_moves_in_tail(scene, {Summary{}}, 2.0)) << "a person holds a device";
   Summary diverged = simulated;
   diverged.verdict = Verdict::kDiverged;
-  EXPECT_FALSE(hand_moves_in_tail(scene, diverged, 2.0));
-  scene.y.emplace();
-  scene.y->hand.emplace();
-  scene.y->hand->path = {{0.0, 0.0}, {3.5, 0.1}};
-  EXPECT_TRUE(hand_moves_in_tail(scene, simulated, 4.4));
-  EXPECT_FALSE(hand_moves_in_tail(scene, simulated, 4.6));
+  EXPECT_FALSE(hand_moves_in_tail(scene, {diverged}, 2.0));
+  scene.axes.resize(2);
+  scene.axes[1].hand.emplace();
+  scene.axes[1].hand->path = {{0.0, 0.0}, {3.5, 0.1}};
+  EXPECT_TRUE(hand_moves_in_tail(scene, {simulated}, 4.4));
+  EXPECT_FALSE(hand_moves_in_tail(scene, {simulated}, 4.6));
 }
 
 }  // namespace

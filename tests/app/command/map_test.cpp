@@ -1,4 +1,4 @@
-// `map` as a script sees it: table, files, parts, a kill in between, boundaries, refusals.
+// `map` in a script: table, files, parts, an interruption, boundaries, refusals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,16 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "tests/app/command_binary.h"
+#include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
 
 const std::vector<std::string> kSmall{"map",          "golden-soft",
                                       "--x",          "wall.stiffness_n_per_m=100:3000:6:log",
@@ -93,15 +87,15 @@ TEST_F(MapCommand, PartsPutTogetherAreTheWholeAndAreDrawn) {
   EXPECT_EQ(content("all.png"), content("whole.png"));
   EXPECT_EQ(read.out, map({}).out);
   EXPECT_THAT(read.err, IsEmpty());
-  // The cells do not tell the scene: what lies beside them does.
+  // Only the sidecar identifies the scene of the cells.
   EXPECT_THAT(map({"--read", "whole.csv"}).err, IsEmpty());
   const Answer other = map({"--read", "whole.csv", "--set", "device.mass_kg=0.5"});
   EXPECT_EQ(other.status, 0);
-  EXPECT_THAT(other.err, HasSubstr("note: whole.toml tells of another scene or plan"));
+  EXPECT_THAT(other.err, HasSubstr("note: whole.toml describes another scene or plan"));
 }
 
 TEST_F(MapCommand, AKilledRunIsGoneOnWith) {
-  const std::vector<std::string> arguments{HAPTICWALL_BINARY,
+  const std::vector<std::string> arguments{program(),
                                            "map",
                                            "press",
                                            "--x",
@@ -116,7 +110,7 @@ TEST_F(MapCommand, AKilledRunIsGoneOnWith) {
                                            "k.csv",
                                            "--quiet"};
   const pid_t child = start(arguments);
-  // Until there is something to go on from.
+  // Until there are rows to resume from.
   while (is_running(child) && size("k.csv.partial") < 5000) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -136,8 +130,9 @@ TEST_F(MapCommand, AKilledRunIsGoneOnWith) {
 
 TEST_F(MapCommand, CtrlCKeepsWhatIsThereAndSaysHowToGoOn) {
   const pid_t child =
-      start({HAPTICWALL_BINARY, "map", "press", "--x", "wall.stiffness_n_per_m=1e3:1e5:200:log",
-             "--y", "wall.damping_n_s_per_m=0:5:200", "--csv", "c.csv", "--quiet"});
+      start({program(), "map", "press", "--x", "wall.stiffness_n_per_m=1e3:1e5:200:log", "--y",
+             "wall.damping_n_s_per_m=0:5:200", "--algorithms", "none,half-sample", "--csv", "c.csv",
+             "--quiet"});
   while (is_running(child) && size("c.csv.partial") < 2000) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -145,7 +140,7 @@ TEST_F(MapCommand, CtrlCKeepsWhatIsThereAndSaysHowToGoOn) {
   const Answer answer = wait_for(child);
   EXPECT_EQ(answer.status, 130);
   EXPECT_THAT(answer.err, AllOf(StartsWith("ended early by Ctrl-C after "),
-                                HasSubstr("of 320000 cells; c.csv.partial holds them")));
+                                HasSubstr("of 80000 cells; c.csv.partial holds them")));
   EXPECT_THAT(files(), ElementsAre("c.csv.partial", "c.toml.partial"));
 }
 

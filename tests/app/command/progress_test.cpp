@@ -1,7 +1,7 @@
-// What the progress bar says of the time that remains.
-#include <gtest/gtest.h>
+// The remaining time of the progress bar.
+#include "app/command/report/progress.h"
 
-#include "app/command/progress.h"
+#include <gtest/gtest.h>
 
 namespace hapticwall::command {
 namespace {

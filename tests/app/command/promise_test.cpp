@@ -1,6 +1,6 @@
-// What the page of physics promises, asked of the program itself: `run` against the trajectories of
-// 200 digits, `compare --json -` against the table of scenes (figures of an independent model;
-// verdicts exactly, amplitudes, forces and stiffnesses within 10 %).
+// The promises of docs/physics.md, tested on the program: `run` against trajectories of 200 digits,
+// `compare --json -` against the table of an independent model (verdicts exactly; amplitudes,
+// forces and stiffnesses within 10 %).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/command_binary.h"
+#include "tests/app/command/binary.h"
+#include "tests/paths.h"
 
 namespace hapticwall::command::test {
 namespace {
@@ -57,7 +58,7 @@ class Promise : public ProgramTest {
     return read_csv(text);
   }
   static Table reference(const std::string& name) {
-    std::ifstream file(std::string(HAPTICWALL_TEST_DATA_DIR) + "/golden/" + name);
+    std::ifstream file(hapticwall::test::data_folder() + "/golden/" + name);
     return read_csv(file);
   }
 };
@@ -78,7 +79,7 @@ TEST_F(Promise, RunMeetsTheReferenceTrajectories) {
     EXPECT_LE(largest_difference(ours.at("true_actuator_work_j"), golden.at("actuator_work_j")),
               1e-10 * largest(golden.at("actuator_work_j")))
         << scene;
-    // With friction the column holds what friction takes as well (tests/golden tells them apart).
+    // With friction, the column includes its loss (tests/golden separates them).
     if (scene == "golden-soft-fric") continue;
     EXPECT_LE(largest_difference(ours.at("true_dissipation_j"), golden.at("viscous_dissipation_j")),
               1e-10 * largest(golden.at("viscous_dissipation_j")))

@@ -1,5 +1,4 @@
-// A recording that was cut off: nothing of it is lost, nothing writes over it, and it can be
-// finished.
+// An interrupted recording: no row is lost or overwritten, and it can be finished.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -13,31 +12,26 @@
 #include <thread>
 #include <vector>
 
-#include "tests/app/command_binary.h"
-#include "tests/app/command_no_room.h"
+#include "tests/app/command/binary.h"
+#include "tests/app/command/no_room.h"
 
 namespace hapticwall::command::test {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::AnyOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::MatchesRegex;
-using ::testing::StartsWith;
 
 class RecoverCommand : public ProgramTest {
  protected:
   // Starts a recording and kills it some time after its first rows are there.
   void kill_a_run(std::vector<std::string> arguments, std::chrono::microseconds after) const {
-    arguments.insert(arguments.begin(), {HAPTICWALL_BINARY, "run"});
+    arguments.insert(arguments.begin(), {program(), "run"});
     const pid_t child = start(arguments);
     while (size("a.csv.partial") == 0 && is_running(child)) sched_yield();
     std::this_thread::sleep_for(after);
     kill(child, SIGKILL);
     ASSERT_EQ(wait_for(child).status, 128 + SIGKILL);
-    // The last name is that of a note of which the kill left a part.
+    // The last name is of a note that the kill left incomplete.
     ASSERT_THAT(files(),
                 AnyOf(ElementsAre("a.csv.partial", "a.toml.partial"),
                       ElementsAre("a.csv.partial", "a.toml.partial", "a.toml.partial.partial")));
@@ -66,7 +60,7 @@ TEST_F(RecoverCommand, WhateverTheMomentOfTheKillEveryWholeRowIsThereAndRepeats)
     ASSERT_EQ(answer.status, 0) << answer.err;
     ASSERT_THAT(files(), ElementsAre("a.csv", "a.toml"));
     const std::string csv = content("a.csv");
-    // Nothing but a broken last line is left out.
+    // Only a broken last line is removed.
     ASSERT_TRUE(partial.starts_with(csv));
     ASSERT_EQ(partial.find('\n', csv.size()), std::string::npos);
     ASSERT_TRUE(csv.ends_with('\n'));
@@ -107,7 +101,7 @@ TEST_F(RecoverCommand, WhatIsLeftOfARecordingIsNotWrittenOver) {
                  "a.csv.partial has rows of a recording that was cut off: 'hapticwall recover "
                  "a.csv' finishes it; or remove it");
   EXPECT_EQ(content("a.csv.partial"), partial);
-  // What could not be written whole is, as far as it goes.
+  // The written part is recovered.
   ASSERT_EQ(hapticwall({"recover", "a.csv"}).status, 0);
   EXPECT_TRUE(partial.starts_with(content("a.csv")));
   EXPECT_EQ(hapticwall({"run", "press", "--csv", "c.csv", "--quiet"}).status, 0);
@@ -129,7 +123,7 @@ TEST_F(RecoverCommand, AChangeThatNobodyKnowsIsTold) {
   ASSERT_EQ(hapticwall({"run", "press", "--duration", "0.1", "--csv", "b.csv", "--quiet"}).status,
             0);
   std::string csv = content("b.csv");
-  // A row that says that parameters changed in its tick: flags 0 become 16.
+  // Marks a row as a change of parameters: flags 0 become 16.
   const std::size_t row = csv.find("\n20,0.02,");
   const std::size_t flags = csv.find(",0,0.03", csv.find(",-0.02", row));
   ASSERT_NE(flags, std::string::npos);
@@ -144,10 +138,10 @@ TEST_F(RecoverCommand, AChangeThatNobodyKnowsIsTold) {
 }
 
 TEST_F(RecoverCommand, ARecordingThatRunsIsLeftAlone) {
-  const pid_t child = start({HAPTICWALL_BINARY, "run", "press", "--duration", "1000", "--realtime",
-                             "--csv", "a.csv", "--quiet"});
+  const pid_t child = start(
+      {program(), "run", "press", "--duration", "1000", "--realtime", "--csv", "a.csv", "--quiet"});
   while (size("a.csv.partial") == 0 && is_running(child)) sched_yield();
-  const pid_t second = start({HAPTICWALL_BINARY, "recover", "a.csv"});
+  const pid_t second = start({program(), "recover", "a.csv"});
   EXPECT_EQ(wait_for(second).status, 4);
   kill(child, SIGTERM);
   EXPECT_EQ(wait_for(child).status, 143);

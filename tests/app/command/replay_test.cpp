@@ -1,5 +1,4 @@
-// `replay` as a script sees it: the recording again, the hand under another algorithm, and what is
-// refused.
+// `replay` in a script: the recording, its hand under another algorithm, refusals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,17 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/command_binary.h"
+#include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
-using ::testing::StartsWith;
 
 class ReplayCommand : public ProgramTest {
  protected:
@@ -73,7 +65,7 @@ TEST_F(ReplayCommand, UnderItsOwnAlgorithmTheBytesComeOutAgain) {
   ASSERT_EQ(answer.status, 0) << answer.err;
   EXPECT_THAT(answer.out,
               AllOf(StartsWith("press under energy-bounding: settled"),
-                    HasSubstr("re-run                the recording again, bit for bit")));
+                    HasSubstr("re-run                equal to the recording, bit for bit")));
   EXPECT_TRUE(content("a.csv") == content("b.csv"));
 }
 
@@ -83,8 +75,8 @@ TEST_F(ReplayCommand, SoDoTheyWhereThePointerLed) {
       hapticwall({"replay", "a.csv", "--algorithm", "energy-bounding", "--csv", "b.csv"}).status,
       0);
   const std::string again = content("b.csv");
-  // A script's speed has more digits than its positions: not the same bytes as the script gave, but
-  // the same as any later re-run of this hand.
+  // The script's speed has more digits than its positions: the bytes differ from the script's run,
+  // but equal any later re-run of this hand.
   ASSERT_EQ(
       hapticwall({"replay", "b.csv", "--algorithm", "energy-bounding", "--csv", "c.csv"}).status,
       0);
@@ -99,7 +91,7 @@ TEST_F(ReplayCommand, UnderAnotherAlgorithmItIsWhatRunGives) {
       hapticwall({"replay", "a.csv", "--algorithm", "none", "--csv", "b.csv", "--json", "b.json"});
   ASSERT_EQ(answer.status, 0) << answer.err;
   EXPECT_THAT(answer.out, AllOf(StartsWith("press under none: oscillating"),
-                                HasSubstr("leaves the recording at tick 69")));
+                                HasSubstr("differs from the recording from tick 69")));
   ASSERT_EQ(
       hapticwall({"run", "a.toml", "--algorithm", "none", "--csv", "c.csv", "--quiet"}).status, 0);
   EXPECT_TRUE(content("b.csv") == content("c.csv"));

@@ -1,10 +1,11 @@
-// Ctrl-C and its kin, with a device that pushes.
+// Stop signals, with a device that pushes.
+#include "app/command/signals.h"
+
 #include <gtest/gtest.h>
 
 #include <csignal>
 
-#include "app/command/signals.h"
-#include "tests/app/runtime_child_support.h"
+#include "tests/app/runtime/loop/child_support.h"
 
 namespace hapticwall::command {
 namespace {
@@ -28,7 +29,7 @@ TEST_P(StopSignal, EndsTheSessionWithZeroForce) {
       heard->go_on = true;
       if (!eventually([] { return stop_signal() != 0; })) return;
     }
-    _exit(signal_exit_status(stop_signal()));
+    _exit(128 + stop_signal());
   });
   ASSERT_TRUE(eventually([&] { return heard->go_on.load(); }));
   ASSERT_EQ(kill(child, signal), 0);
@@ -40,7 +41,7 @@ TEST_P(StopSignal, EndsTheSessionWithZeroForce) {
   EXPECT_TRUE(heard->closed);
 }
 
-// The program does not answer: the second one does not ask any more, but the force goes first.
+// The program hangs: the second signal ends it, after the force.
 TEST_P(StopSignal, ASecondOneEndsWhatHangsWithZeroForce) {
   const int signal = GetParam();
   const Shared heard;

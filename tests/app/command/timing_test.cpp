@@ -1,4 +1,4 @@
-// hapticwall timing: figures and verdict of invented measurements, and a short real one.
+// hapticwall timing: metrics and verdict of invented measurements, and a short real one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "app/command/timing_report.h"
-#include "app/runtime/timing_probe.h"
-#include "tests/app/command_binary.h"
-#include "tests/app/runtime_support.h"
+#include "app/command/device/timing_report.h"
+#include "app/runtime/loop/timing_probe.h"
+#include "tests/app/command/binary.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::command::test {
 namespace {
@@ -21,10 +21,6 @@ namespace {
 using runtime::Quantiles;
 using runtime::TimingPlan;
 using runtime::TimingRecord;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 constexpr std::int64_t kMicrosecondNs = 1000;
 constexpr std::int64_t kPeriodNs = 1'000'000;
@@ -94,7 +90,7 @@ TEST(TimingVerdictTest, ADevicesLossesAgesAndWritesCount) {
   record.link.void_reports = 1;
   TimingJudgement judgement = judge_timing(usual_plan(), record, true);
   EXPECT_EQ(judgement.verdict, TimingVerdict::kUsable);
-  EXPECT_THAT(judgement.reasons, ElementsAre("3 of 10004 reports never came, 1 more were void"));
+  EXPECT_THAT(judgement.reasons, ElementsAre("3 of 10004 reports are missing, 1 more are void"));
   record = quiet_device();
   std::fill_n(record.age_ns.begin(), 200, 4 * kPeriodNs);
   EXPECT_EQ(judge_timing(usual_plan(), record, true).verdict, TimingVerdict::kPoor);
@@ -182,13 +178,13 @@ TEST_F(ProgramTest, TimingMeasuresThisMachine) {
 TEST_F(ProgramTest, TimingThatIsEndedEarlySaysSo) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const pid_t child =
-        start({HAPTICWALL_BINARY, "timing", "--seconds", "600", "--json", "a.json", "--quiet"});
+        start({program(), "timing", "--seconds", "600", "--json", "a.json", "--quiet"});
     // Signals are caught before a file is opened.
     while (files().empty() && is_running(child)) sched_yield();
     kill(child, signal);
     const Answer answer = wait_for(child);
     EXPECT_EQ(answer.status, 128 + signal);
-    EXPECT_THAT(answer.err, HasSubstr("of 600000 ticks: the figures are of these"));
+    EXPECT_THAT(answer.err, HasSubstr("of 600000 ticks: the numbers cover these"));
     EXPECT_LT(nlohmann::json::parse(content("a.json"))["ticks"], 600'000);
     std::filesystem::remove(path("a.json"));
   }

@@ -10,7 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::command::test {
 
@@ -60,10 +61,21 @@ class WrongInputReader {
       rows_.back().arguments = words(line.substr(2));
     } else if (line[0] >= '0' && line[0] <= '9' && line.substr(1, 2) == ": ") {
       rows_.back().status = line[0] - '0';
-      rows_.back().sentence = rest;
+      rows_.back().sentence = with_algorithms(rest);
     } else {
       take_text(line);
     }
+  }
+
+  [[nodiscard]] static std::string with_algorithms(std::string sentence) {
+    constexpr std::string_view kSign = "{algorithms}";
+    const std::size_t at = sentence.find(kSign);
+    if (at == std::string::npos) return sentence;
+    std::string names;
+    for (const AlgorithmDescription& algorithm : algorithms()) {
+      names += (names.empty() ? "" : ", ") + std::string(algorithm.name);
+    }
+    return sentence.replace(at, kSign.size(), names);
   }
 
   // NAME = TEXT, or NAME <- OTHER: OLD => NEW. Before the first row it is a text for the rows, else

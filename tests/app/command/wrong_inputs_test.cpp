@@ -1,5 +1,7 @@
-// What users get wrong: every row of wrong_inputs.txt gets its status and its sentence, one line on
-// standard error, and leaves nothing behind.
+// User errors: every row of wrong_inputs.txt gives its status and its one-line message, and leaves
+// no files.
+#include "tests/app/command/wrong_inputs.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,17 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/command_binary.h"
-#include "tests/app/wrong_inputs.h"
+#include "tests/app/command/binary.h"
+#include "tests/paths.h"
 
 namespace hapticwall::command::test {
 namespace {
 
-using ::testing::IsEmpty;
-
 const std::vector<WrongInput>& wrong_inputs() {
   static const std::vector<WrongInput> kRows =
-      read_wrong_inputs(HAPTICWALL_TEST_DATA_DIR "/app/wrong_inputs.txt");
+      read_wrong_inputs(hapticwall::test::data_folder() + "/app/command/wrong_inputs.txt");
   return kRows;
 }
 
@@ -29,7 +29,7 @@ std::vector<std::string> sections() {
   return names;
 }
 
-// No terminal takes any of it for a command.
+// Messages hold no terminal commands.
 bool has_control_character(const std::string& line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const auto code = static_cast<unsigned char>(line[i]);

@@ -1,4 +1,6 @@
-// Blind trials: a balanced order that the seed decides, and exact figures of what was chosen.
+// Blind trials: a balanced order from the seed, and exact statistics.
+#include "app/compare/blind_trials.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,9 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/runtime/comparison_trials.h"
-
-namespace hapticwall::runtime {
+namespace hapticwall::compare {
 namespace {
 
 using ::testing::HasSubstr;
@@ -19,7 +19,7 @@ BlindTrials trials_of(std::size_t count, std::uint64_t seed = 1) {
   return *trials;
 }
 
-// What the first presentation of every trial is.
+// The slot of the first presentation of every trial.
 std::string order_of(std::size_t count, std::uint64_t seed) {
   BlindTrials trials = trials_of(count, seed);
   std::string order;
@@ -35,7 +35,7 @@ std::string order_of(std::size_t count, std::uint64_t seed) {
 TEST(BlindTrials, TheSeedDecidesTheOrderAlone) {
   EXPECT_EQ(order_of(20, 7), order_of(20, 7));
   EXPECT_NE(order_of(20, 7), order_of(20, 8));
-  // The same on every machine, and in every version: an experiment may be continued.
+  // The same on every machine and in every version, because an experiment may be continued.
   EXPECT_EQ(order_of(10, 1), "AAABBBAABB");
 }
 
@@ -48,7 +48,7 @@ TEST(BlindTrials, TheOrderIsBalanced) {
   }
 }
 
-// Every place sees both, about equally often.
+// Both slots are about equally frequent at every position.
 TEST(BlindTrials, NoPlaceInTheOrderKnowsMoreThanAnother) {
   std::vector<int> a_first(10, 0);
   constexpr int kSeeds = 2000;
@@ -112,7 +112,7 @@ TEST(BlindTrials, EverythingIsInTheTables) {
 
 TEST(BlindTrials, PlansOutOfRangeAreRefused) {
   EXPECT_FALSE(BlindTrials::create({.trials = 0}));
-  EXPECT_FALSE(BlindTrials::create({.trials = kMostTrials + 1}));
+  EXPECT_FALSE(BlindTrials::create({.trials = kMaxTrials + 1}));
   EXPECT_FALSE(BlindTrials::create({.confidence = 1.0}));
   EXPECT_FALSE(BlindTrials::create({.confidence = std::nan("")}));
 }
@@ -181,4 +181,4 @@ TEST(BinomialTest, KnownValues) {
 }
 
 }  // namespace
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall::compare

@@ -1,12 +1,13 @@
-// Two slots: whose samples are whose, and where a ghost belongs.
+// Two slots: assignment of samples, and the place of the ghost.
+#include "app/compare/contact_traces.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/runtime/comparison.h"
 #include "core/scene.h"
 #include "core/stabiliser/stabiliser.h"
 
-namespace hapticwall::runtime {
+namespace hapticwall::compare {
 namespace {
 
 using ::testing::IsEmpty;
@@ -34,10 +35,10 @@ class Slots : public ::testing::Test {
     }
   }
   void rest() { show(250, -0.01, 0.0); }
-  // As the loop does it some ticks later.
+  // As the loop does some ticks later.
   void take_over() { ++generation_; }
 
-  Comparison comparison_{named("none"), named("virtual-coupling"), 1000.0};
+  ContactTraces comparison_{named("none"), named("virtual-coupling"), 1000.0};
   std::uint64_t tick_ = 0;
   std::uint32_t generation_ = 4;
   double energy_j_ = 0.0;
@@ -157,4 +158,4 @@ TEST(SlotDescription, NamesTheKeysThatAreSet) {
 }
 
 }  // namespace
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall::compare

@@ -1,11 +1,11 @@
-// Faults as people write them.
+// The text form of faults.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 #include <string>
 
-#include "app/emulator/fault_text.h"
+#include "app/emulator/emulator_options.h"
 
 namespace hapticwall::emulator {
 namespace {
@@ -66,7 +66,7 @@ TEST(FaultText, WhatIsNoFaultIsToldWhatWouldBe) {
     EXPECT_THAT(refusal_of(text), HasSubstr("seconds, 0 to 86400")) << text;
   }
   for (const char* text : {"short@1+1/", "short@1+1/0", "short@1+1/-2", "short@1+1/2.5"}) {
-    EXPECT_THAT(refusal_of(text), HasSubstr("every how many ticks, 1 to 1000000")) << text;
+    EXPECT_THAT(refusal_of(text), HasSubstr("a number of ticks, 1 to 1000000")) << text;
   }
 }
 

@@ -1,4 +1,4 @@
-// The emulated device on a bus, in a time that the test makes.
+// The emulated device on a bus, in the test's time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "app/emulator/device_loop.h"
 #include "app/emulator/tick_log.h"
-#include "tests/device/emulator_support.h"
+#include "tests/device/emulator/emulator_support.h"
 
 namespace hapticwall::emulator {
 namespace {
@@ -131,7 +131,7 @@ TEST(EmulatorLoop, ACommandIsTakenAtItsTimeAndActsAtTheNextTick) {
   EXPECT_TRUE(table.rows[1].enabled);
   EXPECT_EQ(table.bus.states[1].second.acknowledged_sequence, 1);
   EXPECT_EQ(table.bus.states[1].second.acknowledged_time_us, 1400U);
-  EXPECT_EQ(table.loop.figures().commands, 1U);
+  EXPECT_EQ(table.loop.stats().commands, 1U);
 }
 
 TEST(EmulatorLoop, LateIsLateAndOldReportsAreNotSent) {
@@ -144,8 +144,8 @@ TEST(EmulatorLoop, LateIsLateAndOldReportsAreNotSent) {
   EXPECT_EQ(table.bus.states[1].first, at(5));  // no tick is put off
   EXPECT_EQ(table.bus.states[1].second.status & device::hid::kStatusReportOverrun, 0);
   EXPECT_EQ(table.rows.size(), 6U);  // every tick happened
-  EXPECT_EQ(table.loop.figures().late_ticks, 3U);
-  EXPECT_EQ(table.loop.figures().largest_latency_ns, 3 * kTickNs + kTickNs / 2);
+  EXPECT_EQ(table.loop.stats().late_ticks, 3U);
+  EXPECT_EQ(table.loop.stats().largest_latency_ns, 3 * kTickNs + kTickNs / 2);
 }
 
 TEST(EmulatorLoop, UnpluggedItLeavesTheBusAndComesBack) {

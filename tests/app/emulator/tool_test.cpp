@@ -1,4 +1,4 @@
-// hapticwall-emulator as people start it, on machines where there is nothing to emulate on.
+// hapticwall-emulator on machines without /dev/uhid.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "app/emulator/emulator_options.h"
-#include "tests/app/command_binary.h"
+#include "tests/app/command/binary.h"
+#include "tests/paths.h"
 
 namespace hapticwall::emulator {
 namespace {
@@ -21,7 +22,7 @@ using ::testing::StartsWith;
 class EmulatorTool : public command::test::ProgramTest {
  protected:
   [[nodiscard]] Answer emulator(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), HAPTICWALL_EMULATOR_BINARY);
+    arguments.insert(arguments.begin(), hapticwall::test::emulator_program());
     return wait_for(start(std::move(arguments)));
   }
   void expect_refused(std::vector<std::string> arguments, const std::string& line) {
@@ -39,7 +40,7 @@ TEST_F(EmulatorTool, HelpAndVersion) {
   EXPECT_EQ(help.status, 0);
   EXPECT_THAT(help.err, IsEmpty());
   for (const char* word : {"[SCENE]", "--fault", "--in-step", "unplugged@10+2", "encoder-fault",
-                           "Exit status: 0 fine"}) {
+                           "Exit status: 0 success"}) {
     EXPECT_THAT(help.out, HasSubstr(word));
   }
   const Answer version = emulator({"--version"});
@@ -66,13 +67,14 @@ TEST_F(EmulatorTool, MistakesAreOneLineEachAndLeaveNothing) {
                  "press: sampling.rate_hz: 3000 Hz; the tick of a device is a whole number of "
                  "microseconds, 1 to 65535");
   expect_refused({"--set", "hand.path=\"mouse\""},
-                 "press: hand.path: there is no mouse here to follow; --set 'hand.path=[[0, "
+                 "press: hand.path: the emulator has no mouse to follow; --set 'hand.path=[[0, "
                  "0.03], [1, 0.06]]' gives it a path");
-  expect_refused({"--set", "sampling.rate_hz=500", "--y", "press"},
-                 "--y 'press': both axes have one tick, and their scenes differ in "
-                 "sampling.rate_hz");
+  expect_refused(
+      {"--set", "sampling.rate_hz=500", "--y", "press"},
+      "--y 'press': its sampling.rate_hz differs from that of the first scene; both axes "
+      "share one tick");
   expect_refused({"--fault", "frozen"},
-                 "--fault 'frozen': it takes KIND@BEGIN+DURATION, seconds, like unplugged@3+1");
+                 "--fault 'frozen': it takes KIND@BEGIN+DURATION in seconds, e.g. unplugged@3+1");
 }
 
 TEST_F(EmulatorTool, ALogThatCannotBeWrittenIsToldBeforeAnythingRuns) {
@@ -112,7 +114,7 @@ TEST(EmulatorPlan, TakesEveryOption) {
   const Result<Plan> plan = make_plan(options);
   ASSERT_TRUE(plan.ok());
   EXPECT_EQ(plan->device.x.name, "tap");
-  EXPECT_EQ(plan->device.x.hand->mass_kg, 0.3);
+  EXPECT_EQ(plan->device.x.x().hand->mass_kg, 0.3);
   ASSERT_TRUE(plan->device.y);
   EXPECT_EQ(plan->device.y->name, "press");
   EXPECT_EQ(plan->device.watchdog_ms, 30);

@@ -1,11 +1,11 @@
-// The keys of [algorithm] in files and on the command line: every algorithm by its name, and what
-// follows it.
+// The keys of [algorithm] in files and on the command line: names and parameters.
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::file {

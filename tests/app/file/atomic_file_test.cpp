@@ -1,4 +1,6 @@
-// Files take their names only when they are whole, on any disk, and lead nowhere else.
+// Files get their names only when complete, on any disk, and follow no links.
+#include "app/file/disk/atomic_file.h"
+
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,12 +16,11 @@
 #include <system_error>
 #include <vector>
 
-#include "app/file/atomic_file.h"
-#include "app/file/recording_writer.h"
-#include "app/file/recovery.h"
-#include "app/file/sidecar.h"
-#include "tests/app/file_faulty_disk.h"
-#include "tests/app/runtime_support.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/file/recording/recovery.h"
+#include "app/file/recording/sidecar.h"
+#include "tests/app/file/faulty_disk.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::file {
 namespace {
@@ -78,7 +79,7 @@ TEST_F(AtomicFileTest, AFileWithAnotherNameIsNotWritten) {
   std::ofstream(elsewhere_.file("victim")) << "old";
   fs::create_hard_link(elsewhere_.file("victim"), path("a.csv.partial"));
   EXPECT_EQ(refusal("a.csv"),
-            "a.csv: cannot be written: a.csv.partial has another name too; remove it");
+            "a.csv: cannot be written: a.csv.partial has a second name; remove it");
   EXPECT_EQ(text_of(elsewhere_.file("victim")), "old");
 }
 
@@ -89,7 +90,7 @@ TEST_F(AtomicFileTest, APipeOrAFolderIsNotWaitedFor) {
   EXPECT_EQ(refusal("b"), "b: cannot be written: b.partial is not a regular file; remove it");
 }
 
-// Opened for reading by somebody, a pipe could be written.
+// A pipe with a reader would accept writes.
 TEST_F(AtomicFileTest, APipeThatSomebodyReadsIsNotWrittenEither) {
   ASSERT_EQ(mkfifo(path("a.partial").c_str(), 0600), 0);
   const int reader = open(path("a.partial").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -113,7 +114,7 @@ TEST_F(AtomicFileTest, ARecordingAndItsSidecarFollowNoLinkEither) {
   std::ofstream(elsewhere_.file("victim")) << "old";
   for (const char* name : {"a.csv.partial", "a.toml.partial.partial"}) {
     fs::create_symlink(elsewhere_.file("victim"), path(name));
-    auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+    auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
     const Failure failed = writer ? (*writer)->note(Scene{}, {}) : Failure(writer.error());
     ASSERT_TRUE(failed) << name;
     EXPECT_THAT(failed->message, HasSubstr("is a symbolic link"));
@@ -147,8 +148,7 @@ TEST_F(AtomicFileTest, AFullDiskAndAQuotaAreNamedAndNothingHasTheName) {
   for (const int code : {ENOSPC, EDQUOT, EIO, EFBIG}) {
     FaultyDisk disk;
     disk.fail_after(2, code);
-    EXPECT_EQ(refusal("a"),
-              "a: could not be written whole: " + std::generic_category().message(code));
+    EXPECT_EQ(refusal("a"), "a: could not be written: " + std::generic_category().message(code));
     EXPECT_THAT(files(), IsEmpty());
   }
 }
@@ -162,7 +162,7 @@ TEST_F(AtomicFileTest, WhatIsKeptIsThereToTheLastByte) {
   disk.fail_after(3, EDQUOT);
   const Failure failed = file->write("456789");
   ASSERT_TRUE(failed);
-  EXPECT_THAT(failed->message, HasSubstr("(what was written is in "));
+  EXPECT_THAT(failed->message, HasSubstr("(the written part is in "));
   EXPECT_EQ(text_of(path("a.partial")), "0123456");
   EXPECT_THAT(files(), ::testing::ElementsAre("a.partial"));
 }
@@ -170,7 +170,7 @@ TEST_F(AtomicFileTest, WhatIsKeptIsThereToTheLastByte) {
 TEST_F(AtomicFileTest, WhatIsNotOnTheDiskGetsNoName) {
   FaultyDisk disk;
   disk.fail_sync(EIO);
-  EXPECT_EQ(refusal("a"), "a: could not be written whole: Input/output error");
+  EXPECT_EQ(refusal("a"), "a: could not be written: Input/output error");
   EXPECT_THAT(files(), IsEmpty());
 }
 
@@ -184,7 +184,7 @@ TEST_F(AtomicFileTest, ARemovedFolderIsSeenAtTheNextWrite) {
   const Failure failed = file->write("y");
   ASSERT_TRUE(failed);
   EXPECT_EQ(failed->kind, ErrorKind::kFile);
-  EXPECT_THAT(failed->message, HasSubstr("sub/a.partial was removed meanwhile"));
+  EXPECT_THAT(failed->message, HasSubstr("sub/a.partial was removed during the writing"));
   EXPECT_TRUE(file->commit());
   EXPECT_THAT(files(), IsEmpty());
 }
@@ -199,12 +199,12 @@ TEST_F(AtomicFileTest, AMovedFolderIsWrittenToTheEndAndToldOf) {
   ASSERT_FALSE(file->write("y"));
   const Failure failed = file->commit();
   ASSERT_TRUE(failed);
-  EXPECT_THAT(failed->message, HasSubstr("sub/a.partial was moved meanwhile"));
+  EXPECT_THAT(failed->message, HasSubstr("sub/a.partial was moved during the writing"));
   EXPECT_EQ(text_of(path("moved/a.partial")), "xy");
   EXPECT_FALSE(fs::exists(path("moved/a")));
 }
 
-// Another file that has taken the name meanwhile is not ours to rename, nor to remove.
+// A new file of this name belongs to another process: it is neither renamed nor removed.
 TEST_F(AtomicFileTest, AnotherFileOfTheNameIsLeftAlone) {
   {
     auto file = AtomicFile::create(path("a"));
@@ -217,7 +217,7 @@ TEST_F(AtomicFileTest, AnotherFileOfTheNameIsLeftAlone) {
   EXPECT_EQ(text_of(path("a.partial")), "theirs");
 }
 
-// Whom permissions do not bind (root) becomes somebody whom they do, in a process of its own.
+// As root, drops to another user in a child process, because root ignores permissions.
 TEST_F(AtomicFileTest, AFolderThatIsReadOnlyIsToldAtOnce) {
   constexpr uid_t kNobody = 65534;
   fs::permissions(path(""), fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
@@ -225,7 +225,7 @@ TEST_F(AtomicFileTest, AFolderThatIsReadOnlyIsToldAtOnce) {
   const pid_t child = fork();
   if (child == 0) {
     if (geteuid() == 0 && setresuid(kNobody, kNobody, kNobody) != 0) _exit(2);
-    const auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+    const auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
     const bool told = !writer && writer.error().kind == ErrorKind::kFile &&
                       writer.error().message.ends_with("cannot be written: Permission denied");
     _exit(told ? 0 : 1);

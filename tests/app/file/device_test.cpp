@@ -1,10 +1,10 @@
-// Descriptions of devices: what is read, and the one line that says what is wrong.
+// Device files: parsing, and one-line messages for errors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "app/file/device_file.h"
+#include "app/file/scene/device_file.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall::file {

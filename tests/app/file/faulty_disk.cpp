@@ -1,4 +1,4 @@
-#include "tests/app/file_faulty_disk.h"
+#include "tests/app/file/faulty_disk.h"
 
 #include <sys/syscall.h>
 #include <unistd.h>

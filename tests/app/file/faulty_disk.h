@@ -1,12 +1,11 @@
-// A disk that fills up, has a quota or takes its time: write() and fsync() of this process, as a
-// test wants them.
+// A full, limited or slow disk: replaces write() and fsync() of this process.
 #pragma once
 
 #include <cstddef>
 
 namespace hapticwall::file::test {
 
-// One at a time. Without any call of it the disk is the real one; so it is again when it goes.
+// One at a time. Without any call, and after destruction, the disk is real.
 class FaultyDisk {
  public:
   FaultyDisk();
@@ -14,12 +13,11 @@ class FaultyDisk {
   FaultyDisk& operator=(const FaultyDisk&) = delete;
   ~FaultyDisk();
 
-  // So many bytes still find room, the last of them in a write that is cut short; then every write
-  // fails with `code`, of errno.
+  // Room for this many bytes; then every write fails with `code` of errno.
   void fail_after(std::size_t bytes, int code);
   void fail_sync(int code);
 
-  // Whoever writes now waits for release().
+  // Writes wait for release().
   void hold();
   [[nodiscard]] bool holds_somebody() const;
   void release();

@@ -1,4 +1,4 @@
-// The CSV of a map: rows and back, parts, and a run that goes on where another one stopped.
+// The CSV of a map: rows, parts, and a resumed run.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/file/map_file.h"
-#include "app/file/map_rows.h"
-#include "app/file/scene_file.h"
+#include "app/file/map/map_file.h"
+#include "app/file/map/map_rows.h"
+#include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
-#include "tests/app/file_faulty_disk.h"
+#include "tests/app/file/faulty_disk.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::file {
@@ -46,7 +46,7 @@ class MapFile : public hapticwall::test::FolderTest {
 };
 
 TEST_F(MapFile, ARowIsReadBackAsItWas) {
-  MapFigures figures;
+  MapMetrics figures;
   figures.verdict = Verdict::kOscillating;
   figures.tail_peak_to_peak_m = 0.1 + 0.2;
   figures.max_penetration_m = 1e-300;
@@ -124,26 +124,26 @@ TEST_F(MapFile, WhatIsOfAnotherMapIsNotWrittenOver) {
   const MapPart all = map_part(map_, 1, 1);
   write("map.csv", all, 10, false);
   const std::string partial = content("map.csv.partial");
-  map_.scene.device.mass_kg *= 2.0;
+  map_.scene.x().device.mass_kg *= 2.0;
   const auto writer = MapWriter::open(path("map.csv"), map_, all);
   ASSERT_FALSE(writer.ok());
   EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
-  EXPECT_THAT(writer.error().message, HasSubstr("map.csv.partial: is not of this map"));
+  EXPECT_THAT(writer.error().message, HasSubstr("map.csv.partial: it belongs to another map"));
   EXPECT_EQ(content("map.csv.partial"), partial);
 }
 
-// The finished map of the name says nothing of the rows of a later one.
+// A finished map does not identify the rows of a later one of the same name.
 TEST_F(MapFile, RowsOfAnotherMapUnderAFinishedOneAreNotTaken) {
   const MapPart all = map_part(map_, 1, 1);
   write("map.csv", all, all.end, true);
   const StabilityMap finished = map_;
-  map_.scene.device.mass_kg *= 2.0;
+  map_.scene.x().device.mass_kg *= 2.0;
   write("map.csv", all, 5, false);
   const std::string partial = content("map.csv.partial");
   {
     const auto writer = MapWriter::open(path("map.csv"), finished, all);
     ASSERT_FALSE(writer.ok());
-    EXPECT_THAT(writer.error().message, HasSubstr(": is not of this map"));
+    EXPECT_THAT(writer.error().message, HasSubstr(": it belongs to another map"));
   }
   EXPECT_EQ(content("map.csv.partial"), partial);
   const auto writer = MapWriter::open(path("map.csv"), map_, all);
@@ -151,12 +151,12 @@ TEST_F(MapFile, RowsOfAnotherMapUnderAFinishedOneAreNotTaken) {
   EXPECT_EQ(writer->found().size(), 5U);
 }
 
-// A run that is gone on with on a full disk leaves everything as it found it.
+// Resuming on a full disk changes nothing.
 TEST_F(MapFile, AFullDiskCostsNoMapThatWasBegun) {
   const MapPart all = map_part(map_, 1, 1);
   write("map.csv", all, 10, false);
   const std::string sidecar = content("map.toml.partial");
-  const std::vector<MapFigures> next = run_cells(map_, 10, 11);
+  const std::vector<MapMetrics> next = run_cells(map_, 10, 11);
   {
     FaultyDisk disk;
     disk.fail_after(0, ENOSPC);
@@ -179,7 +179,7 @@ TEST_F(MapFile, AFullDiskBetweenTheTwoNamesCostsNoMapEither) {
     disk.fail_after(room, ENOSPC);
     const auto writer = MapWriter::open(path("map.csv"), map_, all);
     ASSERT_FALSE(writer.ok());
-    EXPECT_THAT(writer.error().message, HasSubstr("could not be written whole: No space left"));
+    EXPECT_THAT(writer.error().message, HasSubstr("could not be written: No space left"));
   }
   put("map.toml.partial", "");  // a kill before its first byte
   const auto writer = MapWriter::open(path("map.csv"), map_, all);
@@ -217,7 +217,7 @@ TEST_F(MapFile, AWholeMapIsReadAndAnythingElseIsNot) {
   EXPECT_THAT(refusal("a,b\n"), HasSubstr("wrong.csv:1: not the header of this map: algorithm,"));
   EXPECT_THAT(refusal(text.substr(0, text.size() - 1)),
               HasSubstr("wrong.csv:25: not cell 24 of the 24 of this map"));
-  EXPECT_THAT(refusal(text + "x"), HasSubstr("wrong.csv:26: there is more behind the last cell"));
+  EXPECT_THAT(refusal(text + "x"), HasSubstr("wrong.csv:26: unexpected text after the last cell"));
   std::string swapped = text;
   swapped.replace(swapped.find("none"), 4, "nine");
   EXPECT_THAT(refusal(swapped), HasSubstr("wrong.csv:2: not cell 1 of the 24"));

@@ -1,13 +1,13 @@
-// Marks of recordings: into the sidecar and back, and what is refused.
+// Marks of recordings: to the sidecar and back, and refusals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "app/file/mark.h"
-#include "app/file/scene_file.h"
-#include "app/file/sidecar.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/file/recording/sidecar.h"
+#include "app/file/scene/scene_file.h"
 
 namespace hapticwall::file {
 namespace {
@@ -49,12 +49,12 @@ TEST(Marks, AFileWithoutThemHasNone) {
 }
 
 TEST(Marks, AsManyAsThereMayBeFitIntoASidecar) {
-  const std::vector<Mark> marks(kMostMarks, {99, std::string(kLongestMarkBytes, '"')});
+  const std::vector<Mark> marks(kMaxMarks, {99, std::string(kMaxMarkBytes, '"')});
   const std::string text = sidecar_of(marks);
   EXPECT_LT(text.size(), std::size_t{1} << 20U) << "more is not read";
   const Result<LoadedScene> loaded = parse_scene(text, "a.toml");
   ASSERT_TRUE(loaded) << loaded.error().message;
-  EXPECT_THAT(loaded->marks, SizeIs(kMostMarks));
+  EXPECT_THAT(loaded->marks, SizeIs(kMaxMarks));
   std::vector<Mark> more = marks;
   more.push_back(more.back());
   EXPECT_FALSE(parse_scene(sidecar_of(more), "a.toml"));
@@ -68,7 +68,7 @@ TEST(Marks, ASpoiltOneIsFoundWithItsLine) {
   EXPECT_EQ(marks_message("[[recording.mark]]\ntick = 1\ntext = \"a\\tb\"\n"),
             "a.toml:7: recording.mark[0].text: has a control character");
   EXPECT_EQ(marks_message("[[recording.mark]]\ntick = 1\ntext = \"" +
-                          std::string(kLongestMarkBytes + 1, 'x') + "\"\n"),
+                          std::string(kMaxMarkBytes + 1, 'x') + "\"\n"),
             "a.toml:7: recording.mark[0].text: longer than 200 bytes");
   EXPECT_EQ(marks_message("[[recording.mark]]\ntick = 2\n[[recording.mark]]\ntick = 1\n"),
             "a.toml:7: recording.mark: the ticks of the marks are not in order");
@@ -85,11 +85,11 @@ TEST(Marks, WhatIsTypedIsKeptAsFarAsItMayBe) {
   for (const std::string& piece :
        {std::string("x"), std::string("ö"), std::string("力"), std::string("\xf0\x9f\x96\x90")}) {
     std::string typed;
-    while (typed.size() < 3 * kLongestMarkBytes) typed += piece;
+    while (typed.size() < 3 * kMaxMarkBytes) typed += piece;
     for (std::size_t shift = 0; shift < 4; ++shift) {
       const std::string text = mark_text(std::string(shift, ' ') + typed);
-      EXPECT_LE(text.size(), kLongestMarkBytes);
-      EXPECT_GT(text.size(), kLongestMarkBytes - 10);
+      EXPECT_LE(text.size(), kMaxMarkBytes);
+      EXPECT_GT(text.size(), kMaxMarkBytes - 10);
       const Result<LoadedScene> loaded = parse_scene(sidecar_of({{1, text}}), "a.toml");
       ASSERT_TRUE(loaded) << loaded.error().message;
       EXPECT_EQ(loaded->marks.at(0).text, text);

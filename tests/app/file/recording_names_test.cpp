@@ -1,5 +1,5 @@
-// The names that a recording takes: not another file's, not before it is whole, and whatever is
-// left of an earlier one under its name is not lost.
+// The names of a recording: it replaces no other file, is named only when complete, and keeps the
+// rest of an earlier one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,14 +8,14 @@
 #include <string>
 #include <utility>
 
-#include "app/file/atomic_file.h"
-#include "app/file/recording_reader.h"
-#include "app/file/recording_writer.h"
-#include "app/file/recovery.h"
-#include "app/file/scene_file.h"
-#include "app/file/sidecar.h"
-#include "app/file/text.h"
-#include "tests/app/file_recording_support.h"
+#include "app/file/disk/atomic_file.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/file/recording/recovery.h"
+#include "app/file/recording/sidecar.h"
+#include "app/file/scene/scene_file.h"
+#include "app/file/text/text.h"
+#include "tests/app/file/recording_support.h"
 
 namespace hapticwall::file {
 namespace {
@@ -24,6 +24,7 @@ using test::headless;
 using test::Recording;
 using test::sample_at;
 using test::scene_of_ten_ticks;
+using test::tick_at;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -31,7 +32,7 @@ using RecordingNames = Recording;
 
 TEST_F(RecordingNames, AUsersSceneIsNotReplacedByASidecar) {
   put("mine.toml", "name = 'mine'\n");
-  const auto writer = RecordingWriter::create(path("mine.csv"), MoreColumns::kSimulator);
+  const auto writer = RecordingWriter::create(path("mine.csv"), csv_columns(true));
   ASSERT_FALSE(writer);
   EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
   EXPECT_THAT(writer.error().message, HasSubstr("would replace a file that is not a recording's"));
@@ -39,10 +40,10 @@ TEST_F(RecordingNames, AUsersSceneIsNotReplacedByASidecar) {
 }
 
 TEST_F(RecordingNames, AUsersSceneThatCameMeanwhileIsNotReplacedEither) {
-  auto writer = RecordingWriter::create(path("mine.csv"), MoreColumns::kSimulator);
+  auto writer = RecordingWriter::create(path("mine.csv"), csv_columns(true));
   ASSERT_TRUE(writer);
   EXPECT_FALSE((*writer)->note(scene_of_ten_ticks(), headless()));
-  EXPECT_FALSE((*writer)->append(sample_at(0)));
+  EXPECT_FALSE((*writer)->append(tick_at(0)));
   put("mine.toml", "name = 'mine'\n");
   const Failure failed = (*writer)->finish(scene_of_ten_ticks(), headless());
   ASSERT_TRUE(failed);
@@ -57,15 +58,15 @@ TEST_F(RecordingNames, AUsersSceneThatCameMeanwhileIsNotReplacedEither) {
 
 TEST_F(RecordingNames, OneThatLacksOnlyItsNameIsFinishedAndNotWrittenOver) {
   {
-    auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+    auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
     ASSERT_TRUE(writer);
-    EXPECT_FALSE((*writer)->append(sample_at(0)));
-    EXPECT_FALSE((*writer)->append(sample_at(1)));
+    EXPECT_FALSE((*writer)->append(tick_at(0)));
+    EXPECT_FALSE((*writer)->append(tick_at(1)));
     EXPECT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
   }
   const std::string csv = content("a.csv");
   fs::rename(path("a.csv"), path("a.csv.partial"));  // as a kill between the two names leaves it
-  const auto refused = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  const auto refused = RecordingWriter::create(path("a.csv"), csv_columns(true));
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("'hapticwall recover "));
   const auto recovered = recover_recording(path("a.csv"));
@@ -77,9 +78,9 @@ TEST_F(RecordingNames, OneThatLacksOnlyItsNameIsFinishedAndNotWrittenOver) {
 
 TEST_F(RecordingNames, ASidecarOfOtherRowsIsNotTakenForTheirs) {
   for (const auto& [name, first_tick] : {std::pair{"a.csv", 0U}, {"b.csv", 1U}}) {
-    auto writer = RecordingWriter::create(path(name), MoreColumns::kSimulator);
+    auto writer = RecordingWriter::create(path(name), csv_columns(true));
     ASSERT_TRUE(writer);
-    EXPECT_FALSE((*writer)->append(sample_at(first_tick)));
+    EXPECT_FALSE((*writer)->append(tick_at(first_tick)));
     EXPECT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
   }
   fs::rename(path("a.csv"), path("a.csv.partial"));
@@ -90,9 +91,9 @@ TEST_F(RecordingNames, ASidecarOfOtherRowsIsNotTakenForTheirs) {
 }
 
 TEST_F(RecordingNames, OneThatWasCutOffBeforeItsFirstRowDoesNotBlockItsName) {
-  put("a.csv.partial", csv_header(MoreColumns::kSimulator) + "\n");
+  put("a.csv.partial", csv_header(csv_columns(true)) + "\n");
   put("a.toml.partial", "[recording]\n");
-  const auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  const auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
   EXPECT_TRUE(writer) << writer.error().message;
 }
 
@@ -100,26 +101,26 @@ TEST_F(RecordingNames, AsManyChangesAsAreKeptAreReadAgain) {
   constexpr std::size_t kWalls = 8;
   Scene scene = scene_of_ten_ticks();
   RecordingMetadata metadata = headless();
-  for (std::size_t i = 0; i < kMostChanges; ++i) {
-    RecordedChange change{1 + i / 2000, scene};
-    change.scene.device.mass_kg = 0.1234567890123456;
+  for (std::size_t i = 0; i < kMaxChanges; ++i) {
+    ScheduledChange change{1 + i / 2000, scene};
+    change.scene.x().device.mass_kg = 0.1234567890123456;
     for (std::size_t wall = 0; wall < kWalls; ++wall) {
-      change.scene.walls.push_back({0.0501234567890123 + 1e-3 * static_cast<double>(wall),
-                                    12345.678901234567, 1.2345678901234567});
+      change.scene.x().walls.push_back({0.0501234567890123 + 1e-3 * static_cast<double>(wall),
+                                        12345.678901234567, 1.2345678901234567});
     }
     metadata.changes.push_back(std::move(change));
   }
-  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
   ASSERT_TRUE(writer);
   for (std::uint64_t tick = 0; tick < 10; ++tick) {
-    EXPECT_FALSE((*writer)->append(sample_at(tick)));
+    EXPECT_FALSE((*writer)->append(tick_at(tick)));
   }
   ASSERT_FALSE((*writer)->finish(scene, metadata));
   EXPECT_GT(fs::file_size(path("a.toml")), std::uintmax_t{1} << 20U) << "more than a scene has";
-  EXPECT_LT(fs::file_size(path("a.toml")), kLargestSidecarBytes / 4);
+  EXPECT_LT(fs::file_size(path("a.toml")), kMaxSidecarBytes / 4);
   const auto loaded = load_scene(path("a.toml"));
   ASSERT_TRUE(loaded) << loaded.error().message;
-  EXPECT_EQ(loaded->changes.size(), kMostChanges);
+  EXPECT_EQ(loaded->changes.size(), kMaxChanges);
   const auto reader = RecordingReader::open(path("a.csv"));
   ASSERT_TRUE(reader) << reader.error().message;
   EXPECT_TRUE((*reader)->info().has_sidecar);
@@ -129,9 +130,9 @@ TEST_F(RecordingNames, OfASessionLongerThanASceneCanBeIsReadAndNotRepeated) {
   RecordingMetadata metadata = headless();
   metadata.first_tick = 1'000'000'000;
   metadata.session_ticks = 1'000'000'001;  // at 1 kHz, 11.6 days
-  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
   ASSERT_TRUE(writer);
-  EXPECT_FALSE((*writer)->append(sample_at(metadata.first_tick)));
+  EXPECT_FALSE((*writer)->append(tick_at(metadata.first_tick)));
   ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), metadata));
   const auto loaded = load_scene(path("a.toml"));
   ASSERT_TRUE(loaded) << loaded.error().message;
@@ -141,17 +142,17 @@ TEST_F(RecordingNames, OfASessionLongerThanASceneCanBeIsReadAndNotRepeated) {
 // By its path, however far the rows are from tick 0 and from each other.
 TEST_F(RecordingNames, AHandOnItsPathIsFoundThereAtAnyTick) {
   Scene scene = scene_of_ten_ticks();
-  scene.hand = HandSettings{};
-  scene.hand->path = {{0.0, 0.03}, {0.0105, 0.031}, {1e5, 0.06}};
+  scene.x().hand = HandSettings{};
+  scene.x().hand->path = {{0.0, 0.03}, {0.0105, 0.031}, {1e5, 0.06}};
   scene.duration_s = 2e5;
   for (const bool led : {false, true}) {
-    auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+    auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
     ASSERT_TRUE(writer);
     ASSERT_FALSE((*writer)->note(scene, headless()));
     for (const std::uint64_t tick : {200'000'000U, 200'000'001U, 4'000'000'000U}) {
       Sample sample = sample_at(tick);
       sample.truth.hand_path_m = led && tick == 4'000'000'000U ? 0.0601 : 0.06;
-      EXPECT_FALSE((*writer)->append(sample));
+      EXPECT_FALSE((*writer)->append({{sample}}));
     }
     EXPECT_FALSE((*writer)->flush());
     writer->reset();
@@ -173,7 +174,7 @@ TEST_F(RecordingNames, OneWriterAtATime) {
 
 TEST_F(RecordingNames, UnwritablePathsAreRefusedAtOnce) {
   for (const std::string& name : {path("no/a.csv"), path(""), std::string("/dev/null")}) {
-    const auto writer = RecordingWriter::create(name, MoreColumns::kSimulator);
+    const auto writer = RecordingWriter::create(name, csv_columns(true));
     ASSERT_FALSE(writer) << name;
     EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
   }

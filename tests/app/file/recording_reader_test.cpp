@@ -1,4 +1,6 @@
 // Recordings read back: every digit, every complaint, any stretch.
+#include "app/file/recording/recording_reader.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,8 +10,8 @@
 #include <filesystem>
 #include <random>
 
-#include "app/file/recording_reader.h"
-#include "app/file/recording_rows.h"
+#include "app/file/recording/recording_rows.h"
+#include "app/file/recording/recording_writer.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::file {
@@ -32,42 +34,25 @@ Sample random_sample(std::uint64_t tick, std::mt19937_64& random) {
   Sample sample;
   sample.tick = tick;
   sample.time_s = static_cast<double>(tick) / 1000.0;
-  for (double* value : {&sample.position_m,
-                        &sample.velocity_m_per_s,
-                        &sample.penetration_m,
-                        &sample.wall_force_n,
-                        &sample.force_n,
-                        &sample.stiffness_n_per_m,
-                        &sample.energy_cv_j,
-                        &sample.energy_hold_j,
-                        &sample.energy_scv_j,
-                        &sample.energy_budget_j,
-                        &sample.truth.position_m,
-                        &sample.truth.velocity_m_per_s,
-                        &sample.truth.hand_path_m,
-                        &sample.truth.hand_force_n,
-                        &sample.truth.actuator_work_j,
-                        &sample.truth.dissipation_j,
-                        &sample.truth.hand_work_j,
-                        &sample.truth.kinetic_j,
-                        &sample.device_time_s,
-                        &sample.read_age_s}) {
-    *value = number();
-  }
+  for_each_column(sample, [&]<typename Value>(const SampleColumn& column, Value& value) {
+    if constexpr (std::is_same_v<Value, double>) {
+      if (column.group != ColumnGroup::kTick) value = number();
+    }
+  });
   sample.flags = static_cast<std::uint32_t>(random() % 64);
   return sample;
 }
 
-std::string row_of(const Sample& sample, MoreColumns columns = MoreColumns::kSimulator) {
+std::string row_of(const Sample& sample, CsvColumns columns = {}) {
   std::string text;
-  append_csv_row(text, sample, columns);
+  append_csv_row(text, {{sample}}, columns);
   return text;
 }
 
 class RecordingReading : public hapticwall::test::FolderTest {
  protected:
   // a.csv and its sidecar, as the writer makes them.
-  void record(std::uint64_t first_tick, std::uint64_t rows, MoreColumns columns,
+  void record(std::uint64_t first_tick, std::uint64_t rows, CsvColumns columns,
               RecordingMetadata metadata = {}) {
     std::mt19937_64 random(1);
     auto writer = RecordingWriter::create(path("a.csv"), columns);
@@ -75,12 +60,12 @@ class RecordingReading : public hapticwall::test::FolderTest {
     samples_.clear();
     for (std::uint64_t i = 0; i < rows; ++i) {
       samples_.push_back(random_sample(first_tick + i, random));
-      ASSERT_FALSE((*writer)->append(samples_.back()));
+      ASSERT_FALSE((*writer)->append({{samples_.back()}}));
     }
     Scene scene;
     scene.name = "ten";
     scene.sampling.rate_hz = 500.0;
-    scene.walls.push_back({0.05, 1000.0, 0.0});
+    scene.x().walls.push_back({0.05, 1000.0, 0.0});
     metadata.device = "simulator";
     metadata.realtime_status = "real-time priority 80";
     metadata.first_tick = first_tick;
@@ -100,41 +85,42 @@ class RecordingReading : public hapticwall::test::FolderTest {
     return folder == 0 ? reader.error().message.substr(folder_.path().string().size() + 1)
                        : reader.error().message;
   }
-  [[nodiscard]] static std::string header() { return csv_header(MoreColumns::kSimulator) + '\n'; }
+  [[nodiscard]] static std::string header() { return csv_header(csv_columns(true)) + '\n'; }
 
   std::vector<Sample> samples_;
 
  private:
 };
 
-void expect_equal(const Sample& read, const Sample& written, MoreColumns columns) {
+void expect_equal(const Sample& read, const Sample& written, CsvColumns columns) {
   EXPECT_EQ(row_of(read, columns), row_of(written, columns));
   EXPECT_EQ(std::bit_cast<std::uint64_t>(read.force_n),
             std::bit_cast<std::uint64_t>(written.force_n));
 }
 
 TEST_F(RecordingReading, GivesBackEveryDigit) {
-  for (const MoreColumns columns : {MoreColumns::kSimulator, MoreColumns::kDevice}) {
+  for (const CsvColumns columns : {csv_columns(true), csv_columns(false)}) {
     record(7, 3000, columns);
     const auto reader = opened();
     ASSERT_EQ(reader->rows(), 3000U);
-    EXPECT_EQ(reader->info().of_simulator(), columns == MoreColumns::kSimulator);
-    std::vector<Sample> read(4000);
+    EXPECT_EQ(reader->info().of_simulator(), columns.of_simulator());
+    std::vector<Tick> read(4000);
     ASSERT_EQ(*reader->read(0, read), 3000U);
-    for (std::size_t i = 0; i < samples_.size(); ++i) expect_equal(read[i], samples_[i], columns);
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      expect_equal(read[i].x(), samples_[i], columns);
     EXPECT_EQ(*reader->read(3000, read), 0U);
   }
 }
 
 TEST_F(RecordingReading, AnyStretchAcrossTheBlocksIsThere) {
-  record(100, 2 * kRowsPerBlock + 5, MoreColumns::kSimulator);
+  record(100, 2 * kRowsPerBlock + 5, csv_columns(true));
   const auto reader = opened();
-  std::array<Sample, 20> some;
+  std::array<Tick, 20> some;
   for (const std::uint64_t first : {std::uint64_t{0}, kRowsPerBlock - 7, 2 * kRowsPerBlock - 1,
                                     2 * kRowsPerBlock, kRowsPerBlock}) {
     const std::size_t count = *reader->read(first, some);
     EXPECT_EQ(count, std::min<std::uint64_t>(some.size(), reader->rows() - first));
-    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(some[i].tick, 100 + first + i);
+    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(some[i].x().tick, 100 + first + i);
   }
   EXPECT_EQ(*reader->row_at(0), 0U);
   EXPECT_EQ(*reader->row_at(100), 0U);
@@ -147,9 +133,9 @@ TEST_F(RecordingReading, TheSidecarSaysTheRest) {
   RecordingMetadata metadata;
   metadata.start_time = "2024-05-06T07:08:09Z";
   Scene changed;
-  changed.walls.push_back({0.04, 500.0, 0.0});
+  changed.x().walls.push_back({0.04, 500.0, 0.0});
   metadata.changes = {{3, changed}, {5, changed}};
-  record(0, 10, MoreColumns::kSimulator, metadata);
+  record(0, 10, csv_columns(true), metadata);
   const auto reader = opened();
   const RecordingInfo& info = reader->info();
   EXPECT_TRUE(info.has_sidecar);
@@ -160,27 +146,27 @@ TEST_F(RecordingReading, TheSidecarSaysTheRest) {
   EXPECT_EQ(info.device, "simulator");
   EXPECT_EQ(info.realtime, "real-time priority 80");
   EXPECT_EQ(info.start_time, "2024-05-06T07:08:09Z");
-  std::array<Sample, 10> read;
+  std::array<Tick, 10> read;
   ASSERT_EQ(*reader->read(0, read), 10U);
   std::vector<std::uint32_t> generations;
-  for (const Sample& sample : read) generations.push_back(sample.generation);
+  for (const Tick& tick : read) generations.push_back(tick.x().generation);
   EXPECT_THAT(generations, ElementsAre(0, 0, 0, 1, 1, 2, 2, 2, 2, 2));
 }
 
 TEST_F(RecordingReading, WithoutASidecarTheRowsAreShownAllTheSame) {
-  record(0, 10, MoreColumns::kSimulator);
+  record(0, 10, csv_columns(true));
   fs::remove(path("a.toml"));
   const auto reader = opened();
   EXPECT_FALSE(reader->info().has_sidecar);
   EXPECT_THAT(reader->info().notes,
               ElementsAre(AllOf(HasSubstr("no sidecar"), HasSubstr("a.toml"))));
   EXPECT_EQ(reader->info().rate_hz, 1000.0);  // 9 / 0.009
-  EXPECT_THAT(reader->info().loaded.scene.walls, IsEmpty());
+  EXPECT_THAT(reader->info().loaded.scene.x().walls, IsEmpty());
   EXPECT_EQ(reader->info().loaded.scene.name, "a");
 }
 
 TEST_F(RecordingReading, AWrongSidecarIsSaidAndLeftOut) {
-  record(0, 10, MoreColumns::kSimulator);
+  record(0, 10, csv_columns(true));
   put("a.toml", "name = 3");
   EXPECT_THAT(opened()->info().notes, ElementsAre(HasSubstr("a.toml:1: name")));
   put("a.toml", "duration_s = 1.0\n[device]\nmass_kg = 0.05\ndamping_n_s_per_m = 1.0\n");
@@ -190,7 +176,7 @@ TEST_F(RecordingReading, AWrongSidecarIsSaidAndLeftOut) {
 }
 
 TEST_F(RecordingReading, ACsvThatWasChangedIsSaid) {
-  record(0, 10, MoreColumns::kSimulator);
+  record(0, 10, csv_columns(true));
   std::string csv = content("a.csv");
   csv[csv.size() - 2] = csv[csv.size() - 2] == '1' ? '2' : '1';
   put("a.csv", csv);
@@ -206,7 +192,7 @@ TEST_F(RecordingReading, HolesAreForgivenWhereTheSidecarTellsOfThem) {
   EXPECT_EQ(refusal(), "a.csv:3: tick 8 follows tick 4: 3 rows are missing");
   RecordingMetadata metadata;
   metadata.dropped_rows = 3;
-  record(0, 1, MoreColumns::kSimulator, metadata);
+  record(0, 1, csv_columns(true), metadata);
   put("a.csv", header() + rows);
   const auto reader = opened();
   EXPECT_EQ(reader->info().scanned.missing_rows, 3U);
@@ -221,7 +207,7 @@ TEST_F(RecordingReading, TicksDoNotGoBack) {
 }
 
 TEST_F(RecordingReading, APartialFileIsReadUpToItsLastWholeLine) {
-  record(0, 10, MoreColumns::kSimulator);
+  record(0, 10, csv_columns(true));
   const std::string csv = content("a.csv");
   put("b.csv.partial", csv.substr(0, csv.size() - 40));
   put("b.toml", content("a.toml"));  // of an older b.csv: not this one's
@@ -290,17 +276,17 @@ TEST_F(RecordingReading, AWrongRowIsNamedWithItsColumn) {
 }
 
 TEST_F(RecordingReading, AFileThatShrinksIsFoundOut) {
-  record(0, 3000, MoreColumns::kSimulator);
+  record(0, 3000, csv_columns(true));
   const auto reader = opened();
   fs::resize_file(path("a.csv"), 2000);
-  std::array<Sample, 10> some;
+  std::array<Tick, 10> some;
   const auto read = reader->read(2500, some);
   ASSERT_FALSE(read);
   EXPECT_THAT(read.error().message, HasSubstr("a.csv: changed while it was read"));
 }
 
 TEST_F(RecordingReading, TheFirstPassCanBeEnded) {
-  record(0, 10, MoreColumns::kSimulator);
+  record(0, 10, csv_columns(true));
   double told = -1.0;
   const auto reader = RecordingReader::open(path("a.csv"), [&](double fraction) {
     told = fraction;
@@ -314,7 +300,7 @@ TEST_F(RecordingReading, TheFirstPassCanBeEnded) {
 // However the bytes come in, the outcome is the same.
 TEST(RecordingScanning, PiecesMayBeCutAnywhere) {
   std::mt19937_64 random(1);
-  std::string text = csv_header(MoreColumns::kSimulator) + '\n';
+  std::string text = csv_header(csv_columns(true)) + '\n';
   for (std::uint64_t tick = 5; tick < 8; ++tick) text += row_of(random_sample(tick, random));
   for (std::size_t cut = 0; cut <= text.size(); ++cut) {
     RecordingScan scan("a.csv", {});

@@ -1,9 +1,9 @@
-// What the tests of recordings as files share.
+// Shared by the tests of recordings.
 #pragma once
 
 #include <string>
 
-#include "app/file/recording_writer.h"
+#include "app/file/recording/recording_writer.h"
 #include "core/sample.h"
 #include "core/scene.h"
 #include "tests/temporary_folder.h"
@@ -23,6 +23,8 @@ inline Sample sample_at(std::uint64_t tick) {
   sample.flags = kFlagInContact | kFlagDeviceFault;
   return sample;
 }
+
+inline Tick tick_at(std::uint64_t tick) { return {{sample_at(tick)}}; }
 
 inline Scene scene_of_ten_ticks() {
   Scene scene;

@@ -1,4 +1,4 @@
-// Recordings: exact rows, and names that files take only when they are whole.
+// Recordings: exact rows, and names only for complete files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "app/file/recording_writer.h"
-#include "app/file/scene_file.h"
-#include "app/file/sha256.h"
-#include "tests/app/file_faulty_disk.h"
-#include "tests/app/file_recording_support.h"
+#include "app/file/disk/sha256.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/file/scene/scene_file.h"
+#include "tests/app/file/faulty_disk.h"
+#include "tests/app/file/recording_support.h"
 
 namespace hapticwall::file {
 namespace {
@@ -27,6 +27,7 @@ using test::headless;
 using test::Recording;
 using test::sample_at;
 using test::scene_of_ten_ticks;
+using test::tick_at;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 namespace fs = std::filesystem;
@@ -49,14 +50,14 @@ TEST_F(Recording, HeaderIsThePromisedOne) {
   const std::string common =
       "tick,time_s,position_m,velocity_m_per_s,penetration_m,wall_force_n,force_n,"
       "stiffness_n_per_m,energy_cv_j,energy_hold_j,energy_scv_j,energy_budget_j,flags";
-  EXPECT_EQ(csv_header(MoreColumns::kDevice), common + ",device_time_s,read_age_s");
-  EXPECT_EQ(csv_header(MoreColumns::kSimulator),
+  EXPECT_EQ(csv_header(csv_columns(false)), common + ",device_time_s,read_age_s");
+  EXPECT_EQ(csv_header(csv_columns(true)),
             common +
                 ",true_position_m,true_velocity_m_per_s,hand_path_m,hand_force_n,"
                 "true_actuator_work_j,true_dissipation_j,true_hand_work_j,kinetic_j");
 }
 
-// Every field has a value of its own, so that two swapped columns are seen.
+// Every field has a distinct value, to detect swapped columns.
 TEST_F(Recording, ColumnsStandUnderTheirNames) {
   Sample sample;
   sample.tick = 1;
@@ -76,10 +77,10 @@ TEST_F(Recording, ColumnsStandUnderTheirNames) {
   sample.device_time_s = 22.0;
   sample.read_age_s = 23.0;
   std::string row;
-  append_csv_row(row, sample, MoreColumns::kSimulator);
+  append_csv_row(row, {{sample}}, csv_columns(true));
   EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21\n");
   row.clear();
-  append_csv_row(row, sample, MoreColumns::kDevice);
+  append_csv_row(row, {{sample}}, csv_columns(false));
   EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13,22,23\n");
 }
 
@@ -94,7 +95,7 @@ TEST_F(Recording, NumbersAreExactWhateverTheLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaDecimal));
   std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where the machine has it
   std::string row;
-  append_csv_row(row, sample_at(1234567), MoreColumns::kSimulator);
+  append_csv_row(row, tick_at(1234567), csv_columns(true));
   std::setlocale(LC_NUMERIC, "C");
   std::locale::global(before);
 
@@ -124,12 +125,12 @@ TEST_F(Recording, ScenesAreWrittenTheSameWhateverTheLocale) {
 
 TEST_F(Recording, TakesItsNamesWhenItIsWhole) {
   put("a.csv", "old");
-  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
   ASSERT_TRUE(writer) << writer.error().message;
-  for (std::uint64_t tick = 0; tick < 10; ++tick) ASSERT_FALSE((*writer)->append(sample_at(tick)));
+  for (std::uint64_t tick = 0; tick < 10; ++tick) ASSERT_FALSE((*writer)->append(tick_at(tick)));
   ASSERT_FALSE((*writer)->flush());
   EXPECT_EQ(content("a.csv"), "old");
-  EXPECT_THAT(content("a.csv.partial"), StartsWith(csv_header(MoreColumns::kSimulator) + "\n0,0,"));
+  EXPECT_THAT(content("a.csv.partial"), StartsWith(csv_header(csv_columns(true)) + "\n0,0,"));
   ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
   EXPECT_EQ((*writer)->rows(), 10U);
   EXPECT_THAT(files(), ::testing::UnorderedElementsAre("a.csv", "a.toml"));
@@ -145,16 +146,16 @@ TEST_F(Recording, TakesItsNamesWhenItIsWhole) {
 }
 
 TEST_F(Recording, SidecarSaysHowToRepeat) {
-  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
   ASSERT_TRUE(writer);
-  for (std::uint64_t tick = 5; tick < 8; ++tick) ASSERT_FALSE((*writer)->append(sample_at(tick)));
+  for (std::uint64_t tick = 5; tick < 8; ++tick) ASSERT_FALSE((*writer)->append(tick_at(tick)));
   RecordingMetadata metadata = headless();
   metadata.first_tick = 5;
   metadata.start_time = "2020-01-01T00:00:00Z";
   metadata.repeatable = false;
   metadata.not_repeatable_because = "the \"pointer\" \\ \t";
-  RecordedChange change{6, scene_of_ten_ticks()};
-  change.scene.walls = {{0.05, 1000.0, 0.5}};
+  ScheduledChange change{6, scene_of_ten_ticks()};
+  change.scene.x().walls = {{0.05, 1000.0, 0.5}};
   metadata.changes.push_back(change);
   ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), metadata));
 
@@ -165,60 +166,58 @@ TEST_F(Recording, SidecarSaysHowToRepeat) {
   EXPECT_EQ(loaded->not_repeatable_because, metadata.not_repeatable_because);
   ASSERT_EQ(loaded->changes.size(), 1U);
   EXPECT_EQ(loaded->changes[0].tick, 6U);
-  ASSERT_EQ(loaded->changes[0].scene.walls.size(), 1U);
-  EXPECT_EQ(loaded->changes[0].scene.walls[0].damping_n_s_per_m, 0.5);
+  ASSERT_EQ(loaded->changes[0].scene.x().walls.size(), 1U);
+  EXPECT_EQ(loaded->changes[0].scene.x().walls[0].damping_n_s_per_m, 0.5);
   EXPECT_THAT(content("a.toml"), HasSubstr("start_time = \"2020-01-01T00:00:00Z\""));
 }
 
 TEST_F(Recording, AbandonedItTakesNoName) {
   {
-    auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+    auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
     ASSERT_TRUE(writer);
-    ASSERT_FALSE((*writer)->append(sample_at(0)));
+    ASSERT_FALSE((*writer)->append(tick_at(0)));
     ASSERT_FALSE((*writer)->flush());
   }
   EXPECT_THAT(files(), ::testing::ElementsAre("a.csv.partial"));
-  {
-    ASSERT_TRUE(RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator));
-  }  // without a row
+  { ASSERT_TRUE(RecordingWriter::create(path("a.csv"), csv_columns(true))); }  // without a row
   EXPECT_TRUE(files().empty());
 }
 
 TEST_F(Recording, NanIsNeverWritten) {
-  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
   ASSERT_TRUE(writer);
   Sample bad = sample_at(1);
   bad.truth.position_m = std::numeric_limits<double>::quiet_NaN();
-  ASSERT_FALSE((*writer)->append(sample_at(0)));
-  ASSERT_FALSE((*writer)->append(bad));
+  ASSERT_FALSE((*writer)->append(tick_at(0)));
+  ASSERT_FALSE((*writer)->append({{bad}}));
   ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
   EXPECT_EQ((*writer)->rows(), 1U);
   EXPECT_THAT(content("a.toml"), HasSubstr("complete = true"));  // nothing came after it
 }
 
 TEST_F(Recording, AHoleIsToldOf) {
-  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
   ASSERT_TRUE(writer);
   Sample bad = sample_at(1);
   bad.force_n = std::numeric_limits<double>::infinity();
   for (const Sample& sample : {sample_at(0), bad, sample_at(2)}) {
-    ASSERT_FALSE((*writer)->append(sample));
+    ASSERT_FALSE((*writer)->append({{sample}}));
   }
   ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
   EXPECT_THAT(content("a.toml"), HasSubstr("rows = 2\ndropped_rows = 1\ncomplete = false\n"));
 }
 
 TEST_F(Recording, AFullDiskIsAnErrorAndStaysOne) {
-  auto writer = RecordingWriter::create(path("a.csv"), MoreColumns::kSimulator);
+  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
   ASSERT_TRUE(writer) << writer.error().message;
-  ASSERT_FALSE((*writer)->append(sample_at(0)));
+  ASSERT_FALSE((*writer)->append(tick_at(0)));
   test::FaultyDisk disk;
   disk.fail_after(0, ENOSPC);
   const Failure failed = (*writer)->flush();
   ASSERT_TRUE(failed);
   EXPECT_EQ(failed->kind, ErrorKind::kFile);
-  EXPECT_THAT(failed->message, HasSubstr("a.csv: could not be written whole: No space left"));
-  EXPECT_TRUE((*writer)->append(sample_at(1)));
+  EXPECT_THAT(failed->message, HasSubstr("a.csv: could not be written: No space left"));
+  EXPECT_TRUE((*writer)->append(tick_at(1)));
   EXPECT_TRUE((*writer)->finish(scene_of_ten_ticks(), headless()));
   EXPECT_FALSE(fs::exists(path("a.csv")) || fs::exists(path("a.toml")));
 }

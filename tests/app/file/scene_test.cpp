@@ -1,11 +1,11 @@
-// Scene files: what is read, and the one line that says what is wrong.
+// Scene files: parsing, and one-line messages for errors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::file {
@@ -76,15 +76,15 @@ TEST(SceneFile, ReadsEveryKey) {
   EXPECT_EQ(scene.description, "every key that there is");
   EXPECT_EQ(scene.duration_s, 2.0);
   EXPECT_EQ(scene.sampling.rate_hz, 2000.0);
-  EXPECT_EQ(scene.device.mass_kg, 0.05);
-  EXPECT_EQ(scene.device.encoder_m, 0.254e-3);
-  EXPECT_EQ(scene.device.start_m, 0.02);
-  ASSERT_TRUE(scene.hand);
-  EXPECT_EQ(scene.hand->grip_damping_n_s_per_m, 1.0);
-  EXPECT_EQ(scene.hand->path, (std::vector<PathPoint>{{0.0, 0.03}, {1.5, 0.075}}));
-  ASSERT_EQ(scene.walls.size(), 2U);
-  EXPECT_EQ(scene.walls[0].damping_n_s_per_m, 2.0);
-  EXPECT_EQ(scene.walls[1].damping_n_s_per_m, 0.0);
+  EXPECT_EQ(scene.x().device.mass_kg, 0.05);
+  EXPECT_EQ(scene.x().device.encoder_m, 0.254e-3);
+  EXPECT_EQ(scene.x().device.start_m, 0.02);
+  ASSERT_TRUE(scene.x().hand);
+  EXPECT_EQ(scene.x().hand->grip_damping_n_s_per_m, 1.0);
+  EXPECT_EQ(scene.x().hand->path, (std::vector<PathPoint>{{0.0, 0.03}, {1.5, 0.075}}));
+  ASSERT_EQ(scene.x().walls.size(), 2U);
+  EXPECT_EQ(scene.x().walls[0].damping_n_s_per_m, 2.0);
+  EXPECT_EQ(scene.x().walls[1].damping_n_s_per_m, 0.0);
   EXPECT_EQ(scene.algorithm.index, find_algorithm("passivity-control"));
   const auto value = [&](const char* key) {
     return scene.algorithm.values.at(find_algorithm_parameter(key).value());
@@ -102,16 +102,16 @@ TEST(SceneFile, WhatIsAbsentIsLeftOut) {
       parse_scene("[device]\nmass_kg = 1\ndamping_n_s_per_m = 0\n", "dir/bare.toml");
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(loaded->scene.name, "bare");
-  EXPECT_FALSE(loaded->scene.device.friction_n || loaded->scene.device.encoder_m ||
-               loaded->scene.device.force_limit_n || loaded->scene.hand);
-  EXPECT_TRUE(loaded->scene.walls.empty());
+  EXPECT_FALSE(loaded->scene.x().device.friction_n || loaded->scene.x().device.encoder_m ||
+               loaded->scene.x().device.force_limit_n || loaded->scene.x().hand);
+  EXPECT_TRUE(loaded->scene.x().walls.empty());
   EXPECT_EQ(loaded->scene.algorithm.index, find_algorithm("none"));
 }
 
 TEST(SceneFile, MouseAsHand) {
   const auto loaded = parse_scene(scene_with("[[0, 0.03], [1.5, 0.075]]", "\"mouse\""), "x.toml");
   ASSERT_TRUE(loaded) << loaded.error().message;
-  EXPECT_TRUE(loaded->scene.hand->follows_mouse);
+  EXPECT_TRUE(loaded->scene.x().hand->follows_mouse);
 }
 
 TEST(SceneFile, NamesFileLineKeyAndWhatWouldBeRight) {
@@ -165,17 +165,17 @@ TEST(SceneFile, ASecondAxisHasItsOwnDeviceHandAndWalls) {
   const auto loaded = parse_scene(corner(), "x.toml");
   ASSERT_TRUE(loaded.ok()) << loaded.error().message;
   const Scene& scene = loaded->scene;
-  ASSERT_TRUE(scene.y.has_value());
-  EXPECT_EQ(scene.walls.size(), 2U);
-  EXPECT_EQ(scene.device.mass_kg, 0.05);
-  EXPECT_EQ(scene.y->device.mass_kg, 0.1);
-  EXPECT_EQ(scene.y->device.friction_n, std::nullopt) << "nothing is taken over from axis x";
-  ASSERT_TRUE(scene.y->hand.has_value());
-  EXPECT_EQ(scene.y->hand->path.back(), (PathPoint{1.0, 0.06}));
-  EXPECT_EQ(scene.y->walls, (std::vector<WallSettings>{{0.055, 700.0, 0.0}, {0.056, 800.0, 0.0}}));
-  const Scene axis = second_axis(scene);
-  EXPECT_FALSE(axis.y.has_value());
-  EXPECT_EQ(axis.device, scene.y->device);
+  ASSERT_TRUE(scene.two_axes());
+  EXPECT_EQ(scene.x().walls.size(), 2U);
+  EXPECT_EQ(scene.x().device.mass_kg, 0.05);
+  EXPECT_EQ(scene.axes[1].device.mass_kg, 0.1);
+  EXPECT_EQ(scene.axes[1].device.friction_n, std::nullopt) << "nothing is taken over from axis x";
+  ASSERT_TRUE(scene.axes[1].hand.has_value());
+  EXPECT_EQ(scene.axes[1].hand->path.back(), (PathPoint{1.0, 0.06}));
+  EXPECT_EQ(scene.axes[1].walls,
+            (std::vector<WallSettings>{{0.055, 700.0, 0.0}, {0.056, 800.0, 0.0}}));
+  const Scene axis = axis_scene(scene, 1);
+  EXPECT_EQ(axis.axes, std::vector{scene.axes[1]});
   EXPECT_EQ(axis.algorithm, scene.algorithm);
   EXPECT_EQ(axis.sampling.rate_hz, 2000.0);
 }
@@ -186,8 +186,7 @@ TEST(SceneFile, ASecondAxisSurvivesTheWayThroughAFile) {
   const std::string text = scene_to_toml(first->scene);
   const auto second = parse_scene(text, "x.toml");
   ASSERT_TRUE(second.ok()) << second.error().message;
-  EXPECT_EQ(second->scene.y, first->scene.y);
-  EXPECT_EQ(second->scene.walls, first->scene.walls);
+  EXPECT_EQ(second->scene, first->scene);
   EXPECT_EQ(scene_to_toml(second->scene), text);
 }
 
@@ -198,12 +197,12 @@ TEST(SceneFile, AHandMayBeOnTheSecondAxisOnly) {
       "[hand.y]\nstiffness_n_per_m = 100\ndamping_n_s_per_m = 3\npath = [[0, 0]]\n",
       "x.toml");
   ASSERT_TRUE(loaded.ok()) << loaded.error().message;
-  EXPECT_FALSE(loaded->scene.hand.has_value());
-  ASSERT_TRUE(loaded->scene.y->hand.has_value());
+  EXPECT_FALSE(loaded->scene.x().hand.has_value());
+  ASSERT_TRUE(loaded->scene.axes[1].hand.has_value());
   const auto again = parse_scene(scene_to_toml(loaded->scene), "x.toml");
   ASSERT_TRUE(again.ok()) << again.error().message;
-  EXPECT_FALSE(again->scene.hand.has_value());
-  EXPECT_EQ(again->scene.y, loaded->scene.y);
+  EXPECT_FALSE(again->scene.x().hand.has_value());
+  EXPECT_EQ(again->scene.axes, loaded->scene.axes);
 }
 
 TEST(SceneFile, WhatIsWrongWithASecondAxisIsSaidWhereItStands) {
@@ -235,9 +234,9 @@ TEST(SceneFile, KnowsWhatLiesBetweenCommandAndHandle) {
                  "delay_ticks = 3\nforce_resolution_n = 0.01\namplifier_time_constant_s = 2e-3"),
       "x.toml");
   ASSERT_TRUE(loaded.ok());
-  EXPECT_EQ(loaded->scene.device.delay_ticks, 3);
-  EXPECT_EQ(loaded->scene.device.force_resolution_n, 0.01);
-  EXPECT_EQ(loaded->scene.device.amplifier_time_constant_s, 2e-3);
+  EXPECT_EQ(loaded->scene.x().device.delay_ticks, 3);
+  EXPECT_EQ(loaded->scene.x().device.force_resolution_n, 0.01);
+  EXPECT_EQ(loaded->scene.x().device.amplifier_time_constant_s, 2e-3);
   EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "delay_ticks = 1.5")),
             "x.toml:12: device.delay_ticks: 1.5 where a whole number belongs");
   EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "delay_ticks = 1001")),
@@ -287,7 +286,7 @@ TEST(SceneFile, RefusesWhatIsNoToml) {
               StartsWith("x.toml:1: name: longer than "));
 }
 
-// Every one of these once overflowed the stack of a TOML parser somewhere.
+// Inputs that overflowed the stack of some TOML parser.
 TEST(SceneFile, SurvivesDeepNesting) {
   constexpr std::size_t kDepth = 200'000;
   std::string dotted = "a";
@@ -355,7 +354,7 @@ TEST(SceneFile, BuiltinPathsRiseAtTheirRates) {
   for (const auto& [name, rate_m_per_s, end_m] : paths) {
     const Result<LoadedScene> loaded = load_scene(name);
     ASSERT_TRUE(loaded);
-    const std::vector<PathPoint>& path = loaded->scene.hand->path;
+    const std::vector<PathPoint>& path = loaded->scene.x().hand->path;
     ASSERT_EQ(path.size(), 2U);
     EXPECT_EQ(path[0], (PathPoint{0.0, 0.03}));
     EXPECT_EQ(path[1].position_m, end_m);
@@ -392,9 +391,9 @@ stiffness_n_per_m = 100
   ASSERT_EQ(loaded->changes.size(), 1U);
   EXPECT_EQ(loaded->changes[0].tick, 12U);
   EXPECT_EQ(loaded->changes[0].scene.algorithm.index, find_algorithm("none"));
-  ASSERT_EQ(loaded->changes[0].scene.walls.size(), 1U);
-  EXPECT_EQ(loaded->changes[0].scene.walls[0].position_m, 0.04);
-  EXPECT_EQ(loaded->changes[0].scene.device.mass_kg, 0.05);
+  ASSERT_EQ(loaded->changes[0].scene.x().walls.size(), 1U);
+  EXPECT_EQ(loaded->changes[0].scene.x().walls[0].position_m, 0.04);
+  EXPECT_EQ(loaded->changes[0].scene.x().device.mass_kg, 0.05);
 }
 
 TEST(SceneFile, ASidecarsMistakesAreFound) {

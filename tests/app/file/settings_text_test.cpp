@@ -1,10 +1,10 @@
+#include "app/file/scene/settings_text.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <random>
 #include <string>
-
-#include "app/file/settings_text.h"
 
 namespace hapticwall::file {
 namespace {

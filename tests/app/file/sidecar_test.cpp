@@ -1,13 +1,14 @@
-// What a sidecar says of changes while a session ran, and what of it reads back.
+// Changes during a session: in the sidecar, and read back.
+#include "app/file/recording/sidecar.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "app/file/recording_writer.h"
-#include "app/file/scene_file.h"
-#include "app/file/sidecar.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/file/scene/scene_file.h"
 
 namespace hapticwall::file {
 namespace {
@@ -17,21 +18,21 @@ using ::testing::HasSubstr;
 Scene scene_with_everything() {
   Scene scene;
   scene.name = "everything";
-  scene.device.friction_n = 0.14;
-  scene.device.encoder_m = 0.254e-3;
-  scene.device.delay_ticks = 2;
+  scene.x().device.friction_n = 0.14;
+  scene.x().device.encoder_m = 0.254e-3;
+  scene.x().device.delay_ticks = 2;
   HandSettings hand;
   hand.mass_kg = 0.4;
   hand.stiffness_n_per_m = 250.0;
   hand.grip_stiffness_n_per_m = 1000.0;
   hand.path = {{0.0, 0.03}, {0.5, 0.06}};
-  scene.hand = hand;
+  scene.x().hand = hand;
   return scene;
 }
 
 // `changes` as they read back from a sidecar.
 std::vector<ScheduledChange> through_a_sidecar(const Scene& start,
-                                               const std::vector<RecordedChange>& changes) {
+                                               const std::vector<ScheduledChange>& changes) {
   RecordingMetadata metadata;
   metadata.changes = changes;
   const Result<LoadedScene> loaded =
@@ -43,23 +44,23 @@ std::vector<ScheduledChange> through_a_sidecar(const Scene& start,
 TEST(Sidecar, ChangesOfThePlantReadBackTheSame) {
   const Scene start = scene_with_everything();
   Scene device = start;
-  device.device.mass_kg = 0.1 + 0.2;
-  device.device.friction_n.reset();
-  device.device.delay_ticks = 7;
-  device.device.amplifier_time_constant_s = 1e-3;
+  device.x().device.mass_kg = 0.1 + 0.2;
+  device.x().device.friction_n.reset();
+  device.x().device.delay_ticks = 7;
+  device.x().device.amplifier_time_constant_s = 1e-3;
   Scene hand = device;
-  hand.hand->grip_stiffness_n_per_m.reset();
-  hand.hand->damping_n_s_per_m = 12.5;
+  hand.x().hand->grip_stiffness_n_per_m.reset();
+  hand.x().hand->damping_n_s_per_m = 12.5;
   Scene simulator = hand;
   simulator.simulator = {Integrator::kRungeKutta4, 17};
   simulator.algorithm.index = 0;
-  const std::vector<RecordedChange> changes{{2, device}, {3, hand}, {4, simulator}, {5, start}};
+  const std::vector<ScheduledChange> changes{{2, device}, {3, hand}, {4, simulator}, {5, start}};
   const std::vector<ScheduledChange> read = through_a_sidecar(start, changes);
   ASSERT_EQ(read.size(), changes.size());
   for (std::size_t i = 0; i < changes.size(); ++i) {
     EXPECT_EQ(read[i].tick, changes[i].tick);
-    EXPECT_EQ(read[i].scene.device, changes[i].scene.device) << i;
-    EXPECT_EQ(read[i].scene.hand, changes[i].scene.hand) << i;
+    EXPECT_EQ(read[i].scene.x().device, changes[i].scene.x().device) << i;
+    EXPECT_EQ(read[i].scene.x().hand, changes[i].scene.x().hand) << i;
     EXPECT_EQ(read[i].scene.simulator, changes[i].scene.simulator) << i;
     EXPECT_EQ(read[i].scene.algorithm, changes[i].scene.algorithm) << i;
   }
@@ -68,9 +69,9 @@ TEST(Sidecar, ChangesOfThePlantReadBackTheSame) {
 TEST(Sidecar, AChangeSaysOfThePlantOnlyWhatDiffersFromTheStart) {
   const Scene start = scene_with_everything();
   Scene wall = start;
-  wall.walls = {{0.05, 1000.0, 0.0}};
+  wall.x().walls = {{0.05, 1000.0, 0.0}};
   Scene grip = start;
-  grip.hand->grip_stiffness_n_per_m = 500.0;
+  grip.x().hand->grip_stiffness_n_per_m = 500.0;
   RecordingMetadata metadata;
   metadata.changes = {{2, wall}, {3, grip}};
   const std::string text = sidecar_toml(start, metadata, {8, 0, 8, "0"});
@@ -83,7 +84,7 @@ TEST(Sidecar, AChangeSaysOfThePlantOnlyWhatDiffersFromTheStart) {
   EXPECT_EQ(text.find("path", hand), std::string::npos);
 }
 
-// What older versions wrote, and what nobody should have.
+// Files of older versions, and invalid ones.
 TEST(Sidecar, AChangeWithoutAPlantKeepsThatOfTheStart) {
   const std::string start = scene_to_toml(scene_with_everything());
   const auto read = [&](const std::string& table) {
@@ -91,8 +92,8 @@ TEST(Sidecar, AChangeWithoutAPlantKeepsThatOfTheStart) {
   };
   const Result<LoadedScene> old = read("[recording.change.algorithm]\nname = \"none\"\n");
   ASSERT_TRUE(old) << old.error().message;
-  EXPECT_EQ(old->changes.at(0).scene.device, scene_with_everything().device);
-  EXPECT_EQ(old->changes.at(0).scene.hand, scene_with_everything().hand);
+  EXPECT_EQ(old->changes.at(0).scene.x().device, scene_with_everything().x().device);
+  EXPECT_EQ(old->changes.at(0).scene.x().hand, scene_with_everything().x().hand);
   const auto problem = [&](const std::string& table) {
     const Result<LoadedScene> loaded = read("[recording.change." + table);
     return loaded ? "none" : loaded.error().message;

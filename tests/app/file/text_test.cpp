@@ -1,4 +1,6 @@
 // Text in messages, SHA-256, PNG.
+#include "app/file/text/text.h"
+
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -8,9 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "app/file/disk/sha256.h"
 #include "app/file/picture.h"
-#include "app/file/sha256.h"
-#include "app/file/text.h"
 
 namespace hapticwall::file {
 namespace {
@@ -20,7 +21,7 @@ TEST(Text, QuotesAreCutAndCleaned) {
   EXPECT_EQ(in_quotes("a\nb\tc\x1b[31m\x7f"), "'a?b?c?[31m?'");
   EXPECT_EQ(in_quotes("µ \xff \xc3"), "'µ ? ?'");
   EXPECT_EQ(in_quotes("\xc2\x9b"), "'?'");  // CSI, a control character of eight bits
-  EXPECT_EQ(in_quotes(std::string(200, 'x')), "'" + std::string(kLongestQuote, 'x') + "...'");
+  EXPECT_EQ(in_quotes(std::string(200, 'x')), "'" + std::string(kMaxQuoteBytes, 'x') + "...'");
 }
 
 TEST(Text, NearestName) {
@@ -39,13 +40,13 @@ TEST(Text, NearestName) {
 TEST(Text, NumbersReadBackTheSame) {
   for (const double value : {0.1, 1.0 / 3.0, 6.0, -0.0, 1e22, 5e-324, 1.7976931348623157e308,
                              0.254e-3, 123456789012345678.0}) {
-    const std::string text = number_text(value);
+    const std::string text = shortest_number(value);
     double read = 0.0;
     std::from_chars(text.data(), text.data() + text.size(), read);
-    EXPECT_EQ(read, value) << number_text(value);
+    EXPECT_EQ(read, value) << shortest_number(value);
     EXPECT_EQ(std::signbit(read), std::signbit(value));
   }
-  EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(shortest_number(0.1), "0.1");
 }
 
 // FIPS 180-4, examples.

@@ -1,10 +1,11 @@
+#include "app/file/disk/user_folders.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <map>
 
-#include "app/file/user_folders.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::file {
@@ -24,7 +25,7 @@ TEST(SettingsPath, FollowsTheXdgFolders) {
             "/c/hapticwall/settings.toml");
   EXPECT_EQ(settings_path(environment({{"HOME", "/home/a"}})),
             "/home/a/.config/hapticwall/settings.toml");
-  // What is empty or not absolute counts as not set.
+  // An empty or relative path counts as not set.
   EXPECT_EQ(settings_path(environment({{"XDG_CONFIG_HOME", ""}, {"HOME", "/home/a"}})),
             "/home/a/.config/hapticwall/settings.toml");
   EXPECT_EQ(settings_path(environment({{"XDG_CONFIG_HOME", "c"}, {"HOME", "/home/a"}})),

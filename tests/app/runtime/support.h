@@ -1,4 +1,4 @@
-// What the runtime's tests share: scenes, a clock and devices that obey, waiting for conditions.
+// Shared by the runtime's tests: scenes, a controlled clock, recording devices, waiting.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/runtime/clock.h"
+#include "app/runtime/loop/clock.h"
+#include "app/runtime/loop/exchange.h"
 #include "core/sample.h"
 #include "core/scene.h"
 #include "core/stabiliser/stabiliser.h"
@@ -29,10 +30,10 @@ inline Scene contact_scene(double rate_hz = 1000.0) {
   Scene scene;
   scene.name = "contact";
   scene.sampling.rate_hz = rate_hz;
-  scene.device.friction_n = 0.14;
-  scene.device.encoder_m = 0.254e-3;
-  scene.device.force_limit_n = 8.9;
-  scene.device.start_m = 0.049;
+  scene.x().device.friction_n = 0.14;
+  scene.x().device.encoder_m = 0.254e-3;
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().device.start_m = 0.049;
   HandSettings hand;
   hand.mass_kg = 0.4;
   hand.stiffness_n_per_m = 250.0;
@@ -40,10 +41,16 @@ inline Scene contact_scene(double rate_hz = 1000.0) {
   hand.grip_stiffness_n_per_m = 1000.0;
   hand.grip_damping_n_s_per_m = 1.0;
   hand.path = {{0.0, 0.049}, {0.05, 0.075}};
-  scene.hand = hand;
-  scene.walls = {{0.05, 35000.0, 0.0}};
+  scene.x().hand = hand;
+  scene.x().walls = {{0.05, 35000.0, 0.0}};
   scene.algorithm.index = find_algorithm("virtual-coupling").value();
   return scene;
+}
+
+// Parameters for a loop with one axis.
+inline LoopParameters parameters_of(const Scene& scene, std::uint32_t generation = 1,
+                                    PlantModel* plant = nullptr) {
+  return {{{{servo_settings(scene), plant}}}, generation};
 }
 
 inline Scene with_algorithm(Scene scene, std::size_t index) {
@@ -56,70 +63,70 @@ inline Scene with_algorithm(Scene scene, std::size_t index) {
 inline Scene moving_scene(double rate_hz = 1000.0) {
   Scene scene = contact_scene(rate_hz);
   scene.name = "moving";
-  scene.hand->path.clear();
+  scene.x().hand->path.clear();
   for (int turn = 0; turn < 50; ++turn) {
-    scene.hand->path.push_back({0.2 * turn, turn % 2 == 0 ? 0.045 : 0.058});
+    scene.x().hand->path.push_back({0.2 * turn, turn % 2 == 0 ? 0.045 : 0.058});
   }
   return scene;
 }
 
-// `scene` again and again, each time with something else changed of what a plant is made of, alone
-// or with the algorithm or the wall: mass, damping, friction, hand, grip, encoder, limit,
-// resolution, delay, lag, integrator and substeps. Precondition: a hand and a wall.
+// Variants of `scene`, each with another part of the plant changed, alone or with the algorithm or
+// the wall: mass, damping, friction, hand, grip, encoder, limit, resolution, delay, lag, integrator
+// and substeps. Precondition: a hand and a wall.
 inline std::vector<Scene> plant_changes(Scene scene) {
   std::vector<Scene> changes;
   const auto change = [&](const std::function<void(Scene&)>& edit) {
     edit(scene);
     changes.push_back(scene);
   };
-  change([](Scene& s) { s.device.mass_kg = 0.2; });
-  change([](Scene& s) { s.device.damping_n_s_per_m = 2.5; });
-  change([](Scene& s) { s.device.friction_n.reset(); });
-  change([](Scene& s) { s.hand->grip_damping_n_s_per_m = 3.0; });
+  change([](Scene& s) { s.x().device.mass_kg = 0.2; });
+  change([](Scene& s) { s.x().device.damping_n_s_per_m = 2.5; });
+  change([](Scene& s) { s.x().device.friction_n.reset(); });
+  change([](Scene& s) { s.x().hand->grip_damping_n_s_per_m = 3.0; });
   change([](Scene& s) {
-    s.hand->grip_stiffness_n_per_m.reset();
-    s.hand->grip_damping_n_s_per_m.reset();
+    s.x().hand->grip_stiffness_n_per_m.reset();
+    s.x().hand->grip_damping_n_s_per_m.reset();
   });
-  change([](Scene& s) { s.hand->mass_kg.reset(); });
-  change([](Scene& s) { s.device.friction_n = 0.3; });
-  change([](Scene& s) { s.device.delay_ticks = 3; });
-  change([](Scene& s) { s.device.force_limit_n = 4.0; });
-  change([](Scene& s) { s.device.amplifier_time_constant_s = 2e-3; });
-  change([](Scene& s) { s.device.encoder_m.reset(); });
+  change([](Scene& s) { s.x().hand->mass_kg.reset(); });
+  change([](Scene& s) { s.x().device.friction_n = 0.3; });
+  change([](Scene& s) { s.x().device.delay_ticks = 3; });
+  change([](Scene& s) { s.x().device.force_limit_n = 4.0; });
+  change([](Scene& s) { s.x().device.amplifier_time_constant_s = 2e-3; });
+  change([](Scene& s) { s.x().device.encoder_m.reset(); });
   change([](Scene& s) {
-    s.hand->mass_kg = 0.3;
-    s.hand->grip_stiffness_n_per_m = 2000.0;
+    s.x().hand->mass_kg = 0.3;
+    s.x().hand->grip_stiffness_n_per_m = 2000.0;
   });
-  change([](Scene& s) { s.device.force_resolution_n = 0.05; });
-  change([](Scene& s) { s.device.delay_ticks = 1; });
+  change([](Scene& s) { s.x().device.force_resolution_n = 0.05; });
+  change([](Scene& s) { s.x().device.delay_ticks = 1; });
   change([](Scene& s) { s.simulator = {Integrator::kSemiImplicitEuler, 1}; });
   change([](Scene& s) { s.simulator.substeps = 10; });
   change([](Scene& s) { s.simulator = {Integrator::kRungeKutta4, 4}; });
-  change([](Scene& s) { s.device.friction_n.reset(); });
-  change([](Scene& s) { s.device.amplifier_time_constant_s.reset(); });
+  change([](Scene& s) { s.x().device.friction_n.reset(); });
+  change([](Scene& s) { s.x().device.amplifier_time_constant_s.reset(); });
   change([](Scene& s) { s.simulator = {}; });
-  change([](Scene& s) { s.device.encoder_m = 1e-4; });
+  change([](Scene& s) { s.x().device.encoder_m = 1e-4; });
   change([](Scene& s) {
-    s.device.force_limit_n.reset();
+    s.x().device.force_limit_n.reset();
     s.algorithm.index = (s.algorithm.index + 1) % algorithms().size();
   });
   change([](Scene& s) {
-    s.device.delay_ticks.reset();
-    s.device.force_resolution_n.reset();
-    s.walls[0].stiffness_n_per_m = 10'000.0;
+    s.x().device.delay_ticks.reset();
+    s.x().device.force_resolution_n.reset();
+    s.x().walls[0].stiffness_n_per_m = 10'000.0;
   });
-  change([](Scene& s) { s.hand->stiffness_n_per_m = 400.0; });
-  change([](Scene& s) { s.hand->damping_n_s_per_m = 10.0; });
+  change([](Scene& s) { s.x().hand->stiffness_n_per_m = 400.0; });
+  change([](Scene& s) { s.x().hand->damping_n_s_per_m = 10.0; });
   return changes;
 }
 
-// What the energies of a tick do not account for.
+// The energy balance error of a tick.
 inline double balance_error_j(const Sample& sample) {
   const PlantTruth& truth = sample.truth;
   return truth.hand_work_j - (truth.kinetic_j + truth.dissipation_j + truth.actuator_work_j);
 }
 
-// Time that passes only when somebody sleeps.
+// Time passes only in sleep_until_ns().
 class FakeClock : public Clock {
  public:
   [[nodiscard]] std::int64_t now_ns() override { return now_ns_; }
@@ -135,7 +142,7 @@ class FakeClock : public Clock {
   std::int64_t now_ns_ = 1'000'000'000;
 };
 
-// A device without a plant, which remembers what it was told.
+// A device without a plant that records its commands.
 class FakeDevice : public device::Device {
  public:
   [[nodiscard]] device::DeviceInfo info() const override {
@@ -150,7 +157,7 @@ class FakeDevice : public device::Device {
     return {position_m, age_s, state, 2.0 * position_m};
   }
   void enable(bool wanted) override { enabled = wanted; }
-  [[nodiscard]] device::LinkFigures link() const override { return figures; }
+  [[nodiscard]] device::LinkStats link() const override { return figures; }
   void write(double force_n) override {
     if (throw_at_write) throw std::runtime_error("unplugged");
     forces_n.push_back(force_n);
@@ -164,9 +171,9 @@ class FakeDevice : public device::Device {
   DeviceState state = DeviceState::kOk;
   double encoder_m = 0.0;
   double force_limit_n = 0.0;
-  device::LinkFigures figures;
+  device::LinkStats figures;
   Failure open_failure;
-  int throw_at_read = 0;  // 0: never; else the how manieth
+  int throw_at_read = 0;  // number of the read; 0: never
   bool throw_at_write = false;
   int reads = 0;
   bool enabled = false;
@@ -175,8 +182,7 @@ class FakeDevice : public device::Device {
   std::vector<std::string> log;
 };
 
-// True as soon as `condition` holds. The deadline is there for a broken program, not for a slow
-// one.
+// True as soon as `condition` holds. The deadline catches a broken program, not a slow one.
 inline bool eventually(const std::function<bool()>& condition) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
   while (!condition()) {

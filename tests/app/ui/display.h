@@ -1,4 +1,4 @@
-// Whether there is a screen to open a window on.
+// Whether there is a display for a window.
 #pragma once
 
 #include <cstdlib>

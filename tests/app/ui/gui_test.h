@@ -1,21 +1,23 @@
-// An application on a fake session, drawn into an invisible picture and used like a person would:
-// with the pointer and the keys. Time passes only by frames.
+// An application on a fake session, drawn off-screen and used with pointer and keys. Time passes
+// only by frames.
 #pragma once
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>
 #include <implot.h>
 
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "app/file/scene_file.h"
-#include "app/ui/application.h"
-#include "app/ui/gl_objects.h"
-#include "app/ui/offscreen.h"
-#include "tests/ui/fake_session.h"
+#include "app/draw/figure/gl_objects.h"
+#include "app/draw/figure/offscreen.h"
+#include "app/file/scene/scene_file.h"
+#include "app/ui/window/application.h"
+#include "tests/app/ui/fake_session.h"
+#include "tests/app/ui/items.h"
 
 namespace hapticwall::test {
 
@@ -25,7 +27,7 @@ inline constexpr int kScreenHeight = 1160;  // the whole control panel, with a s
 class GuiTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    auto context = ui::OffscreenContext::create();
+    auto context = draw::OffscreenContext::create();
     ASSERT_TRUE(context.ok()) << context.error().message;
     context_ = std::move(*context);
     ImGui::CreateContext();
@@ -35,7 +37,7 @@ class GuiTest : public ::testing::Test {
     io.DisplaySize = ImVec2(kScreenWidth, kScreenHeight);
     io.DeltaTime = 1.0F / 60.0F;
     ASSERT_TRUE(ImGui_ImplOpenGL3_Init("#version 330 core"));
-    auto target = ui::GlTarget::create(kScreenWidth, kScreenHeight, 0);
+    auto target = draw::GlTarget::create(kScreenWidth, kScreenHeight, 0);
     ASSERT_TRUE(target.ok());
     target_ = std::move(*target);
     open("press");
@@ -51,12 +53,12 @@ class GuiTest : public ::testing::Test {
   }
 
   void open(const std::string& scene_name) {
-    const auto start = [this](const Scene& scene) -> Result<std::unique_ptr<runtime::Session>> {
+    const auto start = [this](const Scene& scene) -> Result<std::unique_ptr<runtime::LiveSession>> {
       if (!refuse_session.empty()) return Error{ErrorKind::kDevice, refuse_session};
       auto session = std::make_unique<FakeSession>(scene);
       fake_ = session.get();
       ++sessions;
-      return std::unique_ptr<runtime::Session>(std::move(session));
+      return std::unique_ptr<runtime::LiveSession>(std::move(session));
     };
     ui::Application::Sessions starters;
     starters.simulate = start;
@@ -65,7 +67,7 @@ class GuiTest : public ::testing::Test {
       starters.start_on_device = [this, start](const Scene& scene) {
         EXPECT_EQ(devices_open, 0) << "there is one device only";
         if (!refuse_device.empty()) {
-          return Result<std::unique_ptr<runtime::Session>>(
+          return Result<std::unique_ptr<runtime::LiveSession>>(
               Error{ErrorKind::kDevice, refuse_device});
         }
         auto session = start(scene);
@@ -78,7 +80,7 @@ class GuiTest : public ::testing::Test {
         return session;
       };
     }
-    const ui::Theme theme = ui::apply_theme(ui::Look::kScreen, 1.0F);
+    const draw::Theme theme = draw::apply_theme(draw::Look::kScreen, 1.0F);
     auto application =
         ui::Application::create(file::load_scene(scene_name)->scene, options, theme, starters);
     ASSERT_TRUE(application.ok()) << application.error().message;
@@ -89,13 +91,14 @@ class GuiTest : public ::testing::Test {
   void frames(int count) {
     for (int i = 0; i < count; ++i) {
       ImGui_ImplOpenGL3_NewFrame();
+      watch_items();
       ImGui::NewFrame();
       application_->frame();
       ImGui::Render();
     }
   }
 
-  // Only what is looked at is painted: painting is what costs time without a graphics card.
+  // Paints only when the test needs pixels, because painting is slow without a graphics card.
   file::Picture screen() {
     frames(1);
     target_->bind();
@@ -103,10 +106,22 @@ class GuiTest : public ::testing::Test {
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     target_->resolve();
-    return ui::read_pixels(target_->resolved_framebuffer(), kScreenWidth, kScreenHeight);
+    return draw::read_pixels(target_->resolved_framebuffer(), kScreenWidth, kScreenHeight);
   }
 
-  // Lets the session live for a while, with a frame now and then.
+  // All text of the window in one frame, from top to bottom, including scrolled parts.
+  std::string text() {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    ImGui::LogToBuffer(0);
+    application_->frame();
+    std::string text = ImGui::GetCurrentContext()->LogBuffer.c_str();
+    ImGui::LogFinish();
+    ImGui::Render();
+    return text;
+  }
+
+  // Advances the session, with a frame now and then.
   void live(int ticks) {
     constexpr int kTicksPerFrame = 100;
     for (int done = 0; done < ticks; done += kTicksPerFrame) {
@@ -131,15 +146,13 @@ class GuiTest : public ::testing::Test {
     frames(2);
   }
 
-  [[nodiscard]] std::optional<ui::ItemRect> find(const std::string& item) const {
-    const auto& items = application_->state().transient.items;
-    const auto found = items.find(item);
-    return found == items.end() ? std::nullopt : std::optional(found->second);
+  [[nodiscard]] static std::optional<ItemRect> find(const std::string& item) {
+    return find_item(item);
   }
-  [[nodiscard]] ui::ItemRect rect(const std::string& item) const {
+  [[nodiscard]] static ItemRect rect(const std::string& item) {
     const auto found = find(item);
     EXPECT_TRUE(found.has_value()) << item;
-    return found.value_or(ui::ItemRect{});
+    return found.value_or(ItemRect{});
   }
 
   void click(const std::string& item) {
@@ -148,7 +161,7 @@ class GuiTest : public ::testing::Test {
     mouse_button(false);
   }
 
-  // To the end of whatever scrolls under an item.
+  // Scrolls the area under an item to its end.
   void scroll_down_at(const std::string& item) {
     constexpr float kFar = -100.0F;
     move_to(rect(item).centre());
@@ -164,7 +177,7 @@ class GuiTest : public ::testing::Test {
     press(ImGuiKey_Enter);
   }
 
-  // The newest; of kind kNone where there is none.
+  // The newest message; kind kNone without one.
   [[nodiscard]] ui::Message message() const {
     return application_->state().transient.toasts.newest();
   }
@@ -180,8 +193,8 @@ class GuiTest : public ::testing::Test {
   int sessions = 0;
   bool with_device = false;  // the next open() is on a real one
   int devices_open = 0;
-  std::unique_ptr<ui::OffscreenContext> context_;
-  std::optional<ui::GlTarget> target_;
+  std::unique_ptr<draw::OffscreenContext> context_;
+  std::optional<draw::GlTarget> target_;
   std::unique_ptr<ui::Application> application_;
   FakeSession* fake_ = nullptr;
 };

@@ -1,4 +1,4 @@
-// Looking at pictures.
+// Helpers for pixels.
 #pragma once
 
 #include <imgui.h>
@@ -37,7 +37,7 @@ inline int difference(Colour a, Colour b) {
 
 inline int brightness(Colour a) { return (a.red + a.green + a.blue) / 3; }
 
-// How many pixels of the rectangle have this colour, but for `tolerance`.
+// Number of pixels of this colour in the rectangle, within `tolerance`.
 inline int count_pixels(const file::Picture& picture, Colour wanted, int from_x, int from_y,
                         int to_x, int to_y, int tolerance = 24) {
   int count = 0;

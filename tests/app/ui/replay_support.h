@@ -1,5 +1,4 @@
-// Real recordings in a folder of the test's own, replayed in the window by a clock that stands
-// until it is told to go on.
+// Real recordings in a temporary folder, replayed in the window with a manual clock.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,11 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/runtime/replay_session.h"
-#include "app/runtime/session.h"
-#include "app/ui/replay_state.h"
-#include "tests/app/runtime_support.h"
-#include "tests/ui/gui_test.h"
+#include "app/runtime/session/live_session.h"
+#include "app/runtime/session/replay_session.h"
+#include "tests/app/runtime/support.h"
+#include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 
@@ -33,13 +31,12 @@ class ReplayGuiTest : public GuiTest {
   };
 
   void SetUp() override {
-    open_recording =
-        [this](const std::string& csv_path,
-               const file::ReadProgress& progress) -> Result<std::unique_ptr<runtime::Session>> {
+    open_recording = [this](const std::string& csv_path, const file::ReadProgress& progress)
+        -> Result<std::unique_ptr<runtime::ReplaySession>> {
       auto reader = file::RecordingReader::open(csv_path, progress);
       if (!reader) return reader.error();
-      return std::unique_ptr<runtime::Session>(std::make_unique<runtime::ReplaySession>(
-          std::move(*reader), std::make_unique<Clock>(now_ns_)));
+      return std::make_unique<runtime::ReplaySession>(std::move(*reader),
+                                                      std::make_unique<Clock>(now_ns_));
     };
     options.recording_folder = folder_.file("");
     GuiTest::SetUp();
@@ -47,12 +44,12 @@ class ReplayGuiTest : public GuiTest {
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
 
-  // By a session with its loop and its recorder, from tick 0 on; the marks evenly between its ends.
+  // Records with a real loop and recorder from tick 0 on; the marks are evenly spaced.
   void record(const std::string& name, std::uint64_t ticks,
               const std::vector<std::string>& marks = {}) {
     runtime::SessionOptions paused;
     paused.start_paused = true;
-    auto session = runtime::Session::start(runtime::test::contact_scene(), paused);
+    auto session = runtime::LiveSession::start(runtime::test::contact_scene(), paused);
     ASSERT_TRUE(session) << session.error().message;
     ASSERT_FALSE((*session)->start_recording(path(name)));
     const std::uint64_t leg = ticks / (marks.size() + 1);
@@ -70,7 +67,7 @@ class ReplayGuiTest : public GuiTest {
     ASSERT_FALSE((*session)->stop_recording());
   }
 
-  // Frames until the condition holds; bounded for a broken program, not for a slow one.
+  // Draws frames until the condition holds. The generous bound only catches a broken program.
   void frames_until(const std::function<bool()>& condition) {
     EXPECT_TRUE(runtime::test::eventually([&] {
       frames(1);
@@ -83,8 +80,8 @@ class ReplayGuiTest : public GuiTest {
     frames_until([&] { return !application_->state().replay.opening.running(); });
     frames(2);
   }
-  [[nodiscard]] bool replaying() { return ui::replay_of(application_->session()) != nullptr; }
-  [[nodiscard]] runtime::ReplaySession& replay() { return *ui::replay_of(application_->session()); }
+  [[nodiscard]] bool replaying() { return application_->replay() != nullptr; }
+  [[nodiscard]] runtime::ReplaySession& replay() { return *application_->replay(); }
   void pass_ms(std::int64_t milliseconds) {
     now_ns_ += milliseconds * 1'000'000;
     frames(2);

@@ -27,15 +27,15 @@ Scene press(double stiffness_n_per_m) {
   Scene scene;
   scene.name = "press";
   scene.duration_s = 2.0;
-  scene.device.mass_kg = 0.05;
-  scene.device.force_limit_n = 8.9;
-  scene.device.encoder_m = 0.254e-3;
-  scene.hand = HandSettings{};
-  scene.hand->mass_kg = 0.4;
-  scene.hand->stiffness_n_per_m = 250.0;
-  scene.hand->damping_n_s_per_m = 33.0;
-  scene.hand->path = {{0.0, 0.03}, {0.5, 0.075}};
-  scene.walls = {{0.05, stiffness_n_per_m, 0.0}};
+  scene.x().device.mass_kg = 0.05;
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().device.encoder_m = 0.254e-3;
+  scene.x().hand = HandSettings{};
+  scene.x().hand->mass_kg = 0.4;
+  scene.x().hand->stiffness_n_per_m = 250.0;
+  scene.x().hand->damping_n_s_per_m = 33.0;
+  scene.x().hand->path = {{0.0, 0.03}, {0.5, 0.075}};
+  scene.x().walls = {{0.05, stiffness_n_per_m, 0.0}};
   return scene;
 }
 
@@ -57,16 +57,15 @@ std::vector<Scene> map() {
   return scenes;
 }
 
-template <typename Figures>
-BatchResult<Figures> on_threads(const std::vector<Scene>& scenes, int threads) {
+BatchResult on_threads(const std::vector<Scene>& scenes, int threads) {
   BatchOptions options;
   options.threads = threads;
-  return simulate_batch<Figures>(scenes, options);
+  return simulate_batch(scenes, options);
 }
 
 TEST(BatchSimulator, OfNoScenesIsEmpty) {
-  const auto batch = simulate_batch<Summary>({});
-  EXPECT_TRUE(batch.figures.empty());
+  const auto batch = simulate_batch({});
+  EXPECT_TRUE(batch.summaries.empty());
   EXPECT_FALSE(batch.stopped_early);
 }
 
@@ -74,17 +73,16 @@ TEST(BatchSimulator, GivesTheSameOnAnyNumberOfThreads) {
   const std::vector<Scene> scenes = map();
   const std::vector<Summary> wanted = one_by_one(scenes);
   for (const int threads : {1, 2, 7}) {
-    EXPECT_EQ(first_difference(on_threads<Summary>(scenes, threads), wanted), "") << threads;
-    EXPECT_EQ(first_difference(on_threads<BatchVerdict>(scenes, threads), wanted), "") << threads;
+    EXPECT_EQ(first_difference(on_threads(scenes, threads), wanted), "") << threads;
   }
 }
 
 TEST(BatchSimulator, GivesTheSameInAnyOrderAndCompany) {
   std::vector<Scene> scenes = map();
   std::reverse(scenes.begin(), scenes.end());
-  EXPECT_EQ(first_difference(simulate_batch<Summary>(scenes), one_by_one(scenes)), "");
+  EXPECT_EQ(first_difference(simulate_batch(scenes), one_by_one(scenes)), "");
   const std::vector<Scene> alone{scenes[17]};
-  EXPECT_EQ(first_difference(simulate_batch<Summary>(alone), one_by_one(alone)), "");
+  EXPECT_EQ(first_difference(simulate_batch(alone), one_by_one(alone)), "");
 }
 
 TEST(BatchSimulator, GivesTheSameWithEveryInstructionSet) {
@@ -92,22 +90,19 @@ TEST(BatchSimulator, GivesTheSameWithEveryInstructionSet) {
   const std::vector<Summary> wanted = one_by_one(scenes);
   for (const std::int64_t target : testing::lane_targets()) {
     const testing::OnlyTarget only(target);
-    EXPECT_EQ(first_difference(simulate_batch<Summary>(scenes), wanted), "")
-        << hwy::TargetName(target);
-    EXPECT_EQ(first_difference(simulate_batch<BatchVerdict>(scenes), wanted), "")
-        << hwy::TargetName(target);
+    EXPECT_EQ(first_difference(simulate_batch(scenes), wanted), "") << hwy::TargetName(target);
   }
 }
 
 // A loose hand on an undamped handle, flung out of ±1 m by a stiff wall.
 Scene flung(double stiffness_n_per_m) {
   Scene scene = press(stiffness_n_per_m);
-  scene.device.encoder_m.reset();
-  scene.device.force_limit_n.reset();
-  scene.device.damping_n_s_per_m = 0.01;
-  scene.hand->mass_kg.reset();
-  scene.hand->stiffness_n_per_m = 5.0;
-  scene.hand->damping_n_s_per_m = 0.0;
+  scene.x().device.encoder_m.reset();
+  scene.x().device.force_limit_n.reset();
+  scene.x().device.damping_n_s_per_m = 0.01;
+  scene.x().hand->mass_kg.reset();
+  scene.x().hand->stiffness_n_per_m = 5.0;
+  scene.x().hand->damping_n_s_per_m = 0.0;
   return scene;
 }
 
@@ -116,7 +111,7 @@ TEST(BatchSimulator, ADivergedLaneEndsAtItsTickAndNoOther) {
   std::vector<Scene> scenes;
   for (int i = 0; i < 70; ++i) {
     scenes.push_back(i % 3 == 0 ? flung(2e5 + 4e4 * i) : press(300.0));
-    scenes.back().device.encoder_m.reset();
+    scenes.back().x().device.encoder_m.reset();
     scenes.back().duration_s = 0.5 + 0.03 * i;
   }
   const std::vector<Summary> wanted = one_by_one(scenes);
@@ -128,8 +123,7 @@ TEST(BatchSimulator, ADivergedLaneEndsAtItsTickAndNoOther) {
   }
   ASSERT_GT(before_tail, 3U);
   ASSERT_GT(in_tail, 3U);
-  EXPECT_EQ(first_difference(simulate_batch<Summary>(scenes), wanted), "");
-  EXPECT_EQ(first_difference(simulate_batch<BatchVerdict>(scenes), wanted), "");
+  EXPECT_EQ(first_difference(simulate_batch(scenes), wanted), "");
 }
 
 // A point of the path between two ticks, several in one tick, one on the first and one on the last.
@@ -138,12 +132,11 @@ TEST(BatchSimulator, FollowsAPathThatBendsWithinATick) {
   for (int i = 0; i < 40; ++i) {
     Scene scene = press(1000.0 + 50.0 * i);
     const double bend_s = 0.4 + 0.00013 * i;
-    scene.hand->path = {{0.0001 * i, 0.03},        {bend_s, 0.06}, {bend_s + 0.0002, 0.061},
-                        {bend_s + 0.0005, 0.0605}, {0.9, 0.055},   {1.9999, 0.06}};
+    scene.x().hand->path = {{0.0001 * i, 0.03},        {bend_s, 0.06}, {bend_s + 0.0002, 0.061},
+                            {bend_s + 0.0005, 0.0605}, {0.9, 0.055},   {1.9999, 0.06}};
     scenes.push_back(scene);
   }
-  EXPECT_EQ(first_difference(simulate_batch<Summary>(scenes), one_by_one(scenes)), "");
-  EXPECT_EQ(first_difference(simulate_batch<BatchVerdict>(scenes), one_by_one(scenes)), "");
+  EXPECT_EQ(first_difference(simulate_batch(scenes), one_by_one(scenes)), "");
 }
 
 TEST(BatchSimulator, KnowsWhichScenesHaveLanes) {
@@ -162,15 +155,15 @@ TEST(BatchSimulator, KnowsWhichScenesHaveLanes) {
     change(scene);
     return batch::lane_kind(scene).has_value();
   };
-  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.walls.clear(); }));
-  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.hand.reset(); }));
-  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.device.delay_ticks = 0; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.device.friction_n = 0.1; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.device.delay_ticks = 1; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.device.amplifier_time_constant_s = 1e-3; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.device.force_resolution_n = 0.01; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.hand->grip_stiffness_n_per_m = 1000.0; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.walls.push_back({0.06, 1.0, 0.0}); }));
+  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.x().walls.clear(); }));
+  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.x().hand.reset(); }));
+  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.x().device.delay_ticks = 0; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().device.friction_n = 0.1; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().device.delay_ticks = 1; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().device.amplifier_time_constant_s = 1e-3; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().device.force_resolution_n = 0.01; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().hand->grip_stiffness_n_per_m = 1000.0; }));
+  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().walls.push_back({0.06, 1.0, 0.0}); }));
   EXPECT_FALSE(has_lanes_with([](Scene& s) { s.simulator.integrator = Integrator::kRungeKutta4; }));
 }
 
@@ -197,16 +190,16 @@ TEST(BatchSimulator, StopsWhenAsked) {
     BatchOptions options;
     options.threads = threads;
     options.should_stop = [&] { return ++questions > 5; };
-    const auto batch = simulate_batch<Summary>(scenes, options);
+    const auto batch = simulate_batch(scenes, options);
     EXPECT_TRUE(batch.stopped_early);
-    ASSERT_EQ(batch.figures.size(), scenes.size());
+    ASSERT_EQ(batch.summaries.size(), scenes.size());
     const std::vector<Summary> wanted = one_by_one(scenes);
     std::size_t missing = 0;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-      if (!batch.figures[i]) {
+      if (!batch.summaries[i]) {
         ++missing;
       } else {
-        EXPECT_EQ(testing::differences(*batch.figures[i], wanted[i]), "");
+        EXPECT_EQ(testing::differences(*batch.summaries[i], wanted[i]), "");
       }
     }
     EXPECT_GT(missing, 0U);
@@ -218,20 +211,20 @@ TEST(BatchSimulator, StopsInTheMiddleOfALongScene) {
   for (const bool lanes : {true, false}) {
     Scene scene = press(1000.0);
     scene.duration_s = 1e6;
-    if (!lanes) scene.device.friction_n = 0.1;
+    if (!lanes) scene.x().device.friction_n = 0.1;
     int questions = 0;
     BatchOptions options;
     options.threads = 1;
     options.should_stop = [&] { return ++questions > 3; };
-    const auto batch = simulate_batch<BatchVerdict>({&scene, 1}, options);
+    const auto batch = simulate_batch({&scene, 1}, options);
     EXPECT_TRUE(batch.stopped_early);
-    EXPECT_FALSE(batch.figures.front().has_value());
+    EXPECT_FALSE(batch.summaries.front().has_value());
   }
 }
 
 TEST(BatchSimulator, TellsItsProgressInOrderAndToTheEnd) {
   std::vector<Scene> scenes = map();
-  scenes.front().device.friction_n = 0.1;
+  scenes.front().x().device.friction_n = 0.1;
   for (const int threads : {1, 4}) {
     std::vector<std::size_t> told;
     BatchOptions options;
@@ -240,7 +233,7 @@ TEST(BatchSimulator, TellsItsProgressInOrderAndToTheEnd) {
       EXPECT_EQ(total, scenes.size());
       told.push_back(done);
     };
-    (void)simulate_batch<BatchVerdict>(scenes, options);
+    (void)simulate_batch(scenes, options);
     ASSERT_FALSE(told.empty());
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
     EXPECT_EQ(std::adjacent_find(told.begin(), told.end()), told.end());
@@ -266,15 +259,15 @@ TEST(BatchSimulator, NeverCallsBackFromTwoThreadsAtATime) {
     return false;
   };
   options.progress = [&](std::size_t, std::size_t) { call(); };
-  (void)simulate_batch<BatchVerdict>(scenes, options);
+  (void)simulate_batch(scenes, options);
   EXPECT_FALSE(met);
 }
 
 TEST(BatchSimulator, RefusesAHandThatFollowsTheMouse) {
   Scene scene = press(1000.0);
-  scene.hand->follows_mouse = true;
-  scene.hand->path.clear();
-  EXPECT_THROW((void)simulate_batch<Summary>({&scene, 1}), std::invalid_argument);
+  scene.x().hand->follows_mouse = true;
+  scene.x().hand->path.clear();
+  EXPECT_THROW((void)simulate_batch({&scene, 1}), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/servo.h"
+#include "core/loop/servo.h"
 
 #include <gtest/gtest.h>
 
@@ -184,7 +184,7 @@ TEST(ServoStep, TheFirstTickHasNoVelocityWhereverItIs) {
 TEST(ServoStep, ActsOnAPositionOfTheGreatestAge) {
   Servo servo(stiff_wall());
   ScriptedDevice device;
-  device.next = {1e-4, kDefaultMaximumAgeS, DeviceState::kOk};
+  device.next = {1e-4, kDefaultMaxAgeS, DeviceState::kOk};
   EXPECT_EQ(servo.tick(device).flags & kFlagStaleInput, 0U);
   EXPECT_GT(device.forces.back(), 0.0);
 }

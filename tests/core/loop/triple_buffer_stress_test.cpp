@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "device/triple_buffer.h"
+#include "core/loop/triple_buffer.h"
 
 namespace hapticwall {
 namespace {

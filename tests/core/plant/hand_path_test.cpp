@@ -50,7 +50,7 @@ TEST(HandPath, FollowsThePointerAsFastAsAnArm) {
   HandPath path({{0.0, 0.03}}, 1000.0);
   path.lead_to(0.0325);
   EXPECT_DOUBLE_EQ(path.position_m(), 0.03);
-  EXPECT_NEAR(path.velocity_m_per_s(), kMaximumPointerSpeedMPerS, 1e-12);
+  EXPECT_NEAR(path.velocity_m_per_s(), kMaxPointerSpeedMPerS, 1e-12);
   path.next_tick();
   path.next_tick();
   EXPECT_NEAR(path.position_m(), 0.032, 1e-15);
@@ -68,7 +68,7 @@ TEST(HandPath, FollowsThePointerAsFastAsAnArm) {
 TEST(HandPath, WithoutAScriptFollowsThePointerJustAsFast) {
   HandPath path(0.03, 1000.0);
   path.lead_to(0.0325);
-  EXPECT_NEAR(path.velocity_m_per_s(), kMaximumPointerSpeedMPerS, 1e-12);
+  EXPECT_NEAR(path.velocity_m_per_s(), kMaxPointerSpeedMPerS, 1e-12);
   path.next_tick();
   EXPECT_NEAR(path.position_m(), 0.031, 1e-15);
   path.next_tick();

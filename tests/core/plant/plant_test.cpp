@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/plant/plant_model.h"
@@ -13,20 +14,20 @@ namespace {
 
 using testing::BruteForcePlant;
 
-// What the tests compare, whatever the plant's type.
+// The quantities that the tests compare, for a plant of any type.
 class AnyPlant {
  public:
   explicit AnyPlant(const Scene& scene) : plant_(make_plant(scene)) {}
   void advance(double force_n) {
-    visit_plant([&](auto& plant) { plant.advance(force_n); }, plant_);
+    std::visit([&](auto& plant) { plant.advance(force_n); }, plant_);
   }
   [[nodiscard]] PlantTruth truth() const {
     PlantTruth truth;
-    visit_plant([&](const auto& plant) { plant.write_truth(plant.motion(), truth); }, plant_);
+    std::visit([&](const auto& plant) { plant.write_truth(plant.motion(), truth); }, plant_);
     return truth;
   }
   [[nodiscard]] std::uint64_t friction_events() const {
-    return visit_plant(
+    return std::visit(
         [](const auto& plant) -> std::uint64_t {
           if constexpr (requires { plant.friction_events(); }) return plant.friction_events();
           return 0;
@@ -40,12 +41,12 @@ class AnyPlant {
 
 BruteForcePlant brute_force(const Scene& scene) {
   BruteForcePlant reference;
-  reference.mass = scene.device.mass_kg;
-  reference.damping = scene.device.damping_n_s_per_m;
-  reference.friction = scene.device.friction_n.value_or(0.0);
-  reference.x = reference.y = scene.device.start_m;
-  if (!scene.hand) return reference;
-  const HandSettings& hand = *scene.hand;
+  reference.mass = scene.x().device.mass_kg;
+  reference.damping = scene.x().device.damping_n_s_per_m;
+  reference.friction = scene.x().device.friction_n.value_or(0.0);
+  reference.x = reference.y = scene.x().device.start_m;
+  if (!scene.x().hand) return reference;
+  const HandSettings& hand = *scene.x().hand;
   reference.hand_stiffness = hand.stiffness_n_per_m;
   reference.hand_damping = hand.damping_n_s_per_m;
   if (hand.has_grip()) {
@@ -109,20 +110,20 @@ AnyPlant compare(const Scene& scene, int ticks, int substeps, Tolerance toleranc
 
 Scene spring_hand() {
   Scene scene;
-  scene.device.mass_kg = 0.1;
-  scene.hand.emplace();
-  scene.hand->stiffness_n_per_m = 300.0;
-  scene.hand->damping_n_s_per_m = 5.0;
-  scene.hand->path = {{0.0, 0.03}, {0.02, 0.035}};
+  scene.x().device.mass_kg = 0.1;
+  scene.x().hand.emplace();
+  scene.x().hand->stiffness_n_per_m = 300.0;
+  scene.x().hand->damping_n_s_per_m = 5.0;
+  scene.x().hand->path = {{0.0, 0.03}, {0.02, 0.035}};
   return scene;
 }
 
 Scene grip_hand() {
   Scene scene = spring_hand();
-  scene.device.mass_kg = 0.05;
-  scene.hand->mass_kg = 0.4;
-  scene.hand->grip_stiffness_n_per_m = 1000.0;
-  scene.hand->grip_damping_n_s_per_m = 1.0;
+  scene.x().device.mass_kg = 0.05;
+  scene.x().hand->mass_kg = 0.4;
+  scene.x().hand->grip_stiffness_n_per_m = 1000.0;
+  scene.x().hand->grip_damping_n_s_per_m = 1.0;
   return scene;
 }
 
@@ -130,7 +131,7 @@ constexpr Tolerance kExact{1e-16, 2e-16};
 
 TEST(ExactPlant, WithoutAHandIsTheBruteForceMotion) {
   Scene scene = spring_hand();
-  scene.hand.reset();
+  scene.x().hand.reset();
   compare(scene, 60, 200, kExact);
 }
 
@@ -140,7 +141,7 @@ TEST(ExactPlant, WithAMasslessHandIsTheBruteForceMotion) {
 
 TEST(ExactPlant, WithARigidHandMassIsTheBruteForceMotion) {
   Scene scene = spring_hand();
-  scene.hand->mass_kg = 0.1;
+  scene.x().hand->mass_kg = 0.1;
   compare(scene, 60, 200, kExact);
 }
 
@@ -149,10 +150,10 @@ TEST(ExactPlant, WithAGripIsTheBruteForceMotion) { compare(grip_hand(), 60, 200,
 TEST(ExactPlant, OverdampedCriticalAndUndampedHandsAreTheBruteForceMotion) {
   for (const double damping : {0.0, 2.0 * std::sqrt(300.0 * 0.1) - 1.0, 200.0}) {
     Scene scene = spring_hand();
-    scene.hand->damping_n_s_per_m = damping;
+    scene.x().hand->damping_n_s_per_m = damping;
     compare(scene, 40, 4000, kExact);
     Scene grip = grip_hand();
-    grip.hand->damping_n_s_per_m = damping;
+    grip.x().hand->damping_n_s_per_m = damping;
     compare(grip, 40, 4000, kExact);
   }
 }
@@ -160,7 +161,7 @@ TEST(ExactPlant, OverdampedCriticalAndUndampedHandsAreTheBruteForceMotion) {
 // The intended path bends in the middle of a tick, and twice within another.
 TEST(ExactPlant, FollowsAPathThatBendsBetweenTicks) {
   for (Scene scene : {spring_hand(), grip_hand()}) {
-    scene.hand->path = {{0.0, 0.03}, {0.0025, 0.0301}, {0.00525, 0.0295}, {0.00575, 0.0305}};
+    scene.x().hand->path = {{0.0, 0.03}, {0.0025, 0.0301}, {0.00525, 0.0295}, {0.00575, 0.0305}};
     compare(scene, 10, 4000, kExact);
   }
 }
@@ -170,9 +171,9 @@ constexpr Tolerance kFrictionTolerance{1e-11, 1e-11};
 
 TEST(ExactPlant, SticksAndSlipsLikeTheBruteForceMotion) {
   for (Scene scene : {spring_hand(), grip_hand()}) {
-    scene.device.friction_n = 0.9;
-    scene.hand->stiffness_n_per_m = 3000.0;
-    scene.hand->path = {{0.0, 0.03}, {0.02, 0.0302}, {0.04, 0.0299}};
+    scene.x().device.friction_n = 0.9;
+    scene.x().hand->stiffness_n_per_m = 3000.0;
+    scene.x().hand->path = {{0.0, 0.03}, {0.02, 0.0302}, {0.04, 0.0299}};
     int reference_events = 0;
     const AnyPlant plant =
         compare(scene, 60, 2000, kFrictionTolerance, reversing_force, &reference_events);
@@ -181,11 +182,11 @@ TEST(ExactPlant, SticksAndSlipsLikeTheBruteForceMotion) {
   }
 }
 
-// The hand goes on while the handle sticks, until its pull is more than the friction.
+// The hand moves while the handle sticks, until its pull exceeds the friction.
 TEST(ExactPlant, AHandThatMovesOnBreaksAStuckHandleLooseWhenItShould) {
   Scene scene = grip_hand();
-  scene.device.friction_n = 0.9;
-  scene.hand->path = {{0.0, 0.03}, {1.0, 0.04}};
+  scene.x().device.friction_n = 0.9;
+  scene.x().hand->path = {{0.0, 0.03}, {1.0, 0.04}};
   int reference_events = 0;
   const AnyPlant plant = compare(
       scene, 500, 200, kFrictionTolerance, [](int) { return 0.0; }, &reference_events);
@@ -195,23 +196,23 @@ TEST(ExactPlant, AHandThatMovesOnBreaksAStuckHandleLooseWhenItShould) {
 
 TEST(ExactPlant, SticksForEverUnderLessThanTheFriction) {
   Scene scene = spring_hand();
-  scene.hand.reset();
-  scene.device.friction_n = 0.5;
+  scene.x().hand.reset();
+  scene.x().device.friction_n = 0.5;
   AnyPlant plant(scene);
   for (int i = 0; i < 1000; ++i) plant.advance(i % 2 == 0 ? 0.49 : -0.49);
-  EXPECT_EQ(plant.truth().position_m, scene.device.start_m);
+  EXPECT_EQ(plant.truth().position_m, scene.x().device.start_m);
   EXPECT_EQ(plant.truth().dissipation_j, 0.0);
   plant.advance(0.51);
-  EXPECT_LT(plant.truth().position_m, scene.device.start_m);
+  EXPECT_LT(plant.truth().position_m, scene.x().device.start_m);
 }
 
-// Coulomb's law by itself: a body under a constant friction comes to rest after v²/(2 f/m).
+// Coulomb's law alone: under constant friction a body stops after v²/(2 f/m).
 TEST(ExactPlant, SlidesToRestAsCoulombSays) {
   Scene scene;
-  scene.device.mass_kg = 0.2;
-  scene.device.damping_n_s_per_m = 0.0;
-  scene.device.friction_n = 0.14;
-  scene.device.start_m = 0.0;
+  scene.x().device.mass_kg = 0.2;
+  scene.x().device.damping_n_s_per_m = 0.0;
+  scene.x().device.friction_n = 0.14;
+  scene.x().device.start_m = 0.0;
   AnyPlant plant(scene);
   for (int i = 0; i < 20; ++i) plant.advance(-2.14);  // net 2 N for 20 ms: 0.2 m/s, 2 mm
   EXPECT_NEAR(plant.truth().velocity_m_per_s, 0.2, 1e-15);
@@ -227,9 +228,9 @@ TEST(ExactPlant, SlidesToRestAsCoulombSays) {
 // with 320000 substeps the two agree to 5e-13.
 TEST(ExactPlant, StiffHandlesWithFrictionMoveLikeTheBruteForceMotion) {
   for (Scene scene : {spring_hand(), grip_hand()}) {
-    scene.device.mass_kg = 1e-4;
-    scene.device.damping_n_s_per_m = 5.0;
-    scene.device.friction_n = 0.2;
+    scene.x().device.mass_kg = 1e-4;
+    scene.x().device.damping_n_s_per_m = 5.0;
+    scene.x().device.friction_n = 0.2;
     scene.sampling.rate_hz = 100.0;
     const auto force = [](int tick) { return 0.6 * reversing_force(4 * tick); };
     int reference_events = 0;
@@ -243,7 +244,7 @@ TEST(ExactPlant, StiffHandlesWithFrictionMoveLikeTheBruteForceMotion) {
 TEST(ExactPlant, HalfTheStepTwiceIsTheSame) {
   for (Scene scene : {spring_hand(), grip_hand()}) {
     for (const double friction : {0.0, 0.3}) {
-      if (friction > 0.0) scene.device.friction_n = friction;
+      if (friction > 0.0) scene.x().device.friction_n = friction;
       Scene half = scene;
       half.sampling.rate_hz *= 2.0;
       AnyPlant whole(scene);
@@ -273,8 +274,8 @@ TEST(PlantModel, ResetsToTheStart) {
 
 TEST(PlantModel, MeasuresThroughItsEncoder) {
   Scene scene = spring_hand();
-  scene.device.encoder_m = 0.254e-3;
-  scene.device.start_m = 0.0301;
+  scene.x().device.encoder_m = 0.254e-3;
+  scene.x().device.start_m = 0.0301;
   EXPECT_DOUBLE_EQ(PlantModel(scene).measured_position_m(), 119 * 0.254e-3);
 }
 

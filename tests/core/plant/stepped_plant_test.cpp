@@ -8,29 +8,29 @@
 #include <string>
 
 #include "core/plant/plant_model.h"
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 
 namespace hapticwall {
 namespace {
 
 Scene gripped() {
   Scene scene;
-  scene.device.mass_kg = 0.05;
-  scene.hand.emplace();
-  scene.hand->mass_kg = 0.4;
-  scene.hand->stiffness_n_per_m = 250.0;
-  scene.hand->damping_n_s_per_m = 33.0;
-  scene.hand->grip_stiffness_n_per_m = 1000.0;
-  scene.hand->grip_damping_n_s_per_m = 1.0;
-  scene.hand->path = {{0.0, 0.03}, {0.02, 0.035}};
+  scene.x().device.mass_kg = 0.05;
+  scene.x().hand.emplace();
+  scene.x().hand->mass_kg = 0.4;
+  scene.x().hand->stiffness_n_per_m = 250.0;
+  scene.x().hand->damping_n_s_per_m = 33.0;
+  scene.x().hand->grip_stiffness_n_per_m = 1000.0;
+  scene.x().hand->grip_damping_n_s_per_m = 1.0;
+  scene.x().hand->path = {{0.0, 0.03}, {0.02, 0.035}};
   return scene;
 }
 
 Scene held() {
   Scene scene = gripped();
-  scene.hand->mass_kg.reset();
-  scene.hand->grip_stiffness_n_per_m.reset();
-  scene.hand->grip_damping_n_s_per_m.reset();
+  scene.x().hand->mass_kg.reset();
+  scene.x().hand->grip_stiffness_n_per_m.reset();
+  scene.x().hand->grip_damping_n_s_per_m.reset();
   return scene;
 }
 
@@ -84,7 +84,7 @@ TEST(SteppedPlant, EnergiesConvergeToo) {
 
 TEST(SteppedPlant, FrictionStopsAndHoldsInBoth) {
   for (Scene scene : {held(), gripped()}) {
-    scene.device.friction_n = 0.4;
+    scene.x().device.friction_n = 0.4;
     const PlantTruth exact = moved(scene);
     EXPECT_GT(exact.dissipation_j, 0.0);
     for (const Integrator integrator : {Integrator::kSemiImplicitEuler, Integrator::kRungeKutta4}) {
@@ -94,15 +94,15 @@ TEST(SteppedPlant, FrictionStopsAndHoldsInBoth) {
     }
   }
   Scene stuck = held();
-  stuck.device.friction_n = 100.0;
+  stuck.x().device.friction_n = 100.0;
   for (const Integrator integrator : {Integrator::kSemiImplicitEuler, Integrator::kRungeKutta4}) {
-    EXPECT_EQ(moved(under(stuck, integrator, 3)).position_m, stuck.device.start_m);
+    EXPECT_EQ(moved(under(stuck, integrator, 3)).position_m, stuck.x().device.start_m);
   }
 }
 
 TEST(SteppedPlant, BendsOfThePathAreFollowed) {
   Scene scene = held();
-  scene.hand->path = {{0.0, 0.03}, {0.0125, 0.036}, {0.0205, 0.031}};
+  scene.x().hand->path = {{0.0, 0.03}, {0.0125, 0.036}, {0.0205, 0.031}};
   EXPECT_LT(position_error(scene, Integrator::kRungeKutta4, 20), 1e-12);
 }
 
@@ -111,13 +111,13 @@ TEST(SteppedPlant, BendsOfThePathAreFollowed) {
 TEST(SteppedPlant, EulerWithOneStepATickHidesTheLimitCycle) {
   Scene scene;
   scene.duration_s = 3.0;
-  scene.device.mass_kg = 0.2;
-  scene.device.force_limit_n = 8.9;
-  scene.hand.emplace();
-  scene.hand->stiffness_n_per_m = 300.0;
-  scene.hand->damping_n_s_per_m = 5.0;
-  scene.hand->path = {{0.0, 0.03}, {0.3, 0.06}};
-  scene.walls = {{0.05, 35e3, 0.0}};
+  scene.x().device.mass_kg = 0.2;
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().hand.emplace();
+  scene.x().hand->stiffness_n_per_m = 300.0;
+  scene.x().hand->damping_n_s_per_m = 5.0;
+  scene.x().hand->path = {{0.0, 0.03}, {0.3, 0.06}};
+  scene.x().walls = {{0.05, 35e3, 0.0}};
   const auto peak_to_peak_m = [&](Integrator integrator, int substeps) {
     return simulate(under(scene, integrator, substeps)).summary.tail_peak_to_peak_m.value();
   };
@@ -130,8 +130,8 @@ TEST(SteppedPlant, EulerWithOneStepATickHidesTheLimitCycle) {
 
 TEST(SteppedPlant, AnUnstableChoiceDivergesInGoodOrder) {
   Scene scene = held();
-  scene.device.mass_kg = 1e-4;
-  scene.device.damping_n_s_per_m = 10.0;  // b h/m = 100
+  scene.x().device.mass_kg = 1e-4;
+  scene.x().device.damping_n_s_per_m = 10.0;  // b h/m = 100
   const SimulationResult result = simulate(under(scene, Integrator::kSemiImplicitEuler, 1));
   EXPECT_EQ(result.summary.verdict, Verdict::kDiverged);
   EXPECT_TRUE(result.summary.diverged_at_tick.has_value());

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
@@ -23,14 +23,14 @@ Scene corner_scene() {
   Scene scene;
   scene.name = "corner";
   scene.duration_s = 2.5;  // ticks that are no whole number of chunks
-  scene.device.encoder_m = 0.254e-3;
-  scene.device.friction_n = 0.14;
-  scene.hand = hand(0.07);
-  scene.walls = {{0.05, 35000.0, 0.0}};
-  scene.y.emplace();
-  scene.y->device.mass_kg = 0.08;
-  scene.y->hand = hand(0.06);
-  scene.y->walls = {{0.045, 5000.0, 1.0}, {0.05, 9000.0, 0.0}};
+  scene.x().device.encoder_m = 0.254e-3;
+  scene.x().device.friction_n = 0.14;
+  scene.x().hand = hand(0.07);
+  scene.x().walls = {{0.05, 35000.0, 0.0}};
+  scene.axes.resize(2);
+  scene.axes[1].device.mass_kg = 0.08;
+  scene.axes[1].hand = hand(0.06);
+  scene.axes[1].walls = {{0.045, 5000.0, 1.0}, {0.05, 9000.0, 0.0}};
   scene.algorithm.index = *find_algorithm("energy-bounding");
   return scene;
 }
@@ -68,23 +68,23 @@ void expect_each_as_alone(const Scene& scene, const std::vector<ScheduledChange>
   Rows y;
   AxesOptions options;
   options.changes = changes;
-  options.on_samples = [&](const Sample& x_sample, const Sample& y_sample) {
-    EXPECT_EQ(x_sample.tick, y_sample.tick);
-    x.add(x_sample);
-    y.add(y_sample);
+  options.on_tick = [&](const Tick& tick) {
+    EXPECT_EQ(tick.axes[0].tick, tick.axes[1].tick);
+    x.add(tick.axes[0]);
+    y.add(tick.axes[1]);
   };
   const AxesResult both = simulate_axes(scene, options);
   std::vector<ScheduledChange> y_changes;
   for (const ScheduledChange& change : changes)
-    y_changes.push_back({change.tick, second_axis(change.scene)});
+    y_changes.push_back({change.tick, axis_scene(change.scene, 1)});
   Summary x_summary;
   Summary y_summary;
   expect_same_bits(x, alone(scene, changes, x_summary));
-  expect_same_bits(y, alone(second_axis(scene), y_changes, y_summary));
-  EXPECT_EQ(both.x.summary.energy_scv_j, x_summary.energy_scv_j);
-  EXPECT_EQ(both.y.summary.energy_scv_j, y_summary.energy_scv_j);
-  EXPECT_EQ(both.y.summary.tail_peak_to_peak_m, y_summary.tail_peak_to_peak_m);
-  EXPECT_NE(both.x.summary.peak_force_n, both.y.summary.peak_force_n);
+  expect_same_bits(y, alone(axis_scene(scene, 1), y_changes, y_summary));
+  EXPECT_EQ(both.axes[0].summary.energy_scv_j, x_summary.energy_scv_j);
+  EXPECT_EQ(both.axes[1].summary.energy_scv_j, y_summary.energy_scv_j);
+  EXPECT_EQ(both.axes[1].summary.tail_peak_to_peak_m, y_summary.tail_peak_to_peak_m);
+  EXPECT_NE(both.axes[0].summary.peak_force_n, both.axes[1].summary.peak_force_n);
 }
 
 TEST(Corner, EachAxisIsBitForBitWhatItIsAlone) {
@@ -99,30 +99,30 @@ TEST(Corner, EachAxisIsBitForBitWhatItIsAlone) {
 TEST(Corner, ChangesReachBothAxesAtTheirTick) {
   Scene changed = corner_scene();
   changed.algorithm.index = *find_algorithm("none");
-  changed.y->walls[0].stiffness_n_per_m = 100.0;
-  changed.y->device.mass_kg = 0.2;
+  changed.axes[1].walls[0].stiffness_n_per_m = 100.0;
+  changed.axes[1].device.mass_kg = 0.2;
   Scene again = changed;
-  again.device.mass_kg = 0.06;
+  again.x().device.mass_kg = 0.06;
   expect_each_as_alone(corner_scene(), {{700, changed}, {1024, again}, {1500, corner_scene()}});
 }
 
 TEST(Corner, EndsWithTheAxisThatDiverges) {
   Scene scene = corner_scene();
   scene.algorithm.index = *find_algorithm("none");
-  scene.y->device.friction_n.reset();
-  scene.y->device.damping_n_s_per_m = 0.0;
-  scene.y->device.mass_kg = 1e-3;
-  scene.y->hand.reset();
-  scene.y->device.start_m = 0.9;
-  scene.y->walls = {{0.05, 1e6, 0.0}};
+  scene.axes[1].device.friction_n.reset();
+  scene.axes[1].device.damping_n_s_per_m = 0.0;
+  scene.axes[1].device.mass_kg = 1e-3;
+  scene.axes[1].hand.reset();
+  scene.axes[1].device.start_m = 0.9;
+  scene.axes[1].walls = {{0.05, 1e6, 0.0}};
   std::uint64_t rows = 0;
   AxesOptions options;
-  options.on_samples = [&](const Sample&, const Sample&) { ++rows; };
+  options.on_tick = [&](const Tick& /*tick*/) { ++rows; };
   const AxesResult both = simulate_axes(scene, options);
-  ASSERT_EQ(both.y.summary.verdict, Verdict::kDiverged);
-  EXPECT_EQ(rows, both.y.summary.ticks);
-  EXPECT_LE(both.x.summary.ticks, both.y.summary.ticks + kAxesApartTicks);
-  EXPECT_LT(both.x.summary.ticks, scene.tick_count());
+  ASSERT_EQ(both.axes[1].summary.verdict, Verdict::kDiverged);
+  EXPECT_EQ(rows, both.axes[1].summary.ticks);
+  EXPECT_LE(both.axes[0].summary.ticks, both.axes[1].summary.ticks + kAxesApartTicks);
+  EXPECT_LT(both.axes[0].summary.ticks, scene.tick_count());
 }
 
 TEST(Corner, EveryPartOfASecondAxisIsValidated) {
@@ -133,14 +133,14 @@ TEST(Corner, EveryPartOfASecondAxisIsValidated) {
     return problem ? problem->key : std::string();
   };
   EXPECT_EQ(key_of([](Scene&) {}), "");
-  EXPECT_EQ(key_of([](Scene& s) { s.y->device.mass_kg = -1.0; }), "device.y.mass_kg");
-  EXPECT_EQ(key_of([](Scene& s) { s.y->device.encoder_m = 1e-15; }), "device.y.encoder_m");
-  EXPECT_EQ(key_of([](Scene& s) { s.y->hand->path.clear(); }), "hand.y.path");
-  EXPECT_EQ(key_of([](Scene& s) { s.y->hand->grip_damping_n_s_per_m = 1.0; }),
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].device.mass_kg = -1.0; }), "device.y.mass_kg");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].device.encoder_m = 1e-15; }), "device.y.encoder_m");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand->path.clear(); }), "hand.y.path");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand->grip_damping_n_s_per_m = 1.0; }),
             "hand.y.grip_damping_n_s_per_m");
-  EXPECT_EQ(key_of([](Scene& s) { s.y->walls[1].damping_n_s_per_m = -1.0; }),
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].walls[1].damping_n_s_per_m = -1.0; }),
             "wall[2].damping_n_s_per_m");
-  EXPECT_EQ(key_of([](Scene& s) { s.y->walls.resize(kMaximumWalls + 1); }), "wall");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].walls.resize(kMaxWalls + 1); }), "wall");
 }
 
 }  // namespace

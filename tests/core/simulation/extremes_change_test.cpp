@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/plant/plant_model.h"
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "tests/property/extremes_run.h"
 
 namespace hapticwall {
@@ -29,31 +29,31 @@ Scene everything() {
   Scene scene;
   scene.name = "change";
   scene.duration_s = 1.0;
-  scene.device.mass_kg = 0.1;
-  scene.device.friction_n = 0.14;
-  scene.device.force_limit_n = 8.9;
-  scene.device.force_resolution_n = 0.01;
-  scene.device.delay_ticks = 2;
-  scene.device.amplifier_time_constant_s = 1e-3;
-  scene.hand.emplace();
-  scene.hand->mass_kg = 0.4;
-  scene.hand->stiffness_n_per_m = 250.0;
-  scene.hand->damping_n_s_per_m = 8.0;
-  scene.hand->grip_stiffness_n_per_m = 1000.0;
-  scene.hand->grip_damping_n_s_per_m = 1.0;
-  scene.hand->path = {{0.0, 0.03}, {0.3, 0.075}, {0.5, 0.03}, {0.7, 0.07}};
-  scene.walls = {{.position_m = 0.05, .stiffness_n_per_m = 2000.0}};
+  scene.x().device.mass_kg = 0.1;
+  scene.x().device.friction_n = 0.14;
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().device.force_resolution_n = 0.01;
+  scene.x().device.delay_ticks = 2;
+  scene.x().device.amplifier_time_constant_s = 1e-3;
+  scene.x().hand.emplace();
+  scene.x().hand->mass_kg = 0.4;
+  scene.x().hand->stiffness_n_per_m = 250.0;
+  scene.x().hand->damping_n_s_per_m = 8.0;
+  scene.x().hand->grip_stiffness_n_per_m = 1000.0;
+  scene.x().hand->grip_damping_n_s_per_m = 1.0;
+  scene.x().hand->path = {{0.0, 0.03}, {0.3, 0.075}, {0.5, 0.03}, {0.7, 0.07}};
+  scene.x().walls = {{.position_m = 0.05, .stiffness_n_per_m = 2000.0}};
   return scene;
 }
 
 Scene plain() {
   Scene scene = everything();
-  scene.device.friction_n.reset();
-  scene.device.force_resolution_n.reset();
-  scene.device.delay_ticks.reset();
-  scene.device.amplifier_time_constant_s.reset();
-  scene.hand->grip_stiffness_n_per_m.reset();
-  scene.hand->grip_damping_n_s_per_m.reset();
+  scene.x().device.friction_n.reset();
+  scene.x().device.force_resolution_n.reset();
+  scene.x().device.delay_ticks.reset();
+  scene.x().device.amplifier_time_constant_s.reset();
+  scene.x().hand->grip_stiffness_n_per_m.reset();
+  scene.x().hand->grip_damping_n_s_per_m.reset();
   return scene;
 }
 
@@ -66,40 +66,40 @@ std::ostream& operator<<(std::ostream& out, const Change& change) { return out <
 
 const std::vector<Change>& changes() {
   static const std::vector<Change> kAll{
-      {"heavier", [](Scene& s) { s.device.mass_kg = 0.3; }},
-      {"lighter", [](Scene& s) { s.device.mass_kg = 0.02; }},
-      {"damping", [](Scene& s) { s.device.damping_n_s_per_m = 4.0; }},
-      {"hand_mass", [](Scene& s) { s.hand->mass_kg = 1.1; }},
-      {"hand_stiffness", [](Scene& s) { s.hand->stiffness_n_per_m = 900.0; }},
+      {"heavier", [](Scene& s) { s.x().device.mass_kg = 0.3; }},
+      {"lighter", [](Scene& s) { s.x().device.mass_kg = 0.02; }},
+      {"damping", [](Scene& s) { s.x().device.damping_n_s_per_m = 4.0; }},
+      {"hand_mass", [](Scene& s) { s.x().hand->mass_kg = 1.1; }},
+      {"hand_stiffness", [](Scene& s) { s.x().hand->stiffness_n_per_m = 900.0; }},
       {"grip_off",
        [](Scene& s) {
-         s.hand->grip_stiffness_n_per_m.reset();
-         s.hand->grip_damping_n_s_per_m.reset();
+         s.x().hand->grip_stiffness_n_per_m.reset();
+         s.x().hand->grip_damping_n_s_per_m.reset();
        }},
       {"grip_on",
        [](Scene& s) {
-         s.hand->mass_kg = 0.4;
-         s.hand->grip_stiffness_n_per_m = 3000.0;
+         s.x().hand->mass_kg = 0.4;
+         s.x().hand->grip_stiffness_n_per_m = 3000.0;
        }},
-      {"friction_off", [](Scene& s) { s.device.friction_n.reset(); }},
-      {"friction_on", [](Scene& s) { s.device.friction_n = 0.5; }},
-      {"lag_off", [](Scene& s) { s.device.amplifier_time_constant_s.reset(); }},
-      {"lag_on", [](Scene& s) { s.device.amplifier_time_constant_s = 4e-3; }},
-      {"delay_off", [](Scene& s) { s.device.delay_ticks.reset(); }},
-      {"delay_on", [](Scene& s) { s.device.delay_ticks = 9; }},
-      {"resolution_off", [](Scene& s) { s.device.force_resolution_n.reset(); }},
-      {"resolution_on", [](Scene& s) { s.device.force_resolution_n = 0.5; }},
-      {"no_hand", [](Scene& s) { s.hand.reset(); }},
+      {"friction_off", [](Scene& s) { s.x().device.friction_n.reset(); }},
+      {"friction_on", [](Scene& s) { s.x().device.friction_n = 0.5; }},
+      {"lag_off", [](Scene& s) { s.x().device.amplifier_time_constant_s.reset(); }},
+      {"lag_on", [](Scene& s) { s.x().device.amplifier_time_constant_s = 4e-3; }},
+      {"delay_off", [](Scene& s) { s.x().device.delay_ticks.reset(); }},
+      {"delay_on", [](Scene& s) { s.x().device.delay_ticks = 9; }},
+      {"resolution_off", [](Scene& s) { s.x().device.force_resolution_n.reset(); }},
+      {"resolution_on", [](Scene& s) { s.x().device.force_resolution_n = 0.5; }},
+      {"no_hand", [](Scene& s) { s.x().hand.reset(); }},
       {"other_integrator",
        [](Scene& s) {
          s.simulator = {Integrator::kRungeKutta4, 200};
        }},
       {"everything_else",
        [](Scene& s) {
-         s.device = DeviceSettings{};
-         s.hand->mass_kg.reset();
-         s.hand->grip_stiffness_n_per_m.reset();
-         s.hand->grip_damping_n_s_per_m.reset();
+         s.x().device = DeviceSettings{};
+         s.x().hand->mass_kg.reset();
+         s.x().hand->grip_stiffness_n_per_m.reset();
+         s.x().hand->grip_damping_n_s_per_m.reset();
        }},
   };
   return kAll;
@@ -143,7 +143,7 @@ TEST_P(ParameterChange, ThePlantGoesOnFromWhereItIs) {
 // With substeps the balance is closed as well as the method does it; where friction turns the
 // handle that is of first order, so that nothing could be said of the change.
 bool closes_balance(const Change& change, const Scene& scene) {
-  return change.name != "other_integrator" || !scene.device.friction_n;
+  return change.name != "other_integrator" || !scene.x().device.friction_n;
 }
 
 // Whoever makes a moving handle heavier is the hand, in the ledger.
@@ -229,7 +229,7 @@ TEST(UnchangedParameters, HandedOverAtEveryTickNoBitOfThePlantChanges) {
 // the flag differs.
 TEST(UnchangedParameters, InClosedLoopNoBitChangesBeforeTheWall) {
   for (Scene scene : {everything(), plain()}) {
-    scene.walls.front().position_m = 0.9;
+    scene.x().walls.front().position_m = 0.9;
     const ScheduledChange change{kChangeTick, scene};
     const auto before = samples_of(scene, {});
     const auto after = samples_of(scene, {&change, 1});

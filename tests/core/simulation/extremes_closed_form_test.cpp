@@ -6,10 +6,11 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/plant/plant_model.h"
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "tests/quad_plant.h"
 
 namespace hapticwall {
@@ -27,13 +28,13 @@ constexpr double kSpeed = 0.01;
 Scene critical(double ratio) {
   Scene scene;
   scene.sampling.rate_hz = 16.0;
-  scene.device.mass_kg = 1.0;
-  scene.device.damping_n_s_per_m = 1.0;
-  scene.device.start_m = 0.0;
-  scene.hand.emplace();
-  scene.hand->stiffness_n_per_m = 16.0;
-  scene.hand->damping_n_s_per_m = 8.0 * ratio - 1.0;
-  scene.hand->path = {{0.0, 0.0}, {50.0, kSpeed * 50.0}};
+  scene.x().device.mass_kg = 1.0;
+  scene.x().device.damping_n_s_per_m = 1.0;
+  scene.x().device.start_m = 0.0;
+  scene.x().hand.emplace();
+  scene.x().hand->stiffness_n_per_m = 16.0;
+  scene.x().hand->damping_n_s_per_m = 8.0 * ratio - 1.0;
+  scene.x().hand->path = {{0.0, 0.0}, {50.0, kSpeed * 50.0}};
   return scene;
 }
 
@@ -49,14 +50,14 @@ std::vector<Nearly> singular_scenes() {
   }
   for (const double small : {0.0, 1e-300, 1e-12, 1e-6}) {
     Scene soft = critical(1.0);
-    soft.hand->stiffness_n_per_m = small;
+    soft.x().hand->stiffness_n_per_m = small;
     all.push_back({"soft", soft});
     Scene undamped = critical(1.0);
-    undamped.device.damping_n_s_per_m = small;
-    undamped.hand->damping_n_s_per_m = 0.0;
+    undamped.x().device.damping_n_s_per_m = small;
+    undamped.x().hand->damping_n_s_per_m = 0.0;
     all.push_back({"undamped", undamped});
     Scene nothing = undamped;
-    nothing.hand->stiffness_n_per_m = small;
+    nothing.x().hand->stiffness_n_per_m = small;
     all.push_back({"free", nothing});
   }
   return all;
@@ -64,14 +65,14 @@ std::vector<Nearly> singular_scenes() {
 
 // The amplifier's rate is that of the critical hand: a threefold eigenvalue.
 Scene with_equal_lag(Scene scene) {
-  scene.device.amplifier_time_constant_s = 0.25;
+  scene.x().device.amplifier_time_constant_s = 0.25;
   return scene;
 }
 // Hand and grip of the same rates, critical each.
 Scene with_grip(Scene scene) {
-  scene.hand->mass_kg = 1.0;
-  scene.hand->grip_stiffness_n_per_m = scene.hand->stiffness_n_per_m;
-  scene.hand->grip_damping_n_s_per_m = scene.hand->damping_n_s_per_m;
+  scene.x().hand->mass_kg = 1.0;
+  scene.x().hand->grip_stiffness_n_per_m = scene.x().hand->stiffness_n_per_m;
+  scene.x().hand->grip_damping_n_s_per_m = scene.x().hand->damping_n_s_per_m;
   return scene;
 }
 
@@ -118,12 +119,12 @@ Errors compare(const Scene& scene, Plant& plant) {
 void expect_all_digits(const std::string& name, const Scene& scene) {
   SCOPED_TRACE(name);
   auto plants = make_plant(scene);
-  const Errors error = visit_plant([&](auto& plant) { return compare(scene, plant); }, plants);
+  const Errors error = std::visit([&](auto& plant) { return compare(scene, plant); }, plants);
   EXPECT_LE(error.position, kLastDigits);
   EXPECT_LE(error.velocity, kLastDigits);
   EXPECT_LE(error.energy, kLastDigits);
   auto references = make_reference_plant(scene);
-  const Errors finer = visit_plant([&](auto& plant) { return compare(scene, plant); }, references);
+  const Errors finer = std::visit([&](auto& plant) { return compare(scene, plant); }, references);
   constexpr double kLongDigits = 1e-17;
   EXPECT_LE(finer.position, kLongDigits);
   EXPECT_LE(finer.velocity, kLongDigits);
@@ -151,7 +152,7 @@ TEST(NearlySingularPlants, AGrippedHandleLosesNoDigits) {
 // The textbook's closed form of the critically damped step response, by itself.
 TEST(NearlySingularPlants, TheCriticalStepResponseIsTheTextbooks) {
   Scene scene = critical(1.0);
-  scene.hand->path = {{0.0, 0.5}};
+  scene.x().hand->path = {{0.0, 0.5}};
   PlantModel plant(scene);
   constexpr long double kRate = 4.0L;
   for (int tick = 1; tick <= kClosedFormTicks; ++tick) {
@@ -170,8 +171,8 @@ TEST(NearlySingularPlants, TheClosedLoopLosesNoDigits) {
       SCOPED_TRACE(each.name);
       scene.duration_s = 10.0;
       scene.sampling.rate_hz = 64.0;
-      scene.walls = {{.position_m = 0.02, .stiffness_n_per_m = 4.0}};
-      scene.hand->path = {{0.0, 0.0}, {4.0, 0.08}};
+      scene.x().walls = {{.position_m = 0.02, .stiffness_n_per_m = 4.0}};
+      scene.x().hand->path = {{0.0, 0.0}, {4.0, 0.08}};
       std::vector<double> ours;
       std::vector<double> reference;
       SimulationOptions options;

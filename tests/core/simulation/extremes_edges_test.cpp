@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "tests/property/extremes_run.h"
 
 namespace hapticwall {
@@ -24,11 +24,11 @@ Scene pressed() {
   Scene scene;
   scene.name = "edge";
   scene.duration_s = 0.3;
-  scene.walls = {{.position_m = 0.05, .stiffness_n_per_m = 1000.0}};
-  scene.hand.emplace();
-  scene.hand->stiffness_n_per_m = 300.0;
-  scene.hand->damping_n_s_per_m = 5.0;
-  scene.hand->path = {{0.0, 0.03}, {0.1, 0.06}, {0.2, 0.02}};
+  scene.x().walls = {{.position_m = 0.05, .stiffness_n_per_m = 1000.0}};
+  scene.x().hand.emplace();
+  scene.x().hand->stiffness_n_per_m = 300.0;
+  scene.x().hand->damping_n_s_per_m = 5.0;
+  scene.x().hand->path = {{0.0, 0.03}, {0.1, 0.06}, {0.2, 0.02}};
   return scene;
 }
 
@@ -51,12 +51,12 @@ void for_each_integrator(Scene scene, const Visitor& visitor) {
 
 TEST(Edge, WithoutAHandWhatRestsOnAWallStaysAtRest) {
   Scene scene = pressed();
-  scene.hand.reset();
-  scene.device.start_m = scene.walls.front().position_m;
+  scene.x().hand.reset();
+  scene.x().device.start_m = scene.x().walls.front().position_m;
   for_each_integrator(scene, [](const Scene& each) {
     (void)expect_sound(each);
     for (const Sample& sample : samples_of(each)) {
-      ASSERT_EQ(sample.truth.position_m, each.device.start_m);
+      ASSERT_EQ(sample.truth.position_m, each.x().device.start_m);
       ASSERT_EQ(sample.force_n, 0.0);
       ASSERT_EQ(sample.flags & kFlagInContact, 0U);  // a penetration of 0 is no contact
     }
@@ -65,8 +65,8 @@ TEST(Edge, WithoutAHandWhatRestsOnAWallStaysAtRest) {
 
 TEST(Edge, WithoutAHandWhatStartsInAWallIsThrownOut) {
   Scene scene = pressed();
-  scene.hand.reset();
-  scene.device.start_m = 0.06;
+  scene.x().hand.reset();
+  scene.x().device.start_m = 0.06;
   for_each_integrator(scene, [](const Scene& each) {
     (void)expect_sound(each);
     EXPECT_LT(simulate(each).final_state.truth.position_m, 0.05);
@@ -75,10 +75,10 @@ TEST(Edge, WithoutAHandWhatStartsInAWallIsThrownOut) {
 
 TEST(Edge, AHandsMassWithoutAGripIsTheHandlesOwn) {
   Scene joined = pressed();
-  joined.device.mass_kg = 0.0625;
-  joined.hand->mass_kg = 0.25;
+  joined.x().device.mass_kg = 0.0625;
+  joined.x().hand->mass_kg = 0.25;
   Scene heavy = pressed();
-  heavy.device.mass_kg = 0.3125;
+  heavy.x().device.mass_kg = 0.3125;
   const auto a = samples_of(joined);
   const auto b = samples_of(heavy);
   ASSERT_EQ(a.size(), b.size());
@@ -90,11 +90,11 @@ TEST(Edge, AHandsMassWithoutAGripIsTheHandlesOwn) {
 
 TEST(Edge, AGripOfNoStiffnessAndNoDampingLetsTheHandleGo) {
   Scene gripped = pressed();
-  gripped.device.start_m = 0.055;
-  gripped.hand->mass_kg = 0.4;
-  gripped.hand->grip_stiffness_n_per_m = 0.0;
+  gripped.x().device.start_m = 0.055;
+  gripped.x().hand->mass_kg = 0.4;
+  gripped.x().hand->grip_stiffness_n_per_m = 0.0;
   Scene free = gripped;
-  free.hand.reset();
+  free.x().hand.reset();
   for_each_integrator(gripped, [&](const Scene& each) {
     (void)expect_sound(each);
     free.simulator = each.simulator;
@@ -109,14 +109,14 @@ TEST(Edge, AGripOfNoStiffnessAndNoDampingLetsTheHandleGo) {
 // Handle and hand's spring alone: the swing of a pendulum clock, for ever.
 TEST(Edge, WithoutAnyDampingASwingNeitherGrowsNorFades) {
   Scene scene = pressed();
-  scene.walls.clear();
+  scene.x().walls.clear();
   scene.duration_s = 100.0;
-  scene.device.mass_kg = 1.0;
-  scene.device.damping_n_s_per_m = 0.0;
-  scene.device.start_m = 0.0;
-  scene.hand->stiffness_n_per_m = 400.0;
-  scene.hand->damping_n_s_per_m = 0.0;
-  scene.hand->path = {{0.0, 0.01}};
+  scene.x().device.mass_kg = 1.0;
+  scene.x().device.damping_n_s_per_m = 0.0;
+  scene.x().device.start_m = 0.0;
+  scene.x().hand->stiffness_n_per_m = 400.0;
+  scene.x().hand->damping_n_s_per_m = 0.0;
+  scene.x().hand->path = {{0.0, 0.01}};
   (void)expect_sound(scene);
   constexpr double kRadPerS = 20.0;
   for (const Sample& sample : samples_of(scene)) {
@@ -128,10 +128,10 @@ TEST(Edge, WithoutAnyDampingASwingNeitherGrowsNorFades) {
 TEST(Edge, WallsStandAtBothEndsOfTheWorld) {
   for (const double side : {1.0, -1.0}) {
     Scene scene = pressed();
-    scene.device.start_m = side * 0.999;
-    scene.walls = {{.position_m = 1.0, .stiffness_n_per_m = 1e4},
-                   {.position_m = -1.0, .stiffness_n_per_m = 1e4}};
-    scene.hand->path = {{0.0, side * 0.999}, {0.1, side}};
+    scene.x().device.start_m = side * 0.999;
+    scene.x().walls = {{.position_m = 1.0, .stiffness_n_per_m = 1e4},
+                       {.position_m = -1.0, .stiffness_n_per_m = 1e4}};
+    scene.x().hand->path = {{0.0, side * 0.999}, {0.1, side}};
     for_each_integrator(scene, [](const Scene& each) { (void)expect_sound(each); });
   }
 }
@@ -142,7 +142,7 @@ TEST(Edge, OneTickTenHertzAndAHundredKilohertzAreSound) {
       Scene scene = pressed();
       scene.sampling.rate_hz = rate_hz;
       scene.duration_s = ticks / rate_hz;
-      scene.hand->path = {{0.0, 0.03}, {scene.duration_s / 2, 0.06}};
+      scene.x().hand->path = {{0.0, 0.03}, {scene.duration_s / 2, 0.06}};
       ASSERT_EQ(scene.tick_count(), static_cast<std::uint64_t>(ticks));
       for_each_integrator(scene, [](const Scene& each) { (void)expect_sound(each); });
     }
@@ -151,15 +151,15 @@ TEST(Edge, OneTickTenHertzAndAHundredKilohertzAreSound) {
 
 // A hand that moves by the smallest number there is moves the handle by no more.
 TEST(Edge, DenormalPathsGiveDenormalMotion) {
-  constexpr double kSmallest = 5e-324;
-  for (const double move_m : {kSmallest, 1e-310, 1e-300, -1e-300}) {
+  constexpr double kMinDenormal = 5e-324;
+  for (const double move_m : {kMinDenormal, 1e-310, 1e-300, -1e-300}) {
     Scene scene = pressed();
-    scene.device.start_m = 0.0;
-    scene.walls = {{.position_m = 0.0, .stiffness_n_per_m = 1e3}};
-    scene.hand->path = {{0.0, 0.0}, {0.1, move_m}, {0.2, 0.0}};
+    scene.x().device.start_m = 0.0;
+    scene.x().walls = {{.position_m = 0.0, .stiffness_n_per_m = 1e3}};
+    scene.x().hand->path = {{0.0, 0.0}, {0.1, move_m}, {0.2, 0.0}};
     for_each_integrator(scene, [&](Scene each) {
       for (const bool grip : {false, true}) {
-        if (grip) each.hand->mass_kg = each.hand->grip_stiffness_n_per_m = 1.0;
+        if (grip) each.x().hand->mass_kg = each.x().hand->grip_stiffness_n_per_m = 1.0;
         (void)expect_sound(each);
         for (const Sample& sample : samples_of(each)) {
           ASSERT_LE(std::abs(sample.truth.position_m), 2.0 * std::abs(move_m));
@@ -171,9 +171,9 @@ TEST(Edge, DenormalPathsGiveDenormalMotion) {
 
 TEST(Edge, EqualPathPointsAndAHandAtRestMoveNothing) {
   Scene scene = pressed();
-  scene.hand->path = {{0.0, 0.03}, {1e-15, 0.03}, {0.0105, 0.03}, {0.2, 0.03}};
+  scene.x().hand->path = {{0.0, 0.03}, {1e-15, 0.03}, {0.0105, 0.03}, {0.2, 0.03}};
   for (const bool friction : {false, true}) {
-    if (friction) scene.device.friction_n = 0.14;
+    if (friction) scene.x().device.friction_n = 0.14;
     for_each_integrator(scene, [](const Scene& each) {
       (void)expect_sound(each);
       for (const Sample& sample : samples_of(each)) {
@@ -186,7 +186,7 @@ TEST(Edge, EqualPathPointsAndAHandAtRestMoveNothing) {
 
 TEST(Edge, AForceLimitOfZeroIsNoForce) {
   Scene scene = pressed();
-  scene.device.force_limit_n = 0.0;
+  scene.x().device.force_limit_n = 0.0;
   for_each_integrator(scene, [](const Scene& each) {
     (void)expect_sound(each);
     const SimulationResult result = simulate(each);
@@ -199,14 +199,15 @@ TEST(Edge, AForceLimitOfZeroIsNoForce) {
 // The encoder says 0 where the wall stands a denormal before it: force over penetration is more
 // than any number.
 TEST(Edge, ADenormalPenetrationGivesAFiniteStiffness) {
-  constexpr double kSmallest = 5e-324;
+  constexpr double kMinDenormal = 5e-324;
   Scene scene = pressed();
   scene.duration_s = 0.2;
-  scene.device.start_m = -0.01;
-  scene.device.encoder_m = 1e-3;
-  scene.device.force_limit_n = 8.9;
-  scene.walls = {{.position_m = -kSmallest, .stiffness_n_per_m = 0.0, .damping_n_s_per_m = 100.0}};
-  scene.hand->path = {{0.0, -0.01}, {0.02, 0.0}};
+  scene.x().device.start_m = -0.01;
+  scene.x().device.encoder_m = 1e-3;
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().walls = {
+      {.position_m = -kMinDenormal, .stiffness_n_per_m = 0.0, .damping_n_s_per_m = 100.0}};
+  scene.x().hand->path = {{0.0, -0.01}, {0.02, 0.0}};
   for_each_integrator(scene, [](const Scene& each) {
     (void)expect_sound(each);
     double most = 0.0;
@@ -220,9 +221,9 @@ TEST(Edge, ADenormalPenetrationGivesAFiniteStiffness) {
 // A run that leaves the world in its very last tick says so.
 TEST(Edge, WhatDivergesInTheLastTickIsTold) {
   Scene scene = pressed();
-  scene.hand.reset();
-  scene.device.start_m = 0.06;
-  scene.walls.front().stiffness_n_per_m = 1e9;
+  scene.x().hand.reset();
+  scene.x().device.start_m = 0.06;
+  scene.x().walls.front().stiffness_n_per_m = 1e9;
   scene.duration_s = 1e-3;
   for_each_integrator(scene, [](const Scene& each) {
     (void)expect_sound(each);
@@ -242,12 +243,12 @@ TEST(Edge, StiffnessesMayDifferATrillionfold) {
                                           {kSoft, kSoft, kStiff},
                                           {kStiff, kStiff, kSoft}}) {
     Scene scene = pressed();
-    scene.walls.front().stiffness_n_per_m = wall;
-    scene.device.force_limit_n = 8.9;
-    scene.hand->stiffness_n_per_m = hand;
+    scene.x().walls.front().stiffness_n_per_m = wall;
+    scene.x().device.force_limit_n = 8.9;
+    scene.x().hand->stiffness_n_per_m = hand;
     if (grip >= 0.0) {
-      scene.hand->mass_kg = 0.4;
-      scene.hand->grip_stiffness_n_per_m = grip;
+      scene.x().hand->mass_kg = 0.4;
+      scene.x().hand->grip_stiffness_n_per_m = grip;
     }
     for_each_integrator(scene, [](const Scene& each) { (void)expect_sound(each); });
   }
@@ -261,14 +262,14 @@ TEST(Edge, AGripThatSwingsThroughTheTickKeepsTheBalance) {
       Scene scene = pressed();
       scene.sampling.rate_hz = 30.65;
       scene.duration_s = 8.0;
-      scene.walls.clear();
-      scene.device.mass_kg = mass_kg;
-      scene.device.damping_n_s_per_m = 2e-6;
-      scene.hand->mass_kg = 4.83;
-      scene.hand->stiffness_n_per_m = 3e4;
-      scene.hand->damping_n_s_per_m = 0.0;
-      scene.hand->grip_stiffness_n_per_m = grip;
-      scene.hand->path = {{0.0, 0.02974}};
+      scene.x().walls.clear();
+      scene.x().device.mass_kg = mass_kg;
+      scene.x().device.damping_n_s_per_m = 2e-6;
+      scene.x().hand->mass_kg = 4.83;
+      scene.x().hand->stiffness_n_per_m = 3e4;
+      scene.x().hand->damping_n_s_per_m = 0.0;
+      scene.x().hand->grip_stiffness_n_per_m = grip;
+      scene.x().hand->path = {{0.0, 0.02974}};
       (void)expect_sound(scene);
     }
   }
@@ -279,16 +280,16 @@ TEST(Edge, AMillionTicksAreSound) {
   constexpr double kTicks = 1e6;
   Scene scene = pressed();
   scene.duration_s = kTicks / scene.sampling.rate_hz;
-  scene.device.friction_n = 0.14;
-  scene.device.encoder_m = 0.254e-3;
-  scene.device.force_limit_n = 8.9;
-  scene.device.force_resolution_n = 0.01;
-  scene.device.delay_ticks = 1;
-  scene.device.amplifier_time_constant_s = 1e-3;
-  scene.walls.front().stiffness_n_per_m = 20e3;  // chatters
-  scene.hand->path.resize(1);
+  scene.x().device.friction_n = 0.14;
+  scene.x().device.encoder_m = 0.254e-3;
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().device.force_resolution_n = 0.01;
+  scene.x().device.delay_ticks = 1;
+  scene.x().device.amplifier_time_constant_s = 1e-3;
+  scene.x().walls.front().stiffness_n_per_m = 20e3;  // chatters
+  scene.x().hand->path.resize(1);
   for (int second = 1; second < static_cast<int>(scene.duration_s); ++second) {
-    scene.hand->path.push_back({static_cast<double>(second), second % 2 == 1 ? 0.06 : 0.04});
+    scene.x().hand->path.push_back({static_cast<double>(second), second % 2 == 1 ? 0.06 : 0.04});
   }
   EXPECT_LE(expect_sound(scene), 1e-12);
   EXPECT_GT(simulate(scene).summary.contacts, 10000U);
@@ -298,7 +299,7 @@ TEST(Edge, AMillionTicksAreSound) {
 // say so, at a tick, with all that was before it finite.
 TEST(Edge, AReallyUnstablePlantIsToldAsDivergedInGoodOrder) {
   Scene scene = pressed();
-  scene.walls.front().stiffness_n_per_m = 1e9;
+  scene.x().walls.front().stiffness_n_per_m = 1e9;
   for_each_integrator(scene, [](const Scene& each) {
     const ExtremeRun run = run_watched(each);
     EXPECT_EQ(run.result.summary.verdict, Verdict::kDiverged);

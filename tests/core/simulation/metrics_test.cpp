@@ -1,9 +1,11 @@
-#include "core/metrics.h"
+#include "core/simulation/metrics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {
@@ -24,7 +26,7 @@ Scene wall_at_ten_hertz() {
   Scene scene;
   scene.name = "hand-made";
   scene.sampling.rate_hz = 10.0;
-  scene.walls = {{0.05, 1e3, 0.0}};
+  scene.x().walls = {{0.05, 1e3, 0.0}};
   return scene;
 }
 
@@ -74,7 +76,7 @@ TEST(Metrics, WhatDoesNotApplyIsAbsent) {
   EXPECT_FALSE(never_touched.finish().displayed_stiffness_n_per_m.has_value());
   EXPECT_FALSE(never_touched.finish().kinetic_j.has_value());
   EXPECT_TRUE(never_touched.finish().max_penetration_m.has_value());
-  scene.walls.clear();
+  scene.x().walls.clear();
   Metrics no_wall(scene, 2, false);
   no_wall.add(at(0, 0.0, 0.0));
   EXPECT_FALSE(no_wall.finish().max_penetration_m.has_value());
@@ -119,6 +121,13 @@ TEST(Metrics, LeastEnergiesAndMarginAreThoseOfTheWholeRun) {
   EXPECT_EQ(summary.min_energy_scv_j, -6.0);
   EXPECT_EQ(summary.passivity_margin_j.value(), -9.0 + 0.5 + 0.25);
   EXPECT_EQ(summary.peak_force_n, 4.0);
+}
+
+TEST(Metrics, NamesTheAlgorithmAndItsFollower) {
+  Scene scene = wall_at_ten_hertz();
+  scene.algorithm.index = *find_algorithm("energy-bounding");
+  scene.algorithm.values.at(*find_algorithm_parameter("then")) = 1.0;
+  EXPECT_EQ(Metrics(scene, 2, true).finish().algorithm, "energy-bounding then passivity-control");
 }
 
 TEST(Metrics, WithoutATickThereIsNoPenetration) {

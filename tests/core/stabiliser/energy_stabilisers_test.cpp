@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/servo.h"
+#include "core/loop/servo.h"
 #include "tests/position_bench.h"
 
 namespace hapticwall {
@@ -104,7 +104,7 @@ TEST(AlgorithmLabel, NamesTheFollowerToo) {
   EXPECT_EQ(algorithm_label(settings), "energy-bounding then passivity-control");
 }
 
-// What follows keeps its own book: two controllers in a row, each with a cap of 1 N·s/m.
+// The follower keeps its own book: two controllers in a row, each with a cap of 1 N·s/m.
 TEST(Follower, HasAStateOfItsOwn) {
   ServoSettings settings = wall_at_zero("passivity-control", 10e3);
   set_parameter(settings.algorithm, "observer", 1.0);

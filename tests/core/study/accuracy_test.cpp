@@ -1,6 +1,6 @@
 // The study of speed against accuracy: what it measures, on scenes whose answers are known, and how
 // it measures time, with a clock of its own.
-#include "core/accuracy.h"
+#include "core/study/accuracy.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
@@ -23,15 +23,15 @@ Scene chatter() {
   Scene scene;
   scene.name = "chatter";
   scene.duration_s = 5.0;
-  scene.device.mass_kg = 0.1;
-  scene.device.force_limit_n = 8.9;
+  scene.x().device.mass_kg = 0.1;
+  scene.x().device.force_limit_n = 8.9;
   HandSettings hand;
   hand.mass_kg = 0.1;
   hand.stiffness_n_per_m = 300.0;
   hand.damping_n_s_per_m = 5.0;
   hand.path = {{0.0, 0.03}, {0.3, 0.06}};
-  scene.hand = hand;
-  scene.walls = {{.position_m = 0.05, .stiffness_n_per_m = 35'000.0, .damping_n_s_per_m = 0.0}};
+  scene.x().hand = hand;
+  scene.x().walls = {{.position_m = 0.05, .stiffness_n_per_m = 35'000.0, .damping_n_s_per_m = 0.0}};
   scene.algorithm.index = *find_algorithm("none");
   return scene;
 }
@@ -125,9 +125,9 @@ TEST(Accuracy, ThePositionErrorIsTheLargestOverAllTicks) {
 // After a single tick only the state at its end can differ.
 TEST(Accuracy, TheEndOfTheLastHoldCounts) {
   Scene scene = short_chatter();
-  scene.walls.clear();
+  scene.x().walls.clear();
   scene.duration_s = 0.001;
-  scene.hand->path = {{0.0, 0.03}, {0.3, 0.33}};
+  scene.x().hand->path = {{0.0, 0.03}, {0.3, 0.33}};
   const AccuracyStudy study = measure_accuracy(scene, stepping({1}));
   EXPECT_GT(*row_of(study, Integrator::kSemiImplicitEuler, 1).max_position_error_m, 0.0);
 }
@@ -148,9 +148,9 @@ TEST(Accuracy, TheScenesOwnIntegratorDoesNotMatter) {
 // A grip far too stiff for a step of 1 ms: the stepped integrators leave, the exact one does not.
 TEST(Accuracy, ARunThatDivergedHasATickAndNoErrors) {
   Scene scene = short_chatter();
-  scene.hand->mass_kg = 0.4;
-  scene.hand->grip_stiffness_n_per_m = 1e7;
-  scene.hand->grip_damping_n_s_per_m = 1.0;
+  scene.x().hand->mass_kg = 0.4;
+  scene.x().hand->grip_stiffness_n_per_m = 1e7;
+  scene.x().hand->grip_damping_n_s_per_m = 1.0;
   const AccuracyStudy study = measure_accuracy(scene, stepping({1}));
   EXPECT_NE(study.reference.verdict, Verdict::kDiverged);
   EXPECT_TRUE(study.rows[0].max_position_error_m.has_value());
@@ -171,9 +171,9 @@ TEST(Accuracy, ARunThatDivergedHasATickAndNoErrors) {
 // integrator that does not know of it.
 TEST(Accuracy, NothingIsOffFromAReferenceThatDiverged) {
   Scene scene = chatter();
-  scene.device.damping_n_s_per_m = 0.0;
-  scene.device.force_limit_n.reset();
-  scene.hand->damping_n_s_per_m = 0.0;
+  scene.x().device.damping_n_s_per_m = 0.0;
+  scene.x().device.force_limit_n.reset();
+  scene.x().hand->damping_n_s_per_m = 0.0;
   const AccuracyStudy study = measure_accuracy(scene, stepping({1}));
   ASSERT_EQ(study.reference.verdict, Verdict::kDiverged);
   const AccuracyRow& exact = row_of(study, Integrator::kExact, 1);
@@ -191,7 +191,7 @@ TEST(Accuracy, NothingIsOffFromAReferenceThatDiverged) {
 
 TEST(Accuracy, AReferenceAtRestHasNoAmplitudeToBeOffFrom) {
   Scene scene = short_chatter();
-  scene.hand.reset();
+  scene.x().hand.reset();
   const AccuracyStudy study = measure_accuracy(scene, stepping({1}));
   EXPECT_EQ(study.reference.verdict, Verdict::kSettled);
   for (const AccuracyRow& row : study.rows) {
@@ -277,16 +277,16 @@ TEST(Accuracy, RefusesWhatItCannotMeasure) {
     EXPECT_THROW(static_cast<void>(measure_accuracy(scene, options)), std::invalid_argument);
   };
   refuses(short_chatter(), stepping({0}));
-  refuses(short_chatter(), stepping({1, kMaximumSubsteps + 1}));
+  refuses(short_chatter(), stepping({1, kMaxSubsteps + 1}));
   AccuracyOptions clockless = stepping({1});
   clockless.now_ns = nullptr;
   refuses(short_chatter(), clockless);
   Scene long_scene = short_chatter();
-  long_scene.duration_s = 1e-3 * static_cast<double>(kMostAccuracyTicks + 1);
+  long_scene.duration_s = 1e-3 * static_cast<double>(kMaxAccuracyTicks + 1);
   refuses(long_scene, stepping({1}));
   Scene led = short_chatter();
-  led.hand->follows_mouse = true;
-  led.hand->path.clear();
+  led.x().hand->follows_mouse = true;
+  led.x().hand->path.clear();
   refuses(led, stepping({1}));
 }
 

@@ -5,9 +5,9 @@
 #include <atomic>
 #include <cmath>
 
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
-#include "tests/core/study_scenes.h"
+#include "tests/core/study/study_scenes.h"
 
 namespace hapticwall {
 namespace {
@@ -51,7 +51,7 @@ TEST(Boundaries, LieBetweenAValueThatSettlesAndOneThatDoesNot) {
 
 TEST(Boundaries, OfAKeyThatStabilisesAreFoundFromBelowToo) {
   Scene scene = short_press();
-  scene.walls[0].stiffness_n_per_m = 3000.0;
+  scene.x().walls[0].stiffness_n_per_m = 3000.0;
   const auto boundaries =
       find_boundaries(plan_of(scene, "device.damping_n_s_per_m", 0.5, 5.0, 10, false));
   ASSERT_TRUE(boundaries.front().settled && boundaries.front().unsettled);
@@ -74,7 +74,7 @@ TEST(Boundaries, SayWhereThereIsNone) {
 
 TEST(Boundaries, OfAKeyThatCountsAreNeighbours) {
   Scene scene = short_press();
-  scene.walls[0].stiffness_n_per_m = 300.0;
+  scene.x().walls[0].stiffness_n_per_m = 300.0;
   const auto boundaries =
       find_boundaries(plan_of(scene, "device.delay_ticks", 0.0, 20.0, 5, false));
   const Boundary& found = boundaries.front();

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
-#include "tests/core/study_scenes.h"
+#include "tests/core/study/study_scenes.h"
 
 namespace hapticwall {
 namespace {
@@ -33,15 +33,15 @@ Scene steady_entry(double wall_n_per_m) {
   Scene scene;
   scene.name = "steady";
   scene.duration_s = 3.0;
-  scene.device.mass_kg = 0.05;
-  scene.device.damping_n_s_per_m = 1.0;
-  scene.device.start_m = 0.03;
-  scene.hand = HandSettings{};
-  scene.hand->stiffness_n_per_m = kFirmNPerM;
-  scene.hand->damping_n_s_per_m = 5000.0;
+  scene.x().device.mass_kg = 0.05;
+  scene.x().device.damping_n_s_per_m = 1.0;
+  scene.x().device.start_m = 0.03;
+  scene.x().hand = HandSettings{};
+  scene.x().hand->stiffness_n_per_m = kFirmNPerM;
+  scene.x().hand->damping_n_s_per_m = 5000.0;
   const double end_m = 0.05 + kDepthM;
-  scene.hand->path = {{0.0, 0.03}, {(end_m - 0.03) / kSpeedMPerS, end_m}};
-  scene.walls = {{0.05003, wall_n_per_m, 0.0}};
+  scene.x().hand->path = {{0.0, 0.03}, {(end_m - 0.03) / kSpeedMPerS, end_m}};
+  scene.x().walls = {{0.05003, wall_n_per_m, 0.0}};
   return scene;
 }
 
@@ -53,7 +53,7 @@ ContactStudyPlan plan_of(Scene scene, const std::vector<const char*>& names) {
   return plan;
 }
 
-ContactFigures figures_of(Scene scene, const char* algorithm) {
+ContactMetrics figures_of(Scene scene, const char* algorithm) {
   const ContactStudyPlan plan = plan_of(std::move(scene), {algorithm});
   EXPECT_FALSE(validate(plan));
   const auto rows = study_contact(plan);
@@ -63,7 +63,7 @@ ContactFigures figures_of(Scene scene, const char* algorithm) {
 
 TEST(RateHardness, OfASpringWallIsItsStiffness) {
   for (const double stiffness : {500.0, 3000.0, 35000.0}) {
-    const ContactFigures figures = figures_of(steady_entry(stiffness), "none");
+    const ContactMetrics figures = figures_of(steady_entry(stiffness), "none");
     EXPECT_NEAR(figures.approach_speed_m_per_s.value(), kSpeedMPerS, 1e-4 * kSpeedMPerS);
     EXPECT_NEAR(figures.rate_hardness_n_per_m.value(), stiffness, 1e-3 * stiffness);
   }
@@ -71,7 +71,7 @@ TEST(RateHardness, OfASpringWallIsItsStiffness) {
 
 TEST(RateHardness, WithAnEncoderIsTheStiffnessUpToATick) {
   Scene scene = steady_entry(3000.0);
-  scene.device.encoder_m = 0.254e-3;  // 2.54 ticks a count: steps of 2 and 3
+  scene.x().device.encoder_m = 0.254e-3;  // 2.54 ticks a count: steps of 2 and 3
   const double rate_hardness = figures_of(scene, "none").rate_hardness_n_per_m.value();
   EXPECT_GE(rate_hardness, 0.999 * 3000.0);
   EXPECT_LE(rate_hardness, 1.001 * 3000.0 * 2.54 / 2.0);
@@ -96,7 +96,7 @@ TEST(RateHardness, OfEnergyBoundingIsTheDampingOverTheTickWhateverTheWall) {
 }
 
 TEST(RiseTime, OfASpringWallIsEightTenthsOfTheWay) {
-  const ContactFigures figures = figures_of(steady_entry(1000.0), "none");
+  const ContactMetrics figures = figures_of(steady_entry(1000.0), "none");
   ASSERT_EQ(figures.summary.verdict, Verdict::kSettled);
   const double depth_m = 0.05 + kDepthM - 0.05003;
   EXPECT_NEAR(figures.rise_time_s.value(), 0.8 * depth_m / kSpeedMPerS, kStudyPeriodS);
@@ -105,8 +105,8 @@ TEST(RiseTime, OfASpringWallIsEightTenthsOfTheWay) {
 
 TEST(PeakPenetration, IsTrueAndNotMeasured) {
   Scene scene = steady_entry(1000.0);
-  scene.device.encoder_m = 1e-3;
-  const ContactFigures figures = figures_of(scene, "none");
+  scene.x().device.encoder_m = 1e-3;
+  const ContactMetrics figures = figures_of(scene, "none");
   EXPECT_NEAR(figures.peak_penetration_m.value(), 0.05 + kDepthM - 0.05003, 1e-5);
   EXPECT_GT(std::abs(figures.summary.max_penetration_m.value() - *figures.peak_penetration_m),
             5e-5);
@@ -114,8 +114,8 @@ TEST(PeakPenetration, IsTrueAndNotMeasured) {
 
 TEST(ContactStudy, OfAWallThatIsNeverTouchedIsEmpty) {
   Scene scene = steady_entry(1000.0);
-  scene.walls[0].position_m = 0.2;
-  const ContactFigures figures = figures_of(scene, "none");
+  scene.x().walls[0].position_m = 0.2;
+  const ContactMetrics figures = figures_of(scene, "none");
   EXPECT_EQ(figures.summary.verdict, Verdict::kSettled);
   EXPECT_EQ(figures.settled_ranges, 1U);
   EXPECT_FALSE(figures.stiffest);
@@ -152,7 +152,7 @@ TEST(LargestStiffness, IsRefinedToTheTolerance) {
   const auto settles_at = [&](double stiffness) {
     Scene scene = plan.scene;
     scene.algorithm.index = plan.algorithms[0];
-    scene.walls[0].stiffness_n_per_m = stiffness;
+    scene.x().walls[0].stiffness_n_per_m = stiffness;
     return simulate(scene).summary.verdict == Verdict::kSettled;
   };
   for (const double tolerance : {1e-2, 1e-4}) {
@@ -184,11 +184,11 @@ TEST(LargestStiffness, IsNotThereWhereNothingSettles) {
 
 Scene paper_scene(HandSettings hand) {
   Scene scene;
-  scene.device.friction_n = 0.14;
-  scene.device.encoder_m = 0.254e-3;
-  scene.device.force_limit_n = 8.9;
-  scene.hand = std::move(hand);
-  scene.walls = {{0.05, 35000.0, 0.0}};
+  scene.x().device.friction_n = 0.14;
+  scene.x().device.encoder_m = 0.254e-3;
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().hand = std::move(hand);
+  scene.x().walls = {{0.05, 35000.0, 0.0}};
   scene.algorithm.values.at(find_algorithm_parameter("rest_force_step_n").value()) = 0.01;
   return scene;
 }
@@ -213,7 +213,7 @@ TEST(LargestStiffness, TellsOfIslands) {
   for (std::size_t i = 0; i < axis.count; ++i) {
     Scene scene = plan.scene;
     scene.algorithm.index = plan.algorithms[0];
-    scene.walls[0].stiffness_n_per_m = axis.value(i);
+    scene.x().walls[0].stiffness_n_per_m = axis.value(i);
     const Summary summary = simulate(scene).summary;
     const bool settled = summary.verdict == Verdict::kSettled;
     if (settled && !before) ++ranges;
@@ -244,13 +244,13 @@ TEST(LargestStiffness, IsNotUnbrokenWhereTheSoftestDoesNotSettle) {
   plan.low_n_per_m = 5200.0;
   plan.high_n_per_m = 6200.0;
   plan.count = 11;
-  const ContactFigures figures = study_contact(plan).at(0);
+  const ContactMetrics figures = study_contact(plan).at(0);
   EXPECT_TRUE(figures.stiffest);
   EXPECT_FALSE(figures.stiffest_unbroken);
 }
 
 TEST(EnergyToTheHand, IsWhatATapUnderEnergyBoundingGives) {
-  const ContactFigures active = figures_of(paper_scene(tap()), "energy-bounding");
+  const ContactMetrics active = figures_of(paper_scene(tap()), "energy-bounding");
   EXPECT_NEAR(active.energy_to_hand_j, 2.88, 0.005);
   EXPECT_EQ(active.energy_to_hand_j, -active.summary.passivity_margin_j.value());
   EXPECT_EQ(active.summary.verdict, Verdict::kOscillating);
@@ -262,9 +262,9 @@ TEST(EnergyToTheHand, IsWhatATapUnderEnergyBoundingGives) {
 
 TEST(ContactStudy, OfACornerIsThatOfAxisX) {
   Scene corner = steady_entry(3000.0);
-  const ContactFigures alone = figures_of(corner, "none");
-  corner.y = SecondAxis{corner.device, corner.hand, {{0.04, 500.0, 0.0}}};
-  const ContactFigures with_y = figures_of(corner, "none");
+  const ContactMetrics alone = figures_of(corner, "none");
+  corner.axes.push_back({corner.x().device, corner.x().hand, {{0.04, 500.0, 0.0}}});
+  const ContactMetrics with_y = figures_of(corner, "none");
   EXPECT_EQ(with_y.rate_hardness_n_per_m, alone.rate_hardness_n_per_m);
   EXPECT_EQ(with_y.peak_penetration_m, alone.peak_penetration_m);
   EXPECT_EQ(with_y.stiffest.value().displayed_n_per_m, alone.stiffest.value().displayed_n_per_m);
@@ -272,7 +272,7 @@ TEST(ContactStudy, OfACornerIsThatOfAxisX) {
 
 TEST(ContactStudy, IsRefusedWithoutAWallAndWithAnInvalidOne) {
   Scene scene = steady_entry(1000.0);
-  scene.walls.clear();
+  scene.x().walls.clear();
   const auto none = validate(plan_of(scene, {"none"}));
   ASSERT_TRUE(none);
   EXPECT_EQ(none->key, "wall");

@@ -1,5 +1,5 @@
 // The lamp: what a ledger says, term by term, and where the story begins.
-#include "core/energy_story.h"
+#include "core/study/energy_story.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/stability_bounds.h"
+#include "core/study/stability_bounds.h"
 
 #include <gtest/gtest.h>
 
@@ -8,15 +8,15 @@ namespace {
 Scene papers_device() {
   Scene scene;
   scene.sampling.rate_hz = 1000.0;
-  scene.device.damping_n_s_per_m = 1.0;
+  scene.x().device.damping_n_s_per_m = 1.0;
   return scene;
 }
 
 TEST(StabilityBounds, AreThoseOfThePapersDevice) {
   Scene scene = papers_device();
-  scene.device.encoder_m = 0.254e-3;
-  scene.device.force_limit_n = 8.9;
-  scene.device.friction_n = 0.14;
+  scene.x().device.encoder_m = 0.254e-3;
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().device.friction_n = 0.14;
   const StabilityBounds bounds = stability_bounds(scene, {}, 0.0);
   EXPECT_DOUBLE_EQ(*bounds.passive_n_per_m, 2000.0);
   EXPECT_DOUBLE_EQ(*bounds.delayed_n_per_m, 2000.0);
@@ -43,16 +43,16 @@ TEST(StabilityBounds, NothingLimitsWhatTheSceneDoesNotName) {
   Scene scene = papers_device();
   EXPECT_FALSE(stability_bounds(scene, {}, 0.0).friction_n_per_m);
   EXPECT_FALSE(stability_bounds(scene, {}, 0.0).resolution_n_per_m);
-  scene.device.encoder_m = 0.0;
-  scene.device.force_limit_n = 8.9;
+  scene.x().device.encoder_m = 0.0;
+  scene.x().device.force_limit_n = 8.9;
   EXPECT_FALSE(stability_bounds(scene, {}, 0.0).resolution_n_per_m);
 }
 
 TEST(StabilityBounds, DelayOfASimulatedDeviceIsItsTicksAndItsLag) {
   Scene scene = papers_device();
   EXPECT_DOUBLE_EQ(delay_of(scene), 0.0);
-  scene.device.delay_ticks = 2;
-  scene.device.amplifier_time_constant_s = 0.5e-3;
+  scene.x().device.delay_ticks = 2;
+  scene.x().device.amplifier_time_constant_s = 0.5e-3;
   EXPECT_DOUBLE_EQ(delay_of(scene), 2.5e-3);
 }
 

@@ -6,11 +6,11 @@
 #include <limits>
 #include <vector>
 
-#include "core/simulate.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/study/bound_lines.h"
 #include "core/study/dimensionless.h"
-#include "tests/core/study_scenes.h"
+#include "tests/core/study/study_scenes.h"
 
 namespace hapticwall {
 namespace {
@@ -24,7 +24,7 @@ StabilityMap small_map() {
   StabilityMap map;
   map.scene = testing::pressed_wall(1000.0);
   map.scene.duration_s = 1.5;
-  map.scene.device.friction_n = 0.05;
+  map.scene.x().device.friction_n = 0.05;
   map.algorithms = {find_algorithm("none").value(), find_algorithm("energy-bounding").value()};
   map.x = axis(map.scene, "wall.stiffness_n_per_m", 500.0, 5000.0, 5, true);
   map.y = axis(map.scene, "wall.damping_n_s_per_m", 0.0, 2.0, 3);
@@ -53,13 +53,13 @@ TEST(StabilityMaps, CellsAreTheSceneWithBothValuesAndTheAlgorithm) {
   EXPECT_EQ(place.x, 3U);
   const Scene scene = map.scene_at(cell);
   EXPECT_EQ(scene.algorithm.index, find_algorithm("energy-bounding").value());
-  EXPECT_EQ(scene.walls[0].damping_n_s_per_m, 2.0);
-  EXPECT_NEAR(scene.walls[0].stiffness_n_per_m, 500.0 * std::pow(10.0, 0.75), 1e-9);
+  EXPECT_EQ(scene.x().walls[0].damping_n_s_per_m, 2.0);
+  EXPECT_NEAR(scene.x().walls[0].stiffness_n_per_m, 500.0 * std::pow(10.0, 0.75), 1e-9);
 }
 
 TEST(StabilityMaps, EveryCellIsThatSceneSimulatedByItselfWhateverTheParts) {
   const StabilityMap map = small_map();
-  std::vector<MapFigures> parts;
+  std::vector<MapMetrics> parts;
   for (std::size_t begin = 0; begin < 30; begin += 7) {
     const auto part = run_cells(map, begin, std::min<std::size_t>(begin + 7, 30));
     parts.insert(parts.end(), part.begin(), part.end());
@@ -69,7 +69,7 @@ TEST(StabilityMaps, EveryCellIsThatSceneSimulatedByItselfWhateverTheParts) {
   bool any_settled = false;
   bool any_oscillating = false;
   for (std::size_t cell = 0; cell < parts.size(); ++cell) {
-    EXPECT_EQ(parts[cell], map_figures(simulate(map.scene_at(cell)).summary)) << cell;
+    EXPECT_EQ(parts[cell], map_metrics(simulate(map.scene_at(cell)).summary)) << cell;
     any_settled = any_settled || parts[cell].verdict == Verdict::kSettled;
     any_oscillating = any_oscillating || parts[cell].verdict == Verdict::kOscillating;
   }
@@ -105,7 +105,7 @@ TEST(StabilityMaps, AnAxisHasTwoValuesOrMore) {
 
 TEST(DimensionlessAxes, AreWhatTheFieldsLiteratureHas) {
   Scene scene = testing::pressed_wall(2000.0);  // 0.05 kg, 1 kHz
-  scene.device.encoder_m = 1e-4;
+  scene.x().device.encoder_m = 1e-4;
   const MapAxis stiffness = axis(scene, "wall.stiffness_n_per_m", 1.0, 2.0, 2);
   const MapAxis damping = axis(scene, "device.damping_n_s_per_m", 1.0, 2.0, 2);
   const MapAxis friction = axis(scene, "device.friction_n", 1.0, 2.0, 2);
@@ -117,7 +117,7 @@ TEST(DimensionlessAxes, AreWhatTheFieldsLiteratureHas) {
   EXPECT_FALSE(dimensionless(scene, stiffness, rate)) << "T is no constant of this map";
   EXPECT_FALSE(dimensionless(scene, friction, stiffness)) << "nor is K of this one";
   EXPECT_FALSE(dimensionless(scene, rate, damping));
-  scene.device.encoder_m.reset();
+  scene.x().device.encoder_m.reset();
   EXPECT_FALSE(dimensionless(scene, friction, damping));
 }
 
@@ -142,7 +142,7 @@ TEST(BoundLines, StandWhereTheWallIsAsStiffAsTheBound) {
   EXPECT_EQ(highest, 10.0);
   // No encoder: what is made of its count does not apply.
   EXPECT_TRUE(bound_lines(map, &StabilityBounds::friction_n_per_m).empty());
-  map.scene.walls.clear();
+  map.scene.x().walls.clear();
   map.x = axis(map.scene, "device.mass_kg", 0.01, 0.1, 3);
   map.y = axis(map.scene, "device.damping_n_s_per_m", 0.0, 0.5, 3);
   EXPECT_TRUE(bound_lines(map, &StabilityBounds::passive_n_per_m).empty());

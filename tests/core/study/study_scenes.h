@@ -14,13 +14,13 @@ inline Scene pressed_wall(double stiffness_n_per_m) {
   Scene scene;
   scene.name = "pressed";
   scene.duration_s = 100.0;
-  scene.device.mass_kg = 0.05;
-  scene.device.damping_n_s_per_m = 1.0;
-  scene.hand = HandSettings{};
-  scene.hand->stiffness_n_per_m = 5.0;
-  scene.hand->path = {{0.0, 1.0}};
-  scene.walls = {{kWallAtM, stiffness_n_per_m, 0.0}};
-  scene.device.start_m = kWallAtM + kPressN / stiffness_n_per_m + 0.2e-3;
+  scene.x().device.mass_kg = 0.05;
+  scene.x().device.damping_n_s_per_m = 1.0;
+  scene.x().hand = HandSettings{};
+  scene.x().hand->stiffness_n_per_m = 5.0;
+  scene.x().hand->path = {{0.0, 1.0}};
+  scene.x().walls = {{kWallAtM, stiffness_n_per_m, 0.0}};
+  scene.x().device.start_m = kWallAtM + kPressN / stiffness_n_per_m + 0.2e-3;
   return scene;
 }
 

@@ -1,10 +1,10 @@
-// The emulated device keeps the duties of docs/hid-protocol.md: tests of each, under its number.
-// Duty 7 has a file of its own.
+// The emulated device fulfils the duties of docs/hid-protocol.md, tested by number. Duty 7 is in
+// emulator_rejection_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/device/emulator_support.h"
+#include "tests/device/emulator/emulator_support.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -54,7 +54,7 @@ TEST(EmulatorDuty, No2EnableCountsForOneCommand) {
   EXPECT_EQ(bench.state.rejected_commands, 0);
   EXPECT_EQ(bench.state.acknowledged_sequence, 2);
   bench.ticks(200);
-  EXPECT_EQ(bench.state.status, kStatusCalibrated);  // no watchdog: nobody is expected
+  EXPECT_EQ(bench.state.status, kStatusCalibrated);  // no watchdog before the first command
 }
 
 TEST(EmulatorDuty, No3TimeToLive) {
@@ -87,7 +87,7 @@ TEST(EmulatorDuty, No4Watchdog) {
   EXPECT_TRUE(bench.has(kStatusWatchdog));
   EXPECT_EQ(bench.state.fault, kFaultWatchdog);
   EXPECT_EQ(bench.force_n(), 0.0);
-  bench.drive(kDutyPushN, 100);  // whoever goes on as if nothing had been moves nothing
+  bench.drive(kDutyPushN, 100);  // a host that continues unaware moves nothing
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.acknowledged_sequence, bench.sequence);
   bench.clear_faults();
@@ -121,11 +121,11 @@ TEST(EmulatorDuty, No5AWatchdogInHardware) {
   bench.drive(kDutyPushN, kDutyWatchdogMs - 1);
   EXPECT_FALSE(bench.device.accepts_output());
   EXPECT_EQ(bench.state.sequence, before);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);  // it hangs, and so does the force
+  EXPECT_EQ(bench.force_n(), kDutyPushN);  // it hangs and holds the force
   bench.tick();
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_FALSE(bench.device.is_plugged());
-  bench.drive(kDutyPushN, 151);  // back again: what was written meanwhile is lost
+  bench.drive(kDutyPushN, 151);  // back again; writes during the hang are lost
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.status, 0);  // restarted: not calibrated either
   EXPECT_EQ(bench.state.sequence, 1);
@@ -195,7 +195,7 @@ TEST(EmulatorDuty, No8FaultsLast) {
     bench.clear_faults();  // while the cause is there
     bench.drive(kDutyPushN, 20);
     EXPECT_TRUE(bench.has(fault.status));
-    bench.drive(kDutyPushN, 50);  // it is gone, the fault is not
+    bench.drive(kDutyPushN, 50);  // the cause is gone, the fault stays
     EXPECT_TRUE(bench.has(fault.status));
     EXPECT_EQ(bench.force_n(), 0.0);
     EXPECT_EQ(bench.state.acknowledged_sequence, bench.sequence);
@@ -246,7 +246,7 @@ TEST(EmulatorDuty, No10LossOfTheBus) {
   bench.ticks(500);
   EXPECT_EQ(bench.state.status, kStatusCalibrated);  // no fault
   EXPECT_EQ(bench.reports.size(), sent + 4);
-  EXPECT_EQ(bench.state.sequence, 603);  // what it counts went on
+  EXPECT_EQ(bench.state.sequence, 603);  // the sequence continued
   EXPECT_EQ(bench.state.time_us, 603'000U);
   EXPECT_EQ(bench.force_n(), 0.0);
 }

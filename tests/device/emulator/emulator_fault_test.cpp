@@ -1,14 +1,14 @@
-// The script of faults does what it says, and the force is gone within the time promised after
-// each, even from under a host that sees nothing and goes on pushing.
+// Each scripted fault happens, and the force ends within the promised time, even if the host
+// notices nothing and keeps pushing.
 #include <gtest/gtest.h>
 
 #include <string>
 #include <utility>
 
-#include "core/servo.h"
+#include "core/loop/servo.h"
 #include "core/stabiliser/stabiliser.h"
 #include "device/simulated_device.h"
-#include "tests/device/emulator_support.h"
+#include "tests/device/emulator/emulator_support.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -22,7 +22,7 @@ constexpr std::uint64_t kBeginUs = 200 * kMillisecondUs;
 constexpr std::uint64_t kTimeToLiveUs = kUsualTimeToLiveMs * kMillisecondUs;
 constexpr std::uint64_t kWatchdogUs = 50 * kMillisecondUs;
 constexpr std::uint64_t kBusLossUs = 3 * kMillisecondUs;
-// The echo of a host that sees nothing grows old, then what it sent last must die.
+// The echo of a host without new states grows old; then its last command must expire.
 constexpr std::uint64_t kBlindHostUs = 100 * kMillisecondUs + kTimeToLiveUs;
 
 struct Promise {
@@ -47,7 +47,7 @@ TEST_P(ForceIsGone, WithinTheTimePromised) {
     if (bench.force_n() != 0.0) last_force_us = bench.device.now_us();
   }
   EXPECT_LE(last_force_us, kBeginUs + within_us + kTickUs);
-  // Nor is it gone long before: what is tested is this promise and not another.
+  // It does not end much earlier: this tests the promised time, not another one.
   EXPECT_GE(last_force_us + kBusLossUs, kBeginUs + within_us);
 }
 
@@ -181,24 +181,24 @@ class ThroughReports {
 
 Scene press(std::size_t algorithm) {
   Scene scene = testing::held_scene();
-  scene.hand->mass_kg = 0.4;
-  scene.hand->damping_n_s_per_m = 33.0;
-  scene.hand->grip_stiffness_n_per_m = 1000.0;
-  scene.hand->grip_damping_n_s_per_m = 1.0;
-  scene.hand->path = {{0.0, 0.03}, {1.5, 0.075}};
-  scene.walls = {{0.05, 35000.0, 0.0}};
+  scene.x().hand->mass_kg = 0.4;
+  scene.x().hand->damping_n_s_per_m = 33.0;
+  scene.x().hand->grip_stiffness_n_per_m = 1000.0;
+  scene.x().hand->grip_damping_n_s_per_m = 1.0;
+  scene.x().hand->path = {{0.0, 0.03}, {1.5, 0.075}};
+  scene.x().walls = {{0.05, 35000.0, 0.0}};
   scene.algorithm.index = algorithm;
   return scene;
 }
 
-// A force that is sent within the tick is the simulator's output delay of one tick, and the
-// millinewtons of a report are its force resolution: with both the two are one and the same.
+// With one tick of output delay and a force resolution of 1 mN, the simulator equals the emulated
+// device.
 TEST(EmulatorAgainstSimulator, GivenItsDelayTheSimulatorDoesTheSameToTheLastBit) {
   for (std::size_t algorithm = 0; algorithm < algorithms().size(); ++algorithm) {
     const Scene scene = press(algorithm);
     Scene direct = scene;
-    direct.device.delay_ticks = 1;
-    direct.device.force_resolution_n = 1e-3;
+    direct.x().device.delay_ticks = 1;
+    direct.x().device.force_resolution_n = 1e-3;
     ThroughReports through(scene);
     SimulatedDevice simulated(direct);
     static_cast<void>(simulated.read());

@@ -1,8 +1,8 @@
-// The emulated device as a host finds it that comes late, or is held up.
+// The emulated device with a host that starts late or is delayed.
 #include <gtest/gtest.h>
 
 #include "core/plant/plant_model.h"
-#include "tests/device/emulator_support.h"
+#include "tests/device/emulator/emulator_support.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kSpeedMPerS = 0.3;
 // The hand is on its way from the first instant on.
 EmulatorSettings moving_hand(bool waits) {
   EmulatorSettings settings = one_axis();
-  settings.x.hand->path = {{0.0, 0.03}, {1.0, 0.03 + kSpeedMPerS}};
+  settings.x.x().hand->path = {{0.0, 0.03}, {1.0, 0.03 + kSpeedMPerS}};
   settings.hand_waits = waits;
   return settings;
 }

@@ -1,11 +1,11 @@
-// Duty 7 of docs/hid-protocol.md: what is no good changes nothing.
+// Duty 7 of docs/hid-protocol.md: an invalid report changes nothing.
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "tests/device/emulator_support.h"
+#include "tests/device/emulator/emulator_support.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -81,7 +81,7 @@ TEST(EmulatorDuty, No7RejectedCommandsChangeNothing) {
     EXPECT_TRUE(bench.has(kStatusCommandRejected)) << bad.name;
     EXPECT_EQ(bench.state.acknowledged_sequence, before.acknowledged_sequence) << bad.name;
     EXPECT_EQ(bench.state.acknowledged_time_us, before.acknowledged_time_us) << bad.name;
-    // Nor do they keep the force alive, or the watchdog quiet.
+    // They renew neither the force nor the watchdog.
     for (int i = 0; i < 20; ++i) {
       command.echoed_state_sequence = bench.state.sequence;
       ASSERT_TRUE(bench.device.write_output(bad.bytes(command)));
@@ -115,7 +115,7 @@ TEST(EmulatorDuty, No7AnEchoOf100msIsStillGood) {
   EXPECT_EQ(bench.force_n(), kRejectionPushN);
 }
 
-// Another session begins with any sequence, once the one before is over.
+// A new session may start with any sequence once the previous one is over.
 TEST(EmulatorDuty, No7ASessionMayBeginAnew) {
   Bench bench;
   bench.tick();

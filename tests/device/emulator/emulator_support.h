@@ -1,4 +1,4 @@
-// A host for the emulated device: it commands every tick, and knows nothing better.
+// A simple host for the emulated device: it commands every tick.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,19 +17,19 @@ inline constexpr std::uint64_t kMillisecondUs = 1000;
 inline constexpr double kLimitN = 8.9;
 inline constexpr double kEncoderM = 0.254e-3;
 
-// A handle held by a hand, far from the ends of its way whatever a test does.
+// A handle held by a hand, always far from its end stops.
 inline Scene held_scene() {
   Scene scene;
-  scene.device.mass_kg = 0.05;
-  scene.device.damping_n_s_per_m = 1.0;
-  scene.device.encoder_m = kEncoderM;
-  scene.device.force_limit_n = kLimitN;
-  scene.device.start_m = 0.03;
+  scene.x().device.mass_kg = 0.05;
+  scene.x().device.damping_n_s_per_m = 1.0;
+  scene.x().device.encoder_m = kEncoderM;
+  scene.x().device.force_limit_n = kLimitN;
+  scene.x().device.start_m = 0.03;
   HandSettings hand;
   hand.stiffness_n_per_m = 250.0;
   hand.damping_n_s_per_m = 10.0;
   hand.path = {{0.0, 0.03}, {0.1, 0.03}};
-  scene.hand = hand;
+  scene.x().hand = hand;
   return scene;
 }
 
@@ -42,9 +42,9 @@ inline EmulatorSettings one_axis() {
 inline EmulatorSettings two_axes() {
   EmulatorSettings settings = one_axis();
   settings.y = held_scene();
-  settings.y->device.start_m = -0.02;
-  settings.y->hand->path = {{0.0, -0.02}, {0.1, -0.02}};
-  settings.y->device.force_limit_n = 5.0;
+  settings.y->x().device.start_m = -0.02;
+  settings.y->x().hand->path = {{0.0, -0.02}, {0.1, -0.02}};
+  settings.y->x().device.force_limit_n = 5.0;
   return settings;
 }
 
@@ -68,7 +68,7 @@ class Bench {
     for (int i = 0; i < count; ++i) tick();
   }
 
-  // The next command of this session, from the newest state; what is not said is usual.
+  // The next command of this session from the newest state, with defaults.
   [[nodiscard]] ForceReport next_command(double force_n) {
     ForceReport command;
     command.enable = true;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/device/emulator_support.h"
+#include "tests/device/emulator/emulator_support.h"
 
 namespace hapticwall::device::hid {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "device/hid_report.h"
+#include "device/hid/report.h"
 
 namespace hapticwall::device::hid {
 namespace {

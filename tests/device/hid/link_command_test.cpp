@@ -1,4 +1,4 @@
-#include "device/link_command.h"
+#include "device/hid/link_command.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,4 @@
-// A HID bus in virtual time with emulated devices on it, behind the port that hidapi is behind. One
-// thread; whoever drives it moves the time of all of it.
+// A HID bus with emulated devices in virtual time, behind the same port as hidapi. One thread.
 #pragma once
 
 #include <algorithm>
@@ -13,22 +12,22 @@
 #include <vector>
 
 #include "device/emulator/firmware_emulator.h"
-#include "device/hid_port.h"
+#include "device/hid/port.h"
 
 namespace hapticwall::device::hid::testing {
 
 class FakeHandle;
 
-// One place on the bus, and what the operating system makes of it.
+// One place on the bus, as the operating system shows it.
 struct Plug {
   Plug(Listing its_listing, const EmulatorSettings& settings, FaultScript script = {})
       : listing(std::move(its_listing)), device(settings, std::move(script)) {}
 
   Listing listing;
   FirmwareEmulator device;
-  bool hidden = false;            // not on the bus, whatever the device does
-  bool denied = false;            // listed, and may not be opened
-  bool bridged = false;           // what it is plugged in by has power of its own: handles live on
+  bool hidden = false;            // not on the bus
+  bool denied = false;            // listed, but cannot be opened
+  bool bridged = false;           // behind a powered bridge: handles survive an unplug
   bool tells_empty = false;       // an empty packet is not silence
   bool feature_is_void = false;   // INFO arrives with a bit flipped
   bool feature_is_newer = false;  // INFO of the next major version
@@ -155,7 +154,7 @@ class FakePort : public Port {
   }
 
   Result<std::unique_ptr<Handle>> open(const std::string& path) override {
-    // Where hidapi would crash, a test is to fail.
+    // Fail the test where hidapi would crash.
     if (!listed_.contains(path)) ++never_listed;
     if (const Obstacle found = obstacle(path); found != Obstacle::kNone) {
       return Error{ErrorKind::kDevice, obstacle_text(path, found)};

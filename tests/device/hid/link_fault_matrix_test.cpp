@@ -1,12 +1,11 @@
-// Every fault of the device, of the bus and of the host, in virtual time: the force at the
-// amplifiers is gone within the time promised, the words are right, and it never comes back before
-// somebody asks for it anew.
+// Every fault of device, bus and host in virtual time: the force ends within the promised time, the
+// message is right, and the force returns only on a new request.
 #include <gtest/gtest.h>
 
 #include <ostream>
 #include <string>
 
-#include "tests/device/link_rig.h"
+#include "tests/device/hid/link_rig.h"
 
 namespace hapticwall::device {
 namespace {
@@ -20,8 +19,8 @@ constexpr std::uint64_t kBeginMs = 300;
 constexpr std::uint64_t kBeginUs = kBeginMs * kMillisecondUs;
 constexpr std::uint64_t kDurationMs = 1000;
 
-// What takes the force away, and how long that may take. To each comes the tick at which the device
-// acts, and one more for a command that was on its way.
+// Time limits of the mechanisms that end the force, plus one tick of the device and one for a
+// command in flight.
 constexpr std::uint64_t kAtOnce = 0;                        // the device itself
 constexpr std::uint64_t kBusLoss = 3 * kMillisecondUs;      // no start of frame
 constexpr std::uint64_t kTimeToLive = 20 * kMillisecondUs;  // of the last command
@@ -79,14 +78,14 @@ TEST_P(LinkFault, TakesTheForceAwayInTimeAndForGood) {
   // Longer than the fault, the longest back-off and a blocked write's last chance.
   rig.tick_until_ms(kBeginMs + kDurationMs + 2500);
   EXPECT_LE(rig.last_force_us, kBeginUs + promise.within_us + kTick);
-  // Nor is it gone long before: what is tested is this promise and not another.
+  // It does not end much earlier: this tests the promised time, not another one.
   EXPECT_GE(rig.last_force_us + 4 * kMillisecondUs, kBeginUs + promise.within_us);
   EXPECT_TRUE(rig.saw(promise.trouble));
 
-  // All is well again, but for the force; one who never let go has his fault still.
+  // Everything recovers except the force; a host that keeps asking keeps its fault.
   EXPECT_EQ(rig.force_n(), 0.0);
   if (disarms) {
-    EXPECT_EQ(host.figures().trouble, Trouble::kNone) << trouble_text(host.figures().trouble);
+    EXPECT_EQ(host.stats().trouble, Trouble::kNone) << trouble_text(host.stats().trouble);
   }
   host.rearm();
   host.ticks(20);
@@ -94,7 +93,7 @@ TEST_P(LinkFault, TakesTheForceAwayInTimeAndForGood) {
     host.rearm();  // the first time cleared the fault
     host.ticks(20);
   }
-  EXPECT_TRUE(rig.pushes()) << trouble_text(host.figures().trouble);
+  EXPECT_TRUE(rig.pushes()) << trouble_text(host.stats().trouble);
   EXPECT_EQ(host.owner.words(), "");
   EXPECT_EQ(host.port->never_listed, 0);
 }

@@ -1,10 +1,10 @@
-// A link in virtual time: coming up, figures, stalls, losses and the end.
+// A link in virtual time: coming up, stats, stalls, losses and the end.
 #include <gtest/gtest.h>
 
 #include <utility>
 #include <vector>
 
-#include "tests/device/link_rig.h"
+#include "tests/device/hid/link_rig.h"
 
 namespace hapticwall::device {
 namespace {
@@ -39,19 +39,19 @@ TEST(LinkHost, BeginsWithACommandWithoutEnableAndSequenceOne) {
 TEST(LinkHost, TellsPositionTimesAndDelay) {
   Rig rig;
   rig.drive_until_ms(500);
-  const LinkFigures figures = rig.host.figures();
-  EXPECT_TRUE(figures.connected);
-  EXPECT_TRUE(figures.calibrated);
-  EXPECT_TRUE(figures.enabled);
-  EXPECT_EQ(figures.trouble, Trouble::kNone);
-  EXPECT_EQ(figures.missing_states + figures.void_reports + figures.repeated_states, 0U);
-  EXPECT_EQ(figures.losses, 0U);
-  EXPECT_NEAR(figures.device_period_s, 1e-3, 1e-12);
-  EXPECT_NEAR(figures.age_s, 300e-6, 1e-12);         // the loop runs 300 µs after the tick
-  EXPECT_NEAR(figures.round_trip_s, 350e-6, 1e-12);  // and writes 50 µs later
-  EXPECT_NEAR(figures.maximum_round_trip_s, 350e-6, 1e-12);
-  EXPECT_NEAR(figures.delay_s, 1e-3, 1e-12);  // which acts at the next tick
-  EXPECT_NEAR(figures.maximum_delay_s, 1e-3, 1e-12);
+  const LinkStats stats = rig.host.stats();
+  EXPECT_TRUE(stats.connected);
+  EXPECT_TRUE(stats.calibrated);
+  EXPECT_TRUE(stats.enabled);
+  EXPECT_EQ(stats.trouble, Trouble::kNone);
+  EXPECT_EQ(stats.missing_states + stats.void_reports + stats.repeated_states, 0U);
+  EXPECT_EQ(stats.losses, 0U);
+  EXPECT_NEAR(stats.device_period_s, 1e-3, 1e-12);
+  EXPECT_NEAR(stats.age_s, 300e-6, 1e-12);         // the loop runs 300 µs after the tick
+  EXPECT_NEAR(stats.round_trip_s, 350e-6, 1e-12);  // and writes 50 µs later
+  EXPECT_NEAR(stats.maximum_round_trip_s, 350e-6, 1e-12);
+  EXPECT_NEAR(stats.delay_s, 1e-3, 1e-12);  // which acts at the next tick
+  EXPECT_NEAR(stats.maximum_delay_s, 1e-3, 1e-12);
   EXPECT_NEAR(rig.host.last.device_time_s, 0.5, 1e-9);
   const double counts = rig.plug.device.state().position_counts[0];
   // The encoder as the device tells it: a whole number of counts per metre.
@@ -72,23 +72,23 @@ TEST(LinkHost, SpoiltReportsNowAndThenAreCountedAndDoNoHarm) {
     rig.tick_until_ms(1500);
     EXPECT_TRUE(held);
     EXPECT_TRUE(rig.host.troubles.empty());
-    const LinkFigures& figures = rig.host.figures();
+    const LinkStats& stats = rig.host.stats();
     const bool is_void = kind != FaultKind::kSkipped && kind != FaultKind::kRepeated;
-    EXPECT_EQ(figures.void_reports, is_void ? kStruck : 0U);
-    EXPECT_EQ(figures.repeated_states, kind == FaultKind::kRepeated ? kStruck : 0U);
-    EXPECT_EQ(figures.missing_states, kStruck);
-    EXPECT_EQ(figures.losses, 0U);
-    EXPECT_NEAR(figures.device_period_s, 1e-3, 1e-12);
-    // One tick older than usual where the newest was spoilt.
-    EXPECT_NEAR(figures.maximum_age_s, 1300e-6, 1e-12);
+    EXPECT_EQ(stats.void_reports, is_void ? kStruck : 0U);
+    EXPECT_EQ(stats.repeated_states, kind == FaultKind::kRepeated ? kStruck : 0U);
+    EXPECT_EQ(stats.missing_states, kStruck);
+    EXPECT_EQ(stats.losses, 0U);
+    EXPECT_NEAR(stats.device_period_s, 1e-3, 1e-12);
+    // One tick older than usual if the newest report is corrupt.
+    EXPECT_NEAR(stats.maximum_age_s, 1300e-6, 1e-12);
   }
 }
 
 TEST(LinkHost, AnEmptyPacketMayLookLikeSilence) {
   Rig rig({{FaultKind::kEmpty, 300 * kMillisecondUs, 1000 * kMillisecondUs, 4}});
   rig.drive_until_ms(1500);
-  EXPECT_EQ(rig.host.figures().void_reports, 0U);
-  EXPECT_EQ(rig.host.figures().missing_states, 250U);
+  EXPECT_EQ(rig.host.stats().void_reports, 0U);
+  EXPECT_EQ(rig.host.stats().missing_states, 250U);
 }
 
 TEST(LinkHost, AReaderThatWasAwayForALittleTakesTheNewest) {
@@ -96,16 +96,17 @@ TEST(LinkHost, AReaderThatWasAwayForALittleTakesTheNewest) {
   rig.drive_until_ms(300);
   rig.host.reader_stalled = true;
   rig.host.ticks(15);
-  EXPECT_NEAR(rig.host.figures().age_s, 15.3e-3, 1e-9);
+  EXPECT_NEAR(rig.host.stats().age_s, 15.3e-3, 1e-9);
   rig.host.reader_stalled = false;
   rig.host.tick();
-  EXPECT_NEAR(rig.host.figures().age_s, 0.3e-3, 1e-9);
+  EXPECT_NEAR(rig.host.stats().age_s, 0.3e-3, 1e-9);
   EXPECT_NEAR(rig.host.last.device_time_s, 0.316, 1e-9);
   EXPECT_TRUE(rig.host.troubles.empty());
-  EXPECT_EQ(rig.host.figures().missing_states, 0U);
+  EXPECT_EQ(rig.host.stats().missing_states, 0U);
 }
 
-// The queue below holds the oldest 63: what a reader finds after a second is nearly as old.
+// The kernel's queue holds the oldest 63 reports: a reader that returns after a second finds old
+// ones.
 TEST(LinkHost, AHostThatStallsForASecondActsOnNothingOld) {
   Rig rig;
   rig.drive_until_ms(300);
@@ -115,11 +116,11 @@ TEST(LinkHost, AHostThatStallsForASecondActsOnNothingOld) {
   rig.host.stalled = false;
   rig.host.tick();
   EXPECT_EQ(rig.host.last.state, DeviceState::kFault);
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kSilent);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kSilent);
   rig.host.ticks(1000);
   EXPECT_TRUE(rig.saw(Trouble::kWatchdog));  // the device says so when it is heard again
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kNone);
-  EXPECT_EQ(rig.host.figures().losses, 1U);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kNone);
+  EXPECT_EQ(rig.host.stats().losses, 1U);
   EXPECT_LE(rig.last_force_us, 322 * kMillisecondUs);
   rig.host.rearm();
   rig.host.ticks(5);
@@ -134,27 +135,26 @@ TEST(LinkHost, ALoopThatStallsTripsTheWatchdogAndIsToldOfIt) {
   EXPECT_LE(rig.last_force_us, 322 * kMillisecondUs);
   rig.host.loop_stalled = false;
   rig.host.tick();
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kWatchdog);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kWatchdog);
   EXPECT_EQ(rig.host.last.state, DeviceState::kFault);
   EXPECT_LT(rig.host.last.age_s, 1e-3);
   rig.host.ticks(100);
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kNone);  // cleared, and still off
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kNone);  // cleared, and still off
   EXPECT_EQ(rig.force_n(), 0.0);
-  EXPECT_EQ(rig.host.figures().losses, 0U);
+  EXPECT_EQ(rig.host.stats().losses, 0U);
 }
 
-// The command that hung is of 300 ms and comes when it does: too old an echo, and the device takes
-// it for what it is.
+// The hanging command arrives with an echo of 300 ms: the device rejects it.
 TEST(LinkHost, AWriteThatHangsBringsNoOldForceBack) {
   Rig rig({{FaultKind::kNoOutput, 300 * kMillisecondUs, 400 * kMillisecondUs}});
   rig.drive_until_ms(299);
   rig.tick_until_ms(1000);
   EXPECT_LE(rig.last_force_us, 322 * kMillisecondUs);
   EXPECT_TRUE(rig.saw(Trouble::kWatchdog));
-  EXPECT_NEAR(rig.host.figures().maximum_write_time_s, 0.4, 2e-3);
-  EXPECT_LT(rig.host.figures().write_time_s, 1e-3);
-  EXPECT_EQ(rig.host.figures().rejected_commands, 1U);
-  EXPECT_EQ(rig.host.figures().losses, 0U);
+  EXPECT_NEAR(rig.host.stats().maximum_write_time_s, 0.4, 2e-3);
+  EXPECT_LT(rig.host.stats().write_time_s, 1e-3);
+  EXPECT_EQ(rig.host.stats().rejected_commands, 1U);
+  EXPECT_EQ(rig.host.stats().losses, 0U);
 }
 
 TEST(LinkHost, AnUnpluggedDeviceWhoseWriteHangsComesBackOnFreshHandles) {
@@ -164,10 +164,10 @@ TEST(LinkHost, AnUnpluggedDeviceWhoseWriteHangsComesBackOnFreshHandles) {
   rig.host.ticks(5);
   rig.plug.hidden = true;
   rig.host.ticks(300);
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kSilent);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kSilent);
   EXPECT_EQ(rig.bus.open_handles(), 1U);  // that of the write
   rig.plug.hidden = false;
-  ASSERT_TRUE(rig.host.ticks_until([&] { return rig.host.figures().connected; }, 1500));
+  ASSERT_TRUE(rig.host.ticks_until([&] { return rig.host.stats().connected; }, 1500));
   EXPECT_EQ(rig.bus.open_handles(), 3U);
   EXPECT_EQ(rig.force_n(), 0.0);
   rig.plug.writes_hang = false;
@@ -191,7 +191,7 @@ TEST(LinkHost, WritesThatHangOneAfterTheOtherDoNotPileUp) {
   EXPECT_LE(most, 6U);  // four that hang, and two
   rig.plug.writes_hang = false;
   rig.plug.hidden = false;
-  EXPECT_TRUE(rig.host.ticks_until([&] { return rig.host.figures().connected; }, 3000));
+  EXPECT_TRUE(rig.host.ticks_until([&] { return rig.host.stats().connected; }, 3000));
   rig.host.ticks(10);
   EXPECT_EQ(rig.bus.open_handles(), 2U);
 }
@@ -215,7 +215,7 @@ TEST(LinkHost, LooksAgainWithABackOff) {
                 static_cast<double>(waits_ms[i]), 1.0);
   }
   EXPECT_EQ(rig.host.owner.words(),
-            "/dev/hidraw0 is not connected any more: plug the device in again");
+            "/dev/hidraw0 is no longer connected: plug the device in again");
   EXPECT_EQ(rig.bus.open_handles(), 0U);
 }
 
@@ -234,8 +234,8 @@ TEST(LinkHost, ALossAndAReturnBetweenTwoLooksOfTheLoopIsNoSecret) {
     rig.host.loop_stalled = false;
     rig.host.tick();
     EXPECT_EQ(rig.host.last.state, DeviceState::kFault);
-    EXPECT_EQ(rig.host.figures().trouble, armed ? Trouble::kWatchdog : Trouble::kSilent);
-    EXPECT_TRUE(rig.host.figures().connected);
+    EXPECT_EQ(rig.host.stats().trouble, armed ? Trouble::kWatchdog : Trouble::kSilent);
+    EXPECT_TRUE(rig.host.stats().connected);
     rig.host.ticks(100);
     EXPECT_EQ(rig.force_n(), 0.0);
     EXPECT_EQ(rig.host.last.state, armed ? DeviceState::kFault : DeviceState::kOk);
@@ -250,12 +250,12 @@ TEST(LinkHost, ARestartBehindABridgeBringsTheLinkUpAnewAtTheStart) {
   rig.drive_until_ms(299);
   EXPECT_NEAR(rig.host.last.position_m[0], 0.03, 0.02);  // calibrated: the device's own
   rig.tick_until_ms(320);
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kRestarted);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kRestarted);
   EXPECT_EQ(rig.host.owner.words(), "/dev/hidraw0: the device has restarted");
   ASSERT_TRUE(rig.host.come_up());
-  EXPECT_FALSE(rig.host.figures().calibrated);
+  EXPECT_FALSE(rig.host.stats().calibrated);
   EXPECT_DOUBLE_EQ(rig.host.last.position_m[0], 0.07);
-  EXPECT_EQ(rig.host.figures().losses, 1U);
+  EXPECT_EQ(rig.host.stats().losses, 1U);
   rig.host.ticks(100);
   EXPECT_EQ(rig.force_n(), 0.0);
 }
@@ -321,7 +321,7 @@ TEST(LinkHost, AForceThatIsNoNumberIsNoForce) {
 
 TEST(LinkHost, AForceBeyondTheLimitIsTheLimit) {
   ImpulseEngineOptions options;
-  options.x = AxisFigures{0.0, 3.4567};
+  options.x = AxisDescription{0.0, 3.4567};
   Rig rig({}, options);
   rig.host.behaviour.force_n = {-1e6, 0.0};
   ASSERT_TRUE(rig.host.come_up());

@@ -1,12 +1,11 @@
-// A minute at the wall in virtual time, with things going wrong on the way: the same bits in every
-// run.
+// A minute at the wall in virtual time with faults: the same bits in every run.
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cstdint>
 
-#include "core/servo.h"
-#include "tests/device/link_rig.h"
+#include "core/loop/servo.h"
+#include "tests/device/hid/link_rig.h"
 
 namespace hapticwall::device {
 namespace {
@@ -20,16 +19,16 @@ constexpr std::uint64_t kMinuteMs = 60'000;
 // A hand that presses into a wall at 50 mm and lets go, every two seconds.
 Scene pressing_scene() {
   Scene scene = hid::testing::held_scene();
-  scene.hand->path.clear();
+  scene.x().hand->path.clear();
   for (int second = 0; second < 60; second += 2) {
-    scene.hand->path.push_back({second + 0.0, 0.03});
-    scene.hand->path.push_back({second + 1.0, 0.06});
+    scene.x().hand->path.push_back({second + 0.0, 0.03});
+    scene.x().hand->path.push_back({second + 1.0, 0.06});
   }
   WallSettings wall;
   wall.position_m = 0.05;
   wall.stiffness_n_per_m = 1000.0;
-  scene.walls = {wall};
-  scene.device.encoder_m = 1e-5;
+  scene.x().walls = {wall};
+  scene.x().device.encoder_m = 1e-5;
   return scene;
 }
 
@@ -51,7 +50,7 @@ struct OneAxis {
 struct Outcome {
   std::uint64_t digest = 14695981039346656037ULL;
   int contacts = 0;
-  LinkFigures figures;
+  LinkStats stats;
 
   void add(std::uint64_t value) { digest = (digest ^ value) * 1099511628211ULL; }
   void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
@@ -86,7 +85,7 @@ Outcome minute() {
     outcome.add(rig.force_n());
     outcome.add(rig.plug.device.truth(0).position_m);
   }
-  outcome.figures = rig.host.figures();
+  outcome.stats = rig.host.stats();
   return outcome;
 }
 
@@ -95,11 +94,11 @@ TEST(LinkMinute, GivesTheSameBitsInEveryRun) {
   const Outcome second = minute();
   EXPECT_EQ(first.digest, second.digest);
   EXPECT_GT(first.contacts, 10'000);
-  EXPECT_EQ(first.figures.losses, 1U);
-  EXPECT_EQ(first.figures.void_reports, 715U);            // 5000 ticks, every seventh
-  EXPECT_EQ(first.figures.missing_states, 715U + 1000U);  // and 3000, every third
-  EXPECT_EQ(first.figures.trouble, Trouble::kNone);
-  EXPECT_GT(first.figures.states, 57'000U);
+  EXPECT_EQ(first.stats.losses, 1U);
+  EXPECT_EQ(first.stats.void_reports, 715U);            // 5000 ticks, every seventh
+  EXPECT_EQ(first.stats.missing_states, 715U + 1000U);  // and 3000, every third
+  EXPECT_EQ(first.stats.trouble, Trouble::kNone);
+  EXPECT_GT(first.stats.states, 57'000U);
 }
 
 }  // namespace

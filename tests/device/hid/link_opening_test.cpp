@@ -1,9 +1,9 @@
-// Which device is taken, what it says of itself, and the words where it cannot be used.
+// The choice of a device, its description, and the message if it is unusable.
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "tests/device/link_rig.h"
+#include "tests/device/hid/link_rig.h"
 
 namespace hapticwall::device {
 namespace {
@@ -30,8 +30,8 @@ TEST(LinkOpening, NothingConnected) {
   Rig rig;
   rig.plug.hidden = true;
   EXPECT_EQ(failure_of(rig),
-            "no haptic device is connected; 'hapticwall devices' lists what is there");
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kNotFound);
+            "no haptic device is connected; 'hapticwall devices' lists the connected devices");
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kNotFound);
   EXPECT_EQ(rig.bus.lists, kAttemptsToOpen);
 }
 
@@ -44,16 +44,16 @@ TEST(LinkOpening, NothingOfThatKindConnected) {
   Rig rig({}, options);
   EXPECT_EQ(failure_of(rig),
             "no haptic device 16c0:0486 with the serial number 7 at /dev/hidraw5 is connected; "
-            "'hapticwall devices' lists what is there");
+            "'hapticwall devices' lists the connected devices");
 }
 
 TEST(LinkOpening, PermissionRefusedNamesThePathAndTheRuleAndThenGranted) {
   Rig rig;
   rig.plug.denied = true;
   EXPECT_EQ(failure_of(rig),
-            "/dev/hidraw0 may not be opened: permission denied; install the udev rule "
+            "/dev/hidraw0 cannot be opened: permission denied; install the udev rule "
             "70-hapticwall.rules, then plug the device in again");
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kRefused);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kRefused);
   rig.plug.denied = false;
   EXPECT_TRUE(rig.host.come_up());
 }
@@ -66,7 +66,7 @@ TEST(LinkOpening, PermissionRefusedAfterAReplug) {
   rig.plug.hidden = false;
   rig.plug.denied = true;
   rig.host.ticks(1200);
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kRefused);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kRefused);
   EXPECT_NE(rig.host.owner.words().find("70-hapticwall.rules"), std::string::npos);
   EXPECT_EQ(rig.host.owner.opening(), Opening::kUp);  // that was long ago and stays
   rig.plug.denied = false;
@@ -85,13 +85,13 @@ TEST(LinkOpening, AnInfoReportThatIsVoidIsRefused) {
 
 TEST(LinkOpening, AnUnknownMajorIsRefusedEvenWithADeviceFile) {
   ImpulseEngineOptions options;
-  options.x = AxisFigures{1e-4, 5.0};
+  options.x = AxisDescription{1e-4, 5.0};
   Rig rig({}, options);
   rig.plug.feature_is_newer = true;
   EXPECT_EQ(failure_of(rig),
             "/dev/hidraw0 speaks version 2 of the protocol, this program speaks version 1: "
             "update the older of the two");
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kRefused);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kRefused);
 }
 
 hid::EmulatorSettings without_info() {
@@ -110,35 +110,35 @@ TEST(LinkOpening, ADeviceThatDoesNotDescribeItselfNeedsAFile) {
 TEST(LinkOpening, ADeviceFileDescribesIt) {
   ImpulseEngineOptions options;
   options.name = "My paddle";
-  options.x = AxisFigures{0.3e-3, 5.0};
+  options.x = AxisDescription{0.3e-3, 5.0};
   Rig rig({}, options, without_info());
   ASSERT_TRUE(rig.host.come_up());
-  const auto figures = rig.host.owner.figures();
-  ASSERT_TRUE(figures);
-  EXPECT_EQ(figures->name, "My paddle");
-  EXPECT_EQ(figures->axes, 1U);
-  EXPECT_FALSE(figures->describes_itself);
-  EXPECT_EQ(figures->axis[0], (AxisFigures{0.3e-3, 5.0}));
+  const auto described = rig.host.owner.description();
+  ASSERT_TRUE(described);
+  EXPECT_EQ(described->name, "My paddle");
+  EXPECT_EQ(described->axes, 1U);
+  EXPECT_FALSE(described->describes_itself);
+  EXPECT_EQ(described->axis[0], (AxisDescription{0.3e-3, 5.0}));
   EXPECT_DOUBLE_EQ(rig.host.last.position_m[0], 118 * 0.3e-3);
 }
 
 TEST(LinkOpening, TheFilesEncoderWinsAndTheSmallerForce) {
   for (const double limit_n : {5.0, 20.0}) {
     ImpulseEngineOptions options;
-    options.x = AxisFigures{0.25e-3, limit_n};
+    options.x = AxisDescription{0.25e-3, limit_n};
     Rig rig({}, options, hid::testing::two_axes());
     ASSERT_TRUE(rig.host.come_up());
-    const auto figures = rig.host.owner.figures();
-    EXPECT_EQ(figures->axes, 2U);
-    EXPECT_EQ(figures->axis[0], (AxisFigures{0.25e-3, std::min(limit_n, 8.9)}));
-    EXPECT_EQ(figures->axis[1], (AxisFigures{1.0 / 3937.0, 5.0}));  // as it says itself
-    EXPECT_EQ(figures->name, "Emulated device");
+    const auto described = rig.host.owner.description();
+    EXPECT_EQ(described->axes, 2U);
+    EXPECT_EQ(described->axis[0], (AxisDescription{0.25e-3, std::min(limit_n, 8.9)}));
+    EXPECT_EQ(described->axis[1], (AxisDescription{1.0 / 3937.0, 5.0}));  // as it says itself
+    EXPECT_EQ(described->name, "Emulated device");
   }
 }
 
 TEST(LinkOpening, ADeviceThatDescribedItselfHasToGoOnDoingSo) {
   ImpulseEngineOptions options;
-  options.x = AxisFigures{0.25e-3, 20.0};  // more than the device allows
+  options.x = AxisDescription{0.25e-3, 20.0};  // more than the device allows
   Rig rig({}, options);
   rig.drive_until_ms(100);
   rig.plug.hidden = true;
@@ -146,9 +146,9 @@ TEST(LinkOpening, ADeviceThatDescribedItselfHasToGoOnDoingSo) {
   rig.plug.hidden = false;
   rig.plug.feature_is_missing = true;
   rig.host.ticks(1200);
-  EXPECT_EQ(rig.host.figures().trouble, Trouble::kRefused);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kRefused);
   EXPECT_EQ(rig.host.owner.words(),
-            "/dev/hidraw0 does not say any more what it is: plug the device in again");
+            "/dev/hidraw0 no longer sends its INFO report: plug the device in again");
   rig.plug.feature_is_missing = false;
   EXPECT_TRUE(rig.host.come_up());
 }
@@ -160,8 +160,8 @@ TEST(LinkOpening, ADeviceThatSaysNothingOrNothingThatCounts) {
   Rig void_reports({{hid::FaultKind::kWrongMajor, 0, kForEver}});
   EXPECT_EQ(failure_of(void_reports),
             "/dev/hidraw0 sends reports, but none is a STATE of the protocol");
-  EXPECT_GT(void_reports.host.figures().void_reports, 100U);
-  EXPECT_EQ(void_reports.host.figures().states, 0U);
+  EXPECT_GT(void_reports.host.stats().void_reports, 100U);
+  EXPECT_EQ(void_reports.host.stats().states, 0U);
 }
 
 TEST(LinkOpening, AListingThatComesTwiceIsOneDevice) {
@@ -182,7 +182,7 @@ TEST(LinkOpening, OfTwoDevicesTheOneThatIsMeant) {
   ASSERT_TRUE(host.come_up());
   EXPECT_TRUE(first.handles.empty());
   EXPECT_EQ(second.handles.size(), 2U);
-  // It is gone: the other one is not the one that was meant, though it is there.
+  // It is gone: the other device is not chosen instead.
   second.hidden = true;
   host.ticks(2500);
   EXPECT_TRUE(first.handles.empty());
@@ -202,7 +202,7 @@ TEST(LinkOpening, WithoutASerialNumberTheDeviceComesBackWhereItIsPluggedIn) {
   rig.plug.hidden = false;
   rig.plug.listing.path = "/dev/hidraw3";
   EXPECT_TRUE(rig.host.come_up());
-  EXPECT_EQ(rig.host.figures().losses, 1U);
+  EXPECT_EQ(rig.host.stats().losses, 1U);
 }
 
 TEST(LinkOpening, ATransportThatDoesNotWorkIsTold) {

@@ -1,10 +1,10 @@
-// The loop's side of a link allocates nothing, whatever state the link is in.
+// The loop's side of a link never allocates.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <new>
 
-#include "tests/device/link_rig.h"
+#include "tests/device/hid/link_rig.h"
 
 namespace {
 
@@ -19,7 +19,7 @@ void* counted(std::size_t size) {
 
 }  // namespace
 
-// Where free() is inlined beside a `new` that is not, GCC takes the two for a mismatch.
+// GCC reports a mismatch if it inlines free() but not `new`.
 [[gnu::noinline]] void* operator new(std::size_t size) { return counted(size); }
 [[gnu::noinline]] void* operator new[](std::size_t size) { return counted(size); }
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
@@ -42,8 +42,8 @@ std::size_t allocations_of_a_turn(Rig& rig) {
   rig.host.loop.enable(true);
   const AxesReading reading = rig.host.loop.read();
   rig.host.loop.write({reading.position_m[0], 0.0});
-  const LinkFigures figures = rig.host.loop.figures();
-  EXPECT_GE(figures.age_s, 0.0);
+  const LinkStats stats = rig.host.loop.stats();
+  EXPECT_GE(stats.age_s, 0.0);
   return allocations;
 }
 
@@ -57,9 +57,9 @@ TEST(LinkPurity, TheLoopsSideAllocatesNothing) {
     rig.host.tick();
     ASSERT_EQ(allocations_of_a_turn(rig), 0U);  // lost
   }
-  // That it counts at all.
+  // The counter works.
   allocations = 0;
-  int* volatile seen = new int(7);  // a pair that nobody sees may be left out
+  int* volatile seen = new int(7);  // volatile: an unused pair could be removed
   delete seen;
   EXPECT_GE(allocations, 1U);
 }

@@ -1,5 +1,5 @@
-// A bus with one emulated device for real threads: it lives by the clock of the link, and is
-// unplugged and blocked whenever a test says so.
+// A bus with one emulated device for real threads. It follows the link's clock; tests unplug and
+// block it.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 #include <utility>
 
 #include "device/emulator/firmware_emulator.h"
-#include "device/hid_port.h"
+#include "device/hid/port.h"
 #include "device/os_threads.h"
-#include "tests/device/emulator_support.h"
-#include "tests/device/link_fake_bus.h"
+#include "tests/device/emulator/emulator_support.h"
+#include "tests/device/hid/link_fake_bus.h"
 
 namespace hapticwall::device::hid::testing {
 
-// Ten times slower than the wall's: machines on which tests run forget a thread for 20 ms.
+// Ten times slower than real time, because test machines may delay a thread by 20 ms.
 inline std::int64_t slow_ns() {
   constexpr std::int64_t kSlowness = 10;
   return monotonic_ns() / kSlowness;

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "tests/device/emulator_support.h"
-#include "tests/device/link_virtual_host.h"
+#include "tests/device/emulator/emulator_support.h"
+#include "tests/device/hid/link_virtual_host.h"
 
 namespace hapticwall::device::testing {
 

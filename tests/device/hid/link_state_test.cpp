@@ -1,5 +1,5 @@
-// What the reader makes of packets, one at a time.
-#include "device/link_state.h"
+// The reader's tracking of packets, one at a time.
+#include "device/hid/link_state.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ class LinkState : public ::testing::Test {
     now_ns += ticks * kMillisecondNs;
   }
   bool take() { return tracker.take(hid::encode_state(state), now_ns); }
-  [[nodiscard]] const LinkFigures& figures() const { return tracker.view().figures; }
+  [[nodiscard]] const LinkStats& stats() const { return tracker.view().stats; }
 
   std::shared_ptr<SentCommands> sent = std::make_shared<SentCommands>();
   LinkSession session;
@@ -56,7 +56,7 @@ TEST_F(LinkState, KeepsTheNewest) {
   EXPECT_EQ(view.received_ns, now_ns);
   EXPECT_EQ(view.device_time_us, 1'001'000);
   EXPECT_EQ(view.sequence, 101);
-  EXPECT_EQ(figures().states, 2U);
+  EXPECT_EQ(stats().states, 2U);
 }
 
 TEST_F(LinkState, ARepeatIsCountedAndMakesNothingYounger) {
@@ -64,11 +64,11 @@ TEST_F(LinkState, ARepeatIsCountedAndMakesNothingYounger) {
   const std::int64_t received_ns = now_ns;
   now_ns += kMillisecondNs;
   EXPECT_FALSE(take());
-  EXPECT_EQ(figures().repeated_states, 1U);
+  EXPECT_EQ(stats().repeated_states, 1U);
   EXPECT_EQ(tracker.view().received_ns, received_ns);
   now_ns += kLinkLostNs;
   EXPECT_FALSE(take());
-  EXPECT_EQ(tracker.ended(), Trouble::kNone);  // who looks at the clock finds it lost
+  EXPECT_EQ(tracker.ended(), Trouble::kNone);  // the owner detects the loss by its clock
   step();
   EXPECT_FALSE(take());
   EXPECT_EQ(tracker.ended(), Trouble::kSilent);
@@ -78,7 +78,7 @@ TEST_F(LinkState, TwentyMillisecondsOfSilenceAreALossAndNotLess) {
   ASSERT_TRUE(take());
   step(20);
   EXPECT_TRUE(take());
-  EXPECT_EQ(figures().missing_states, 19U);
+  EXPECT_EQ(stats().missing_states, 19U);
   step(20);
   now_ns += 1;
   EXPECT_FALSE(take());
@@ -86,7 +86,7 @@ TEST_F(LinkState, TwentyMillisecondsOfSilenceAreALossAndNotLess) {
   EXPECT_EQ(tracker.view().trouble, Trouble::kSilent);
   step();
   EXPECT_FALSE(take()) << "nothing more of a link that is lost";
-  EXPECT_EQ(figures().states, 2U);
+  EXPECT_EQ(stats().states, 2U);
 }
 
 TEST_F(LinkState, VoidReportsAreCountedAndNeverDecoded) {
@@ -97,7 +97,7 @@ TEST_F(LinkState, VoidReportsAreCountedAndNeverDecoded) {
   spoilt[20] ^= 4U;
   EXPECT_FALSE(tracker.take(spoilt, now_ns));
   EXPECT_FALSE(tracker.take({}, now_ns));
-  EXPECT_EQ(figures().void_reports, 2U);
+  EXPECT_EQ(stats().void_reports, 2U);
   EXPECT_EQ(tracker.view().position_m[0], 0.0);
   EXPECT_EQ(tracker.view().received_ns, 5 * kMillisecondNs);
 }
@@ -113,8 +113,8 @@ TEST_F(LinkState, SequenceAndClockWrap) {
   }
   EXPECT_EQ(tracker.view().sequence, 3);
   EXPECT_EQ(tracker.view().device_time_us, begin_us + 5000);
-  EXPECT_EQ(figures().missing_states, 0U);
-  EXPECT_DOUBLE_EQ(figures().device_period_s, 1e-3);
+  EXPECT_EQ(stats().missing_states, 0U);
+  EXPECT_DOUBLE_EQ(stats().device_period_s, 1e-3);
 }
 
 TEST_F(LinkState, AClockOrASequenceThatJumpsIsARestart) {
@@ -142,7 +142,7 @@ TEST_F(LinkState, CalibrationThatChangesEndsTheLink) {
     state.status = first ? hid::kStatusCalibrated : 0;
     step();
     ASSERT_TRUE(take());
-    EXPECT_EQ(figures().calibrated, first);
+    EXPECT_EQ(stats().calibrated, first);
     step();
     state.status = first ? 0 : hid::kStatusCalibrated;
     EXPECT_FALSE(take());
@@ -196,7 +196,7 @@ TEST_F(LinkState, EveryFaultIsATroubleByItsCodeOrItsBit) {
     state.status = bit;
     EXPECT_EQ(fault_in(state), trouble);
   }
-  // What struck first is what is told.
+  // The first fault is reported.
   state.status = hid::kStatusWatchdog | hid::kStatusEmergencyStop;
   state.fault = hid::kFaultWatchdog;
   EXPECT_EQ(fault_in(state), Trouble::kWatchdog);
@@ -216,39 +216,38 @@ TEST_F(LinkState, AFaultDoesNotEndTheLink) {
 }
 
 TEST_F(LinkState, RejectedCommandsAreThoseOfTheLinkAndWrap) {
-  state.rejected_commands = 65535;  // of whoever was there before
+  state.rejected_commands = 65535;  // of an earlier host
   ASSERT_TRUE(take());
-  EXPECT_EQ(figures().rejected_commands, 0U);
+  EXPECT_EQ(stats().rejected_commands, 0U);
   step();
   state.rejected_commands = 1;
   ASSERT_TRUE(take());
-  EXPECT_EQ(figures().rejected_commands, 2U);
+  EXPECT_EQ(stats().rejected_commands, 2U);
 }
 
-// State 101 is latched at 1 001 000; the command that goes back to it comes in 400 µs later and
-// acts at the tick after that.
+// State 101 is latched at 1 001 000 us; its command arrives 400 us later and acts at the next tick.
 TEST_F(LinkState, RoundTripAndDelayAreByTheDevicesClock) {
   ASSERT_TRUE(take());
   sent->note(1, 1'001'000);
   step();
   ASSERT_TRUE(take());
-  EXPECT_EQ(figures().delay_s, 0.0);
+  EXPECT_EQ(stats().delay_s, 0.0);
   step();
   state.acknowledged_sequence = 1;
   state.acknowledged_time_us = 1'001'400;
   ASSERT_TRUE(take());
-  EXPECT_DOUBLE_EQ(figures().round_trip_s, 400e-6);
-  EXPECT_DOUBLE_EQ(figures().delay_s, 1e-3);
+  EXPECT_DOUBLE_EQ(stats().round_trip_s, 400e-6);
+  EXPECT_DOUBLE_EQ(stats().delay_s, 1e-3);
   step();
-  ASSERT_TRUE(take());  // the same once more is nothing new
+  ASSERT_TRUE(take());  // a repetition is no new measurement
   sent->note(2, 1'003'000);
   step(2);
   state.acknowledged_sequence = 2;
   state.acknowledged_time_us = 1'003'900;
   ASSERT_TRUE(take());
-  EXPECT_DOUBLE_EQ(figures().round_trip_s, 900e-6);
-  EXPECT_DOUBLE_EQ(figures().maximum_round_trip_s, 900e-6);
-  EXPECT_DOUBLE_EQ(figures().delay_s, 1e-3);  // the tick at which it acted was not told of
+  EXPECT_DOUBLE_EQ(stats().round_trip_s, 900e-6);
+  EXPECT_DOUBLE_EQ(stats().maximum_round_trip_s, 900e-6);
+  EXPECT_DOUBLE_EQ(stats().delay_s, 1e-3);  // the state of the tick at which it acted is missing
 }
 
 TEST_F(LinkState, WhatAnotherSessionSentSaysNothing) {
@@ -265,12 +264,12 @@ TEST_F(LinkState, WhatAnotherSessionSentSaysNothing) {
   state.acknowledged_sequence = 77;  // never sent
   state.acknowledged_time_us = 1'001'500;
   ASSERT_TRUE(take());
-  EXPECT_EQ(figures().round_trip_s, 0.0);
+  EXPECT_EQ(stats().round_trip_s, 0.0);
   step();
   state.acknowledged_sequence = 1;  // ours, at last
   state.acknowledged_time_us = 1'002'500;
   ASSERT_TRUE(take());
-  EXPECT_DOUBLE_EQ(figures().round_trip_s, 2.5e-3);
+  EXPECT_DOUBLE_EQ(stats().round_trip_s, 2.5e-3);
 }
 
 TEST_F(LinkState, CountersGoOnOverLinksAndMeasurementsBeginAnew) {
@@ -289,10 +288,10 @@ TEST_F(LinkState, CountersGoOnOverLinksAndMeasurementsBeginAnew) {
   ASSERT_TRUE(take());
   EXPECT_EQ(tracker.view().session, 2U);
   EXPECT_EQ(tracker.view().device_time_us, 17);
-  EXPECT_EQ(figures().states, 3U);
-  EXPECT_EQ(figures().missing_states, 2U);
-  EXPECT_EQ(figures().round_trip_s, 0.0);
-  EXPECT_DOUBLE_EQ(figures().maximum_round_trip_s, 700e-6);
+  EXPECT_EQ(stats().states, 3U);
+  EXPECT_EQ(stats().missing_states, 2U);
+  EXPECT_EQ(stats().round_trip_s, 0.0);
+  EXPECT_DOUBLE_EQ(stats().maximum_round_trip_s, 700e-6);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The real threads of a link: started and stopped, unplugged and blocked at any moment; clean under
-// ThreadSanitizer. What a test waits for is a condition, never a time.
+// The real threads of a link, started, stopped, unplugged and blocked at any moment; clean under
+// ThreadSanitizer. Tests wait for conditions, never for times.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -7,8 +7,8 @@
 #include <memory>
 #include <thread>
 
-#include "device/impulse_engine.h"
-#include "tests/device/link_real_bus.h"
+#include "device/hid/impulse_engine.h"
+#include "tests/device/hid/link_real_bus.h"
 
 namespace hapticwall::device {
 namespace {
@@ -33,7 +33,7 @@ std::unique_ptr<ImpulseEngine> engine_on(const std::shared_ptr<RealBus>& bus) {
   return make_impulse_engine({}, std::make_unique<RealPort>(bus), slow_ns);
 }
 
-// A loop that reads and writes until it has seen what it waits for.
+// A loop that reads and writes until a condition holds.
 bool loop_until(ImpulseEngine& engine, const std::function<bool(const AxesReading&)>& condition) {
   return wait_for([&] {
     const AxesReading reading = engine.read_axes();
@@ -73,7 +73,7 @@ TEST(LinkStress, TheForceComesAndGoesWithTheDevice) {
   const auto bus = std::make_shared<RealBus>();
   const auto engine = engine_on(bus);
   ASSERT_FALSE(engine->open());
-  // What a window does meanwhile.
+  // The calls of a window.
   std::jthread asker([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       static_cast<void>(engine->trouble_details());
@@ -83,7 +83,7 @@ TEST(LinkStress, TheForceComesAndGoesWithTheDevice) {
   });
   for (int round = 0; round < 3; ++round) {
     ASSERT_TRUE(loop_until(*engine, [&](const AxesReading& reading) {
-      // As a person does after every loss, be it the test's or the machine's.
+      // As a person does after every loss.
       engine->enable(false);
       engine->enable(is_ok(reading));
       return is_ok(reading) && bus->force_n() == -1.0;
@@ -94,7 +94,7 @@ TEST(LinkStress, TheForceComesAndGoesWithTheDevice) {
     EXPECT_TRUE(engine->link().trouble == Trouble::kSilent) << trouble_text(engine->link().trouble);
     bus->plug(true);
     const std::uint64_t before = engine->link().states;
-    // It was asked for all along: that is not asking anew.
+    // A continued request is no new request.
     ASSERT_TRUE(loop_until(*engine, [&](const AxesReading&) {
       engine->enable(true);
       return engine->link().connected && engine->link().states > before + 10;
@@ -134,7 +134,7 @@ TEST(LinkStress, ABlockedWriteDoesNotKeepTheLinkFromComingBack) {
     bus->plug(false);
     ASSERT_TRUE(loop_until(*engine, is_faulty));
     bus->plug(true);
-    // The new writer's first command blocks as well, and the positions come all the same.
+    // The new writer's first command blocks, too, and positions still arrive.
     ASSERT_TRUE(loop_until(*engine, is_ok));
   }
   bus->block(false);
@@ -168,8 +168,8 @@ TEST(LinkStress, NothingConnectedIsOneClearSentence) {
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind, ErrorKind::kDevice);
   EXPECT_EQ(failure->message,
-            "no haptic device is connected; 'hapticwall devices' lists what is there");
-  // Closed as it is, it may be used all the same.
+            "no haptic device is connected; 'hapticwall devices' lists the connected devices");
+  // A closed device accepts all calls.
   EXPECT_EQ(engine->read().state, DeviceState::kFault);
   engine->write(1.0);
   engine->enable(true);

@@ -1,5 +1,5 @@
-// A host in virtual time: the owner, the reader, the writers and a loop, each a step at a time, in
-// the order in which their threads would come to run. Same calls, same bits.
+// A host in virtual time: owner, reader, writers and loop, one step at a time in the order of their
+// threads. Deterministic.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,18 @@
 #include <set>
 #include <vector>
 
-#include "device/link_loop.h"
-#include "device/link_owner.h"
-#include "device/link_reader.h"
-#include "device/link_writer.h"
-#include "tests/device/link_fake_bus.h"
+#include "device/hid/link_loop.h"
+#include "device/hid/link_owner.h"
+#include "device/hid/link_reader.h"
+#include "device/hid/link_writer.h"
+#include "tests/device/hid/link_fake_bus.h"
 
 namespace hapticwall::device::testing {
 
 // A person's side of the loop, which commands a force in every tick.
 struct LoopBehaviour {
   AxisValues force_n{2.0, 0.0};
-  // Takes its enable() back after a fault, as the loop of a session does; else it goes on asking.
+  // Disables after a fault, as the loop of a session does; otherwise keeps asking.
   bool disarms = true;
 };
 
@@ -31,8 +31,8 @@ class VirtualHost {
   static constexpr std::uint64_t kLoopUs = 300;
   static constexpr std::uint64_t kWriteUs = 350;
   static constexpr std::uint64_t kOwnerUs = 600;
-  // So long hidraw waits for a device that takes no output.
-  static constexpr std::uint64_t kLongestWriteUs = 5'000'000;
+  // hidraw's time-out for a device that takes no output.
+  static constexpr std::uint64_t kMaxWriteUs = 5'000'000;
 
   VirtualHost(hid::testing::FakeBus& its_bus, const ImpulseEngineOptions& options)
       : bus(its_bus),
@@ -65,7 +65,7 @@ class VirtualHost {
   void ticks(int count) {
     for (int i = 0; i < count; ++i) tick();
   }
-  // Until a condition holds, but not longer than that; whether it does.
+  // Ticks until a condition holds, with a limit; returns whether it holds.
   bool ticks_until(const std::function<bool()>& condition, int at_most) {
     for (int i = 0; i < at_most && !condition(); ++i) tick();
     return condition();
@@ -75,7 +75,7 @@ class VirtualHost {
   }
 
   void arm() { armed = true; }
-  // As a person does it: off, and on again when the loop has seen that.
+  // As a person does: off, and on again after the loop has seen it.
   void rearm() {
     armed = false;
     ticks(2);
@@ -86,10 +86,10 @@ class VirtualHost {
     return static_cast<std::int64_t>(now_us_ + offset_us_) * 1000;
   }
   [[nodiscard]] std::uint64_t now_us() const { return now_us_; }
-  [[nodiscard]] const LinkFigures& figures() const { return loop.figures(); }
+  [[nodiscard]] const LinkStats& stats() const { return loop.stats(); }
 
  private:
-  // Before all that asks for the time.
+  // First, because the others use the time.
   std::uint64_t now_us_ = 0;
   std::uint64_t offset_us_ = 0;
 
@@ -132,7 +132,7 @@ class VirtualHost {
   void run_loop() {
     loop.enable(armed);
     last = loop.read();
-    if (figures().trouble != Trouble::kNone) troubles.insert(figures().trouble);
+    if (stats().trouble != Trouble::kNone) troubles.insert(stats().trouble);
     const bool fault = last.state != DeviceState::kOk;
     if (fault && behaviour.disarms) {
       armed = false;
@@ -160,7 +160,7 @@ class VirtualHost {
       if (on_report) on_report(*writing.bytes);
     }
     auto& handle = dynamic_cast<hid::testing::FakeHandle&>(writing.session->handle());
-    if (!handle.write_returns() && now_us_ - writing.since_us < kLongestWriteUs) return;
+    if (!handle.write_returns() && now_us_ - writing.since_us < kMaxWriteUs) return;
     handle.write(*writing.bytes);
     writing.bytes.reset();
     writing.session->finish(now_ns());

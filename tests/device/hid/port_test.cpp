@@ -1,12 +1,12 @@
-// What is around hidapi, and hidapi itself as far as a machine without a device goes.
-#include "device/hid_port.h"
+// The code around hidapi, and hidapi itself without a device.
+#include "device/hid/port.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "device/impulse_engine.h"
-#include "device/utf8.h"
+#include "core/utf8.h"
+#include "device/hid/impulse_engine.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -37,9 +37,9 @@ TEST(HidPort, EachPathIsOneDeviceAndTheUsageOfTheProtocolWins) {
 
 TEST(HidPort, EveryObstacleHasItsSentence) {
   EXPECT_EQ(obstacle_text("p", Obstacle::kNone), "");
-  EXPECT_EQ(obstacle_text("p", Obstacle::kBusy), "p is in use: close the program that has it");
+  EXPECT_EQ(obstacle_text("p", Obstacle::kBusy), "p is in use: close the program that uses it");
   EXPECT_EQ(obstacle_text("p", Obstacle::kGone),
-            "p is not there any more: plug the device in again");
+            "p is no longer connected: plug the device in again");
   EXPECT_NE(obstacle_text("p", Obstacle::kPermission).find("70-hapticwall.rules"),
             std::string::npos);
 }
@@ -51,7 +51,7 @@ TEST(HidPort, WideTextBecomesUtf8) {
   EXPECT_EQ(to_utf8(L"\u00e9\u0394\u20ac\U0001F600"), "\u00e9\u0394\u20ac\U0001F600");
   EXPECT_EQ(to_utf8(L"\u00a0\u07ff\u0800\uffff\U00010000\U0010ffff"),
             "\u00a0\u07ff\u0800\uffff\U00010000\U0010ffff");
-  // What a terminal would obey.
+  // A terminal's commands.
   EXPECT_EQ(to_utf8(L"a\x1b[2J\x7f\u009b"), "a\uFFFD[2J\uFFFD\uFFFD");
   const wchar_t bad[] = {L'a',
                          static_cast<wchar_t>(0xD800),
@@ -93,7 +93,7 @@ TEST(SystemPort, ADeviceThatIsNotThereIsNotOpened) {
     ASSERT_TRUE(failure);
     EXPECT_EQ(failure->message,
               "no haptic device with the serial number of no device in the world is connected; "
-              "'hapticwall devices' lists what is there");
+              "'hapticwall devices' lists the connected devices");
   }
 }
 

@@ -1,4 +1,4 @@
-// docs/hid-protocol.md shows bytes and offsets: they are those of the codec.
+// The bytes and offsets of docs/hid-protocol.md are those of the codec.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "device/hid_report.h"
+#include "device/hid/report.h"
+#include "tests/paths.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -32,14 +33,14 @@ std::string text_of(const Bytes& bytes) {
 }
 
 std::vector<std::string> lines_of_document() {
-  std::ifstream file(HAPTICWALL_TEST_DATA_DIR "/../docs/hid-protocol.md");
+  std::ifstream file(hapticwall::test::data_folder() + "/../docs/hid-protocol.md");
   EXPECT_TRUE(file);
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
   return lines;
 }
 
-// What stands between "```hex NAME" and "```".
+// The text between "```hex NAME" and "```".
 std::map<std::string, std::string> examples_of_document() {
   const std::string begin = "```hex ";
   std::map<std::string, std::string> examples;

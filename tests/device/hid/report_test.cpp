@@ -1,4 +1,4 @@
-#include "device/hid_report.h"
+#include "device/hid/report.h"
 
 #include <gtest/gtest.h>
 
@@ -119,7 +119,7 @@ TEST(HidReport, WhatIsEncodedIsDecodedToTheSame) {
   EXPECT_EQ(*info.report(), some_info());
 }
 
-// Two at a time as well: the CRC finds every such error in so short a report.
+// Two bits at a time: the CRC detects every such error in a report of this length.
 TEST(HidReport, EveryFlippedBitIsRefused) {
   const ReportBytes state = encode_state(some_state());
   const ReportBytes force = encode_force(some_force());
@@ -208,7 +208,7 @@ TEST(HidReport, ReservedBitsAreZeroInThisMinorVersion) {
 TEST(HidReport, WhatANewerMinorVersionAddsIsNotHandedOn) {
   ReportBytes newer = encode_state(some_state());
   newer[1] = 0x11;
-  newer[29] |= 0x80;  // a status bit that we do not know
+  newer[29] |= 0x80;  // an unknown status bit
   const auto state = decode_state(with(newer, 50, 0xAA));
   ASSERT_TRUE(state.report());
   EXPECT_EQ(state.report()->status, some_state().status);

@@ -1,17 +1,17 @@
-#include "app/ui/comparison_figure.h"
+#include "app/draw/figure/comparison_figure.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "app/file/scene_file.h"
-#include "app/ui/theme.h"
-#include "core/simulate.h"
+#include "app/draw/plot/theme.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
-#include "tests/ui/pixels.h"
+#include "tests/app/ui/pixels.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr FigureSize kSmall{1200, 700};
@@ -96,9 +96,9 @@ TEST(ComparisonFigure, SharesTheAxesOfARow) {
 TEST(ComparisonFigure, ARunThatDivergedDoesNotStretchTheAxesOfOthers) {
   const ComparedRun quiet = run(press(), "virtual-coupling");
   Scene scene = press();
-  scene.walls.front().damping_n_s_per_m = 1e4;
-  scene.device.encoder_m.reset();
-  scene.device.force_limit_n.reset();
+  scene.x().walls.front().damping_n_s_per_m = 1e4;
+  scene.x().device.encoder_m.reset();
+  scene.x().device.force_limit_n.reset();
   const ComparedRun diverged = run(scene, "none");
   ASSERT_EQ(diverged.summary.verdict, Verdict::kDiverged);
   const auto alone = draw_comparison(press(), std::vector{quiet, quiet}, kSmall);
@@ -128,8 +128,7 @@ TEST(ComparisonFigure, IsTheSameEveryTimeAndDependsOnTheOrder) {
 TEST(ComparisonFigure, SaysWhichAxisItIsOf) {
   const std::vector<ComparedRun> runs{run(press(), "none")};
   Scene corner = press();
-  corner.y = file::load_scene("corner")->scene.y;
-  ASSERT_TRUE(corner.y.has_value());
+  corner.axes.push_back(file::load_scene("corner")->scene.axes.at(1));
   const auto one_axis = draw_comparison(press(), runs, kSmall);
   const auto two_axes = draw_comparison(corner, runs, kSmall);
   ASSERT_TRUE(one_axis.ok() && two_axes.ok());
@@ -161,8 +160,8 @@ TEST(ComparisonFigure, OfNothingIsStillAPage) {
 
 TEST(ComparisonFigure, GrowsWithItsColumns) {
   EXPECT_EQ(comparison_size(1).width, comparison_size(8).width);
-  EXPECT_GT(comparison_size(kMostComparedRuns).width, comparison_size(8).width);
-  const std::vector<ComparedRun> runs(kMostComparedRuns, run(press(), "force-bounding"));
+  EXPECT_GT(comparison_size(kMaxComparedRuns).width, comparison_size(8).width);
+  const std::vector<ComparedRun> runs(kMaxComparedRuns, run(press(), "force-bounding"));
   EXPECT_TRUE(draw_comparison(press(), runs, comparison_size(runs.size())).ok());
 }
 
@@ -171,4 +170,4 @@ TEST(ComparisonFigure, RefusesASizeThatIsNone) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

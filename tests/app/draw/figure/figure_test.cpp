@@ -1,4 +1,4 @@
-#include "app/ui/figure.h"
+#include "app/draw/figure/figure.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/draw/plot/theme.h"
 #include "app/file/picture.h"
-#include "app/file/scene_file.h"
-#include "app/ui/theme.h"
-#include "core/simulate.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
-#include "tests/ui/pixels.h"
+#include "tests/app/ui/pixels.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 struct PressRun {
@@ -132,4 +132,4 @@ TEST(Figure, GoesIntoAPngOfItsSize) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,5 +1,5 @@
 // The figure of a map, by its pixels: cells where they belong, bounds over them.
-#include "app/ui/map_figure.h"
+#include "app/draw/figure/map_figure.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/file/scene_file.h"
-#include "app/ui/map_colours.h"
+#include "app/draw/figure/map_colours.h"
+#include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 StabilityMap map_of(std::size_t algorithm_count) {
@@ -24,8 +24,8 @@ StabilityMap map_of(std::size_t algorithm_count) {
 }
 
 // The right half settles, the left swings by 10 mm.
-std::vector<MapFigures> half_and_half(const StabilityMap& map) {
-  std::vector<MapFigures> figures(map.cell_count());
+std::vector<MapMetrics> half_and_half(const StabilityMap& map) {
+  std::vector<MapMetrics> figures(map.cell_count());
   for (std::size_t cell = 0; cell < figures.size(); ++cell) {
     const bool settled = map.place(cell).x >= map.x.count / 2;
     figures[cell].verdict = settled ? Verdict::kSettled : Verdict::kOscillating;
@@ -73,7 +73,7 @@ TEST(MapFigure, CellsStandWhereTheirValuesAre) {
 
 TEST(MapFigure, EveryAlgorithmHasAField) {
   const StabilityMap map = map_of(8);
-  std::vector<MapFigures> figures(map.cell_count());
+  std::vector<MapMetrics> figures(map.cell_count());
   // Only the sixth diverges.
   const std::size_t cells = map.x.count * map.y.count;
   for (std::size_t i = 0; i < cells; ++i) figures[5 * cells + i].verdict = Verdict::kDiverged;
@@ -92,11 +92,11 @@ TEST(MapFigure, ColoursTellHowFarItSwings) {
   EXPECT_NE(oscillating_colour(1e-4), oscillating_colour(1e-3));
   EXPECT_NE(oscillating_colour(1e-3), oscillating_colour(1e-2));
   EXPECT_EQ(oscillating_colour(0.1), oscillating_colour(0.9)) << "the hottest there is";
-  MapFigures figures;
+  MapMetrics figures;
   figures.verdict = Verdict::kOscillating;
   figures.tail_peak_to_peak_m = 2e-3;
   EXPECT_EQ(colour_of(figures), oscillating_colour(2e-3));
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,5 +1,5 @@
 // Contexts without a display do not disturb each other: a figure is drawn in one of its own.
-#include "app/ui/offscreen.h"
+#include "app/draw/figure/offscreen.h"
 
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -7,7 +7,7 @@
 
 #include <future>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 TEST(Offscreen, OneContextOutlivesAnother) {
@@ -25,4 +25,4 @@ TEST(Offscreen, OneContextOutlivesAnother) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,12 +1,12 @@
-#include "app/ui/work_precision.h"
+#include "app/draw/figure/work_precision.h"
 
 #include <gtest/gtest.h>
 
-#include "app/file/scene_file.h"
-#include "app/ui/theme.h"
-#include "tests/ui/pixels.h"
+#include "app/draw/plot/theme.h"
+#include "app/file/scene/scene_file.h"
+#include "tests/app/ui/pixels.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr int kHeading = 150;  // title and legend, pixels of the full size
@@ -155,4 +155,4 @@ TEST(WorkPrecision, RefusesASizeThatIsNone) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

@@ -1,5 +1,5 @@
 // Traces of other runs in the plots, on the screen and in the exported figure.
-#include "app/ui/extra_traces.h"
+#include "app/draw/plot/extra_traces.h"
 
 #include <gtest/gtest.h>
 
@@ -8,32 +8,32 @@
 #include <vector>
 
 #include "core/stabiliser/stabiliser.h"
-#include "tests/ui/gui_test.h"
+#include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
 
-using ui::ExtraSource;
-using ui::ExtraTrace;
-using ui::PlotId;
-using ui::Quantity;
+using draw::ExtraSource;
+using draw::ExtraTrace;
+using draw::PlotId;
+using draw::Quantity;
 
 constexpr int kTicks = 6000;
 
 // Scene 'press' under an algorithm, as long as the session of the test.
-std::shared_ptr<const ui::SampleHistory> run(const std::string& algorithm) {
+std::shared_ptr<const draw::SampleHistory> run(const std::string& algorithm) {
   Scene scene = file::load_scene("press")->scene;
   scene.algorithm.index = *find_algorithm(algorithm);
   FakeSession session(scene);
   session.advance(kTicks);
-  std::vector<Sample> samples(kTicks);
-  EXPECT_EQ(session.take_samples(samples), samples.size());
-  auto history = std::make_shared<ui::SampleHistory>(samples.size());
-  history->push(samples);
+  std::vector<Tick> ticks(kTicks);
+  EXPECT_EQ(session.take_ticks(ticks), ticks.size());
+  auto history = std::make_shared<draw::SampleHistory>(ticks.size());
+  for (const Tick& tick : ticks) history->push(tick.x());
   return history;
 }
 
-ExtraTrace trace(std::string label, std::shared_ptr<const ui::SampleHistory> history) {
+ExtraTrace trace(std::string label, std::shared_ptr<const draw::SampleHistory> history) {
   ExtraTrace made;
   made.label = std::move(label);
   made.history = std::move(history);
@@ -66,15 +66,16 @@ TEST(ExtraTraces, EachSourceReplacesItsOwn) {
 
 TEST_F(ExtraTracesTest, TheLegendNamesThemWhereTheyAre) {
   live(kTicks);
-  EXPECT_FALSE(find("legend under none").has_value());
+  EXPECT_FALSE(find("under none").has_value());
   replace_extra_traces(all(), ExtraSource::kReplay, {trace("under none", run("none"))});
   frames(1);
-  EXPECT_TRUE(find("legend under none").has_value());
+  EXPECT_TRUE(find("under none").has_value());
   for (const Quantity quantity :
-       {Quantity::kPosition, Quantity::kForce, Quantity::kStiffness, Quantity::kEnergyCv})
-    application_->state().persisted.hidden_lines |= ui::line_bit(quantity);
+       {Quantity(&Sample::position_m), Quantity(&Sample::force_n),
+        Quantity(&Sample::stiffness_n_per_m), Quantity(&Sample::energy_cv_j)})
+    application_->state().persisted.hidden_lines |= draw::line_bit(quantity);
   frames(1);
-  EXPECT_FALSE(find("legend under none").has_value()) << "hidden with the session's own lines";
+  EXPECT_FALSE(find("under none").has_value()) << "hidden with the session's own lines";
 }
 
 TEST_F(ExtraTracesTest, TheValueAxesHaveRoomForThem) {
@@ -82,7 +83,7 @@ TEST_F(ExtraTracesTest, TheValueAxesHaveRoomForThem) {
   const double alone_n = force_axis();
   constexpr double kSpikeN = 700.0;
   ASSERT_LT(alone_n, kSpikeN);
-  auto other = std::make_shared<ui::SampleHistory>(kTicks);
+  auto other = std::make_shared<draw::SampleHistory>(kTicks);
   for (std::uint64_t tick = 0; tick < kTicks; ++tick) {
     Sample sample;
     sample.tick = tick;
@@ -102,10 +103,10 @@ TEST_F(ExtraTracesTest, NothingIsDrawnOfOneWithoutSamples) {
   live(1000);
   replace_extra_traces(all(), ExtraSource::kReplay,
                        {trace("no history", nullptr),
-                        trace("empty", std::make_shared<const ui::SampleHistory>(10))});
+                        trace("empty", std::make_shared<const draw::SampleHistory>(10))});
   frames(2);
-  EXPECT_FALSE(find("legend no history").has_value());
-  EXPECT_FALSE(find("legend empty").has_value());
+  EXPECT_FALSE(find("no history").has_value());
+  EXPECT_FALSE(find("empty").has_value());
 }
 
 }  // namespace

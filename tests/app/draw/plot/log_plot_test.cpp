@@ -1,4 +1,4 @@
-#include "app/ui/log_plot.h"
+#include "app/draw/plot/log_plot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 using ::testing::ElementsAre;
@@ -54,4 +54,4 @@ TEST(LogPlot, EveryAxisHasTwoNumbersAndNoneBesideIt) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

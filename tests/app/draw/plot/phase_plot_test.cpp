@@ -1,4 +1,4 @@
-#include "app/ui/phase_plot.h"
+#include "app/draw/plot/phase_plot.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/file/scene_file.h"
-#include "core/simulate.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 // An ellipse of half axes a and b around (centre, centre), once round: area π a b.
@@ -78,8 +78,9 @@ TEST(PhasePlot, TheEnergyOfARunIsWhatTheLedgerHas) {
     const auto difference = [&](Quantity quantity) {
       return history.value(quantity, last) - history.value(quantity, 0);
     };
-    EXPECT_NEAR(energy_of(history), difference(Quantity::kEnergyScv), 1e-9) << algorithm;
-    EXPECT_NEAR(energy_of(history, true), difference(Quantity::kActuatorWork), 1e-9) << algorithm;
+    EXPECT_NEAR(energy_of(history), difference(&Sample::energy_scv_j), 1e-9) << algorithm;
+    EXPECT_NEAR(energy_of(history, true), difference(&PlantTruth::actuator_work_j), 1e-9)
+        << algorithm;
   }
 }
 
@@ -115,7 +116,7 @@ TEST(PhasePlot, TheLastContactIsTheNewestThatBeginsInTheWindow) {
 TEST(PhasePlot, OfALongWindowTheNewestSamplesAreDrawn) {
   const SampleHistory history = two_touches(30000);
   const IndexRange range = phase_range(history, {}, {0.0, 25.0});
-  EXPECT_EQ(range.count(), kMostPhaseSamples);
+  EXPECT_EQ(range.count(), kMaxPhaseSamples);
   EXPECT_EQ(range.last, 25001U);
 }
 
@@ -153,4 +154,4 @@ TEST(PhasePlot, NothingIsNoEnergy) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

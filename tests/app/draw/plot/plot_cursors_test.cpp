@@ -1,4 +1,4 @@
-#include "app/ui/plot_cursors.h"
+#include "app/draw/plot/plot_cursors.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr std::array kPlots{PlotId::kPosition, PlotId::kForce};
@@ -29,24 +29,24 @@ TEST(Cursors, ReadAllLinesThatAreShownInTheUnitsOfTheirPlots) {
   const SampleHistory history = ramp();
   ChosenLines chosen = usual_lines();
   chosen[static_cast<std::size_t>(PlotId::kPosition)] =
-      line_bit(Quantity::kPosition) | line_bit(Quantity::kVelocity);
+      line_bit(&Sample::position_m) | line_bit(&Sample::velocity_m_per_s);
   const CursorTable table = read_cursors(history, {true, {0.1004, 0.3496}}, kPlots, chosen,
-                                         line_bit(Quantity::kWallForce));
+                                         line_bit(&Sample::wall_force_n));
   EXPECT_DOUBLE_EQ(table.time_s[0], 0.100);  // of the nearest samples
   EXPECT_DOUBLE_EQ(table.time_s[1], 0.350);
   EXPECT_NEAR(table.difference_s(), 0.25, 1e-12);
   ASSERT_TRUE(table.rate_hz().has_value());
   EXPECT_NEAR(*table.rate_hz(), 4.0, 1e-9);
   ASSERT_EQ(table.rows.size(), 3U);
-  EXPECT_EQ(table.rows[0].line->quantity, Quantity::kPosition);
+  EXPECT_EQ(table.rows[0].line->quantity, Quantity(&Sample::position_m));
   EXPECT_STREQ(table.rows[0].unit, "mm");
   EXPECT_NEAR(table.rows[0].value[0], 200.0, 1e-9);
   EXPECT_NEAR(table.rows[0].value[1], 700.0, 1e-9);
   EXPECT_NEAR(table.rows[0].difference(), 500.0, 1e-9);
-  EXPECT_EQ(table.rows[1].line->quantity, Quantity::kVelocity);
+  EXPECT_EQ(table.rows[1].line->quantity, Quantity(&Sample::velocity_m_per_s));
   EXPECT_STREQ(table.rows[1].unit, "mm/s");
   EXPECT_NEAR(table.rows[1].value[0], 2000.0, 1e-9);
-  EXPECT_EQ(table.rows[2].line->quantity, Quantity::kForce);
+  EXPECT_EQ(table.rows[2].line->quantity, Quantity(&Sample::force_n));
   EXPECT_NEAR(table.rows[2].difference(), -750.0, 1e-9);
 }
 
@@ -84,4 +84,4 @@ TEST(Cursors, StandWhereTheyAreOnTheScreenWhileTheWindowMoves) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

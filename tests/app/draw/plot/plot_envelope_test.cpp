@@ -1,4 +1,4 @@
-#include "app/ui/plot_envelope.h"
+#include "app/draw/plot/plot_envelope.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr double kPeriodS = 1e-3;
@@ -34,7 +34,7 @@ SampleHistory chatter(std::uint64_t samples) {
 
 Trace trace_of(const SampleHistory& history, std::size_t columns) {
   Trace trace;
-  history.decimate(Quantity::kForce, {0, history.size()}, columns, 1.0, trace);
+  history.decimate(&Sample::force_n, {0, history.size()}, columns, 1.0, trace);
   return trace;
 }
 
@@ -62,8 +62,8 @@ TEST(PlotEnvelope, EveryExtremeIsInTheBandWithinAPixelOfItsTime) {
   double top = std::numeric_limits<double>::infinity();
   double bottom = -top;
   for (std::size_t i = 0; i < history.size(); ++i) {
-    const double y = kY(history.value(Quantity::kForce, i));
-    const int x = static_cast<int>(std::floor(kX(history.value(Quantity::kTime, i))));
+    const double y = kY(history.value(&Sample::force_n, i));
+    const int x = static_cast<int>(std::floor(kX(history.value(&Sample::time_s, i))));
     top = std::min(top, y);
     bottom = std::max(bottom, y);
     bool found = false;
@@ -124,4 +124,4 @@ TEST(PlotEnvelope, WhatIsFarOutsideTheScreenIsCutToIt) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

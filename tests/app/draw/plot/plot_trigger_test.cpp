@@ -1,4 +1,4 @@
-#include "app/ui/plot_trigger.h"
+#include "app/draw/plot/plot_trigger.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr double kTriggerPeriodS = 1e-3;
@@ -158,4 +158,4 @@ TEST(NewestWindow, ASessionYoungerThanTheWindowBeginsAtTheLeft) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

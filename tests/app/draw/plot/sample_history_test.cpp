@@ -1,4 +1,4 @@
-#include "app/ui/sample_history.h"
+#include "app/draw/plot/sample_history.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,7 @@
 #include <random>
 #include <string>
 
-#include "app/file/recording_writer.h"
-
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr double kHistoryPeriodS = 1e-3;
@@ -49,8 +47,8 @@ TEST(SampleHistory, KeepsAtLeastTheNewestOfItsCapacityInOrder) {
   const std::size_t newest = history.size() - 1;
   for (std::size_t i = 0; i <= newest; ++i) {
     const std::uint64_t tick = 29999 - (newest - i);
-    ASSERT_EQ(history.value(Quantity::kTick, i), static_cast<double>(tick));
-    ASSERT_EQ(history.value(Quantity::kForce, i), noise(tick));
+    ASSERT_EQ(history.value(&Sample::tick, i), static_cast<double>(tick));
+    ASSERT_EQ(history.value(&Sample::force_n, i), noise(tick));
   }
   EXPECT_DOUBLE_EQ(history.newest_time_s(), 29999 * kHistoryPeriodS);
   EXPECT_DOUBLE_EQ(history.oldest_time_s(), static_cast<double>(29999 - newest) * kHistoryPeriodS);
@@ -60,51 +58,25 @@ TEST(SampleHistory, ForgetsEverythingWhenTheTicksStartAgain) {
   SampleHistory history = noisy_history(100, 50);
   history.push(sample_at(0, 7.0));
   ASSERT_EQ(history.size(), 1U);
-  EXPECT_DOUBLE_EQ(history.value(Quantity::kForce, 0), 7.0);
-  EXPECT_DOUBLE_EQ(history.extremes(Quantity::kForce, {0, 1}).minimum, 7.0);
+  EXPECT_DOUBLE_EQ(history.value(&Sample::force_n, 0), 7.0);
+  EXPECT_DOUBLE_EQ(history.extremes(&Sample::force_n, {0, 1}).minimum, 7.0);
 }
 
 // All numbers differ: none is kept in the place of another.
 TEST(SampleHistory, GivesBackTheSampleThatWasPushed) {
   Sample sample;
-  double next = 1.0;
-  PlantTruth& truth = sample.truth;
-  for (double* number : {&sample.time_s,
-                         &sample.position_m,
-                         &sample.velocity_m_per_s,
-                         &sample.penetration_m,
-                         &sample.wall_force_n,
-                         &sample.force_n,
-                         &sample.stiffness_n_per_m,
-                         &sample.energy_cv_j,
-                         &sample.energy_hold_j,
-                         &sample.energy_scv_j,
-                         &sample.energy_budget_j,
-                         &truth.position_m,
-                         &truth.velocity_m_per_s,
-                         &truth.hand_path_m,
-                         &truth.hand_force_n,
-                         &truth.actuator_work_j,
-                         &truth.dissipation_j,
-                         &truth.hand_work_j,
-                         &truth.kinetic_j,
-                         &sample.device_time_s,
-                         &sample.read_age_s}) {
-    *number = next++;
-  }
+  std::uint32_t next = 1;
+  for_each_column(sample, [&]<typename Value>(const SampleColumn& /*column*/, Value& value) {
+    value = static_cast<Value>(next++);
+  });
   sample.tick = (std::uint64_t{1} << 53U) - 1;
-  sample.flags = kFlagInContact | kFlagDeviceFault;
   SampleHistory history(10);
   history.push(sample);
   const Sample again = history.sample(0);
-  for (const file::MoreColumns columns :
-       {file::MoreColumns::kSimulator, file::MoreColumns::kDevice}) {
-    std::string pushed;
-    std::string kept;
-    file::append_csv_row(pushed, sample, columns);
-    file::append_csv_row(kept, again, columns);
-    EXPECT_EQ(kept, pushed);
-  }
+  EXPECT_TRUE(all_columns(again, sample, [](const SampleColumn& column, auto kept, auto pushed) {
+    EXPECT_EQ(kept, pushed) << column.name;
+    return kept == pushed;
+  }));
 }
 
 TEST(SampleHistory, ACopyStaysAsItWasWhileTheOriginalGoesOn) {
@@ -113,7 +85,7 @@ TEST(SampleHistory, ACopyStaysAsItWasWhileTheOriginalGoesOn) {
   for (std::uint64_t tick = 2500; tick < 20000; ++tick) history.push(sample_at(tick, 5.0));
   ASSERT_EQ(copy.size(), 2500U);
   for (std::size_t i = 0; i < copy.size(); ++i)
-    ASSERT_EQ(copy.value(Quantity::kForce, i), noise(i));
+    ASSERT_EQ(copy.value(&Sample::force_n, i), noise(i));
 }
 
 TEST(SampleHistory, TheNearestSampleIsOnEitherSide) {
@@ -128,8 +100,8 @@ TEST(SampleHistory, TheNearestSampleIsOnEitherSide) {
 TEST(SampleHistory, ARangeWithinHasNothingBeyondItsEdges) {
   const SampleHistory history = noisy_history(1000, 1000);
   const IndexRange range = history.range_within(0.1, 0.2);
-  EXPECT_EQ(history.value(Quantity::kTime, range.first), 0.1);
-  EXPECT_EQ(history.value(Quantity::kTime, range.last - 1), 0.2);
+  EXPECT_EQ(history.value(&Sample::time_s, range.first), 0.1);
+  EXPECT_EQ(history.value(&Sample::time_s, range.last - 1), 0.2);
   EXPECT_EQ(history.range_within(0.1001, 0.1009).count(), 0U);
   EXPECT_EQ(history.range_within(5.0, 6.0).count(), 0U);
   EXPECT_EQ(history.range_within(0.5, 0.1).count(), 0U);
@@ -138,7 +110,7 @@ TEST(SampleHistory, ARangeWithinHasNothingBeyondItsEdges) {
 TEST(SampleHistory, ARangeReachesOneSampleBeyondEitherEdge) {
   const SampleHistory history = noisy_history(1000, 1000);
   const IndexRange range = history.range(0.1005, 0.2005);
-  const auto time_s = [&](std::size_t i) { return history.value(Quantity::kTime, i); };
+  const auto time_s = [&](std::size_t i) { return history.value(&Sample::time_s, i); };
   EXPECT_LT(time_s(range.first), 0.1005);
   EXPECT_GE(time_s(range.first + 1), 0.1005);
   EXPECT_GT(time_s(range.last - 1), 0.2005);
@@ -182,7 +154,7 @@ TEST(SampleHistory, DecimationKeepsTheExtremesOfEveryGroupOverRandomRanges) {
     const std::size_t first = random() % (kCount - 1);
     const std::size_t most = trial % 2 == 0 ? kCount : 6 * columns;
     const std::size_t end = first + 1 + random() % std::min(kCount - first, most);
-    history.decimate(Quantity::kForce, {first, end}, columns, kScale, trace);
+    history.decimate(&Sample::force_n, {first, end}, columns, kScale, trace);
     const std::size_t group = decimation_group(end - first, columns);
     std::size_t point = 0;
     for (std::size_t from = first; from < end;) {
@@ -212,7 +184,7 @@ TEST(SampleHistory, DecimationOfAnHourIsExactAndHasTwoPointsAColumn) {
   constexpr std::size_t kColumns = 1000;
   const SampleHistory history = noisy_history(kCount, kCount);
   Trace trace;
-  history.decimate(Quantity::kForce, {123, kCount - 77}, kColumns, 1.0, trace);
+  history.decimate(&Sample::force_n, {123, kCount - 77}, kColumns, 1.0, trace);
   EXPECT_GE(trace.value.size(), 2 * kColumns);
   EXPECT_LE(trace.value.size(), 2 * kColumns * 5 / 4 + 4);
   ColumnExtremes drawn;
@@ -221,13 +193,13 @@ TEST(SampleHistory, DecimationOfAnHourIsExactAndHasTwoPointsAColumn) {
   for (std::uint64_t tick = 123; tick < kCount - 77; ++tick) all.include(noise(tick));
   EXPECT_EQ(drawn.low, all.low);
   EXPECT_EQ(drawn.high, all.high);
-  EXPECT_EQ(history.extremes(Quantity::kForce, {123, kCount - 77}).minimum, all.low);
+  EXPECT_EQ(history.extremes(&Sample::force_n, {123, kCount - 77}).minimum, all.low);
 }
 
 TEST(SampleHistory, AtTwoSamplesAColumnEverySampleIsDrawn) {
   const SampleHistory history = noisy_history(5000, 5000);
   Trace trace;
-  history.decimate(Quantity::kForce, {100, 1900}, 650, 1.0, trace);
+  history.decimate(&Sample::force_n, {100, 1900}, 650, 1.0, trace);
   ASSERT_EQ(trace.value.size(), 1800U);
   for (std::size_t i = 0; i < 1800; ++i) ASSERT_EQ(trace.value[i], noise(100 + i));
 }
@@ -235,7 +207,7 @@ TEST(SampleHistory, AtTwoSamplesAColumnEverySampleIsDrawn) {
 TEST(SampleHistory, FewSamplesArePlottedAsTheyAre) {
   const SampleHistory history = noisy_history(100, 60);
   Trace trace;
-  history.decimate(Quantity::kForce, history.range(0.0, 1.0), 500, 1.0, trace);
+  history.decimate(&Sample::force_n, history.range(0.0, 1.0), 500, 1.0, trace);
   ASSERT_EQ(trace.value.size(), 60U);
   for (std::size_t i = 0; i < 60; ++i) EXPECT_EQ(trace.value[i], noise(i));
 }
@@ -246,7 +218,7 @@ TEST(SampleHistory, ASpikeOfOneSampleIsNeverLost) {
   for (std::uint64_t tick = 0; tick < 100000; ++tick)
     history.push(sample_at(tick, tick == kSpike ? -9.0 : 1.0));
   Trace trace;
-  history.decimate(Quantity::kForce, history.range(0.0, 100.0), 300, 1.0, trace);
+  history.decimate(&Sample::force_n, history.range(0.0, 100.0), 300, 1.0, trace);
   EXPECT_EQ(*std::min_element(trace.value.begin(), trace.value.end()), -9.0);
 }
 
@@ -258,7 +230,7 @@ TEST(SampleHistory, GroupsDoNotMoveWithTheWindow) {
   const auto points_within = [&](double first_s, double last_s) {
     Trace trace;
     const double newest_s = history.newest_time_s();
-    history.decimate(Quantity::kForce, history.range(newest_s - 1.5, newest_s), kColumns, 1.0,
+    history.decimate(&Sample::force_n, history.range(newest_s - 1.5, newest_s), kColumns, 1.0,
                      trace);
     std::vector<double> values;
     for (std::size_t i = 0; i < trace.value.size(); ++i) {
@@ -277,4 +249,4 @@ TEST(SampleHistory, GroupsDoNotMoveWithTheWindow) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

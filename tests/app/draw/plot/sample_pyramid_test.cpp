@@ -1,4 +1,4 @@
-#include "app/ui/sample_pyramid.h"
+#include "app/draw/plot/sample_pyramid.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace hapticwall::ui {
+namespace hapticwall::draw {
 namespace {
 
 constexpr std::uint64_t kSeed = 20240607;
@@ -123,7 +123,7 @@ TEST(SamplePyramid, ExtremesStayRightWhenTheOldestIsForgotten) {
 // What a look at a range costs, counted: it does not grow with the range.
 TEST(SamplePyramid, AnyRangeOfAnHourIsAFewParts) {
   constexpr std::uint64_t kHour = 3'600'000;
-  constexpr std::uint64_t kMostParts = 120;
+  constexpr std::uint64_t kMaxParts = 120;
   SamplePyramid pyramid;
   for (std::uint64_t i = 0; i < kHour; ++i) pyramid.push_back(static_cast<double>(i % 1013));
   std::mt19937_64 random(kSeed + 3);
@@ -133,7 +133,7 @@ TEST(SamplePyramid, AnyRangeOfAnHourIsAFewParts) {
     std::uint64_t parts = 0;
     pyramid.visit_parts(
         first, last, [&](const Extremes&) { ++parts; }, [&](double) { ++parts; });
-    ASSERT_LE(parts, kMostParts) << first << " to " << last;
+    ASSERT_LE(parts, kMaxParts) << first << " to " << last;
   }
 }
 
@@ -158,4 +158,4 @@ TEST(SamplePyramid, FindsTheNewestSampleAboveAThreshold) {
 }
 
 }  // namespace
-}  // namespace hapticwall::ui
+}  // namespace hapticwall::draw

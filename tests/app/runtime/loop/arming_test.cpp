@@ -1,11 +1,12 @@
 // When the force of a real device may act.
+#include "app/runtime/loop/arming.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "app/runtime/arming.h"
-#include "app/runtime/servo_loop.h"
-#include "tests/app/runtime_support.h"
+#include "app/runtime/loop/servo_loop.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime::test {
 namespace {
@@ -77,7 +78,7 @@ TEST(Arming, IsRefusedWhereItMustNotBe) {
     EXPECT_EQ(arming.state(), ArmingState::kOff);
     EXPECT_EQ(arming.note(), one.note);
     EXPECT_EQ(arming.answers(), 1U);
-    ticks(arming, 10);  // a refusal is final: nothing happens when the cause has gone
+    ticks(arming, 10);  // a refusal is final, even if its cause disappears
     EXPECT_FALSE(arming.enabled());
   }
 }
@@ -121,17 +122,16 @@ TEST(Arming, EveryNoteHasWords) {
 
 Scene bare_wall() {
   Scene scene;
-  scene.walls = {{0.05, kStiffness, 0.0}};
+  scene.x().walls = {{0.05, kStiffness, 0.0}};
   scene.algorithm.index = find_algorithm("none").value();
   return scene;
 }
 
-// The loop on a device that shows what it was told.
+// The loop on a device that shows its commands.
 struct RealLoop {
-  RealLoop() : RealLoop(SessionOptions{}) {}
-  explicit RealLoop(const SessionOptions& options)
-      : exchange(options, {servo_settings(bare_wall()), 1}),
-        loop(device, exchange, {servo_settings(bare_wall()), 1}, options.start_paused) {
+  RealLoop()
+      : exchange({}, test::parameters_of(bare_wall())),
+        loop({&device}, exchange, test::parameters_of(bare_wall()), false) {
     device.position_m = kArmingFreeM;
   }
   void cycles(int count) {
@@ -164,9 +164,9 @@ TEST(ArmedLoop, PushesNothingAndEnablesNothingBeforeItIsArmed) {
     EXPECT_EQ(real.device.forces_n[i], 0.0);
     EXPECT_FALSE(real.device.enabled_at_write[i]);
   }
-  // The samples tell what was commanded, and what the wall would have asked for.
-  EXPECT_EQ(real.snapshot().sample.force_n, 0.0);
-  EXPECT_NEAR(real.snapshot().sample.wall_force_n, 2.0, 1e-9);
+  // The samples hold the commanded force, and the force of the wall.
+  EXPECT_EQ(real.snapshot().newest.x().force_n, 0.0);
+  EXPECT_NEAR(real.snapshot().newest.x().wall_force_n, 2.0, 1e-9);
 }
 
 TEST(ArmedLoop, RampsInAndThenPushesWithAllOfIt) {
@@ -181,13 +181,13 @@ TEST(ArmedLoop, RampsInAndThenPushesWithAllOfIt) {
   EXPECT_NEAR(real.device.forces_n.back(), 2.0, 1e-9);
 }
 
-// A stiff wall asks for far more than the limit: what rises is the force that acts.
+// A stiff wall exceeds the limit: the ramp applies to the limited force.
 TEST(ArmedLoop, InAStiffWallTheLimitRisesToo) {
   RealLoop real;
   Scene limited = bare_wall();
-  limited.device.force_limit_n = kLimitN;
-  limited.walls[0].stiffness_n_per_m = 1e6;
-  real.exchange.parameters.publish({servo_settings(limited), 2, nullptr});
+  limited.x().device.force_limit_n = kLimitN;
+  limited.x().walls[0].stiffness_n_per_m = 1e6;
+  real.exchange.parameters.publish(test::parameters_of(limited, 2));
   real.command(CommandKind::kArm);
   real.cycles(1);
   real.device.position_m = kArmingInsideM + 1e-3;
@@ -208,8 +208,8 @@ TEST(ArmedLoop, AChangeInTheRampIsNoKick) {
   const double before_n = real.device.forces_n.back();
   EXPECT_NEAR(before_n, 1.0, 0.02);
   Scene changed = bare_wall();
-  changed.walls[0].stiffness_n_per_m = 3.0 * kStiffness;
-  real.exchange.parameters.publish({servo_settings(changed), 2, nullptr});
+  changed.x().walls[0].stiffness_n_per_m = 3.0 * kStiffness;
+  real.exchange.parameters.publish(test::parameters_of(changed, 2));
   real.cycles(1);
   EXPECT_NEAR(real.device.forces_n.back(), before_n, 2.0 * before_n / (0.5 * kRampTicks));
   EXPECT_GT(real.device.forces_n.back(), before_n);
@@ -220,18 +220,18 @@ TEST(ArmedLoop, AChangeInTheRampIsNoKick) {
 TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
   RealLoop real;
   Scene stiff = bare_wall();
-  stiff.device.force_limit_n = kLimitN;
-  stiff.walls[0].stiffness_n_per_m = 1e6;
-  real.exchange.parameters.publish({servo_settings(stiff), 2, nullptr});
+  stiff.x().device.force_limit_n = kLimitN;
+  stiff.x().walls[0].stiffness_n_per_m = 1e6;
+  real.exchange.parameters.publish(test::parameters_of(stiff, 2));
   real.arm();
   real.device.position_m = kArmingInsideM;
   real.cycles(1);
   EXPECT_EQ(real.device.forces_n.back(), kLimitN);
-  stiff.walls[0].stiffness_n_per_m = 2e6;
-  real.exchange.parameters.publish({servo_settings(stiff), 3, nullptr});
+  stiff.x().walls[0].stiffness_n_per_m = 2e6;
+  real.exchange.parameters.publish(test::parameters_of(stiff, 3));
   real.cycles(1);
   EXPECT_EQ(real.device.forces_n.back(), kLimitN);
-  EXPECT_NE(real.snapshot().sample.flags & kFlagForceLimit, 0U);
+  EXPECT_NE(real.snapshot().newest.x().flags & kFlagForceLimit, 0U);
   real.device.position_m = kArmingFreeM;
   for (int tick = 0; tick < kRampTicks; ++tick) {
     real.cycles(1);
@@ -276,7 +276,7 @@ TEST(ArmedLoop, AFaultIsAnsweredInTheSameTick) {
   }
 }
 
-// Where the handle went while nobody could see it is no move: it has no velocity and no energy.
+// Unobserved motion has no velocity and no energy.
 TEST(ArmedLoop, TheFirstPositionAfterAFaultIsNoMove) {
   RealLoop real;
   real.cycles(10);
@@ -285,8 +285,8 @@ TEST(ArmedLoop, TheFirstPositionAfterAFaultIsNoMove) {
   real.device.state = DeviceState::kOk;
   real.device.position_m = 0.01;
   real.cycles(1);
-  EXPECT_EQ(real.snapshot().sample.velocity_m_per_s, 0.0);
-  EXPECT_EQ(real.snapshot().sample.position_m, 0.01);
+  EXPECT_EQ(real.snapshot().newest.x().velocity_m_per_s, 0.0);
+  EXPECT_EQ(real.snapshot().newest.x().position_m, 0.01);
 }
 
 TEST(ArmedLoop, APauseDisarmsAndWhatMovesMeanwhileIsNoMove) {
@@ -303,7 +303,7 @@ TEST(ArmedLoop, APauseDisarmsAndWhatMovesMeanwhileIsNoMove) {
   real.device.position_m = kArmingInsideM;
   real.command(CommandKind::kResume);
   real.cycles(1);
-  EXPECT_EQ(real.snapshot().sample.velocity_m_per_s, 0.0);
+  EXPECT_EQ(real.snapshot().newest.x().velocity_m_per_s, 0.0);
   EXPECT_EQ(real.device.forces_n.back(), 0.0);
 }
 
@@ -319,8 +319,8 @@ TEST(ArmedLoop, AWallThatIsMovedOverTheHandleTakesTheForceAway) {
   RealLoop real;
   real.arm();
   Scene changed = bare_wall();
-  changed.walls[0].position_m = 0.02;
-  real.exchange.parameters.publish({servo_settings(changed), 2, nullptr});
+  changed.x().walls[0].position_m = 0.02;
+  real.exchange.parameters.publish(test::parameters_of(changed, 2));
   real.cycles(1);
   EXPECT_EQ(real.snapshot().arming.note, ArmingNote::kWallMoved);
   EXPECT_EQ(real.device.forces_n.back(), 0.0);
@@ -331,8 +331,8 @@ TEST(ArmedLoop, TheSampleTellsAgeAndDeviceTime) {
   RealLoop real;
   real.device.age_s = 0.003;
   real.cycles(1);
-  EXPECT_EQ(real.snapshot().sample.read_age_s, 0.003);
-  EXPECT_EQ(real.snapshot().sample.device_time_s, 2.0 * kArmingFreeM);
+  EXPECT_EQ(real.snapshot().newest.x().read_age_s, 0.003);
+  EXPECT_EQ(real.snapshot().newest.x().device_time_s, 2.0 * kArmingFreeM);
 }
 
 TEST(ArmedLoop, TheEndTakesTheForceAway) {

@@ -1,5 +1,5 @@
-// A session in a process of its own, which may die or be stopped: what its device has heard stands
-// in memory that both processes share.
+// A session in a child process, which may die or be stopped. Shared memory holds the commands that
+// its device received.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,18 +21,18 @@
 #include <string>
 #include <utility>
 
-#include "app/runtime/session.h"
-#include "tests/app/runtime_support.h"
+#include "app/runtime/session/live_session.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime::test {
 
 inline constexpr double kFreeM = 0.03;
 inline constexpr double kInsideM = 0.0502;  // of the wall of contact_scene()
 inline constexpr int kAlive = 99;           // exit status of a child that should have been killed
-inline constexpr std::size_t kMostHeard = 200'000;
+inline constexpr std::size_t kMaxHeard = 200'000;
 
 struct Heard {
-  std::atomic<double> position_m{kFreeM};  // the parent's or the child's to say
+  std::atomic<double> position_m{kFreeM};  // set by parent or child
   std::atomic<double> newest_n{0.0};
   std::atomic<bool> enabled{false};
   std::atomic<bool> closed{false};
@@ -40,8 +40,8 @@ struct Heard {
   std::atomic<std::uint64_t> pushes{0};  // of them with force
   std::atomic<bool> go_on{false};        // from the parent
   std::atomic<std::uint64_t> note{0};    // the child's
-  std::array<double, kMostHeard> forces_n{};
-  std::array<std::int64_t, kMostHeard> wakes_ns{};
+  std::array<double, kMaxHeard> forces_n{};
+  std::array<std::int64_t, kMaxHeard> wakes_ns{};
   std::int64_t start_ns = 0;
   std::uint64_t wakes = 0;
   std::uint64_t ticks = 0;
@@ -53,10 +53,9 @@ static_assert(std::atomic<double>::is_always_lock_free);
 
 class Shared {
  public:
-  // With children that are forked.
+  // With forked children.
   Shared() : heard_(new (map(MAP_SHARED | MAP_ANONYMOUS, -1)) Heard) {}
-  // With children that are programs of their own: they inherit the environment, and there the
-  // variable of this name. Whoever finds it set looks into the same memory.
+  // With other programs as children: they find the memory through this environment variable.
   explicit Shared(const char* variable) {
     const char* known = std::getenv(variable);
     const int file = known != nullptr ? std::stoi(known) : memfd_create(variable, 0);
@@ -102,7 +101,7 @@ class SharedDevice : public device::Device {
     heard_.newest_n = force_n;
     if (force_n != 0.0) ++heard_.pushes;
     const std::uint64_t number = heard_.writes++;
-    if (number < kMostHeard) heard_.forces_n.at(number) = force_n;
+    if (number < kMaxHeard) heard_.forces_n.at(number) = force_n;
   }
   void close() override { heard_.closed = true; }
 
@@ -119,14 +118,14 @@ class SharedDevice : public device::Device {
 };
 
 // A session that pushes, with the force still rising: the owner's thread is this one.
-inline std::unique_ptr<Session> pushing_session(Heard& heard,
-                                                std::unique_ptr<SharedDevice> device = nullptr) {
+inline std::unique_ptr<LiveSession> pushing_session(
+    Heard& heard, std::unique_ptr<SharedDevice> device = nullptr) {
   if (!device) device = std::make_unique<SharedDevice>(heard);
   SessionOptions options;
   options.allow_no_realtime = true;
-  auto session = Session::start_on(std::move(device), contact_scene(), options);
+  auto session = LiveSession::start_on(std::move(device), contact_scene(), options);
   if (!session) throw std::runtime_error(session.error().message);
-  // A machine that holds the loop up takes the force away: once more, then.
+  // A delay by the machine disarms the loop: arm again.
   while (heard.newest_n.load() == 0.0) {
     heard.position_m = kFreeM;
     (*session)->arm(true);
@@ -140,7 +139,7 @@ inline std::unique_ptr<Session> pushing_session(Heard& heard,
   return std::move(*session);
 }
 
-// Starts `life` in a process of its own, which says nothing and leaves no core behind.
+// Runs `life` in a silent child process without a core dump.
 inline pid_t start_child(const std::function<void()>& life) {
   const pid_t child = fork();
   if (child != 0) return child;
@@ -151,7 +150,7 @@ inline pid_t start_child(const std::function<void()>& life) {
   _exit(kAlive);
 }
 
-// Of a child that ends by itself; one that does not is a failure, and is ended.
+// Exit status of a child. A child that does not end fails the test and is killed.
 inline int status_of(pid_t child) {
   int status = -1;
   if (eventually([&] { return waitpid(child, &status, WNOHANG) == child; })) return status;
@@ -161,7 +160,7 @@ inline int status_of(pid_t child) {
   return status;
 }
 
-// As the kernel tells it; a sanitizer that has a handler of its own ends the process by itself.
+// By the kernel; a sanitizer with its own handler ends the process itself.
 inline void expect_killed_by(int signal, int status) {
 #if defined(__SANITIZE_ADDRESS__)
   if (WIFEXITED(status)) {

@@ -1,4 +1,6 @@
-// However the process ends, the last thing that the device hears is zero force.
+// However the process ends, the last command to the device is zero force.
+#include "app/runtime/loop/crash_stop.h"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -16,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/runtime/crash_stop.h"
-#include "tests/app/runtime_child_support.h"
+#include "tests/app/runtime/loop/child_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -31,7 +32,7 @@ using test::SharedDevice;
 using test::start_child;
 using test::status_of;
 
-// A page that nobody may touch: a pointer that is wrong.
+// An inaccessible page: a wrong pointer.
 volatile int* forbidden() {
   static void* page = mmap(nullptr, 4096, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   return static_cast<volatile int*>(page);
@@ -39,7 +40,7 @@ volatile int* forbidden() {
 
 void use_wrong_pointer() { *forbidden() = 1; }
 
-// A page of a file that is not there (any more).
+// A page behind the end of a file.
 void use_lost_page() {
   std::FILE* file = std::tmpfile();
   if (file == nullptr) return;
@@ -69,8 +70,7 @@ void sent() {
   kill(getpid(), kSignal);
 }
 
-// What a terminal sends to the program that it belongs to, for one of its keys or because it is
-// closed.
+// Signals of a terminal: for a key, or because it is closed.
 void from_terminal(char key) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   std::array<char, 64> name{};
@@ -136,8 +136,8 @@ std::vector<End> all_ends() {
 INSTANTIATE_TEST_SUITE_P(Ways, CrashStopEnds, ::testing::ValuesIn(all_ends()),
                          [](const auto& way) { return std::string(way.param.name); });
 
-// What is left behind by the loop's thread itself is the device's to end: 20 ms after the last
-// command. It must not keep the process from ending.
+// After a fault on the loop's thread the device ends the force, 20 ms after the last command. The
+// process must still end.
 TEST(CrashStop, AFaultOfTheLoopsOwnThreadEndsTheProcess) {
   using Fault = void (*)();
   for (const auto& [fault, signal] : {std::pair<Fault, int>{use_wrong_pointer, SIGSEGV},

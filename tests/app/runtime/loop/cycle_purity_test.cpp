@@ -18,10 +18,10 @@
 #include <mutex>
 #include <vector>
 
-#include "app/runtime/servo_loop.h"
+#include "app/runtime/loop/servo_loop.h"
 #include "device/simulated_device.h"
-#include "tests/app/runtime_interposition.h"
-#include "tests/app/runtime_support.h"
+#include "tests/app/runtime/loop/interposition.h"
+#include "tests/app/runtime/support.h"
 
 #if HAPTICWALL_INTERPOSITION  // a sanitizer allocates and calls the system as it likes
 
@@ -38,19 +38,18 @@ constexpr std::size_t kCyclesPerLeg = 300;
 // A plant of every kind: hand or none, grip or none, friction and encoder or none.
 std::vector<Scene> scenes() {
   Scene rigid = contact_scene();
-  rigid.hand->grip_stiffness_n_per_m.reset();
-  rigid.hand->grip_damping_n_s_per_m.reset();
+  rigid.x().hand->grip_stiffness_n_per_m.reset();
+  rigid.x().hand->grip_damping_n_s_per_m.reset();
   Scene frictionless = contact_scene();
-  frictionless.device.friction_n.reset();
-  frictionless.device.encoder_m.reset();
+  frictionless.x().device.friction_n.reset();
+  frictionless.x().device.encoder_m.reset();
   Scene free = contact_scene();
-  free.hand.reset();
-  free.device.start_m = 0.06;
+  free.x().hand.reset();
+  free.x().device.start_m = 0.06;
   return {contact_scene(), rigid, frictionless, free};
 }
 
-// Plants of all types there are, each several times, in an order in which most take over from one
-// of another integrator and other parts.
+// Plants of all types, several times, mostly with changes of integrator and parts between them.
 std::vector<Scene> plant_kinds(const Scene& scene) {
   constexpr int kKinds = 24;
   constexpr int kStep = 7;  // no divisor of the kinds: all are met
@@ -60,33 +59,33 @@ std::vector<Scene> plant_kinds(const Scene& scene) {
     Scene& next = kinds.emplace_back(scene);
     const auto integrator = static_cast<Integrator>(kind % 3);
     next.simulator = {integrator, integrator == Integrator::kExact ? 1 : 1 + i % 3};
-    next.device.friction_n = (kind / 3) % 2 == 0 ? 0.0 : 0.2;
-    next.device.amplifier_time_constant_s = (kind / 6) % 2 == 0 ? 0.0 : 1e-3;
-    next.device.delay_ticks = i % 5;
-    next.device.force_resolution_n = 0.01 * (i % 2);
-    next.device.encoder_m = 1e-4 * (i % 3);
-    next.device.mass_kg = 0.05 + 0.01 * i;
-    if (!next.hand) continue;
-    next.hand->mass_kg = 0.4;
-    next.hand->grip_stiffness_n_per_m.reset();
-    next.hand->grip_damping_n_s_per_m.reset();
-    if (kind / 12 == 1) next.hand->grip_stiffness_n_per_m = 1000.0;
+    next.x().device.friction_n = (kind / 3) % 2 == 0 ? 0.0 : 0.2;
+    next.x().device.amplifier_time_constant_s = (kind / 6) % 2 == 0 ? 0.0 : 1e-3;
+    next.x().device.delay_ticks = i % 5;
+    next.x().device.force_resolution_n = 0.01 * (i % 2);
+    next.x().device.encoder_m = 1e-4 * (i % 3);
+    next.x().device.mass_kg = 0.05 + 0.01 * i;
+    if (!next.x().hand) continue;
+    next.x().hand->mass_kg = 0.4;
+    next.x().hand->grip_stiffness_n_per_m.reset();
+    next.x().hand->grip_damping_n_s_per_m.reset();
+    if (kind / 12 == 1) next.x().hand->grip_stiffness_n_per_m = 1000.0;
   }
   return kinds;
 }
 
-// A loop with everything prepared that happens in a session, and a script of it all.
+// A loop with a script of everything that happens in a session.
 struct ScriptedLoop {
   explicit ScriptedLoop(const Scene& scene)
       : device(scene),
-        exchange(small_plot_queue(), {servo_settings(scene), 1}),
-        loop(device, exchange, {servo_settings(scene), 1}, false) {
+        exchange({.plot = 1000}, test::parameters_of(scene)),
+        loop({&device}, exchange, test::parameters_of(scene), false) {
     Scene changed = scene;
     for (std::size_t from = 0; from < algorithms().size(); ++from) {
       for (std::size_t to = 0; to < algorithms().size(); ++to) {
         for (const std::size_t index : {from, to}) {
           changed.algorithm.index = index;
-          changed.walls[0].stiffness_n_per_m = 20'000.0 + 1000.0 * static_cast<double>(to);
+          changed.x().walls[0].stiffness_n_per_m = 20'000.0 + 1000.0 * static_cast<double>(to);
           add(changed, nullptr);
         }
       }
@@ -99,14 +98,7 @@ struct ScriptedLoop {
 
   void add(const Scene& changed, PlantModel* plant) {
     parameters.push_back(
-        {servo_settings(changed), static_cast<std::uint32_t>(parameters.size() + 2), plant});
-  }
-
-  // The plot queue overflows, the recorder's does not.
-  static SessionOptions small_plot_queue() {
-    SessionOptions options;
-    options.plot_queue_capacity = 1000;
-    return options;
+        test::parameters_of(changed, static_cast<std::uint32_t>(parameters.size() + 2), plant));
   }
 
   void command(CommandKind kind, std::uint32_t ticks = 0) {
@@ -125,9 +117,9 @@ struct ScriptedLoop {
       exchange.parameters.publish(changed);
       cycles(kCyclesPerLeg);
     }
-    exchange.pointer_m = 0.055;
+    exchange.pointer_m[0] = 0.055;
     cycles(kCyclesPerLeg);
-    exchange.pointer_m = kNoPointer;
+    exchange.pointer_m[0] = kNoPointer;
     cycles(kCyclesPerLeg);
     command(CommandKind::kPause);
     command(CommandKind::kStep, static_cast<std::uint32_t>(kCyclesPerLeg / 2));
@@ -140,7 +132,7 @@ struct ScriptedLoop {
     exchange.snapshots.update();
   }
 
-  // What a run must have come to, lest nothing was watched.
+  // Guards against a run that exercises nothing.
   [[nodiscard]] bool did_everything() const {
     const auto ticks = parameters.size() * kCyclesPerLeg + 3 * kCyclesPerLeg + kCyclesPerLeg / 2;
     return ok && exchange.snapshots.current().timing.ticks == ticks + 1 &&
@@ -172,10 +164,10 @@ TEST(CyclePurity, NoAllocationAndNoLock) {
   }
 }
 
-// Somebody may look there: Clang leaves out what is allocated for nobody.
+// Prevents Clang from removing an unused allocation.
 void keep(void* memory) { asm volatile("" : : "r"(memory) : "memory"); }
 
-// The watch sees what it is there for.
+// The watch detects violations.
 TEST(CyclePurity, TheWatchCountsAllocationsAndLocks) {
   std::mutex mutex;
   CallWatch watch;
@@ -192,7 +184,7 @@ TEST(CyclePurity, TheWatchCountsAllocationsAndLocks) {
   EXPECT_EQ(calls.locks, 1U);
 }
 
-// From here on the kernel kills this process at any system call but the one that ends it.
+// From here on the kernel kills this process at any system call except exit.
 void forbid_system_calls() {
   std::array<sock_filter, 4> program{{
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
@@ -206,8 +198,7 @@ void forbid_system_calls() {
   if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) != 0) _exit(kNotPossible);
 }
 
-// How a child ends that may make no system call while `work` runs; exit status 0 where that is
-// true.
+// Status of a child that runs `work` without system calls; 0 if `work` returns true.
 int status_of_child(const std::function<bool()>& work) {
   const pid_t child = fork();
   if (child == 0) {

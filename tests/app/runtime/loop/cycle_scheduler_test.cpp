@@ -1,8 +1,8 @@
+#include "app/runtime/loop/cycle_scheduler.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
-
-#include "app/runtime/cycle_scheduler.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -67,7 +67,7 @@ TEST(CycleScheduler, WakingExactlyOnALaterDeadlineIsThatDeadlinesCycle) {
   EXPECT_EQ(scheduler.deadline_ns(), 4'000'000);
 }
 
-// Cycles and missed deadlines together are all the deadlines there were, however long the holes.
+// Cycles and missed deadlines add up to all deadlines, for holes of any length.
 TEST(CycleScheduler, NothingIsCountedTwiceOrForgotten) {
   for (const double rate_hz : {100.0, 1000.0, 3000.0, 9999.0}) {
     CycleScheduler scheduler(rate_hz, kStartNs);

@@ -1,4 +1,4 @@
-// A recording writer that keeps everything in memory and fails when it is told to.
+// A recording writer in memory that fails on request.
 #pragma once
 
 #include <atomic>
@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/file/recording_writer.h"
+#include "app/file/recording/recording_writer.h"
 
 namespace hapticwall::runtime::test {
 
-// What the writer did, outliving it. The vectors belong to the writer's thread until it is joined.
+// The writer's actions. The vectors belong to the writer's thread until it is joined.
 struct WriterLog {
   std::vector<std::uint64_t> ticks;
   std::vector<file::RecordingMetadata> finished;
@@ -32,13 +32,11 @@ class FakeWriter : public file::RecordingWriter {
     log_->notes.push_back(metadata);
     return std::nullopt;
   }
-  using RecordingWriter::append;
-  Failure append(const Sample& sample, const Sample& y) override {
-    static_cast<void>(y);
+  Failure append(const Tick& tick) override {
     const std::uint64_t row = log_->ticks.size() + 1;
     if (row == log_->throw_at_row) throw std::runtime_error("no memory");
     if (row == log_->fail_at_row) return Error{ErrorKind::kFile, "disk full"};
-    log_->ticks.push_back(sample.tick);
+    log_->ticks.push_back(tick.x().tick);
     return std::nullopt;
   }
   Failure flush() override {

@@ -1,4 +1,4 @@
-#include "tests/app/runtime_interposition.h"
+#include "tests/app/runtime/loop/interposition.h"
 
 #include <dlfcn.h>
 #include <pthread.h>
@@ -42,7 +42,7 @@ namespace counters = hapticwall::runtime::test;
 
 extern "C" {
 
-// The C library's own names for what is replaced here.
+// The C library's names of the replaced functions.
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 void* __libc_malloc(std::size_t size);
 void __libc_free(void* memory);

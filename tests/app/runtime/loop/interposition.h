@@ -1,6 +1,5 @@
-// Counts what a thread asks of the allocator and of mutexes while it is being watched. The counters
-// sit in the C library's own entry points (malloc family, pthread_mutex_lock), which operator new,
-// the containers and std::mutex go through as well.
+// Counts a thread's allocations and mutex locks during a watch, in the C library's malloc family
+// and pthread_mutex_lock. operator new, containers and std::mutex use these, too.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <thread>
 
-#include "app/runtime/latency_histogram.h"
+#include "app/runtime/loop/latency_histogram.h"
 
 namespace hapticwall::runtime {
 namespace {

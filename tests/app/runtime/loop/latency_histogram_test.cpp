@@ -1,11 +1,11 @@
+#include "app/runtime/loop/latency_histogram.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
-
-#include "app/runtime/latency_histogram.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -20,7 +20,7 @@ LatencyCounts counted(const std::vector<std::int64_t>& times_ns) {
   return counts;
 }
 
-// As latencies are: most of them alike, a few a thousand times as long.
+// Like latencies: mostly similar, a few a thousand times longer.
 std::vector<std::int64_t> random_times(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   std::lognormal_distribution<double> times(9.0, 1.5);

@@ -1,3 +1,5 @@
+#include "app/runtime/loop/realtime_setup.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -7,8 +9,6 @@
 #include <cfenv>
 #include <limits>
 #include <thread>
-
-#include "app/runtime/realtime_setup.h"
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -59,7 +59,7 @@ TEST(RealtimeStatus, ACoreThatIsNotThereIsNamed) {
   EXPECT_THAT(status.advice, Not(HasSubstr("limits.conf")));
 }
 
-// With or without privileges: what the outcome says is what the kernel says of the thread.
+// The outcome agrees with the kernel, with and without privileges.
 TEST(RealtimeSetup, OutcomeIsTheTruthAboutTheThread) {
   std::thread([] {
     const RealtimeOutcome outcome = set_up_realtime_thread(-1);

@@ -1,11 +1,11 @@
-// The thread's body, without a thread: on a device that only remembers and a clock that obeys.
+// The thread's body without a thread, on a recording device and a controlled clock.
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <functional>
 
-#include "app/runtime/servo_loop.h"
-#include "tests/app/runtime_support.h"
+#include "app/runtime/loop/servo_loop.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -21,8 +21,8 @@ constexpr double kBodyInsideM = 0.051;
 struct BodyHarness {
   explicit BodyHarness(bool start_paused = false)
       : scene(contact_scene()),
-        exchange({}, {servo_settings(scene), 1}),
-        loop(device, exchange, {servo_settings(scene), 1}, start_paused) {
+        exchange({}, test::parameters_of(scene)),
+        loop({&device}, exchange, test::parameters_of(scene), start_paused) {
     device.position_m = 0.051;  // in the wall: there is a force
   }
 
@@ -79,8 +79,8 @@ TEST(ServoLoopBody, ADeviceThatThrowsEndsItSafelyAndVisibly) {
   EXPECT_EQ(harness.device.reads, 20);
   harness.expect_safe_end();
   EXPECT_TRUE(harness.snapshot().ended_by_fault);
-  EXPECT_NE(harness.snapshot().sample.flags & kFlagDeviceFault, 0U);
-  EXPECT_EQ(harness.snapshot().sample.force_n, 0.0);
+  EXPECT_NE(harness.snapshot().newest.x().flags & kFlagDeviceFault, 0U);
+  EXPECT_EQ(harness.snapshot().newest.x().force_n, 0.0);
 }
 
 TEST(ServoLoopBody, ADeviceThatCannotEvenBeZeroedIsStillClosed) {
@@ -133,7 +133,7 @@ TEST(ServoLoopBody, StaleInputHasNoForce) {
   harness.device.age_s = 1.0;
   harness.run(20);
   for (const double force_n : harness.device.forces_n) ASSERT_EQ(force_n, 0.0);
-  EXPECT_NE(harness.snapshot().sample.flags & kFlagStaleInput, 0U);
+  EXPECT_NE(harness.snapshot().newest.x().flags & kFlagStaleInput, 0U);
 }
 
 }  // namespace

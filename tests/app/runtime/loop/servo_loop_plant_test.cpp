@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/app/runtime_servo_loop_support.h"
+#include "tests/app/runtime/loop/servo_loop_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -24,7 +24,7 @@ TEST(ServoLoopPlant, PlantChangesInMotionAreThoseOfAHeadlessRun) {
     for (const Scene& changed : plant_changes(harness.scene)) {
       harness.cycles(83);
       tick += 83;
-      in_motion += std::abs(harness.snapshot().sample.truth.velocity_m_per_s) > 1e-3 ? 1 : 0;
+      in_motion += std::abs(harness.snapshot().newest.x().truth.velocity_m_per_s) > 1e-3 ? 1 : 0;
       harness.publish(changed);
       changes.push_back({tick, changed});
       static_cast<void>(harness.echoes());
@@ -42,11 +42,11 @@ TEST(ServoLoopPlant, PlantChangesInMotionAreThoseOfAHeadlessRun) {
 TEST(ServoLoopPlant, APlantThatTheLoopNeverSawLeavesNoTrace) {
   Harness harness(moving_scene());
   Scene heavy = harness.scene;
-  heavy.device.mass_kg = 1.0;
+  heavy.x().device.mass_kg = 1.0;
   std::vector<ScheduledChange> changes;
   for (const Scene& seen : {harness.scene, heavy, heavy, harness.scene}) {
     harness.cycles(200);
-    harness.publish(seen.device.mass_kg == 1.0 ? harness.scene : heavy);
+    harness.publish(seen.x().device.mass_kg == 1.0 ? harness.scene : heavy);
     harness.publish(seen);
     changes.push_back({200 * (changes.size() + 1), seen});
     EXPECT_LE(harness.plants.count(), 2U);
@@ -60,10 +60,10 @@ TEST(ServoLoopPlant, ThePositionGoesOnAndTheBalanceStaysClosedWhateverChanges) {
   Scene changed = harness.scene;
   for (int i = 0; i < 12; ++i) {
     harness.cycles(97);
-    changed.device.mass_kg = i % 2 == 0 ? 0.5 : 0.05;
-    changed.device.friction_n = 0.1 * (i % 4);
-    changed.hand->grip_stiffness_n_per_m = 500.0 + 300.0 * i;
-    changed.device.amplifier_time_constant_s = 1e-3 * (i % 3);
+    changed.x().device.mass_kg = i % 2 == 0 ? 0.5 : 0.05;
+    changed.x().device.friction_n = 0.1 * (i % 4);
+    changed.x().hand->grip_stiffness_n_per_m = 500.0 + 300.0 * i;
+    changed.x().device.amplifier_time_constant_s = 1e-3 * (i % 3);
     harness.publish(changed);
   }
   harness.cycles(97);
@@ -90,9 +90,7 @@ TEST(ServoLoopPlant, ResetAfterPlantChangesStartsWithTheNewestPlantAtRest) {
 }
 
 TEST(ServoLoopPlant, APlantPublishedBeforeTheFirstTickIsThatOfTheStart) {
-  SessionOptions options;
-  options.start_paused = true;
-  Harness harness(moving_scene(), options);
+  Harness harness(moving_scene(), true);
   const std::vector<Scene> changes = plant_changes(harness.scene);
   harness.publish(changes.front());
   harness.publish(changes.back());

@@ -1,4 +1,4 @@
-// One cycle of the loop at a time, without a thread and with a clock of the test's own.
+// One cycle of the loop at a time, without a thread, on the test's clock.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,20 +6,21 @@
 #include <cstring>
 #include <vector>
 
-#include "app/runtime/plant_keeper.h"
-#include "app/runtime/servo_loop.h"
-#include "core/simulate.h"
+#include "app/runtime/loop/servo_loop.h"
+#include "app/runtime/session/plant_keeper.h"
+#include "core/simulation/simulate.h"
 #include "device/simulated_device.h"
-#include "tests/app/runtime_support.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime::test {
 
 struct Harness {
-  explicit Harness(const Scene& first, const SessionOptions& options = {})
+  explicit Harness(const Scene& first, bool start_paused = false,
+                   const QueueCapacities& capacities = {})
       : scene(first),
         device(first),
-        exchange(options, {servo_settings(first), 1}),
-        loop(device, exchange, {servo_settings(first), 1}, options.start_paused),
+        exchange(capacities, parameters_of(first)),
+        loop({&device}, exchange, parameters_of(first), start_paused),
         plants(first) {}
 
   void cycles(int count) {
@@ -32,15 +33,15 @@ struct Harness {
     const bool unread = exchange.parameters.withdraw();
     ++generation;
     PlantModel* plant = plants.plant_for(changed, generation, unread);
-    exchange.parameters.publish({servo_settings(changed), generation, plant});
+    exchange.parameters.publish(parameters_of(changed, generation, plant));
   }
   Snapshot snapshot() {
     exchange.snapshots.update();
     return exchange.snapshots.current();
   }
-  static std::vector<Sample> taken(SpscQueue<Sample>& queue) {
+  static std::vector<Sample> taken(SpscQueue<Tick>& queue) {
     std::vector<Sample> samples;
-    for (Sample sample; queue.try_pop(sample);) samples.push_back(sample);
+    for (Tick tick; queue.try_pop(tick);) samples.push_back(tick.x());
     return samples;
   }
   std::vector<Sample> samples() { return taken(exchange.plot); }
@@ -73,14 +74,14 @@ inline std::vector<Sample> headless(Scene scene, std::size_t ticks,
   return samples;
 }
 
-// Every field, bit for bit, but for the generation that only a live session has.
+// Every field, bit for bit, except the generation, which only a live session has.
 inline void expect_same(const std::vector<Sample>& live, const std::vector<Sample>& reference) {
   static_assert(sizeof(Sample) == 23 * sizeof(double), "no padding: bytes can be compared");
   ASSERT_EQ(live.size(), reference.size());
   for (std::size_t i = 0; i < live.size(); ++i) {
     Sample sample = live[i];
     sample.generation = 0;
-    // Bits and not values: also a zero has its sign.
+    // Compares bits, because zero has a sign.
     // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     ASSERT_EQ(std::memcmp(&sample, &reference[i], sizeof sample), 0)
         << "tick " << i << ": position " << sample.position_m << " / " << reference[i].position_m

@@ -1,10 +1,10 @@
-// One cycle at a time, without a thread and with a clock of the test's own.
+// One cycle at a time, without a thread, on the test's clock.
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <vector>
 
-#include "tests/app/runtime_servo_loop_support.h"
+#include "tests/app/runtime/loop/servo_loop_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -34,7 +34,7 @@ TEST(ServoLoop, SwitchesAndWallChangesAreThoseOfAHeadlessRun) {
       harness.cycles(97);
       tick += 97;
       changed.algorithm.index = index;
-      changed.walls[0].position_m = 0.05 + 1e-4 * static_cast<double>(round);
+      changed.x().walls[0].position_m = 0.05 + 1e-4 * static_cast<double>(round);
       harness.publish(changed);
       changes.push_back({tick, changed});
     }
@@ -49,14 +49,14 @@ TEST(ServoLoop, ForceIsContinuousAtEverySwitch) {
       if (from == to) continue;
       Harness harness(with_algorithm(contact_scene(), from));
       harness.cycles(kInContactTicks);
-      // A switch at a tick without force would prove nothing: look for one with some.
+      // Look for a tick with force: a switch without force proves nothing.
       int more = 0;
-      while (harness.snapshot().sample.force_n < 1.0 && ++more < 2000) harness.cycles(1);
-      const double before_n = harness.snapshot().sample.force_n;
+      while (harness.snapshot().newest.x().force_n < 1.0 && ++more < 2000) harness.cycles(1);
+      const double before_n = harness.snapshot().newest.x().force_n;
       ASSERT_GE(before_n, 1.0);
       harness.publish(with_algorithm(harness.scene, to));
       harness.cycles(1);
-      const Sample first = harness.snapshot().sample;
+      const Sample first = harness.snapshot().newest.x();
       EXPECT_NE(first.flags & kFlagParametersChanged, 0U);
       EXPECT_NEAR(first.force_n, before_n, 1e-12)
           << algorithms()[from].name << " to " << algorithms()[to].name;
@@ -65,9 +65,7 @@ TEST(ServoLoop, ForceIsContinuousAtEverySwitch) {
 }
 
 TEST(ServoLoop, ParametersBeforeTheFirstTickAreNoChange) {
-  SessionOptions options;
-  options.start_paused = true;
-  Harness harness(contact_scene(), options);
+  Harness harness(contact_scene(), true);
   const Scene changed = with_algorithm(harness.scene, 0);
   harness.publish(changed);
   harness.command(CommandKind::kResume);
@@ -115,7 +113,7 @@ TEST(ServoLoop, NoEchoIsLostWhenNobodyTakesThem) {
   harness.cycles(2);
   for (const ParameterEcho& echo : harness.echoes()) echoes.push_back(echo);
   EXPECT_EQ(echoes.back().generation, harness.generation) << "the newest parameters waited";
-  // Every generation that any sample names was echoed with the tick of its first sample.
+  // Every generation of a sample was echoed with the tick of its first sample.
   std::size_t next = 0;
   std::uint32_t generation = 0;
   for (const Sample& sample : harness.samples()) {
@@ -136,7 +134,7 @@ TEST(ServoLoop, PausedItKeepsItsCadenceButDoesNotTick) {
   harness.loop.cycle({0, 1000, 3}, harness.clock);
   const Snapshot paused = harness.snapshot();
   EXPECT_TRUE(paused.paused);
-  EXPECT_EQ(paused.sample.tick, 4U);
+  EXPECT_EQ(paused.newest.x().tick, 4U);
   EXPECT_EQ(paused.timing.ticks, 5U);
   EXPECT_EQ(paused.timing.missed_ticks, 3U);
   EXPECT_EQ(paused.timing.wake_latency_s, 1e-6);
@@ -147,9 +145,7 @@ TEST(ServoLoop, PausedItKeepsItsCadenceButDoesNotTick) {
 }
 
 TEST(ServoLoop, StepsAreExact) {
-  SessionOptions options;
-  options.start_paused = true;
-  Harness harness(contact_scene(), options);
+  Harness harness(contact_scene(), true);
   harness.cycles(10);
   EXPECT_TRUE(harness.samples().empty());
   harness.command(CommandKind::kStep, 5);
@@ -203,24 +199,24 @@ TEST(ServoLoop, ResetWhilePausedShowsTheStartAtOnce) {
   harness.command(CommandKind::kReset);
   harness.cycles(1);
   const Snapshot snapshot = harness.snapshot();
-  EXPECT_EQ(snapshot.sample.tick, 0U);
-  EXPECT_EQ(snapshot.sample.truth.position_m, harness.scene.device.start_m);
-  EXPECT_NEAR(snapshot.sample.penetration_m, -0.001, 3e-4);
-  EXPECT_EQ(snapshot.sample.force_n, 0.0);
+  EXPECT_EQ(snapshot.newest.x().tick, 0U);
+  EXPECT_EQ(snapshot.newest.x().truth.position_m, harness.scene.x().device.start_m);
+  EXPECT_NEAR(snapshot.newest.x().penetration_m, -0.001, 3e-4);
+  EXPECT_EQ(snapshot.newest.x().force_n, 0.0);
 }
 
 TEST(ServoLoop, ThePointerLeadsUntilItIsGoneAndResetForgetsIt) {
   Harness harness(contact_scene());
   harness.cycles(10);
   EXPECT_FALSE(harness.exchange.pointer_led);
-  harness.exchange.pointer_m = 0.02;
+  harness.exchange.pointer_m[0] = 0.02;
   harness.cycles(2000);
   EXPECT_TRUE(harness.exchange.pointer_led);
-  EXPECT_NEAR(harness.snapshot().sample.truth.hand_path_m, 0.02, 1e-12);
-  EXPECT_NEAR(harness.snapshot().sample.position_m, 0.02, 2e-3);
-  harness.exchange.pointer_m = kNoPointer;
+  EXPECT_NEAR(harness.snapshot().newest.x().truth.hand_path_m, 0.02, 1e-12);
+  EXPECT_NEAR(harness.snapshot().newest.x().position_m, 0.02, 2e-3);
+  harness.exchange.pointer_m[0] = kNoPointer;
   harness.cycles(2000);
-  EXPECT_NEAR(harness.snapshot().sample.truth.hand_path_m, 0.075, 1e-12);
+  EXPECT_NEAR(harness.snapshot().newest.x().truth.hand_path_m, 0.075, 1e-12);
   EXPECT_TRUE(harness.exchange.pointer_led) << "this run cannot be repeated any more";
   harness.command(CommandKind::kReset);
   static_cast<void>(harness.samples());
@@ -230,10 +226,7 @@ TEST(ServoLoop, ThePointerLeadsUntilItIsGoneAndResetForgetsIt) {
 }
 
 TEST(ServoLoop, DropsAreCounted) {
-  SessionOptions options;
-  options.plot_queue_capacity = 10;
-  options.recorder_queue_capacity = 4;
-  Harness harness(contact_scene(), options);
+  Harness harness(contact_scene(), false, {.plot = 10, .recorder = 4});
   harness.cycles(8);
   EXPECT_EQ(harness.exchange.recorder.size(), 0U);
   harness.command(CommandKind::kStartRecording);

@@ -1,10 +1,11 @@
+#include "app/runtime/loop/spinning_clock.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "app/runtime/spinning_clock.h"
-#include "tests/app/runtime_support.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime {
 namespace {

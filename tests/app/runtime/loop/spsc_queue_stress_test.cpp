@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <thread>
 
-#include "app/runtime/spsc_queue.h"
+#include "app/runtime/loop/spsc_queue.h"
 #include "core/sample.h"
 
 namespace hapticwall::runtime {
@@ -29,20 +29,18 @@ TEST(SpscQueue, HoldsExactlyWhatWasAskedForAndKeepsTheOrder) {
   }
 }
 
-// A queue much smaller than what goes through it: the producer counts what it drops, and what
-// arrives is whole, in order, and all the rest.
+// A small queue: the producer counts the dropped elements; all others arrive intact and in order.
 TEST(SpscQueueStress, ArrivedAndDroppedAreAllThatWasSent) {
-  constexpr std::uint64_t kSamples = 400'000;
-  SpscQueue<Sample> queue(512);
+  constexpr std::uint64_t kTicks = 400'000;
+  SpscQueue<Tick> queue(512);
   std::uint64_t dropped = 0;
   std::thread producer([&] {
-    for (std::uint64_t tick = 1; tick <= kSamples; ++tick) {
-      Sample sample;
-      sample.tick = tick;
-      sample.position_m = static_cast<double>(tick);
-      sample.truth.kinetic_j = static_cast<double>(tick);
-      const bool last = tick == kSamples;
-      while (!queue.try_push(sample)) {
+    for (std::uint64_t tick = 1; tick <= kTicks; ++tick) {
+      Tick sent;
+      sent.axes.front().tick = tick;
+      sent.axes.back().truth.kinetic_j = static_cast<double>(tick);
+      const bool last = tick == kTicks;
+      while (!queue.try_push(sent)) {
         std::this_thread::yield();
         if (!last) {
           ++dropped;
@@ -54,22 +52,22 @@ TEST(SpscQueueStress, ArrivedAndDroppedAreAllThatWasSent) {
   std::uint64_t arrived = 0;
   std::uint64_t wrong = 0;
   std::uint64_t previous = 0;
-  Sample sample;
-  while (previous < kSamples) {
-    if (!queue.try_pop(sample)) {
+  Tick got;
+  while (previous < kTicks) {
+    if (!queue.try_pop(got)) {
       std::this_thread::yield();
       continue;
     }
     ++arrived;
-    const bool in_order = sample.tick > previous;
-    const bool whole = sample.position_m == static_cast<double>(sample.tick) &&
-                       sample.truth.kinetic_j == static_cast<double>(sample.tick);
+    const std::uint64_t tick = got.x().tick;
+    const bool in_order = tick > previous;
+    const bool whole = got.axes.back().truth.kinetic_j == static_cast<double>(tick);
     wrong += in_order && whole ? 0U : 1U;
-    previous = sample.tick;
+    previous = tick;
   }
   producer.join();
   EXPECT_EQ(wrong, 0U);
-  EXPECT_EQ(arrived + dropped, kSamples);
+  EXPECT_EQ(arrived + dropped, kTicks);
 }
 
 }  // namespace

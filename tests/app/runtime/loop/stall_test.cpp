@@ -1,5 +1,5 @@
-// Nothing stalls the loop, and where the machine does, the loop says so: no tick is made up for,
-// none happens twice, and a force that nobody renewed does not come back by itself.
+// Nothing in the program stalls the loop. If the machine does, the loop reports it, repeats no
+// tick, and does not restore an expired force.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 #include <thread>
 #include <vector>
 
-#include "app/runtime/realtime_setup.h"
-#include "app/runtime/recorder.h"
-#include "app/runtime/servo_loop.h"
+#include "app/runtime/loop/realtime_setup.h"
+#include "app/runtime/loop/servo_loop.h"
+#include "app/runtime/session/recorder.h"
 #include "device/simulated_device.h"
-#include "tests/app/runtime_child_support.h"
-#include "tests/app/runtime_fake_writer.h"
+#include "tests/app/runtime/loop/child_support.h"
+#include "tests/app/runtime/loop/fake_writer.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -38,7 +38,7 @@ using test::WriterLog;
 
 constexpr std::int64_t kPeriodNs = 1'000'000;  // of contact_scene()
 
-// The loop's time, told to nobody else: when it began, and when it was awake for each cycle.
+// Records the start of the loop and its wake-ups.
 class WatchedClock : public MonotonicClock {
  public:
   explicit WatchedClock(Heard& heard) : heard_(heard) {}
@@ -66,8 +66,8 @@ class WatchedClock : public MonotonicClock {
 void run_watched(Heard& heard, const std::function<bool(Exchange&)>& until) {
   const Scene scene = contact_scene();
   SharedDevice device(heard);
-  Exchange exchange({}, {servo_settings(scene), 1});
-  ServoLoop loop(device, exchange, {servo_settings(scene), 1}, false);
+  Exchange exchange({}, test::parameters_of(scene));
+  ServoLoop loop({&device}, exchange, test::parameters_of(scene), false);
   WatchedClock clock(heard);
   std::thread thread([&] {
     static_cast<void>(set_up_realtime_thread(-1));
@@ -99,11 +99,10 @@ void expect_every_period_told(const Heard& heard) {
 TEST(Stall, AnOwnerThatIsFrozenForFiveSecondsCostsNoTickAndNoRow) {
   constexpr std::uint64_t kTicks = 5000;
   const Scene scene = contact_scene();
-  SessionOptions options;
-  options.plot_queue_capacity = 1000;
+  const QueueCapacities capacities{.plot = 1000};
   device::SimulatedDevice device(scene);
-  Exchange exchange(options, {servo_settings(scene), 1});
-  ServoLoop loop(device, exchange, {servo_settings(scene), 1}, false);
+  Exchange exchange(capacities, test::parameters_of(scene));
+  ServoLoop loop({&device}, exchange, test::parameters_of(scene), false);
   Recorder recorder(exchange.recorder);
   const auto log = std::make_shared<WriterLog>();
   recorder.start(std::make_unique<FakeWriter>(log));
@@ -118,12 +117,12 @@ TEST(Stall, AnOwnerThatIsFrozenForFiveSecondsCostsNoTickAndNoRow) {
   EXPECT_EQ(exchange.snapshots.current().timing.ticks, kTicks);
   EXPECT_EQ(exchange.snapshots.current().timing.missed_ticks, 0U);
   EXPECT_EQ(exchange.dropped_rows, 0U);
-  EXPECT_EQ(exchange.dropped_plot_samples, kTicks - options.plot_queue_capacity);
+  EXPECT_EQ(exchange.dropped_plot_samples, kTicks - capacities.plot);
   ASSERT_EQ(log->ticks.size(), kTicks);
   for (std::uint64_t tick = 0; tick < kTicks; ++tick) ASSERT_EQ(log->ticks[tick], tick);
 }
 
-// What a debugger does to the thread that is looked at.
+// Stops a thread as a debugger does.
 std::array<int, 2> g_pipe{};
 void stand_still(int /*signal*/) {
   char byte = 0;
@@ -141,7 +140,7 @@ TEST(Stall, AnOwnerThatStandsStillInADebuggerCostsNoTickAndNoRow) {
     SessionOptions options;
     options.allow_no_realtime = true;
     auto session =
-        Session::start_on(std::make_unique<SharedDevice>(*heard), contact_scene(), options);
+        LiveSession::start_on(std::make_unique<SharedDevice>(*heard), contact_scene(), options);
     if (!session || (*session)->start_recording(folder.file("a.csv"))) return;
     heard->go_on = true;
     raise(SIGUSR1);
@@ -163,7 +162,7 @@ TEST(Stall, AnOwnerThatStandsStillInADebuggerCostsNoTickAndNoRow) {
   for (const int end : g_pipe) close(end);
 }
 
-// SIGSTOP, as a debugger or a suspended machine does it. Every kind of hole is this one.
+// SIGSTOP, as from a debugger or a suspended machine.
 TEST(Stall, AProcessThatWasStoppedCatchesUpWithNothingAndHasNoForce) {
   constexpr std::int64_t kStoppedNs = 150'000'000;
   const Shared heard;
@@ -195,8 +194,8 @@ TEST(Stall, AProcessThatWasStoppedCatchesUpWithNothingAndHasNoForce) {
   EXPECT_EQ(status_of(child), 0);
   expect_every_period_told(*heard);
   EXPECT_GE(heard->missed, static_cast<std::uint64_t>(kStoppedNs / kPeriodNs) - 1);
-  // One write may have been under way; all later ones are of a loop that knows of the hole.
-  for (std::uint64_t i = before + 1; i < std::min<std::uint64_t>(heard->writes, test::kMostHeard);
+  // One write may have been in progress; all later ones follow the hole.
+  for (std::uint64_t i = before + 1; i < std::min<std::uint64_t>(heard->writes, test::kMaxHeard);
        ++i) {
     ASSERT_EQ(heard->forces_n.at(i), 0.0) << "write " << i << " after " << before;
   }
@@ -219,7 +218,7 @@ TEST(Stall, FourHogsBesideItAreCountedAndNothingElse) {
   expect_every_period_told(*heard);
 }
 
-// ---- the same with a clock that obeys: which hole takes the force away
+// ---- the same on a controlled clock: which holes disarm
 struct Hole {
   double late_s;
   bool keeps_force;
@@ -234,8 +233,8 @@ TEST_P(StallHole, LongerThanAForceMayStandTakesItAway) {
   const Scene scene = contact_scene();
   FakeDevice device;
   device.position_m = kFreeM;
-  Exchange exchange({}, {servo_settings(scene), 1});
-  ServoLoop loop(device, exchange, {servo_settings(scene), 1}, false);
+  Exchange exchange({}, test::parameters_of(scene));
+  ServoLoop loop({&device}, exchange, test::parameters_of(scene), false);
   ASSERT_TRUE(exchange.commands.try_push({CommandKind::kArm, 0}));
   FakeClock clock;
   clock.after_sleep = [&, cycle = 0](FakeClock& now) mutable {

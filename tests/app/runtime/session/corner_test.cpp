@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "app/file/recording_reader.h"
-#include "app/runtime/replay_session.h"
-#include "app/runtime/scene_change.h"
-#include "app/runtime/session.h"
-#include "tests/app/runtime_session_support.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/runtime/session/live_session.h"
+#include "app/runtime/session/replay_session.h"
+#include "app/runtime/session/scene_change.h"
+#include "tests/app/runtime/session/session_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -24,23 +24,18 @@ constexpr std::uint64_t kCornerTicks = 600;
 
 Scene corner_scene() {
   Scene scene = contact_scene();
-  scene.y.emplace();
-  scene.y->device = scene.device;
-  scene.y->device.mass_kg *= 2.0;
-  scene.y->hand = scene.hand;
-  scene.y->walls = scene.walls;
-  scene.y->walls[0].stiffness_n_per_m *= 0.5;
+  scene.axes.assign(2, scene.x());
+  scene.axes[1].device.mass_kg *= 2.0;
+  scene.axes[1].walls[0].stiffness_n_per_m *= 0.5;
   return scene;
 }
 
 std::string headless_csv(const file::LoadedScene& loaded) {
-  const auto columns = file::more_columns(true, true);
+  const auto columns = file::csv_columns(true, 2);
   std::string text = file::csv_header(columns) + "\n";
   AxesOptions options;
   options.changes = loaded.changes;
-  options.on_samples = [&](const Sample& x, const Sample& y) {
-    file::append_csv_row(text, x, columns, y);
-  };
+  options.on_tick = [&](const Tick& tick) { file::append_csv_row(text, tick, columns); };
   static_cast<void>(simulate_axes(loaded.scene, options));
   return text;
 }
@@ -64,8 +59,8 @@ TEST(CornerSession, RecordsWhatAHeadlessRunOfItsSidecarGives) {
   const TemporaryFolder folder;
   Scene changed = corner_scene();
   changed.algorithm = test::algorithm(0);
-  changed.y->walls[0].stiffness_n_per_m = 77.0;
-  changed.y->device.mass_kg = 0.3;
+  changed.axes[1].walls[0].stiffness_n_per_m = 77.0;
+  changed.axes[1].device.mass_kg = 0.3;
   for (const std::optional<Scene>& change : {std::optional<Scene>(), std::optional(changed)}) {
     const std::string csv = folder.file(change ? "changed.csv" : "plain.csv");
     record(csv, change);
@@ -74,9 +69,9 @@ TEST(CornerSession, RecordsWhatAHeadlessRunOfItsSidecarGives) {
     ASSERT_EQ(loaded->changes.size(), change ? 1U : 0U);
     EXPECT_EQ(text_of(csv), headless_csv(*loaded));
     if (!change) continue;
-    EXPECT_EQ(loaded->changes[0].scene.y->walls[0].stiffness_n_per_m, 77.0);
-    EXPECT_EQ(loaded->changes[0].scene.y->device.mass_kg, 0.3);
-    EXPECT_EQ(loaded->changes[0].scene.device.mass_kg, corner_scene().device.mass_kg);
+    EXPECT_EQ(loaded->changes[0].scene.axes[1].walls[0].stiffness_n_per_m, 77.0);
+    EXPECT_EQ(loaded->changes[0].scene.axes[1].device.mass_kg, 0.3);
+    EXPECT_EQ(loaded->changes[0].scene.x().device.mass_kg, corner_scene().x().device.mass_kg);
   }
 }
 
@@ -84,20 +79,18 @@ TEST(CornerSession, HandsOutBothAxesTickByTick) {
   const auto session = started_paused(corner_scene());
   session->step(kCornerTicks);
   ASSERT_TRUE(ticks_reach(*session, kCornerTicks));
-  std::vector<Sample> x(100);
-  std::vector<Sample> y(100);
+  std::vector<Tick> ticks(100);
   std::uint64_t next = 0;
-  while (const std::size_t count = session->take_samples(x)) {
-    ASSERT_EQ(session->take_second_axis(std::span(y).first(count)), count);
+  while (const std::size_t count = session->take_ticks(ticks)) {
     for (std::size_t i = 0; i < count; ++i, ++next) {
-      EXPECT_EQ(x[i].tick, next);
-      EXPECT_EQ(y[i].tick, next);
+      ASSERT_EQ(ticks[i].count, 2U);
+      for (const Sample& sample : ticks[i].in_use()) EXPECT_EQ(sample.tick, next);
     }
   }
   EXPECT_EQ(next, kCornerTicks);
   const Snapshot snapshot = session->snapshot();
-  EXPECT_EQ(snapshot.y.tick, kCornerTicks - 1);
-  EXPECT_NE(snapshot.y.truth.position_m, snapshot.sample.truth.position_m);
+  EXPECT_EQ(snapshot.newest.axes[1].tick, kCornerTicks - 1);
+  EXPECT_NE(snapshot.newest.axes[1].truth.position_m, snapshot.newest.x().truth.position_m);
 }
 
 TEST(CornerSession, ThePointerLeadsEitherHand) {
@@ -106,24 +99,24 @@ TEST(CornerSession, ThePointerLeadsEitherHand) {
   session->step(10);
   ASSERT_TRUE(ticks_reach(*session, 10));
   const Snapshot led = session->snapshot();
-  EXPECT_NE(led.y.truth.hand_path_m, led.sample.truth.hand_path_m);
-  EXPECT_EQ(led.y.truth.hand_path_m, 0.041);
+  EXPECT_NE(led.newest.axes[1].truth.hand_path_m, led.newest.x().truth.hand_path_m);
+  EXPECT_EQ(led.newest.axes[1].truth.hand_path_m, 0.041);
 }
 
 TEST(CornerSession, APlotQueueThatIsFullLosesBothAxesOfATickOrNone) {
   SessionOptions options;
-  options.plot_queue_capacity = 64;
+  options.queues.plot = 64;
   options.start_paused = true;
   const auto session = test::started(corner_scene(), options);
   session->step(kCornerTicks);
   ASSERT_TRUE(ticks_reach(*session, kCornerTicks));
-  std::vector<Sample> x(kCornerTicks);
-  std::vector<Sample> y(kCornerTicks);
-  const std::size_t count = session->take_samples(x);
+  std::vector<Tick> ticks(kCornerTicks);
+  const std::size_t count = session->take_ticks(ticks);
   ASSERT_GT(count, 0U);
   EXPECT_EQ(count + session->dropped_plot_samples(), kCornerTicks);
-  ASSERT_EQ(session->take_second_axis(y), count);
-  for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(x[i].tick, y[i].tick);
+  for (const Tick& tick : std::span(ticks).first(count)) {
+    EXPECT_EQ(tick.axes[0].tick, tick.axes[1].tick);
+  }
 }
 
 TEST(CornerSession, ReplaysBothAxes) {
@@ -131,24 +124,23 @@ TEST(CornerSession, ReplaysBothAxes) {
   record(folder.file("a.csv"), std::nullopt);
   auto reader = file::RecordingReader::open(folder.file("a.csv"));
   ASSERT_TRUE(reader.ok()) << reader.error().message;
-  EXPECT_TRUE(file::has_second_axis((*reader)->info().scanned.columns));
-  std::vector<Sample> x(kCornerTicks);
-  std::vector<Sample> y(kCornerTicks);
-  const auto count = (*reader)->read(0, x, y);
+  const file::CsvColumns columns = (*reader)->info().scanned.columns;
+  EXPECT_EQ(columns, file::csv_columns(true, 2));
+  std::vector<Tick> ticks(kCornerTicks);
+  const auto count = (*reader)->read(0, ticks);
   ASSERT_TRUE(count.ok());
   ASSERT_EQ(*count, kCornerTicks);
-  std::string text = file::csv_header(file::more_columns(true, true)) + "\n";
-  for (std::size_t i = 0; i < kCornerTicks; ++i)
-    file::append_csv_row(text, x[i], file::more_columns(true, true), y[i]);
+  std::string text = file::csv_header(columns) + "\n";
+  for (const Tick& tick : ticks) file::append_csv_row(text, tick, columns);
   EXPECT_EQ(text, text_of(folder.file("a.csv")));
   auto replay = start_replay(folder.file("a.csv"), {.start_paused = true});
   ASSERT_TRUE(replay.ok());
   (*replay)->seek(0.3);
-  const std::size_t taken = (*replay)->take_samples(x);
+  const std::size_t taken = (*replay)->take_ticks(ticks);
   ASSERT_GT(taken, 0U);
-  EXPECT_EQ((*replay)->take_second_axis(y), taken);
-  EXPECT_EQ(y[taken - 1].tick, (*replay)->snapshot().y.tick);
-  EXPECT_EQ(y[taken - 1].force_n, (*replay)->snapshot().y.force_n);
+  const Sample& y = ticks[taken - 1].axes[1];
+  EXPECT_EQ(y.tick, (*replay)->snapshot().newest.axes[1].tick);
+  EXPECT_EQ(y.force_n, (*replay)->snapshot().newest.axes[1].force_n);
 }
 
 TEST(CornerSession, WhatNeedsANewSessionIsNamedOnEitherAxis) {
@@ -159,13 +151,13 @@ TEST(CornerSession, WhatNeedsANewSessionIsNamedOnEitherAxis) {
     const auto problem = needs_new_session(scene, wanted);
     return problem ? problem->key : std::string();
   };
-  EXPECT_EQ(key_of([](Scene& s) { s.y->device.mass_kg = 1.0; }), "");
-  EXPECT_EQ(key_of([](Scene& s) { s.y->device.start_m = 0.04; }), "device.y.start_m");
-  EXPECT_EQ(key_of([](Scene& s) { s.y->hand->path[0].position_m = 0.04; }), "hand.y.path");
-  EXPECT_EQ(key_of([](Scene& s) { s.y->hand.reset(); }), "hand.y");
-  EXPECT_EQ(key_of([](Scene& s) { s.y.reset(); }), "device.y");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].device.mass_kg = 1.0; }), "");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].device.start_m = 0.04; }), "device.y.start_m");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand->path[0].position_m = 0.04; }), "hand.y.path");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand.reset(); }), "hand.y");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes.resize(1); }), "device.y");
   Scene walls = scene;
-  walls.y->walls.clear();
+  walls.axes[1].walls.clear();
   EXPECT_FALSE(same_parameters(scene, walls));
 }
 

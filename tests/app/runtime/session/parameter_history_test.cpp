@@ -1,8 +1,9 @@
+#include "app/runtime/session/parameter_history.h"
+
 #include <gtest/gtest.h>
 
-#include "app/file/sidecar.h"
-#include "app/runtime/parameter_history.h"
-#include "tests/app/runtime_support.h"
+#include "app/file/recording/sidecar.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -45,15 +46,15 @@ TEST(ParameterHistory, KeepsEveryPartThatChangedAndThePathOfTheStart) {
   const auto told = history.changes_before(1000);
   ASSERT_EQ(told.size(), changes.size());
   for (std::size_t i = 0; i < told.size(); ++i) {
-    EXPECT_EQ(told[i].scene.device, changes[i].device);
-    HandSettings hand = changes[i].hand.value();
+    EXPECT_EQ(told[i].scene.x().device, changes[i].x().device);
+    HandSettings hand = changes[i].x().hand.value();
     hand.path.clear();
-    EXPECT_EQ(told[i].scene.hand, hand);
+    EXPECT_EQ(told[i].scene.x().hand, hand);
     EXPECT_EQ(told[i].scene.simulator, changes[i].simulator);
     EXPECT_EQ(told[i].scene.algorithm, changes[i].algorithm);
   }
-  EXPECT_EQ(history.scene_at_start().device, first.device);
-  EXPECT_EQ(history.scene_at_start().hand, first.hand);
+  EXPECT_EQ(history.scene_at_start().x().device, first.x().device);
+  EXPECT_EQ(history.scene_at_start().x().hand, first.x().hand);
 }
 
 TEST(ParameterHistory, SaysWhetherItKnowsHowTheRunBegan) {
@@ -75,13 +76,13 @@ TEST(ParameterHistory, SaysWhereThereWereMoreChangesThanItKeeps) {
   const Scene first = contact_scene();
   ParameterHistory history(first);
   history.came_into_force({0, 1});
-  for (std::size_t i = 1; i <= file::kMostChanges + 1; ++i) {
+  for (std::size_t i = 1; i <= file::kMaxChanges + 1; ++i) {
     EXPECT_FALSE(history.has_lost_changes());
     history.add(test::with_algorithm(first, i % 2));
     history.came_into_force({i, history.generation()});
   }
   EXPECT_TRUE(history.has_lost_changes());
-  EXPECT_EQ(history.changes_before(1'000'000).size(), file::kMostChanges);
+  EXPECT_EQ(history.changes_before(1'000'000).size(), file::kMaxChanges);
   history.came_into_force({0, history.generation()});
   EXPECT_FALSE(history.has_lost_changes());
 }

@@ -1,7 +1,8 @@
+#include "app/runtime/session/plant_keeper.h"
+
 #include <gtest/gtest.h>
 
-#include "app/runtime/plant_keeper.h"
-#include "tests/app/runtime_support.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -10,7 +11,7 @@ using test::contact_scene;
 
 Scene with_mass(double mass_kg) {
   Scene scene = contact_scene();
-  scene.device.mass_kg = mass_kg;
+  scene.x().device.mass_kg = mass_kg;
   return scene;
 }
 

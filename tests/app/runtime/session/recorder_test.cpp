@@ -1,3 +1,5 @@
+#include "app/runtime/session/recorder.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -6,10 +8,9 @@
 #include <memory>
 #include <thread>
 
-#include "app/runtime/realtime_setup.h"
-#include "app/runtime/recorder.h"
-#include "tests/app/runtime_fake_writer.h"
-#include "tests/app/runtime_support.h"
+#include "app/runtime/loop/realtime_setup.h"
+#include "tests/app/runtime/loop/fake_writer.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -23,10 +24,10 @@ class RecorderTest : public testing::Test {
  protected:
   void start() { recorder_.start(std::make_unique<FakeWriter>(log_)); }
   void push(std::uint64_t first, std::uint64_t end) {
-    for (std::uint64_t tick = first; tick < end; ++tick) {
-      Sample sample;
-      sample.tick = tick;
-      ASSERT_TRUE(queue_.try_push(sample));
+    for (std::uint64_t number = first; number < end; ++number) {
+      Tick tick;
+      tick.axes.front().tick = number;
+      ASSERT_TRUE(queue_.try_push(tick));
     }
   }
   Failure finish() {
@@ -34,7 +35,7 @@ class RecorderTest : public testing::Test {
     return recorder_.finish(Scene{}, {});
   }
 
-  SpscQueue<Sample> queue_{1000};
+  SpscQueue<Tick> queue_{1000};
   Recorder recorder_{queue_};
   std::shared_ptr<WriterLog> log_ = std::make_shared<WriterLog>();
 };
@@ -78,9 +79,9 @@ class WatchingWriter : public FakeWriter {
  public:
   WatchingWriter(std::shared_ptr<WriterLog> log, Scheduling& seen)
       : FakeWriter(std::move(log)), seen_(seen) {}
-  Failure append(const Sample& sample, const Sample& y) override {
+  Failure append(const Tick& tick) override {
     seen_ = of_this_thread();
-    return FakeWriter::append(sample, y);
+    return FakeWriter::append(tick);
   }
 
  private:

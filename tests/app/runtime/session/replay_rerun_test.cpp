@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "app/runtime/hand_rerun.h"
+#include "app/runtime/session/hand_rerun.h"
 #include "core/stabiliser/stabiliser.h"
-#include "tests/app/runtime_replay_support.h"
-#include "tests/app/runtime_session_support.h"
+#include "tests/app/runtime/session/replay_support.h"
+#include "tests/app/runtime/session/session_support.h"
 
 namespace hapticwall::runtime::test {
 namespace {
@@ -45,9 +45,9 @@ class HandRerun : public ReplayTest {
     std::uint64_t others = 0;
     RerunOptions options;
     options.on_sample = [&](const Sample& sample) {
-      Sample recorded;
+      Tick recorded;
       EXPECT_EQ(*reader->read(row++, {&recorded, 1}), 1U);
-      others += sample.truth.hand_force_n == recorded.truth.hand_force_n ? 0 : 1;
+      others += sample.truth.hand_force_n == recorded.x().truth.hand_force_n ? 0 : 1;
     };
     static_cast<void>(rerun("", {}, options));
     return others;
@@ -97,10 +97,11 @@ TEST_F(HandRerun, AHandThatThePointerLedRepeatsItsRecording) {
 
 TEST_F(HandRerun, SoItIsOnAWallAtZeroWhereDigitsAreFine) {
   Scene scene = scene_of("press");
-  scene.device.start_m = -0.001;
-  scene.device.encoder_m.reset();
-  scene.hand->path = {{0.0, -0.001}, {0.7003, 0.0012}, {1.1, -0.0007}};  // bends between two ticks
-  scene.walls.front().position_m = 0.0;
+  scene.x().device.start_m = -0.001;
+  scene.x().device.encoder_m.reset();
+  scene.x().hand->path = {
+      {0.0, -0.001}, {0.7003, 0.0012}, {1.1, -0.0007}};  // bends between two ticks
+  scene.x().walls.front().position_m = 0.0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     record(scene, 3000, person(seed, 0.0, 0.0015));
@@ -110,8 +111,8 @@ TEST_F(HandRerun, SoItIsOnAWallAtZeroWhereDigitsAreFine) {
 
 TEST_F(HandRerun, SoItIsWithAHandThatOnlyThePointerLeads) {
   Scene scene = scene_of("press");
-  scene.hand->path.clear();
-  scene.hand->follows_mouse = true;
+  scene.x().hand->path.clear();
+  scene.x().hand->follows_mouse = true;
   scene.sampling.rate_hz = 777.0;
   record(scene, 3000, person(3, 0.05, 0.02));
   expect_the_recording_again();
@@ -119,7 +120,7 @@ TEST_F(HandRerun, SoItIsWithAHandThatOnlyThePointerLeads) {
 
 TEST_F(HandRerun, AHandWithoutAGripIsTheSameButForTheForceItWasAboutToHave) {
   Scene scene = scene_of("light");
-  scene.hand->damping_n_s_per_m = 5.0;
+  scene.x().hand->damping_n_s_per_m = 5.0;
   std::uint64_t others = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     record(scene, 4000, person(seed, 0.05, 0.02));
@@ -132,9 +133,9 @@ TEST_F(HandRerun, AHandWithoutAGripIsTheSameButForTheForceItWasAboutToHave) {
 TEST_F(HandRerun, ChangesOfTheSessionAreItsOwn) {
   const Scene scene = scene_of("press");
   std::vector<ScheduledChange> changes{{500, scene}, {900, scene}, {900, scene}, {2000, scene}};
-  changes[0].scene.walls.front().stiffness_n_per_m = 5000.0;
-  changes[1].scene.device.mass_kg = 0.1;
-  changes[2].scene.device.friction_n.reset();
+  changes[0].scene.x().walls.front().stiffness_n_per_m = 5000.0;
+  changes[1].scene.x().device.mass_kg = 0.1;
+  changes[2].scene.x().device.friction_n.reset();
   changes[3].scene.algorithm.index = find_algorithm("none").value();
   record(scene, 3000, person(5, 0.05, 0.02), changes);
   expect_the_recording_again();
@@ -176,11 +177,11 @@ TEST_F(HandRerun, UnderAnotherAlgorithmItIsWhatASessionWouldHaveBeen) {
   scene.algorithm.index = find_algorithm("none").value();
   record(scene, 3000, person(1, 0.055, 0.01));
   const auto reader = opened(path("a.csv"));
-  std::vector<Sample> session(3000);
+  std::vector<Tick> session(3000);
   ASSERT_EQ(*reader->read(0, session), samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    ASSERT_EQ(samples[i].truth.position_m, session[i].truth.position_m) << i;
-    ASSERT_EQ(samples[i].energy_scv_j, session[i].energy_scv_j) << i;
+    ASSERT_EQ(samples[i].truth.position_m, session[i].x().truth.position_m) << i;
+    ASSERT_EQ(samples[i].energy_scv_j, session[i].x().energy_scv_j) << i;
   }
 }
 

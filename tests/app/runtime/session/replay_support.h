@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "app/file/recording_reader.h"
-#include "app/file/recording_writer.h"
-#include "core/servo.h"
-#include "core/simulate.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/recording/recording_writer.h"
+#include "core/loop/servo.h"
+#include "core/simulation/simulate.h"
 #include "device/simulated_device.h"
 #include "tests/temporary_folder.h"
 
@@ -33,7 +33,7 @@ class ReplayTest : public hapticwall::test::FolderTest {
   // In the order of the servo loop: new parameters, then the pointer, then the tick.
   void record(const Scene& scene, std::uint64_t ticks, const Pointer& pointer,
               const std::vector<ScheduledChange>& changes = {}, std::uint64_t first_tick = 0) {
-    auto writer = file::RecordingWriter::create(path("a.csv"), file::MoreColumns::kSimulator);
+    auto writer = file::RecordingWriter::create(path("a.csv"), file::csv_columns(true));
     ASSERT_TRUE(writer) << writer.error().message;
     device::SimulatedDevice device(scene);
     Servo servo(servo_settings(scene));
@@ -51,13 +51,13 @@ class ReplayTest : public hapticwall::test::FolderTest {
       if (led && !at_m) device.release_hand();
       led = at_m.has_value();
       const Sample sample = servo.tick(device);
-      if (tick >= first_tick) ASSERT_FALSE((*writer)->append(sample));
+      if (tick >= first_tick) ASSERT_FALSE((*writer)->append({{sample}}));
     }
     file::RecordingMetadata metadata;
     metadata.device = "simulator";
     metadata.first_tick = first_tick;
     metadata.session_ticks = ticks;
-    for (const ScheduledChange& made : changes) metadata.changes.push_back({made.tick, made.scene});
+    metadata.changes = changes;
     ASSERT_FALSE((*writer)->finish(scene, metadata));
   }
 };

@@ -1,7 +1,8 @@
+#include "app/runtime/session/scene_change.h"
+
 #include <gtest/gtest.h>
 
-#include "app/runtime/scene_change.h"
-#include "tests/app/runtime_support.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -22,7 +23,7 @@ TEST(SceneChange, EverythingOfAPlantMayChange) {
 TEST(SceneChange, AWallOrAnAlgorithmIsNoOtherPlant) {
   const Scene scene = contact_scene();
   Scene wall = scene;
-  wall.walls[0].damping_n_s_per_m = 1.0;
+  wall.x().walls[0].damping_n_s_per_m = 1.0;
   const Scene algorithm = test::with_algorithm(scene, 0);
   for (const Scene& changed : {wall, algorithm}) {
     EXPECT_TRUE(same_plant(scene, changed));
@@ -36,13 +37,13 @@ TEST(SceneChange, WhatNeedsANewSessionIsNamed) {
   Scene rate = scene;
   rate.sampling.rate_hz = 2000.0;
   Scene start = scene;
-  start.device.start_m = 0.04;
+  start.x().device.start_m = 0.04;
   Scene path = scene;
-  path.hand->path.back().position_m = 0.06;
+  path.x().hand->path.back().position_m = 0.06;
   Scene mouse = scene;
-  mouse.hand->follows_mouse = true;
+  mouse.x().hand->follows_mouse = true;
   Scene free = scene;
-  free.hand.reset();
+  free.x().hand.reset();
   const auto key = [&](const Scene& wanted) {
     const auto problem = needs_new_session(scene, wanted);
     return problem ? problem->key : "none";

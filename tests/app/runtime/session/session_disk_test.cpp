@@ -9,10 +9,10 @@
 #include <system_error>
 #include <vector>
 
-#include "app/file/recording_reader.h"
-#include "app/file/recovery.h"
-#include "tests/app/file_faulty_disk.h"
-#include "tests/app/runtime_session_support.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/recording/recovery.h"
+#include "tests/app/file/faulty_disk.h"
+#include "tests/app/runtime/session/session_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -31,16 +31,16 @@ using testing::HasSubstr;
 
 constexpr std::uint64_t kTicksAfter = 100;
 
-void expect_going_on(Session& session) {
+void expect_going_on(LiveSession& session) {
   EXPECT_TRUE(ticks_reach(session, session.snapshot().timing.ticks + kTicksAfter));
 }
 
-bool has_failed(const Session& session) {
+bool has_failed(const LiveSession& session) {
   return session.recording_status().state == RecordingState::kFailed;
 }
 
 // Returns when how the session began is noted: later the note would take of the disk's room.
-void start_recording(Session& session, const TemporaryFolder& folder) {
+void start_recording(LiveSession& session, const TemporaryFolder& folder) {
   ASSERT_FALSE(session.start_recording(folder.file("a.csv")));
   ASSERT_TRUE(eventually([&] {
     static_cast<void>(session.snapshot());
@@ -57,10 +57,10 @@ TEST(SessionDisk, FullOrOverItsQuotaItIsToldWhileTheLoopGoesOn) {
     FaultyDisk disk;
     disk.fail_after(kRoomBytes, code);
     ASSERT_TRUE(eventually([&] { return has_failed(*session); }));
-    EXPECT_THAT(session->recording_status().error,
-                AllOf(HasSubstr("a.csv: could not be written whole: " +
-                                std::generic_category().message(code)),
-                      HasSubstr("(what was written is in ")));
+    EXPECT_THAT(
+        session->recording_status().error,
+        AllOf(HasSubstr("a.csv: could not be written: " + std::generic_category().message(code)),
+              HasSubstr("(the written part is in ")));
     expect_going_on(*session);
     const Failure failure = session->stop_recording();
     ASSERT_TRUE(failure);
@@ -90,7 +90,7 @@ TEST(SessionDisk, WhatFoundRoomIsRecoveredWhenThereIsSomeAgain) {
 TEST(SessionDisk, SlowItCostsRowsAndNoTicks) {
   const TemporaryFolder folder;
   SessionOptions options;
-  options.recorder_queue_capacity = 512;
+  options.queues.recorder = 512;
   const auto session = started(contact_scene(), options);
   FaultyDisk disk;
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
@@ -126,7 +126,8 @@ TEST(SessionDisk, AFolderThatIsRemovedIsToldAtOnce) {
   ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 10; }));
   fs::remove_all(folder.file("sub"));
   ASSERT_TRUE(eventually([&] { return has_failed(*session); }));
-  EXPECT_THAT(session->recording_status().error, HasSubstr("a.csv.partial was removed meanwhile"));
+  EXPECT_THAT(session->recording_status().error,
+              HasSubstr("a.csv.partial was removed during the writing"));
   expect_going_on(*session);
   ASSERT_FALSE(session->start_recording(folder.file("b.csv"))) << "the next one, elsewhere";
   ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 10; }));
@@ -145,7 +146,7 @@ TEST(SessionDisk, AFolderThatIsMovedKeepsEveryRow) {
   const Failure failure = session->stop_recording();
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind, ErrorKind::kFile);
-  EXPECT_THAT(failure->message, HasSubstr("sub/a.csv.partial was moved meanwhile"));
+  EXPECT_THAT(failure->message, HasSubstr("sub/a.csv.partial was moved during the writing"));
   EXPECT_FALSE(fs::exists(folder.file("sub")));
   const auto recovered = file::recover_recording(folder.file("moved/a.csv"));
   ASSERT_TRUE(recovered) << recovered.error().message;

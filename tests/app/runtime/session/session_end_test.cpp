@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/runtime/realtime_setup.h"
-#include "app/runtime/session.h"
-#include "tests/app/runtime_fake_writer.h"
-#include "tests/app/runtime_session_support.h"
+#include "app/runtime/loop/realtime_setup.h"
+#include "app/runtime/session/live_session.h"
+#include "tests/app/runtime/loop/fake_writer.h"
+#include "tests/app/runtime/session/session_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -24,7 +24,7 @@ using test::expect_without_gap;
 using test::FakeDevice;
 using test::FakeWriter;
 using test::lines_of;
-using test::live_session;
+using test::loop_session;
 using test::repeated_rows;
 using test::started;
 using test::started_paused;
@@ -57,7 +57,7 @@ TEST(SessionEnd, ARecordingWithoutATickIsAnEmptyWholeFile) {
 }
 
 TEST(SessionEnd, AFailedRecordingGetsNoName) {
-  auto session = live_session();
+  auto session = loop_session();
   const auto log = std::make_shared<WriterLog>();
   log->fail_at_row = 5;
   session->record_into(std::make_unique<FakeWriter>(log));
@@ -95,7 +95,7 @@ struct WatchedSession {
   explicit WatchedSession(SessionOptions options = {}) {
     auto device = std::make_unique<WatchedDevice>(view);
     options.allow_no_realtime = true;
-    auto result = Session::start_on(std::move(device), contact_scene(), options);
+    auto result = LiveSession::start_on(std::move(device), contact_scene(), options);
     if (result) session = std::move(*result);
   }
   void expect_safe_end() {
@@ -109,14 +109,14 @@ struct WatchedSession {
   }
 
   std::shared_ptr<DeviceView> view = std::make_shared<DeviceView>();
-  std::unique_ptr<Session> session;
+  std::unique_ptr<LiveSession> session;
 };
 
 TEST(SessionEnd, RunningItLeavesZeroForceAndAClosedDevice) {
   WatchedSession watched;
   constexpr double kFreeM = 0.03;
   constexpr double kInsideM = 0.051;
-  // A machine that holds the loop up takes the force away: once more, then.
+  // A delay by the machine disarms the loop: arm again.
   ASSERT_TRUE(eventually([&] {
     const Snapshot now = watched.session->snapshot();
     if (now.arming.state == ArmingState::kOff) {
@@ -124,7 +124,7 @@ TEST(SessionEnd, RunningItLeavesZeroForceAndAClosedDevice) {
       watched.session->arm(true);
     }
     if (now.arming.state == ArmingState::kOn) watched.view->position_m = kInsideM;
-    return now.sample.force_n > 0.0;
+    return now.newest.x().force_n > 0.0;
   }));
   watched.expect_safe_end();
 }
@@ -153,15 +153,15 @@ TEST(SessionEnd, AfterAFaultNothingHangsAndTheRecordingIsWhole) {
 
 TEST(SessionStart, RefusesAnInvalidSceneAndADeviceThatDoesNotOpen) {
   Scene scene = contact_scene();
-  scene.device.mass_kg = -1.0;
-  const auto invalid = Session::start(scene);
+  scene.x().device.mass_kg = -1.0;
+  const auto invalid = LiveSession::start(scene);
   ASSERT_FALSE(invalid);
   EXPECT_EQ(invalid.error().kind, ErrorKind::kUsage);
   EXPECT_THAT(invalid.error().message, HasSubstr("device.mass_kg"));
 
   auto device = std::make_unique<FakeDevice>();
   device->open_failure = Error{ErrorKind::kDevice, "no such device"};
-  const auto closed = Session::start_on(std::move(device), contact_scene());
+  const auto closed = LiveSession::start_on(std::move(device), contact_scene());
   ASSERT_FALSE(closed);
   EXPECT_EQ(closed.error().kind, ErrorKind::kDevice);
 }
@@ -192,16 +192,16 @@ TEST(SessionStart, TheDevicesResolutionAndSmallerLimitTakeThePlaceOfTheScenes) {
     device->force_limit_n = device_limit_n;
     SessionOptions options;
     options.allow_no_realtime = true;
-    const auto session = Session::start_on(std::move(device), contact_scene(), options);
+    const auto session = LiveSession::start_on(std::move(device), contact_scene(), options);
     ASSERT_TRUE(session);
-    EXPECT_EQ((*session)->scene().device.encoder_m, 1e-5);
-    EXPECT_EQ((*session)->scene().device.force_limit_n, expected_n);
+    EXPECT_EQ((*session)->scene().x().device.encoder_m, 1e-5);
+    EXPECT_EQ((*session)->scene().x().device.force_limit_n, expected_n);
     Scene wanted = contact_scene();
-    wanted.device.force_limit_n = 100.0;
-    wanted.device.encoder_m = 1e-3;
+    wanted.x().device.force_limit_n = 100.0;
+    wanted.x().device.encoder_m = 1e-3;
     EXPECT_FALSE((*session)->change_scene(wanted));
-    EXPECT_EQ((*session)->scene().device.encoder_m, 1e-5);
-    EXPECT_EQ((*session)->scene().device.force_limit_n,
+    EXPECT_EQ((*session)->scene().x().device.encoder_m, 1e-5);
+    EXPECT_EQ((*session)->scene().x().device.force_limit_n,
               device_limit_n > 0.0 ? device_limit_n : 100.0);
   }
 }

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "app/file/mark.h"
-#include "app/file/recording_reader.h"
-#include "tests/app/runtime_session_support.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/recording/recording_writer.h"
+#include "tests/app/runtime/session/session_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -33,10 +33,10 @@ TEST(SessionMarks, AreAtTheNewestTickAndReadBack) {
   const auto session = started_paused(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
   session->step(20);
-  ASSERT_TRUE(eventually([&] { return session->snapshot().sample.tick == 19; }));
+  ASSERT_TRUE(eventually([&] { return session->snapshot().newest.x().tick == 19; }));
   EXPECT_FALSE(session->mark("here"));
   session->step(30);
-  ASSERT_TRUE(eventually([&] { return session->snapshot().sample.tick == 49; }));
+  ASSERT_TRUE(eventually([&] { return session->snapshot().newest.x().tick == 49; }));
   EXPECT_FALSE(session->mark("a\nb"));
   EXPECT_THAT(session->marks(), SizeIs(2));
   ASSERT_FALSE(session->stop_recording());
@@ -97,12 +97,12 @@ TEST(SessionMarks, OneMoreThanThereMayBeIsRefused) {
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
   ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 0; }));
-  for (std::size_t i = 0; i < file::kMostMarks; ++i) ASSERT_FALSE(session->mark("again"));
+  for (std::size_t i = 0; i < file::kMaxMarks; ++i) ASSERT_FALSE(session->mark("again"));
   const Failure failure = session->mark("too many");
   ASSERT_TRUE(failure);
   EXPECT_THAT(failure->message, HasSubstr("at most 1000 marks"));
   ASSERT_FALSE(session->stop_recording());
-  EXPECT_THAT(marks_in(folder.file("a.csv")), SizeIs(file::kMostMarks));
+  EXPECT_THAT(marks_in(folder.file("a.csv")), SizeIs(file::kMaxMarks));
 }
 
 }  // namespace

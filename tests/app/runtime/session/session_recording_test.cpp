@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/runtime/session.h"
-#include "tests/app/runtime_fake_writer.h"
-#include "tests/app/runtime_session_support.h"
+#include "app/runtime/session/live_session.h"
+#include "tests/app/runtime/loop/fake_writer.h"
+#include "tests/app/runtime/session/session_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -21,7 +21,7 @@ using test::expect_without_gap;
 using test::FakeWriter;
 using test::flags_of;
 using test::lines_of;
-using test::live_session;
+using test::loop_session;
 using test::moving_scene;
 using test::plant_changes;
 using test::repeated_rows;
@@ -110,9 +110,9 @@ TEST(SessionRecording, EveryPartOfThePlantChangedInMotionRepeatsBitForBit) {
   const auto loaded = file::load_scene(folder.file("a.toml"));
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_GE(loaded->changes.size(), changes.size());
-  EXPECT_EQ(loaded->changes.back().scene.hand, changes.back().hand);
-  EXPECT_EQ(loaded->changes.back().scene.device, changes.back().device);
-  EXPECT_EQ(loaded->scene.device, moving_scene().device) << "as it was at the start";
+  EXPECT_EQ(loaded->changes.back().scene.x().hand, changes.back().x().hand);
+  EXPECT_EQ(loaded->changes.back().scene.x().device, changes.back().x().device);
+  EXPECT_EQ(loaded->scene.x().device, moving_scene().x().device) << "as it was at the start";
   EXPECT_THAT(text_of(folder.file("a.toml")), HasSubstr("repeatable = true"));
   const auto repeated = repeated_rows(folder.file("a.toml"));
   ASSERT_EQ(repeated.size() + 1, lines.size());
@@ -123,7 +123,7 @@ TEST(SessionRecording, BegunLaterItStillTellsTheChangesSinceTickZero) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
   ASSERT_TRUE(ticks_reach(*session, 30));
-  auto walls = session->scene().walls;
+  auto walls = session->scene().x().walls;
   walls[0].stiffness_n_per_m = 2000.0;
   ASSERT_FALSE(session->set_walls(walls));
   ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
@@ -141,7 +141,7 @@ TEST(SessionRecording, BegunLaterItStillTellsTheChangesSinceTickZero) {
   EXPECT_EQ(loaded->first_recorded_tick, first_tick);
   ASSERT_EQ(loaded->changes.size(), 1U);
   EXPECT_LT(loaded->changes[0].tick, first_tick);
-  EXPECT_EQ(loaded->changes[0].scene.walls[0].stiffness_n_per_m, 2000.0);
+  EXPECT_EQ(loaded->changes[0].scene.x().walls[0].stiffness_n_per_m, 2000.0);
   const auto repeated = repeated_rows(folder.file("late.toml"));
   ASSERT_EQ(repeated.size() + 1, lines.size());
   for (std::size_t i = 0; i < repeated.size(); ++i) ASSERT_EQ(lines[i + 1], repeated[i]);
@@ -153,7 +153,7 @@ TEST(SessionRecording, ResetFinishesItAndTheNextOneStartsWithTheNewTickZero) {
   ASSERT_FALSE(session->start_recording(folder.file("one.csv")));
   ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 50; }));
   Scene changed = with_algorithm(session->scene(), 0);
-  changed.device.mass_kg = 0.2;
+  changed.x().device.mass_kg = 0.2;
   ASSERT_FALSE(session->change_scene(changed));
   ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
   session->reset();
@@ -172,7 +172,7 @@ TEST(SessionRecording, ResetFinishesItAndTheNextOneStartsWithTheNewTickZero) {
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_TRUE(loaded->changes.empty());
   EXPECT_EQ(loaded->scene.algorithm.index, 0U) << "as it was at the new tick 0";
-  EXPECT_EQ(loaded->scene.device.mass_kg, 0.2) << "as it was at the new tick 0";
+  EXPECT_EQ(loaded->scene.x().device.mass_kg, 0.2) << "as it was at the new tick 0";
 }
 
 TEST(SessionRecording, WhatThePointerLedIsMarkedAsNotRepeatable) {
@@ -186,7 +186,7 @@ TEST(SessionRecording, WhatThePointerLedIsMarkedAsNotRepeatable) {
   record("script");
   EXPECT_THAT(text_of(folder.file("script.toml")), HasSubstr("repeatable = true"));
   session->lead_hand(0.04);
-  ASSERT_TRUE(eventually([&] { return session->snapshot().sample.truth.hand_path_m < 0.041; }));
+  ASSERT_TRUE(eventually([&] { return session->snapshot().newest.x().truth.hand_path_m < 0.041; }));
   session->lead_hand(std::nullopt);
   record("after");
   EXPECT_THAT(text_of(folder.file("after.toml")), HasSubstr("repeatable = false"));
@@ -199,7 +199,7 @@ TEST(SessionRecording, WhatThePointerLedIsMarkedAsNotRepeatable) {
 TEST(SessionRecording, DroppedRowsAreAnErrorThatIsSeenAndTold) {
   const TemporaryFolder folder;
   SessionOptions options;
-  options.recorder_queue_capacity = 4;  // the recorder looks every 50 ms
+  options.queues.recorder = 4;  // the recorder looks every 50 ms
   const auto session = started(contact_scene(), options);
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
   ASSERT_TRUE(eventually([&] { return session->recording_status().dropped_rows >= 10; }));
@@ -230,7 +230,7 @@ TEST(SessionRecording, RefusesWhatCannotBeAndSaysWhy) {
 
 TEST(SessionRecording, AFullDiskIsSeenAtOnceAndTheNextRecordingIsNotInItsWay) {
   const TemporaryFolder folder;
-  const auto session = live_session();
+  const auto session = loop_session();
   const auto log = std::make_shared<WriterLog>();
   log->fail_at_row = 20;
   session->record_into(std::make_unique<FakeWriter>(log));
@@ -246,7 +246,7 @@ TEST(SessionRecording, AFullDiskIsSeenAtOnceAndTheNextRecordingIsNotInItsWay) {
 // A row that the loop had still to push would be lost, or turn up in the next file.
 TEST(SessionRecording, StopWaitsForTheLoopsWord) {
   constexpr double kSlowRateHz = 100.0;
-  const auto session = live_session(kSlowRateHz);
+  const auto session = loop_session(kSlowRateHz);
   ASSERT_TRUE(ticks_reach(*session, 1));
   for (int i = 0; i < 5; ++i) {
     const std::uint64_t ticks = session->snapshot().timing.ticks;

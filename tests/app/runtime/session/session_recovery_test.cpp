@@ -7,10 +7,10 @@
 #include <sstream>
 #include <string>
 
-#include "app/file/recording_reader.h"
-#include "app/file/recovery.h"
-#include "app/file/scene_file.h"
-#include "tests/app/runtime_session_support.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/recording/recovery.h"
+#include "app/file/scene/scene_file.h"
+#include "tests/app/runtime/session/session_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -110,7 +110,7 @@ TEST(SessionRecovery, AHandThatHasLeftItsPathIsNotTakenForItsScript) {
   keep_what_is_there(folder);
   session->lead_hand(0.04);
   ASSERT_TRUE(eventually([&] {
-    const double intended_m = session->snapshot().sample.truth.hand_path_m;
+    const double intended_m = session->snapshot().newest.x().truth.hand_path_m;
     return intended_m < 0.045;
   }));
   const std::size_t before = rows_of(folder.file("a.csv.partial")).size();
@@ -128,7 +128,7 @@ TEST(SessionRecovery, WhatChangedBeforeTheFirstTickIsNotForgotten) {
   const TemporaryFolder folder;
   SessionOptions options;
   options.start_paused = true;
-  auto session = Session::start(contact_scene(), options);
+  auto session = LiveSession::start(contact_scene(), options);
   ASSERT_TRUE(session.ok());
   ASSERT_FALSE((*session)->start_recording(folder.file("a.csv")));
   EXPECT_THAT(content(folder.file("a.toml.partial")),
@@ -149,7 +149,7 @@ TEST(SessionRecovery, WhatChangedBeforeTheFirstTickIsNotForgotten) {
 TEST(SessionRecovery, AnEarlierRunsChangesAreNotTakenForThisOnes) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
-  ASSERT_TRUE(eventually([&] { return session->snapshot().sample.tick > 10; }));
+  ASSERT_TRUE(eventually([&] { return session->snapshot().newest.x().tick > 10; }));
   ASSERT_FALSE(session->set_algorithm(algorithm(3)));
   ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
   session->pause(true);

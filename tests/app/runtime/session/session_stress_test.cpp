@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/runtime/session.h"
-#include "tests/app/runtime_support.h"
+#include "app/runtime/session/live_session.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -21,32 +21,32 @@ constexpr std::uint64_t kStressTicks = 6000;
 
 TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
   const TemporaryFolder folder;
-  auto started = Session::start(contact_scene(10000.0));
+  auto started = LiveSession::start(contact_scene(10000.0));
   ASSERT_TRUE(started) << started.error().message;
-  Session& session = **started;
+  LiveSession& session = **started;
   const std::vector<Scene> plants = plant_changes(contact_scene());
-  std::array<Sample, 256> samples;
+  std::array<Tick, 256> ticks;
   std::uint64_t round = 0;
   std::uint64_t out_of_order = 0;
   std::uint64_t taken = 0;
   TimingHistograms histograms;
   std::uint64_t cycles = 0;
   std::uint64_t went_back = 0;
-  Sample previous;
+  std::uint64_t previous = 0;
   while (session.snapshot().timing.ticks < kStressTicks) {
     ++round;
     AlgorithmSettings algorithm;
     algorithm.index = round % algorithms().size();
     ASSERT_FALSE(session.set_algorithm(algorithm));
-    auto walls = session.scene().walls;
+    auto walls = session.scene().x().walls;
     walls[0].stiffness_n_per_m = 1000.0 * static_cast<double>(1 + round % 20);
     ASSERT_FALSE(session.set_walls(walls));
     // Every other round leaves the loop some time to take what the owner changes next.
     for (std::uint64_t i = 0; i <= round % 2; ++i) {
       const Scene& plant = plants[(round / 2 + i) % plants.size()];
       Scene changed = session.scene();
-      changed.device = plant.device;
-      changed.hand = plant.hand;
+      changed.x().device = plant.x().device;
+      changed.x().hand = plant.x().hand;
       changed.simulator = plant.simulator;
       ASSERT_FALSE(session.change_scene(changed));
     }
@@ -68,11 +68,11 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
     session.read_timing(histograms);
     went_back += histograms.wake_latency.total() < cycles ? 1U : 0U;
     cycles = histograms.wake_latency.total();
-    const std::size_t count = session.take_samples(samples);
+    const std::size_t count = session.take_ticks(ticks);
     for (std::size_t i = 0; i < count; ++i) {
-      const bool next = samples[i].tick == previous.tick + 1 || samples[i].tick == 0;
-      out_of_order += next || taken + i == 0 ? 0U : 1U;
-      previous = samples[i];
+      const std::uint64_t tick = ticks[i].x().tick;
+      out_of_order += tick == previous + 1 || tick == 0 || taken + i == 0 ? 0U : 1U;
+      previous = tick;
     }
     taken += count;
     std::this_thread::yield();

@@ -6,35 +6,37 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/file/recording_writer.h"
-#include "app/file/scene_file.h"
-#include "app/runtime/live_session.h"
-#include "app/runtime/session.h"
-#include "core/simulate.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/file/scene/scene_file.h"
+#include "app/runtime/session/live_session.h"
+#include "app/runtime/session/loop_session.h"
+#include "core/simulation/simulate.h"
 #include "device/simulated_device.h"
-#include "tests/app/runtime_support.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime::test {
 
-inline std::unique_ptr<Session> started(const Scene& scene, const SessionOptions& options = {}) {
-  auto session = Session::start(scene, options);
+inline std::unique_ptr<LiveSession> started(const Scene& scene,
+                                            const SessionOptions& options = {}) {
+  auto session = LiveSession::start(scene, options);
   if (!session) throw std::runtime_error(session.error().message);
   return std::move(*session);
 }
 
-inline std::unique_ptr<Session> started_paused(const Scene& scene) {
+inline std::unique_ptr<LiveSession> started_paused(const Scene& scene) {
   SessionOptions options;
   options.start_paused = true;
   return started(scene, options);
 }
 
-inline bool ticks_reach(Session& session, std::uint64_t ticks) {
+inline bool ticks_reach(LiveSession& session, std::uint64_t ticks) {
   return eventually([&] { return session.snapshot().timing.ticks >= ticks; });
 }
 
@@ -44,18 +46,25 @@ inline AlgorithmSettings algorithm(std::size_t index) {
   return settings;
 }
 
-inline std::vector<Sample> all_samples(Session& session) {
+inline std::vector<Sample> all_samples(LiveSession& session) {
   std::vector<Sample> samples;
-  std::array<Sample, 64> some;
-  while (const std::size_t count = session.take_samples(some)) {
-    samples.insert(samples.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
+  std::array<Tick, 64> some;
+  while (const std::size_t count = session.take_ticks(some)) {
+    for (const Tick& tick : std::span(some).first(count)) samples.push_back(tick.x());
   }
   return samples;
 }
 
-inline std::unique_ptr<LiveSession> live_session(double rate_hz = 1000.0) {
+inline std::vector<std::unique_ptr<device::Device>> one_device(
+    std::unique_ptr<device::Device> device) {
+  std::vector<std::unique_ptr<device::Device>> devices;
+  devices.push_back(std::move(device));
+  return devices;
+}
+
+inline std::unique_ptr<LoopSession> loop_session(double rate_hz = 1000.0) {
   const Scene scene = contact_scene(rate_hz);
-  return std::make_unique<LiveSession>(std::make_unique<device::SimulatedDevice>(scene), nullptr,
+  return std::make_unique<LoopSession>(one_device(std::make_unique<device::SimulatedDevice>(scene)),
                                        scene, SessionOptions{});
 }
 
@@ -68,7 +77,7 @@ inline std::vector<std::string> repeated_rows(const std::string& sidecar_path) {
   options.changes = loaded->changes;
   options.on_sample = [&](const Sample& sample) {
     if (sample.tick < loaded->first_recorded_tick) return;
-    file::append_csv_row(rows.emplace_back(), sample, file::MoreColumns::kSimulator);
+    file::append_csv_row(rows.emplace_back(), {{sample}}, file::csv_columns(true));
     rows.back().pop_back();  // the line end
   };
   static_cast<void>(simulate(loaded->scene, options));

@@ -9,9 +9,9 @@
 #include <memory>
 #include <vector>
 
-#include "app/runtime/scene_change.h"
-#include "app/runtime/session.h"
-#include "tests/app/runtime_session_support.h"
+#include "app/runtime/session/live_session.h"
+#include "app/runtime/session/scene_change.h"
+#include "tests/app/runtime/session/session_support.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -21,7 +21,7 @@ using test::all_samples;
 using test::contact_scene;
 using test::eventually;
 using test::FakeDevice;
-using test::live_session;
+using test::loop_session;
 using test::started;
 using test::started_paused;
 using test::ticks_reach;
@@ -31,7 +31,7 @@ TEST(Session, RunsAtItsRateAndSaysHowItIsSetUp) {
   const auto session = started(contact_scene());
   ASSERT_TRUE(ticks_reach(*session, 100));
   const Snapshot snapshot = session->snapshot();
-  EXPECT_EQ(snapshot.sample.tick + 1, snapshot.timing.ticks);
+  EXPECT_EQ(snapshot.newest.x().tick + 1, snapshot.timing.ticks);
   EXPECT_GE(snapshot.timing.maximum_wake_latency_s, snapshot.timing.wake_latency_s);
   EXPECT_GT(snapshot.timing.maximum_compute_time_s, 0.0);
   TimingHistograms histograms;
@@ -59,7 +59,7 @@ TEST(Session, EveryTickComesOutOnceAndInOrder) {
 
 TEST(Session, ASlowOwnerLosesPlotSamplesAndIsTold) {
   SessionOptions options;
-  options.plot_queue_capacity = 16;
+  options.queues.plot = 16;
   const auto session = started(contact_scene(), options);
   ASSERT_TRUE(ticks_reach(*session, 50));
   EXPECT_TRUE(eventually([&] { return session->dropped_plot_samples() >= 34; }));
@@ -101,7 +101,7 @@ TEST(Session, ResetStartsOverAndRepeatsItself) {
   auto first = all_samples(*session);
   session->reset();
   ASSERT_TRUE(eventually([&] { return session->snapshot().resets == 1; }));
-  EXPECT_EQ(session->snapshot().sample.tick, 0U);
+  EXPECT_EQ(session->snapshot().newest.x().tick, 0U);
   EXPECT_TRUE(session->snapshot().paused);
   session->step(300);
   ASSERT_TRUE(ticks_reach(*session, 600));
@@ -112,18 +112,18 @@ TEST(Session, ResetStartsOverAndRepeatsItself) {
 
 TEST(Session, ChangesTakeEffectAndProblemsLeaveEverythingAsItWas) {
   const auto session = started(contact_scene());
-  auto walls = session->scene().walls;
+  auto walls = session->scene().x().walls;
   walls[0].stiffness_n_per_m = std::numeric_limits<double>::quiet_NaN();
   const auto problem = session->set_walls(walls);
   ASSERT_TRUE(problem);
   EXPECT_THAT(problem->key, HasSubstr("stiffness_n_per_m"));
   EXPECT_TRUE(session->set_algorithm(algorithm(algorithms().size())));
-  EXPECT_EQ(session->scene().walls[0].stiffness_n_per_m, 35000.0);
+  EXPECT_EQ(session->scene().x().walls[0].stiffness_n_per_m, 35000.0);
 
   walls[0].stiffness_n_per_m = 1000.0;
   EXPECT_FALSE(session->set_walls(walls));
   EXPECT_FALSE(session->set_walls(walls)) << "the same again is no change";
-  EXPECT_EQ(session->scene().walls[0].stiffness_n_per_m, 1000.0);
+  EXPECT_EQ(session->scene().x().walls[0].stiffness_n_per_m, 1000.0);
   ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
   EXPECT_FALSE(session->set_algorithm(algorithm(0)));
   EXPECT_FALSE(session->set_algorithm(algorithm(0)));
@@ -137,12 +137,12 @@ TEST(Session, ChangesTakeEffectAndProblemsLeaveEverythingAsItWas) {
 TEST(Session, ThePlantChangesWhileItRunsAndProblemsLeaveItAsItWas) {
   const auto session = started(contact_scene());
   Scene wanted = session->scene();
-  wanted.device.mass_kg = -1.0;
+  wanted.x().device.mass_kg = -1.0;
   const auto invalid = session->change_scene(wanted);
   ASSERT_TRUE(invalid);
   EXPECT_EQ(invalid->key, "device.mass_kg");
   wanted = session->scene();
-  wanted.hand->mass_kg.reset();
+  wanted.x().hand->mass_kg.reset();
   const auto contradiction = session->change_scene(wanted);
   ASSERT_TRUE(contradiction);
   EXPECT_THAT(contradiction->message, HasSubstr("hand.mass_kg is missing"));
@@ -151,12 +151,12 @@ TEST(Session, ThePlantChangesWhileItRunsAndProblemsLeaveItAsItWas) {
   const auto fixed = session->change_scene(wanted);
   ASSERT_TRUE(fixed);
   EXPECT_EQ(fixed->key, "sampling.rate_hz");
-  EXPECT_EQ(session->scene().device.mass_kg, 0.05);
+  EXPECT_EQ(session->scene().x().device.mass_kg, 0.05);
   EXPECT_FALSE(session->change_scene(session->scene())) << "the same again is no change";
 
   wanted = session->scene();
   wanted.name = "another";
-  wanted.device.friction_n = 1000.0;
+  wanted.x().device.friction_n = 1000.0;
   wanted.simulator = {Integrator::kSemiImplicitEuler, 5};
   ASSERT_FALSE(session->change_scene(wanted));
   EXPECT_EQ(session->scene().simulator, wanted.simulator);
@@ -165,16 +165,16 @@ TEST(Session, ThePlantChangesWhileItRunsAndProblemsLeaveItAsItWas) {
   // So much friction holds anything.
   const std::uint64_t ticks = session->snapshot().timing.ticks;
   ASSERT_TRUE(ticks_reach(*session, ticks + 50));
-  EXPECT_EQ(session->snapshot().sample.truth.velocity_m_per_s, 0.0);
+  EXPECT_EQ(session->snapshot().newest.x().truth.velocity_m_per_s, 0.0);
   EXPECT_EQ(session->snapshot().generation, 2U);
 }
 
 TEST(Session, ChangesFasterThanTheLoopLeaveNothingBehindAndTheLastOneWins) {
-  const auto session = live_session(100.0);
+  const auto session = loop_session(100.0);
   Scene wanted = session->scene();
   constexpr int kChanges = 3000;
   for (int i = 0; i < kChanges; ++i) {
-    wanted.device.mass_kg = 0.1 + 1e-4 * i;
+    wanted.x().device.mass_kg = 0.1 + 1e-4 * i;
     ASSERT_FALSE(session->change_scene(wanted));
     ASSERT_LE(session->plants_kept(), 3U);
   }
@@ -183,7 +183,7 @@ TEST(Session, ChangesFasterThanTheLoopLeaveNothingBehindAndTheLastOneWins) {
     static_cast<void>(session->snapshot());
     return session->plants_kept() == 1U;
   }));
-  EXPECT_EQ(session->scene().device.mass_kg, wanted.device.mass_kg);
+  EXPECT_EQ(session->scene().x().device.mass_kg, wanted.x().device.mass_kg);
 }
 
 TEST(Session, WhilePausedNothingPilesUpEither) {
@@ -191,10 +191,10 @@ TEST(Session, WhilePausedNothingPilesUpEither) {
   Scene wanted = session->scene();
   constexpr int kChanges = 300;
   for (int i = 0; i < kChanges; ++i) {
-    wanted.device.mass_kg = 0.1 + 1e-4 * i;
+    wanted.x().device.mass_kg = 0.1 + 1e-4 * i;
     ASSERT_FALSE(session->change_scene(wanted));
   }
-  EXPECT_LE(static_cast<LiveSession&>(*session).plants_kept(), 1U);
+  EXPECT_LE(static_cast<LoopSession&>(*session).plants_kept(), 1U);
   session->step(1);
   ASSERT_TRUE(ticks_reach(*session, 1));
   EXPECT_EQ(session->snapshot().generation, kChanges + 1U);
@@ -206,25 +206,25 @@ TEST(Session, ARealDeviceGetsNoPlantButTheControllersPart) {
   auto device = std::make_unique<FakeDevice>();
   device->position_m = 0.03;
   const Scene scene = scene_on(contact_scene(), device->info());
-  EXPECT_FALSE(scene.hand) << "a person's own is there";
-  LiveSession session(std::move(device), nullptr, scene, SessionOptions{});
+  EXPECT_FALSE(scene.x().hand) << "a person's own is there";
+  LoopSession session(test::one_device(std::move(device)), scene, SessionOptions{});
   Scene wanted = session.scene();
-  wanted.device.mass_kg = 0.3;
-  wanted.device.force_limit_n = 0.5;
+  wanted.x().device.mass_kg = 0.3;
+  wanted.x().device.force_limit_n = 0.5;
   ASSERT_FALSE(session.change_scene(wanted));
   EXPECT_EQ(session.plants_kept(), 0U);
   ASSERT_TRUE(eventually([&] { return session.snapshot().generation == 2; }));
-  EXPECT_EQ(session.scene().device.force_limit_n, 0.5);
+  EXPECT_EQ(session.scene().x().device.force_limit_n, 0.5);
 }
 
 TEST(Session, ThePointerLeadsTheHand) {
   const auto session = started(contact_scene());
   session->lead_hand(0.03);
   EXPECT_TRUE(eventually(
-      [&] { return std::abs(session->snapshot().sample.truth.hand_path_m - 0.03) < 1e-9; }));
+      [&] { return std::abs(session->snapshot().newest.x().truth.hand_path_m - 0.03) < 1e-9; }));
   session->lead_hand(std::numeric_limits<double>::quiet_NaN());  // as good as nothing
   EXPECT_TRUE(eventually(
-      [&] { return std::abs(session->snapshot().sample.truth.hand_path_m - 0.075) < 1e-9; }));
+      [&] { return std::abs(session->snapshot().newest.x().truth.hand_path_m - 0.075) < 1e-9; }));
 }
 
 TEST(Session, ForceDoesNotJumpWhenAlgorithmsSwitch) {

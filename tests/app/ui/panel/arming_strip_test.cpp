@@ -1,10 +1,10 @@
-// A real device in the window: whether it pushes is not to be overlooked, and Space ends it.
-#include "app/ui/arming_strip.h"
+// A real device in the window: the force is obvious, and Space removes it.
+#include "app/ui/panel/arming_strip.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/ui/gui_test.h"
+#include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
@@ -61,11 +61,11 @@ TEST_F(ArmingStripTest, SaysWhatIs) {
   EXPECT_EQ(text(), "FORCE ON");
 }
 
-// Off and on differ in colour over the whole width, left of everything that is written.
+// Off and on differ in colour over the whole width.
 TEST_F(ArmingStripTest, IsPaintedDifferentlyWhenTheForceIsOn) {
   const auto red_at_the_far_end = [&] {
     const file::Picture picture = screen();
-    const ui::ItemRect strip = rect("arming");
+    const ItemRect strip = rect("FORCE…");
     const auto x = static_cast<std::size_t>(kScreenWidth - 40);
     const auto y = static_cast<std::size_t>(strip.centre().y);
     return static_cast<int>(picture.rgba[4 * (y * static_cast<std::size_t>(picture.width) + x)]);
@@ -87,7 +87,7 @@ TEST_F(ArmingStripTest, TheLinksFiguresStandInTheDevicePanel) {
   EXPECT_FALSE(find("device.delay_ticks").has_value()) << "the device's own cannot be set";
 }
 
-// A new rate takes a new session, and there is one device: the old session ends first.
+// A new rate needs a new session; with one device the old session ends first.
 TEST_F(ArmingStripTest, ANewSessionTakesTheDeviceFromTheOldOne) {
   scroll_down_at("stiffness");
   type("rate", "2000");

@@ -1,5 +1,5 @@
-// A blind test from its set-up to its files, and that nothing on the screen tells its order.
-#include "app/ui/blind_test.h"
+// A blind test from set-up to files; nothing on the screen reveals its order.
+#include "app/ui/state/blind_test.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,18 +7,18 @@
 #include <array>
 #include <filesystem>
 
-#include "app/ui/comparing.h"
+#include "app/ui/state/comparing.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/app/ui/gui_test.h"
 #include "tests/temporary_folder.h"
-#include "tests/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
 
 namespace fs = std::filesystem;
-using runtime::BlindTrials;
-using runtime::Presentation;
-using runtime::Slot;
+using compare::BlindTrials;
+using compare::Presentation;
+using compare::Slot;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
@@ -50,7 +50,7 @@ class BlindTestTest : public GuiTest {
   [[nodiscard]] ui::CompareSlots slots() const { return ui::slots_of(application_->state()); }
   [[nodiscard]] bool runs(Slot slot) const { return fake_->scene().algorithm == slots().of(slot); }
   [[nodiscard]] static BlindTrials by_hand(std::uint64_t seed, std::size_t trials) {
-    runtime::TrialPlan plan;
+    compare::TrialPlan plan;
     plan.seed = seed;
     plan.trials = trials;
     return *BlindTrials::create(plan);
@@ -98,8 +98,8 @@ TEST_F(BlindTestTest, ClicksAndKeysGiveTheResultOfTheTrialsByHand) {
     EXPECT_EQ(trials[i].looks, expected.trials()[i].looks);
     EXPECT_GT(trials[i].seconds, 0.0);
   }
-  const std::string a = runtime::describe(slots().of(Slot::kA));
-  const std::string b = runtime::describe(slots().of(Slot::kB));
+  const std::string a = compare::describe(slots().of(Slot::kA));
+  const std::string b = compare::describe(slots().of(Slot::kB));
   EXPECT_EQ(test().trials.result_csv(a, b), expected.result_csv(a, b));
   EXPECT_EQ(application_->state().transient.undo.size(), 1U) << "nothing of it is to be undone";
 }
@@ -142,20 +142,20 @@ TEST_F(BlindTestTest, StopShowsWhatWasAnswered) {
   click("stop and show");
   EXPECT_FALSE(ui::blind_test_runs(application_->state()));
   EXPECT_EQ(test().trials.result().trials, 1U);
-  EXPECT_TRUE(find("blind p-value").has_value());
+  EXPECT_TRUE(find("p-value").has_value());
   EXPECT_TRUE(runs(Slot::kA));
   click("new blind test");
   click("last result");
-  EXPECT_TRUE(find("blind p-value").has_value());
+  EXPECT_TRUE(find("p-value").has_value());
 }
 
-// Everything that tells of algorithm, force or energy has a name, and none of them is there.
+// No item or text that tells of algorithm, force or energy is drawn.
 TEST_F(BlindTestTest, NothingThatCouldTellTheOrderIsDrawn) {
   live(3000);
   const auto tells = [](const std::string& name) {
     for (const char* part :
          {"plot P", "plot F",       "plot S",         "legend ",   "algorithm.", "slot ",
-          "take ",  "energy lamp",  "readout",        "magnifier", "ghost",      "bound, ",
+          "take ",  "passive",      "penetration",    "magnifier", "ghost",      "bound, ",
           "cost",   "energy error", "reset to scene", "scene",     "Figure",     "cursor table",
           "export", "follow",       "trigger"}) {
       if (name.starts_with(part)) return true;
@@ -165,7 +165,7 @@ TEST_F(BlindTestTest, NothingThatCouldTellTheOrderIsDrawn) {
   };
   const auto count_telling = [&] {
     int count = 0;
-    for (const auto& [name, item] : application_->state().transient.items) count += tells(name);
+    for (const auto& [name, item] : drawn_items()) count += tells(name);
     return count;
   };
   EXPECT_GT(count_telling(), 20) << "or the list above would mean nothing";
@@ -173,12 +173,11 @@ TEST_F(BlindTestTest, NothingThatCouldTellTheOrderIsDrawn) {
   for (const ImGuiKey key : {ImGuiKey_1, ImGuiKey_2}) {
     press(key);
     live(500);
-    for (const auto& [name, item] : application_->state().transient.items)
-      EXPECT_FALSE(tells(name)) << name;
+    for (const auto& [name, item] : drawn_items()) EXPECT_FALSE(tells(name)) << name;
     for (const ui::ShownStiffness& shown : application_->state().wall.transient.shown)
       EXPECT_EQ(shown.strength, 0.0);
   }
-  EXPECT_NE(fake_->snapshot().sample.force_n, 0.0) << "in contact, with a force to be hidden";
+  EXPECT_NE(fake_->snapshot().newest.x().force_n, 0.0) << "in contact, with a force to be hidden";
   EXPECT_TRUE(find("wall view").has_value());
   EXPECT_TRUE(find("feel first").has_value());
 }
@@ -209,7 +208,7 @@ TEST_F(BlindTestTest, ARecordingIsNamedWithoutTheAlgorithm) {
   EXPECT_THAT(message().text, HasSubstr("press-blind-test.csv"));
 }
 
-// In free space both algorithms are the same hand's wall: what is drawn must be, too.
+// In free space both algorithms feel the same, so that both must look the same.
 TEST_F(BlindTestTest, TwoOrdersLookTheSame) {
   click("page Blind test");
   const auto picture_of = [&](Slot first) {
@@ -254,8 +253,8 @@ TEST_F(BlindTestTest, AnotherSceneEndsItAndWrongSetUpsAreTold) {
 TEST_F(BlindTestTest, TheHelpNamesTheKeysThatAct) {
   start(kSeed, 4);
   press(ImGuiKey_F1);
-  EXPECT_TRUE(find("help: feel the first wall").has_value());
-  EXPECT_FALSE(find("help: undo the last change").has_value());
+  EXPECT_TRUE(find("feel the first wall").has_value());
+  EXPECT_FALSE(find("undo the last change").has_value());
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // The window with a scene of two axes.
 #include <gtest/gtest.h>
 
-#include "app/ui/shown_axis.h"
-#include "tests/ui/gui_test.h"
+#include "app/ui/widget/shown_axis.h"
+#include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
@@ -24,29 +24,29 @@ TEST_F(CornerViewTest, TheWallFieldsAreOfTheShownAxis) {
   click("wall axis y");
   EXPECT_EQ(transient().shown_axis, ui::Axis::kY);
   type("stiffness", "1234");
-  EXPECT_EQ(fake_->scene().y->walls.front().stiffness_n_per_m, 1234.0);
-  EXPECT_EQ(fake_->scene().walls.front().stiffness_n_per_m, 35000.0);
+  EXPECT_EQ(fake_->scene().axes[1].walls.front().stiffness_n_per_m, 1234.0);
+  EXPECT_EQ(fake_->scene().x().walls.front().stiffness_n_per_m, 35000.0);
   click("undo");
-  EXPECT_EQ(fake_->scene().y->walls.front().stiffness_n_per_m, 20000.0);
+  EXPECT_EQ(fake_->scene().axes[1].walls.front().stiffness_n_per_m, 20000.0);
   click("wall axis x");
   type("stiffness", "4321");
-  EXPECT_EQ(fake_->scene().y->walls.front().stiffness_n_per_m, 20000.0);
-  EXPECT_EQ(fake_->scene().walls.front().stiffness_n_per_m, 4321.0);
+  EXPECT_EQ(fake_->scene().axes[1].walls.front().stiffness_n_per_m, 20000.0);
+  EXPECT_EQ(fake_->scene().x().walls.front().stiffness_n_per_m, 4321.0);
 }
 
 TEST_F(CornerViewTest, ThePointerLeadsBothHandsAndLetsGoOfBoth) {
   live(100);
-  const ui::ItemRect view = rect("wall view");
+  const ItemRect view = rect("wall view");
   move_to(view.centre());
   mouse_button(true);
   ASSERT_TRUE(fake_->lead.has_value());
-  ASSERT_TRUE(fake_->y_lead.has_value());
-  const double before_m = *fake_->y_lead;
+  ASSERT_TRUE(fake_->second_lead.has_value());
+  const double before_m = *fake_->second_lead;
   move_to(ImVec2(view.centre().x, view.centre().y - 30.0F));
-  EXPECT_NE(*fake_->y_lead, before_m);
+  EXPECT_NE(*fake_->second_lead, before_m);
   mouse_button(false);
   EXPECT_FALSE(fake_->lead.has_value());
-  EXPECT_FALSE(fake_->y_lead.has_value());
+  EXPECT_FALSE(fake_->second_lead.has_value());
 }
 
 TEST_F(CornerViewTest, EitherAxisHasItsOwnPlots) {
@@ -55,7 +55,7 @@ TEST_F(CornerViewTest, EitherAxisHasItsOwnPlots) {
   click("plots axis y");
   move_to(ImVec2(1.0F, 1.0F));
   const auto second = screen();
-  const ui::ItemRect plot = rect("plot Position");
+  const ItemRect plot = rect("plot Position");
   int different = 0;
   for (int y = static_cast<int>(plot.from.y); y < static_cast<int>(plot.to.y); ++y) {
     for (int x = static_cast<int>(plot.from.x); x < static_cast<int>(plot.to.x); ++x) {
@@ -71,7 +71,7 @@ TEST_F(CornerViewTest, AnotherSceneShowsItsOnlyAxis) {
   open("press");
   EXPECT_FALSE(find("wall axis y").has_value());
   type("stiffness", "777");
-  EXPECT_EQ(fake_->scene().walls.front().stiffness_n_per_m, 777.0);
+  EXPECT_EQ(fake_->scene().x().walls.front().stiffness_n_per_m, 777.0);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "app/ui/magnifier.h"
+#include "app/ui/panel/magnifier.h"
 
 #include <gtest/gtest.h>
 
-#include "app/ui/wall_strip.h"
-#include "tests/ui/gui_test.h"
-#include "tests/ui/pixels.h"
+#include "app/ui/wall/wall_strip.h"
+#include "tests/app/ui/gui_test.h"
+#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
@@ -20,7 +20,7 @@ TEST(Magnification, IsTheLargestThatShowsTheDepthAndDoesNotFlicker) {
   EXPECT_EQ(ui::suitable_magnification(1e-6, kUnmagnifiedM, 0), 1000);
   EXPECT_EQ(ui::suitable_magnification(0.2e-3, kUnmagnifiedM, 0), 100);
   EXPECT_EQ(ui::suitable_magnification(1.0, kUnmagnifiedM, 0), 10) << "the smallest there is";
-  // Just at the limit of a larger one: stays, where a fresh start would take it.
+  // At the limit of a larger magnification: stays, although a fresh start would take it.
   const double limit_m = 0.65 * kUnmagnifiedM / 100.0;
   EXPECT_EQ(ui::suitable_magnification(0.95 * limit_m, kUnmagnifiedM, 0), 100);
   EXPECT_EQ(ui::suitable_magnification(0.95 * limit_m, kUnmagnifiedM, 100), 100);
@@ -100,13 +100,13 @@ class MagnifierTest : public GuiTest {
     return application_->state().wall.transient.magnification;
   }
   [[nodiscard]] int chosen() const { return application_->state().wall.persisted.magnification; }
-  // As draw_magnifier() has placed it.
+  // As placed by draw_magnifier().
   [[nodiscard]] Strip strip() const {
-    const ui::ItemRect area = rect("magnifier");
-    const ui::ItemRect view = rect("wall view");
+    const ItemRect area = rect("magnifier");
+    const ItemRect view = rect("wall view");
     const ui::WallCamera camera(ui::wall_space(fake_->scene()), {}, view.to.x - view.from.x,
                                 view.to.y - view.from.y);
-    const double face_m = fake_->scene().walls.front().position_m;
+    const double face_m = fake_->scene().x().walls.front().position_m;
     const double pixels_per_m = 1e3 * static_cast<double>(glm::distance(
                                           camera.pixel_of(camera.point_of({face_m, 0.0})),
                                           camera.pixel_of(camera.point_of({face_m + 1e-3, 0.0}))));
@@ -131,27 +131,13 @@ TEST_F(MagnifierTest, ChoosesByItselfUntilSomebodyDoes) {
   EXPECT_EQ(magnification(), automatic);
 }
 
-TEST_F(MagnifierTest, TheWheelMagnifiesAndADoubleClickGoesBack) {
-  live(3000);
-  const int automatic = magnification();
-  move_to(rect("magnifier").centre());
-  ImGui::GetIO().AddMouseWheelEvent(0.0F, 1.0F);
-  frames(3);
-  EXPECT_EQ(chosen(), ui::next_magnification(automatic, 1));
-  for (int i = 0; i < 2; ++i) {
-    mouse_button(true);
-    mouse_button(false);
-  }
-  EXPECT_EQ(chosen(), 0);
-}
-
 TEST_F(MagnifierTest, ShowsWhereHandleAndMeasurementAre) {
   press(ImGuiKey_3);
   live(4000);
   move_to(ImVec2(2.0F, 2.0F));
   const file::Picture picture = screen();
   const Strip now = strip();
-  const Sample sample = fake_->snapshot().sample;
+  const Sample sample = fake_->snapshot().newest.x();
   ASSERT_TRUE(now.shows(sample.truth.position_m));
   ASSERT_TRUE(now.shows(sample.position_m));
   const auto level = static_cast<int>(now.handle_level());
@@ -162,7 +148,7 @@ TEST_F(MagnifierTest, ShowsWhereHandleAndMeasurementAre) {
   const Colour beyond = pixel(picture, tip + 12, level);
   EXPECT_GT(difference(handle, beyond), 60);
   const Colour measured = colour_of(
-      ui::theme_colours(ui::Look::kScreen)[static_cast<std::size_t>(ui::Tone::kPosition)]);
+      draw::theme_colours(draw::Look::kScreen)[static_cast<std::size_t>(draw::Tone::kPosition)]);
   const int x = column(sample.position_m);
   const int upper = static_cast<int>(now.handle_level() - 0.16F * now.height());
   EXPECT_GT(count_pixels(picture, measured, x - 2, upper - 8, x + 3, upper + 4, 40), 4);
@@ -175,7 +161,7 @@ TEST_F(MagnifierTest, DrawsEveryCountOfTheEncoderWhereItIs) {
   move_to(ImVec2(2.0F, 2.0F));
   const file::Picture picture = screen();
   const Strip now = strip();
-  const double encoder_m = *fake_->scene().device.encoder_m;
+  const double encoder_m = *fake_->scene().x().device.encoder_m;
   // Ticks at the lower edge stand out from between them.
   const int low = static_cast<int>(now.to.y) - 3;
   int counts = 0;
@@ -203,7 +189,7 @@ TEST_F(MagnifierTest, EveryMagnificationIsDrawnAndASceneWithoutAWallToo) {
     EXPECT_EQ(magnification(), wanted);
   }
   Scene empty = fake_->scene();
-  empty.walls.clear();
+  empty.x().walls.clear();
   ASSERT_FALSE(fake_->set_walls({}).has_value());
   frames(2);
   EXPECT_FALSE(find("magnifier").has_value());

@@ -1,4 +1,4 @@
-// Marks that are set while the window records, and how the plots show them.
+// Marks set during a recording, and their lines in the plots.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "app/ui/figure.h"
-#include "tests/ui/gui_test.h"
-#include "tests/ui/pixels.h"
+#include "app/draw/figure/figure.h"
+#include "tests/app/ui/gui_test.h"
+#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
@@ -17,16 +17,16 @@ using ::testing::HasSubstr;
 
 class MarksTest : public GuiTest {
  protected:
-  // How many pixels of a column of the force plot have the colour of a mark.
+  // Number of pixels of a column of the force plot with the colour of a mark.
   [[nodiscard]] int marked_pixels(double time_s) {
     const ui::TransientState& transient = application_->state().transient;
-    const ui::ItemRect area = rect("plot Force");
+    const ItemRect area = rect("plot Force");
     const double share =
         (time_s - transient.time_from_s) / (transient.time_to_s - transient.time_from_s);
     const int x = static_cast<int>(
         std::lround(area.from.x + static_cast<float>(share) * (area.to.x - area.from.x)));
     const ImVec4 tone =
-        ui::theme_colours(ui::Look::kScreen)[static_cast<std::size_t>(ui::Tone::kWarning)];
+        draw::theme_colours(draw::Look::kScreen)[static_cast<std::size_t>(draw::Tone::kWarning)];
     constexpr int kTolerance = 80;
     return count_pixels(screen(), colour_of(tone), x - 2, static_cast<int>(area.from.y), x + 3,
                         static_cast<int>(area.to.y), kTolerance);
@@ -58,7 +58,7 @@ TEST_F(MarksTest, TheWordsAreTypedAndOfOneMark) {
   type("mark text", "touch");
   ASSERT_EQ(fake_->marks().size(), 1U);
   EXPECT_EQ(fake_->marks()[0].text, "touch");
-  // Typed, and then set by the button; M is a letter meanwhile.
+  // Typed, then set by the button; meanwhile M is a letter.
   click("mark text");
   press(ImGuiKey_M);
   for (const char c : std::string("me")) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
@@ -79,7 +79,7 @@ TEST_F(MarksTest, ThePlotsShowThem) {
   live(4000);
   move_to(ImVec2(2.0F, 2.0F));
   const double time_s = static_cast<double>(fake_->marks()[0].tick) / 1000.0;
-  const ui::ItemRect area = rect("plot Force");
+  const ItemRect area = rect("plot Force");
   const int height = static_cast<int>(area.to.y - area.from.y);
   EXPECT_GT(marked_pixels(time_s), height / 2);
   EXPECT_LT(marked_pixels(time_s + 1.0), height / 4);
@@ -87,14 +87,14 @@ TEST_F(MarksTest, ThePlotsShowThem) {
 
 TEST(MarksOfAFigure, AreDrawn) {
   const Scene scene = file::load_scene("press")->scene;
-  ui::SampleHistory history(10);
-  constexpr std::array kForceOnly{ui::PlotId::kForce};
-  constexpr ui::FigureSize kSize{1000, 1000};
-  ui::FigureView view;
+  draw::SampleHistory history(10);
+  constexpr std::array kForceOnly{draw::PlotId::kForce};
+  constexpr draw::FigureSize kSize{1000, 1000};
+  draw::FigureView view;
   view.window = {0.0, 1.0};
   view.plots = kForceOnly;
   const auto drawn = [&] {
-    const auto figure = ui::draw_figure(scene, history, view, kSize);
+    const auto figure = draw::draw_figure(scene, history, view, kSize);
     EXPECT_TRUE(figure.ok());
     return *figure;
   };

@@ -4,19 +4,19 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/file/scene_file.h"
-#include "app/ui/control_panel.h"
-#include "app/ui/parameter_rows.h"
-#include "app/ui/plot.h"
-#include "app/ui/plots_panel.h"
-#include "app/ui/toolbar.h"
-#include "app/ui/widgets.h"
+#include "app/draw/plot/plot.h"
+#include "app/file/scene/scene_file.h"
+#include "app/ui/panel/loop_panel.h"
+#include "app/ui/panel/plots_panel.h"
+#include "app/ui/panel/toolbar.h"
+#include "app/ui/widget/parameter_rows.h"
+#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
 
 TEST(RoundRange, CoversTheDataAndIsRound) {
-  const Extremes range = round_range({0.0, 9.7}, 1.0);
+  const draw::Extremes range = draw::round_range({0.0, 9.7}, 1.0);
   EXPECT_LE(range.minimum, 0.0);
   EXPECT_GE(range.maximum, 9.7);
   EXPECT_LT(range.maximum - range.minimum, 13.0);
@@ -24,7 +24,7 @@ TEST(RoundRange, CoversTheDataAndIsRound) {
 }
 
 TEST(RoundRange, ConstantDataGetsTheSmallestSpanAroundIt) {
-  const Extremes range = round_range({50.0, 50.0}, 1.0);
+  const draw::Extremes range = draw::round_range({50.0, 50.0}, 1.0);
   EXPECT_LE(range.minimum, 49.5);
   EXPECT_GE(range.maximum, 50.5);
   EXPECT_LT(range.maximum - range.minimum, 2.0);
@@ -40,9 +40,9 @@ TEST(ParseNumber, TakesWhatPeopleTypeAndNothingElse) {
 }
 
 TEST(NumberText, ShowsNoNoiseOfTheLastDigits) {
-  EXPECT_EQ(number_text(0.05 * 1e3), "50");
-  EXPECT_EQ(number_text(0.1 + 0.2), "0.3");
-  EXPECT_EQ(number_text(35000.0), "35000");
+  EXPECT_EQ(rounded_number(0.05 * 1e3), "50");
+  EXPECT_EQ(rounded_number(0.1 + 0.2), "0.3");
+  EXPECT_EQ(rounded_number(35000.0), "35000");
 }
 
 TEST(FollowNewest, ShowsTheNewestSecondsAndStartsAtTheLeft) {
@@ -77,7 +77,7 @@ TEST(CostText, TellsMedianAndMaximumInMicroseconds) {
   timing.cost_ticks = 1000;
   timing.median_cost_s = 1.25e-6;
   timing.maximum_cost_s = 83.4e-6;
-  EXPECT_EQ(cost_text(timing), "  1.2 µs, most   83 µs");
+  EXPECT_EQ(cost_text(timing), "  1.2 µs, max   83 µs");
 }
 
 TEST(EnergyError, IsWhatTheHandPutInAndNobodyHas) {
@@ -93,15 +93,15 @@ TEST(ChangedValues, TellsWhatIsNotTheScenesAndTakesItBack) {
   const Scene loaded = file::load_scene("press")->scene;
   Scene running = loaded;
   EXPECT_TRUE(changed_values(running, loaded).empty());
-  running.device.friction_n.reset();
-  running.hand->stiffness_n_per_m = 300.0;
-  running.walls[0].stiffness_n_per_m = 1000.0;
+  running.x().device.friction_n.reset();
+  running.x().hand->stiffness_n_per_m = 300.0;
+  running.x().walls[0].stiffness_n_per_m = 1000.0;
   running.simulator = {Integrator::kRungeKutta4, 4};
-  // What a session cannot change, and the choice of the algorithm, do not count.
+  // Values that need a new session, and the choice of the algorithm, do not count.
   running.algorithm.index = 0;
   running.sampling.rate_hz = 2000.0;
-  running.device.start_m = 0.02;
-  running.hand->path = {{0.0, 0.02}};
+  running.x().device.start_m = 0.02;
+  running.x().hand->path = {{0.0, 0.02}};
   const std::vector<std::string> changed = changed_values(running, loaded);
   EXPECT_EQ(changed, (std::vector<std::string>{"device.friction_n = none, in the scene 0.14",
                                                "hand.stiffness_n_per_m = 300, in the scene 250",
@@ -109,9 +109,9 @@ TEST(ChangedValues, TellsWhatIsNotTheScenesAndTakesItBack) {
                                                "simulator: rk4 × 4, in the scene exact × 1"}));
   const Scene back = with_loaded_values(running, loaded);
   EXPECT_TRUE(changed_values(back, loaded).empty());
-  EXPECT_EQ(back.device.friction_n, 0.14);
-  EXPECT_EQ(back.hand->path, running.hand->path);
-  EXPECT_EQ(back.device.start_m, 0.02);
+  EXPECT_EQ(back.x().device.friction_n, 0.14);
+  EXPECT_EQ(back.x().hand->path, running.x().hand->path);
+  EXPECT_EQ(back.x().device.start_m, 0.02);
   EXPECT_EQ(back.algorithm.index, 0U);
   EXPECT_EQ(back.sampling.rate_hz, 2000.0);
 }

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/figure.h"
+#include "app/draw/figure/figure.h"
+#include "tests/app/ui/gui_test.h"
+#include "tests/app/ui/pixels.h"
 #include "tests/temporary_folder.h"
-#include "tests/ui/gui_test.h"
-#include "tests/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
@@ -30,7 +30,7 @@ class PlotExportTest : public GuiTest {
   [[nodiscard]] std::vector<std::string> files(const std::string& ending) const {
     return folder_.names(ending);
   }
-  // Frames go by until the export is done; it is on a thread of its own.
+  // Draws frames until the export thread is done.
   void export_csv() {
     click("export csv");
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
@@ -95,11 +95,11 @@ TEST_F(PlotExportTest, TheFigureGoesIntoAPngAndTheWindowGoesOn) {
   ASSERT_NE(png_image_begin_read_from_file(&image, folder_.file(files(".png")[0]).c_str()), 0);
   EXPECT_EQ(image.width, 1600U);
   png_image_free(&image);
-  // The window's own OpenGL is still there and paints.
+  // The OpenGL context of the window still paints.
   live(100);
-  const ui::ItemRect area = rect("plot Force");
+  const ItemRect area = rect("plot Force");
   const ImVec4 tone =
-      ui::theme_colours(ui::Look::kScreen)[static_cast<std::size_t>(ui::Tone::kForce)];
+      draw::theme_colours(draw::Look::kScreen)[static_cast<std::size_t>(draw::Tone::kForce)];
   move_to(ImVec2(2.0F, 2.0F));
   EXPECT_GT(count_pixels(screen(), colour_of(tone), static_cast<int>(area.from.x),
                          static_cast<int>(area.from.y), static_cast<int>(area.to.x),
@@ -107,44 +107,45 @@ TEST_F(PlotExportTest, TheFigureGoesIntoAPngAndTheWindowGoesOn) {
             100);
 }
 
-// What is drawn is what is seen: range, plots, signals, axes of values.
+// The figure shows the visible range, plots, signals and value axes.
 TEST(FigureOfAHistory, ShowsTheVisibleRangeThePlotsAndTheSignalsThatAreAskedFor) {
   const Scene scene = file::load_scene("press")->scene;
-  ui::SampleHistory history(10000);
+  draw::SampleHistory history(10000);
   FakeSession session(scene);
   session.advance(3000);
-  std::vector<Sample> samples(3000);
-  history.push(std::span<const Sample>(samples).first(session.take_samples(samples)));
-  constexpr std::array kForceOnly{ui::PlotId::kForce};
-  constexpr ui::FigureSize kSize{800, 400};
-  const auto count = [&](const ui::FigureView& view, ui::Tone tone) {
-    const auto figure = ui::draw_figure(scene, history, view, kSize);
+  std::vector<Tick> ticks(3000);
+  ticks.resize(session.take_ticks(ticks));
+  for (const Tick& tick : ticks) history.push(tick.x());
+  constexpr std::array kForceOnly{draw::PlotId::kForce};
+  constexpr draw::FigureSize kSize{800, 400};
+  const auto count = [&](const draw::FigureView& view, draw::Tone tone) {
+    const auto figure = draw::draw_figure(scene, history, view, kSize);
     EXPECT_TRUE(figure.ok());
     if (!figure) return 0;
-    const ImVec4 colour = ui::theme_colours(ui::Look::kPrint)[static_cast<std::size_t>(tone)];
+    const ImVec4 colour = draw::theme_colours(draw::Look::kPrint)[static_cast<std::size_t>(tone)];
     return count_pixels(*figure, colour_of(colour), 0, 80, kSize.width, kSize.height);
   };
-  ui::FigureView view;
+  draw::FigureView view;
   view.window = {0.0, 3.0};
   view.plots = kForceOnly;
-  EXPECT_GT(count(view, ui::Tone::kForce), 100);
-  EXPECT_EQ(count(view, ui::Tone::kPosition), 0);
-  EXPECT_EQ(count(view, ui::Tone::kHand), 0);
-  view.lines[static_cast<std::size_t>(ui::PlotId::kForce)] |=
-      ui::line_bit(ui::Quantity::kHandForce);
-  EXPECT_GT(count(view, ui::Tone::kHand), 100);
-  view.hidden = ui::line_bit(ui::Quantity::kForce);
-  EXPECT_LT(count(view, ui::Tone::kForce), 20);
+  EXPECT_GT(count(view, draw::Tone::kForce), 100);
+  EXPECT_EQ(count(view, draw::Tone::kPosition), 0);
+  EXPECT_EQ(count(view, draw::Tone::kHand), 0);
+  view.lines[static_cast<std::size_t>(draw::PlotId::kForce)] |=
+      draw::line_bit(&PlantTruth::hand_force_n);
+  EXPECT_GT(count(view, draw::Tone::kHand), 100);
+  view.hidden = draw::line_bit(&Sample::force_n);
+  EXPECT_LT(count(view, draw::Tone::kForce), 20);
   view.hidden = 0;
   view.window = {10.0, 13.0};  // nothing is there
-  EXPECT_LT(count(view, ui::Tone::kForce), 20);
+  EXPECT_LT(count(view, draw::Tone::kForce), 20);
   view.window = {0.0, 3.0};
-  view.axes[static_cast<std::size_t>(ui::PlotId::kForce)].left = {true, 100.0, 200.0};
-  EXPECT_LT(count(view, ui::Tone::kForce), 20) << "beyond the axis that the user has put";
+  view.axes[static_cast<std::size_t>(draw::PlotId::kForce)].left = {true, 100.0, 200.0};
+  EXPECT_LT(count(view, draw::Tone::kForce), 20) << "beyond the axis that the user has put";
   view.axes = {};
   view.plots = {};
   view.phase.shown = true;
-  EXPECT_GT(count(view, ui::Tone::kForce), 100) << "the plane alone";
+  EXPECT_GT(count(view, draw::Tone::kForce), 100) << "the plane alone";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A recording in the window: how it gets there, how it plays, and the way back.
-#include "app/ui/replay_bar.h"
+// A recording in the window: opening, playing, and the way back.
+#include "app/ui/panel/replay_bar.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,14 +8,14 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/file/recording_writer.h"
-#include "tests/ui/replay_support.h"
+#include "app/file/recording/recording_writer.h"
+#include "tests/app/ui/replay_support.h"
 
 namespace hapticwall::test {
 namespace {
 
+using draw::Quantity;
 using ::testing::HasSubstr;
-using ui::Quantity;
 
 class ReplayBarTest : public ReplayGuiTest {
  protected:
@@ -26,13 +26,13 @@ class ReplayBarTest : public ReplayGuiTest {
   void put(const std::string& name, const std::string& text) const {
     std::ofstream(path(name)) << text;
   }
-  [[nodiscard]] std::uint64_t tick() { return replay().snapshot().sample.tick; }
+  [[nodiscard]] std::uint64_t tick() { return replay().snapshot().newest.x().tick; }
   [[nodiscard]] const std::vector<std::string>& recent() const {
     return application_->state().persisted.recent;
   }
   // Of the slider's track, from 0 to 1.
   void click_slider(double share) {
-    const ui::ItemRect rect = this->rect("time slider");
+    const ItemRect rect = this->rect("time slider");
     const float inset = 0.55F * ImGui::GetStyle().FontSizeBase;
     const float width = rect.to.x - rect.from.x - 2.0F * inset;
     move_to(ImVec2(rect.from.x + inset + static_cast<float>(share) * width, rect.centre().y));
@@ -40,12 +40,12 @@ class ReplayBarTest : public ReplayGuiTest {
     mouse_button(false);
   }
   void expect_whole_history() {
-    const ui::SampleHistory& history = application_->history();
+    const draw::SampleHistory& history = application_->history();
     for (std::size_t i = 1; i < history.size(); ++i) {
-      ASSERT_EQ(history.value(Quantity::kTick, i), history.value(Quantity::kTick, i - 1) + 1.0);
+      ASSERT_EQ(history.value(&Sample::tick, i), history.value(&Sample::tick, i - 1) + 1.0);
     }
     ASSERT_FALSE(history.empty());
-    EXPECT_EQ(history.value(Quantity::kTick, history.size() - 1), static_cast<double>(tick()));
+    EXPECT_EQ(history.value(&Sample::tick, history.size() - 1), static_cast<double>(tick()));
   }
 };
 
@@ -68,7 +68,7 @@ TEST_F(ReplayBarTest, ADroppedRecordingTakesThePlaceOfTheSession) {
   EXPECT_EQ(recent(), std::vector<std::string>{path("trial.csv")});
   EXPECT_EQ(application_->session().scene().name, "contact");
   for (const char* item : {"pause", "step", "reset", "time slider", "speed", "repeat",
-                           "back to the scene", "recording file"})
+                           "back to the scene", "trial.csv"})
     EXPECT_TRUE(find(item).has_value()) << item;
   for (const char* item : {"record", "recording name", "mark"})
     EXPECT_FALSE(find(item).has_value()) << item;
@@ -196,8 +196,8 @@ TEST_F(ReplayBarTest, NothingThatWasRecordedIsChanged) {
   frames(2);
   EXPECT_TRUE(find("device.mass_kg").has_value()) << "it can be looked at";
   type("device.mass_kg", "3");
-  EXPECT_EQ(replay().scene().walls[0].stiffness_n_per_m, before.walls[0].stiffness_n_per_m);
-  EXPECT_EQ(replay().scene().device.mass_kg, before.device.mass_kg);
+  EXPECT_EQ(replay().scene().x().walls[0].stiffness_n_per_m, before.x().walls[0].stiffness_n_per_m);
+  EXPECT_EQ(replay().scene().x().device.mass_kg, before.x().device.mass_kg);
   EXPECT_EQ(message().kind, ui::MessageKind::kNone) << message().text;
   EXPECT_EQ(replay().overlay(), nullptr);
   EXPECT_TRUE(replaying());
@@ -215,7 +215,7 @@ TEST_F(ReplayBarTest, TheWayBackLeadsToTheSceneWithItsChangedValues) {
   ASSERT_FALSE(replaying());
   EXPECT_EQ(sessions, 2);
   EXPECT_EQ(fake_->scene().name, "press");
-  EXPECT_EQ(fake_->scene().walls[0].stiffness_n_per_m, 12345.0);
+  EXPECT_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 12345.0);
   EXPECT_TRUE(find("reset to scene").has_value());
   EXPECT_TRUE(find("record").has_value());
   EXPECT_TRUE(application_->history().empty());
@@ -223,7 +223,7 @@ TEST_F(ReplayBarTest, TheWayBackLeadsToTheSceneWithItsChangedValues) {
   press(ImGuiKey_Z);
   ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, false);
   frames(2);
-  EXPECT_NE(fake_->scene().walls[0].stiffness_n_per_m, 12345.0) << "undo goes on where it was";
+  EXPECT_NE(fake_->scene().x().walls[0].stiffness_n_per_m, 12345.0) << "undo goes on where it was";
   EXPECT_EQ(sessions, 2);
 }
 
@@ -243,7 +243,7 @@ TEST_F(ReplayBarTest, WhatIsNoRecordingIsToldAndTheSessionGoesOn) {
   drop("broken.csv");
   EXPECT_FALSE(replaying());
   EXPECT_EQ(&application_->session(), session);
-  EXPECT_EQ(fake_->snapshot().sample.tick, 299U);
+  EXPECT_EQ(fake_->snapshot().newest.x().tick, 299U);
   EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
   EXPECT_THAT(message().text, HasSubstr("broken.csv:1"));
   EXPECT_TRUE(recent().empty());
@@ -286,23 +286,23 @@ TEST_F(ReplayBarTest, ARunningRecordingIsFinishedFirst) {
 }
 
 TEST_F(ReplayBarTest, OfADeviceTheMeasuredPositionIsShown) {
-  auto writer = file::RecordingWriter::create(path("d.csv"), file::MoreColumns::kDevice);
+  auto writer = file::RecordingWriter::create(path("d.csv"), file::csv_columns(false));
   ASSERT_TRUE(writer);
   FakeSession session(runtime::test::contact_scene());
   session.advance(200);
-  std::vector<Sample> samples(200);
-  session.take_samples(samples);
-  for (const Sample& sample : samples) ASSERT_FALSE((*writer)->append(sample));
+  std::vector<Tick> ticks(200);
+  session.take_ticks(ticks);
+  for (const Tick& tick : ticks) ASSERT_FALSE((*writer)->append(tick));
   file::RecordingMetadata metadata;
   metadata.device = "paddle";
   ASSERT_FALSE((*writer)->finish(session.scene(), metadata));
   drop("d.csv");
   ASSERT_TRUE(replaying());
   pass_ms(150);
-  const ui::SampleHistory& history = application_->history();
+  const draw::SampleHistory& history = application_->history();
   ASSERT_EQ(history.size(), 151U);
   for (std::size_t i = 0; i < history.size(); ++i) {
-    EXPECT_EQ(history.value(Quantity::kTruePosition, i), samples[i].position_m);
+    EXPECT_EQ(history.value(&PlantTruth::position_m, i), ticks[i].x().position_m);
   }
   press(ImGuiKey_1);
   EXPECT_THAT(message().text, HasSubstr("a person's hand cannot be re-run"));
@@ -323,9 +323,9 @@ TEST_F(ReplayBarTest, EverythingFitsIntoTheSmallestWindow) {
   for (const float scale : {1.0F, 2.0F}) {
     application_->state().transient.forced_scale = scale;
     frames(3);
-    for (const char* name : {"pause", "step", "reset", "replay time", "speed", "speeds", "repeat",
+    for (const char* name : {"pause", "step", "reset", "speed", "speeds", "repeat",
                              "back to the scene", "time slider"}) {
-      const ui::ItemRect item = rect(name);
+      const ItemRect item = rect(name);
       EXPECT_GE(item.from.x, 0.0F) << name;
       EXPECT_LE(item.to.x, static_cast<float>(kScreenWidth)) << name << " at " << scale;
     }

@@ -1,19 +1,18 @@
-// The recorded hand under another algorithm, laid over the plots while the window goes on.
+// Re-runs of a recorded hand, drawn over the plots.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <vector>
 
-#include "app/runtime/hand_rerun.h"
-#include "tests/ui/replay_support.h"
+#include "app/runtime/session/hand_rerun.h"
+#include "tests/app/ui/replay_support.h"
 
 namespace hapticwall::test {
 namespace {
 
+using draw::ExtraTrace;
 using ::testing::HasSubstr;
-using ui::ExtraTrace;
-using ui::Quantity;
 
 class ReplayRerunTest : public ReplayGuiTest {
  protected:
@@ -30,7 +29,7 @@ class ReplayRerunTest : public ReplayGuiTest {
     frames_until([&] { return !application_->state().replay.rerun.running(); });
     frames(2);
   }
-  // What `hapticwall replay --algorithm` computes.
+  // The result of `hapticwall replay --algorithm`.
   [[nodiscard]] std::vector<Sample> rerun(const std::string& algorithm) {
     std::vector<Sample> samples;
     const auto reader = file::RecordingReader::open(path("trial.csv"));
@@ -53,17 +52,17 @@ TEST_F(ReplayRerunTest, IsChosenFromTheListAndIsWhatTheCommandComputes) {
   const std::vector<Sample>& laid = replay().overlay()->samples;
   ASSERT_EQ(laid.size(), expected.size());
   ASSERT_EQ(traces().size(), 1U);
-  const ui::SampleHistory& history = *traces().front().history;
+  const draw::SampleHistory& history = *traces().front().history;
   ASSERT_EQ(history.size(), expected.size());
   bool differs = false;
   pass_ms(899);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     ASSERT_EQ(laid[i].position_m, expected[i].position_m);
-    ASSERT_EQ(history.value(Quantity::kForce, i), expected[i].force_n);
-    differs = differs || application_->history().value(Quantity::kForce, i) != expected[i].force_n;
+    ASSERT_EQ(history.value(&Sample::force_n, i), expected[i].force_n);
+    differs = differs || application_->history().value(&Sample::force_n, i) != expected[i].force_n;
   }
   EXPECT_TRUE(differs) << "another algorithm";
-  EXPECT_TRUE(find("legend under none").has_value());
+  EXPECT_TRUE(find("under none").has_value());
 }
 
 TEST_F(ReplayRerunTest, UnderItsOwnAlgorithmItIsTheRecordingAgain) {
@@ -75,8 +74,8 @@ TEST_F(ReplayRerunTest, UnderItsOwnAlgorithmItIsTheRecordingAgain) {
   ASSERT_EQ(application_->history().size(), 900U);
   ASSERT_EQ(traces().size(), 1U);
   for (std::size_t i = 0; i < 900; ++i) {
-    ASSERT_EQ(traces().front().history->value(Quantity::kPosition, i),
-              application_->history().value(Quantity::kPosition, i));
+    ASSERT_EQ(traces().front().history->value(&Sample::position_m, i),
+              application_->history().value(&Sample::position_m, i));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "app/ui/timing_page.h"
+#include "app/ui/panel/timing_page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,16 +7,16 @@
 #include <cmath>
 #include <random>
 
-#include "app/ui/timing_histogram.h"
-#include "tests/ui/gui_test.h"
-#include "tests/ui/pixels.h"
+#include "app/ui/panel/timing_histogram.h"
+#include "tests/app/ui/gui_test.h"
+#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
 
+using draw::Tone;
 using ::testing::HasSubstr;
 using ui::TimingState;
-using ui::Tone;
 
 constexpr double kRateHz = 1000.0;
 
@@ -25,7 +25,7 @@ void count(runtime::LatencyCounts& counts, std::int64_t time_ns, std::uint64_t c
   counts.maximum_ns = std::max(counts.maximum_ns, time_ns);
 }
 
-// A loop like a real one: 12 us late, now and then a hundred and more.
+// A realistic loop: 12 µs late, sometimes more than 100 µs.
 runtime::TimingHistograms usual_timing(int cycles) {
   std::mt19937 random(3);
   std::lognormal_distribution<double> latency(std::log(9e3), 0.5);
@@ -49,14 +49,14 @@ TEST(TimeText, HasThreeDigitsThatCount) {
 
 TEST(FrameTimesTest, KeepTheNewestAndTellMeanAndWorst) {
   ui::FrameTimes frames;
-  EXPECT_EQ(ui::frame_figures(frames).maximum_ms, 0.0);
+  EXPECT_EQ(ui::frame_stats(frames).maximum_ms, 0.0);
   for (int i = 1; i <= 100; ++i) frames.add(1e-3 * i);
-  EXPECT_NEAR(ui::frame_figures(frames).mean_ms, 50.5, 1e-9);
-  EXPECT_NEAR(ui::frame_figures(frames).p99_ms, 99.0, 1e-9);
-  EXPECT_NEAR(ui::frame_figures(frames).maximum_ms, 100.0, 1e-9);
+  EXPECT_NEAR(ui::frame_stats(frames).mean_ms, 50.5, 1e-9);
+  EXPECT_NEAR(ui::frame_stats(frames).p99_ms, 99.0, 1e-9);
+  EXPECT_NEAR(ui::frame_stats(frames).maximum_ms, 100.0, 1e-9);
   for (std::size_t i = 0; i < ui::FrameTimes::kKept; ++i) frames.add(i == 0 ? 0.007 : 0.005);
   EXPECT_EQ(frames.size(), ui::FrameTimes::kKept);
-  EXPECT_NEAR(ui::frame_figures(frames).maximum_ms, 7.0, 1e-9);
+  EXPECT_NEAR(ui::frame_stats(frames).maximum_ms, 7.0, 1e-9);
   ui::FrameTimes::Series series{};
   EXPECT_NEAR(frames.copy_ms(series).front(), 7.0, 1e-9) << "the oldest comes first";
 }
@@ -96,10 +96,10 @@ class TimingPageTest : public GuiTest {
  protected:
   static constexpr float kPageHeight = 330.0F;
 
-  // The page alone, where the plots are; `width` and `height` at scale 1.
-  file::Picture page(float scale = 1.0F, ui::Look look = ui::Look::kScreen,
+  // Only the page; `width` and `height` at scale 1.
+  file::Picture page(float scale = 1.0F, draw::Look look = draw::Look::kScreen,
                      ImVec2 size = ImVec2(980.0F, kPageHeight)) {
-    ui::restyle(theme_, look, scale);
+    draw::restyle(theme_, look, scale);
     for (int i = 0; i < 3; ++i) draw_page(ImVec2(scale * size.x, scale * size.y));
     target_->bind();
     const ImVec4& background = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
@@ -107,20 +107,20 @@ class TimingPageTest : public GuiTest {
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     target_->resolve();
-    return ui::read_pixels(target_->resolved_framebuffer(), kScreenWidth, kScreenHeight);
+    return draw::read_pixels(target_->resolved_framebuffer(), kScreenWidth, kScreenHeight);
   }
 
   void draw_page(ImVec2 size) {
     ImGui_ImplOpenGL3_NewFrame();
+    watch_items();
     ImGui::NewFrame();
     ui::UiState& state = application_->state();
     const runtime::Snapshot snapshot = fake_->snapshot();
-    ui::note_timing(state.timing, *fake_, snapshot.timing);
-    state.transient.items.clear();
+    ui::note_timing(state.timing, fake_, snapshot.timing);
     ImGui::SetNextWindowPos(ImVec2(0.0F, 0.0F));
     ImGui::SetNextWindowSize(size);
     ImGui::Begin("page", nullptr, ImGuiWindowFlags_NoDecoration);
-    ui::draw_timing_page({*fake_, snapshot, theme_, state});
+    ui::draw_timing_page({*fake_, snapshot, theme_, state, {.live = fake_}});
     ImGui::End();
     ImGui::Render();
   }
@@ -134,9 +134,9 @@ class TimingPageTest : public GuiTest {
     for (int i = 0; i < 700; ++i) application_->state().timing.frames.add(0.012 + 0.004 * (i % 7));
   }
 
-  // Pixels within an item that two pictures do not share.
+  // Number of pixels of an item that differ between two pictures.
   int changed(const file::Picture& before, const file::Picture& after, const std::string& item) {
-    const ui::ItemRect area = rect(item);
+    const ItemRect area = rect(item);
     int count = 0;
     for (int y = static_cast<int>(area.from.y); y < static_cast<int>(area.to.y); ++y) {
       for (int x = static_cast<int>(area.from.x); x < static_cast<int>(area.to.x); ++x) {
@@ -145,19 +145,20 @@ class TimingPageTest : public GuiTest {
     }
     return count;
   }
-  // Nothing stands beyond the edges; what is below them can be scrolled to.
+  // Nothing is beyond the side edges; the rest can be scrolled to.
   void expect_inside(ImVec2 size) {
-    for (const auto& [name, item] : application_->state().transient.items) {
+    for (const auto& [name, item] : drawn_items()) {
+      if (item.id == 0) continue;
       EXPECT_GE(item.from.x, 0.0F) << name;
       EXPECT_LE(item.to.x, size.x) << name;
     }
   }
 
-  ui::Theme theme_ = {};
+  draw::Theme theme_ = {};
 
   void SetUp() override {
     GuiTest::SetUp();
-    theme_ = ui::apply_theme(ui::Look::kScreen, 1.0F);
+    theme_ = draw::apply_theme(draw::Look::kScreen, 1.0F);
   }
 };
 
@@ -166,7 +167,7 @@ TEST_F(TimingPageTest, WithoutALoopItSaysSo) {
   const ui::TimingState& timing = application_->state().timing;
   EXPECT_EQ(timing.wake_latency.count, 0U);
   EXPECT_TRUE(timing.since_start());
-  EXPECT_FALSE(find("histogram wake-up") == std::nullopt);
+  EXPECT_TRUE(find("Wake-up latency").has_value());
   expect_inside(ImVec2(980.0F, kPageHeight));
 }
 
@@ -174,10 +175,10 @@ TEST_F(TimingPageTest, ShowsHistogramsAndFiguresOfManyCycles) {
   const file::Picture empty = page();
   run_a_while();
   const file::Picture full = page();
-  page(1.0F, ui::Look::kLight);
+  page(1.0F, draw::Look::kLight);
   constexpr int kMany = 2000;
-  EXPECT_GT(changed(empty, full, "histogram wake-up"), kMany);
-  EXPECT_GT(changed(empty, full, "histogram compute"), kMany);
+  EXPECT_GT(changed(empty, full, "plot Wake-up latency"), kMany);
+  EXPECT_GT(changed(empty, full, "plot Compute time"), kMany);
   EXPECT_EQ(application_->state().timing.wake_latency.count, 120'061U);
   EXPECT_EQ(application_->state().timing.wake_latency.maximum_ns, 1'900'000);
   expect_inside(ImVec2(980.0F, kPageHeight));
@@ -187,22 +188,22 @@ TEST_F(TimingPageTest, IsTheSameAtTwiceTheSizeAndInALowerOne) {
   run_a_while();
   const ImVec2 half(static_cast<float>(kScreenWidth) / 2.0F,
                     static_cast<float>(kScreenHeight) / 2.0F);
-  page(2.0F, ui::Look::kScreen, half);
+  page(2.0F, draw::Look::kScreen, half);
   expect_inside(ImVec2(kScreenWidth, kScreenHeight));
   const ImVec2 low(700.0F, 200.0F);
-  page(1.0F, ui::Look::kLight, low);
+  page(1.0F, draw::Look::kLight, low);
   expect_inside(low);
 }
 
 TEST_F(TimingPageTest, ABarTellsItsFigures) {
   run_a_while();
   const file::Picture still = page();
-  const ui::ItemRect area = rect("histogram wake-up");
-  // The foot of the plot, across all of it: somewhere there is a bar.
+  const ItemRect area = rect("plot Wake-up latency");
+  // The lower end of the plot: somewhere there is a bar.
   bool told = false;
   for (float x = area.from.x; x < area.to.x && !told; x += 8.0F) {
     ImGui::GetIO().AddMousePosEvent(x, area.to.y - 40.0F);
-    told = changed(still, page(), "histogram wake-up") > 100;
+    told = changed(still, page(), "plot Wake-up latency") > 100;
   }
   EXPECT_TRUE(told);
 }
@@ -233,12 +234,9 @@ TEST_F(TimingPageTest, ClearCountsAnewAndForgetsTheWorst) {
 TEST_F(TimingPageTest, EveryFigureSaysWhatItIs) {
   run_a_while();
   page();
-  std::vector<std::string> names;
-  for (const auto& [name, item] : application_->state().transient.items) {
-    if (name.starts_with("timing ")) names.push_back(name);
-  }
-  EXPECT_GE(names.size(), 12U);
-  for (const std::string& name : names) {
+  for (const char* name :
+       {"The loop …", "timing clear", "median", "p99", "p99.9", "max", "wake-up", "compute",
+        "ticks", "missed ticks", "plot drops", "driven by the test", "frame"}) {
     const ImVec2 place = rect(name).centre();
     ImGui::GetIO().AddMousePosEvent(2.0F, 2.0F);
     page();
@@ -250,20 +248,7 @@ TEST_F(TimingPageTest, EveryFigureSaysWhatItIs) {
   }
 }
 
-TEST_F(TimingPageTest, ItsButtonClears) {
-  run_a_while();
-  page();
-  const ImVec2 button = rect("timing clear").centre();
-  ImGui::GetIO().AddMousePosEvent(button.x, button.y);
-  page();
-  ImGui::GetIO().AddMouseButtonEvent(ImGuiMouseButton_Left, true);
-  page();
-  ImGui::GetIO().AddMouseButtonEvent(ImGuiMouseButton_Left, false);
-  page();
-  EXPECT_FALSE(application_->state().timing.since_start());
-}
-
-// The application reads the histograms once a frame; a new session begins with nothing cleared.
+// The application reads the histograms once a frame. A new session starts with nothing cleared.
 TEST_F(TimingPageTest, TheWindowKeepsThemUpToDate) {
   fake_->histograms = usual_timing(5000);
   frames(1);

@@ -1,11 +1,11 @@
-#include "app/ui/wall_view.h"
+#include "app/ui/panel/wall_view.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/ui/gui_test.h"
-#include "tests/ui/pixels.h"
+#include "tests/app/ui/gui_test.h"
+#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
@@ -14,13 +14,13 @@ class WallViewTest : public GuiTest {
  protected:
   [[nodiscard]] ui::WallOrbit& orbit() { return application_->state().wall.persisted.orbit; }
   [[nodiscard]] ui::WallCamera camera() {
-    const ui::ItemRect view = rect("wall view");
+    const ItemRect view = rect("wall view");
     return {ui::wall_space(fake_->scene()), orbit(), view.to.x - view.from.x,
             view.to.y - view.from.y};
   }
   // Of a position on the axis, in the window.
   [[nodiscard]] ImVec2 place(double position_m) {
-    const ui::ItemRect view = rect("wall view");
+    const ItemRect view = rect("wall view");
     const ui::WallCamera now = camera();
     const glm::vec2 pixel = now.pixel_of(now.point_of({position_m, 0.0}));
     return {view.from.x + pixel.x, view.from.y + pixel.y};
@@ -66,25 +66,6 @@ TEST_F(WallViewTest, TheWheelZoomsAtThePointer) {
   EXPECT_NEAR(place(0.05).y, before.y, 1.0F);
 }
 
-TEST_F(WallViewTest, ADoubleClickOfTheRightButtonAndAButtonGoBack) {
-  for (const bool by_button : {false, true}) {
-    drag(ImGuiMouseButton_Right, ImVec2(-80.0F, 40.0F));
-    frames(60);  // the click that ended the drag is over
-    ASSERT_NE(orbit(), ui::WallOrbit{});
-    if (by_button) {
-      click("reset view");
-    } else {
-      for (int i = 0; i < 2; ++i) {
-        button(ImGuiMouseButton_Right, true);
-        button(ImGuiMouseButton_Right, false);
-      }
-    }
-    EXPECT_EQ(orbit(), ui::WallOrbit{});
-    EXPECT_FALSE(find("reset view").has_value());
-  }
-  EXPECT_EQ(fake_->lead_calls, 0);
-}
-
 TEST_F(WallViewTest, NoMouseGetsTheCameraLost) {
   for (int i = 0; i < 12; ++i) {
     drag(ImGuiMouseButton_Right, ImVec2(300.0F, i % 2 == 0 ? 150.0F : -150.0F));
@@ -119,17 +100,17 @@ TEST_F(WallViewTest, TheHandIsLedRightlyFromEveryView) {
 TEST_F(WallViewTest, ShowsForceHandAndProxy) {
   live(4000);
   move_to(ImVec2(2.0F, 2.0F));
-  const ui::ItemRect view = rect("wall view");
+  const ItemRect view = rect("wall view");
   const file::Picture picture = screen();
-  const auto count = [&](ui::Tone tone) {
-    const ImVec4 colour = ui::theme_colours(ui::Look::kScreen)[static_cast<std::size_t>(tone)];
+  const auto count = [&](draw::Tone tone) {
+    const ImVec4 colour = draw::theme_colours(draw::Look::kScreen)[static_cast<std::size_t>(tone)];
     return count_pixels(picture, colour_of(colour), static_cast<int>(view.from.x),
                         static_cast<int>(view.from.y), static_cast<int>(view.to.x),
                         static_cast<int>(view.to.y), 30);
   };
-  EXPECT_GT(count(ui::Tone::kForce), 100) << "the arrow and its figure";
-  EXPECT_GT(count(ui::Tone::kHand), 10) << "the hand's name";
-  EXPECT_GT(count(ui::Tone::kAccent), 10) << "the proxy's name";
+  EXPECT_GT(count(draw::Tone::kForce), 100) << "the arrow and its figure";
+  EXPECT_GT(count(draw::Tone::kHand), 10) << "the hand's name";
+  EXPECT_GT(count(draw::Tone::kAccent), 10) << "the proxy's name";
 }
 
 TEST_F(WallViewTest, NothingIsDrawnAgainWhileNothingChanges) {

@@ -1,18 +1,18 @@
-// Dark and light, small and large, and the parts of the window as wide as the user wants them.
-#include "app/ui/appearance.h"
+// Colours, scale and the sizes of the parts of the window.
+#include "app/ui/state/appearance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/ui/gui_test.h"
-#include "tests/ui/pixels.h"
+#include "tests/app/ui/gui_test.h"
+#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
 
-using ui::Look;
-using ui::Tone;
+using draw::Look;
+using draw::Tone;
 
 // Relative luminance and contrast as the Web Content Accessibility Guidelines (2.1) define them.
 double luminance(const ImVec4& colour) {
@@ -35,7 +35,7 @@ ImVec4 over(const ImVec4& top, float alpha, const ImVec4& below) {
 }
 
 const ImVec4& colour(Look look, Tone tone) {
-  return ui::theme_colours(look).at(static_cast<std::size_t>(tone));
+  return draw::theme_colours(look).at(static_cast<std::size_t>(tone));
 }
 
 TEST(Contrast, IsThatOfTheGuidelines) {
@@ -94,9 +94,9 @@ TEST(Scale, TheCommandLineComesBeforeTheSettingsAndTheseBeforeTheScreen) {
   ui::step_scale(state, -1);
   EXPECT_EQ(state.persisted.scale_percent, 120);
   ui::set_scale(state, 5000);
-  EXPECT_EQ(state.persisted.scale_percent, ui::kLargestScalePercent);
+  EXPECT_EQ(state.persisted.scale_percent, runtime::kMaxScalePercent);
   ui::set_scale(state, 1);
-  EXPECT_EQ(state.persisted.scale_percent, ui::kSmallestScalePercent);
+  EXPECT_EQ(state.persisted.scale_percent, runtime::kMinScalePercent);
   ui::set_scale(state, 0);
   EXPECT_EQ(ui::scale_in_force(state), 1.5F);
 }
@@ -113,7 +113,8 @@ class AppearanceTest : public GuiTest {
   }
   void expect_all_within() const {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    for (const auto& [name, item] : application_->state().transient.items) {
+    for (const auto& [name, item] : drawn_items()) {
+      if (item.id == 0) continue;
       EXPECT_GE(item.from.x, 0.0F) << name;
       EXPECT_LE(item.to.x, size.x) << name;
     }
@@ -126,7 +127,7 @@ TEST_F(AppearanceTest, BothLooksAreDrawnInTheirOwnColours) {
     kept().look = look;
     move_to(ImVec2(2.0F, 2.0F));
     const file::Picture picture = screen();
-    const auto count = [&](Tone tone, const ui::ItemRect& area) {
+    const auto count = [&](Tone tone, const ItemRect& area) {
       return count_pixels(picture, colour_of(colour(look, tone)), static_cast<int>(area.from.x),
                           static_cast<int>(area.from.y), static_cast<int>(area.to.x),
                           static_cast<int>(area.to.y));
@@ -134,7 +135,7 @@ TEST_F(AppearanceTest, BothLooksAreDrawnInTheirOwnColours) {
     constexpr int kEnoughPixels = 300;
     EXPECT_GT(count(Tone::kBackground, rect("plot Position")), kEnoughPixels);
     EXPECT_GT(count(Tone::kPosition, rect("plot Position")), 100);
-    const ui::ItemRect panel{ImVec2(20.0F, 20.0F), ImVec2(300.0F, 700.0F)};
+    const ItemRect panel{ImVec2(20.0F, 20.0F), ImVec2(300.0F, 700.0F)};
     EXPECT_GT(count(Tone::kPanel, panel), kEnoughPixels);
     EXPECT_GT(count(Tone::kFaint, rect("scene")), kEnoughPixels);
   }
@@ -163,12 +164,13 @@ TEST_F(AppearanceTest, TheButtonsOfTheSettingsDoWhatTheySay) {
 }
 
 TEST_F(AppearanceTest, TwiceAsLargeIsTheSamePictureOfTwiceTheSize) {
-  const auto places = application_->state().transient.items;
+  const Items places = drawn_items();
   kept().scale_percent = 200;
   ImGui::GetIO().DisplaySize = ImVec2(2.0F * kScreenWidth, 2.0F * kScreenHeight);
   frames(3);
   constexpr float kRounding = 6.0F;  // pixels, of many small parts
   for (const auto& [name, small] : places) {
+    if (small.id == 0) continue;
     const auto large = find(name);
     ASSERT_TRUE(large.has_value()) << name;
     EXPECT_NEAR(large->from.x, 2.0F * small.from.x, kRounding) << name;
@@ -197,7 +199,7 @@ TEST_F(AppearanceTest, TheGapsBetweenThePartsAreDragged) {
   const double picture = kept().picture_share;
   drag("picture splitter", ImVec2(-80.0F, 0.0F));
   EXPECT_LT(kept().picture_share, picture - 0.05);
-  // Nothing can be dragged out of sight.
+  // No part can be dragged out of sight.
   drag("panel splitter", ImVec2(3000.0F, 0.0F));
   drag("view splitter", ImVec2(0.0F, -3000.0F));
   for (const char* item : {"panel splitter", "view splitter", "picture splitter", "pause"}) {

@@ -1,5 +1,5 @@
-// Work beside the window: its outcome, its progress, and an end that nobody waits for.
-#include "app/ui/background.h"
+// Background work: result, progress, and cancellation without waiting.
+#include "app/ui/state/background.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <new>
 #include <string>
 
-#include "tests/app/runtime_support.h"
+#include "tests/app/runtime/support.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -71,7 +71,7 @@ TEST(Background, ANewPieceTakesThePlaceOfTheOldOne) {
   EXPECT_EQ(**outcome, "new");
 }
 
-// The owner may go at any time: the thread is given up, and waited for.
+// The owner may be destroyed at any time: it cancels the thread and waits for it.
 TEST(Background, EndsWithItsOwner) {
   std::atomic<bool> ended{false};
   {

@@ -1,4 +1,4 @@
-#include "app/ui/export.h"
+#include "app/ui/state/export.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/file/scene_file.h"
-#include "core/simulate.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::ui {
@@ -28,22 +28,22 @@ class ExportTest : public test::FolderTest {
   }
 
   [[nodiscard]] std::string expected_csv(std::size_t first, std::size_t last,
-                                         file::MoreColumns columns) const {
+                                         file::CsvColumns columns) const {
     std::string text = file::csv_header(columns) + "\n";
-    for (std::size_t i = first; i < last; ++i) file::append_csv_row(text, samples_[i], columns);
+    for (std::size_t i = first; i < last; ++i) file::append_csv_row(text, {{samples_[i]}}, columns);
     return text;
   }
 
   Scene scene_;
   std::vector<Sample> samples_;
-  SampleHistory history_{100000};
+  draw::SampleHistory history_{100000};
 };
 
 TEST_F(ExportTest, TheRowsAreThoseOfARecordingByteForByte) {
   const auto rows = export_csv(history_, {500, 2100}, {scene_, true, "simulator"}, path("a.csv"));
   ASSERT_TRUE(rows.ok()) << rows.error().message;
   EXPECT_EQ(*rows, 1600U);
-  EXPECT_EQ(content("a.csv"), expected_csv(500, 2100, file::MoreColumns::kSimulator));
+  EXPECT_EQ(content("a.csv"), expected_csv(500, 2100, file::csv_columns(true)));
 }
 
 TEST_F(ExportTest, TheSidecarTellsWhatItIs) {
@@ -58,12 +58,12 @@ TEST_F(ExportTest, TheSidecarTellsWhatItIs) {
 
 TEST_F(ExportTest, ADevicesColumnsAreItsOwn) {
   ASSERT_TRUE(export_csv(history_, {10, 20}, {scene_, false, "paddle"}, path("a.csv")).ok());
-  EXPECT_EQ(content("a.csv"), expected_csv(10, 20, file::MoreColumns::kDevice));
+  EXPECT_EQ(content("a.csv"), expected_csv(10, 20, file::csv_columns(false)));
   EXPECT_THAT(content("a.toml"), HasSubstr("paddle"));
 }
 
 TEST_F(ExportTest, HolesAreCounted) {
-  SampleHistory holes(1000);
+  draw::SampleHistory holes(1000);
   for (const std::size_t tick : {3U, 4U, 7U, 8U, 12U}) holes.push(samples_[tick]);
   ASSERT_TRUE(export_csv(holes, {0, 5}, {scene_, true, "simulator"}, path("a.csv")).ok());
   const std::string sidecar = content("a.toml");
@@ -97,7 +97,7 @@ TEST_F(ExportTest, AJobWritesWhatTheHistoryWasWhileItGoesOn) {
   EXPECT_EQ(*outcome->rows, 2400U);
   EXPECT_EQ(outcome->path, path("a.csv"));
   EXPECT_FALSE(job.running());
-  EXPECT_EQ(content("a.csv"), expected_csv(0, 2400, file::MoreColumns::kSimulator));
+  EXPECT_EQ(content("a.csv"), expected_csv(0, 2400, file::csv_columns(true)));
 }
 
 TEST_F(ExportTest, NamesTellSceneAlgorithmAndRangeInPlainCharacters) {

@@ -1,5 +1,5 @@
-// Files that are dropped, typed, or opened once more.
-#include "app/ui/recent_files.h"
+// Files that are dropped, typed, or opened again.
+#include "app/ui/state/recent_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <array>
 #include <filesystem>
 
+#include "tests/app/ui/gui_test.h"
 #include "tests/temporary_folder.h"
-#include "tests/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
@@ -23,7 +23,7 @@ TEST(RecentFiles, TheNewestComesFirstAndOnlyOnce) {
   ui::remember_recent(recent, "/x/../a");
   EXPECT_EQ(recent, (std::vector<std::string>{"/a", "/b"}));
   for (int i = 0; i < 30; ++i) ui::remember_recent(recent, "/" + std::to_string(i));
-  EXPECT_EQ(recent.size(), ui::kMostRecentFiles);
+  EXPECT_EQ(recent.size(), ui::kMaxRecentFiles);
   EXPECT_EQ(recent.front(), "/29");
 }
 
@@ -39,7 +39,7 @@ class FilesTest : public GuiTest {
     GuiTest::SetUp();
     Scene scene = file::load_scene("press")->scene;
     scene.name = "mine";
-    scene.walls[0].stiffness_n_per_m = 4321.0;
+    scene.x().walls[0].stiffness_n_per_m = 4321.0;
     put("mine.toml", file::scene_to_toml(scene));
   }
   void put(const std::string& name, const std::string& text) const { folder_.put(name, text); }
@@ -61,7 +61,7 @@ TEST_F(FilesTest, ADroppedSceneStartsFromRest) {
   drop("mine.toml");
   EXPECT_EQ(sessions, 2);
   EXPECT_EQ(fake_->scene().name, "mine");
-  EXPECT_EQ(fake_->scene().walls[0].stiffness_n_per_m, 4321.0);
+  EXPECT_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 4321.0);
   EXPECT_FALSE(find("reset to scene").has_value()) << "it is the one to go back to";
   EXPECT_EQ(recent(), std::vector<std::string>{path("mine.toml")});
 }
@@ -76,7 +76,7 @@ TEST_F(FilesTest, WhatIsNoSceneIsToldAndTheSessionGoesOn) {
   EXPECT_TRUE(recent().empty());
   drop("nothing.toml");
   EXPECT_THAT(message().text, HasSubstr("nothing.toml"));
-  EXPECT_EQ(fake_->snapshot().sample.tick, 299U);
+  EXPECT_EQ(fake_->snapshot().newest.x().tick, 299U);
 }
 
 TEST_F(FilesTest, ARecordingThatIsNotThereIsNotLookedFor) {
@@ -104,14 +104,6 @@ TEST_F(FilesTest, WhatWasOpenedIsInTheListOfScenes) {
   click("recent 1");
   frames(2);
   EXPECT_TRUE(recent().empty()) << "what is gone is not offered again";
-}
-
-TEST_F(FilesTest, APathCanBeTyped) {
-  click("scene");
-  frames(2);
-  type("open path", path("mine.toml"));
-  frames(2);
-  EXPECT_EQ(fake_->scene().name, "mine");
 }
 
 TEST_F(FilesTest, TheFileOfTheCommandLineIsTheNewest) {

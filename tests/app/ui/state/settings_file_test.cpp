@@ -1,4 +1,4 @@
-#include "app/ui/settings_file.h"
+#include "app/ui/state/settings_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <random>
 #include <sstream>
 
-#include "app/file/settings_text.h"
-#include "tests/ui/gui_test.h"
+#include "app/file/scene/settings_text.h"
+#include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
@@ -49,9 +49,9 @@ class Folder {
   fs::path path_;
 };
 
-// Nothing as it is at first.
+// A state with no default value.
 void change_all(UiState& state) {
-  state.persisted.look = ui::Look::kLight;
+  state.persisted.look = draw::Look::kLight;
   state.persisted.scale_percent = 150;
   state.persisted.panel_ems = 30.5;
   state.persisted.view_share = 0.3;
@@ -65,9 +65,9 @@ void change_all(UiState& state) {
   state.persisted.time_window_s = 60.0;
   state.persisted.arrangement = ui::PlotArrangement::kFigure5And6;
   state.persisted.hidden_lines =
-      ui::line_bit(ui::Quantity::kWallForce) | ui::line_bit(ui::Quantity::kEnergyScv);
-  state.plots.persisted.lines.at(0) = ui::line_bit(ui::Quantity::kPosition);
-  state.plots.persisted.trigger = {ui::TriggerMode::kNormal, 0.5};
+      draw::line_bit(&Sample::wall_force_n) | draw::line_bit(&Sample::energy_scv_j);
+  state.plots.persisted.lines.at(0) = draw::line_bit(&Sample::position_m);
+  state.plots.persisted.trigger = {draw::TriggerMode::kNormal, 0.5};
   state.plots.persisted.phase.shown = true;
   state.plots.persisted.show_bounds = false;
   state.wall.persisted.magnification = 50;
@@ -86,7 +86,7 @@ TEST(Settings, EverythingThatIsKeptComesBack) {
   EXPECT_EQ(fresh.persisted.hidden_lines, state.persisted.hidden_lines);
   EXPECT_EQ(fresh.plots.persisted.lines, state.plots.persisted.lines);
   EXPECT_EQ(fresh.persisted.recent, state.persisted.recent);
-  // Every key was another than at first: or the comparison above would not say much.
+  // Every key differs from its default, so that the comparison above is meaningful.
   const UiState at_start;
   const file::Settings usual = settings_of(at_start);
   std::size_t changed = 0;
@@ -160,7 +160,7 @@ TEST(Settings, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
   UiState state;
   SettingsFile(folder.file()).load(state);
   EXPECT_DOUBLE_EQ(state.persisted.panel_ems, 25.0);
-  EXPECT_EQ(state.persisted.look, ui::Look::kScreen);
+  EXPECT_EQ(state.persisted.look, draw::Look::kScreen);
   EXPECT_EQ(state.persisted.scale_percent, 0);
   const std::string told = state.transient.toasts.newest().text;
   EXPECT_THAT(told, HasSubstr("window.theme must be one of: dark, light"));
@@ -183,7 +183,7 @@ TEST(Settings, UnknownKeysAreNoProblemAndAreNotKept) {
   EXPECT_THAT(Folder::content(folder.file()), ::testing::Not(HasSubstr("future")));
 }
 
-// Whatever stands in the file: the window opens, with values that it can use.
+// The window opens with valid values, whatever the file contains.
 TEST(Settings, NoFileIsFatal) {
   const Folder folder;
   std::mt19937 random(11);
@@ -239,32 +239,6 @@ TEST(Settings, WithoutAPathNothingIsReadOrWritten) {
 }
 
 class SettingsOfTheWindow : public GuiTest {};
-
-TEST_F(SettingsOfTheWindow, AreThereAgainAtTheNextStart) {
-  const Folder folder;
-  options.settings_path = folder.file();
-  open("press");
-  press(ImGuiKey_F2);
-  click("settings");
-  frames(2);
-  click("larger");
-  click("larger");
-  EXPECT_EQ(application_->state().persisted.scale_percent, 120);
-  application_->save_settings();
-  open("press");
-  EXPECT_EQ(application_->state().persisted.look, ui::Look::kLight);
-  EXPECT_EQ(application_->state().persisted.scale_percent, 120);
-  EXPECT_EQ(message().kind, ui::MessageKind::kNone);
-}
-
-TEST_F(SettingsOfTheWindow, AreWrittenWhileItRuns) {
-  const Folder folder;
-  options.settings_path = folder.file();
-  open("press");
-  press(ImGuiKey_F2);
-  frames(120);
-  EXPECT_THAT(Folder::content(folder.file()), HasSubstr("theme = \"light\""));
-}
 
 TEST_F(SettingsOfTheWindow, TheFolderOfRecordingsIsTypedAndMustBeThere) {
   const Folder folder;

@@ -1,11 +1,11 @@
-#include "app/ui/wall_camera.h"
+#include "app/ui/wall/wall_camera.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
 
-#include "app/file/scene_file.h"
+#include "app/file/scene/scene_file.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -14,7 +14,7 @@ constexpr AxisExtent kCameraExtent{0.02, 0.08};
 const WallSpace kCameraLine{kCameraExtent, std::nullopt};
 const WallSpace kCameraPlane{kCameraExtent, AxisExtent{-0.03, 0.05}};
 
-// Any state that the mouse can bring the camera to, and some that it cannot.
+// Any camera state that the mouse can reach, and some that it cannot.
 class RandomViews {
  public:
   WallOrbit orbit() {
@@ -130,7 +130,7 @@ TEST(WallCamera, NobodyGetsLost) {
       const WallOrbit orbit = limited(views.orbit(), two_axes);
       const WallCamera camera(two_axes ? kCameraPlane : kCameraLine, orbit, 800.0F, 400.0F);
       EXPECT_GT(camera.eye().y, 0.0F) << "from above";
-      // What is in the middle of the picture was within the picture before it was zoomed.
+      // The middle of the picture was within the picture before the zoom.
       EXPECT_LE(std::abs(orbit.shift.x / orbit.zoom), 0.9) << i;
       EXPECT_LE(std::abs(orbit.shift.y / orbit.zoom), 0.9) << i;
       EXPECT_EQ(limited(orbit, two_axes), orbit) << "limits do not move what is within them";
@@ -156,14 +156,14 @@ TEST(WallCamera, YIsAwayFromTheViewer) {
 TEST(AxisExtent, HoldsEverythingThatEveryBuiltinSceneNames) {
   for (const file::BuiltinScene& builtin : file::builtin_scenes()) {
     const Scene scene = file::load_scene(builtin.name)->scene;
-    const AxisExtent extent = axis_extent(scene);
-    EXPECT_LT(extent.from_m, scene.device.start_m) << builtin.name;
-    for (const WallSettings& wall : scene.walls) {
+    const AxisExtent extent = axis_extent(scene.x());
+    EXPECT_LT(extent.from_m, scene.x().device.start_m) << builtin.name;
+    for (const WallSettings& wall : scene.x().walls) {
       EXPECT_LT(extent.from_m, wall.position_m);
       EXPECT_GT(extent.to_m, wall.position_m);
     }
-    if (!scene.hand) continue;
-    for (const PathPoint& point : scene.hand->path) EXPECT_GT(extent.to_m, point.position_m);
+    if (!scene.x().hand) continue;
+    for (const PathPoint& point : scene.x().hand->path) EXPECT_GT(extent.to_m, point.position_m);
   }
 }
 

@@ -1,13 +1,13 @@
-#include "app/ui/wall_picture.h"
+#include "app/ui/wall/wall_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/ui/wall_floor.h"
-#include "app/ui/wall_labels.h"
-#include "app/ui/wall_renderer.h"
-#include "app/ui/wall_solids.h"
+#include "app/ui/wall/wall_floor.h"
+#include "app/ui/wall/wall_labels.h"
+#include "app/ui/wall/wall_renderer.h"
+#include "app/ui/wall/wall_solids.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -16,9 +16,9 @@ const PictureWall kWall{Axis::kX, 0.05, 35000.0};
 
 TEST(WallPicture, SaysWhatSceneAndSampleSay) {
   Scene scene;
-  scene.device.force_limit_n = 8.9;
-  scene.hand = HandSettings{};
-  scene.walls = {{0.06, 2000.0, 0.0}, {0.05, 500.0, 0.0}};
+  scene.x().device.force_limit_n = 8.9;
+  scene.x().hand = HandSettings{};
+  scene.x().walls = {{0.06, 2000.0, 0.0}, {0.05, 500.0, 0.0}};
   Sample sample;
   sample.position_m = 0.0508;
   sample.truth.position_m = 0.0507;
@@ -59,13 +59,13 @@ TEST(ForceArrow, GrowsWithTheForceOutOfTheWallAndEndsAtFullScale) {
   picture.full_scale_n = 8.9;
   EXPECT_EQ(arrow_of(picture), glm::vec2(0.0F));
   picture.force_n.x = 4.45;
-  EXPECT_NEAR(arrow_of(picture).x, -0.5F * WallMeasures::kLongestArrow, 1e-5);
+  EXPECT_NEAR(arrow_of(picture).x, -0.5F * WallMeasures::kMaxArrow, 1e-5);
   picture.force_n.x = 20.0;
-  EXPECT_EQ(arrow_of(picture).x, -WallMeasures::kLongestArrow);
+  EXPECT_EQ(arrow_of(picture).x, -WallMeasures::kMaxArrow);
   picture.force_n.x = -8.9;
-  EXPECT_EQ(arrow_of(picture).x, WallMeasures::kLongestArrow);
+  EXPECT_EQ(arrow_of(picture).x, WallMeasures::kMaxArrow);
   picture.force_n = {80.0, 60.0};
-  EXPECT_NEAR(glm::length(arrow_of(picture)), WallMeasures::kLongestArrow, 1e-5);
+  EXPECT_NEAR(glm::length(arrow_of(picture)), WallMeasures::kMaxArrow, 1e-5);
   EXPECT_NEAR(arrow_of(picture).x / arrow_of(picture).y, 4.0 / 3.0, 1e-5);
 }
 

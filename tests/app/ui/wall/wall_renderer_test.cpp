@@ -1,10 +1,10 @@
-#include "app/ui/wall_renderer.h"
+#include "app/ui/wall/wall_renderer.h"
 
 #include <gtest/gtest.h>
 
-#include "app/ui/offscreen.h"
-#include "app/ui/wall_solids.h"
-#include "tests/ui/pixels.h"
+#include "app/draw/figure/offscreen.h"
+#include "app/ui/wall/wall_solids.h"
+#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -17,10 +17,10 @@ const WallSpace kPlane{kExtent, kExtent};
 constexpr double kStiff = 35000.0;
 
 // In the theme of the parameter.
-class WallRendererTest : public ::testing::TestWithParam<Look> {
+class WallRendererTest : public ::testing::TestWithParam<draw::Look> {
  protected:
   void SetUp() override {
-    auto context = OffscreenContext::create();
+    auto context = draw::OffscreenContext::create();
     ASSERT_TRUE(context.ok()) << context.error().message;
     context_ = std::move(*context);
     auto renderer = WallRenderer::create();
@@ -38,17 +38,17 @@ class WallRendererTest : public ::testing::TestWithParam<Look> {
   }
   file::Picture draw(const WallPicture& picture) {
     EXPECT_NE(draw_once(picture), 0U);
-    return read_pixels(renderer_->framebuffer(), kPictureWidth, kPictureHeight);
+    return draw::read_pixels(renderer_->framebuffer(), kPictureWidth, kPictureHeight);
   }
   [[nodiscard]] test::Colour at(const file::Picture& picture, glm::vec3 point) const {
     const glm::vec2 pixel = camera_.pixel_of(point);
     return test::pixel(picture, static_cast<int>(pixel.x), static_cast<int>(pixel.y));
   }
-  // How much the picture differs there.
+  // Difference of the picture at this place.
   [[nodiscard]] int change(const file::Picture& a, const file::Picture& b, glm::vec3 point) const {
     return test::difference(at(a, point), at(b, point));
   }
-  [[nodiscard]] test::Colour tone(Tone value) const {
+  [[nodiscard]] test::Colour tone(draw::Tone value) const {
     return test::colour_of(theme_.colour(value));
   }
   [[nodiscard]] glm::vec3 ball(double position_m) const {
@@ -58,9 +58,9 @@ class WallRendererTest : public ::testing::TestWithParam<Look> {
     return {camera_.x_of(face_m), up, aside};
   }
 
-  std::unique_ptr<OffscreenContext> context_;
+  std::unique_ptr<draw::OffscreenContext> context_;
   std::unique_ptr<WallRenderer> renderer_;
-  Theme theme_;
+  draw::Theme theme_;
   WallCamera camera_{kLine, {}, kPictureWidth, kPictureHeight};
 };
 
@@ -112,19 +112,18 @@ TEST_P(WallRendererTest, TheForceIsAnArrowOfItsLengthAndRedAtTheLimit) {
   picture.handle_m = {0.05, 0.0};
   const float tip = camera_.x_of(0.05);
   const glm::vec3 near_tip(tip - 0.3F, WallMeasures::kArrowHeight, 0.0F);
-  const glm::vec3 far_away(tip - 0.8F * WallMeasures::kLongestArrow, WallMeasures::kArrowHeight,
-                           0.0F);
+  const glm::vec3 far_away(tip - 0.8F * WallMeasures::kMaxArrow, WallMeasures::kArrowHeight, 0.0F);
   const file::Picture none = draw(picture);
   picture.force_n.x = 4.0;
   const file::Picture half = draw(picture);
-  EXPECT_LT(test::difference(at(half, near_tip), tone(Tone::kForce)), 70);
+  EXPECT_LT(test::difference(at(half, near_tip), tone(draw::Tone::kForce)), 70);
   EXPECT_GT(change(half, none, near_tip), 60);
   EXPECT_EQ(change(half, none, far_away), 0);
   picture.force_n.x = 8.0;
   picture.saturated = true;
   const file::Picture full = draw(picture);
   EXPECT_GT(change(full, none, far_away), 60);
-  EXPECT_LT(test::difference(at(full, near_tip), tone(Tone::kBad)), 70);
+  EXPECT_LT(test::difference(at(full, near_tip), tone(draw::Tone::kBad)), 70);
 }
 
 TEST_P(WallRendererTest, TheHandIsASleeveAndATipAlsoInsideTheWall) {
@@ -146,7 +145,7 @@ TEST_P(WallRendererTest, TheProxyStaysAtTheFaceWhileTheHandleIsInside) {
   // Without it the same: seen where it has its outline, above the handle's rod.
   const glm::vec3 outline = ball(0.05) + glm::vec3(0.0F, 1.12F * WallMeasures::kHandleRadius, 0.0F);
   const glm::vec3 beside = outline + glm::vec3(0.0F, 0.25F, 0.0F);
-  const test::Colour accent = tone(Tone::kAccent);
+  const test::Colour accent = tone(draw::Tone::kAccent);
   EXPECT_LT(test::difference(at(with, outline), accent) + 20,
             test::difference(at(with, beside), accent));
   picture.handle_m = {0.049, 0.0};
@@ -275,7 +274,8 @@ TEST_P(WallRendererTest, OnlyWhatLooksDifferentIsDrawnAgain) {
   look_from(kLine, {0.1, 0.0, 1.0, {}});
   draw_once(picture);
   EXPECT_EQ(renderer_->times_drawn(), before + 2);
-  theme_.colours = theme_colours(GetParam() == Look::kLight ? Look::kScreen : Look::kLight);
+  theme_.colours =
+      theme_colours(GetParam() == draw::Look::kLight ? draw::Look::kScreen : draw::Look::kLight);
   draw_once(picture);
   EXPECT_EQ(renderer_->times_drawn(), before + 3);
   renderer_->draw(picture, camera_, theme_, kPictureWidth, kPictureHeight + 1);
@@ -305,9 +305,10 @@ TEST_P(WallRendererTest, AnyWindowSizeWorks) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Looks, WallRendererTest, ::testing::Values(Look::kScreen, Look::kLight),
+INSTANTIATE_TEST_SUITE_P(Looks, WallRendererTest,
+                         ::testing::Values(draw::Look::kScreen, draw::Look::kLight),
                          [](const auto& look) {
-                           return look.param == Look::kScreen ? "Dark" : "Light";
+                           return look.param == draw::Look::kScreen ? "Dark" : "Light";
                          });
 
 }  // namespace

@@ -1,19 +1,19 @@
-// Everything that can be changed or read says what it is.
+// Every control and value has a tooltip.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
 #include <set>
 
-#include "app/ui/widgets.h"
-#include "tests/ui/gui_test.h"
+#include "app/ui/widget/widgets.h"
+#include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
 
 class TooltipsTest : public GuiTest {
  protected:
-  // Rests on an item for long enough; true: something is explained.
+  // Hovers an item; returns true if a tooltip appears.
   bool explains(const std::string& item) {
     move_to(ImVec2(2.0F, 2.0F));
     frames(2);
@@ -25,7 +25,7 @@ class TooltipsTest : public GuiTest {
   }
   void expect_explained(const std::string& prefix) {
     std::set<std::string> names;
-    for (const auto& [name, item] : application_->state().transient.items) {
+    for (const auto& [name, item] : drawn_items()) {
       const bool seen = item.from.y > 0.0F && item.to.y < static_cast<float>(kScreenHeight) - 60.0F;
       if (name.starts_with(prefix) && seen) names.insert(name);
     }
@@ -52,7 +52,7 @@ TEST_F(TooltipsTest, EveryParameterAndButtonSaysWhatItIs) {
                            "bound, passive",
                            "rate",
                            "integrator",
-                           "cost",
+                           "cost of a tick",
                            "energy error",
                            "pause",
                            "step",
@@ -60,13 +60,12 @@ TEST_F(TooltipsTest, EveryParameterAndButtonSaysWhatItIs) {
                            "record",
                            "recording name",
                            "algorithm.rest_force_step_n",
-                           "device state",
-                           "rate state",
-                           "missed state",
-                           "wake-up state",
-                           "compute state",
-                           "plot drops state",
-                           "frame state"}) {
+                           "Simulator",
+                           "missed",
+                           "wake-up",
+                           "compute",
+                           "plot drops",
+                           "frame"}) {
     if (std::string(name) == "undo") type("stiffness", "20000");
     EXPECT_TRUE(explains(name)) << name;
   }

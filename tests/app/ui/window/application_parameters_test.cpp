@@ -1,4 +1,4 @@
-// Device, hand and integrator changed from the window while the session runs.
+// Changes of device, hand and integrator from the window during a session.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
-#include "tests/ui/gui_test.h"
+#include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
@@ -16,27 +16,27 @@ using ui::MessageKind;
 
 class ParametersTest : public GuiTest {
  protected:
-  // Opens a section and scrolls until its end is to be seen.
+  // Opens a section and scrolls to its end.
   void open_section(const std::string& title) {
     click("section " + title);
     frames(2);
     scroll_down_at("section " + title);
   }
-  [[nodiscard]] const DeviceSettings& device() const { return fake_->scene().device; }
-  [[nodiscard]] const HandSettings& hand() const { return *fake_->scene().hand; }
+  [[nodiscard]] const DeviceSettings& device() const { return fake_->scene().x().device; }
+  [[nodiscard]] const HandSettings& hand() const { return *fake_->scene().x().hand; }
 };
 
 TEST_F(ParametersTest, EveryKeyOfDeviceAndHandHasItsRow) {
   click("section Device");
   click("section Hand");
   frames(2);
-  for (const auto& key : device_number_keys()) {
+  for (const auto& key : number_keys<DeviceSettings>()) {
     if (key.key == "start_m") continue;  // of a new session
     EXPECT_TRUE(find("device." + std::string(key.key)).has_value()) << key.key;
     const bool has_switch = find("switch device." + std::string(key.key)).has_value();
     EXPECT_EQ(has_switch, !std::holds_alternative<double DeviceSettings::*>(key.member)) << key.key;
   }
-  for (const auto& key : hand_number_keys())
+  for (const auto& key : number_keys<HandSettings>())
     EXPECT_TRUE(find("hand." + std::string(key.key)).has_value()) << key.key;
 }
 
@@ -51,7 +51,7 @@ TEST_F(ParametersTest, TypedValuesAreInForceWithoutANewSession) {
   EXPECT_DOUBLE_EQ(device().encoder_m.value(), 1e-4);
   live(300);
   EXPECT_EQ(sessions, 1);
-  EXPECT_EQ(fake_->snapshot().sample.tick, 999U) << "it went on";
+  EXPECT_EQ(fake_->snapshot().newest.x().tick, 999U) << "it went on";
   EXPECT_FALSE(refusal().has_value());
 }
 
@@ -86,8 +86,8 @@ TEST_F(ParametersTest, ARefusalStandsBelowItsField) {
   EXPECT_THAT(refusal()->why, HasSubstr("-5 is out of range"));
   EXPECT_DOUBLE_EQ(device().mass_kg, 0.05);
   frames(2);
-  EXPECT_GE(rect("refusal").from.y, rect("device.mass_kg").to.y);
-  EXPECT_LE(rect("refusal").to.y, rect("device.damping_n_s_per_m").from.y);
+  EXPECT_GE(rect(refusal()->why).from.y, rect("device.mass_kg").to.y);
+  EXPECT_LE(rect(refusal()->why).to.y, rect("device.damping_n_s_per_m").from.y);
   EXPECT_EQ(message().kind, MessageKind::kNone);
   type("device.mass_kg", "heavy");
   EXPECT_THAT(refusal()->why, HasSubstr("'heavy' is not a number"));
@@ -142,9 +142,9 @@ TEST_F(ParametersTest, EverythingGoesBackToTheSceneAtOnce) {
   frames(5);
   click("reset to scene");
   const Scene scene = file::load_scene("press")->scene;
-  EXPECT_EQ(device(), scene.device);
+  EXPECT_EQ(device(), scene.x().device);
   EXPECT_EQ(fake_->scene().simulator, scene.simulator);
-  EXPECT_EQ(fake_->scene().walls[0].stiffness_n_per_m, 35000.0);
+  EXPECT_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 35000.0);
   EXPECT_EQ(fake_->scene().algorithm.values, scene.algorithm.values);
   EXPECT_EQ(fake_->scene().algorithm.index, 1U) << "the choice stays";
   EXPECT_DOUBLE_EQ(fake_->scene().sampling.rate_hz, 2000.0);
@@ -177,12 +177,12 @@ TEST_F(ParametersTest, AnotherSceneIsTheOneToGoBackTo) {
   click("Figure 5");
   frames(2);
   EXPECT_FALSE(find("reset to scene").has_value());
-  EXPECT_EQ(fake_->scene().walls[0].stiffness_n_per_m, 35000.0);
+  EXPECT_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 35000.0);
 }
 
 TEST_F(ParametersTest, ASceneWithoutAHandSaysSo) {
   Scene free = file::load_scene("press")->scene;
-  free.hand.reset();
+  free.x().hand.reset();
   application_->state().transient.wanted_scene = ui::WantedScene{free, true};
   frames(3);
   click("section Hand");

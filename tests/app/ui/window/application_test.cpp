@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "app/ui/wall_view.h"
+#include "app/ui/panel/wall_view.h"
 #include "core/stabiliser/stabiliser.h"
-#include "tests/ui/gui_test.h"
-#include "tests/ui/pixels.h"
+#include "tests/app/ui/gui_test.h"
+#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
@@ -20,22 +20,6 @@ class ApplicationTest : public GuiTest {
     return algorithms()[fake_->scene().algorithm.index].name;
   }
 };
-
-TEST_F(ApplicationTest, TheDigitKeysChooseTheAlgorithmsInOrder) {
-  for (const std::size_t i : {3U, 0U, 2U, 1U}) {
-    press(static_cast<ImGuiKey>(ImGuiKey_1 + static_cast<int>(i)));
-    EXPECT_EQ(fake_->scene().algorithm.index, i);
-  }
-  press(ImGuiKey_9);  // there is no ninth
-  EXPECT_EQ(fake_->scene().algorithm.index, 1U);
-}
-
-TEST_F(ApplicationTest, AClickChoosesAnAlgorithm) {
-  for (const AlgorithmDescription& description : algorithms()) {
-    click(std::string(description.name));
-    EXPECT_EQ(algorithm(), description.name);
-  }
-}
 
 TEST_F(ApplicationTest, PauseStepAndResetByButtonAndByKey) {
   click("step");  // does nothing while it runs
@@ -52,27 +36,6 @@ TEST_F(ApplicationTest, PauseStepAndResetByButtonAndByKey) {
   click("reset");
   press(ImGuiKey_R);
   EXPECT_EQ(fake_->resets, 2);
-}
-
-TEST_F(ApplicationTest, KeysAreLettersWhileATextIsTyped) {
-  press(ImGuiKey_1);
-  click("recording name");
-  press(ImGuiKey_P);
-  press(ImGuiKey_2);
-  EXPECT_FALSE(fake_->is_paused);
-  EXPECT_EQ(fake_->scene().algorithm.index, 0U);
-}
-
-TEST_F(ApplicationTest, TheRecordButtonStartsAndStopsARecordingOfTheTypedName) {
-  type("recording name", "trial");
-  click("record");
-  EXPECT_EQ(fake_->recording_status().state, runtime::RecordingState::kRecording);
-  EXPECT_EQ(fake_->recording_status().path, "trial.csv");
-  live(250);
-  EXPECT_EQ(fake_->recording_status().rows, 250U);
-  click("record");
-  EXPECT_EQ(fake_->recording_status().state, runtime::RecordingState::kIdle);
-  EXPECT_THAT(message().text, HasSubstr("trial.csv"));
 }
 
 TEST_F(ApplicationTest, ASceneFromElsewhereNamesNoOtherFolder) {
@@ -103,55 +66,23 @@ TEST_F(ApplicationTest, ARecordingThatCannotBeSaysWhy) {
   EXPECT_EQ(message().kind, MessageKind::kNone);
 }
 
-TEST_F(ApplicationTest, AWallIsChangedByTyping) {
-  type("stiffness", "20000");
-  EXPECT_DOUBLE_EQ(fake_->scene().walls[0].stiffness_n_per_m, 20000.0);
-  type("damping", "2.5");
-  EXPECT_DOUBLE_EQ(fake_->scene().walls[0].damping_n_s_per_m, 2.5);
-  type("position", "45");
-  EXPECT_DOUBLE_EQ(fake_->scene().walls[0].position_m, 0.045);
-  EXPECT_EQ(sessions, 1);
-}
-
 TEST_F(ApplicationTest, TheStiffnessSliderIsLogarithmic) {
-  const ui::ItemRect slider = rect("stiffness-slider");
+  const ItemRect slider = rect("stiffness-slider");
   move_to(slider.centre());
   mouse_button(true);
   mouse_button(false);
   // The middle between 100 N/m and 1 MN/m.
-  EXPECT_NEAR(std::log10(fake_->scene().walls[0].stiffness_n_per_m), 4.0, 0.1);
+  EXPECT_NEAR(std::log10(fake_->scene().x().walls[0].stiffness_n_per_m), 4.0, 0.1);
 }
 
 TEST_F(ApplicationTest, AnInvalidValueIsExplainedAndTheOldOneStays) {
   type("stiffness", "-5");
   EXPECT_EQ(message().kind, MessageKind::kProblem);
   EXPECT_THAT(message().text, HasSubstr("stiffness_n_per_m"));
-  EXPECT_DOUBLE_EQ(fake_->scene().walls[0].stiffness_n_per_m, 35000.0);
+  EXPECT_DOUBLE_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 35000.0);
   type("stiffness", "stiff");
   EXPECT_THAT(message().text, HasSubstr("'stiff' is not a number"));
-  EXPECT_DOUBLE_EQ(fake_->scene().walls[0].stiffness_n_per_m, 35000.0);
-}
-
-TEST_F(ApplicationTest, EscapeLeavesAValueAsItWas) {
-  click("stiffness");
-  for (const char c : {'7', '7'}) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
-  frames(2);
-  press(ImGuiKey_Escape);
-  EXPECT_DOUBLE_EQ(fake_->scene().walls[0].stiffness_n_per_m, 35000.0);
-  EXPECT_EQ(message().kind, MessageKind::kNone);
-}
-
-TEST_F(ApplicationTest, AnAlgorithmsOwnParameterIsTypedAndClearedAgain) {
-  press(ImGuiKey_4);
-  const std::size_t index = *find_algorithm_parameter("rest_force_step_n");
-  type("algorithm.rest_force_step_n", "0.02");
-  ASSERT_TRUE(fake_->scene().algorithm.values[index].has_value());
-  EXPECT_DOUBLE_EQ(*fake_->scene().algorithm.values[index], 0.02);
-  type("algorithm.rest_force_step_n", "-3");
-  EXPECT_EQ(message().kind, MessageKind::kProblem);
-  EXPECT_DOUBLE_EQ(*fake_->scene().algorithm.values[index], 0.02);
-  type("algorithm.rest_force_step_n", " ");
-  EXPECT_FALSE(fake_->scene().algorithm.values[index].has_value());
+  EXPECT_DOUBLE_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 35000.0);
 }
 
 TEST_F(ApplicationTest, ANewRateStartsANewSessionAtRestAndABadOneDoesNot) {
@@ -159,7 +90,7 @@ TEST_F(ApplicationTest, ANewRateStartsANewSessionAtRestAndABadOneDoesNot) {
   type("rate", "2000");
   EXPECT_EQ(sessions, 2);
   EXPECT_DOUBLE_EQ(fake_->scene().sampling.rate_hz, 2000.0);
-  EXPECT_EQ(fake_->snapshot().sample.tick, 0U);
+  EXPECT_EQ(fake_->snapshot().newest.x().tick, 0U);
   EXPECT_TRUE(application_->history().empty());
   type("rate", "-1");
   EXPECT_EQ(sessions, 2);
@@ -204,10 +135,10 @@ TEST_F(ApplicationTest, TheHandsScriptIsChangedByTyping) {
   click("section Hand");
   type("end position", "70");
   EXPECT_EQ(sessions, 2);
-  EXPECT_DOUBLE_EQ(fake_->scene().hand->path.back().position_m, 0.07);
+  EXPECT_DOUBLE_EQ(fake_->scene().x().hand->path.back().position_m, 0.07);
   type("approach speed", "20");
   EXPECT_EQ(sessions, 3);
-  EXPECT_NEAR(fake_->scene().hand->path.back().time_s, 2.0, 1e-12);  // 40 mm at 20 mm/s
+  EXPECT_NEAR(fake_->scene().x().hand->path.back().time_s, 2.0, 1e-12);  // 40 mm at 20 mm/s
   type("approach speed", "0");
   EXPECT_EQ(sessions, 3);
   EXPECT_THAT(message().text, HasSubstr("approach speed"));
@@ -231,14 +162,14 @@ TEST_F(ApplicationTest, TheFigureButtonsStartPressFromRestUnderThePapersAlgorith
     EXPECT_EQ(sessions, before + 1);
     EXPECT_EQ(fake_->scene().name, "press");
     EXPECT_EQ(algorithm(), figure.algorithm);
-    EXPECT_EQ(fake_->snapshot().sample.tick, 0U);
+    EXPECT_EQ(fake_->snapshot().newest.x().tick, 0U);
     EXPECT_TRUE(find(figure.shown).has_value());
     EXPECT_FALSE(find(figure.not_shown).has_value());
   }
 }
 
 TEST_F(ApplicationTest, DraggingInTheViewLeadsTheHandAndLettingGoReturnsToTheScript) {
-  const ui::ItemRect view = rect("wall view");
+  const ItemRect view = rect("wall view");
   const ui::WallCamera camera = ui::wall_view_camera(
       fake_->scene(), ImVec2(view.to.x - view.from.x, view.to.y - view.from.y));
   const auto place = [&](double position_m) {
@@ -252,7 +183,8 @@ TEST_F(ApplicationTest, DraggingInTheViewLeadsTheHandAndLettingGoReturnsToTheScr
   move_to(place(0.045));
   EXPECT_NEAR(*fake_->lead, 0.045, 1e-4);
   live(2000);
-  EXPECT_NEAR(fake_->snapshot().sample.truth.position_m, 0.045, 1.5e-3);  // friction holds it back
+  EXPECT_NEAR(fake_->snapshot().newest.x().truth.position_m, 0.045,
+              1.5e-3);  // friction holds it back
   mouse_button(false);
   EXPECT_FALSE(fake_->lead.has_value());
 
@@ -297,37 +229,29 @@ TEST_F(ApplicationTest, TheScreenShowsTheLinesOfEveryPlot) {
   live(3000);
   move_to(ImVec2(2.0F, 2.0F));
   const file::Picture picture = screen();
-  const auto count = [&](const char* plot, ui::Tone tone) {
-    const ui::ItemRect area = rect(plot);
-    const ImVec4 colour = ui::theme_colours(ui::Look::kScreen)[static_cast<std::size_t>(tone)];
+  const auto count = [&](const char* plot, draw::Tone tone) {
+    const ItemRect area = rect(plot);
+    const ImVec4 colour = draw::theme_colours(draw::Look::kScreen)[static_cast<std::size_t>(tone)];
     return count_pixels(picture, colour_of(colour), static_cast<int>(area.from.x),
                         static_cast<int>(area.from.y), static_cast<int>(area.to.x),
                         static_cast<int>(area.to.y));
   };
   constexpr int kEnoughPixels = 100;
-  EXPECT_GT(count("plot Position", ui::Tone::kPosition), kEnoughPixels);
-  EXPECT_GT(count("plot Force", ui::Tone::kForce), kEnoughPixels);
-  EXPECT_GT(count("plot Stiffness", ui::Tone::kStiffness), kEnoughPixels);
-  EXPECT_GT(count("plot Passivity", ui::Tone::kObserver), kEnoughPixels);
+  EXPECT_GT(count("plot Position", draw::Tone::kPosition), kEnoughPixels);
+  EXPECT_GT(count("plot Force", draw::Tone::kForce), kEnoughPixels);
+  EXPECT_GT(count("plot Stiffness", draw::Tone::kStiffness), kEnoughPixels);
+  EXPECT_GT(count("plot Passivity", draw::Tone::kObserver), kEnoughPixels);
 }
 
-// Nothing sticks out of the smallest window that we design for.
+// Everything fits into the smallest supported window.
 TEST_F(ApplicationTest, EverythingFitsIntoTheWindow) {
   live(1000);
-  for (const auto& [name, item] : application_->state().transient.items) {
+  for (const auto& [name, item] : drawn_items()) {
+    if (item.id == 0) continue;
     EXPECT_GE(item.from.x, 0.0F) << name;
     EXPECT_GE(item.from.y, 0.0F) << name;
     EXPECT_LE(item.to.x, static_cast<float>(kScreenWidth)) << name;
     EXPECT_LE(item.to.y, static_cast<float>(kScreenHeight)) << name;
-  }
-}
-
-TEST_F(ApplicationTest, EveryBuiltinSceneIsDrawn) {
-  for (const file::BuiltinScene& builtin : file::builtin_scenes()) {
-    open(builtin.name);
-    live(500);
-    EXPECT_EQ(fake_->scene().name, builtin.name);
-    EXPECT_EQ(application_->history().size(), 500U);
   }
 }
 

@@ -1,8 +1,7 @@
-#include "app/ui/idleness.h"
-
 #include <gtest/gtest.h>
 
-#include "tests/ui/gui_test.h"
+#include "app/ui/window/window.h"
+#include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 namespace {
@@ -20,7 +19,7 @@ TEST(Idleness, RestsAWhileAfterTheLastThingThatHappened) {
 
 class IdlenessTest : public GuiTest {
  protected:
-  // Lets the picture of the wall get as good as it can.
+  // Waits until the picture of the wall is refined.
   void settle() { frames(kSettlingFrames); }
 
   static constexpr int kSettlingFrames = 20;
@@ -51,7 +50,7 @@ TEST_F(IdlenessTest, TheWindowMovesWhileAMessageFades) {
 
 TEST_F(IdlenessTest, SamplesAreTakenWithoutDrawing) {
   fake_->advance(5000);
-  application_->take_samples();
+  application_->take_ticks();
   EXPECT_EQ(application_->history().size(), 5000U);
 }
 

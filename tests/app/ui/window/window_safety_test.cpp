@@ -1,5 +1,5 @@
-// The real window on a device that pushes: whatever happens to it, the loop goes on, and when it
-// ends the last thing that the device hears is zero force.
+// The real window on a pushing device: the loop always continues, and the last output to the device
+// is zero force.
 #include <epoxy/gl.h>
 // After OpenGL's own header.
 #include <GLFW/glfw3.h>
@@ -13,12 +13,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/file/recording_reader.h"
-#include "app/file/scene_file.h"
-#include "app/ui/application.h"
-#include "app/ui/window.h"
-#include "tests/app/runtime_child_support.h"
-#include "tests/ui/display.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/file/scene/scene_file.h"
+#include "app/ui/window/application.h"
+#include "app/ui/window/window.h"
+#include "tests/app/runtime/loop/child_support.h"
+#include "tests/app/ui/display.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -30,12 +30,12 @@ using runtime::test::SharedDevice;
 
 void close_window() { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); }
 
-// The window on a device of ours, which pushes before the first frame.
+// The window on a test device that pushes before the first frame.
 struct PushingWindow {
   explicit PushingWindow(Shared& shared) : heard(shared) {
     options.scene = runtime::test::contact_scene();
     options.start_on_device =
-        [this](const Scene& /*scene*/) -> Result<std::unique_ptr<runtime::Session>> {
+        [this](const Scene& /*scene*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
       auto device = std::make_unique<SharedDevice>(*heard);
       device->on_words = in_a_panel;
       return runtime::test::pushing_session(*heard, std::move(device));
@@ -51,7 +51,7 @@ struct PushingWindow {
   }
 
   Shared& heard;
-  WindowOptions options;
+  runtime::WindowOptions options;
   WindowHooks hooks;
   std::function<void()> in_a_panel;  // in the middle of every frame
 };
@@ -97,8 +97,7 @@ TEST(WindowSafety, AnExceptionInAPanelTakesTheForceAway) {
   _exit(kAlive);
 }
 
-// A new process of this program runs this test again up to its death: what both know of the device
-// is in a file that they both know.
+// A new process repeats this test up to its death. Both share a file with the state of the device.
 class WindowDeath : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -135,7 +134,7 @@ TEST_F(WindowDeath, AnAbortInAPanelTakesTheForceAwayFirst) {
   PushingWindow(heard).expect_safe_end();
 }
 
-// The first asks for an end, which a frame that hangs never comes to.
+// The first signal asks for an end, which a hanging frame never reaches.
 TEST_F(WindowDeath, AskedTwiceItEndsInTheMiddleOfAFrameForceFirst) {
   Shared heard("HAPTICWALL_TEST_HEARD");
   const auto ask_twice = [] {
@@ -168,7 +167,7 @@ TEST(WindowSafety, AFrameThatHangsCostsNoTick) {
   window.hooks.drawn = [&] {
     if (frames < 4) return;
     ticks = application->session().snapshot().timing.ticks;
-    EXPECT_EQ(application->session().dropped_plot_samples(), 0U) << "the queue holds a minute";
+    EXPECT_EQ(application->live()->dropped_plot_samples(), 0U) << "the queue holds a minute";
     close_window();
   };
   EXPECT_FALSE(run_window(window.options, window.hooks));
@@ -188,13 +187,13 @@ TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
   int sizes_seen = 0;
   ImVec2 size_before;
   Application* application = nullptr;
-  WindowOptions options;
+  runtime::WindowOptions options;
   options.scene = file::load_scene("press")->scene;
   WindowHooks hooks;
   hooks.in_a_hurry = true;
   hooks.opened = [&](Application& opened) {
     application = &opened;
-    EXPECT_FALSE(opened.session().start_recording(path));
+    EXPECT_FALSE(opened.live()->start_recording(path));
   };
   hooks.drawn = [&] {
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << "frame " << frames;
@@ -208,9 +207,9 @@ TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
     ImGui::SetClipboardText(long_text.c_str());
     EXPECT_EQ(std::string(ImGui::GetClipboardText()), long_text);
     if (++frames == kSizes) {
-      const runtime::RecordingStatus status = application->session().recording_status();
+      const runtime::RecordingStatus status = application->live()->recording_status();
       EXPECT_EQ(status.state, runtime::RecordingState::kRecording) << status.error;
-      EXPECT_EQ(application->session().dropped_plot_samples(), 0U);
+      EXPECT_EQ(application->live()->dropped_plot_samples(), 0U);
       EXPECT_FALSE(application->session().snapshot().ended_by_fault);
       return close_window();
     }

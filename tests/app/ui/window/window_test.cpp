@@ -1,5 +1,5 @@
 // The real window, on the display that the tests are given (`./dev test` brings its own).
-#include "app/ui/window.h"
+#include "app/ui/window/window.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <string>
 #include <thread>
 
-#include "app/file/scene_file.h"
-#include "tests/ui/display.h"
+#include "app/file/scene/scene_file.h"
+#include "tests/app/ui/display.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -25,7 +25,7 @@ Handler current_handler(int signal) {
 
 // Opens the window on a real session; asks it to end as soon as it listens to signals.
 void expect_clean_end(int signal) {
-  WindowOptions options;
+  runtime::WindowOptions options;
   options.scene = file::load_scene("press")->scene;
   const Handler before = current_handler(signal);
   std::atomic<bool> ended{false};
@@ -50,7 +50,7 @@ TEST(Window, SaysWhatToDoWithoutADisplay) {
   const char* display = std::getenv("DISPLAY");
   const std::string saved = display != nullptr ? display : "";
   unsetenv("DISPLAY");
-  WindowOptions options;
+  runtime::WindowOptions options;
   options.scene = file::load_scene("press")->scene;
   const Failure failure = run_window(options);
   if (!saved.empty()) setenv("DISPLAY", saved.c_str(), 1);

@@ -1,0 +1,148 @@
+// hapticwall compare SCENE: the same scene under every algorithm, one table.
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/command/commands.h"
+#include "app/command/common_options.h"
+#include "app/command/compare/compare_order.h"
+#include "app/command/compare/compare_study.h"
+#include "app/command/report/expectation.h"
+#include "app/command/report/output_file.h"
+#include "app/command/report/summary_fields.h"
+#include "app/command/report/summary_table.h"
+#include "app/command/report/terminal.h"
+#include "app/command/run/headless.h"
+#include "app/command/signals.h"
+#include "app/draw/figure/comparison_figure.h"
+#include "core/result.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::command {
+namespace {
+
+struct CompareOptions {
+  SceneOptions scene;
+  OutputOptions output;
+  std::vector<std::string> algorithms;  // empty: all
+  std::string sort;
+  bool study = false;
+};
+
+Failure check_plot(const OutputOptions& options, const Scene& scene, std::size_t runs) {
+  if (options.plot.empty()) return {};
+  if (runs > draw::kMaxComparedRuns) {
+    return usage_error(
+        fmt::format("--plot: a figure shows at most {} algorithms, --algorithms names {}",
+                    draw::kMaxComparedRuns, runs));
+  }
+  const std::uint64_t ticks = scene.tick_count();
+  if (ticks <= kMaxPlottedTicks / runs) return {};
+  return usage_error(fmt::format(
+      "--plot: a figure shows at most {} ticks in all, {} of each of {} algorithms; this scene has "
+      "{}; --duration shortens it",
+      kMaxPlottedTicks, kMaxPlottedTicks / runs, runs, ticks));
+}
+
+struct Runs {
+  std::vector<RunSummary> summaries;           // in the order of --algorithms
+  std::vector<draw::SampleHistory> histories;  // of axis x, for --plot
+};
+
+// nullopt if a signal ended it early.
+std::optional<Runs> run_all(file::LoadedScene loaded, const std::vector<std::size_t>& indices,
+                            const OutputOptions& options) {
+  Runs runs;
+  std::function<void(const Tick&)> on_tick;
+  if (!options.plot.empty()) {
+    on_tick = [&](const Tick& tick) {
+      if (is_finite(tick.x())) runs.histories.back().push(tick.x());
+    };
+  }
+  for (const std::size_t index : indices) {
+    loaded.scene.algorithm.index = index;
+    if (on_tick) runs.histories.emplace_back(loaded.scene.tick_count());
+    HeadlessResult result =
+        simulate_timed({.scene = loaded.scene,
+                        .changes = {},
+                        .on_tick = on_tick,
+                        .should_stop = {},
+                        .progress_label = fmt::format("{} {}/{}", algorithms()[index].name,
+                                                      runs.summaries.size() + 1, indices.size()),
+                        .show_progress = !options.quiet});
+    if (result.stopped_early) return std::nullopt;
+    runs.summaries.push_back(std::move(result.summary));
+  }
+  return runs;
+}
+
+// The table and the figure follow `order`; CSV and JSON follow --algorithms.
+Failure write_results(OutputFiles& files, const Scene& scene, const Runs& runs,
+                      const std::vector<std::size_t>& order) {
+  std::vector<RunSummary> rows;
+  for (const std::size_t i : order) rows.push_back(runs.summaries[i]);
+  return files.write(
+      {summaries_csv(runs.summaries), summaries_json(runs.summaries), comparison_table(rows)}, [&] {
+        std::vector<draw::ComparedRun> compared;
+        for (const std::size_t i : order) {
+          compared.push_back({runs.summaries[i].front(), runs.histories[i]});
+        }
+        return draw::draw_comparison(scene, compared, draw::comparison_size(compared.size()));
+      });
+}
+
+Result<int> compare(const CompareOptions& options) {
+  if (options.study && !options.sort.empty()) {
+    return usage_error("--sort: not with --study; its rows keep the order of --algorithms");
+  }
+  if (options.study) return compare_study(options.scene, options.output, options.algorithms);
+  const Result<std::vector<Expectation>> expectations =
+      parse_expectations(options.output.expectations);
+  if (!expectations) return expectations.error();
+  const Result<RowOrder> order = parse_order(options.sort);
+  if (!order) return order.error();
+  if (Failure failed = check_outputs(options.output, {options.scene.scene})) return *failed;
+  const Result<std::vector<std::size_t>> indices = chosen_algorithms(options.algorithms);
+  if (!indices) return indices.error();
+  const Result<file::LoadedScene> loaded = load_for_study("compare", options.scene);
+  if (!loaded) return loaded.error();
+  if (Failure failed = check_plot(options.output, loaded->scene, indices->size())) return *failed;
+  catch_stop_signals();
+  Result<OutputFiles> files = OutputFiles::open(options.output);
+  if (!files) return files.error();
+  const std::optional<Runs> runs = run_all(*loaded, *indices, options.output);
+  if (!runs) return ended_early();
+  const std::vector<std::size_t> rows = ordered(runs->summaries, *order);
+  if (Failure failed = write_results(*files, loaded->scene, *runs, rows)) return *failed;
+  return judge(*expectations, runs->summaries);
+}
+
+}  // namespace
+
+Command add_compare(CLI::App& program) {
+  const auto options = std::make_shared<CompareOptions>();
+  CLI::App* app =
+      program.add_subcommand("compare", "Run a scene under every algorithm and print one table");
+  add_headless_options(*app, options->scene);
+  add_algorithms_option(*app, options->algorithms);
+  add_scene_options(*app, options->scene);
+  add_simulator_option(*app, options->scene);
+  app->add_flag("--study", options->study,
+                "Instead, measure largest stable stiffness, rate-hardness, rise time, peak "
+                "penetration and energy to the hand");
+  add_csv_option(*app, options->output, "Write the table as CSV, one line per algorithm");
+  add_plot_option(*app, options->output, "Draw all runs side by side");
+  app->add_option("--sort", options->sort,
+                  "Order of the printed rows: a key of the summary, -KEY for descending order, or "
+                  "none for the order of --algorithms")
+      ->type_name("KEY");
+  add_output_options(*app, options->output);
+  return {app, [options] { return compare(*options); }};
+}
+
+}  // namespace hapticwall::command

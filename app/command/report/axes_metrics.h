@@ -1,0 +1,37 @@
+// The summary of recorded or live samples of a scene with one axis or two.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/sample.h"
+#include "core/scene.h"
+#include "core/simulation/metrics.h"
+
+namespace hapticwall::command {
+
+class AxesMetrics {
+ public:
+  // As Metrics.
+  AxesMetrics(const Scene& scene, std::uint64_t planned_ticks, bool has_truth) {
+    for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
+      axes_.emplace_back(axis_scene(scene, axis), planned_ticks, has_truth);
+    }
+  }
+
+  // Precondition: the tick has the axes of the scene.
+  void add(const Tick& tick) {
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis) axes_[axis].add(tick.axes[axis]);
+  }
+  [[nodiscard]] RunSummary finish() const {
+    RunSummary run;
+    for (const Metrics& axis : axes_) run.push_back(axis.finish());
+    return run;
+  }
+
+ private:
+  std::vector<Metrics> axes_;
+};
+
+}  // namespace hapticwall::command

@@ -1,0 +1,70 @@
+// The output files of a command.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/file/disk/atomic_file.h"
+#include "app/file/picture.h"
+#include "core/result.h"
+
+namespace hapticwall::command {
+
+// The path that means standard output.
+inline constexpr std::string_view kStandardOutput = "-";
+
+// The outputs of a command.
+struct OutputOptions {
+  std::string csv;
+  std::string json;
+  std::string plot;
+  std::vector<std::string> expectations;
+  bool quiet = false;
+};
+
+// Of a figure, whose samples are kept in memory.
+inline constexpr std::uint64_t kMaxPlottedTicks = 1'000'000;
+
+// A file that an option names, or none.
+class OutputFile {
+ public:
+  // Opens nothing for an empty path and for standard output.
+  [[nodiscard]] Failure open(const std::string& path);
+  [[nodiscard]] bool is_open() const { return file_.has_value(); }
+  // Writes `text` and gives the file its name; does nothing without an open file.
+  [[nodiscard]] Failure write_whole(std::string_view text);
+
+ private:
+  std::optional<file::AtomicFile> file_;
+};
+
+struct ResultTexts {
+  std::string csv;
+  std::string json;
+  std::string table;  // for people
+};
+
+// The files of --csv, --json and --plot. They get their names when the command has succeeded.
+class OutputFiles {
+ public:
+  // Opens them before anything runs.
+  [[nodiscard]] static Result<OutputFiles> open(const OutputOptions& options);
+  [[nodiscard]] bool wants_plot() const { return plot_.is_open(); }
+  // Writes the open files, then the table, or the JSON for `--json -`, to standard output. Calls
+  // `draw` only for --plot.
+  [[nodiscard]] Failure write(const ResultTexts& texts,
+                              const std::function<Result<file::Picture>()>& draw = {});
+
+ private:
+  OutputFile csv_;
+  OutputFile json_;
+  OutputFile plot_;
+  bool prints_json_ = false;
+  bool quiet_ = false;
+};
+
+}  // namespace hapticwall::command

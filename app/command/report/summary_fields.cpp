@@ -1,0 +1,91 @@
+#include "app/command/report/summary_fields.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "app/command/report/json_report.h"
+#include "app/file/text/text.h"
+
+namespace hapticwall::command {
+namespace {
+
+SummaryValue value_of(const std::string& text) { return text; }
+SummaryValue value_of(Verdict verdict) { return std::string(verdict_name(verdict)); }
+SummaryValue value_of(std::uint64_t count) { return count; }
+SummaryValue value_of(double number) {
+  if (!std::isfinite(number)) return std::monostate{};
+  return number;
+}
+template <typename Value>
+SummaryValue value_of(const std::optional<Value>& value) {
+  if (!value) return std::monostate{};
+  return value_of(*value);
+}
+
+Json json_object(const RunSummary& run) {
+  Json object = Json::object();
+  for (const SummaryField& field : summary_fields(run)) {
+    Json& member = object[field.key];
+    std::visit(
+        [&](const auto& value) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
+            member = value;
+          }
+        },
+        field.value);
+  }
+  return object;
+}
+
+}  // namespace
+
+std::vector<SummaryField> summary_fields(const RunSummary& run) {
+  std::vector<SummaryField> fields;
+  for (std::size_t axis = 0; axis < run.size(); ++axis) {
+    for (const SummaryKey& key : kSummaryKeys) {
+      if (axis > 0 && key.of_run) continue;
+      fields.push_back(
+          {std::string(axis > 0 ? "y_" : "").append(key.name),
+           std::visit([&](auto member) { return value_of(run[axis].*member); }, key.member)});
+    }
+  }
+  return fields;
+}
+
+std::vector<SummaryField> all_summary_fields() { return summary_fields(RunSummary(2)); }
+
+std::string unknown_key(std::string_view key) {
+  const std::vector<SummaryField> known = all_summary_fields();
+  std::vector<std::string_view> keys;
+  keys.reserve(known.size());
+  for (const SummaryField& one : known) keys.push_back(one.key);
+  const std::string hint = file::suggestion(key, keys);
+  return fmt::format("the summary has no key {}{}", file::in_quotes(key),
+                     hint.empty() ? "; known: " + file::joined(keys) : hint);
+}
+
+std::string value_text(const SummaryValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* integer = std::get_if<std::uint64_t>(&value)) return fmt::format("{}", *integer);
+  if (const auto* real = std::get_if<double>(&value)) return file::shortest_number(*real);
+  return "null";
+}
+
+std::string summary_json(const RunSummary& run) { return json_text(json_object(run)); }
+
+std::string summaries_json(const std::vector<RunSummary>& runs) {
+  Json array = Json::array();
+  for (const RunSummary& run : runs) array.push_back(json_object(run));
+  return json_text(array);
+}
+
+std::string summaries_csv(const std::vector<RunSummary>& runs) {
+  std::vector<Json> objects;
+  objects.reserve(runs.size());
+  for (const RunSummary& run : runs) objects.push_back(json_object(run));
+  return csv_text(objects);
+}
+
+}  // namespace hapticwall::command

@@ -1,0 +1,50 @@
+// Tables for a terminal.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hapticwall::command {
+
+// "1.234" of value * factor; "-" if there is no value or it is not finite. A negative value that
+// rounds to zero keeps no sign.
+[[nodiscard]] std::string fixed(std::optional<double> value, double factor, int digits);
+
+// The same of newtons per metre in kN/m, with two decimals.
+[[nodiscard]] std::string kilonewtons_per_metre(std::optional<double> value_n_per_m);
+
+enum class Align : bool { kRight, kLeft };
+
+// The rows as aligned lines. Precondition: every row has as many cells as `columns`.
+[[nodiscard]] std::string aligned(const std::vector<std::vector<std::string>>& rows,
+                                  std::span<const Align> columns);
+
+template <typename Row>
+struct TableColumn {
+  std::string_view title;
+  std::string_view unit;
+  std::string (*text)(const Row&);
+  Align align = Align::kRight;
+};
+
+// Titles, units, and one line per row.
+template <typename Row, std::size_t count>
+[[nodiscard]] std::string table_of(const std::array<TableColumn<Row>, count>& columns,
+                                   const std::vector<Row>& rows) {
+  std::vector<std::vector<std::string>> cells(2 + rows.size());
+  std::vector<Align> aligns;
+  for (const TableColumn<Row>& column : columns) {
+    aligns.push_back(column.align);
+    cells[0].emplace_back(column.title);
+    cells[1].emplace_back(column.unit);
+    for (std::size_t i = 0; i < rows.size(); ++i) cells[2 + i].push_back(column.text(rows[i]));
+  }
+  return aligned(cells, aligns);
+}
+
+}  // namespace hapticwall::command

@@ -1,0 +1,60 @@
+// Text for people: numbers, names and pieces of user input in one-line messages.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace hapticwall::file {
+
+// The shortest decimal form that reads back to the same double, in the C locale. For files: 1e+09,
+// where number_text() (core/scene_keys.h) writes 1e9 for people.
+void append_number(std::string& text, double value);
+[[nodiscard]] std::string shortest_number(double value);
+
+// The number that all of `text` spells in the C locale; nullopt for anything else, and for a number
+// that is out of range or not finite.
+template <typename Number>
+[[nodiscard]] std::optional<Number> parsed(std::string_view text, int base = 10) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  std::from_chars_result read{};
+  if constexpr (std::floating_point<Number>) {
+    read = std::from_chars(text.data(), end, value);
+    if (!std::isfinite(value)) return std::nullopt;
+  } else {
+    read = std::from_chars(text.data(), end, value, base);
+  }
+  return read.ec == std::errc{} && read.ptr == end ? std::optional(value) : std::nullopt;
+}
+
+// The parts of `text` between separators; one part if there is none.
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
+
+// User input for a message: cut to a sane length, without control characters and invalid UTF-8, in
+// single quotes.
+[[nodiscard]] std::string in_quotes(std::string_view user_text);
+
+// The same without quotes, for a path or a key.
+inline constexpr std::size_t kMaxQuoteBytes = 80;  // bytes
+[[nodiscard]] std::string shown(std::string_view user_text, std::size_t longest = kMaxQuoteBytes);
+
+// The most similar of `candidates`, if one is similar enough.
+[[nodiscard]] std::optional<std::string_view> nearest_name(
+    std::string_view word, std::span<const std::string_view> candidates);
+
+// "; did you mean 'X'?", or an empty text.
+[[nodiscard]] std::string suggestion(std::string_view word,
+                                     std::span<const std::string_view> candidates);
+
+// "a, b, c".
+[[nodiscard]] std::string joined(std::span<const std::string_view> names);
+
+}  // namespace hapticwall::file

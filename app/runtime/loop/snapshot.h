@@ -1,0 +1,61 @@
+// What the owner of a loop chooses for it and sees of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "app/runtime/loop/arming.h"
+#include "app/runtime/loop/latency_histogram.h"
+#include "core/sample.h"
+#include "device/link_stats.h"
+
+namespace hapticwall::runtime {
+
+// Of the queues that carry every tick, in ticks.
+struct QueueCapacities {
+  std::size_t plot = 1U << 16U;
+  std::size_t recorder = 1U << 17U;
+};
+
+// Since the start of the session. Wake latency and compute time cover every cycle, also those in a
+// pause.
+struct TimingStatistics {
+  std::uint64_t ticks = 0;
+  std::uint64_t missed_ticks = 0;
+  double wake_latency_s = 0.0;  // of the newest tick
+  double maximum_wake_latency_s = 0.0;
+  double compute_time_s = 0.0;  // of the newest tick
+  double maximum_compute_time_s = 0.0;
+  // Compute time over the last second with ticks, updated four times a second.
+  std::uint32_t cost_ticks = 0;  // 0: not known yet
+  double median_cost_s = 0.0;    // within 4 %
+  double maximum_cost_s = 0.0;
+};
+
+// Every cycle since the start of the session, across resets and pauses.
+struct TimingHistograms {
+  LatencyCounts wake_latency;
+  LatencyCounts compute_time;
+};
+
+// Whether the force of a real device acts, and why not.
+struct ArmingStatus {
+  ArmingState state = ArmingState::kNotNeeded;
+  ArmingNote note = ArmingNote::kNone;
+  double gain = 1.0;        // of the force, 0 to 1
+  std::uint32_t asked = 0;  // answered requests to arm, granted or refused
+};
+
+// The newest tick and the state of the loop. Trivially copyable.
+struct Snapshot {
+  Tick newest;
+  TimingStatistics timing;
+  ArmingStatus arming;
+  device::LinkStats link;        // of a real device
+  std::uint32_t generation = 0;  // of the parameters in force
+  std::uint32_t resets = 0;      // how often the session went back to tick 0
+  bool paused = false;
+  bool ended_by_fault = false;  // the loop gave up: force is zero, the device is closed
+};
+
+}  // namespace hapticwall::runtime

@@ -1,0 +1,37 @@
+// Options of a window, from the command line.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/runtime/session/live_session.h"
+#include "app/runtime/session/replay_session.h"
+#include "core/result.h"
+#include "core/scene.h"
+
+namespace hapticwall::runtime {
+
+// Limits of WindowOptions::forced_scale and of the setting, in percent of the designed size.
+inline constexpr int kMinScalePercent = 50;
+inline constexpr int kMaxScalePercent = 300;
+
+struct WindowOptions {
+  Scene scene;
+  // Starts a session on a device; empty: the simulator.
+  std::function<Result<std::unique_ptr<LiveSession>>(const Scene&)> start_on_device;
+  // Makes the recording to show first; empty: a session of the scene is shown.
+  std::function<std::unique_ptr<ReplaySession>()> replay;
+  // Folder for recordings; empty: from the settings, or the current folder.
+  std::string recording_folder;
+  std::string settings_path;          // empty: settings are neither read nor kept
+  std::optional<float> forced_scale;  // empty: from the settings or the screen
+  double spin_s = 0.0;                // as SessionOptions::spin_s, on the simulator
+  std::string opened_file;            // the scene's file; empty: a built-in scene
+};
+
+// Opens a window and returns when it is closed.
+using OpenWindow = std::function<Failure(const WindowOptions&)>;
+
+}  // namespace hapticwall::runtime

@@ -1,0 +1,24 @@
+// The row above the plots: arrangement, time window, trigger, cursors and exports.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "app/draw/plot/plot_bounds.h"
+#include "app/draw/plot/sample_history.h"
+#include "app/ui/state/key_binding.h"
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& history);
+
+// F toggles following, T selects the next trigger mode, C toggles the cursors.
+[[nodiscard]] std::vector<KeyBinding> plot_keys();
+
+[[nodiscard]] std::span<const draw::PlotId> plots_of(PlotArrangement arrangement);
+
+// Stability bounds of the chosen wall, as in the wall panel.
+[[nodiscard]] std::vector<draw::BoundLine> bounds_of(const PanelContext& context);
+
+}  // namespace hapticwall::ui

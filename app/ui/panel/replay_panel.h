@@ -1,0 +1,29 @@
+// The replay section of the control panel, and re-runs of the recorded hand.
+#pragma once
+
+#include <string>
+
+#include "app/runtime/session/replay_session.h"
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+void draw_replay_section(const PanelContext& context, runtime::ReplaySession& replay);
+
+// Re-runs the recorded hand under this algorithm, on its own thread. The result replaces the
+// present overlay.
+void start_rerun(UiState& state, const runtime::ReplaySession& replay,
+                 const std::string& algorithm);
+
+// Shows the result of a finished re-run as an overlay, or tells why there is none.
+void notice_rerun(UiState& state, runtime::ReplaySession& replay);
+
+// Shows an overlay in the plots; null removes it.
+void draw_overlay_in_plots(UiState& state, const runtime::Overlay* overlay,
+                           std::shared_ptr<const draw::SampleHistory> history);
+
+// The samples of an overlay for the plots.
+[[nodiscard]] std::shared_ptr<const draw::SampleHistory> history_of(
+    const runtime::Overlay& overlay);
+
+}  // namespace hapticwall::ui

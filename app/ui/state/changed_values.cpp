@@ -1,0 +1,88 @@
+#include "app/ui/state/changed_values.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/file/text/text.h"
+#include "core/scene_keys.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using Values = std::vector<std::pair<std::string, std::string>>;  // key, value as shown
+
+// All values that may change during a session, except the integrator, in a fixed order.
+Values values_of(const Scene& scene) {
+  Values values;
+  visit_scene_numbers(
+      scene,
+      [&](const NumberPath& path, const auto& key, const auto& owner) {
+        for (const std::string_view other : {"", "sampling.", "algorithm."}) {
+          if (path.table == other) return;
+        }
+        values.emplace_back(path.text(), shown_value(key.get(owner)));
+      },
+      1);
+  const auto parameters = algorithm_parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::optional<double>& value = scene.algorithm.values.at(i);
+    values.emplace_back("algorithm." + std::string(parameters[i].key),
+                        value ? value_text(parameters[i], *value) : kAbsent);
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<std::string> changed_values(const Scene& running, const Scene& loaded) {
+  std::vector<std::string> lines;
+  const Scene back = with_loaded_values(running, loaded);
+  const Values now = values_of(running);
+  const Values then = values_of(back);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i].second == then[i].second) continue;
+    lines.push_back(
+        fmt::format("{} = {}, in the scene {}", now[i].first, now[i].second, then[i].second));
+  }
+  if (running.simulator != back.simulator) {
+    const auto words = [](const SimulatorSettings& simulator) {
+      return fmt::format("{} × {}", simulator.integrator_name(), simulator.substeps);
+    };
+    lines.push_back(fmt::format("simulator: {}, in the scene {}", words(running.simulator),
+                                words(back.simulator)));
+  }
+  return lines;
+}
+
+Scene with_loaded_values(const Scene& running, const Scene& loaded) {
+  Scene scene = running;
+  scene.x().device = loaded.x().device;
+  scene.x().device.start_m = running.x().device.start_m;
+  if (scene.x().hand && loaded.x().hand) {
+    scene.x().hand = loaded.x().hand;
+    scene.x().hand->path = running.x().hand->path;
+    scene.x().hand->follows_mouse = running.x().hand->follows_mouse;
+  }
+  if (loaded.x().walls.size() == running.x().walls.size()) scene.x().walls = loaded.x().walls;
+  scene.algorithm.values = loaded.algorithm.values;
+  scene.simulator = loaded.simulator;
+  return scene;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  return file::parsed<double>(text);
+}
+
+std::string rounded_number(double value) { return fmt::format("{:.10g}", value); }
+
+std::string shown_value(const std::optional<double>& value) {
+  return value ? rounded_number(*value) : std::string(kAbsent);
+}
+
+}  // namespace hapticwall::ui

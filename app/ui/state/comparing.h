@@ -1,0 +1,54 @@
+// The two slots of the comparison, as the Compare section, its key and undo use them.
+//
+// The active slot is the one that the session runs: a change of the algorithm changes that slot.
+// Toggling changes no slot and is no undo step. Undo restores both slots and keeps the active one.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/ui/state/compare_state.h"
+#include "app/ui/state/ui_state.h"
+#include "core/sample.h"
+#include "core/scene.h"
+
+namespace hapticwall::ui {
+
+// A is active and holds the algorithm of the scene. B holds `other`, or energy bounding, or virtual
+// coupling when A has energy bounding. Both have the values of the scene.
+[[nodiscard]] CompareSlots slots_for(const Scene& scene,
+                                     std::optional<std::size_t> other = std::nullopt);
+[[nodiscard]] CompareSlots slots_of(const UiState& state);
+
+// Starts the comparison of a new session. Clears the traces and ends a blind test.
+void begin_comparison(UiState& state, const Scene& scene, const CompareSlots& slots);
+
+// Slots for the session of a wanted scene: its own where it has them. For a loaded scene A is the
+// scene's and B keeps its algorithm. Otherwise unchanged.
+[[nodiscard]] CompareSlots slots_after(const UiState& state, const WantedScene& wanted);
+
+// Sets both slots; does not change the session.
+void set_slots(UiState& state, const std::array<AlgorithmSettings, 2>& settings);
+
+// All ticks of the session, in order.
+void note_ticks(UiState& state, const Scene& scene, std::span<const Tick> ticks);
+
+// Once a frame, after all panels: copies the session's algorithm into the active slot.
+void keep_slots(UiState& state, const Scene& scene);
+
+// Asks the session to run a slot. A problem changes nothing.
+[[nodiscard]] std::optional<SceneProblem> put_in_force(const PanelContext& context,
+                                                       compare::Slot slot);
+// The same, and tells the user about a problem.
+void choose_slot(const PanelContext& context, compare::Slot slot);
+void toggle_slot(const PanelContext& context);
+// Copies the session's algorithm into a slot.
+void take_present(const PanelContext& context, compare::Slot slot);
+
+// "energy-bounding".
+[[nodiscard]] std::string algorithm_name(const AlgorithmSettings& settings);
+// "rest_force_step_n = 0.01, …": the keys that are set, of those that the algorithm reads.
+[[nodiscard]] std::string set_keys_text(const AlgorithmSettings& settings);
+
+}  // namespace hapticwall::ui

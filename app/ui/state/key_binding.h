@@ -1,0 +1,37 @@
+// A key and its action, as a row of the table that handles keys and that the help shows.
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hapticwall::ui {
+
+struct PanelContext;
+
+enum class KeyGroup : std::uint8_t {
+  kForce,
+  kSession,
+  kReplay,
+  kAlgorithm,
+  kParameters,
+  kBlindTest,  // only during a blind test
+  kPlots,
+  kWindow
+};
+
+struct KeyBinding {
+  KeyGroup group = KeyGroup::kWindow;
+  std::string what;                   // for people, a few words
+  std::vector<ImGuiKeyChord> chords;  // any of these
+  std::function<void(const PanelContext&)> act;
+  std::vector<ImGuiKeyChord> more = {};  // also these; the help omits them
+  ImWchar character = 0;                 // also this character, on any keyboard layout
+  bool repeats = false;                  // while it is held down
+  bool always = false;                   // also while text is typed, with any modifier
+};
+
+}  // namespace hapticwall::ui

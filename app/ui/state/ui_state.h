@@ -1,0 +1,229 @@
+// State of the panels between frames, owned by the application.
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/draw/plot/extra_traces.h"
+#include "app/draw/plot/phase_plot.h"
+#include "app/draw/plot/plot.h"
+#include "app/draw/plot/plot_cursors.h"
+#include "app/draw/plot/plot_trigger.h"
+#include "app/draw/plot/sample_history.h"
+#include "app/draw/plot/theme.h"
+#include "app/runtime/session/live_session.h"
+#include "app/runtime/session/replay_session.h"
+#include "app/runtime/session/window_options.h"
+#include "app/ui/state/background.h"
+#include "app/ui/state/compare_state.h"
+#include "app/ui/state/export.h"
+#include "app/ui/state/messages.h"
+#include "app/ui/state/timing_state.h"
+#include "app/ui/state/undo.h"
+#include "app/ui/wall/wall_camera.h"
+#include "app/ui/wall/wall_picture.h"
+#include "core/scene.h"
+
+namespace hapticwall::ui {
+
+// Action of the mouse button that is held in the wall view.
+enum class ViewDrag : std::uint8_t { kNone, kLeadHand, kTurn, kShift };
+
+// Magnifications of the contact, relative to the wall view as it first shows a scene.
+inline constexpr std::array kMagnifications{10, 20, 50, 100, 200, 500, 1000};
+
+// View of the magnifier, m.
+struct Magnified {
+  double face_m = 0.0;    // face of the magnified wall
+  double middle_m = 0.0;  // centre of the view
+};
+
+struct WallState {
+  // Stored in the settings file.
+  struct Persisted {
+    WallOrbit orbit;
+    int magnification = 0;  // 10 to 1000; 0: automatic
+  };
+  struct Transient {
+    ViewDrag drag = ViewDrag::kNone;
+    std::array<ShownStiffness, kAxisCount> shown{};  // the fading tint of the walls
+    bool view_refined = true;  // false: the picture still improves in the next frames
+    int magnification = 0;     // in force; 0: none yet
+    Magnified magnified;
+    draw::Trace trail;  // recent motion of the handle
+  };
+
+  Persisted persisted;
+  Transient transient;
+};
+
+// Lengths of the time window, in s.
+inline constexpr std::array kTimeWindowsS{0.05, 0.1, 0.2,  0.5,  1.0,   2.0,   4.0,
+                                          6.0,  8.0, 10.0, 60.0, 600.0, 3600.0};
+
+struct PlotsState {
+  // Stored in the settings file.
+  struct Persisted {
+    draw::ChosenLines lines = draw::usual_lines();
+    draw::TriggerSettings trigger;
+    draw::PhaseSettings phase;
+    bool show_bounds = true;
+  } persisted;
+
+  // Lives as long as the window.
+  struct Transient {
+    draw::AllPlotAxes axes;
+    draw::Trigger trigger;
+    bool was_following = true;
+    draw::Cursors cursors;
+    draw::PhaseView phase;
+    std::vector<draw::PixelColumn> columns;
+    std::vector<draw::ExtraTrace> extra_traces;  // see replace_extra_traces()
+    ExportJob exporting;
+  } transient;
+};
+
+// The re-run of a recorded hand, and the same samples for the plots.
+struct LaidOver {
+  runtime::Overlay overlay;
+  std::shared_ptr<const draw::SampleHistory> history;
+};
+
+// Lives as long as the window.
+struct ReplayState {
+  Background<std::unique_ptr<runtime::ReplaySession>> opening;
+  std::string opening_path;
+  double opening_s = 0.0;  // for how long
+  Background<LaidOver> rerun;
+  std::string rerun_algorithm;
+  bool wants_back = false;  // go back to the previous scene after this frame
+};
+
+// Which plots are shown: all, or the panels (a), (b), (c) of the paper's figures.
+enum class PlotArrangement : std::uint8_t { kAll, kFigure4, kFigure5And6 };
+
+// The page below the views.
+enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest };
+
+// Stored in the settings file.
+struct PersistedState {
+  double time_window_s = 6.0;
+  PlotArrangement arrangement = PlotArrangement::kAll;
+  LowerPage lower_page = LowerPage::kPlots;
+  draw::HiddenLines hidden_lines = 0;
+  bool hand_stays_where_released = false;
+  draw::Look look = draw::Look::kScreen;
+  int scale_percent = 0;            // 0: follow the screen
+  double panel_ems = 21.5;          // width of the control panel, in sizes of the text
+  double view_share = 0.40;         // height of the views, share of the right side
+  double picture_share = 0.62;      // width of the wall's picture, share of the views
+  std::string recording_folder;     // empty: the current one
+  std::vector<std::string> recent;  // scene files and recordings, the newest first
+  int window_width = 0;             // in pixels at scale 1; 0: as fits the screen
+  int window_height = 0;
+  bool window_maximised = false;
+};
+
+// The text field in edit; all others show the present values.
+struct TextEdit {
+  ImGuiID field = 0;
+  ImGuiID asked = 0;    // the field that gets the keyboard next
+  std::string tooltip;  // tooltip of the preceding label, for its field
+  std::array<char, 256> text{};
+};
+
+// A scene that needs a new session.
+struct WantedScene {
+  Scene scene;
+  bool loaded = false;  // loaded from a file, not a change of the running scene
+  // Otherwise the scene to which values can be reset, if it is another one.
+  std::shared_ptr<const Scene> back_to = nullptr;
+  // Slots of the comparison; nullopt: unchanged, or chosen for a loaded scene.
+  std::optional<std::array<AlgorithmSettings, 2>> slots = std::nullopt;
+};
+
+// Why the last typed value was refused.
+struct Refusal {
+  std::string key;  // of the field
+  std::string why;
+};
+
+// Lives as long as the window.
+struct TransientState {
+  Toasts toasts;
+  UndoHistory undo;
+  bool help_shown = false;
+  std::string settings_path;          // empty: settings are not stored
+  float screen_scale = 1.0F;          // scale of the screen
+  std::optional<float> forced_scale;  // from the command line, until the user chooses another
+  TextEdit edit;
+  std::optional<WantedScene> wanted_scene;  // starts at rest after this frame
+  std::string wanted_recording;             // opens after this frame; empty: none
+  Scene loaded_scene;                       // source for resetting changed values
+  std::optional<Refusal> refusal;
+  // Values of the parts that are switched off, by key.
+  std::map<std::string, double, std::less<>> switched_off;
+  std::string recording_folder;  // from the command line; empty: the persisted one
+  std::string recording_name;    // empty: named after scene and algorithm
+  std::string mark_text;         // of the next mark
+  std::size_t chosen_wall = 0;
+  Axis shown_axis = Axis::kX;  // see shown_axis.h
+  bool dragging_hand = false;
+  std::optional<double> hand_m;  // where the pointer leads the hand
+  bool follow = true;            // the plots follow the newest samples
+  double time_from_s = 0.0;
+  double time_to_s = 0.0;
+  draw::Trace scratch;
+};
+
+struct UiState {
+  PersistedState persisted;
+  TransientState transient;
+  PlotsState plots;
+  WallState wall;
+  ReplayState replay;
+  CompareState compare;
+  TimingState timing;
+};
+
+// Decided once a frame, before any panel draws.
+struct Visibility {
+  runtime::LiveSession* live = nullptr;      // null while a recording is shown
+  runtime::ReplaySession* replay = nullptr;  // null while a session is live
+  // A running blind test hides the force and all that follows from it, and the algorithm.
+  bool hides_force = false;
+  bool hides_algorithm = false;
+  Axis axis = Axis::kX;  // of plots, magnifier, readout and the wall's fields
+  // The newest scene that the loop has echoed; the session's own scene is the one asked for.
+  const Scene* in_force = nullptr;
+};
+
+// The arguments of every panel.
+struct PanelContext {
+  runtime::SampleSource& session;  // shows.live or shows.replay
+  const runtime::Snapshot& snapshot;
+  const draw::Theme& theme;
+  UiState& state;
+  Visibility shows;
+};
+
+inline void tell(UiState& state, MessageKind kind, std::string text) {
+  state.transient.toasts.tell(kind, std::move(text));
+}
+
+// Tells a problem of the session or of the validation, in one line.
+inline void tell(UiState& state, const SceneProblem& problem) {
+  tell(state, MessageKind::kProblem,
+       problem.key.empty() ? problem.message : problem.key + ": " + problem.message);
+}
+
+}  // namespace hapticwall::ui

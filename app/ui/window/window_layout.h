@@ -1,0 +1,15 @@
+// Layout of the window: control panel on the left, views and plots on the right, status below,
+// messages and help on top.
+#pragma once
+
+#include "app/draw/plot/sample_history.h"
+#include "app/ui/state/ui_state.h"
+#include "app/ui/wall/wall_renderer.h"
+
+namespace hapticwall::ui {
+
+// Draws a whole frame.
+void draw_window(const PanelContext& context, const draw::SampleHistory& history,
+                 WallRenderer& renderer);
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,200 @@
+#include "core/plant/exact_plant.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "core/plant/one_body.h"
+#include "core/plant/taylor_polynomial.h"
+#include "core/plant/two_bodies.h"
+
+namespace hapticwall {
+
+template <typename Body, bool kFriction>
+void ExactPlant<Body, kFriction>::advance(Real force_n) {
+  motion_.path = path_.straight();
+  if (path_.bends_within_tick()) {
+    do {
+      advance_piece(force_n, path_.piece_fraction() * period_s_);
+    } while (path_.next_piece());
+  } else if (!try_straight_tick(motion_, force_n)) {
+    advance_piece(force_n, period_s_);
+  }
+  path_.next_tick();
+}
+
+template <typename Body, bool kFriction>
+void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s) {
+  // Small displacements must not drown in a large position: the origin moves to the handle.
+  const Real origin_m = motion_.body.position_m;
+  Body::move_origin(motion_.body, origin_m);
+  const Real begin_m = path_.position_m() - origin_m;
+  Drive now{begin_m, path_.velocity_m_per_s()};
+  Real done_s = 0;
+  int events_at_one_instant = 0;
+  int stalls = 0;
+  stop_if_spent();
+  while (done_s < duration_s) {
+    const Real rest_s = duration_s - done_s;
+    Real step_s = try_levels(force_n, now, rest_s);
+    if (step_s == 0 && events_at_one_instant > kMaxEventsAtOneInstant) {
+      step_s = rest_for_a_while(force_n, now, rest_s, stalls++);
+      events_at_one_instant = 0;
+    }
+    if (step_s == 0) {
+      step_s = std::min(level_duration(body_.deepest_level()), rest_s);
+      if (done_s + step_s <= done_s) break;  // the rest is below the last digit
+      step_s *= advance_by_taylor(force_n, now, step_s);
+      // A stretch below the last digit of the time is no progress either.
+      events_at_one_instant = done_s + step_s > done_s ? 0 : events_at_one_instant + 1;
+    }
+    done_s += step_s;
+    now.position_m = begin_m + path_.velocity_m_per_s() * done_s;
+  }
+  Body::move_origin(motion_.body, -origin_m);
+}
+
+template <typename Body, bool kFriction>
+auto ExactPlant<Body, kFriction>::level_duration(int level) const -> Real {
+  return std::ldexp(static_cast<Real>(period_s_), -level);
+}
+
+// Takes the longest level that fits without an event; returns its duration, or 0 for none.
+template <typename Body, bool kFriction>
+auto ExactPlant<Body, kFriction>::try_levels(Real force_n, const Drive& now, Real rest_s) -> Real {
+  for (int level = 0; level <= body_.deepest_level(); ++level) {
+    const Real step_s = level_duration(level);
+    if (step_s > rest_s || !surely_quiet(level, force_n, now)) continue;
+    if (kFriction && motion_.direction == 0) {
+      body_.advance_stick_level(level, motion_.body, force_n, now);
+    } else {
+      account(motion_, force_n,
+              body_.advance_by(body_.level(level), motion_.body, load(motion_, force_n), now));
+      stop_if_spent();
+    }
+    return step_s;
+  }
+  return 0;
+}
+
+// If rounding makes stop and breakaway alternate at one instant, the handle rests for the shortest
+// step, and for twice as long after each repetition in the same stretch. Returns the time of rest;
+// 0 if even the shortest step is too long.
+template <typename Body, bool kFriction>
+auto ExactPlant<Body, kFriction>::rest_for_a_while(Real force_n, const Drive& now, Real rest_s,
+                                                   int stalls) -> Real {
+  for (int level = std::max(0, body_.deepest_level() - stalls); level <= body_.deepest_level();
+       ++level) {
+    if (level_duration(level) > rest_s) continue;
+    if (motion_.direction != 0) stop();
+    body_.advance_stick_level(level, motion_.body, force_n, now);
+    return level_duration(level);
+  }
+  return 0;
+}
+
+// Stops a handle whose velocity has only rounding errors left.
+template <typename Body, bool kFriction>
+void ExactPlant<Body, kFriction>::stop_if_spent() {
+  if constexpr (kFriction) {
+    if (motion_.direction * motion_.body.velocity_m_per_s > 0 || motion_.direction == 0) return;
+    stop();
+  }
+}
+template <typename Body, bool kFriction>
+void ExactPlant<Body, kFriction>::stop() {
+  motion_.body.velocity_m_per_s = 0;
+  motion_.direction = 0;
+  ++friction_events_;
+}
+
+template <typename Body, bool kFriction>
+bool ExactPlant<Body, kFriction>::surely_quiet(int level, Real force_n, const Drive& now) const {
+  if constexpr (!kFriction) return true;
+  if (motion_.direction == 0) {
+    return body_.surely_sticks(level, motion_.body, force_n, now,
+                               friction_n_ + rounding_n(force_n, now));
+  }
+  return body_.surely_slides(body_.level(level), motion_.body, load(motion_, force_n), now,
+                             motion_.direction);
+}
+
+// Moves to the end of the step or to the next event; returns the covered fraction of the step.
+template <typename Body, bool kFriction>
+auto ExactPlant<Body, kFriction>::advance_by_taylor(Real force_n, const Drive& now, Real step_s)
+    -> Real {
+  if constexpr (!kFriction) {
+    const auto slide = body_.slide(motion_.body, load(motion_, force_n), now, step_s, 0);
+    account(motion_, force_n, body_.advance(motion_.body, slide, 1));
+    return 1;
+  }
+  return motion_.direction == 0 ? advance_sticking(force_n, now, step_s)
+                                : advance_sliding(force_n, now, step_s);
+}
+
+template <typename Body, bool kFriction>
+auto ExactPlant<Body, kFriction>::advance_sliding(Real force_n, const Drive& now, Real step_s)
+    -> Real {
+  // After a breakaway the net force equals the friction up to rounding and must not pull back.
+  const Real push = motion_.body.velocity_m_per_s == 0 ? motion_.direction : 0;
+  const auto slide = body_.slide(motion_.body, load(motion_, force_n), now, step_s, push);
+  const auto stopped = first_crossing(slide.velocity, motion_.direction);
+  account(motion_, force_n, body_.advance(motion_.body, slide, stopped.value_or(1)));
+  if (!stopped) return 1;
+  stop();
+  return *stopped;
+}
+
+template <typename Body, bool kFriction>
+auto ExactPlant<Body, kFriction>::advance_sticking(Real force_n, const Drive& now, Real step_s)
+    -> Real {
+  const Real rounding = rounding_n(force_n, now);
+  const auto stick = body_.stick(motion_.body, force_n, now, step_s);
+  Real theta = 1;
+  Real direction = 0;
+  for (const Real side : {Real(1), Real(-1)}) {
+    TaylorPolynomial<Real> reserve = stick.net_force;  // f_c - side * F_net
+    for (Real& c : reserve.coefficient) c *= -side;
+    reserve.coefficient[0] += friction_n_;
+    const auto loose = reserve.coefficient[0] < -rounding ? std::optional<Real>(0)
+                                                          : first_crossing(reserve, Real(1));
+    if (loose && (*loose < theta || direction == 0)) {
+      theta = *loose;
+      direction = side;
+    }
+  }
+  Body::advance(motion_.body, stick, theta);
+  if (direction != 0) {
+    motion_.direction = direction;
+    ++friction_events_;
+  }
+  return theta;
+}
+
+// Rounding error of a net force. A net force beyond friction by more than this breaks the handle
+// loose at once, whatever its trend.
+template <typename Body, bool kFriction>
+auto ExactPlant<Body, kFriction>::rounding_n(Real force_n, const Drive& now) const -> Real {
+  constexpr Real kLastDigits = 8 * std::numeric_limits<Real>::epsilon();
+  return kLastDigits *
+         (std::abs(body_.hand_force_n(motion_.body, now)) + std::abs(force_n) + friction_n_);
+}
+
+template class ExactPlant<BasicOneBody<double, false>, false>;
+template class ExactPlant<BasicOneBody<double, false>, true>;
+template class ExactPlant<BasicOneBody<double, true>, false>;
+template class ExactPlant<BasicOneBody<double, true>, true>;
+template class ExactPlant<BasicTwoBodies<double, false>, false>;
+template class ExactPlant<BasicTwoBodies<double, false>, true>;
+template class ExactPlant<BasicTwoBodies<double, true>, false>;
+template class ExactPlant<BasicTwoBodies<double, true>, true>;
+template class ExactPlant<BasicOneBody<long double, false>, false>;
+template class ExactPlant<BasicOneBody<long double, false>, true>;
+template class ExactPlant<BasicOneBody<long double, true>, false>;
+template class ExactPlant<BasicOneBody<long double, true>, true>;
+template class ExactPlant<BasicTwoBodies<long double, false>, false>;
+template class ExactPlant<BasicTwoBodies<long double, false>, true>;
+template class ExactPlant<BasicTwoBodies<long double, true>, false>;
+template class ExactPlant<BasicTwoBodies<long double, true>, true>;
+
+}  // namespace hapticwall

@@ -1,0 +1,112 @@
+#include "core/simulation/simulate.h"
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+#include "core/simulation/law_loops.h"
+#include "core/simulation/simulation.h"
+
+namespace hapticwall {
+namespace {
+
+static_assert(kChunkTicks == kAxesApartTicks);
+
+// A plant without loops of the law's own, or an algorithm with a follower, runs by calls.
+template <typename Plant>
+void run_chunk_of(HeadlessRun& run, Plant& plant, std::uint64_t end) {
+  if constexpr (LawLoopTable::kHas<Plant>) {
+    FollowedStabiliser& stabiliser = run.servo.stabiliser();
+    if (!stabiliser.followed()) {
+      return std::get<HeadlessLoop<Plant>>(law_loops(stabiliser.first().algorithm()))(run, plant,
+                                                                                      end);
+    }
+  }
+  choose_loop<LoopCalls>(run, plant, end);
+}
+
+void run_chunk(HeadlessRun& run, PlantVariant& variant, std::uint64_t end) {
+  std::visit([&](auto& plant) { run_chunk_of(run, plant, end); }, variant);
+}
+
+// One axis of several. Its samples wait until the others reach their tick.
+class WaitingAxis {
+ public:
+  WaitingAxis(const Scene& scene, std::vector<ScheduledChange> changes, bool wants_samples)
+      : changes_(std::move(changes)),
+        simulation_(scene, options(wants_samples), make_plant, run_chunk) {}
+  WaitingAxis(const WaitingAxis&) = delete;
+  WaitingAxis& operator=(const WaitingAxis&) = delete;
+
+  Simulation<PlantVariant>& simulation() { return simulation_; }
+  std::vector<Sample>& waiting() { return waiting_; }
+
+ private:
+  const SimulationOptions& options(bool wants_samples) {
+    options_.changes = changes_;
+    if (wants_samples) {
+      waiting_.reserve(kChunkTicks);
+      options_.on_sample = [this](const Sample& sample) { waiting_.push_back(sample); };
+    }
+    return options_;
+  }
+
+  std::vector<Sample> waiting_;
+  std::vector<ScheduledChange> changes_;
+  SimulationOptions options_;
+  Simulation<PlantVariant> simulation_;
+};
+
+std::vector<ScheduledChange> changes_of(std::span<const ScheduledChange> changes,
+                                        std::size_t axis) {
+  std::vector<ScheduledChange> of_axis;
+  of_axis.reserve(changes.size());
+  for (const ScheduledChange& change : changes)
+    of_axis.push_back({change.tick, axis_scene(change.scene, axis)});
+  return of_axis;
+}
+
+// Passes on the ticks that all axes have reached.
+void hand_out(std::deque<WaitingAxis>& axes, const AxesOptions& options) {
+  std::size_t count = kChunkTicks;
+  for (WaitingAxis& axis : axes) count = std::min(count, axis.waiting().size());
+  Tick tick;
+  tick.count = static_cast<std::uint8_t>(axes.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      tick.axes.at(axis) = axes[axis].waiting()[i];
+    }
+    options.on_tick(tick);
+  }
+  for (WaitingAxis& axis : axes) axis.waiting().clear();
+}
+
+}  // namespace
+
+SimulationResult simulate(const Scene& scene, const SimulationOptions& options) {
+  refuse_pointer(scene);
+  return Simulation<PlantVariant>(scene, options, make_plant, run_chunk).run();
+}
+
+AxesResult simulate_axes(const Scene& scene, const AxesOptions& options) {
+  const bool wants_samples = static_cast<bool>(options.on_tick);
+  std::deque<WaitingAxis> axes;
+  for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+    const Scene axis = axis_scene(scene, i);
+    refuse_pointer(axis);
+    axes.emplace_back(axis, changes_of(options.changes, i), wants_samples);
+  }
+  AxesResult result;
+  const auto is_over = [](WaitingAxis& axis) { return axis.simulation().over(); };
+  // All axes have the same changes and so the same chunks.
+  while (std::ranges::none_of(axes, is_over)) {
+    result.stopped_early = options.should_stop && options.should_stop();
+    if (result.stopped_early) break;
+    for (WaitingAxis& axis : axes) axis.simulation().advance();
+    if (wants_samples) hand_out(axes, options);
+  }
+  for (WaitingAxis& axis : axes) result.axes.push_back(axis.simulation().finish());
+  return result;
+}
+
+}  // namespace hapticwall

@@ -1,0 +1,59 @@
+// A whole scene on the built-in simulator, as fast as possible: no clock, no thread, no file.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/sample.h"
+#include "core/scene.h"
+#include "core/summary.h"
+
+namespace hapticwall {
+
+struct SimulationOptions {
+  // Called with the sample of every tick, in order; empty: samples are not assembled.
+  std::function<void(const Sample&)> on_sample;
+  // Called about every thousand ticks; true ends the run early (Ctrl-C).
+  std::function<bool()> should_stop;
+  // Sorted by tick.
+  std::span<const ScheduledChange> changes;
+};
+
+struct SimulationResult {
+  Summary summary;
+  bool stopped_early = false;
+  Sample final_state;  // at t = ticks * T: true state and energies, no force
+};
+
+// Runs a validated scene. Throws std::invalid_argument for a hand that follows the mouse.
+// Deterministic: same scene, same bits. Realtime-safe: no (allocates at set-up, never in the loop).
+[[nodiscard]] SimulationResult simulate(const Scene& scene, const SimulationOptions& options = {});
+
+struct AxesOptions {
+  // Called with every tick, in order; empty: ticks are not assembled.
+  std::function<void(const Tick&)> on_tick;
+  std::function<bool()> should_stop;         // as in SimulationOptions
+  std::span<const ScheduledChange> changes;  // of scenes with as many axes, sorted by tick
+};
+
+struct AxesResult {
+  std::vector<SimulationResult> axes;
+  bool stopped_early = false;
+};
+
+// All axes of a scene, each as simulate() would run it alone: they share only the clock. If one
+// diverges all end, at most kAxesApartTicks later. Preconditions: those of simulate().
+// Realtime-safe: no.
+[[nodiscard]] AxesResult simulate_axes(const Scene& scene, const AxesOptions& options = {});
+inline constexpr std::uint64_t kAxesApartTicks = 1024;
+
+// The reference for measuring integrators: the same closed loop with the exact integrator, whatever
+// the scene's, and the plant in extended precision (long double, 64 bits of mantissa). The
+// controller computes in double. Samples and summary are rounded to double. Several times slower.
+[[nodiscard]] SimulationResult simulate_reference(const Scene& scene,
+                                                  const SimulationOptions& options = {});
+
+}  // namespace hapticwall

@@ -1,0 +1,70 @@
+#include "core/utf8.h"
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+namespace hapticwall {
+namespace {
+
+constexpr std::uint32_t kReplacement = 0xFFFD;
+constexpr unsigned kTailBits = 6;  // that a continuation byte carries
+
+bool may_be_shown(std::uint32_t character) {
+  const bool control = character < 0x20 || (character >= 0x7F && character <= 0x9F);
+  const bool surrogate = character >= 0xD800 && character <= 0xDFFF;
+  return !control && !surrogate && character <= 0x10FFFF;
+}
+
+void append(std::string& text, std::uint32_t character) {
+  constexpr std::array<std::uint32_t, 4> kLeads{0x00, 0xC0, 0xE0, 0xF0};  // by number of tails
+  unsigned tails = character > 0xFFFF ? 3 : character > 0x7FF ? 2 : character > 0x7F ? 1 : 0;
+  text += static_cast<char>(kLeads[tails] | (character >> (tails * kTailBits)));
+  while (tails-- > 0) {
+    text += static_cast<char>(0x80U | ((character >> (tails * kTailBits)) & 0x3FU));
+  }
+}
+
+}  // namespace
+
+std::size_t utf8_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  std::size_t length = 0;
+  if (lead < 0x80) length = 1;
+  if (lead >= 0xc2 && lead < 0xe0) length = 2;
+  if (lead >= 0xe0 && lead < 0xf0) length = 3;
+  if (lead >= 0xf0 && lead < 0xf5) length = 4;
+  if (length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xc0U) != 0x80U) return 0;
+  }
+  if (length < 3) return length;
+  // The second byte shows overlong forms, surrogates and what is beyond U+10FFFF.
+  const auto second = static_cast<unsigned char>(text[1]);
+  const bool overlong = (lead == 0xe0 && second < 0xa0) || (lead == 0xf0 && second < 0x90);
+  const bool no_character = (lead == 0xed && second >= 0xa0) || (lead == 0xf4 && second >= 0x90);
+  return overlong || no_character ? 0 : length;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string to_utf8(const wchar_t* text) {
+  std::string result;
+  if (text == nullptr) return result;
+  for (; *text != L'\0'; ++text) {
+    // wchar_t may be signed; a negative value is no character.
+    const auto character =
+        static_cast<std::uint32_t>(static_cast<std::make_unsigned_t<wchar_t>>(*text));
+    append(result, may_be_shown(character) ? character : kReplacement);
+  }
+  return result;
+}
+
+}  // namespace hapticwall

@@ -1,0 +1,110 @@
+// The link to a real device: which device a session is for, and the values that the loop and the
+// link's three threads exchange without a mutex, an allocation or a wait.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/loop/triple_buffer.h"
+#include "device/hid/report.h"
+#include "device/link_stats.h"
+#include "device/os_threads.h"
+
+namespace hapticwall::device {
+
+// One axis in a device file. It overrides what the device reports, except that the smaller force
+// limit holds.
+struct AxisDescription {
+  double encoder_m = 0.0;
+  double force_limit_n = 0.0;
+
+  friend bool operator==(const AxisDescription&, const AxisDescription&) = default;
+};
+
+// One value for each axis; 0 for an axis that the device lacks.
+using AxisValues = std::array<double, hid::kMaxAxes>;
+
+struct ImpulseEngineOptions {
+  std::string path;  // of a listing; empty: the first device that fits
+  // Vendor 0: any device with the protocol's usage page or its test numbers.
+  std::uint16_t vendor_id = 0;
+  std::uint16_t product_id = 0;
+  std::string serial;  // empty: any
+  std::string name;    // of the device file; empty: the device's own name
+  std::optional<AxisDescription> x;
+  std::optional<AxisDescription> y;
+  // Assumed position of the handle at link-up, metres. A calibrated device reports its own.
+  AxisValues start_m{};
+  // Runs first on the threads that read and write, for example to set their priority.
+  std::function<void()> prepare_thread;
+};
+
+// Nanoseconds since a fixed instant; monotonic. Realtime-safe: yes.
+using HostClock = std::function<std::int64_t()>;
+
+// Reader to loop: the newest state. Trivially copyable.
+struct LinkView {
+  std::uint32_t session = 0;         // 0: no valid state yet
+  Trouble trouble = Trouble::kNone;  // that the device shows; see StateTracker::ended()
+  std::int64_t received_ns = 0;      // the newest valid state, by the host's clock
+  std::int64_t device_time_us = 0;   // its latch by the device's clock, unwrapped
+  std::uint32_t latch_us = 0;        // the same, as received
+  std::uint16_t sequence = 0;
+  AxisValues position_m{};
+  AxisValues limit_n{};
+  LinkStats stats;  // without the parts that the loop, the writer and the owner count
+};
+
+// Loop to writer: the newest command. Trivially copyable.
+struct LinkCommand {
+  std::uint32_t session = 0;  // of the link that it is for
+  std::int64_t made_ns = 0;   // read time of the position that it was computed from
+  bool enable = false;
+  bool clear_faults = false;  // never with enable
+  AxisValues force_n{};       // positive pushes out of the wall, to smaller positions
+  AxisValues limit_n{};       // of the device; every force is clamped to it
+  // The state that it was computed from.
+  std::uint16_t state_sequence = 0;
+  std::uint32_t state_latch_us = 0;
+};
+
+// Owner to loop.
+struct LinkStatus {
+  std::uint32_t session = 0;            // that is open; 0: none
+  Trouble reason = Trouble::kNotFound;  // why none is open, or why the previous one ended
+};
+
+struct LinkExchange {
+  TripleBuffer<LinkView> views;        // reader -> loop
+  TripleBuffer<LinkCommand> commands;  // loop -> writer
+  WakeSignal command_signal;
+
+  void show(LinkStatus status) {
+    status_.store((std::uint64_t{status.session} << kSessionShift) |
+                      static_cast<std::uint64_t>(status.reason),
+                  std::memory_order_release);
+  }
+  // Realtime-safe: yes.
+  [[nodiscard]] LinkStatus status() const {
+    const std::uint64_t packed = status_.load(std::memory_order_acquire);
+    return {static_cast<std::uint32_t>(packed >> kSessionShift),
+            static_cast<Trouble>(packed & kReasonMask)};
+  }
+
+  std::atomic<std::uint32_t> lost_session{0};  // loop -> owner: the session that fell silent
+  std::atomic<std::int64_t> write_ns{0};       // writer -> loop: duration of the newest write
+  std::atomic<std::int64_t> longest_write_ns{0};
+  std::atomic<std::uint64_t> losses{0};  // owner -> loop
+
+ private:
+  static constexpr unsigned kSessionShift = 32;
+  static constexpr std::uint64_t kReasonMask = 0xFF;
+
+  std::atomic<std::uint64_t> status_{static_cast<std::uint64_t>(Trouble::kNotFound)};
+};
+
+}  // namespace hapticwall::device

@@ -1,0 +1,42 @@
+// Turns a command into a FORCE report: the last check of a force before it leaves the host. No I/O
+// and no clock. Realtime-safe: yes, all of it.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "device/hid/link.h"
+#include "device/hid/report.h"
+
+namespace hapticwall::device {
+
+// The link is lost after this time without a valid report.
+inline constexpr std::int64_t kLinkLostNs = 20'000'000;
+
+// Clamps the forces to the limit. The report enables no force if the command does not, if a force
+// is not finite, or if the position is older than kLinkLostNs.
+[[nodiscard]] hid::ForceReport force_report(const LinkCommand& command, std::uint16_t sequence,
+                                            std::int64_t now_ns);
+
+// Maps the newest commands of a session to the states that they were computed from, for the
+// measurement of the delay. The writer notes, the reader asks.
+class SentCommands {
+ public:
+  // Before the command goes out. One thread.
+  void note(std::uint16_t sequence, std::uint32_t state_latch_us);
+  // Latch time of the state behind this command, by the device's clock; nullopt if this session has
+  // not sent it among its newest kKept. Any thread.
+  [[nodiscard]] std::optional<std::uint32_t> latch_us(std::uint16_t sequence) const;
+
+ private:
+  static constexpr std::size_t kKept = 256;
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+  // From the lowest bit: latch time, sequence, present.
+  std::array<std::atomic<std::uint64_t>, kKept> slots_{};
+};
+
+}  // namespace hapticwall::device

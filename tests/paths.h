@@ -1,0 +1,12 @@
+// Where the tests find their files and the programs that they start.
+#pragma once
+
+#include <string>
+
+namespace hapticwall::test {
+
+const std::string& data_folder();  // tests/ of the sources
+const std::string& program();      // hapticwall
+const std::string& emulator_program();
+
+}  // namespace hapticwall::test
