@@ -48,9 +48,9 @@ class DiskTest : public ProgramTest {
       std::filesystem::remove(path(found));
     }
   }
-  // Until the program has said `text` on standard error.
-  void wait_for_word(pid_t child, const std::string& text) const {
-    while (is_running(child) && content("stderr").find(text) == std::string::npos) sched_yield();
+  // Until the program has said a whole line on standard error.
+  void wait_for_line(pid_t child) const {
+    while (is_running(child) && !content("stderr").ends_with('\n')) sched_yield();
   }
   void wait_for_bytes(pid_t child, const std::string& name) const {
     while (is_running(child) && size(name) == 0) sched_yield();
@@ -104,14 +104,14 @@ TEST_F(DiskTest, AFullDiskIsToldWhileARunInRealTimeGoesOn) {
   const pid_t child = start({"/bin/sh", "-c",
                              "ulimit -f 8; exec '" + program() +
                                  "' run press --realtime --duration 1000 --csv a.csv --quiet"});
-  wait_for_word(child, "; the run goes on\n");
+  wait_for_line(child);
   EXPECT_TRUE(is_running(child));
   kill(child, SIGINT);
   const Answer answer = wait_for(child);
   EXPECT_EQ(answer.status, 4);
   const std::string what =
       "a.csv: could not be written: File too large (the written part is in a.csv.partial)";
-  EXPECT_EQ(answer.err, what + "; the run goes on\nerror: " + what + "\n");
+  EXPECT_EQ(answer.err, what + "; the run continues\nerror: " + what + "\n");
   EXPECT_EQ(size("a.csv.partial"), 8U * 512U);
   EXPECT_EQ(size("a.csv") + size("a.toml"), 0U);
   ASSERT_EQ(hapticwall({"recover", "a.csv"}).status, 0);
@@ -127,7 +127,7 @@ TEST_F(DiskTest, AFolderThatIsRemovedEndsARunAndIsToldInRealTime) {
     wait_for_bytes(child, "sub/a.csv.partial");
     std::filesystem::remove_all(path("sub"));
     if (in_real_time) {
-      wait_for_word(child, "; the run goes on\n");
+      wait_for_line(child);
       EXPECT_TRUE(is_running(child));
       kill(child, SIGINT);
     }
