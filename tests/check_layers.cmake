@@ -5,7 +5,7 @@
 # Within a layer the rooms have arrows, too:
 #   device <- device/hid <- device/emulator; app/runtime: loop <- session;
 #   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay;
-#   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- window (a widget knows no wall).
+#   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen, Highway and itself;
 # core/batch alone spreads scenes over the cores, with oneTBB.
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
@@ -26,14 +26,16 @@ set(may_include_app/emulator core device app/file app/runtime app/command/report
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
 
-set(rooms app/draw/plot app/draw/figure app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/window)
+set(rooms app/draw/plot app/draw/figure app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page
+    app/ui/window)
 set(may_include_app/draw/plot app/draw/plot)
 set(may_include_app/draw/figure app/draw/plot app/draw/figure)
 set(may_include_app/ui/wall app/ui/wall)
 set(may_include_app/ui/state app/ui/wall app/ui/state)
 set(may_include_app/ui/widget app/ui/state app/ui/widget)
 set(may_include_app/ui/panel app/ui/wall app/ui/state app/ui/widget app/ui/panel)
-set(may_include_app/ui/window app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/window)
+set(may_include_app/ui/page app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page)
+set(may_include_app/ui/window app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/window)
 
 # A folder after its rooms stands for the files beside them.
 list(APPEND rooms device/hid device/emulator device app/runtime/loop app/runtime/session)

@@ -6,7 +6,7 @@
 
 #include "app/file/disk/small_file.h"
 #include "app/file/scene/settings_text.h"
-#include "app/ui/panel/magnifier.h"
+#include "app/ui/page/magnifier.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/window/rows.h"
 #include "tests/window/window_test.h"

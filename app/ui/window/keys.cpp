@@ -6,10 +6,10 @@
 #include <iterator>
 #include <utility>
 
+#include "app/ui/page/plot_controls.h"
 #include "app/ui/panel/algorithm_panel.h"
 #include "app/ui/panel/arming_strip.h"
 #include "app/ui/panel/panel_head.h"
-#include "app/ui/panel/plot_controls.h"
 #include "app/ui/panel/replay_bar.h"
 #include "app/ui/panel/toolbar.h"
 #include "app/ui/state/appearance.h"

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/page/lower_page.h"
+#include "app/ui/page/magnifier.h"
 #include "app/ui/panel/algorithm_panel.h"
 #include "app/ui/panel/arming_strip.h"
 #include "app/ui/panel/compare_panel.h"
 #include "app/ui/panel/device_panel.h"
 #include "app/ui/panel/hand_panel.h"
 #include "app/ui/panel/loop_panel.h"
-#include "app/ui/panel/lower_page.h"
-#include "app/ui/panel/magnifier.h"
 #include "app/ui/panel/panel_head.h"
 #include "app/ui/panel/replay_panel.h"
 #include "app/ui/panel/scene_panel.h"

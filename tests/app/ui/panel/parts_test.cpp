@@ -6,8 +6,8 @@
 
 #include "app/draw/plot/plot.h"
 #include "app/file/scene/scene_file.h"
+#include "app/ui/page/plots_panel.h"
 #include "app/ui/panel/loop_panel.h"
-#include "app/ui/panel/plots_panel.h"
 #include "app/ui/panel/toolbar.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/widgets.h"

@@ -1,4 +1,4 @@
-#include "app/ui/panel/plot_controls.h"
+#include "app/ui/page/plot_controls.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "app/ui/panel/plot_export.h"
+#include "app/ui/page/plot_export.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
 #include "core/study/stability_bounds.h"

@@ -1,4 +1,4 @@
-#include "app/ui/panel/timing_page.h"
+#include "app/ui/page/timing_page.h"
 
 #include <fmt/format.h>
 #include <implot.h>
@@ -10,7 +10,7 @@
 
 #include "app/runtime/loop/clock.h"
 #include "app/runtime/loop/timing_verdict.h"
-#include "app/ui/panel/timing_histogram.h"
+#include "app/ui/page/timing_histogram.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 

@@ -1,4 +1,4 @@
-#include "app/ui/panel/plots_panel.h"
+#include "app/ui/page/plots_panel.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/panel/plot_controls.h"
-#include "app/ui/panel/plot_export.h"
+#include "app/ui/page/plot_controls.h"
+#include "app/ui/page/plot_export.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
 

@@ -1,5 +1,5 @@
 // The plots: every control, the keys, and the mouse.
-#include "app/ui/panel/plots_panel.h"
+#include "app/ui/page/plots_panel.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/ui/panel/timing_histogram.h"
+#include "app/ui/page/timing_histogram.h"
 
 #include <fmt/format.h>
 #include <implot.h>

@@ -1,4 +1,4 @@
-#include "app/ui/panel/blind_test_page.h"
+#include "app/ui/page/blind_test_page.h"
 
 #include <fmt/format.h>
 

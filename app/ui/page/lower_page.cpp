@@ -1,15 +1,15 @@
-#include "app/ui/panel/lower_page.h"
+#include "app/ui/page/lower_page.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <string>
 
-#include "app/ui/panel/blind_test_page.h"
+#include "app/ui/page/blind_test_page.h"
+#include "app/ui/page/ghosts.h"
+#include "app/ui/page/plots_panel.h"
+#include "app/ui/page/timing_page.h"
 #include "app/ui/panel/energy_lamp_view.h"
-#include "app/ui/panel/ghosts.h"
-#include "app/ui/panel/plots_panel.h"
-#include "app/ui/panel/timing_page.h"
 #include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {

@@ -1,4 +1,4 @@
-#include "app/ui/panel/plot_export.h"
+#include "app/ui/page/plot_export.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "app/draw/figure/figure.h"
 #include "app/file/picture.h"
-#include "app/ui/panel/plot_controls.h"
+#include "app/ui/page/plot_controls.h"
 #include "app/ui/panel/toolbar.h"
 #include "app/ui/state/export.h"
 #include "app/ui/widget/shown_axis.h"

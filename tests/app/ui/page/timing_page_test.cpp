@@ -1,4 +1,4 @@
-#include "app/ui/panel/timing_page.h"
+#include "app/ui/page/timing_page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "app/ui/panel/timing_histogram.h"
+#include "app/ui/page/timing_histogram.h"
 #include "tests/app/ui/gui_test.h"
 #include "tests/app/ui/pixels.h"
 

@@ -1,4 +1,4 @@
-#include "app/ui/panel/magnifier.h"
+#include "app/ui/page/magnifier.h"
 
 #include <gtest/gtest.h>
 

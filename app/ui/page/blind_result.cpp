@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "app/ui/panel/blind_test_page.h"
+#include "app/ui/page/blind_test_page.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"

@@ -1,4 +1,4 @@
-#include "app/ui/panel/ghosts.h"
+#include "app/ui/page/ghosts.h"
 
 #include <fmt/format.h>
 
