@@ -1,4 +1,4 @@
-// Every control of the window is used at least once, and does what it is for.
+// A person uses every control of the window at least once; each row checks the effect.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,6 +43,8 @@ class ControlsTest : public WindowTest {
     connect_device();
     use([&](Person& person) {
       use_all(person, "link", link_rows());
+      person.click("step");
+      EXPECT_EQ(device().steps, 0) << "it is not paused";
       person.click("arm");
       EXPECT_EQ(device().arm_requests, std::vector{true});
       device().arming.state = runtime::ArmingState::kOn;
@@ -56,12 +58,12 @@ class ControlsTest : public WindowTest {
 TEST_P(ControlsTest, EveryOneIsUsed) {
   use_simulator();
   use_device();
-  // They come and go with the work of a moment: tests/app/ui/panel/replay_rerun_test.cpp has them.
+  // These exist only while a task runs.
   for (const char* passing : {"cancel re-run", "cancel opening"}) log_.used.insert(passing);
   std::set<std::string> forgotten;
   std::set_difference(log_.seen.begin(), log_.seen.end(), log_.used.begin(), log_.used.end(),
                       std::inserter(forgotten, forgotten.end()));
-  EXPECT_TRUE(forgotten.empty()) << "nobody has used these; give them rows in tests/window/rows_*: "
+  EXPECT_TRUE(forgotten.empty()) << "no row uses these controls; add rows to tests/window/rows_*: "
                                  << ::testing::PrintToString(forgotten);
 }
 

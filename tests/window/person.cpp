@@ -1,8 +1,10 @@
 #include "tests/window/person.h"
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 #include <imgui_te_context.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <chrono>
 #include <utility>
@@ -10,7 +12,7 @@
 namespace hapticwall::test {
 namespace {
 
-// Long enough for the slowest machine; nothing here takes a hundredth of it.
+// Much longer than any wait here takes.
 constexpr std::chrono::seconds kPatience{60};
 
 }  // namespace
@@ -41,14 +43,46 @@ std::string Person::clipboard() const { return ImGui::GetClipboardText(); }
 
 bool Person::is_stuck() const { return engine_->IsError(); }
 
+// Text that is scrolled out of sight is not drawn, and must be looked for.
 std::optional<ItemRect> Person::take(const std::string& item) {
   log_->used.insert(kind_of(item));
+  scroll_until([&] { return sees(item); });
   auto found = find_item(item);
   if (!found) ADD_FAILURE() << "'" << item << "' is not there";
   return found;
 }
 
-// What has an identity is scrolled into view, and must be what the pointer then really meets.
+bool Person::scroll_until(const std::function<bool()>& condition) {
+  if (condition()) return true;
+  const ImVector<ImGuiWindow*> windows = ImGui::GetCurrentContext()->Windows;
+  for (ImGuiWindow* window : windows) {
+    if (!window->WasActive || window->ScrollMax.y <= 0.0F) continue;
+    const float before = window->Scroll.y;
+    const float step = 0.5F * window->InnerRect.GetHeight();
+    for (float y = 0.0F; y < window->ScrollMax.y + step; y += step) {
+      ImGui::SetScrollY(window, std::min(y, window->ScrollMax.y));
+      engine_->Yield(2);
+      if (condition()) return true;
+    }
+    ImGui::SetScrollY(window, before);
+    engine_->Yield(2);
+  }
+  return false;
+}
+
+bool Person::has_tooltip(const std::string& item) {
+  hover(item);
+  ImGuiStyle& style = ImGui::GetStyle();
+  const float stationary_s = std::exchange(style.HoverStationaryDelay, 0.0F);
+  const float short_s = std::exchange(style.HoverDelayShort, 0.0F);
+  engine_->Yield(4);
+  style.HoverStationaryDelay = stationary_s;
+  style.HoverDelayShort = short_s;
+  const ImGuiWindow* tooltip = ImGui::FindWindowByName("##Tooltip_00");
+  return tooltip != nullptr && (tooltip->Active || tooltip->WasActive);
+}
+
+// Scrolls an item with an id into view; the test engine fails if something covers it.
 void Person::point_at(const ItemRect& rect) {
   if (rect.id != 0) {
     engine_->MouseMove(rect.id);
@@ -62,13 +96,14 @@ void Person::click(const std::string& item, ImGuiMouseButton button) {
   if (!rect) return;
   point_at(*rect);
   engine_->MouseClick(button);
+  engine_->Yield();
 }
 
 void Person::double_click(const std::string& item, ImGuiMouseButton button) {
   const auto rect = take(item);
   if (!rect) return;
   point_at(*rect);
-  // However long a frame takes.
+  // A slow frame must not split the two clicks.
   ImGuiIO& io = ImGui::GetIO();
   const float usual = std::exchange(io.MouseDoubleClickTime, FLT_MAX);
   engine_->MouseDoubleClick(button);
@@ -76,17 +111,7 @@ void Person::double_click(const std::string& item, ImGuiMouseButton button) {
 }
 
 void Person::hover(const std::string& item) {
-  const auto rect = take(item);
-  if (!rect) return;
-  ImVec2 place = rect->centre();
-  const ImVec2 screen = ImGui::GetMainViewport()->WorkSize;
-  if (place.y >= screen.y) {  // below the end of a panel that scrolls
-    ImGuiWindow* panel = engine_->FindHoveredWindowAtPos(ImVec2(place.x, 0.5F * screen.y));
-    engine_->ScrollToPosY(panel->ID, place.y);
-    if (const auto now = find_item(item)) place = now->centre();
-    EXPECT_LT(place.y, screen.y) << "'" << item << "' cannot be brought to light";
-  }
-  engine_->MouseMoveToPos(place);
+  if (const auto rect = take(item)) point_at(*rect);
 }
 
 void Person::drag(const std::string& item, ImVec2 way, ImGuiMouseButton button) {
@@ -99,8 +124,7 @@ void Person::drag(const std::string& item, ImVec2 way, ImGuiMouseButton button) 
 void Person::drag_from(const std::string& item, ImVec2 share, ImVec2 way, ImGuiMouseButton button) {
   const auto rect = take(item);
   if (!rect) return;
-  engine_->MouseMoveToPos(ImVec2(rect->from.x + share.x * (rect->to.x - rect->from.x),
-                                 rect->from.y + share.y * (rect->to.y - rect->from.y)));
+  engine_->MouseMoveToPos(rect->at(share.x, share.y));
   engine_->MouseDragWithDelta(way, button);
 }
 
@@ -136,7 +160,7 @@ void Person::choose(const std::string& item, const std::string& word) {
 
 void Person::press(ImGuiKeyChord chord) { engine_->KeyPress(chord); }
 
-// A field selects all of its text when it is clicked: what is written takes its place.
+// A click into a field selects its whole text, and writing replaces it.
 void Person::write(const std::string& text) {
   if (text.empty()) {
     engine_->KeyPress(ImGuiKey_Delete);
@@ -162,7 +186,7 @@ bool Person::wait_until(const std::function<bool()>& condition, std::string_view
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (!condition()) {
     if (is_stuck() || std::chrono::steady_clock::now() > end) {
-      ADD_FAILURE() << "waited in vain: " << what;
+      ADD_FAILURE() << "waited too long for: " << what;
       return false;
     }
     wait_a_frame();

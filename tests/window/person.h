@@ -1,5 +1,5 @@
-// Somebody at the window: clicks what is there by the name under which it was drawn, types, presses
-// keys and waits for what comes of it. Dear ImGui Test Engine is the hand.
+// A person at the window, played by Dear ImGui Test Engine: finds controls by name, clicks, types,
+// presses keys, and waits for the effect.
 #pragma once
 
 #include <imgui.h>
@@ -19,13 +19,13 @@ struct ImGuiTestContext;
 
 namespace hapticwall::test {
 
-// The names of everything that was drawn, and of everything that was used.
+// The names of all items that were drawn, and of all items that the person used.
 struct ItemLog {
   std::set<std::string> seen;
   std::set<std::string> used;
 };
 
-// One of a counted kind ("toast 12"), or of a kind with names, stands for all of them.
+// Items that differ only by a number or a name ("toast 12") have one name in the log.
 [[nodiscard]] std::string kind_of(const std::string& item);
 
 class Person {
@@ -35,7 +35,7 @@ class Person {
   Person(ImGuiTestContext& engine, ui::Application& application, ItemLog& log, Drop drop)
       : engine_(&engine), application_(&application), log_(&log), drop_(std::move(drop)) {}
 
-  // ---- what is there
+  // ---- state
   [[nodiscard]] ui::UiState& state() const { return application_->state(); }
   [[nodiscard]] runtime::SampleSource& session() const { return application_->session(); }
   [[nodiscard]] runtime::LiveSession& live() const { return *application_->live(); }
@@ -45,38 +45,43 @@ class Person {
   [[nodiscard]] runtime::RecordingStatus recording() const;
   [[nodiscard]] ui::Message message() const { return state().transient.toasts.newest(); }
   [[nodiscard]] static bool sees(const std::string& item);
+  // Whether a tooltip appears while the pointer rests on it.
+  [[nodiscard]] bool has_tooltip(const std::string& item);
   [[nodiscard]] static std::vector<std::string> items_called(std::string_view beginning);
   [[nodiscard]] std::string clipboard() const;
-  // Something could not be used: nothing more is done.
+  // True after the test engine has failed to use a control.
   [[nodiscard]] bool is_stuck() const;
   [[nodiscard]] const ItemLog& log() const { return *log_; }
 
-  // ---- what one does
+  // ---- actions
+  // Returns after the frame that draws the result.
   void click(const std::string& item, ImGuiMouseButton button = ImGuiMouseButton_Left);
   void double_click(const std::string& item, ImGuiMouseButton button = ImGuiMouseButton_Left);
   void hover(const std::string& item);
   void drag(const std::string& item, ImVec2 way, ImGuiMouseButton button = ImGuiMouseButton_Left);
-  // The same beginning at a share of the item's width and height.
+  // Starts at a share of the item's width and height.
   void drag_from(const std::string& item, ImVec2 share, ImVec2 way,
                  ImGuiMouseButton button = ImGuiMouseButton_Left);
+  // Scrolls each area from its top to its end until the condition holds. False: it never does.
+  bool scroll_until(const std::function<bool()>& condition);
   void turn_wheel(const std::string& item, float notches);
-  // Puts this text in place of what is in a field, and confirms.
+  // Replaces the text of a field, and confirms.
   void type(const std::string& item, const std::string& text);
-  // Ctrl+click: then the field beside a slider has the keyboard.
+  // On a slider, this moves the keyboard to the field beside it.
   void ctrl_click(const std::string& item);
-  // The entry `word` of the list that `item` opens.
+  // Opens the list `item`, and chooses its entry `word`.
   void choose(const std::string& item, const std::string& word);
   void press(ImGuiKeyChord chord);
   void write(const std::string& text);
   void drop(std::span<const std::string> paths) { drop_(paths); }
-  // Lists, the help and messages.
+  // Closes lists, the help and messages.
   void put_everything_away();
 
-  // ---- what one waits for
+  // ---- waiting
   void wait_a_frame();
-  // A condition that comes soon; false, and a failure, where it does not for a very long time.
+  // Waits for a condition. After a minute it fails the test and returns false.
   bool wait_until(const std::function<bool()>& condition, std::string_view what);
-  // Ticks of the session, as the window has taken them.
+  // Waits until the session has made this many more ticks.
   bool wait_for_ticks(std::uint64_t ticks);
 
  private:

@@ -1,15 +1,10 @@
-// What is recorded and exported through the window: the files say what was done.
+// Recordings made in the window: the files hold everything that was done.
 #include <gtest/gtest.h>
-#include <png.h>
 
-#include <array>
-#include <cstring>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "app/file/recording/recording_reader.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/window/window_test.h"
 
 namespace hapticwall::test {
@@ -45,32 +40,6 @@ class RecordingWindowTest : public WindowTest {
   }
 };
 
-TEST_P(RecordingWindowTest, HoldsEverySwitchOfTheAlgorithm) {
-  constexpr std::uint64_t kTicksOfEach = 50;
-  std::vector<std::size_t> switched;
-  std::string path;
-  use([&](Person& person) {
-    start(person);
-    path = person.recording().path;
-    for (std::size_t i = 0; i < algorithms().size(); ++i) {
-      if (person.scene().algorithm.index == i) continue;
-      person.click(std::string(algorithms()[i].name));
-      EXPECT_EQ(person.scene().algorithm.index, i);
-      switched.push_back(i);
-      person.wait_for_ticks(kTicksOfEach);
-    }
-    stop(person);
-  });
-  const auto reader = read(path);
-  ASSERT_NE(reader, nullptr);
-  expect_whole(*reader);
-  EXPECT_GE(reader->rows(), kTicksOfEach * switched.size());
-  std::vector<std::size_t> written;
-  for (const ScheduledChange& change : reader->info().loaded.changes)
-    written.push_back(change.scene.algorithm.index);
-  EXPECT_EQ(written, switched);
-}
-
 TEST_P(RecordingWindowTest, IsRepeatableWithTheValuesThatWereChangedMeanwhile) {
   std::string path;
   use([&](Person& person) {
@@ -103,7 +72,7 @@ TEST_P(RecordingWindowTest, IsFinishedWhenTheWindowIsClosed) {
     start(person);
     path = person.recording().path;
     person.wait_until([&] { return person.recording().rows > 100; }, "rows");
-    EXPECT_FALSE(std::filesystem::exists(path)) << "it has its name only when it is whole";
+    EXPECT_FALSE(std::filesystem::exists(path)) << "a partial recording has another name";
   });
   EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
   const auto reader = read(path);
@@ -120,7 +89,7 @@ TEST_P(RecordingWindowTest, EndsWithTheSceneAndNeverReplacesAFile) {
       person.put_everything_away();
       person.click("Figure 6");
       person.wait_until([&] { return person.recording().state == runtime::RecordingState::kIdle; },
-                        "its end");
+                        "the end of the recording");
     }
   });
   const auto files = home_.files(".csv");
@@ -130,51 +99,6 @@ TEST_P(RecordingWindowTest, EndsWithTheSceneAndNeverReplacesAFile) {
     ASSERT_NE(reader, nullptr);
     expect_whole(*reader);
   }
-}
-
-TEST_P(RecordingWindowTest, ExportsWhatIsSeen) {
-  double from_s = 0.0;
-  double to_s = 0.0;
-  use([&](Person& person) {
-    person.wait_for_ticks(400);
-    person.click("follow");
-    for (const char* figure : {"as Figure 4", "all plots"}) {
-      person.click("arrangement");
-      person.wait_a_frame();
-      person.click(figure);
-      person.click("export png");
-      EXPECT_TRUE(person.message().text.starts_with("exported the figure"))
-          << person.message().text;
-      person.put_everything_away();
-    }
-    from_s = person.state().transient.time_from_s;
-    to_s = person.state().transient.time_to_s;
-    person.click("export csv");
-    person.wait_until([&] { return person.message().text.starts_with("exported"); }, "the CSV");
-  });
-  const auto pictures = home_.files(".png");
-  EXPECT_EQ(pictures.size(), 2U);
-  for (const std::string& path : pictures) {
-    png_image image;
-    std::memset(&image, 0, sizeof image);
-    image.version = PNG_IMAGE_VERSION;
-    ASSERT_NE(png_image_begin_read_from_file(&image, path.c_str()), 0) << path;
-    EXPECT_EQ(image.width, 1600U);
-    EXPECT_EQ(image.height, 1200U);
-    png_image_free(&image);
-  }
-  const auto files = home_.files(".csv");
-  ASSERT_EQ(files.size(), 1U);
-  const auto reader = read(files.front());
-  ASSERT_NE(reader, nullptr);
-  EXPECT_GE(reader->rows(), 300U);
-  EXPECT_EQ(reader->info().scanned.missing_rows, 0U);
-  std::array<Tick, 1> first{};
-  std::array<Tick, 1> last{};
-  ASSERT_TRUE(reader->read(0, first).ok());
-  ASSERT_TRUE(reader->read(reader->rows() - 1, last).ok());
-  EXPECT_GE(first.front().x().time_s, from_s);
-  EXPECT_LE(last.front().x().time_s, to_s);
 }
 
 HAPTICWALL_ON_BOTH_SCREENS(RecordingWindowTest);

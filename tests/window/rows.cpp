@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <utility>
 
 namespace hapticwall::test {
@@ -9,29 +10,44 @@ namespace {
 
 constexpr float kSlidePixels = 30.0F;
 
+// Areas, headings and texts. 'undo' has a tooltip after a change: undo_once().
+const std::set<std::string> kWithoutTooltip{
+    "undo",           "light",         "dark",        "section Hand",     "section Device",
+    "wall view",      "view splitter", "penetration", "picture splitter", "section Believed of it",
+    "panel splitter", "FORCE…"};
+
+void expect_tooltip(Person& person, const std::string& item) {
+  if (kWithoutTooltip.contains(item) || item.starts_with("plot ")) return;
+  EXPECT_TRUE(person.has_tooltip(item)) << item << " has no tooltip";
+}
+
 Row row(std::string item, std::function<void(Person&)> first,
         std::function<void(Person&, const std::string&)> use) {
   std::string name = item;
   return {std::move(name),
           [item = std::move(item), first = std::move(first), use = std::move(use)](Person& person) {
-            if (first) first(person);
+            if (first) {
+              first(person);
+              person.wait_a_frame();
+              expect_tooltip(person, item);
+            }
             use(person, item);
           }};
 }
 
 }  // namespace
 
-void expect_flips(Person& person, const std::string& item, const Look& look) {
-  const double before = look(person);
-  person.click(item);
-  EXPECT_NE(look(person), before) << item;
-  person.click(item);
-  EXPECT_EQ(look(person), before) << item;
+Row does(std::string item, std::function<void(Person&, const Act&)> deed) {
+  return row(std::move(item), {},
+             [deed = std::move(deed)](Person& person, const std::string& name) {
+               deed(person, [&] { person.click(name); });
+             });
 }
 
 Row shown(std::string item, std::function<void(Person&)> first) {
   return row(std::move(item), std::move(first), [](Person& person, const std::string& name) {
     person.hover(name);
+    expect_tooltip(person, name);
     const auto found = find_item(name);
     ASSERT_TRUE(found);
     EXPECT_GT(found->to.x, found->from.x);
@@ -42,7 +58,7 @@ Row shown(std::string item, std::function<void(Person&)> first) {
 Row flips(std::string item, Look look, std::function<void(Person&)> first) {
   return row(std::move(item), std::move(first),
              [look = std::move(look)](Person& person, const std::string& name) {
-               expect_flips(person, name, look);
+               flip_twice(person, look, [&] { person.click(name); });
              });
 }
 
@@ -59,7 +75,7 @@ Row takes(std::string item, std::string text, Look look, double wanted,
   return row(std::move(item), std::move(first),
              [text = std::move(text), look = std::move(look), wanted](Person& person,
                                                                       const std::string& name) {
-               EXPECT_NE(look(person), wanted) << "it would prove nothing";
+               EXPECT_NE(look(person), wanted) << "the value must differ before";
                person.type(name, text);
                EXPECT_DOUBLE_EQ(look(person), wanted);
              });
@@ -83,6 +99,7 @@ void use_all(Person& person, const char* panel, const Table& table) {
     if (person.is_stuck()) return;
     SCOPED_TRACE(row.item);
     person.put_everything_away();
+    if (person.sees(row.item)) expect_tooltip(person, row.item);
     row.use(person);
     EXPECT_TRUE(person.log().used.contains(kind_of(row.item))) << "its row does not use it";
     EXPECT_FALSE(person.is_stuck()) << "cannot be used";
@@ -91,6 +108,7 @@ void use_all(Person& person, const char* panel, const Table& table) {
 
 void unfold(Person& person, const std::string& section, const std::string& something_in_it) {
   if (!person.sees(something_in_it)) person.click("section " + section);
+  person.wait_a_frame();
 }
 
 }  // namespace hapticwall::test

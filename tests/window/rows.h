@@ -1,47 +1,44 @@
-// What somebody does with every control, a row for each: one table for each panel.
+// One table for each panel, with a row for each control: it uses the control and checks the effect.
 //
-// A control that no row names fails the test EveryControl: add a row to its panel's table.
+// ControlsTest fails for a control without a row: add a row to the table of its panel.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "tests/window/person.h"
+#include "tests/window/deeds.h"
 
 namespace hapticwall::test {
 
 struct Row {
-  std::string item;  // that it must use, by the name under which it is drawn
+  std::string item;  // the name of the control, which the row must use
   std::function<void(Person&)> use;
 };
 using Table = std::vector<Row>;
 
-// A value of the window, or of its session.
-using Look = std::function<double(Person&)>;
+// ---- the usual kinds. `first` shows the control if it is hidden at first.
 
-// ---- the usual kinds. `first` brings the control to light where it is not there by itself.
-
-// Nothing can be done with it: the pointer rests on it.
+// The pointer can rest on it.
 [[nodiscard]] Row shown(std::string item, std::function<void(Person&)> first = {});
-// A click makes it another one, a second click makes it what it was.
+// A click changes the value, and a second click changes it back.
 [[nodiscard]] Row flips(std::string item, Look look, std::function<void(Person&)> first = {});
-// A click makes it this.
+// A click sets the value to `wanted`.
 [[nodiscard]] Row sets(std::string item, Look look, double wanted,
                        std::function<void(Person&)> first = {});
-// A text typed into it makes it this.
+// Typing `text` into it sets the value to `wanted`.
 [[nodiscard]] Row takes(std::string item, std::string text, Look look, double wanted,
                         std::function<void(Person&)> first = {});
-// Dragged to the right it grows, to the left it shrinks.
+// A drag to the right increases the value, a drag to the left decreases it.
 [[nodiscard]] Row slides(std::string item, Look look, std::function<void(Person&)> first = {});
 
-// Does the same twice, and says what comes of it.
-void expect_flips(Person& person, const std::string& item, const Look& look);
+// A click does this deed.
+[[nodiscard]] Row does(std::string item, std::function<void(Person&, const Act&)> deed);
 
-// Uses every row of a table, each from a window with nothing open.
+// Uses every row of a table. Lists, help and messages are closed before each row.
 void use_all(Person& person, const char* panel, const Table& table);
 
-// A section that folds is open from now on.
+// Opens a folding section.
 void unfold(Person& person, const std::string& section, const std::string& something_in_it);
 
 // ---- the panels

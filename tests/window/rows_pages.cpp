@@ -1,14 +1,13 @@
-// What stands beside the session's own controls: pages, Compare, blind test, marks, replay, corner.
+// Pages, Compare, blind test, marks, replay, and a scene of two axes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <filesystem>
 #include <string>
 
 #include "app/runtime/session/replay_session.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/comparing.h"
-#include "tests/window/recordings.h"
 #include "tests/window/rows.h"
 
 namespace hapticwall::test {
@@ -18,17 +17,17 @@ using compare::Slot;
 
 runtime::ReplaySession& replayed(Person& person) { return *person.replay(); }
 
-Row page(const char* name, ui::LowerPage wanted) {
-  return sets(
-      std::string("page ") + name,
-      [](Person& p) { return static_cast<double>(p.state().persisted.lower_page); },
-      static_cast<double>(wanted));
+// `first_item`: the page shows it, and no other page does.
+Row page(const char* name, ui::LowerPage wanted, const char* first_item) {
+  return does(std::string("page ") + name, [=](Person& person, const Act& click) {
+    click();
+    EXPECT_EQ(person.state().persisted.lower_page, wanted);
+    EXPECT_TRUE(person.sees(first_item));
+    EXPECT_EQ(person.sees("plot Position"), wanted == ui::LowerPage::kPlots);
+  });
 }
 
-void go_to_page(Person& person, const char* name) {
-  person.click(std::string("page ") + name);
-  person.wait_a_frame();
-}
+void go_to_page(Person& person, const char* name) { person.click(std::string("page ") + name); }
 
 void hover_timing(Person& person) {
   go_to_page(person, "Timing");
@@ -39,7 +38,6 @@ void hover_timing(Person& person) {
   person.wait_until([&] { return person.state().timing.shown.ticks > before + 50; }, "ticks");
   person.click("timing clear");
   person.wait_a_frame();
-  person.wait_a_frame();
   EXPECT_FALSE(person.state().timing.since_start());
   go_to_page(person, "Plots");
 }
@@ -47,23 +45,21 @@ void hover_timing(Person& person) {
 Slot active(Person& person) { return ui::slots_of(person.state()).active; }
 
 void use_slots(Person& person) {
+  const auto in = [&](Slot slot) { return ui::slots_of(person.state()).of(slot); };
   person.click("slot B");
   EXPECT_EQ(active(person), Slot::kB);
-  EXPECT_EQ(person.scene().algorithm, ui::slots_of(person.state()).of(Slot::kB));
-  if (person.sees("take A")) person.click("take A");
-  EXPECT_EQ(ui::slots_of(person.state()).of(Slot::kA), person.scene().algorithm);
+  person.click("take A");
+  EXPECT_EQ(in(Slot::kA), in(Slot::kB));
   person.click("undo");
   person.click("slot A");
   EXPECT_EQ(active(person), Slot::kA);
   person.click("take B");
-  EXPECT_EQ(ui::slots_of(person.state()).of(Slot::kB), person.scene().algorithm);
+  EXPECT_EQ(in(Slot::kB), in(Slot::kA));
   person.click("undo");
 }
 
 void touch(Person& person) {
-  const std::uint32_t resets = person.session().snapshot().resets;
-  person.click("reset");
-  person.wait_until([&] { return person.session().snapshot().resets > resets; }, "the reset");
+  reset_once(person, [&] { person.click("reset"); });
   person.wait_until(
       [&] {
         const Sample sample = person.session().snapshot().newest.x();
@@ -127,18 +123,10 @@ void take_blind_test(Person& person) {
   go_to_page(person, "Plots");
 }
 
-void set_a_mark(Person& person) {
-  person.click("record");
-  person.wait_until([&] { return person.recording().rows > 100; }, "rows");
-  person.put_everything_away();
-  const std::size_t before = person.session().marks().size();
-  person.type("mark text", "here");  // Enter sets it
+void type_a_mark(Person& person) {
+  const auto type = [&] { person.type("mark text", "here"); };  // Enter sets it
+  set_marks(person, type);
   EXPECT_EQ(person.session().marks().back().text, "here");
-  person.click("mark");
-  EXPECT_EQ(person.session().marks().back().text, "");
-  EXPECT_EQ(person.session().marks().size(), before + 2);
-  person.click("record");
-  person.put_everything_away();
 }
 
 void move_in_time(Person& person) {
@@ -148,12 +136,12 @@ void move_in_time(Person& person) {
   person.type("speed", "0.5");
   EXPECT_EQ(replayed(person).speed(), 0.5);
   person.click("speeds");
-  person.wait_a_frame();
   const std::vector<std::string> speeds = person.items_called("speed ");
   ASSERT_FALSE(speeds.empty());
   for (const std::string& speed : speeds) {
     if (!person.sees(speed)) person.click("speeds");
     person.click(speed);
+    EXPECT_EQ(fmt::format("speed {}x", replayed(person).speed()), speed);
   }
   for (const bool loops : {true, false}) {
     person.click("repeat");
@@ -163,18 +151,16 @@ void move_in_time(Person& person) {
 
 void rerun_under_all(Person& person) {
   person.click("re-run");
-  person.wait_a_frame();
   for (const std::string& choice : person.items_called("re-run ")) {
     if (choice == "re-run nothing") continue;
     if (!person.sees(choice)) person.click("re-run");
     person.click(choice);
-    person.wait_until([&] { return replayed(person).overlay() != nullptr; }, "what is laid over");
+    person.wait_until([&] { return replayed(person).overlay() != nullptr; }, "the overlay");
     person.wait_a_frame();
     for (const std::string& legend : person.items_called("under ")) person.hover(legend);
   }
   person.click("re-run");
   person.click("re-run nothing");
-  person.wait_a_frame();
   EXPECT_EQ(replayed(person).overlay(), nullptr);
 }
 
@@ -183,13 +169,6 @@ void use_replay(Person& person) {
   move_in_time(person);
   rerun_under_all(person);
   back_to_the_scene(person);
-}
-
-void open_scene(Person& person, const std::string& name) {
-  person.click("scene");
-  person.click("scene " + name);
-  person.wait_until([&] { return person.scene().name == name; }, "the scene");
-  person.wait_a_frame();
 }
 
 void use_corner(Person& person) {
@@ -209,26 +188,11 @@ void use_corner(Person& person) {
 
 }  // namespace
 
-void open_a_recording(Person& person) {
-  set_a_mark(person);
-  const std::string path = person.recording().path;
-  person.drop(std::array{path});
-  person.wait_until([&] { return person.replay() != nullptr; }, "the recording");
-  person.wait_a_frame();
-}
-
-void back_to_the_scene(Person& person) {
-  person.click("back to the scene");
-  person.wait_until([&] { return person.replay() == nullptr; }, "the scene");
-  person.wait_a_frame();
-  person.put_everything_away();
-}
-
 Table page_rows() {
   using enum ui::LowerPage;
-  return {page("Timing", kTiming),
-          page("Blind test", kBlindTest),
-          page("Plots", kPlots),
+  return {page("Timing", kTiming, "timing clear"),
+          page("Blind test", kBlindTest, "blind start"),
+          page("Plots", kPlots, "plot Force"),
           {"timing clear", hover_timing},
           shown("penetration")};
 }
@@ -241,7 +205,11 @@ Table compare_rows() {
       {"blind start", take_blind_test}};
 }
 
-Table recording_rows() { return {{"mark", set_a_mark}, {"time slider", use_replay}}; }
+Table recording_rows() {
+  return {does("mark", [](Person& p, const Act& click) { set_marks(p, click); }),
+          {"mark text", type_a_mark},
+          {"time slider", use_replay}};
+}
 
 Table corner_rows() { return {{"wall axis y", use_corner}}; }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "app/ui/widget/parameter_rows.h"
 #include "core/scene_keys.h"
 #include "tests/window/rows.h"
 
@@ -21,10 +22,10 @@ void type_good_and_bad(Person& person, const std::string& item, const ValueRange
   EXPECT_EQ(read(person), good) << item;
   EXPECT_FALSE(person.state().transient.refusal);
   person.type(item, fmt::format("{}", 10.0 * range.maximum));
-  EXPECT_EQ(read(person), good) << "out of range: nothing changes";
+  EXPECT_EQ(read(person), good) << "a value out of range changes nothing";
   ASSERT_TRUE(person.state().transient.refusal) << item;
   EXPECT_EQ(person.state().transient.refusal->key, item);
-  EXPECT_FALSE(person.state().transient.refusal->why.empty());
+  person.hover(person.state().transient.refusal->why);
   person.type(item, "nonsense");
   EXPECT_EQ(read(person), good);
   EXPECT_TRUE(person.state().transient.refusal);
@@ -47,14 +48,12 @@ void switch_off_and_on(Person& person, const std::string& item, const ReadKey& r
     return;
   }
   EXPECT_NE(read(person).has_value(), before.has_value()) << item;
-  // The wall's bounds above may have come or gone, and the rows have moved.
-  person.wait_a_frame();
-  person.wait_a_frame();
+  person.wait_a_frame();  // the wall's bounds may have changed, and the rows below have moved
   person.click("switch " + item);
   EXPECT_EQ(read(person), before) << item;
 }
 
-// Back to what the scene says, for one row must not spoil the next.
+// Restores the scene for the next row.
 void restore(Person& person, const Scene& before) {
   EXPECT_FALSE(person.live().change_scene(before));
   person.wait_a_frame();
@@ -64,27 +63,30 @@ void restore(Person& person, const Scene& before) {
 template <typename Owner>
 void use_key(Person& person, const std::string& item, const NumberKey<Owner>& key,
              const ReadKey& read) {
-  const bool switchable = person.sees("switch " + item);
+  const bool switchable = ui::may_be_absent(key);
+  EXPECT_EQ(person.sees("switch " + item), switchable);
+  if (switchable) EXPECT_TRUE(person.has_tooltip("switch " + item));
   const bool was_on = read(person).has_value();
   if (!was_on) person.click("switch " + item);
   ASSERT_TRUE(read(person)) << item;
   const Scene usual = person.scene();
   type_good_and_bad(person, item, key.range, key.whole(), read);
   restore(person, usual);
-  if (person.sees(item + "-slider")) slide(person, item + "-slider", read);
+  EXPECT_TRUE(person.has_tooltip(item));
+  EXPECT_EQ(person.sees(item + "-slider"), !key.whole());
+  if (!key.whole()) slide(person, item + "-slider", read);
   if (switchable) switch_off_and_on(person, item, read);
 }
 
 template <typename Owner, typename Get>
-Table key_rows(const std::string& section, const std::string& prefix,
-               std::span<const NumberKey<Owner>> keys, Get get) {
+Table parameter_rows(const std::string& section, const std::string& prefix,
+                     std::span<const NumberKey<Owner>> keys, Get get) {
   Table table;
   for (const NumberKey<Owner>& key : keys) {
     const std::string item = prefix + std::string(key.key);
     const ReadKey read = [get, &key](Person& person) { return key.get(get(person.scene())); };
     table.push_back({item, [=, &key](Person& person) {
                        unfold(person, section, prefix + "mass_kg");
-                       person.wait_a_frame();
                        const Scene before = person.scene();
                        use_key(person, item, key, read);
                        restore(person, before);
@@ -93,18 +95,14 @@ Table key_rows(const std::string& section, const std::string& prefix,
   return table;
 }
 
-void lead_and_leave_hand(Person& person) {
-  expect_flips(person, "hand stays",
-               [](Person& p) { return p.state().persisted.hand_stays_where_released ? 1.0 : 0.0; });
-}
-
 double end_mm(Person& person) { return person.scene().x().hand->path.back().position_m * 1e3; }
 double end_time_s(Person& person) { return person.scene().x().hand->path.back().time_s; }
 
-void unfold_hand(Person& person) {
-  unfold(person, "Hand", "hand stays");
-  person.wait_a_frame();
+double hand_stays(Person& person) {
+  return person.state().persisted.hand_stays_where_released ? 1.0 : 0.0;
 }
+
+void unfold_hand(Person& person) { unfold(person, "Hand", "hand stays"); }
 
 }  // namespace
 
@@ -112,17 +110,13 @@ Table hand_rows() {
   Table table{{"section Hand",
                [](Person& person) {
                  person.click("section Hand");
-                 person.wait_a_frame();
                  EXPECT_TRUE(person.sees("end position"));
                }},
               takes("end position", "70", end_mm, 70.0, unfold_hand),
               takes("approach speed", "20", end_time_s, 2.0, unfold_hand),
-              {"hand stays", [](Person& person) {
-                 unfold_hand(person);
-                 lead_and_leave_hand(person);
-               }}};
-  const auto keys = key_rows("Hand", "hand.", number_keys<HandSettings>(),
-                             [](const Scene& scene) { return *scene.x().hand; });
+              flips("hand stays", hand_stays, unfold_hand)};
+  const auto keys = parameter_rows("Hand", "hand.", number_keys<HandSettings>(),
+                                   [](const Scene& scene) { return *scene.x().hand; });
   table.insert(table.end(), keys.begin(), keys.end());
   return table;
 }
@@ -130,23 +124,26 @@ Table hand_rows() {
 Table device_rows() {
   Table table{{"section Device", [](Person& person) {
                  person.click("section Device");
-                 person.wait_a_frame();
                  EXPECT_TRUE(person.sees("device.mass_kg"));
                }}};
-  auto keys = key_rows("Device", "device.", number_keys<DeviceSettings>(),
-                       [](const Scene& scene) { return scene.x().device; });
-  // Where the handle starts is the scene's business.
+  auto keys = parameter_rows("Device", "device.", number_keys<DeviceSettings>(),
+                             [](const Scene& scene) { return scene.x().device; });
+  // The start of the handle has no row: it needs a new session.
   std::erase_if(keys, [](const Row& row) { return row.item == "device.start_m"; });
   table.insert(table.end(), keys.begin(), keys.end());
   return table;
 }
 
 Table link_rows() {
-  return {shown("FORCE…"), {"section Believed of it", [](Person& person) {
-                              person.click("section Believed of it");
-                              person.wait_a_frame();
-                              EXPECT_TRUE(person.sees("device.mass_kg"));
-                            }}};
+  return {shown("FORCE…"),
+          shown("age"),
+          shown("delay"),
+          shown("reports"),
+          {"section Believed of it", [](Person& person) {
+             person.click("section Believed of it");
+             EXPECT_TRUE(person.sees("device.mass_kg"));
+             EXPECT_FALSE(person.sees("device.delay_ticks")) << "the device has its own delay";
+           }}};
 }
 
 }  // namespace hapticwall::test

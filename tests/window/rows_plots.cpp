@@ -4,12 +4,18 @@
 
 #include <array>
 
+#include "app/ui/panel/magnifier.h"
 #include "tests/window/rows.h"
 
 namespace hapticwall::test {
 namespace {
 
 using draw::PlotId;
+
+void flip_item(Person& person, const std::string& item, const Look& look) {
+  SCOPED_TRACE(item);
+  flip_twice(person, look, [&] { person.click(item); });
+}
 
 constexpr std::array kAllPlots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
                                PlotId::kPassivity};
@@ -30,7 +36,19 @@ void turn_and_reset_view(Person& person) {
   EXPECT_EQ(orbit(), ui::WallOrbit{});
 }
 
+void expect_buttons_stand_still(Person& person) {
+  const auto place_at = [&](int magnification) {
+    person.state().wall.persisted.magnification = magnification;
+    person.wait_a_frame();
+    return find_item("magnify more")->from.x;
+  };
+  EXPECT_EQ(place_at(ui::kMagnifications.front()), place_at(ui::kMagnifications.back()));
+  person.state().wall.persisted.magnification = 0;
+  person.wait_a_frame();
+}
+
 void magnify(Person& person) {
+  expect_buttons_stand_still(person);
   const auto kept = [&] { return person.state().wall.persisted.magnification; };
   person.click("magnify more");
   EXPECT_GT(kept(), 0);
@@ -66,43 +84,38 @@ void choose_arrangements(Person& person) {
       {{"as Figure 4", kFigure4}, {"as Figures 5, 6", kFigure5And6}, {"all plots", kAll}}};
   for (const auto& [name, value] : choices) {
     person.click("arrangement");
-    person.wait_a_frame();
     person.click(name);
     EXPECT_EQ(person.state().persisted.arrangement, value);
-    person.wait_a_frame();
     EXPECT_EQ(person.sees("plot Passivity"), value != kFigure5And6);
     EXPECT_EQ(person.sees("plot Stiffness"), value != kFigure4);
   }
 }
 
 void choose_lengths(Person& person) {
+  person.click("follow");
+  EXPECT_FALSE(person.state().transient.follow);
   person.click("time window");
-  person.wait_a_frame();
   const auto names = person.items_called("length ");
   EXPECT_EQ(names.size(), ui::kTimeWindowsS.size());
   person.put_everything_away();
   double before_s = 0.0;
-  for (const std::string& name : names) {
+  const auto choose = [&](const std::string& name) {
     person.click("time window");
-    person.wait_a_frame();
     person.click(name);
+    EXPECT_TRUE(person.state().transient.follow) << "it follows the newest samples again";
     EXPECT_NE(person.state().persisted.time_window_s, before_s) << name;
     before_s = person.state().persisted.time_window_s;
-  }
-  person.click("time window");
-  person.wait_a_frame();
-  person.click("length 6 s");
-  EXPECT_EQ(person.state().persisted.time_window_s, 6.0);
+  };
+  for (const std::string& name : names) choose(name);
+  choose("length 6 s");
+  EXPECT_EQ(before_s, 6.0);
 }
 
 double trigger_mode(Person& person) {
   return static_cast<double>(person.state().plots.persisted.trigger.mode);
 }
 
-void open_trigger(Person& person) {
-  person.click("trigger");
-  person.wait_a_frame();
-}
+void open_trigger(Person& person) { person.click("trigger"); }
 
 void slide_pre_trigger(Person& person) {
   open_trigger(person);
@@ -117,17 +130,13 @@ Row trigger(draw::TriggerMode mode, const char* name) {
               open_trigger);
 }
 
-void freeze_and_follow(Person& person) {
-  expect_flips(person, "follow", [](Person& p) { return p.state().transient.follow ? 1.0 : 0.0; });
-}
-
 void make_axes_automatic(Person& person) {
   const auto manual = [&] {
     return person.state()
         .plots.transient.axes[static_cast<std::size_t>(PlotId::kForce)]
         .left.manual;
   };
-  // Over the axis of values, which is to the left of the plot.
+  // The value axis is on the left of the plot.
   person.drag_from("plot Force", ImVec2(-0.04F, 0.5F), ImVec2(0.0F, 20.0F));
   EXPECT_TRUE(manual());
   person.click("automatic axes");
@@ -144,10 +153,9 @@ void export_both(Person& person) {
 
 void show_cursor_table(Person& person) {
   person.click("cursors");
-  person.wait_a_frame();
   person.hover("cursor table");
   person.click("cursors");
-  EXPECT_FALSE(person.state().plots.transient.cursors.shown);
+  EXPECT_FALSE(person.sees("cursor table"));
 }
 
 // ---- the plots
@@ -158,14 +166,13 @@ draw::LineSet chosen(Person& person, PlotId id) {
 
 void open_signals(Person& person, PlotId id) {
   person.click(std::string("signals ") + draw::plot_description(id).title);
-  person.wait_a_frame();
 }
 
 void choose_every_signal(Person& person, PlotId id) {
   open_signals(person, id);
   for (const draw::PlotLine& line : draw::plot_description(id).lines) {
-    expect_flips(person, std::string("signal ") + line.name,
-                 [id](Person& p) { return static_cast<double>(chosen(p, id)); });
+    flip_item(person, std::string("signal ") + line.name,
+              [id](Person& p) { return static_cast<double>(chosen(p, id)); });
   }
 }
 
@@ -181,7 +188,7 @@ void show_all_signals(Person& person, PlotId id) {
 void hide_every_line(Person& person, PlotId id) {
   show_all_signals(person, id);
   for (const draw::PlotLine& line : draw::plot_description(id).lines) {
-    expect_flips(person, std::string("legend ") + line.name, [&line](Person& p) {
+    flip_item(person, std::string("legend ") + line.name, [&line](Person& p) {
       return static_cast<double>(p.state().persisted.hidden_lines & draw::line_bit(line.quantity));
     });
   }
@@ -191,8 +198,8 @@ void hide_every_line(Person& person, PlotId id) {
 
 void toggle_bounds(Person& person) {
   open_signals(person, PlotId::kStiffness);
-  expect_flips(person, "bounds",
-               [](Person& p) { return p.state().plots.persisted.show_bounds ? 1.0 : 0.0; });
+  flip_item(person, "bounds",
+            [](Person& p) { return p.state().plots.persisted.show_bounds ? 1.0 : 0.0; });
 }
 
 void drag_and_zoom_time(Person& person, const std::string& plot) {
@@ -215,9 +222,8 @@ void use_phase_plane(Person& person) {
   auto& phase = person.state().plots.persisted.phase;
   if (!phase.shown) person.click("phase plane");
   ASSERT_TRUE(phase.shown);
-  person.wait_a_frame();
-  expect_flips(person, "last contact", [&](Person&) { return phase.last_contact ? 1.0 : 0.0; });
-  expect_flips(person, "true", [&](Person&) { return phase.true_position ? 1.0 : 0.0; });
+  flip_item(person, "last contact", [&](Person&) { return phase.last_contact ? 1.0 : 0.0; });
+  flip_item(person, "true", [&](Person&) { return phase.true_position ? 1.0 : 0.0; });
   person.hover(person.sees("in …") ? "in …" : "out …");
   person.turn_wheel("plot Phase", 1.0F);
   EXPECT_TRUE(person.state().plots.transient.phase.force.manual);
@@ -240,7 +246,7 @@ Table view_rows() {
 Table plot_control_rows() {
   using enum draw::TriggerMode;
   return {{"arrangement", choose_arrangements},
-          {"follow", freeze_and_follow},
+          flips("follow", [](Person& p) { return p.state().transient.follow ? 1.0 : 0.0; }),
           {"time window", choose_lengths},
           {"automatic axes", make_axes_automatic},
           shown("trigger"),

@@ -1,14 +1,11 @@
 #include "tests/window/window_test.h"
 
-#include "tests/app/ui/items.h"
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
 #include <imgui_te_context.h>
 #include <imgui_te_engine.h>
-#include <implot.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -16,23 +13,24 @@
 #include <memory>
 #include <utility>
 
-#include "app/draw/figure/offscreen.h"
 #include "app/draw/plot/theme.h"
 #include "app/file/disk/atomic_file.h"
 #include "app/file/disk/user_folders.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/scene/settings_text.h"
+#include "tests/app/ui/items.h"
+#include "tests/app/ui/offscreen_gui.h"
 
 namespace hapticwall::test {
 namespace {
 
-// Small, and smaller its pictures: painting is what costs time without a graphics card.
+// A small window with small pictures, because painting is slow without a graphics card.
 constexpr int kWidth = 1120;
 constexpr int kHeight = 720;
 constexpr double kViewShare = 0.22;
 constexpr double kPictureShare = 0.4;
 
-// The engine for one script, bound to the current ImGui.
+// The test engine for one script, in the current ImGui context.
 class Engine {
  public:
   Engine(ui::Application& application, const Script& script, ItemLog& log, Person::Drop drop)
@@ -62,7 +60,7 @@ class Engine {
 
   [[nodiscard]] bool is_done() const { return ImGuiTestEngine_IsTestQueueEmpty(engine_); }
 
-  // After every frame.
+  // Call it after every frame.
   void look() {
     for (const auto& [name, rect] : drawn_items())
       if (rect.id != 0) log_->seen.insert(kind_of(name));
@@ -75,7 +73,7 @@ class Engine {
   ImGuiTest* test_ = nullptr;
 };
 
-// As GLFW would do it.
+// Calls the callback that GLFW calls for a drop.
 void drop_onto(GLFWwindow* window, std::span<const std::string> paths) {
   const GLFWdropfun callback = glfwSetDropCallback(window, nullptr);
   glfwSetDropCallback(window, callback);
@@ -105,36 +103,9 @@ void use_real_window(const runtime::WindowOptions& options, const Script& script
   EXPECT_FALSE(failure) << failure->message;
 }
 
-// OpenGL, ImGui and ImPlot without a display.
-class HeadlessGui {
- public:
-  HeadlessGui() {
-    auto context = draw::OffscreenContext::create();
-    EXPECT_TRUE(context.ok()) << context.error().message;
-    if (context) context_ = std::move(*context);
-    ImGui::CreateContext();
-    ImPlot::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = ImVec2(kWidth, kHeight);
-    io.DeltaTime = 1.0F / 60.0F;
-    EXPECT_TRUE(ImGui_ImplOpenGL3_Init("#version 330 core"));
-  }
-  HeadlessGui(const HeadlessGui&) = delete;
-  HeadlessGui& operator=(const HeadlessGui&) = delete;
-  ~HeadlessGui() {
-    ImGui_ImplOpenGL3_Shutdown();
-    ImPlot::DestroyContext();
-    ImGui::DestroyContext();
-  }
-
- private:
-  std::unique_ptr<draw::OffscreenContext> context_;
-};
-
-// What run_window() does, less the window; nothing is painted.
+// Does the work of run_window() without a window and without painting.
 void use_headless(const runtime::WindowOptions& options, const Script& script, ItemLog& log) {
-  const HeadlessGui gui;
+  const OffscreenGui gui(ImVec2(kWidth, kHeight));
   ui::Application::Sessions sessions;
   sessions.simulate = [](const Scene& scene) { return runtime::LiveSession::start(scene); };
   sessions.start_on_device = options.start_on_device;

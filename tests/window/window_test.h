@@ -1,5 +1,4 @@
-// The whole window as it is shipped, used by somebody: in a real window on the display, and without
-// any display.
+// A person uses the whole application: in a real window on the display, and without a display.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,15 +19,15 @@ namespace hapticwall::test {
 enum class Screen : std::uint8_t { kNone, kDisplay };
 [[nodiscard]] std::string screen_name(const ::testing::TestParamInfo<Screen>& info);
 
-// A home of its own for each test: settings, recordings and scenes lie in it.
+// The home folder of one test, with settings, recordings and scenes.
 class Home {
  public:
   Home();
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
-  // As the program finds it, in this home.
+  // The path that the program derives from this home.
   [[nodiscard]] std::string settings_path() const;
-  // Writes a scene of this name, which is a built-in one with --set changes; returns its path.
+  // Writes a built-in scene with --set changes under this name; returns its path.
   [[nodiscard]] std::string write_scene(const std::string& name, const std::string& builtin,
                                         const std::vector<std::string>& changes = {}) const;
   // The scene 'press' with a second wall behind the first.
@@ -47,10 +46,10 @@ class WindowTest : public ::testing::TestWithParam<Screen> {
  protected:
   void SetUp() override;
 
-  // Opens the window, lets somebody do what the script says, and closes it.
+  // Opens the window, runs the script, and closes the window.
   void use(const Script& script);
 
-  // The next use() is of a device: a session without a clock, which a test can look into.
+  // The next use() has a device, with a fake session that the test controls.
   void connect_device();
   [[nodiscard]] FakeSession& device() const { return *device_; }
 

@@ -23,9 +23,10 @@ struct DrawnItem {
 struct DrawnText {
   std::string text;
   ImRect rect;
+  const ImGuiWindow* window;  // the outermost one
 };
 
-// Of the newest frame in which anything was drawn.
+// The newest frame that drew an item or a text.
 struct Log {
   int frame = -1;
   std::vector<DrawnItem> items;
@@ -34,7 +35,7 @@ struct Log {
 };
 Log drawn_log;
 
-// False: nothing of the application's.
+// Returns false for a call outside the windows of the application.
 bool begin_entry() {
   const ImGuiContext* context = ImGui::GetCurrentContext();
   const ImGuiWindow* window = context->CurrentWindow;
@@ -48,7 +49,8 @@ void note_text(ImVec2 place, const char* text, const char* end) {
   const std::string whole = end != nullptr ? std::string(text, end) : std::string(text);
   const std::string shown = whole.substr(0, whole.find("##"));
   const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
-  drawn_log.texts.push_back({shown, ImRect(place, ImVec2(place.x + size.x, place.y + size.y))});
+  drawn_log.texts.push_back({shown, ImRect(place, ImVec2(place.x + size.x, place.y + size.y)),
+                             ImGui::GetCurrentContext()->CurrentWindow->RootWindow});
 }
 
 // The part of a label that makes its id.
@@ -101,7 +103,7 @@ void add_plots(Items& items) {
   }
 }
 
-// Drawn with a hand-made item, which tells no label.
+// The code of the splitters makes its own items, which report no label.
 void add_splitters(Items& items) {
   for (const DrawnItem& item : drawn_log.items) {
     for (const char* name : {"panel splitter", "view splitter", "picture splitter"}) {
@@ -160,6 +162,12 @@ std::optional<ItemRect> find_item(std::string_view name) {
     }
   }
   return is_text ? std::optional(found->second) : std::nullopt;
+}
+
+bool draws_text(std::string_view window, std::string_view text) {
+  return std::ranges::any_of(drawn_log.texts, [&](const DrawnText& drawn) {
+    return drawn.text == text && name_of(*drawn.window) == window;
+  });
 }
 
 }  // namespace hapticwall::test

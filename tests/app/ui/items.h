@@ -1,8 +1,8 @@
-// What the window has drawn in the last frame, as Dear ImGui's own test hooks and text calls tell
-// it.
+// Items and texts that the window drew in the last frame, from the test hooks and text calls of
+// Dear ImGui.
 //
-// An item is called by its id: "###record" and "##rate" are "record" and "rate". A text is called
-// by what it says, a child window by its name, a plot by "plot " and its title.
+// The name of an item is its id: "###record" and "##rate" are "record" and "rate". The name of a
+// text is the text, of a child window its name, of a plot "plot " and its title.
 #pragma once
 
 #include <imgui.h>
@@ -17,17 +17,23 @@ namespace hapticwall::test {
 struct ItemRect {
   ImVec2 from;
   ImVec2 to;
-  ImGuiID id = 0;  // 0: nothing that takes the pointer by itself
+  ImGuiID id = 0;  // 0: a text, a window or a plot
 
-  [[nodiscard]] ImVec2 centre() const { return {0.5F * (from.x + to.x), 0.5F * (from.y + to.y)}; }
+  // The place at these shares of width and height.
+  [[nodiscard]] ImVec2 at(float x_share, float y_share) const {
+    return {from.x + x_share * (to.x - from.x), from.y + y_share * (to.y - from.y)};
+  }
+  [[nodiscard]] ImVec2 centre() const { return at(0.5F, 0.5F); }
 };
 
 using Items = std::map<std::string, ItemRect, std::less<>>;
 
-// Everything of the last frame. The newest toast is called "message", too.
+// All items of the last frame. The newest toast has the second name "message".
 [[nodiscard]] Items drawn_items();
 // The item or text of this name; "FORCE…" is the first text that begins with "FORCE".
 [[nodiscard]] std::optional<ItemRect> find_item(std::string_view name);
+// Whether this window has drawn this text. Text that is scrolled out of sight is not drawn.
+[[nodiscard]] bool draws_text(std::string_view window, std::string_view text);
 
 // Dear ImGui reports items only after this; call it for every frame without the test engine.
 void watch_items();
