@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "app/ui/panel/magnifier.h"
+#include "app/ui/page/magnifier.h"
 #include "tests/window/rows.h"
 
 namespace hapticwall::test {

@@ -19,9 +19,8 @@ namespace hapticwall::test {
 
 class FakeSession final : public runtime::LiveSession {
  public:
-  explicit FakeSession(const Scene& scene)
-      : scene_(scene), device_(scene), servo_(servo_settings(scene)) {
-    if (scene.two_axes()) second_ = std::make_unique<SecondAxisLoop>(axis_scene(scene, 1));
+  explicit FakeSession(const Scene& scene) : scene_(scene) {
+    for (std::size_t i = 0; i < scene.axes.size(); ++i) axes_.emplace_back(axis_scene(scene, i));
     realtime_.text = "driven by the test";
     realtime_.advice = "nothing is to be done";
   }
@@ -35,10 +34,11 @@ class FakeSession final : public runtime::LiveSession {
   // Advances by `ticks`, also while paused.
   void advance(int ticks) {
     for (int i = 0; i < ticks; ++i) {
-      newest_.axes[0] = servo_.tick(device_);
-      newest_.axes[0].generation = generation_;
-      if (second_) newest_.axes[1] = second_->servo.tick(second_->device);
-      newest_.count = second_ ? 2 : 1;
+      newest_.count = static_cast<std::uint8_t>(axes_.size());
+      for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+        newest_.axes[axis] = axes_[axis].servo.tick(axes_[axis].device);
+        newest_.axes[axis].generation = generation_;
+      }
       queue_.push_back(newest_);
       if (recording_.state == runtime::RecordingState::kRecording) ++recording_.rows;
     }
@@ -54,12 +54,14 @@ class FakeSession final : public runtime::LiveSession {
     lead = position_m;
     ++lead_calls;
     if (position_m) {
-      device_.lead_hand_to(*position_m);
+      axes_.front().device.lead_hand_to(*position_m);
     } else {
-      device_.release_hand();
+      axes_.front().device.release_hand();
     }
   }
-  void lead_second_hand(std::optional<double> position_m) override { second_lead = position_m; }
+  void lead_second_hand(std::optional<double> position_m) override {
+    second_axis_lead = position_m;
+  }
   void arm(bool armed) override { arm_requests.push_back(armed); }
   void pause(bool paused) override { is_paused = paused; }
   void step(std::uint32_t ticks) override {
@@ -68,12 +70,10 @@ class FakeSession final : public runtime::LiveSession {
   }
   void reset() override {
     ++resets;
-    device_.reset();
-    servo_.reset();
     newest_ = {};
-    if (second_) {
-      second_->device.reset();
-      second_->servo.reset();
+    for (AxisLoop& axis : axes_) {
+      axis.device.reset();
+      axis.servo.reset();
     }
   }
   [[nodiscard]] runtime::Snapshot snapshot() override {
@@ -123,50 +123,48 @@ class FakeSession final : public runtime::LiveSession {
 
   device::DeviceInfo info{"simulator", true};
   std::string trouble;
-  int* open_count = nullptr;     // one less when this session has ended
-  runtime::ArmingStatus arming;  // what the next snapshots say, like these
+  int* open_count = nullptr;     // decremented at the end of this session
+  runtime::ArmingStatus arming;  // of the next snapshots, like link and timing
   device::LinkStats link;
   std::vector<bool> arm_requests;
-  runtime::TimingStatistics timing;  // what the next snapshots say
+  runtime::TimingStatistics timing;
   runtime::TimingHistograms histograms;
   bool is_paused = false;
-  bool echoes = true;  // what was asked for is in force in the next snapshot
+  bool echoes = true;  // the next snapshot confirms the newest parameters
   int steps = 0;
   int resets = 0;
   int lead_calls = 0;
   std::optional<double> lead;
-  std::optional<double> second_lead;
+  std::optional<double> second_axis_lead;
   std::string refuse_recording;  // the error of the next recordings
 
  private:
+  struct AxisLoop {
+    explicit AxisLoop(const Scene& scene) : device(scene), servo(servo_settings(scene)) {}
+    device::SimulatedDevice device;
+    Servo servo;
+  };
+
   std::optional<SceneProblem> take(const Scene& changed) {
     if (auto problem = validate(changed)) return problem;
     if (!same_plant(scene_, changed)) {
       plants_.push_back(std::make_unique<PlantModel>(changed));
-      device_.change_plant(*plants_.back());
+      axes_.front().device.change_plant(*plants_.back());
     }
     if (!runtime::same_parameters(scene_, changed)) ++generation_;
     scene_ = changed;
-    servo_.apply(servo_settings(scene_));
-    if (second_) second_->servo.apply(servo_settings(axis_scene(scene_, 1)));
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+      axes_[i].servo.apply(servo_settings(axis_scene(scene_, i)));
     return std::nullopt;
   }
 
   Scene scene_;
   std::vector<std::unique_ptr<PlantModel>> plants_;
-  device::SimulatedDevice device_;
-  Servo servo_;
+  std::deque<AxisLoop> axes_;
   Tick newest_;
   std::uint32_t generation_ = 1;
   std::uint32_t echoed_ = 1;
   std::deque<Tick> queue_;
-  // The second axis, where the scene has one.
-  struct SecondAxisLoop {
-    explicit SecondAxisLoop(const Scene& scene) : device(scene), servo(servo_settings(scene)) {}
-    device::SimulatedDevice device;
-    Servo servo;
-  };
-  std::unique_ptr<SecondAxisLoop> second_;
   runtime::RecordingStatus recording_;
   std::vector<file::Mark> marks_;
   runtime::RealtimeStatus realtime_;

@@ -6,37 +6,31 @@
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
 #include <imgui_internal.h>
-#include <implot.h>
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "app/draw/figure/gl_objects.h"
-#include "app/draw/figure/offscreen.h"
 #include "app/file/scene/scene_file.h"
 #include "app/ui/window/application.h"
+#include "tests/app/runtime/support.h"
 #include "tests/app/ui/fake_session.h"
 #include "tests/app/ui/items.h"
+#include "tests/app/ui/offscreen_gui.h"
+#include "tests/app/ui/pixels.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::test {
 
 inline constexpr int kScreenWidth = 1280;
 inline constexpr int kScreenHeight = 1160;  // the whole control panel, with a section open
 
-class GuiTest : public ::testing::Test {
+class GuiTest : public FolderTest {
  protected:
   void SetUp() override {
-    auto context = draw::OffscreenContext::create();
-    ASSERT_TRUE(context.ok()) << context.error().message;
-    context_ = std::move(*context);
-    ImGui::CreateContext();
-    ImPlot::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = ImVec2(kScreenWidth, kScreenHeight);
-    io.DeltaTime = 1.0F / 60.0F;
-    ASSERT_TRUE(ImGui_ImplOpenGL3_Init("#version 330 core"));
     auto target = draw::GlTarget::create(kScreenWidth, kScreenHeight, 0);
     ASSERT_TRUE(target.ok());
     target_ = std::move(*target);
@@ -46,10 +40,6 @@ class GuiTest : public ::testing::Test {
   void TearDown() override {
     application_.reset();
     target_.reset();
-    ImGui_ImplOpenGL3_Shutdown();
-    ImPlot::DestroyContext();
-    ImGui::DestroyContext();
-    context_.reset();
   }
 
   void open(const std::string& scene_name) {
@@ -98,6 +88,14 @@ class GuiTest : public ::testing::Test {
     }
   }
 
+  // Draws frames until the condition holds. The generous bound only catches a broken program.
+  void frames_until(const std::function<bool()>& condition) {
+    EXPECT_TRUE(runtime::test::eventually([&] {
+      frames(1);
+      return condition();
+    }));
+  }
+
   // Paints only when the test needs pixels, because painting is slow without a graphics card.
   file::Picture screen() {
     frames(1);
@@ -121,7 +119,7 @@ class GuiTest : public ::testing::Test {
     return text;
   }
 
-  // Advances the session, with a frame now and then.
+  // Advances the session, with a frame every 100 ticks.
   void live(int ticks) {
     constexpr int kTicksPerFrame = 100;
     for (int done = 0; done < ticks; done += kTicksPerFrame) {
@@ -130,10 +128,27 @@ class GuiTest : public ::testing::Test {
     }
   }
 
-  void press(ImGuiKey key) {
-    ImGui::GetIO().AddKeyEvent(key, true);
+  // Drops a file of the folder, and waits until it is open.
+  void drop(const std::string& name) {
+    const std::array paths{path(name)};
+    application_->drop(paths);
+    frames_until([&] { return !state().replay.opening.running(); });
     frames(2);
-    ImGui::GetIO().AddKeyEvent(key, false);
+  }
+
+  void press(ImGuiKeyChord chord) {
+    ImGuiIO& io = ImGui::GetIO();
+    const auto hold_modifiers = [&](bool down) {
+      for (const ImGuiKey modifier : {ImGuiMod_Ctrl, ImGuiMod_Shift, ImGuiMod_Alt}) {
+        if ((chord & modifier) != 0) io.AddKeyEvent(modifier, down);
+      }
+    };
+    const auto key = static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_);
+    hold_modifiers(true);
+    io.AddKeyEvent(key, true);
+    frames(2);
+    io.AddKeyEvent(key, false);
+    hold_modifiers(false);
     frames(2);
   }
 
@@ -141,59 +156,111 @@ class GuiTest : public ::testing::Test {
     ImGui::GetIO().AddMousePosEvent(place.x, place.y);
     frames(2);
   }
-  void mouse_button(bool down) {
-    ImGui::GetIO().AddMouseButtonEvent(ImGuiMouseButton_Left, down);
+  // To a place where the pointer covers nothing.
+  void move_away() { move_to(ImVec2(2.0F, 2.0F)); }
+  void mouse_button(bool down, ImGuiMouseButton button = ImGuiMouseButton_Left) {
+    ImGui::GetIO().AddMouseButtonEvent(button, down);
     frames(2);
+  }
+  void click_at(ImVec2 place) {
+    move_to(place);
+    mouse_button(true);
+    mouse_button(false);
+    frames(2);
+  }
+  void drag(ImVec2 from, ImVec2 to, ImGuiMouseButton button = ImGuiMouseButton_Left) {
+    move_to(from);
+    mouse_button(true, button);
+    for (const float share : {0.3F, 0.7F, 1.0F})
+      move_to(ImVec2(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)));
+    mouse_button(false, button);
+  }
+  void drag_by(const std::string& item, ImVec2 by,
+               ImGuiMouseButton button = ImGuiMouseButton_Left) {
+    const ImVec2 from = rect(item).centre();
+    drag(from, ImVec2(from.x + by.x, from.y + by.y), button);
+  }
+  void wheel_at(ImVec2 place, float notches) {
+    move_to(place);
+    ImGui::GetIO().AddMouseWheelEvent(0.0F, notches);
+    frames(5);
   }
 
   [[nodiscard]] static std::optional<ItemRect> find(const std::string& item) {
     return find_item(item);
   }
+  [[nodiscard]] static bool sees(const std::string& item) { return find(item).has_value(); }
   [[nodiscard]] static ItemRect rect(const std::string& item) {
     const auto found = find(item);
     EXPECT_TRUE(found.has_value()) << item;
     return found.value_or(ItemRect{});
   }
 
-  void click(const std::string& item) {
-    move_to(rect(item).centre());
-    mouse_button(true);
-    mouse_button(false);
-  }
+  void click(const std::string& item) { click_at(rect(item).centre()); }
 
   // Scrolls the area under an item to its end.
-  void scroll_down_at(const std::string& item) {
-    constexpr float kFar = -100.0F;
-    move_to(rect(item).centre());
-    ImGui::GetIO().AddMouseWheelEvent(0.0F, kFar);
-    frames(5);
-  }
+  void scroll_down_at(const std::string& item) { wheel_at(rect(item).centre(), -100.0F); }
 
+  void write(const std::string& text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+    frames(3);
+  }
   // Types into a field and confirms with Enter.
   void type(const std::string& item, const std::string& text) {
     click(item);
-    for (const char c : text) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
-    frames(3);
+    write(text);
     press(ImGuiKey_Enter);
   }
 
-  // The newest message; kind kNone without one.
-  [[nodiscard]] ui::Message message() const {
-    return application_->state().transient.toasts.newest();
+  // Every item lies between the left and the right edge of the window.
+  static void expect_within(float width) {
+    for (const auto& [name, item] : drawn_items()) {
+      if (item.id == 0) continue;
+      EXPECT_GE(item.from.x, 0.0F) << name;
+      EXPECT_LE(item.to.x, width) << name;
+    }
   }
 
+  // Number of pixels of a tone in an item.
+  static int count_tone(const file::Picture& picture, draw::Tone tone, const ItemRect& area,
+                        draw::Look look = draw::Look::kScreen, int tolerance = 24) {
+    const ImVec4& colour = draw::theme_colours(look)[static_cast<std::size_t>(tone)];
+    return count_pixels(picture, colour_of(colour), static_cast<int>(area.from.x),
+                        static_cast<int>(area.from.y), static_cast<int>(area.to.x),
+                        static_cast<int>(area.to.y), tolerance);
+  }
+
+  // Number of pixels in an item that differ between two pictures.
+  static int count_changed(const file::Picture& before, const file::Picture& after,
+                           const ItemRect& area) {
+    int count = 0;
+    for (int y = static_cast<int>(area.from.y); y < static_cast<int>(area.to.y); ++y) {
+      for (int x = static_cast<int>(area.from.x); x < static_cast<int>(area.to.x); ++x)
+        if (difference(pixel(before, x, y), pixel(after, x, y)) > 0) ++count;
+    }
+    return count;
+  }
+
+  [[nodiscard]] ui::UiState& state() const { return application_->state(); }
+  [[nodiscard]] const Scene& scene() const { return fake_->scene(); }
+  [[nodiscard]] const WallSettings& wall() const { return scene().x().walls.front(); }
+  [[nodiscard]] Sample newest() const { return fake_->snapshot().newest.x(); }
+
+  // The newest message; kind kNone without one.
+  [[nodiscard]] ui::Message message() const { return state().transient.toasts.newest(); }
+
   [[nodiscard]] const std::optional<ui::Refusal>& refusal() const {
-    return application_->state().transient.refusal;
+    return state().transient.refusal;
   }
 
   std::string refuse_session;        // the error of the next sessions
-  std::string refuse_device;         // of those on the device alone
+  std::string refuse_device;         // the same for sessions on the device
   ui::Application::Options options;  // of the next open()
   ui::Application::RecordingOpener open_recording;
   int sessions = 0;
-  bool with_device = false;  // the next open() is on a real one
+  bool with_device = false;  // the next open() has a real device
   int devices_open = 0;
-  std::unique_ptr<draw::OffscreenContext> context_;
+  OffscreenGui gui_{ImVec2(kScreenWidth, kScreenHeight)};
   std::optional<draw::GlTarget> target_;
   std::unique_ptr<ui::Application> application_;
   FakeSession* fake_ = nullptr;

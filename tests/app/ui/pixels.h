@@ -1,4 +1,4 @@
-// Helpers for pixels.
+// Colours of pixels in pictures.
 #pragma once
 
 #include <imgui.h>

@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,7 +11,6 @@
 
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
-#include "tests/app/runtime/support.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
@@ -38,11 +35,9 @@ class ReplayGuiTest : public GuiTest {
       return std::make_unique<runtime::ReplaySession>(std::move(*reader),
                                                       std::make_unique<Clock>(now_ns_));
     };
-    options.recording_folder = folder_.file("");
+    options.recording_folder = path("");
     GuiTest::SetUp();
   }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
 
   // Records with a real loop and recorder from tick 0 on; the marks are evenly spaced.
   void record(const std::string& name, std::uint64_t ticks,
@@ -67,19 +62,6 @@ class ReplayGuiTest : public GuiTest {
     ASSERT_FALSE((*session)->stop_recording());
   }
 
-  // Draws frames until the condition holds. The generous bound only catches a broken program.
-  void frames_until(const std::function<bool()>& condition) {
-    EXPECT_TRUE(runtime::test::eventually([&] {
-      frames(1);
-      return condition();
-    }));
-  }
-  void drop(const std::string& name) {
-    const std::array paths{path(name)};
-    application_->drop(paths);
-    frames_until([&] { return !application_->state().replay.opening.running(); });
-    frames(2);
-  }
   [[nodiscard]] bool replaying() { return application_->replay() != nullptr; }
   [[nodiscard]] runtime::ReplaySession& replay() { return *application_->replay(); }
   void pass_ms(std::int64_t milliseconds) {
@@ -87,7 +69,6 @@ class ReplayGuiTest : public GuiTest {
     frames(2);
   }
 
-  runtime::test::TemporaryFolder folder_;
   std::int64_t now_ns_ = 1;
 };
 

@@ -4,7 +4,6 @@
 
 #include "app/ui/wall/wall_strip.h"
 #include "tests/app/ui/gui_test.h"
-#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
@@ -14,13 +13,13 @@ using ui::Magnified;
 using ui::Strip;
 using ui::WallPicture;
 
-constexpr double kUnmagnifiedM = 0.035;  // what 300 pixels show of a view with 8.6 pixels/mm
+constexpr double kUnmagnifiedM = 0.035;  // width of 300 pixels in a view with 8.6 pixels/mm
 
 TEST(Magnification, IsTheLargestThatShowsTheDepthAndDoesNotFlicker) {
   EXPECT_EQ(ui::suitable_magnification(1e-6, kUnmagnifiedM, 0), 1000);
   EXPECT_EQ(ui::suitable_magnification(0.2e-3, kUnmagnifiedM, 0), 100);
   EXPECT_EQ(ui::suitable_magnification(1.0, kUnmagnifiedM, 0), 10) << "the smallest there is";
-  // At the limit of a larger magnification: stays, although a fresh start would take it.
+  // Near the limit of a larger magnification, the present one stays.
   const double limit_m = 0.65 * kUnmagnifiedM / 100.0;
   EXPECT_EQ(ui::suitable_magnification(0.95 * limit_m, kUnmagnifiedM, 0), 100);
   EXPECT_EQ(ui::suitable_magnification(0.95 * limit_m, kUnmagnifiedM, 100), 100);
@@ -61,7 +60,8 @@ TEST(LookAtContact, FollowsAHandleThatRestsDeeper) {
   EXPECT_EQ(next.middle_m, look.middle_m) << "does not move while the handle is within";
   const Magnified swinging =
       ui::look_at_contact(picture_at(0.0521), 0.050, 0.0525, 1e-3, {0.05, 0.0});
-  EXPECT_NEAR(swinging.middle_m, 0.05 + 0.15e-3, 1e-9) << "nobody could follow that";
+  EXPECT_NEAR(swinging.middle_m, 0.05 + 0.15e-3, 1e-9)
+      << "the view does not follow a swinging handle";
 }
 
 TEST(LookAtContact, ChangesToADeeperFaceWhenThatIsMuchNearer) {
@@ -71,9 +71,9 @@ TEST(LookAtContact, ChangesToADeeperFaceWhenThatIsMuchNearer) {
             0.056);
   EXPECT_EQ(ui::look_at_contact(picture_at(0.0535), 0.0535, 0.0535, 1e-3, {0.056, 0.0}).face_m,
             0.056)
-      << "and stays there as long";
+      << "hysteresis";
   EXPECT_EQ(ui::look_at_contact(picture_at(0.0535), 0.0535, 0.0535, 1e-3, {0.9, 0.0}).face_m, 0.056)
-      << "the one before is no longer there";
+      << "the previous face is gone";
 }
 
 TEST(ScaleBar, IsRoundAndFits) {
@@ -96,21 +96,19 @@ TEST(StripScale, IsTrueToScale) {
 
 class MagnifierTest : public GuiTest {
  protected:
-  [[nodiscard]] int magnification() const {
-    return application_->state().wall.transient.magnification;
-  }
-  [[nodiscard]] int chosen() const { return application_->state().wall.persisted.magnification; }
+  [[nodiscard]] int magnification() const { return state().wall.transient.magnification; }
+  [[nodiscard]] int chosen() const { return state().wall.persisted.magnification; }
   // As placed by draw_magnifier().
   [[nodiscard]] Strip strip() const {
     const ItemRect area = rect("magnifier");
     const ItemRect view = rect("wall view");
-    const ui::WallCamera camera(ui::wall_space(fake_->scene()), {}, view.to.x - view.from.x,
+    const ui::WallCamera camera(ui::wall_space(scene()), {}, view.to.x - view.from.x,
                                 view.to.y - view.from.y);
-    const double face_m = fake_->scene().x().walls.front().position_m;
+    const double face_m = wall().position_m;
     const double pixels_per_m = 1e3 * static_cast<double>(glm::distance(
                                           camera.pixel_of(camera.point_of({face_m, 0.0})),
                                           camera.pixel_of(camera.point_of({face_m + 1e-3, 0.0}))));
-    return {area.from, area.to, application_->state().wall.transient.magnified.middle_m,
+    return {area.from, area.to, state().wall.transient.magnified.middle_m,
             static_cast<double>(area.to.x - area.from.x) / pixels_per_m / magnification()};
   }
 };
@@ -120,7 +118,7 @@ TEST_F(MagnifierTest, ChoosesByItselfUntilSomebodyDoes) {
   EXPECT_EQ(chosen(), 0);
   const int automatic = magnification();
   EXPECT_GT(automatic, 10);
-  EXPECT_FALSE(find("magnify automatically").has_value());
+  EXPECT_FALSE(sees("magnify automatically"));
   click("magnify less");
   EXPECT_EQ(magnification(), ui::next_magnification(automatic, -1));
   click("magnify more");
@@ -134,10 +132,10 @@ TEST_F(MagnifierTest, ChoosesByItselfUntilSomebodyDoes) {
 TEST_F(MagnifierTest, ShowsWhereHandleAndMeasurementAre) {
   press(ImGuiKey_3);
   live(4000);
-  move_to(ImVec2(2.0F, 2.0F));
+  move_away();
   const file::Picture picture = screen();
   const Strip now = strip();
-  const Sample sample = fake_->snapshot().newest.x();
+  const Sample sample = newest();
   ASSERT_TRUE(now.shows(sample.truth.position_m));
   ASSERT_TRUE(now.shows(sample.position_m));
   const auto level = static_cast<int>(now.handle_level());
@@ -147,21 +145,20 @@ TEST_F(MagnifierTest, ShowsWhereHandleAndMeasurementAre) {
   const Colour handle = pixel(picture, tip - 12, level);
   const Colour beyond = pixel(picture, tip + 12, level);
   EXPECT_GT(difference(handle, beyond), 60);
-  const Colour measured = colour_of(
-      draw::theme_colours(draw::Look::kScreen)[static_cast<std::size_t>(draw::Tone::kPosition)]);
-  const int x = column(sample.position_m);
-  const int upper = static_cast<int>(now.handle_level() - 0.16F * now.height());
-  EXPECT_GT(count_pixels(picture, measured, x - 2, upper - 8, x + 3, upper + 4, 40), 4);
+  const float x = std::floor(now.x_of(sample.position_m));
+  const float upper = std::floor(now.handle_level() - 0.16F * now.height());
+  const ItemRect measured{ImVec2(x - 2.0F, upper - 8.0F), ImVec2(x + 3.0F, upper + 4.0F)};
+  EXPECT_GT(count_tone(picture, draw::Tone::kPosition, measured, draw::Look::kScreen, 40), 4);
 }
 
 TEST_F(MagnifierTest, DrawsEveryCountOfTheEncoderWhereItIs) {
   live(4000);
-  application_->state().wall.persisted.magnification = 20;
+  state().wall.persisted.magnification = 20;
   frames(3);
-  move_to(ImVec2(2.0F, 2.0F));
+  move_away();
   const file::Picture picture = screen();
   const Strip now = strip();
-  const double encoder_m = *fake_->scene().x().device.encoder_m;
+  const double encoder_m = *scene().x().device.encoder_m;
   // Ticks at the lower edge stand out from between them.
   const int low = static_cast<int>(now.to.y) - 3;
   int counts = 0;
@@ -184,15 +181,13 @@ TEST_F(MagnifierTest, DrawsEveryCountOfTheEncoderWhereItIs) {
 TEST_F(MagnifierTest, EveryMagnificationIsDrawnAndASceneWithoutAWallToo) {
   live(3000);
   for (const int wanted : ui::kMagnifications) {
-    application_->state().wall.persisted.magnification = wanted;
+    state().wall.persisted.magnification = wanted;
     live(100);
     EXPECT_EQ(magnification(), wanted);
   }
-  Scene empty = fake_->scene();
-  empty.x().walls.clear();
   ASSERT_FALSE(fake_->set_walls({}).has_value());
   frames(2);
-  EXPECT_FALSE(find("magnifier").has_value());
+  EXPECT_FALSE(sees("magnifier"));
 }
 
 }  // namespace

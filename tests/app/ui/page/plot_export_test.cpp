@@ -3,17 +3,12 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/draw/figure/figure.h"
 #include "tests/app/ui/gui_test.h"
-#include "tests/app/ui/pixels.h"
-#include "tests/temporary_folder.h"
 
 namespace hapticwall::test {
 namespace {
@@ -24,23 +19,16 @@ class PlotExportTest : public GuiTest {
  protected:
   void SetUp() override {
     GuiTest::SetUp();
-    application_->state().transient.recording_folder = folder_.path().string();
+    state().transient.recording_folder = path("");
   }
 
   [[nodiscard]] std::vector<std::string> files(const std::string& ending) const {
     return folder_.names(ending);
   }
-  // Draws frames until the export thread is done.
   void export_csv() {
     click("export csv");
-    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (application_->state().plots.transient.exporting.running() &&
-           std::chrono::steady_clock::now() < give_up) {
-      frames(1);
-    }
+    frames_until([&] { return !state().plots.transient.exporting.running(); });
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(PlotExportTest, TheVisibleSamplesGoIntoACsvOfTheirOwnEachTime) {
@@ -51,8 +39,9 @@ TEST_F(PlotExportTest, TheVisibleSamplesGoIntoACsvOfTheirOwnEachTime) {
   const std::vector<std::string> first = files(".csv");
   ASSERT_EQ(first.size(), 1U);
   EXPECT_THAT(first[0], HasSubstr("press-none-"));
-  EXPECT_EQ(lines_of(folder_.file(first[0])).size(), 1U + 6001U);
-  EXPECT_EQ(files(".toml").size(), 1U);
+  EXPECT_EQ(lines_of(path(first[0])).size(), 1U + 6001U);
+  ASSERT_EQ(files(".toml").size(), 1U);
+  EXPECT_THAT(content(files(".toml")[0]), HasSubstr("first_tick = 1999"));
   EXPECT_EQ(message().kind, ui::MessageKind::kNote);
   EXPECT_THAT(message().text, HasSubstr(first[0]));
   EXPECT_THAT(message().text, HasSubstr("6001 rows"));
@@ -63,8 +52,8 @@ TEST_F(PlotExportTest, TheVisibleSamplesGoIntoACsvOfTheirOwnEachTime) {
 TEST_F(PlotExportTest, WithoutSamplesInTheWindowNothingIsWritten) {
   live(500);
   click("follow");
-  application_->state().transient.time_from_s = 50.0;
-  application_->state().transient.time_to_s = 56.0;
+  state().transient.time_from_s = 50.0;
+  state().transient.time_to_s = 56.0;
   export_csv();
   EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
   EXPECT_THAT(message().text, HasSubstr("no sample"));
@@ -73,7 +62,7 @@ TEST_F(PlotExportTest, WithoutSamplesInTheWindowNothingIsWritten) {
 
 TEST_F(PlotExportTest, AFolderThatIsNotThereIsTold) {
   live(500);
-  application_->state().transient.recording_folder = folder_.file("nowhere");
+  state().transient.recording_folder = path("nowhere");
   export_csv();
   EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
   EXPECT_THAT(message().text, HasSubstr("nowhere"));
@@ -92,38 +81,27 @@ TEST_F(PlotExportTest, TheFigureGoesIntoAPngAndTheWindowGoesOn) {
   }
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  ASSERT_NE(png_image_begin_read_from_file(&image, folder_.file(files(".png")[0]).c_str()), 0);
+  ASSERT_NE(png_image_begin_read_from_file(&image, path(files(".png")[0]).c_str()), 0);
   EXPECT_EQ(image.width, 1600U);
+  EXPECT_EQ(image.height, 1200U);
   png_image_free(&image);
   // The OpenGL context of the window still paints.
   live(100);
-  const ItemRect area = rect("plot Force");
-  const ImVec4 tone =
-      draw::theme_colours(draw::Look::kScreen)[static_cast<std::size_t>(draw::Tone::kForce)];
-  move_to(ImVec2(2.0F, 2.0F));
-  EXPECT_GT(count_pixels(screen(), colour_of(tone), static_cast<int>(area.from.x),
-                         static_cast<int>(area.from.y), static_cast<int>(area.to.x),
-                         static_cast<int>(area.to.y)),
-            100);
+  move_away();
+  EXPECT_GT(count_tone(screen(), draw::Tone::kForce, rect("plot Force")), 100);
 }
 
 // The figure shows the visible range, plots, signals and value axes.
-TEST(FigureOfAHistory, ShowsTheVisibleRangeThePlotsAndTheSignalsThatAreAskedFor) {
-  const Scene scene = file::load_scene("press")->scene;
-  draw::SampleHistory history(10000);
-  FakeSession session(scene);
-  session.advance(3000);
-  std::vector<Tick> ticks(3000);
-  ticks.resize(session.take_ticks(ticks));
-  for (const Tick& tick : ticks) history.push(tick.x());
+TEST_F(PlotExportTest, AFigureShowsTheVisibleRangeThePlotsAndTheSignalsThatAreAskedFor) {
+  live(3000);
   constexpr std::array kForceOnly{draw::PlotId::kForce};
   constexpr draw::FigureSize kSize{800, 400};
   const auto count = [&](const draw::FigureView& view, draw::Tone tone) {
-    const auto figure = draw::draw_figure(scene, history, view, kSize);
+    const auto figure = draw::draw_figure(scene(), application_->history(), view, kSize);
     EXPECT_TRUE(figure.ok());
     if (!figure) return 0;
-    const ImVec4 colour = draw::theme_colours(draw::Look::kPrint)[static_cast<std::size_t>(tone)];
-    return count_pixels(*figure, colour_of(colour), 0, 80, kSize.width, kSize.height);
+    const ItemRect below_title{ImVec2(0.0F, 80.0F), ImVec2(kSize.width, kSize.height)};
+    return count_tone(*figure, tone, below_title, draw::Look::kPrint);
   };
   draw::FigureView view;
   view.window = {0.0, 3.0};

@@ -9,7 +9,6 @@
 
 #include "app/ui/page/timing_histogram.h"
 #include "tests/app/ui/gui_test.h"
-#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
@@ -114,13 +113,12 @@ class TimingPageTest : public GuiTest {
     ImGui_ImplOpenGL3_NewFrame();
     watch_items();
     ImGui::NewFrame();
-    ui::UiState& state = application_->state();
     const runtime::Snapshot snapshot = fake_->snapshot();
-    ui::note_timing(state.timing, fake_, snapshot.timing);
+    ui::note_timing(state().timing, fake_, snapshot.timing);
     ImGui::SetNextWindowPos(ImVec2(0.0F, 0.0F));
     ImGui::SetNextWindowSize(size);
     ImGui::Begin("page", nullptr, ImGuiWindowFlags_NoDecoration);
-    ui::draw_timing_page({*fake_, snapshot, theme_, state, {.live = fake_}});
+    ui::draw_timing_page({*fake_, snapshot, theme_, state(), {.live = fake_}});
     ImGui::End();
     ImGui::Render();
   }
@@ -131,27 +129,7 @@ class TimingPageTest : public GuiTest {
     count(fake_->histograms.wake_latency, 1'900'000);
     fake_->timing.ticks = 120'000;
     fake_->timing.missed_ticks = 1;
-    for (int i = 0; i < 700; ++i) application_->state().timing.frames.add(0.012 + 0.004 * (i % 7));
-  }
-
-  // Number of pixels of an item that differ between two pictures.
-  int changed(const file::Picture& before, const file::Picture& after, const std::string& item) {
-    const ItemRect area = rect(item);
-    int count = 0;
-    for (int y = static_cast<int>(area.from.y); y < static_cast<int>(area.to.y); ++y) {
-      for (int x = static_cast<int>(area.from.x); x < static_cast<int>(area.to.x); ++x) {
-        if (difference(pixel(before, x, y), pixel(after, x, y)) > 0) ++count;
-      }
-    }
-    return count;
-  }
-  // Nothing is beyond the side edges; the rest can be scrolled to.
-  void expect_inside(ImVec2 size) {
-    for (const auto& [name, item] : drawn_items()) {
-      if (item.id == 0) continue;
-      EXPECT_GE(item.from.x, 0.0F) << name;
-      EXPECT_LE(item.to.x, size.x) << name;
-    }
+    for (int i = 0; i < 700; ++i) state().timing.frames.add(0.012 + 0.004 * (i % 7));
   }
 
   draw::Theme theme_ = {};
@@ -163,12 +141,12 @@ class TimingPageTest : public GuiTest {
 };
 
 TEST_F(TimingPageTest, WithoutALoopItSaysSo) {
-  const file::Picture empty = page();
-  const ui::TimingState& timing = application_->state().timing;
+  page();
+  const ui::TimingState& timing = state().timing;
   EXPECT_EQ(timing.wake_latency.count, 0U);
   EXPECT_TRUE(timing.since_start());
-  EXPECT_TRUE(find("Wake-up latency").has_value());
-  expect_inside(ImVec2(980.0F, kPageHeight));
+  EXPECT_TRUE(sees("Wake-up latency"));
+  expect_within(980.0F);
 }
 
 TEST_F(TimingPageTest, ShowsHistogramsAndFiguresOfManyCycles) {
@@ -177,22 +155,22 @@ TEST_F(TimingPageTest, ShowsHistogramsAndFiguresOfManyCycles) {
   const file::Picture full = page();
   page(1.0F, draw::Look::kLight);
   constexpr int kMany = 2000;
-  EXPECT_GT(changed(empty, full, "plot Wake-up latency"), kMany);
-  EXPECT_GT(changed(empty, full, "plot Compute time"), kMany);
-  EXPECT_EQ(application_->state().timing.wake_latency.count, 120'061U);
-  EXPECT_EQ(application_->state().timing.wake_latency.maximum_ns, 1'900'000);
-  expect_inside(ImVec2(980.0F, kPageHeight));
+  EXPECT_GT(count_changed(empty, full, rect("plot Wake-up latency")), kMany);
+  EXPECT_GT(count_changed(empty, full, rect("plot Compute time")), kMany);
+  EXPECT_EQ(state().timing.wake_latency.count, 120'061U);
+  EXPECT_EQ(state().timing.wake_latency.maximum_ns, 1'900'000);
+  expect_within(980.0F);
 }
 
-TEST_F(TimingPageTest, IsTheSameAtTwiceTheSizeAndInALowerOne) {
+TEST_F(TimingPageTest, FitsAtTwiceTheSizeAndInALowWindow) {
   run_a_while();
   const ImVec2 half(static_cast<float>(kScreenWidth) / 2.0F,
                     static_cast<float>(kScreenHeight) / 2.0F);
   page(2.0F, draw::Look::kScreen, half);
-  expect_inside(ImVec2(kScreenWidth, kScreenHeight));
+  expect_within(kScreenWidth);
   const ImVec2 low(700.0F, 200.0F);
   page(1.0F, draw::Look::kLight, low);
-  expect_inside(low);
+  expect_within(low.x);
 }
 
 TEST_F(TimingPageTest, ABarTellsItsFigures) {
@@ -203,7 +181,7 @@ TEST_F(TimingPageTest, ABarTellsItsFigures) {
   bool told = false;
   for (float x = area.from.x; x < area.to.x && !told; x += 8.0F) {
     ImGui::GetIO().AddMousePosEvent(x, area.to.y - 40.0F);
-    told = changed(still, page(), "plot Wake-up latency") > 100;
+    told = count_changed(still, page(), rect("plot Wake-up latency")) > 100;
   }
   EXPECT_TRUE(told);
 }
@@ -211,9 +189,9 @@ TEST_F(TimingPageTest, ABarTellsItsFigures) {
 TEST_F(TimingPageTest, ClearCountsAnewAndForgetsTheWorst) {
   run_a_while();
   page();
-  application_->state().timing.clear_asked = true;
+  state().timing.clear_asked = true;
   page();
-  ui::TimingState& timing = application_->state().timing;
+  ui::TimingState& timing = state().timing;
   EXPECT_FALSE(timing.since_start());
   EXPECT_EQ(timing.wake_latency.count, 0U);
   EXPECT_EQ(timing.shown.missed_ticks, 0U);
@@ -252,7 +230,7 @@ TEST_F(TimingPageTest, EveryFigureSaysWhatItIs) {
 TEST_F(TimingPageTest, TheWindowKeepsThemUpToDate) {
   fake_->histograms = usual_timing(5000);
   frames(1);
-  ui::TimingState& timing = application_->state().timing;
+  ui::TimingState& timing = state().timing;
   EXPECT_EQ(timing.compute_time.count, 5000U);
   timing.clear_asked = true;
   frames(1);

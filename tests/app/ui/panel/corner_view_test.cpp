@@ -13,25 +13,22 @@ class CornerViewTest : public GuiTest {
     GuiTest::SetUp();
     open("corner");
   }
-  [[nodiscard]] const ui::TransientState& transient() const {
-    return application_->state().transient;
-  }
 };
 
 TEST_F(CornerViewTest, TheWallFieldsAreOfTheShownAxis) {
   live(500);
-  EXPECT_FALSE(find("wall 2").has_value()) << "one wall on either axis";
+  EXPECT_FALSE(sees("wall 2")) << "one wall on either axis";
   click("wall axis y");
-  EXPECT_EQ(transient().shown_axis, ui::Axis::kY);
+  EXPECT_EQ(state().transient.shown_axis, ui::Axis::kY);
   type("stiffness", "1234");
-  EXPECT_EQ(fake_->scene().axes[1].walls.front().stiffness_n_per_m, 1234.0);
-  EXPECT_EQ(fake_->scene().x().walls.front().stiffness_n_per_m, 35000.0);
+  EXPECT_EQ(scene().axes[1].walls.front().stiffness_n_per_m, 1234.0);
+  EXPECT_EQ(wall().stiffness_n_per_m, 35000.0);
   click("undo");
-  EXPECT_EQ(fake_->scene().axes[1].walls.front().stiffness_n_per_m, 20000.0);
+  EXPECT_EQ(scene().axes[1].walls.front().stiffness_n_per_m, 20000.0);
   click("wall axis x");
   type("stiffness", "4321");
-  EXPECT_EQ(fake_->scene().axes[1].walls.front().stiffness_n_per_m, 20000.0);
-  EXPECT_EQ(fake_->scene().x().walls.front().stiffness_n_per_m, 4321.0);
+  EXPECT_EQ(scene().axes[1].walls.front().stiffness_n_per_m, 20000.0);
+  EXPECT_EQ(wall().stiffness_n_per_m, 4321.0);
 }
 
 TEST_F(CornerViewTest, ThePointerLeadsBothHandsAndLetsGoOfBoth) {
@@ -40,13 +37,13 @@ TEST_F(CornerViewTest, ThePointerLeadsBothHandsAndLetsGoOfBoth) {
   move_to(view.centre());
   mouse_button(true);
   ASSERT_TRUE(fake_->lead.has_value());
-  ASSERT_TRUE(fake_->second_lead.has_value());
-  const double before_m = *fake_->second_lead;
+  ASSERT_TRUE(fake_->second_axis_lead.has_value());
+  const double before_m = *fake_->second_axis_lead;
   move_to(ImVec2(view.centre().x, view.centre().y - 30.0F));
-  EXPECT_NE(*fake_->second_lead, before_m);
+  EXPECT_NE(*fake_->second_axis_lead, before_m);
   mouse_button(false);
   EXPECT_FALSE(fake_->lead.has_value());
-  EXPECT_FALSE(fake_->second_lead.has_value());
+  EXPECT_FALSE(fake_->second_axis_lead.has_value());
 }
 
 TEST_F(CornerViewTest, EitherAxisHasItsOwnPlots) {
@@ -56,22 +53,15 @@ TEST_F(CornerViewTest, EitherAxisHasItsOwnPlots) {
   move_to(ImVec2(1.0F, 1.0F));
   const auto second = screen();
   const ItemRect plot = rect("plot Position");
-  int different = 0;
-  for (int y = static_cast<int>(plot.from.y); y < static_cast<int>(plot.to.y); ++y) {
-    for (int x = static_cast<int>(plot.from.x); x < static_cast<int>(plot.to.x); ++x) {
-      const std::size_t at = 4 * static_cast<std::size_t>(y * kScreenWidth + x);
-      if (first.rgba[at] != second.rgba[at]) ++different;
-    }
-  }
-  EXPECT_GT(different, 200) << "the hand comes later on axis y";
+  EXPECT_GT(count_changed(first, second, plot), 200) << "the hand comes later on axis y";
 }
 
 TEST_F(CornerViewTest, AnotherSceneShowsItsOnlyAxis) {
   click("wall axis y");
   open("press");
-  EXPECT_FALSE(find("wall axis y").has_value());
+  EXPECT_FALSE(sees("wall axis y"));
   type("stiffness", "777");
-  EXPECT_EQ(fake_->scene().x().walls.front().stiffness_n_per_m, 777.0);
+  EXPECT_EQ(wall().stiffness_n_per_m, 777.0);
 }
 
 }  // namespace

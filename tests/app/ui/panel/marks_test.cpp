@@ -8,7 +8,6 @@
 
 #include "app/draw/figure/figure.h"
 #include "tests/app/ui/gui_test.h"
-#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
@@ -19,26 +18,23 @@ class MarksTest : public GuiTest {
  protected:
   // Number of pixels of a column of the force plot with the colour of a mark.
   [[nodiscard]] int marked_pixels(double time_s) {
-    const ui::TransientState& transient = application_->state().transient;
+    const ui::TransientState& transient = state().transient;
     const ItemRect area = rect("plot Force");
     const double share =
         (time_s - transient.time_from_s) / (transient.time_to_s - transient.time_from_s);
-    const int x = static_cast<int>(
-        std::lround(area.from.x + static_cast<float>(share) * (area.to.x - area.from.x)));
-    const ImVec4 tone =
-        draw::theme_colours(draw::Look::kScreen)[static_cast<std::size_t>(draw::Tone::kWarning)];
+    const float x = std::round(area.at(static_cast<float>(share), 0.0F).x);
+    const ItemRect column{ImVec2(x - 2.0F, area.from.y), ImVec2(x + 3.0F, area.to.y)};
     constexpr int kTolerance = 80;
-    return count_pixels(screen(), colour_of(tone), x - 2, static_cast<int>(area.from.y), x + 3,
-                        static_cast<int>(area.to.y), kTolerance);
+    return count_tone(screen(), draw::Tone::kWarning, column, draw::Look::kScreen, kTolerance);
   }
 };
 
 TEST_F(MarksTest, AButtonAndAKeySetThemWhileItRecords) {
-  EXPECT_FALSE(find("mark").has_value());
+  EXPECT_FALSE(sees("mark"));
   press(ImGuiKey_M);
   EXPECT_THAT(message().text, HasSubstr("start one first"));
   click("record");
-  EXPECT_FALSE(find("recording name").has_value());
+  EXPECT_FALSE(sees("recording name"));
   live(300);
   press(ImGuiKey_M);
   live(200);
@@ -49,10 +45,10 @@ TEST_F(MarksTest, AButtonAndAKeySetThemWhileItRecords) {
   EXPECT_EQ(marks[1].tick, 499U);
   EXPECT_EQ(marks[1].text, "");
   click("record");
-  EXPECT_FALSE(find("mark").has_value());
+  EXPECT_FALSE(sees("mark"));
 }
 
-TEST_F(MarksTest, TheWordsAreTypedAndOfOneMark) {
+TEST_F(MarksTest, TypedWordsBelongToOneMark) {
   click("record");
   live(100);
   type("mark text", "touch");
@@ -61,8 +57,7 @@ TEST_F(MarksTest, TheWordsAreTypedAndOfOneMark) {
   // Typed, then set by the button; meanwhile M is a letter.
   click("mark text");
   press(ImGuiKey_M);
-  for (const char c : std::string("me")) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
-  frames(3);
+  write("me");
   EXPECT_EQ(fake_->marks().size(), 1U);
   click("mark");
   ASSERT_EQ(fake_->marks().size(), 2U);
@@ -77,7 +72,7 @@ TEST_F(MarksTest, ThePlotsShowThem) {
   live(3000);
   press(ImGuiKey_M);
   live(4000);
-  move_to(ImVec2(2.0F, 2.0F));
+  move_away();
   const double time_s = static_cast<double>(fake_->marks()[0].tick) / 1000.0;
   const ItemRect area = rect("plot Force");
   const int height = static_cast<int>(area.to.y - area.from.y);
@@ -102,7 +97,7 @@ TEST(MarksOfAFigure, AreDrawn) {
   const std::array marks{file::Mark{500, "half"}};
   view.marks = {marks, 1000.0};
   const file::Picture with = drawn();
-  int rows = 0;  // of pixels, in which the mark has changed something
+  int rows = 0;  // rows of pixels that the mark changes
   for (int y = 0; y < kSize.height; ++y) {
     const auto row = [&](const file::Picture& picture) {
       return picture.rgba.begin() + static_cast<std::ptrdiff_t>(4) * y * kSize.width;

@@ -1,9 +1,6 @@
 // The parts of the window that need neither OpenGL nor ImGui.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "app/draw/plot/plot.h"
 #include "app/file/scene/scene_file.h"
 #include "app/ui/page/plots_panel.h"
@@ -11,6 +8,7 @@
 #include "app/ui/panel/toolbar.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/widgets.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -45,30 +43,14 @@ TEST(NumberText, ShowsNoNoiseOfTheLastDigits) {
   EXPECT_EQ(rounded_number(35000.0), "35000");
 }
 
-TEST(FollowNewest, ShowsTheNewestSecondsAndStartsAtTheLeft) {
-  UiState state;
-  state.persisted.time_window_s = 4.0;
-  follow_newest(state, 1.0);
-  EXPECT_DOUBLE_EQ(state.transient.time_from_s, 0.0);
-  EXPECT_DOUBLE_EQ(state.transient.time_to_s, 4.0);
-  follow_newest(state, 10.5);
-  EXPECT_DOUBLE_EQ(state.transient.time_from_s, 6.5);
-  EXPECT_DOUBLE_EQ(state.transient.time_to_s, 10.5);
-}
-
 TEST(UnusedRecordingPath, NeverTakesANameThatIsInUse) {
-  const std::filesystem::path folder =
-      std::filesystem::path(::testing::TempDir()) / "hapticwall_unused_recording_path";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  const auto touch = [&](const char* name) { std::ofstream(folder / name) << "x"; };
-  EXPECT_EQ(unused_recording_path(folder, "a"), folder / "a.csv");
-  touch("a.csv");
-  EXPECT_EQ(unused_recording_path(folder, "a.csv"), folder / "a-2.csv");
-  touch("a-2.toml");
-  touch("a-3.csv.partial");
-  EXPECT_EQ(unused_recording_path(folder, "a"), folder / "a-4.csv");
-  std::filesystem::remove_all(folder);
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(unused_recording_path(folder.path(), "a"), folder.file("a.csv"));
+  folder.put("a.csv", "x");
+  EXPECT_EQ(unused_recording_path(folder.path(), "a.csv"), folder.file("a-2.csv"));
+  folder.put("a-2.toml", "x");
+  folder.put("a-3.csv.partial", "x");
+  EXPECT_EQ(unused_recording_path(folder.path(), "a"), folder.file("a-4.csv"));
 }
 
 TEST(CostText, TellsMedianAndMaximumInMicroseconds) {
@@ -80,7 +62,7 @@ TEST(CostText, TellsMedianAndMaximumInMicroseconds) {
   EXPECT_EQ(cost_text(timing), "  1.2 µs, max   83 µs");
 }
 
-TEST(EnergyError, IsWhatTheHandPutInAndNobodyHas) {
+TEST(EnergyError, IsTheWorkOfTheHandThatNoPartHas) {
   PlantTruth truth;
   truth.hand_work_j = 10.0;
   truth.kinetic_j = 1.0;
@@ -89,7 +71,7 @@ TEST(EnergyError, IsWhatTheHandPutInAndNobodyHas) {
   EXPECT_EQ(energy_error_j(truth), 3.0);
 }
 
-TEST(ChangedValues, TellsWhatIsNotTheScenesAndTakesItBack) {
+TEST(ChangedValues, ListsValuesUnlikeTheSceneAndRestoresThem) {
   const Scene loaded = file::load_scene("press")->scene;
   Scene running = loaded;
   EXPECT_TRUE(changed_values(running, loaded).empty());

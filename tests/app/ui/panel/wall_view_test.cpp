@@ -5,41 +5,28 @@
 #include <cmath>
 
 #include "tests/app/ui/gui_test.h"
-#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::test {
 namespace {
 
 class WallViewTest : public GuiTest {
  protected:
-  [[nodiscard]] ui::WallOrbit& orbit() { return application_->state().wall.persisted.orbit; }
+  [[nodiscard]] ui::WallOrbit& orbit() { return state().wall.persisted.orbit; }
   [[nodiscard]] ui::WallCamera camera() {
     const ItemRect view = rect("wall view");
-    return {ui::wall_space(fake_->scene()), orbit(), view.to.x - view.from.x,
-            view.to.y - view.from.y};
+    return {ui::wall_space(scene()), orbit(), view.to.x - view.from.x, view.to.y - view.from.y};
   }
-  // Of a position on the axis, in the window.
+  // The place of a position on the axis, in the window.
   [[nodiscard]] ImVec2 place(double position_m) {
     const ItemRect view = rect("wall view");
     const ui::WallCamera now = camera();
     const glm::vec2 pixel = now.pixel_of(now.point_of({position_m, 0.0}));
     return {view.from.x + pixel.x, view.from.y + pixel.y};
   }
-  void button(ImGuiMouseButton which, bool down) {
-    ImGui::GetIO().AddMouseButtonEvent(which, down);
-    frames(2);
-  }
-  void drag(ImGuiMouseButton which, ImVec2 by) {
-    const ImVec2 from = rect("wall view").centre();
-    move_to(from);
-    button(which, true);
-    move_to(ImVec2(from.x + by.x, from.y + by.y));
-    button(which, false);
-  }
 };
 
 TEST_F(WallViewTest, TheRightButtonTurnsAndNeverLeadsTheHand) {
-  drag(ImGuiMouseButton_Right, ImVec2(-80.0F, 40.0F));
+  drag_by("wall view", ImVec2(-80.0F, 40.0F), ImGuiMouseButton_Right);
   EXPECT_GT(orbit().yaw_rad, 0.1);
   EXPECT_GT(orbit().pitch_rad, 0.05);
   EXPECT_EQ(fake_->lead_calls, 0);
@@ -50,7 +37,7 @@ TEST_F(WallViewTest, TheRightButtonTurnsAndNeverLeadsTheHand) {
 
 TEST_F(WallViewTest, TheMiddleButtonMovesWhatIsSeenWithThePointer) {
   const ImVec2 before = place(0.05);
-  drag(ImGuiMouseButton_Middle, ImVec2(30.0F, -20.0F));
+  drag_by("wall view", ImVec2(30.0F, -20.0F), ImGuiMouseButton_Middle);
   EXPECT_NEAR(place(0.05).x, before.x + 30.0F, 0.1F);
   EXPECT_NEAR(place(0.05).y, before.y - 20.0F, 0.1F);
   EXPECT_EQ(fake_->lead_calls, 0);
@@ -58,18 +45,16 @@ TEST_F(WallViewTest, TheMiddleButtonMovesWhatIsSeenWithThePointer) {
 
 TEST_F(WallViewTest, TheWheelZoomsAtThePointer) {
   const ImVec2 before = place(0.05);
-  move_to(before);
-  ImGui::GetIO().AddMouseWheelEvent(0.0F, 3.0F);
-  frames(3);
+  wheel_at(before, 3.0F);
   EXPECT_GT(orbit().zoom, 1.3);
   EXPECT_NEAR(place(0.05).x, before.x, 1.0F);
   EXPECT_NEAR(place(0.05).y, before.y, 1.0F);
 }
 
-TEST_F(WallViewTest, NoMouseGetsTheCameraLost) {
+TEST_F(WallViewTest, TheMouseKeepsTheCameraWithinItsLimits) {
   for (int i = 0; i < 12; ++i) {
-    drag(ImGuiMouseButton_Right, ImVec2(300.0F, i % 2 == 0 ? 150.0F : -150.0F));
-    drag(ImGuiMouseButton_Middle, ImVec2(250.0F, 100.0F));
+    drag_by("wall view", ImVec2(300.0F, i % 2 == 0 ? 150.0F : -150.0F), ImGuiMouseButton_Right);
+    drag_by("wall view", ImVec2(250.0F, 100.0F), ImGuiMouseButton_Middle);
     ImGui::GetIO().AddMouseWheelEvent(0.0F, i < 6 ? -5.0F : 9.0F);
     frames(3);
     EXPECT_EQ(ui::limited(orbit(), false), orbit());
@@ -77,36 +62,33 @@ TEST_F(WallViewTest, NoMouseGetsTheCameraLost) {
 }
 
 TEST_F(WallViewTest, TheHandIsLedRightlyFromEveryView) {
-  constexpr double kPixels = 1.5;  // a pointer is on whole ones
+  constexpr double kPixels = 1.5;  // the pointer has whole pixels
   for (const ui::WallOrbit& view :
        {ui::WallOrbit{}, ui::WallOrbit{0.9, 0.3, 1.0, {}},
         ui::WallOrbit{-0.6, 0.9, 1.3, {0.2, 0.1}}, ui::WallOrbit{1.6, -0.2, 0.9, {}}}) {
     orbit() = view;
     frames(2);
+    move_to(place(0.04));
+    mouse_button(true);
     for (const double position_m : {0.045, 0.052}) {
       move_to(place(position_m));
-      mouse_button(true);
       ASSERT_TRUE(fake_->lead.has_value());
       const double pixels_per_m =
           1e3 * static_cast<double>(std::hypot(place(position_m + 1e-3).x - place(position_m).x,
                                                place(position_m + 1e-3).y - place(position_m).y));
       EXPECT_NEAR(*fake_->lead, position_m, kPixels / pixels_per_m);
-      mouse_button(false);
-      EXPECT_FALSE(fake_->lead.has_value());
     }
+    mouse_button(false);
+    EXPECT_FALSE(fake_->lead.has_value());
   }
 }
 
 TEST_F(WallViewTest, ShowsForceHandAndProxy) {
   live(4000);
-  move_to(ImVec2(2.0F, 2.0F));
-  const ItemRect view = rect("wall view");
+  move_away();
   const file::Picture picture = screen();
   const auto count = [&](draw::Tone tone) {
-    const ImVec4 colour = draw::theme_colours(draw::Look::kScreen)[static_cast<std::size_t>(tone)];
-    return count_pixels(picture, colour_of(colour), static_cast<int>(view.from.x),
-                        static_cast<int>(view.from.y), static_cast<int>(view.to.x),
-                        static_cast<int>(view.to.y), 30);
+    return count_tone(picture, tone, rect("wall view"), draw::Look::kScreen, 30);
   };
   EXPECT_GT(count(draw::Tone::kForce), 100) << "the arrow and its figure";
   EXPECT_GT(count(draw::Tone::kHand), 10) << "the hand's name";
@@ -116,7 +98,7 @@ TEST_F(WallViewTest, ShowsForceHandAndProxy) {
 TEST_F(WallViewTest, NothingIsDrawnAgainWhileNothingChanges) {
   live(2000);
   frames(120);  // the tint has settled, the picture is refined
-  EXPECT_TRUE(application_->state().wall.transient.view_refined);
+  EXPECT_TRUE(state().wall.transient.view_refined);
   const std::uint64_t drawn = application_->renderer().times_drawn();
   frames(30);
   EXPECT_EQ(application_->renderer().times_drawn(), drawn);
@@ -126,7 +108,7 @@ TEST_F(WallViewTest, NothingIsDrawnAgainWhileNothingChanges) {
 }
 
 TEST_F(WallViewTest, TheTintComesAndGoesWithTheContact) {
-  const auto strength = [this] { return application_->state().wall.transient.shown[0].strength; };
+  const auto strength = [this] { return state().wall.transient.shown[0].strength; };
   live(100);
   EXPECT_EQ(strength(), 0.0);
   live(3000);

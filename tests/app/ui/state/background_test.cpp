@@ -34,7 +34,7 @@ TEST(Background, TellsItsOutcomeOnce) {
   EXPECT_FALSE(work.take());
 }
 
-TEST(Background, WhatItThrowsIsAnError) {
+TEST(Background, AnExceptionBecomesAnError) {
   Work work;
   work.start([](const Work::Progress&) -> Result<std::string> { throw std::bad_alloc(); });
   std::optional<Result<std::string>> outcome;
@@ -42,7 +42,7 @@ TEST(Background, WhatItThrowsIsAnError) {
   EXPECT_FALSE(*outcome);
 }
 
-TEST(Background, WhatIsGivenUpEndsAndIsNotHeardOf) {
+TEST(Background, CancelledWorkEndsWithoutAnOutcome) {
   Work work;
   std::atomic<bool> ended{false};
   work.start([&](const Work::Progress& progress) {

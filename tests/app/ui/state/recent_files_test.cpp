@@ -4,11 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <filesystem>
 
 #include "tests/app/ui/gui_test.h"
-#include "tests/temporary_folder.h"
 
 namespace hapticwall::test {
 namespace {
@@ -27,7 +25,7 @@ TEST(RecentFiles, TheNewestComesFirstAndOnlyOnce) {
   EXPECT_EQ(recent.front(), "/29");
 }
 
-TEST(RecentFiles, AreWholePaths) {
+TEST(RecentFiles, AreAbsolutePaths) {
   std::vector<std::string> recent;
   ui::remember_recent(recent, "here.toml");
   EXPECT_EQ(recent.front(), (fs::current_path() / "here.toml").string());
@@ -42,31 +40,20 @@ class FilesTest : public GuiTest {
     scene.x().walls[0].stiffness_n_per_m = 4321.0;
     put("mine.toml", file::scene_to_toml(scene));
   }
-  void put(const std::string& name, const std::string& text) const { folder_.put(name, text); }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
-  void drop(const std::string& name) {
-    const std::array paths{path(name)};
-    application_->drop(paths);
-    frames(2);
-  }
-  [[nodiscard]] const std::vector<std::string>& recent() const {
-    return application_->state().persisted.recent;
-  }
-
-  TemporaryFolder folder_;
+  [[nodiscard]] const std::vector<std::string>& recent() const { return state().persisted.recent; }
 };
 
 TEST_F(FilesTest, ADroppedSceneStartsFromRest) {
   live(500);
   drop("mine.toml");
   EXPECT_EQ(sessions, 2);
-  EXPECT_EQ(fake_->scene().name, "mine");
-  EXPECT_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 4321.0);
-  EXPECT_FALSE(find("reset to scene").has_value()) << "it is the one to go back to";
+  EXPECT_EQ(scene().name, "mine");
+  EXPECT_EQ(wall().stiffness_n_per_m, 4321.0);
+  EXPECT_FALSE(sees("reset to scene")) << "the dropped scene is the loaded one";
   EXPECT_EQ(recent(), std::vector<std::string>{path("mine.toml")});
 }
 
-TEST_F(FilesTest, WhatIsNoSceneIsToldAndTheSessionGoesOn) {
+TEST_F(FilesTest, ABrokenSceneIsReportedAndTheSessionContinues) {
   put("broken.toml", "[device]\nmass_kg = \"heavy\"\n");
   live(300);
   drop("broken.toml");
@@ -76,34 +63,28 @@ TEST_F(FilesTest, WhatIsNoSceneIsToldAndTheSessionGoesOn) {
   EXPECT_TRUE(recent().empty());
   drop("nothing.toml");
   EXPECT_THAT(message().text, HasSubstr("nothing.toml"));
-  EXPECT_EQ(fake_->snapshot().newest.x().tick, 299U);
+  EXPECT_EQ(newest().tick, 299U);
 }
 
 TEST_F(FilesTest, ARecordingThatIsNotThereIsNotLookedFor) {
   drop("nothing.csv");
   EXPECT_THAT(message().text, HasSubstr("there is no such recording"));
-  EXPECT_FALSE(application_->state().replay.opening.running());
+  EXPECT_FALSE(state().replay.opening.running());
   EXPECT_TRUE(recent().empty());
 }
 
-TEST_F(FilesTest, WhatWasOpenedIsInTheListOfScenes) {
+TEST_F(FilesTest, AnOpenedFileIsInTheListOfScenes) {
   drop("mine.toml");
   click("scene");
-  frames(2);
   click("scene press");
-  frames(2);
-  EXPECT_EQ(fake_->scene().name, "press");
+  EXPECT_EQ(scene().name, "press");
   click("scene");
-  frames(2);
   click("recent 1");
-  frames(2);
-  EXPECT_EQ(fake_->scene().name, "mine");
+  EXPECT_EQ(scene().name, "mine");
   fs::remove(path("mine.toml"));
   click("scene");
-  frames(2);
   click("recent 1");
-  frames(2);
-  EXPECT_TRUE(recent().empty()) << "what is gone is not offered again";
+  EXPECT_TRUE(recent().empty()) << "a missing file leaves the list";
 }
 
 TEST_F(FilesTest, TheFileOfTheCommandLineIsTheNewest) {

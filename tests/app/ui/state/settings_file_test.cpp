@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <random>
-#include <sstream>
 
 #include "app/file/scene/settings_text.h"
-#include "tests/app/ui/gui_test.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::test {
 namespace {
@@ -20,34 +18,6 @@ using ui::apply_settings;
 using ui::settings_of;
 using ui::SettingsFile;
 using ui::UiState;
-
-class Folder {
- public:
-  Folder() {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = fs::path(::testing::TempDir()) / (std::string("hapticwall_settings_") + info->name());
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path_); }
-  [[nodiscard]] std::string file() const { return (path_ / "a" / "settings.toml").string(); }
-  void put(const std::string& text) const {
-    fs::create_directories(fs::path(file()).parent_path());
-    std::ofstream(file()) << text;
-  }
-  [[nodiscard]] static std::string content(const std::string& path) {
-    std::ifstream in(path);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // A state with no default value.
 void change_all(UiState& state) {
@@ -75,6 +45,11 @@ void change_all(UiState& state) {
   state.compare.persisted = {false, "Which is steadier?", 12, 0.9};
 }
 
+class SettingsTest : public FolderTest {
+ protected:
+  [[nodiscard]] std::string file() const { return path("settings.toml"); }
+};
+
 TEST(Settings, EverythingThatIsKeptComesBack) {
   UiState state;
   change_all(state);
@@ -97,46 +72,44 @@ TEST(Settings, EverythingThatIsKeptComesBack) {
   EXPECT_GE(changed, 24U);
 }
 
-TEST(Settings, AFileIsWrittenAndReadBack) {
-  const Folder folder;
+TEST_F(SettingsTest, AFileIsWrittenIntoANewFolderAndReadBack) {
+  const std::string file = path("a/settings.toml");
   UiState state;
-  SettingsFile file(folder.file());
-  file.load(state);
-  EXPECT_FALSE(fs::exists(folder.file())) << "nothing has changed yet";
+  SettingsFile settings(file);
+  settings.load(state);
+  EXPECT_FALSE(fs::exists(file)) << "nothing has changed yet";
   change_all(state);
-  file.save(state);
+  settings.save(state);
   UiState fresh;
-  SettingsFile(folder.file()).load(fresh);
+  SettingsFile(file).load(fresh);
   EXPECT_EQ(settings_of(fresh), settings_of(state));
   EXPECT_TRUE(fresh.transient.toasts.list().empty());
-  EXPECT_FALSE(fs::exists(folder.file() + ".partial"));
+  EXPECT_FALSE(fs::exists(file + ".partial"));
 }
 
-TEST(Settings, AChangeIsWrittenOnceItRests) {
-  const Folder folder;
+TEST_F(SettingsTest, AChangeIsWrittenOnceItRests) {
   UiState state;
-  SettingsFile file(folder.file());
-  file.load(state);
+  SettingsFile settings(file());
+  settings.load(state);
   constexpr double kFrameS = 1.0 / 60.0;
   for (int frame = 0; frame < 300; ++frame) {  // a drag of five seconds
     state.persisted.panel_ems = 20.0 + 0.01 * frame;
-    file.pass(state, kFrameS);
-    EXPECT_FALSE(fs::exists(folder.file()));
+    settings.pass(state, kFrameS);
+    EXPECT_FALSE(fs::exists(file()));
   }
-  for (int frame = 0; frame < 120; ++frame) file.pass(state, kFrameS);
-  ASSERT_TRUE(fs::exists(folder.file()));
-  EXPECT_THAT(Folder::content(folder.file()), HasSubstr("panel_ems = 22.99"));
-  fs::remove(folder.file());
-  for (int frame = 0; frame < 600; ++frame) file.pass(state, kFrameS);
-  EXPECT_FALSE(fs::exists(folder.file())) << "what has not changed is not written again";
+  for (int frame = 0; frame < 120; ++frame) settings.pass(state, kFrameS);
+  ASSERT_TRUE(fs::exists(file()));
+  EXPECT_THAT(content("settings.toml"), HasSubstr("panel_ems = 22.99"));
+  fs::remove(file());
+  for (int frame = 0; frame < 600; ++frame) settings.pass(state, kFrameS);
+  EXPECT_FALSE(fs::exists(file())) << "unchanged settings are not written again";
 }
 
-TEST(Settings, ABrokenFileIsToldKeptAsideAndReplaced) {
-  const Folder folder;
-  folder.put("[window\ntheme = light\n");
+TEST_F(SettingsTest, ABrokenFileIsToldKeptAsideAndReplaced) {
+  put("settings.toml", "[window\ntheme = light\n");
   UiState state;
-  SettingsFile file(folder.file());
-  file.load(state);
+  SettingsFile settings(file());
+  settings.load(state);
   ASSERT_EQ(state.transient.toasts.list().size(), 1U);
   const ui::Message told = state.transient.toasts.newest();
   EXPECT_EQ(told.kind, ui::MessageKind::kProblem);
@@ -144,21 +117,20 @@ TEST(Settings, ABrokenFileIsToldKeptAsideAndReplaced) {
   EXPECT_THAT(told.text, HasSubstr("settings.toml.broken"));
   const UiState usual;
   EXPECT_EQ(settings_of(state), settings_of(usual));
-  EXPECT_EQ(Folder::content(folder.file() + ".broken"), "[window\ntheme = light\n");
-  file.save(state);
+  EXPECT_EQ(content("settings.toml.broken"), "[window\ntheme = light\n");
+  settings.save(state);
   UiState fresh;
-  SettingsFile(folder.file()).load(fresh);
+  SettingsFile(file()).load(fresh);
   EXPECT_TRUE(fresh.transient.toasts.list().empty());
 }
 
-TEST(Settings, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
-  const Folder folder;
-  folder.put(
+TEST_F(SettingsTest, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
+  put("settings.toml",
       "[window]\ntheme = \"pink\"\nscale_percent = 1e9\nview_share = true\n"
       "panel_ems = 25\nfrom_the_future = 1\n[other]\nx = 2\n[recent]\nfile_1 = 3\n"
       "[plots]\nloop = 1\n");
   UiState state;
-  SettingsFile(folder.file()).load(state);
+  SettingsFile(file()).load(state);
   EXPECT_DOUBLE_EQ(state.persisted.panel_ems, 25.0);
   EXPECT_EQ(state.persisted.look, draw::Look::kScreen);
   EXPECT_EQ(state.persisted.scale_percent, 0);
@@ -168,24 +140,22 @@ TEST(Settings, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
   EXPECT_THAT(told, HasSubstr("window.view_share must be a number"));
   EXPECT_THAT(told, HasSubstr("plots.loop must be true or false"));
   EXPECT_THAT(told, ::testing::Not(HasSubstr("future")));
-  EXPECT_TRUE(fs::exists(folder.file() + ".broken"));
+  EXPECT_TRUE(fs::exists(file() + ".broken"));
 }
 
-TEST(Settings, UnknownKeysAreNoProblemAndAreNotKept) {
-  const Folder folder;
-  folder.put("[window]\npanel_ems = 25\nfrom_the_future = 1\n");
+TEST_F(SettingsTest, UnknownKeysAreNoProblemAndAreNotKept) {
+  put("settings.toml", "[window]\npanel_ems = 25\nfrom_the_future = 1\n");
   UiState state;
-  SettingsFile file(folder.file());
-  file.load(state);
+  SettingsFile settings(file());
+  settings.load(state);
   EXPECT_TRUE(state.transient.toasts.list().empty());
   state.persisted.panel_ems = 26.0;
-  file.save(state);
-  EXPECT_THAT(Folder::content(folder.file()), ::testing::Not(HasSubstr("future")));
+  settings.save(state);
+  EXPECT_THAT(content("settings.toml"), ::testing::Not(HasSubstr("future")));
 }
 
 // The window opens with valid values, whatever the file contains.
-TEST(Settings, NoFileIsFatal) {
-  const Folder folder;
+TEST_F(SettingsTest, NoFileIsFatal) {
   std::mt19937 random(11);
   UiState changed;
   change_all(changed);
@@ -196,33 +166,32 @@ TEST(Settings, NoFileIsFatal) {
     std::string text = whole;
     for (int i = 0; i <= round % 8; ++i) text[place(random)] = static_cast<char>(byte(random));
     if (round % 5 == 0) text.resize(place(random));
-    folder.put(text);
+    put("settings.toml", text);
     UiState state;
-    SettingsFile(folder.file()).load(state);
+    SettingsFile(file()).load(state);
     EXPECT_GE(state.persisted.view_share, 0.1);
     EXPECT_LE(state.persisted.view_share, 0.9);
     EXPECT_GE(state.persisted.scale_percent, 0);
     EXPECT_LE(state.persisted.scale_percent, 300);
     EXPECT_GE(state.persisted.time_window_s, ui::kTimeWindowsS.front());
   }
-  folder.put(std::string(1U << 20U, '#'));
+  put("settings.toml", std::string(1U << 20U, '#'));
   UiState state;
-  SettingsFile(folder.file()).load(state);
+  SettingsFile(file()).load(state);
   EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("larger than"));
 }
 
-TEST(Settings, WhatCannotBeWrittenIsToldOnce) {
-  const Folder folder;
-  std::ofstream(folder.path() / "a") << "a file where the folder should be";
+TEST_F(SettingsTest, AFailedWriteIsReportedOnce) {
+  put("a", "a file where the folder should be");
   UiState state;
-  SettingsFile file(folder.file());
-  file.load(state);
+  SettingsFile settings(path("a/settings.toml"));
+  settings.load(state);
   state.persisted.panel_ems = 25.0;
-  file.save(state);
+  settings.save(state);
   ASSERT_EQ(state.transient.toasts.list().size(), 1U);
   EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("settings are not kept"));
   state.persisted.panel_ems = 26.0;
-  file.save(state);
+  settings.save(state);
   EXPECT_EQ(state.transient.toasts.list().size(), 1U);
   EXPECT_EQ(state.transient.toasts.newest().text, state.transient.toasts.list()[0].message.text);
   EXPECT_EQ(state.transient.toasts.list()[0].times, 1);
@@ -230,30 +199,12 @@ TEST(Settings, WhatCannotBeWrittenIsToldOnce) {
 
 TEST(Settings, WithoutAPathNothingIsReadOrWritten) {
   UiState state;
-  SettingsFile file("");
-  file.load(state);
+  SettingsFile settings("");
+  settings.load(state);
   state.persisted.panel_ems = 25.0;
-  for (int i = 0; i < 100; ++i) file.pass(state, 1.0);
-  file.save(state);
+  for (int i = 0; i < 100; ++i) settings.pass(state, 1.0);
+  settings.save(state);
   EXPECT_TRUE(state.transient.toasts.list().empty());
-}
-
-class SettingsOfTheWindow : public GuiTest {};
-
-TEST_F(SettingsOfTheWindow, TheFolderOfRecordingsIsTypedAndMustBeThere) {
-  const Folder folder;
-  click("settings");
-  frames(2);
-  type("recording folder", "/nowhere at all");
-  EXPECT_THAT(message().text, HasSubstr("there is no such folder"));
-  EXPECT_EQ(application_->state().transient.recording_folder, "");
-  application_->state().transient.toasts.clear();
-  frames(2);
-  type("recording folder", folder.path().string());
-  EXPECT_EQ(application_->state().persisted.recording_folder, folder.path());
-  press(ImGuiKey_Escape);
-  click("record");
-  EXPECT_EQ(fake_->recording_status().path, (folder.path() / "press-energy-bounding.csv").string());
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(UndoHistory, ADragIsOneStepAndTheNextDragAnother) {
   EXPECT_EQ(history.undo()->scene.x().walls[0].stiffness_n_per_m, 1010.0);
 }
 
-TEST(UndoHistory, WhatADeviceMakesOfAStepIsThatStep) {
+TEST(UndoHistory, AStepThatTheDeviceChangesIsStillThatStep) {
   UndoHistory history;
   const Scene loaded = press_scene();
   history.observe(with_stiffness(1000.0), loaded, false);
@@ -114,7 +114,7 @@ TEST(UndoHistory, KeepsTheNewestSteps) {
             static_cast<double>(ui::kMaxUndoSteps + 49));
 }
 
-TEST(UndoHistory, TellsWhatItWouldChange) {
+TEST(UndoHistory, NamesTheChangeThatUndoTakesBack) {
   UndoHistory history;
   const Scene loaded = press_scene();
   EXPECT_EQ(history.undo_text(), "");
@@ -143,66 +143,58 @@ TEST(SameScene, SeesEveryPart) {
 
 class UndoTest : public GuiTest {
  protected:
-  void press_ctrl(ImGuiKey key) {
-    ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, true);
-    press(key);
-    ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, false);
-    frames(1);
-  }
-  [[nodiscard]] double stiffness() const { return fake_->scene().x().walls[0].stiffness_n_per_m; }
+  [[nodiscard]] double stiffness() const { return wall().stiffness_n_per_m; }
 };
 
-TEST_F(UndoTest, WhatIsTypedIsNotUndoneByTheWindow) {
+TEST_F(UndoTest, UndoInATextFieldKeepsTheScene) {
   type("stiffness", "20000");
   click("damping");
-  ImGui::GetIO().AddInputCharacter('7');
-  frames(2);
-  press_ctrl(ImGuiKey_Z);
+  write("7");
+  press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(stiffness(), 20000.0);
 }
 
 TEST_F(UndoTest, ADragOfASliderIsOneStep) {
   const ItemRect slider = rect("stiffness-slider");
-  const float middle = slider.centre().y;
-  move_to(ImVec2(slider.from.x + 0.3F * (slider.to.x - slider.from.x), middle));
+  move_to(slider.at(0.3F, 0.5F));
   mouse_button(true);
   for (const float share : {0.4F, 0.5F, 0.6F, 0.7F, 0.8F}) {
-    move_to(ImVec2(slider.from.x + share * (slider.to.x - slider.from.x), middle));
+    move_to(slider.at(share, 0.5F));
     EXPECT_NEAR(std::log10(stiffness()), 2.0 + 4.0 * static_cast<double>(share), 0.15);
   }
   mouse_button(false);
-  EXPECT_EQ(application_->state().transient.undo.size(), 2U);
-  press_ctrl(ImGuiKey_Z);
+  EXPECT_EQ(state().transient.undo.size(), 2U);
+  press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(stiffness(), 35000.0);
 }
 
 TEST_F(UndoTest, ARateTakesItsSessionBackAndAnotherSceneToo) {
   type("rate", "2000");
   EXPECT_EQ(sessions, 2);
-  press_ctrl(ImGuiKey_Z);
+  press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(sessions, 3);
-  EXPECT_EQ(fake_->scene().sampling.rate_hz, 1000.0);
+  EXPECT_EQ(scene().sampling.rate_hz, 1000.0);
   type("stiffness", "20000");
   click("Figure 5");
-  frames(2);
-  EXPECT_FALSE(find("reset to scene").has_value());
-  press_ctrl(ImGuiKey_Z);
+  EXPECT_FALSE(sees("reset to scene"));
+  EXPECT_EQ(stiffness(), 35000.0);
+  press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(stiffness(), 20000.0);
-  EXPECT_TRUE(find("reset to scene").has_value());
+  EXPECT_TRUE(sees("reset to scene"));
   click("reset to scene");
   EXPECT_EQ(stiffness(), 35000.0);
-  press_ctrl(ImGuiKey_Z);
-  EXPECT_EQ(stiffness(), 20000.0) << "the way back is a change like others";
+  press(ImGuiMod_Ctrl | ImGuiKey_Z);
+  EXPECT_EQ(stiffness(), 20000.0) << "a reset to the scene is a step, too";
 }
 
 TEST_F(UndoTest, ASessionThatDoesNotStartLeavesTheStepThere) {
   type("rate", "2000");
   refuse_session = "no loop to be had";
-  press_ctrl(ImGuiKey_Z);
+  press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(message().text, "no loop to be had");
   EXPECT_EQ(application_->session().scene().sampling.rate_hz, 2000.0);
   refuse_session.clear();
-  press_ctrl(ImGuiKey_Z);
+  press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(application_->session().scene().sampling.rate_hz, 1000.0);
 }
 
@@ -211,25 +203,25 @@ TEST_F(UndoTest, AnyEditsAreUndoneAndRedoneStateByState) {
   std::mt19937 random(20240);
   for (int round = 0; round < 5; ++round) {
     open("press");
-    std::vector<Scene> states{fake_->scene()};
+    std::vector<Scene> states{scene()};
     while (states.size() < 15) {
-      const Scene wanted = edited(fake_->scene(), random);
-      if (same_scene(wanted, fake_->scene())) continue;
-      if (runtime::needs_new_session(fake_->scene(), wanted)) {
-        application_->state().transient.wanted_scene = ui::WantedScene{wanted};
+      const Scene wanted = edited(scene(), random);
+      if (same_scene(wanted, scene())) continue;
+      if (runtime::needs_new_session(scene(), wanted)) {
+        state().transient.wanted_scene = ui::WantedScene{wanted};
       } else {
         ASSERT_FALSE(fake_->change_scene(wanted));
       }
       frames(1);
-      states.push_back(fake_->scene());
+      states.push_back(scene());
     }
     for (std::size_t i = states.size() - 1; i-- > 0;) {
-      press_ctrl(ImGuiKey_Z);
-      ASSERT_TRUE(same_scene(fake_->scene(), states[i])) << "back to " << i;
+      press(ImGuiMod_Ctrl | ImGuiKey_Z);
+      ASSERT_TRUE(same_scene(scene(), states[i])) << "back to " << i;
     }
     for (std::size_t i = 1; i < states.size(); ++i) {
-      press_ctrl(ImGuiKey_Y);
-      ASSERT_TRUE(same_scene(fake_->scene(), states[i])) << "on to " << i;
+      press(ImGuiMod_Ctrl | ImGuiKey_Y);
+      ASSERT_TRUE(same_scene(scene(), states[i])) << "on to " << i;
     }
   }
 }

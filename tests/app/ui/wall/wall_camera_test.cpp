@@ -74,7 +74,7 @@ TEST(WallCamera, PickingUndoesDrawingOnTwoAxes) {
   EXPECT_GT(seen, 300);
 }
 
-TEST(WallCamera, WhateverIsPickedLiesWithinTheExtents) {
+TEST(WallCamera, APickedPlaceLiesWithinTheExtents) {
   RandomViews views;
   for (int i = 0; i < 1000; ++i) {
     const glm::vec2 pixel(views.between(-5000.0, 9000.0), views.between(-5000.0, 9000.0));
@@ -94,7 +94,8 @@ TEST(WallCamera, ASceneIsSeenWholeAtFirst) {
   for (const float width : {400.0F, 900.0F}) {
     for (const WallSpace& space : {kCameraLine, kCameraPlane}) {
       const WallCamera camera(space, {}, width, 390.0F);
-      const double margin_m = 0.05 * space.x.length_m();  // the air around what a scene names
+      const double margin_m =
+          0.05 * space.x.length_m();  // free space around the walls and paths of a scene
       for (const double x_m : {space.x.from_m + margin_m, space.x.to_m - margin_m}) {
         const double y_m = space.y ? space.y->middle_m() : 0.0;
         const glm::vec2 pixel = camera.pixel_of(camera.point_of({x_m, y_m}));
@@ -123,7 +124,7 @@ TEST(WallCamera, ZoomingKeepsWhatIsUnderThePointer) {
   EXPECT_GT(orbit.zoom, 4.0);
 }
 
-TEST(WallCamera, NobodyGetsLost) {
+TEST(WallCamera, LimitsKeepTheWallInThePicture) {
   RandomViews views;
   for (int i = 0; i < 2000; ++i) {
     for (const bool two_axes : {false, true}) {
@@ -133,7 +134,7 @@ TEST(WallCamera, NobodyGetsLost) {
       // The middle of the picture was within the picture before the zoom.
       EXPECT_LE(std::abs(orbit.shift.x / orbit.zoom), 0.9) << i;
       EXPECT_LE(std::abs(orbit.shift.y / orbit.zoom), 0.9) << i;
-      EXPECT_EQ(limited(orbit, two_axes), orbit) << "limits do not move what is within them";
+      EXPECT_EQ(limited(orbit, two_axes), orbit) << "a view within the limits stays";
     }
   }
 }

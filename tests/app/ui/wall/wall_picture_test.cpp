@@ -14,7 +14,7 @@ namespace {
 
 const PictureWall kWall{Axis::kX, 0.05, 35000.0};
 
-TEST(WallPicture, SaysWhatSceneAndSampleSay) {
+TEST(WallPicture, ShowsSceneAndSample) {
   Scene scene;
   scene.x().device.force_limit_n = 8.9;
   scene.x().hand = HandSettings{};
@@ -27,7 +27,7 @@ TEST(WallPicture, SaysWhatSceneAndSampleSay) {
   sample.stiffness_n_per_m = 4000.0;
   sample.flags = kFlagInContact | kFlagForceLimit;
   const WallPicture picture = wall_picture(scene, sample);
-  EXPECT_EQ(picture.handle_m, glm::dvec2(0.0507, 0.0)) << "the truth, not what was measured";
+  EXPECT_EQ(picture.handle_m, glm::dvec2(0.0507, 0.0)) << "the true position, not the measured one";
   EXPECT_EQ(picture.hand_m, glm::dvec2(0.07, 0.0));
   EXPECT_EQ(picture.walls,
             (std::vector<PictureWall>{{Axis::kX, 0.05, 500.0}, {Axis::kX, 0.06, 2000.0}}));
@@ -87,7 +87,7 @@ TEST(FadedTint, SettlesAndKeepsItsColourWhileItGoes) {
   ShownStiffness shown;
   const ShownStiffness soft{1900.0, 1.0};
   shown = faded(shown, soft, 1.0 / 60.0);
-  EXPECT_EQ(shown.n_per_m, 1900.0) << "nothing to come from";
+  EXPECT_EQ(shown.n_per_m, 1900.0) << "no colour before this one";
   EXPECT_GT(shown.strength, 0.0);
   EXPECT_LT(shown.strength, 0.5);
   for (int i = 0; i < 120; ++i) shown = faded(shown, soft, 1.0 / 60.0);
@@ -115,7 +115,7 @@ TEST(WallSlabs, ReachFromFaceToFaceAndGiveWayByTheTruePenetration) {
   EXPECT_EQ(wall_slab(picture, camera, picture.walls[0]).dent, 0.0F);
 }
 
-TEST(WallSlabs, WhatIsBehindIsDrawnFirst) {
+TEST(WallSlabs, TheFarWallIsDrawnFirst) {
   WallPicture picture;
   picture.two_axes = true;
   picture.walls = {{Axis::kX, 0.05, 1.0}, {Axis::kX, 0.055, 2.0}, {Axis::kY, 0.05, 3.0}};
@@ -142,7 +142,7 @@ TEST(WallBlock, IsWhereTheWallsOfAnAxisStand) {
   EXPECT_FALSE(wall_block(picture, camera, Axis::kY).has_value());
 }
 
-TEST(VisibleSteps, ForgetWhatNobodySees) {
+TEST(VisibleSteps, IgnoreInvisibleDifferences) {
   WallPicture picture;
   picture.walls = {kWall};
   picture.handle_m = {0.0500001, 0.0};

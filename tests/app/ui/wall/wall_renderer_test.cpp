@@ -142,7 +142,7 @@ TEST_P(WallRendererTest, TheProxyStaysAtTheFaceWhileTheHandleIsInside) {
   WallPicture picture = one_wall(1000.0);
   picture.handle_m = {0.06, 0.0};
   const file::Picture with = draw(picture);
-  // Without it the same: seen where it has its outline, above the handle's rod.
+  // The outline of the proxy is visible above the handle's rod.
   const glm::vec3 outline = ball(0.05) + glm::vec3(0.0F, 1.12F * WallMeasures::kHandleRadius, 0.0F);
   const glm::vec3 beside = outline + glm::vec3(0.0F, 0.25F, 0.0F);
   const test::Colour accent = tone(draw::Tone::kAccent);
@@ -237,10 +237,11 @@ TEST_P(WallRendererTest, AForceOnTwoAxesPointsWhereItPushes) {
   picture.full_scale_n = 5.0;
   const file::Picture none = draw(picture);
   picture.force_n = {0.0, 5.0};
-  const file::Picture out_of_y = draw(picture);
+  const file::Picture out_of_second_wall = draw(picture);
   const glm::vec3 ball = ball_centre(true, camera_, picture.handle_m);
-  EXPECT_GT(change(out_of_y, none, ball + glm::vec3(0.0F, 0.0F, 2.0F)), 60) << "towards the viewer";
-  EXPECT_EQ(change(out_of_y, none, ball - glm::vec3(2.0F, 0.0F, 0.0F)), 0);
+  EXPECT_GT(change(out_of_second_wall, none, ball + glm::vec3(0.0F, 0.0F, 2.0F)), 60)
+      << "towards the viewer";
+  EXPECT_EQ(change(out_of_second_wall, none, ball - glm::vec3(2.0F, 0.0F, 0.0F)), 0);
 }
 
 TEST_P(WallRendererTest, TheCameraTurnsTheWholePicture) {

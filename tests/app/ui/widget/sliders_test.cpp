@@ -57,65 +57,27 @@ class SliderTest : public GuiTest {
  protected:
   void drag_slider(const std::string& item, float from_share, float to_share) {
     const ItemRect slider = rect(item);
-    const auto at = [&](float share) {
-      return ImVec2(slider.from.x + share * (slider.to.x - slider.from.x), slider.centre().y);
-    };
-    move_to(at(from_share));
-    mouse_button(true);
-    move_to(at(to_share));
-    mouse_button(false);
+    drag(slider.at(from_share, 0.5F), slider.at(to_share, 0.5F));
   }
 };
 
-TEST_F(SliderTest, DraggingToTheLeftEndTakesTheDampingOut) {
+TEST_F(SliderTest, TheLeftEndOfTheSliderRemovesTheDamping) {
   drag_slider("damping-slider", 0.3F, 0.6F);
-  const double damping = fake_->scene().x().walls[0].damping_n_s_per_m;
+  const double damping = wall().damping_n_s_per_m;
   EXPECT_GT(damping, 1.0);
   EXPECT_LT(damping, 100.0);
   drag_slider("damping-slider", 0.6F, 0.0F);
-  EXPECT_EQ(fake_->scene().x().walls[0].damping_n_s_per_m, 0.0);
+  EXPECT_EQ(wall().damping_n_s_per_m, 0.0);
 }
 
-TEST_F(SliderTest, CtrlClickTypes) {
-  move_to(rect("stiffness-slider").centre());
-  ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, true);
-  frames(1);
-  mouse_button(true);
-  mouse_button(false);
-  ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, false);
-  frames(2);
-  EXPECT_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 35000.0) << "the click moved nothing";
-  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
-  for (const char c : {'7', '7', '7'}) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
-  frames(3);
-  press(ImGuiKey_Enter);
-  EXPECT_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 777.0);
-}
-
-TEST_F(SliderTest, ParametersOfDeviceAndHandHaveThem) {
-  click("section Device");
-  frames(2);
-  for (const char* key : {"device.mass_kg", "device.damping_n_s_per_m", "device.friction_n",
-                          "device.encoder_m", "device.force_limit_n"})
-    EXPECT_TRUE(find(std::string(key) + "-slider").has_value()) << key;
-  EXPECT_FALSE(find("device.delay_ticks-slider").has_value()) << "it counts";
-  const double before = fake_->scene().x().device.mass_kg;
-  drag_slider("device.mass_kg-slider", 0.5F, 0.8F);
-  EXPECT_GT(fake_->scene().x().device.mass_kg, before);
-  EXPECT_EQ(application_->state().transient.undo.size(), 2U);
-  EXPECT_EQ(sessions, 1);
-}
-
-TEST_F(SliderTest, ALookAtTheSliderChangesNothing) {
+TEST_F(SliderTest, AClickOnTheGrabChangesNothing) {
   type("stiffness", "12345.678");
   const ItemRect slider = rect("stiffness-slider");
   const float share = static_cast<float>(slider_share(12345.678, {100.0, 1e6}));
   const float grab = 0.28F * ImGui::GetStyle().FontSizeBase;
-  move_to(ImVec2(slider.from.x + grab + share * (slider.to.x - slider.from.x - 2.0F * grab),
-                 slider.centre().y));
-  mouse_button(true);
-  mouse_button(false);
-  EXPECT_EQ(fake_->scene().x().walls[0].stiffness_n_per_m, 12345.678);
+  click_at(ImVec2(slider.from.x + grab + share * (slider.to.x - slider.from.x - 2.0F * grab),
+                  slider.centre().y));
+  EXPECT_EQ(wall().stiffness_n_per_m, 12345.678);
 }
 
 }  // namespace

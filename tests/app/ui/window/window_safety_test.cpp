@@ -1,7 +1,7 @@
 // The real window on a pushing device: the loop always continues, and the last output to the device
 // is zero force.
 #include <epoxy/gl.h>
-// After OpenGL's own header.
+// epoxy/gl.h must come first.
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -53,10 +53,10 @@ struct PushingWindow {
   Shared& heard;
   runtime::WindowOptions options;
   WindowHooks hooks;
-  std::function<void()> in_a_panel;  // in the middle of every frame
+  std::function<void()> in_a_panel;  // called in the middle of every frame
 };
 
-// ---- how it ends
+// ---- ends
 
 TEST(WindowSafety, ClosedItTakesTheForceAway) {
   if (!test::has_display()) GTEST_SKIP() << "no display";
@@ -148,7 +148,7 @@ TEST_F(WindowDeath, AskedTwiceItEndsInTheMiddleOfAFrameForceFirst) {
   PushingWindow(heard).expect_safe_end();
 }
 
-// ---- what does not stall the loop
+// ---- slow frames
 
 TEST(WindowSafety, AFrameThatHangsCostsNoTick) {
   if (!test::has_display()) GTEST_SKIP() << "no display";

@@ -23,7 +23,7 @@ Handler current_handler(int signal) {
   return action.sa_handler;
 }
 
-// Opens the window on a real session; asks it to end as soon as it listens to signals.
+// Opens the window on a real session, and sends the signal as soon as a handler is installed.
 void expect_clean_end(int signal) {
   runtime::WindowOptions options;
   options.scene = file::load_scene("press")->scene;
