@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -37,7 +39,20 @@ enum class ArmingNote : std::uint8_t {
 };
 
 // A clause for people; empty for kNone.
-[[nodiscard]] std::string_view arming_note_text(ArmingNote note);
+[[nodiscard]] inline std::string_view arming_note_text(ArmingNote note) {
+  constexpr std::array<std::string_view, 10> kTexts{
+      "",
+      "switched off",
+      "the handle is inside the wall: move it out first",
+      "the device gives no valid position",
+      "the session is paused",
+      "the newest position was too old",
+      "the device was lost or reported a fault",
+      "the force was not a finite number",
+      "the change would have put the wall over the handle",
+      "the program was held up for too long"};
+  return kTexts.at(static_cast<std::size_t>(note));
+}
 
 // The facts of a tick that arming depends on.
 struct ArmingFacts {

@@ -47,6 +47,13 @@ int permitted_priority() {
   return static_cast<int>(std::min<rlim_t>(limit.rlim_cur, kLoopPriority));
 }
 
+// Of the calling thread; returns 0 or errno.
+int set_fifo_priority(int priority) {
+  sched_param parameters{};
+  parameters.sched_priority = priority;
+  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+}
+
 bool may_lock_without_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) return true;
@@ -143,23 +150,17 @@ RealtimeOutcome set_up_realtime_thread(int affinity_core) {
   outcome.lock_error = lock_memory();
   touch_stack();
   outcome.priority = permitted_priority();
-  sched_param parameters{};
-  parameters.sched_priority = outcome.priority;
-  outcome.priority_error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+  outcome.priority_error = set_fifo_priority(outcome.priority);
   return outcome;
 }
 
 void set_up_device_thread() {
   block_signals();
-  sched_param parameters{};
-  parameters.sched_priority = std::max(permitted_priority() - 1, 1);
-  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
+  static_cast<void>(set_fifo_priority(std::max(permitted_priority() - 1, 1)));
 }
 
 void set_up_recorder_thread() {
-  sched_param parameters{};
-  parameters.sched_priority = sched_get_priority_min(SCHED_FIFO);
-  static_cast<void>(pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters));
+  static_cast<void>(set_fifo_priority(sched_get_priority_min(SCHED_FIFO)));
 }
 
 void use_default_floating_point() { std::fesetenv(FE_DFL_ENV); }

@@ -1,4 +1,4 @@
-// What the owner of a loop chooses for it and sees of it.
+// The sizes of a loop's queues, and the state that it publishes.
 #pragma once
 
 #include <cstddef>

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
-#include <span>
 #include <utility>
 
 #include "app/file/recording/sidecar.h"

@@ -23,23 +23,25 @@ std::vector<std::unique_ptr<device::Device>> devices_of(const Scene& scene,
   return devices;
 }
 
+Failure check(const Scene& scene, ErrorKind kind, const std::string& whose) {
+  const std::optional<SceneProblem> problem = validate(scene);
+  if (!problem) return std::nullopt;
+  return Error{kind, whose + problem->key + ": " + problem->message};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<LiveSession>> LiveSession::start(const Scene& scene,
                                                         const SessionOptions& options) {
   // Before the plant is built: it relies on a valid scene.
-  if (const std::optional<SceneProblem> problem = validate(scene)) {
-    return Error{ErrorKind::kUsage, problem->key + ": " + problem->message};
-  }
+  if (Failure failure = check(scene, ErrorKind::kUsage, "")) return *std::move(failure);
   return start_on(std::make_unique<device::SimulatedDevice>(scene), scene, options);
 }
 
 Result<std::unique_ptr<LiveSession>> LiveSession::start_on(std::unique_ptr<device::Device> device,
                                                            const Scene& scene,
                                                            const SessionOptions& options) {
-  if (const std::optional<SceneProblem> problem = validate(scene)) {
-    return Error{ErrorKind::kUsage, problem->key + ": " + problem->message};
-  }
+  if (Failure failure = check(scene, ErrorKind::kUsage, "")) return *std::move(failure);
   if (scene.two_axes() && !device->info().is_simulated) {
     return Error{ErrorKind::kUsage,
                  "the scene has a second axis, which sessions on a device do not drive yet; "
@@ -47,10 +49,8 @@ Result<std::unique_ptr<LiveSession>> LiveSession::start_on(std::unique_ptr<devic
   }
   if (Failure failure = device->open()) return *std::move(failure);
   const Scene scene_here = scene_on(scene, device->info());
-  if (const std::optional<SceneProblem> problem = validate(scene_here)) {
-    return Error{ErrorKind::kDevice,
-                 device->info().name + ": " + problem->key + ": " + problem->message};
-  }
+  if (Failure failure = check(scene_here, ErrorKind::kDevice, device->info().name + ": "))
+    return *std::move(failure);
   try {
     auto session = std::make_unique<LoopSession>(devices_of(scene_here, std::move(device)),
                                                  scene_here, options);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/runtime/session/scene_change.h"
 
 namespace hapticwall::runtime {
 

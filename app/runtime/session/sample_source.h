@@ -1,4 +1,4 @@
-// What every window shows: samples with their scene, from a live loop or from a recording.
+// The source of a window: samples with their scene, from a live loop or from a recording.
 //
 // All members are called from one thread, the owner's.
 #pragma once

@@ -1,8 +1,6 @@
 #include "app/runtime/session/scene_change.h"
 
 #include <algorithm>
-#include <string>
-#include <utility>
 
 #include "core/scene_keys.h"
 
