@@ -4,9 +4,9 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "app/file/text/text.h"
 #include "app/ui/state/recent_files.h"
@@ -32,32 +32,68 @@ struct Key {
   std::function<std::optional<std::string>(UiState&, const SettingValue&)> set;
 };
 
-// `place(state)` returns a reference to a number, clamped to [least, most].
-template <typename Place>
-Key number(const char* name, Place place, double least, double most) {
+// The part of the state that holds these settings; every part exists once.
+template <typename Part>
+auto& part(auto& state) {
+  if constexpr (std::is_same_v<Part, PersistedState>) {
+    return state.persisted;
+  } else if constexpr (std::is_same_v<Part, CompareState::Persisted>) {
+    return state.compare.persisted;
+  } else if constexpr (std::is_same_v<Part, WallState::Persisted>) {
+    return state.wall.persisted;
+  } else if constexpr (std::is_same_v<Part, PlotsState::Persisted>) {
+    return state.plots.persisted;
+  } else if constexpr (std::is_same_v<Part, draw::PhaseSettings>) {
+    return state.plots.persisted.phase;
+  } else {
+    static_assert(std::is_same_v<Part, draw::TriggerSettings>);
+    return state.plots.persisted.trigger;
+  }
+}
+
+// A number from `least` to `most`.
+template <typename Part, typename Number>
+Key number(const char* name, Number Part::*member, double least, double most) {
   return {name,
-          [place](const UiState& state) { return SettingValue(static_cast<double>(place(state))); },
-          [place, least, most](UiState& state,
-                               const SettingValue& value) -> std::optional<std::string> {
+          [member](const UiState& state) {
+            return SettingValue(static_cast<double>(part<Part>(state).*member));
+          },
+          [=](UiState& state, const SettingValue& value) -> std::optional<std::string> {
             const double* found = std::get_if<double>(&value);
             if (found == nullptr || *found < least || *found > most)
               return fmt::format("must be a number from {} to {}", least, most);
-            auto& owner = place(state);
-            owner = static_cast<std::remove_reference_t<decltype(owner)>>(*found);
+            part<Part>(state).*member = static_cast<Number>(*found);
             return std::nullopt;
           }};
 }
 
-template <typename Place>
-Key flag(const char* name, Place place) {
-  return {name,
-          [place](const UiState& state) { return SettingValue(static_cast<bool>(place(state))); },
-          [place](UiState& state, const SettingValue& value) -> std::optional<std::string> {
+template <typename Part>
+Key flag(const char* name, bool Part::*member) {
+  return {name, [member](const UiState& state) { return SettingValue(part<Part>(state).*member); },
+          [member](UiState& state, const SettingValue& value) -> std::optional<std::string> {
             const bool* found = std::get_if<bool>(&value);
             if (found == nullptr) return "must be true or false";
-            place(state) = *found;
+            part<Part>(state).*member = *found;
             return std::nullopt;
           }};
+}
+
+Key text(const char* name, std::function<std::string(const UiState&)> get,
+         std::function<void(UiState&, const std::string&)> set) {
+  return {name, [get](const UiState& state) { return SettingValue(get(state)); },
+          [set](UiState& state, const SettingValue& value) -> std::optional<std::string> {
+            const auto* found = std::get_if<std::string>(&value);
+            if (found == nullptr) return "must be a string";
+            set(state, *found);
+            return std::nullopt;
+          }};
+}
+
+template <typename Part>
+Key text(const char* name, std::string Part::*member) {
+  return text(
+      name, [member](const UiState& state) { return part<Part>(state).*member; },
+      [member](UiState& state, const std::string& value) { part<Part>(state).*member = value; });
 }
 
 template <typename Value>
@@ -67,28 +103,29 @@ struct Word {
 };
 
 // One of a few words.
-template <typename Value, std::size_t kCount, typename Place>
-Key word(const char* name, const std::array<Word<Value>, kCount>& words, Place place) {
-  return {name,
-          [&words, place](const UiState& state) {
-            const Value value = place(state);
-            for (const Word<Value>& candidate : words) {
-              if (candidate.value == value) return SettingValue(std::string(candidate.name));
-            }
-            return SettingValue(std::string(words.front().name));
-          },
-          [&words, place](UiState& state, const SettingValue& value) -> std::optional<std::string> {
-            std::string names;
-            const auto* found = std::get_if<std::string>(&value);
-            for (const Word<Value>& candidate : words) {
-              if (found != nullptr && *found == candidate.name) {
-                place(state) = candidate.value;
-                return std::nullopt;
-              }
-              names += (names.empty() ? "" : ", ") + std::string(candidate.name);
-            }
-            return "must be one of: " + names;
-          }};
+template <typename Part, typename Value, std::size_t kCount>
+Key word(const char* name, const std::array<Word<Value>, kCount>& words, Value Part::*member) {
+  return {
+      name,
+      [&words, member](const UiState& state) {
+        const Value value = part<Part>(state).*member;
+        for (const Word<Value>& candidate : words) {
+          if (candidate.value == value) return SettingValue(std::string(candidate.name));
+        }
+        return SettingValue(std::string(words.front().name));
+      },
+      [&words, member](UiState& state, const SettingValue& value) -> std::optional<std::string> {
+        std::string names;
+        const auto* found = std::get_if<std::string>(&value);
+        for (const Word<Value>& candidate : words) {
+          if (found != nullptr && *found == candidate.name) {
+            part<Part>(state).*member = candidate.value;
+            return std::nullopt;
+          }
+          names += (names.empty() ? "" : ", ") + std::string(candidate.name);
+        }
+        return "must be one of: " + names;
+      }};
 }
 
 constexpr std::array kLooks{Word<draw::Look>{"dark", draw::Look::kScreen},
@@ -105,88 +142,36 @@ constexpr std::array kTriggers{Word<draw::TriggerMode>{"off", draw::TriggerMode:
                                Word<draw::TriggerMode>{"normal", draw::TriggerMode::kNormal},
                                Word<draw::TriggerMode>{"single", draw::TriggerMode::kSingle}};
 
-template <typename Place>
-Key text(const char* name, Place place) {
-  return {name, [place](const UiState& state) { return SettingValue(std::string(place(state))); },
-          [place](UiState& state, const SettingValue& value) -> std::optional<std::string> {
-            const auto* found = std::get_if<std::string>(&value);
-            if (found == nullptr) return "must be a string";
-            place(state) = *found;
-            return std::nullopt;
-          }};
-}
-
-std::vector<Key> compare_keys() {
-  return {
-      word(
-          "window.lower_page", kLowerPages,
-          [](auto& s) -> auto& { return s.persisted.lower_page; }),
-      flag(
-          "compare.ghost", [](auto& s) -> auto& { return s.compare.persisted.ghost_shown; }),
-      text(
-          "blind_test.question", [](auto& s) -> auto& { return s.compare.persisted.question; }),
-      number(
-          "blind_test.trials", [](auto& s) -> auto& { return s.compare.persisted.trials; }, 1.0,
-          static_cast<double>(compare::kMaxTrials)),
-      number(
-          "blind_test.confidence", [](auto& s) -> auto& { return s.compare.persisted.confidence; },
-          kMinConfidence, kMaxConfidence)};
-}
-
-std::vector<Key> window_setting_keys() {
+std::vector<Key> plain_keys() {
+  using Compare = CompareState::Persisted;
+  using Plots = PlotsState::Persisted;
   constexpr double kMaxPercent = runtime::kMaxScalePercent;
-  return {word(
-              "window.theme", kLooks, [](auto& s) -> auto& { return s.persisted.look; }),
-          number(
-              "window.scale_percent", [](auto& s) -> auto& { return s.persisted.scale_percent; },
-              0.0, kMaxPercent),
-          number(
-              "window.width", [](auto& s) -> auto& { return s.persisted.window_width; }, 0.0,
-              kMaxPixels),
-          number(
-              "window.height", [](auto& s) -> auto& { return s.persisted.window_height; }, 0.0,
-              kMaxPixels),
-          flag(
-              "window.maximised", [](auto& s) -> auto& { return s.persisted.window_maximised; }),
-          number(
-              "window.panel_ems", [](auto& s) -> auto& { return s.persisted.panel_ems; },
-              kMinPanelEms, kMaxPanelEms),
-          number(
-              "window.view_share", [](auto& s) -> auto& { return s.persisted.view_share; },
-              kMinShare, kMaxShare),
-          number(
-              "window.picture_share", [](auto& s) -> auto& { return s.persisted.picture_share; },
-              kMinShare, kMaxShare),
-          flag(
-              "hand.stays_where_released",
-              [](auto& s) -> auto& { return s.persisted.hand_stays_where_released; }),
-          text(
-              "recording.folder", [](auto& s) -> auto& { return s.persisted.recording_folder; })};
-}
-
-std::vector<Key> plot_setting_keys() {
-  return {number(
-              "plots.time_window_s", [](auto& s) -> auto& { return s.persisted.time_window_s; },
-              kTimeWindowsS.front(), kTimeWindowsS.back()),
-          word(
-              "plots.arrangement", kArrangementWords,
-              [](auto& s) -> auto& { return s.persisted.arrangement; }),
-          flag(
-              "plots.loop", [](auto& s) -> auto& { return s.plots.persisted.phase.shown; }),
-          flag(
-              "plots.loop_of_last_contact",
-              [](auto& s) -> auto& { return s.plots.persisted.phase.last_contact; }),
-          flag(
-              "plots.bounds", [](auto& s) -> auto& { return s.plots.persisted.show_bounds; }),
-          word(
-              "plots.trigger", kTriggers,
-              [](auto& s) -> auto& { return s.plots.persisted.trigger.mode; }),
-          number(
-              "plots.before_trigger",
-              [](auto& s) -> auto& { return s.plots.persisted.trigger.pre_share; }, 0.0, kMaxShare),
-          number(
-              "wall.magnification", [](auto& s) -> auto& { return s.wall.persisted.magnification; },
-              0.0, kMagnifications.back())};
+  return {
+      word("window.theme", kLooks, &PersistedState::look),
+      number("window.scale_percent", &PersistedState::scale_percent, 0.0, kMaxPercent),
+      number("window.width", &PersistedState::window_width, 0.0, kMaxPixels),
+      number("window.height", &PersistedState::window_height, 0.0, kMaxPixels),
+      flag("window.maximised", &PersistedState::window_maximised),
+      number("window.panel_ems", &PersistedState::panel_ems, kMinPanelEms, kMaxPanelEms),
+      number("window.view_share", &PersistedState::view_share, kMinShare, kMaxShare),
+      number("window.picture_share", &PersistedState::picture_share, kMinShare, kMaxShare),
+      word("window.lower_page", kLowerPages, &PersistedState::lower_page),
+      flag("hand.stays_where_released", &PersistedState::hand_stays_where_released),
+      text("recording.folder", &PersistedState::recording_folder),
+      number("plots.time_window_s", &PersistedState::time_window_s, kTimeWindowsS.front(),
+             kTimeWindowsS.back()),
+      word("plots.arrangement", kArrangementWords, &PersistedState::arrangement),
+      flag("plots.loop", &draw::PhaseSettings::shown),
+      flag("plots.loop_of_last_contact", &draw::PhaseSettings::last_contact),
+      flag("plots.bounds", &Plots::show_bounds),
+      word("plots.trigger", kTriggers, &draw::TriggerSettings::mode),
+      number("plots.before_trigger", &draw::TriggerSettings::pre_share, 0.0, kMaxShare),
+      number("wall.magnification", &WallState::Persisted::magnification, 0.0,
+             kMagnifications.back()),
+      flag("compare.ghost", &Compare::ghost_shown),
+      text("blind_test.question", &Compare::question),
+      number("blind_test.trials", &Compare::trials, 1.0, static_cast<double>(compare::kMaxTrials)),
+      number("blind_test.confidence", &Compare::confidence, kMinConfidence, kMaxConfidence)};
 }
 
 // Lines are stored by name, because bit positions change between versions.
@@ -214,30 +199,21 @@ draw::LineSet lines_called(draw::PlotId id, std::string_view names) {
 
 Key plot_lines(draw::PlotId id, const char* name) {
   const auto index = static_cast<std::size_t>(id);
-  return {name,
-          [id, index](const UiState& state) {
-            return SettingValue(names_of(id, state.plots.persisted.lines.at(index)));
-          },
-          [id, index](UiState& state, const SettingValue& value) -> std::optional<std::string> {
-            const auto* found = std::get_if<std::string>(&value);
-            if (found == nullptr) return "must be a string";
-            state.plots.persisted.lines.at(index) = lines_called(id, *found);
-            return std::nullopt;
-          }};
+  return text(
+      name,
+      [=](const UiState& state) { return names_of(id, state.plots.persisted.lines.at(index)); },
+      [=](UiState& state, const std::string& names) {
+        state.plots.persisted.lines.at(index) = lines_called(id, names);
+      });
 }
 
 // One set of hidden lines serves all plots.
 Key hidden_lines(draw::PlotId id, const char* name) {
-  return {name,
-          [id](const UiState& state) {
-            return SettingValue(names_of(id, state.persisted.hidden_lines));
-          },
-          [id](UiState& state, const SettingValue& value) -> std::optional<std::string> {
-            const auto* found = std::get_if<std::string>(&value);
-            if (found == nullptr) return "must be a string";
-            state.persisted.hidden_lines |= lines_called(id, *found);
-            return std::nullopt;
-          }};
+  return text(
+      name, [id](const UiState& state) { return names_of(id, state.persisted.hidden_lines); },
+      [id](UiState& state, const std::string& names) {
+        state.persisted.hidden_lines |= lines_called(id, names);
+      });
 }
 
 std::vector<Key> line_keys() {
@@ -253,9 +229,8 @@ std::vector<Key> line_keys() {
 
 const std::vector<Key>& all_setting_keys() {
   static const std::vector<Key> kKeys = [] {
-    std::vector<Key> all = window_setting_keys();
-    for (auto&& part : {plot_setting_keys(), line_keys(), compare_keys()})
-      all.insert(all.end(), part.begin(), part.end());
+    std::vector<Key> all = plain_keys();
+    for (Key& key : line_keys()) all.push_back(std::move(key));
     return all;
   }();
   return kKeys;
