@@ -27,10 +27,8 @@ constexpr int kColumnWidth = 290;               // of each column more
 constexpr float kComparisonDesignHeight = 900;  // figure of scale 1
 constexpr float kComparisonLineWeight = 1.1F;
 constexpr float kFigureColumnGapEms = 1.0F;
-constexpr std::array kComparedPlots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
-                                    PlotId::kPassivity};
 
-// Of the forces only the actuator's: what a soft wall asks for would flatten it.
+// Of the forces only the actuator's: the force of a soft wall would flatten it.
 ChosenLines compared_lines() {
   ChosenLines lines = usual_lines();
   lines[static_cast<std::size_t>(PlotId::kForce)] = line_bit(&Sample::force_n);
@@ -43,26 +41,21 @@ struct Comparison {
   std::span<const ComparedRun> runs;
   PlotSurface surface;
   // Beside the first column; known after a frame.
-  std::array<float, kComparedPlots.size()> label_widths{};
+  std::array<float, kAllPlots.size()> label_widths{};
 };
-
-std::optional<Extremes> united(std::optional<Extremes> a, Extremes b) {
-  if (!a) return b;
-  return Extremes{std::min(a->minimum, b.minimum), std::max(a->maximum, b.maximum)};
-}
 
 // The whole of the longest run.
 TimeWindow whole_window(const Scene& scene, std::span<const ComparedRun> runs) {
   std::optional<Extremes> times;
   for (const ComparedRun& run : runs) {
     if (run.history.empty()) continue;
-    times = united(times, {run.history.oldest_time_s(), run.history.newest_time_s()});
+    include(times, {run.history.oldest_time_s(), run.history.newest_time_s()});
   }
-  const Extremes found = times.value_or(Extremes{0.0, 0.0});
+  const Extremes found = times.value_or(Extremes{});
   return {found.minimum, std::max(found.maximum, found.minimum + scene.sampling.period_s())};
 }
 
-// A run that leaves the stage would flatten all others.
+// A diverged run would flatten all others.
 bool stretches_axes(const ComparedRun& run, std::span<const ComparedRun> runs) {
   return run.summary.verdict != Verdict::kDiverged ||
          std::ranges::all_of(runs, [](const ComparedRun& other) {
@@ -72,12 +65,12 @@ bool stretches_axes(const ComparedRun& run, std::span<const ComparedRun> runs) {
 
 void share_axes(Comparison& comparison) {
   PlotSurface& surface = comparison.surface;
-  for (const PlotId id : kComparedPlots) {
+  for (const PlotId id : kAllPlots) {
     std::optional<Extremes> values;
     for (const ComparedRun& run : comparison.runs) {
       if (!stretches_axes(run, comparison.runs)) continue;
       surface.history = &run.history;
-      values = united(values, automatic_values(surface, plot_description(id)));
+      include(values, automatic_values(surface, plot_description(id)));
     }
     if (!values) continue;
     (*surface.axes)[static_cast<std::size_t>(id)].left = {true, values->minimum, values->maximum};
@@ -85,20 +78,17 @@ void share_axes(Comparison& comparison) {
 }
 
 void draw_title(const Theme& theme, const Scene& scene, std::size_t runs) {
-  ImGui::PushFont(theme.fonts.strong, kTitleFontSize);
-  ImGui::TextUnformatted(scene.name.c_str());
-  ImGui::PopFont();
+  strong_text(theme, scene.name, kTitleFontSize);
   ImGui::SameLine();
   ImGui::TextDisabled(
       "  compared: %zu algorithm%s%s%s", runs, runs == 1 ? "" : "s",
       has_follower(scene.algorithm) ? ", each with a passivity controller behind it" : "",
       scene.two_axes() ? "  ·  axis x" : "");
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  const FontScope font(nullptr, kSmallFontSize);
   ImGui::TextDisabled("%s", describe(scene).c_str());
   ImGui::TextDisabled(
       "figures of the last second: peak to peak, displayed stiffness, mean force ± its standard "
       "deviation  ·  the axes are the same along each row");
-  ImGui::PopFont();
 }
 
 Tone tone_of(Verdict verdict) {
@@ -139,10 +129,8 @@ std::array<std::string, 2> tail_texts(const Summary& s, bool stretches) {
 void draw_run_heading(const Theme& theme, const Comparison& comparison, const ComparedRun& run) {
   const Summary& summary = run.summary;
   ImGui::BeginGroup();
-  ImGui::PushFont(theme.fonts.strong, 0.0F);
-  // What follows it, behind a space, is told in the title: it follows all.
-  ImGui::TextUnformatted(summary.algorithm.substr(0, summary.algorithm.find(' ')).c_str());
-  ImGui::PopFont();
+  // The name ends at a space. The rest names the follower, which the title tells for all runs.
+  strong_text(theme, summary.algorithm.substr(0, summary.algorithm.find(' ')));
   ImGui::TextColored(theme.colour(tone_of(summary.verdict)), "%s",
                      verdict_text(comparison.scene, summary).c_str());
   ImGui::PushFont(nullptr, kSmallFontSize);
@@ -153,9 +141,9 @@ void draw_run_heading(const Theme& theme, const Comparison& comparison, const Co
   ImGui::EndGroup();
 }
 
-// Where the columns stand.
+// Places of the columns.
 struct Columns {
-  float left = 0.0F;   // of the first column's plot area, but for ImPlot's own padding
+  float left = 0.0F;   // of the first column's plot area, without ImPlot's padding
   float width = 0.0F;  // of each
   float step = 0.0F;   // from one to the next
 
@@ -172,10 +160,10 @@ Columns place_columns(const Comparison& comparison, float left, float width) {
   return {left + labels, each, each + gap};
 }
 
-// Only the first column has labels; what room they take is known as soon as two are drawn.
+// Only the first column has labels. Their width is known once two columns are drawn.
 void draw_row(Comparison& comparison, std::size_t row, const Columns& columns, float height) {
   PlotSurface& surface = comparison.surface;
-  const PlotDescription& plot = plot_description(kComparedPlots[row]);
+  const PlotDescription& plot = plot_description(kAllPlots[row]);
   float& labels = comparison.label_widths[row];
   const float top = ImGui::GetCursorScreenPos().y;
   std::array<float, 2> areas{};
@@ -202,20 +190,20 @@ std::string row_note(Comparison& comparison, const PlotDescription& plot) {
 void draw_rows(Comparison& comparison, const Columns& columns, float left, ImVec2 free) {
   PlotSurface& surface = comparison.surface;
   const float gap = ImGui::GetStyle().ItemSpacing.y;
-  const auto count = static_cast<float>(kComparedPlots.size());
+  const auto count = static_cast<float>(kAllPlots.size());
   const float each = (free.y - (count - 1.0F) * gap) / count;
   const float top = ImGui::GetCursorScreenPos().y;
-  for (std::size_t row = 0; row < kComparedPlots.size(); ++row) {
-    const PlotDescription& plot = plot_description(kComparedPlots[row]);
+  for (std::size_t row = 0; row < kAllPlots.size(); ++row) {
+    const PlotDescription& plot = plot_description(kAllPlots[row]);
     const float row_top = top + static_cast<float>(row) * (each + gap);
     ImGui::SetCursorScreenPos(ImVec2(left, row_top));
     draw_plot_heading(surface, plot, fmt::format("({}) ", static_cast<char>('a' + row)),
                       row_note(comparison, plot), free.x);
-    surface.time_labels = row + 1 == kComparedPlots.size();
+    surface.time_labels = row + 1 == kAllPlots.size();
     const float used = ImGui::GetCursorScreenPos().y - row_top;
     draw_row(comparison, row, columns, std::max(1.0F, each - used));
   }
-  ImGui::Dummy(ImVec2());  // without a run nothing else would stand there
+  ImGui::Dummy(ImVec2());  // without a run there is no other item
 }
 
 void draw_contents(const Theme& theme, Comparison& comparison) {

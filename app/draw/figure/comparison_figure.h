@@ -20,15 +20,15 @@ struct ComparedRun {
   SampleHistory history;
 };
 
-// Wider pages than for so many are no figure any more.
+// A page for more runs would be too wide.
 inline constexpr std::size_t kMaxComparedRuns = 16;
 
-// Of a page on which the columns of so many runs can be read.
+// The size of a page with readable columns for so many runs.
 [[nodiscard]] FigureSize comparison_size(std::size_t runs);
 
-// The columns stand in the order of `runs`. `scene`: what all of them have in common; its algorithm
-// is not looked at, but for what follows it. A run that diverged does not stretch the axes where
-// there are others. Fails as draw_page() does.
+// The columns stand in the order of `runs`. `scene` is the one of all runs; of its algorithm only
+// the follower counts. A diverged run does not stretch the axes unless all diverged. Fails like
+// draw_page().
 [[nodiscard]] Result<file::Picture> draw_comparison(const Scene& scene,
                                                     std::span<const ComparedRun> runs,
                                                     FigureSize size);

@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -20,23 +19,19 @@ namespace {
 constexpr float kFigureDesignHeight = 880.0F;  // figure of scale 1
 constexpr float kPrintLineWeight = 1.2F;
 constexpr float kPhaseShare = 0.38F;  // of the width, for the force over the penetration
-constexpr std::array kOrder{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
-                            PlotId::kPassivity};
 
 void draw_title(const Theme& theme, const Scene& scene) {
   const auto list = algorithms();
   const bool known = scene.algorithm.index < list.size();
-  ImGui::PushFont(theme.fonts.strong, kTitleFontSize);
-  ImGui::Text("%s  ·  %s", scene.name.c_str(),
-              known ? algorithm_label(scene.algorithm).c_str() : "?");
-  ImGui::PopFont();
+  strong_text(theme,
+              fmt::format("{}  ·  {}", scene.name, known ? algorithm_label(scene.algorithm) : "?"),
+              kTitleFontSize);
   if (known) {
     ImGui::SameLine();
     ImGui::TextDisabled("  %s", std::string(list[scene.algorithm.index].title).c_str());
   }
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  const FontScope font(nullptr, kSmallFontSize);
   ImGui::TextDisabled("%s", describe(scene).c_str());
-  ImGui::PopFont();
 }
 
 void draw_plots(PlotSurface& surface, std::span<const PlotId> plots, ImVec2 free) {
@@ -61,9 +56,7 @@ void draw_contents(const Scene& scene, PlotSurface& surface, const FigureView& v
     ImGui::SetCursorScreenPos(ImVec2(corner.x + free.x - side, corner.y));
     PhaseSettings settings = view.phase;
     PhaseView memory;
-    draw_phase_plot({surface.theme, surface.history, surface.walls, *surface.window,
-                     surface.simulated, false, surface.line_weight},
-                    settings, memory, ImVec2(side, side));
+    draw_phase_plot(surface, settings, memory, ImVec2(side, side));
     ImGui::SetCursorScreenPos(corner);
     free.x -= side + gap;
   }
@@ -98,7 +91,7 @@ Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> sa
   const double from_s = history.oldest_time_s();
   FigureView view;
   view.window = {from_s, std::max(history.newest_time_s(), from_s + scene.sampling.period_s())};
-  view.plots = kOrder;
+  view.plots = kAllPlots;
   return draw_figure(scene, history, view, size);
 }
 

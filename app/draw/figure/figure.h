@@ -21,24 +21,24 @@ struct FigureSize {
   int height = 1200;
 };
 
-// Fails (ErrorKind::kFile) with a sentence where no off-screen OpenGL 3.3 is to be had.
+// Fails (ErrorKind::kFile) without off-screen OpenGL 3.3.
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
                                                 FigureSize size = {});
 
-// The scene in one line: what a reader needs to know how the figure came about.
+// The values of the scene in one line, for the readers of a figure.
 [[nodiscard]] std::string describe(const Scene& scene);
 
-// What of a history a figure shows.
+// The part of a history that a figure shows, and how.
 struct FigureView {
   TimeWindow window;
   std::span<const PlotId> plots;  // from top to bottom
   ChosenLines lines = usual_lines();
   HiddenLines hidden = 0;
-  AllPlotAxes axes;               // where the user has put the axes of values
+  AllPlotAxes axes;               // as the user has set them
   std::vector<BoundLine> bounds;  // of the stiffness plot
   std::vector<ExtraTrace> extra_traces;
   PlotMarks marks;
-  PhaseSettings phase;  // the plane stands beside the plots where it is shown
+  PhaseSettings phase;  // a shown plane stands beside the plots
 };
 
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& history,

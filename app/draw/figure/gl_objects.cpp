@@ -44,21 +44,21 @@ Result<GLuint> compile(GLenum kind, std::string_view file_name) {
                fmt::format("OpenGL refuses shader '{}': {}", file_name, first_line(log.data()))};
 }
 
-GLuint new_framebuffer() {
+GlName<release_framebuffer> new_framebuffer() {
   GLuint name = 0;
   glGenFramebuffers(1, &name);
-  return name;
+  return GlName<release_framebuffer>(name);
 }
 
-GLuint new_renderbuffer(GLenum format, int width, int height, int samples) {
+GlName<release_renderbuffer> new_renderbuffer(GLenum format, int width, int height, int samples) {
   GLuint name = 0;
   glGenRenderbuffers(1, &name);
   glBindRenderbuffer(GL_RENDERBUFFER, name);
   glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-  return name;
+  return GlName<release_renderbuffer>(name);
 }
 
-GLuint new_texture(int width, int height) {
+GlName<release_texture> new_texture(int width, int height) {
   GLuint name = 0;
   glGenTextures(1, &name);
   glBindTexture(GL_TEXTURE_2D, name);
@@ -67,15 +67,15 @@ GLuint new_texture(int width, int height) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  return name;
+  return GlName<release_texture>(name);
 }
 
-GLuint new_buffer(GLenum target, const void* data, std::size_t bytes) {
+GlName<release_buffer> new_buffer(GLenum target, const void* data, std::size_t bytes) {
   GLuint name = 0;
   glGenBuffers(1, &name);
   glBindBuffer(target, name);
   glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
-  return name;
+  return GlName<release_buffer>(name);
 }
 
 }  // namespace
@@ -139,10 +139,8 @@ GlMesh::GlMesh(std::span<const Vertex> vertices, std::span<const std::uint32_t> 
   glGenVertexArrays(1, &array);
   array_ = GlName<release_vertex_array>(array);
   glBindVertexArray(array);
-  vertices_ =
-      GlName<release_buffer>(new_buffer(GL_ARRAY_BUFFER, vertices.data(), vertices.size_bytes()));
-  indices_ = GlName<release_buffer>(
-      new_buffer(GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size_bytes()));
+  vertices_ = new_buffer(GL_ARRAY_BUFFER, vertices.data(), vertices.size_bytes());
+  indices_ = new_buffer(GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size_bytes());
   const std::array<std::size_t, 2> offsets{offsetof(Vertex, position), offsetof(Vertex, normal)};
   for (GLuint attribute = 0; attribute < offsets.size(); ++attribute) {
     glEnableVertexAttribArray(attribute);
@@ -167,20 +165,18 @@ Result<GlTarget> GlTarget::create(int width, int height, int samples) {
   GlTarget target;
   target.width_ = width;
   target.height_ = height;
-  target.texture_ = GlName<release_texture>(new_texture(width, height));
-  target.resolved_ = GlName<release_framebuffer>(new_framebuffer());
+  target.texture_ = new_texture(width, height);
+  target.resolved_ = new_framebuffer();
   const bool separate = samples > 1;
-  target.depth_ = GlName<release_renderbuffer>(
-      new_renderbuffer(GL_DEPTH_COMPONENT24, width, height, separate ? samples : 0));
+  target.depth_ = new_renderbuffer(GL_DEPTH_COMPONENT24, width, height, separate ? samples : 0);
   glBindFramebuffer(GL_FRAMEBUFFER, target.resolved_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.texture_.get(),
                          0);
   bool complete = true;
   if (separate) {
     complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    target.drawn_ = GlName<release_framebuffer>(new_framebuffer());
-    target.colour_ =
-        GlName<release_renderbuffer>(new_renderbuffer(GL_RGBA8, width, height, samples));
+    target.drawn_ = new_framebuffer();
+    target.colour_ = new_renderbuffer(GL_RGBA8, width, height, samples);
     glBindFramebuffer(GL_FRAMEBUFFER, target.drawn_.get());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                               target.colour_.get());

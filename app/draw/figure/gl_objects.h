@@ -3,7 +3,6 @@
 
 #include <epoxy/gl.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/draw/plot/theme.h"
 #include "core/simulation/metrics.h"
 
 namespace hapticwall::draw {
@@ -19,10 +20,6 @@ constexpr std::array<ImVec4, 4> kHot{{{0.99F, 0.88F, 0.55F, 1.0F},
 // Neighbours of nearly the same amplitude share a colour, so that they are drawn as one.
 constexpr double kColourSteps = 48.0;
 
-ImVec4 between(const ImVec4& a, const ImVec4& b, float part) {
-  return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y), a.z + part * (b.z - a.z), 1.0F};
-}
-
 }  // namespace
 
 ImU32 settled_colour() { return kSettled; }
@@ -34,7 +31,7 @@ ImU32 oscillating_colour(double tail_peak_to_peak_m) {
   const double part = std::round(kColourSteps * std::clamp(share, 0.0, 1.0)) / kColourSteps;
   const double place = part * static_cast<double>(kHot.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), kHot.size() - 2);
-  return ImGui::ColorConvertFloat4ToU32(between(
+  return ImGui::ColorConvertFloat4ToU32(mixed(
       kHot.at(below), kHot.at(below + 1), static_cast<float>(place - static_cast<double>(below))));
 }
 

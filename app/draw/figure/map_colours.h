@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-#include <optional>
 
 #include "core/study/stability_map.h"
 

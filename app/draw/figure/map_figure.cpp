@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/draw/figure/map_colours.h"
@@ -176,7 +174,7 @@ void draw_key(ImU32 colour, const char* text, bool line) {
 }
 
 void draw_legend(const std::vector<BoundLines>& bounds) {
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  const FontScope font(nullptr, kSmallFontSize);
   const std::string settled = fmt::format("settled, at most {:g} mm peak to peak",
                                           kSettledPeakToPeakM * kMillimetresPerMetre);
   draw_key(settled_colour(), settled.c_str(), false);
@@ -193,7 +191,6 @@ void draw_legend(const std::vector<BoundLines>& bounds) {
   } else {
     ImGui::TextDisabled("bounds of the bare wall, without an algorithm");
   }
-  ImGui::PopFont();
 }
 
 // Fields in a row.
@@ -204,9 +201,7 @@ std::size_t columns_for(std::size_t fields) {
 
 void draw_contents(const Theme& theme, const Contents& contents) {
   const StabilityMap& map = contents.map;
-  ImGui::PushFont(theme.fonts.strong, kTitleFontSize);
-  ImGui::Text("%s", map.scene.name.c_str());
-  ImGui::PopFont();
+  strong_text(theme, map.scene.name, kTitleFontSize);
   ImGui::SameLine();
   ImGui::TextDisabled("  stability map, %zu x %zu runs of %g s under each algorithm", map.x.count,
                       map.y.count, map.scene.duration_s);

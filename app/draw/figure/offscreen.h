@@ -11,7 +11,7 @@ namespace hapticwall::draw {
 // The context is current on the thread that created it until it is destroyed there.
 class OffscreenContext {
  public:
-  // Fails (ErrorKind::kFile) with a sentence where no such OpenGL is to be had.
+  // Fails (ErrorKind::kFile) without such an OpenGL.
   [[nodiscard]] static Result<std::unique_ptr<OffscreenContext>> create();
   virtual ~OffscreenContext() = default;
 };

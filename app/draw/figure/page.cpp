@@ -13,12 +13,12 @@ namespace hapticwall::draw {
 namespace {
 
 constexpr int kMinPage = 200;    // pixels
-constexpr int kMaxPage = 16384;  // what OpenGL 3.3 drivers take, in practice
+constexpr int kMaxPage = 16384;  // the usual limit of drivers
 constexpr int kFrames = 3;       // until ImGui's and ImPlot's sizes have settled
 constexpr float kFrameTimeS = 1.0F / 60.0F;
 constexpr float kMargin = 24.0F;
 
-// A context of ImGui and ImPlot of its own; whichever was current before is so again afterwards.
+// Own contexts of ImGui and ImPlot. The destructor restores the previous ones.
 class GuiContext {
  public:
   explicit GuiContext(ImVec2 size)

@@ -10,11 +10,11 @@
 
 namespace hapticwall::draw {
 
-// What one frame of the page shows, below the margin; called a few times for one picture.
+// Draws one frame of the page within its margins; called a few times for one picture.
 using DrawPage = std::function<void(const Theme& theme)>;
 
-// `scale` enlarges fonts, spacing and margin. Fails with a sentence where no off-screen OpenGL 3.3
-// is to be had (ErrorKind::kFile) or the size is none (ErrorKind::kUsage).
+// `scale` enlarges fonts, spacing and margin. Fails without off-screen OpenGL 3.3
+// (ErrorKind::kFile) and for a size out of range (ErrorKind::kUsage).
 [[nodiscard]] Result<file::Picture> draw_page(FigureSize size, float scale, const DrawPage& draw);
 
 }  // namespace hapticwall::draw

@@ -90,18 +90,16 @@ std::string reference_text(const Summary& reference) {
 }
 
 void draw_title(const Theme& theme, const Scene& scene, const AccuracyStudy& study) {
-  ImGui::PushFont(theme.fonts.strong, kTitleFontSize);
-  ImGui::Text("%s  ·  %s", scene.name.c_str(), study.reference.algorithm.c_str());
-  ImGui::PopFont();
+  strong_text(theme, fmt::format("{}  ·  {}", scene.name, study.reference.algorithm),
+              kTitleFontSize);
   ImGui::SameLine();
   ImGui::TextDisabled("  speed against accuracy");
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  const FontScope font(nullptr, kSmallFontSize);
   ImGui::TextDisabled("%s", reference_text(study.reference).c_str());
-  ImGui::PopFont();
 }
 
 void draw_legend(const Theme& theme) {
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  const FontScope font(nullptr, kSmallFontSize);
   const float gap = 1.6F * ImGui::GetFontSize();
   for (const SeriesStyle& style : kSeries) {
     draw_legend_mark(theme, style.tone, style.mark, true);
@@ -113,10 +111,9 @@ void draw_legend(const Theme& theme) {
   ImGui::TextDisabled("hollow: not the reference's verdict");
   ImGui::SameLine(0.0F, gap);
   ImGui::TextDisabled("numbers: substeps a tick");
-  ImGui::PopFont();
 }
 
-// What the plots cannot show, in a line; empty where they show all.
+// Names the runs that the plots cannot show; empty without any.
 std::string diverged_runs(const AccuracyStudy& study) {
   std::string text;
   for (const AccuracyRow& row : study.rows) {
@@ -134,9 +131,8 @@ void draw_contents(const Theme& theme, const Scene& scene, const AccuracyStudy& 
   draw_legend(theme);
   const std::string diverged = diverged_runs(study);
   if (!diverged.empty()) {
-    ImGui::PushFont(nullptr, kSmallFontSize);
+    const FontScope font(nullptr, kSmallFontSize);
     ImGui::TextWrapped("%s", diverged.c_str());
-    ImGui::PopFont();
   }
   ImGui::Spacing();
   LogPlot position = plot_of(study, "(a) Largest error of position", "m", position_error_m);

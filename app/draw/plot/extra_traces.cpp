@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/draw/plot/plot.h"
+#include "app/draw/plot/plot_envelope.h"
 #include "app/draw/plot/plot_heading.h"
-#include "app/draw/plot/plot_trace.h"
 
 namespace hapticwall::draw {
 namespace {
@@ -47,10 +47,7 @@ std::optional<Extremes> extra_extremes(const PlotSurface& surface, const PlotLin
   for (const ExtraTrace& trace : surface.extra_traces) {
     if (!has(trace, line)) continue;
     const IndexRange range = visible_range(surface, trace);
-    if (range.count() == 0) continue;
-    const Extremes own = trace.history->extremes(line.quantity, range);
-    if (!all) all = own;
-    all = Extremes{std::min(all->minimum, own.minimum), std::max(all->maximum, own.maximum)};
+    if (range.count() > 0) include(all, trace.history->extremes(line.quantity, range));
   }
   return all;
 }
@@ -94,10 +91,8 @@ void draw_extra_readout(const PlotSurface& surface, const PlotDescription& plot,
 
 // Mixed, not transparent: overlapping pieces of a line do not get darker.
 ImVec4 extra_colour(const Theme& theme, const ExtraTrace& trace, Tone of_line) {
-  const ImVec4& full = theme.colour(trace.tone.value_or(of_line));
-  const ImVec4& ground = theme.colour(Tone::kBackground);
-  const auto mix = [&](float from, float to) { return from + trace.strength * (to - from); };
-  return {mix(ground.x, full.x), mix(ground.y, full.y), mix(ground.z, full.z), 1.0F};
+  return mixed(theme.colour(Tone::kBackground), theme.colour(trace.tone.value_or(of_line)),
+               trace.strength);
 }
 
 }  // namespace hapticwall::draw

@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <span>
 
+#include "app/draw/plot/plot_axes.h"
+
 namespace hapticwall::draw {
 namespace {
 
@@ -86,7 +88,7 @@ std::vector<AxisNumber> thinned(const Decades& decades) {
 }
 
 void set_up_axis(ImAxis axis, const Decades& decades) {
-  ImPlot::SetupAxis(axis, nullptr, ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
+  ImPlot::SetupAxis(axis, nullptr, kAxisFlags);
   ImPlot::SetupAxisScale(axis, ImPlotScale_Log10);
   ImPlot::SetupAxisLimits(axis, std::pow(10.0, decades.from), std::pow(10.0, decades.to),
                           ImPlotCond_Always);
@@ -107,10 +109,8 @@ ImPlotMarker plot_marker(Mark mark) {
 
 void draw_goal(const Theme& theme, const LogPlot& plot) {
   if (!plot.goal) return;
-  ImPlotSpec spec;
-  spec.LineColor = theme.colour(Tone::kMuted);
-  spec.LineColor.w = 0.7F;
-  spec.Flags = ImPlotInfLinesFlags_Horizontal | ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  ImPlotSpec spec = line_spec(with_alpha(theme.colour(Tone::kMuted), 0.7F));
+  spec.Flags |= ImPlotInfLinesFlags_Horizontal;
   const double goal = *plot.goal;
   ImPlot::PlotInfLines("##goal", &goal, 1, spec);
   const std::string text = fmt::format("{:g} {}", goal, plot.unit);
@@ -129,10 +129,8 @@ void draw_series(const Theme& theme, const LogSeries& series, float scale) {
     x.push_back(point.x);
     y.push_back(point.y);
   }
-  ImPlotSpec line;
-  line.LineColor = theme.colour(series.tone);
+  ImPlotSpec line = line_spec(theme.colour(series.tone));
   line.LineWeight = kLogLineWeight * scale;
-  line.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
   ImPlot::PlotLine(series.name.c_str(), x.data(), y.data(), static_cast<int>(x.size()), line);
   for (std::size_t i = 0; i < x.size(); ++i) {
     ImPlotSpec mark = line;
@@ -231,20 +229,11 @@ LogPlot with_zeros_shown(LogPlot plot, const Decades& y) {
   return plot;
 }
 
-void draw_heading(const Theme& theme, const LogPlot& plot) {
-  ImGui::PushFont(theme.fonts.strong, 0.0F);
-  ImGui::TextUnformatted(plot.title.c_str());
-  ImGui::PopFont();
-  ImGui::SameLine();
-  ImGui::TextDisabled("%s", plot.unit.c_str());
-}
-
 void draw_plot_area(const Theme& theme, const LogPlot& plot, const Decades& x, const Decades& y,
                     float scale) {
   const ImVec2 free = ImGui::GetContentRegionAvail();
   const ImVec2 area(free.x, free.y - ImGui::GetTextLineHeightWithSpacing());
-  const ImPlotFlags flags = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame | ImPlotFlags_NoInputs;
-  if (ImPlot::BeginPlot("##plot", area, flags)) {
+  if (ImPlot::BeginPlot("##plot", area, plot_flags(false))) {
     set_up_axis(ImAxis_X1, x);
     set_up_axis(ImAxis_Y1, y);
     ImPlot::SetupFinish();
@@ -275,7 +264,9 @@ std::vector<AxisNumber> axis_numbers(const Decades& decades) {
 
 void draw_log_plot(const Theme& theme, const LogPlot& plot, ImVec2 size, float scale) {
   ImGui::BeginChild(plot.title.c_str(), size);
-  draw_heading(theme, plot);
+  strong_text(theme, plot.title);
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", plot.unit.c_str());
   const std::optional<Decades> x = decades_of(plot, &LogPoint::x);
   const std::optional<Decades> y = decades_of(plot, &LogPoint::y);
   ImGui::PushFont(theme.fonts.text, kSmallFontSize);

@@ -1,11 +1,9 @@
 #include "app/draw/plot/phase_plot.h"
 
-#include <fmt/format.h>
 #include <implot.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <tuple>
 
 #include "core/units.h"
@@ -15,7 +13,6 @@ namespace {
 
 constexpr double kMinSpanMm = 0.05;
 constexpr double kMinSpanN = 1.0;
-constexpr double kPlaneMoved = 1e-9;  // of an axis' span
 
 // The range of one coordinate of the path: without free motion, with 0, which every plane
 // shows.
@@ -23,31 +20,21 @@ Extremes extremes_of(const PhasePath& path, const std::vector<double>& values, d
   Extremes all;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (path.force_n[i] == 0.0 && path.penetration_m[i] <= 0.0) continue;
-    all.minimum = std::min(all.minimum, values[i] * scale);
-    all.maximum = std::max(all.maximum, values[i] * scale);
+    all.include({values[i] * scale, values[i] * scale});
   }
   return all;
 }
 
-void fit(ValueAxis& axis, Extremes data, double smallest_span) {
-  if (axis.manual) return;
-  const Extremes rounded = round_range(data, smallest_span);
-  axis.minimum = rounded.minimum;
-  axis.maximum = rounded.maximum;
-}
-
-bool toggle(const PhaseSurface& surface, const char* label, bool& value, const char* tooltip) {
-  const ImU32 background =
-      value ? surface.theme->packed(Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
-  ImGui::PushStyleColor(ImGuiCol_Button, background);
+void toggle(const PlotSurface& surface, const char* label, bool& value, const char* tooltip) {
+  ImGui::SameLine();
+  begin_choice(*surface.theme, value);
   const bool clicked = ImGui::SmallButton(label);
-  ImGui::PopStyleColor();
+  end_choice();
   if (clicked) value = !value;
   ImGui::SetItemTooltip("%s", tooltip);
-  return clicked;
 }
 
-void draw_energy(const PhaseSurface& surface, const PhaseView& view, bool whole) {
+void draw_energy(const PlotSurface& surface, const PhaseView& view, bool whole) {
   const double energy_mj = view.energy_j * kMillijoulesPerJoule;
   const bool gave = energy_mj < 0.0;
   const Tone tone = gave ? Tone::kBad : Tone::kGood;
@@ -64,29 +51,22 @@ void draw_energy(const PhaseSurface& surface, const PhaseView& view, bool whole)
   ImGui::TextDisabled("newest %zu samples", view.samples);
 }
 
-void draw_heading(const PhaseSurface& surface, PhaseSettings& settings, const PhaseView& view,
+void draw_heading(const PlotSurface& surface, PhaseSettings& settings, const PhaseView& view,
                   bool whole) {
-  ImGui::PushFont(surface.theme->fonts.strong, 0.0F);
-  ImGui::TextUnformatted("Force over penetration");
-  ImGui::PopFont();
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  strong_text(*surface.theme, "Force over penetration");
+  const FontScope font(nullptr, kSmallFontSize);
   draw_energy(surface, view, whole);
-  if (surface.interactive) {
-    ImGui::SameLine();
-    toggle(surface, "last contact", settings.last_contact,
-           "Only the newest contact of the visible range");
-    if (surface.simulated) {
-      ImGui::SameLine();
-      toggle(surface, "true", settings.true_position,
-             "Over the true penetration, which only a simulator knows,\n"
-             "instead of the measured one");
-    }
-  }
-  ImGui::PopFont();
+  if (!surface.interactive) return;
+  toggle(surface, "last contact", settings.last_contact,
+         "Only the newest contact of the visible range");
+  if (!surface.simulated) return;
+  toggle(surface, "true", settings.true_position,
+         "Over the true penetration, which only a simulator knows,\n"
+         "instead of the measured one");
 }
 
 // The walls' static force: straight pieces that bend at each face.
-void draw_walls(const PhaseSurface& surface) {
+void draw_walls(const PlotSurface& surface) {
   if (surface.walls.empty()) return;
   const double face_m = surface.walls.front().position_m;
   const double deepest_m = ImPlot::GetPlotLimits().X.Max / kMillimetresPerMetre;
@@ -102,12 +82,9 @@ void draw_walls(const PhaseSurface& surface) {
     }
     line.add(depth_m * kMillimetresPerMetre, force_n);
   }
-  ImPlotSpec spec;
-  spec.LineColor = surface.theme->colour(Tone::kWall);
-  spec.LineColor.w = 0.7F;
-  spec.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
   ImPlot::PlotLine("##wall", line.penetration_m.data(), line.force_n.data(),
-                   static_cast<int>(line.penetration_m.size()), spec);
+                   static_cast<int>(line.penetration_m.size()),
+                   line_spec(with_alpha(surface.theme->colour(Tone::kWall), 0.7F)));
 }
 
 int pixel_of(float place) {
@@ -137,7 +114,7 @@ void trace_pixels(PhaseView& view) {
   join_spans(view.columns);
 }
 
-void draw_path(const PhaseSurface& surface, PhaseView& view) {
+void draw_path(const PlotSurface& surface, PhaseView& view) {
   if (view.path.force_n.empty()) return;
   trace_pixels(view);
   ImDrawList* list = ImPlot::GetPlotDrawList();
@@ -160,40 +137,18 @@ void draw_path(const PhaseSurface& surface, PhaseView& view) {
   ImPlot::PopPlotClipRect();
 }
 
-void set_up_axis(ImAxis id, ValueAxis& axis, const char* format) {
-  ImPlot::SetupAxis(id, nullptr, ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight);
-  ImPlot::SetupAxisLinks(id, &axis.minimum, &axis.maximum);
-  ImPlot::SetupAxisFormat(id, format);
-}
-
-void notice_plane_moves(ValueAxis& axis, const ImPlotRange& now) {
-  const double moved = std::abs(now.Min - axis.minimum) + std::abs(now.Max - axis.maximum);
-  if (moved > kPlaneMoved * (axis.maximum - axis.minimum)) axis.manual = true;
-}
-
-void notice_input(PhaseView& view) {
-  const ImPlotRect limits = ImPlot::GetPlotLimits();
-  notice_plane_moves(view.penetration, limits.X);
-  notice_plane_moves(view.force, limits.Y);
-  if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
-  const bool inside = ImPlot::IsPlotHovered();
-  if (inside || ImPlot::IsAxisHovered(ImAxis_X1)) view.penetration.manual = false;
-  if (inside || ImPlot::IsAxisHovered(ImAxis_Y1)) view.force.manual = false;
-}
-
-PlotArea draw_plane(const PhaseSurface& surface, PhaseView& view, ImVec2 size) {
-  ImPlotFlags flags = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame;
-  if (surface.interactive) flags &= ~ImPlotFlags_NoBoxSelect;
-  if (!surface.interactive) flags |= ImPlotFlags_NoInputs;
-  PlotArea area;
-  if (!ImPlot::BeginPlot("##plot Phase", size, flags)) return area;
-  set_up_axis(ImAxis_X1, view.penetration, "%g mm");
-  set_up_axis(ImAxis_Y1, view.force, "%g N");
+PlotArea draw_plane(const PlotSurface& surface, PhaseView& view, ImVec2 size) {
+  if (!ImPlot::BeginPlot("##plot Phase", size, plot_flags(surface.interactive))) return {};
+  view.penetration.set_up(ImAxis_X1, "%g mm");
+  view.force.set_up(ImAxis_Y1, "%g N");
   ImPlot::SetupFinish();
   draw_walls(surface);
   draw_path(surface, view);
-  if (surface.interactive) notice_input(view);
-  area = {ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
+  if (surface.interactive) {
+    view.penetration.notice_input(ImAxis_X1);
+    view.force.notice_input(ImAxis_Y1);
+  }
+  const PlotArea area{ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
   ImPlot::EndPlot();
   return area;
 }
@@ -205,9 +160,9 @@ void PhasePath::clear() {
   force_n.clear();
 }
 
-void PhasePath::add(double x_m, double y_n) {
-  penetration_m.push_back(x_m);
-  force_n.push_back(y_n);
+void PhasePath::add(double at_penetration_m, double at_force_n) {
+  penetration_m.push_back(at_penetration_m);
+  force_n.push_back(at_force_n);
 }
 
 void join_spans(std::vector<PixelSpan>& spans) {
@@ -264,16 +219,16 @@ IndexRange phase_range(const SampleHistory& history, const PhaseSettings& settin
   return range;
 }
 
-PlotArea draw_phase_plot(const PhaseSurface& surface, PhaseSettings& settings, PhaseView& view,
+PlotArea draw_phase_plot(const PlotSurface& surface, PhaseSettings& settings, PhaseView& view,
                          ImVec2 size) {
   ImGui::PushID("phase");
-  const IndexRange range = phase_range(*surface.history, settings, surface.window);
+  const IndexRange range = phase_range(*surface.history, settings, *surface.window);
   trace_phase(*surface.history, range, settings.true_position && surface.simulated, view.path);
   view.energy_j = phase_energy_j(view.path);
   view.samples = range.count();
-  fit(view.penetration, extremes_of(view.path, view.path.penetration_m, kMillimetresPerMetre),
-      kMinSpanMm);
-  fit(view.force, extremes_of(view.path, view.path.force_n, 1.0), kMinSpanN);
+  view.penetration.fit(round_range(
+      extremes_of(view.path, view.path.penetration_m, kMillimetresPerMetre), kMinSpanMm));
+  view.force.fit(round_range(extremes_of(view.path, view.path.force_n, 1.0), kMinSpanN));
   ImGui::BeginGroup();  // its rows begin where the first one does
   const float top = ImGui::GetCursorPosY();
   draw_heading(surface, settings, view, range.count() < kMaxPhaseSamples);

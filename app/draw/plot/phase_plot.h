@@ -1,15 +1,11 @@
 // The force over the penetration: a loop, whose area is energy.
 #pragma once
 
-#include <functional>
-#include <span>
-#include <string_view>
 #include <vector>
 
 #include "app/draw/plot/plot.h"
 #include "app/draw/plot/plot_trigger.h"
 #include "app/draw/plot/sample_history.h"
-#include "app/draw/plot/theme.h"
 #include "core/scene.h"
 
 namespace hapticwall::draw {
@@ -26,7 +22,7 @@ struct PhasePath {
   std::vector<double> force_n;
 
   void clear();
-  void add(double x_m, double y_n);
+  void add(double at_penetration_m, double at_force_n);
 };
 
 // The path of a range. The force of a tick is held until the next one: the path goes across at
@@ -70,18 +66,8 @@ struct PhaseView {
   std::size_t samples = 0;  // of the drawn path
 };
 
-struct PhaseSurface {
-  const Theme* theme = nullptr;
-  const SampleHistory* history = nullptr;
-  std::span<const WallSettings> walls;
-  TimeWindow window;
-  bool simulated = true;
-  bool interactive = true;
-  float line_weight = kLineWeight;
-};
-
 // Draws heading, controls and the plane into `size`.
-PlotArea draw_phase_plot(const PhaseSurface& surface, PhaseSettings& settings, PhaseView& view,
+PlotArea draw_phase_plot(const PlotSurface& surface, PhaseSettings& settings, PhaseView& view,
                          ImVec2 size);
 
 }  // namespace hapticwall::draw

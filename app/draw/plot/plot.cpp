@@ -4,15 +4,12 @@
 #include <implot.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/draw/plot/plot_heading.h"
-#include "app/draw/plot/plot_trace.h"
 
 namespace hapticwall::draw {
 namespace {
 
-constexpr double kMoved = 1e-9;  // of an axis' span: more than a rounding error
 constexpr double kMinTimeAxisS = 1e-4;
 constexpr double kMaxTimeAxisS = 1e6;
 
@@ -35,36 +32,24 @@ bool shows_positions(const PlotSurface& surface, const PlotDescription& plot) {
 Extremes fitted_values(const PlotSurface& surface, const PlotDescription& plot, IndexRange range,
                        bool right) {
   std::optional<Extremes> all;
-  const auto include = [&](double low, double high) {
-    if (!all) all = Extremes{low, high};
-    all = Extremes{std::min(all->minimum, low), std::max(all->maximum, high)};
-  };
   const ValueScale& scale = right ? plot.right : plot.left;
+  const auto include_si = [&](const Extremes& values) {
+    include(all, {values.minimum * scale.scale, values.maximum * scale.scale});
+  };
   for (const PlotLine& line : plot.lines) {
     // The hand's path lies far inside a stiff wall and would hide the contact.
     if (line.on_right != right || line.quantity == &PlantTruth::hand_path_m) continue;
     if (!is_drawn(surface, plot, line)) continue;
-    if (const auto extra = extra_extremes(surface, line))
-      include(extra->minimum * scale.scale, extra->maximum * scale.scale);
-    if (range.count() == 0) continue;
-    const Extremes extremes = surface.history->extremes(line.quantity, range);
-    include(extremes.minimum * scale.scale, extremes.maximum * scale.scale);
+    if (const auto extra = extra_extremes(surface, line)) include_si(*extra);
+    if (range.count() > 0) include_si(surface.history->extremes(line.quantity, range));
   }
   if (plot.id != PlotId::kPosition || right) {
-    include(0.0, 0.0);
+    include(all, {});
   } else if (!surface.walls.empty() && (!all || shows_positions(surface, plot))) {
-    const double face = surface.walls.front().position_m * scale.scale;
-    include(face, face);
+    const double face_m = surface.walls.front().position_m;
+    include_si({face_m, face_m});
   }
   return round_range(all.value_or(Extremes{}), scale.smallest_span);
-}
-
-void fit(const PlotSurface& surface, const PlotDescription& plot, IndexRange range, bool right,
-         ValueAxis& axis) {
-  if (axis.manual) return;
-  const Extremes values = fitted_values(surface, plot, range, right);
-  axis.minimum = values.minimum;
-  axis.maximum = values.maximum;
 }
 
 // A wheel or drag that began between the axes changes the time axis.
@@ -79,22 +64,16 @@ ImPlotAxisFlags value_lock(const PlotSurface& surface, const PlotAxes& axes) {
 }
 
 void set_up_axes(PlotSurface& surface, PlotAxes& axes, double* length_s, bool right) {
-  const ImPlotAxisFlags flags = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight;
-  const ImPlotAxisFlags time_labels = surface.time_labels ? 0 : ImPlotAxisFlags_NoTickLabels;
-  const ImPlotAxisFlags value_labels = surface.value_labels ? 0 : ImPlotAxisFlags_NoTickLabels;
+  const auto labels = [](bool shown) { return shown ? 0 : ImPlotAxisFlags_NoTickLabels; };
   const ImPlotAxisFlags lock = value_lock(surface, axes);
-  ImPlot::SetupAxis(ImAxis_X1, nullptr, flags | time_labels);
-  ImPlot::SetupAxis(ImAxis_Y1, nullptr, flags | lock | value_labels);
+  ImPlot::SetupAxis(ImAxis_X1, nullptr, kAxisFlags | labels(surface.time_labels));
   ImPlot::SetupAxisLinks(ImAxis_X1, &surface.window->from_s, &surface.window->to_s);
   ImPlot::SetupAxisZoomConstraints(ImAxis_X1, kMinTimeAxisS, kMaxTimeAxisS);
   ImPlot::SetupAxisFormat(ImAxis_X1, format_time, length_s);
-  ImPlot::SetupAxisLinks(ImAxis_Y1, &axes.left.minimum, &axes.left.maximum);
-  ImPlot::SetupAxisFormat(ImAxis_Y1, "%6.4g");
+  axes.left.set_up(ImAxis_Y1, "%6.4g", lock | labels(surface.value_labels));
   if (right) {
-    ImPlot::SetupAxis(ImAxis_Y2, nullptr,
-                      flags | lock | ImPlotAxisFlags_Opposite | ImPlotAxisFlags_NoGridLines);
-    ImPlot::SetupAxisLinks(ImAxis_Y2, &axes.right.minimum, &axes.right.maximum);
-    ImPlot::SetupAxisFormat(ImAxis_Y2, "%.4g");
+    axes.right.set_up(ImAxis_Y2, "%.4g",
+                      lock | ImPlotAxisFlags_Opposite | ImPlotAxisFlags_NoGridLines);
   }
   ImPlot::SetupFinish();
 }
@@ -118,10 +97,8 @@ void draw_walls(const PlotSurface& surface, const PlotDescription& plot) {
 
 void draw_zero_line(const PlotSurface& surface) {
   const double zero = 0.0;
-  ImPlotSpec spec;
-  spec.LineColor = surface.theme->colour(Tone::kMuted);
-  spec.LineColor.w = 0.6F;
-  spec.Flags = ImPlotInfLinesFlags_Horizontal | ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
+  ImPlotSpec spec = line_spec(with_alpha(surface.theme->colour(Tone::kMuted), 0.6F));
+  spec.Flags |= ImPlotInfLinesFlags_Horizontal;
   ImPlot::PlotInfLines("##zero", &zero, 1, spec);
 }
 
@@ -195,20 +172,11 @@ void draw_readout(const PlotSurface& surface, const PlotDescription& plot) {
   ImGui::EndTooltip();
 }
 
-// If an axis is not at its place, the user has moved it.
-void notice_moves(ValueAxis& axis, const ImPlotRange& now) {
-  const double moved = std::abs(now.Min - axis.minimum) + std::abs(now.Max - axis.maximum);
-  if (moved > kMoved * (axis.maximum - axis.minimum)) axis.manual = true;
-}
-
 void notice_input(PlotSurface& surface, PlotAxes& axes, bool right) {
-  notice_moves(axes.left, ImPlot::GetPlotLimits(ImAxis_X1, ImAxis_Y1).Y);
-  if (right) notice_moves(axes.right, ImPlot::GetPlotLimits(ImAxis_X1, ImAxis_Y2).Y);
+  axes.left.notice_input(ImAxis_Y1);
+  if (right) axes.right.notice_input(ImAxis_Y2);
   if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
-  const bool inside = ImPlot::IsPlotHovered();
-  if (inside || ImPlot::IsAxisHovered(ImAxis_Y1)) axes.left.manual = false;
-  if (right && (inside || ImPlot::IsAxisHovered(ImAxis_Y2))) axes.right.manual = false;
-  if (inside || ImPlot::IsAxisHovered(ImAxis_X1)) surface.wants_newest = true;
+  if (ImPlot::IsPlotHovered() || ImPlot::IsAxisHovered(ImAxis_X1)) surface.wants_newest = true;
 }
 
 void draw_contents(const PlotSurface& surface, const PlotDescription& plot, IndexRange range) {
@@ -244,57 +212,23 @@ std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot
   return fmt::format("hand up to {:.4g} {} ↑", highest, plot.left.unit);
 }
 
-Extremes round_range(Extremes data, double smallest_span) {
-  constexpr double kMargin = 0.05;  // of the span, on either side
-  constexpr double kSteps = 16.0;   // about as many steps as the span has
-  const double middle = 0.5 * (data.minimum + data.maximum);
-  const double span = std::max(data.maximum - data.minimum, smallest_span) * (1.0 + 2.0 * kMargin);
-  const double power = std::pow(10.0, std::floor(std::log10(span / kSteps)));
-  double step = 10.0 * power;
-  for (const double factor : {5.0, 2.0, 1.0}) {
-    if (factor * power * kSteps >= span) step = factor * power;
-  }
-  return {std::floor((middle - 0.5 * span) / step) * step,
-          std::ceil((middle + 0.5 * span) / step) * step};
-}
-
-int format_time(double value, char* text, int size, void* length_s) {
-  const double length = *static_cast<const double*>(length_s);
-  // About ten ticks to the length; one more digit tells them apart.
-  constexpr int kMaxDigits = 9;
-  const int digits =
-      std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(length))), 0, kMaxDigits);
-  std::string label = fmt::format("{:.{}f}", value, digits);
-  if (digits > 0) {
-    label.erase(label.find_last_not_of('0') + 1);
-    if (label.back() == '.') label.pop_back();
-  }
-  if (label == "-0") label = "0";
-  const auto end = fmt::format_to_n(text, static_cast<std::size_t>(size) - 1, "{} s", label);
-  *end.out = '\0';
-  return static_cast<int>(end.out - text);
-}
-
 PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                    ImVec2 size) {
   ImGui::PushID(plot.title);
   PlotAxes& axes = (*surface.axes)[static_cast<std::size_t>(plot.id)];
   const float top = ImGui::GetCursorPosY();
   const IndexRange range = range_of(surface);
-  fit(surface, plot, range, false, axes.left);
+  axes.left.fit(fitted_values(surface, plot, range, false));
   if (surface.heading) {
     draw_plot_heading(surface, plot, mark, hand_outside(surface, plot, axes.left.maximum), size.x);
   }
   const bool right = has_right_axis(surface, plot);
-  if (right) fit(surface, plot, range, true, axes.right);
+  if (right) axes.right.fit(fitted_values(surface, plot, range, true));
   const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));
   ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
-  ImPlotFlags flags = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame;
-  if (surface.interactive) flags &= ~ImPlotFlags_NoBoxSelect;
-  if (!surface.interactive) flags |= ImPlotFlags_NoInputs;
   double length_s = surface.window->length_s();
   const bool visible = ImPlot::BeginPlot(fmt::format("##plot {}", plot.title).c_str(),
-                                         ImVec2(size.x, height), flags);
+                                         ImVec2(size.x, height), plot_flags(surface.interactive));
   if (!visible) axes.area = {};
   if (visible) {
     set_up_axes(surface, axes, &length_s, right);

@@ -4,15 +4,13 @@
 #include <imgui.h>
 
 #include <array>
-#include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/draw/plot/extra_traces.h"
+#include "app/draw/plot/plot_axes.h"
 #include "app/draw/plot/plot_bounds.h"
 #include "app/draw/plot/plot_cursors.h"
 #include "app/draw/plot/plot_envelope.h"
@@ -36,13 +34,6 @@ struct PlotArea {
     return place.x >= position.x && place.x < position.x + size.x && place.y >= position.y &&
            place.y < position.y + size.y;
   }
-};
-
-// An axis of values: fitted to the visible range, or set by the user.
-struct ValueAxis {
-  bool manual = false;
-  double minimum = 0.0;
-  double maximum = 1.0;
 };
 
 // The state of a plot between frames.
@@ -92,11 +83,5 @@ PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std:
 // The heading's note if the hand goes above `axis_maximum` within the window, and how far.
 [[nodiscard]] std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot,
                                        double axis_maximum);
-
-// The range of the value axis: the extremes enlarged a little and rounded outwards to a round step.
-[[nodiscard]] Extremes round_range(Extremes data, double smallest_span);
-
-// Labels of a time axis, as ImPlot asks; `length_s`: a double with the visible length.
-int format_time(double value, char* text, int size, void* length_s);
 
 }  // namespace hapticwall::draw

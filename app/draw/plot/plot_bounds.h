@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/draw/plot/theme.h"
-#include "core/scene.h"
 #include "core/study/stability_bounds.h"
 
 namespace hapticwall::draw {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -15,9 +14,7 @@ constexpr std::array kShares{1.0 / 3.0, 2.0 / 3.0};  // of the window
 // Digits of constant width, flush right.
 void number_cell(const std::string& text) {
   ImGui::TableNextColumn();
-  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(room, 0.0F));
-  ImGui::TextUnformatted(text.c_str());
+  right_aligned_text(text);
 }
 
 void text_cell(const ImVec4& colour, const char* text) {
@@ -89,24 +86,22 @@ CursorTable read_cursors(const SampleHistory& history, const Cursors& cursors,
 void draw_cursor_table(const Theme& theme, const CursorTable& table) {
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollX |
                                      ImGuiTableFlags_ScrollY | ImGuiTableFlags_NoHostExtendX;
-  ImGui::PushFont(theme.fonts.digits, kSmallFontSize);
-  if (ImGui::BeginTable("##cursors", 5, kFlags)) {
-    ImGui::TableSetupScrollFreeze(1, 1);
-    const ImVec4 muted = theme.colour(Tone::kMuted);
+  const FontScope font(theme.fonts.digits, kSmallFontSize);
+  if (!ImGui::BeginTable("##cursors", 5, kFlags)) return;
+  ImGui::TableSetupScrollFreeze(1, 1);
+  const ImVec4 muted = theme.colour(Tone::kMuted);
+  ImGui::TableNextRow();
+  for (const char* title : {"", "A", "B", "B − A", ""}) text_cell(muted, title);
+  ImGui::TableNextRow();
+  draw_times(theme, table);
+  for (const CursorRow& row : table.rows) {
     ImGui::TableNextRow();
-    for (const char* title : {"", "A", "B", "B − A", ""}) text_cell(muted, title);
-    ImGui::TableNextRow();
-    draw_times(theme, table);
-    for (const CursorRow& row : table.rows) {
-      ImGui::TableNextRow();
-      text_cell(theme.colour(row.line->tone), row.line->name);
-      for (const double value : {row.value[0], row.value[1], row.difference()})
-        number_cell(fmt::format("{:#.5g}", value));
-      text_cell(muted, row.unit);
-    }
-    ImGui::EndTable();
+    text_cell(theme.colour(row.line->tone), row.line->name);
+    for (const double value : {row.value[0], row.value[1], row.difference()})
+      number_cell(fmt::format("{:#.5g}", value));
+    text_cell(muted, row.unit);
   }
-  ImGui::PopFont();
+  ImGui::EndTable();
 }
 
 }  // namespace hapticwall::draw

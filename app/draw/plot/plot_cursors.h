@@ -17,7 +17,7 @@ struct Cursors {
   std::array<double, 2> time_s{};
 };
 
-// Places both in the window, a third of it apart.
+// Places both in the window, at a third and at two thirds.
 void place_cursors(Cursors& cursors, TimeWindow window);
 
 // Keeps both at their place on the screen while the window follows the session.

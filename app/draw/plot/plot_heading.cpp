@@ -45,10 +45,9 @@ void draw_dash(const PlotSurface& surface, const LegendEntry& entry) {
 // One entry of the legend; a click hides or shows the line.
 void draw_legend_entry(PlotSurface& surface, const PlotDescription& plot, const PlotLine& line,
                        const std::string& text, ImVec2 corner) {
-  const float em = ImGui::GetFontSize();
   ImGui::SetCursorScreenPos(corner);
   if (ImGui::InvisibleButton(fmt::format("##legend {}", line.name).c_str(),
-                             ImVec2(entry_width(text), 1.2F * em)) &&
+                             ImVec2(entry_width(text), ems(1.2F))) &&
       surface.interactive) {
     *surface.hidden ^= line_bit(line.quantity);
   }
@@ -108,8 +107,7 @@ class LegendRows {
 // bottom.
 float draw_legend(PlotSurface& surface, const PlotDescription& plot, float left, ImVec2 corner,
                   float width) {
-  const float em = ImGui::GetFontSize();
-  const float gap = kEntryGapEms * em;
+  const float gap = ems(kEntryGapEms);
   float total = -gap;
   for (const PlotLine& line : plot.lines) {
     if (is_chosen(surface, plot, line)) total += entry_width(entry_text(plot, line)) + gap;
@@ -155,10 +153,10 @@ void draw_choice_of_lines(PlotSurface& surface, const PlotDescription& plot) {
 // The button with three dots and its menu.
 void draw_signals_button(PlotSurface& surface, const PlotDescription& plot) {
   ImGui::SameLine();
-  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32_BLACK_TRANS);
+  begin_choice(*surface.theme, false);
   if (ImGui::SmallButton(fmt::format("…###signals {}", plot.title).c_str()))
     ImGui::OpenPopup("signals");
-  ImGui::PopStyleColor();
+  end_choice();
   ImGui::SetItemTooltip("Which signals this plot shows");
   if (!ImGui::BeginPopup("signals")) return;
   draw_choice_of_lines(surface, plot);
@@ -180,13 +178,11 @@ void draw_plot_heading(PlotSurface& surface, const PlotDescription& plot, const 
                        const std::string& note, float width) {
   const Theme& theme = *surface.theme;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::PushFont(theme.fonts.strong, 0.0F);
-  ImGui::TextUnformatted(fmt::format("{}{}", mark, plot.title).c_str());
-  ImGui::PopFont();
+  strong_text(theme, mark + plot.title);
   ImGui::SameLine();
   ImGui::TextDisabled("%s", plot.left.unit);
   if (surface.interactive) draw_signals_button(surface, plot);
-  ImGui::PushFont(nullptr, kSmallFontSize);
+  const FontScope font(nullptr, kSmallFontSize);
   if (!note.empty()) {
     ImGui::SameLine(0.0F, ImGui::GetFontSize());
     ImGui::TextColored(theme.colour(Tone::kHand), "%s", note.c_str());
@@ -194,7 +190,6 @@ void draw_plot_heading(PlotSurface& surface, const PlotDescription& plot, const 
   const float left = ImGui::GetItemRectMax().x + ImGui::GetFontSize();
   const float below = ImGui::GetCursorScreenPos().y;
   const float bottom = draw_legend(surface, plot, left, corner, width);
-  ImGui::PopFont();
   ImGui::SetCursorScreenPos(ImVec2(corner.x, std::max(below, bottom)));
 }
 

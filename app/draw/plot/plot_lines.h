@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
@@ -14,6 +13,9 @@ namespace hapticwall::draw {
 
 enum class PlotId : std::uint8_t { kPosition, kForce, kStiffness, kPassivity };
 inline constexpr std::size_t kPlotCount = 4;
+
+inline constexpr std::array kAllPlots{PlotId::kPosition, PlotId::kForce, PlotId::kStiffness,
+                                      PlotId::kPassivity};
 
 // A set of lines, one bit per Quantity.
 using LineSet = std::uint32_t;

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace hapticwall::draw {
 namespace {

@@ -1,16 +1,9 @@
 #include "app/draw/plot/sample_pyramid.h"
 
-#include <algorithm>
-
 namespace hapticwall::draw {
 namespace {
 
 static_assert(SamplePyramid::kFan == 4, "size_of() shifts by two bits a level");
-
-void include(Extremes& all, const Extremes& more) {
-  all.minimum = std::min(all.minimum, more.minimum);
-  all.maximum = std::max(all.maximum, more.maximum);
-}
 
 }  // namespace
 
@@ -18,7 +11,7 @@ void SamplePyramid::push_back(double value) {
   samples_.push_back(value);
   Extremes carried{value, value};
   for (std::size_t level = 0; level < kLevels; ++level) {
-    include(growing_[level], carried);
+    growing_[level].include(carried);
     if (samples_.end() % size_of(level) != 0) return;
     carried = growing_[level];
     levels_[level].push_back(carried);
@@ -36,9 +29,9 @@ void SamplePyramid::forget_before(std::uint64_t index) {
 Extremes SamplePyramid::extremes(std::uint64_t first, std::uint64_t last) const {
   Extremes all = kNothing;
   visit_parts(
-      first, last, [&](const Extremes& block) { include(all, block); },
+      first, last, [&](const Extremes& block) { all.include(block); },
       [&](double value) {
-        include(all, {value, value});
+        all.include({value, value});
       });
   return all;
 }

@@ -1,6 +1,7 @@
 // A column of samples with the extremes of its blocks, for the extremes of any range in few steps.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +15,17 @@ namespace hapticwall::draw {
 struct Extremes {
   double minimum = 0.0;
   double maximum = 0.0;
+
+  void include(const Extremes& more) {
+    minimum = std::min(minimum, more.minimum);
+    maximum = std::max(maximum, more.maximum);
+  }
 };
+// The same from nothing.
+inline void include(std::optional<Extremes>& all, const Extremes& more) {
+  if (!all) all = more;
+  all->include(more);
+}
 
 // Levels of blocks lie over the samples: of 16 samples, of 64, of 256 and so on. Each block holds
 // its smallest and largest sample. A push updates them in less than two comparisons of pairs.

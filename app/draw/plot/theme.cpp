@@ -10,41 +10,31 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr ImVec4 rgb(unsigned hex) {
-  return {static_cast<float>((hex >> 16U) & 0xFFU) / 255.0F,
-          static_cast<float>((hex >> 8U) & 0xFFU) / 255.0F,
-          static_cast<float>(hex & 0xFFU) / 255.0F, 1.0F};
-}
+using Colours = std::array<ImVec4, kToneCount>;
 
-// Some of `b` in `a`.
-constexpr ImVec4 blended(const ImVec4& a, const ImVec4& b, float share) {
-  const auto mix = [share](float x, float y) { return x + share * (y - x); };
-  return {mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z), a.w};
-}
-
-constexpr ImVec4 faded(ImVec4 colour, float alpha) {
-  colour.w = alpha;
-  return colour;
+constexpr Colours colours_of(const std::array<unsigned, kToneCount>& rgb) {
+  const auto part = [](unsigned value) { return static_cast<float>(value & 0xFFU) / 255.0F; };
+  Colours colours{};
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    colours[i] = {part(rgb[i] >> 16U), part(rgb[i] >> 8U), part(rgb[i]), 1.0F};
+  return colours;
 }
 
 // In the order of Tone.
-constexpr std::array<ImVec4, kToneCount> kScreenColours{
-    rgb(0xDCE3EA), rgb(0x8E9AA8), rgb(0x2C343F), rgb(0x12161B), rgb(0x191E25),
-    rgb(0x4FB6C9), rgb(0x6CC08B), rgb(0xE9B45A), rgb(0xF0716B), rgb(0x6FB1FF),
-    rgb(0xB7A3E8), rgb(0x5FBFA8), rgb(0xF2B25C), rgb(0x5C6B7E), rgb(0x8FD17F),
-    rgb(0x6FB1FF), rgb(0xC792EA), rgb(0xF0716B), rgb(0xD9C56B)};
+constexpr Colours kScreenColours =
+    colours_of({0xDCE3EA, 0x8E9AA8, 0x2C343F, 0x12161B, 0x191E25, 0x4FB6C9, 0x6CC08B, 0xE9B45A,
+                0xF0716B, 0x6FB1FF, 0xB7A3E8, 0x5FBFA8, 0xF2B25C, 0x5C6B7E, 0x8FD17F, 0x6FB1FF,
+                0xC792EA, 0xF0716B, 0xD9C56B});
 // For light rooms: the same hues, dark enough to be read on white.
-constexpr std::array<ImVec4, kToneCount> kLightColours{
-    rgb(0x1B222A), rgb(0x56616D), rgb(0xDDE2E8), rgb(0xF2F4F7), rgb(0xFFFFFF),
-    rgb(0x0B6E86), rgb(0x1E7A45), rgb(0x8F5A00), rgb(0xB3261E), rgb(0x1F69B8),
-    rgb(0x7455BE), rgb(0x007A68), rgb(0xB05400), rgb(0x6B7A8C), rgb(0x3B7D2B),
-    rgb(0x1F69B8), rgb(0x8A3FB0), rgb(0xB3261E), rgb(0x857000)};
+constexpr Colours kLightColours =
+    colours_of({0x1B222A, 0x56616D, 0xDDE2E8, 0xF2F4F7, 0xFFFFFF, 0x0B6E86, 0x1E7A45, 0x8F5A00,
+                0xB3261E, 0x1F69B8, 0x7455BE, 0x007A68, 0xB05400, 0x6B7A8C, 0x3B7D2B, 0x1F69B8,
+                0x8A3FB0, 0xB3261E, 0x857000});
 // Distinct in grey, too, and for the colour-blind.
-constexpr std::array<ImVec4, kToneCount> kPrintColours{
-    rgb(0x1A1D21), rgb(0x4A525C), rgb(0xC9CFD6), rgb(0xFFFFFF), rgb(0xFFFFFF),
-    rgb(0x0072B2), rgb(0x2E7D4F), rgb(0xB36B00), rgb(0xC0392B), rgb(0x0060A8),
-    rgb(0x8A6FC2), rgb(0x00835F), rgb(0xC65A00), rgb(0xA3AFBD), rgb(0x2E7D4F),
-    rgb(0x0060A8), rgb(0x9340B5), rgb(0xC0392B), rgb(0xA88400)};
+constexpr Colours kPrintColours =
+    colours_of({0x1A1D21, 0x4A525C, 0xC9CFD6, 0xFFFFFF, 0xFFFFFF, 0x0072B2, 0x2E7D4F, 0xB36B00,
+                0xC0392B, 0x0060A8, 0x8A6FC2, 0x00835F, 0xC65A00, 0xA3AFBD, 0x2E7D4F, 0x0060A8,
+                0x9340B5, 0xC0392B, 0xA88400});
 
 ImFont* load_font(std::string_view name) {
   for (const EmbeddedFile& file : embedded_fonts()) {
@@ -74,29 +64,29 @@ void set_colours(const Theme& theme, Look look) {
   colours[ImGuiCol_WindowBg] = theme.colour(Tone::kBackground);
   colours[ImGuiCol_ChildBg] = theme.colour(Tone::kPanel);
   colours[ImGuiCol_PopupBg] = raised(theme);
-  colours[ImGuiCol_Border] = faded(text, 0.14F);
-  colours[ImGuiCol_ModalWindowDimBg] = faded(theme.colour(Tone::kBackground), 0.6F);
+  colours[ImGuiCol_Border] = with_alpha(text, 0.14F);
+  colours[ImGuiCol_ModalWindowDimBg] = with_alpha(theme.colour(Tone::kBackground), 0.6F);
   colours[ImGuiCol_FrameBg] = frame;
-  colours[ImGuiCol_FrameBgHovered] = faded(accent, 0.30F);
-  colours[ImGuiCol_FrameBgActive] = faded(accent, 0.40F);
-  colours[ImGuiCol_ScrollbarBg] = faded(text, 0.0F);
-  colours[ImGuiCol_ScrollbarGrab] = faded(text, 0.18F);
+  colours[ImGuiCol_FrameBgHovered] = with_alpha(accent, 0.30F);
+  colours[ImGuiCol_FrameBgActive] = with_alpha(accent, 0.40F);
+  colours[ImGuiCol_ScrollbarBg] = with_alpha(text, 0.0F);
+  colours[ImGuiCol_ScrollbarGrab] = with_alpha(text, 0.18F);
   colours[ImGuiCol_CheckMark] = accent;
-  colours[ImGuiCol_CheckboxSelectedBg] = faded(accent, 0.22F);
-  colours[ImGuiCol_SliderGrab] = faded(accent, 0.80F);
+  colours[ImGuiCol_CheckboxSelectedBg] = with_alpha(accent, 0.22F);
+  colours[ImGuiCol_SliderGrab] = with_alpha(accent, 0.80F);
   colours[ImGuiCol_SliderGrabActive] = accent;
   colours[ImGuiCol_Button] = frame;
-  colours[ImGuiCol_ButtonHovered] = faded(accent, 0.35F);
-  colours[ImGuiCol_ButtonActive] = faded(accent, 0.55F);
-  colours[ImGuiCol_Header] = faded(accent, 0.22F);
-  colours[ImGuiCol_HeaderHovered] = faded(accent, 0.32F);
-  colours[ImGuiCol_HeaderActive] = faded(accent, 0.42F);
-  colours[ImGuiCol_Separator] = faded(text, 0.10F);
-  colours[ImGuiCol_SeparatorHovered] = faded(accent, 0.60F);
+  colours[ImGuiCol_ButtonHovered] = with_alpha(accent, 0.35F);
+  colours[ImGuiCol_ButtonActive] = with_alpha(accent, 0.55F);
+  colours[ImGuiCol_Header] = with_alpha(accent, 0.22F);
+  colours[ImGuiCol_HeaderHovered] = with_alpha(accent, 0.32F);
+  colours[ImGuiCol_HeaderActive] = with_alpha(accent, 0.42F);
+  colours[ImGuiCol_Separator] = with_alpha(text, 0.10F);
+  colours[ImGuiCol_SeparatorHovered] = with_alpha(accent, 0.60F);
   colours[ImGuiCol_SeparatorActive] = accent;
-  colours[ImGuiCol_ResizeGrip] = faded(text, 0.0F);
+  colours[ImGuiCol_ResizeGrip] = with_alpha(text, 0.0F);
   colours[ImGuiCol_NavCursor] = accent;
-  colours[ImGuiCol_TextSelectedBg] = faded(accent, 0.35F);
+  colours[ImGuiCol_TextSelectedBg] = with_alpha(accent, 0.35F);
 }
 
 void set_spacing(float scale) {
@@ -130,7 +120,7 @@ void set_plot_style(const Theme& theme, float scale) {
   style.Colors[ImPlotCol_PlotBg] = theme.colour(Tone::kBackground);
   style.Colors[ImPlotCol_PlotBorder] = theme.colour(Tone::kFaint);
   style.Colors[ImPlotCol_AxisText] = theme.colour(Tone::kMuted);
-  style.Colors[ImPlotCol_AxisGrid] = faded(theme.colour(Tone::kMuted), 0.22F);
+  style.Colors[ImPlotCol_AxisGrid] = with_alpha(theme.colour(Tone::kMuted), 0.22F);
   style.Colors[ImPlotCol_InlayText] = theme.colour(Tone::kText);
   style.PlotMinSize = {60.0F * scale, 40.0F * scale};
   style.PlotPadding = {2.0F * scale, 4.0F * scale};
@@ -142,11 +132,17 @@ void set_plot_style(const Theme& theme, float scale) {
 
 }  // namespace
 
+ImVec4 mixed(const ImVec4& first, const ImVec4& second, float share) {
+  const auto between = [share](float a, float b) { return a + share * (b - a); };
+  return {between(first.x, second.x), between(first.y, second.y), between(first.z, second.z),
+          between(first.w, second.w)};
+}
+
 // A little lighter than a dark panel; in the light look the border separates it.
 ImVec4 raised(const Theme& theme) {
   constexpr float kLift = 0.05F;
   const ImVec4 panel = theme.colour(Tone::kPanel);
-  return panel.x < 0.5F ? blended(panel, theme.colour(Tone::kText), kLift) : panel;
+  return panel.x < 0.5F ? mixed(panel, theme.colour(Tone::kText), kLift) : panel;
 }
 
 void begin_raised(const Theme& theme) {
@@ -154,7 +150,7 @@ void begin_raised(const Theme& theme) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().ChildRounding);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, raised(theme));
-  ImGui::PushStyleColor(ImGuiCol_Border, faded(theme.colour(Tone::kText), kBorderAlpha));
+  ImGui::PushStyleColor(ImGuiCol_Border, with_alpha(theme.colour(Tone::kText), kBorderAlpha));
 }
 
 void end_raised() {
@@ -162,16 +158,45 @@ void end_raised() {
   ImGui::PopStyleVar(2);
 }
 
+void begin_choice(const Theme& theme, bool chosen) {
+  constexpr float kChosenAlpha = 0.30F;
+  ImGui::PushStyleColor(ImGuiCol_Button,
+                        chosen ? theme.packed(Tone::kAccent, kChosenAlpha) : IM_COL32_BLACK_TRANS);
+}
+
+void end_choice() { ImGui::PopStyleColor(); }
+
+float button_width(const char* label) {
+  return ImGui::CalcTextSize(label, nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+void align_right(float width) {
+  const float free = ImGui::GetContentRegionAvail().x - width;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(free, 0.0F));
+}
+
+void strong_text(const Theme& theme, std::string_view text, float size) {
+  const FontScope font(theme.fonts.strong, size);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+}
+
+void right_aligned_text(std::string_view text) {
+  const char* end = text.data() + text.size();
+  align_right(ImGui::CalcTextSize(text.data(), end).x);
+  ImGui::TextUnformatted(text.data(), end);
+}
+
+void wrapped_text(const ImVec4& colour, std::string_view text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
 const std::array<ImVec4, kToneCount>& theme_colours(Look look) {
-  switch (look) {
-    case Look::kPrint:
-      return kPrintColours;
-    case Look::kLight:
-      return kLightColours;
-    case Look::kScreen:
-      break;
-  }
-  return kScreenColours;
+  if (look == Look::kPrint) return kPrintColours;
+  return look == Look::kLight ? kLightColours : kScreenColours;
 }
 
 Theme apply_theme(Look look, float scale) {

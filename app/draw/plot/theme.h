@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace hapticwall::draw {
 
@@ -33,7 +34,7 @@ enum class Tone : std::uint8_t {
 };
 inline constexpr std::size_t kToneCount = 19;
 
-// The dark one of the screen, the one of printed figures, and the light one of the screen.
+// Dark screen, printed figure, light screen.
 enum class Look : std::uint8_t { kScreen, kPrint, kLight };
 
 struct Fonts {
@@ -50,13 +51,18 @@ struct Theme {
     return colours[static_cast<std::size_t>(tone)];
   }
   [[nodiscard]] ImU32 packed(Tone tone, float alpha = 1.0F) const {
-    ImVec4 value = colour(tone);
-    value.w *= alpha;
-    return ImGui::ColorConvertFloat4ToU32(value);
+    const ImVec4& value = colour(tone);
+    return ImGui::ColorConvertFloat4ToU32({value.x, value.y, value.z, alpha * value.w});
   }
 };
 
 [[nodiscard]] const std::array<ImVec4, kToneCount>& theme_colours(Look look);
+
+[[nodiscard]] constexpr ImVec4 with_alpha(const ImVec4& colour, float alpha) {
+  return {colour.x, colour.y, colour.z, alpha};
+}
+// Between two colours; share 0 is the first.
+[[nodiscard]] ImVec4 mixed(const ImVec4& first, const ImVec4& second, float share);
 
 inline constexpr float kFontSize = 15.0F;  // pixels at scale 1
 inline constexpr float kSmallFontSize = 13.0F;
@@ -74,5 +80,28 @@ void restyle(Theme& theme, Look look, float scale);
 // Around the ImGui window of a popup.
 void begin_raised(const Theme& theme);
 void end_raised();
+
+// Around a button: highlights it if `chosen`, else removes its background.
+void begin_choice(const Theme& theme, bool chosen);
+void end_choice();
+
+// So many sizes of the text, in pixels.
+[[nodiscard]] inline float ems(float count) { return count * ImGui::GetFontSize(); }
+[[nodiscard]] float button_width(const char* label);  // without what follows "##"
+// Moves the cursor to the right, so that an item of this width ends at the edge of its region.
+void align_right(float width);
+
+// A font until the end of the block; `size` 0 keeps the size.
+class FontScope {
+ public:
+  FontScope(ImFont* font, float size) { ImGui::PushFont(font, size); }
+  FontScope(const FontScope&) = delete;
+  FontScope& operator=(const FontScope&) = delete;
+  ~FontScope() { ImGui::PopFont(); }
+};
+
+void strong_text(const Theme& theme, std::string_view text, float size = 0.0F);
+void right_aligned_text(std::string_view text);
+void wrapped_text(const ImVec4& colour, std::string_view text);
 
 }  // namespace hapticwall::draw

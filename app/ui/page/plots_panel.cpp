@@ -111,10 +111,7 @@ void draw_side(const PanelContext& context, const draw::PlotSurface& surface, Im
   const bool table = plots.transient.cursors.shown;
   if (plots.persisted.phase.shown) {
     const float height = table ? (1.0F - kTableShare) * size.y : size.y;
-    const draw::PhaseSurface phase{surface.theme,      surface.history,   surface.walls,
-                                   window_of(state),   surface.simulated, true,
-                                   surface.line_weight};
-    draw_phase_plot(phase, plots.persisted.phase, plots.transient.phase, ImVec2(size.x, height));
+    draw_phase_plot(surface, plots.persisted.phase, plots.transient.phase, ImVec2(size.x, height));
     ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + height));
   }
   if (!table) return;
