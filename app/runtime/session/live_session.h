@@ -62,11 +62,9 @@ class LiveSession : public SampleSource {
   std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls);
   // Number of the scene() asked for last. It is in force once Snapshot::generation equals it.
   [[nodiscard]] virtual std::uint32_t generation() const = 0;
-  // The pointer leads the simulated hand (metres, newest wins, kept within a metre). nullopt, or a
-  // number that is not finite, gives it back to its script. No effect in a scene without a hand.
-  virtual void lead_hand(std::optional<double> position_m) = 0;
-  // The same for the hand of the second axis.
-  virtual void lead_second_hand(std::optional<double> position_m) = 0;
+  // The pointer leads the simulated hand of an axis (metres, newest wins, kept within a metre).
+  // nullopt, or a number that is not finite, gives it back to its script. No effect without a hand.
+  virtual void lead_hand(std::optional<double> position_m, std::size_t axis = 0) = 0;
 
   // Asks for the force of a real device (arming.h), or removes it at the next tick. The snapshot
   // has the answer. No effect on a simulator. reset() disarms, and finishes a running recording.

@@ -27,7 +27,7 @@ std::string utc_now() {
   return {text, length};
 }
 
-// The axes of a scene, each as a scene of its own.
+// Each axis of a scene as a scene of one axis.
 std::vector<Scene> axes_of(const Scene& scene) {
   std::vector<Scene> axes;
   for (std::size_t i = 0; i < scene.axes.size(); ++i) axes.push_back(axis_scene(scene, i));
@@ -120,14 +120,9 @@ std::optional<SceneProblem> LoopSession::change_scene(const Scene& asked) {
   return std::nullopt;
 }
 
-void LoopSession::lead_hand(std::optional<double> position_m) {
-  if (!scene().x().hand) return;
-  exchange_.pointer_m[0].store(pointer_place(position_m), std::memory_order_relaxed);
-}
-
-void LoopSession::lead_second_hand(std::optional<double> position_m) {
-  if (!scene().two_axes() || !scene().axes[1].hand) return;
-  exchange_.pointer_m[1].store(pointer_place(position_m), std::memory_order_relaxed);
+void LoopSession::lead_hand(std::optional<double> position_m, std::size_t axis) {
+  if (axis >= scene().axes.size() || !scene().axes[axis].hand) return;
+  exchange_.pointer_m[axis].store(pointer_place(position_m), std::memory_order_relaxed);
 }
 
 std::size_t LoopSession::plants_kept() const {

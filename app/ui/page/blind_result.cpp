@@ -58,16 +58,16 @@ void draw_figures(const PanelContext& context, const BlindTest& test) {
 }
 
 void draw_actions(const PanelContext& context, const BlindTest& test) {
-  ImGui::BeginDisabled(!test.saved_as.empty());
-  const bool save =
-      ImGui::Button(test.saved_as.empty() ? "Save###blind save" : "Saved###blind save");
-  ImGui::EndDisabled();
-  explain(test.saved_as.empty()
-              ? "Writes two CSV files into the recording folder: one line per trial, and the result"
-              : test.saved_as + "-trials.csv\n" + test.saved_as + "-result.csv");
+  const bool saved = !test.saved_as.empty();
+  const bool save = button(
+      saved ? "Saved###blind save" : "Save###blind save",
+      saved ? test.saved_as + "-trials.csv\n" + test.saved_as + "-result.csv"
+            : "Writes two CSV files into the recording folder: one line per trial, and the result",
+      {.enabled = !saved});
   ImGui::SameLine();
-  if (ImGui::Button("New test###new blind test")) context.state.compare.transient.setting_up = true;
-  explain("Back to the set-up; this result stays until the next test starts");
+  if (button("New test###new blind test",
+             "Back to the set-up; this result stays until the next test starts"))
+    context.state.compare.transient.setting_up = true;
   if (save) save_blind_test(context);
 }
 
@@ -103,30 +103,27 @@ void draw_trials(const BlindTest& test) {
   constexpr ImGuiTableFlags kFlags =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
   constexpr std::array kColumns{"trial", "order", "chosen", "looks", "time"};
-  ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  if (ImGui::BeginTable("trials", static_cast<int>(kColumns.size()), kFlags)) {
-    ImGui::TableSetupScrollFreeze(0, 1);
-    for (const char* column : kColumns) ImGui::TableSetupColumn(column);
-    ImGui::TableHeadersRow();
-    const std::vector<Trial>& trials = test.trials.trials();
-    for (std::size_t i = 0; i < trials.size(); ++i) draw_trial_row(i, trials[i]);
-    ImGui::EndTable();
-  }
-  ImGui::PopFont();
+  const FontScope font(nullptr, draw::kSmallFontSize);
+  if (!ImGui::BeginTable("trials", static_cast<int>(kColumns.size()), kFlags)) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (const char* column : kColumns) ImGui::TableSetupColumn(column);
+  ImGui::TableHeadersRow();
+  const std::vector<Trial>& trials = test.trials.trials();
+  for (std::size_t i = 0; i < trials.size(); ++i) draw_trial_row(i, trials[i]);
+  ImGui::EndTable();
 }
 
 }  // namespace
 
 void draw_blind_result(const PanelContext& context) {
   const BlindTest& test = *context.state.compare.transient.test;
-  const float em = ImGui::GetFontSize();
   const float width =
-      std::min(kFiguresShare * ImGui::GetContentRegionAvail().x, kMaxFiguresEms * em);
+      std::min(kFiguresShare * ImGui::GetContentRegionAvail().x, ems(kMaxFiguresEms));
   ImGui::BeginChild("summary", ImVec2(width, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
   draw_summary(context, test);
   ImGui::EndChild();
-  ImGui::SameLine(0.0F, kResultGapEms * em);
+  ImGui::SameLine(0.0F, ems(kResultGapEms));
   ImGui::BeginChild("list", ImVec2(0.0F, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
   draw_trials(test);

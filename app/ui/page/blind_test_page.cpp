@@ -9,6 +9,7 @@
 #include "app/file/text/text.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/comparing.h"
+#include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
@@ -30,11 +31,10 @@ void draw_question(const PanelContext& context) {
 
 void draw_trials(const PanelContext& context) {
   std::size_t& trials = context.state.compare.persisted.trials;
-  field_label(context, "trials",
-              fmt::format("Number of trials, 1 to {}. A and B are first equally often.",
-                          compare::kMaxTrials),
-              "");
-  const auto typed = number_field(context, "##blind trials", static_cast<double>(trials));
+  const std::string tooltip = fmt::format(
+      "Number of trials, 1 to {}. A and B are first equally often.", compare::kMaxTrials);
+  const auto typed =
+      number_row(context, {"blind trials", "trials", "", tooltip, static_cast<double>(trials)});
   if (!typed) return;
   if (*typed != std::round(*typed) || *typed < 1.0 ||
       *typed > static_cast<double>(compare::kMaxTrials)) {
@@ -48,10 +48,10 @@ void draw_trials(const PanelContext& context) {
 
 void draw_confidence(const PanelContext& context) {
   double& confidence = context.state.compare.persisted.confidence;
-  field_label(context, "confidence",
-              "Confidence of the exact Clopper-Pearson interval for the share of A", "%");
-  const auto typed = number_field(context, "##blind confidence", confidence * kPercent);
-  unit_label("%");
+  const auto typed =
+      number_row(context, {"blind confidence", "confidence", "%",
+                           "Confidence of the exact Clopper-Pearson interval for the share of A",
+                           confidence * kPercent});
   if (!typed) return;
   if (*typed < kMinConfidence * kPercent || *typed > kMaxConfidence * kPercent) {
     tell(context.state, MessageKind::kProblem,
@@ -85,17 +85,16 @@ void draw_fields(const PanelContext& context) {
   draw_seed(context);
   ImGui::Spacing();
   const bool replaying = context.shows.replay != nullptr;
-  ImGui::BeginDisabled(replaying);
-  if (ImGui::Button("Start the blind test###blind start")) start_blind_test(context);
-  ImGui::EndDisabled();
-  explain(replaying ? "A recording cannot be felt: go back to the scene first."
-                    : "Hides everything that could reveal the order, until the last trial or "
-                      "\"Stop and show\".");
+  const char* tooltip = replaying ? "A recording cannot be felt: go back to the scene first."
+                                  : "Hides everything that could reveal the order, until the last "
+                                    "trial or \"Stop and show\".";
+  if (button("Start the blind test###blind start", tooltip, {.enabled = !replaying}))
+    start_blind_test(context);
   if (!context.state.compare.transient.test) return;
   ImGui::SameLine();
-  if (ImGui::Button("Last result###last result"))
+  if (button("Last result###last result",
+             "The result of the last test, until the next test starts."))
     context.state.compare.transient.setting_up = false;
-  explain("The result of the last test, until the next test starts.");
 }
 
 void draw_slot(const PanelContext& context, const CompareSlots& slots, Slot slot) {
@@ -112,9 +111,8 @@ void draw_what_happens(const PanelContext& context) {
   draw_slot(context, slots, Slot::kA);
   draw_slot(context, slots, Slot::kB);
   if (slots.of(Slot::kA) == slots.of(Slot::kB)) {
-    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kWarning));
-    ImGui::TextWrapped("Both slots are equal: there is no difference to feel.");
-    ImGui::PopStyleColor();
+    draw::wrapped_text(context.theme.colour(draw::Tone::kWarning),
+                       "Both slots are equal: there is no difference to feel.");
   }
   ImGui::Spacing();
   muted_text(
@@ -131,18 +129,15 @@ void draw_what_happens(const PanelContext& context) {
 }  // namespace
 
 void draw_blind_setup(const PanelContext& context) {
-  ImGui::PushFont(context.theme.fonts.strong, 0.0F);
-  ImGui::TextUnformatted("Blind test");
-  ImGui::PopFont();
-  const float em = ImGui::GetFontSize();
-  const float width = std::min(kFieldsShare * ImGui::GetContentRegionAvail().x, kMaxFieldsEms * em);
+  draw::strong_text(context.theme, "Blind test");
+  const float width = std::min(kFieldsShare * ImGui::GetContentRegionAvail().x, ems(kMaxFieldsEms));
   ImGui::BeginChild("fields", ImVec2(width, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
   draw_fields(context);
   ImGui::EndChild();
-  ImGui::SameLine(0.0F, kPageGapEms * em);
+  ImGui::SameLine(0.0F, ems(kPageGapEms));
   ImGui::BeginChild("what happens",
-                    ImVec2(std::min(ImGui::GetContentRegionAvail().x, kMaxFieldsEms * em), 0.0F),
+                    ImVec2(std::min(ImGui::GetContentRegionAvail().x, ems(kMaxFieldsEms)), 0.0F),
                     ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground);
   draw_what_happens(context);
   ImGui::EndChild();

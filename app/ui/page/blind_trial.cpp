@@ -38,11 +38,10 @@ constexpr std::array kWords{
           "choose second", "The answer is the second wall: on to the next trial (Ctrl+2)"}};
 
 void draw_centred(ImVec2 middle, ImFont* font, float size, ImU32 colour, const char* text) {
-  ImGui::PushFont(font, size);
+  const FontScope scope(font, size);
   const ImVec2 extent = ImGui::CalcTextSize(text);
   ImGui::GetWindowDrawList()->AddText(
       ImVec2(middle.x - 0.5F * extent.x, middle.y - 0.5F * extent.y), colour, text);
-  ImGui::PopFont();
 }
 
 // The presentation in force is highlighted; others say whether they were felt.
@@ -57,15 +56,14 @@ void draw_feel_button(const PanelContext& context, const BlindTest& test, const 
   if (now) ImGui::PopStyleColor();
   explain(fmt::format("Applies this wall, as often as you like (key {})", words.key));
   const ImVec2 middle(corner.x + 0.5F * size.x, corner.y + 0.5F * size.y);
-  const float em = ImGui::GetFontSize();
-  draw_centred(ImVec2(middle.x, middle.y - 0.6F * em), theme.fonts.strong, kBigFontSize,
+  draw_centred(ImVec2(middle.x, middle.y - ems(0.6F)), theme.fonts.strong, kBigFontSize,
                theme.packed(draw::Tone::kText), words.wall);
   const std::string below = std::string(now && asked_for(context).algorithm ? "asked for"
                                         : now                               ? "felt now"
                                         : felt                              ? "felt"
                                                                             : "not felt yet") +
                             "   " + words.key;
-  draw_centred(ImVec2(middle.x, middle.y + 1.1F * em), theme.fonts.text, draw::kSmallFontSize,
+  draw_centred(ImVec2(middle.x, middle.y + ems(1.1F)), theme.fonts.text, draw::kSmallFontSize,
                theme.packed(now ? draw::Tone::kAccent : draw::Tone::kMuted), below.c_str());
   if (clicked) feel(context, words.presentation);
 }
@@ -96,8 +94,8 @@ void draw_question(const PanelContext& context, const std::string& question, flo
 
 void draw_head(const PanelContext& context, const BlindTest& test, float width) {
   const float left = ImGui::GetCursorPosX();
-  const char* stop = "Stop and show";
-  const float stop_width = ImGui::CalcTextSize(stop).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  constexpr const char* kStop = "Stop and show###stop and show";
+  const float stop_width = button_width(kStop);
   const std::string progress =
       fmt::format("trial {} of {}", test.trials.trial() + 1, test.trials.plan().trials);
   const float gap = ImGui::GetFontSize();
@@ -107,8 +105,8 @@ void draw_head(const PanelContext& context, const BlindTest& test, float width) 
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", progress.c_str());
   ImGui::SameLine(left + width - stop_width);
-  if (ImGui::Button("Stop and show###stop and show")) end_blind_test(context);
-  explain("Ends the test with the trials that were answered, and shows their order");
+  if (button(kStop, "Ends the test with the trials that were answered, and shows their order"))
+    end_blind_test(context);
 }
 
 void draw_progress(const PanelContext& context, const BlindTest& test, float width) {
@@ -127,12 +125,11 @@ void draw_progress(const PanelContext& context, const BlindTest& test, float wid
 }
 
 void draw_buttons(const PanelContext& context, float width) {
-  const float em = ImGui::GetFontSize();
   const ImGuiStyle& style = ImGui::GetStyle();
   const float each = 0.5F * (width - style.ItemSpacing.x);
   const float hint = 2.0F * draw::kSmallFontSize * style.FontScaleMain + 2.0F * style.ItemSpacing.y;
-  const float free = ImGui::GetContentRegionAvail().y - kChooseEms * em - hint;
-  const float height = std::clamp(free, kMinFeelEms * em, kMaxFeelEms * em);
+  const float free = ImGui::GetContentRegionAvail().y - ems(kChooseEms) - hint;
+  const float height = std::clamp(free, ems(kMinFeelEms), ems(kMaxFeelEms));
   // A click may end the trial or the test, so that each button reads the present state.
   const auto test = [&]() -> const BlindTest& { return *context.state.compare.transient.test; };
   const auto row = [&](auto draw, ImVec2 size) {
@@ -142,15 +139,14 @@ void draw_buttons(const PanelContext& context, float width) {
     }
   };
   row(draw_feel_button, ImVec2(each, height));
-  row(draw_choose_button, ImVec2(each, kChooseEms * em));
+  row(draw_choose_button, ImVec2(each, ems(kChooseEms)));
 }
 
 }  // namespace
 
 void draw_blind_trial(const PanelContext& context) {
-  const float em = ImGui::GetFontSize();
   const float free = ImGui::GetContentRegionAvail().x;
-  const float widest = std::min(free, kMaxPageEms * em);
+  const float widest = std::min(free, ems(kMaxPageEms));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (free - widest));
   ImGui::BeginChild("trial", ImVec2(widest, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);

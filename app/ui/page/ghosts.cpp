@@ -1,12 +1,10 @@
-#include "app/ui/page/ghosts.h"
-
 #include <fmt/format.h>
 
 #include <memory>
-#include <string>
 #include <utility>
 
 #include "app/draw/plot/extra_traces.h"
+#include "app/ui/page/plots_panel.h"
 #include "app/ui/state/comparing.h"
 
 namespace hapticwall::ui {

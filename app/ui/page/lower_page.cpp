@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <string>
 
 #include "app/ui/page/blind_test_page.h"
-#include "app/ui/page/ghosts.h"
 #include "app/ui/page/plots_panel.h"
 #include "app/ui/page/timing_page.h"
 #include "app/ui/panel/energy_lamp_view.h"
@@ -33,9 +31,10 @@ void draw_page_choice(const PanelContext& context) {
   ImGui::BeginDisabled(context.shows.hides_force);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(1.0F, ImGui::GetStyle().ItemSpacing.y));
   for (const Page& page : kPages) {
-    if (choice_button(context, fmt::format("{0}###page {0}", page.name).c_str(), now == page.page))
+    if (choice_button(
+            context, fmt::format("{0}###page {0}", page.name), now == page.page,
+            context.shows.hides_force ? "Hidden until the blind test ends" : page.meaning))
       context.state.persisted.lower_page = page.page;
-    explain(context.shows.hides_force ? "Hidden until the blind test ends" : page.meaning);
     ImGui::SameLine();
   }
   ImGui::PopStyleVar();

@@ -47,13 +47,9 @@ int choose_magnification(WallState& state, double deepest_m, double unmagnified_
 void draw_magnification(const PanelContext& context) {
   WallState& state = context.state.wall;
   const int now = state.transient.magnification;
-  const auto button = [&](const char* label, const char* tip) {
-    ImGui::SameLine();
-    const bool pressed = ImGui::SmallButton(label);
-    explain(tip);
-    return pressed;
-  };
-  if (button("–###magnify less", "Magnify less; so does the wheel over the picture."))
+  ImGui::SameLine();
+  if (button("–###magnify less", "Magnify less; so does the wheel over the picture.",
+             {.small = true}))
     state.persisted.magnification = next_magnification(now, -1);
   ImGui::SameLine();
   // Width of the longest text, so that the buttons do not move.
@@ -64,19 +60,20 @@ void draw_magnification(const PanelContext& context) {
   ImGui::Dummy(ImVec2(std::max(width - ImGui::GetItemRectSize().x, 0.0F), 0.0F));
   ImGui::EndGroup();
   explain("Magnification relative to the initial wall view.");
-  if (button("+###magnify more", "Magnify more; so does the wheel over the picture."))
+  ImGui::SameLine();
+  if (button("+###magnify more", "Magnify more; so does the wheel over the picture.",
+             {.small = true}))
     state.persisted.magnification = next_magnification(now, 1);
-  const bool automatic = state.persisted.magnification == 0;
-  if (!automatic &&
-      button("auto###magnify automatically",
-             "Fits the depth of the last half second; so does a double click on the picture."))
+  if (state.persisted.magnification == 0) return;
+  ImGui::SameLine();
+  if (button("auto###magnify automatically",
+             "Fits the depth of the last half second; so does a double click on the picture.",
+             {.small = true}))
     state.persisted.magnification = 0;
 }
 
 void draw_heading(const PanelContext& context, bool with_choice) {
-  ImGui::PushFont(context.theme.fonts.strong, 0.0F);
-  ImGui::TextUnformatted("Contact");
-  ImGui::PopFont();
+  draw::strong_text(context.theme, "Contact");
   if (with_choice) draw_magnification(context);
 }
 

@@ -6,10 +6,8 @@
 #include <array>
 #include <string>
 
-#include "app/ui/page/plot_export.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
-#include "core/study/stability_bounds.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -22,24 +20,28 @@ constexpr float kTriggerEms = 9.5F;
 constexpr float kExportEms = 3.6F;
 constexpr double kMaxPrePercent = 90.0;
 
-constexpr std::array kAllPlots{draw::PlotId::kPosition, draw::PlotId::kForce,
-                               draw::PlotId::kStiffness, draw::PlotId::kPassivity};
 constexpr std::array kFigure4Plots{draw::PlotId::kPosition, draw::PlotId::kForce,
                                    draw::PlotId::kPassivity};
 constexpr std::array kFigure5And6Plots{draw::PlotId::kPosition, draw::PlotId::kForce,
                                        draw::PlotId::kStiffness};
 
+// In the order of PlotArrangement.
 struct Arrangement {
-  PlotArrangement value;
   const char* name;
   const char* meaning;
+  std::span<const draw::PlotId> plots;
 };
 constexpr std::array kArrangements{
-    Arrangement{PlotArrangement::kAll, "all plots", "Position, force, stiffness and passivity"},
-    Arrangement{PlotArrangement::kFigure4, "as Figure 4",
-                "The panels of the paper's Figure 4: position, force, passivity"},
-    Arrangement{PlotArrangement::kFigure5And6, "as Figures 5, 6",
-                "The panels of the paper's Figures 5 and 6: position, force, stiffness"}};
+    Arrangement{"all plots", "Position, force, stiffness and passivity", draw::kAllPlots},
+    Arrangement{"as Figure 4", "The panels of the paper's Figure 4: position, force, passivity",
+                kFigure4Plots},
+    Arrangement{"as Figures 5, 6",
+                "The panels of the paper's Figures 5 and 6: position, force, stiffness",
+                kFigure5And6Plots}};
+
+const Arrangement& arrangement_of(PlotArrangement arrangement) {
+  return kArrangements.at(static_cast<std::size_t>(arrangement));
+}
 
 // In the order of TriggerMode.
 struct Mode {
@@ -52,27 +54,26 @@ constexpr std::array kModes{
     Mode{"normal", "At the newest contact, until the next one"},
     Mode{"single", "At the next contact, then frozen; Arm waits for the next one"}};
 
-float ems(float count) { return count * ImGui::GetFontSize(); }
-
 void draw_arrangement(const PanelContext& context) {
   PlotArrangement& arrangement = context.state.persisted.arrangement;
-  const auto current = std::find_if(kArrangements.begin(), kArrangements.end(),
-                                    [&](const Arrangement& a) { return a.value == arrangement; });
   ImGui::SetNextItemWidth(ems(kArrangementEms));
-  if (ImGui::BeginCombo("##arrangement", current->name)) {
-    for (const Arrangement& choice : kArrangements) {
-      if (ImGui::Selectable(choice.name, choice.value == arrangement)) arrangement = choice.value;
-      explain(choice.meaning);
+  if (ImGui::BeginCombo("##arrangement", arrangement_of(arrangement).name)) {
+    for (std::size_t i = 0; i < kArrangements.size(); ++i) {
+      const auto choice = static_cast<PlotArrangement>(i);
+      if (list_choice(kArrangements[i].name, choice == arrangement, kArrangements[i].meaning))
+        arrangement = choice;
     }
     ImGui::EndCombo();
   } else {
     explain("Which plots are shown");
   }
-  ImGui::SameLine();
+}
+
+void draw_loop_button(const PanelContext& context) {
   bool& phase = context.state.plots.persisted.phase.shown;
-  if (choice_button(context, "Loop###phase plane", phase)) phase = !phase;
-  explain("Force over penetration; the area of the loop is energy");
-  ImGui::SameLine();
+  if (choice_button(context, "Loop###phase plane", phase,
+                    "Force over penetration; the area of the loop is energy"))
+    phase = !phase;
 }
 
 void toggle_follow(UiState& state) { state.transient.follow = !state.transient.follow; }
@@ -81,11 +82,10 @@ void draw_follow(const PanelContext& context) {
   const bool following = context.state.transient.follow;
   const bool single = context.state.plots.persisted.trigger.mode == draw::TriggerMode::kSingle;
   const char* label = following ? "Freeze###follow" : single ? "Arm###follow" : "Follow###follow";
-  if (ImGui::Button(label, ImVec2(ems(kFollowEms), 0.0F))) toggle_follow(context.state);
-  explain(following ? "The plots follow the session: stops them (key F). A drag or the wheel in a "
-                      "plot does it, too."
-                    : "Back to the newest samples, or to the next contact (key F)");
-  ImGui::SameLine();
+  const char* tooltip = following ? "The plots follow the session: stops them (key F). A drag or "
+                                    "the wheel in a plot does it, too."
+                                  : "Back to the newest samples, or to the next contact (key F)";
+  if (button(label, tooltip, {.width = ems(kFollowEms)})) toggle_follow(context.state);
 }
 
 std::string length_text(double length_s) {
@@ -104,7 +104,7 @@ void draw_length(const PanelContext& context) {
                         ImGuiComboFlags_HeightLarge)) {
     for (const double choice_s : kTimeWindowsS) {
       const std::string text = length_text(choice_s);
-      if (ImGui::Selectable(fmt::format("{0}###length {0}", text).c_str(), choice_s == length_s)) {
+      if (list_choice(fmt::format("{0}###length {0}", text), choice_s == length_s)) {
         length_s = choice_s;
         context.state.transient.follow = true;
       }
@@ -113,34 +113,21 @@ void draw_length(const PanelContext& context) {
   } else {
     explain("The length of the time axes");
   }
-  ImGui::SameLine();
 }
 
-void make_automatic(PlotsState& plots) {
-  for (draw::PlotAxes& axes : plots.transient.axes) {
-    axes.left.manual = false;
-    axes.right.manual = false;
-  }
-  plots.transient.phase.penetration.manual = false;
-  plots.transient.phase.force.manual = false;
-}
-
-bool any_manual(const PlotsState& plots) {
-  const auto& phase = plots.transient.phase;
-  return phase.penetration.manual || phase.force.manual ||
-         std::any_of(
-             plots.transient.axes.begin(), plots.transient.axes.end(),
-             [](const draw::PlotAxes& axes) { return axes.left.manual || axes.right.manual; });
+std::vector<draw::ValueAxis*> value_axes(PlotsState::Transient& plots) {
+  std::vector<draw::ValueAxis*> all{&plots.phase.penetration, &plots.phase.force};
+  for (draw::PlotAxes& axes : plots.axes) all.insert(all.end(), {&axes.left, &axes.right});
+  return all;
 }
 
 void draw_automatic(const PanelContext& context) {
-  ImGui::BeginDisabled(!any_manual(context.state.plots));
-  if (ImGui::Button("Auto###automatic axes")) make_automatic(context.state.plots);
-  ImGui::EndDisabled();
-  explain(
-      "Fits all value axes again. The wheel or a drag over an axis, or a right drag in a plot, "
-      "fixes them; a double click makes one plot automatic.");
-  ImGui::SameLine();
+  const auto axes = value_axes(context.state.plots.transient);
+  if (button("Auto###automatic axes",
+             "Fits all value axes again. The wheel or a drag over an axis, or a right drag in a "
+             "plot, fixes them; a double click makes one plot automatic.",
+             {.enabled = std::ranges::any_of(axes, &draw::ValueAxis::manual)}))
+    for (draw::ValueAxis* axis : axes) axis->manual = false;
 }
 
 void set_mode(UiState& state, draw::TriggerMode mode) {
@@ -150,19 +137,8 @@ void set_mode(UiState& state, draw::TriggerMode mode) {
   state.transient.follow = true;
 }
 
-const char* stage_text(draw::TriggerStage stage) {
-  switch (stage) {
-    case draw::TriggerStage::kFilling:
-      return "filling";
-    case draw::TriggerStage::kShown:
-      return "contact";
-    case draw::TriggerStage::kDone:
-      return "done";
-    case draw::TriggerStage::kWaiting:
-      break;
-  }
-  return "waiting";
-}
+// In the order of TriggerStage.
+constexpr std::array kStages{"waiting", "filling", "contact", "done"};
 
 void draw_trigger_choices(const PanelContext& context) {
   draw::TriggerSettings& settings = context.state.plots.persisted.trigger;
@@ -190,75 +166,59 @@ void draw_trigger(const PanelContext& context) {
   const draw::TriggerSettings& settings = context.state.plots.persisted.trigger;
   const bool on = settings.mode != draw::TriggerMode::kOff;
   const std::string label =
-      on ? fmt::format("{}: {}###trigger", kModes[static_cast<std::size_t>(settings.mode)].name,
-                       stage_text(context.state.plots.transient.trigger.stage))
+      on ? fmt::format(
+               "{}: {}###trigger", kModes[static_cast<std::size_t>(settings.mode)].name,
+               kStages.at(static_cast<std::size_t>(context.state.plots.transient.trigger.stage)))
          : "Trigger###trigger";
-  const ImU32 background =
-      on ? context.theme.packed(draw::Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
-  ImGui::PushStyleColor(ImGuiCol_Button, background);
-  if (ImGui::Button(label.c_str(), ImVec2(ems(kTriggerEms), 0.0F))) ImGui::OpenPopup("trigger");
-  ImGui::PopStyleColor();
-  explain("Holds the time axes at the newest contact, like a scope (key T)");
+  if (choice_button(context, label, on,
+                    "Holds the time axes at the newest contact, like a scope (key T)",
+                    {.width = ems(kTriggerEms)}))
+    ImGui::OpenPopup("trigger");
   if (ImGui::BeginPopup("trigger")) {
     draw_trigger_choices(context);
     ImGui::EndPopup();
   }
-  ImGui::SameLine();
 }
 
 void toggle_cursors(UiState& state) {
   draw::Cursors& cursors = state.plots.transient.cursors;
   cursors.shown = !cursors.shown;
-  if (cursors.shown)
-    place_cursors(cursors, {state.transient.time_from_s, state.transient.time_to_s});
+  if (cursors.shown) place_cursors(cursors, time_window(state));
 }
 
 void draw_cursors_button(const PanelContext& context) {
-  if (choice_button(context, "Cursors###cursors", context.state.plots.transient.cursors.shown))
+  if (choice_button(context, "Cursors###cursors", context.state.plots.transient.cursors.shown,
+                    "Two cursors to drag, and the signals at them (key C)"))
     toggle_cursors(context.state);
-  explain("Two cursors to drag, and the signals at them (key C)");
-  ImGui::SameLine();
 }
 
 void draw_exports(const PanelContext& context, const draw::SampleHistory& history) {
   const float width = 2.0F * ems(kExportEms) + ImGui::GetStyle().ItemSpacing.x;
   ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
   const bool busy = context.state.plots.transient.exporting.running();
-  const ImVec2 size(ems(kExportEms), 0.0F);
-  ImGui::BeginDisabled(busy || history.empty());
-  if (ImGui::Button(busy ? "…###export csv" : "CSV###export csv", size))
+  if (button(busy ? "…###export csv" : "CSV###export csv",
+             "Writes the samples of the visible range like a recording: CSV and sidecar",
+             {.width = ems(kExportEms), .enabled = !busy && !history.empty()}))
     export_samples(context, history);
-  ImGui::EndDisabled();
-  explain("Writes the samples of the visible range like a recording: CSV and sidecar");
   ImGui::SameLine();
-  ImGui::BeginDisabled(history.empty());
-  if (ImGui::Button("PNG###export png", size)) export_figure(context, history);
-  ImGui::EndDisabled();
-  explain("Draws the plots of the visible range for print into a PNG file");
+  if (button("PNG###export png", "Draws the plots of the visible range for print into a PNG file",
+             {.width = ems(kExportEms), .enabled = !history.empty()}))
+    export_figure(context, history);
 }
 
 }  // namespace
 
 std::span<const draw::PlotId> plots_of(PlotArrangement arrangement) {
-  switch (arrangement) {
-    case PlotArrangement::kFigure4:
-      return kFigure4Plots;
-    case PlotArrangement::kFigure5And6:
-      return kFigure5And6Plots;
-    case PlotArrangement::kAll:
-      break;
-  }
-  return kAllPlots;
+  return arrangement_of(arrangement).plots;
 }
 
 void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& history) {
   draw_axis_choice(context, "plots");
-  draw_arrangement(context);
-  draw_follow(context);
-  draw_length(context);
-  draw_automatic(context);
-  draw_trigger(context);
-  draw_cursors_button(context);
+  for (const auto draw : {draw_arrangement, draw_loop_button, draw_follow, draw_length,
+                          draw_automatic, draw_trigger, draw_cursors_button}) {
+    draw(context);
+    ImGui::SameLine();
+  }
   draw_exports(context, history);
 }
 

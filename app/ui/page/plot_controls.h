@@ -18,6 +18,14 @@ void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& 
 
 [[nodiscard]] std::span<const draw::PlotId> plots_of(PlotArrangement arrangement);
 
+// plot_export.cpp
+
+// Writes the visible range into the recording folder, under an unused name, and tells the user.
+void export_samples(const PanelContext& context, const draw::SampleHistory& history);
+void export_figure(const PanelContext& context, const draw::SampleHistory& history);
+// Tells the user once an export of samples is done.
+void notice_exported(const PanelContext& context);
+
 // Stability bounds of the chosen wall, as in the wall panel.
 [[nodiscard]] std::vector<draw::BoundLine> bounds_of(const PanelContext& context);
 

@@ -1,5 +1,4 @@
-#include "app/ui/page/plot_export.h"
-
+// Exports of the plots.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,10 +19,6 @@ namespace {
 constexpr draw::FigureSize kFigureSize{1600, 1200};
 constexpr draw::FigureSize kFigureSizeWithPlane{2400, 1200};
 
-draw::TimeWindow visible_window(const PanelContext& context) {
-  return {context.state.transient.time_from_s, context.state.transient.time_to_s};
-}
-
 // The window may reach beyond the samples.
 std::string name_of(const PanelContext& context, const draw::SampleHistory& history,
                     draw::IndexRange range) {
@@ -35,7 +30,7 @@ std::string name_of(const PanelContext& context, const draw::SampleHistory& hist
 draw::FigureView figure_view(const PanelContext& context) {
   const PlotsState& plots = context.state.plots;
   draw::FigureView view;
-  view.window = visible_window(context);
+  view.window = time_window(context.state);
   view.plots = plots_of(context.state.persisted.arrangement);
   view.lines = plots.persisted.lines;
   view.hidden = context.state.persisted.hidden_lines;
@@ -72,7 +67,7 @@ std::vector<draw::BoundLine> bounds_of(const PanelContext& context) {
 void export_samples(const PanelContext& context, const draw::SampleHistory& history) {
   ExportJob& job = context.state.plots.transient.exporting;
   if (job.running()) return;
-  const draw::TimeWindow window = visible_window(context);
+  const draw::TimeWindow window = time_window(context.state);
   const draw::IndexRange range = history.range_within(window.from_s, window.to_s);
   const bool simulated = context.session.knows_truth();
   const ExportSource source{shown_scene(context), simulated, context.session.device_info().name};
@@ -84,28 +79,20 @@ void export_samples(const PanelContext& context, const draw::SampleHistory& hist
 void notice_exported(const PanelContext& context) {
   const auto outcome = context.state.plots.transient.exporting.take();
   if (!outcome) return;
-  if (!outcome->rows) {
-    tell(context.state, MessageKind::kProblem, outcome->rows.error().message);
-    return;
-  }
+  if (!outcome->rows) return tell(context.state, outcome->rows.error());
   tell(context.state, MessageKind::kNote,
        fmt::format("exported {} rows to {}", *outcome->rows, outcome->path));
 }
 
 void export_figure(const PanelContext& context, const draw::SampleHistory& history) {
-  const draw::TimeWindow window = visible_window(context);
+  const draw::TimeWindow window = time_window(context.state);
   const std::string path = unused_path(
       context.state.transient.recording_folder,
       name_of(context, history, history.range_within(window.from_s, window.to_s)), ".png");
   const Result<file::Picture> picture =
       draw_elsewhere(shown_scene(context), history, figure_view(context));
-  if (!picture) {
-    tell(context.state, MessageKind::kProblem, picture.error().message);
-  } else if (const Failure failure = file::write_png(path, *picture)) {
-    tell(context.state, MessageKind::kProblem, failure->message);
-  } else {
-    tell(context.state, MessageKind::kNote, "exported the figure to " + path);
-  }
+  if (!picture) return tell(context.state, picture.error());
+  tell(context.state, file::write_png(path, *picture), "exported the figure to " + path);
 }
 
 }  // namespace hapticwall::ui

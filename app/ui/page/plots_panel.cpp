@@ -7,9 +7,7 @@
 #include <string>
 
 #include "app/ui/page/plot_controls.h"
-#include "app/ui/page/plot_export.h"
 #include "app/ui/widget/shown_axis.h"
-#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -20,10 +18,6 @@ constexpr float kPlaneShare = 0.38F;  // of the width, for the plane and the tab
 constexpr float kMinPlaneEms = 20.0F;
 constexpr float kMaxPlaneEms = 34.0F;
 constexpr float kTableShare = 0.45F;  // of the height, below the plane
-
-draw::TimeWindow window_of(const UiState& state) {
-  return {state.transient.time_from_s, state.transient.time_to_s};
-}
 
 void set_window(UiState& state, draw::TimeWindow window) {
   state.transient.time_from_s = window.from_s;
@@ -38,7 +32,7 @@ double window_length_s(const UiState& state) {
 void move_window(UiState& state, const draw::SampleHistory& history) {
   PlotsState::Transient& plots = state.plots.transient;
   const draw::TriggerSettings& settings = state.plots.persisted.trigger;
-  const draw::TimeWindow before = window_of(state);
+  const draw::TimeWindow before = time_window(state);
   if (settings.mode == draw::TriggerMode::kOff) {
     follow_newest(state, history.newest_time_s());
   } else {
@@ -49,7 +43,7 @@ void move_window(UiState& state, const draw::SampleHistory& history) {
     // A single shot stays, so that it can be examined.
     if (plots.trigger.stage == draw::TriggerStage::kDone) state.transient.follow = false;
   }
-  carry_cursors(plots.cursors, before, window_of(state));
+  carry_cursors(plots.cursors, before, time_window(state));
 }
 
 draw::PlotSurface surface_of(const PanelContext& context, const draw::SampleHistory& history,
@@ -137,16 +131,16 @@ void draw_plots_panel(const PanelContext& context, const draw::SampleHistory& hi
   if (following) move_window(state, history);
   state.plots.transient.was_following = following;
 
-  const draw::TimeWindow before = window_of(state);
+  const draw::TimeWindow before = time_window(state);
   draw::TimeWindow window = before;
   draw::PlotSurface surface = surface_of(context, history, window);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImVec2 free = ImGui::GetContentRegionAvail();
   if (state.plots.persisted.phase.shown || state.plots.transient.cursors.shown) {
-    const float em = ImGui::GetFontSize();
-    const float side = std::clamp(kPlaneShare * free.x, kMinPlaneEms * em, kMaxPlaneEms * em);
+    const float side =
+        std::clamp(kPlaneShare * free.x, draw::ems(kMinPlaneEms), draw::ems(kMaxPlaneEms));
     draw_side(context, surface, ImVec2(corner.x + free.x - side, corner.y), ImVec2(side, free.y));
-    free.x -= side + kPlotGapEms * em;
+    free.x -= side + draw::ems(kPlotGapEms);
   }
   draw_plots(state, surface, corner, free);
   set_window(state, window);

@@ -8,6 +8,10 @@ namespace hapticwall::ui {
 
 void draw_plots_panel(const PanelContext& context, const draw::SampleHistory& history);
 
+// The other slot's newest contact, drawn over the present one. Call it once a frame, before the
+// plots. Rebuilds the ghost only for a new contact or another slot.
+void show_ghost(const PanelContext& context);
+
 // Sets the time axes to the newest `time_window_s`. A younger session begins at the left.
 void follow_newest(UiState& state, double newest_time_s);
 

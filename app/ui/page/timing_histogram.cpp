@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/draw/plot/plot_axes.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -85,7 +86,6 @@ void set_up_ticks(ImAxis axis, double from, double to, int room) {
 }
 
 void set_up_axes(const TimingHistogram& histogram, const std::vector<Bar>& bars, ImVec2 size) {
-  const auto flags = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight;
   std::uint64_t most = 1;
   for (const Bar& bar : bars) most = std::max(most, bar.count);
   const double shortest = std::max(static_cast<double>(bars.front().from_ns), kMinTimeNs);
@@ -94,18 +94,17 @@ void set_up_axes(const TimingHistogram& histogram, const std::vector<Bar>& bars,
   const double from_ns = decade_below(shortest);
   const double to_ns = decade_above(1.5 * longest);
   const double top = decade_above(static_cast<double>(most) + 1.0);
-  ImPlot::SetupAxis(ImAxis_X1, nullptr, flags);
-  ImPlot::SetupAxis(ImAxis_Y1, nullptr, flags);
-  ImPlot::SetupAxisScale(ImAxis_X1, ImPlotScale_Log10);
-  ImPlot::SetupAxisScale(ImAxis_Y1, ImPlotScale_Log10);
+  for (const ImAxis axis : {ImAxis_X1, ImAxis_Y1}) {
+    ImPlot::SetupAxis(axis, nullptr, draw::kAxisFlags);
+    ImPlot::SetupAxisScale(axis, ImPlotScale_Log10);
+  }
   ImPlot::SetupAxisFormat(ImAxis_X1, format_time_tick);
   ImPlot::SetupAxisFormat(ImAxis_Y1, format_count_tick);
   ImPlot::SetupAxisLimits(ImAxis_X1, from_ns, to_ns, ImPlotCond_Always);
   // Leaves room above the highest bar for the labels of the quantiles.
   ImPlot::SetupAxisLimits(ImAxis_Y1, kMinCount, top * kDecade, ImPlotCond_Always);
-  const float em = ImGui::GetFontSize();
-  set_up_ticks(ImAxis_X1, from_ns, to_ns, static_cast<int>(size.x / (kTimeLabelEms * em)));
-  set_up_ticks(ImAxis_Y1, 1.0, top * kDecade, static_cast<int>(size.y / (kCountLabelEms * em)));
+  set_up_ticks(ImAxis_X1, from_ns, to_ns, static_cast<int>(size.x / draw::ems(kTimeLabelEms)));
+  set_up_ticks(ImAxis_Y1, 1.0, top * kDecade, static_cast<int>(size.y / draw::ems(kCountLabelEms)));
   ImPlot::SetupFinish();
 }
 
@@ -180,9 +179,7 @@ void explain_bar(const Bar& bar, std::uint64_t total) {
 }
 
 void draw_heading(const draw::Theme& theme, const TimingHistogram& histogram) {
-  ImGui::PushFont(theme.fonts.strong, 0.0F);
-  ImGui::TextUnformatted(histogram.title);
-  ImGui::PopFont();
+  draw::strong_text(theme, histogram.title);
   ImGui::SetItemTooltip("%s", histogram.meaning);
   ImGui::SameLine();
   ImGui::TextDisabled("cycles");
@@ -218,11 +215,10 @@ void draw_timing_histogram(const draw::Theme& theme, const TimingHistogram& hist
     return;
   }
   ImGui::PushFont(theme.fonts.digits, draw::kSmallFontSize);
-  constexpr ImPlotFlags kFlags =
-      ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame | ImPlotFlags_NoInputs;
   const Bar* under = nullptr;
   const ImVec2 free = ImGui::GetContentRegionAvail();
-  if (ImPlot::BeginPlot(fmt::format("##plot {}", histogram.title).c_str(), free, kFlags)) {
+  if (ImPlot::BeginPlot(fmt::format("##plot {}", histogram.title).c_str(), free,
+                        draw::plot_flags(false))) {
     set_up_axes(histogram, bars, free);
     ImPlot::PushPlotClipRect();
     under = draw_bars(theme, bars, histogram.tone);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/draw/plot/plot_axes.h"
 #include "app/runtime/loop/clock.h"
 #include "app/runtime/loop/timing_verdict.h"
 #include "app/ui/page/timing_histogram.h"
@@ -23,7 +24,7 @@ constexpr float kMinSideEms = 24.0F;
 constexpr float kMaxSideEms = 34.0F;
 constexpr float kMinPlotEms = 9.0F;
 constexpr float kColumnGapEms = 1.5F;
-constexpr float kMinRowEms = 54.0F;       // where less is free, the figures stand below the plots
+constexpr float kMinRowEms = 54.0F;       // in less width the figures stand below the plots
 constexpr float kStackedPlotEms = 14.0F;  // height of the plots then
 constexpr float kMinFramesEms = 5.0F;
 
@@ -37,16 +38,14 @@ runtime::TimingJudgement judgement_of(const TimingState& timing, double rate_hz,
 
 // Right-aligned; returns its left edge.
 float draw_clear(const PanelContext& context) {
-  TimingState& timing = context.state.timing;
-  const char* label = "Clear";
+  constexpr const char* kClear = "Clear###timing clear";
   const ImVec2 corner = ImGui::GetCursorPos();
-  const float width = ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  const float left = std::max(corner.x, corner.x + ImGui::GetContentRegionAvail().x - width);
-  ImGui::SetCursorPosX(left);
-  if (ImGui::Button("Clear###timing clear")) timing.clear_asked = true;
-  explain("Restarts the counts on this page. Session and recording are not affected.");
+  draw::align_right(button_width(kClear));
+  const float left = ImGui::GetCursorScreenPos().x;
+  if (button(kClear, "Restarts the counts on this page. Session and recording are not affected."))
+    context.state.timing.clear_asked = true;
   ImGui::SetCursorPos(corner);
-  return ImGui::GetCursorScreenPos().x + left - corner.x;
+  return left;
 }
 
 void draw_head(const PanelContext& context) {
@@ -57,32 +56,28 @@ void draw_head(const PanelContext& context) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(corner, ImVec2(right, corner.y + ImGui::GetFrameHeight()), true);
   ImGui::AlignTextToFramePadding();
-  ImGui::PushFont(context.theme.fonts.strong, 0.0F);
-  ImGui::TextColored(context.theme.colour(tone), "%s", sentence.c_str());
-  ImGui::PopFont();
+  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(tone));
+  draw::strong_text(context.theme, sentence);
+  ImGui::PopStyleColor();
   ImGui::PopClipRect();
   // The tooltip has the whole text.
   explain(
       sentence +
       "\n\nGood: no tick missed, and 999 of 1000 wake-ups within a tenth of the period. Usable: "
-      "at most one tick in 10 000 missed, 999 of 1000 within half of it. The same as "
-      "`hapticwall timing` has it.");
+      "at most one tick in 10 000 missed, 999 of 1000 within half of it. `hapticwall "
+      "timing` uses the same limits.");
 }
 
 void quantile_cells(const PanelContext& context, const runtime::Quantiles& quantiles) {
-  ImGui::PushFont(context.theme.fonts.digits, draw::kSmallFontSize);
+  const FontScope font(context.theme.fonts.digits, draw::kSmallFontSize);
   for (const std::int64_t time_ns :
        {quantiles.median_ns, quantiles.p99_ns, quantiles.p999_ns, quantiles.maximum_ns}) {
     ImGui::TableNextColumn();
-    const std::string text =
+    draw::right_aligned_text(
         quantiles.count == 0
             ? "–"
-            : fmt::format("{:.1f}", static_cast<double>(time_ns) / kNanosecondsPerMicrosecond);
-    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(free, 0.0F));
-    ImGui::TextUnformatted(text.c_str());
+            : fmt::format("{:.1f}", static_cast<double>(time_ns) / kNanosecondsPerMicrosecond));
   }
-  ImGui::PopFont();
 }
 
 void quantile_row(const PanelContext& context, const char* name, const char* tooltip,
@@ -111,8 +106,7 @@ void draw_quantiles(const PanelContext& context) {
   ImGui::TextDisabled("µs");
   for (const Heading& heading : kHeadings) {
     ImGui::TableNextColumn();
-    const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(heading.name).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(free, 0.0F));
+    draw::align_right(ImGui::CalcTextSize(heading.name).x);
     ImGui::TextDisabled("%s", heading.name);
     explain(heading.tooltip);
   }
@@ -125,37 +119,30 @@ void draw_quantiles(const PanelContext& context) {
   ImGui::EndTable();
 }
 
-void counter_row(const PanelContext& context, const char* name, const std::string& text,
-                 draw::Tone tone, const char* tooltip) {
-  figure_row(context, name, text, tone, tooltip);
-}
-
 void draw_counters(const PanelContext& context) {
   const TimingState& timing = context.state.timing;
   const TimingCounters& shown = timing.shown;
   const auto tone = [](std::uint64_t count) {
     return count > 0 ? draw::Tone::kWarning : draw::Tone::kText;
   };
-  counter_row(context, "ticks",
-              fmt::format("{} since {}", shown.ticks,
-                          timing.since_start() ? "the start" : "it was cleared"),
-              draw::Tone::kText, "Executed ticks of the loop; a pause has none");
-  counter_row(context, "missed ticks", fmt::format("{}", shown.missed_ticks),
-              tone(shown.missed_ticks),
-              "Ticks that the loop slept through; they are skipped. A simulation stays correct and "
-              "falls behind the clock.");
-  counter_row(context, "plot drops", fmt::format("{}", shown.plot_drops), tone(shown.plot_drops),
-              "Samples that the window was too slow to take; the recording has its own queue");
+  figure_row(context, "ticks",
+             fmt::format("{} since {}", shown.ticks,
+                         timing.since_start() ? "the start" : "it was cleared"),
+             draw::Tone::kText, "Executed ticks of the loop; a pause has none");
+  figure_row(context, "missed ticks", fmt::format("{}", shown.missed_ticks),
+             tone(shown.missed_ticks),
+             "Ticks that the loop slept through; they are skipped. A simulation stays correct and "
+             "falls behind the clock.");
+  figure_row(context, "plot drops", fmt::format("{}", shown.plot_drops), tone(shown.plot_drops),
+             "Samples that the window was too slow to take; the recording has its own queue");
 }
 
 void draw_realtime(const PanelContext& context) {
   const runtime::RealtimeStatus& status = context.session.realtime_status();
-  ImGui::PushStyleColor(
-      ImGuiCol_Text,
-      context.theme.colour(status.fifo_priority ? draw::Tone::kGood : draw::Tone::kWarning));
-  ImGui::TextWrapped("%s", status.text.c_str());
-  ImGui::PopStyleColor();
-  explain("What the operating system granted to the loop's thread");
+  draw::wrapped_text(
+      context.theme.colour(status.fifo_priority ? draw::Tone::kGood : draw::Tone::kWarning),
+      status.text);
+  explain("Priority, memory lock and core of the loop's thread");
   const runtime::TimingJudgement judgement =
       judgement_of(context.state.timing, context.session.scene().sampling.rate_hz, status.advice);
   if (!status.advice.empty()) {
@@ -168,23 +155,18 @@ void draw_realtime(const PanelContext& context) {
 
 void draw_frame_plot(const draw::Theme& theme, std::span<const double> times_ms, double top_ms,
                      float height) {
-  constexpr ImPlotFlags kFlags =
-      ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame | ImPlotFlags_NoInputs;
-  if (!ImPlot::BeginPlot("##frames", ImVec2(-1.0F, height), kFlags)) return;
-  constexpr auto kAxis = ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoHighlight;
-  ImPlot::SetupAxis(ImAxis_X1, nullptr, kAxis | ImPlotAxisFlags_NoDecorations);
-  ImPlot::SetupAxis(ImAxis_Y1, nullptr, kAxis);
+  if (!ImPlot::BeginPlot("##frames", ImVec2(-1.0F, height), draw::plot_flags(false))) return;
+  ImPlot::SetupAxis(ImAxis_X1, nullptr, draw::kAxisFlags | ImPlotAxisFlags_NoDecorations);
+  ImPlot::SetupAxis(ImAxis_Y1, nullptr, draw::kAxisFlags);
   ImPlot::SetupAxisFormat(ImAxis_Y1, "%g ms");
   ImPlot::SetupAxisLimits(ImAxis_X1, 0.0, static_cast<double>(FrameTimes::kKept),
                           ImPlotCond_Always);
   ImPlot::SetupAxisLimits(ImAxis_Y1, 0.0, top_ms, ImPlotCond_Always);
   ImPlot::SetupFinish();
-  ImPlotSpec line;
-  line.LineColor = theme.colour(draw::Tone::kAccent);
-  line.Flags = ImPlotItemFlags_NoLegend | ImPlotItemFlags_NoFit;
   // The newest is at the right edge.
   const auto first = static_cast<double>(FrameTimes::kKept - times_ms.size());
-  ImPlot::PlotLine("##times", times_ms.data(), static_cast<int>(times_ms.size()), 1.0, first, line);
+  ImPlot::PlotLine("##times", times_ms.data(), static_cast<int>(times_ms.size()), 1.0, first,
+                   draw::line_spec(theme.colour(draw::Tone::kAccent)));
   ImPlot::EndPlot();
 }
 
@@ -211,11 +193,9 @@ void draw_frames(const PanelContext& context) {
   if (frames.size() == 0) return;
   FrameTimes::Series series{};
   const std::span<const double> times_ms = frames.copy_ms(series);
-  const float height =
-      std::max(ImGui::GetContentRegionAvail().y, kMinFramesEms * ImGui::GetFontSize());
-  ImGui::PushFont(context.theme.fonts.digits, draw::kSmallFontSize);
+  const float height = std::max(ImGui::GetContentRegionAvail().y, ems(kMinFramesEms));
+  const FontScope font(context.theme.fonts.digits, draw::kSmallFontSize);
   draw_frame_plot(context.theme, times_ms, round_above(figures.maximum_ms), height);
-  ImGui::PopFont();
 }
 
 void draw_histograms(const PanelContext& context, ImVec2 size) {
@@ -280,17 +260,16 @@ std::string timing_sentence(const TimingState& timing, double rate_hz, draw::Ton
 
 void draw_timing_page(const PanelContext& context) {
   draw_head(context);
-  const float em = ImGui::GetFontSize();
   const ImVec2 free = ImGui::GetContentRegionAvail();
-  if (free.x < kMinRowEms * em) {
-    draw_histograms(context, ImVec2(free.x, kStackedPlotEms * em));
+  if (free.x < ems(kMinRowEms)) {
+    draw_histograms(context, ImVec2(free.x, ems(kStackedPlotEms)));
     draw_figures(context);
     return;
   }
-  const float side = std::clamp(kSideShare * free.x, kMinSideEms * em, kMaxSideEms * em);
-  const float height = std::max(free.y, kMinPlotEms * em);
-  draw_histograms(context, ImVec2(free.x - side - kColumnGapEms * em, height));
-  ImGui::SameLine(0.0F, kColumnGapEms * em);
+  const float side = std::clamp(kSideShare * free.x, ems(kMinSideEms), ems(kMaxSideEms));
+  const float height = std::max(free.y, ems(kMinPlotEms));
+  draw_histograms(context, ImVec2(free.x - side - ems(kColumnGapEms), height));
+  ImGui::SameLine(0.0F, ems(kColumnGapEms));
   ImGui::BeginChild("timing figures", ImVec2(0.0F, height));
   draw_figures(context);
   ImGui::EndChild();

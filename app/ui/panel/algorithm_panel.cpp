@@ -1,5 +1,3 @@
-#include "app/ui/panel/algorithm_panel.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "app/ui/panel/replay_panel.h"
+#include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/widgets.h"
 #include "core/stabiliser/stabiliser.h"
@@ -65,10 +64,8 @@ void draw_choice(const PanelContext& context, const ParameterDescription& parame
   if (!ImGui::BeginCombo(field_id(parameter).c_str(), shown.c_str())) return;
   if (ImGui::Selectable(default_word.c_str(), !value)) set_parameter(context, index, std::nullopt);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string label = fmt::format("{0}###{1} = {0}", words[i], parameter.key);
-    if (ImGui::Selectable(label.c_str(), value && i == chosen)) {
+    if (list_choice(fmt::format("{0}###{1} = {0}", words[i], parameter.key), value && i == chosen))
       set_parameter(context, index, static_cast<double>(i));
-    }
   }
   ImGui::EndCombo();
 }
@@ -91,15 +88,14 @@ void draw_parameter(const PanelContext& context, const ParameterDescription& par
   const auto index = find_algorithm_parameter(parameter.key);
   if (!index) return;
   const std::optional<double> value = context.session.scene().algorithm.values[*index];
-  const std::string key(parameter.key);
-  const std::string tooltip = key + "\n" + parameter_tooltip(parameter);
+  const std::string tooltip = std::string(parameter.key) + "\n" + parameter_tooltip(parameter);
   field_label(context, readable_key(parameter.key), tooltip, parameter.unit);
   if (parameter.kind == ParameterKind::kNumber) {
     draw_number(context, parameter, *index, value);
   } else {
     draw_choice(context, parameter, *index, value);
+    explain(tooltip);
   }
-  if (parameter.kind != ParameterKind::kNumber) explain(tooltip);
   unit_label(parameter.unit);
 }
 
@@ -137,10 +133,10 @@ void draw_algorithm_section(const PanelContext& context) {
     const bool waits = i == current && current != in_force;
     const std::string label = fmt::format("{}   {}{}###{}", i + 1, list[i].name,
                                           waits ? "   asked for" : "", list[i].name);
-    if (ImGui::Selectable(label.c_str(), i == in_force)) choose_algorithm(context, i);
-    explain(
+    const std::string tooltip =
         fmt::format("{}\n{}\n\n{}\n\nkey {}; changes while it runs, without a jump of the force",
-                    list[i].title, list[i].idea, list[i].equation, i + 1));
+                    list[i].title, list[i].idea, list[i].equation, i + 1);
+    if (list_choice(label, i == in_force, tooltip)) choose_algorithm(context, i);
   }
   if (current >= list.size()) return;
   muted_text(context, list[current].idea);

@@ -43,13 +43,12 @@ void draw_background(const PanelContext& context, const ImVec2& corner, const Im
 
 void draw_button(const PanelContext& context) {
   const bool off = context.snapshot.arming.state == ArmingState::kOff;
-  const ImVec2 size(kArmButtonEms * ImGui::GetFontSize(), 0.0F);
-  if (ImGui::Button(off ? "Arm (A)###arm" : "Stop (Space)###arm", size)) {
+  const char* tooltip =
+      off ? "Enables the force, which rises over half a second. Refused while the handle is "
+            "inside the wall. Any fault removes the force."
+          : "Removes the force at once (Space, even while text is typed).";
+  if (button(off ? "Arm (A)###arm" : "Stop (Space)###arm", tooltip, {.width = ems(kArmButtonEms)}))
     off ? ask_to_arm(context) : disarm(context);
-  }
-  explain(off ? "Enables the force, which rises over half a second. Refused while the handle is "
-                "inside the wall. Any fault removes the force."
-              : "Removes the force at once (Space, even while text is typed).");
 }
 
 }  // namespace
@@ -78,11 +77,8 @@ void draw_arming_strip(const PanelContext& context) {
   draw_button(context);
   ImGui::SameLine(0.0F, em);
   ImGui::AlignTextToFramePadding();
-  ImGui::PushFont(context.theme.fonts.strong, draw::kTitleFontSize);
-  ImGui::TextUnformatted(arming_text(context.snapshot).c_str());
-  ImGui::PopFont();
-  const std::string details = context.session.device_trouble();
-  if (!details.empty()) explain(details);
+  draw::strong_text(context.theme, arming_text(context.snapshot), draw::kTitleFontSize);
+  explain(context.session.device_trouble());
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y + ImGui::GetStyle().ItemSpacing.y));
   ImGui::Dummy(ImVec2(size.x, 0.0F));
 }

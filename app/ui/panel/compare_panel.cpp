@@ -1,10 +1,8 @@
-#include "app/ui/panel/compare_panel.h"
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 
+#include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/widget/widgets.h"
@@ -14,7 +12,6 @@ namespace {
 
 using compare::Slot;
 
-constexpr const char* kTake = "take present";
 constexpr float kNameAtEms = 1.6F;  // behind the slot's letter
 
 // Switch beside the heading: shows the other slot's contact in the plots.
@@ -36,10 +33,10 @@ void draw_ghost_switch(const PanelContext& context) {
 // At the right end of its row where it fits, else below.
 void draw_take_button(const PanelContext& context, Slot slot, float name_ends, float right) {
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  const float width = ImGui::CalcTextSize(kTake).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  const std::string label = fmt::format("take present###take {}", compare::slot_name(slot));
+  const float width = button_width(label.c_str());
   if (name_ends + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine(right - width);
-  if (ImGui::SmallButton(fmt::format("{}###take {}", kTake, compare::slot_name(slot)).c_str()))
-    take_present(context, slot);
+  if (ImGui::SmallButton(label.c_str())) take_present(context, slot);
   ImGui::PopFont();
   explain(fmt::format("Copies the present algorithm and its values into slot {}.",
                       compare::slot_name(slot)));
@@ -60,7 +57,7 @@ void draw_slot(const PanelContext& context, Slot slot) {
   const std::string name(compare::slot_name(slot));
   const float left = ImGui::GetCursorPosX();
   const float right = left + ImGui::GetContentRegionAvail().x;
-  const float indent = left + kNameAtEms * ImGui::GetFontSize();
+  const float indent = left + ems(kNameAtEms);
   const bool clicked = ImGui::Selectable(fmt::format("{0}###slot {0}", name).c_str(), active,
                                          ImGuiSelectableFlags_AllowOverlap);
   explain(fmt::format("{}\n{}", compare::describe(settings),

@@ -1,12 +1,10 @@
-#include "app/ui/panel/device_panel.h"
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
 
+#include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/widgets.h"
@@ -21,13 +19,12 @@ const std::array kRows{
                   "moves with it",
                   0.05},
     ParameterText{"damping_n_s_per_m", "damping",
-                  "b, viscous: what makes stiff walls possible, b >= K T/2 + B (Eq. 18)", 1.0},
+                  "b, viscous; it makes stiff walls possible: b >= K T/2 + B (Eq. 18)", 1.0},
     ParameterText{"friction_n", "friction",
                   "f_c, Coulomb friction: the handle sticks while |F_h - F_a| <= f_c, and slips",
                   0.14},
     ParameterText{"encoder_m", "encoder",
-                  "Δ, the count of the position sensor: x = Δ round(x / Δ) is all that the "
-                  "controller sees",
+                  "Δ, the count of the position sensor: the controller sees x = Δ round(x / Δ)",
                   0.254e-3},
     ParameterText{"force_limit_n", "force limit", "F_max: the largest force of the actuator", 8.9},
     ParameterText{"force_resolution_n", "force step", "resolution of the actuator's force", 0.01},

@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <string_view>
 
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
@@ -27,17 +24,9 @@ std::string energy_text(double energy_j) {
 }
 
 const char* blame_text(EnergyBlame blame) {
-  switch (blame) {
-    case EnergyBlame::kHold:
-      return "the hold";
-    case EnergyBlame::kControlLaw:
-      return "the control law";
-    case EnergyBlame::kBoth:
-      return "the hold and the control law";
-    case EnergyBlame::kNobody:
-      break;
-  }
-  return "nobody";
+  if (blame == EnergyBlame::kBoth) return "the hold and the control law";
+  if (blame == EnergyBlame::kHold) return "the hold";
+  return blame == EnergyBlame::kControlLaw ? "the control law" : "nobody";
 }
 
 // One of the two observers misses what the other one sees, as in the paper.
@@ -108,7 +97,7 @@ void draw_story(const PanelContext& context, const EnergyLamp& lamp) {
   if (!ImGui::IsItemHovered()) return;
   const Scene& scene = context.session.scene();
   const double since_s = static_cast<double>(lamp.since_tick()) / scene.sampling.rate_hz;
-  explain((scene.two_axes() ? "Axis x alone: axis y is a loop of its own.\n" : "") +
+  explain((scene.two_axes() ? "Only axis x: axis y has its own loop.\n" : "") +
           lamp_tooltip(lamp.story(), since_s));
 }
 
@@ -137,14 +126,15 @@ std::string lamp_tooltip(const EnergyStory& story, double since_s) {
       since_s, energy_text(story.given_out_j), energy_text(story.budget_j),
       energy_text(story.hold_beyond_budget_j), energy_text(story.control_law_j));
   return text +
-         "\nE_scv = E_cv + E_hold (Eq. 10) is what handle and actuator exchanged; the device's "
-         "damping has eaten T Σ b v² (Eq. 16, 22).\n"
+         "\nE_scv = E_cv + E_hold (Eq. 10) is the energy between handle and actuator. The device's "
+         "damping has dissipated T Σ b v² (Eq. 16, 22).\n"
          "passive: E_scv ≥ 0\n"
          "spending the budget: -T Σ b v² ≤ E_scv < 0\n"
-         "active: E_scv < -T Σ b v². The hand has taken out the rest, and it can only come from "
-         "two terms: the hold, by as much as it went beyond the budget, and the control law, by "
-         "as much as E_cv (Eq. 6, the passivity observer) fell below zero. Where one of them is in "
-         "credit, it has paid for a part of the other's debt.";
+         "active: E_scv < -T Σ b v². The hand has extracted the rest. It comes from two sources: "
+         "the "
+         "hold, as far as it exceeded the budget, and the control law, as far as E_cv (Eq. 6, the "
+         "passivity observer) fell below zero. A surplus of one source reduces the deficit of the "
+         "other.";
 }
 
 void draw_energy_lamp(const PanelContext& context) {

@@ -1,5 +1,3 @@
-#include "app/ui/panel/hand_panel.h"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -7,8 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/parameter_rows.h"
+#include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
@@ -46,23 +46,17 @@ void want_approach(const PanelContext& context, const Approach& approach) {
 }
 
 void draw_approach(const PanelContext& context, Approach approach) {
-  const char* tooltip_end =
-      "The last point of the script p(t), in mm. Restarts the script from rest.";
-  field_label(context, "end position", tooltip_end, "mm");
-  if (const auto typed =
-          number_field(context, "##end position", approach.end_m * kMillimetresPerMetre)) {
-    approach.end_m = *typed / kMillimetresPerMetre;
+  const auto row = [&](const char* name, const char* unit, const char* tooltip, double& value_si) {
+    const auto typed =
+        number_row(context, {name, name, unit, tooltip, value_si * kMillimetresPerMetre});
+    if (!typed) return;
+    value_si = *typed / kMillimetresPerMetre;
     want_approach(context, approach);
-  }
-  unit_label("mm");
-  field_label(context, "approach speed",
-              "p', speed of the approach, in mm/s. Restarts the script from rest.", "mm/s");
-  if (const auto typed = number_field(context, "##approach speed",
-                                      approach.speed_m_per_s * kMillimetresPerMetre)) {
-    approach.speed_m_per_s = *typed / kMillimetresPerMetre;
-    want_approach(context, approach);
-  }
-  unit_label("mm/s");
+  };
+  row("end position", "mm",
+      "The last point of the script p(t), in mm. Restarts the script from rest.", approach.end_m);
+  row("approach speed", "mm/s",
+      "p', speed of the approach, in mm/s. Restarts the script from rest.", approach.speed_m_per_s);
 }
 
 void draw_pointer(const PanelContext& context, const HandSettings& hand) {
@@ -78,13 +72,8 @@ void draw_pointer(const PanelContext& context, const HandSettings& hand) {
   if (hand.follows_mouse) return;
   bool& stays = context.state.persisted.hand_stays_where_released;
   if (ImGui::Checkbox("stays where it is let go###hand stays", &stays) && !stays &&
-      !transient.dragging_hand) {
-    transient.hand_m.reset();
-    if (context.shows.live != nullptr) {
-      context.shows.live->lead_second_hand(std::nullopt);
-      context.shows.live->lead_hand(std::nullopt);
-    }
-  }
+      !transient.dragging_hand)
+    release_hand(context);
   explain(
       "While the mouse button is down in the view, the hand's spring pulls the handle to the "
       "pointer. After release the hand returns to its script; ticked, it stays where it was.");
@@ -94,8 +83,8 @@ const std::array kHandRows{
     ParameterText{"mass_kg", "mass",
                   "m_h of the hand: joined to the handle, or holding it through the grip", 0.4},
     ParameterText{"stiffness_n_per_m", "spring",
-                  "k_h in F_h = k_h (p - x) + b_h (p' - v): of the arm, to where the hand wants to "
-                  "be",
+                  "k_h in F_h = k_h (p - x) + b_h (p' - v): of the arm, to the intended position "
+                  "p",
                   250.0},
     ParameterText{"damping_n_s_per_m", "damping",
                   "b_h in F_h = k_h (p - x) + b_h (p' - v): of the arm", 33.0},

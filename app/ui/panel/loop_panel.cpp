@@ -9,6 +9,7 @@
 
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/parameter_rows.h"
+#include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
@@ -18,13 +19,12 @@ namespace {
 constexpr const char* kSubstepsKey = "simulator.substeps";
 
 void draw_rate(const PanelContext& context) {
-  field_label(context, "sampling rate",
-              "Ticks of the real-time loop per second, 10 Hz to 100 kHz. A new rate starts a new "
-              "session from rest.",
-              "Hz");
   const Scene& scene = context.session.scene();
-  const auto rate_hz = number_field(context, "##rate", scene.sampling.rate_hz);
-  unit_label("Hz");
+  const auto rate_hz =
+      number_row(context, {"rate", "sampling rate", "Hz",
+                           "Ticks of the real-time loop per second, 10 Hz to 100 kHz. A new rate "
+                           "starts a new session from rest.",
+                           scene.sampling.rate_hz});
   if (!rate_hz) return;
   Scene changed = scene;
   changed.sampling.rate_hz = *rate_hz;
@@ -59,13 +59,10 @@ void draw_integrator(const PanelContext& context) {
 void draw_substeps(const PanelContext& context) {
   const SimulatorSettings simulator = context.session.scene().simulator;
   if (simulator.integrator == Integrator::kExact) return;
-  field_label(
-      context, "substeps",
-      fmt::format("Integrator steps per tick, 1 to {}. Changes during the session.", kMaxSubsteps),
-      "per tick");
-  const auto substeps =
-      number_field(context, "##substeps", static_cast<double>(simulator.substeps));
-  unit_label("per tick");
+  const std::string tooltip =
+      fmt::format("Integrator steps per tick, 1 to {}. Changes during the session.", kMaxSubsteps);
+  const auto substeps = number_row(context, {"substeps", "substeps", "per tick", tooltip,
+                                             static_cast<double>(simulator.substeps)});
   if (substeps && *substeps != std::floor(*substeps)) {
     refuse(context, kSubstepsKey, fmt::format("{} is no whole number", rounded_number(*substeps)));
   } else if (substeps) {

@@ -1,5 +1,3 @@
-#include "app/ui/panel/panel_head.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "app/ui/panel/sections.h"
 #include "app/ui/state/appearance.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/widgets.h"
@@ -40,7 +39,6 @@ void draw_look(const PanelContext& context) {
 
 void draw_scale(const PanelContext& context) {
   UiState& state = context.state;
-  const float em = ImGui::GetFontSize();
   field_label(
       context, "size",
       fmt::format("Size of everything, {} to {} %. Keys Ctrl +, Ctrl −; Ctrl 0 follows the screen.",
@@ -48,7 +46,7 @@ void draw_scale(const PanelContext& context) {
       "");
   if (ImGui::Button("−###smaller")) step_scale(state, -1);
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(kPercentEms * em);
+  ImGui::SetNextItemWidth(ems(kPercentEms));
   if (const auto percent = number_field(context, "##scale percent", scale_percent_in_force(state)))
     set_scale(state, static_cast<int>(std::clamp(*percent, 1.0, 1e4)));
   ImGui::SameLine();
@@ -57,21 +55,17 @@ void draw_scale(const PanelContext& context) {
   if (ImGui::Button("+###larger")) step_scale(state, 1);
   const bool automatic = state.persisted.scale_percent == 0 && !state.transient.forced_scale;
   field_label(context, "", "", "");
-  ImGui::BeginDisabled(automatic);
-  if (ImGui::Button(fmt::format("as the screen says ({:.0f} %)###automatic scale",
-                                state.transient.screen_scale * kPercent)
-                        .c_str()))
+  if (button(fmt::format("as the screen says ({:.0f} %)###automatic scale",
+                         state.transient.screen_scale * kPercent),
+             "", {.enabled = !automatic}))
     set_scale(state, 0);
-  ImGui::EndDisabled();
 }
 
 void set_recording_folder(UiState& state, const std::string& folder) {
   std::error_code error;
   if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
     tell(state, MessageKind::kProblem,
-         folder +
-             ": there is no such folder; recordings go where "
-             "they went before");
+         folder + ": there is no such folder; recordings go where they went before");
     return;
   }
   state.persisted.recording_folder = folder;
@@ -97,15 +91,16 @@ void reset_layout(PersistedState& kept) {
 
 void draw_settings(const PanelContext& context, ImVec2 below) {
   ImGui::SetNextWindowPos(below, ImGuiCond_Appearing);
-  ImGui::SetNextWindowSize(ImVec2(kSettingsWidthEms * ImGui::GetFontSize(), 0.0F));
+  ImGui::SetNextWindowSize(ImVec2(ems(kSettingsWidthEms), 0.0F));
   if (!ImGui::BeginPopup(kSettings)) return;
   draw_look(context);
   draw_scale(context);
   draw_folder(context);
   field_label(context, "layout", "", "");
-  if (ImGui::Button("as at first###reset layout")) reset_layout(context.state.persisted);
-  explain(
-      "Restores the sizes of panel, views and plots. Drag the gaps between them to change them.");
+  if (button("as at first###reset layout",
+             "Restores the sizes of panel, views and plots. Drag the gaps between them to change "
+             "them."))
+    reset_layout(context.state.persisted);
   const std::string& path = context.state.transient.settings_path;
   muted_text(context, path.empty() ? "Nothing of this is kept." : "Kept in " + path);
   ImGui::EndPopup();
@@ -123,9 +118,7 @@ void draw_panel_head(const PanelContext& context) {
              "Does again (Ctrl+Y):\n" + undo.redo_text(), redo_change},
       Button{"Settings", "settings", true, "Colours, size, folder of recordings", open_settings},
       Button{"?", "help", true, "All keys (F1)", toggle_help}};
-  ImGui::PushFont(context.theme.fonts.strong, draw::kTitleFontSize);
-  ImGui::TextUnformatted("Haptic Wall");
-  ImGui::PopFont();
+  draw::strong_text(context.theme, "Haptic Wall", draw::kTitleFontSize);
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const ImGuiStyle& style = ImGui::GetStyle();
   const float gap = style.ItemInnerSpacing.x;
@@ -133,18 +126,15 @@ void draw_panel_head(const PanelContext& context) {
   ImVec2 settings_below;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(gap, 0.5F * style.FramePadding.y));
   float width = -gap;
-  for (const Button& button : buttons) width += ImGui::CalcTextSize(button.label).x + 3.0F * gap;
+  for (const Button& each : buttons) width += ImGui::CalcTextSize(each.label).x + 3.0F * gap;
   ImGui::SameLine();
-  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(),
-                                ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width));
-  for (const Button& button : buttons) {
-    ImGui::BeginDisabled(!button.enabled);
-    if (ImGui::Button(fmt::format("{}###{}", button.label, button.name).c_str()))
-      button.act(context);
-    ImGui::EndDisabled();
-    if (button.act == open_settings)
+  draw::align_right(width);
+  for (const Button& each : buttons) {
+    if (button(fmt::format("{}###{}", each.label, each.name), each.enabled ? each.tooltip : "",
+               {.enabled = each.enabled}))
+      each.act(context);
+    if (each.act == open_settings)
       settings_below = ImVec2(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + gap_below);
-    if (button.enabled) explain(button.tooltip);
     ImGui::SameLine(0.0F, gap);
   }
   ImGui::NewLine();

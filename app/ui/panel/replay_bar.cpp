@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -38,8 +37,6 @@ constexpr float kSliderEms = 1.5F;    // how high all of it is
 constexpr float kNearMarkEms = 0.4F;  // a click so near to a mark is one on it
 constexpr double kQuietOpeningS = 0.3;
 
-float in_ems(float count) { return count * ImGui::GetFontSize(); }
-
 // Continues the row if `width` fits, else begins a new one.
 void beside(float width, float gap = -1.0F) {
   ImGui::SameLine(0.0F, gap);
@@ -56,17 +53,17 @@ std::string file_name(const std::string& path) {
 
 void draw_transport(const PanelContext& context) {
   const bool paused = context.snapshot.paused;
-  if (tool_button(paused ? "Play###pause" : "Pause###pause", kButtonEms,
-                  "Plays or pauses the recording (key P). At the end it starts again."))
+  const float width = ems(kButtonEms);
+  if (button(paused ? "Play###pause" : "Pause###pause",
+             "Plays or pauses the recording (key P). At the end it starts again.",
+             {.width = width}))
     toggle_pause(context);
-  beside(in_ems(kButtonEms));
-  ImGui::BeginDisabled(!paused);
-  if (tool_button("Step###step", kButtonEms,
-                  "The next row, while paused (key S or →); ← goes back to the last one"))
+  beside(width);
+  if (button("Step###step", "The next row, while paused (key S or →); ← goes back to the last one",
+             {.width = width, .enabled = paused}))
     single_step(context);
-  ImGui::EndDisabled();
-  beside(in_ems(kToStartEms));
-  if (tool_button("To start###reset", kToStartEms, "To the first row (key R)"))
+  beside(ems(kToStartEms));
+  if (button("To start###reset", "To the first row (key R)", {.width = ems(kToStartEms)}))
     reset_session(context);
 }
 
@@ -96,16 +93,16 @@ void set_speed(const PanelContext& context, ReplaySession& replay, double speed)
 void draw_speed(const PanelContext& context, ReplaySession& replay) {
   constexpr const char* kTooltip =
       "Speed in recorded seconds per second, 0.01 to 100 (keys [ and ])";
-  beside(in_ems(kSpeedGroupEms));
-  ImGui::SetNextItemWidth(in_ems(kSpeedEms));
+  beside(ems(kSpeedGroupEms));
+  ImGui::SetNextItemWidth(ems(kSpeedEms));
   if (const auto typed = number_field(context, "##speed", replay.speed()))
     set_speed(context, replay, *typed);
   explain(kTooltip);
   ImGui::SameLine(0.0F, 1.0F);
   if (ImGui::BeginCombo("##speeds", "", ImGuiComboFlags_NoPreview | ImGuiComboFlags_HeightLarge)) {
     for (const double speed : kSpeeds) {
-      const std::string label = fmt::format("{0:g}x###speed {0:g}x", speed);
-      if (ImGui::Selectable(label.c_str(), std::abs(speed - replay.speed()) < kSameSpeed * speed))
+      if (list_choice(fmt::format("{0:g}x###speed {0:g}x", speed),
+                      std::abs(speed - replay.speed()) < kSameSpeed * speed))
         replay.set_speed(speed);
     }
     ImGui::EndCombo();
@@ -113,13 +110,13 @@ void draw_speed(const PanelContext& context, ReplaySession& replay) {
   explain(kTooltip);
   ImGui::SameLine();
   const bool loops = replay.loops();
-  if (choice_button(context, "Repeat###repeat", loops)) replay.set_loop(!loops);
-  explain("Begins anew at the end (key L)");
+  if (choice_button(context, "Repeat###repeat", loops, "Begins anew at the end (key L)"))
+    replay.set_loop(!loops);
 }
 
 void draw_way_back(const PanelContext& context, const ReplaySession& replay) {
-  const float back = in_ems(kBackEms);
-  beside(back, in_ems(1.0F));
+  const float back = ems(kBackEms);
+  beside(back, ems(1.0F));
   const std::string name = file_name(replay.recording().csv_path);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   // Right-aligned; a narrow window clips the name.
@@ -127,15 +124,13 @@ void draw_way_back(const PanelContext& context, const ReplaySession& replay) {
   const float room = std::max(0.0F, ImGui::GetContentRegionAvail().x - back - gap);
   ImGui::PushClipRect(corner, ImVec2(corner.x + room, corner.y + ImGui::GetFrameHeight()), true);
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kAccent));
-  ImGui::TextUnformatted(name.c_str());
-  ImGui::PopStyleColor();
+  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "%s", name.c_str());
   ImGui::PopClipRect();
   explain(replay.recording().csv_path);
   ImGui::SetCursorScreenPos(ImVec2(corner.x + room + gap, corner.y));
-  if (ImGui::Button("Back to the scene###back to the scene", ImVec2(back, 0.0F)))
+  if (button("Back to the scene###back to the scene",
+             "Ends the replay and starts the scene that ran before, at rest.", {.width = back}))
     context.state.replay.wants_back = true;
-  explain("Ends the replay and starts the scene that ran before, at rest.");
 }
 
 // The mark at this pixel, or null.
@@ -143,7 +138,7 @@ const file::Mark* mark_at(const ReplaySession& replay, std::span<const file::Mar
                           float pixel, const ImVec2& corner, float width) {
   const double duration_s = std::max(replay.duration_s(), 1e-9);
   const file::Mark* nearest = nullptr;
-  float distance = in_ems(kNearMarkEms);
+  float distance = ems(kNearMarkEms);
   for (const file::Mark& mark : marks) {
     const double share = (time_of(replay, mark) - replay.begin_s()) / duration_s;
     const float away = std::abs(corner.x + static_cast<float>(share) * width - pixel);
@@ -162,7 +157,7 @@ void draw_track(const PanelContext& context, ReplaySession& replay, const ImVec2
   };
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float middle = corner.y + 0.5F * size.y;
-  const float half = 0.5F * in_ems(kTrackEms);
+  const float half = 0.5F * ems(kTrackEms);
   const float now = x_of(replay.position_s());
   list->AddRectFilled(ImVec2(corner.x, middle - half), ImVec2(corner.x + size.x, middle + half),
                       context.theme.packed(draw::Tone::kFaint), half);
@@ -171,19 +166,18 @@ void draw_track(const PanelContext& context, ReplaySession& replay, const ImVec2
   for (const file::Mark& mark : replay.marks()) {
     const float x = x_of(time_of(replay, mark));
     list->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + size.y),
-                  context.theme.packed(draw::Tone::kWarning), std::max(1.0F, in_ems(0.12F)));
+                  context.theme.packed(draw::Tone::kWarning), std::max(1.0F, ems(0.12F)));
   }
-  list->AddCircleFilled(ImVec2(now, middle), in_ems(0.55F),
-                        context.theme.packed(draw::Tone::kAccent));
+  list->AddCircleFilled(ImVec2(now, middle), ems(0.55F), context.theme.packed(draw::Tone::kAccent));
 }
 
 // The time slider of the recording; a click on a mark goes to it.
 void draw_slider(const PanelContext& context, ReplaySession& replay) {
-  const float inset = in_ems(0.55F);
+  const float inset = ems(0.55F);
   const ImVec2 outer = ImGui::GetCursorScreenPos();
   const ImVec2 corner(outer.x + inset, outer.y);
   const ImVec2 size(std::max(1.0F, ImGui::GetContentRegionAvail().x - 2.0F * inset),
-                    in_ems(kSliderEms));
+                    ems(kSliderEms));
   ImGui::InvisibleButton("##time slider", ImVec2(size.x + 2.0F * inset, size.y));
   const ImGuiIO& io = ImGui::GetIO();
   const double share =
@@ -238,8 +232,8 @@ void draw_opening(const PanelContext& context) {
   ImGui::Text("reading %s  %.0f %%", file_name(state.opening_path).c_str(),
               100.0 * state.opening.fraction());
   ImGui::SameLine();
-  if (ImGui::Button("Cancel###cancel opening")) state.opening.give_up();
-  explain("What runs now goes on.");
+  if (button("Cancel###cancel opening", "The present session or recording continues."))
+    state.opening.give_up();
 }
 
 void go_to(const PanelContext& context, ReplaySession& replay, double time_s) {
@@ -270,22 +264,18 @@ void step_back(const PanelContext& context) {
 void previous_mark(const PanelContext& context) {
   ReplaySession* replay = context.shows.replay;
   if (replay == nullptr) return;
-  const std::uint64_t tick = context.snapshot.newest.x().tick;
   const auto marks = replay->marks();
-  const auto from = std::lower_bound(
-      marks.begin(), marks.end(), tick,
-      [](const file::Mark& mark, std::uint64_t value) { return mark.tick < value; });
+  const auto from =
+      std::ranges::lower_bound(marks, context.snapshot.newest.x().tick, {}, &file::Mark::tick);
   if (from != marks.begin()) go_to(context, *replay, time_of(*replay, *(from - 1)));
 }
 
 void next_mark(const PanelContext& context) {
   ReplaySession* replay = context.shows.replay;
   if (replay == nullptr) return;
-  const std::uint64_t tick = context.snapshot.newest.x().tick;
   const auto marks = replay->marks();
-  const auto next = std::upper_bound(
-      marks.begin(), marks.end(), tick,
-      [](std::uint64_t value, const file::Mark& mark) { return value < mark.tick; });
+  const auto next =
+      std::ranges::upper_bound(marks, context.snapshot.newest.x().tick, {}, &file::Mark::tick);
   if (next != marks.end()) go_to(context, *replay, time_of(*replay, *next));
 }
 

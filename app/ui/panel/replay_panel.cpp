@@ -49,13 +49,13 @@ void take_away(UiState& state, ReplaySession& replay) {
 }
 
 void draw_choices(const PanelContext& context, ReplaySession& replay, const std::string& current) {
-  if (ImGui::Selectable(fmt::format("{0}###re-run {0}", kNothing).c_str(), current == kNothing))
+  if (list_choice(fmt::format("{0}###re-run {0}", kNothing), current == kNothing))
     take_away(context.state, replay);
   for (const AlgorithmDescription& algorithm : algorithms()) {
     const std::string name(algorithm.name);
-    if (ImGui::Selectable(fmt::format("{0}###re-run {0}", name).c_str(), current == name))
+    if (list_choice(fmt::format("{0}###re-run {0}", name), current == name,
+                    fmt::format("{}\n{}", algorithm.title, algorithm.idea)))
       start_rerun(context.state, replay, name);
-    explain(fmt::format("{}\n{}", algorithm.title, algorithm.idea));
   }
 }
 
@@ -81,11 +81,11 @@ void draw_rerun(const PanelContext& context, ReplaySession& replay) {
 void draw_progress(const PanelContext& context) {
   ReplayState& state = context.state.replay;
   if (!state.rerun.running()) return;
-  const float fraction = static_cast<float>(state.rerun.fraction());
-  const float cancel = ImGui::CalcTextSize("Cancel").x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  const float width = ImGui::GetContentRegionAvail().x - cancel - ImGui::GetStyle().ItemSpacing.x;
-  ImGui::ProgressBar(fraction, ImVec2(std::max(width, 1.0F), 0.0F),
-                     fmt::format("{:.0f} %", kPercent * state.rerun.fraction()).c_str());
+  const double fraction = state.rerun.fraction();
+  const float width =
+      ImGui::GetContentRegionAvail().x - button_width("Cancel") - ImGui::GetStyle().ItemSpacing.x;
+  ImGui::ProgressBar(static_cast<float>(fraction), ImVec2(std::max(width, 1.0F), 0.0F),
+                     fmt::format("{:.0f} %", kPercent * fraction).c_str());
   ImGui::SameLine();
   if (ImGui::Button("Cancel###cancel re-run")) state.rerun.give_up();
 }
@@ -112,11 +112,8 @@ void draw_replay_section(const PanelContext& context, ReplaySession& replay) {
   explain(recording.csv_path);
   muted_text(context, origin(recording));
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kWarning));
-  ImGui::PushTextWrapPos(0.0F);
-  for (const std::string& note : recording.notes) ImGui::TextUnformatted(note.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  for (const std::string& note : recording.notes)
+    draw::wrapped_text(context.theme.colour(draw::Tone::kWarning), note);
   ImGui::PopFont();
   draw_rerun(context, replay);
   draw_progress(context);
@@ -125,10 +122,8 @@ void draw_replay_section(const PanelContext& context, ReplaySession& replay) {
 }
 
 void start_rerun(UiState& state, const ReplaySession& replay, const std::string& algorithm) {
-  if (const Failure impossible = runtime::check_rerun(replay.recording())) {
-    tell(state, MessageKind::kProblem, impossible->message);
-    return;
-  }
+  if (const Failure impossible = runtime::check_rerun(replay.recording()))
+    return tell(state, *impossible);
   state.replay.rerun_algorithm = algorithm;
   state.replay.rerun.start([shown = replay.recording(), algorithm](const Progress& progress) {
     return rerun(shown, algorithm, progress);
@@ -138,10 +133,7 @@ void start_rerun(UiState& state, const ReplaySession& replay, const std::string&
 void notice_rerun(UiState& state, ReplaySession& replay) {
   auto outcome = state.replay.rerun.take();
   if (!outcome) return;
-  if (!*outcome) {
-    tell(state, MessageKind::kProblem, outcome->error().message);
-    return;
-  }
+  if (!*outcome) return tell(state, outcome->error());
   LaidOver laid = std::move(**outcome);
   draw_overlay_in_plots(state, &laid.overlay, std::move(laid.history));
   replay.lay_over(std::move(laid.overlay));

@@ -1,5 +1,3 @@
-#include "app/ui/panel/scene_panel.h"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
+#include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/state/recent_files.h"
 #include "app/ui/widget/parameter_rows.h"
@@ -33,8 +32,7 @@ constexpr std::array kPaperFigures{
         "the contact never comes to rest."},
     PaperFigure{"Figure 5", "virtual-coupling", PlotArrangement::kFigure5And6,
                 "The paper's Figure 5: virtual coupling. Starts scene 'press' from rest and shows "
-                "position, "
-                "force and stiffness: quiet, and soft."},
+                "position, force and stiffness: quiet, and soft."},
     PaperFigure{
         "Figure 6", "energy-bounding", PlotArrangement::kFigure5And6,
         "The paper's Figure 6: the energy bounding algorithm. Starts scene 'press' from rest and "
@@ -44,10 +42,7 @@ constexpr std::array kPaperFigures{
 void want_builtin(const PanelContext& context, const std::string& name,
                   std::string_view algorithm) {
   Result<file::LoadedScene> loaded = file::load_scene(name);
-  if (!loaded) {
-    tell(context.state, MessageKind::kProblem, loaded.error().message);
-    return;
-  }
+  if (!loaded) return tell(context.state, loaded.error());
   Scene scene = std::move(loaded->scene);
   if (!algorithm.empty()) {
     const auto index = find_algorithm(algorithm);
@@ -63,11 +58,9 @@ void draw_figure_buttons(const PanelContext& context) {
   const float width = (ImGui::GetContentRegionAvail().x - (count - 1.0F) * gap) / count;
   for (const PaperFigure& figure : kPaperFigures) {
     if (&figure != kPaperFigures.data()) ImGui::SameLine();
-    if (ImGui::Button(figure.label, ImVec2(width, 0.0F))) {
-      want_builtin(context, kPaperScene, figure.algorithm);
-      context.state.persisted.arrangement = figure.arrangement;
-    }
-    explain(figure.tooltip);
+    if (!button(figure.label, figure.tooltip, {.width = width})) continue;
+    want_builtin(context, kPaperScene, figure.algorithm);
+    context.state.persisted.arrangement = figure.arrangement;
   }
 }
 
@@ -79,9 +72,8 @@ void draw_way_back(const PanelContext& context) {
   if (changed.empty()) return;
   const std::string label = fmt::format("Reset to scene ({})###reset to scene", changed.size());
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  const float width =
-      ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
+  ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
+                  button_width(label.c_str()));
   const bool clicked = ImGui::SmallButton(label.c_str());
   ImGui::PopFont();
   explain(
@@ -95,10 +87,9 @@ void draw_way_back(const PanelContext& context) {
 void draw_builtin_choices(const PanelContext& context) {
   const std::string& current = context.session.scene().name;
   for (const file::BuiltinScene& builtin : file::builtin_scenes()) {
-    const std::string label = fmt::format("{0}###scene {0}", builtin.name);
-    if (ImGui::Selectable(label.c_str(), builtin.name == current))
+    if (list_choice(fmt::format("{0}###scene {0}", builtin.name), builtin.name == current,
+                    builtin.description))
       want_builtin(context, builtin.name, {});
-    explain(builtin.description);
   }
 }
 
@@ -111,8 +102,8 @@ void draw_recent_choices(const PanelContext& context) {
   }
   for (std::size_t i = 0; i < recent.size(); ++i) {
     const std::string name = std::filesystem::path(recent[i]).filename().string();
-    if (ImGui::Selectable(fmt::format("{}###recent {}", name, i + 1).c_str())) chosen = recent[i];
-    explain(recent[i]);
+    if (list_choice(fmt::format("{}###recent {}", name, i + 1), false, recent[i]))
+      chosen = recent[i];
   }
   if (!chosen.empty()) open_file(context.state, chosen);
 }

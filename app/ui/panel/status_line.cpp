@@ -1,9 +1,8 @@
-#include "app/ui/panel/status_line.h"
-
 #include <fmt/format.h>
 
 #include <string>
 
+#include "app/ui/panel/sections.h"
 #include "app/ui/widget/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
@@ -17,9 +16,7 @@ void value(const PanelContext& context, const char* name, const std::string& tex
   ImGui::BeginGroup();
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine(0.0F, 0.4F * ImGui::GetFontSize());
-  ImGui::PushFont(context.theme.fonts.digits, draw::kSmallFontSize);
-  ImGui::TextColored(context.theme.colour(tone), "%s", text.c_str());
-  ImGui::PopFont();
+  digits_text(context, text, tone);
   ImGui::EndGroup();
   explain(tooltip);
   ImGui::SameLine(0.0F, 1.3F * ImGui::GetFontSize());

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <system_error>
 
 #include "app/file/text/text.h"
 #include "app/ui/panel/replay_bar.h"
+#include "app/ui/state/comparing.h"
 #include "app/ui/state/export.h"
 #include "app/ui/widget/widgets.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -25,28 +24,24 @@ constexpr float kNameEms = 15.0F;
 std::string automatic_name(const PanelContext& context) {
   const Scene& scene = context.session.scene();
   if (context.shows.hides_algorithm) return plain_file_name(scene.name + "-blind-test.csv");
-  const auto list = algorithms();
-  const bool known = scene.algorithm.index < list.size();
-  return plain_file_name(
-      fmt::format("{}-{}.csv", scene.name, known ? list[scene.algorithm.index].name : "unknown"));
+  return plain_file_name(fmt::format("{}-{}.csv", scene.name, algorithm_name(scene.algorithm)));
 }
 
 void draw_run_buttons(const PanelContext& context) {
   const bool paused = context.snapshot.paused;
-  if (tool_button(paused ? "Run###pause" : "Pause###pause", kToolButtonEms,
-                  "Pauses or runs the loop (key P)")) {
+  const float width = ems(kToolButtonEms);
+  if (button(paused ? "Run###pause" : "Pause###pause", "Pauses or runs the loop (key P)",
+             {.width = width}))
     toggle_pause(context);
-  }
   ImGui::SameLine();
-  ImGui::BeginDisabled(!paused);
-  if (tool_button("Step###step", kToolButtonEms, "One tick, while paused (key S or →)"))
+  if (button("Step###step", "One tick, while paused (key S or →)",
+             {.width = width, .enabled = paused}))
     single_step(context);
-  ImGui::EndDisabled();
   ImGui::SameLine();
-  if (tool_button("Reset###reset", kToolButtonEms,
-                  "Back to tick 0 at rest, with the present values (key R). Ends a recording.")) {
+  if (button("Reset###reset",
+             "Back to tick 0 at rest, with the present values (key R). Ends a recording.",
+             {.width = width}))
     reset_session(context);
-  }
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(context.theme.fonts.digits, 0.0F);
@@ -63,8 +58,7 @@ void draw_recording_status(const PanelContext& context, const RecordingStatus& s
     explain(status.error);
     return;
   }
-  const bool lost = status.dropped_rows > 0;
-  const draw::Tone tone = lost ? draw::Tone::kBad : draw::Tone::kMuted;
+  const draw::Tone tone = status.dropped_rows > 0 ? draw::Tone::kBad : draw::Tone::kMuted;
   ImGui::TextColored(context.theme.colour(tone), "%llu rows, %llu dropped",
                      static_cast<unsigned long long>(status.rows),
                      static_cast<unsigned long long>(status.dropped_rows));
@@ -73,7 +67,7 @@ void draw_recording_status(const PanelContext& context, const RecordingStatus& s
 
 void draw_name(const PanelContext& context) {
   TransientState& transient = context.state.transient;
-  ImGui::SetNextItemWidth(kNameEms * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(ems(kNameEms));
   const std::string hint = automatic_name(context);
   if (const auto name = text_field(context, "##recording name", hint, transient.recording_name)) {
     transient.recording_name = *name;
@@ -87,9 +81,9 @@ void draw_mark(const PanelContext& context) {
   constexpr const char* kTooltip =
       "Marks this moment in the recording, with an optional text: a line in the plots and in the "
       "sidecar (key M)";
-  if (tool_button("Mark###mark", kMarkButtonEms, kTooltip)) add_mark(context);
+  if (button("Mark###mark", kTooltip, {.width = ems(kMarkButtonEms)})) add_mark(context);
   ImGui::SameLine();
-  const float width = kNameEms * ImGui::GetFontSize() - ImGui::GetItemRectSize().x;
+  const float width = ems(kNameEms) - ImGui::GetItemRectSize().x;
   ImGui::SetNextItemWidth(width - ImGui::GetStyle().ItemSpacing.x);
   std::string& text = context.state.transient.mark_text;
   const auto typed = text_field(context, "##mark text", "what happens here", text);
@@ -104,14 +98,14 @@ void draw_recording(const PanelContext& context, const runtime::LiveSession& liv
   const RecordingStatus status = live.recording_status();
   const bool recording = status.state == RecordingState::kRecording;
   // A narrow window gives it its own row.
-  const float em = ImGui::GetFontSize();
-  ImGui::SameLine(0.0F, 2.0F * em);
-  if (ImGui::GetContentRegionAvail().x < (kRecordButtonEms + kNameEms) * em) ImGui::NewLine();
+  ImGui::SameLine(0.0F, ems(2.0F));
+  if (ImGui::GetContentRegionAvail().x < ems(kRecordButtonEms + kNameEms)) ImGui::NewLine();
   if (recording)
     ImGui::PushStyleColor(ImGuiCol_Button, context.theme.packed(draw::Tone::kBad, 0.55F));
-  const bool clicked = tool_button(
-      recording ? "Stop###record" : "Record###record", kRecordButtonEms,
-      "Writes every tick to a CSV file, with a sidecar that repeats the session (Ctrl+R)");
+  const bool clicked =
+      button(recording ? "Stop###record" : "Record###record",
+             "Writes every tick to a CSV file, with a sidecar that repeats the session (Ctrl+R)",
+             {.width = ems(kRecordButtonEms)});
   if (recording) ImGui::PopStyleColor();
   if (clicked) toggle_recording(context);
   ImGui::SameLine();
@@ -124,12 +118,6 @@ void draw_recording(const PanelContext& context, const runtime::LiveSession& liv
 }
 
 }  // namespace
-
-bool tool_button(const char* label, float width_ems, const char* tooltip) {
-  const bool clicked = ImGui::Button(label, ImVec2(width_ems * ImGui::GetFontSize(), 0.0F));
-  explain(tooltip);
-  return clicked;
-}
 
 void draw_toolbar(const PanelContext& context) {
   if (context.shows.replay != nullptr) {
@@ -161,18 +149,18 @@ void toggle_recording(const PanelContext& context) {
   }
   runtime::LiveSession& live = *context.shows.live;
   if (live.recording_status().state == RecordingState::kRecording) {
-    const Failure failure = live.stop_recording();
-    const std::string path = live.recording_status().path;
-    tell(state, failure ? MessageKind::kProblem : MessageKind::kNote,
-         failure ? failure->message : "recording finished: " + path);
+    stop_recording(state, live);
     return;
   }
   const std::string& typed = state.transient.recording_name;
   const std::string path = unused_recording_path(state.transient.recording_folder,
                                                  typed.empty() ? automatic_name(context) : typed);
-  const Failure failure = live.start_recording(path);
-  tell(state, failure ? MessageKind::kProblem : MessageKind::kNote,
-       failure ? failure->message : "recording to " + path);
+  tell(state, live.start_recording(path), "recording to " + path);
+}
+
+void stop_recording(UiState& state, runtime::LiveSession& live) {
+  const Failure failure = live.stop_recording();
+  tell(state, failure, "recording finished: " + live.recording_status().path);
 }
 
 void add_mark(const PanelContext& context) {
@@ -191,18 +179,8 @@ void add_mark(const PanelContext& context) {
 std::string unused_recording_path(const std::string& folder, const std::string& name) {
   namespace fs = std::filesystem;
   fs::path wanted(name);
-  if (wanted.extension() != ".csv") wanted += ".csv";
-  const fs::path stem = fs::path(folder) / wanted.parent_path() / wanted.stem();
-  const auto taken = [](const fs::path& base) {
-    std::error_code ignored;
-    for (const char* ending : {".csv", ".toml", ".csv.partial"}) {
-      if (fs::exists(base.string() + ending, ignored)) return true;
-    }
-    return false;
-  };
-  fs::path base = stem;
-  for (int number = 2; taken(base); ++number) base = fmt::format("{}-{}", stem.string(), number);
-  return base.string() + ".csv";
+  if (wanted.extension() == ".csv") wanted.replace_extension();
+  return unused_base(folder, wanted.string(), {".csv", ".toml", ".csv.partial"}) + ".csv";
 }
 
 }  // namespace hapticwall::ui

@@ -9,15 +9,13 @@ namespace hapticwall::ui {
 
 void draw_toolbar(const PanelContext& context);
 
-// Returns true when pressed.
-[[nodiscard]] bool tool_button(const char* label, float width_ems, const char* tooltip);
-
 // Actions of the buttons and keys.
 void toggle_pause(const PanelContext& context);
 void single_step(const PanelContext& context);
 void reset_session(const PanelContext& context);
 void toggle_recording(const PanelContext& context);
 void add_mark(const PanelContext& context);
+void stop_recording(UiState& state, runtime::LiveSession& live);
 
 // An unused path for a recording of this name in `folder`. Adds ".csv" where it is missing, and
 // "-2", "-3" … where needed.

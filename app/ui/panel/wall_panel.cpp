@@ -1,5 +1,3 @@
-#include "app/ui/panel/wall_panel.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/sliders.h"
@@ -38,39 +37,39 @@ void draw_chooser(const PanelContext& context, std::size_t count) {
   }
 }
 
-void draw_stiffness(const PanelContext& context, std::size_t index, WallSettings wall) {
-  const auto value = slider_row(
-      context, {"stiffness", "stiffness", "N/m",
-                "K in F_e = K p + B v (Eq. 11): force per metre of penetration p. From 0 to "
-                "1e9 N/m.",
-                wall.stiffness_n_per_m, kStiffness});
+// Each row reads the wall again, because the row above may have changed it.
+void draw_row(const PanelContext& context, double WallSettings::*member, double scale,
+              NumberRow row) {
+  const std::size_t index = context.state.transient.chosen_wall;
+  WallSettings wall = shown_walls(context)[index];
+  row.value = wall.*member * scale;
+  const auto value = number_row(context, row);
   if (!value) return;
-  wall.stiffness_n_per_m = *value;
+  wall.*member = *value / scale;
   set_wall(context, index, wall);
 }
 
-void draw_damping(const PanelContext& context, std::size_t index, WallSettings wall) {
-  const auto value =
-      slider_row(context, {"damping", "damping", "N·s/m",
-                           "B in F_e = K p + B v (Eq. 11): damping of the wall, from 0 to 1e4 "
-                           "N·s/m. The hold turns it into energy, too (Eq. 13).",
-                           wall.damping_n_s_per_m, kDamping});
-  if (!value) return;
-  wall.damping_n_s_per_m = *value;
-  set_wall(context, index, wall);
-}
-
-void draw_position(const PanelContext& context, std::size_t index, WallSettings wall) {
-  const char* tooltip =
-      "x_w in p = x - x_w: position of the face, in mm, from -1000 to 1000; x grows into "
-      "the wall.";
-  field_label(context, "position", tooltip, "mm");
-  if (const auto typed =
-          number_field(context, "##position", wall.position_m * kMillimetresPerMetre)) {
-    wall.position_m = *typed / kMillimetresPerMetre;
-    set_wall(context, index, wall);
-  }
-  unit_label("mm");
+void draw_rows(const PanelContext& context) {
+  draw_row(context, &WallSettings::stiffness_n_per_m, 1.0,
+           {.name = "stiffness",
+            .label = "stiffness",
+            .unit = "N/m",
+            .tooltip = "K in F_e = K p + B v (Eq. 11): force per metre of penetration p. From 0 to "
+                       "1e9 N/m.",
+            .range = kStiffness});
+  draw_row(context, &WallSettings::damping_n_s_per_m, 1.0,
+           {.name = "damping",
+            .label = "damping",
+            .unit = "N·s/m",
+            .tooltip = "B in F_e = K p + B v (Eq. 11): damping of the wall, from 0 to 1e4 N·s/m. "
+                       "The hold turns it into energy, too (Eq. 13).",
+            .range = kDamping});
+  draw_row(context, &WallSettings::position_m, kMillimetresPerMetre,
+           {.name = "position",
+            .label = "position",
+            .unit = "mm",
+            .tooltip = "x_w in p = x - x_w: position of the face, in mm, from -1000 to 1000; x "
+                       "grows into the wall."});
 }
 
 double delay_s(const PanelContext& context) {
@@ -122,10 +121,7 @@ void draw_wall_section(const PanelContext& context) {
   std::size_t& chosen = context.state.transient.chosen_wall;
   chosen = std::min(chosen, walls.size() - 1);
   if (walls.size() > 1) draw_chooser(context, walls.size());
-  // Each row reads the wall again, because the previous row may have changed it.
-  draw_stiffness(context, chosen, shown_walls(context)[chosen]);
-  draw_damping(context, chosen, shown_walls(context)[chosen]);
-  draw_position(context, chosen, shown_walls(context)[chosen]);
+  draw_rows(context);
   draw_bounds(context, shown_walls(context)[chosen]);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/state/changes.h"
 #include "app/ui/wall/wall_labels.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
@@ -32,15 +33,13 @@ void lead_hand(const PanelContext& context, const WallCamera& camera, ImVec2 cor
     const ImVec2 pointer = ImGui::GetIO().MousePos;
     const glm::dvec2 place = camera.place_at({pointer.x - corner.x, pointer.y - corner.y});
     if (!transient.dragging_hand || transient.hand_m != place.x) live->lead_hand(place.x);
-    if (scene.two_axes()) live->lead_second_hand(place.y);
+    if (scene.two_axes()) live->lead_hand(place.y, 1);
     transient.hand_m = place.x;
     transient.dragging_hand = true;
   } else if (transient.dragging_hand) {
     transient.dragging_hand = false;
     if (state.persisted.hand_stays_where_released || (hand && hand->follows_mouse)) return;
-    transient.hand_m.reset();
-    live->lead_hand(std::nullopt);
-    live->lead_second_hand(std::nullopt);
+    release_hand(context);
   }
 }
 
@@ -114,17 +113,16 @@ void draw_reset_button(const PanelContext& context, const ViewArea& area) {
   WallOrbit& orbit = context.state.wall.persisted.orbit;
   if (orbit == WallOrbit{}) return;
   const ImGuiStyle& style = ImGui::GetStyle();
-  const char* text = "Reset view";
-  const float width = ImGui::CalcTextSize(text).x + 2.0F * style.FramePadding.x;
-  ImGui::SetCursorScreenPos(ImVec2(area.corner.x + area.size.x - width - style.WindowPadding.x,
-                                   area.corner.y + style.WindowPadding.y));
-  if (ImGui::Button("Reset view###reset view")) orbit = {};
-  explain("Restores the initial view; so does a double click with the right button.");
+  constexpr const char* kLabel = "Reset view###reset view";
+  const float right = area.corner.x + area.size.x - style.WindowPadding.x;
+  ImGui::SetCursorScreenPos(
+      ImVec2(right - button_width(kLabel), area.corner.y + style.WindowPadding.y));
+  if (button(kLabel, "Restores the initial view; so does a double click with the right button."))
+    orbit = {};
 }
 
 WallPicture fading_picture(const PanelContext& context) {
-  WallPicture picture = wall_picture(context.session.scene(), context.snapshot.newest.axes[0],
-                                     context.snapshot.newest.axes[1]);
+  WallPicture picture = wall_picture(context.session.scene(), context.snapshot.newest);
   WallState::Transient& transient = context.state.wall.transient;
   if (context.shows.hides_force) {
     // Hides arrow and tint, also right after the test.

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <random>
-#include <system_error>
 #include <utility>
 
 #include "app/file/disk/atomic_file.h"
@@ -41,23 +39,6 @@ bool put_blindly(const PanelContext& context, Slot slot) {
   return false;
 }
 
-// A path prefix that no result file uses yet.
-std::string unused_base(const std::string& folder, const std::string& name) {
-  const std::filesystem::path stem = std::filesystem::path(folder) / name;
-  const auto taken = [](const std::string& base) {
-    std::error_code ignored;
-    for (const char* ending : {kTrialsEnding, kResultEnding}) {
-      if (std::filesystem::exists(base + ending, ignored) ||
-          std::filesystem::exists(base + ending + ".partial", ignored))
-        return true;
-    }
-    return false;
-  };
-  std::string base = stem.string();
-  for (int number = 2; taken(base); ++number) base = fmt::format("{}-{}", stem.string(), number);
-  return base;
-}
-
 // Both files are on the disk before either gets its name.
 Failure write_both(const BlindTest& test, const std::string& base) {
   auto trials = file::AtomicFile::create(base + kTrialsEnding);
@@ -80,10 +61,8 @@ void start_blind_test(const PanelContext& context) {
   keep_slots(state, context.session.scene());
   const CompareSlots slots = slots_of(state);
   for (const Slot slot : {Slot::kA, Slot::kB}) {
-    if (const auto problem = problem_with(context.session.scene(), slots.of(slot))) {
-      tell(state, *problem);
-      return;
-    }
+    if (const auto problem = problem_with(context.session.scene(), slots.of(slot)))
+      return tell(state, *problem);
   }
   compare::TrialPlan plan;
   plan.seed = compare.transient.seed ? *compare.transient.seed : seed_by_chance();
@@ -91,10 +70,7 @@ void start_blind_test(const PanelContext& context) {
   plan.question = compare.persisted.question;
   plan.confidence = compare.persisted.confidence;
   Result<BlindTrials> trials = BlindTrials::create(plan);
-  if (!trials) {
-    tell(state, MessageKind::kProblem, trials.error().message);
-    return;
-  }
+  if (!trials) return tell(state, trials.error());
   compare.transient.test = BlindTest{std::move(*trials), compare::describe(slots.of(Slot::kA)),
                                      compare::describe(slots.of(Slot::kB)), slots.active};
   compare.transient.setting_up = false;
@@ -130,13 +106,12 @@ void save_blind_test(const PanelContext& context) {
   UiState& state = context.state;
   auto& test = state.compare.transient.test;
   if (!test || test->running) return;
+  const std::string partial = ".partial";
   const std::string base =
       unused_base(state.transient.recording_folder,
-                  plain_file_name(context.session.scene().name + "-blind-test"));
-  if (const Failure failure = write_both(*test, base)) {
-    tell(state, MessageKind::kProblem, failure->message);
-    return;
-  }
+                  plain_file_name(context.session.scene().name + "-blind-test"),
+                  {kTrialsEnding, kResultEnding, kTrialsEnding + partial, kResultEnding + partial});
+  if (const Failure failure = write_both(*test, base)) return tell(state, *failure);
   test->saved_as = base;
   tell(state, MessageKind::kNote,
        fmt::format("saved {0}{1} and {0}{2}", base, kTrialsEnding, kResultEnding));

@@ -7,7 +7,6 @@
 // While the test runs, everything that could reveal the order is hidden or inert (Visibility).
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "app/ui/state/key_binding.h"

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/stabiliser/stabiliser.h"
+#include "app/ui/state/comparing.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -62,21 +62,26 @@ std::string plain_file_name(std::string name) {
 }
 
 std::string export_name(const Scene& scene, double from_s, double to_s) {
-  const auto list = algorithms();
-  const bool known = scene.algorithm.index < list.size();
   return plain_file_name(fmt::format("{}-{}-{:.3f}-{:.3f}s", scene.name,
-                                     known ? list[scene.algorithm.index].name : "unknown", from_s,
-                                     to_s));
+                                     algorithm_name(scene.algorithm), from_s, to_s));
+}
+
+std::string unused_base(const std::string& folder, const std::string& name,
+                        std::initializer_list<std::string> endings) {
+  const std::string stem = (std::filesystem::path(folder) / name).string();
+  std::string base = stem;
+  const auto taken = [&](const std::string& ending) {
+    std::error_code ignored;
+    return std::filesystem::exists(base + ending, ignored);
+  };
+  for (int number = 2; std::ranges::any_of(endings, taken); ++number)
+    base = fmt::format("{}-{}", stem, number);
+  return base;
 }
 
 std::string unused_path(const std::string& folder, const std::string& name,
                         const std::string& ending) {
-  const std::filesystem::path stem = std::filesystem::path(folder) / name;
-  std::string path = stem.string() + ending;
-  std::error_code ignored;
-  for (int number = 2; std::filesystem::exists(path, ignored); ++number)
-    path = fmt::format("{}-{}{}", stem.string(), number, ending);
-  return path;
+  return unused_base(folder, name, {ending}) + ending;
 }
 
 void ExportJob::start(const draw::SampleHistory& history, draw::IndexRange range,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <future>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -34,7 +35,11 @@ struct ExportSource {
 // "SCENE-ALGORITHM-FROM-TOs" as a safe file name.
 [[nodiscard]] std::string export_name(const Scene& scene, double from_s, double to_s);
 
-// An unused path in `folder`; appends "-2", "-3" … where needed. `ending` includes the dot.
+// A path without its ending: NAME in `folder`, with "-2", "-3" … where a file with one of these
+// endings exists. Endings include the dot.
+[[nodiscard]] std::string unused_base(const std::string& folder, const std::string& name,
+                                      std::initializer_list<std::string> endings);
+// The same with its ending.
 [[nodiscard]] std::string unused_path(const std::string& folder, const std::string& name,
                                       const std::string& ending);
 

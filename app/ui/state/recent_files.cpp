@@ -17,15 +17,10 @@ std::string whole_path(const std::string& path) {
   return error ? path : whole.lexically_normal().string();
 }
 
-void open_scene(UiState& state, const std::string& path) {
-  Result<file::LoadedScene> loaded = file::load_scene(path);
-  if (!loaded) {
-    tell(state, MessageKind::kProblem, loaded.error().message);
-    std::erase(state.persisted.recent, path);
-    return;
-  }
-  state.transient.wanted_scene = WantedScene{std::move(loaded->scene), true};
-  remember_recent(state.persisted.recent, path);
+// Tells why a file does not open, and forgets it.
+void refuse_file(UiState& state, const std::string& path, const Error& error) {
+  tell(state, error);
+  std::erase(state.persisted.recent, path);
 }
 
 }  // namespace
@@ -39,17 +34,16 @@ void remember_recent(std::vector<std::string>& recent, const std::string& path) 
 
 void open_file(UiState& state, const std::string& path) {
   const std::string whole = whole_path(path);
+  std::error_code ignored;
   if (!file::is_recording(whole)) {
-    open_scene(state, whole);
-    return;
+    Result<file::LoadedScene> loaded = file::load_scene(whole);
+    if (!loaded) return refuse_file(state, whole, loaded.error());
+    state.transient.wanted_scene = WantedScene{std::move(loaded->scene), true};
+  } else if (std::filesystem::is_regular_file(whole, ignored)) {
+    state.transient.wanted_recording = whole;
+  } else {
+    return refuse_file(state, whole, {ErrorKind::kFile, whole + ": there is no such recording"});
   }
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(whole, error)) {
-    tell(state, MessageKind::kProblem, whole + ": there is no such recording");
-    std::erase(state.persisted.recent, whole);
-    return;
-  }
-  state.transient.wanted_recording = whole;
   remember_recent(state.persisted.recent, whole);
 }
 

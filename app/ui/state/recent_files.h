@@ -14,8 +14,8 @@ inline constexpr std::size_t kMaxRecentFiles = 8;
 // Moves the absolute path to the front of the list; the oldest entry drops out.
 void remember_recent(std::vector<std::string>& recent, const std::string& path);
 
-// Asks for the scene or the recording in this file. A failure is told to the user and removes the
-// file from the list.
+// Asks for the scene or the recording in this file. A failure shows a message and removes the file
+// from the list.
 void open_file(UiState& state, const std::string& path);
 
 }  // namespace hapticwall::ui

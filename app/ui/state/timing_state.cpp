@@ -1,7 +1,6 @@
 #include "app/ui/state/timing_state.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "core/units.h"

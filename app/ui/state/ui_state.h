@@ -10,7 +10,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/draw/plot/extra_traces.h"
@@ -216,8 +215,22 @@ struct PanelContext {
   Visibility shows;
 };
 
+// The time axes of the plots.
+[[nodiscard]] inline draw::TimeWindow time_window(const UiState& state) {
+  return {state.transient.time_from_s, state.transient.time_to_s};
+}
+
 inline void tell(UiState& state, MessageKind kind, std::string text) {
   state.transient.toasts.tell(kind, std::move(text));
+}
+
+inline void tell(UiState& state, const Error& error) {
+  tell(state, MessageKind::kProblem, error.message);
+}
+// A failure, or this note.
+inline void tell(UiState& state, const Failure& failure, std::string note) {
+  if (failure) return tell(state, *failure);
+  tell(state, MessageKind::kNote, std::move(note));
 }
 
 // Tells a problem of the session or of the validation, in one line.

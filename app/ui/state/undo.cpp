@@ -6,7 +6,6 @@
 
 #include "app/runtime/session/scene_change.h"
 #include "app/ui/state/changed_values.h"
-#include "app/ui/state/comparing.h"
 #include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
 

@@ -122,12 +122,12 @@ WallCamera::WallCamera(const WallSpace& space, const WallOrbit& orbit, float wid
   pixels_per_unit_ = 0.5 * size_.y * turned.zoom / (half_tangent * distance);
 }
 
-float WallCamera::x_of(double x_m) const {
-  return static_cast<float>((x_m - space_.x.middle_m()) * units_per_m_);
+float WallCamera::x_of(double position_m) const {
+  return static_cast<float>((position_m - space_.x.middle_m()) * units_per_m_);
 }
 
-float WallCamera::z_of(double y_m) const {
-  return space_.y ? static_cast<float>((space_.y->middle_m() - y_m) * units_per_m_) : 0.0F;
+float WallCamera::z_of(double position_m) const {
+  return space_.y ? static_cast<float>((space_.y->middle_m() - position_m) * units_per_m_) : 0.0F;
 }
 
 glm::vec2 WallCamera::pixel_of(glm::vec3 point) const {
@@ -138,9 +138,9 @@ glm::vec2 WallCamera::pixel_of(glm::vec3 point) const {
 
 double WallCamera::position_at(glm::vec2 pixel) const {
   // Both ends of the axis in homogeneous pixels: points between are a weighted mean.
-  const auto end = [this](double x_m) {
+  const auto end = [this](double position_m) {
     const glm::dvec4 clip =
-        exact_ * glm::dvec4((x_m - space_.x.middle_m()) * units_per_m_, 0.0, 0.0, 1.0);
+        exact_ * glm::dvec4((position_m - space_.x.middle_m()) * units_per_m_, 0.0, 0.0, 1.0);
     return glm::dvec3(0.5 * (clip.w + clip.x) * size_.x, 0.5 * (clip.w - clip.y) * size_.y, clip.w);
   };
   const glm::dvec3 from = end(space_.x.from_m);
@@ -168,10 +168,10 @@ glm::dvec2 WallCamera::place_at(glm::vec2 pixel) const {
   const glm::dvec3 near = unproject(-1.0);
   const glm::dvec3 far = unproject(1.0);
   const glm::dvec3 point = near + near.y / (near.y - far.y) * (far - near);
-  const double x_m = space_.x.middle_m() + point.x / units_per_m_;
-  const double y_m = space_.y->middle_m() - point.z / units_per_m_;
-  return {std::clamp(x_m, space_.x.from_m, space_.x.to_m),
-          std::clamp(y_m, space_.y->from_m, space_.y->to_m)};
+  const auto within = [](const AxisExtent& extent, double from_middle_m) {
+    return std::clamp(extent.middle_m() + from_middle_m, extent.from_m, extent.to_m);
+  };
+  return {within(space_.x, point.x / units_per_m_), within(*space_.y, -point.z / units_per_m_)};
 }
 
 }  // namespace hapticwall::ui

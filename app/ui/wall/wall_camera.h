@@ -49,7 +49,7 @@ struct WallOrbit {
 // Looks at the axes from the side of free space, from a little above. The longer extent is kLength
 // long in the picture's own units, whatever it is in metres. The axes lie in the level y = 0: the
 // device's x to the right (x), its y away from the viewer (-z). With one axis that is the line
-// y = z = 0. Zoom and shift act on the finished picture: the eye comes never near to anything.
+// y = z = 0. Zoom and shift act on the finished picture: the eye never comes near to anything.
 class WallCamera {
  public:
   static constexpr float kLength = 10.0F;
@@ -59,8 +59,9 @@ class WallCamera {
   WallCamera(AxisExtent extent, float width, float height)
       : WallCamera(WallSpace{extent, std::nullopt}, WallOrbit{}, width, height) {}
 
-  [[nodiscard]] float x_of(double x_m) const;
-  [[nodiscard]] float z_of(double y_m) const;  // 0 on a single axis
+  // The picture's coordinates of positions on the first and on the second axis.
+  [[nodiscard]] float x_of(double position_m) const;
+  [[nodiscard]] float z_of(double position_m) const;  // 0 on a single axis
   // The point of a place on the axes, `height` units above their level.
   [[nodiscard]] glm::vec3 point_of(glm::dvec2 place_m, float height = 0.0F) const {
     return {x_of(place_m.x), height, z_of(place_m.y)};

@@ -1,7 +1,6 @@
 #include "app/ui/wall/wall_floor.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -19,8 +18,6 @@ constexpr float kDarknessInLight = 0.50F;
 constexpr float kFloorTone = 0.045F;  // share of the text colour in the floor
 constexpr float kGridTone = 0.32F;
 const glm::vec2 kShadowShift(0.10F, -0.14F);  // away from the key light
-
-glm::vec4 rgba(const ImVec4& colour) { return {colour.x, colour.y, colour.z, colour.w}; }
 
 float darkness(const draw::Theme& theme) {
   const ImVec4& panel = theme.colour(draw::Tone::kPanel);
@@ -65,36 +62,43 @@ Result<WallFloor> WallFloor::create() {
   return WallFloor(std::move(*backdrop), std::move(*floor), std::move(*shadow));
 }
 
-void WallFloor::draw_backdrop(const WallCamera& camera, const draw::Theme& theme,
-                              int height) const {
+// The plane, transparent.
+void WallFloor::draw_blended() const {
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  plane_.draw();
+  glDisable(GL_BLEND);
+}
+
+void WallFloor::draw_backdrop(const WallView& view, int height) const {
+  const draw::Theme& theme = view.theme;
+  const glm::mat4& view_projection = view.camera.view_projection();
   backdrop_.use();
   // A plane that fills the picture and faces the eye.
   const glm::mat4 upright = glm::scale(
       glm::rotate(glm::mat4(1.0F), glm::radians(90.0F), {1.0F, 0.0F, 0.0F}), glm::vec3(2.0F));
-  backdrop_.set("view_projection", camera.view_projection());
-  backdrop_.set("model", glm::inverse(camera.view_projection()) * upright);
+  backdrop_.set("view_projection", view_projection);
+  backdrop_.set("model", glm::inverse(view_projection) * upright);
   backdrop_.set("normal_matrix", glm::mat3(1.0F));
   backdrop_.set("lower", rgba(theme.colour(draw::Tone::kPanel)));
-  backdrop_.set("upper", rgba(mixed(theme.colour(draw::Tone::kPanel),
-                                    theme.colour(draw::Tone::kBackground), 0.6F)));
+  backdrop_.set("upper", rgba(draw::mixed(theme.colour(draw::Tone::kPanel),
+                                          theme.colour(draw::Tone::kBackground), 0.6F)));
   backdrop_.set("height", static_cast<float>(height));
   plane_.draw();
 }
 
-void WallFloor::draw(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme,
-                     int height) const {
-  draw_backdrop(camera, theme, height);
+void WallFloor::draw(const WallView& view, int height) const {
+  const auto& [picture, camera, theme] = view;
+  draw_backdrop(view, height);
   floor_.use();
   floor_.set("view_projection", camera.view_projection());
   floor_.set("model",
              glm::scale(glm::translate(glm::mat4(1.0F), {0.0F, WallMeasures::kFloor, 0.0F}),
                         glm::vec3(kFloorSize)));
   floor_.set("normal_matrix", glm::mat3(1.0F));
-  floor_.set("colour", rgba(mixed(theme.colour(draw::Tone::kPanel), theme.colour(draw::Tone::kText),
-                                  kFloorTone)));
-  ImVec4 lines = theme.colour(draw::Tone::kMuted);
-  lines.w = kGridTone;
-  floor_.set("line_colour", rgba(lines));
+  floor_.set("colour", rgba(draw::mixed(theme.colour(draw::Tone::kPanel),
+                                        theme.colour(draw::Tone::kText), kFloorTone)));
+  floor_.set("line_colour", rgba(draw::with_alpha(theme.colour(draw::Tone::kMuted), kGridTone)));
   floor_.set("grid_origin", glm::vec2(camera.x_of(0.0), camera.z_of(0.0)));
   floor_.set("grid_step",
              static_cast<float>(grid_step_m(camera.space().x.length_m()) * camera.units_per_m()));
@@ -102,14 +106,11 @@ void WallFloor::draw(const WallPicture& picture, const WallCamera& camera, const
   floor_.set("block_x", wall_block(picture, camera, Axis::kX).value_or(none));
   floor_.set("block_y", wall_block(picture, camera, Axis::kY).value_or(none));
   floor_.set("darkness", darkness(theme));
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  plane_.draw();
-  glDisable(GL_BLEND);
+  draw_blended();
 }
 
-void WallFloor::draw_shadow(const WallPicture& picture, const WallCamera& camera,
-                            const draw::Theme& theme) const {
+void WallFloor::draw_shadow(const WallView& view) const {
+  const auto& [picture, camera, theme] = view;
   constexpr float kRadius = WallMeasures::kHandleRadius;
   constexpr float kReach = 2.3F * kRadius;  // as in the shader
   const glm::vec3 ball = ball_centre(picture.two_axes, camera, picture.handle_m);
@@ -124,10 +125,7 @@ void WallFloor::draw_shadow(const WallPicture& picture, const WallCamera& camera
   shadow_.set("shadow",
               glm::vec4(middle.x - 0.5F * length, middle.x + 0.5F * length, middle.y, kRadius));
   shadow_.set("darkness", darkness(theme));
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  plane_.draw();
-  glDisable(GL_BLEND);
+  draw_blended();
 }
 
 }  // namespace hapticwall::ui

@@ -25,15 +25,14 @@ class WallFloor {
 
   // Draws the static part into the bound target of this height (pixels). Ignores and keeps the
   // depth buffer, because everything else is above the floor.
-  void draw(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme,
-            int height) const;
+  void draw(const WallView& view, int height) const;
   // Draws the handle's shadow, after draw().
-  void draw_shadow(const WallPicture& picture, const WallCamera& camera,
-                   const draw::Theme& theme) const;
+  void draw_shadow(const WallView& view) const;
 
  private:
   WallFloor(draw::GlProgram backdrop, draw::GlProgram floor, draw::GlProgram shadow);
-  void draw_backdrop(const WallCamera& camera, const draw::Theme& theme, int height) const;
+  void draw_backdrop(const WallView& view, int height) const;
+  void draw_blended() const;
 
   draw::GlProgram backdrop_;
   draw::GlProgram floor_;

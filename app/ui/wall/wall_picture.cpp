@@ -9,18 +9,12 @@ namespace {
 constexpr double kDefaultFullScaleN = 10.0;  // where the device has no force limit
 constexpr double kMinFullScaleN = 1e-9;
 constexpr double kMinStiffnessNPerM = 1.0;
-constexpr double kSettledTint = 1e-3;  // a fading tint is there when it is this near
-// Where along the colours of stiffness the middle one lies.
-constexpr float kMiddleShare = 0.5F;
+constexpr double kSettledTint = 1e-3;  // a tint this near has settled
+constexpr float kMiddleShare = 0.5F;   // of the middle colour of stiffness
 
 double towards(double from, double to, double share) {
   const double value = from + share * (to - from);
   return std::abs(to - value) < kSettledTint * std::max(std::abs(to), 1.0) ? to : value;
-}
-
-void add_walls(WallPicture& picture, Axis axis, const std::vector<WallSettings>& walls) {
-  for (const WallSettings& wall : walls)
-    picture.walls.push_back({axis, wall.position_m, wall.stiffness_n_per_m});
 }
 
 ShownStiffness shown_now(const Sample& sample) {
@@ -28,37 +22,40 @@ ShownStiffness shown_now(const Sample& sample) {
   return {std::max(sample.stiffness_n_per_m, 0.0), 1.0};
 }
 
-void add_second_axis(WallPicture& picture, const Scene& scene, const Sample& y) {
-  picture.two_axes = true;
-  picture.handle_m.y = y.truth.position_m;
-  // A hand on one axis only stays beside the handle on the other.
-  if (scene.x().hand || scene.axes[1].hand) {
-    if (!picture.hand_m) picture.hand_m = glm::dvec2(picture.handle_m.x, 0.0);
-    picture.hand_m->y = scene.axes[1].hand ? y.truth.hand_path_m : y.truth.position_m;
-  }
-  add_walls(picture, Axis::kY, scene.axes[1].walls);
-  picture.force_n.y = y.force_n;
-  picture.full_scale_n = std::max(picture.full_scale_n,
-                                  scene.axes[1].device.force_limit_n.value_or(kDefaultFullScaleN));
-  picture.saturated = picture.saturated || (y.flags & kFlagForceLimit) != 0U;
-  picture.shown.back() = shown_now(y);
-}
-
 }  // namespace
 
-WallPicture wall_picture(const Scene& scene, const Sample& sample, const Sample& y) {
+WallPicture wall_picture(const Scene& scene, const Tick& tick) {
   WallPicture picture;
-  picture.handle_m = {sample.truth.position_m, 0.0};
-  if (scene.x().hand) picture.hand_m = glm::dvec2(sample.truth.hand_path_m, 0.0);
-  add_walls(picture, Axis::kX, scene.x().walls);
-  picture.force_n = {sample.force_n, 0.0};
-  picture.full_scale_n = scene.x().device.force_limit_n.value_or(kDefaultFullScaleN);
-  picture.saturated = (sample.flags & kFlagForceLimit) != 0U;
-  picture.shown.front() = shown_now(sample);
-  if (scene.two_axes()) add_second_axis(picture, scene, y);
+  picture.two_axes = scene.two_axes();
+  picture.full_scale_n = 0.0;
+  const bool any_hand = std::ranges::any_of(
+      scene.axes, [](const AxisSettings& axis) { return axis.hand.has_value(); });
+  if (any_hand) picture.hand_m.emplace(0.0);
+  for (int i = 0; i < static_cast<int>(scene.axes.size()); ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const AxisSettings& axis = scene.axes[index];
+    const Sample& sample = tick.axes.at(index);
+    picture.handle_m[i] = sample.truth.position_m;
+    // A hand on one axis only stays beside the handle on the other.
+    if (any_hand)
+      (*picture.hand_m)[i] = axis.hand ? sample.truth.hand_path_m : sample.truth.position_m;
+    for (const WallSettings& wall : axis.walls)
+      picture.walls.push_back({static_cast<Axis>(i), wall.position_m, wall.stiffness_n_per_m});
+    picture.force_n[i] = sample.force_n;
+    picture.full_scale_n =
+        std::max(picture.full_scale_n, axis.device.force_limit_n.value_or(kDefaultFullScaleN));
+    picture.saturated = picture.saturated || (sample.flags & kFlagForceLimit) != 0U;
+    picture.shown.at(index) = shown_now(sample);
+  }
   std::stable_sort(picture.walls.begin(), picture.walls.end(),
                    [](const PictureWall& a, const PictureWall& b) { return a.face_m < b.face_m; });
   return picture;
+}
+
+WallPicture wall_picture(const Scene& scene, const Sample& sample) {
+  Tick tick;
+  tick.axes[0] = sample;
+  return wall_picture(scene, tick);
 }
 
 const PictureWall* outermost_wall(const WallPicture& picture, Axis axis) {
@@ -124,13 +121,8 @@ StiffnessScale stiffness_scale(const WallPicture& picture) {
   return scale;
 }
 
-ImVec4 mixed(const ImVec4& first, const ImVec4& second, float share) {
-  const auto between = [share](float a, float b) { return a + share * (b - a); };
-  return {between(first.x, second.x), between(first.y, second.y), between(first.z, second.z),
-          between(first.w, second.w)};
-}
-
 ImVec4 stiffness_colour(const draw::Theme& theme, float share) {
+  using draw::mixed;
   const ImVec4 soft =
       mixed(theme.colour(draw::Tone::kPanel), theme.colour(draw::Tone::kMuted), 0.55F);
   const ImVec4 middle = mixed(theme.colour(draw::Tone::kBudget), soft, 0.15F);

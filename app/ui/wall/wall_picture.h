@@ -1,5 +1,5 @@
-// What there is to be seen of walls, handle and hand, in metres and newtons: drawn by WallRenderer,
-// labelled by the wall view. Knows nothing of OpenGL.
+// The visible state of walls, handle and hand, in metres and newtons. WallRenderer draws it, and
+// the wall view labels it. Independent of OpenGL.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct PictureWall {
   friend bool operator==(const PictureWall&, const PictureWall&) = default;
 };
 
-// What the walls of one axis display to the hand.
+// The stiffness that the walls of one axis display to the hand.
 struct ShownStiffness {
   double n_per_m = 0.0;   // F_d / penetration
   double strength = 0.0;  // 0: nothing is displayed; 1: in contact; between while a tint fades
@@ -51,25 +51,27 @@ struct WallPicture {
   friend bool operator==(const WallPicture&, const WallPicture&) = default;
 };
 
-// `y`: the same tick's sample of the second axis, looked at where the scene has one.
-[[nodiscard]] WallPicture wall_picture(const Scene& scene, const Sample& sample,
-                                       const Sample& y = {});
+// `tick`: one sample for each axis of the scene.
+[[nodiscard]] WallPicture wall_picture(const Scene& scene, const Tick& tick);
+// The same for a scene of one axis.
+[[nodiscard]] WallPicture wall_picture(const Scene& scene, const Sample& sample);
 
-// The wall that is met first on an axis; null where there is none.
+// The first wall of an axis; null without one.
 [[nodiscard]] const PictureWall* outermost_wall(const WallPicture& picture, Axis axis);
 
-// How deep the true position is in the outermost wall of an axis, metres; 0 in front of it.
+// Depth of the true position in the outermost wall of an axis, metres; 0 in front of it.
 [[nodiscard]] double true_penetration_m(const WallPicture& picture, Axis axis);
 
-// Where the walls would hold the handle: on every face that it is beyond. Nothing out of contact.
+// The place where rigid walls would hold the handle: on every face that it has passed. Nullopt out
+// of contact.
 [[nodiscard]] std::optional<glm::dvec2> proxy_of(const WallPicture& picture);
 
 // The force arrow in the picture's units along the device's axes, positive into the wall; as long
 // as WallMeasures::kMaxArrow at full scale, never longer.
 [[nodiscard]] glm::vec2 arrow_of(const WallPicture& picture);
 
-// Moves what is shown towards what is displayed now, `passed_s` later: a force that chatters would
-// make the tint flicker. Strength and stiffness settle within about kTintTimeS.
+// Moves the shown tint towards the present one, `passed_s` later, because a chattering force would
+// make it flicker. Strength and stiffness settle within about kTintTimeS.
 inline constexpr double kTintTimeS = 0.12;
 [[nodiscard]] ShownStiffness faded(const ShownStiffness& shown, const ShownStiffness& now,
                                    double passed_s);
@@ -80,7 +82,7 @@ struct StiffnessScale {
   double stiffest_n_per_m = 1.0;
 
   [[nodiscard]] double softest_n_per_m() const;
-  // From 0 at the softest to 1 at the stiffest; what lies beyond counts as the end.
+  // From 0 at the softest to 1 at the stiffest, clamped.
   [[nodiscard]] float share(double n_per_m) const;
   // The stiffness of a share.
   [[nodiscard]] double at(double share) const;
@@ -88,10 +90,20 @@ struct StiffnessScale {
 [[nodiscard]] StiffnessScale stiffness_scale(const WallPicture& picture);
 // The colour of a share.
 [[nodiscard]] ImVec4 stiffness_colour(const draw::Theme& theme, float share);
-// Between two colours; share 0 is the first.
-[[nodiscard]] ImVec4 mixed(const ImVec4& first, const ImVec4& second, float share);
+[[nodiscard]] inline glm::vec4 rgba(const ImVec4& colour) {
+  return {colour.x, colour.y, colour.z, colour.w};
+}
 
-// Measures in the picture's units, shared with whoever writes labels beside things.
+class WallCamera;
+
+// A picture as a camera sees it, in the colours of a theme.
+struct WallView {
+  const WallPicture& picture;
+  const WallCamera& camera;
+  const draw::Theme& theme;
+};
+
+// Measures in the picture's units, for solids and labels.
 struct WallMeasures {
   static constexpr float kHandleRadius = 0.42F;
   static constexpr float kHandleLength = 2.7F;
@@ -110,10 +122,6 @@ struct WallMeasures {
 
   [[nodiscard]] static float wall_top(const WallPicture& picture) {
     return picture.two_axes ? kCornerTop : kWallTop;
-  }
-  // Of the arrow's line above the floor of the axes.
-  [[nodiscard]] static float arrow_height(const WallPicture& picture) {
-    return picture.two_axes ? 0.0F : kArrowHeight;
   }
 };
 

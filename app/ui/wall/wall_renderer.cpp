@@ -71,10 +71,9 @@ class Renderer final : public WallRenderer {
  private:
   [[nodiscard]] bool needs_drawing(const Drawn& wanted);
   static bool ensure(std::optional<draw::GlTarget>& target, int width, int height, int samples);
-  bool draw_draft(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme);
-  bool draw_fine(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme);
-  void draw_solids(const WallPicture& picture, const WallCamera& camera,
-                   const draw::Theme& theme) const;
+  bool draw_draft(const WallView& view);
+  bool draw_fine(const WallView& view);
+  void draw_solids(const WallView& view) const;
 
   WallFloor floor_;
   WallSolids solids_;
@@ -109,36 +108,33 @@ bool Renderer::needs_drawing(const Drawn& wanted) {
   return calls_without_change_ >= kStillCalls;
 }
 
-void Renderer::draw_solids(const WallPicture& picture, const WallCamera& camera,
-                           const draw::Theme& theme) const {
-  floor_.draw_shadow(picture, camera, theme);
+void Renderer::draw_solids(const WallView& view) const {
+  floor_.draw_shadow(view);
   glClear(GL_DEPTH_BUFFER_BIT);
-  solids_.draw(picture, camera, theme);
+  solids_.draw(view);
 }
 
-bool Renderer::draw_draft(const WallPicture& picture, const WallCamera& camera,
-                          const draw::Theme& theme) {
+bool Renderer::draw_draft(const WallView& view) {
   if (!ensure(draft_, last_.width, last_.height, 1)) return false;
   if (!last_ground_ || !last_ground_->same_ground(last_)) {
     last_ground_.reset();
     if (!ensure(ground_, last_.width, last_.height, 1)) return false;
     ground_->bind();
-    floor_.draw(picture, camera, theme, last_.height);
+    floor_.draw(view, last_.height);
     last_ground_ = last_;
   }
   draft_->copy_colours(*ground_);
   draft_->bind();
-  draw_solids(picture, camera, theme);
+  draw_solids(view);
   draft_->resolve();
   return true;
 }
 
-bool Renderer::draw_fine(const WallPicture& picture, const WallCamera& camera,
-                         const draw::Theme& theme) {
+bool Renderer::draw_fine(const WallView& view) {
   if (!ensure(fine_, last_.width, last_.height, kSamplesPerPixel)) return false;
   fine_->bind();
-  floor_.draw(picture, camera, theme, last_.height);
-  draw_solids(picture, camera, theme);
+  floor_.draw(view, last_.height);
+  draw_solids(view);
   fine_->resolve();
   return true;
 }
@@ -154,7 +150,8 @@ GLuint Renderer::draw(const WallPicture& picture, const WallCamera& camera,
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    valid_ = refined_ ? draw_fine(picture, camera, theme) : draw_draft(picture, camera, theme);
+    const WallView view{picture, camera, theme};
+    valid_ = refined_ ? draw_fine(view) : draw_draft(view);
     ++times_drawn_;
   }
   if (!valid_) return 0;

@@ -1,4 +1,4 @@
-// Draws a WallPicture with our own shaders, and draws it again only where it looks different.
+// Draws a WallPicture with shaders, and again only when it looks different.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,21 @@ class WallRenderer {
   [[nodiscard]] static Result<std::unique_ptr<WallRenderer>> create();
   virtual ~WallRenderer() = default;
 
-  // Returns the texture of a picture of this size in pixels, upside down as OpenGL has it; 0 where
-  // the driver refuses the size. Draws where something has changed by more than an eighth of a
-  // pixel or a shade. Without a graphics card a picture that moves is a draft (one sample a pixel),
-  // and is refined when it has stayed the same for some calls. The default framebuffer is bound
-  // afterwards.
+  // Returns the texture of a picture of this size in pixels, upside down as usual in OpenGL; 0 if
+  // the driver refuses the size. Draws when something has changed by more than an eighth of a
+  // pixel or a shade. Without a graphics card a moving picture is a draft (one sample a pixel), and
+  // is refined after some calls without a change. Binds the default framebuffer afterwards.
   virtual GLuint draw(const WallPicture& picture, const WallCamera& camera,
                       const draw::Theme& theme, int width, int height) = 0;
   // False: the picture is a draft, to be refined by further calls.
   [[nodiscard]] virtual bool refined() const = 0;
-  // How often draw() has really drawn.
+  // Number of calls of draw() that have drawn.
   [[nodiscard]] virtual std::uint64_t times_drawn() const = 0;
   // The framebuffer that holds the last picture, to be read.
   [[nodiscard]] virtual GLuint framebuffer() const = 0;
 };
 
-// The same picture in steps that the eye cannot tell apart: `step_m` for places.
+// The picture rounded to steps that the eye cannot see; `step_m` is the step of places.
 [[nodiscard]] WallPicture in_visible_steps(const WallPicture& picture, double step_m);
 
 }  // namespace hapticwall::ui

@@ -15,7 +15,7 @@ constexpr float kInvisible = 0.04F;  // length of an arrow
 constexpr float kArrowRadius = 0.085F;
 constexpr float kArrowHeadRadius = 0.24F;
 constexpr float kArrowHeadLength = 0.52F;
-constexpr float kArrowFlatness = 0.7F;  // the force's colour is to be recognised at once
+constexpr float kArrowFlatness = 0.7F;  // shows the force's colour clearly
 constexpr float kNeck = 0.62F * WallMeasures::kHandleRadius;
 constexpr float kBallTone = 0.25F;  // of the secondary text's colour in the text's
 constexpr float kGripTone = 0.80F;
@@ -33,10 +33,6 @@ constexpr float kFaceGrid = 0.5F;
 
 draw::GlMesh mesh_of(const Shape& shape) { return {shape.vertices, shape.indices}; }
 
-glm::vec4 vector_of(const ImVec4& colour, float alpha = 1.0F) {
-  return {colour.x, colour.y, colour.z, alpha};
-}
-
 // From a wall's own directions to the picture's.
 glm::mat4 frame_of(Axis axis) {
   if (axis == Axis::kX) return glm::mat4(1.0F);
@@ -45,12 +41,13 @@ glm::mat4 frame_of(Axis axis) {
 
 glm::vec4 own_colour(const WallPicture& picture, const draw::Theme& theme,
                      const PictureWall& wall) {
-  return vector_of(stiffness_colour(theme, stiffness_scale(picture).share(wall.stiffness_n_per_m)));
+  return rgba(stiffness_colour(theme, stiffness_scale(picture).share(wall.stiffness_n_per_m)));
 }
 
-// The colours of the handle come from the text's: it is what the eye follows.
+// The colours of the handle come from the text's, because the eye follows it.
 glm::vec4 handle_colour(const draw::Theme& theme, float share) {
-  return vector_of(mixed(theme.colour(draw::Tone::kText), theme.colour(draw::Tone::kMuted), share));
+  return rgba(
+      draw::mixed(theme.colour(draw::Tone::kText), theme.colour(draw::Tone::kMuted), share));
 }
 
 }  // namespace
@@ -164,8 +161,8 @@ void WallSolids::surface(float shininess, float flatness, float shell) const {
   solid_.set("shell", shell);
 }
 
-void WallSolids::draw_handle(const WallPicture& picture, const WallCamera& camera,
-                             const draw::Theme& theme) const {
+void WallSolids::draw_handle(const WallView& view) const {
+  const auto& [picture, camera, theme] = view;
   const glm::vec3 centre = ball_centre(picture.two_axes, camera, picture.handle_m);
   const float length = picture.two_axes ? WallMeasures::kStylusLength
                                         : WallMeasures::kHandleLength - WallMeasures::kHandleRadius;
@@ -178,32 +175,32 @@ void WallSolids::draw_handle(const WallPicture& picture, const WallCamera& camer
 }
 
 // A sleeve around the handle's rod where the hand would hold it, and the tip that it aims at.
-void WallSolids::draw_hand(const WallPicture& picture, const WallCamera& camera,
-                           const draw::Theme& theme) const {
+void WallSolids::draw_hand(const WallView& view) const {
+  const auto& [picture, camera, theme] = view;
   if (!picture.hand_m) return;
   const glm::vec3 centre = ball_centre(picture.two_axes, camera, *picture.hand_m);
   const glm::vec3 direction = rod_direction(picture.two_axes);
   const float from = WallMeasures::kSleeveFrom - WallMeasures::kHandleRadius;
   const float to = WallMeasures::kSleeveTo - WallMeasures::kHandleRadius;
-  const glm::vec4 colour = vector_of(theme.colour(draw::Tone::kHand), kHandAlpha);
+  const glm::vec4 colour = rgba(draw::with_alpha(theme.colour(draw::Tone::kHand), kHandAlpha));
   surface(0.3F, kHandFlatness, 0.0F);
   rod(cylinder_, centre + from * direction, centre + to * direction, WallMeasures::kSleeveRadius,
       colour);
   surface(0.0F, 1.0F, 1.0F);
-  ball(centre, WallMeasures::kHandleRadius, vector_of(theme.colour(draw::Tone::kHand)));
+  ball(centre, WallMeasures::kHandleRadius, rgba(theme.colour(draw::Tone::kHand)));
 }
 
-void WallSolids::draw_proxy(const WallPicture& picture, const WallCamera& camera,
-                            const draw::Theme& theme) const {
+void WallSolids::draw_proxy(const WallView& view) const {
+  const auto& [picture, camera, theme] = view;
   const std::optional<glm::dvec2> proxy_m = proxy_of(picture);
   if (!proxy_m) return;
   surface(0.0F, 1.0F, 1.0F);
   ball(ball_centre(picture.two_axes, camera, *proxy_m), kProxyRadius,
-       vector_of(theme.colour(draw::Tone::kAccent), kProxyAlpha));
+       rgba(draw::with_alpha(theme.colour(draw::Tone::kAccent), kProxyAlpha)));
 }
 
-void WallSolids::draw_arrow(const WallPicture& picture, const WallCamera& camera,
-                            const draw::Theme& theme) const {
+void WallSolids::draw_arrow(const WallView& view) const {
+  const auto& [picture, camera, theme] = view;
   const glm::vec2 arrow = arrow_of(picture);
   const float length = glm::length(arrow);
   if (length < kInvisible) return;
@@ -216,7 +213,7 @@ void WallSolids::draw_arrow(const WallPicture& picture, const WallCamera& camera
   const float head = std::min(kArrowHeadLength, length);
   const glm::vec3 neck = start + (length - head) * direction;
   const glm::vec4 colour =
-      vector_of(theme.colour(picture.saturated ? draw::Tone::kBad : draw::Tone::kForce));
+      rgba(theme.colour(picture.saturated ? draw::Tone::kBad : draw::Tone::kForce));
   surface(0.3F, kArrowFlatness, 0.0F);
   if (length > head) rod(cylinder_, start, neck, kArrowRadius, colour);
   rod(cone_, neck, neck + head * direction, kArrowHeadRadius * head / kArrowHeadLength, colour);
@@ -238,7 +235,7 @@ void WallSolids::draw_edges(const WallPicture& picture, const WallSlab& slab,
          {kEdgeWidth, kEdgeWidth, length});
 }
 
-// The face, which gives way, and then the sides, through which it is seen.
+// The face, which gives way. draw_walls() draws the transparent sides after it.
 void WallSolids::draw_slab(const WallPicture& picture, const WallSlab& slab) const {
   const float height = WallMeasures::wall_top(picture) - WallMeasures::kFloor;
   wall_.set("frame", frame_of(slab.wall->axis));
@@ -254,8 +251,8 @@ void WallSolids::draw_slab(const WallPicture& picture, const WallSlab& slab) con
 }
 
 // Transparent, so drawn after all that may be inside; the handle stays visible there.
-void WallSolids::draw_walls(const WallPicture& picture, const WallCamera& camera,
-                            const draw::Theme& theme, const std::vector<WallSlab>& slabs) const {
+void WallSolids::draw_walls(const WallView& view, const std::vector<WallSlab>& slabs) const {
+  const auto& [picture, camera, theme] = view;
   const StiffnessScale scale = stiffness_scale(picture);
   wall_.use();
   wall_.set("view_projection", camera.view_projection());
@@ -265,8 +262,8 @@ void WallSolids::draw_walls(const WallPicture& picture, const WallCamera& camera
     const glm::vec4 own = own_colour(picture, theme, *slab.wall);
     const float nearness = 1.0F - std::clamp((slab.face - slab.tip) / kNearness, 0.0F, 1.0F);
     const glm::vec4 touched(std::max(slab.tip, slab.face), 0.0F, slab.tip_along, 1.0F);
-    wall_.set("shown", vector_of(stiffness_colour(theme, scale.share(shown.n_per_m)),
-                                 static_cast<float>(shown.strength)));
+    wall_.set("shown", rgba(draw::with_alpha(stiffness_colour(theme, scale.share(shown.n_per_m)),
+                                             static_cast<float>(shown.strength))));
     wall_.set("contact", glm::vec4(glm::vec3(frame_of(slab.wall->axis) * touched), nearness));
     wall_.set("colour", glm::vec4(glm::vec3(own), kFaceAlpha));
     draw_slab(picture, slab);
@@ -277,27 +274,27 @@ void WallSolids::draw_walls(const WallPicture& picture, const WallCamera& camera
   }
 }
 
-void WallSolids::draw(const WallPicture& picture, const WallCamera& camera,
-                      const draw::Theme& theme) const {
+void WallSolids::draw(const WallView& view) const {
+  const auto& [picture, camera, theme] = view;
   const std::vector<WallSlab> slabs = wall_slabs(picture, camera);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   solid_.use();
   solid_.set("view_projection", camera.view_projection());
   solid_.set("eye", camera.eye());
-  draw_handle(picture, camera, theme);
-  draw_arrow(picture, camera, theme);
+  draw_handle(view);
+  draw_arrow(view);
   surface(0.2F, 0.3F, 0.0F);
   for (const WallSlab& slab : slabs)
     draw_edges(picture, slab, own_colour(picture, theme, *slab.wall));
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
-  draw_walls(picture, camera, theme, slabs);
-  // Over the walls, as they are only thought of; the handle itself hides them.
+  draw_walls(view, slabs);
+  // Proxy and intended hand are drawn over the walls; only the handle hides them.
   solid_.use();
-  draw_proxy(picture, camera, theme);
-  draw_hand(picture, camera, theme);
+  draw_proxy(view);
+  draw_hand(view);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);

@@ -1,4 +1,4 @@
-// What stands on the floor: walls, handle, the hand's intention, the proxy, the force.
+// The solids above the floor: walls, handle, the hand's intention, proxy, force.
 #pragma once
 
 #include <vector>
@@ -30,7 +30,7 @@ struct WallSlab {
 };
 [[nodiscard]] WallSlab wall_slab(const WallPicture& picture, const WallCamera& camera,
                                  const PictureWall& wall);
-// In the order in which they are to be drawn: what is behind comes first.
+// In the order of drawing: from the back to the front.
 [[nodiscard]] std::vector<WallSlab> wall_slabs(const WallPicture& picture,
                                                const WallCamera& camera);
 
@@ -40,7 +40,7 @@ class WallSolids {
   [[nodiscard]] static Result<WallSolids> create();
 
   // Into the bound target, whose depth is clear.
-  void draw(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme) const;
+  void draw(const WallView& view) const;
 
  private:
   WallSolids(draw::GlProgram solid, draw::GlProgram wall);
@@ -50,17 +50,12 @@ class WallSolids {
            const glm::vec4& colour) const;
   void ball(glm::vec3 centre, float radius, const glm::vec4& colour) const;
   void surface(float shininess, float flatness, float shell) const;
-  void draw_handle(const WallPicture& picture, const WallCamera& camera,
-                   const draw::Theme& theme) const;
-  void draw_hand(const WallPicture& picture, const WallCamera& camera,
-                 const draw::Theme& theme) const;
-  void draw_proxy(const WallPicture& picture, const WallCamera& camera,
-                  const draw::Theme& theme) const;
-  void draw_arrow(const WallPicture& picture, const WallCamera& camera,
-                  const draw::Theme& theme) const;
+  void draw_handle(const WallView& view) const;
+  void draw_hand(const WallView& view) const;
+  void draw_proxy(const WallView& view) const;
+  void draw_arrow(const WallView& view) const;
   void draw_edges(const WallPicture& picture, const WallSlab& slab, const glm::vec4& colour) const;
-  void draw_walls(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme,
-                  const std::vector<WallSlab>& slabs) const;
+  void draw_walls(const WallView& view, const std::vector<WallSlab>& slabs) const;
   void draw_slab(const WallPicture& picture, const WallSlab& slab) const;
 
   draw::GlProgram solid_;

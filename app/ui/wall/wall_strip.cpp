@@ -21,10 +21,10 @@ constexpr double kBarPixels = 110.0;
 constexpr float kWallAlpha = 0.42F;
 
 ImU32 packed(const ImVec4& colour, float alpha) {
-  return ImGui::ColorConvertFloat4ToU32(ImVec4(colour.x, colour.y, colour.z, alpha));
+  return ImGui::ColorConvertFloat4ToU32(draw::with_alpha(colour, alpha));
 }
 
-// What a strip is drawn with.
+// Everything that draws a strip.
 struct Brush {
   const draw::Theme& theme;
   const Strip& strip;
@@ -36,6 +36,9 @@ struct Brush {
   [[nodiscard]] float pixels(float usual) const { return usual * line / draw::kSmallFontSize; }
   void text(ImVec2 place, draw::Tone tone, const std::string& words) const {
     list->AddText(place, theme.packed(tone), words.c_str());
+  }
+  void upright_line(float x, float from_y, float to_y, ImU32 colour, float width = 1.0F) const {
+    list->AddLine(ImVec2(x, from_y), ImVec2(x, to_y), colour, width);
   }
 };
 
@@ -90,7 +93,7 @@ void draw_walls(const Brush& brush) {
     const bool last = i + 1 == picture.walls.size() || picture.walls[i + 1].axis != Axis::kX;
     const double* next_m = last ? nullptr : &picture.walls[i + 1].face_m;
     const ImVec4 own = stiffness_colour(brush.theme, scale.share(wall.stiffness_n_per_m));
-    const ImVec4 tint = mixed(own, displayed, static_cast<float>(shown.strength));
+    const ImVec4 tint = draw::mixed(own, displayed, static_cast<float>(shown.strength));
     draw_layer(brush, wall.face_m, next_m, packed(tint, kWallAlpha), packed(own, 0.6F));
     const float face = strip.x_of(wall.face_m);
     const float end = next_m ? strip.x_of(*next_m) : strip.to.x;
@@ -98,13 +101,12 @@ void draw_walls(const Brush& brush) {
       brush.list->AddRectFilled(ImVec2(face, strip.trail_from()), ImVec2(end, strip.to.y),
                                 packed(tint, 0.45F * kWallAlpha));
     }
-    brush.list->AddLine(ImVec2(face, strip.from.y), ImVec2(face, strip.to.y), packed(own, 1.0F),
-                        brush.pixels(1.5F));
+    brush.upright_line(face, strip.from.y, strip.to.y, packed(own, 1.0F), brush.pixels(1.5F));
   }
 }
 
-// Where the encoder can tell the handle to be, and which part of the axis it calls by the count it
-// has just read.
+// The positions that the encoder can measure, and the range of positions that give the present
+// count.
 void draw_counts(const Brush& brush) {
   const Strip& strip = brush.strip;
   if (!brush.content.encoder_m) return;
@@ -124,10 +126,9 @@ void draw_counts(const Brush& brush) {
   const float length = kTickShare * strip.height();
   for (long count = first; count <= last; ++count) {
     const float x = strip.x_of(static_cast<double>(count) * encoder_m);
-    brush.list->AddLine(ImVec2(x, strip.from.y), ImVec2(x, strip.to.y),
-                        brush.theme.packed(draw::Tone::kText, 0.09F));
-    brush.list->AddLine(ImVec2(x, strip.to.y - length), ImVec2(x, strip.to.y),
-                        brush.theme.packed(draw::Tone::kMuted), brush.pixels(1.5F));
+    brush.upright_line(x, strip.from.y, strip.to.y, brush.theme.packed(draw::Tone::kText, 0.09F));
+    brush.upright_line(x, strip.to.y - length, strip.to.y, brush.theme.packed(draw::Tone::kMuted),
+                       brush.pixels(1.5F));
     if (!numbered) continue;
     const std::string number = fmt::format("{}", count);
     brush.text(ImVec2(x + 3.0F, strip.to.y - 1.05F * brush.line), draw::Tone::kMuted, number);
@@ -145,8 +146,8 @@ void draw_handle(const Brush& brush) {
   brush.list->AddRectFilled(ImVec2(outside, middle - half), ImVec2(tip, middle + half),
                             brush.theme.packed(draw::Tone::kText, 0.80F), 0.9F * half,
                             ImDrawFlags_RoundCornersRight);
-  brush.list->AddLine(ImVec2(tip, middle - 1.5F * half), ImVec2(tip, strip.trail_from()),
-                      brush.theme.packed(draw::Tone::kText), brush.pixels(1.0F));
+  brush.upright_line(tip, middle - 1.5F * half, strip.trail_from(),
+                     brush.theme.packed(draw::Tone::kText), brush.pixels(1.0F));
   if (const auto proxy_m = proxy_of(picture)) {
     const float face = strip.x_of(proxy_m->x);
     brush.list->AddRect(ImVec2(outside, middle - 1.25F * half), ImVec2(face, middle + 1.25F * half),
@@ -161,39 +162,38 @@ void draw_measured(const Brush& brush) {
   const float half = Strip::kHandleHalf * strip.height();
   const float upper = strip.handle_level() - 1.5F * half;
   const ImU32 colour = brush.theme.packed(draw::Tone::kPosition);
-  brush.list->AddLine(ImVec2(x, upper), ImVec2(x, strip.trail_from()), colour, brush.pixels(2.0F));
+  brush.upright_line(x, upper, strip.trail_from(), colour, brush.pixels(2.0F));
   const float size = 0.3F * brush.line;
   brush.list->AddTriangleFilled(ImVec2(x - size, upper - size), ImVec2(x + size, upper - size),
                                 ImVec2(x, upper), colour);
 }
 
-// Whatever is beyond an edge is named there, with its distance from the face.
-void draw_beyond(const Brush& brush, const char* name, double position_m, draw::Tone tone,
-                 float row) {
+// Names a thing beyond an edge of the strip, at that edge.
+void draw_beyond(const Brush& brush, double position_m, const std::string& text, draw::Tone tone,
+                 float y) {
   const Strip& strip = brush.strip;
   if (strip.shows(position_m)) return;
-  const double depth_m = position_m - brush.content.face_m;
-  const std::string place =
-      fmt::format("{} {:.2f} mm {}", name, std::abs(depth_m) * kMillimetresPerMetre,
-                  depth_m >= 0.0 ? "inside" : "outside");
   const bool right = position_m > strip.middle_m;
-  const std::string words = right ? place + " →" : "← " + place;
+  const std::string words = right ? text + " →" : "← " + text;
   const float width = ImGui::CalcTextSize(words.c_str()).x;
   const float x = right ? strip.to.x - width - 0.5F * brush.line : strip.from.x + 0.5F * brush.line;
-  brush.text(ImVec2(x, strip.from.y + (0.25F + 1.1F * row) * brush.line), tone, words);
+  brush.text(ImVec2(x, y), tone, words);
+}
+
+// The same at the top, with the distance from the face.
+void draw_thing_beyond(const Brush& brush, const char* name, double position_m, draw::Tone tone,
+                       float row) {
+  const double depth_m = position_m - brush.content.face_m;
+  draw_beyond(brush, position_m,
+              fmt::format("{} {:.2f} mm {}", name, std::abs(depth_m) * kMillimetresPerMetre,
+                          depth_m >= 0.0 ? "inside" : "outside"),
+              tone, brush.strip.from.y + (0.25F + 1.1F * row) * brush.line);
 }
 
 void draw_face_beyond(const Brush& brush) {
-  const Strip& strip = brush.strip;
-  if (strip.shows(brush.content.face_m)) return;
-  const std::string distance = length_text(std::abs(strip.middle_m - brush.content.face_m));
-  const bool right = brush.content.face_m > strip.middle_m;
-  const std::string words = right ? "face " + distance + " →" : "← face " + distance;
-  const float width = ImGui::CalcTextSize(words.c_str()).x;
-  brush.text(
-      ImVec2(right ? strip.to.x - width - 0.5F * brush.line : strip.from.x + 0.5F * brush.line,
-             strip.trail_from() - 1.2F * brush.line),
-      draw::Tone::kWall, words);
+  const double face_m = brush.content.face_m;
+  draw_beyond(brush, face_m, "face " + length_text(std::abs(brush.strip.middle_m - face_m)),
+              draw::Tone::kWall, brush.strip.trail_from() - 1.2F * brush.line);
 }
 
 void draw_true_depth(const Brush& brush) {
@@ -220,8 +220,7 @@ void draw_scale_bar(const Brush& brush) {
                             brush.theme.packed(draw::Tone::kBackground, 0.75F), 3.0F);
   brush.list->AddLine(start, ImVec2(start.x + length, start.y), colour, brush.pixels(2.0F));
   for (const float x : {start.x, start.x + length})
-    brush.list->AddLine(ImVec2(x, start.y - tick), ImVec2(x, start.y + tick), colour,
-                        brush.pixels(1.5F));
+    brush.upright_line(x, start.y - tick, start.y + tick, colour, brush.pixels(1.5F));
   brush.text(ImVec2(start.x + length + 0.5F * brush.line, start.y - 0.55F * brush.line),
              draw::Tone::kText, words);
 }
@@ -276,16 +275,15 @@ void draw_strip(const draw::Theme& theme, const Strip& strip, const StripContent
   draw_handle(brush);
   draw_measured(brush);
   if (picture.hand_m && strip.shows(picture.hand_m->x)) {
-    const float x = strip.x_of(picture.hand_m->x);
-    list->AddLine(ImVec2(x, strip.from.y), ImVec2(x, strip.to.y), theme.packed(draw::Tone::kHand),
-                  1.5F);
+    brush.upright_line(strip.x_of(picture.hand_m->x), strip.from.y, strip.to.y,
+                       theme.packed(draw::Tone::kHand), 1.5F);
   }
   draw_true_depth(brush);
-  draw_beyond(brush, "handle", picture.handle_m.x, draw::Tone::kText, 0.0F);
+  draw_thing_beyond(brush, "handle", picture.handle_m.x, draw::Tone::kText, 0.0F);
   const bool both_right = !strip.shows(picture.handle_m.x) && picture.handle_m.x > strip.middle_m;
   if (picture.hand_m)
-    draw_beyond(brush, "hand", picture.hand_m->x, draw::Tone::kHand,
-                both_right || picture.hand_m->x < strip.middle_m ? 1.0F : 0.0F);
+    draw_thing_beyond(brush, "hand", picture.hand_m->x, draw::Tone::kHand,
+                      both_right || picture.hand_m->x < strip.middle_m ? 1.0F : 0.0F);
   draw_face_beyond(brush);
   draw_scale_bar(brush);
 }

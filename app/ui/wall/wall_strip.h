@@ -1,4 +1,4 @@
-// The magnified contact: a strip along the axis, in which the handle comes from the left.
+// The magnified contact: a strip along the axis; the handle comes from the left.
 #pragma once
 
 #include <imgui.h>
@@ -19,7 +19,7 @@ struct Strip {
   double span_m = 1e-3;
 
   [[nodiscard]] double pixels_per_m() const { return static_cast<double>(to.x - from.x) / span_m; }
-  // What is far outside counts as just outside.
+  // Clamped just outside the strip.
   [[nodiscard]] float x_of(double position_m) const;
   [[nodiscard]] bool shows(double position_m) const;
   [[nodiscard]] float height() const { return to.y - from.y; }

@@ -112,13 +112,8 @@ void refuse(const PanelContext& context, const std::string& key, std::string why
 void draw_refusal(const PanelContext& context, const std::string& key) {
   const auto& refusal = context.state.transient.refusal;
   if (!refusal || refusal->key != key) return;
-  ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kBad));
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(refusal->why.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
+  const FontScope font(nullptr, draw::kSmallFontSize);
+  draw::wrapped_text(context.theme.colour(draw::Tone::kBad), refusal->why);
 }
 
 void change_parameters(const PanelContext& context, const std::string& key,

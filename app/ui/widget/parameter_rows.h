@@ -4,12 +4,10 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <variant>
-#include <vector>
 
 #include "app/ui/state/ui_state.h"
 #include "core/scene_keys.h"

@@ -47,8 +47,9 @@ void draw_axis_choice(const PanelContext& context, const char* name) {
   Axis& shown = context.state.transient.shown_axis;
   for (const Choice& choice : kChoices) {
     const std::string label = fmt::format("{0}###{1} axis {0}", choice.text, name);
-    if (choice_button(context, label.c_str(), shown == choice.axis)) shown = choice.axis;
-    explain("Axis of plots, magnifier, readout and wall fields");
+    if (choice_button(context, label, shown == choice.axis,
+                      "Axis of plots, magnifier, readout and wall fields"))
+      shown = choice.axis;
     ImGui::SameLine();
   }
 }

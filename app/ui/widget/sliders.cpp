@@ -26,10 +26,9 @@ double rounded(double value) {
 }
 
 void draw_track(const PanelContext& context, ImVec2 from, ImVec2 to, float share, bool held) {
-  const float em = ImGui::GetFontSize();
   const float middle = 0.5F * (from.y + to.y);
-  const float half = 0.5F * kSliderTrackEms * em;
-  const float grab = kGrabEms * em;
+  const float half = 0.5F * ems(kSliderTrackEms);
+  const float grab = ems(kGrabEms);
   const float x = from.x + grab + share * (to.x - from.x - 2.0F * grab);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(ImVec2(from.x, middle - half), ImVec2(to.x, middle + half),
@@ -108,7 +107,7 @@ std::optional<double> thin_slider(const PanelContext& context, const char* id, d
   return value == shown || value == as_told ? std::nullopt : std::optional(value);
 }
 
-std::optional<double> slider_row(const PanelContext& context, const NumberRow& row) {
+std::optional<double> number_row(const PanelContext& context, const NumberRow& row) {
   const std::string id = fmt::format("##{}", row.name);
   field_label(context, row.label, row.tooltip, row.unit);
   type_where_asked(context, id.c_str());
@@ -116,9 +115,9 @@ std::optional<double> slider_row(const PanelContext& context, const NumberRow& r
   const float from = ImGui::GetItemRectMin().x;
   const float to = ImGui::GetItemRectMax().x;
   unit_label(row.unit);
-  const auto slid = thin_slider(context, id.c_str(), row.value, row.range, from, to);
-  if (slid) value = slid;
-  return value;
+  if (!row.range) return value;
+  const auto slid = thin_slider(context, id.c_str(), row.value, *row.range, from, to);
+  return slid ? slid : value;
 }
 
 }  // namespace hapticwall::ui

@@ -31,15 +31,16 @@ void type_where_asked(const PanelContext& context, const char* id);
                                                 double shown, const LogRange& range, float from,
                                                 float to);
 
-// Label, field, unit and slider. Their ids are "##NAME" and "##NAME-slider".
+// A row of label, field, unit and slider. The ids are "##NAME" and "##NAME-slider".
 struct NumberRow {
   const char* name = "";
   std::string_view label;
   std::string_view unit;
   std::string_view tooltip;
   double value = 0.0;
-  LogRange range;
+  std::optional<LogRange> range = std::nullopt;  // of the slider; nullopt: no slider
 };
-[[nodiscard]] std::optional<double> slider_row(const PanelContext& context, const NumberRow& row);
+// Returns the value that the user has typed, or to which the slider is dragged.
+[[nodiscard]] std::optional<double> number_row(const PanelContext& context, const NumberRow& row);
 
 }  // namespace hapticwall::ui

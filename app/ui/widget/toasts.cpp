@@ -5,9 +5,6 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <utility>
-
-#include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -29,7 +26,7 @@ void draw_words(const Toast& toast) {
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextUnformatted(toast.message.text.c_str());
   ImGui::PopTextWrapPos();
-  ImGui::PushFont(nullptr, draw::kSmallFontSize);
+  const draw::FontScope font(nullptr, draw::kSmallFontSize);
   if (ImGui::SmallButton("Copy###copy message"))
     ImGui::SetClipboardText(toast.message.text.c_str());
   ImGui::SameLine();
@@ -39,7 +36,6 @@ void draw_words(const Toast& toast) {
     ImGui::SameLine();
     ImGui::TextDisabled("%d times", toast.times);
   }
-  ImGui::PopFont();
 }
 
 void draw_bar(const PanelContext& context, const Toast& toast) {

@@ -4,7 +4,6 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace hapticwall::ui {
@@ -16,11 +15,14 @@ constexpr float kTooltipWidthEms = 26.0F;
 
 }  // namespace
 
+void heading_text(const PanelContext& context, const char* title) {
+  const FontScope font(context.theme.fonts.strong, 0.0F);
+  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "%s", title);
+}
+
 void section(const PanelContext& context, const char* title, bool asked_for) {
   ImGui::Dummy(ImVec2(0.0F, 0.2F * ImGui::GetFontSize()));
-  ImGui::PushFont(context.theme.fonts.strong, 0.0F);
-  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "%s", title);
-  ImGui::PopFont();
+  heading_text(context, title);
   if (!asked_for) return;
   ImGui::SameLine();
   ImGui::TextDisabled("asked for");
@@ -49,30 +51,15 @@ bool folding_section(const PanelContext& context, const char* title, std::string
   const float text_width = ImGui::CalcTextSize(heading.c_str(), nullptr, true).x +
                            kArrowAndGapEms * ImGui::GetFontSize();
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + text_width);
-  ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  const std::string text(summary);
-  ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "%s", text.c_str());
-  ImGui::PopFont();
+  const FontScope font(nullptr, draw::kSmallFontSize);
+  ImGui::TextColored(context.theme.colour(draw::Tone::kMuted), "%.*s",
+                     static_cast<int>(summary.size()), summary.data());
   return false;
 }
 
 void muted_text(const PanelContext& context, std::string_view text) {
-  ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kMuted));
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
-}
-
-bool choice_button(const PanelContext& context, const char* label, bool chosen) {
-  const ImU32 background =
-      chosen ? context.theme.packed(draw::Tone::kAccent, 0.30F) : IM_COL32_BLACK_TRANS;
-  ImGui::PushStyleColor(ImGuiCol_Button, background);
-  const bool clicked = ImGui::Button(label);
-  ImGui::PopStyleColor();
-  return clicked;
+  const FontScope font(nullptr, draw::kSmallFontSize);
+  draw::wrapped_text(context.theme.colour(draw::Tone::kMuted), text);
 }
 
 void explain(std::string_view text) {
@@ -87,14 +74,36 @@ void explain(std::string_view text) {
   ImGui::EndTooltip();
 }
 
+bool button(const std::string& label, std::string_view tooltip, const ButtonLook& look) {
+  ImGui::BeginDisabled(!look.enabled);
+  const bool clicked = look.small ? ImGui::SmallButton(label.c_str())
+                                  : ImGui::Button(label.c_str(), ImVec2(look.width, 0.0F));
+  ImGui::EndDisabled();
+  explain(tooltip);
+  return clicked;
+}
+
+bool choice_button(const PanelContext& context, const std::string& label, bool chosen,
+                   std::string_view tooltip, const ButtonLook& look) {
+  draw::begin_choice(context.theme, chosen);
+  const bool clicked = button(label, tooltip, look);
+  draw::end_choice();
+  return clicked;
+}
+
+bool list_choice(const std::string& label, bool chosen, std::string_view tooltip) {
+  const bool clicked = ImGui::Selectable(label.c_str(), chosen);
+  explain(tooltip);
+  return clicked;
+}
+
 void field_label(const PanelContext& context, std::string_view label, std::string_view tooltip,
                  std::string_view unit) {
   const float left = ImGui::GetCursorPosX();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kText));
-  ImGui::TextUnformatted(label.data(), label.data() + label.size());
-  ImGui::PopStyleColor();
+  ImGui::TextColored(context.theme.colour(draw::Tone::kText), "%.*s",
+                     static_cast<int>(label.size()), label.data());
   explain(tooltip);
   context.state.transient.edit.tooltip = tooltip;
   // A long label pushes its field to the right instead of running into it.
@@ -104,8 +113,11 @@ void field_label(const PanelContext& context, std::string_view label, std::strin
   ImGui::SetNextItemWidth(left + width - start - unit_width(unit));
 }
 
-float unit_width(std::string_view unit) {
-  return unit.empty() ? 0.0F : kUnitEms * ImGui::GetFontSize();
+float unit_width(std::string_view unit) { return unit.empty() ? 0.0F : ems(kUnitEms); }
+
+void digits_text(const PanelContext& context, const std::string& text, draw::Tone tone) {
+  const FontScope font(context.theme.fonts.digits, draw::kSmallFontSize);
+  ImGui::TextColored(context.theme.colour(tone), "%s", text.c_str());
 }
 
 void figure_row(const PanelContext& context, std::string_view name, const std::string& text,
@@ -115,9 +127,7 @@ void figure_row(const PanelContext& context, std::string_view name, const std::s
   muted_text(context, name);
   // Aligned with the text of the fields above; inside a group the row begins at 0.
   ImGui::SameLine(kLabelShare * width + ImGui::GetStyle().FramePadding.x);
-  ImGui::PushFont(context.theme.fonts.digits, draw::kSmallFontSize);
-  ImGui::TextColored(context.theme.colour(tone), "%s", text.c_str());
-  ImGui::PopFont();
+  digits_text(context, text, tone);
   ImGui::EndGroup();
   explain(tooltip);
 }

@@ -10,8 +10,15 @@
 
 namespace hapticwall::ui {
 
+using draw::button_width;
+using draw::ems;
+using draw::FontScope;
+
 // Start of a row's field, as a share of the panel's width.
 inline constexpr float kLabelShare = 0.37F;
+
+// Bold text in the colour of headings.
+void heading_text(const PanelContext& context, const char* title);
 
 // Heading of a section. `asked_for`: its values are not in force yet, and the heading says so.
 void section(const PanelContext& context, const char* title, bool asked_for = false);
@@ -23,11 +30,25 @@ void section(const PanelContext& context, const char* title, bool asked_for = fa
 // Secondary text, wrapped at the edge of the panel.
 void muted_text(const PanelContext& context, std::string_view text);
 
-// One of several buttons; `chosen` highlights it.
-[[nodiscard]] bool choice_button(const PanelContext& context, const char* label, bool chosen);
-
 // Shows a tooltip for the last item.
 void explain(std::string_view text);
+
+// A button with a tooltip; true when pressed.
+struct ButtonLook {
+  float width = 0.0F;  // pixels; 0: as wide as the label
+  bool enabled = true;
+  bool small = false;
+};
+[[nodiscard]] bool button(const std::string& label, std::string_view tooltip,
+                          const ButtonLook& look = {});
+
+// The same for a choice; `chosen` highlights it.
+[[nodiscard]] bool choice_button(const PanelContext& context, const std::string& label, bool chosen,
+                                 std::string_view tooltip, const ButtonLook& look = {});
+
+// A row of a list that is open; true when the user chooses it.
+[[nodiscard]] bool list_choice(const std::string& label, bool chosen,
+                               std::string_view tooltip = {});
 
 // A label on the left. The next item fills the rest of the row, except the width of `unit`, which
 // unit_label() adds. A field that follows has the same tooltip.
@@ -36,6 +57,9 @@ void field_label(const PanelContext& context, std::string_view label, std::strin
 void unit_label(std::string_view unit);
 // Width reserved for the unit of a field.
 [[nodiscard]] float unit_width(std::string_view unit);
+
+// Text in small digits of constant width.
+void digits_text(const PanelContext& context, const std::string& text, draw::Tone tone);
 
 // A row that shows a value: name, and digits of constant width.
 void figure_row(const PanelContext& context, std::string_view name, const std::string& text,

@@ -65,13 +65,19 @@ Failure Application::start_first(const Scene& scene) {
     show_recording(std::move(replay_));
     return std::nullopt;
   }
+  if (Failure failure = start_session(scene)) return failure;
+  state_.transient.loaded_scene = live_->scene();
+  begin_comparison(state_, live_->scene(), slots_for(live_->scene()));
+  notice_changes(state_, live_->scene());
+  return std::nullopt;
+}
+
+// On the device, if there is one. A failure changes nothing.
+Failure Application::start_session(const Scene& scene) {
   auto started =
       sessions_.start_on_device ? sessions_.start_on_device(scene) : sessions_.simulate(scene);
   if (!started) return started.error();
   live_ = std::move(*started);
-  state_.transient.loaded_scene = live_->scene();
-  begin_comparison(state_, live_->scene(), slots_for(live_->scene()));
-  notice_changes(state_, live_->scene());
   return std::nullopt;
 }
 
@@ -147,10 +153,7 @@ void Application::start_wanted_scene() {
   if (!state_.transient.wanted_scene) return;
   const WantedScene wanted = std::move(*state_.transient.wanted_scene);
   state_.transient.wanted_scene.reset();
-  if (const auto problem = validate(wanted.scene)) {
-    tell(state_, *problem);
-    return;
-  }
+  if (const auto problem = validate(wanted.scene)) return tell(state_, *problem);
   if (!start_anew(wanted.scene)) return;
   state_.replay.opening.give_up();
   forget_session();
@@ -177,44 +180,25 @@ void Application::forget_session() {
   draw_overlay_in_plots(state_, nullptr, nullptr);
 }
 
-// A replay holds no device, so that it stays when the scene does not start.
-bool Application::start_beside_replay(const Scene& scene) {
-  auto started =
-      sessions_.start_on_device ? sessions_.start_on_device(scene) : sessions_.simulate(scene);
-  if (!started) {
-    tell(state_, MessageKind::kProblem, started.error().message);
-    return false;
-  }
-  live_ = std::move(*started);
-  replay_.reset();
-  return true;
-}
-
-// There is one device, so that its session ends before the next one starts. If the next one fails,
-// the simulator takes over and the user is told. Returns false when the old session stays.
+// A replay holds no device, so that it stays when the scene does not start. There is one device, so
+// that its session ends before the next one starts; if that fails, the simulator takes over, with a
+// message. Returns false when the old session or replay stays.
 bool Application::start_anew(const Scene& scene) {
-  if (replay_) return start_beside_replay(scene);
-  const bool on_device = !live_->device_info().is_simulated;
-  if (on_device) {
-    const SessionStarter starter = std::exchange(sessions_.start_on_device, nullptr);
-    live_.reset();
-    auto started = starter(scene);
-    if (started) {
-      live_ = std::move(*started);
-      sessions_.start_on_device = starter;
-      return true;
-    }
+  const bool on_device = live_ && !live_->device_info().is_simulated;
+  if (on_device) live_.reset();
+  Failure failure = start_session(scene);
+  if (on_device && failure) {
+    sessions_.start_on_device = nullptr;
     tell(state_, MessageKind::kProblem,
-         started.error().message +
-             "; this is the simulator now: start the program again for the device");
+         failure->message + "; this is the simulator now: start the program again for the device");
+    failure = start_session(scene);
+    if (failure) throw std::runtime_error(failure->message);  // nothing is left to show
   }
-  auto started = sessions_.simulate(scene);
-  if (!started) {
-    if (on_device) throw std::runtime_error(started.error().message);  // nothing is left to show
-    tell(state_, MessageKind::kProblem, started.error().message);
+  if (failure) {
+    tell(state_, *failure);
     return false;
   }
-  live_ = std::move(*started);
+  replay_.reset();
   return true;
 }
 

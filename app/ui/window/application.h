@@ -55,7 +55,7 @@ class Application {
   // Draws one frame, between ImGui::NewFrame() and ImGui::Render(); never waits for the loop.
   void frame();
 
-  // Takes samples without drawing, for a window that nobody sees.
+  // Takes samples without drawing, for a minimised window.
   void take_ticks();
 
   // Scale of the screen; 1 is the designed size.
@@ -84,12 +84,12 @@ class Application {
               const Options& options);
 
   [[nodiscard]] Failure start_first(const Scene& scene);
+  [[nodiscard]] Failure start_session(const Scene& scene);
 
   void keep_appearance();
   [[nodiscard]] Visibility visibility(std::uint32_t echoed_generation);
   void start_wanted_scene();
   [[nodiscard]] bool start_anew(const Scene& scene);
-  [[nodiscard]] bool start_beside_replay(const Scene& scene);
   void forget_session();
 
   // application_recordings.cpp

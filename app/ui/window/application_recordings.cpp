@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/ui/panel/replay_panel.h"
+#include "app/ui/panel/toolbar.h"
 #include "app/ui/state/comparing.h"
-#include "app/ui/state/recent_files.h"
 #include "app/ui/window/application.h"
 
 namespace hapticwall::ui {
@@ -31,13 +31,11 @@ void Application::open_wanted_recording() {
 
 void Application::take_opened_recording() {
   ReplayState& replay = state_.replay;
-  if (replay.opening.running()) {
-    replay.opening_s += static_cast<double>(ImGui::GetIO().DeltaTime);
-  }
+  if (replay.opening.running()) replay.opening_s += static_cast<double>(ImGui::GetIO().DeltaTime);
   auto opened = replay.opening.take();
   if (!opened) return;
   if (!*opened) {
-    tell(state_, MessageKind::kProblem, opened->error().message);
+    tell(state_, opened->error());
     std::erase(state_.persisted.recent, replay.opening_path);
     return;
   }
@@ -51,10 +49,8 @@ void Application::take_opened_recording() {
 // Removes the force first; writing the rest may take time.
 void Application::end_live_session() {
   live_->arm(false);
-  if (live_->recording_status().state != runtime::RecordingState::kRecording) return;
-  const Failure failure = live_->stop_recording();
-  tell(state_, failure ? MessageKind::kProblem : MessageKind::kNote,
-       failure ? failure->message : "recording finished: " + live_->recording_status().path);
+  if (live_->recording_status().state == runtime::RecordingState::kRecording)
+    stop_recording(state_, *live_);
 }
 
 void Application::show_recording(std::unique_ptr<runtime::ReplaySession> replay) {

@@ -30,10 +30,8 @@ constexpr std::array kGestures{Gesture{"drag in the view", "leads the hand"},
                                Gesture{"rest on anything", "says what it is"}};
 
 void heading(const PanelContext& context, const char* title) {
-  ImGui::Dummy(ImVec2(0.0F, 0.3F * ImGui::GetFontSize()));
-  ImGui::PushFont(context.theme.fonts.strong, 0.0F);
-  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "%s", title);
-  ImGui::PopFont();
+  ImGui::Dummy(ImVec2(0.0F, ems(0.3F)));
+  heading_text(context, title);
 }
 
 void row(const PanelContext& context, const char* left, const char* right) {
@@ -43,11 +41,7 @@ void row(const PanelContext& context, const char* left, const char* right) {
   ImGui::SameLine();
   // A long key text pushes the description.
   ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), start + column));
-  ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kMuted));
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(right);
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  draw::wrapped_text(context.theme.colour(draw::Tone::kMuted), right);
 }
 
 void draw_keys(const PanelContext& context) {
@@ -66,14 +60,11 @@ void draw_gestures(const PanelContext& context) {
 }
 
 void draw_content(const PanelContext& context) {
-  ImGui::PushFont(context.theme.fonts.strong, draw::kTitleFontSize);
-  ImGui::TextUnformatted("Keys and pointer");
-  ImGui::PopFont();
+  draw::strong_text(context.theme, "Keys and pointer", draw::kTitleFontSize);
   ImGui::SameLine();
-  const char* close = "Close (Esc)";
-  const float width = ImGui::CalcTextSize(close).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - width);
-  if (ImGui::Button("Close (Esc)###close help")) context.state.transient.help_shown = false;
+  constexpr const char* kClose = "Close (Esc)###close help";
+  draw::align_right(button_width(kClose));
+  if (ImGui::Button(kClose)) context.state.transient.help_shown = false;
   if (ImGui::BeginTable("help", 2)) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -83,8 +74,8 @@ void draw_content(const PanelContext& context) {
   }
   ImGui::Spacing();
   muted_text(context,
-             "Space takes the force of a real device away, whatever else is going on. While a text "
-             "is typed, the other keys are letters.");
+             "Space takes the force of a real device away, at any time. While a text is typed, "
+             "the other keys are letters.");
 }
 
 }  // namespace
@@ -95,11 +86,10 @@ void draw_help(const PanelContext& context) {
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoCollapse;
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
-  const float em = ImGui::GetFontSize();
-  const ImVec2 most(viewport->WorkSize.x - kMarginEms * em, viewport->WorkSize.y - kMarginEms * em);
+  const ImVec2 most(viewport->WorkSize.x - ems(kMarginEms), viewport->WorkSize.y - ems(kMarginEms));
   ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
   ImGui::SetNextWindowSizeConstraints(ImVec2(0.0F, 0.0F), most);
-  ImGui::SetNextWindowSize(ImVec2(std::min(kWidthEms * em, most.x), 0.0F));
+  ImGui::SetNextWindowSize(ImVec2(std::min(ems(kWidthEms), most.x), 0.0F));
   begin_raised(context.theme);
   ImGui::Begin("##help", nullptr, kFlags);
   ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());

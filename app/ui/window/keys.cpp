@@ -3,14 +3,13 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <iterator>
-#include <utility>
+#include <array>
+#include <initializer_list>
 
 #include "app/ui/page/plot_controls.h"
-#include "app/ui/panel/algorithm_panel.h"
 #include "app/ui/panel/arming_strip.h"
-#include "app/ui/panel/panel_head.h"
 #include "app/ui/panel/replay_bar.h"
+#include "app/ui/panel/sections.h"
 #include "app/ui/panel/toolbar.h"
 #include "app/ui/state/appearance.h"
 #include "app/ui/state/blind_test.h"
@@ -27,6 +26,11 @@ constexpr std::size_t kDigitKeys = 9;
 
 ImGuiKeyChord ctrl(ImGuiKeyChord key) { return ImGuiMod_Ctrl | key; }
 
+KeyBinding repeating(KeyBinding binding) {
+  binding.repeats = true;
+  return binding;
+}
+
 std::vector<KeyBinding> force_keys() {
   return {{KeyGroup::kForce, "force off, at once", {ImGuiKey_Space}, disarm, {}, 0, false, true},
           {KeyGroup::kForce, "arm a real device: the force rises", {ImGuiKey_A}, ask_to_arm}};
@@ -34,13 +38,10 @@ std::vector<KeyBinding> force_keys() {
 
 std::vector<KeyBinding> session_keys() {
   return {{KeyGroup::kSession, "pause, or run on", {ImGuiKey_P}, toggle_pause},
-          {KeyGroup::kSession,
-           "one tick, while paused",
-           {ImGuiKey_S, ImGuiKey_RightArrow},
-           single_step,
-           {},
-           0,
-           true},
+          repeating({KeyGroup::kSession,
+                     "one tick, while paused",
+                     {ImGuiKey_S, ImGuiKey_RightArrow},
+                     single_step}),
           {KeyGroup::kSession, "reset: back to tick 0, at rest", {ImGuiKey_R}, reset_session},
           {KeyGroup::kSession, "record, or stop recording", {ctrl(ImGuiKey_R)}, toggle_recording},
           {KeyGroup::kSession, "mark this moment in the recording", {ImGuiKey_M}, add_mark}};
@@ -48,13 +49,8 @@ std::vector<KeyBinding> session_keys() {
 
 // In addition to the session keys, which also apply.
 std::vector<KeyBinding> replay_keys() {
-  return {{KeyGroup::kReplay,
-           "one tick back, while paused",
-           {ImGuiKey_LeftArrow},
-           step_back,
-           {},
-           0,
-           true},
+  return {repeating(
+              {KeyGroup::kReplay, "one tick back, while paused", {ImGuiKey_LeftArrow}, step_back}),
           {KeyGroup::kReplay, "slower", {ImGuiKey_LeftBracket}, slower, {}, U'['},
           {KeyGroup::kReplay, "faster", {ImGuiKey_RightBracket}, faster, {}, U']'},
           {KeyGroup::kReplay, "begin anew at the end, or not", {ImGuiKey_L}, toggle_loop},
@@ -87,40 +83,32 @@ std::vector<KeyBinding> parameter_keys() {
            redo_change}};
 }
 
+void larger(const PanelContext& context) { step_scale(context.state, 1); }
+void smaller(const PanelContext& context) { step_scale(context.state, -1); }
+void as_the_screen(const PanelContext& context) { set_scale(context.state, 0); }
+
 std::vector<KeyBinding> window_keys() {
   return {{KeyGroup::kWindow, "this help", {ImGuiKey_F1}, toggle_help, {}, U'?'},
           {KeyGroup::kWindow, "dark or light", {ImGuiKey_F2}, toggle_look},
-          {KeyGroup::kWindow,
-           "everything larger",
-           {ctrl(ImGuiKey_Equal)},
-           [](const PanelContext& context) { step_scale(context.state, 1); },
-           {ctrl(ImGuiKey_KeypadAdd), ctrl(ImGuiMod_Shift | ImGuiKey_Equal)},
-           0,
-           true},
-          {KeyGroup::kWindow,
-           "everything smaller",
-           {ctrl(ImGuiKey_Minus)},
-           [](const PanelContext& context) { step_scale(context.state, -1); },
-           {ctrl(ImGuiKey_KeypadSubtract)},
-           0,
-           true},
+          repeating({KeyGroup::kWindow,
+                     "everything larger",
+                     {ctrl(ImGuiKey_Equal)},
+                     larger,
+                     {ctrl(ImGuiKey_KeypadAdd), ctrl(ImGuiMod_Shift | ImGuiKey_Equal)}}),
+          repeating({KeyGroup::kWindow,
+                     "everything smaller",
+                     {ctrl(ImGuiKey_Minus)},
+                     smaller,
+                     {ctrl(ImGuiKey_KeypadSubtract)}}),
           {KeyGroup::kWindow,
            "as large as the screen says",
            {ctrl(ImGuiKey_0)},
-           [](const PanelContext& context) { set_scale(context.state, 0); },
+           as_the_screen,
            {ctrl(ImGuiKey_Keypad0)}},
           {KeyGroup::kWindow,
            "close a list, the help, or the newest message",
            {ImGuiKey_Escape},
            put_away}};
-}
-
-std::vector<KeyBinding> all_keys() {
-  std::vector<KeyBinding> all;
-  for (auto&& part : {force_keys(), session_keys(), replay_keys(), algorithm_keys(),
-                      parameter_keys(), plot_keys(), window_keys()})
-    std::copy(part.begin(), part.end(), std::back_inserter(all));
-  return all;
 }
 
 // The right arrow is used for the second wall.
@@ -130,10 +118,9 @@ std::vector<KeyBinding> blind_session_keys() {
   return keys;
 }
 
-std::vector<KeyBinding> all_blind_keys() {
+std::vector<KeyBinding> joined(std::initializer_list<std::vector<KeyBinding>> parts) {
   std::vector<KeyBinding> all;
-  for (auto&& part : {force_keys(), blind_session_keys(), blind_test_keys(), window_keys()})
-    std::copy(part.begin(), part.end(), std::back_inserter(all));
+  for (const std::vector<KeyBinding>& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
@@ -193,17 +180,16 @@ std::string chord_text(ImGuiKeyChord chord) {
 }  // namespace
 
 const std::vector<KeyBinding>& key_bindings() {
-  static const std::vector<KeyBinding> kBindings = all_keys();
-  return kBindings;
-}
-
-const std::vector<KeyBinding>& blind_key_bindings() {
-  static const std::vector<KeyBinding> kBindings = all_blind_keys();
+  static const std::vector<KeyBinding> kBindings =
+      joined({force_keys(), session_keys(), replay_keys(), algorithm_keys(), parameter_keys(),
+              plot_keys(), window_keys()});
   return kBindings;
 }
 
 const std::vector<KeyBinding>& bindings_in_force(const Visibility& shows) {
-  return shows.hides_algorithm ? blind_key_bindings() : key_bindings();
+  static const std::vector<KeyBinding> kBlindBindings =
+      joined({force_keys(), blind_session_keys(), blind_test_keys(), window_keys()});
+  return shows.hides_algorithm ? kBlindBindings : key_bindings();
 }
 
 void handle_keys(const PanelContext& context, std::span<const KeyBinding> bindings) {
@@ -227,25 +213,9 @@ std::string keys_text(const KeyBinding& binding) {
 }
 
 const char* group_title(KeyGroup group) {
-  switch (group) {
-    case KeyGroup::kForce:
-      return "Force";
-    case KeyGroup::kSession:
-      return "Session";
-    case KeyGroup::kReplay:
-      return "Replay";
-    case KeyGroup::kAlgorithm:
-      return "Algorithm";
-    case KeyGroup::kParameters:
-      return "Parameters";
-    case KeyGroup::kBlindTest:
-      return "Blind test";
-    case KeyGroup::kPlots:
-      return "Plots";
-    case KeyGroup::kWindow:
-      break;
-  }
-  return "Window";
+  constexpr std::array kTitles{"Force",      "Session",    "Replay", "Algorithm",
+                               "Parameters", "Blind test", "Plots",  "Window"};
+  return kTitles.at(static_cast<std::size_t>(group));
 }
 
 }  // namespace hapticwall::ui

@@ -5,18 +5,11 @@
 
 #include "app/ui/page/lower_page.h"
 #include "app/ui/page/magnifier.h"
-#include "app/ui/panel/algorithm_panel.h"
 #include "app/ui/panel/arming_strip.h"
-#include "app/ui/panel/compare_panel.h"
-#include "app/ui/panel/device_panel.h"
-#include "app/ui/panel/hand_panel.h"
 #include "app/ui/panel/loop_panel.h"
-#include "app/ui/panel/panel_head.h"
 #include "app/ui/panel/replay_panel.h"
-#include "app/ui/panel/scene_panel.h"
-#include "app/ui/panel/status_line.h"
+#include "app/ui/panel/sections.h"
 #include "app/ui/panel/toolbar.h"
-#include "app/ui/panel/wall_panel.h"
 #include "app/ui/panel/wall_view.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/splitter.h"
@@ -49,9 +42,10 @@ void draw_panel(const PanelContext& context, float width, float height) {
   ImGui::BeginChild("controls", ImVec2(width, height), ImGuiChildFlags_Borders);
   draw_panel_head(context);
   if (context.shows.hides_algorithm) {
-    muted_text(context,
-               "A blind test runs. What stands here at other times would give the order of the two "
-               "walls away; it comes back when the test ends.");
+    muted_text(
+        context,
+        "A blind test runs. This panel would reveal the order of the two walls; it comes back "
+        "when the test ends.");
     ImGui::EndChild();
     return;
   }

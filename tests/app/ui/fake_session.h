@@ -50,7 +50,11 @@ class FakeSession final : public runtime::LiveSession {
     return take(wanted);
   }
   [[nodiscard]] std::uint32_t generation() const override { return generation_; }
-  void lead_hand(std::optional<double> position_m) override {
+  void lead_hand(std::optional<double> position_m, std::size_t axis = 0) override {
+    if (axis > 0) {
+      second_axis_lead = position_m;
+      return;
+    }
     lead = position_m;
     ++lead_calls;
     if (position_m) {
@@ -58,9 +62,6 @@ class FakeSession final : public runtime::LiveSession {
     } else {
       axes_.front().device.release_hand();
     }
-  }
-  void lead_second_hand(std::optional<double> position_m) override {
-    second_axis_lead = position_m;
   }
   void arm(bool armed) override { arm_requests.push_back(armed); }
   void pause(bool paused) override { is_paused = paused; }

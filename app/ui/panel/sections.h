@@ -1,0 +1,27 @@
+// The parts of the control panel and of the status rows that only the window uses.
+#pragma once
+
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+// The head: undo, redo, settings and help.
+void draw_panel_head(const PanelContext& context);
+void toggle_help(const PanelContext& context);
+
+void draw_scene_section(const PanelContext& context);
+void draw_algorithm_section(const PanelContext& context);
+void draw_compare_section(const PanelContext& context);
+void draw_wall_section(const PanelContext& context);  // of the shown axis
+void draw_hand_section(const PanelContext& context);
+void draw_device_section(const PanelContext& context);
+
+// Selects algorithms()[index], if there is one, with the parameters that are set. While a recording
+// is shown it re-runs the recorded hand under that algorithm.
+void choose_algorithm(const PanelContext& context, std::size_t index);
+
+// The rows at the bottom: the most-used keys, and the state of the loop.
+void draw_hint_row(const PanelContext& context);
+void draw_status_row(const PanelContext& context);
+
+}  // namespace hapticwall::ui
