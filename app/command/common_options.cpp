@@ -12,7 +12,6 @@
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
 #include "app/runtime/loop/spinning_clock.h"
-#include "core/result.h"
 #include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"

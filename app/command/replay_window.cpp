@@ -1,6 +1,5 @@
 #include "app/command/replay_window.h"
 
-#include <functional>
 #include <utility>
 
 #include "app/command/common_options.h"

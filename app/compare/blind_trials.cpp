@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
-#include "core/result.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall::compare {

@@ -12,7 +12,6 @@
 
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
-#include "core/result.h"
 #include "core/units.h"
 
 namespace hapticwall::emulator {

@@ -1,6 +1,5 @@
 #include "core/batch/lane_scene.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 

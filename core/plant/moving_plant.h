@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "core/plant/energy_totals.h"

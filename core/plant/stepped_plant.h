@@ -4,7 +4,6 @@
 // their speed, so optional parts are tested at run time.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

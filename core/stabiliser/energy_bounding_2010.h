@@ -1,6 +1,5 @@
 // The second energy bounding algorithm: it makes the control law passive, too.
 #include <algorithm>
-#include <string>
 
 #include "core/scene_keys.h"
 #include "core/stabiliser/law.h"

@@ -1,6 +1,5 @@
 // The virtual coupling of Colgate, Stanley and Brown.
 #include <algorithm>
-#include <string>
 
 #include "core/scene_keys.h"
 #include "core/stabiliser/law.h"

@@ -21,7 +21,6 @@
 // `resolution_j` on: the energy of one count under the largest force.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 

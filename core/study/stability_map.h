@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/batch/batch_simulator.h"
 #include "core/scene.h"
 #include "core/scene_keys.h"
 #include "core/summary.h"

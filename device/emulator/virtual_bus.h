@@ -1,7 +1,6 @@
 // A bus on which this process is the device.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

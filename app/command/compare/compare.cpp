@@ -16,7 +16,6 @@
 #include "app/command/report/output_file.h"
 #include "app/command/report/summary_fields.h"
 #include "app/command/report/summary_table.h"
-#include "app/command/report/terminal.h"
 #include "app/command/run/headless.h"
 #include "app/command/signals.h"
 #include "app/draw/figure/comparison_figure.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -12,7 +11,6 @@
 
 #include "app/command/report/summary_fields.h"
 #include "app/file/text/text.h"
-#include "core/result.h"
 
 namespace hapticwall::command {
 namespace {

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "app/command/commands.h"
-#include "app/command/common_options.h"
 #include "app/command/report/json_report.h"
 #include "app/command/report/output_file.h"
 #include "app/command/report/terminal.h"

@@ -11,7 +11,6 @@
 #include "app/command/device_choice.h"
 #include "app/command/report/output_file.h"
 #include "app/command/report/progress.h"
-#include "app/command/report/terminal.h"
 #include "app/command/signals.h"
 #include "app/command/usage.h"
 #include "app/runtime/loop/realtime_setup.h"

@@ -22,7 +22,6 @@
 #include "app/file/map/map_file.h"
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
-#include "core/result.h"
 
 namespace hapticwall::command {
 namespace {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/file/text/text.h"
-#include "core/result.h"
 
 namespace hapticwall::command {
 namespace {

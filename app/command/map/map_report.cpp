@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
-#include <string_view>
 
 #include "app/command/report/json_report.h"
 #include "app/command/report/text_table.h"

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <optional>
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"

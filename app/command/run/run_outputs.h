@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/command/common_options.h"
 #include "app/command/report/output_file.h"
 #include "app/file/picture.h"
 #include "app/file/recording/recording_writer.h"

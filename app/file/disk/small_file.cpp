@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
-#include <utility>
 
 #include "app/file/text/text.h"
-#include "core/result.h"
 
 namespace hapticwall::file {
 namespace {

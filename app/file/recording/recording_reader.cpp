@@ -18,7 +18,6 @@
 #include "app/file/recording/sidecar.h"
 #include "app/file/scene/table_reader.h"
 #include "app/file/text/text.h"
-#include "core/result.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall::file {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/file/text/text.h"
-#include "core/result.h"
 
 namespace hapticwall::file {
 namespace {

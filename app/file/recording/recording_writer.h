@@ -1,12 +1,10 @@
 // A recording: one CSV row a tick, and a sidecar that says everything needed to repeat it.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/file/recording/recording_rows.h"

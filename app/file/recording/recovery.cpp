@@ -18,7 +18,6 @@
 #include "app/file/scene/table_reader.h"
 #include "app/file/text/text.h"
 #include "core/plant/plant_model.h"
-#include "core/result.h"
 
 namespace hapticwall::file {
 namespace {

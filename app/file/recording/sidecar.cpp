@@ -1,10 +1,8 @@
 #include "app/file/recording/sidecar.h"
 
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 
 #include "app/file/disk/atomic_file.h"
 #include "app/file/scene/toml_text.h"

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "app/file/recording/recording_writer.h"
-#include "app/file/scene/scene_file.h"
 #include "core/result.h"
 #include "core/scene.h"
 

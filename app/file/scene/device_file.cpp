@@ -8,7 +8,6 @@
 #include <limits>
 #include <span>
 #include <system_error>
-#include <utility>
 
 #include "app/file/disk/small_file.h"
 #include "app/file/scene/table_reader.h"

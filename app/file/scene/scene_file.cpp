@@ -13,7 +13,6 @@
 #include "app/file/scene/scene_reader.h"
 #include "app/file/scene/table_reader.h"
 #include "app/file/text/text.h"
-#include "core/result.h"
 #include "embedded_scenes.h"
 
 namespace hapticwall::file {
