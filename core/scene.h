@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/algorithm_settings.h"
 #include "core/sample.h"
-#include "core/stabiliser/algorithm_settings.h"
 
 namespace hapticwall {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "app/compare/blind_trials.h"
+#include "core/algorithm_settings.h"
 #include "core/loop/energy_ledger.h"
 #include "core/sample.h"
-#include "core/stabiliser/algorithm_settings.h"
 
 namespace hapticwall::compare {
 

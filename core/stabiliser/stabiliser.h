@@ -26,7 +26,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/stabiliser/algorithm_settings.h"
+#include "core/algorithm_settings.h"
 #include "core/wall.h"
 
 namespace hapticwall {

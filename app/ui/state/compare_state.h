@@ -9,7 +9,7 @@
 
 #include "app/compare/blind_trials.h"
 #include "app/compare/contact_traces.h"
-#include "core/stabiliser/algorithm_settings.h"
+#include "core/algorithm_settings.h"
 #include "core/study/energy_story.h"
 
 namespace hapticwall::ui {
