@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -149,12 +148,16 @@ class Batch {
 }  // namespace
 
 BatchResult simulate_batch(std::span<const Scene> scenes, const BatchOptions& options) {
-  for (const Scene& scene : scenes) {
-    if (scene.x().hand && scene.x().hand->follows_mouse) {
-      throw std::invalid_argument("a hand that follows the mouse needs the window");
-    }
-  }
+  for (const Scene& scene : scenes) refuse_pointer(scene);
   return Batch(scenes, options).run(options.threads);
+}
+
+std::vector<Summary> simulate_all(std::span<const Scene> scenes, const BatchOptions& options) {
+  BatchResult result = simulate_batch(scenes, options);
+  std::vector<Summary> summaries;
+  if (result.stopped_early) return summaries;
+  for (std::optional<Summary>& summary : result.summaries) summaries.push_back(std::move(*summary));
+  return summaries;
 }
 
 }  // namespace hapticwall

@@ -1,16 +1,28 @@
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
+#include <stdexcept>
 #include <vector>
 
-#include "core/simulation/law_loops.h"
 #include "core/simulation/simulation.h"
+#include "core/stabiliser/algorithm_list.h"
 
 namespace hapticwall {
+
+// Each is in the object file of its algorithm.
+#define HAPTICWALL_DECLARE(Law) extern const LawLoops k##Law##Loops;
+HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_DECLARE)
+#undef HAPTICWALL_DECLARE
+
 namespace {
 
 static_assert(kChunkTicks == kAxesApartTicks);
+
+#define HAPTICWALL_ADDRESS(Law) &k##Law##Loops,
+constexpr std::array kLawLoops{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_ADDRESS)};
+#undef HAPTICWALL_ADDRESS
 
 // A plant without loops of the law's own, or an algorithm with a follower, runs by calls.
 template <typename Plant>
@@ -18,8 +30,8 @@ void run_chunk_of(HeadlessRun& run, Plant& plant, std::uint64_t end) {
   if constexpr (LawLoopTable::kHas<Plant>) {
     FollowedStabiliser& stabiliser = run.servo.stabiliser();
     if (!stabiliser.followed()) {
-      return std::get<HeadlessLoop<Plant>>(law_loops(stabiliser.first().algorithm()))(run, plant,
-                                                                                      end);
+      return std::get<HeadlessLoop<Plant>>(*kLawLoops[stabiliser.first().algorithm()])(run, plant,
+                                                                                       end);
     }
   }
   choose_loop<LoopCalls>(run, plant, end);
@@ -82,6 +94,12 @@ void hand_out(std::deque<WaitingAxis>& axes, const AxesOptions& options) {
 }
 
 }  // namespace
+
+void refuse_pointer(const Scene& scene) {
+  if (scene.x().hand && scene.x().hand->follows_mouse) {
+    throw std::invalid_argument("a hand that follows the mouse needs the window");
+  }
+}
 
 SimulationResult simulate(const Scene& scene, const SimulationOptions& options) {
   refuse_pointer(scene);

@@ -27,8 +27,11 @@ struct SimulationResult {
   Sample final_state;  // at t = ticks * T: true state and energies, no force
 };
 
-// Runs a validated scene. Throws std::invalid_argument for a hand that follows the mouse.
-// Deterministic: same scene, same bits. Realtime-safe: no (allocates at set-up, never in the loop).
+// Precondition of a headless run: throws std::invalid_argument for a hand that follows the mouse.
+void refuse_pointer(const Scene& scene);
+
+// Runs a validated scene. Precondition: refuse_pointer(). Deterministic: same
+// scene, same bits. Realtime-safe: no (allocates at set-up, never in the loop).
 [[nodiscard]] SimulationResult simulate(const Scene& scene, const SimulationOptions& options = {});
 
 struct AxesOptions {

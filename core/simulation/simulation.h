@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -15,13 +14,6 @@ namespace hapticwall {
 
 // Ticks between two questions whether to stop.
 constexpr std::uint64_t kChunkTicks = 1024;
-
-// Precondition of a headless run.
-inline void refuse_pointer(const Scene& scene) {
-  if (scene.x().hand && scene.x().hand->follows_mouse) {
-    throw std::invalid_argument("a hand that follows the mouse needs the window");
-  }
-}
 
 // Variant: of plants. `make` makes a scene's plant, `loop` chooses the loop of a chunk.
 template <typename Variant>

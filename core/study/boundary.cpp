@@ -41,17 +41,6 @@ Scene scene_at(const BoundaryPlan& plan, const Search& search, double value) {
 
 bool settles(const Summary& summary) { return summary.verdict == Verdict::kSettled; }
 
-// Empty if stopped.
-std::vector<Summary> run_all(const std::vector<Scene>& scenes, const BoundaryOptions& options) {
-  BatchOptions batch;
-  batch.should_stop = options.should_stop;
-  BatchResult result = simulate_batch(scenes, batch);
-  std::vector<Summary> summaries;
-  if (result.stopped_early) return summaries;
-  for (std::optional<Summary>& summary : result.summaries) summaries.push_back(std::move(*summary));
-  return summaries;
-}
-
 // `scan`: in the order of the values.
 void take_scan(const BoundaryPlan& plan, std::span<Summary> scan, Boundary& found) {
   std::optional<std::size_t> change;  // first value after it
@@ -94,7 +83,8 @@ bool bisect(const BoundaryPlan& plan, std::vector<Search*>& open, const Boundary
   for (const Search* search : open) {
     scenes.push_back(scene_at(plan, *search, middle(plan, search->found)));
   }
-  std::vector<Summary> summaries = run_all(scenes, options);
+  std::vector<Summary> summaries =
+      simulate_all(scenes, {.should_stop = options.should_stop, .progress = {}});
   if (summaries.size() != open.size()) return false;
   for (std::size_t i = 0; i < open.size(); ++i) {
     Boundary& found = open[i]->found;
@@ -132,7 +122,8 @@ std::vector<Boundary> find_boundaries(const BoundaryPlan& plan, const BoundaryOp
       scenes.push_back(scene_at(plan, search, plan.along.value(i)));
     }
   }
-  std::vector<Summary> scan = run_all(scenes, options);
+  std::vector<Summary> scan =
+      simulate_all(scenes, {.should_stop = options.should_stop, .progress = {}});
   if (scan.size() != scenes.size()) return {};
   std::vector<Search*> open;
   for (std::size_t i = 0; i < searches.size(); ++i) {

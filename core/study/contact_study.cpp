@@ -50,14 +50,10 @@ class StudyWork {
 
 // Empty if stopped.
 std::vector<Summary> run_all(const std::vector<Scene>& scenes, StudyWork& work) {
-  BatchOptions batch;
-  batch.should_stop = work.options().should_stop;
-  batch.progress = [&](std::size_t done, std::size_t) { work.show(done); };
-  BatchResult result = simulate_batch(scenes, batch);
-  std::vector<Summary> summaries;
-  if (result.stopped_early) return summaries;
-  work.add(scenes.size());
-  for (std::optional<Summary>& summary : result.summaries) summaries.push_back(std::move(*summary));
+  std::vector<Summary> summaries =
+      simulate_all(scenes, {.should_stop = work.options().should_stop,
+                            .progress = [&](std::size_t done, std::size_t) { work.show(done); }});
+  if (!summaries.empty()) work.add(scenes.size());
   return summaries;
 }
 
