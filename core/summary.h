@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,16 +14,12 @@ namespace hapticwall {
 
 enum class Verdict : std::uint8_t { kSettled, kOscillating, kDiverged };
 
+// In the order of Verdict.
+inline constexpr std::array<std::string_view, 3> kVerdictNames{"settled", "oscillating",
+                                                               "diverged"};
+
 [[nodiscard]] constexpr std::string_view verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kSettled:
-      return "settled";
-    case Verdict::kOscillating:
-      return "oscillating";
-    case Verdict::kDiverged:
-      break;
-  }
-  return "diverged";
+  return kVerdictNames.at(static_cast<std::size_t>(verdict));
 }
 
 // Result of one run along one axis. Fields that do not apply are nullopt.

@@ -1,6 +1,8 @@
 // State and statistics of the link to a real device.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -24,8 +26,27 @@ enum class Trouble : std::uint8_t {
   kOwnFault,  // specific to the device
 };
 
-// One clause for people: "the device was silent for 20 ms". Empty for kNone. Realtime-safe: yes.
-[[nodiscard]] std::string_view trouble_text(Trouble trouble);
+// One clause for people, in the order of Trouble.
+inline constexpr auto kTroubleTexts = std::to_array<std::string_view>({
+    "",
+    "no haptic device is connected",
+    "the device was silent for 20 ms",
+    "the device cannot be used",
+    "the device has restarted",
+    "the calibration of the device has changed",
+    "the watchdog of the device has expired: it received no command in time",
+    "the emergency stop of the device is pressed",
+    "the amplifiers of the device are too hot",
+    "the amplifiers of the device draw too much current",
+    "an encoder of the device has failed",
+    "the device reports a fault specific to it",
+});
+static_assert(kTroubleTexts.size() == static_cast<std::size_t>(Trouble::kOwnFault) + 1);
+
+// Empty for kNone. Realtime-safe: yes.
+[[nodiscard]] constexpr std::string_view trouble_text(Trouble trouble) {
+  return kTroubleTexts.at(static_cast<std::size_t>(trouble));
+}
 
 // Faults that the device holds until they are cleared. Realtime-safe: yes.
 [[nodiscard]] constexpr bool is_device_fault(Trouble trouble) {

@@ -16,22 +16,12 @@ constexpr int kMaxStepTicks = 20'000;
 constexpr double kDelayWeight = 1.0 / 64.0;
 
 Trouble trouble_of(std::uint8_t fault_code) {
-  switch (fault_code) {
-    case hid::kNoFault:
-      return Trouble::kNone;
-    case hid::kFaultWatchdog:
-      return Trouble::kWatchdog;
-    case hid::kFaultEmergencyStop:
-      return Trouble::kEmergencyStop;
-    case hid::kFaultOverTemperature:
-      return Trouble::kOverTemperature;
-    case hid::kFaultOverCurrent:
-      return Trouble::kOverCurrent;
-    case hid::kFaultEncoder:
-      return Trouble::kEncoder;
-    default:
-      return Trouble::kOwnFault;
-  }
+  // In the order of hid::FaultCode.
+  constexpr std::array kTroubles{Trouble::kNone,          Trouble::kWatchdog,
+                                 Trouble::kEmergencyStop, Trouble::kOverTemperature,
+                                 Trouble::kOverCurrent,   Trouble::kEncoder};
+  static_assert(kTroubles.size() == hid::kFaultEncoder + 1);
+  return fault_code < kTroubles.size() ? kTroubles[fault_code] : Trouble::kOwnFault;
 }
 
 bool is_calibrated(const hid::StateReport& state) {

@@ -1,23 +1,19 @@
 #include "device/hid/port.h"
 
 #include <algorithm>
+#include <array>
 
 namespace hapticwall::device::hid {
 
 std::string obstacle_text(const std::string& path, Obstacle obstacle) {
-  switch (obstacle) {
-    case Obstacle::kNone:
-      return "";
-    case Obstacle::kPermission:
-      return path +
-             " cannot be opened: permission denied; install the udev rule 70-hapticwall.rules, "
-             "then plug the device in again";
-    case Obstacle::kBusy:
-      return path + " is in use: close the program that uses it";
-    case Obstacle::kGone:
-      return path + " is no longer connected: plug the device in again";
-  }
-  return "";
+  // In the order of Obstacle.
+  constexpr std::array kTexts{
+      "",
+      " cannot be opened: permission denied; install the udev rule 70-hapticwall.rules, then plug "
+      "the device in again",
+      " is in use: close the program that uses it",
+      " is no longer connected: plug the device in again"};
+  return obstacle == Obstacle::kNone ? "" : path + kTexts.at(static_cast<std::size_t>(obstacle));
 }
 
 bool may_be_haptic(const Listing& listing) {

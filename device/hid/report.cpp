@@ -218,24 +218,6 @@ void seal(ReportBytes& bytes) { put(bytes, kCrcAt, crc16(std::span(bytes).first(
 
 std::int32_t saturated_count(double value) { return saturated<std::int32_t>(value); }
 
-std::string_view refusal_text(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::kLength:
-      return "not 64 bytes";
-    case Refusal::kId:
-      return "another report id";
-    case Refusal::kCrc:
-      return "wrong CRC";
-    case Refusal::kProtocol:
-      return "another major version of the protocol";
-    case Refusal::kReserved:
-      return "reserved bits are not zero";
-    case Refusal::kValue:
-      break;
-  }
-  return "a value out of range";
-}
-
 Decoded<StateReport> decode_state(std::span<const std::uint8_t> bytes) {
   Refusal refusal{};
   if (!sound(bytes, kStateId, refusal)) return refusal;

@@ -138,7 +138,16 @@ struct InfoReport {
 
 // Why a report was refused, in the order of the checks.
 enum class Refusal : std::uint8_t { kLength, kId, kCrc, kProtocol, kReserved, kValue };
-[[nodiscard]] std::string_view refusal_text(Refusal refusal);
+inline constexpr std::array<std::string_view, 6> kRefusalTexts{
+    "not 64 bytes",
+    "another report id",
+    "wrong CRC",
+    "another major version of the protocol",
+    "reserved bits are not zero",
+    "a value out of range"};
+[[nodiscard]] constexpr std::string_view refusal_text(Refusal refusal) {
+  return kRefusalTexts.at(static_cast<std::size_t>(refusal));
+}
 
 // A report, or why it was refused.
 template <typename Report>

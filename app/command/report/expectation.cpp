@@ -14,7 +14,18 @@ namespace hapticwall::command {
 namespace {
 
 constexpr int kExpectationFailed = 1;
-constexpr std::string_view kOperators = "< <= = >= >";
+
+struct Operator {
+  std::string_view sign;
+  bool (*holds)(double found, double value);
+};
+constexpr std::array<Operator, 5> kOperators{
+    {{"<", [](double found, double value) { return found < value; }},
+     {"<=", [](double found, double value) { return found <= value; }},
+     {"=", [](double found, double value) { return found == value; }},
+     {">=", [](double found, double value) { return found >= value; }},
+     {">", [](double found, double value) { return found > value; }}}};
+constexpr std::string_view kOperatorsText = "one of < <= = >= >";
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -26,12 +37,10 @@ Error problem(const std::string& text, std::string_view message) {
   return {ErrorKind::kUsage, fmt::format("--expect {}: {}", file::in_quotes(text), message)};
 }
 
-Comparison comparison_of(std::string_view sign) {
-  if (sign == "<") return Comparison::kLess;
-  if (sign == "<=") return Comparison::kLessOrEqual;
-  if (sign == ">=") return Comparison::kGreaterOrEqual;
-  if (sign == ">") return Comparison::kGreater;
-  return Comparison::kEqual;
+// nullptr if there is no such operator.
+const Operator* find_operator(std::string_view sign) {
+  const auto* found = std::ranges::find(kOperators, sign, &Operator::sign);
+  return found == kOperators.end() ? nullptr : found;
 }
 
 std::optional<SummaryField> field_of(std::string_view key,
@@ -43,35 +52,14 @@ std::optional<SummaryField> field_of(std::string_view key,
 }
 
 std::optional<Error> check_word(const Expectation& expectation, std::string_view word) {
-  if (expectation.comparison != Comparison::kEqual) {
+  if (expectation.sign != "=") {
     return problem(expectation.text,
                    fmt::format("{} is a word; it is compared with =", expectation.key));
   }
   if (!expectation.key.ends_with("verdict")) return std::nullopt;
-  static constexpr std::array kVerdicts{verdict_name(Verdict::kSettled),
-                                        verdict_name(Verdict::kOscillating),
-                                        verdict_name(Verdict::kDiverged)};
-  for (const std::string_view verdict : kVerdicts) {
-    if (verdict == word) return std::nullopt;
-  }
+  if (std::ranges::find(kVerdictNames, word) != kVerdictNames.end()) return std::nullopt;
   return problem(expectation.text, fmt::format("{} is no verdict; verdicts: {}",
-                                               file::in_quotes(word), file::joined(kVerdicts)));
-}
-
-bool holds(Comparison comparison, double found, double value) {
-  switch (comparison) {
-    case Comparison::kLess:
-      return found < value;
-    case Comparison::kLessOrEqual:
-      return found <= value;
-    case Comparison::kGreaterOrEqual:
-      return found >= value;
-    case Comparison::kGreater:
-      return found > value;
-    case Comparison::kEqual:
-      break;
-  }
-  return found == value;
+                                               file::in_quotes(word), file::joined(kVerdictNames)));
 }
 
 bool holds(const Expectation& expectation, const SummaryValue& found) {
@@ -82,7 +70,7 @@ bool holds(const Expectation& expectation, const SummaryValue& found) {
   const auto* integer = std::get_if<std::uint64_t>(&found);
   const double number =
       integer != nullptr ? static_cast<double>(*integer) : std::get<double>(found);
-  return holds(expectation.comparison, number, std::get<double>(expectation.value));
+  return find_operator(expectation.sign)->holds(number, std::get<double>(expectation.value));
 }
 
 }  // namespace
@@ -90,7 +78,7 @@ bool holds(const Expectation& expectation, const SummaryValue& found) {
 Result<Expectation> parse_expectation(const std::string& text) {
   const std::size_t sign_at = text.find_first_of("<=>");
   if (sign_at == std::string::npos) {
-    return problem(text, fmt::format("it takes KEY OPERATOR VALUE with one of {}", kOperators));
+    return problem(text, fmt::format("it takes KEY OPERATOR VALUE with {}", kOperatorsText));
   }
   const std::size_t sign_end = std::min(text.find_first_not_of("<=>", sign_at), text.size());
   const std::string_view sign = std::string_view(text).substr(sign_at, sign_end - sign_at);
@@ -100,10 +88,10 @@ Result<Expectation> parse_expectation(const std::string& text) {
   expectation.key = std::string(trimmed(std::string_view(text).substr(0, sign_at)));
   const std::optional<SummaryField> field = field_of(expectation.key, all_summary_fields());
   if (!field) return problem(text, unknown_key(expectation.key));
-  if (sign != "<" && sign != "<=" && sign != "=" && sign != ">=" && sign != ">") {
-    return problem(text, fmt::format("{} is no operator; it takes one of {}", sign, kOperators));
+  if (find_operator(sign) == nullptr) {
+    return problem(text, fmt::format("{} is no operator; it takes {}", sign, kOperatorsText));
   }
-  expectation.comparison = comparison_of(sign);
+  expectation.sign = sign;
   if (std::holds_alternative<std::string>(field->value)) {
     expectation.value = std::string(value);
     if (const std::optional<Error> error = check_word(expectation, value)) return *error;

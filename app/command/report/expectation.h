@@ -12,12 +12,10 @@
 
 namespace hapticwall::command {
 
-enum class Comparison { kLess, kLessOrEqual, kEqual, kGreaterOrEqual, kGreater };
-
 struct Expectation {
   std::string text;  // as the user wrote it
   std::string key;
-  Comparison comparison = Comparison::kEqual;
+  std::string sign;  // < <= = >= >
   std::variant<double, std::string> value;
 };
 

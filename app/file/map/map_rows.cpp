@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -25,10 +26,9 @@ constexpr std::array<Column, kMapMetrics> kColumns{
      {"passivity_margin_j", &MapMetrics::passivity_margin_j}}};
 
 std::optional<Verdict> find_verdict(std::string_view name) {
-  for (const Verdict verdict : {Verdict::kSettled, Verdict::kOscillating, Verdict::kDiverged}) {
-    if (verdict_name(verdict) == name) return verdict;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(kVerdictNames, name);
+  if (found == kVerdictNames.end()) return std::nullopt;
+  return static_cast<Verdict>(found - kVerdictNames.begin());
 }
 
 }  // namespace
