@@ -30,8 +30,8 @@ struct SimulationResult {
 // Precondition of a headless run: throws std::invalid_argument for a hand that follows the mouse.
 void refuse_pointer(const Scene& scene);
 
-// Runs a validated scene. Precondition: refuse_pointer(). Deterministic: same
-// scene, same bits. Realtime-safe: no (allocates at set-up, never in the loop).
+// Runs a validated scene. Precondition: that of refuse_pointer(). Deterministic: same scene, same
+// bits. Realtime-safe: no (allocates at set-up, never in the loop).
 [[nodiscard]] SimulationResult simulate(const Scene& scene, const SimulationOptions& options = {});
 
 struct AxesOptions {

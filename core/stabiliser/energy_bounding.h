@@ -15,14 +15,9 @@ HAPTICWALL_LAW_BEGIN
 struct EnergyBounding {
   static constexpr std::array<ParameterDescription, 2> kParameters{
       kBelievedDampingParameter,
-      ParameterDescription{"rest_force_step_n",
-                           ParameterKind::kNumber,
-                           "N",
-                           0.0,
-                           1e6,
-                           {},
-                           "b Δ/T with an encoder, no limit without",
-                           "α_max: the largest change of force in a tick without measured motion"}};
+      number_parameter("rest_force_step_n", "N", 0.0, 1e6,
+                       "b Δ/T with an encoder, no limit without",
+                       "α_max: the largest change of force in a tick without measured motion")};
   static constexpr AlgorithmDescription kDescription{
       "energy-bounding", "Energy bounding",
       "limits the change of force in a tick to what the device's damping can dissipate",

@@ -27,14 +27,9 @@ struct EnergyBounding2010 {
   static constexpr double kMinStorageStiffness = 1e-3;
   static constexpr std::array<ParameterDescription, 2> kParameters{
       kBelievedDampingParameter,
-      ParameterDescription{"storage_stiffness_n_per_m",
-                           ParameterKind::kNumber,
-                           "N/m",
-                           kMinStorageStiffness,
-                           1e9,
-                           {},
-                           "b/T, the most that it may be",
-                           "c₂: the control law's store holds F²/(2c₂)"}};
+      number_parameter("storage_stiffness_n_per_m", "N/m", kMinStorageStiffness, 1e9,
+                       "b/T, the most that it may be",
+                       "c₂: the control law's store holds F²/(2c₂)")};
 
   // c₁.
   static double hold_stiffness(const StabiliserContext& context) {

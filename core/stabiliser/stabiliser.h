@@ -72,9 +72,9 @@ struct AlgorithmDescription {
 };
 
 // The device's damping as the user states it; several algorithms share this key.
-inline constexpr ParameterDescription kBelievedDampingParameter{
-    "damping_n_s_per_m",    ParameterKind::kNumber,          "N·s/m", 0.0, 1e6, {},
-    "the device's damping", "b as the algorithm believes it"};
+inline constexpr ParameterDescription kBelievedDampingParameter =
+    number_parameter("damping_n_s_per_m", "N·s/m", 0.0, 1e6, "the device's damping",
+                     "b as the algorithm believes it");
 
 // b as the algorithm believes it. Realtime-safe: yes.
 [[nodiscard]] double believed_damping(const StabiliserContext& context);
@@ -82,11 +82,9 @@ inline constexpr ParameterDescription kBelievedDampingParameter{
 // An algorithm's force may pass through a second algorithm, the follower. The key belongs to no
 // single algorithm; it is in the union of all keys.
 inline constexpr std::array<std::string_view, 2> kFollowers{"none", "passivity-control"};
-inline constexpr ParameterDescription kThenParameter{
-    "then", ParameterKind::kChoice,
-    "",     0.0,
-    1.0,    kFollowers,
-    "none", "what follows the algorithm: its force passes through a passivity controller"};
+inline constexpr ParameterDescription kThenParameter =
+    choice_parameter("then", kFollowers,
+                     "what follows the algorithm: its force passes through a passivity controller");
 // Realtime-safe: yes.
 [[nodiscard]] bool has_follower(const AlgorithmSettings& settings);
 

@@ -20,22 +20,10 @@ HAPTICWALL_LAW_BEGIN
 struct VirtualCoupling {
   static constexpr std::array<ParameterDescription, 3> kParameters{
       kBelievedDampingParameter,
-      ParameterDescription{"coupling_stiffness_n_per_m",
-                           ParameterKind::kNumber,
-                           "N/m",
-                           0.0,
-                           1e9,
-                           {},
-                           "2 (b - coupling damping)/T",
-                           "K_c: stiffness of the coupling between handle and proxy"},
-      ParameterDescription{"coupling_damping_n_s_per_m",
-                           ParameterKind::kNumber,
-                           "N·s/m",
-                           0.0,
-                           1e6,
-                           {},
-                           "0",
-                           "B_c: damping of the coupling between handle and proxy"}};
+      number_parameter("coupling_stiffness_n_per_m", "N/m", 0.0, 1e9, "2 (b - coupling damping)/T",
+                       "K_c: stiffness of the coupling between handle and proxy"),
+      number_parameter("coupling_damping_n_s_per_m", "N·s/m", 0.0, 1e6, "0",
+                       "B_c: damping of the coupling between handle and proxy")};
 
   static double coupling_damping(const StabiliserContext& context) {
     return context.value_or("coupling_damping_n_s_per_m", 0.0);
