@@ -55,8 +55,7 @@ void LaneGroup::set_lanes(std::span<const Scene* const> scenes) {
     const std::uint64_t ticks = scene.tick_count();
     lanes_.push_back({&scene, hand_path(scene), ticks,
                       tail_begin_tick(ticks, scene.sampling.rate_hz), false, true});
-    set_lane(scene, plants_.plant(one_body_parameters(scene), scene.sampling.period_s()), i,
-             block_);
+    set_lane(scene, plants_.plant(plant_parameters(scene), scene.sampling.period_s()), i, block_);
     write_path(i);
   }
   for (std::size_t i = scenes.size(); i < lane_count(); ++i) clear_lane(i, block_);
@@ -111,7 +110,7 @@ void LaneGroup::bend_paths(const LaneState& before) {
     Lane& lane = lanes_[i];
     if (!lane.running || !lane.path.bends_within_tick()) continue;
     const double period_s = lane.scene->sampling.period_s();
-    LanePlant plant(plants_.plant(one_body_parameters(*lane.scene), period_s), lane.path, period_s,
+    LanePlant plant(plants_.plant(plant_parameters(*lane.scene), period_s), lane.path, period_s,
                     lane.scene->x().device.start_m, 0.0);
     plant.path() = lane.path;
     advance_scalar(i, before, plant, block_.state);

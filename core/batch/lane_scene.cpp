@@ -41,7 +41,7 @@ void set_servo(const Scene& scene, std::size_t lane, LaneParameters& parameters)
 
 void set_plant(const Scene& scene, const OneBody& body, std::size_t lane,
                LaneParameters& parameters) {
-  const OneBodyParameters plant = one_body_parameters(scene);
+  const PlantParameters plant = plant_parameters(scene);
   const auto& tick = body.level(0);
   parameters.damping_n_s_per_m[lane] = plant.damping_n_s_per_m;
   parameters.hand_stiffness_n_per_m[lane] = plant.hand_stiffness_n_per_m;
@@ -105,7 +105,7 @@ std::optional<LaneKind> lane_kind(const Scene& scene) {
   return LaneKind{scene.algorithm.index, names(device.encoder_m), damped};
 }
 
-const OneBody& PlantCache::plant(const OneBodyParameters& p, double period_s) {
+const OneBody& PlantCache::plant(const PlantParameters& p, double period_s) {
   const Key key{p.mass_kg, p.damping_n_s_per_m, p.hand_stiffness_n_per_m, p.hand_damping_n_s_per_m,
                 period_s};
   const auto place = plants_.lower_bound(key);

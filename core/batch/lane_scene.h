@@ -30,7 +30,7 @@ struct LaneKind {
 class PlantCache {
  public:
   // Valid until the next call.
-  [[nodiscard]] const OneBody& plant(const OneBodyParameters& parameters, double period_s);
+  [[nodiscard]] const OneBody& plant(const PlantParameters& parameters, double period_s);
 
  private:
   using Key = std::array<double, 5>;

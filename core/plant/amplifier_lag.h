@@ -37,7 +37,9 @@ struct AmplifierLag<Real, true> {
 
 // A step by the scene's matrix. kStates: of the body, the excess last.
 template <typename Real, bool kLag, std::size_t kStates>
-struct LagRows {};
+struct LagRows {
+  void settle(ActuatorState<Real, false>& /*state*/, Real /*force_n*/) const {}
+};
 
 template <typename Real, std::size_t kStates>
 struct LagRows<Real, true, kStates> {
@@ -65,7 +67,9 @@ struct LagRows<Real, true, kStates> {
 
 // A piece of a step as a polynomial.
 template <typename Real, bool kLag>
-struct LagPiece {};
+struct LagPiece {
+  void settle(ActuatorState<Real, false>& /*state*/, Real /*theta*/) const {}
+};
 
 template <typename Real>
 struct LagPiece<Real, true> {

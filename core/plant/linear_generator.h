@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/plant/linear_motion.h"
+#include "core/plant/plant_parameters.h"
 #include "core/plant/propagator.h"
 
 namespace hapticwall {
@@ -20,9 +21,14 @@ struct LinearGenerator {
 
   Matrix matrix = Matrix::Zero();
   std::array<long double, kStates> unit{};
-  long double period_s = 1.0L;
-  long double mass_kg = 1.0L;  // m
-  double time_constant_s = 0.0;
+  long double period_s;
+  long double mass_kg;  // m
+  long double time_constant_s;
+
+  LinearGenerator(const PlantParameters& parameters, long double period)
+      : period_s(period),
+        mass_kg(parameters.mass_kg),
+        time_constant_s(parameters.time_constant_s) {}
 
   template <bool kLag>
   [[nodiscard]] static auto weights() {
@@ -73,7 +79,7 @@ struct LinearGenerator {
     rows.square = form<Real>(step.integrals[0], period_s);
     rows.hand_work = form<Real>(step.integrals[1], mass_kg);
     if constexpr (kLag) {
-      rows.lag = {duration_s, static_cast<long double>(time_constant_s)};
+      rows.lag = {duration_s, time_constant_s};
       for (std::size_t i = 0; i < kStates; ++i) {
         const long double twice = i + 1 == kStates ? 1.0L : 2.0L;
         rows.lag.cross[i] = static_cast<Real>(

@@ -77,14 +77,18 @@ struct LinearRows {
 };
 
 // The same of a piece of `duration_s` as polynomials of θ, up to θ.
-template <typename Real>
+template <typename Real, bool kLag>
 [[nodiscard]] MotionIncrement<Real> integrate(const TaylorPolynomial<Real>& velocity,
                                               const TaylorPolynomial<Real>& hand_force,
-                                              Real duration_s, Real theta) {
+                                              const LagPiece<Real, kLag>& lag, Real duration_s,
+                                              Real theta) {
   MotionIncrement<Real> increment;
   increment.displacement_m = duration_s * velocity.integral_to(theta);
   increment.velocity_squared = duration_s * product_integral(velocity, velocity, theta);
   increment.hand_work_j = duration_s * product_integral(hand_force, velocity, theta);
+  if constexpr (kLag) {
+    increment.lag_work_j = duration_s * product_integral(lag.excess, velocity, theta);
+  }
   return increment;
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 // Scaled states (u, aT[, eT/m]).
 template <bool kLag>
-auto make_generator(const OneBodyParameters& p, long double t) {
-  LinearGenerator<kLag ? 3 : 2> g;
+auto make_generator(const PlantParameters& p, long double t) {
+  LinearGenerator<kLag ? 3 : 2> g(p, t);
   constexpr int kU = 0;
   constexpr int kA = 1;
   const long double m = p.mass_kg;
@@ -32,16 +32,13 @@ auto make_generator(const OneBodyParameters& p, long double t) {
     a(kE, kE) = -a(kA, kE);
     g.unit[kE] = t / m;
   }
-  g.period_s = t;
-  g.mass_kg = m;
-  g.time_constant_s = p.time_constant_s;
   return g;
 }
 
 }  // namespace
 
 template <typename Real, bool kLag>
-BasicOneBody<Real, kLag>::BasicOneBody(const OneBodyParameters& parameters, double period_s)
+BasicOneBody<Real, kLag>::BasicOneBody(const PlantParameters& parameters, double period_s)
     : damping_n_s_per_m_(parameters.damping_n_s_per_m),
       hand_stiffness_n_per_m_(parameters.hand_stiffness_n_per_m),
       hand_damping_n_s_per_m_(parameters.hand_damping_n_s_per_m),
@@ -141,13 +138,9 @@ auto BasicOneBody<Real, kLag>::slide(const State& state, const Load<Real>& load,
 template <typename Real, bool kLag>
 MotionIncrement<Real> BasicOneBody<Real, kLag>::advance(State& state, const Slide& slide,
                                                         Real theta) const {
-  MotionIncrement<Real> increment =
-      integrate(slide.velocity, slide.hand_force, slide.duration_s, theta);
-  if constexpr (kLag) {
-    increment.lag_work_j =
-        slide.duration_s * product_integral(slide.lag.excess, slide.velocity, theta);
-    slide.lag.settle(state, theta);
-  }
+  const MotionIncrement<Real> increment =
+      integrate(slide.velocity, slide.hand_force, slide.lag, slide.duration_s, theta);
+  slide.lag.settle(state, theta);
   state.position_m += increment.displacement_m;
   state.velocity_m_per_s = slide.velocity.at(theta);
   return increment;

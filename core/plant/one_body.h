@@ -18,17 +18,10 @@
 #include "core/plant/amplifier_lag.h"
 #include "core/plant/energy_totals.h"
 #include "core/plant/linear_motion.h"
+#include "core/plant/plant_parameters.h"
 #include "core/plant/taylor_polynomial.h"
 
 namespace hapticwall {
-
-struct OneBodyParameters {
-  double mass_kg = 1.0;
-  double damping_n_s_per_m = 0.0;       // b
-  double hand_stiffness_n_per_m = 0.0;  // k_h
-  double hand_damping_n_s_per_m = 0.0;  // b_h
-  double time_constant_s = 0.0;         // τ of the amplifier; read with a lag only
-};
 
 // Real: double, or long double for the reference.
 template <typename Real, bool kLag>
@@ -62,7 +55,8 @@ class BasicOneBody {
     SymmetricForm<Real, kStates> square_at_rest{};  // ∫v²
   };
 
-  BasicOneBody(const OneBodyParameters& parameters, double period_s);
+  // Reads nothing of friction and grip.
+  BasicOneBody(const PlantParameters& parameters, double period_s);
 
   // Realtime-safe: yes, all that follows.
   [[nodiscard]] static State at_rest(double position_m) {
@@ -98,7 +92,7 @@ class BasicOneBody {
                                    const BasicHandDrive<Real>& drive, Real friction_n) const;
   void advance_stick_level(int level, State& state, Real force_n,
                            const BasicHandDrive<Real>& /*drive*/) const {
-    if constexpr (kLag) this->level(level).lag.settle(state, force_n);
+    this->level(level).lag.settle(state, force_n);
   }
 
   // For steps shorter than the deepest level. A handle that has just broken loose is not
@@ -109,7 +103,7 @@ class BasicOneBody {
   [[nodiscard]] Stick stick(const State& state, Real force_n, const BasicHandDrive<Real>& drive,
                             Real duration_s) const;
   static void advance(State& state, const Stick& stick, Real theta) {
-    if constexpr (kLag) stick.lag.settle(state, theta);
+    stick.lag.settle(state, theta);
   }
 
  private:
@@ -159,7 +153,7 @@ template <typename Real, bool kLag>
   }
   state.position_m += increment.displacement_m;
   state.velocity_m_per_s = v + dot(rows.velocity, c);
-  if constexpr (kLag) rows.lag.settle(state, load.force_n);
+  rows.lag.settle(state, load.force_n);
   return increment;
 }
 

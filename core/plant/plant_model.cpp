@@ -3,70 +3,33 @@
 namespace hapticwall {
 namespace {
 
-// Which optional parts a scene names.
-PlantParts parts_of(const Scene& scene) {
-  return {scene.x().hand && scene.x().hand->has_grip(),
-          scene.x().device.friction_n.value_or(0.0) > 0.0,
-          scene.x().device.amplifier_time_constant_s.value_or(0.0) > 0.0};
-}
-
-SteppedParameters parameters_of(const Scene& scene) {
-  SteppedParameters parameters;
-  parameters.parts = parts_of(scene);
-  parameters.mass_kg = scene.x().device.mass_kg;
-  parameters.damping_n_s_per_m = scene.x().device.damping_n_s_per_m;
-  parameters.friction_n = scene.x().device.friction_n.value_or(0.0);
-  parameters.time_constant_s = scene.x().device.amplifier_time_constant_s.value_or(0.0);
-  if (!scene.x().hand) return parameters;
-  const HandSettings& hand = *scene.x().hand;
-  parameters.hand_stiffness_n_per_m = hand.stiffness_n_per_m;
-  parameters.hand_damping_n_s_per_m = hand.damping_n_s_per_m;
-  if (hand.has_grip()) {
-    parameters.hand_mass_kg = hand.mass_kg.value_or(0.0);
-    parameters.grip_stiffness_n_per_m = *hand.grip_stiffness_n_per_m;
-    parameters.grip_damping_n_s_per_m = hand.grip_damping_n_s_per_m.value_or(0.0);
-  } else {
-    parameters.mass_kg += hand.mass_kg.value_or(0.0);
-  }
-  return parameters;
-}
-
 template <typename Real, typename Body>
-ExactPlantVariant<Real> make_exact_with(const Scene& scene, const Body& body) {
+ExactPlantVariant<Real> make_exact_with(const Scene& scene, const PlantParameters& parameters) {
   const double period_s = scene.sampling.period_s();
+  const Body body(parameters, period_s);
   const HandPath path = hand_path(scene);
-  if (!parts_of(scene).friction) {
-    return ExactPlant<Body, false>(body, path, period_s, scene.x().device.start_m, 0.0);
-  }
-  return ExactPlant<Body, true>(body, path, period_s, scene.x().device.start_m,
-                                *scene.x().device.friction_n);
+  const double start_m = scene.x().device.start_m;
+  if (!parameters.has_friction())
+    return ExactPlant<Body, false>(body, path, period_s, start_m, 0.0);
+  return ExactPlant<Body, true>(body, path, period_s, start_m, parameters.friction_n);
 }
 
 template <typename Real, bool kLag>
-ExactPlantVariant<Real> make_exact_with_lag(const Scene& scene) {
-  const SteppedParameters p = parameters_of(scene);
-  const double period_s = scene.sampling.period_s();
-  if (!parts_of(scene).grip) {
-    return make_exact_with<Real>(scene,
-                                 BasicOneBody<Real, kLag>(one_body_parameters(scene), period_s));
-  }
-  return make_exact_with<Real>(
-      scene, BasicTwoBodies<Real, kLag>(
-                 {p.mass_kg, p.damping_n_s_per_m, p.hand_mass_kg, p.hand_stiffness_n_per_m,
-                  p.hand_damping_n_s_per_m, p.grip_stiffness_n_per_m, p.grip_damping_n_s_per_m,
-                  p.time_constant_s},
-                 period_s));
+ExactPlantVariant<Real> make_exact_with_lag(const Scene& scene, const PlantParameters& parameters) {
+  return parameters.grip ? make_exact_with<Real, BasicTwoBodies<Real, kLag>>(scene, parameters)
+                         : make_exact_with<Real, BasicOneBody<Real, kLag>>(scene, parameters);
 }
 
 template <typename Real>
 ExactPlantVariant<Real> make_exact_plant(const Scene& scene) {
-  return parts_of(scene).lag ? make_exact_with_lag<Real, true>(scene)
-                             : make_exact_with_lag<Real, false>(scene);
+  const PlantParameters parameters = plant_parameters(scene);
+  return parameters.has_lag() ? make_exact_with_lag<Real, true>(scene, parameters)
+                              : make_exact_with_lag<Real, false>(scene, parameters);
 }
 
 template <typename Scheme>
 SteppedPlant<Scheme> make_stepped_plant(const Scene& scene) {
-  return {parameters_of(scene), hand_path(scene), scene.sampling.period_s(),
+  return {plant_parameters(scene), hand_path(scene), scene.sampling.period_s(),
           scene.x().device.start_m, scene.simulator.substeps};
 }
 
@@ -83,10 +46,26 @@ HandPath hand_path(const Scene& scene) {
   return {scene.x().hand->path, scene.sampling.rate_hz};
 }
 
-OneBodyParameters one_body_parameters(const Scene& scene) {
-  const SteppedParameters p = parameters_of(scene);
-  return {p.mass_kg, p.damping_n_s_per_m, p.hand_stiffness_n_per_m, p.hand_damping_n_s_per_m,
-          p.time_constant_s};
+PlantParameters plant_parameters(const Scene& scene) {
+  const DeviceSettings& device = scene.x().device;
+  PlantParameters parameters;
+  parameters.mass_kg = device.mass_kg;
+  parameters.damping_n_s_per_m = device.damping_n_s_per_m;
+  parameters.friction_n = device.friction_n.value_or(0.0);
+  parameters.time_constant_s = device.amplifier_time_constant_s.value_or(0.0);
+  if (!scene.x().hand) return parameters;
+  const HandSettings& hand = *scene.x().hand;
+  parameters.hand_stiffness_n_per_m = hand.stiffness_n_per_m;
+  parameters.hand_damping_n_s_per_m = hand.damping_n_s_per_m;
+  parameters.grip = hand.has_grip();
+  if (parameters.grip) {
+    parameters.hand_mass_kg = hand.mass_kg.value_or(0.0);
+    parameters.grip_stiffness_n_per_m = *hand.grip_stiffness_n_per_m;
+    parameters.grip_damping_n_s_per_m = hand.grip_damping_n_s_per_m.value_or(0.0);
+  } else {
+    parameters.mass_kg += hand.mass_kg.value_or(0.0);
+  }
+  return parameters;
 }
 
 PlantVariant make_plant(const Scene& scene) {

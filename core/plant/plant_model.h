@@ -34,8 +34,8 @@ struct WithPlants<std::variant<Exact...>, Plants...> {
 using PlantVariant = WithPlants<ExactPlantVariant<double>, SteppedPlant<SemiImplicitEuler>,
                                 SteppedPlant<RungeKutta4>>::Type;
 
-// Of a scene whose hand does not grip. Realtime-safe: yes.
-[[nodiscard]] OneBodyParameters one_body_parameters(const Scene& scene);
+// Realtime-safe: yes.
+[[nodiscard]] PlantParameters plant_parameters(const Scene& scene);
 
 // The path of a scene's hand; without a hand a path that stays at the start. Realtime-safe: no.
 [[nodiscard]] HandPath hand_path(const Scene& scene);

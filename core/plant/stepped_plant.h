@@ -9,28 +9,9 @@
 
 #include "core/plant/energy_totals.h"
 #include "core/plant/moving_plant.h"
+#include "core/plant/plant_parameters.h"
 
 namespace hapticwall {
-
-// The optional parts of a plant.
-struct PlantParts {
-  bool grip = false;  // the hand has a mass of its own
-  bool friction = false;
-  bool lag = false;  // of the amplifier
-};
-
-struct SteppedParameters {
-  PlantParts parts;
-  double mass_kg = 1.0;
-  double damping_n_s_per_m = 0.0;
-  double friction_n = 0.0;
-  double hand_mass_kg = 0.0;  // read with a grip only
-  double hand_stiffness_n_per_m = 0.0;
-  double hand_damping_n_s_per_m = 0.0;
-  double grip_stiffness_n_per_m = 0.0;
-  double grip_damping_n_s_per_m = 0.0;
-  double time_constant_s = 0.0;  // of the amplifier; read with a lag only
-};
 
 // Handle, hand and amplifier. Members of an absent part stay 0.
 struct SteppedState {
@@ -44,10 +25,10 @@ struct SteppedState {
 // The equations of motion.
 struct SteppedMechanics {
   using State = SteppedState;
-  SteppedParameters p;
+  PlantParameters p;
 
   [[nodiscard]] double hand_force_n(const State& y, const HandDrive& drive) const {
-    if (p.parts.grip) {
+    if (p.grip) {
       return p.grip_stiffness_n_per_m * (y.hand_position_m - y.position_m) +
              p.grip_damping_n_s_per_m * (y.hand_velocity_m_per_s - y.velocity_m_per_s);
     } else {
@@ -57,7 +38,7 @@ struct SteppedMechanics {
   }
   // The actuator's real force under the command `force_n`.
   [[nodiscard]] double actuator_n(const State& y, double force_n) const {
-    return p.parts.lag ? y.actuator_n : force_n;
+    return p.has_lag() ? y.actuator_n : force_n;
   }
   // On the handle, without friction.
   [[nodiscard]] double net_force_n(const State& y, double force_n, const HandDrive& drive) const {
@@ -78,20 +59,19 @@ struct SteppedMechanics {
 struct SemiImplicitEuler {
   static void step(const SteppedMechanics& m, SteppedState& y, EnergyTotals& energy, double force_n,
                    const HandDrive& drive, double h) {
-    const PlantParts parts = m.p.parts;
     const double hand_force_n = m.hand_force_n(y, drive);
     double hand_acceleration = 0.0;
-    if (parts.grip) hand_acceleration = m.hand_acceleration(y, drive);
-    if (parts.lag) y.actuator_n += h * (force_n - y.actuator_n) / m.p.time_constant_s;
+    if (m.p.grip) hand_acceleration = m.hand_acceleration(y, drive);
+    if (m.p.has_lag()) y.actuator_n += h * (force_n - y.actuator_n) / m.p.time_constant_s;
     double v = y.velocity_m_per_s + h * m.net_force_n(y, force_n, drive) / m.p.mass_kg;
-    if (parts.friction) {
+    if (m.p.has_friction()) {
       const double stopping = h * m.p.friction_n / m.p.mass_kg;
       v = std::abs(v) <= stopping ? 0.0 : v - std::copysign(stopping, v);
     }
     const double dx = h * v;
     y.velocity_m_per_s = v;
     y.position_m += dx;
-    if (parts.grip) {
+    if (m.p.grip) {
       y.hand_velocity_m_per_s += h * hand_acceleration;
       y.hand_position_m += h * y.hand_velocity_m_per_s;
     }
@@ -113,7 +93,7 @@ struct RungeKutta4 {
 
   static Rate rate(const SteppedMechanics& m, const State& s, double force_n,
                    const HandDrive& drive, double direction) {
-    const bool sticks = m.p.parts.friction && direction == 0.0;
+    const bool sticks = m.p.has_friction() && direction == 0.0;
     const double v = sticks ? 0.0 : s.velocity_m_per_s;
     Rate r{};
     r.x = v;
@@ -123,11 +103,11 @@ struct RungeKutta4 {
     if (!sticks) {
       r.v = (m.net_force_n(s, force_n, drive) - direction * m.p.friction_n) / m.p.mass_kg;
     }
-    if (m.p.parts.grip) {
+    if (m.p.grip) {
       r.y = s.hand_velocity_m_per_s;
       r.w = m.hand_acceleration(s, drive);
     }
-    if (m.p.parts.lag) r.actuator = (force_n - s.actuator_n) / m.p.time_constant_s;
+    if (m.p.has_lag()) r.actuator = (force_n - s.actuator_n) / m.p.time_constant_s;
     return r;
   }
 
@@ -135,17 +115,17 @@ struct RungeKutta4 {
     State next = s;
     next.position_m += h * r.x;
     next.velocity_m_per_s += h * r.v;
-    if (m.p.parts.grip) {
+    if (m.p.grip) {
       next.hand_position_m += h * r.y;
       next.hand_velocity_m_per_s += h * r.w;
     }
-    if (m.p.parts.lag) next.actuator_n += h * r.actuator;
+    if (m.p.has_lag()) next.actuator_n += h * r.actuator;
     return next;
   }
 
   static double direction(const SteppedMechanics& m, const State& y, double force_n,
                           const HandDrive& drive) {
-    if (!m.p.parts.friction) return 0.0;
+    if (!m.p.has_friction()) return 0.0;
     if (y.velocity_m_per_s != 0.0) return std::copysign(1.0, y.velocity_m_per_s);
     const double net_n = m.net_force_n(y, force_n, drive);
     return std::abs(net_n) <= m.p.friction_n ? 0.0 : std::copysign(1.0, net_n);
@@ -168,8 +148,8 @@ struct RungeKutta4 {
                        mean(&Rate::w),       mean(&Rate::actuator), mean(&Rate::work),
                        mean(&Rate::viscous), mean(&Rate::hand)};
     y = moved(m, y, average, h);
-    if (m.p.parts.friction && y.velocity_m_per_s * sign < 0.0) y.velocity_m_per_s = 0.0;
-    energy.actuator_work_j += m.p.parts.lag ? h * average.work : force_n * h * average.x;
+    if (m.p.has_friction() && y.velocity_m_per_s * sign < 0.0) y.velocity_m_per_s = 0.0;
+    energy.actuator_work_j += m.p.has_lag() ? h * average.work : force_n * h * average.x;
     energy.viscous_j += h * average.viscous;
     energy.friction_j += m.p.friction_n * std::abs(h * average.x);
     energy.hand_work_j += h * average.hand;
@@ -190,7 +170,7 @@ class SteppedPlant : public MovingPlant<SteppedState, double> {
   using typename Base::Motion;
   static constexpr bool kPlain = false;
 
-  SteppedPlant(const SteppedParameters& parameters, HandPath path, double period_s, double start_m,
+  SteppedPlant(const PlantParameters& parameters, HandPath path, double period_s, double start_m,
                int substeps)
       : Base(std::move(path), period_s, start_m), mechanics_{parameters}, substeps_(substeps) {
     reset();
@@ -199,7 +179,7 @@ class SteppedPlant : public MovingPlant<SteppedState, double> {
   void reset() {
     motion_ = {};
     motion_.body.position_m = this->start_m_;
-    if (mechanics_.p.parts.grip) motion_.body.hand_position_m = this->start_m_;
+    if (mechanics_.p.grip) motion_.body.hand_position_m = this->start_m_;
     path_.reset();
   }
 
@@ -207,7 +187,7 @@ class SteppedPlant : public MovingPlant<SteppedState, double> {
 
   [[nodiscard]] double net_work_j(const Motion& motion) const {
     const double loss_j =
-        mechanics_.p.parts.friction ? motion.energy.dissipation_j() : motion.energy.viscous_j;
+        mechanics_.p.has_friction() ? motion.energy.dissipation_j() : motion.energy.viscous_j;
     return motion.energy.actuator_work_j + loss_j + kinetic_j(motion);
   }
   void write_truth(const Motion& motion, PlantTruth& truth) const {
@@ -216,17 +196,17 @@ class SteppedPlant : public MovingPlant<SteppedState, double> {
   }
   [[nodiscard]] HandOver<double> hand_over(double force_n) const {
     HandOver<double> state = Base::hand_over(force_n, kinetic_j());
-    if (!mechanics_.p.parts.grip) {
+    if (!mechanics_.p.grip) {
       state.hand_position_m = state.position_m;
       state.hand_velocity_m_per_s = state.velocity_m_per_s;
     }
-    if (!mechanics_.p.parts.lag) state.actuator_n = force_n;
+    if (!mechanics_.p.has_lag()) state.actuator_n = force_n;
     return state;
   }
   void take_over(const HandOver<double>& state, HandPath& path) {
     this->go_on_from(state, path);
     SteppedState& body = motion_.body;
-    if (!mechanics_.p.parts.grip) body.hand_position_m = body.hand_velocity_m_per_s = 0.0;
+    if (!mechanics_.p.grip) body.hand_position_m = body.hand_velocity_m_per_s = 0.0;
     this->charge_hand_with(kinetic_j() - state.kinetic_j);
   }
 

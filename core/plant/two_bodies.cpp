@@ -7,8 +7,8 @@ namespace {
 
 // Scaled states (aT, d, d'T, u[, eT/m]).
 template <bool kLag>
-auto make_generator(const TwoBodyParameters& p, long double t) {
-  LinearGenerator<kLag ? 5 : 4> g;
+auto make_generator(const PlantParameters& p, long double t) {
+  LinearGenerator<kLag ? 5 : 4> g(p, t);
   constexpr int kA = 0;
   constexpr int kD = 1;
   constexpr int kRate = 2;  // of d
@@ -45,16 +45,13 @@ auto make_generator(const TwoBodyParameters& p, long double t) {
     a(kE, kE) = -rate;
     g.unit[kE] = t / m1;
   }
-  g.period_s = t;
-  g.mass_kg = m1;
-  g.time_constant_s = p.time_constant_s;
   return g;
 }
 
 }  // namespace
 
 template <typename Real, bool kLag>
-BasicTwoBodies<Real, kLag>::BasicTwoBodies(const TwoBodyParameters& p, double period_s)
+BasicTwoBodies<Real, kLag>::BasicTwoBodies(const PlantParameters& p, double period_s)
     : parameters_{p.mass_kg,
                   p.damping_n_s_per_m,
                   p.hand_mass_kg,
@@ -91,7 +88,7 @@ BasicTwoBodies<Real, kLag>::BasicTwoBodies(const TwoBodyParameters& p, double pe
 }
 
 template <typename Real, bool kLag>
-void BasicTwoBodies<Real, kLag>::make_levels(const TwoBodyParameters& p, int halvings) {
+void BasicTwoBodies<Real, kLag>::make_levels(const PlantParameters& p, int halvings) {
   constexpr int kD = 1;
   const auto generator = make_generator<kLag>(p, static_cast<long double>(period_s_));
   long double duration_s = period_s_;
@@ -108,7 +105,7 @@ void BasicTwoBodies<Real, kLag>::make_levels(const TwoBodyParameters& p, int hal
 
 // m_h w'' = -(k_h + k_g)(w - w_end) - (b_h + b_g) w', state (w - w_end, w'T, ∫(w - w_end)/T).
 template <typename Real, bool kLag>
-void BasicTwoBodies<Real, kLag>::make_stick_levels(const TwoBodyParameters& p, int halvings) {
+void BasicTwoBodies<Real, kLag>::make_stick_levels(const PlantParameters& p, int halvings) {
   const long double t = period_s_;
   const long double m = p.hand_mass_kg;
   using Matrix = SetupMatrix<3>;
@@ -167,11 +164,7 @@ void BasicTwoBodies<Real, kLag>::advance_stick_level(int level, State& state, Re
   const Real a = hand_acceleration(state, drive);
   state.hand_position_m += end * rows.duration_s + (stick.integral[0] * u + stick.integral[1] * a);
   state.hand_velocity_m_per_s += stick.velocity[0] * u + stick.velocity[1] * a;
-  if constexpr (kLag) {
-    rows.lag.settle(state, force_n);
-  } else {
-    static_cast<void>(force_n);
-  }
+  rows.lag.settle(state, force_n);
 }
 
 template <typename Real, bool kLag>
@@ -220,11 +213,9 @@ template <typename Real, bool kLag>
 MotionIncrement<Real> BasicTwoBodies<Real, kLag>::advance(State& state, const Slide& slide,
                                                           Real theta) const {
   const Real h = slide.duration_s;
-  MotionIncrement<Real> increment = integrate(slide.velocity, slide.hand_force, h, theta);
-  if constexpr (kLag) {
-    increment.lag_work_j = h * product_integral(slide.lag.excess, slide.velocity, theta);
-    slide.lag.settle(state, theta);
-  }
+  const MotionIncrement<Real> increment =
+      integrate(slide.velocity, slide.hand_force, slide.lag, h, theta);
+  slide.lag.settle(state, theta);
   state.position_m += increment.displacement_m;
   state.hand_position_m += increment.displacement_m + h * slide.difference.integral_to(theta);
   state.velocity_m_per_s = slide.velocity.at(theta);
@@ -271,7 +262,7 @@ template <typename Real, bool kLag>
 void BasicTwoBodies<Real, kLag>::advance(State& state, const Stick& stick, Real theta) {
   state.hand_position_m += stick.duration_s * stick.hand_velocity.integral_to(theta);
   state.hand_velocity_m_per_s = stick.hand_velocity.at(theta);
-  if constexpr (kLag) stick.lag.settle(state, theta);
+  stick.lag.settle(state, theta);
 }
 
 template class BasicTwoBodies<double, false>;

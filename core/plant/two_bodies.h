@@ -18,20 +18,10 @@
 #include "core/plant/amplifier_lag.h"
 #include "core/plant/energy_totals.h"
 #include "core/plant/linear_motion.h"
+#include "core/plant/plant_parameters.h"
 #include "core/plant/taylor_polynomial.h"
 
 namespace hapticwall {
-
-struct TwoBodyParameters {
-  double mass_kg = 1.0;
-  double damping_n_s_per_m = 0.0;
-  double hand_mass_kg = 1.0;
-  double hand_stiffness_n_per_m = 0.0;
-  double hand_damping_n_s_per_m = 0.0;
-  double grip_stiffness_n_per_m = 0.0;
-  double grip_damping_n_s_per_m = 0.0;
-  double time_constant_s = 0.0;  // τ of the amplifier; read with a lag only
-};
 
 // Members as in BasicOneBody.
 template <typename Real, bool kLag>
@@ -67,7 +57,7 @@ class BasicTwoBodies {
     Row stretch{};     // ∫d
   };
 
-  BasicTwoBodies(const TwoBodyParameters& parameters, double period_s);
+  BasicTwoBodies(const PlantParameters& parameters, double period_s);
 
   // Realtime-safe: yes, all that follows.
   [[nodiscard]] static State at_rest(double position_m) {
@@ -148,8 +138,8 @@ class BasicTwoBodies {
   }
   // sqrt(2E) of the relative motion's energy E; see surely_slides().
   [[nodiscard]] Real root_energy(const Row& c) const;
-  void make_levels(const TwoBodyParameters& parameters, int halvings);
-  void make_stick_levels(const TwoBodyParameters& parameters, int halvings);
+  void make_levels(const PlantParameters& parameters, int halvings);
+  void make_stick_levels(const PlantParameters& parameters, int halvings);
 
   // The parameters as numbers of this plant.
   struct Parameters {
@@ -170,8 +160,6 @@ class BasicTwoBodies {
   std::vector<StickRows> stick_levels_;
 };
 
-using TwoBodies = BasicTwoBodies<double, false>;
-
 template <typename Real, bool kLag>
 [[gnu::always_inline]] inline MotionIncrement<Real> BasicTwoBodies<Real, kLag>::advance_by(
     const Rows& rows, State& state, const Load<Real>& load,
@@ -184,7 +172,7 @@ template <typename Real, bool kLag>
   state.hand_position_m += increment.displacement_m + dot(rows.stretch, c);
   state.velocity_m_per_s += velocity_change;
   state.hand_velocity_m_per_s += velocity_change + dot(rows.difference, c);
-  if constexpr (kLag) rows.lag.settle(state, load.force_n);
+  rows.lag.settle(state, load.force_n);
   return increment;
 }
 

@@ -170,11 +170,11 @@ TEST(BatchSimulator, KnowsWhichScenesHaveLanes) {
 TEST(BatchSimulator, KeepsPlantsApart) {
   batch::PlantCache plants;
   const Scene scene = press(1000.0);
-  const OneBodyParameters parameters = one_body_parameters(scene);
+  const PlantParameters parameters = plant_parameters(scene);
   const double first = plants.plant(parameters, 1e-3).level(0).velocity[1];
   EXPECT_EQ(plants.plant(parameters, 1e-3).level(0).velocity[1], first);
   EXPECT_NE(plants.plant(parameters, 2e-3).level(0).velocity[1], first);
-  OneBodyParameters softer = parameters;
+  PlantParameters softer = parameters;
   for (int i = 0; i < 3000; ++i) {  // more than it keeps
     softer.hand_stiffness_n_per_m += 1.0;
     EXPECT_EQ(plants.plant(softer, 1e-3).level(0).velocity[1],

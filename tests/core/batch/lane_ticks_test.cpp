@@ -42,8 +42,7 @@ std::vector<double> forces_of(const Scene& scene) {
 }
 
 void set_resting_lane(const Scene& scene, std::size_t lane, batch::LaneBlock& block) {
-  batch::set_lane(scene, OneBody(one_body_parameters(scene), scene.sampling.period_s()), lane,
-                  block);
+  batch::set_lane(scene, OneBody(plant_parameters(scene), scene.sampling.period_s()), lane, block);
   block.parameters.path_m[lane] = hand_path(scene).position_m();
 }
 
