@@ -17,9 +17,15 @@ struct Error {
   std::string message;  // one line: what, where, what would be right
 };
 
-// The most common error: an option or a file of the user is wrong.
+// An option or a file of the user is wrong.
 [[nodiscard]] inline Error usage_error(std::string message) {
   return {ErrorKind::kUsage, std::move(message)};
+}
+[[nodiscard]] inline Error device_error(std::string message) {
+  return {ErrorKind::kDevice, std::move(message)};
+}
+[[nodiscard]] inline Error file_error(std::string message) {
+  return {ErrorKind::kFile, std::move(message)};
 }
 
 template <typename T>

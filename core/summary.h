@@ -1,6 +1,7 @@
 // Result of a run, and the one list of its keys.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +21,11 @@ inline constexpr std::array<std::string_view, 3> kVerdictNames{"settled", "oscil
 
 [[nodiscard]] constexpr std::string_view verdict_name(Verdict verdict) {
   return kVerdictNames.at(static_cast<std::size_t>(verdict));
+}
+[[nodiscard]] constexpr std::optional<Verdict> find_verdict(std::string_view name) {
+  const auto found = std::ranges::find(kVerdictNames, name);
+  if (found == kVerdictNames.end()) return std::nullopt;
+  return static_cast<Verdict>(found - kVerdictNames.begin());
 }
 
 // Result of one run along one axis. Fields that do not apply are nullopt.

@@ -9,6 +9,7 @@ inline constexpr double kMillimetresPerMetre = 1e3;
 inline constexpr double kMillijoulesPerJoule = 1e3;
 inline constexpr double kMillisecondsPerSecond = 1e3;
 inline constexpr double kMicrosecondsPerSecond = 1e6;
+inline constexpr double kNanosecondsPerSecond = 1e9;
 inline constexpr double kNanosecondsPerMicrosecond = 1e3;
 
 }  // namespace hapticwall

@@ -44,10 +44,10 @@ Result<DeviceChoice> parse_device_choice(const std::string& text) {
   if (text == kHardware) return DeviceChoice{device::ImpulseEngineOptions{}};
   const std::string prefix = std::string(kHardware) + ":";
   if (!text.starts_with(prefix) || text.size() == prefix.size()) {
-    return Error{ErrorKind::kDevice,
-                 fmt::format("--device {}: it takes sim, ie2000 or ie2000:PATH; 'hapticwall "
-                             "devices' lists the connected devices",
-                             file::in_quotes(text))};
+    return device_error(
+        fmt::format("--device {}: it takes sim, ie2000 or ie2000:PATH; 'hapticwall "
+                    "devices' lists the connected devices",
+                    file::in_quotes(text)));
   }
   const std::string path = text.substr(prefix.size());
   device::ImpulseEngineOptions options;
@@ -64,10 +64,10 @@ Failure check_simulator(const std::string& command, const std::string& device) {
   const Result<DeviceChoice> choice = parse_device_choice(device);
   if (!choice) return choice.error();
   if (!choice->hardware) return {};
-  return Error{ErrorKind::kDevice,
-               fmt::format("--device {}: '{}' runs on the simulator only; 'hapticwall run' and the "
-                           "window drive a device",
-                           file::in_quotes(device), command)};
+  return device_error(
+      fmt::format("--device {}: '{}' runs on the simulator only; 'hapticwall run' and the "
+                  "window drive a device",
+                  file::in_quotes(device), command));
 }
 
 std::unique_ptr<device::Device> make_device(const device::ImpulseEngineOptions& hardware,

@@ -109,7 +109,7 @@ Error usage_problem(const CLI::App& program, const CLI::ParseError& problem) {
   } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr) {
     text = mismatch(text);
   }
-  return {ErrorKind::kUsage, text};
+  return usage_error(text);
 }
 
 }  // namespace hapticwall::command

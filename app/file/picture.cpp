@@ -37,16 +37,16 @@ Result<std::string> encode_png(const Picture& picture) {
   image.height = static_cast<png_uint_32>(picture.height);
   const std::size_t expected_bytes = PNG_IMAGE_SIZE(image);
   if (picture.width <= 0 || picture.height <= 0 || picture.rgba.size() != expected_bytes) {
-    return Error{ErrorKind::kFile, fmt::format("a picture of {} x {} pixels cannot have {} bytes",
-                                               picture.width, picture.height, picture.rgba.size())};
+    return file_error(fmt::format("a picture of {} x {} pixels cannot have {} bytes", picture.width,
+                                  picture.height, picture.rgba.size()));
   }
   std::string bytes;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   bytes.resize(size);
   if (png_image_write_to_memory(&image, bytes.data(), &size, 0, picture.rgba.data(), 0, nullptr) ==
       0) {
-    return Error{ErrorKind::kFile,
-                 fmt::format("the picture cannot be encoded: {}", std::string_view(image.message))};
+    return file_error(
+        fmt::format("the picture cannot be encoded: {}", std::string_view(image.message)));
   }
   bytes.resize(size);
   return bytes;

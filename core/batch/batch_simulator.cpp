@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/batch/lane_group.h"
-#include "core/batch/lane_summary.h"
 #include "core/batch/workers.h"
 #include "core/simulation/simulate.h"
 

@@ -12,6 +12,7 @@
 #include "core/batch/lane_scene.h"
 #include "core/plant/hand_path.h"
 #include "core/scene.h"
+#include "core/summary.h"
 
 namespace hapticwall::batch {
 
@@ -22,6 +23,9 @@ struct LaneEnd {
   std::optional<std::uint64_t> diverged_at_tick;
   bool has_tail = false;  // it has reached its last second
 };
+
+// The summary of a scene, from its lane at its end.
+[[nodiscard]] Summary lane_summary(const Scene& scene, const LaneEnd& end, const LaneBlock& block);
 
 // Runs groups one after the other; one per thread.
 class LaneGroup {

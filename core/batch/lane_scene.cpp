@@ -1,7 +1,9 @@
 #include "core/batch/lane_scene.h"
 
 #include <array>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "core/encoder.h"
 #include "core/loop/servo_step.h"
@@ -58,36 +60,22 @@ void set_plant(const Scene& scene, const OneBody& body, std::size_t lane,
   parameters.period_s[lane] = scene.sampling.period_s();
 }
 
-void reset_state(std::size_t lane, LaneState& state) {
-  LaneMotion& m = state.motion;
-  LaneAccount& a = state.account;
-  for (LaneNumbers* numbers :
-       {&m.position_m, &m.velocity_m_per_s, &m.measured_m, &m.force_n,     &m.saturated_ticks,
-        &a.measured_m, &a.force_n,          &a.in_contact, &a.contacts,    &a.peak_force_n,
-        &a.cv_j,       &a.hold_j,           &a.scv_j,      &a.budget_j,    &a.min_cv_j,
-        &a.min_scv_j,  &a.actuator_work_j,  &a.viscous_j,  &a.hand_work_j, &a.margin_j}) {
-    (*numbers)[lane] = 0.0;
+// Sets every number of the lane in a struct of LaneNumbers to 0.
+template <typename Numbers>
+void clear_numbers(std::size_t lane, Numbers& numbers) {
+  static_assert(std::is_trivially_copyable_v<Numbers> &&
+                sizeof(Numbers) % sizeof(LaneNumbers) == 0);
+  constexpr double kZero = 0.0;
+  auto* const bytes = reinterpret_cast<char*>(&numbers);
+  for (std::size_t row = 0; row < sizeof(Numbers); row += sizeof(LaneNumbers)) {
+    std::memcpy(bytes + row + lane * sizeof kZero, &kZero, sizeof kZero);
   }
-  for (LaneNumbers& numbers : m.law) numbers[lane] = 0.0;
-  state.account.maximum_m[lane] = -kInfinity;
-  begin_tail(lane, state);
 }
 
-void clear_parameters(std::size_t lane, LaneParameters& p) {
-  for (LaneNumbers* numbers :
-       {&p.rate_hz, &p.force_limit_n, &p.budget_n_per_m, &p.wall_m, &p.wall_stiffness_n_per_m,
-        &p.wall_damping_n_s_per_m, &p.damping_n_s_per_m, &p.hand_stiffness_n_per_m,
-        &p.hand_damping_n_s_per_m, &p.half_mass_kg, &p.duration_s, &p.path_m, &p.path_speed_m_per_s,
-        &p.segment_begin_tick, &p.segment_m, &p.period_s}) {
-    (*numbers)[lane] = 0.0;
-  }
-  p.encoder_m[lane] = 1.0;  // is divided by
-  const LawNumbers none{};
-  set_rows(p.law, lane, none);
-  set_rows(p.velocity, lane, none);
-  for (auto* rows : {&p.drift, &p.hand_force_drift, &p.integral_at_rest})
-    set_rows(*rows, lane, none);
-  for (auto* rows : {&p.square, &p.hand_work, &p.square_at_rest}) set_rows(*rows, lane, none);
+void reset_state(std::size_t lane, LaneState& state) {
+  clear_numbers(lane, state);
+  state.account.maximum_m[lane] = -kInfinity;
+  begin_tail(lane, state);
 }
 
 }  // namespace
@@ -130,7 +118,8 @@ void set_lane(const Scene& scene, const OneBody& body, std::size_t lane, LaneBlo
 
 void clear_lane(std::size_t lane, LaneBlock& block) {
   reset_state(lane, block.state);
-  clear_parameters(lane, block.parameters);
+  clear_numbers(lane, block.parameters);
+  block.parameters.encoder_m[lane] = 1.0;  // is divided by
 }
 
 void begin_tail(std::size_t lane, LaneState& state) {

@@ -1,7 +1,7 @@
-#include "core/batch/lane_summary.h"
-
+// The summary of a lane.
 #include <algorithm>
 
+#include "core/batch/lane_group.h"
 #include "core/encoder.h"
 #include "core/simulation/metrics.h"
 

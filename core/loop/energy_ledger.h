@@ -1,6 +1,8 @@
 // The four sums that the plots show, row by row (docs/physics.md, "The ledger").
 #pragma once
 
+#include "core/sample.h"
+
 namespace hapticwall {
 
 struct EnergyLedger {
@@ -18,5 +20,10 @@ struct EnergyLedger {
     budget_j -= budget_n_per_m * (displacement_m * displacement_m);
   }
 };
+
+// Of the row that the sample stands for. Realtime-safe: yes.
+[[nodiscard]] inline EnergyLedger ledger_of(const Sample& sample) {
+  return {sample.energy_cv_j, sample.energy_hold_j, sample.energy_scv_j, sample.energy_budget_j};
+}
 
 }  // namespace hapticwall

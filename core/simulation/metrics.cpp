@@ -5,10 +5,6 @@
 namespace hapticwall {
 namespace {
 
-EnergyLedger ledger_of(const Sample& sample) {
-  return {sample.energy_cv_j, sample.energy_hold_j, sample.energy_scv_j, sample.energy_budget_j};
-}
-
 void write_tail(const RunStats& stats, Summary& summary) {
   if (stats.tail_ticks == 0) return;
   summary.tail_peak_to_peak_m = stats.tail_max_m - stats.tail_min_m;

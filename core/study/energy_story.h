@@ -48,11 +48,6 @@ struct EnergyStory {
 [[nodiscard]] EnergyStory tell_energy_story(const EnergyLedger& now, const EnergyLedger& since = {},
                                             double resolution_j = 0.0);
 
-// Realtime-safe: yes.
-[[nodiscard]] inline EnergyLedger ledger_of(const Sample& sample) {
-  return {sample.energy_cv_j, sample.energy_hold_j, sample.energy_scv_j, sample.energy_budget_j};
-}
-
 // The lamp of a session: the story of the present contact or, between contacts, of the last one.
 // Free motion and earlier contacts must not affect its budget or its debt. The story therefore
 // restarts

@@ -13,6 +13,8 @@
 #include <system_error>
 #include <utility>
 
+#include "device/os_threads.h"
+
 namespace hapticwall::device::hid {
 namespace {
 
@@ -34,7 +36,7 @@ Error opening_failed(int error) {
         "; run this as root, or add the udev rule KERNEL==\"uhid\", GROUP=\"plugdev\", "
         "MODE=\"0660\" and be a member of plugdev";
   }
-  return {ErrorKind::kDevice, what};
+  return device_error(what);
 }
 
 template <std::size_t size>
@@ -66,8 +68,8 @@ class UhidBus final : public VirtualBus {
     device.product = identity_.product_id;
     device.version = kDeviceVersion;
     if (const int error = write_event(event); error != 0) {
-      return Error{ErrorKind::kDevice, std::string(kUhidPath) +
-                                           ": the device could not be created: " + words_of(error)};
+      return device_error(std::string(kUhidPath) +
+                          ": the device could not be created: " + words_of(error));
     }
     plugged_ = true;
     return {};
@@ -131,11 +133,7 @@ class UhidBus final : public VirtualBus {
     write_event(event);
   }
 
-  std::int64_t now_ns() override {
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return static_cast<std::int64_t>(now.tv_sec) * kNanosecondsInSecond + now.tv_nsec;
-  }
+  std::int64_t now_ns() override { return monotonic_ns(); }
 
   void wait_until_ns(std::int64_t deadline_ns) override {
     const std::int64_t left_ns = std::max<std::int64_t>(deadline_ns - now_ns(), 0);

@@ -35,7 +35,7 @@ bool is_same_device(const Listing& listing, const Listing& known) {
 }
 
 Error refused(const Listing& listing, const std::string& why) {
-  return Error{ErrorKind::kDevice, listing.path + " " + why};
+  return device_error(listing.path + " " + why);
 }
 
 Error not_understood(const Listing& listing, Refusal refusal, std::span<const std::uint8_t> bytes) {

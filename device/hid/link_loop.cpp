@@ -7,8 +7,6 @@
 namespace hapticwall::device {
 namespace {
 
-constexpr double kNanosecondsPerSecond = 1e9;
-
 double seconds(std::int64_t nanoseconds) {
   return static_cast<double>(nanoseconds) / kNanosecondsPerSecond;
 }

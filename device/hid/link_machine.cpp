@@ -38,16 +38,14 @@ Failure LinkMachine::bring_up() {
   try {
     thread_ = start_thread([self = shared_from_this()] { self->own(); });
   } catch (const std::system_error&) {
-    return Error{ErrorKind::kDevice,
-                 "the device gets no thread: the system runs too many; end other programs"};
+    return device_error("the device gets no thread: the system runs too many; end other programs");
   }
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, kMaxOpening,
                     [this] { return over_ || owner_.opening() != Opening::kPending; });
   if (owner_.opening() == Opening::kUp) return std::nullopt;
   const std::string words = owner_.words();
-  return Error{ErrorKind::kDevice,
-               words.empty() ? "the device does not answer: plug it in again" : words};
+  return device_error(words.empty() ? "the device does not answer: plug it in again" : words);
 }
 
 void LinkMachine::take_down() {

@@ -129,9 +129,8 @@ Failure LinkOwner::bring_up(std::int64_t now_ns) {
   tried_ = hid::choose(hid::each_path_once(*listed), options_, known_);
   if (!tried_) {
     reason_ = known_ ? Trouble::kSilent : Trouble::kNotFound;
-    return Error{ErrorKind::kDevice,
-                 known_ ? known_->path + " is no longer connected: plug the device in again"
-                        : nobody_there(options_)};
+    return device_error(known_ ? known_->path + " is no longer connected: plug the device in again"
+                               : nobody_there(options_));
   }
   auto to_read = port_->open(tried_->path);
   if (!to_read) return to_read.error();
@@ -141,16 +140,15 @@ Failure LinkOwner::bring_up(std::int64_t now_ns) {
   if (!description) return description.error();
   // A device file alone could allow more force than the device did.
   if (known_describes_itself_ && !description->describes_itself) {
-    return Error{ErrorKind::kDevice,
-                 tried_->path + " no longer sends its INFO report: plug the device in again"};
+    return device_error(tried_->path +
+                        " no longer sends its INFO report: plug the device in again");
   }
   reason_ = before;
   try {
     start(*tried_, *description, std::move(*to_read), std::move(*to_write), now_ns);
   } catch (const std::system_error&) {
-    return Error{
-        ErrorKind::kDevice,
-        tried_->path + " gets no thread to write: the system runs too many; end other programs"};
+    return device_error(tried_->path +
+                        " gets no thread to write: the system runs too many; end other programs");
   }
   return std::nullopt;
 }

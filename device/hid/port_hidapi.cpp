@@ -153,11 +153,11 @@ class HidapiPort : public Port {
 
   Result<std::unique_ptr<Handle>> open(const std::string& path) override {
     if (!listed_.contains(path)) {
-      return Error{ErrorKind::kDevice, path + " is not in the list of HID devices"};
+      return device_error(path + " is not in the list of HID devices");
     }
     if (auto shared = shared_device(path)) return handle_on(std::move(shared));
     if (const Obstacle obstacle = obstacle_at(path); obstacle != Obstacle::kNone) {
-      return Error{ErrorKind::kDevice, obstacle_text(path, obstacle)};
+      return device_error(obstacle_text(path, obstacle));
     }
     auto shared = std::make_shared<SharedDevice>();
     shared->device.reset(hid_open_path(path.c_str()));
@@ -183,13 +183,13 @@ class HidapiPort : public Port {
 
   static Error not_opened(const std::string& path) {
     const Obstacle now = obstacle_at(path);
-    if (now != Obstacle::kNone) return {ErrorKind::kDevice, obstacle_text(path, now)};
-    if (kIsLibusb) return {ErrorKind::kDevice, obstacle_text(path, Obstacle::kBusy)};
+    if (now != Obstacle::kNone) return device_error(obstacle_text(path, now));
+    if (kIsLibusb) return device_error(obstacle_text(path, Obstacle::kBusy));
     // The system call may have succeeded on something else than a HID device.
     const std::string reason = to_utf8(hid_error(nullptr));
     const bool told = !reason.empty() && reason != kNoReason;
-    return {ErrorKind::kDevice,
-            path + " cannot be opened: " + (told ? reason : "it does not answer as a HID device")};
+    return device_error(
+        path + " cannot be opened: " + (told ? reason : "it does not answer as a HID device"));
   }
 
   std::set<std::string> listed_;
@@ -200,15 +200,14 @@ class HidapiPort : public Port {
 
 Result<std::unique_ptr<Port>> open_system_port() {
   if (port_exists().exchange(true)) {
-    return Error{
-        ErrorKind::kDevice,
+    return device_error(
         "the HID transport is in use by this program: end its other session, or wait a few "
-        "seconds until its last write has ended"};
+        "seconds until its last write has ended");
   }
   if (hid_init() != 0) {
     port_exists() = false;
-    return Error{ErrorKind::kDevice, "the HID transport (" + std::string(kTransport) +
-                                         ") does not work on this machine"};
+    return device_error("the HID transport (" + std::string(kTransport) +
+                        ") does not work on this machine");
   }
   return std::unique_ptr<Port>(std::make_unique<HidapiPort>());
 }

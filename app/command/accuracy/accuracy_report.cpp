@@ -17,7 +17,6 @@
 namespace hapticwall::command {
 namespace {
 
-constexpr double kMicrosecondsPerNanosecond = 1e-3;
 constexpr std::string_view kWrongVerdictMark = " !";
 
 template <typename T>
@@ -74,7 +73,7 @@ constexpr std::array<TableColumn<AccuracyRow>, 10> kAccuracyColumns{
      {"a tick", "ns", [](const AccuracyRow& r) { return fixed(r.ns_per_tick, 1.0, 1); }},
      {"to exact", "x", [](const AccuracyRow& r) { return fixed(r.ratio_to_exact, 1.0, 2); }},
      {"set-up", "us",
-      [](const AccuracyRow& r) { return fixed(r.set_up_ns, kMicrosecondsPerNanosecond, 0); }},
+      [](const AccuracyRow& r) { return fixed(r.set_up_ns, 1.0 / kNanosecondsPerMicrosecond, 0); }},
      {"position error", "m",
       [](const AccuracyRow& r) { return scientific(r.max_position_error_m); }},
      {"balance error", "J",

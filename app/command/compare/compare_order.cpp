@@ -27,17 +27,12 @@ Place place_of(std::optional<double> value) {
   return {false, *value, ""};
 }
 
-// Verdicts sort from good to bad, not alphabetically.
-std::optional<double> verdict_rank(std::string_view word) {
-  for (const Verdict verdict : {Verdict::kSettled, Verdict::kOscillating, Verdict::kDiverged}) {
-    if (verdict_name(verdict) == word) return static_cast<double>(verdict);
-  }
-  return std::nullopt;
-}
-
 Place place_of(const SummaryField& field) {
   if (const auto* word = std::get_if<std::string>(&field.value)) {
-    if (field.key.ends_with("verdict")) return place_of(verdict_rank(*word));
+    // Verdicts sort from good to bad, not alphabetically.
+    if (const auto verdict = find_verdict(*word); verdict && field.key.ends_with("verdict")) {
+      return place_of(static_cast<double>(*verdict));
+    }
     return {false, 0.0, *word};
   }
   if (const auto* integer = std::get_if<std::uint64_t>(&field.value)) {

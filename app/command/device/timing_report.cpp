@@ -17,7 +17,6 @@ using runtime::Quantiles;
 using runtime::TimingPlan;
 using runtime::TimingRecord;
 
-constexpr double kNanoseconds = 1e9;
 constexpr std::size_t kHistogramWidth = 50;
 constexpr double kRateTolerance = 0.01;
 
@@ -38,7 +37,7 @@ double share(std::uint64_t part, std::uint64_t whole) {
 }
 
 void judge_device(const TimingPlan& plan, const TimingRecord& record, TimingJudgement& judgement) {
-  const double period_ns = kNanoseconds / plan.rate_hz;
+  const double period_ns = kNanosecondsPerSecond / plan.rate_hz;
   const device::LinkStats& link = record.link;
   const std::uint64_t lost = link.missing_states + link.void_reports;
   judge(Measure{share(lost, link.states + lost), kGoodMarks.missing_states,
@@ -121,7 +120,7 @@ Json quantiles_object(const std::vector<std::int64_t>& values_ns) {
   const Quantiles row = runtime::quantiles(values_ns);
   if (row.count == 0) return nullptr;
   const auto seconds = [](std::int64_t nanoseconds) {
-    return static_cast<double>(nanoseconds) / kNanoseconds;
+    return static_cast<double>(nanoseconds) / kNanosecondsPerSecond;
   };
   return {{"count", row.count},
           {"median_s", seconds(row.median_ns)},

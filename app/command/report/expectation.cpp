@@ -34,7 +34,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 Error problem(const std::string& text, std::string_view message) {
-  return {ErrorKind::kUsage, fmt::format("--expect {}: {}", file::in_quotes(text), message)};
+  return usage_error(fmt::format("--expect {}: {}", file::in_quotes(text), message));
 }
 
 // nullptr if there is no such operator.
@@ -57,7 +57,7 @@ std::optional<Error> check_word(const Expectation& expectation, std::string_view
                    fmt::format("{} is a word; it is compared with =", expectation.key));
   }
   if (!expectation.key.ends_with("verdict")) return std::nullopt;
-  if (std::ranges::find(kVerdictNames, word) != kVerdictNames.end()) return std::nullopt;
+  if (find_verdict(word)) return std::nullopt;
   return problem(expectation.text, fmt::format("{} is no verdict; verdicts: {}",
                                                file::in_quotes(word), file::joined(kVerdictNames)));
 }

@@ -32,8 +32,8 @@ int write_all(int descriptor, std::string_view text) {
 Failure write_output(std::string_view text) {
   const int code = write_all(STDOUT_FILENO, text);
   if (code == 0 || code == EPIPE) return {};
-  return Error{ErrorKind::kFile, fmt::format("standard output could not be written: {}",
-                                             std::generic_category().message(code))};
+  return file_error(fmt::format("standard output could not be written: {}",
+                                std::generic_category().message(code)));
 }
 
 int report(const Error& error) {

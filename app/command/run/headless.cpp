@@ -4,13 +4,13 @@
 
 #include "app/command/report/progress.h"
 #include "app/command/signals.h"
+#include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
 
 // About the ticks between two calls of should_stop(); only for the progress bar.
 constexpr double kTicksPerQuestion = 1024.0;
-constexpr double kNanosecondsPerSecond = 1e9;
 
 }  // namespace
 

@@ -76,7 +76,7 @@ Result<std::unique_ptr<runtime::LiveSession>> start_session(const RealtimeRun& r
 // Trouble that ends a run early.
 Failure trouble_in(const runtime::LiveSession& session, const runtime::Snapshot& snapshot,
                    const RealtimeRun& run) {
-  const auto failed = [](std::string text) { return Error{ErrorKind::kDevice, std::move(text)}; };
+  const auto failed = [](std::string text) { return device_error(std::move(text)); };
   if (snapshot.ended_by_fault) {
     return failed(
         fmt::format("the loop ended by a fault after {} ticks", snapshot.newest.x().tick));
@@ -136,7 +136,7 @@ class RecordingWatch {
 Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
   const std::uint64_t ticks = run.scene.tick_count();
   if (ticks > UINT32_MAX) {
-    return Error{ErrorKind::kUsage, fmt::format("--realtime runs at most {} ticks", UINT32_MAX)};
+    return usage_error(fmt::format("--realtime runs at most {} ticks", UINT32_MAX));
   }
   Result<std::unique_ptr<runtime::LiveSession>> started = start_session(run);
   if (!started) return started.error();

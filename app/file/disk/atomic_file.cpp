@@ -18,9 +18,9 @@ namespace {
 
 constexpr mode_t kNewFileMode = 0666;  // without the umask
 
-Error file_error(const std::string& path, std::string_view what, int code) {
-  return {ErrorKind::kFile,
-          fmt::format("{}: {}: {}", shown(path), what, std::generic_category().message(code))};
+Error system_error_of(const std::string& path, std::string_view what, int code) {
+  return file_error(
+      fmt::format("{}: {}: {}", shown(path), what, std::generic_category().message(code)));
 }
 
 // Whether the name still refers to the open file: another process may rename it between open and
@@ -77,23 +77,21 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
 Result<AtomicFile> AtomicFile::resume(const std::string& path) {
   struct stat existing {};
   if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode)) {
-    return Error{
-        ErrorKind::kFile,
-        fmt::format("{}: cannot be written: it exists and is not a regular file", shown(path))};
+    return file_error(
+        fmt::format("{}: cannot be written: it exists and is not a regular file", shown(path)));
   }
   const std::string partial_path = path + std::string(kPartialEnding);
   struct stat found {};
   const int descriptor = open_partial(partial_path, found);
   if (descriptor < 0 && found.st_mode != 0) {
-    return Error{ErrorKind::kFile,
-                 fmt::format("{}: cannot be written: {} {}; remove it", shown(path),
-                             shown(partial_path), strangeness(found))};
+    return file_error(fmt::format("{}: cannot be written: {} {}; remove it", shown(path),
+                                  shown(partial_path), strangeness(found)));
   }
-  if (descriptor < 0) return file_error(path, "cannot be written", errno);
+  if (descriptor < 0) return system_error_of(path, "cannot be written", errno);
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 || !is_still_named(descriptor, partial_path)) {
     close(descriptor);
-    return Error{ErrorKind::kFile,
-                 fmt::format("{}: cannot be written: another process is writing it", shown(path))};
+    return file_error(
+        fmt::format("{}: cannot be written: another process is writing it", shown(path)));
   }
   return AtomicFile(path, partial_path, descriptor);
 }
@@ -127,7 +125,7 @@ void AtomicFile::discard() {
 }
 
 Error AtomicFile::failure(std::string_view what) const {
-  Error error = file_error(path_, what, errno);
+  Error error = system_error_of(path_, what, errno);
   if (keep_partial_) {
     error.message += fmt::format(" (the written part is in {})", shown(partial_path_));
   }
@@ -156,9 +154,9 @@ bool AtomicFile::is_removed() const {
 }
 
 Error AtomicFile::lost() const {
-  return {ErrorKind::kFile,
-          fmt::format("{}: could not be written: {} was {} during the writing", shown(path_),
-                      shown(partial_path_), is_removed() ? "removed" : "moved")};
+  return file_error(fmt::format("{}: could not be written: {} was {} during the writing",
+                                shown(path_), shown(partial_path_),
+                                is_removed() ? "removed" : "moved"));
 }
 
 Failure AtomicFile::write(std::string_view bytes) {
@@ -188,7 +186,8 @@ Failure AtomicFile::commit() {
 }
 
 Failure rename_file(const std::string& from, const std::string& to) {
-  if (std::rename(from.c_str(), to.c_str()) != 0) return file_error(to, "cannot be renamed", errno);
+  if (std::rename(from.c_str(), to.c_str()) != 0)
+    return system_error_of(to, "cannot be renamed", errno);
   sync_folder(to);
   return {};
 }

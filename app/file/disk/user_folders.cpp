@@ -50,8 +50,8 @@ Failure make_folder_of(const std::string& path) {
     fs::permissions(folder, fs::perms::owner_all, error);
     return std::nullopt;
   }
-  return Error{ErrorKind::kFile,
-               fmt::format("{}: cannot be created: {}", shown(folder.string()), error.message())};
+  return file_error(
+      fmt::format("{}: cannot be created: {}", shown(folder.string()), error.message()));
 }
 
 }  // namespace hapticwall::file

@@ -121,18 +121,18 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
                                   const MapPart& part) {
   const std::string sidecar_path = sidecar_path_of(path);
   if (!may_replace_sidecar(sidecar_path, kMapTable)) {
-    return Error{ErrorKind::kFile,
-                 fmt::format("{}: the sidecar of {} would replace this other file; choose another "
-                             "name",
-                             shown(sidecar_path), shown(path))};
+    return file_error(
+        fmt::format("{}: the sidecar of {} would replace this other file; choose another "
+                    "name",
+                    shown(sidecar_path), shown(path)));
   }
   const std::string partial = path + std::string(kPartialEnding);
   const std::string sidecar_text = map_sidecar(map, part);
   if (!is_empty(partial) && !is_of_map(sidecar_path, sidecar_text)) {
-    return Error{ErrorKind::kFile,
-                 fmt::format("{}: it belongs to another map or build; finish it with its own "
-                             "command, or remove it",
-                             shown(partial))};
+    return file_error(
+        fmt::format("{}: it belongs to another map or build; finish it with its own "
+                    "command, or remove it",
+                    shown(partial)));
   }
   Result<AtomicFile> csv = AtomicFile::resume(path);
   if (!csv) return csv.error();
@@ -166,9 +166,7 @@ Failure MapWriter::finish() {
 
 Result<std::vector<MapMetrics>> parse_map(std::string_view text, const std::string& origin,
                                           const StabilityMap& map) {
-  const auto wrong = [&](const std::string& what) {
-    return Error{ErrorKind::kUsage, shown(origin) + what};
-  };
+  const auto wrong = [&](const std::string& what) { return usage_error(shown(origin) + what); };
   const std::size_t cells = map.cell_count();
   FoundRows rows = whole_rows(text, map, {0, cells});
   if (rows.bytes == 0) {
@@ -195,9 +193,7 @@ bool has_other_sidecar(const std::string& path, const StabilityMap& map) {
 }
 
 Result<std::vector<MapMetrics>> read_map(const std::string& path, const StabilityMap& map) {
-  const auto wrong = [&](const std::string& what) {
-    return Error{ErrorKind::kUsage, shown(path) + what};
-  };
+  const auto wrong = [&](const std::string& what) { return usage_error(shown(path) + what); };
   if (access(path.c_str(), R_OK) != 0) {
     return wrong(": cannot be read: " + std::generic_category().message(errno));
   }

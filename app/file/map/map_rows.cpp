@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -24,12 +23,6 @@ constexpr std::array<Column, kMapMetrics> kColumns{
      {"displayed_stiffness_n_per_m", &MapMetrics::displayed_stiffness_n_per_m},
      {"max_penetration_m", &MapMetrics::max_penetration_m},
      {"passivity_margin_j", &MapMetrics::passivity_margin_j}}};
-
-std::optional<Verdict> find_verdict(std::string_view name) {
-  const auto found = std::ranges::find(kVerdictNames, name);
-  if (found == kVerdictNames.end()) return std::nullopt;
-  return static_cast<Verdict>(found - kVerdictNames.begin());
-}
 
 }  // namespace
 

@@ -27,7 +27,7 @@ std::optional<double> rate_of(const Sample& sample) {
 }  // namespace
 
 Error RecordingScan::problem(std::string_view text) const {
-  return {ErrorKind::kUsage, fmt::format("{}:{}: {}", shown(origin_), line_, text)};
+  return usage_error(fmt::format("{}:{}: {}", shown(origin_), line_, text));
 }
 
 Failure RecordingScan::take(std::string_view piece) {
@@ -96,9 +96,8 @@ Failure RecordingScan::check_tick(std::uint64_t tick) {
 
 Result<ScannedRows> RecordingScan::finish() {
   if (line_ == 0) {
-    return Error{ErrorKind::kUsage,
-                 fmt::format("{}: not a recording: {}", shown(origin_),
-                             begun_.empty() ? "empty" : "its header has no line end")};
+    return usage_error(fmt::format("{}: not a recording: {}", shown(origin_),
+                                   begun_.empty() ? "empty" : "its header has no line end"));
   }
   if (!begun_.empty()) {
     ++line_;
@@ -106,7 +105,7 @@ Result<ScannedRows> RecordingScan::finish() {
     rows_.cut_off = true;
   }
   if (rows_.rows == 0) {
-    return Error{ErrorKind::kUsage, shown(origin_) + ": a recording without rows"};
+    return usage_error(shown(origin_) + ": a recording without rows");
   }
   rows_.rate_hz = rate_of(tick_.x());
   return std::move(rows_);

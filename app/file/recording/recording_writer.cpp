@@ -22,10 +22,10 @@ constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
 Failure check_sidecar(const std::string& csv_path, const std::string& remedy) {
   const std::string sidecar_path = sidecar_path_of(csv_path);
   if (may_replace_sidecar(sidecar_path, kRecordingTable)) return {};
-  return Error{ErrorKind::kFile,
-               fmt::format("{}: cannot be recorded: its sidecar {} would replace a file that is "
-                           "not a recording's; {}",
-                           shown(csv_path), shown(sidecar_path), remedy)};
+  return file_error(
+      fmt::format("{}: cannot be recorded: its sidecar {} would replace a file that is "
+                  "not a recording's; {}",
+                  shown(csv_path), shown(sidecar_path), remedy));
 }
 
 bool has_rows(const std::string& partial_csv) {
@@ -132,10 +132,10 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::stri
   if (!csv) return csv.error();
   if (can_be_finished(csv_path)) {
     csv->keep_partial();
-    return Error{ErrorKind::kFile,
-                 fmt::format("{} has rows of a recording that was cut off: 'hapticwall recover {}' "
-                             "finishes it; or remove it",
-                             shown(csv->partial_path()), shown(csv_path))};
+    return file_error(
+        fmt::format("{} has rows of a recording that was cut off: 'hapticwall recover {}' "
+                    "finishes it; or remove it",
+                    shown(csv->partial_path()), shown(csv_path)));
   }
   if (csv->size() > 0) {
     if (Failure failed = csv->keep_only(0)) return *failed;

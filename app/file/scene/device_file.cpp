@@ -116,10 +116,9 @@ Result<DeviceDescription> load_device(const std::string& name_or_path) {
   std::error_code ignored;
   const bool looks_like_a_path = name_or_path.find_first_of("/.") != std::string::npos;
   if (!looks_like_a_path && !std::filesystem::exists(name_or_path, ignored)) {
-    return Error{
-        ErrorKind::kUsage,
-        fmt::format("{} is neither a file nor a built-in device{}; built in: {}",
-                    in_quotes(name_or_path), suggestion(name_or_path, names), joined(names))};
+    return usage_error(fmt::format("{} is neither a file nor a built-in device{}; built in: {}",
+                                   in_quotes(name_or_path), suggestion(name_or_path, names),
+                                   joined(names)));
   }
   const Result<std::string> text =
       read_small_file(name_or_path, "device description", kMaxFileBytes);
