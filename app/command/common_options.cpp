@@ -32,8 +32,7 @@ Failure check_duration(const std::string& text) {
 
 Failure check_algorithm_name(std::string_view option, const std::string& name) {
   if (find_algorithm(name)) return {};
-  std::vector<std::string_view> names;
-  for (const AlgorithmDescription& algorithm : algorithms()) names.push_back(algorithm.name);
+  const auto names = file::names_of(algorithms(), &AlgorithmDescription::name);
   return usage_error(fmt::format("{} {}: unknown algorithm{}; known: {}", option,
                                  file::in_quotes(name), file::suggestion(name, names),
                                  file::joined(names)));

@@ -48,11 +48,9 @@ Exit status:
 )";
 
 std::string footer() {
-  std::vector<std::string_view> names;
-  for (const AlgorithmDescription& algorithm : algorithms()) names.push_back(algorithm.name);
   return fmt::format(
       "{}\nAlgorithms: {}\n'hapticwall COMMAND --help' lists the options of a command.", kExamples,
-      file::joined(names));
+      file::joined(file::names_of(algorithms(), &AlgorithmDescription::name)));
 }
 
 // Refuses a first word that is no option, command, scene or file.

@@ -51,13 +51,6 @@ constexpr auto kKinds = std::to_array<NamedKind>({
 });
 static_assert(kKinds.size() == static_cast<std::size_t>(FaultKind::kEncoderFault) + 1);
 
-std::vector<std::string_view> names() {
-  std::vector<std::string_view> names;
-  names.reserve(kKinds.size());
-  for (const NamedKind& known : kKinds) names.push_back(known.name);
-  return names;
-}
-
 std::optional<std::uint64_t> microseconds_of(std::string_view text) {
   const std::optional<double> seconds = file::parsed<double>(text);
   if (!seconds || !(*seconds >= 0.0 && *seconds <= kMaxTimeS)) return std::nullopt;
@@ -220,7 +213,7 @@ void add_identity(CLI::App& program, EmulatorOptions& options) {
 
 }  // namespace
 
-std::string fault_names() { return file::joined(names()); }
+std::string fault_names() { return file::joined(file::names_of(kKinds, &NamedKind::name)); }
 
 Result<Fault> parse_fault(std::string_view text) {
   const std::size_t at = text.find('@');
@@ -232,7 +225,7 @@ Result<Fault> parse_fault(std::string_view text) {
   const auto* known = std::find_if(kKinds.begin(), kKinds.end(),
                                    [&](const NamedKind& one) { return one.name == name; });
   if (known == kKinds.end()) {
-    const std::string hint = file::suggestion(name, names());
+    const std::string hint = file::suggestion(name, file::names_of(kKinds, &NamedKind::name));
     return refusal(text, fmt::format("unknown fault{}; known: {}", hint, fault_names()));
   }
   const std::size_t slash = text.find('/', plus);

@@ -47,10 +47,8 @@ std::string problem_of(const MapAxis& axis) {
 }
 
 std::string unknown_key(std::string_view key, const Scene& scene) {
-  std::vector<std::string_view> paths;
   const std::vector<SceneNumber> numbers = scene_numbers(scene);
-  paths.reserve(numbers.size());
-  for (const SceneNumber& number : numbers) paths.push_back(number.path);
+  const auto paths = file::names_of(numbers, &SceneNumber::path);
   return fmt::format("no number of this scene is called {}{}; known: {}", file::in_quotes(key),
                      file::suggestion(key, paths), file::joined(paths));
 }

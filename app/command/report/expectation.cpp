@@ -27,12 +27,6 @@ constexpr std::array<Operator, 5> kOperators{
      {">", [](double found, double value) { return found > value; }}}};
 constexpr std::string_view kOperatorsText = "one of < <= = >= >";
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 Error problem(const std::string& text, std::string_view message) {
   return usage_error(fmt::format("--expect {}: {}", file::in_quotes(text), message));
 }
@@ -82,10 +76,10 @@ Result<Expectation> parse_expectation(const std::string& text) {
   }
   const std::size_t sign_end = std::min(text.find_first_not_of("<=>", sign_at), text.size());
   const std::string_view sign = std::string_view(text).substr(sign_at, sign_end - sign_at);
-  const std::string_view value = trimmed(std::string_view(text).substr(sign_end));
+  const std::string_view value = file::trimmed(std::string_view(text).substr(sign_end));
   Expectation expectation;
   expectation.text = text;
-  expectation.key = std::string(trimmed(std::string_view(text).substr(0, sign_at)));
+  expectation.key = std::string(file::trimmed(std::string_view(text).substr(0, sign_at)));
   const std::optional<SummaryField> field = field_of(expectation.key, all_summary_fields());
   if (!field) return problem(text, unknown_key(expectation.key));
   if (find_operator(sign) == nullptr) {

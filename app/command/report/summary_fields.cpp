@@ -58,9 +58,7 @@ std::vector<SummaryField> all_summary_fields() { return summary_fields(RunSummar
 
 std::string unknown_key(std::string_view key) {
   const std::vector<SummaryField> known = all_summary_fields();
-  std::vector<std::string_view> keys;
-  keys.reserve(known.size());
-  for (const SummaryField& one : known) keys.push_back(one.key);
+  const auto keys = file::names_of(known, &SummaryField::key);
   const std::string hint = file::suggestion(key, keys);
   return fmt::format("the summary has no key {}{}", file::in_quotes(key),
                      hint.empty() ? "; known: " + file::joined(keys) : hint);

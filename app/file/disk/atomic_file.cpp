@@ -80,7 +80,7 @@ Result<AtomicFile> AtomicFile::resume(const std::string& path) {
     return file_error(
         fmt::format("{}: cannot be written: it exists and is not a regular file", shown(path)));
   }
-  const std::string partial_path = path + std::string(kPartialEnding);
+  const std::string partial_path = partial_of(path);
   struct stat found {};
   const int descriptor = open_partial(partial_path, found);
   if (descriptor < 0 && found.st_mode != 0) {

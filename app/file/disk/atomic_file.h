@@ -11,6 +11,9 @@ namespace hapticwall::file {
 
 // Of an incomplete file.
 inline constexpr std::string_view kPartialEnding = ".partial";
+[[nodiscard]] inline std::string partial_of(const std::string& path) {
+  return path + std::string(kPartialEnding);
+}
 
 // Writes to PATH.partial, which it locks. commit() syncs the file and renames it, which replaces an
 // older file atomically. Errors are ErrorKind::kFile and name the file. Realtime-safe: no.

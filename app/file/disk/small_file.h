@@ -1,7 +1,9 @@
-// Reads small text files, and refuses large ones.
+// Reads small text files, and refuses large ones. Finds built-in ones by name.
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -9,8 +11,17 @@
 
 namespace hapticwall::file {
 
+// "PATH: cannot be read: REASON" for an errno.
+[[nodiscard]] Error cannot_be_read(const std::string& path, int code);
+
 // The whole file. `kind` names the expected content in messages ("scene"). Refuses an empty file.
 [[nodiscard]] Result<std::string> read_small_file(const std::string& path, std::string_view kind,
                                                   std::size_t max_bytes);
+
+// The index of a built-in scene or device; nullopt for the path of a file. Fails if `name_or_path`
+// is neither. `kind` names the list in the message ("scene").
+[[nodiscard]] Result<std::optional<std::size_t>> find_builtin(
+    const std::string& name_or_path, std::string_view kind,
+    std::span<const std::string_view> builtin_names);
 
 }  // namespace hapticwall::file

@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/file/disk/small_file.h"
 #include "app/file/map/map_rows.h"
 #include "app/file/recording/sidecar.h"
 #include "app/file/scene/scene_file.h"
@@ -49,7 +50,7 @@ bool is_empty(const std::string& path) {
 // Whether the partial rows belong to the map with this sidecar. The finished sidecar counts only if
 // there is no partial one: then the run ended between the two renames.
 bool is_of_map(const std::string& sidecar_path, const std::string& sidecar_text) {
-  const std::string partial = sidecar_path + std::string(kPartialEnding);
+  const std::string partial = partial_of(sidecar_path);
   return contents(is_empty(partial) ? sidecar_path : partial) == sidecar_text;
 }
 
@@ -126,7 +127,7 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
                     "name",
                     shown(sidecar_path), shown(path)));
   }
-  const std::string partial = path + std::string(kPartialEnding);
+  const std::string partial = partial_of(path);
   const std::string sidecar_text = map_sidecar(map, part);
   if (!is_empty(partial) && !is_of_map(sidecar_path, sidecar_text)) {
     return file_error(
@@ -166,22 +167,22 @@ Failure MapWriter::finish() {
 
 Result<std::vector<MapMetrics>> parse_map(std::string_view text, const std::string& origin,
                                           const StabilityMap& map) {
-  const auto wrong = [&](const std::string& what) { return usage_error(shown(origin) + what); };
   const std::size_t cells = map.cell_count();
   FoundRows rows = whole_rows(text, map, {0, cells});
   if (rows.bytes == 0) {
-    return wrong(fmt::format(":1: not the header of this map: {}",
-                             map_header(map).substr(0, map_header(map).size() - 1)));
+    return usage_error(fmt::format("{}:1: not the header of this map: {}", shown(origin),
+                                   map_header(map).substr(0, map_header(map).size() - 1)));
   }
   if (rows.figures.size() < cells) {
     const std::size_t cell = rows.figures.size();
-    return wrong(
-        fmt::format(":{}: not cell {} of the {} of this map: expected '{}', a verdict and {} "
-                    "numbers or empty fields",
-                    cell + 2, cell + 1, cells, map_row_beginning(map, cell), kMapMetrics));
+    return usage_error(fmt::format(
+        "{}:{}: not cell {} of the {} of this map: expected '{}', a verdict and {} "
+        "numbers or empty fields",
+        shown(origin), cell + 2, cell + 1, cells, map_row_beginning(map, cell), kMapMetrics));
   }
   if (rows.bytes != text.size()) {
-    return wrong(fmt::format(":{}: unexpected text after the last cell of this map", cells + 2));
+    return usage_error(fmt::format("{}:{}: unexpected text after the last cell of this map",
+                                   shown(origin), cells + 2));
   }
   return std::move(rows.figures);
 }
@@ -193,14 +194,13 @@ bool has_other_sidecar(const std::string& path, const StabilityMap& map) {
 }
 
 Result<std::vector<MapMetrics>> read_map(const std::string& path, const StabilityMap& map) {
-  const auto wrong = [&](const std::string& what) { return usage_error(shown(path) + what); };
-  if (access(path.c_str(), R_OK) != 0) {
-    return wrong(": cannot be read: " + std::generic_category().message(errno));
-  }
+  if (access(path.c_str(), R_OK) != 0) return cannot_be_read(path, errno);
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return wrong(": not a map: not a file");
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    return usage_error(shown(path) + ": not a map: not a file");
+  }
   const std::string text = contents(path);
-  if (text.empty()) return wrong(": not a map: empty");
+  if (text.empty()) return usage_error(shown(path) + ": not a map: empty");
   return parse_map(text, path, map);
 }
 

@@ -25,11 +25,6 @@ namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
 
-Error cannot_be_read(const std::string& path, int code) {
-  return usage_error(
-      fmt::format("{}: cannot be read: {}", shown(path), std::generic_category().message(code)));
-}
-
 // Returns fewer bytes than asked for only at the end of the file; -1 on failure.
 ssize_t read_fully(int descriptor, char* out, std::size_t size, std::uint64_t offset) {
   std::size_t done = 0;

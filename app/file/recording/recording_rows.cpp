@@ -78,21 +78,11 @@ void append_columns(std::string& text, CsvColumns columns, Wanted&& wanted, cons
   });
 }
 
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    fields.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return fields;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 // The reason why a row is wrong. Slow.
 std::string problem_of(std::string_view line, CsvColumns columns) {
   const std::string header = csv_header(columns);
-  const std::vector<std::string_view> names = split(header);
-  const std::vector<std::string_view> fields = split(line);
+  const std::vector<std::string_view> names = split(header, ',');
+  const std::vector<std::string_view> fields = split(line, ',');
   for (std::size_t i = 0; i < std::min(names.size(), fields.size()); ++i) {
     const std::string_view name = names[i];
     if (name == "tick" && !parsed<std::uint64_t>(fields[i])) {
@@ -136,8 +126,8 @@ Result<CsvColumns> parse_csv_header(std::string_view line) {
   const CsvColumns meant = csv_columns(line.find("device_time_s") == std::string_view::npos,
                                        line.find(",y_") == std::string_view::npos ? 1 : 2);
   const std::string header = csv_header(meant);
-  const std::vector<std::string_view> wanted = split(header);
-  const std::vector<std::string_view> found = split(line.substr(0, kMaxCsvLineBytes));
+  const std::vector<std::string_view> wanted = split(header, ',');
+  const std::vector<std::string_view> found = split(line.substr(0, kMaxCsvLineBytes), ',');
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (i >= found.size()) return usage_error(fmt::format("the column {} is missing", wanted[i]));
     if (found[i] == wanted[i]) continue;

@@ -36,7 +36,7 @@ bool has_rows(const std::string& partial_csv) {
 
 // An earlier recording under this name was cut off and can still be recovered.
 bool can_be_finished(const std::string& csv_path) {
-  const std::string partial = csv_path + std::string(kPartialEnding);
+  const std::string partial = partial_of(csv_path);
   std::error_code ignored;
   return has_rows(partial) && (std::filesystem::exists(sidecar_path_of(partial), ignored) ||
                                lacks_only_its_name(csv_path));
@@ -107,9 +107,7 @@ class CsvRecordingWriter final : public RecordingWriter {
         "its rows are in {}; move that file, then 'hapticwall recover {}' finishes it",
         shown(csv_.partial_path()), shown(csv_.path()));
   }
-  [[nodiscard]] std::string partial_sidecar() const {
-    return sidecar_path_ + std::string(kPartialEnding);
-  }
+  [[nodiscard]] std::string partial_sidecar() const { return partial_of(sidecar_path_); }
 
   AtomicFile csv_;
   std::string sidecar_path_;

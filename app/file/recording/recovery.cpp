@@ -152,8 +152,6 @@ std::string csv_path_of(std::string path) {
   return path;
 }
 
-std::string partial_of(const std::string& path) { return path + std::string(kPartialEnding); }
-
 Failure check_names(const std::string& csv_path, const std::string& partial) {
   std::error_code ignored;
   if (!std::filesystem::exists(partial, ignored)) {

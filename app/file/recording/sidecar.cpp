@@ -1,6 +1,5 @@
 #include "app/file/recording/sidecar.h"
 
-
 #include <algorithm>
 #include <filesystem>
 
@@ -23,10 +22,10 @@ void write_change(TomlText& out, const Scene& start, const ScheduledChange& chan
   for (std::size_t i = 0; i < std::min(scene.axes.size(), start.axes.size()); ++i) {
     const AxisSettings& axis = scene.axes[i];
     if (axis.device != start.axes[i].device) {
-      write_device(out, axis_key("recording.change.device", i), axis.device);
+      write_numbers(out, axis_key("recording.change.device", i), axis.device);
     }
     if (axis.hand && axis.hand != start.axes[i].hand) {
-      write_hand_numbers(out, axis_key("recording.change.hand", i), *axis.hand);
+      write_numbers(out, axis_key("recording.change.hand", i), *axis.hand);
     }
   }
   if (scene.simulator != start.simulator) write_simulator(out, kChangePrefix, scene.simulator);
@@ -90,7 +89,7 @@ std::string sidecar_path_of(const std::string& csv_path) {
   std::string path = csv_path;
   if (path.ends_with(kPartialEnding)) {
     path.resize(path.size() - kPartialEnding.size());
-    return sidecar_path_of(path) + std::string(kPartialEnding);
+    return partial_of(sidecar_path_of(path));
   }
   if (path.ends_with(kCsvEnding)) path.resize(path.size() - kCsvEnding.size());
   return path + ".toml";
@@ -98,7 +97,7 @@ std::string sidecar_path_of(const std::string& csv_path) {
 
 Failure write_sidecar(const std::string& csv_path, std::string_view text) {
   const std::string path = sidecar_path_of(csv_path);
-  const std::string partial = path + std::string(kPartialEnding);
+  const std::string partial = partial_of(path);
   if (Failure failed = write_file(partial, text)) return failed;
   return rename_file(partial, path);
 }

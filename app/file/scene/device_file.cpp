@@ -106,19 +106,13 @@ Result<DeviceDescription> parse_device(std::string_view toml_text, const std::st
 }
 
 Result<DeviceDescription> load_device(const std::string& name_or_path) {
-  std::vector<std::string_view> names;
-  for (const BuiltinDevice& device : builtin_devices()) {
-    if (device.name == name_or_path) {
-      return parse_device(device.toml_text, device.name + " (built in)");
-    }
-    names.push_back(device.name);
-  }
-  std::error_code ignored;
-  const bool looks_like_a_path = name_or_path.find_first_of("/.") != std::string::npos;
-  if (!looks_like_a_path && !std::filesystem::exists(name_or_path, ignored)) {
-    return usage_error(fmt::format("{} is neither a file nor a built-in device{}; built in: {}",
-                                   in_quotes(name_or_path), suggestion(name_or_path, names),
-                                   joined(names)));
+  const std::vector<BuiltinDevice>& builtin = builtin_devices();
+  const std::vector<std::string_view> names = names_of(builtin, &BuiltinDevice::name);
+  const Result<std::optional<std::size_t>> index = find_builtin(name_or_path, "device", names);
+  if (!index) return index.error();
+  if (*index) {
+    const BuiltinDevice& device = builtin[**index];
+    return parse_device(device.toml_text, device.name + " (built in)");
   }
   const Result<std::string> text =
       read_small_file(name_or_path, "device description", kMaxFileBytes);

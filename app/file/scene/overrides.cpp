@@ -27,12 +27,6 @@ struct KeyPart {
   throw ReadFailure(fmt::format("{}: {}", label, message));
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 KeyPart key_part(std::string_view text, const std::string& label) {
   KeyPart part;
   const std::size_t bracket = text.find('[');

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/file/scene/scene_check.h"
 #include "app/file/scene/scene_reader.h"
 #include "app/file/scene/scene_tables.h"
 #include "app/file/scene/table_reader.h"

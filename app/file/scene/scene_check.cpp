@@ -1,5 +1,4 @@
-#include "app/file/scene/scene_check.h"
-
+// Validates a scene and reports the place in its file.
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -7,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/file/scene/scene_reader.h"
 #include "app/file/scene/table_reader.h"
 
 namespace hapticwall::file {

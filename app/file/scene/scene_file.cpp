@@ -83,19 +83,13 @@ const std::vector<BuiltinScene>& builtin_scenes() {
 
 Result<LoadedScene> load_scene(const std::string& name_or_path,
                                std::span<const std::string> overrides) {
-  std::vector<std::string_view> names;
-  for (const BuiltinScene& scene : builtin_scenes()) {
-    if (scene.name == name_or_path) {
-      return parse_scene(scene.toml_text, scene.name + " (built in)", overrides);
-    }
-    names.push_back(scene.name);
-  }
-  std::error_code ignored;
-  const bool looks_like_a_path = name_or_path.find_first_of("/.") != std::string::npos;
-  if (!looks_like_a_path && !std::filesystem::exists(name_or_path, ignored)) {
-    return usage_error(fmt::format("{} is neither a file nor a built-in scene{}; built in: {}",
-                                   in_quotes(name_or_path), suggestion(name_or_path, names),
-                                   joined(names)));
+  const std::vector<BuiltinScene>& builtin = builtin_scenes();
+  const std::vector<std::string_view> names = names_of(builtin, &BuiltinScene::name);
+  const Result<std::optional<std::size_t>> index = find_builtin(name_or_path, "scene", names);
+  if (!index) return index.error();
+  if (*index) {
+    const BuiltinScene& scene = builtin[**index];
+    return parse_scene(scene.toml_text, scene.name + " (built in)", overrides);
   }
   return load_file(name_or_path, overrides);
 }

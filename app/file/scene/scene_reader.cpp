@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "app/file/scene/scene_check.h"
 #include "app/file/scene/scene_tables.h"
 #include "app/file/scene/table_reader.h"
 #include "app/file/text/text.h"

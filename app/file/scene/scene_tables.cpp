@@ -28,12 +28,6 @@ std::vector<PathPoint> read_path(const TableReader& reader, const toml::node& no
   return points;
 }
 
-std::vector<std::string_view> algorithm_names() {
-  std::vector<std::string_view> names;
-  for (const AlgorithmDescription& algorithm : algorithms()) names.push_back(algorithm.name);
-  return names;
-}
-
 double read_choice(TableReader& reader, const ParameterDescription& parameter,
                    const toml::node& node) {
   const std::string word = *reader.string(parameter.key);
@@ -122,7 +116,7 @@ AlgorithmSettings read_algorithm(const toml::table& table, const std::string& pr
   if (const std::optional<std::string> name = reader.string("name")) {
     const std::optional<std::size_t> index = find_algorithm(*name);
     if (!index) {
-      const std::vector<std::string_view> names = algorithm_names();
+      const auto names = names_of(algorithms(), &AlgorithmDescription::name);
       reader.fail(*table.get("name"), "name",
                   fmt::format("no algorithm is called {}{}; known: {}", in_quotes(*name),
                               suggestion(*name, names), joined(names)));

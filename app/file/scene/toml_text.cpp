@@ -35,19 +35,6 @@ std::string toml_string(std::string_view value) {
   return text + '"';
 }
 
-template <typename Owner>
-void write_numbers(TomlText& out, const Owner& owner) {
-  for (const NumberKey<Owner>& key : number_keys<Owner>()) {
-    const std::optional<double> value = key.get(owner);
-    if (!value) continue;
-    if (key.whole()) {
-      out.integer(key.key, static_cast<std::uint64_t>(*value));
-    } else {
-      out.number(key.key, *value);
-    }
-  }
-}
-
 void write_path(TomlText& out, const HandSettings& hand) {
   if (hand.follows_mouse) {
     out.string("path", "mouse");
@@ -102,16 +89,6 @@ void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSett
   }
 }
 
-void write_device(TomlText& out, std::string_view table, const DeviceSettings& device) {
-  out.table(table);
-  write_numbers(out, device);
-}
-
-void write_hand_numbers(TomlText& out, std::string_view table, const HandSettings& hand) {
-  out.table(table);
-  write_numbers(out, hand);
-}
-
 void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSettings& simulator) {
   out.table(fmt::format("{}simulator", prefix));
   out.string("integrator", simulator.integrator_name());
@@ -123,7 +100,7 @@ void write_walls(TomlText& out, std::string_view prefix, const Scene& scene) {
     for (const WallSettings& wall : scene.axes[i].walls) {
       out.table_of_array(fmt::format("{}wall", prefix));
       if (scene.two_axes()) out.string("axis", i == 0 ? "x" : "y");
-      write_numbers(out, wall);
+      out.numbers(wall);
     }
   }
 }
@@ -132,16 +109,15 @@ std::string scene_to_toml(const Scene& scene) {
   TomlText out;
   out.string("name", scene.name);
   if (!scene.description.empty()) out.string("description", scene.description);
-  write_numbers(out, scene);
-  out.table("sampling");
-  write_numbers(out, scene.sampling);
+  out.numbers(scene);
+  write_numbers(out, "sampling", scene.sampling);
   for (std::size_t i = 0; i < scene.axes.size(); ++i) {
-    write_device(out, axis_key("device", i), scene.axes[i].device);
+    write_numbers(out, axis_key("device", i), scene.axes[i].device);
   }
   for (std::size_t i = 0; i < scene.axes.size(); ++i) {
     const std::optional<HandSettings>& hand = scene.axes[i].hand;
     if (!hand) continue;
-    write_hand_numbers(out, axis_key("hand", i), *hand);
+    write_numbers(out, axis_key("hand", i), *hand);
     write_path(out, *hand);
   }
   write_walls(out, "", scene);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/scene.h"
+#include "core/scene_keys.h"
 
 namespace hapticwall::file {
 
@@ -21,6 +21,20 @@ class TomlText {
   void string(std::string_view key, std::string_view value);
   void path(std::string_view key, const std::vector<PathPoint>& points);
 
+  // All numbers of a table of a scene.
+  template <typename Owner>
+  void numbers(const Owner& owner) {
+    for (const NumberKey<Owner>& key : number_keys<Owner>()) {
+      const std::optional<double> value = key.get(owner);
+      if (!value) continue;
+      if (key.whole()) {
+        integer(key.key, static_cast<std::uint64_t>(*value));
+      } else {
+        number(key.key, *value);
+      }
+    }
+  }
+
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
@@ -30,9 +44,12 @@ class TomlText {
 
 // The tables that a live session can change. `table`: the whole name, "device" or
 // "recording.change.hand.y". `prefix` precedes the name: "" or "recording.change.".
-void write_device(TomlText& out, std::string_view table, const DeviceSettings& device);
-// Without the path, which no session changes.
-void write_hand_numbers(TomlText& out, std::string_view table, const HandSettings& hand);
+// Owner: DeviceSettings, or HandSettings without the path, which no session changes.
+template <typename Owner>
+void write_numbers(TomlText& out, std::string_view table, const Owner& owner) {
+  out.table(table);
+  out.numbers(owner);
+}
 void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSettings& algorithm);
 // The walls of axis x, then of axis y.
 void write_walls(TomlText& out, std::string_view prefix, const Scene& scene);

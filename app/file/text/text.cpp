@@ -17,26 +17,6 @@ constexpr std::size_t kShortestPrefix = 3;   // "damping" stands for "damping_n_
 constexpr unsigned char kFirstPrintable = 0x20;
 constexpr unsigned char kDelete = 0x7f;
 
-std::string cleaned(std::string_view text, std::size_t longest) {
-  std::string result;
-  while (!text.empty()) {
-    if (result.size() >= longest) return result + "...";
-    const std::size_t length = utf8_length(text);
-    const auto first = static_cast<unsigned char>(text.front());
-    // U+0080 ... U+009F are control characters too: 0xc2 0x80 ... 0xc2 0x9f.
-    const bool second_controls =
-        length == 2 && first == 0xc2U && static_cast<unsigned char>(text[1]) < 0xa0U;
-    const bool printable = first >= kFirstPrintable && first != kDelete && !second_controls;
-    if (length > 0 && printable) {
-      result += text.substr(0, length);
-    } else {
-      result += '?';
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return result;
-}
-
 // Levenshtein distance, with the swap of two neighbours counted once.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
@@ -69,6 +49,12 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 void append_number(std::string& text, double value) {
   std::array<char, kMaxNumberBytes> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
@@ -84,7 +70,23 @@ std::string shortest_number(double value) {
 std::string in_quotes(std::string_view user_text) { return "'" + shown(user_text) + "'"; }
 
 std::string shown(std::string_view user_text, std::size_t longest) {
-  return cleaned(user_text, longest);
+  std::string result;
+  while (!user_text.empty()) {
+    if (result.size() >= longest) return result + "...";
+    const std::size_t length = utf8_length(user_text);
+    const auto first = static_cast<unsigned char>(user_text.front());
+    // U+0080 ... U+009F are control characters too: 0xc2 0x80 ... 0xc2 0x9f.
+    const bool second_controls =
+        length == 2 && first == 0xc2U && static_cast<unsigned char>(user_text[1]) < 0xa0U;
+    const bool printable = first >= kFirstPrintable && first != kDelete && !second_controls;
+    if (length > 0 && printable) {
+      result += user_text.substr(0, length);
+    } else {
+      result += '?';
+    }
+    user_text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
 }
 
 std::optional<std::string_view> nearest_name(std::string_view word,

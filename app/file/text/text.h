@@ -38,6 +38,9 @@ template <typename Number>
 // The parts of `text` between separators; one part if there is none.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
+// Without spaces and tabs at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
 // User input for a message: cut to a sane length, without control characters and invalid UTF-8, in
 // single quotes.
 [[nodiscard]] std::string in_quotes(std::string_view user_text);
@@ -53,6 +56,14 @@ inline constexpr std::size_t kMaxQuoteBytes = 80;  // bytes
 // "; did you mean 'X'?", or an empty text.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      std::span<const std::string_view> candidates);
+
+// The names of all elements, for nearest_name() and joined(). `name`: a member with a text.
+template <typename Elements, typename Name>
+[[nodiscard]] std::vector<std::string_view> names_of(const Elements& elements, Name name) {
+  std::vector<std::string_view> names;
+  for (const auto& element : elements) names.emplace_back(element.*name);
+  return names;
+}
 
 // "a, b, c".
 [[nodiscard]] std::string joined(std::span<const std::string_view> names);
