@@ -32,8 +32,8 @@ device::ImpulseEngineOptions described_by(const file::DeviceDescription& descrip
   options.product_id = description.product_id;
   options.serial = description.serial;
   options.name = description.name;
-  options.x = description_of(description.x);
-  if (description.y) options.y = description_of(*description.y);
+  options.axes[0] = description_of(description.x);
+  if (description.y) options.axes[1] = description_of(*description.y);
   return options;
 }
 

@@ -40,11 +40,4 @@ Failure run_replay_window(std::unique_ptr<file::RecordingReader> recording, Repl
   return open(options);
 }
 
-Failure run_replay_window(const std::string& csv_path, ReplayWindow window,
-                          const runtime::OpenWindow& open) {
-  auto recording = file::RecordingReader::open(csv_path);
-  if (!recording) return recording.error();
-  return run_replay_window(std::move(*recording), std::move(window), open);
-}
-
 }  // namespace hapticwall::command

@@ -22,8 +22,4 @@ struct ReplayWindow {
 [[nodiscard]] Failure run_replay_window(std::unique_ptr<file::RecordingReader> recording,
                                         ReplayWindow window, const runtime::OpenWindow& open);
 
-// The same for a path.
-[[nodiscard]] Failure run_replay_window(const std::string& csv_path, ReplayWindow window,
-                                        const runtime::OpenWindow& open);
-
 }  // namespace hapticwall::command

@@ -61,9 +61,11 @@ Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
         "--algorithm and --set",
         file::shown(options.scene)));
   }
+  auto recording = file::RecordingReader::open(options.scene);
+  if (!recording) return recording.error();
   ReplayWindow window;
   window.scale = forced_scale(look);
-  return status_of(run_replay_window(options.scene, std::move(window), open));
+  return status_of(run_replay_window(std::move(*recording), std::move(window), open));
 }
 
 Result<int> open_window(const SceneOptions& options, const LookOptions& look,

@@ -61,7 +61,6 @@ Error refusal(std::string_view text, std::string_view why) {
   return usage_error(fmt::format("--fault {}: {}", file::in_quotes(text), why));
 }
 
-constexpr double kMaxRunS = 86400.0;
 constexpr int kHexadecimal = 16;
 constexpr std::uint16_t kMaxTickUs = std::numeric_limits<std::uint16_t>::max();
 
@@ -99,19 +98,21 @@ Result<Scene> load_axis(const std::string& name, const std::vector<std::string>&
 }
 
 Failure load_scenes(const EmulatorOptions& options, Plan& plan) {
-  Result<Scene> x = load_axis(options.scene, options.settings);
-  if (!x) return x.error();
-  plan.device.x = std::move(*x);
-  if (options.y_scene.empty()) return {};
-  Result<Scene> y = load_axis(options.y_scene, {});
-  if (!y) return y.error();
-  if (y->sampling.rate_hz != plan.device.x.sampling.rate_hz) {
-    return usage_error(
-        fmt::format("--y {}: its sampling.rate_hz differs from that of the first "
-                    "scene; both axes share one tick",
-                    file::in_quotes(options.y_scene)));
+  std::vector<Scene>& axes = plan.device.axes;
+  axes.clear();
+  for (const std::string& name : options.scenes) {
+    if (name.empty() && !axes.empty()) break;  // without --y
+    Result<Scene> scene =
+        load_axis(name, axes.empty() ? options.settings : std::vector<std::string>());
+    if (!scene) return scene.error();
+    if (!axes.empty() && scene->sampling.rate_hz != axes.front().sampling.rate_hz) {
+      return usage_error(
+          fmt::format("--y {}: its sampling.rate_hz differs from that of the first "
+                      "scene; both axes share one tick",
+                      file::in_quotes(name)));
+    }
+    axes.push_back(std::move(*scene));
   }
-  plan.device.y = std::move(*y);
   return {};
 }
 
@@ -147,9 +148,9 @@ Failure identify(const EmulatorOptions& options, device::hid::HidIdentity& ident
 Failure take_numbers(const EmulatorOptions& options, Plan& plan) {
   if (!options.duration.empty()) {
     const std::optional<double> seconds = file::parsed<double>(options.duration);
-    if (!seconds || !(*seconds > 0.0 && *seconds <= kMaxRunS)) {
+    if (!seconds || !(*seconds > 0.0 && *seconds <= kMaxTimeS)) {
       return usage_error(fmt::format("--duration {}: it takes seconds, more than 0 and at most {}",
-                                     file::in_quotes(options.duration), kMaxRunS));
+                                     file::in_quotes(options.duration), kMaxTimeS));
     }
     plan.loop.duration_us =
         static_cast<std::uint64_t>(std::ceil(*seconds * kMicrosecondsPerSecond));
@@ -184,11 +185,11 @@ Failure take_faults(const EmulatorOptions& options, Plan& plan) {
 
 void add_scenes(CLI::App& program, EmulatorOptions& options) {
   program
-      .add_option("SCENE", options.scene,
+      .add_option("SCENE", options.scenes[0],
                   "Handle and hand: a scene file, or the name of a built-in scene")
       ->type_name("")
       ->capture_default_str();
-  program.add_option("--y", options.y_scene, "Handle and hand of a second axis")
+  program.add_option("--y", options.scenes[1], "Handle and hand of a second axis")
       ->type_name("SCENE");
   program
       .add_option("--set", options.settings, "A key of SCENE, e.g. hand.mass_kg=0.3 (repeatable)")
@@ -197,18 +198,13 @@ void add_scenes(CLI::App& program, EmulatorOptions& options) {
 }
 
 void add_identity(CLI::App& program, EmulatorOptions& options) {
-  program.add_option("--vendor", options.vendor, "Vendor id, hexadecimal")
-      ->type_name("ID")
-      ->capture_default_str();
-  program.add_option("--product", options.product, "Product id, hexadecimal")
-      ->type_name("ID")
-      ->capture_default_str();
-  program.add_option("--serial", options.serial, "Serial number")
-      ->type_name("TEXT")
-      ->capture_default_str();
-  program.add_option("--name", options.name, "Name of the device")
-      ->type_name("TEXT")
-      ->capture_default_str();
+  const auto add = [&](const char* name, std::string& value, const char* what, const char* type) {
+    program.add_option(name, value, what)->type_name(type)->capture_default_str();
+  };
+  add("--vendor", options.vendor, "Vendor id, hexadecimal", "ID");
+  add("--product", options.product, "Product id, hexadecimal", "ID");
+  add("--serial", options.serial, "Serial number", "TEXT");
+  add("--name", options.name, "Name of the device", "TEXT");
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/emulator/device_loop.h"
 #include "core/result.h"
+#include "core/sample.h"
 #include "device/emulator/fault_script.h"
 #include "device/emulator/firmware_emulator.h"
 #include "device/emulator/uhid_device.h"
@@ -16,9 +18,8 @@ namespace hapticwall::emulator {
 
 // As written.
 struct EmulatorOptions {
-  std::string scene = "press";
-  std::string y_scene;
-  std::vector<std::string> settings;  // of --set
+  std::array<std::string, kMaxAxes> scenes{"press"};  // of SCENE and --y
+  std::vector<std::string> settings;                  // of --set, for SCENE
   std::string vendor = "1209";
   std::string product = "0001";
   std::string serial = device::hid::HidIdentity{}.serial;

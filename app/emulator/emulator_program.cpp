@@ -77,10 +77,11 @@ Result<int> answer(const CLI::App& program, const CLI::ParseError& outcome) {
 }
 
 void tell_start(const Plan& plan, const std::string& realtime) {
+  const Scene& scene = plan.device.axes.front();
   tell(fmt::format(
       "'{}', {} at {} Hz, is HID device {:04x}:{:04x}, serial {}, through /dev/uhid ({}); "
       "'hapticwall devices' lists it, Ctrl-C ends it",
-      plan.device.x.name, plan.device.y ? "two axes" : "one axis", plan.device.x.sampling.rate_hz,
+      scene.name, plan.device.axes.size() == 2 ? "two axes" : "one axis", scene.sampling.rate_hz,
       plan.identity.vendor_id, plan.identity.product_id, plan.identity.serial, realtime));
 }
 

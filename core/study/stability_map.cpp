@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/batch/batch_simulator.h"
-
 namespace hapticwall {
 
 double MapAxis::value(std::size_t index) const {
@@ -52,19 +50,6 @@ std::optional<SceneProblem> validate(const StabilityMap& map) {
     }
   }
   return std::nullopt;
-}
-
-std::vector<MapMetrics> run_cells(const StabilityMap& map, std::size_t begin, std::size_t end,
-                                  const std::function<bool()>& should_stop) {
-  std::vector<Scene> scenes;
-  scenes.reserve(end - begin);
-  for (std::size_t cell = begin; cell < end; ++cell) scenes.push_back(map.scene_at(cell));
-  std::vector<MapMetrics> metrics;
-  for (const Summary& summary :
-       simulate_all(scenes, {.should_stop = should_stop, .progress = {}})) {
-    metrics.push_back(map_metrics(summary));
-  }
-  return metrics;
 }
 
 }  // namespace hapticwall

@@ -18,10 +18,6 @@ constexpr std::size_t kOverLongBytes = InputReport::kMaxBytes;
 constexpr std::uint8_t kNoId = 0x07;
 constexpr std::uint8_t kNextMajor = (kProtocolMajor + 1) << 4U;
 
-const Scene& scene_of(const EmulatorSettings& settings, std::size_t axis) {
-  return axis == 0 ? settings.x : *settings.y;
-}
-
 double encoder_of(const Scene& scene) {
   const double encoder_m = scene.x().device.encoder_m.value_or(0.0);
   return encoder_m > 0.0 ? encoder_m : kFinestEncoderM;
@@ -29,17 +25,17 @@ double encoder_of(const Scene& scene) {
 
 InfoReport info_of(const EmulatorSettings& settings) {
   InfoReport info;
-  info.axes = settings.y ? 2 : 1;
+  info.axes = static_cast<std::uint8_t>(settings.axes.size());
   info.flags = kInfoMeasuresVelocity | kInfoCalibrates;
   info.firmware = kFirmwareVersion;
   for (std::size_t axis = 0; axis < info.axes; ++axis) {
-    const Scene& scene = scene_of(settings, axis);
+    const Scene& scene = settings.axes[axis];
     info.counts_per_metre[axis] = saturated_count(1.0 / encoder_of(scene));
     info.maximum_force_n[axis] =
         std::min(scene.x().device.force_limit_n.value_or(kMaxForceN), kMaxForceN);
   }
-  info.tick_us =
-      static_cast<std::uint16_t>(std::lround(kMicrosecondsPerSecond / settings.x.sampling.rate_hz));
+  info.tick_us = static_cast<std::uint16_t>(
+      std::lround(kMicrosecondsPerSecond / settings.axes.front().sampling.rate_hz));
   info.watchdog_ms = settings.watchdog_ms;
   return info;
 }
@@ -51,9 +47,9 @@ FirmwareEmulator::FirmwareEmulator(const EmulatorSettings& settings, FaultScript
       settings_(settings),
       firmware_(info_of(settings)),
       hand_waits_(settings.hand_waits) {
-  for (std::size_t axis = 0; axis < firmware_.info().axes; ++axis) {
-    plants_.emplace_back(scene_of(settings, axis));
-    encoder_m_[axis] = encoder_of(scene_of(settings, axis));
+  for (std::size_t axis = 0; axis < settings.axes.size(); ++axis) {
+    plants_.emplace_back(settings.axes[axis]);
+    encoder_m_.at(axis) = encoder_of(settings.axes[axis]);
   }
   tick_us_ = firmware_.info().tick_us;
   next_tick_us_ = tick_us_;

@@ -19,11 +19,10 @@
 namespace hapticwall::device::hid {
 
 struct EmulatorSettings {
-  // Device and hand of each axis; walls and algorithm belong to the host and are ignored. The
-  // common rate is the device's tick, in whole microseconds. Defaults: a count of 1 um, and the
-  // largest force of a report.
-  Scene x;
-  std::optional<Scene> y;
+  // Of each axis, a scene whose axis x is its device and hand; walls and algorithm belong to the
+  // host and are ignored. One or two. The common rate is the device's tick, in whole microseconds.
+  // Defaults: a count of 1 um, and the largest force of a report.
+  std::vector<Scene> axes = std::vector<Scene>(1);
   std::uint16_t watchdog_ms = 50;
   bool has_info = true;  // false: only a device file describes it
   // Hand and handle rest until the amplifiers are first enabled, so that the scene starts with the

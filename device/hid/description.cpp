@@ -111,16 +111,15 @@ Result<DeviceDescription> describe(const Listing& listing, Handle& handle,
     const Decoded<InfoReport> decoded = decode_info(bytes);
     if (decoded.report() == nullptr) return not_understood(listing, *decoded.refusal(), bytes);
     info = *decoded.report();
-  } else if (!options.x) {
+  } else if (!options.axes[0]) {
     return refused(listing,
                    "does not describe itself (no INFO report): name a device file that does");
   }
   DeviceDescription described;
   described.name = name_of(listing, options);
-  described.axes = info ? info->axes : (options.y ? 2 : 1);
+  described.axes = info ? info->axes : (options.axes[1] ? 2 : 1);
   for (std::size_t axis = 0; axis < described.axes; ++axis) {
-    described.axis[axis] =
-        axis_of(info ? &*info : nullptr, axis, axis == 0 ? options.x : options.y);
+    described.axis[axis] = axis_of(info ? &*info : nullptr, axis, options.axes[axis]);
   }
   described.describes_itself = info.has_value();
   described.firmware = info ? info->firmware : 0;

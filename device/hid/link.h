@@ -35,8 +35,7 @@ struct ImpulseEngineOptions {
   std::uint16_t product_id = 0;
   std::string serial;  // empty: any
   std::string name;    // of the device file; empty: the device's own name
-  std::optional<AxisDescription> x;
-  std::optional<AxisDescription> y;
+  std::array<std::optional<AxisDescription>, hid::kMaxAxes> axes;  // of the device file
   // Assumed position of the handle at link-up, metres. A calibrated device reports its own.
   AxisValues start_m{};
   // Runs first on the threads that read and write, for example to set their priority.

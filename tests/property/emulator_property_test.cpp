@@ -23,13 +23,13 @@ constexpr std::uint64_t kMaxForceUs = (kMaxTimeToLiveMs + 50 + 1) * kMillisecond
 
 EmulatorSettings settings() {
   EmulatorSettings settings;
-  settings.x.x().device.encoder_m = 0.254e-3;
-  settings.x.x().device.force_limit_n = kLimitN;
+  settings.axes[0].x().device.encoder_m = 0.254e-3;
+  settings.axes[0].x().device.force_limit_n = kLimitN;
   HandSettings hand;
   hand.stiffness_n_per_m = 250.0;
   hand.damping_n_s_per_m = 10.0;
   hand.path = {{0.0, 0.03}, {0.1, 0.05}};
-  settings.x.x().hand = hand;
+  settings.axes[0].x().hand = hand;
   return settings;
 }
 

@@ -46,7 +46,7 @@ double limit_of(const Rig& rig, const ImpulseEngineOptions& options) {
   if (!described) return 0.0;
   double limit_n = hid::kMaxForceN;
   if (described->describes_itself) limit_n = std::min(limit_n, hid::testing::kLimitN);
-  if (options.x) limit_n = std::min(limit_n, options.x->force_limit_n);
+  if (options.axes[0]) limit_n = std::min(limit_n, options.axes[0]->force_limit_n);
   return limit_n;
 }
 
@@ -66,7 +66,7 @@ void disturb(Rig& rig) {
 RC_GTEST_PROP(HidLinkProperty, WhatLeavesTheHostIsAlwaysAllowedTo, ()) {
   ImpulseEngineOptions options;
   if (*rc::gen::arbitrary<bool>()) {
-    options.x = AxisDescription{1e-4, *rc::gen::inRange(1, 20'000'000) / 1e6};
+    options.axes[0] = AxisDescription{1e-4, *rc::gen::inRange(1, 20'000'000) / 1e6};
   }
   Rig rig(random_script(), options);
   rig.plug.bridged = *rc::gen::arbitrary<bool>();

@@ -64,15 +64,17 @@ Failure RunOutputs::finish_recording(const file::LoadedScene& loaded, std::uint6
   return recording_->finish(loaded.scene, metadata_of(loaded, ticks));
 }
 
-// Axis x, and axis y to its right.
+// The axes side by side, x on the left.
 Result<file::Picture> RunOutputs::draw(const Scene& scene) const {
-  Result<file::Picture> x = draw::draw_figure(scene, samples_[0]);
-  if (!x || !scene.two_axes()) return x;
-  Scene y_scene = axis_scene(scene, 1);
-  y_scene.name += ", axis y";
-  Result<file::Picture> y = draw::draw_figure(y_scene, samples_[1]);
-  if (!y) return y;
-  return file::beside(*x, *y);
+  file::Picture all;
+  for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+    Scene axis = axis_scene(scene, i);
+    if (i > 0) axis.name += ", axis y";
+    Result<file::Picture> picture = draw::draw_figure(axis, samples_.at(i));
+    if (!picture) return picture;
+    all = i == 0 ? std::move(*picture) : file::beside(all, *picture);
+  }
+  return all;
 }
 
 Failure RunOutputs::finish(const Scene& scene, const RunSummary& summary, std::string table) {

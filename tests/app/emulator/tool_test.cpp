@@ -98,8 +98,8 @@ TEST_F(EmulatorTool, WithoutUhidItSaysWhatToDo) {
 
 TEST(EmulatorPlan, TakesEveryOption) {
   EmulatorOptions options;
-  options.scene = "tap";
-  options.y_scene = "press";
+  options.scenes[0] = "tap";
+  options.scenes[1] = "press";
   options.settings = {"hand.mass_kg=0.3"};
   options.vendor = "0xABCD";
   options.product = "12";
@@ -113,10 +113,10 @@ TEST(EmulatorPlan, TakesEveryOption) {
   options.without_info = true;
   const Result<Plan> plan = make_plan(options);
   ASSERT_TRUE(plan.ok());
-  EXPECT_EQ(plan->device.x.name, "tap");
-  EXPECT_EQ(plan->device.x.x().hand->mass_kg, 0.3);
-  ASSERT_TRUE(plan->device.y);
-  EXPECT_EQ(plan->device.y->name, "press");
+  EXPECT_EQ(plan->device.axes[0].name, "tap");
+  EXPECT_EQ(plan->device.axes[0].x().hand->mass_kg, 0.3);
+  ASSERT_EQ(plan->device.axes.size(), 2U);
+  EXPECT_EQ(plan->device.axes[1].name, "press");
   EXPECT_EQ(plan->device.watchdog_ms, 30);
   EXPECT_FALSE(plan->device.has_info);
   EXPECT_FALSE(plan->device.hand_waits);
@@ -134,7 +134,7 @@ TEST(EmulatorPlan, TakesEveryOption) {
 TEST(EmulatorPlan, WithoutOptionsIsThePaperDeviceWithItsHandWaiting) {
   const Result<Plan> plan = make_plan({});
   ASSERT_TRUE(plan.ok());
-  EXPECT_EQ(plan->device.x.name, "press");
+  EXPECT_EQ(plan->device.axes[0].name, "press");
   EXPECT_TRUE(plan->device.hand_waits);
   EXPECT_TRUE(plan->device.has_info);
   EXPECT_EQ(plan->identity.vendor_id, device::hid::kTestVendorId);

@@ -173,7 +173,7 @@ class ThroughReports {
  private:
   static EmulatorSettings settings_of(const Scene& scene) {
     EmulatorSettings settings;
-    settings.x = scene;
+    settings.axes = {scene};
     return settings;
   }
   Bench bench_;

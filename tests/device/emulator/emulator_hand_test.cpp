@@ -18,7 +18,7 @@ constexpr double kSpeedMPerS = 0.3;
 // The hand is on its way from the first instant on.
 EmulatorSettings moving_hand(bool waits) {
   EmulatorSettings settings = one_axis();
-  settings.x.x().hand->path = {{0.0, 0.03}, {1.0, 0.03 + kSpeedMPerS}};
+  settings.axes[0].x().hand->path = {{0.0, 0.03}, {1.0, 0.03 + kSpeedMPerS}};
   settings.hand_waits = waits;
   return settings;
 }

@@ -35,16 +35,16 @@ inline Scene held_scene() {
 
 inline EmulatorSettings one_axis() {
   EmulatorSettings settings;
-  settings.x = held_scene();
+  settings.axes = {held_scene()};
   return settings;
 }
 
 inline EmulatorSettings two_axes() {
   EmulatorSettings settings = one_axis();
-  settings.y = held_scene();
-  settings.y->x().device.start_m = -0.02;
-  settings.y->x().hand->path = {{0.0, -0.02}, {0.1, -0.02}};
-  settings.y->x().device.force_limit_n = 5.0;
+  settings.axes.push_back(held_scene());
+  settings.axes[1].x().device.start_m = -0.02;
+  settings.axes[1].x().hand->path = {{0.0, -0.02}, {0.1, -0.02}};
+  settings.axes[1].x().device.force_limit_n = 5.0;
   return settings;
 }
 

@@ -321,7 +321,7 @@ TEST(LinkHost, AForceThatIsNoNumberIsNoForce) {
 
 TEST(LinkHost, AForceBeyondTheLimitIsTheLimit) {
   ImpulseEngineOptions options;
-  options.x = AxisDescription{0.0, 3.4567};
+  options.axes[0] = AxisDescription{0.0, 3.4567};
   Rig rig({}, options);
   rig.host.behaviour.force_n = {-1e6, 0.0};
   ASSERT_TRUE(rig.host.come_up());

@@ -59,7 +59,7 @@ struct Outcome {
 Outcome minute() {
   const Scene scene = pressing_scene();
   hid::EmulatorSettings settings;
-  settings.x = scene;
+  settings.axes = {scene};
   Rig rig({{FaultKind::kBadCrc, 5'000 * kMillisecondUs, 5'000 * kMillisecondUs, 7},
            {FaultKind::kSkipped, 12'000 * kMillisecondUs, 3'000 * kMillisecondUs, 3},
            {FaultKind::kUnplugged, 20'000 * kMillisecondUs, 700 * kMillisecondUs},

@@ -85,7 +85,7 @@ TEST(LinkOpening, AnInfoReportThatIsVoidIsRefused) {
 
 TEST(LinkOpening, AnUnknownMajorIsRefusedEvenWithADeviceFile) {
   ImpulseEngineOptions options;
-  options.x = AxisDescription{1e-4, 5.0};
+  options.axes[0] = AxisDescription{1e-4, 5.0};
   Rig rig({}, options);
   rig.plug.feature_is_newer = true;
   EXPECT_EQ(failure_of(rig),
@@ -110,7 +110,7 @@ TEST(LinkOpening, ADeviceThatDoesNotDescribeItselfNeedsAFile) {
 TEST(LinkOpening, ADeviceFileDescribesIt) {
   ImpulseEngineOptions options;
   options.name = "My paddle";
-  options.x = AxisDescription{0.3e-3, 5.0};
+  options.axes[0] = AxisDescription{0.3e-3, 5.0};
   Rig rig({}, options, without_info());
   ASSERT_TRUE(rig.host.come_up());
   const auto described = rig.host.owner.description();
@@ -125,7 +125,7 @@ TEST(LinkOpening, ADeviceFileDescribesIt) {
 TEST(LinkOpening, TheFilesEncoderWinsAndTheSmallerForce) {
   for (const double limit_n : {5.0, 20.0}) {
     ImpulseEngineOptions options;
-    options.x = AxisDescription{0.25e-3, limit_n};
+    options.axes[0] = AxisDescription{0.25e-3, limit_n};
     Rig rig({}, options, hid::testing::two_axes());
     ASSERT_TRUE(rig.host.come_up());
     const auto described = rig.host.owner.description();
@@ -138,7 +138,7 @@ TEST(LinkOpening, TheFilesEncoderWinsAndTheSmallerForce) {
 
 TEST(LinkOpening, ADeviceThatDescribedItselfHasToGoOnDoingSo) {
   ImpulseEngineOptions options;
-  options.x = AxisDescription{0.25e-3, 20.0};  // more than the device allows
+  options.axes[0] = AxisDescription{0.25e-3, 20.0};  // more than the device allows
   Rig rig({}, options);
   rig.drive_until_ms(100);
   rig.plug.hidden = true;
