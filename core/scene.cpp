@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 
 #include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
@@ -45,15 +46,14 @@ Problem check_fineness(const std::string& key, std::optional<double> value, doub
 
 // `prefix`: "device." or "device.y."
 Problem check_device(const std::string& prefix, const DeviceSettings& device) {
-  if (auto problem = check_fineness(prefix + "encoder_m", device.encoder_m, kMinEncoderM, "m")) {
-    return problem;
+  for (const auto& [key, value, finest, unit] :
+       {std::tuple("encoder_m", device.encoder_m, kMinEncoderM, "m"),
+        std::tuple("force_resolution_n", device.force_resolution_n, kMinForceN, "N"),
+        std::tuple("amplifier_time_constant_s", device.amplifier_time_constant_s, kMinTimeConstantS,
+                   "s")}) {
+    if (auto problem = check_fineness(prefix + key, value, finest, unit)) return problem;
   }
-  if (auto problem = check_fineness(prefix + "force_resolution_n", device.force_resolution_n,
-                                    kMinForceN, "N")) {
-    return problem;
-  }
-  return check_fineness(prefix + "amplifier_time_constant_s", device.amplifier_time_constant_s,
-                        kMinTimeConstantS, "s");
+  return std::nullopt;
 }
 
 Problem check_path(const std::string& key, const HandSettings& hand) {

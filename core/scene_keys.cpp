@@ -24,13 +24,19 @@ constexpr ValueRange kRate{10.0, 100e3};
 constexpr ValueRange kDuration{0.0, 1e6, true};
 constexpr ValueRange kSpeedRange{0.0, 1e3, true};
 
-constexpr auto kSceneKeys =
-    std::to_array<NumberKey<Scene>>({{"duration_s", "s", kDuration, false, &Scene::duration_s}});
+template <typename Owner>
+constexpr std::array<NumberKey<Owner>, 0> kKeys{};
 
-constexpr auto kSamplingKeys = std::to_array<NumberKey<SamplingSettings>>(
+template <>
+constexpr auto kKeys<Scene> = std::to_array<NumberKey<Scene>>({{"duration_s", "s", kDuration, false,
+                                                                &Scene::duration_s}});
+
+template <>
+constexpr auto kKeys<SamplingSettings> = std::to_array<NumberKey<SamplingSettings>>(
     {{"rate_hz", "Hz", kRate, false, &SamplingSettings::rate_hz}});
 
-constexpr auto kDeviceKeys = std::to_array<NumberKey<DeviceSettings>>(
+template <>
+constexpr auto kKeys<DeviceSettings> = std::to_array<NumberKey<DeviceSettings>>(
     {{"mass_kg", "kg", kMass, true, &DeviceSettings::mass_kg},
      {"damping_n_s_per_m", "N·s/m", kDamping, true, &DeviceSettings::damping_n_s_per_m},
      {"friction_n", "N", kFriction, false, &DeviceSettings::friction_n},
@@ -42,14 +48,16 @@ constexpr auto kDeviceKeys = std::to_array<NumberKey<DeviceSettings>>(
       &DeviceSettings::amplifier_time_constant_s},
      {"start_m", "m", kPositionRange, false, &DeviceSettings::start_m}});
 
-constexpr auto kHandKeys = std::to_array<NumberKey<HandSettings>>(
+template <>
+constexpr auto kKeys<HandSettings> = std::to_array<NumberKey<HandSettings>>(
     {{"mass_kg", "kg", kMass, false, &HandSettings::mass_kg},
      {"stiffness_n_per_m", "N/m", kStiffness, false, &HandSettings::stiffness_n_per_m},
      {"damping_n_s_per_m", "N·s/m", kDamping, false, &HandSettings::damping_n_s_per_m},
      {"grip_stiffness_n_per_m", "N/m", kStiffness, false, &HandSettings::grip_stiffness_n_per_m},
      {"grip_damping_n_s_per_m", "N·s/m", kDamping, false, &HandSettings::grip_damping_n_s_per_m}});
 
-constexpr auto kWallKeys = std::to_array<NumberKey<WallSettings>>(
+template <>
+constexpr auto kKeys<WallSettings> = std::to_array<NumberKey<WallSettings>>(
     {{"position_m", "m", kPositionRange, true, &WallSettings::position_m},
      {"stiffness_n_per_m", "N/m", kStiffness, true, &WallSettings::stiffness_n_per_m},
      {"damping_n_s_per_m", "N·s/m", kDamping, false, &WallSettings::damping_n_s_per_m}});
@@ -74,26 +82,15 @@ void set_path_speed(Scene& scene, double speed) {
 
 }  // namespace
 
-template <>
-std::span<const NumberKey<Scene>> number_keys<Scene>() {
-  return kSceneKeys;
+template <typename Owner>
+std::span<const NumberKey<Owner>> number_keys() {
+  return kKeys<Owner>;
 }
-template <>
-std::span<const NumberKey<SamplingSettings>> number_keys<SamplingSettings>() {
-  return kSamplingKeys;
-}
-template <>
-std::span<const NumberKey<DeviceSettings>> number_keys<DeviceSettings>() {
-  return kDeviceKeys;
-}
-template <>
-std::span<const NumberKey<HandSettings>> number_keys<HandSettings>() {
-  return kHandKeys;
-}
-template <>
-std::span<const NumberKey<WallSettings>> number_keys<WallSettings>() {
-  return kWallKeys;
-}
+template std::span<const NumberKey<Scene>> number_keys();
+template std::span<const NumberKey<SamplingSettings>> number_keys();
+template std::span<const NumberKey<DeviceSettings>> number_keys();
+template std::span<const NumberKey<HandSettings>> number_keys();
+template std::span<const NumberKey<WallSettings>> number_keys();
 
 std::span<const AlgorithmNumberKey> algorithm_number_keys() {
   static const std::vector<AlgorithmNumberKey> kKeys = [] {

@@ -64,19 +64,10 @@ struct NumberKey {
   }
 };
 
-// The numbers of one table, in the order of a scene file.
+// The numbers of one table, in the order of a scene file. Owner: Scene (outside of all tables),
+// SamplingSettings, DeviceSettings, HandSettings or WallSettings.
 template <typename Owner>
 [[nodiscard]] std::span<const NumberKey<Owner>> number_keys();
-template <>
-std::span<const NumberKey<Scene>> number_keys<Scene>();  // outside of all tables
-template <>
-std::span<const NumberKey<SamplingSettings>> number_keys<SamplingSettings>();
-template <>
-std::span<const NumberKey<DeviceSettings>> number_keys<DeviceSettings>();
-template <>
-std::span<const NumberKey<HandSettings>> number_keys<HandSettings>();
-template <>
-std::span<const NumberKey<WallSettings>> number_keys<WallSettings>();
 
 // A number of [algorithm], with the members of NumberKey.
 struct AlgorithmNumberKey {

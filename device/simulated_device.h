@@ -15,25 +15,40 @@ namespace hapticwall::device {
 class SimulatedDevice : public Device {
  public:
   // Precondition: the scene is valid. Realtime-safe: no.
-  explicit SimulatedDevice(const Scene& scene);
+  explicit SimulatedDevice(const Scene& scene) : first_plant_(scene) {}
 
-  [[nodiscard]] DeviceInfo info() const override;
-  [[nodiscard]] Failure open() override;
+  [[nodiscard]] DeviceInfo info() const override { return {"simulator", true}; }
+  [[nodiscard]] Failure open() override { return std::nullopt; }
   // The position at the present tick. The first read() after a write() advances the plant by one
   // tick; further ones return the same value. A diverged plant reads as a fault, so that the loop
   // commands no force and the numbers stay finite.
-  [[nodiscard]] DeviceReading read() override;
-  void write(double force_n) override;
-  void close() override;
-  void reset() override;
+  [[nodiscard]] DeviceReading read() override {
+    pass_tick();
+    return {plant_->measured_position_m(), 0.0,
+            plant_->has_diverged() ? DeviceState::kFault : DeviceState::kOk};
+  }
+  void write(double force_n) override { held_force_n_ = force_n; }
+  void close() override { held_force_n_.reset(); }
+  void reset() override {
+    held_force_n_.reset();
+    plant_->reset();
+  }
   // The previous plant finishes the present tick.
-  void change_plant(PlantModel& plant) override;
-  void lead_hand_to(double position_m) override;
-  void release_hand() override;
-  [[nodiscard]] const PlantTruth* truth() const override;
+  void change_plant(PlantModel& plant) override {
+    pass_tick();
+    plant.take_over(*plant_);
+    plant_ = &plant;
+  }
+  void lead_hand_to(double position_m) override { plant_->lead_hand_to(position_m); }
+  void release_hand() override { plant_->release_hand(); }
+  [[nodiscard]] const PlantTruth* truth() const override { return &plant_->truth(); }
 
  private:
-  void pass_tick();
+  void pass_tick() {
+    if (!held_force_n_) return;
+    plant_->advance(*held_force_n_);
+    held_force_n_.reset();
+  }
 
   PlantModel first_plant_;
   PlantModel* plant_ = &first_plant_;
