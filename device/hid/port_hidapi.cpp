@@ -18,7 +18,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/utf8.h"
+#include "core/text.h"
 #include "device/hid/port.h"
 
 namespace hapticwall::device::hid {

@@ -5,7 +5,7 @@
 
 #include "app/file/scene/table_reader.h"
 #include "app/file/scene/toml_text.h"
-#include "core/utf8.h"
+#include "core/text.h"
 
 namespace hapticwall::file {
 namespace {

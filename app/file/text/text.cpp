@@ -6,7 +6,7 @@
 #include <array>
 #include <numeric>
 
-#include "core/utf8.h"
+#include "core/text.h"
 
 namespace hapticwall::file {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/utf8.h"
+#include "core/text.h"
 #include "device/hid/impulse_engine.h"
 
 namespace hapticwall::device::hid {
