@@ -46,6 +46,13 @@ std::size_t utf8_length(std::string_view text) {
   return overlong || no_character ? 0 : length;
 }
 
+bool starts_with_control(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text.front());
+  // U+0080 to U+009F are 0xc2 0x80 to 0xc2 0x9f.
+  return first < 0x20 || first == 0x7F ||
+         (first == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0);
+}
+
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = utf8_length(text);
@@ -65,6 +72,13 @@ std::string to_utf8(const wchar_t* text) {
     append(result, may_be_shown(character) ? character : kReplacement);
   }
   return result;
+}
+
+std::string csv_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
 }
 
 }  // namespace hapticwall

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/scene_keys.h"
+#include "core/text.h"
 
 namespace hapticwall::compare {
 namespace {
@@ -47,17 +48,6 @@ std::vector<Slot> balanced_order(std::size_t trials, std::uint64_t seed) {
     std::swap(order[i], order[random.below(i + 1)]);
   }
   return order;
-}
-
-// Quoted as in RFC 4180 where needed.
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string field = "\"";
-  for (const char c : text) {
-    if (c == '"') field += '"';
-    field += c;
-  }
-  return field + '"';
 }
 
 }  // namespace

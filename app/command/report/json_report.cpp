@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/file/text/text.h"
+#include "core/text.h"
 
 namespace hapticwall::command {
 namespace {
@@ -24,13 +25,6 @@ Json json_number(std::optional<double> value) {
 
 std::string json_text(const Json& object) {
   return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 std::string csv_text(const std::vector<Json>& objects) {

@@ -17,9 +17,6 @@ using Json = nlohmann::ordered_json;
 // With a line end. Replaces invalid UTF-8, which a scene's name may contain.
 [[nodiscard]] std::string json_text(const Json& object);
 
-// A CSV field as in RFC 4180, quoted if necessary.
-[[nodiscard]] std::string csv_field(std::string_view text);
-
 // A header and one line per object; `null` is an empty field. All objects have the same keys.
 [[nodiscard]] std::string csv_text(const std::vector<Json>& objects);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/file/text/text.h"
+#include "core/text.h"
 
 namespace hapticwall::file {
 namespace {
@@ -93,11 +94,10 @@ std::string TableReader::line(std::string_view key, std::size_t longest) {
   const toml::node* found = node(key);
   std::string text = string(key).value_or("");
   if (text.size() > longest) fail(*found, key, fmt::format("longer than {} bytes", longest));
-  // The parser let only well-formed UTF-8 pass; 0xc2 begins U+0080 ... U+009F, controls too.
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto code = static_cast<unsigned char>(text[i]);
-    const bool upper = code == 0xc2U && static_cast<unsigned char>(text[i + 1]) < 0xa0U;
-    if (code < 0x20U || code == 0x7fU || upper) fail(*found, key, "has a control character");
+  // The parser let only well-formed UTF-8 pass.
+  for (std::string_view rest = text; !rest.empty();) {
+    if (starts_with_control(rest)) fail(*found, key, "has a control character");
+    rest.remove_prefix(std::max<std::size_t>(utf8_length(rest), 1));
   }
   return text;
 }

@@ -14,8 +14,6 @@ namespace {
 constexpr std::size_t kMaxNumberBytes = 32;  // "-1.7976931348623157e+308" has 24
 constexpr std::size_t kMaxWordBytes = 64;    // compared with known names; none is longer
 constexpr std::size_t kShortestPrefix = 3;   // "damping" stands for "damping_n_s_per_m"
-constexpr unsigned char kFirstPrintable = 0x20;
-constexpr unsigned char kDelete = 0x7f;
 
 // Levenshtein distance, with the swap of two neighbours counted once.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -74,12 +72,7 @@ std::string shown(std::string_view user_text, std::size_t longest) {
   while (!user_text.empty()) {
     if (result.size() >= longest) return result + "...";
     const std::size_t length = utf8_length(user_text);
-    const auto first = static_cast<unsigned char>(user_text.front());
-    // U+0080 ... U+009F are control characters too: 0xc2 0x80 ... 0xc2 0x9f.
-    const bool second_controls =
-        length == 2 && first == 0xc2U && static_cast<unsigned char>(user_text[1]) < 0xa0U;
-    const bool printable = first >= kFirstPrintable && first != kDelete && !second_controls;
-    if (length > 0 && printable) {
+    if (length > 0 && !starts_with_control(user_text)) {
       result += user_text.substr(0, length);
     } else {
       result += '?';
