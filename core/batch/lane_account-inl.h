@@ -26,45 +26,16 @@ class Account {
  public:
   HWY_INLINE Account(const LaneBlock& block, std::size_t first_lane)
       : parameters_(block.parameters), trace_(block.trace), at_(first_lane) {
-    const LaneAccount& a = block.state.account;
-    measured_m_ = load(a.measured_m, at_);
-    force_n_ = load(a.force_n, at_);
-    was_in_contact_ = hn::Ne(load(a.in_contact, at_), hn::Zero(kTag));
-    contacts_ = load(a.contacts, at_);
-    peak_force_n_ = load(a.peak_force_n, at_);
-    maximum_m_ = load(block.state.account.maximum_m, at_);
-    cv_j_ = load(a.cv_j, at_);
-    hold_j_ = load(a.hold_j, at_);
-    scv_j_ = load(a.scv_j, at_);
-    budget_j_ = load(a.budget_j, at_);
-    min_cv_j_ = load(a.min_cv_j, at_);
-    min_scv_j_ = load(a.min_scv_j, at_);
-    actuator_work_j_ = load(a.actuator_work_j, at_);
-    viscous_j_ = load(a.viscous_j, at_);
-    hand_work_j_ = load(a.hand_work_j, at_);
-    margin_j_ = load(a.margin_j, at_);
-    if constexpr (kTail) load_tail(block.state);
+    const LaneAccount& account = block.state.account;
+    sums_ = load_struct<LaneSums>(account.sums, at_);
+    was_in_contact_ = hn::Ne(load(account.in_contact, at_), hn::Zero(kTag));
+    if constexpr (kTail) tail_ = load_struct<LaneTail>(account.tail, at_);
   }
 
   HWY_INLINE void store_to(LaneState& state) const {
-    LaneAccount& a = state.account;
-    store(measured_m_, a.measured_m, at_);
-    store(force_n_, a.force_n, at_);
-    store(one_where(was_in_contact_), a.in_contact, at_);
-    store(contacts_, a.contacts, at_);
-    store(peak_force_n_, a.peak_force_n, at_);
-    store(maximum_m_, state.account.maximum_m, at_);
-    store(cv_j_, a.cv_j, at_);
-    store(hold_j_, a.hold_j, at_);
-    store(scv_j_, a.scv_j, at_);
-    store(budget_j_, a.budget_j, at_);
-    store(min_cv_j_, a.min_cv_j, at_);
-    store(min_scv_j_, a.min_scv_j, at_);
-    store(actuator_work_j_, a.actuator_work_j, at_);
-    store(viscous_j_, a.viscous_j, at_);
-    store(hand_work_j_, a.hand_work_j, at_);
-    store(margin_j_, a.margin_j, at_);
-    if constexpr (kTail) store_tail(state);
+    store_struct<LaneSums>(sums_, state.account.sums, at_);
+    store(one_where(was_in_contact_), state.account.in_contact, at_);
+    if constexpr (kTail) store_struct<LaneTail>(tail_, state.account.tail, at_);
   }
 
   // `row`: the tick's in the trace.
@@ -74,40 +45,41 @@ class Account {
     const Vector force_n = load(trace_.force_n[row], at_);
     const Vector penetration_m = measured_m - load(parameters_.wall_m, at_);
     const Flags in_contact = hn::Gt(penetration_m, hn::Zero(kTag));
-    add_to_ledger(measured_m - measured_m_, force_n);
-    contacts_ = contacts_ + one_where(hn::AndNot(was_in_contact_, in_contact));
-    keep_maximum(maximum_m_, position_m);
-    keep_maximum(peak_force_n_, hn::Abs(force_n));
+    add_to_ledger(measured_m - sums_.measured_m, force_n);
+    sums_.contacts = sums_.contacts + one_where(hn::AndNot(was_in_contact_, in_contact));
+    keep_maximum(sums_.maximum_m, position_m);
+    keep_maximum(sums_.peak_force_n, hn::Abs(force_n));
     if constexpr (kTail) add_to_tail(position_m, penetration_m, force_n, in_contact);
     exchange(tick, row, position_m, force_n);
     was_in_contact_ = in_contact;
-    measured_m_ = measured_m;
-    force_n_ = force_n;
+    sums_.measured_m = measured_m;
+    sums_.force_n = force_n;
   }
 
  private:
   // core/loop/energy_ledger.h.
   HWY_INLINE void add_to_ledger(Vector displacement_m, Vector force_n) {
-    cv_j_ = cv_j_ + force_n * displacement_m;
-    hold_j_ = hold_j_ + (force_n_ - force_n) * displacement_m;
-    scv_j_ = scv_j_ + force_n_ * displacement_m;
-    budget_j_ =
-        budget_j_ - load(parameters_.budget_n_per_m, at_) * (displacement_m * displacement_m);
-    keep_minimum(min_cv_j_, cv_j_);
-    keep_minimum(min_scv_j_, scv_j_);
+    sums_.cv_j = sums_.cv_j + force_n * displacement_m;
+    sums_.hold_j = sums_.hold_j + (sums_.force_n - force_n) * displacement_m;
+    sums_.scv_j = sums_.scv_j + sums_.force_n * displacement_m;
+    sums_.budget_j =
+        sums_.budget_j - load(parameters_.budget_n_per_m, at_) * (displacement_m * displacement_m);
+    keep_minimum(sums_.min_cv_j, sums_.cv_j);
+    keep_minimum(sums_.min_scv_j, sums_.scv_j);
   }
 
   // core/simulation/metrics.h, the last second. begin_tail() discards the sums of lanes that are
   // not there yet.
   HWY_INLINE void add_to_tail(Vector position_m, Vector penetration_m, Vector force_n,
                               Flags in_contact) {
-    keep_minimum(minimum_m_, position_m);
-    tail_ticks_ = tail_ticks_ + constant(1.0);
-    const Vector difference_n = force_n - mean_n_;
-    mean_n_ = mean_n_ + difference_n / tail_ticks_;
-    square_n2_ = square_n2_ + difference_n * (force_n - mean_n_);
-    contact_force_n_ = contact_force_n_ + hn::IfThenElseZero(in_contact, force_n);
-    contact_penetration_m_ = contact_penetration_m_ + hn::IfThenElseZero(in_contact, penetration_m);
+    keep_minimum(tail_.minimum_m, position_m);
+    tail_.ticks = tail_.ticks + constant(1.0);
+    const Vector difference_n = force_n - tail_.mean_n;
+    tail_.mean_n = tail_.mean_n + difference_n / tail_.ticks;
+    tail_.square_n2 = tail_.square_n2 + difference_n * (force_n - tail_.mean_n);
+    tail_.contact_force_n = tail_.contact_force_n + hn::IfThenElseZero(in_contact, force_n);
+    tail_.contact_penetration_m =
+        tail_.contact_penetration_m + hn::IfThenElseZero(in_contact, penetration_m);
   }
 
   // core/plant/one_body.h, advance_by(), and core/plant/exact_plant.h, account().
@@ -126,12 +98,12 @@ class Account {
       hand_work_j =
           hn::IfThenElse(rests, hand_work_j, work_in_motion(stretch_m, displacement_m, v, u, f));
     }
-    actuator_work_j_ = actuator_work_j_ + force_n * displacement_m;
-    viscous_j_ = viscous_j_ + load(parameters_.damping_n_s_per_m, at_) * v_squared;
-    hand_work_j_ = hand_work_j_ + hand_work_j;
+    sums_.actuator_work_j = sums_.actuator_work_j + force_n * displacement_m;
+    sums_.viscous_j = sums_.viscous_j + load(parameters_.damping_n_s_per_m, at_) * v_squared;
+    sums_.hand_work_j = sums_.hand_work_j + hand_work_j;
     const Vector end_velocity = load(trace_.velocity_m_per_s[row + 1], at_);
     const Vector kinetic_j = load(parameters_.half_mass_kg, at_) * (end_velocity * end_velocity);
-    keep_minimum(margin_j_, (actuator_work_j_ + viscous_j_) + kinetic_j);
+    keep_minimum(sums_.margin_j, (sums_.actuator_work_j + sums_.viscous_j) + kinetic_j);
   }
 
   [[nodiscard]] HWY_INLINE Vector work_at_rest(Vector stretch_m, Vector displacement_m,
@@ -153,33 +125,12 @@ class Account {
                                       quadratic(parameters_.hand_work, at_, u, f));
   }
 
-  HWY_INLINE void load_tail(const LaneState& state) {
-    minimum_m_ = load(state.account.minimum_m, at_);
-    tail_ticks_ = load(state.account.tail_ticks, at_);
-    mean_n_ = load(state.account.tail_mean_n, at_);
-    square_n2_ = load(state.account.tail_square_n2, at_);
-    contact_force_n_ = load(state.account.tail_contact_force_n, at_);
-    contact_penetration_m_ = load(state.account.tail_contact_penetration_m, at_);
-  }
-  HWY_INLINE void store_tail(LaneState& state) const {
-    store(minimum_m_, state.account.minimum_m, at_);
-    store(tail_ticks_, state.account.tail_ticks, at_);
-    store(mean_n_, state.account.tail_mean_n, at_);
-    store(square_n2_, state.account.tail_square_n2, at_);
-    store(contact_force_n_, state.account.tail_contact_force_n, at_);
-    store(contact_penetration_m_, state.account.tail_contact_penetration_m, at_);
-  }
-
   const LaneParameters& parameters_;
   const LaneTrace& trace_;
   std::size_t at_;  // first lane of the vector
-  Vector measured_m_, force_n_;
+  LaneSums<Vector> sums_;
+  LaneTail<Vector> tail_;
   Flags was_in_contact_;
-  Vector contacts_, peak_force_n_;
-  Vector cv_j_, hold_j_, scv_j_, budget_j_, min_cv_j_, min_scv_j_;
-  Vector actuator_work_j_, viscous_j_, hand_work_j_, margin_j_;
-  Vector minimum_m_, maximum_m_;
-  Vector tail_ticks_, mean_n_, square_n2_, contact_force_n_, contact_penetration_m_;
 };
 
 }  // namespace hapticwall::batch::HWY_NAMESPACE

@@ -48,17 +48,25 @@ struct LaneMotion {
   LaneNumbers saturated_ticks;
 };
 
-// Sums and extremes for the summary. begin_tail() saves the maximum position before the last second
-// and starts it anew.
+// Sums and extremes for the summary. N: LaneNumbers, or a vector of some lanes.
+template <class N>
+struct LaneSums {
+  N measured_m, force_n;  // of the last accounted tick
+  N maximum_m;            // begin_tail() starts it anew
+  N contacts, peak_force_n;
+  N cv_j, hold_j, scv_j, budget_j, min_cv_j, min_scv_j;
+  N actuator_work_j, viscous_j, hand_work_j, margin_j;
+};
+// In the last second only.
+template <class N>
+struct LaneTail {
+  N minimum_m, ticks, mean_n, square_n2, contact_force_n, contact_penetration_m;
+};
 struct LaneAccount {
-  LaneNumbers measured_m, force_n;  // of the last accounted tick
-  LaneNumbers maximum_m, maximum_before_tail_m;
-  LaneNumbers minimum_m;  // in the last second only
-  LaneNumbers in_contact, contacts, peak_force_n;
-  LaneNumbers cv_j, hold_j, scv_j, budget_j, min_cv_j, min_scv_j;
-  LaneNumbers actuator_work_j, viscous_j, hand_work_j, margin_j;
-  LaneNumbers tail_ticks, tail_mean_n, tail_square_n2;
-  LaneNumbers tail_contact_force_n, tail_contact_penetration_m;
+  LaneSums<LaneNumbers> sums;
+  LaneTail<LaneNumbers> tail;
+  LaneNumbers in_contact;             // 1 or 0, at the last accounted tick
+  LaneNumbers maximum_before_tail_m;  // before the last second
 };
 
 struct LaneState {

@@ -18,18 +18,19 @@ void advance_scalar(std::size_t lane, const LaneState& before, LanePlant& plant,
   LanePlant::Motion motion = plant.motion();
   motion.body.position_m = before.motion.position_m[lane];
   motion.body.velocity_m_per_s = before.motion.velocity_m_per_s[lane];
-  motion.energy.actuator_work_j = before.account.actuator_work_j[lane];
-  motion.energy.viscous_j = before.account.viscous_j[lane];
-  motion.energy.hand_work_j = before.account.hand_work_j[lane];
+  motion.energy.actuator_work_j = before.account.sums.actuator_work_j[lane];
+  motion.energy.viscous_j = before.account.sums.viscous_j[lane];
+  motion.energy.hand_work_j = before.account.sums.hand_work_j[lane];
   plant.resume(motion);
   plant.advance(after.motion.force_n[lane]);
   motion = plant.motion();
   after.motion.position_m[lane] = motion.body.position_m;
   after.motion.velocity_m_per_s[lane] = motion.body.velocity_m_per_s;
-  after.account.actuator_work_j[lane] = motion.energy.actuator_work_j;
-  after.account.viscous_j[lane] = motion.energy.viscous_j;
-  after.account.hand_work_j[lane] = motion.energy.hand_work_j;
-  after.account.margin_j[lane] = std::min(before.account.margin_j[lane], plant.net_work_j(motion));
+  after.account.sums.actuator_work_j[lane] = motion.energy.actuator_work_j;
+  after.account.sums.viscous_j[lane] = motion.energy.viscous_j;
+  after.account.sums.hand_work_j[lane] = motion.energy.hand_work_j;
+  after.account.sums.margin_j[lane] =
+      std::min(before.account.sums.margin_j[lane], plant.net_work_j(motion));
 }
 
 }  // namespace

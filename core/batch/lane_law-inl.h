@@ -13,13 +13,10 @@
 #include <hwy/highway.h>
 
 #include <cstddef>
-#include <cstring>
-#include <utility>
 
 #include "core/batch/lane_block.h"
 #include "core/batch/lane_vector-inl.h"
 #include "core/stabiliser/law.h"
-#include "core/stabiliser/law_numbers.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hapticwall::batch::HWY_NAMESPACE {
@@ -64,29 +61,6 @@ HWY_INLINE Number wall_force(const Walls& walls, Number position_m, Number veloc
 }
 HWY_INLINE Number spring_force(const Walls& walls, Number energy_j) {
   return root(number(2.0) * walls.wall.stiffness_n_per_m * energy_j);
-}
-
-// A law's struct of vectors from and to the lanes' rows, in the order of its members.
-template <template <class> class Struct, std::size_t... kIndex>
-HWY_INLINE Struct<Vector> load_struct([[maybe_unused]] const LaneLawNumbers& rows,
-                                      [[maybe_unused]] std::size_t first_lane,
-                                      std::index_sequence<kIndex...> /*members*/) {
-  return {load(rows[kIndex], first_lane)...};
-}
-template <template <class> class Struct>
-HWY_INLINE Struct<Vector> load_struct(const LaneLawNumbers& rows, std::size_t first_lane) {
-  return load_struct<Struct>(rows, first_lane,
-                             std::make_index_sequence<kLawNumbers<Struct<double>>>());
-}
-template <template <class> class Struct>
-HWY_INLINE void store_struct(const Struct<Vector>& values, LaneLawNumbers& rows,
-                             std::size_t first_lane) {
-  for (std::size_t i = 0; i < kLawNumbers<Struct<double>>; ++i) {
-    Vector value;
-    std::memcpy(&value, reinterpret_cast<const char*>(&values) + i * sizeof(Vector),
-                sizeof(Vector));
-    store(value, rows[i], first_lane);
-  }
 }
 
 }  // namespace hapticwall::batch::HWY_NAMESPACE

@@ -74,7 +74,7 @@ void clear_numbers(std::size_t lane, Numbers& numbers) {
 
 void reset_state(std::size_t lane, LaneState& state) {
   clear_numbers(lane, state);
-  state.account.maximum_m[lane] = -kInfinity;
+  state.account.sums.maximum_m[lane] = -kInfinity;
   begin_tail(lane, state);
 }
 
@@ -113,7 +113,7 @@ void set_lane(const Scene& scene, const OneBody& body, std::size_t lane, LaneBlo
   const double measured_m = encoder_m > 0.0 ? quantise(start_m, encoder_m) : start_m;
   block.state.motion.position_m[lane] = start_m;
   block.state.motion.measured_m[lane] = measured_m;
-  block.state.account.measured_m[lane] = measured_m;
+  block.state.account.sums.measured_m[lane] = measured_m;
 }
 
 void clear_lane(std::size_t lane, LaneBlock& block) {
@@ -124,13 +124,10 @@ void clear_lane(std::size_t lane, LaneBlock& block) {
 
 void begin_tail(std::size_t lane, LaneState& state) {
   LaneAccount& a = state.account;
-  for (LaneNumbers* numbers : {&a.tail_ticks, &a.tail_mean_n, &a.tail_square_n2,
-                               &a.tail_contact_force_n, &a.tail_contact_penetration_m}) {
-    (*numbers)[lane] = 0.0;
-  }
-  a.maximum_before_tail_m[lane] = a.maximum_m[lane];
-  a.maximum_m[lane] = -kInfinity;
-  a.minimum_m[lane] = kInfinity;
+  clear_numbers(lane, a.tail);
+  a.maximum_before_tail_m[lane] = a.sums.maximum_m[lane];
+  a.sums.maximum_m[lane] = -kInfinity;
+  a.tail.minimum_m[lane] = kInfinity;
 }
 
 }  // namespace hapticwall::batch

@@ -12,8 +12,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 
 #include "core/batch/lane_block.h"
+#include "core/stabiliser/law_numbers.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hapticwall::batch::HWY_NAMESPACE {
@@ -38,6 +41,30 @@ HWY_INLINE Vector load(const LaneNumbers& numbers, std::size_t first_lane) {
 HWY_INLINE void store(Vector value, LaneNumbers& numbers, std::size_t first_lane) {
   hn::Store(value, kTag, numbers.lane.data() + first_lane);
 }
+// A struct of vectors from and to consecutive LaneNumbers, in the order of its members. Rows: an
+// array of LaneNumbers, or a struct of them.
+template <template <class> class Struct, typename Rows, std::size_t... kIndex>
+HWY_INLINE Struct<Vector> load_struct([[maybe_unused]] const Rows& rows,
+                                      [[maybe_unused]] std::size_t first_lane,
+                                      std::index_sequence<kIndex...> /*members*/) {
+  [[maybe_unused]] const auto* const first = reinterpret_cast<const double*>(&rows) + first_lane;
+  return {hn::Load(kTag, first + kIndex * kMaxLanes)...};
+}
+template <template <class> class Struct, typename Rows>
+HWY_INLINE Struct<Vector> load_struct(const Rows& rows, std::size_t first_lane) {
+  return load_struct<Struct>(rows, first_lane,
+                             std::make_index_sequence<kLawNumbers<Struct<double>>>());
+}
+template <template <class> class Struct, typename Rows>
+HWY_INLINE void store_struct(const Struct<Vector>& values, Rows& rows, std::size_t first_lane) {
+  auto* const first = reinterpret_cast<double*>(&rows) + first_lane;
+  for (std::size_t i = 0; i < kLawNumbers<Struct<double>>; ++i) {
+    Vector value;
+    std::memcpy(&value, reinterpret_cast<const char*>(&values) + i * sizeof value, sizeof value);
+    hn::Store(value, kTag, first + i * kMaxLanes);
+  }
+}
+
 // std::max(0.0, value).
 HWY_INLINE Vector positive_part(Vector value) {
   return hn::IfThenElseZero(hn::Gt(value, hn::Zero(kTag)), value);
