@@ -3,19 +3,19 @@
 in vec3 world_position;
 in vec3 world_normal;
 
-uniform vec4 colour;        // towards the far end it fades into what lies behind
+uniform vec4 colour;        // fades into the backdrop with distance
 uniform vec4 line_colour;
-uniform vec2 grid_origin;   // x and z of a crossing of grid lines
-uniform float grid_step;    // distance of grid lines
-uniform vec4 block_x;       // where the walls of an axis stand: x from, x to, z from, z to; or 0
-uniform vec4 block_y;
-uniform float darkness;     // of the shadows
+uniform vec2 grid_origin;   // x and z of one crossing of the grid lines
+uniform float grid_step;    // distance between grid lines
+uniform vec4 block_x;       // footprint of the walls of axis x: min x, max x, min z, max z; 0: none
+uniform vec4 block_y;       // the same for axis y
+uniform float darkness;     // of the shadows, 0 to 1
 
 out vec4 fragment;
 
 const float kFadeFrom = 6.5;
 const float kFadeTo = 16.0;
-const vec2 kShadowReach = vec2(1.05, -1.40);  // of the walls' upper edges, away from the key light
+const vec2 kShadowReach = vec2(1.05, -1.40);  // shadow of the upper edges of the walls, away from the key light
 const int kShadowSteps = 4;
 
 float grid_line(float coordinate) {
@@ -23,13 +23,13 @@ float grid_line(float coordinate) {
   return 1.0 - smoothstep(0.0, 1.5 * fwidth(coordinate), distance_to_line);
 }
 
-// From a point to a block, 0 inside.
+// Distance from a point to a block; 0 inside.
 float distance_to(vec4 block, vec2 point) {
   vec2 outside = max(max(block.xz - point, point - block.yw), vec2(0.0));
   return length(outside);
 }
 
-// Light that the walls keep away: near their feet from all sides, behind them from the key light.
+// Share of the light that the walls block: all light near their feet, the key light behind them.
 float shadow_of(vec4 block, vec2 point) {
   float feet = 0.42 * exp(-1.9 * distance_to(block, point));
   float behind = 0.0;

@@ -3,8 +3,8 @@
 in vec3 world_position;
 in vec3 world_normal;
 
-uniform vec4 shadow;     // of a rod lying along x: x from, x to, its z, its radius
-uniform float darkness;
+uniform vec4 shadow;     // of a rod along x: min x, max x, z, radius
+uniform float darkness;  // 0 to 1
 
 out vec4 fragment;
 

@@ -6,12 +6,12 @@ in vec3 world_normal;
 uniform vec3 eye;
 uniform vec4 colour;      // straight alpha
 uniform float shininess;  // 0: matt
-uniform float flatness;   // 0: lit; 1: its colour, whatever the light
-uniform float shell;      // 0: filled; 1: thin, to be seen at its outline only
+uniform float flatness;   // 0: lit; 1: its colour without lighting
+uniform float shell;      // 0: solid; 1: only its outline is visible
 
 out vec4 fragment;
 
-const vec3 kKeyLight = vec3(-0.3970, 0.7500, 0.5294);  // towards it, of length 1
+const vec3 kKeyLight = vec3(-0.3970, 0.7500, 0.5294);  // unit vector towards the light
 const vec3 kSky = vec3(0.66, 0.70, 0.76);
 const vec3 kGround = vec3(0.34, 0.34, 0.36);
 

@@ -5,17 +5,17 @@ in vec3 world_normal;
 in vec2 on_wall;
 
 uniform vec3 eye;
-uniform vec4 colour;       // the wall's own; straight alpha
-uniform vec4 shown;        // what it displays: colour and strength
-uniform vec4 contact;      // where the handle is, and how near it is: 0 to 1
-uniform float grid_step;   // of the lines on the face; 0: none
+uniform vec4 colour;       // of the wall; straight alpha
+uniform vec4 shown;        // colour of the displayed quantity, and its strength, 0 to 1
+uniform vec4 contact;      // position of the handle, and its nearness, 0 to 1
+uniform float grid_step;   // distance between the lines on the face; 0: no lines
 
 out vec4 fragment;
 
-const vec3 kKeyLight = vec3(-0.3970, 0.7500, 0.5294);  // towards it, of length 1
+const vec3 kKeyLight = vec3(-0.3970, 0.7500, 0.5294);  // unit vector towards the light
 const vec3 kSky = vec3(0.80, 0.84, 0.88);
 const vec3 kGround = vec3(0.52, 0.52, 0.54);
-const float kShownRadius = 2.4;  // around the contact, where half of it is displayed
+const float kShownRadius = 2.4;  // distance from the contact at which half the strength is left
 const float kShadowRadius = 0.55;
 
 float grid_line(float coordinate) {

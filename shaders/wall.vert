@@ -3,12 +3,12 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 
-uniform mat4 frame;  // from the wall's own directions (into it, up, along its face) to the picture
+uniform mat4 frame;  // from wall coordinates (into the wall, up, along its face) to the world
 uniform mat4 view_projection;
 uniform vec3 size;
-uniform vec3 origin;       // of the face's middle, in the wall's own directions
-uniform vec4 dent;         // depth, width, and where: up, along
-uniform float on_face;     // 1: this is the face, which gives way
+uniform vec3 origin;       // centre of the face, in wall coordinates
+uniform vec4 dent;         // depth, width, and position: up, along
+uniform float on_face;     // 1: the face, which bends
 
 out vec3 world_position;
 out vec3 world_normal;
@@ -17,7 +17,7 @@ out vec2 on_wall;  // up and along the face
 void main() {
   vec3 local = origin + size * position;
   vec3 own_normal = normal;
-  // Held at its edges, the face bends most where it is pressed.
+  // The edges of the face are fixed, so the dent vanishes there.
   vec2 to_edge = 4.0 * (0.25 - position.yz * position.yz);
   float held = clamp(5.0 * min(to_edge.x, to_edge.y), 0.0, 1.0);
   vec2 away = local.yz - dent.zw;
