@@ -1,9 +1,7 @@
 #include "core/scene_keys.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <utility>
 
 #include "core/stabiliser/stabiliser.h"

@@ -14,7 +14,7 @@ namespace hapticwall::device {
 enum class Trouble : std::uint8_t {
   kNone,
   kNotFound,     // never seen on the bus in this session
-  kSilent,       // no valid report for 20 ms, or unplugged; the search goes on
+  kSilent,       // no valid report for 20 ms, or unplugged; the search continues
   kRefused,      // found, but cannot be opened or understood; trouble_details() says why
   kRestarted,    // its clock or its sequence jumped
   kCalibration,  // it lost or found its calibration: count 0 has moved

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "app/file/recording/recording_reader.h"
 #include "app/runtime/session/replay_session.h"

@@ -105,7 +105,7 @@ void LaneGroup::run_stretch(std::uint64_t end) {
   leave_segments();
 }
 
-// Repeats the tick of the lanes whose path bends: the loops took every path for straight.
+// Repeats the tick of the lanes whose path bends, because the loops treat every path as straight.
 void LaneGroup::bend_paths(const LaneState& before) {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = lanes_[i];
@@ -120,7 +120,7 @@ void LaneGroup::bend_paths(const LaneState& before) {
   }
 }
 
-// Moves on the paths whose straight segment ends here.
+// Advances the paths whose straight segment ends at this tick.
 void LaneGroup::leave_segments() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     Lane& lane = lanes_[i];

@@ -1,6 +1,5 @@
 #include "core/batch/lane_scene.h"
 
-#include <array>
 #include <cstring>
 #include <limits>
 #include <type_traits>

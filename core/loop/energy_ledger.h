@@ -21,7 +21,7 @@ struct EnergyLedger {
   }
 };
 
-// Of the row that the sample stands for. Realtime-safe: yes.
+// The row of a sample. Realtime-safe: yes.
 [[nodiscard]] inline EnergyLedger ledger_of(const Sample& sample) {
   return {sample.energy_cv_j, sample.energy_hold_j, sample.energy_scv_j, sample.energy_budget_j};
 }

@@ -1,9 +1,9 @@
 // The newest value from one thread to another, without a lock: three slots and one atomic byte.
 //
-// The producer always has a slot of its own to write, the consumer one of its own to read, and the
-// third lies between them. Each side exchanges its slot for the middle one; a value is read whole
-// or not at all, and a consumer that is slow sees the newest and misses those between. The producer
-// can take back what the consumer has not seen, and so knows what it has.
+// The producer writes one slot, the consumer reads another, and the third lies between them. Each
+// side exchanges its slot for the middle one, so a value is read whole or not at all. A slow
+// consumer sees the newest value and misses earlier ones. The producer can withdraw a value that
+// the consumer has not seen.
 #pragma once
 
 #include <array>
@@ -37,16 +37,16 @@ class TripleBuffer {
     back_ = middle_.exchange(fresh, std::memory_order_acq_rel) & kIndexMask;
   }
 
-  // Producer only: takes the newest value back, unless the consumer has moved on to it already.
-  // True: it never will; from now on there is no news. False: it has seen everything published.
+  // Producer only: withdraws the newest value. True: the consumer had not seen it and never will.
+  // False: the consumer has seen everything published.
   bool withdraw() {
     const std::uint8_t previous = middle_.exchange(back_, std::memory_order_acq_rel);
     back_ = previous & kIndexMask;
     return (previous & kFreshBit) != 0;
   }
 
-  // Consumer only: moves on to the newest value; false where there is none since the last call, or
-  // where the producer is exchanging it at this very instant (then the next call finds it).
+  // Consumer only: moves on to the newest value. False without a new value since the last call, or
+  // during an exchange by the producer (the next call then finds the value).
   bool update() {
     std::uint8_t middle = middle_.load(std::memory_order_relaxed);
     if ((middle & kFreshBit) == 0) return false;

@@ -12,7 +12,7 @@
 
 namespace hapticwall {
 
-// Body: BasicOneBody or BasicTwoBodies. Without kFriction the loop holds nothing of friction. The
+// Body: BasicOneBody or BasicTwoBodies. Without kFriction the loop has no code for friction. The
 // members that are not inline are instantiated in exact_plant.cpp. Realtime-safe: yes, after
 // construction.
 template <typename Body, bool kFriction>
@@ -27,10 +27,10 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
 
  public:
   using typename Base::Motion;
-  // No optional part: its tick is so short that the loop around it matters.
+  // Without optional parts, whose tick is so short that the cost of the loop matters.
   static constexpr bool kPlain = !kFriction && !Body::kHasLag;
 
-  // `friction_n`: Coulomb friction f_c ≥ 0; not read where kFriction is false.
+  // `friction_n`: Coulomb friction f_c ≥ 0; not read if kFriction is false.
   ExactPlant(const Body& body, HandPath path, double period_s, double start_m, double friction_n)
       : Base(std::move(path), period_s, start_m), body_(body), friction_n_(friction_n) {
     reset();
@@ -107,8 +107,8 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
     return true;
   }
 
-  // A stretch in which the path is straight: whole levels while surely nothing happens in them,
-  // Taylor pieces where something might.
+  // A stretch with a straight path: whole levels while no event is possible in them, else Taylor
+  // pieces.
   void advance_piece(Real force_n, Real duration_s);
   [[nodiscard]] Real level_duration(int level) const;
   Real try_levels(Real force_n, const Drive& now, Real rest_s);

@@ -13,7 +13,7 @@ namespace hapticwall {
 // The hand approaches the pointer no faster than an arm.
 inline constexpr double kMaxPointerSpeedMPerS = 1.0;
 
-// The hand's intention at a tick and, while the path stays straight, at the ticks that follow.
+// The intended motion at a tick, and at the following ticks of the same straight segment.
 // Realtime-safe: yes.
 struct StraightPath {
   std::uint64_t tick = 0;
@@ -61,7 +61,7 @@ class HandPath {
       enter_tick();
     }
   }
-  // A copy that moves on its own while the path is straight, and its return.
+  // A copy that a loop advances along the straight segment, and its return.
   [[nodiscard]] const StraightPath& straight() const { return now_; }
   void resume(const StraightPath& straight) { now_ = straight; }
 

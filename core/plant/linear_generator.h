@@ -10,7 +10,7 @@
 
 namespace hapticwall {
 
-// The equations in scaled states: time in ticks, `unit` what a unit of each state is in SI.
+// The equations in scaled states, with time in ticks. `unit` converts each state to SI.
 template <std::size_t kStates>
 struct LinearGenerator {
   static constexpr int kCore = static_cast<int>(kStates);

@@ -1,5 +1,5 @@
-// The common part of all plants: a state, energies, the hand's path, and the change from one plant
-// to another during motion.
+// The common part of all plants: a state, energies, the hand's path, and the handover from one
+// plant to the next during motion.
 #pragma once
 
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace hapticwall {
 
-// A handle's position beyond this is `diverged`.
+// A run whose handle is farther from 0 is `diverged`.
 inline constexpr double kDivergedPositionM = 1.0;
-// So is a hand's beyond this; only an unstable integrator sends it there.
+// The same limit for the hand; only an unstable integrator exceeds it.
 inline constexpr double kRunawayHandM = 1e3;
 
 // The state that one plant hands to the next when a session changes the scene's plant.
@@ -21,9 +21,9 @@ template <typename Real>
 struct HandOver {
   Real position_m = 0;
   Real velocity_m_per_s = 0;
-  Real hand_position_m = 0;  // the handle's if the hand has no mass of its own
+  Real hand_position_m = 0;  // of the handle if the hand has no mass
   Real hand_velocity_m_per_s = 0;
-  Real actuator_n = 0;  // really acting
+  Real actuator_n = 0;  // acting on the handle
   Real kinetic_j = 0;
   BasicEnergyTotals<Real> energy;
 };
@@ -35,8 +35,8 @@ class MovingPlant {
  public:
   using Number = Real;
 
-  // Everything that changes from tick to tick. A loop may keep a copy, pass ticks with the plant's
-  // try_tick() while that succeeds, and give the copy back with resume().
+  // Everything that changes from tick to tick. A loop may advance a copy with the plant's
+  // try_tick() while that succeeds, and return the copy with resume().
   struct Motion {
     State body;
     BasicEnergyTotals<Real> energy;
@@ -100,7 +100,7 @@ class MovingPlant {
     if constexpr (requires { body.actuator_n; }) state.actuator_n = body.actuator_n;
     return state;
   }
-  // Continues from there along the other's path.
+  // Continues from `state` along the path of the other plant.
   void go_on_from(const HandOver<Real>& state, HandPath& path) {
     std::swap(path_, path);
     motion_.energy = state.energy;
@@ -121,7 +121,7 @@ class MovingPlant {
   HandPath path_;
   double period_s_;
   double start_m_;
-  Motion motion_;  // its path is set anew from path_ where it is asked for
+  Motion motion_;  // motion() fills its path from path_
 };
 
 }  // namespace hapticwall

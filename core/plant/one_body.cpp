@@ -80,8 +80,8 @@ BasicOneBody<Real, kLag>::BasicOneBody(const PlantParameters& parameters, double
   }
 }
 
-// The hand's force on a handle at rest changes linearly, and a lag's excess falls: their ends bound
-// the net force.
+// On a handle at rest the hand's force changes linearly and a lag's excess decays, so the values at
+// both ends bound the net force.
 template <typename Real, bool kLag>
 bool BasicOneBody<Real, kLag>::surely_sticks(int level, const State& state, Real force_n,
                                              const BasicHandDrive<Real>& drive,

@@ -49,7 +49,7 @@ class BasicOneBody {
 
   static constexpr std::size_t kStates = kLag ? 3 : 2;  // u, m a[, e]
   using Row = std::array<Real, kStates>;
-  // For a path at rest, where u = v: the most frequent case, and cheaper.
+  // For a path at rest (u = v), which is the most frequent case and cheaper.
   struct Rows : LinearRows<Real, kLag, kStates> {
     Row integral_at_rest{};                         // ∫v
     SymmetricForm<Real, kStates> square_at_rest{};  // ∫v²
@@ -122,7 +122,7 @@ class BasicOneBody {
   Real per_mass_;
   Real natural_rate_per_s_;  // sqrt(k_h/m)
   Real damping_rate_per_s_;  // (b + b_h)/m
-  Real fast_rate_per_s_;     // R where overdamped, else minus infinity
+  Real fast_rate_per_s_;     // R if overdamped, else minus infinity
   AmplifierLag<Real, kLag> lag_;
   std::vector<Rows> levels_;
 };
@@ -157,12 +157,13 @@ template <typename Real, bool kLag>
   return increment;
 }
 
-// With w = sqrt(a² + ω²u²): ½m w² is the energy of a damped oscillator, which a lag's e feeds with
-// at most |a e|/τ, so that w grows by at most ∫|e|/(τ m) dt. Each of four is enough: |v(t) - v(0)|
-// ≤ t w; |v(t) - v(0) - a t| ≤ ½t² |a'| with |a'| ≤ (ω + c) w + |e|/(τ m), c = (b + b_h)/m; for a
-// handle that creeps, g = a + c v keeps its sign: v' = g - c v, |g'| = |ω²u - e/(τ m)|; for an
-// overdamped one (rates r < R) whose path and excess do not pull back, a + R v has the sign of v:
-// then v(t) ≥ (a + R v)(exp(-r t) - exp(-R t))/(R - r) for ever.
+// Let w = sqrt(a² + ω²u²). ½m w² is the energy of a damped oscillator, to which a lag adds a power
+// of at most |a e|/τ, so w grows by at most ∫|e|/(τ m) dt. Each of four conditions is sufficient:
+//   1. |v(t) - v(0)| ≤ t w.
+//   2. |v(t) - v(0) - a t| ≤ ½t² |a'|, with |a'| ≤ (ω + c) w + |e|/(τ m) and c = (b + b_h)/m.
+//   3. Creep: g = a + c v keeps its sign, because v' = g - c v and |g'| = |ω²u - e/(τ m)|.
+//   4. Overdamped (rates r < R), and neither path nor excess pulls back: a + R v has the sign of v,
+//      so v(t) ≥ (a + R v)(exp(-r t) - exp(-R t))/(R - r) at any time.
 template <typename Real, bool kLag>
 [[gnu::always_inline]] inline bool BasicOneBody<Real, kLag>::surely_slides(
     const Rows& rows, const State& state, const Load<Real>& load, const BasicHandDrive<Real>& drive,

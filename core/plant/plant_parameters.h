@@ -10,8 +10,8 @@ struct PlantParameters {
   double friction_n = 0.0;              // f_c
   double hand_stiffness_n_per_m = 0.0;  // k_h
   double hand_damping_n_s_per_m = 0.0;  // b_h
-  bool grip = false;          // the hand has a mass of its own, and a grip holds the handle
-  double hand_mass_kg = 0.0;  // m_h, with a grip only, as what follows
+  bool grip = false;                    // the hand has a mass and holds the handle by a grip
+  double hand_mass_kg = 0.0;            // m_h; this and the grip: with a grip only
   double grip_stiffness_n_per_m = 0.0;  // k_g
   double grip_damping_n_s_per_m = 0.0;  // b_g
   double time_constant_s = 0.0;         // τ of the amplifier

@@ -1,7 +1,7 @@
 // The usual integrators of simulators: semi-implicit (symplectic) Euler and the classical
-// Runge-Kutta method of fourth order, with a number of equal substeps in a tick. They show a user
-// what such a simulator computes; the exact integrator is the default. Only `accuracy` compares
-// their speed, so optional parts are tested at run time.
+// Runge-Kutta method of fourth order, with a number of equal substeps in a tick. They reproduce the
+// errors of such simulators; the exact integrator is the default. Only `accuracy` measures their
+// speed, so they test for optional parts at run time.
 #pragma once
 
 #include <cmath>
@@ -53,9 +53,9 @@ struct SteppedMechanics {
   }
 };
 
-// v += h a(x, v), then x += h v; an amplifier's force first. Friction as an impulse that can stop
-// the handle but not turn it. Energies are sums over substeps with the new velocity: as accurate as
-// the method.
+// v += h a(x, v), then x += h v; an amplifier's force first. Friction is an impulse that can stop
+// the handle but not reverse it. Energies are sums over substeps with the new velocity, as accurate
+// as the method.
 struct SemiImplicitEuler {
   static void step(const SteppedMechanics& m, SteppedState& y, EnergyTotals& energy, double force_n,
                    const HandDrive& drive, double h) {
@@ -82,8 +82,8 @@ struct SemiImplicitEuler {
   }
 };
 
-// The classical method, with the energies as further components. The direction of friction is that
-// of the substep's start; a handle that turns within a substep is stopped at its end.
+// The classical method, with the energies as further components. Friction keeps the direction of
+// the start of the substep; a handle that reverses within a substep is stopped at its end.
 struct RungeKutta4 {
   using State = SteppedState;
 
@@ -238,7 +238,7 @@ class SteppedPlant : public MovingPlant<SteppedState, double> {
     for (int i = 0; i < substeps_; ++i) {
       now.position_m = begin_m + now.velocity_m_per_s * (h * static_cast<double>(i));
       Scheme::step(mechanics_, motion.body, motion.energy, force_n, now, h);
-      // An unstable scheme multiplies by up to 1e50 in a step: it ends here, while it is finite.
+      // An unstable scheme grows by up to 1e50 in a substep. End while the numbers are finite.
       if (!Base::in_reach(motion)) [[unlikely]] {
         return;
       }

@@ -68,7 +68,7 @@ Coefficients<Real> split_left(Coefficients<Real>& b) {
     left[level] = b[0];
     for (std::size_t i = 0; i + 1 + level < kTerms; ++i) b[i] = (b[i] + b[i + 1]) / 2;
   }
-  // Every level leaves its last value behind: what stands in `b` now is the right half, in order.
+  // Each level leaves its last value in place, so `b` now holds the right half in order.
   return left;
 }
 

@@ -11,8 +11,8 @@ namespace hapticwall {
 inline constexpr int kTaylorDegree = 14;
 inline constexpr double kTaylorReach = 0.25;
 
-// A piece of a tick of any length is made of a few steps of T, T/2, T/4, … and a rest that is short
-// enough for a Taylor polynomial. At most this many halvings: 100 ms become 1e-17 s.
+// Steps of T, T/2, T/4, … cover a piece of a tick, except for a rest that is short enough for a
+// Taylor polynomial. This is the maximum number of halvings: 100 ms become 1e-17 s.
 inline constexpr int kMaxHalvings = 53;
 // Number of halvings after which the fastest rate (1/s) is within kTaylorReach. Realtime-safe: yes.
 [[nodiscard]] int halvings_within_reach(double rate_per_s, double period_s);
@@ -38,9 +38,9 @@ template <typename Real>
                                     const TaylorPolynomial<Real>& q, Real theta);
 
 // The first θ in [0, 1] at which `sign` * P turns from positive to negative, or nothing. `sign` is
-// +1 or -1. A start at zero, or on the wrong side by rounding, counts as zero: 0 is returned only
-// if P then leaves on the wrong side. No root is missed (Bernstein coefficients and subdivision;
-// then Newton, kept between its brackets).
+// +1 or -1. A start at zero, or below it by rounding, counts as zero, and gives 0 only if sign * P
+// then becomes negative. No root is missed (Bernstein coefficients and subdivision, then Newton
+// within brackets).
 template <typename Real>
 [[nodiscard]] std::optional<Real> first_crossing(const TaylorPolynomial<Real>& p, Real sign);
 

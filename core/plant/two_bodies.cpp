@@ -125,8 +125,8 @@ void BasicTwoBodies<Real, kLag>::make_stick_levels(const PlantParameters& p, int
   }
 }
 
-// The net force changes at the rate k_g w + b_g w', and ½m_h w'² + ½(k_h + k_g)(w - w_end)² never
-// grows: that bounds both. A lag's excess falls to a known rest.
+// The net force changes at the rate k_g w + b_g w'. The energy ½m_h w'² + ½(k_h + k_g)(w - w_end)²
+// never grows, which bounds both terms. A lag's excess decays to a known value.
 template <typename Real, bool kLag>
 bool BasicTwoBodies<Real, kLag>::surely_sticks(int level, const State& state, Real force_n,
                                                const BasicHandDrive<Real>& drive,

@@ -185,10 +185,10 @@ template <typename Real, bool kLag>
                    parameters_.hand_stiffness_n_per_m * c[3] * c[3]);
 }
 
-// The energy E = ½m a² + ½m_h (w')² + ½k_g d² + ½k_h u² of the relative motion never grows but by a
-// lag's |a e|/τ, so that sqrt(2E) grows by at most ∫|e|/(τ sqrt(m)) dt. It bounds a, a' and, for a
-// handle that creeps, the change of g = a + (b + b_g)/m v, the drive without the damping of v
-// itself: m g' = k_g d + b_g w' + e/τ. Each of three is enough, as in one_body.h.
+// E = ½m a² + ½m_h (w')² + ½k_g d² + ½k_h u² is the energy of the relative motion. Only a lag adds
+// to it, a power of at most |a e|/τ, so sqrt(2E) grows by at most ∫|e|/(τ sqrt(m)) dt. It bounds a,
+// a' and, for a handle that creeps, the change of g = a + (b + b_g)/m v, the drive without the
+// damping of v itself: m g' = k_g d + b_g w' + e/τ. Conditions 1 to 3 of one_body.h apply.
 template <typename Real, bool kLag>
 [[gnu::always_inline]] inline bool BasicTwoBodies<Real, kLag>::surely_slides(
     const Rows& rows, const State& state, const Load<Real>& load, const BasicHandDrive<Real>& drive,

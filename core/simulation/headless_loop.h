@@ -18,8 +18,8 @@
 #include "core/simulation/metrics.h"
 #include "core/stabiliser/law_numbers.h"
 
-// Everything that the loop calls is inlined into it. Instrumented by a sanitizer that takes minutes
-// to compile, and no sanitizer is in a hurry.
+// Inlines everything that the loop calls, except with a sanitizer: that would take minutes to
+// compile, and speed does not matter there.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HAPTICWALL_ONE_FUNCTION
 #else

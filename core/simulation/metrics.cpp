@@ -26,14 +26,6 @@ Verdict verdict_of(const Summary& summary) {
   return quiet ? Verdict::kSettled : Verdict::kOscillating;
 }
 
-void write_energies(const PlantEnergies& energies, Summary& summary) {
-  summary.true_actuator_work_j = energies.actuator_work_j;
-  summary.true_dissipation_j = energies.dissipation_j;
-  summary.true_hand_work_j = energies.hand_work_j;
-  summary.kinetic_j = energies.kinetic_j;
-  summary.energy_balance_error_j = energies.balance_error_j;
-}
-
 }  // namespace
 
 std::uint64_t tail_begin_tick(std::uint64_t ticks, double rate_hz) {
@@ -64,7 +56,11 @@ Summary summarise(const Scene& scene, const RunStats& stats, const EnergyLedger&
   summary.min_energy_cv_j = stats.min_energy_cv_j;
   summary.min_energy_scv_j = stats.min_energy_scv_j;
   if (energies) {
-    write_energies(*energies, summary);
+    summary.true_actuator_work_j = energies->actuator_work_j;
+    summary.true_dissipation_j = energies->dissipation_j;
+    summary.true_hand_work_j = energies->hand_work_j;
+    summary.kinetic_j = energies->kinetic_j;
+    summary.energy_balance_error_j = energies->balance_error_j;
     summary.passivity_margin_j = stats.passivity_margin_j;
   }
   return summary;

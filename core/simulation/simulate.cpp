@@ -4,7 +4,6 @@
 #include <array>
 #include <deque>
 #include <stdexcept>
-#include <vector>
 
 #include "core/simulation/simulation.h"
 #include "core/stabiliser/algorithm_list.h"

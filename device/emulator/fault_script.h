@@ -1,6 +1,7 @@
 // The faults of an emulated device, and their times.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <utility>
@@ -53,20 +54,15 @@ class FaultScript {
 
   // Realtime-safe: yes, both.
   [[nodiscard]] bool lasts(FaultKind kind, std::uint64_t now_us) const {
-    for (const Fault& fault : faults_) {
-      if (fault.kind == kind && fault.lasts_at(now_us)) return true;
-    }
-    return false;
+    return std::ranges::any_of(
+        faults_, [&](const Fault& fault) { return fault.kind == kind && fault.lasts_at(now_us); });
   }
   // The same for faults that strike every `every`-th tick.
   [[nodiscard]] bool strikes(FaultKind kind, std::uint64_t now_us, std::uint64_t tick_us) const {
-    for (const Fault& fault : faults_) {
-      if (fault.kind == kind && fault.lasts_at(now_us) &&
-          (now_us - fault.begin_us) / tick_us % fault.every == 0) {
-        return true;
-      }
-    }
-    return false;
+    return std::ranges::any_of(faults_, [&](const Fault& fault) {
+      return fault.kind == kind && fault.lasts_at(now_us) &&
+             (now_us - fault.begin_us) / tick_us % fault.every == 0;
+    });
   }
 
  private:

@@ -4,8 +4,6 @@
 #include <system_error>
 #include <utility>
 
-#include "device/hid/description.h"
-
 namespace hapticwall::device {
 namespace {
 

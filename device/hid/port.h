@@ -82,7 +82,7 @@ class Port {
   // `path` must come from list(). Two threads may use a device at the same time through two
   // handles, never through one. A known obstacle fails with its obstacle_text().
   [[nodiscard]] virtual Result<std::unique_ptr<Handle>> open(const std::string& path) = 0;
-  // What would prevent open() now, without opening. Cannot detect kBusy.
+  // The obstacle to an open() now, found without opening. Cannot detect kBusy.
   [[nodiscard]] virtual Obstacle obstacle(const std::string& path) = 0;
 };
 

@@ -11,7 +11,6 @@
 #include "app/command/report/terminal.h"
 #include "app/file/text/text.h"
 #include "core/units.h"
-#include "device/hid/description.h"
 #include "embedded_rules.h"
 
 namespace hapticwall::command {

@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "app/command/commands.h"
 #include "app/command/map/map_axis.h"

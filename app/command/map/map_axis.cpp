@@ -30,7 +30,7 @@ bool parse_range(std::string_view text, MapAxis& axis) {
   return true;
 }
 
-// What is wrong with a range of this form, or "".
+// The problem of a range of this form, or "".
 std::string problem_of(const MapAxis& axis) {
   if (!(axis.low < axis.high)) return "LO is not below HI";
   if (axis.count < 2 || axis.count > kMaxMapValues) {

@@ -40,11 +40,11 @@ struct Counts {
 };
 
 std::vector<Counts> counts_of(const StabilityMap& map, std::size_t begin,
-                              std::span<const MapMetrics> figures) {
+                              std::span<const MapMetrics> metrics) {
   std::vector<Counts> counts(map.algorithms.size());
-  for (std::size_t i = 0; i < figures.size(); ++i) {
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
     Counts& of_algorithm = counts.at(map.place(begin + i).algorithm);
-    ++of_algorithm.of.at(static_cast<std::size_t>(figures[i].verdict));
+    ++of_algorithm.of.at(static_cast<std::size_t>(metrics[i].verdict));
   }
   return counts;
 }
@@ -116,10 +116,10 @@ std::vector<std::vector<std::string>> boundary_heading(const BoundaryPlan& plan)
 }  // namespace
 
 std::string map_table(const StabilityMap& map, std::size_t begin,
-                      std::span<const MapMetrics> figures) {
+                      std::span<const MapMetrics> metrics) {
   std::vector<std::vector<std::string>> rows{
       {"algorithm", "cells", "settled", "oscillating", "diverged"}, {"", "", "%", "%", "%"}};
-  const std::vector<Counts> counts = counts_of(map, begin, figures);
+  const std::vector<Counts> counts = counts_of(map, begin, metrics);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i].all() == 0) continue;
     rows.push_back({label_of(map.scene, map.algorithms[i]), fmt::format("{}", counts[i].all()),
@@ -133,14 +133,14 @@ std::string map_table(const StabilityMap& map, std::size_t begin,
 }
 
 std::string map_json(const StabilityMap& map, std::size_t begin,
-                     std::span<const MapMetrics> figures) {
+                     std::span<const MapMetrics> metrics) {
   Json object{{"scene", map.scene.name},
               {"x", axis_object(map.x)},
               {"y", axis_object(map.y)},
               {"first_cell", begin},
-              {"cells", figures.size()}};
+              {"cells", metrics.size()}};
   Json& list = object["algorithms"] = Json::array();
-  const std::vector<Counts> counts = counts_of(map, begin, figures);
+  const std::vector<Counts> counts = counts_of(map, begin, metrics);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i].all() == 0) continue;
     list.push_back({{"algorithm", label_of(map.scene, map.algorithms[i])},

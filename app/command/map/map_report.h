@@ -10,11 +10,11 @@
 
 namespace hapticwall::command {
 
-// Number of cells of each verdict, one line per algorithm. `figures`: of the cells from `begin`.
+// Number of cells of each verdict, one line per algorithm. `metrics`: of the cells from `begin`.
 [[nodiscard]] std::string map_table(const StabilityMap& map, std::size_t begin,
-                                    std::span<const MapMetrics> figures);
+                                    std::span<const MapMetrics> metrics);
 [[nodiscard]] std::string map_json(const StabilityMap& map, std::size_t begin,
-                                   std::span<const MapMetrics> figures);
+                                   std::span<const MapMetrics> metrics);
 
 // One line per boundary, and the meaning of the marks.
 [[nodiscard]] std::string boundary_table(const BoundaryPlan& plan,

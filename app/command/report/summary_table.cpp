@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 #include <ranges>
-#include <vector>
 
 #include "app/command/report/text_table.h"
 #include "core/simulation/metrics.h"

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -71,7 +70,7 @@ Result<AtomicFile> open_sidecar(const std::string& path, const std::string& text
 }
 
 struct FoundRows {
-  std::vector<MapMetrics> figures;
+  std::vector<MapMetrics> metrics;
   std::size_t bytes = 0;  // of the header and the whole lines
 };
 
@@ -83,13 +82,13 @@ FoundRows whole_rows(std::string_view text, const StabilityMap& map, const MapPa
     if (!text.starts_with(header)) return rows;
     rows.bytes = header.size();
   }
-  while (part.begin + rows.figures.size() < part.end) {
+  while (part.begin + rows.metrics.size() < part.end) {
     const std::string_view rest = text.substr(rows.bytes);
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos) break;
-    const auto figures = parse_map_row(rest.substr(0, end), map, part.begin + rows.figures.size());
-    if (!figures) break;
-    rows.figures.push_back(*figures);
+    const auto metrics = parse_map_row(rest.substr(0, end), map, part.begin + rows.metrics.size());
+    if (!metrics) break;
+    rows.metrics.push_back(*metrics);
     rows.bytes += end + 1;
   }
   return rows;
@@ -146,15 +145,15 @@ Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& m
     if (Failure failed = csv->write(map_header(map))) return *failed;
   }
   MapWriter writer(std::move(*csv), std::move(*sidecar));
-  writer.found_ = std::move(rows.figures);
+  writer.found_ = std::move(rows.metrics);
   return writer;
 }
 
 Failure MapWriter::append(const StabilityMap& map, std::size_t begin,
-                          const std::vector<MapMetrics>& figures) {
+                          const std::vector<MapMetrics>& metrics) {
   std::string text;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    append_map_row(text, map, begin + i, figures[i]);
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    append_map_row(text, map, begin + i, metrics[i]);
   }
   return csv_.write(text);
 }
@@ -173,8 +172,8 @@ Result<std::vector<MapMetrics>> parse_map(std::string_view text, const std::stri
     return usage_error(fmt::format("{}:1: not the header of this map: {}", shown(origin),
                                    map_header(map).substr(0, map_header(map).size() - 1)));
   }
-  if (rows.figures.size() < cells) {
-    const std::size_t cell = rows.figures.size();
+  if (rows.metrics.size() < cells) {
+    const std::size_t cell = rows.metrics.size();
     return usage_error(fmt::format(
         "{}:{}: not cell {} of the {} of this map: expected '{}', a verdict and {} "
         "numbers or empty fields",
@@ -184,7 +183,7 @@ Result<std::vector<MapMetrics>> parse_map(std::string_view text, const std::stri
     return usage_error(fmt::format("{}:{}: unexpected text after the last cell of this map",
                                    shown(origin), cells + 2));
   }
-  return std::move(rows.figures);
+  return std::move(rows.metrics);
 }
 
 bool has_other_sidecar(const std::string& path, const StabilityMap& map) {

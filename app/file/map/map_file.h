@@ -34,9 +34,9 @@ class MapWriter {
 
   // Cells of an earlier run, from part.begin on.
   [[nodiscard]] const std::vector<MapMetrics>& found() const { return found_; }
-  // Appends cells [begin, begin + figures.size()), in order.
+  // Appends cells [begin, begin + metrics.size()), in order.
   [[nodiscard]] Failure append(const StabilityMap& map, std::size_t begin,
-                               const std::vector<MapMetrics>& figures);
+                               const std::vector<MapMetrics>& metrics);
   [[nodiscard]] Failure finish();
 
  private:

@@ -41,12 +41,12 @@ std::string map_header(const StabilityMap& map) {
 }
 
 void append_map_row(std::string& text, const StabilityMap& map, std::size_t cell,
-                    const MapMetrics& figures) {
+                    const MapMetrics& metrics) {
   text += map_row_beginning(map, cell);
-  text += verdict_name(figures.verdict);
+  text += verdict_name(metrics.verdict);
   for (const Column& column : kColumns) {
     text += ',';
-    const std::optional<double>& value = figures.*column.value;
+    const std::optional<double>& value = metrics.*column.value;
     if (value && std::isfinite(*value)) append_number(text, *value);
   }
   text += '\n';
@@ -59,16 +59,16 @@ std::optional<MapMetrics> parse_map_row(std::string_view line, const StabilityMa
   const std::vector<std::string_view> fields = split(line.substr(place.size()), ',');
   const std::optional<Verdict> verdict = find_verdict(fields.front());
   if (!verdict || fields.size() != kColumns.size() + 1) return std::nullopt;
-  MapMetrics figures;
-  figures.verdict = *verdict;
+  MapMetrics metrics;
+  metrics.verdict = *verdict;
   for (std::size_t i = 0; i < kColumns.size(); ++i) {
     const std::string_view field = fields[i + 1];
     if (field.empty()) continue;
-    std::optional<double>& value = figures.*kColumns[i].value;
+    std::optional<double>& value = metrics.*kColumns[i].value;
     value = parsed<double>(field);
     if (!value) return std::nullopt;
   }
-  return figures;
+  return metrics;
 }
 
 }  // namespace hapticwall::file

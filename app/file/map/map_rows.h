@@ -20,7 +20,7 @@ inline constexpr std::size_t kMapMetrics = 6;  // numbers after the verdict
 // Appends one line. Numbers have the shortest form that reads back the same; a missing one is an
 // empty field.
 void append_map_row(std::string& text, const StabilityMap& map, std::size_t cell,
-                    const MapMetrics& figures);
+                    const MapMetrics& metrics);
 
 // Reads the line of this cell, without its end; nullopt for any other line.
 [[nodiscard]] std::optional<MapMetrics> parse_map_row(std::string_view line,

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/file/recording/recording_rows.h"
 #include "app/file/text/text.h"
 
 namespace hapticwall::file {

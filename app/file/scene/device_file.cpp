@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <limits>
 #include <span>
-#include <system_error>
 
 #include "app/file/disk/small_file.h"
 #include "app/file/scene/table_reader.h"

@@ -36,7 +36,11 @@ Scene read_tables(TableReader& reader, const std::string& origin) {
   if (scene.name.empty()) scene.name = shown(std::filesystem::path(origin).stem().string());
   scene.description = reader.line("description", kMaxSceneDescriptionBytes);
   reader.numbers(scene);
-  if (const auto* table = reader.table("sampling")) scene.sampling = read_sampling(*table, origin);
+  if (const auto* table = reader.table("sampling")) {
+    TableReader sampling(*table, "sampling.", origin);
+    sampling.numbers(scene.sampling);
+    sampling.finish();
+  }
   read_axes(reader, origin, scene);
   read_walls(reader, "", scene);
   if (const auto* table = reader.table("algorithm")) {

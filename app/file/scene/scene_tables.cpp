@@ -48,14 +48,6 @@ std::optional<double> read_parameter(TableReader& reader, const ParameterDescrip
 
 }  // namespace
 
-SamplingSettings read_sampling(const toml::table& table, const std::string& origin) {
-  TableReader reader(table, "sampling.", origin);
-  SamplingSettings sampling;
-  reader.numbers(sampling);
-  reader.finish();
-  return sampling;
-}
-
 const toml::table* axis_table(const toml::table* table, std::size_t axis) {
   if (table == nullptr) return nullptr;
   if (axis > 0) return (*table)["y"].as_table();

@@ -18,7 +18,6 @@ namespace hapticwall::file {
 
 // All readers throw ReadFailure. `prefix` precedes the name of the table: "" or
 // "recording.change[N].".
-[[nodiscard]] SamplingSettings read_sampling(const toml::table& table, const std::string& origin);
 [[nodiscard]] DeviceSettings read_device(const toml::table& table, const std::string& prefix,
                                          std::size_t axis, const std::string& origin);
 [[nodiscard]] HandSettings read_hand(const toml::table& table, std::size_t axis,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "app/file/text/text.h"
 #include "core/text.h"
@@ -76,18 +75,20 @@ std::optional<std::uint64_t> TableReader::count(std::string_view key) {
   return static_cast<std::uint64_t>(**integer);
 }
 
-std::optional<bool> TableReader::boolean(std::string_view key) {
+template <typename Value>
+std::optional<Value> TableReader::value(std::string_view key, std::string_view wanted) {
   const toml::node* found = node(key);
   if (found == nullptr) return std::nullopt;
-  if (!found->is_boolean()) fail_type(*found, key, "true or false");
-  return **found->as_boolean();
+  if (!found->is<Value>()) fail_type(*found, key, wanted);
+  return **found->as<Value>();
+}
+
+std::optional<bool> TableReader::boolean(std::string_view key) {
+  return value<bool>(key, "true or false");
 }
 
 std::optional<std::string> TableReader::string(std::string_view key) {
-  const toml::node* found = node(key);
-  if (found == nullptr) return std::nullopt;
-  if (!found->is_string()) fail_type(*found, key, "a string");
-  return **found->as_string();
+  return value<std::string>(key, "a string");
 }
 
 std::string TableReader::line(std::string_view key, std::size_t longest) {

@@ -73,6 +73,8 @@ class TableReader {
   [[nodiscard]] const std::string& origin() const { return origin_; }
 
  private:
+  template <typename Value>
+  [[nodiscard]] std::optional<Value> value(std::string_view key, std::string_view wanted);
   [[noreturn]] void fail_fraction(std::string_view key, double value) const;
   [[noreturn]] void fail_type(const toml::node& node, std::string_view key,
                               std::string_view wanted) const;

@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <string>
-
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
-#include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::file {
