@@ -66,7 +66,7 @@ TEST(EmulatorHand, ThenPlaysTheSceneFromItsStartTickByTick) {
     bench.ticks(late);
     bench.drive(-kHandPushN);
     ASSERT_TRUE(bench.has(kStatusEnabled));
-    PlantModel plant(moving_hand(true).x);
+    PlantModel plant(moving_hand(true).axes[0]);
     for (int i = 0; i < 200; ++i) {
       ASSERT_EQ(bench.device.truth(0).position_m, plant.truth().position_m) << i;
       bench.drive(-kHandPushN);
