@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <ranges>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -41,6 +43,7 @@ class WrongInputReader {
   [[nodiscard]] std::vector<WrongInput> read() {
     std::ifstream in(path_);
     for (std::string line; std::getline(in, line); ++line_) take(line);
+    finish_row();
     if (rows_.empty()) throw std::runtime_error(path_ + ": no rows");
     return std::move(rows_);
   }
@@ -52,16 +55,61 @@ class WrongInputReader {
 
   void take(const std::string& line) {
     if (line.empty() || line.starts_with('#')) return;
-    const std::string rest = line.size() > 3 ? line.substr(3) : "";
-    if (line.starts_with("== ")) {
-      section_ = rest;
-    } else if (line.starts_with("-- ")) {
-      rows_.push_back({section_, rest, line_, {}, {}, 0, ""});
-    } else if (line.starts_with("$ ")) {
+    const bool begins_section = line.starts_with("== ");
+    if (!begins_section && !line.starts_with("-- ")) {
+      lines_.push_back(line);
+      return;
+    }
+    finish_row();
+    (begins_section ? section_ : name_) = line.substr(3);
+    line_of_name_ = line_;
+  }
+
+  // Lines with lists of choices are as many rows as a list has choices.
+  void finish_row() {
+    if (lines_.empty()) return;
+    std::vector<std::string> choices{""};
+    for (const std::string& line : std::views::reverse(lines_)) {
+      if (std::smatch list; std::regex_search(line, list, list_)) choices = split(list.str(1));
+    }
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      if (!name_.empty()) rows_.push_back({section_, name_, line_of_name_, {}, {}, 0, ""});
+      for (const std::string& line : lines_) take_chosen(chosen(line, i, choices[i]));
+    }
+    lines_.clear();
+  }
+
+  [[nodiscard]] static std::vector<std::string> split(std::string_view list) {
+    std::vector<std::string> choices;
+    for (std::size_t bar = list.find('|'); bar != std::string_view::npos; bar = list.find('|')) {
+      choices.emplace_back(list.substr(0, bar));
+      list.remove_prefix(bar + 1);
+    }
+    choices.emplace_back(list);
+    return choices;
+  }
+
+  // `same` stands for (=).
+  [[nodiscard]] std::string chosen(std::string line, std::size_t index,
+                                   const std::string& same) const {
+    constexpr std::string_view kSame = "(=)";
+    for (std::smatch list; std::regex_search(line, list, list_);) {
+      const std::vector<std::string> choices = split(list.str(1));
+      if (index >= choices.size()) fail("a list has fewer choices than the first one");
+      line = list.prefix().str() + choices[index] + list.suffix().str();
+    }
+    for (std::size_t at = line.find(kSame); at != std::string::npos; at = line.find(kSame)) {
+      line.replace(at, kSame.size(), same);
+    }
+    return line;
+  }
+
+  void take_chosen(const std::string& line) {
+    if (line.starts_with("$ ")) {
       rows_.back().arguments = words(line.substr(2));
     } else if (line[0] >= '0' && line[0] <= '9' && line.substr(1, 2) == ": ") {
       rows_.back().status = line[0] - '0';
-      rows_.back().sentence = with_algorithms(rest);
+      rows_.back().sentence = with_algorithms(line.substr(3));
     } else {
       take_text(line);
     }
@@ -159,9 +207,14 @@ class WrongInputReader {
     return result;
   }
 
+  const std::regex list_{R"(\(([^()|]*\|[^()]*)\))"};
+
   std::string path_;
   int line_ = 1;
   std::string section_;
+  std::string name_;  // of the row, or "" before the first
+  int line_of_name_ = 0;
+  std::vector<std::string> lines_;  // of the row
   std::map<std::string, std::string> texts_;
   std::vector<WrongInput> rows_;
 };
