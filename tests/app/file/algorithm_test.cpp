@@ -17,12 +17,6 @@ std::string scene_text(const std::string& algorithm) {
          algorithm;
 }
 
-std::string algorithm_message(const std::string& algorithm,
-                              const std::vector<std::string>& overrides = {}) {
-  const auto loaded = parse_scene(scene_text(algorithm), "x.toml", overrides);
-  return loaded ? "(no error)" : loaded.error().message;
-}
-
 TEST(AlgorithmFile, TakesEveryNameAndWritesItAgain) {
   for (const AlgorithmDescription& algorithm : algorithms()) {
     const auto loaded =
@@ -54,14 +48,6 @@ TEST(AlgorithmFile, IsSetFromTheCommandLine) {
   ASSERT_TRUE(loaded.ok()) << loaded.error().message;
   EXPECT_EQ(algorithm_label(loaded->scene.algorithm), "energy-bounding then passivity-control");
   EXPECT_EQ(simulate(loaded->scene).summary.algorithm, "energy-bounding then passivity-control");
-}
-
-TEST(AlgorithmFile, SaysWhatMayFollowAndHowMuchTheStoreMayHold) {
-  EXPECT_EQ(algorithm_message("then = \"energy-bounding\""),
-            "x.toml:8: algorithm.then: 'energy-bounding' is none of: none, passivity-control");
-  EXPECT_EQ(algorithm_message("storage_stiffness_n_per_m = 1500"),
-            "x.toml:8: algorithm.storage_stiffness_n_per_m: 1500 is more than the hold can carry: "
-            "it takes at most b/T = 1000 N/m");
 }
 
 }  // namespace

@@ -12,22 +12,13 @@
 namespace hapticwall::file {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
-using ::testing::StartsWith;
 
 std::string sidecar_of(const std::vector<Mark>& marks) {
   RecordingMetadata metadata;
   metadata.marks = marks;
   return sidecar_toml(Scene{}, metadata, {8, 0, 8, "0"});
-}
-
-std::string marks_message(const std::string& marks) {
-  const std::string text = "[device]\nmass_kg = 0.1\ndamping_n_s_per_m = 1\n[recording]\n" + marks;
-  const Result<LoadedScene> loaded = parse_scene(text, "a.toml");
-  return loaded ? "none" : loaded.error().message;
 }
 
 TEST(Marks, ReadBackTheSame) {
@@ -58,24 +49,6 @@ TEST(Marks, AsManyAsThereMayBeFitIntoASidecar) {
   std::vector<Mark> more = marks;
   more.push_back(more.back());
   EXPECT_FALSE(parse_scene(sidecar_of(more), "a.toml"));
-}
-
-TEST(Marks, ASpoiltOneIsFoundWithItsLine) {
-  EXPECT_EQ(marks_message("[[recording.mark]]\ntick = 1\n[[recording.mark]]\ntick = 3.5\n"),
-            "a.toml:8: recording.mark[1].tick: 3.5 where a whole number from 0 on belongs");
-  EXPECT_THAT(marks_message("[[recording.mark]]\ntext = \"a\"\n"),
-              AllOf(StartsWith("a.toml:5: recording.mark[0].tick is missing")));
-  EXPECT_EQ(marks_message("[[recording.mark]]\ntick = 1\ntext = \"a\\tb\"\n"),
-            "a.toml:7: recording.mark[0].text: has a control character");
-  EXPECT_EQ(marks_message("[[recording.mark]]\ntick = 1\ntext = \"" +
-                          std::string(kMaxMarkBytes + 1, 'x') + "\"\n"),
-            "a.toml:7: recording.mark[0].text: longer than 200 bytes");
-  EXPECT_EQ(marks_message("[[recording.mark]]\ntick = 2\n[[recording.mark]]\ntick = 1\n"),
-            "a.toml:7: recording.mark: the ticks of the marks are not in order");
-  EXPECT_THAT(marks_message("[[recording.mark]]\ntick = 1\nnote = \"a\"\n"),
-              HasSubstr("a.toml:7: recording.mark[0].note: unknown key"));
-  EXPECT_THAT(marks_message("[recording.mark]\ntick = 1\n"),
-              EndsWith("a table where an array of tables, [[mark]] belongs"));
 }
 
 TEST(Marks, WhatIsTypedIsKeptAsFarAsItMayBe) {

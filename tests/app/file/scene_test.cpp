@@ -11,8 +11,6 @@
 namespace hapticwall::file {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -114,31 +112,6 @@ TEST(SceneFile, MouseAsHand) {
   EXPECT_TRUE(loaded->scene.x().hand->follows_mouse);
 }
 
-TEST(SceneFile, NamesFileLineKeyAndWhatWouldBeRight) {
-  EXPECT_EQ(scene_message(scene_with("friction_n", "fricton_n")),
-            "x.toml:9: device.fricton_n: unknown key; did you mean 'friction_n'?");
-  EXPECT_EQ(scene_message(scene_with("mass_kg = 0.05", "mass_kg = 'heavy'")),
-            "x.toml:7: device.mass_kg: the string 'heavy' where a number in kg belongs");
-  EXPECT_EQ(scene_message(scene_with("mass_kg = 0.05", "mass_kg = nan")),
-            "x.toml:7: device.mass_kg: nan is not a finite number");
-  EXPECT_EQ(scene_message(scene_with("mass_kg = 0.05\n", "")),
-            "x.toml:6: device.mass_kg is missing; it takes a number in kg");
-  EXPECT_THAT(scene_message(scene_with("mass_kg = 0.05", "mass_kg = -0.05")),
-              StartsWith("x.toml:7: device.mass_kg: -0.05 is out of range"));
-  EXPECT_THAT(scene_message(scene_with("stiffness_n_per_m = 1e5", "stiffness_n_per_m = -3")),
-              StartsWith("x.toml:27: wall[1].stiffness_n_per_m: -3 is out of range"));
-}
-
-TEST(SceneFile, RefusesContradictionsAndDuplicates) {
-  EXPECT_THAT(
-      scene_message(scene_with("[hand]\nmass_kg = 0.4\n", "[hand]\n")),
-      AllOf(StartsWith("x.toml:16: hand.grip_stiffness_n_per_m: "), HasSubstr("hand.mass_kg")));
-  EXPECT_THAT(scene_message(scene_with("duration_s = 2", "duration_s = 2\nduration_s = 3")),
-              AllOf(StartsWith("x.toml:4: not valid TOML: "), HasSubstr("duration_s")));
-  EXPECT_THAT(scene_message(scene_with("[1.5, 0.075]", "[0, 0.075]")),
-              StartsWith("x.toml:19: hand.path[1]: times must increase"));
-}
-
 // The whole scene with a second axis; its walls come before, between and after those of the first.
 std::string corner() {
   return scene_with("[hand]\n", R"([device.y]
@@ -205,30 +178,15 @@ TEST(SceneFile, AHandMayBeOnTheSecondAxisOnly) {
   EXPECT_EQ(again->scene.axes, loaded->scene.axes);
 }
 
-TEST(SceneFile, WhatIsWrongWithASecondAxisIsSaidWhereItStands) {
-  EXPECT_EQ(scene_message(scene_with("axis = \"x\"", "axis = \"y\"")),
-            "x.toml:24: wall[0].axis: the scene has no second axis: it takes a table [device.y]");
-  EXPECT_EQ(scene_message(scene_with("axis = \"x\"", "axis = \"z\"")),
-            "x.toml:24: wall[0].axis: 'z' is no axis; it takes \"x\" or \"y\"");
-  EXPECT_EQ(
-      scene_message(corner(), {"device.y.mass_kg=-1"}),
-      "--set device.y.mass_kg=-1: device.y.mass_kg: -1 is out of range; it takes 1e-6 to 1000 "
-      "kg");
-  EXPECT_EQ(
-      scene_message(corner(), {"hand.y.path=[]"}),
-      "--set hand.y.path=[]: hand.y.path: missing; it takes points [[time s, position m], …]");
-  EXPECT_THAT(scene_message(corner(), {"wall[0].stiffness_n_per_m=-1"}),
-              HasSubstr("wall[0].stiffness_n_per_m: -1 is out of range"))
-      << "counted as in the file, where axis y comes first";
-  EXPECT_THAT(scene_message(corner(), {"wall[1].stiffness_n_per_m=-2"}),
-              HasSubstr("wall[1].stiffness_n_per_m: -2 is out of range"));
-  EXPECT_THAT(scene_message(corner(), {"wall[3].stiffness_n_per_m=-3"}),
-              HasSubstr("wall[3].stiffness_n_per_m: -3 is out of range"));
-  EXPECT_EQ(scene_message(std::string(kWholeScene) + "[hand.y]\n"),
-            "x.toml:36: hand.y: the scene has no second axis: it takes a table [device.y]");
+// The message counts the walls as the file does, where a wall of axis y comes first.
+TEST(SceneFile, NamesAWallByItsPlaceInTheFile) {
+  for (const char* wall : {"wall[0]", "wall[1]", "wall[3]"}) {
+    EXPECT_THAT(scene_message(corner(), {std::string(wall) + ".stiffness_n_per_m=-1"}),
+                HasSubstr(std::string(wall) + ".stiffness_n_per_m: -1 is out of range"));
+  }
 }
 
-TEST(SceneFile, KnowsWhatLiesBetweenCommandAndHandle) {
+TEST(SceneFile, ReadsDelayResolutionAndLag) {
   const auto loaded = parse_scene(
       scene_with("start_m = 0.02",
                  "delay_ticks = 3\nforce_resolution_n = 0.01\namplifier_time_constant_s = 2e-3"),
@@ -237,53 +195,12 @@ TEST(SceneFile, KnowsWhatLiesBetweenCommandAndHandle) {
   EXPECT_EQ(loaded->scene.x().device.delay_ticks, 3);
   EXPECT_EQ(loaded->scene.x().device.force_resolution_n, 0.01);
   EXPECT_EQ(loaded->scene.x().device.amplifier_time_constant_s, 2e-3);
-  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "delay_ticks = 1.5")),
-            "x.toml:12: device.delay_ticks: 1.5 where a whole number belongs");
-  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "delay_ticks = 1001")),
-            "x.toml:12: device.delay_ticks: 1001 is out of range; it takes 0 to 1000 ticks");
-  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "delay_ticks = 1e300")).substr(0, 33),
-            "x.toml:12: device.delay_ticks: 21");
-  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "amplifier_time_constant_s = 1e-10")),
-            "x.toml:12: device.amplifier_time_constant_s: 1e-10 is too fine; it takes 0 (none) or "
-            "1e-9 s and more");
-  EXPECT_EQ(scene_message(scene_with("start_m = 0.02", "force_resolution_n = 1e-13")),
-            "x.toml:12: device.force_resolution_n: 1e-13 is too fine; it takes 0 (none) or 1e-12 N "
-            "and more");
 }
 
-TEST(SceneFile, KnowsTheIntegratorsAndTheirSubsteps) {
-  EXPECT_EQ(scene_message(scene_with("substeps = 1", "substeps = 2")),
-            "x.toml:35: simulator.substeps: the exact integrator has no substeps: it takes 1");
-  EXPECT_EQ(scene_message(scene_with("substeps = 1", "substeps = 1001")),
-            "x.toml:35: simulator.substeps: 1001 is out of range; it takes 1 to 1000");
-  EXPECT_EQ(scene_message(scene_with("\"exact\"", "\"rk5\"")),
-            "x.toml:34: simulator.integrator: no integrator is called 'rk5'; did you mean 'rk4'?; "
-            "known: exact, semi-implicit-euler, rk4");
+TEST(SceneFile, ReadsTheIntegrator) {
   const auto loaded = parse_scene(scene_with("\"exact\"", "\"rk4\""), "x.toml");
   ASSERT_TRUE(loaded.ok());
   EXPECT_EQ(loaded->scene.simulator.integrator, Integrator::kRungeKutta4);
-}
-
-TEST(SceneFile, NamesTheAlgorithmsAndTheirChoices) {
-  EXPECT_THAT(scene_message(scene_with("\"passivity-control\"", "\"passivity\"")),
-              AllOf(StartsWith("x.toml:29: algorithm.name: no algorithm is called 'passivity'"),
-                    HasSubstr("did you mean 'passivity-control'?"), HasSubstr("none, ")));
-  EXPECT_THAT(scene_message(scene_with("\"held-force\"", "\"held\"")),
-              AllOf(StartsWith("x.toml:31: algorithm.observer: 'held' is none of: "),
-                    HasSubstr("same-sample")));
-  EXPECT_EQ(scene_message(scene_with("damping_credit = true", "damping_credit = 1")),
-            "x.toml:32: algorithm.damping_credit: 1 where true or false belongs");
-}
-
-TEST(SceneFile, RefusesWhatIsNoToml) {
-  EXPECT_THAT(scene_message("a = = 3\n"), StartsWith("x.toml:1: not valid TOML: "));
-  EXPECT_THAT(scene_message("name = \"\xff\xfe\"\n"), StartsWith("x.toml:1: not valid TOML: "));
-  EXPECT_THAT(scene_message(std::string("\0\x01\x02", 3)),
-              StartsWith("x.toml:1: not valid TOML: "));
-  EXPECT_THAT(scene_message("name = \"a\\u0007b\"\n[device]\n"),
-              StartsWith("x.toml:1: name: has a control character"));
-  EXPECT_THAT(scene_message("name = \"" + std::string(1000, 'n') + "\"\n"),
-              StartsWith("x.toml:1: name: longer than "));
 }
 
 // Inputs that overflowed the stack of some TOML parser.
@@ -362,13 +279,6 @@ TEST(SceneFile, BuiltinPathsRiseAtTheirRates) {
   }
 }
 
-TEST(SceneFile, SuggestsTheNearestBuiltinScene) {
-  const Result<LoadedScene> loaded = load_scene("tab");
-  ASSERT_FALSE(loaded);
-  EXPECT_THAT(loaded.error().message,
-              StartsWith("'tab' is neither a file nor a built-in scene; did you mean 'tap'?"));
-}
-
 TEST(SceneFile, ASidecarsChangesAreRead) {
   const std::string recording = R"(
 [recording]
@@ -394,23 +304,6 @@ stiffness_n_per_m = 100
   ASSERT_EQ(loaded->changes[0].scene.x().walls.size(), 1U);
   EXPECT_EQ(loaded->changes[0].scene.x().walls[0].position_m, 0.04);
   EXPECT_EQ(loaded->changes[0].scene.x().device.mass_kg, 0.05);
-}
-
-TEST(SceneFile, ASidecarsMistakesAreFound) {
-  const std::string head = std::string(kWholeScene) + "[recording]\n";
-  EXPECT_THAT(scene_message(head + "rws = 3\n"), EndsWith("unknown key; did you mean 'rows'?"));
-  EXPECT_EQ(scene_message(head + "rows = -3\n"),
-            "x.toml:37: recording.rows: -3 where a whole number from 0 on belongs");
-  EXPECT_THAT(scene_message(head + "[[recording.change]]\n"), HasSubstr("tick is missing"));
-  const std::string change =
-      "[[recording.change]]\ntick = 2\n[[recording.change.wall]]\n"
-      "position_m = 0.04\nstiffness_n_per_m = -1\n";
-  EXPECT_THAT(
-      scene_message(head + change),
-      StartsWith("x.toml:41: recording.change[0].wall.stiffness_n_per_m: -1 is out of range"));
-  EXPECT_THAT(
-      scene_message(head + "[[recording.change]]\ntick = 2\n[[recording.change]]\ntick = 1\n"),
-      HasSubstr("not in order"));
 }
 
 }  // namespace
