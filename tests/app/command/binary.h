@@ -4,14 +4,19 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <spawn.h>
+#include <sys/inotify.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -57,6 +62,16 @@ class ProgramTest : public hapticwall::test::FolderTest {
     return names;
   }
 
+  // Replaces one piece of a file's text.
+  void replace_in(const std::string& name, const std::string& piece, const std::string& by) const {
+    std::string text = content(name);
+    ASSERT_NE(text.find(piece), std::string::npos) << piece;
+    put(name, text.replace(text.find(piece), piece.size(), by));
+  }
+  void remove_files() const {
+    for (const std::string& name : files()) std::filesystem::remove(path(name));
+  }
+
   // Starts a program in the folder, with output to "stdout" and "stderr" there.
   [[nodiscard]] pid_t start(std::vector<std::string> arguments) const {
     std::vector<char*> argv;
@@ -90,6 +105,28 @@ class ProgramTest : public hapticwall::test::FolderTest {
            info.si_pid == 0;
   }
 
+  // Returns when `holds` or the program ends. The kernel reports every change of the folder, and
+  // the end of the program.
+  void wait_until(pid_t child, const std::function<bool()>& holds) const {
+    const int folder = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+    const auto end = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
+    EXPECT_GE(inotify_add_watch(folder, folder_.path().c_str(), IN_CREATE | IN_MODIFY | IN_MOVE),
+              0);
+    EXPECT_GE(end, 0);
+    std::array<pollfd, 2> events{{{folder, POLLIN, 0}, {end, POLLIN, 0}}};
+    std::array<char, 4096> changes{};
+    while (is_running(child) && !holds()) {
+      poll(events.data(), events.size(), -1);
+      while (read(folder, changes.data(), changes.size()) > 0) {
+      }
+    }
+    close(folder);
+    close(end);
+  }
+  void wait_until_written(pid_t child, const std::string& name, std::uintmax_t bytes = 1) const {
+    wait_until(child, [&] { return size(name) >= bytes; });
+  }
+
   [[nodiscard]] Answer wait_for(pid_t child) const {
     int state = 0;
     EXPECT_EQ(waitpid(child, &state, 0), child);
@@ -101,6 +138,15 @@ class ProgramTest : public hapticwall::test::FolderTest {
   [[nodiscard]] Answer hapticwall(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), program());
     return wait_for(start(std::move(arguments)));
+  }
+
+  // `signal` comes when the program has begun its first file: it catches signals before that.
+  [[nodiscard]] Answer interrupted(std::vector<std::string> arguments, int signal) const {
+    arguments.insert(arguments.begin(), program());
+    const pid_t child = start(std::move(arguments));
+    wait_until(child, [&] { return !files().empty(); });
+    kill(child, signal);
+    return wait_for(child);
   }
 
   // A line for a shell, in which $P is the program.

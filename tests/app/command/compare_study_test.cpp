@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -94,22 +93,6 @@ TEST_F(StudyCommand, OfACornerIsOfAxisX) {
       {"compare", "corner", "--study", "--algorithms", "force-bounding", "--duration", "2"});
   EXPECT_EQ(answer.status, 0) << answer.err;
   EXPECT_THAT(answer.out, StartsWith("corner, axis x: wall of "));
-}
-
-TEST_F(StudyCommand, CtrlCEndsItAndNothingIsWritten) {
-  for (const int signal : {SIGINT, SIGTERM}) {
-    const pid_t child = start({program(), "compare", "press", "--study", "--duration", "10000",
-                               "--json", "a.json", "--csv", "a.csv"});
-    // Signals are caught before a file is opened.
-    while (files().empty() && is_running(child)) sched_yield();
-    kill(child, signal);
-    const Answer answer = wait_for(child);
-    EXPECT_EQ(answer.status, 128 + signal);
-    EXPECT_THAT(answer.err, AllOf(StartsWith("ended early by "), HasSubstr("nothing was written")));
-    EXPECT_EQ(answer.error_lines(), 1);
-    EXPECT_THAT(answer.out, IsEmpty());
-    EXPECT_THAT(files(), IsEmpty());
-  }
 }
 
 TEST_F(StudyCommand, IsInTheHelp) {

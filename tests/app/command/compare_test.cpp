@@ -1,7 +1,6 @@
 // `compare`: order and marks of the rows, and the figure.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,8 @@
 #include "app/command/compare/compare_order.h"
 #include "app/command/report/summary_fields.h"
 #include "app/command/report/summary_table.h"
+#include "app/file/scene/scene_file.h"
+#include "core/simulation/simulate.h"
 #include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {
@@ -89,15 +90,6 @@ TEST(CompareOrder, ACornerIsAsGoodAsItsWorseAxis) {
   const RunSummary quiet{settled("quiet", 1e3), settled("quiet", 1e3)};
   EXPECT_EQ(names({corner, quiet}, ""), "quiet stiff ");
   EXPECT_EQ(names({quiet, corner}, "-y_displayed_stiffness_n_per_m"), "stiff quiet ");
-}
-
-TEST(CompareOrder, AWordThatIsNoKeyIsAUsageError) {
-  const Result<RowOrder> order = parse_order("-verdikt");
-  ASSERT_FALSE(order);
-  EXPECT_EQ(order.error().kind, ErrorKind::kUsage);
-  EXPECT_EQ(order.error().message,
-            "--sort '-verdikt': the summary has no key 'verdikt'; did you mean 'verdict'?");
-  EXPECT_THAT(parse_order("-").error().message, HasSubstr("no key ''; known: scene, algorithm, "));
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -229,6 +221,27 @@ TEST_F(Compare, SortsWhatPeopleReadAndNothingElse) {
   }
 }
 
+// The golden tests compare simulate() with an independent model.
+TEST_F(Compare, EveryRowIsTheSummaryOfSimulate) {
+  const auto without_times = [](nlohmann::json row) {
+    for (const char* key : {"simulated_seconds_per_second", "ns_per_tick"}) row.erase(key);
+    return row;
+  };
+  for (const std::string name : {"press", "tap", "tap-slow", "light"}) {
+    const Answer answer = hapticwall({"compare", name, "--json", "-"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    const auto rows = nlohmann::json::parse(answer.out);
+    ASSERT_EQ(rows.size(), algorithms().size());
+    Scene scene = file::load_scene(name)->scene;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      scene.algorithm.index = i;
+      const RunSummary summary{simulate(scene).summary};
+      EXPECT_EQ(without_times(rows[i]),
+                without_times(nlohmann::json::parse(summary_json(summary))));
+    }
+  }
+}
+
 TEST_F(Compare, PlotWritesAPictureThatFollowsTheOrder) {
   const std::vector<std::string> common{"compare", "press",        "--duration",
                                         "2",       "--algorithms", "none,energy-bounding"};
@@ -248,19 +261,6 @@ TEST_F(Compare, PlotWritesAPictureThatFollowsTheOrder) {
   EXPECT_TRUE(content("a.png") == content("c.png"));
   EXPECT_FALSE(content("a.png") == content("d.png"));
   EXPECT_THAT(files(), ElementsAre("a.png", "b.png", "c.png", "d.png"));
-}
-
-TEST_F(Compare, EndedEarlyItWritesNothing) {
-  const pid_t child =
-      start({program(), "compare", "press", "--set", "simulator.integrator=rk4", "--set",
-             "simulator.substeps=1000", "--duration", "125", "--plot", "a.png", "--quiet"});
-  // Its file is there: it catches its signals.
-  while (files().empty() && is_running(child)) sched_yield();
-  kill(child, SIGINT);
-  const Answer answer = wait_for(child);
-  EXPECT_EQ(answer.status, 128 + SIGINT);
-  EXPECT_EQ(answer.err, "ended early by Ctrl-C; nothing was written\n");
-  EXPECT_THAT(files(), IsEmpty());
 }
 
 }  // namespace

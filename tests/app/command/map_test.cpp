@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "tests/app/command/binary.h"
@@ -95,25 +93,12 @@ TEST_F(MapCommand, PartsPutTogetherAreTheWholeAndAreDrawn) {
 }
 
 TEST_F(MapCommand, AKilledRunIsGoneOnWith) {
-  const std::vector<std::string> arguments{program(),
-                                           "map",
-                                           "press",
-                                           "--x",
-                                           "wall.stiffness_n_per_m=1e3:1e5:50:log",
-                                           "--y",
-                                           "wall.damping_n_s_per_m=0:5:30",
-                                           "--algorithms",
-                                           "none",
-                                           "--duration",
-                                           "2",
-                                           "--csv",
-                                           "k.csv",
-                                           "--quiet"};
+  std::vector<std::string> arguments{program(), "map", "press", "--algorithms", "none"};
+  arguments.insert(arguments.end(), {"--x", "wall.stiffness_n_per_m=1e3:1e5:50:log"});
+  arguments.insert(arguments.end(), {"--y", "wall.damping_n_s_per_m=0:5:30"});
+  arguments.insert(arguments.end(), {"--duration", "2", "--quiet", "--csv", "k.csv"});
   const pid_t child = start(arguments);
-  // Until there are rows to resume from.
-  while (is_running(child) && size("k.csv.partial") < 5000) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  wait_until_written(child, "k.csv.partial", 5000);  // rows to resume from
   const bool killed = kill(child, SIGKILL) == 0 && wait_for(child).status == 128 + SIGKILL;
   if (killed) {
     EXPECT_EQ(size("k.csv"), 0U);
@@ -121,9 +106,8 @@ TEST_F(MapCommand, AKilledRunIsGoneOnWith) {
   }
   const Answer second = wait_for(start(arguments));
   ASSERT_EQ(second.status, 0) << second.err;
-  std::vector<std::string> again = arguments;
-  again[12] = "w.csv";
-  ASSERT_EQ(wait_for(start(again)).status, 0);
+  arguments.back() = "w.csv";
+  ASSERT_EQ(wait_for(start(arguments)).status, 0);
   EXPECT_EQ(content("k.csv"), content("w.csv"));
   EXPECT_THAT(files(), ElementsAre("k.csv", "k.toml", "w.csv", "w.toml"));
 }
@@ -133,9 +117,7 @@ TEST_F(MapCommand, CtrlCKeepsWhatIsThereAndSaysHowToGoOn) {
       start({program(), "map", "press", "--x", "wall.stiffness_n_per_m=1e3:1e5:200:log", "--y",
              "wall.damping_n_s_per_m=0:5:200", "--algorithms", "none,half-sample", "--csv", "c.csv",
              "--quiet"});
-  while (is_running(child) && size("c.csv.partial") < 2000) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  wait_until_written(child, "c.csv.partial", 2000);
   kill(child, SIGINT);
   const Answer answer = wait_for(child);
   EXPECT_EQ(answer.status, 130);

@@ -1,7 +1,6 @@
 // `run`, `compare` and `scenes` in a script: files, exit status, standard output.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -79,10 +78,8 @@ TEST_F(Program, IdenticalRunsGiveIdenticalBytesAndTheSidecarRepeatsThem) {
 
 TEST_F(Program, ASidecarWithChangesIsRepeatedFromItsFirstRow) {
   ASSERT_EQ(hapticwall({"run", "press", "--csv", "a.csv", "--quiet"}).status, 0);
-  std::string sidecar = content("a.toml");
-  const std::string first_tick = "first_tick = 0";
-  sidecar.replace(sidecar.find(first_tick), first_tick.size(), "first_tick = 1000");
-  put("s.toml", sidecar +
+  replace_in("a.toml", "first_tick = 0", "first_tick = 1000");
+  put("s.toml", content("a.toml") +
                     "\n[[recording.change]]\ntick = 2000\n[recording.change.algorithm]\n"
                     "name = \"none\"\n[[recording.change.wall]]\nposition_m = 0.05\n"
                     "stiffness_n_per_m = 35000.0\n");
@@ -171,14 +168,25 @@ TEST_F(Program, ADivergedRunEndsInOrder) {
   EXPECT_EQ(content("a.toml"), content("b.toml"));
 }
 
-TEST_F(Program, AFullDiskIsStatusFour) {
-  const Answer answer = shell("ulimit -f 8; exec $P run press --csv a.csv --quiet");
-  EXPECT_EQ(answer.status, 4);
-  EXPECT_EQ(answer.err,
-            "error: a.csv: could not be written: File too large (the written part is in "
-            "a.csv.partial)\n");
-  EXPECT_THAT(files(), ElementsAre("a.csv.partial", "a.toml.partial"));
+TEST_F(Program, AFullDiskOnStandardOutputIsStatusFour) {
   EXPECT_EQ(shell("exec $P scenes > /dev/full").status, 4);
+}
+
+TEST_F(Program, AStudyThatIsEndedEarlyWritesNothing) {
+  const std::vector<std::vector<std::string>> commands{
+      {"accuracy", "press", "--duration", "10000", "--json", "a.json", "--csv", "a.csv"},
+      {"compare", "press", "--study", "--duration", "10000", "--json", "a.json", "--csv", "a.csv"},
+      {"compare", "press", "--set", "simulator.integrator=rk4", "--set", "simulator.substeps=1000",
+       "--duration", "125", "--plot", "a.png", "--quiet"}};
+  for (const std::vector<std::string>& command : commands) {
+    for (const auto& [signal, name] : {std::pair{SIGINT, "Ctrl-C"}, {SIGTERM, "SIGTERM"}}) {
+      const Answer answer = interrupted(command, signal);
+      EXPECT_EQ(answer.status, 128 + signal);
+      EXPECT_EQ(answer.err, "ended early by " + std::string(name) + "; nothing was written\n");
+      EXPECT_THAT(answer.out, IsEmpty());
+      EXPECT_THAT(files(), IsEmpty());
+    }
+  }
 }
 
 TEST_F(Program, AReaderThatLeavesIsNoError) {
@@ -201,8 +209,7 @@ TEST_F(Program, CtrlCEndsItWithItsFilesWhole) {
                                   "--csv",   "a.csv", "--json", "a.json"};
     if (in_real_time) line.emplace_back("--realtime");
     const pid_t child = start(line);
-    // Rows on the disk: it runs, and its signals are caught.
-    while (size("a.csv.partial") == 0 && is_running(child)) sched_yield();
+    wait_until_written(child, "a.csv.partial");
     kill(child, signal);
     const Answer answer = wait_for(child);
     EXPECT_EQ(answer.status, 128 + signal);
@@ -216,7 +223,7 @@ TEST_F(Program, CtrlCEndsItWithItsFilesWhole) {
     EXPECT_THAT(answer.err, HasSubstr(" after " + std::to_string(rows) + " of "));
     ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "b.csv", "--quiet"}).status, 0);
     EXPECT_TRUE(content("a.csv") == content("b.csv"));
-    for (const std::string& name : files()) std::filesystem::remove(path(name));
+    remove_files();
   }
 }
 

@@ -1,11 +1,9 @@
 // hapticwall timing: metrics and verdict of invented measurements, and a short real one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <csignal>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <vector>
@@ -177,16 +175,12 @@ TEST_F(ProgramTest, TimingMeasuresThisMachine) {
 
 TEST_F(ProgramTest, TimingThatIsEndedEarlySaysSo) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const pid_t child =
-        start({program(), "timing", "--seconds", "600", "--json", "a.json", "--quiet"});
-    // Signals are caught before a file is opened.
-    while (files().empty() && is_running(child)) sched_yield();
-    kill(child, signal);
-    const Answer answer = wait_for(child);
+    const Answer answer =
+        interrupted({"timing", "--seconds", "600", "--json", "a.json", "--quiet"}, signal);
     EXPECT_EQ(answer.status, 128 + signal);
     EXPECT_THAT(answer.err, HasSubstr("of 600000 ticks: the numbers cover these"));
     EXPECT_LT(nlohmann::json::parse(content("a.json"))["ticks"], 600'000);
-    std::filesystem::remove(path("a.json"));
+    remove_files();
   }
 }
 
