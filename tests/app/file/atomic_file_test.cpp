@@ -8,79 +8,62 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "app/file/recording/recording_writer.h"
 #include "app/file/recording/recovery.h"
 #include "app/file/recording/sidecar.h"
 #include "tests/app/file/faulty_disk.h"
-#include "tests/app/runtime/support.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::file {
 namespace {
 
 namespace fs = std::filesystem;
-using runtime::test::TemporaryFolder;
-using runtime::test::text_of;
+using hapticwall::test::TemporaryFolder;
 using test::FaultyDisk;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-class AtomicFileTest : public ::testing::Test {
+class AtomicFileTest : public hapticwall::test::FolderTest {
  protected:
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
-  void put(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-  }
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(path(""))) {
-      names.push_back(entry.path().filename());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
   // Why `name` cannot be written, from behind the folder on.
   [[nodiscard]] std::string refusal(const std::string& name) const {
     const Failure failed = write_file(path(name), "new");
     if (!failed) return "";
     EXPECT_EQ(failed->kind, ErrorKind::kFile);
     std::string message = failed->message;
-    for (std::size_t at = message.find(path("")); at != std::string::npos;
-         at = message.find(path(""))) {
-      message.erase(at, path("").size());
+    const std::string folder = path("");
+    for (std::size_t at = 0; (at = message.find(folder)) != std::string::npos;) {
+      message.erase(at, folder.size());
     }
     return message;
   }
 
-  TemporaryFolder folder_;
   TemporaryFolder elsewhere_;
 };
 
 TEST_F(AtomicFileTest, APlantedLinkIsNotFollowed) {
-  std::ofstream(elsewhere_.file("victim")) << "old";
+  elsewhere_.put("victim", "old");
   fs::create_symlink(elsewhere_.file("victim"), path("a.csv.partial"));
   EXPECT_EQ(refusal("a.csv"),
             "a.csv: cannot be written: a.csv.partial is a symbolic link; remove it");
   fs::create_symlink(elsewhere_.file("not there"), path("b.csv.partial"));
   EXPECT_EQ(refusal("b.csv"),
             "b.csv: cannot be written: b.csv.partial is a symbolic link; remove it");
-  EXPECT_EQ(text_of(elsewhere_.file("victim")), "old");
+  EXPECT_EQ(elsewhere_.content("victim"), "old");
   EXPECT_FALSE(fs::exists(elsewhere_.file("not there")));
 }
 
 TEST_F(AtomicFileTest, AFileWithAnotherNameIsNotWritten) {
-  std::ofstream(elsewhere_.file("victim")) << "old";
+  elsewhere_.put("victim", "old");
   fs::create_hard_link(elsewhere_.file("victim"), path("a.csv.partial"));
   EXPECT_EQ(refusal("a.csv"),
             "a.csv: cannot be written: a.csv.partial has a second name; remove it");
-  EXPECT_EQ(text_of(elsewhere_.file("victim")), "old");
+  EXPECT_EQ(elsewhere_.content("victim"), "old");
 }
 
 TEST_F(AtomicFileTest, APipeOrAFolderIsNotWaitedFor) {
@@ -102,16 +85,16 @@ TEST_F(AtomicFileTest, APipeThatSomebodyReadsIsNotWrittenEither) {
 }
 
 TEST_F(AtomicFileTest, ALinkAtTheNameIsReplacedAndNotFollowed) {
-  std::ofstream(elsewhere_.file("victim")) << "old";
+  elsewhere_.put("victim", "old");
   fs::create_symlink(elsewhere_.file("victim"), path("a"));
   EXPECT_EQ(refusal("a"), "");
   EXPECT_FALSE(fs::is_symlink(path("a")));
-  EXPECT_EQ(text_of(path("a")), "new");
-  EXPECT_EQ(text_of(elsewhere_.file("victim")), "old");
+  EXPECT_EQ(content("a"), "new");
+  EXPECT_EQ(elsewhere_.content("victim"), "old");
 }
 
 TEST_F(AtomicFileTest, ARecordingAndItsSidecarFollowNoLinkEither) {
-  std::ofstream(elsewhere_.file("victim")) << "old";
+  elsewhere_.put("victim", "old");
   for (const char* name : {"a.csv.partial", "a.toml.partial.partial"}) {
     fs::create_symlink(elsewhere_.file("victim"), path(name));
     auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
@@ -120,18 +103,18 @@ TEST_F(AtomicFileTest, ARecordingAndItsSidecarFollowNoLinkEither) {
     EXPECT_THAT(failed->message, HasSubstr("is a symbolic link"));
     fs::remove(path(name));
   }
-  EXPECT_EQ(text_of(elsewhere_.file("victim")), "old");
+  EXPECT_EQ(elsewhere_.content("victim"), "old");
 }
 
 TEST_F(AtomicFileTest, RecoveryFollowsNoLink) {
-  std::ofstream(elsewhere_.file("victim")) << "tick,time_s\nold\n";
+  elsewhere_.put("victim", "tick,time_s\nold\n");
   put("a.toml.partial", "[recording]\n");
   fs::create_symlink(elsewhere_.file("victim"), path("a.csv.partial"));
   const auto recovered = recover_recording(path("a.csv"));
   ASSERT_FALSE(recovered);
   EXPECT_EQ(recovered.error().kind, ErrorKind::kFile);
   EXPECT_THAT(recovered.error().message, HasSubstr("a.csv.partial is a symbolic link"));
-  EXPECT_EQ(text_of(elsewhere_.file("victim")), "tick,time_s\nold\n");
+  EXPECT_EQ(elsewhere_.content("victim"), "tick,time_s\nold\n");
   EXPECT_TRUE(fs::is_symlink(path("a.csv.partial")));
 }
 
@@ -163,7 +146,7 @@ TEST_F(AtomicFileTest, WhatIsKeptIsThereToTheLastByte) {
   const Failure failed = file->write("456789");
   ASSERT_TRUE(failed);
   EXPECT_THAT(failed->message, HasSubstr("(the written part is in "));
-  EXPECT_EQ(text_of(path("a.partial")), "0123456");
+  EXPECT_EQ(content("a.partial"), "0123456");
   EXPECT_THAT(files(), ::testing::ElementsAre("a.partial"));
 }
 
@@ -200,7 +183,7 @@ TEST_F(AtomicFileTest, AMovedFolderIsWrittenToTheEndAndToldOf) {
   const Failure failed = file->commit();
   ASSERT_TRUE(failed);
   EXPECT_THAT(failed->message, HasSubstr("sub/a.partial was moved during the writing"));
-  EXPECT_EQ(text_of(path("moved/a.partial")), "xy");
+  EXPECT_EQ(content("moved/a.partial"), "xy");
   EXPECT_FALSE(fs::exists(path("moved/a")));
 }
 
@@ -214,7 +197,7 @@ TEST_F(AtomicFileTest, AnotherFileOfTheNameIsLeftAlone) {
     EXPECT_TRUE(file->commit());
   }
   EXPECT_FALSE(fs::exists(path("a")));
-  EXPECT_EQ(text_of(path("a.partial")), "theirs");
+  EXPECT_EQ(content("a.partial"), "theirs");
 }
 
 // As root, drops to another user in a child process, because root ignores permissions.

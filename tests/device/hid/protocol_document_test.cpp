@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "device/hid/report.h"
 #include "tests/paths.h"
+#include "tests/temporary_folder.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -33,11 +33,7 @@ std::string text_of(const Bytes& bytes) {
 }
 
 std::vector<std::string> lines_of_document() {
-  std::ifstream file(hapticwall::test::data_folder() + "/../docs/hid-protocol.md");
-  EXPECT_TRUE(file);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) lines.push_back(line);
-  return lines;
+  return hapticwall::test::lines_of(hapticwall::test::data_folder() + "/../docs/hid-protocol.md");
 }
 
 // The text between "```hex NAME" and "```".

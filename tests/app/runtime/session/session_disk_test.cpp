@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "app/file/recording/recording_reader.h"
 #include "app/file/recording/recovery.h"
@@ -21,6 +20,7 @@ namespace fs = std::filesystem;
 using file::test::FaultyDisk;
 using test::contact_scene;
 using test::eventually;
+using test::rows_reach;
 using test::started;
 using test::TemporaryFolder;
 using test::text_of;
@@ -42,10 +42,7 @@ bool has_failed(const LiveSession& session) {
 // Returns when how the session began is noted: later the note would take of the disk's room.
 void start_recording(LiveSession& session, const TemporaryFolder& folder) {
   ASSERT_FALSE(session.start_recording(folder.file("a.csv")));
-  ASSERT_TRUE(eventually([&] {
-    static_cast<void>(session.snapshot());
-    return text_of(folder.file("a.toml.partial")).find("repeatable = true") != std::string::npos;
-  }));
+  ASSERT_TRUE(test::note_says(session, folder.file("a.toml.partial"), "repeatable = true"));
 }
 
 TEST(SessionDisk, FullOrOverItsQuotaItIsToldWhileTheLoopGoesOn) {
@@ -109,6 +106,8 @@ TEST(SessionDisk, SlowItCostsRowsAndNoTicks) {
   EXPECT_THAT(failure->message, EndsWith("rows are missing (the disk was too slow); marked as "
                                          "incomplete"));
   const RecordingStatus status = session->recording_status();
+  EXPECT_EQ(status.state, RecordingState::kFailed);
+  EXPECT_EQ(status.error, failure->message);
   const auto reader = file::RecordingReader::open(folder.file("a.csv"));
   ASSERT_TRUE(reader) << reader.error().message;
   EXPECT_EQ((*reader)->rows(), status.rows);
@@ -123,14 +122,14 @@ TEST(SessionDisk, AFolderThatIsRemovedIsToldAtOnce) {
   fs::create_directory(folder.file("sub"));
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("sub/a.csv")));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 10; }));
+  ASSERT_TRUE(rows_reach(*session, 10));
   fs::remove_all(folder.file("sub"));
   ASSERT_TRUE(eventually([&] { return has_failed(*session); }));
   EXPECT_THAT(session->recording_status().error,
               HasSubstr("a.csv.partial was removed during the writing"));
   expect_going_on(*session);
   ASSERT_FALSE(session->start_recording(folder.file("b.csv"))) << "the next one, elsewhere";
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 10; }));
+  ASSERT_TRUE(rows_reach(*session, 10));
   EXPECT_FALSE(session->stop_recording());
 }
 
@@ -139,7 +138,7 @@ TEST(SessionDisk, AFolderThatIsMovedKeepsEveryRow) {
   fs::create_directory(folder.file("sub"));
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("sub/a.csv")));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 10; }));
+  ASSERT_TRUE(rows_reach(*session, 10));
   fs::rename(folder.file("sub"), folder.file("moved"));
   const std::uint64_t rows = session->recording_status().rows;
   ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= rows + 50; }));

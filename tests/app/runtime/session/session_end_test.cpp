@@ -22,24 +22,22 @@ using test::contact_scene;
 using test::eventually;
 using test::expect_without_gap;
 using test::FakeDevice;
-using test::FakeWriter;
 using test::lines_of;
-using test::loop_session;
 using test::repeated_rows;
+using test::rows_reach;
 using test::started;
 using test::started_paused;
 using test::TemporaryFolder;
 using test::text_of;
 using test::tick_of;
 using test::ticks_reach;
-using test::WriterLog;
 using testing::HasSubstr;
 
 TEST(SessionEnd, AnUnstoppedRecordingIsFinishedWhole) {
   const TemporaryFolder folder;
   auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 30; }));
+  ASSERT_TRUE(rows_reach(*session, 30));
   session.reset();
   const auto lines = lines_of(folder.file("a.csv"));
   ASSERT_GT(lines.size(), 30U);
@@ -54,17 +52,6 @@ TEST(SessionEnd, ARecordingWithoutATickIsAnEmptyWholeFile) {
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
   session.reset();
   EXPECT_EQ(lines_of(folder.file("a.csv")).size(), 1U);
-}
-
-TEST(SessionEnd, AFailedRecordingGetsNoName) {
-  auto session = loop_session();
-  const auto log = std::make_shared<WriterLog>();
-  log->fail_at_row = 5;
-  session->record_into(std::make_unique<FakeWriter>(log));
-  ASSERT_TRUE(
-      eventually([&] { return session->recording_status().state == RecordingState::kFailed; }));
-  session.reset();
-  EXPECT_TRUE(log->finished.empty());
 }
 
 // What is seen of a device from outside, also after the session has taken it with it.
@@ -139,7 +126,7 @@ TEST(SessionEnd, AfterAFaultNothingHangsAndTheRecordingIsWhole) {
   const TemporaryFolder folder;
   WatchedSession watched;
   ASSERT_FALSE(watched.session->start_recording(folder.file("a.csv")));
-  ASSERT_TRUE(eventually([&] { return watched.session->recording_status().rows >= 10; }));
+  ASSERT_TRUE(rows_reach(*watched.session, 10));
   watched.view->unplugged = true;
   ASSERT_TRUE(eventually([&] { return watched.session->snapshot().ended_by_fault; }));
   EXPECT_FALSE(watched.session->stop_recording());

@@ -13,6 +13,7 @@ namespace {
 
 using test::contact_scene;
 using test::eventually;
+using test::rows_reach;
 using test::started;
 using test::started_paused;
 using test::TemporaryFolder;
@@ -58,7 +59,7 @@ TEST(SessionMarks, EachRecordingHasItsOwnAndAResetForgetsThem) {
   const auto session = started(contact_scene());
   for (const char* name : {"a", "b"}) {
     ASSERT_FALSE(session->start_recording(folder.file(std::string(name) + ".csv")));
-    ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 10; }));
+    ASSERT_TRUE(rows_reach(*session, 11));
     EXPECT_FALSE(session->mark(name));
     ASSERT_FALSE(session->stop_recording());
   }
@@ -70,7 +71,7 @@ TEST(SessionMarks, EachRecordingHasItsOwnAndAResetForgetsThem) {
   // At once: the loop may not have gone back yet.
   ASSERT_FALSE(session->start_recording(folder.file("c.csv")));
   EXPECT_FALSE(session->mark("c"));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 10; }));
+  ASSERT_TRUE(rows_reach(*session, 11));
   EXPECT_FALSE(session->mark("later"));
   ASSERT_FALSE(session->stop_recording());
   EXPECT_THAT(marks_in(folder.file("c.csv")), SizeIs(2));
@@ -82,7 +83,7 @@ TEST(SessionMarks, AreAlwaysAtARowHoweverEarly) {
   ASSERT_TRUE(ticks_reach(*session, 50));
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
   EXPECT_FALSE(session->mark("before the loop has heard of it"));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 10; }));
+  ASSERT_TRUE(rows_reach(*session, 11));
   ASSERT_FALSE(session->stop_recording());
   const auto reader = file::RecordingReader::open(folder.file("a.csv"));
   ASSERT_TRUE(reader);
@@ -96,7 +97,7 @@ TEST(SessionMarks, OneMoreThanThereMayBeIsRefused) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 0; }));
+  ASSERT_TRUE(rows_reach(*session, 1));
   for (std::size_t i = 0; i < file::kMaxMarks; ++i) ASSERT_FALSE(session->mark("again"));
   const Failure failure = session->mark("too many");
   ASSERT_TRUE(failure);

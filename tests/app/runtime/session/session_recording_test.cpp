@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,14 +16,16 @@ namespace {
 using test::algorithm;
 using test::contact_scene;
 using test::eventually;
+using test::expect_repeated;
 using test::expect_without_gap;
 using test::FakeWriter;
 using test::flags_of;
+using test::generation_is;
 using test::lines_of;
 using test::loop_session;
 using test::moving_scene;
 using test::plant_changes;
-using test::repeated_rows;
+using test::rows_reach;
 using test::started;
 using test::started_paused;
 using test::TemporaryFolder;
@@ -45,7 +46,7 @@ TEST(SessionRecording, EveryAlgorithmInTurnIsCompleteAndRepeatsBitForBit) {
   for (std::size_t index = 0; index < algorithms().size(); ++index) {
     ASSERT_TRUE(ticks_reach(*session, leg * (index + 1)));
     ASSERT_FALSE(session->set_algorithm(algorithm(index)));
-    ASSERT_TRUE(eventually([&] { return session->snapshot().generation == index + 2; }));
+    ASSERT_TRUE(generation_is(*session, index + 2));
   }
   ASSERT_TRUE(ticks_reach(*session, kTicks));
   EXPECT_EQ(session->recording_status().state, RecordingState::kRecording);
@@ -75,9 +76,7 @@ TEST(SessionRecording, EveryAlgorithmInTurnIsCompleteAndRepeatsBitForBit) {
     EXPECT_EQ(loaded->changes[i].scene.algorithm.index, i);
   }
 
-  const auto repeated = repeated_rows(folder.file("a.toml"));
-  ASSERT_EQ(repeated.size(), status.rows);
-  for (std::size_t i = 0; i < repeated.size(); ++i) ASSERT_EQ(lines[i + 1], repeated[i]);
+  expect_repeated(lines, folder.file("a.toml"));
 }
 
 // Mass, damping, friction, hand, grip, encoder, limit, resolution, delay, lag, integrator,
@@ -100,7 +99,7 @@ TEST(SessionRecording, EveryPartOfThePlantChangedInMotionRepeatsBitForBit) {
       ASSERT_FALSE(session->change_scene(changes[i]));
       generation += 2;
     }
-    ASSERT_TRUE(eventually([&] { return session->snapshot().generation == generation; }));
+    ASSERT_TRUE(generation_is(*session, generation));
   }
   ASSERT_TRUE(ticks_reach(*session, kLeg * (changes.size() + 5)));
   ASSERT_FALSE(session->stop_recording());
@@ -114,9 +113,7 @@ TEST(SessionRecording, EveryPartOfThePlantChangedInMotionRepeatsBitForBit) {
   EXPECT_EQ(loaded->changes.back().scene.x().device, changes.back().x().device);
   EXPECT_EQ(loaded->scene.x().device, moving_scene().x().device) << "as it was at the start";
   EXPECT_THAT(text_of(folder.file("a.toml")), HasSubstr("repeatable = true"));
-  const auto repeated = repeated_rows(folder.file("a.toml"));
-  ASSERT_EQ(repeated.size() + 1, lines.size());
-  for (std::size_t i = 0; i < repeated.size(); ++i) ASSERT_EQ(lines[i + 1], repeated[i]);
+  expect_repeated(lines, folder.file("a.toml"));
 }
 
 TEST(SessionRecording, BegunLaterItStillTellsTheChangesSinceTickZero) {
@@ -126,10 +123,10 @@ TEST(SessionRecording, BegunLaterItStillTellsTheChangesSinceTickZero) {
   auto walls = session->scene().x().walls;
   walls[0].stiffness_n_per_m = 2000.0;
   ASSERT_FALSE(session->set_walls(walls));
-  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  ASSERT_TRUE(generation_is(*session, 2));
   ASSERT_TRUE(ticks_reach(*session, 100));
   ASSERT_FALSE(session->start_recording(folder.file("late.csv")));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 50; }));
+  ASSERT_TRUE(rows_reach(*session, 50));
   ASSERT_FALSE(session->stop_recording());
 
   const auto lines = lines_of(folder.file("late.csv"));
@@ -142,20 +139,18 @@ TEST(SessionRecording, BegunLaterItStillTellsTheChangesSinceTickZero) {
   ASSERT_EQ(loaded->changes.size(), 1U);
   EXPECT_LT(loaded->changes[0].tick, first_tick);
   EXPECT_EQ(loaded->changes[0].scene.x().walls[0].stiffness_n_per_m, 2000.0);
-  const auto repeated = repeated_rows(folder.file("late.toml"));
-  ASSERT_EQ(repeated.size() + 1, lines.size());
-  for (std::size_t i = 0; i < repeated.size(); ++i) ASSERT_EQ(lines[i + 1], repeated[i]);
+  expect_repeated(lines, folder.file("late.toml"));
 }
 
 TEST(SessionRecording, ResetFinishesItAndTheNextOneStartsWithTheNewTickZero) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("one.csv")));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 50; }));
+  ASSERT_TRUE(rows_reach(*session, 50));
   Scene changed = with_algorithm(session->scene(), 0);
   changed.x().device.mass_kg = 0.2;
   ASSERT_FALSE(session->change_scene(changed));
-  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  ASSERT_TRUE(generation_is(*session, 2));
   session->reset();
   EXPECT_EQ(session->recording_status().state, RecordingState::kIdle);
   const auto one = lines_of(folder.file("one.csv"));
@@ -163,7 +158,7 @@ TEST(SessionRecording, ResetFinishesItAndTheNextOneStartsWithTheNewTickZero) {
   expect_without_gap(one, tick_of(one[1]));
 
   ASSERT_FALSE(session->start_recording(folder.file("two.csv")));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 50; }));
+  ASSERT_TRUE(rows_reach(*session, 50));
   ASSERT_FALSE(session->stop_recording());
   const auto two = lines_of(folder.file("two.csv"));
   EXPECT_EQ(session->snapshot().resets, 1U);
@@ -180,7 +175,7 @@ TEST(SessionRecording, WhatThePointerLedIsMarkedAsNotRepeatable) {
   const auto session = started(contact_scene());
   const auto record = [&](const std::string& name) {
     ASSERT_FALSE(session->start_recording(folder.file(name + ".csv")));
-    ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 20; }));
+    ASSERT_TRUE(rows_reach(*session, 20));
     ASSERT_FALSE(session->stop_recording());
   };
   record("script");
@@ -196,23 +191,6 @@ TEST(SessionRecording, WhatThePointerLedIsMarkedAsNotRepeatable) {
   EXPECT_THAT(text_of(folder.file("again.toml")), HasSubstr("repeatable = true"));
 }
 
-TEST(SessionRecording, DroppedRowsAreAnErrorThatIsSeenAndTold) {
-  const TemporaryFolder folder;
-  SessionOptions options;
-  options.queues.recorder = 4;  // the recorder looks every 50 ms
-  const auto session = started(contact_scene(), options);
-  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().dropped_rows >= 10; }));
-  const Failure failure = session->stop_recording();
-  ASSERT_TRUE(failure);
-  EXPECT_EQ(failure->kind, ErrorKind::kFile);
-  EXPECT_THAT(failure->message, HasSubstr("rows are missing"));
-  EXPECT_EQ(session->recording_status().state, RecordingState::kFailed);
-  EXPECT_EQ(session->recording_status().error, failure->message);
-  EXPECT_THAT(text_of(folder.file("a.toml")), HasSubstr("complete = false"));
-  EXPECT_TRUE(std::filesystem::exists(folder.file("a.csv")));
-}
-
 TEST(SessionRecording, RefusesWhatCannotBeAndSaysWhy) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
@@ -225,21 +203,6 @@ TEST(SessionRecording, RefusesWhatCannotBeAndSaysWhy) {
   const Failure twice = session->start_recording(folder.file("b.csv"));
   ASSERT_TRUE(twice);
   EXPECT_THAT(twice->message, HasSubstr("a.csv"));
-  EXPECT_FALSE(session->stop_recording());
-}
-
-TEST(SessionRecording, AFullDiskIsSeenAtOnceAndTheNextRecordingIsNotInItsWay) {
-  const TemporaryFolder folder;
-  const auto session = loop_session();
-  const auto log = std::make_shared<WriterLog>();
-  log->fail_at_row = 20;
-  session->record_into(std::make_unique<FakeWriter>(log));
-  ASSERT_TRUE(
-      eventually([&] { return session->recording_status().state == RecordingState::kFailed; }));
-  EXPECT_EQ(session->recording_status().error, "disk full");
-  ASSERT_FALSE(session->start_recording(folder.file("b.csv")));
-  EXPECT_EQ(session->recording_status().state, RecordingState::kRecording);
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows >= 10; }));
   EXPECT_FALSE(session->stop_recording());
 }
 

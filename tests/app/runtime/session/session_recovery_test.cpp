@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "app/file/recording/recording_reader.h"
@@ -18,27 +16,23 @@ namespace {
 using test::algorithm;
 using test::contact_scene;
 using test::eventually;
+using test::generation_is;
+using test::lines_of;
+using test::note_says;
 using test::repeated_rows;
+using test::rows_reach;
 using test::started;
+using test::started_paused;
 using test::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
+// The lines below the header.
 std::vector<std::string> rows_of(const std::string& path) {
-  std::ifstream file(path);
-  std::vector<std::string> rows;
-  std::string line;
-  std::getline(file, line);  // the header
-  while (std::getline(file, line)) rows.push_back(line);
-  return rows;
+  std::vector<std::string> lines = lines_of(path);
+  if (!lines.empty()) lines.erase(lines.begin());
+  return lines;
 }
 
 // As they are at this moment, under the name b: what a kill would leave.
@@ -54,18 +48,12 @@ TEST(SessionRecovery, ChangesAndMarksAreThereAndTheRowsRepeat) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
-  EXPECT_THAT(content(folder.file("a.toml.partial")), HasSubstr("[recording]"));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 10; }));
+  EXPECT_THAT(folder.content("a.toml.partial"), HasSubstr("[recording]"));
+  ASSERT_TRUE(rows_reach(*session, 11));
   ASSERT_FALSE(session->set_algorithm(algorithm(3)));
-  ASSERT_TRUE(eventually([&] {
-    static_cast<void>(session->snapshot());
-    return content(folder.file("a.toml.partial")).find("[[recording.change]]") != std::string::npos;
-  }));
+  ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "[[recording.change]]"));
   ASSERT_FALSE(session->mark("here"));
-  ASSERT_TRUE(eventually([&] {
-    static_cast<void>(session->snapshot());
-    return content(folder.file("a.toml.partial")).find("text = \"here\"") != std::string::npos;
-  }));
+  ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "text = \"here\""));
   keep_what_is_there(folder);
   ASSERT_FALSE(session->stop_recording());
   EXPECT_FALSE(std::filesystem::exists(folder.file("a.toml.partial")));
@@ -86,11 +74,8 @@ TEST(SessionRecovery, APointerThatLedTheHandIsNotForgotten) {
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
   session->lead_hand(0.04);
-  ASSERT_TRUE(eventually([&] {
-    static_cast<void>(session->snapshot());
-    return content(folder.file("a.toml.partial")).find("the pointer led") != std::string::npos;
-  }));
-  ASSERT_TRUE(eventually([&] { return session->recording_status().rows > 10; }));
+  ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "the pointer led"));
+  ASSERT_TRUE(rows_reach(*session, 11));
   ASSERT_TRUE(eventually([&] { return rows_of(folder.file("a.csv.partial")).size() > 1; }));
   keep_what_is_there(folder);
   const auto recovered = file::recover_recording(folder.file("b.csv"));
@@ -103,10 +88,7 @@ TEST(SessionRecovery, AHandThatHasLeftItsPathIsNotTakenForItsScript) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
-  ASSERT_TRUE(eventually([&] {
-    static_cast<void>(session->snapshot());
-    return content(folder.file("a.toml.partial")).find("repeatable = true") != std::string::npos;
-  }));
+  ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "repeatable = true"));
   keep_what_is_there(folder);
   session->lead_hand(0.04);
   ASSERT_TRUE(eventually([&] {
@@ -126,20 +108,13 @@ TEST(SessionRecovery, AHandThatHasLeftItsPathIsNotTakenForItsScript) {
 // Nothing counts as a change before the first tick, and yet the scene is another one.
 TEST(SessionRecovery, WhatChangedBeforeTheFirstTickIsNotForgotten) {
   const TemporaryFolder folder;
-  SessionOptions options;
-  options.start_paused = true;
-  auto session = LiveSession::start(contact_scene(), options);
-  ASSERT_TRUE(session.ok());
-  ASSERT_FALSE((*session)->start_recording(folder.file("a.csv")));
-  EXPECT_THAT(content(folder.file("a.toml.partial")),
-              HasSubstr("before it was known how it began"));
-  ASSERT_FALSE((*session)->set_algorithm(algorithm(3)));
-  (*session)->pause(false);
-  ASSERT_TRUE(eventually([&] {
-    static_cast<void>((*session)->snapshot());
-    return content(folder.file("a.toml.partial")).find("repeatable = true") != std::string::npos;
-  }));
-  const auto noted = file::parse_scene(content(folder.file("a.toml.partial")), "noted");
+  const auto session = started_paused(contact_scene());
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  EXPECT_THAT(folder.content("a.toml.partial"), HasSubstr("before it was known how it began"));
+  ASSERT_FALSE(session->set_algorithm(algorithm(3)));
+  session->pause(false);
+  ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "repeatable = true"));
+  const auto noted = file::parse_scene(folder.content("a.toml.partial"), "noted");
   ASSERT_TRUE(noted.ok()) << noted.error().message;
   EXPECT_EQ(noted->scene.algorithm.index, 3U);
   EXPECT_THAT(noted->changes, SizeIs(0));
@@ -151,18 +126,15 @@ TEST(SessionRecovery, AnEarlierRunsChangesAreNotTakenForThisOnes) {
   const auto session = started(contact_scene());
   ASSERT_TRUE(eventually([&] { return session->snapshot().newest.x().tick > 10; }));
   ASSERT_FALSE(session->set_algorithm(algorithm(3)));
-  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  ASSERT_TRUE(generation_is(*session, 2));
   session->pause(true);
   ASSERT_TRUE(eventually([&] { return session->snapshot().paused; }));
   session->reset();
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
-  EXPECT_THAT(content(folder.file("a.toml.partial")), HasSubstr("repeatable = false"));
+  EXPECT_THAT(folder.content("a.toml.partial"), HasSubstr("repeatable = false"));
   session->pause(false);
-  ASSERT_TRUE(eventually([&] {
-    static_cast<void>(session->snapshot());
-    return content(folder.file("a.toml.partial")).find("repeatable = true") != std::string::npos;
-  }));
-  const auto noted = file::parse_scene(content(folder.file("a.toml.partial")), "noted");
+  ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "repeatable = true"));
+  const auto noted = file::parse_scene(folder.content("a.toml.partial"), "noted");
   ASSERT_TRUE(noted.ok()) << noted.error().message;
   EXPECT_EQ(noted->scene.algorithm.index, 3U);
   EXPECT_THAT(noted->changes, SizeIs(0));

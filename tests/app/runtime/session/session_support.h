@@ -40,6 +40,23 @@ inline bool ticks_reach(LiveSession& session, std::uint64_t ticks) {
   return eventually([&] { return session.snapshot().timing.ticks >= ticks; });
 }
 
+inline bool rows_reach(LiveSession& session, std::uint64_t rows) {
+  return eventually([&] { return session.recording_status().rows >= rows; });
+}
+
+inline bool generation_is(LiveSession& session, std::uint64_t generation) {
+  return eventually([&] { return session.snapshot().generation == generation; });
+}
+
+// Waits for a note of an unfinished recording. snapshot() lets the session write it.
+inline bool note_says(LiveSession& session, const std::string& partial_sidecar,
+                      const std::string& text) {
+  return eventually([&] {
+    static_cast<void>(session.snapshot());
+    return text_of(partial_sidecar).find(text) != std::string::npos;
+  });
+}
+
 inline AlgorithmSettings algorithm(std::size_t index) {
   AlgorithmSettings settings;
   settings.index = index;
@@ -101,6 +118,14 @@ inline void expect_without_gap(const std::vector<std::string>& lines, std::uint6
   for (std::size_t i = 1; i < lines.size(); ++i) {
     ASSERT_EQ(tick_of(lines[i]), first_tick + i - 1) << "row " << i;
   }
+}
+
+// The rows below the header are those of a headless run of the sidecar.
+inline void expect_repeated(const std::vector<std::string>& lines,
+                            const std::string& sidecar_path) {
+  const std::vector<std::string> repeated = repeated_rows(sidecar_path);
+  ASSERT_EQ(repeated.size() + 1, lines.size());
+  for (std::size_t i = 0; i < repeated.size(); ++i) ASSERT_EQ(lines[i + 1], repeated[i]);
 }
 
 }  // namespace hapticwall::runtime::test

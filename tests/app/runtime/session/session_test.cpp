@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -21,6 +20,7 @@ using test::all_samples;
 using test::contact_scene;
 using test::eventually;
 using test::FakeDevice;
+using test::generation_is;
 using test::loop_session;
 using test::started;
 using test::started_paused;
@@ -124,10 +124,10 @@ TEST(Session, ChangesTakeEffectAndProblemsLeaveEverythingAsItWas) {
   EXPECT_FALSE(session->set_walls(walls));
   EXPECT_FALSE(session->set_walls(walls)) << "the same again is no change";
   EXPECT_EQ(session->scene().x().walls[0].stiffness_n_per_m, 1000.0);
-  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  ASSERT_TRUE(generation_is(*session, 2));
   EXPECT_FALSE(session->set_algorithm(algorithm(0)));
   EXPECT_FALSE(session->set_algorithm(algorithm(0)));
-  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 3; }));
+  ASSERT_TRUE(generation_is(*session, 3));
   walls[0].stiffness_n_per_m = 2000.0;
   EXPECT_FALSE(session->set_walls(walls));
   ASSERT_TRUE(eventually([&] { return session->snapshot().generation >= 4; }));
@@ -161,7 +161,7 @@ TEST(Session, ThePlantChangesWhileItRunsAndProblemsLeaveItAsItWas) {
   ASSERT_FALSE(session->change_scene(wanted));
   EXPECT_EQ(session->scene().simulator, wanted.simulator);
   EXPECT_EQ(session->scene().name, "contact");
-  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == 2; }));
+  ASSERT_TRUE(generation_is(*session, 2));
   // So much friction holds anything.
   const std::uint64_t ticks = session->snapshot().timing.ticks;
   ASSERT_TRUE(ticks_reach(*session, ticks + 50));
@@ -178,7 +178,7 @@ TEST(Session, ChangesFasterThanTheLoopLeaveNothingBehindAndTheLastOneWins) {
     ASSERT_FALSE(session->change_scene(wanted));
     ASSERT_LE(session->plants_kept(), 3U);
   }
-  ASSERT_TRUE(eventually([&] { return session->snapshot().generation == kChanges + 1U; }));
+  ASSERT_TRUE(generation_is(*session, kChanges + 1U));
   EXPECT_TRUE(eventually([&] {
     static_cast<void>(session->snapshot());
     return session->plants_kept() == 1U;
@@ -225,25 +225,6 @@ TEST(Session, ThePointerLeadsTheHand) {
   session->lead_hand(std::numeric_limits<double>::quiet_NaN());  // as good as nothing
   EXPECT_TRUE(eventually(
       [&] { return std::abs(session->snapshot().newest.x().truth.hand_path_m - 0.075) < 1e-9; }));
-}
-
-TEST(Session, ForceDoesNotJumpWhenAlgorithmsSwitch) {
-  Scene scene = contact_scene();
-  const auto session = started(scene);
-  ASSERT_TRUE(ticks_reach(*session, 300));
-  for (std::size_t i = 0; i < 2 * algorithms().size(); ++i) {
-    ASSERT_FALSE(session->set_algorithm(algorithm(i % algorithms().size())));
-    const std::uint64_t ticks = session->snapshot().timing.ticks;
-    ASSERT_TRUE(ticks_reach(*session, ticks + 60));
-  }
-  const auto samples = all_samples(*session);
-  std::size_t switches = 0;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    if ((samples[i].flags & kFlagParametersChanged) == 0) continue;
-    ++switches;
-    EXPECT_NEAR(samples[i].force_n, samples[i - 1].force_n, 1e-12) << "tick " << samples[i].tick;
-  }
-  EXPECT_GE(switches, 2 * algorithms().size() - 1);
 }
 
 }  // namespace
