@@ -10,6 +10,7 @@
 #include "core/plant/output_stage.h"
 #include "core/plant/plant_model.h"
 #include "core/simulation/simulate.h"
+#include "tests/samples.h"
 
 namespace hapticwall {
 namespace {
@@ -74,14 +75,6 @@ Scene wall_scene() {
   return scene;
 }
 
-std::vector<Sample> run(const Scene& scene) {
-  std::vector<Sample> samples;
-  SimulationOptions options;
-  options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
-  (void)simulate(scene, options);
-  return samples;
-}
-
 // What moves the plant is the command of exactly that many ticks ago, and nothing before the first.
 TEST(OutputDelay, ShiftsTheForceByExactlyItsTicks) {
   for (const int delay : {0, 1, 7, 100, 1000}) {
@@ -92,7 +85,7 @@ TEST(OutputDelay, ShiftsTheForceByExactlyItsTicks) {
         scene.x().hand->grip_stiffness_n_per_m = 2000.0;
       }
       scene.x().device.delay_ticks = delay;
-      const std::vector<Sample> samples = run(scene);
+      const std::vector<Sample> samples = testing::samples_of(scene);
       ASSERT_GT(samples.size(), 100U);
       Scene plain = scene;
       plain.x().device.delay_ticks.reset();
@@ -141,7 +134,7 @@ TEST(ForceResolution, RoundingUpDoesNotExceedTheLimit) {
 TEST(ForceResolution, TheLedgerHoldsTheCommandAndThePlantTheRoundedForce) {
   Scene scene = wall_scene();
   scene.x().device.force_resolution_n = 0.5;
-  const std::vector<Sample> samples = run(scene);
+  const std::vector<Sample> samples = testing::samples_of(scene);
   double scv_j = 0.0;
   double work_j = 0.0;
   bool between = false;

@@ -11,6 +11,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/position_bench.h"
 #include "tests/property/scene_generator.h"
+#include "tests/samples.h"
 
 namespace hapticwall {
 namespace {
@@ -40,14 +41,6 @@ Trial attacked(const ServoSettings& settings) {
   return {settings, testing::attack(settings, *rc::gen::arbitrary<std::uint64_t>(), kPromiseTicks)};
 }
 
-Trial simulated(const Scene& scene) {
-  Trial trial{servo_settings(scene), {}};
-  SimulationOptions options;
-  options.on_sample = [&](const Sample& sample) { trial.rows.push_back(sample); };
-  (void)simulate(scene, options);
-  return trial;
-}
-
 // A scene that is nothing but these settings with a hand.
 Scene scene_of(const ServoSettings& settings) {
   Scene scene = random_scene("none");
@@ -68,7 +61,8 @@ void is_kept(const ServoSettings& settings, Promise&& promise) {
   const Trial hard = attacked(settings);
   testing::forces_are_finite_and_within_the_limit(hard);
   promise(hard);
-  const Trial loop = simulated(scene_of(settings));
+  const Scene scene = scene_of(settings);
+  const Trial loop{servo_settings(scene), testing::samples_of(scene)};
   testing::forces_are_finite_and_within_the_limit(loop);
   promise(loop);
 }

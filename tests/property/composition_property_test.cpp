@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <string_view>
 #include <vector>
 
 #include "core/batch/batch_simulator.h"
@@ -11,6 +10,7 @@
 #include "tests/batch_support.h"
 #include "tests/position_bench.h"
 #include "tests/property/scene_generator.h"
+#include "tests/samples.h"
 
 namespace hapticwall {
 namespace {
@@ -31,12 +31,7 @@ void randomise_follower(AlgorithmSettings& settings) {
 
 std::vector<Sample> rows_of(const Scene& scene, std::span<const ScheduledChange> changes = {}) {
   RC_ASSERT(!validate(scene).has_value());
-  std::vector<Sample> rows;
-  SimulationOptions options;
-  options.changes = changes;
-  options.on_sample = [&](const Sample& sample) { rows.push_back(sample); };
-  (void)simulate(scene, options);
-  return rows;
+  return testing::samples_of(scene, changes);
 }
 
 void expect_same_motion(const std::vector<Sample>& a, const std::vector<Sample>& b) {

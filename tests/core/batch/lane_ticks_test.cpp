@@ -12,6 +12,7 @@
 #include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/batch_support.h"
+#include "tests/samples.h"
 
 namespace hapticwall {
 namespace {
@@ -33,14 +34,6 @@ Scene lean(std::size_t algorithm, std::size_t number) {
   return scene;
 }
 
-std::vector<double> forces_of(const Scene& scene) {
-  std::vector<double> forces;
-  SimulationOptions options;
-  options.on_sample = [&](const Sample& sample) { forces.push_back(sample.force_n); };
-  (void)simulate(scene, options);
-  return forces;
-}
-
 void set_resting_lane(const Scene& scene, std::size_t lane, batch::LaneBlock& block) {
   batch::set_lane(scene, OneBody(plant_parameters(scene), scene.sampling.period_s()), lane, block);
   block.parameters.path_m[lane] = hand_path(scene).position_m();
@@ -48,11 +41,11 @@ void set_resting_lane(const Scene& scene, std::size_t lane, batch::LaneBlock& bl
 
 void expect_the_scalar_bits(std::size_t algorithm) {
   batch::LaneBlock block;
-  std::vector<std::vector<double>> wanted;
+  std::vector<std::vector<Sample>> wanted;
   for (std::size_t lane = 0; lane < batch::lane_count(); ++lane) {
     const Scene scene = lean(algorithm, lane);
     set_resting_lane(scene, lane, block);
-    wanted.push_back(forces_of(scene));
+    wanted.push_back(testing::samples_of(scene));
     ASSERT_EQ(wanted.back().size(), kTicks);
   }
   const auto kind = batch::lane_kind(lean(algorithm, 0)).value();
@@ -62,7 +55,7 @@ void expect_the_scalar_bits(std::size_t algorithm) {
     for (std::size_t row = 0; row < batch::kTraceTicks; ++row) {
       for (std::size_t lane = 0; lane < wanted.size(); ++lane) {
         ASSERT_EQ(std::bit_cast<std::uint64_t>(block.trace.force_n[row][lane]),
-                  std::bit_cast<std::uint64_t>(wanted[lane][tick + row]))
+                  std::bit_cast<std::uint64_t>(wanted[lane][tick + row].force_n))
             << algorithms()[algorithm].name << ", tick " << tick + row << ", lane " << lane;
       }
     }

@@ -1,13 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "core/plant/plant_model.h"
-#include "tests/brute_force_plant.h"
+#include "tests/brute_force_scene.h"
 
 namespace hapticwall {
 namespace {
@@ -39,42 +36,6 @@ class AnyPlant {
   PlantVariant plant_;
 };
 
-BruteForcePlant brute_force(const Scene& scene) {
-  BruteForcePlant reference;
-  reference.mass = scene.x().device.mass_kg;
-  reference.damping = scene.x().device.damping_n_s_per_m;
-  reference.friction = scene.x().device.friction_n.value_or(0.0);
-  reference.x = reference.y = scene.x().device.start_m;
-  if (!scene.x().hand) return reference;
-  const HandSettings& hand = *scene.x().hand;
-  reference.hand_stiffness = hand.stiffness_n_per_m;
-  reference.hand_damping = hand.damping_n_s_per_m;
-  if (hand.has_grip()) {
-    reference.hand_mass = *hand.mass_kg;
-    reference.grip_stiffness = *hand.grip_stiffness_n_per_m;
-    reference.grip_damping = hand.grip_damping_n_s_per_m.value_or(0.0);
-  } else {
-    reference.mass += hand.mass_kg.value_or(0.0);
-  }
-  const std::vector<PathPoint> points = hand.path;
-  const auto segment = [points](long double t) {
-    std::size_t i = 0;
-    while (i + 1 < points.size() && t >= static_cast<long double>(points[i + 1].time_s)) ++i;
-    return i;
-  };
-  const auto speed = [points](std::size_t i) -> long double {
-    if (i + 1 >= points.size()) return 0;
-    return (static_cast<long double>(points[i + 1].position_m) - points[i].position_m) /
-           (static_cast<long double>(points[i + 1].time_s) - points[i].time_s);
-  };
-  reference.path = [=](long double t, long double inside) {
-    const std::size_t i = segment(inside);
-    return points[i].position_m + speed(i) * (t - points[i].time_s);
-  };
-  reference.path_velocity = [=](long double t) { return speed(segment(t)); };
-  return reference;
-}
-
 // A force as rough as a chattering wall's.
 double rough_force(int tick) { return (tick * 7) % 5 < 2 ? 3.0 : -0.5 * ((tick * 3) % 4); }
 
@@ -89,7 +50,7 @@ struct Tolerance {
 AnyPlant compare(const Scene& scene, int ticks, int substeps, Tolerance tolerance,
                  double (*force)(int) = rough_force, int* reference_events = nullptr) {
   AnyPlant plant(scene);
-  BruteForcePlant reference = brute_force(scene);
+  BruteForcePlant reference = testing::brute_force_plant(scene);
   for (int tick = 0; tick < ticks; ++tick) {
     plant.advance(force(tick));
     reference.advance(force(tick), scene.sampling.period_s(), substeps);

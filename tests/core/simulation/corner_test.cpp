@@ -74,16 +74,16 @@ void expect_each_as_alone(const Scene& scene, const std::vector<ScheduledChange>
     y.add(tick.axes[1]);
   };
   const AxesResult both = simulate_axes(scene, options);
-  std::vector<ScheduledChange> y_changes;
+  std::vector<ScheduledChange> second_axis_changes;
   for (const ScheduledChange& change : changes)
-    y_changes.push_back({change.tick, axis_scene(change.scene, 1)});
-  Summary x_summary;
-  Summary y_summary;
-  expect_same_bits(x, alone(scene, changes, x_summary));
-  expect_same_bits(y, alone(axis_scene(scene, 1), y_changes, y_summary));
-  EXPECT_EQ(both.axes[0].summary.energy_scv_j, x_summary.energy_scv_j);
-  EXPECT_EQ(both.axes[1].summary.energy_scv_j, y_summary.energy_scv_j);
-  EXPECT_EQ(both.axes[1].summary.tail_peak_to_peak_m, y_summary.tail_peak_to_peak_m);
+    second_axis_changes.push_back({change.tick, axis_scene(change.scene, 1)});
+  Summary first_axis_summary;
+  Summary second_axis_summary;
+  expect_same_bits(x, alone(scene, changes, first_axis_summary));
+  expect_same_bits(y, alone(axis_scene(scene, 1), second_axis_changes, second_axis_summary));
+  EXPECT_EQ(both.axes[0].summary.energy_scv_j, first_axis_summary.energy_scv_j);
+  EXPECT_EQ(both.axes[1].summary.energy_scv_j, second_axis_summary.energy_scv_j);
+  EXPECT_EQ(both.axes[1].summary.tail_peak_to_peak_m, second_axis_summary.tail_peak_to_peak_m);
   EXPECT_NE(both.axes[0].summary.peak_force_n, both.axes[1].summary.peak_force_n);
 }
 

@@ -8,19 +8,20 @@
 #include <functional>
 #include <memory>
 #include <ostream>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/plant/plant_model.h"
 #include "core/simulation/simulate.h"
 #include "tests/property/extremes_run.h"
+#include "tests/samples.h"
 
 namespace hapticwall {
 namespace {
 
 using hapticwall::testing::ExtremeRun;
 using hapticwall::testing::run_watched;
+using hapticwall::testing::samples_of;
 
 constexpr std::uint64_t kChangeTick = 333;
 
@@ -103,15 +104,6 @@ const std::vector<Change>& changes() {
        }},
   };
   return kAll;
-}
-
-std::vector<Sample> samples_of(const Scene& scene, std::span<const ScheduledChange> scheduled) {
-  std::vector<Sample> samples;
-  SimulationOptions options;
-  options.changes = scheduled;
-  options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
-  (void)simulate(scene, options);
-  return samples;
 }
 
 class ParameterChange : public ::testing::TestWithParam<Change> {};

@@ -12,6 +12,7 @@
 #include "core/plant/plant_model.h"
 #include "core/simulation/simulate.h"
 #include "tests/quad_plant.h"
+#include "tests/samples.h"
 
 namespace hapticwall {
 namespace {
@@ -173,21 +174,14 @@ TEST(NearlySingularPlants, TheClosedLoopLosesNoDigits) {
       scene.sampling.rate_hz = 64.0;
       scene.x().walls = {{.position_m = 0.02, .stiffness_n_per_m = 4.0}};
       scene.x().hand->path = {{0.0, 0.0}, {4.0, 0.08}};
-      std::vector<double> ours;
-      std::vector<double> reference;
-      SimulationOptions options;
-      options.on_sample = [&](const Sample& s) { ours.push_back(s.truth.position_m); };
-      (void)simulate(scene, options);
-      options.on_sample = [&](const Sample& s) { reference.push_back(s.truth.position_m); };
-      (void)simulate_reference(scene, options);
+      const std::vector<Sample> ours = testing::samples_of(scene);
+      const auto reference = testing::samples_of(scene, {}, simulate_reference);
       ASSERT_EQ(ours.size(), reference.size());
-      double most_m = 0.0;
-      double error_m = 0.0;
-      for (std::size_t k = 0; k < ours.size(); ++k) {
-        most_m = std::max(most_m, std::abs(reference[k]));
-        error_m = std::max(error_m, std::abs(ours[k] - reference[k]));
+      double max_m = 0.0;
+      for (const Sample& sample : reference) {
+        max_m = std::max(max_m, std::abs(sample.truth.position_m));
       }
-      EXPECT_LE(error_m, kLastDigits * most_m);
+      EXPECT_LE(testing::max_distance_m(ours, reference), kLastDigits * max_m);
     }
   }
 }

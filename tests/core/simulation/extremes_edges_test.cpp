@@ -10,6 +10,7 @@
 
 #include "core/simulation/simulate.h"
 #include "tests/property/extremes_run.h"
+#include "tests/samples.h"
 
 namespace hapticwall {
 namespace {
@@ -19,6 +20,7 @@ using hapticwall::testing::expect_sound;
 using hapticwall::testing::ExtremeRun;
 using hapticwall::testing::is_finite;
 using hapticwall::testing::run_watched;
+using hapticwall::testing::samples_of;
 
 Scene pressed() {
   Scene scene;
@@ -30,14 +32,6 @@ Scene pressed() {
   scene.x().hand->damping_n_s_per_m = 5.0;
   scene.x().hand->path = {{0.0, 0.03}, {0.1, 0.06}, {0.2, 0.02}};
   return scene;
-}
-
-std::vector<Sample> samples_of(const Scene& scene) {
-  std::vector<Sample> samples;
-  SimulationOptions options;
-  options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
-  (void)simulate(scene, options);
-  return samples;
 }
 
 template <typename Visitor>

@@ -13,6 +13,7 @@
 #include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/app/ui/pixels.h"
+#include "tests/samples.h"
 
 namespace hapticwall::draw {
 namespace {
@@ -27,9 +28,7 @@ PressRun run_press(const char* algorithm) {
   run.scene = file::load_scene("press")->scene;
   run.scene.algorithm.index = *find_algorithm(algorithm);
   run.scene.duration_s = 3.0;
-  SimulationOptions options;
-  options.on_sample = [&](const Sample& sample) { run.samples.push_back(sample); };
-  static_cast<void>(simulate(run.scene, options));
+  run.samples = testing::samples_of(run.scene);
   return run;
 }
 

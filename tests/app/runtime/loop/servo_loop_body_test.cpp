@@ -128,13 +128,5 @@ TEST(ServoLoopBody, APausedDeviceHasNoForceAndIsKeptAwake) {
   for (std::size_t i = kPauseAt; i < forces_n.size(); ++i) ASSERT_EQ(forces_n[i], 0.0) << i;
 }
 
-TEST(ServoLoopBody, StaleInputHasNoForce) {
-  BodyHarness harness;
-  harness.device.age_s = 1.0;
-  harness.run(20);
-  for (const double force_n : harness.device.forces_n) ASSERT_EQ(force_n, 0.0);
-  EXPECT_NE(harness.snapshot().newest.x().flags & kFlagStaleInput, 0U);
-}
-
 }  // namespace
 }  // namespace hapticwall::runtime

@@ -11,6 +11,7 @@
 #include "core/simulation/simulate.h"
 #include "device/simulated_device.h"
 #include "tests/app/runtime/support.h"
+#include "tests/samples.h"
 
 namespace hapticwall::runtime::test {
 
@@ -66,12 +67,7 @@ struct Harness {
 inline std::vector<Sample> headless(Scene scene, std::size_t ticks,
                                     const std::vector<ScheduledChange>& changes = {}) {
   scene.duration_s = static_cast<double>(ticks) / scene.sampling.rate_hz;
-  std::vector<Sample> samples;
-  SimulationOptions options;
-  options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
-  options.changes = changes;
-  static_cast<void>(simulate(scene, options));
-  return samples;
+  return hapticwall::testing::samples_of(scene, changes);
 }
 
 // Every field, bit for bit, except the generation, which only a live session has.

@@ -43,27 +43,6 @@ TEST(ServoLoop, SwitchesAndWallChangesAreThoseOfAHeadlessRun) {
   expect_same(harness.samples(), headless(harness.scene, tick + 500, changes));
 }
 
-TEST(ServoLoop, ForceIsContinuousAtEverySwitch) {
-  for (std::size_t from = 0; from < algorithms().size(); ++from) {
-    for (std::size_t to = 0; to < algorithms().size(); ++to) {
-      if (from == to) continue;
-      Harness harness(with_algorithm(contact_scene(), from));
-      harness.cycles(kInContactTicks);
-      // Look for a tick with force: a switch without force proves nothing.
-      int more = 0;
-      while (harness.snapshot().newest.x().force_n < 1.0 && ++more < 2000) harness.cycles(1);
-      const double before_n = harness.snapshot().newest.x().force_n;
-      ASSERT_GE(before_n, 1.0);
-      harness.publish(with_algorithm(harness.scene, to));
-      harness.cycles(1);
-      const Sample first = harness.snapshot().newest.x();
-      EXPECT_NE(first.flags & kFlagParametersChanged, 0U);
-      EXPECT_NEAR(first.force_n, before_n, 1e-12)
-          << algorithms()[from].name << " to " << algorithms()[to].name;
-    }
-  }
-}
-
 TEST(ServoLoop, ParametersBeforeTheFirstTickAreNoChange) {
   Harness harness(contact_scene(), true);
   const Scene changed = with_algorithm(harness.scene, 0);
