@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
-#include "app/runtime/loop/servo_loop.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/runtime/loop/loop_bench.h"
 
 namespace hapticwall::runtime::test {
 namespace {
@@ -128,32 +125,23 @@ Scene bare_wall() {
 }
 
 // The loop on a device that shows its commands.
-struct RealLoop {
-  RealLoop()
-      : exchange({}, test::parameters_of(bare_wall())),
-        loop({&device}, exchange, test::parameters_of(bare_wall()), false) {
-    device.position_m = kArmingFreeM;
-  }
-  void cycles(int count) {
-    for (int i = 0; i < count; ++i) loop.cycle({clock.now_ns(), 0, 0}, clock);
-  }
-  void command(CommandKind kind, std::uint32_t how_many = 0) {
-    ASSERT_TRUE(exchange.commands.try_push({kind, how_many}));
-  }
+struct RealLoop : LoopBench<FakeDevice> {
+  RealLoop() : LoopBench(bare_wall()) { device.position_m = kArmingFreeM; }
   void arm() {
     command(CommandKind::kArm);
     cycles(kRampTicks + 2);
     ASSERT_EQ(snapshot().arming.state, ArmingState::kOn);
   }
-  Snapshot snapshot() {
-    exchange.snapshots.update();
-    return exchange.snapshots.current();
+  void publish(const Scene& changed) {
+    exchange.parameters.publish(parameters_of(changed, ++generation));
+  }
+  [[nodiscard]] double force_n() const { return device.forces_n.back(); }
+  void expect_no_force() const {
+    EXPECT_EQ(force_n(), 0.0);
+    EXPECT_FALSE(device.enabled_at_write.back());
   }
 
-  FakeDevice device;
-  Exchange exchange;
-  ServoLoop loop;
-  FakeClock clock;
+  std::uint32_t generation = 1;
 };
 
 TEST(ArmedLoop, PushesNothingAndEnablesNothingBeforeItIsArmed) {
@@ -176,9 +164,9 @@ TEST(ArmedLoop, RampsInAndThenPushesWithAllOfIt) {
   real.device.position_m = kArmingInsideM;
   real.cycles(1);
   EXPECT_TRUE(real.device.enabled);
-  EXPECT_NEAR(real.device.forces_n.back(), 1.0, 0.02);
+  EXPECT_NEAR(real.force_n(), 1.0, 0.02);
   real.cycles(kRampTicks);
-  EXPECT_NEAR(real.device.forces_n.back(), 2.0, 1e-9);
+  EXPECT_NEAR(real.force_n(), 2.0, 1e-9);
 }
 
 // A stiff wall exceeds the limit: the ramp applies to the limited force.
@@ -187,13 +175,13 @@ TEST(ArmedLoop, InAStiffWallTheLimitRisesToo) {
   Scene limited = bare_wall();
   limited.x().device.force_limit_n = kLimitN;
   limited.x().walls[0].stiffness_n_per_m = 1e6;
-  real.exchange.parameters.publish(test::parameters_of(limited, 2));
+  real.publish(limited);
   real.command(CommandKind::kArm);
   real.cycles(1);
   real.device.position_m = kArmingInsideM + 1e-3;
   for (int tick = 1; tick <= kRampTicks; ++tick) {
     real.cycles(1);
-    ASSERT_NEAR(real.device.forces_n.back(), kLimitN * tick / kRampTicks, 1e-9) << tick;
+    ASSERT_NEAR(real.force_n(), kLimitN * tick / kRampTicks, 1e-9) << tick;
   }
 }
 
@@ -205,14 +193,14 @@ TEST(ArmedLoop, AChangeInTheRampIsNoKick) {
   real.cycles(1);
   real.device.position_m = kArmingInsideM;
   real.cycles(kRampTicks / 2);
-  const double before_n = real.device.forces_n.back();
+  const double before_n = real.force_n();
   EXPECT_NEAR(before_n, 1.0, 0.02);
   Scene changed = bare_wall();
   changed.x().walls[0].stiffness_n_per_m = 3.0 * kStiffness;
-  real.exchange.parameters.publish(test::parameters_of(changed, 2));
+  real.publish(changed);
   real.cycles(1);
-  EXPECT_NEAR(real.device.forces_n.back(), before_n, 2.0 * before_n / (0.5 * kRampTicks));
-  EXPECT_GT(real.device.forces_n.back(), before_n);
+  EXPECT_NEAR(real.force_n(), before_n, 2.0 * before_n / (0.5 * kRampTicks));
+  EXPECT_GT(real.force_n(), before_n);
 }
 
 // What a stiff wall has asked for beyond the limit is forgotten: a handle that leaves right after a
@@ -222,20 +210,20 @@ TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
   Scene stiff = bare_wall();
   stiff.x().device.force_limit_n = kLimitN;
   stiff.x().walls[0].stiffness_n_per_m = 1e6;
-  real.exchange.parameters.publish(test::parameters_of(stiff, 2));
+  real.publish(stiff);
   real.arm();
   real.device.position_m = kArmingInsideM;
   real.cycles(1);
-  EXPECT_EQ(real.device.forces_n.back(), kLimitN);
+  EXPECT_EQ(real.force_n(), kLimitN);
   stiff.x().walls[0].stiffness_n_per_m = 2e6;
-  real.exchange.parameters.publish(test::parameters_of(stiff, 3));
+  real.publish(stiff);
   real.cycles(1);
-  EXPECT_EQ(real.device.forces_n.back(), kLimitN);
+  EXPECT_EQ(real.force_n(), kLimitN);
   EXPECT_NE(real.snapshot().newest.x().flags & kFlagForceLimit, 0U);
   real.device.position_m = kArmingFreeM;
   for (int tick = 0; tick < kRampTicks; ++tick) {
     real.cycles(1);
-    ASSERT_EQ(real.device.forces_n.back(), 0.0) << tick;
+    ASSERT_EQ(real.force_n(), 0.0) << tick;
   }
 }
 
@@ -244,11 +232,10 @@ TEST(ArmedLoop, DisarmActsAtTheNextTick) {
   real.arm();
   real.device.position_m = kArmingInsideM;
   real.cycles(1);
-  EXPECT_NEAR(real.device.forces_n.back(), 2.0, 1e-9);
+  EXPECT_NEAR(real.force_n(), 2.0, 1e-9);
   real.command(CommandKind::kDisarm);
   real.cycles(1);
-  EXPECT_EQ(real.device.forces_n.back(), 0.0);
-  EXPECT_FALSE(real.device.enabled_at_write.back());
+  real.expect_no_force();
   EXPECT_EQ(real.snapshot().arming.note, ArmingNote::kAsked);
 }
 
@@ -265,14 +252,12 @@ TEST(ArmedLoop, AFaultIsAnsweredInTheSameTick) {
       real.device.figures.trouble = device::Trouble::kSilent;
     }
     real.cycles(1);
-    EXPECT_EQ(real.device.forces_n.back(), 0.0);
-    EXPECT_FALSE(real.device.enabled_at_write.back());
+    real.expect_no_force();
     EXPECT_EQ(real.snapshot().arming.note, stale ? ArmingNote::kStale : ArmingNote::kDevice);
     real.device.age_s = 0.0;
     real.device.state = DeviceState::kOk;
     real.cycles(100);  // well again, and still off
-    EXPECT_EQ(real.device.forces_n.back(), 0.0);
-    EXPECT_FALSE(real.device.enabled_at_write.back());
+    real.expect_no_force();
   }
 }
 
@@ -304,7 +289,7 @@ TEST(ArmedLoop, APauseDisarmsAndWhatMovesMeanwhileIsNoMove) {
   real.command(CommandKind::kResume);
   real.cycles(1);
   EXPECT_EQ(real.snapshot().newest.x().velocity_m_per_s, 0.0);
-  EXPECT_EQ(real.device.forces_n.back(), 0.0);
+  EXPECT_EQ(real.force_n(), 0.0);
 }
 
 TEST(ArmedLoop, AResetDisarms) {
@@ -320,11 +305,10 @@ TEST(ArmedLoop, AWallThatIsMovedOverTheHandleTakesTheForceAway) {
   real.arm();
   Scene changed = bare_wall();
   changed.x().walls[0].position_m = 0.02;
-  real.exchange.parameters.publish(test::parameters_of(changed, 2));
+  real.publish(changed);
   real.cycles(1);
   EXPECT_EQ(real.snapshot().arming.note, ArmingNote::kWallMoved);
-  EXPECT_EQ(real.device.forces_n.back(), 0.0);
-  EXPECT_FALSE(real.device.enabled_at_write.back());
+  real.expect_no_force();
 }
 
 TEST(ArmedLoop, TheSampleTellsAgeAndDeviceTime) {
@@ -339,8 +323,7 @@ TEST(ArmedLoop, TheEndTakesTheForceAway) {
   RealLoop real;
   real.arm();
   real.loop.shut_down(false);
-  EXPECT_EQ(real.device.forces_n.back(), 0.0);
-  EXPECT_FALSE(real.device.enabled_at_write.back());
+  real.expect_no_force();
   EXPECT_EQ(real.device.log.back(), "close");
   EXPECT_EQ(real.snapshot().arming.state, ArmingState::kOff);
 }

@@ -18,9 +18,9 @@
 #include <mutex>
 #include <vector>
 
-#include "app/runtime/loop/servo_loop.h"
 #include "device/simulated_device.h"
 #include "tests/app/runtime/loop/interposition.h"
+#include "tests/app/runtime/loop/loop_bench.h"
 #include "tests/app/runtime/support.h"
 
 #if HAPTICWALL_INTERPOSITION  // a sanitizer allocates and calls the system as it likes
@@ -30,7 +30,6 @@ namespace {
 
 using test::CallWatch;
 using test::contact_scene;
-using test::FakeClock;
 using test::WatchedCalls;
 
 constexpr std::size_t kCyclesPerLeg = 300;
@@ -75,12 +74,9 @@ std::vector<Scene> plant_kinds(const Scene& scene) {
 }
 
 // A loop with a script of everything that happens in a session.
-struct ScriptedLoop {
-  explicit ScriptedLoop(const Scene& scene)
-      : device(scene),
-        exchange({.plot = 1000}, test::parameters_of(scene)),
-        loop({&device}, exchange, test::parameters_of(scene), false) {
-    Scene changed = scene;
+struct ScriptedLoop : test::LoopBench<device::SimulatedDevice> {
+  explicit ScriptedLoop(const Scene& first) : LoopBench(first, false, {.plot = 1000}, first) {
+    Scene changed = first;
     for (std::size_t from = 0; from < algorithms().size(); ++from) {
       for (std::size_t to = 0; to < algorithms().size(); ++to) {
         for (const std::size_t index : {from, to}) {
@@ -101,12 +97,8 @@ struct ScriptedLoop {
         test::parameters_of(changed, static_cast<std::uint32_t>(parameters.size() + 2), plant));
   }
 
-  void command(CommandKind kind, std::uint32_t ticks = 0) {
-    ok = exchange.commands.try_push({kind, ticks}) && ok;
-  }
-
-  void cycles(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) loop.cycle({clock.now_ns(), 0, 0}, clock);
+  void cycles(int count) {
+    LoopBench::cycles(count);
     ParameterEcho echo;
     while (exchange.echoes.try_pop(echo)) newest_generation = echo.generation;
   }
@@ -135,20 +127,15 @@ struct ScriptedLoop {
   // Guards against a run that exercises nothing.
   [[nodiscard]] bool did_everything() const {
     const auto ticks = parameters.size() * kCyclesPerLeg + 3 * kCyclesPerLeg + kCyclesPerLeg / 2;
-    return ok && exchange.snapshots.current().timing.ticks == ticks + 1 &&
+    return exchange.snapshots.current().timing.ticks == ticks + 1 &&
            exchange.recorder.size() == ticks && exchange.dropped_rows == 0 &&
            exchange.dropped_plot_samples > 0 && newest_generation == parameters.back().generation &&
            exchange.recording_switches == 2;
   }
 
-  device::SimulatedDevice device;
-  Exchange exchange;
-  ServoLoop loop;
-  FakeClock clock;
   std::vector<std::unique_ptr<PlantModel>> plants;
   std::vector<LoopParameters> parameters;
   std::uint32_t newest_generation = 0;
-  bool ok = true;
 };
 
 TEST(CyclePurity, NoAllocationAndNoLock) {

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "app/runtime/loop/servo_loop.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/runtime/loop/loop_bench.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -13,18 +12,14 @@ namespace {
 using test::contact_scene;
 using test::FakeClock;
 using test::FakeDevice;
+using test::LoopBench;
 
 constexpr int kTicksUntilArmed = 510;  // the ramp is over
 constexpr double kBodyFreeM = 0.03;
 constexpr double kBodyInsideM = 0.051;
 
-struct BodyHarness {
-  explicit BodyHarness(bool start_paused = false)
-      : scene(contact_scene()),
-        exchange({}, test::parameters_of(scene)),
-        loop({&device}, exchange, test::parameters_of(scene), start_paused) {
-    device.position_m = 0.051;  // in the wall: there is a force
-  }
+struct BodyHarness : LoopBench<FakeDevice> {
+  BodyHarness() : LoopBench(contact_scene()) { device.position_m = kBodyInsideM; }
 
   // Runs the body until it has slept `cycles` times, or ended by itself.
   void run(int cycles) {
@@ -34,13 +29,9 @@ struct BodyHarness {
     };
     run_servo_loop(loop, exchange, scene.sampling.rate_hz, clock);
   }
-  Snapshot snapshot() {
-    exchange.snapshots.update();
-    return exchange.snapshots.current();
-  }
   // Outside the wall until the force is on, then inside it.
   void arm_and_press() {
-    ASSERT_TRUE(exchange.commands.try_push({CommandKind::kArm, 0}));
+    command(CommandKind::kArm);
     lateness_ns = [this](int cycle) {
       device.position_m = cycle <= kTicksUntilArmed ? kBodyFreeM : kBodyInsideM;
       return 0;
@@ -54,11 +45,6 @@ struct BodyHarness {
     EXPECT_EQ(device.forces_n.back(), 0.0);
   }
 
-  Scene scene;
-  FakeDevice device;
-  Exchange exchange;
-  ServoLoop loop;
-  FakeClock clock;
   std::function<std::int64_t(int)> lateness_ns;
 };
 
@@ -116,9 +102,7 @@ TEST(ServoLoopBody, APausedDeviceHasNoForceAndIsKeptAwake) {
   constexpr int kPauseAt = kTicksUntilArmed + 10;
   const auto press = harness.lateness_ns;
   harness.lateness_ns = [&](int cycle) {
-    if (cycle == kPauseAt) {
-      EXPECT_TRUE(harness.exchange.commands.try_push({CommandKind::kPause, 0}));
-    }
+    if (cycle == kPauseAt) harness.command(CommandKind::kPause);
     return press(cycle);
   };
   harness.run(kPauseAt + 20);

@@ -1,4 +1,4 @@
-// One cycle of the loop at a time, without a thread, on the test's clock.
+// A loop on a simulator, beside which the same run goes headless.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,39 +6,24 @@
 #include <cstring>
 #include <vector>
 
-#include "app/runtime/loop/servo_loop.h"
 #include "app/runtime/session/plant_keeper.h"
 #include "core/simulation/simulate.h"
 #include "device/simulated_device.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/runtime/loop/loop_bench.h"
 #include "tests/samples.h"
 
 namespace hapticwall::runtime::test {
 
-struct Harness {
+struct Harness : LoopBench<device::SimulatedDevice> {
   explicit Harness(const Scene& first, bool start_paused = false,
                    const QueueCapacities& capacities = {})
-      : scene(first),
-        device(first),
-        exchange(capacities, parameters_of(first)),
-        loop({&device}, exchange, parameters_of(first), start_paused),
-        plants(first) {}
+      : LoopBench(first, start_paused, capacities, first), plants(first) {}
 
-  void cycles(int count) {
-    for (int i = 0; i < count; ++i) loop.cycle({clock.now_ns(), 0, 0}, clock);
-  }
-  void command(CommandKind kind, std::uint32_t ticks = 0) {
-    ASSERT_TRUE(exchange.commands.try_push({kind, ticks}));
-  }
   void publish(const Scene& changed) {
     const bool unread = exchange.parameters.withdraw();
     ++generation;
     PlantModel* plant = plants.plant_for(changed, generation, unread);
     exchange.parameters.publish(parameters_of(changed, generation, plant));
-  }
-  Snapshot snapshot() {
-    exchange.snapshots.update();
-    return exchange.snapshots.current();
   }
   static std::vector<Sample> taken(SpscQueue<Tick>& queue) {
     std::vector<Sample> samples;
@@ -55,12 +40,7 @@ struct Harness {
     return all;
   }
 
-  Scene scene;
-  device::SimulatedDevice device;
-  Exchange exchange;
-  ServoLoop loop;
   PlantKeeper plants;
-  FakeClock clock;
   std::uint32_t generation = 1;
 };
 

@@ -18,6 +18,7 @@
 #include "device/simulated_device.h"
 #include "tests/app/runtime/loop/child_support.h"
 #include "tests/app/runtime/loop/fake_writer.h"
+#include "tests/app/runtime/loop/loop_bench.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -231,26 +232,23 @@ TEST_P(StallHole, LongerThanAForceMayStandTakesItAway) {
   constexpr int kArmedTicks = 510;
   constexpr int kHoleAt = kArmedTicks + 10;
   const Scene scene = contact_scene();
-  FakeDevice device;
+  test::LoopBench<FakeDevice> bench(scene);
+  FakeDevice& device = bench.device;
   device.position_m = kFreeM;
-  Exchange exchange({}, test::parameters_of(scene));
-  ServoLoop loop({&device}, exchange, test::parameters_of(scene), false);
-  ASSERT_TRUE(exchange.commands.try_push({CommandKind::kArm, 0}));
-  FakeClock clock;
-  clock.after_sleep = [&, cycle = 0](FakeClock& now) mutable {
+  bench.command(CommandKind::kArm);
+  bench.clock.after_sleep = [&, cycle = 0](FakeClock& now) mutable {
     if (cycle == kArmedTicks) device.position_m = 0.051;
     if (cycle == kHoleAt) now.advance_ns(std::llround(GetParam().late_s * 1e9));
-    if (++cycle == kHoleAt + 20) exchange.stop = true;
+    if (++cycle == kHoleAt + 20) bench.exchange.stop = true;
   };
-  run_servo_loop(loop, exchange, scene.sampling.rate_hz, clock);
+  run_servo_loop(bench.loop, bench.exchange, scene.sampling.rate_hz, bench.clock);
   ASSERT_EQ(device.forces_n.size(), kHoleAt + 21U) << "no burst";
   EXPECT_GT(device.forces_n.at(kHoleAt - 1), 0.0);
   for (std::size_t i = kHoleAt; i + 1 < device.forces_n.size(); ++i) {
     EXPECT_EQ(device.forces_n.at(i) > 0.0, GetParam().keeps_force) << i;
     EXPECT_EQ(device.enabled_at_write.at(i), GetParam().keeps_force) << i;
   }
-  exchange.snapshots.update();
-  const Snapshot end = exchange.snapshots.current();
+  const Snapshot end = bench.snapshot();
   EXPECT_EQ(end.timing.missed_ticks,
             static_cast<std::uint64_t>(std::floor(GetParam().late_s * scene.sampling.rate_hz)));
   if (!GetParam().keeps_force) EXPECT_EQ(end.arming.note, ArmingNote::kLate);
