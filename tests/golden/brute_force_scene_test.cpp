@@ -12,26 +12,16 @@
 #include "app/file/scene/scene_file.h"
 #include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
-#include "tests/brute_force_plant.h"
-#include "tests/reference_algorithms.h"
+#include "tests/golden/brute_force_tap.h"
 
 namespace hapticwall {
 namespace {
 
 using testing::BruteForcePlant;
-using testing::Real;
 using testing::ReferenceScene;
 using testing::ReferenceState;
 
-constexpr int kSubsteps = 100;
-constexpr double kPeriod = 1e-3;
 constexpr double kWall = 0.05;
-constexpr double kStiffness = 35e3;
-constexpr double kCount = 0.254e-3;
-constexpr double kLimit = 8.9;
-constexpr double kDamping = 1.0;
-constexpr double kRestStep = 0.01;
-constexpr int kTicks = 6000;
 
 struct Figures {
   double peak_to_peak_m = 0.0;
@@ -44,55 +34,26 @@ struct Figures {
   double hand_work_j = 0.0;
 };
 
-BruteForcePlant hand_of(const std::string& scene) {
-  BruteForcePlant p;
-  p.mass = 0.05L;
-  p.damping = 1.0L;
-  p.friction = 0.14L;
-  p.x = p.y = 0.03L;
-  Real rate = 0.03L;
-  Real end = 0.075L;
-  if (scene == "press") {
-    p.hand_mass = 0.4L;
-    p.hand_stiffness = 250.0L;
-    p.hand_damping = 33.0L;
-    p.grip_stiffness = 1000.0L;
-    p.grip_damping = 1.0L;
-  } else if (scene == "light") {
-    p.hand_stiffness = 400.0L;
-    rate = 0.1L;
-    end = 0.06L;
-  } else {
-    p.hand_mass = 0.2L;
-    p.hand_stiffness = 300.0L;
-    p.hand_damping = 5.0L;
-    p.grip_stiffness = 2000.0L;
-    p.grip_damping = 2.0L;
-    rate = scene == "tap" ? 0.2L : 0.03L;
-    end = 0.0653L;
+BruteForcePlant plant_of(const std::string& scene) {
+  if (scene == "tap") return testing::tap_plant(0.2L);
+  if (scene == "tap-slow") return testing::tap_plant(0.03L);
+  if (scene == "light") {
+    BruteForcePlant plant = testing::paper_plant(0.1L, 0.06L);
+    plant.hand_stiffness = 400.0L;
+    return plant;
   }
-  const Real arrival = (end - 0.03L) / rate;
-  p.path = [=](Real t, Real inside) { return inside < arrival ? 0.03L + rate * t : end; };
-  p.path_velocity = [=](Real inside) { return inside < arrival ? rate : 0.0L; };
-  return p;
-}
-
-ReferenceScene reference_scene() {
-  ReferenceScene scene;
-  scene.rate = 1.0 / kPeriod;
-  scene.b = kDamping;
-  scene.limit = kLimit;
-  scene.walls = {{kWall, kStiffness, 0.0}};
-  scene.alpha_rest = kRestStep;
-  scene.c2 = kDamping / kPeriod;
-  scene.coupling = 2.0 * kDamping / kPeriod;
-  scene.alpha_most = kDamping;
-  return scene;
+  BruteForcePlant plant = testing::paper_plant(0.03L, 0.075L);
+  plant.hand_mass = 0.4L;
+  plant.hand_stiffness = 250.0L;
+  plant.hand_damping = 33.0L;
+  plant.grip_stiffness = 1000.0L;
+  plant.grip_damping = 1.0L;
+  return plant;
 }
 
 Figures brute_force(const std::string& scene, const std::string& algorithm) {
-  BruteForcePlant plant = hand_of(scene);
-  const ReferenceScene controller = reference_scene();
+  BruteForcePlant plant = plant_of(scene);
+  const ReferenceScene controller = testing::paper_controller();
   ReferenceState state;
   Figures out;
   double force = 0.0;
@@ -102,8 +63,8 @@ Figures brute_force(const std::string& scene, const std::string& algorithm) {
   double penetrations = 0.0;
   double contact_forces = 0.0;
   std::vector<double> tail;
-  for (int k = 0; k < kTicks; ++k) {
-    const double x = kCount * std::rint(static_cast<double>(plant.x) / kCount);
+  for (int k = 0; k < testing::kPaperTicks; ++k) {
+    const double x = testing::measured_m(plant);
     const double dx = k == 0 ? 0.0 : x - previous_x;
     const double p = x - kWall;
     const double next = testing::reference_force(algorithm, controller, state, x);
@@ -112,7 +73,7 @@ Figures brute_force(const std::string& scene, const std::string& algorithm) {
     out.scv_j += force * dx;
     force = next;
     previous_x = x;
-    if (k >= kTicks - 1000) {
+    if (k >= testing::kPaperTicks - testing::kPaperTail) {
       least = std::min(least, static_cast<double>(plant.x));
       most = std::max(most, static_cast<double>(plant.x));
       tail.push_back(force);
@@ -121,7 +82,7 @@ Figures brute_force(const std::string& scene, const std::string& algorithm) {
         contact_forces += force;
       }
     }
-    plant.advance(force, kPeriod, kSubsteps);
+    plant.advance(force, testing::kPaperPeriodS, testing::kPaperSubsteps);
   }
   out.peak_to_peak_m = most - least;
   for (const double f : tail) out.force_mean_n += f / static_cast<double>(tail.size());

@@ -3,33 +3,27 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "device/emulator/firmware_emulator.h"
+#include "tests/device/emulator/emulator_support.h"
 
 namespace hapticwall::device::hid {
 namespace {
 
-constexpr std::uint64_t kMillisecondUs = 1000;
-constexpr double kLimitN = 8.9;
+using testing::kLimitN;
+using testing::kMillisecondUs;
+
 // A firmware that hangs holds its force until the watchdog in hardware strikes; the command before
 // may have been as old as it may live.
 constexpr std::uint64_t kMaxForceUs = (kMaxTimeToLiveMs + 50 + 1) * kMillisecondUs;
 
 EmulatorSettings settings() {
-  EmulatorSettings settings;
-  settings.axes[0].x().device.encoder_m = 0.254e-3;
-  settings.axes[0].x().device.force_limit_n = kLimitN;
-  HandSettings hand;
-  hand.stiffness_n_per_m = 250.0;
-  hand.damping_n_s_per_m = 10.0;
-  hand.path = {{0.0, 0.03}, {0.1, 0.05}};
-  settings.axes[0].x().hand = hand;
+  EmulatorSettings settings = testing::one_axis();
+  settings.axes[0].x().hand->path = {{0.0, 0.03}, {0.1, 0.05}};
   return settings;
 }
 

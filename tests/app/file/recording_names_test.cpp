@@ -24,7 +24,6 @@ using test::headless;
 using test::Recording;
 using test::sample_at;
 using test::scene_of_ten_ticks;
-using test::tick_at;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -40,30 +39,22 @@ TEST_F(RecordingNames, AUsersSceneIsNotReplacedByASidecar) {
 }
 
 TEST_F(RecordingNames, AUsersSceneThatCameMeanwhileIsNotReplacedEither) {
-  auto writer = RecordingWriter::create(path("mine.csv"), csv_columns(true));
-  ASSERT_TRUE(writer);
-  EXPECT_FALSE((*writer)->note(scene_of_ten_ticks(), headless()));
-  EXPECT_FALSE((*writer)->append(tick_at(0)));
+  auto writer = begun("mine.csv", 0, 1);
+  EXPECT_FALSE(writer->note(scene_of_ten_ticks(), headless()));
   put("mine.toml", "name = 'mine'\n");
-  const Failure failed = (*writer)->finish(scene_of_ten_ticks(), headless());
+  const Failure failed = writer->finish(scene_of_ten_ticks(), headless());
   ASSERT_TRUE(failed);
   EXPECT_THAT(failed->message, HasSubstr("would replace a file that is not a recording's; its rows "
                                          "are in " +
                                          shown(path("mine.csv.partial"))));
-  writer->reset();
+  writer.reset();
   EXPECT_EQ(content("mine.toml"), "name = 'mine'\n");
   fs::rename(path("mine.toml"), path("moved.toml"));
   EXPECT_TRUE(recover_recording(path("mine.csv")).ok()) << "the rows are not lost";
 }
 
 TEST_F(RecordingNames, OneThatLacksOnlyItsNameIsFinishedAndNotWrittenOver) {
-  {
-    auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-    ASSERT_TRUE(writer);
-    EXPECT_FALSE((*writer)->append(tick_at(0)));
-    EXPECT_FALSE((*writer)->append(tick_at(1)));
-    EXPECT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
-  }
+  EXPECT_FALSE(begun("a.csv", 0, 2)->finish(scene_of_ten_ticks(), headless()));
   const std::string csv = content("a.csv");
   fs::rename(path("a.csv"), path("a.csv.partial"));  // as a kill between the two names leaves it
   const auto refused = RecordingWriter::create(path("a.csv"), csv_columns(true));
@@ -78,10 +69,7 @@ TEST_F(RecordingNames, OneThatLacksOnlyItsNameIsFinishedAndNotWrittenOver) {
 
 TEST_F(RecordingNames, ASidecarOfOtherRowsIsNotTakenForTheirs) {
   for (const auto& [name, first_tick] : {std::pair{"a.csv", 0U}, {"b.csv", 1U}}) {
-    auto writer = RecordingWriter::create(path(name), csv_columns(true));
-    ASSERT_TRUE(writer);
-    EXPECT_FALSE((*writer)->append(tick_at(first_tick)));
-    EXPECT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
+    EXPECT_FALSE(begun(name, first_tick, 1)->finish(scene_of_ten_ticks(), headless()));
   }
   fs::rename(path("a.csv"), path("a.csv.partial"));
   EXPECT_TRUE(lacks_only_its_name(path("a.csv")));
@@ -110,12 +98,7 @@ TEST_F(RecordingNames, AsManyChangesAsAreKeptAreReadAgain) {
     }
     metadata.changes.push_back(std::move(change));
   }
-  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-  ASSERT_TRUE(writer);
-  for (std::uint64_t tick = 0; tick < 10; ++tick) {
-    EXPECT_FALSE((*writer)->append(tick_at(tick)));
-  }
-  ASSERT_FALSE((*writer)->finish(scene, metadata));
+  ASSERT_FALSE(begun("a.csv", 0, 10)->finish(scene, metadata));
   EXPECT_GT(fs::file_size(path("a.toml")), std::uintmax_t{1} << 20U) << "more than a scene has";
   EXPECT_LT(fs::file_size(path("a.toml")), kMaxSidecarBytes / 4);
   const auto loaded = load_scene(path("a.toml"));
@@ -126,14 +109,11 @@ TEST_F(RecordingNames, AsManyChangesAsAreKeptAreReadAgain) {
   EXPECT_TRUE((*reader)->info().has_sidecar);
 }
 
-TEST_F(RecordingNames, OfASessionLongerThanASceneCanBeIsReadAndNotRepeated) {
+TEST_F(RecordingNames, ASessionLongerThanASceneCanBeIsReadAndNotRepeated) {
   RecordingMetadata metadata = headless();
   metadata.first_tick = 1'000'000'000;
   metadata.session_ticks = 1'000'000'001;  // at 1 kHz, 11.6 days
-  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-  ASSERT_TRUE(writer);
-  EXPECT_FALSE((*writer)->append(tick_at(metadata.first_tick)));
-  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), metadata));
+  ASSERT_FALSE(begun("a.csv", metadata.first_tick, 1)->finish(scene_of_ten_ticks(), metadata));
   const auto loaded = load_scene(path("a.toml"));
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_THAT(loaded->not_repeatable_because, HasSubstr("longer than a scene can be"));
@@ -146,16 +126,15 @@ TEST_F(RecordingNames, AHandOnItsPathIsFoundThereAtAnyTick) {
   scene.x().hand->path = {{0.0, 0.03}, {0.0105, 0.031}, {1e5, 0.06}};
   scene.duration_s = 2e5;
   for (const bool led : {false, true}) {
-    auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-    ASSERT_TRUE(writer);
-    ASSERT_FALSE((*writer)->note(scene, headless()));
+    auto writer = begun();
+    ASSERT_FALSE(writer->note(scene, headless()));
     for (const std::uint64_t tick : {200'000'000U, 200'000'001U, 4'000'000'000U}) {
       Sample sample = sample_at(tick);
       sample.truth.hand_path_m = led && tick == 4'000'000'000U ? 0.0601 : 0.06;
-      EXPECT_FALSE((*writer)->append({{sample}}));
+      EXPECT_FALSE(writer->append({{sample}}));
     }
-    EXPECT_FALSE((*writer)->flush());
-    writer->reset();
+    EXPECT_FALSE(writer->flush());
+    writer.reset();
     const auto recovered = recover_recording(path("a.csv"));
     ASSERT_TRUE(recovered) << recovered.error().message;
     EXPECT_EQ(content("a.toml").find("something else led it") != std::string::npos, led);

@@ -1,7 +1,11 @@
 // Shared by the tests of recordings.
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "app/file/recording/recording_writer.h"
 #include "core/sample.h"
@@ -9,8 +13,6 @@
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::file::test {
-
-using Recording = hapticwall::test::FolderTest;
 
 inline Sample sample_at(std::uint64_t tick) {
   Sample sample;
@@ -39,5 +41,20 @@ inline RecordingMetadata headless() {
   metadata.realtime_status = "none";
   return metadata;
 }
+
+class Recording : public hapticwall::test::FolderTest {
+ protected:
+  // A recording in progress with the rows of `count` ticks.
+  [[nodiscard]] std::unique_ptr<RecordingWriter> begun(const std::string& name = "a.csv",
+                                                       std::uint64_t first_tick = 0,
+                                                       std::uint64_t count = 0) const {
+    auto writer = RecordingWriter::create(path(name), csv_columns(true));
+    if (!writer) throw std::runtime_error(writer.error().message);
+    for (std::uint64_t tick = first_tick; tick < first_tick + count; ++tick) {
+      EXPECT_FALSE((*writer)->append(tick_at(tick)));
+    }
+    return std::move(*writer);
+  }
+};
 
 }  // namespace hapticwall::file::test

@@ -125,14 +125,12 @@ TEST_F(Recording, ScenesAreWrittenTheSameWhateverTheLocale) {
 
 TEST_F(Recording, TakesItsNamesWhenItIsWhole) {
   put("a.csv", "old");
-  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-  ASSERT_TRUE(writer) << writer.error().message;
-  for (std::uint64_t tick = 0; tick < 10; ++tick) ASSERT_FALSE((*writer)->append(tick_at(tick)));
-  ASSERT_FALSE((*writer)->flush());
+  const auto writer = begun("a.csv", 0, 10);
+  ASSERT_FALSE(writer->flush());
   EXPECT_EQ(content("a.csv"), "old");
   EXPECT_THAT(content("a.csv.partial"), StartsWith(csv_header(csv_columns(true)) + "\n0,0,"));
-  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
-  EXPECT_EQ((*writer)->rows(), 10U);
+  ASSERT_FALSE(writer->finish(scene_of_ten_ticks(), headless()));
+  EXPECT_EQ(writer->rows(), 10U);
   EXPECT_THAT(files(), ::testing::UnorderedElementsAre("a.csv", "a.toml"));
 
   const std::string csv = content("a.csv");
@@ -146,9 +144,7 @@ TEST_F(Recording, TakesItsNamesWhenItIsWhole) {
 }
 
 TEST_F(Recording, SidecarSaysHowToRepeat) {
-  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-  ASSERT_TRUE(writer);
-  for (std::uint64_t tick = 5; tick < 8; ++tick) ASSERT_FALSE((*writer)->append(tick_at(tick)));
+  const auto writer = begun("a.csv", 5, 3);
   RecordingMetadata metadata = headless();
   metadata.first_tick = 5;
   metadata.start_time = "2020-01-01T00:00:00Z";
@@ -157,7 +153,7 @@ TEST_F(Recording, SidecarSaysHowToRepeat) {
   ScheduledChange change{6, scene_of_ten_ticks()};
   change.scene.x().walls = {{0.05, 1000.0, 0.5}};
   metadata.changes.push_back(change);
-  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), metadata));
+  ASSERT_FALSE(writer->finish(scene_of_ten_ticks(), metadata));
 
   const Result<LoadedScene> loaded = load_scene(path("a.toml"));
   ASSERT_TRUE(loaded) << loaded.error().message;
@@ -172,53 +168,43 @@ TEST_F(Recording, SidecarSaysHowToRepeat) {
 }
 
 TEST_F(Recording, AbandonedItTakesNoName) {
-  {
-    auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-    ASSERT_TRUE(writer);
-    ASSERT_FALSE((*writer)->append(tick_at(0)));
-    ASSERT_FALSE((*writer)->flush());
-  }
+  ASSERT_FALSE(begun("a.csv", 0, 1)->flush());
   EXPECT_THAT(files(), ::testing::ElementsAre("a.csv.partial"));
-  { ASSERT_TRUE(RecordingWriter::create(path("a.csv"), csv_columns(true))); }  // without a row
+  static_cast<void>(begun());  // without a row
   EXPECT_TRUE(files().empty());
 }
 
 TEST_F(Recording, NanIsNeverWritten) {
-  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-  ASSERT_TRUE(writer);
+  const auto writer = begun("a.csv", 0, 1);
   Sample bad = sample_at(1);
   bad.truth.position_m = std::numeric_limits<double>::quiet_NaN();
-  ASSERT_FALSE((*writer)->append(tick_at(0)));
-  ASSERT_FALSE((*writer)->append({{bad}}));
-  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
-  EXPECT_EQ((*writer)->rows(), 1U);
+  ASSERT_FALSE(writer->append({{bad}}));
+  ASSERT_FALSE(writer->finish(scene_of_ten_ticks(), headless()));
+  EXPECT_EQ(writer->rows(), 1U);
   EXPECT_THAT(content("a.toml"), HasSubstr("complete = true"));  // nothing came after it
 }
 
 TEST_F(Recording, AHoleIsToldOf) {
-  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-  ASSERT_TRUE(writer);
+  const auto writer = begun();
   Sample bad = sample_at(1);
   bad.force_n = std::numeric_limits<double>::infinity();
   for (const Sample& sample : {sample_at(0), bad, sample_at(2)}) {
-    ASSERT_FALSE((*writer)->append({{sample}}));
+    ASSERT_FALSE(writer->append({{sample}}));
   }
-  ASSERT_FALSE((*writer)->finish(scene_of_ten_ticks(), headless()));
+  ASSERT_FALSE(writer->finish(scene_of_ten_ticks(), headless()));
   EXPECT_THAT(content("a.toml"), HasSubstr("rows = 2\ndropped_rows = 1\ncomplete = false\n"));
 }
 
 TEST_F(Recording, AFullDiskIsAnErrorAndStaysOne) {
-  auto writer = RecordingWriter::create(path("a.csv"), csv_columns(true));
-  ASSERT_TRUE(writer) << writer.error().message;
-  ASSERT_FALSE((*writer)->append(tick_at(0)));
+  const auto writer = begun("a.csv", 0, 1);
   test::FaultyDisk disk;
   disk.fail_after(0, ENOSPC);
-  const Failure failed = (*writer)->flush();
+  const Failure failed = writer->flush();
   ASSERT_TRUE(failed);
   EXPECT_EQ(failed->kind, ErrorKind::kFile);
   EXPECT_THAT(failed->message, HasSubstr("a.csv: could not be written: No space left"));
-  EXPECT_TRUE((*writer)->append(tick_at(1)));
-  EXPECT_TRUE((*writer)->finish(scene_of_ten_ticks(), headless()));
+  EXPECT_TRUE(writer->append(tick_at(1)));
+  EXPECT_TRUE(writer->finish(scene_of_ten_ticks(), headless()));
   EXPECT_FALSE(fs::exists(path("a.csv")) || fs::exists(path("a.toml")));
 }
 

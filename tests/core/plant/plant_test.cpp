@@ -90,23 +90,15 @@ Scene grip_hand() {
 
 constexpr Tolerance kExact{1e-16, 2e-16};
 
-TEST(ExactPlant, WithoutAHandIsTheBruteForceMotion) {
-  Scene scene = spring_hand();
-  scene.x().hand.reset();
-  compare(scene, 60, 200, kExact);
+TEST(ExactPlant, IsTheBruteForceMotionOfAnyHand) {
+  Scene no_hand = spring_hand();
+  no_hand.x().hand.reset();
+  Scene rigid_hand = spring_hand();
+  rigid_hand.x().hand->mass_kg = 0.1;
+  for (const Scene& scene : {no_hand, spring_hand(), rigid_hand, grip_hand()}) {
+    compare(scene, 60, 200, kExact);
+  }
 }
-
-TEST(ExactPlant, WithAMasslessHandIsTheBruteForceMotion) {
-  compare(spring_hand(), 60, 200, kExact);
-}
-
-TEST(ExactPlant, WithARigidHandMassIsTheBruteForceMotion) {
-  Scene scene = spring_hand();
-  scene.x().hand->mass_kg = 0.1;
-  compare(scene, 60, 200, kExact);
-}
-
-TEST(ExactPlant, WithAGripIsTheBruteForceMotion) { compare(grip_hand(), 60, 200, kExact); }
 
 TEST(ExactPlant, OverdampedCriticalAndUndampedHandsAreTheBruteForceMotion) {
   for (const double damping : {0.0, 2.0 * std::sqrt(300.0 * 0.1) - 1.0, 200.0}) {

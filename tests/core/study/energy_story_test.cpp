@@ -10,53 +10,41 @@ EnergyLedger ledger(double cv_j, double hold_j, double budget_j) {
   return {cv_j, hold_j, cv_j + hold_j, budget_j};
 }
 
-TEST(EnergyStory, NothingIsPassive) {
-  const EnergyStory story = tell_energy_story({});
-  EXPECT_EQ(story.state, EnergyState::kPassive);
-  EXPECT_EQ(story.blame, EnergyBlame::kNobody);
-  EXPECT_EQ(story.extracted_j, 0.0);
-}
-
-TEST(EnergyStory, WhatTheDampingHasEatenMayBeGivenOut) {
-  const EnergyStory story = tell_energy_story(ledger(0.01, -0.03, -0.05));
-  EXPECT_EQ(story.state, EnergyState::kSpendingBudget);
-  EXPECT_EQ(story.blame, EnergyBlame::kNobody);
-  EXPECT_DOUBLE_EQ(story.given_out_j, 0.02);
-  EXPECT_DOUBLE_EQ(story.budget_j, 0.05);
-  EXPECT_EQ(story.hold_beyond_budget_j, 0.0);
-  EXPECT_EQ(tell_energy_story(ledger(0.04, -0.03, -0.05)).state, EnergyState::kPassive);
-}
-
-TEST(EnergyStory, TheHoldBeyondItsBudgetIsToBlame) {
-  const EnergyStory story = tell_energy_story(ledger(0.1, -0.5, -0.1));
-  EXPECT_EQ(story.state, EnergyState::kActive);
-  EXPECT_EQ(story.blame, EnergyBlame::kHold);
-  EXPECT_DOUBLE_EQ(story.extracted_j, 0.3);
-  EXPECT_DOUBLE_EQ(story.hold_beyond_budget_j, 0.4);  // cv has paid for 0.1 of it
-  EXPECT_EQ(story.control_law_j, 0.0);
-}
-
-TEST(EnergyStory, AControlLawBelowZeroIsToBlame) {
-  const EnergyStory story = tell_energy_story(ledger(-1.0, -0.1, -0.3));
-  EXPECT_EQ(story.state, EnergyState::kActive);
-  EXPECT_EQ(story.blame, EnergyBlame::kControlLaw);
-  EXPECT_DOUBLE_EQ(story.extracted_j, 0.8);
-  EXPECT_DOUBLE_EQ(story.control_law_j, 1.0);
-  EXPECT_EQ(story.hold_beyond_budget_j, 0.0);
-}
-
-TEST(EnergyStory, BothTermsAddUpToWhatTheHandTook) {
-  const EnergyStory story = tell_energy_story(ledger(-0.2, -0.5, -0.1));
-  EXPECT_EQ(story.blame, EnergyBlame::kBoth);
-  EXPECT_DOUBLE_EQ(story.extracted_j, 0.6);
-  EXPECT_DOUBLE_EQ(story.hold_beyond_budget_j + story.control_law_j, story.extracted_j);
-}
-
-TEST(EnergyStory, ABrokenBoundThatTheLawCoversIsToldAndNobodyIsBlamed) {
-  const EnergyStory story = tell_energy_story(ledger(1.0, -0.5, -0.1));
-  EXPECT_EQ(story.state, EnergyState::kPassive);
-  EXPECT_EQ(story.blame, EnergyBlame::kNobody);
-  EXPECT_DOUBLE_EQ(story.hold_beyond_budget_j, 0.4);
+TEST(EnergyStory, SaysOfEachLedgerHowMuchAndOfWhichTerm) {
+  constexpr EnergyState kPassive = EnergyState::kPassive;
+  constexpr EnergyState kActive = EnergyState::kActive;
+  struct Case {
+    const char* what;
+    EnergyLedger ledger;
+    EnergyState state;
+    EnergyBlame blame;
+    double extracted_j, hold_beyond_budget_j, control_law_j;
+  };
+  const Case cases[] = {
+      {"nothing", {}, kPassive, EnergyBlame::kNobody, 0.0, 0.0, 0.0},
+      {"the law has paid for the hold", ledger(0.04, -0.03, -0.05), kPassive, EnergyBlame::kNobody,
+       0.0, 0.0, 0.0},
+      {"the damping has paid for it", ledger(0.01, -0.03, -0.05), EnergyState::kSpendingBudget,
+       EnergyBlame::kNobody, 0.0, 0.0, 0.0},
+      {"the hold, of which the law has paid 0.1", ledger(0.1, -0.5, -0.1), kActive,
+       EnergyBlame::kHold, 0.3, 0.4, 0.0},
+      {"the control law", ledger(-1.0, -0.1, -0.3), kActive, EnergyBlame::kControlLaw, 0.8, 0.0,
+       1.0},
+      {"both", ledger(-0.2, -0.5, -0.1), kActive, EnergyBlame::kBoth, 0.6, 0.4, 0.2},
+      {"the hold, and the law covers it", ledger(1.0, -0.5, -0.1), kPassive, EnergyBlame::kNobody,
+       0.0, 0.4, 0.0}};
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.what);
+    const EnergyStory story = tell_energy_story(one.ledger);
+    EXPECT_EQ(story.state, one.state);
+    EXPECT_EQ(story.blame, one.blame);
+    EXPECT_DOUBLE_EQ(story.extracted_j, one.extracted_j);
+    EXPECT_DOUBLE_EQ(story.hold_beyond_budget_j, one.hold_beyond_budget_j);
+    EXPECT_DOUBLE_EQ(story.control_law_j, one.control_law_j);
+  }
+  const EnergyStory spent = tell_energy_story(ledger(0.01, -0.03, -0.05));
+  EXPECT_DOUBLE_EQ(spent.given_out_j, 0.02);
+  EXPECT_DOUBLE_EQ(spent.budget_j, 0.05);
 }
 
 TEST(EnergyStory, BelowWhatTheEncoderResolvesNothingIsActive) {

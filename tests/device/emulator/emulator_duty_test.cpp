@@ -12,12 +12,11 @@ namespace {
 using testing::Bench;
 using testing::kLimitN;
 using testing::kMillisecondUs;
+using testing::kPushN;
 using testing::kTickUs;
+using testing::kWatchdogMs;
 using testing::one_axis;
 using testing::two_axes;
-
-constexpr double kDutyPushN = 2.0;
-constexpr int kDutyWatchdogMs = 50;
 
 TEST(EmulatorDuty, No1BeginWithoutForce) {
   Bench bench({{FaultKind::kUnplugged, 100 * kMillisecondUs, 10 * kMillisecondUs},
@@ -25,25 +24,25 @@ TEST(EmulatorDuty, No1BeginWithoutForce) {
   bench.ticks(50);
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_FALSE(bench.has(kStatusEnabled));
-  bench.drive(kDutyPushN, 49);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);
+  bench.drive(kPushN, 49);
+  EXPECT_EQ(bench.force_n(), kPushN);
   bench.ticks(20);  // off the bus, and back
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.status, kStatusCalibrated);
-  bench.drive(kDutyPushN, 80);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);
+  bench.drive(kPushN, 80);
+  EXPECT_EQ(bench.force_n(), kPushN);
   bench.ticks(20);  // without power, and back
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.status, 0);
-  bench.drive(kDutyPushN);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);
+  bench.drive(kPushN);
+  EXPECT_EQ(bench.force_n(), kPushN);
 }
 
 TEST(EmulatorDuty, No2EnableCountsForOneCommand) {
   Bench bench;
   bench.tick();
-  bench.drive(kDutyPushN, 5);
-  ForceReport without = bench.next_command(kDutyPushN);
+  bench.drive(kPushN, 5);
+  ForceReport without = bench.next_command(kPushN);
   without.enable = false;
   without.sequence = 2;  // neither its sequence nor its echo would do for a force
   without.echoed_state_sequence = 30000;
@@ -61,41 +60,41 @@ TEST(EmulatorDuty, No3TimeToLive) {
   for (const int milliseconds : {1, 7, 20, 40}) {
     Bench bench;
     bench.tick();
-    ForceReport command = bench.next_command(kDutyPushN);
+    ForceReport command = bench.next_command(kPushN);
     command.time_to_live_ms = static_cast<std::uint16_t>(milliseconds);
     bench.step(500);
     bench.send(command);  // half a tick before the next one
     for (int i = 0; i < milliseconds; ++i) {
       bench.tick();
-      ASSERT_EQ(bench.force_n(), kDutyPushN) << milliseconds << ' ' << i;
+      ASSERT_EQ(bench.force_n(), kPushN) << milliseconds << ' ' << i;
     }
     bench.tick();
     EXPECT_EQ(bench.force_n(), 0.0) << milliseconds;
     EXPECT_EQ(bench.state.status, kStatusCalibrated);  // no fault
-    bench.drive(kDutyPushN);
-    EXPECT_EQ(bench.force_n(), kDutyPushN) << milliseconds;
+    bench.drive(kPushN);
+    EXPECT_EQ(bench.force_n(), kPushN) << milliseconds;
   }
 }
 
 TEST(EmulatorDuty, No4Watchdog) {
   Bench bench;
   bench.tick();
-  bench.push(kDutyPushN);
-  bench.ticks(kDutyWatchdogMs - 1);
+  bench.push(kPushN);
+  bench.ticks(kWatchdogMs - 1);
   EXPECT_FALSE(bench.has(kStatusWatchdog));
   bench.tick();
   EXPECT_TRUE(bench.has(kStatusWatchdog));
   EXPECT_EQ(bench.state.fault, kFaultWatchdog);
   EXPECT_EQ(bench.force_n(), 0.0);
-  bench.drive(kDutyPushN, 100);  // a host that continues unaware moves nothing
+  bench.drive(kPushN, 100);  // a host that continues unaware moves nothing
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.acknowledged_sequence, bench.sequence);
   bench.clear_faults();
   bench.tick();
   EXPECT_EQ(bench.state.status, kStatusCalibrated);
   EXPECT_EQ(bench.state.fault, kNoFault);
-  bench.drive(kDutyPushN);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);
+  bench.drive(kPushN);
+  EXPECT_EQ(bench.force_n(), kPushN);
 }
 
 TEST(EmulatorDuty, No4TheShorterOfWatchdogAndTimeToLiveEndsTheForce) {
@@ -103,9 +102,9 @@ TEST(EmulatorDuty, No4TheShorterOfWatchdogAndTimeToLiveEndsTheForce) {
   settings.watchdog_ms = 10;
   Bench bench(settings);
   bench.tick();
-  bench.push(kDutyPushN);  // for 20 ms
+  bench.push(kPushN);  // for 20 ms
   bench.ticks(9);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);
+  EXPECT_EQ(bench.force_n(), kPushN);
   bench.tick();
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_TRUE(bench.has(kStatusWatchdog));
@@ -115,28 +114,28 @@ TEST(EmulatorDuty, No5AWatchdogInHardware) {
   constexpr std::uint64_t kBeginUs = 100 * kMillisecondUs;
   Bench bench({{FaultKind::kFrozen, kBeginUs, 200 * kMillisecondUs}});
   bench.ticks(50);
-  bench.drive(kDutyPushN, 49);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);
+  bench.drive(kPushN, 49);
+  EXPECT_EQ(bench.force_n(), kPushN);
   const std::uint16_t before = bench.state.sequence;
-  bench.drive(kDutyPushN, kDutyWatchdogMs - 1);
+  bench.drive(kPushN, kWatchdogMs - 1);
   EXPECT_FALSE(bench.device.accepts_output());
   EXPECT_EQ(bench.state.sequence, before);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);  // it hangs and holds the force
+  EXPECT_EQ(bench.force_n(), kPushN);  // it hangs and holds the force
   bench.tick();
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_FALSE(bench.device.is_plugged());
-  bench.drive(kDutyPushN, 151);  // back again; writes during the hang are lost
+  bench.drive(kPushN, 151);  // back again; writes during the hang are lost
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_EQ(bench.state.status, 0);  // restarted: not calibrated either
   EXPECT_EQ(bench.state.sequence, 1);
-  bench.drive(kDutyPushN);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);
+  bench.drive(kPushN);
+  EXPECT_EQ(bench.force_n(), kPushN);
 }
 
 TEST(EmulatorDuty, No5AShortHangEndsByTheTimeToLive) {
   Bench bench({{FaultKind::kFrozen, 100 * kMillisecondUs, 30 * kMillisecondUs}});
   bench.ticks(50);
-  bench.drive(kDutyPushN, 49);
+  bench.drive(kPushN, 49);
   bench.ticks(31);
   EXPECT_EQ(bench.force_n(), 0.0);
   EXPECT_TRUE(bench.has(kStatusCalibrated));
@@ -186,16 +185,16 @@ constexpr HardwareFault kHardwareFaults[] = {
 TEST(EmulatorDuty, No8FaultsLast) {
   for (const HardwareFault& fault : kHardwareFaults) {
     Bench bench({{fault.kind, 100 * kMillisecondUs, 50 * kMillisecondUs}});
-    bench.drive(kDutyPushN, 99);
-    EXPECT_EQ(bench.force_n(), kDutyPushN);
-    bench.drive(kDutyPushN);
+    bench.drive(kPushN, 99);
+    EXPECT_EQ(bench.force_n(), kPushN);
+    bench.drive(kPushN);
     EXPECT_EQ(bench.force_n(), 0.0);
     EXPECT_TRUE(bench.has(fault.status));
     EXPECT_EQ(bench.state.fault, fault.code);
     bench.clear_faults();  // while the cause is there
-    bench.drive(kDutyPushN, 20);
+    bench.drive(kPushN, 20);
     EXPECT_TRUE(bench.has(fault.status));
-    bench.drive(kDutyPushN, 50);  // the cause is gone, the fault stays
+    bench.drive(kPushN, 50);  // the cause is gone, the fault stays
     EXPECT_TRUE(bench.has(fault.status));
     EXPECT_EQ(bench.force_n(), 0.0);
     EXPECT_EQ(bench.state.acknowledged_sequence, bench.sequence);
@@ -204,8 +203,8 @@ TEST(EmulatorDuty, No8FaultsLast) {
     EXPECT_EQ(bench.state.status, kStatusCalibrated);
     EXPECT_EQ(bench.state.fault, kNoFault);
     EXPECT_EQ(bench.force_n(), 0.0);  // a cleared fault is no command
-    bench.drive(kDutyPushN);
-    EXPECT_EQ(bench.force_n(), kDutyPushN);
+    bench.drive(kPushN);
+    EXPECT_EQ(bench.force_n(), kPushN);
   }
 }
 
@@ -225,9 +224,9 @@ TEST(EmulatorDuty, No8TheFirstFaultIsNamedUntilItIsClearedAndThenOneThatIsLeft) 
 TEST(EmulatorDuty, No9EmergencyStopCutsThePowerAtOnce) {
   Bench bench({{FaultKind::kEmergencyStop, 100'300, 10 * kMillisecondUs},
                {FaultKind::kFrozen, 100'000, 40 * kMillisecondUs}});
-  bench.drive(kDutyPushN, 100);
+  bench.drive(kPushN, 100);
   bench.step(299);
-  EXPECT_EQ(bench.force_n(), kDutyPushN);
+  EXPECT_EQ(bench.force_n(), kPushN);
   bench.step(1);  // between two ticks, while the firmware hangs
   EXPECT_EQ(bench.force_n(), 0.0);
 }
@@ -235,11 +234,11 @@ TEST(EmulatorDuty, No9EmergencyStopCutsThePowerAtOnce) {
 TEST(EmulatorDuty, No10LossOfTheBus) {
   constexpr std::uint64_t kBeginUs = 100 * kMillisecondUs;
   Bench bench({{FaultKind::kUnplugged, kBeginUs, 500 * kMillisecondUs}});
-  bench.drive(kDutyPushN, 99);
+  bench.drive(kPushN, 99);
   const std::size_t sent = bench.reports.size();
   bench.step(kTickUs);
   EXPECT_FALSE(bench.device.is_plugged());
-  EXPECT_FALSE(bench.push(kDutyPushN));
+  EXPECT_FALSE(bench.push(kPushN));
   EXPECT_FALSE(bench.device.get_feature(kInfoId));
   bench.ticks(3);
   EXPECT_EQ(bench.force_n(), 0.0);

@@ -9,10 +9,10 @@ namespace {
 
 using testing::Bench;
 using testing::kMillisecondUs;
+using testing::kPushN;
 using testing::kTickUs;
 using testing::one_axis;
 
-constexpr double kHandPushN = 2.0;
 constexpr double kSpeedMPerS = 0.3;
 
 // The hand is on its way from the first instant on.
@@ -43,7 +43,7 @@ TEST(EmulatorHand, WaitsUntilTheDeviceIsEnabledForTheFirstTime) {
 TEST(EmulatorHand, ARejectedCommandDoesNotStartIt) {
   Bench bench(moving_hand(true));
   bench.ticks(3);
-  ForceReport command = bench.next_command(kHandPushN);
+  ForceReport command = bench.next_command(kPushN);
   command.time_to_live_ms = 0;
   bench.send(command);
   bench.ticks(300);
@@ -64,13 +64,13 @@ TEST(EmulatorHand, ThenPlaysTheSceneFromItsStartTickByTick) {
   for (const int late : {1, 77}) {
     Bench bench(moving_hand(true));
     bench.ticks(late);
-    bench.drive(-kHandPushN);
+    bench.drive(-kPushN);
     ASSERT_TRUE(bench.has(kStatusEnabled));
     PlantModel plant(moving_hand(true).axes[0]);
     for (int i = 0; i < 200; ++i) {
       ASSERT_EQ(bench.device.truth(0).position_m, plant.truth().position_m) << i;
-      bench.drive(-kHandPushN);
-      plant.advance(kHandPushN);
+      bench.drive(-kPushN);
+      plant.advance(kPushN);
     }
   }
 }

@@ -11,8 +11,7 @@ namespace hapticwall::device::hid {
 namespace {
 
 using testing::Bench;
-
-constexpr double kRejectionPushN = 2.0;
+using testing::kPushN;
 
 struct BadCommand {
   std::string name;
@@ -71,12 +70,12 @@ TEST(EmulatorDuty, No7RejectedCommandsChangeNothing) {
   for (const BadCommand& bad : bad_commands()) {
     Bench bench;
     bench.ticks(300);
-    bench.drive(kRejectionPushN, 5);
+    bench.drive(kPushN, 5);
     const StateReport before = bench.state;
-    ForceReport command = bench.next_command(-kRejectionPushN);
+    ForceReport command = bench.next_command(-kPushN);
     ASSERT_TRUE(bench.device.write_output(bad.bytes(command)));
     bench.tick();
-    EXPECT_EQ(bench.force_n(), kRejectionPushN) << bad.name;
+    EXPECT_EQ(bench.force_n(), kPushN) << bad.name;
     EXPECT_EQ(bench.state.rejected_commands, 1) << bad.name;
     EXPECT_TRUE(bench.has(kStatusCommandRejected)) << bad.name;
     EXPECT_EQ(bench.state.acknowledged_sequence, before.acknowledged_sequence) << bad.name;
@@ -100,7 +99,7 @@ TEST(EmulatorDuty, No7TheBitGoesWithTheNextCommandThatIsAccepted) {
   bench.device.write_output({});
   bench.tick();
   EXPECT_TRUE(bench.has(kStatusCommandRejected));
-  bench.drive(kRejectionPushN);
+  bench.drive(kPushN);
   EXPECT_FALSE(bench.has(kStatusCommandRejected));
   EXPECT_EQ(bench.state.rejected_commands, 1);
 }
@@ -108,11 +107,11 @@ TEST(EmulatorDuty, No7TheBitGoesWithTheNextCommandThatIsAccepted) {
 TEST(EmulatorDuty, No7AnEchoOf100msIsStillGood) {
   Bench bench;
   bench.ticks(300);
-  ForceReport command = bench.next_command(kRejectionPushN);
+  ForceReport command = bench.next_command(kPushN);
   command.echoed_state_sequence = 200;
   bench.send(command);
   bench.tick();
-  EXPECT_EQ(bench.force_n(), kRejectionPushN);
+  EXPECT_EQ(bench.force_n(), kPushN);
 }
 
 // A new session may start with any sequence once the previous one is over.
@@ -120,14 +119,14 @@ TEST(EmulatorDuty, No7ASessionMayBeginAnew) {
   Bench bench;
   bench.tick();
   bench.sequence = 5000;
-  bench.drive(kRejectionPushN, 5);
+  bench.drive(kPushN, 5);
   bench.sequence = 0;
-  bench.drive(-kRejectionPushN);
-  EXPECT_EQ(bench.force_n(), kRejectionPushN);  // the other one is still there
+  bench.drive(-kPushN);
+  EXPECT_EQ(bench.force_n(), kPushN);  // the other one is still there
   bench.sequence = 0;
   bench.send_without_enable();
-  bench.drive(-kRejectionPushN);
-  EXPECT_EQ(bench.force_n(), -kRejectionPushN);
+  bench.drive(-kPushN);
+  EXPECT_EQ(bench.force_n(), -kPushN);
 }
 
 }  // namespace

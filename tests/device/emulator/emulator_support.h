@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "device/emulator/firmware_emulator.h"
@@ -15,6 +13,8 @@ namespace hapticwall::device::hid::testing {
 inline constexpr std::uint64_t kTickUs = 1000;
 inline constexpr std::uint64_t kMillisecondUs = 1000;
 inline constexpr double kLimitN = 8.9;
+inline constexpr double kPushN = 2.0;
+inline constexpr int kWatchdogMs = 50;
 inline constexpr double kEncoderM = 0.254e-3;
 
 // A handle held by a hand, always far from its end stops.

@@ -12,12 +12,11 @@ using testing::Bench;
 using testing::kEncoderM;
 using testing::kLimitN;
 using testing::kMillisecondUs;
+using testing::kPushN;
 using testing::kTickUs;
+using testing::kWatchdogMs;
 using testing::one_axis;
 using testing::two_axes;
-
-constexpr double kPushN = 2.0;
-constexpr int kWatchdogMs = 50;
 
 TEST(EmulatorTiming, ACommandActsAtTheNextTickAndIsAcknowledged) {
   Bench bench;

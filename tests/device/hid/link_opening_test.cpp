@@ -61,9 +61,7 @@ TEST(LinkOpening, PermissionRefusedNamesThePathAndTheRuleAndThenGranted) {
 TEST(LinkOpening, PermissionRefusedAfterAReplug) {
   Rig rig;
   rig.drive_until_ms(100);
-  rig.plug.hidden = true;
-  rig.host.ticks(100);
-  rig.plug.hidden = false;
+  rig.replug();
   rig.plug.denied = true;
   rig.host.ticks(1200);
   EXPECT_EQ(rig.host.stats().trouble, Trouble::kRefused);
@@ -75,36 +73,38 @@ TEST(LinkOpening, PermissionRefusedAfterAReplug) {
   EXPECT_EQ(rig.force_n(), 0.0);
 }
 
-TEST(LinkOpening, AnInfoReportThatIsVoidIsRefused) {
-  Rig rig;
-  rig.plug.feature_is_void = true;
-  EXPECT_EQ(failure_of(rig),
-            "/dev/hidraw0 gives an INFO report that is void (wrong CRC): its firmware has to "
-            "follow docs/hid-protocol.md");
-}
-
-TEST(LinkOpening, AnUnknownMajorIsRefusedEvenWithADeviceFile) {
-  ImpulseEngineOptions options;
-  options.axes[0] = AxisDescription{1e-4, 5.0};
-  Rig rig({}, options);
-  rig.plug.feature_is_newer = true;
-  EXPECT_EQ(failure_of(rig),
-            "/dev/hidraw0 speaks version 2 of the protocol, this program speaks version 1: "
-            "update the older of the two");
-  EXPECT_EQ(rig.host.stats().trouble, Trouble::kRefused);
-}
-
 hid::EmulatorSettings without_info() {
   hid::EmulatorSettings settings = hid::testing::one_axis();
   settings.has_info = false;
   return settings;
 }
 
-TEST(LinkOpening, ADeviceThatDoesNotDescribeItselfNeedsAFile) {
-  Rig rig({}, {}, without_info());
-  EXPECT_EQ(failure_of(rig),
+TEST(LinkOpening, SaysWhyADeviceIsNoneOfTheProtocol) {
+  constexpr std::uint64_t kForEver = 1'000'000'000;
+  ImpulseEngineOptions described;
+  described.x = AxisDescription{1e-4, 5.0};
+  Rig void_info;
+  void_info.plug.feature_is_void = true;
+  EXPECT_EQ(failure_of(void_info),
+            "/dev/hidraw0 gives an INFO report that is void (wrong CRC): its firmware has to "
+            "follow docs/hid-protocol.md");
+  Rig newer({}, described);
+  newer.plug.feature_is_newer = true;
+  EXPECT_EQ(failure_of(newer),
+            "/dev/hidraw0 speaks version 2 of the protocol, this program speaks version 1: "
+            "update the older of the two");
+  EXPECT_EQ(newer.host.stats().trouble, Trouble::kRefused);
+  Rig mute({}, {}, without_info());
+  EXPECT_EQ(failure_of(mute),
             "/dev/hidraw0 does not describe itself (no INFO report): name a device file that "
             "does");
+  Rig silent({{hid::FaultKind::kSilent, 0, kForEver}});
+  EXPECT_EQ(failure_of(silent), "/dev/hidraw0 was opened, but sends nothing");
+  Rig void_reports({{hid::FaultKind::kWrongMajor, 0, kForEver}});
+  EXPECT_EQ(failure_of(void_reports),
+            "/dev/hidraw0 sends reports, but none is a STATE of the protocol");
+  EXPECT_GT(void_reports.host.stats().void_reports, 100U);
+  EXPECT_EQ(void_reports.host.stats().states, 0U);
 }
 
 TEST(LinkOpening, ADeviceFileDescribesIt) {
@@ -141,9 +141,7 @@ TEST(LinkOpening, ADeviceThatDescribedItselfHasToGoOnDoingSo) {
   options.axes[0] = AxisDescription{0.25e-3, 20.0};  // more than the device allows
   Rig rig({}, options);
   rig.drive_until_ms(100);
-  rig.plug.hidden = true;
-  rig.host.ticks(100);
-  rig.plug.hidden = false;
+  rig.replug();
   rig.plug.feature_is_missing = true;
   rig.host.ticks(1200);
   EXPECT_EQ(rig.host.stats().trouble, Trouble::kRefused);
@@ -153,17 +151,6 @@ TEST(LinkOpening, ADeviceThatDescribedItselfHasToGoOnDoingSo) {
   EXPECT_TRUE(rig.host.come_up());
 }
 
-TEST(LinkOpening, ADeviceThatSaysNothingOrNothingThatCounts) {
-  constexpr std::uint64_t kForEver = 1'000'000'000;
-  Rig silent({{hid::FaultKind::kSilent, 0, kForEver}});
-  EXPECT_EQ(failure_of(silent), "/dev/hidraw0 was opened, but sends nothing");
-  Rig void_reports({{hid::FaultKind::kWrongMajor, 0, kForEver}});
-  EXPECT_EQ(failure_of(void_reports),
-            "/dev/hidraw0 sends reports, but none is a STATE of the protocol");
-  EXPECT_GT(void_reports.host.stats().void_reports, 100U);
-  EXPECT_EQ(void_reports.host.stats().states, 0U);
-}
-
 TEST(LinkOpening, AListingThatComesTwiceIsOneDevice) {
   Rig rig;
   rig.plug.listed_times = 3;
@@ -171,7 +158,7 @@ TEST(LinkOpening, AListingThatComesTwiceIsOneDevice) {
   EXPECT_EQ(rig.bus.open_handles(), 2U);
 }
 
-TEST(LinkOpening, OfTwoDevicesTheOneThatIsMeant) {
+TEST(LinkOpening, OpensTheOneOfTwoDevicesThatIsMeant) {
   hid::testing::FakeBus bus;
   auto& first = bus.add(usual_listing("/dev/hidraw0", "A"), hid::testing::one_axis());
   auto& second = bus.add(usual_listing("/dev/hidraw1", "B"), hid::testing::one_axis());
@@ -197,9 +184,7 @@ TEST(LinkOpening, WithoutASerialNumberTheDeviceComesBackWhereItIsPluggedIn) {
   Rig rig;
   rig.plug.listing.serial = "";
   rig.drive_until_ms(100);
-  rig.plug.hidden = true;
-  rig.host.ticks(100);
-  rig.plug.hidden = false;
+  rig.replug();
   rig.plug.listing.path = "/dev/hidraw3";
   EXPECT_TRUE(rig.host.come_up());
   EXPECT_EQ(rig.host.stats().losses, 1U);

@@ -38,6 +38,12 @@ class Rig {
     EXPECT_TRUE(pushes());
     host.troubles.clear();
   }
+  // Off the bus for a while.
+  void replug() {
+    plug.hidden = true;
+    host.ticks(100);
+    plug.hidden = false;
+  }
   [[nodiscard]] bool saw(Trouble trouble) const { return host.troubles.contains(trouble); }
 
   hid::testing::FakeBus bus;

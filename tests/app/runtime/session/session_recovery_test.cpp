@@ -44,6 +44,22 @@ void keep_what_is_there(const TemporaryFolder& folder) {
   }
 }
 
+// The notes of the recovery of b.
+std::vector<std::string> notes_of_recovery(const TemporaryFolder& folder) {
+  const auto recovered = file::recover_recording(folder.file("b.csv"));
+  EXPECT_TRUE(recovered.ok()) << recovered.error().message;
+  return recovered.ok() ? recovered->notes : std::vector<std::string>{"not recovered"};
+}
+
+// The note of a says that the rows can be repeated, with the fourth algorithm from the start.
+void expect_noted_from_the_start(LiveSession& session, const TemporaryFolder& folder) {
+  ASSERT_TRUE(note_says(session, folder.file("a.toml.partial"), "repeatable = true"));
+  const auto noted = file::parse_scene(folder.content("a.toml.partial"), "noted");
+  ASSERT_TRUE(noted.ok()) << noted.error().message;
+  EXPECT_EQ(noted->scene.algorithm.index, 3U);
+  EXPECT_THAT(noted->changes, SizeIs(0));
+}
+
 TEST(SessionRecovery, ChangesAndMarksAreThereAndTheRowsRepeat) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
@@ -58,9 +74,7 @@ TEST(SessionRecovery, ChangesAndMarksAreThereAndTheRowsRepeat) {
   ASSERT_FALSE(session->stop_recording());
   EXPECT_FALSE(std::filesystem::exists(folder.file("a.toml.partial")));
 
-  const auto recovered = file::recover_recording(folder.file("b.csv"));
-  ASSERT_TRUE(recovered.ok()) << recovered.error().message;
-  EXPECT_THAT(recovered->notes, SizeIs(0));
+  EXPECT_THAT(notes_of_recovery(folder), SizeIs(0));
   const auto reader = file::RecordingReader::open(folder.file("b.csv"));
   ASSERT_TRUE(reader.ok()) << reader.error().message;
   EXPECT_THAT((*reader)->info().notes, SizeIs(0)) << "its SHA-256 is right";
@@ -78,9 +92,7 @@ TEST(SessionRecovery, APointerThatLedTheHandIsNotForgotten) {
   ASSERT_TRUE(rows_reach(*session, 11));
   ASSERT_TRUE(eventually([&] { return rows_of(folder.file("a.csv.partial")).size() > 1; }));
   keep_what_is_there(folder);
-  const auto recovered = file::recover_recording(folder.file("b.csv"));
-  ASSERT_TRUE(recovered.ok()) << recovered.error().message;
-  EXPECT_THAT(recovered->notes, ElementsAre(HasSubstr("the pointer led the hand")));
+  EXPECT_THAT(notes_of_recovery(folder), ElementsAre(HasSubstr("the pointer led the hand")));
 }
 
 // The note of it had not reached the disk: the rows themselves tell.
@@ -100,24 +112,18 @@ TEST(SessionRecovery, AHandThatHasLeftItsPathIsNotTakenForItsScript) {
       eventually([&] { return rows_of(folder.file("a.csv.partial")).size() > before + 300; }));
   std::filesystem::copy_file(folder.file("a.csv.partial"), folder.file("b.csv.partial"),
                              std::filesystem::copy_options::overwrite_existing);
-  const auto recovered = file::recover_recording(folder.file("b.csv"));
-  ASSERT_TRUE(recovered.ok()) << recovered.error().message;
-  EXPECT_THAT(recovered->notes, ElementsAre(HasSubstr("something else led it")));
+  EXPECT_THAT(notes_of_recovery(folder), ElementsAre(HasSubstr("something else led it")));
 }
 
 // Nothing counts as a change before the first tick, and yet the scene is another one.
-TEST(SessionRecovery, WhatChangedBeforeTheFirstTickIsNotForgotten) {
+TEST(SessionRecovery, AChangeBeforeTheFirstTickIsNotForgotten) {
   const TemporaryFolder folder;
   const auto session = started_paused(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
   EXPECT_THAT(folder.content("a.toml.partial"), HasSubstr("before it was known how it began"));
   ASSERT_FALSE(session->set_algorithm(algorithm(3)));
   session->pause(false);
-  ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "repeatable = true"));
-  const auto noted = file::parse_scene(folder.content("a.toml.partial"), "noted");
-  ASSERT_TRUE(noted.ok()) << noted.error().message;
-  EXPECT_EQ(noted->scene.algorithm.index, 3U);
-  EXPECT_THAT(noted->changes, SizeIs(0));
+  expect_noted_from_the_start(*session, folder);
 }
 
 // ... also where the session has been changed and reset before.
@@ -133,11 +139,7 @@ TEST(SessionRecovery, AnEarlierRunsChangesAreNotTakenForThisOnes) {
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
   EXPECT_THAT(folder.content("a.toml.partial"), HasSubstr("repeatable = false"));
   session->pause(false);
-  ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "repeatable = true"));
-  const auto noted = file::parse_scene(folder.content("a.toml.partial"), "noted");
-  ASSERT_TRUE(noted.ok()) << noted.error().message;
-  EXPECT_EQ(noted->scene.algorithm.index, 3U);
-  EXPECT_THAT(noted->changes, SizeIs(0));
+  expect_noted_from_the_start(*session, folder);
 }
 
 }  // namespace
