@@ -10,6 +10,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/position_bench.h"
 #include "tests/property/scene_generator.h"
+#include "tests/samples.h"
 #include "tests/summary_support.h"
 
 namespace hapticwall {
@@ -42,14 +43,6 @@ Run run(const Scene& scene) {
 }
 
 constexpr double kLedgerRounding = 1e-12;
-
-RC_GTEST_PROP(Ledger, ScvIsCvPlusHoldAtEveryRow, ()) {
-  const Run all = run(random_scene(any_algorithm()));
-  for (const Sample& row : all.rows) {
-    RC_ASSERT(std::abs(row.energy_scv_j - (row.energy_cv_j + row.energy_hold_j)) <=
-              kLedgerRounding * all.turnover_j);
-  }
-}
 
 // The ledger again from the recorded columns alone.
 RC_GTEST_PROP(Ledger, IsWhatTheColumnsSay, ()) {
@@ -93,13 +86,6 @@ RC_GTEST_PROP(Energy, ScvIsTheTrueActuatorWorkWithoutAnEncoder, ()) {
   for (const Sample& row : all.rows) {
     RC_ASSERT(std::abs(row.energy_scv_j - row.truth.actuator_work_j) <=
               1e-10 * (all.turnover_j + 1e-12));
-  }
-}
-
-RC_GTEST_PROP(EnergyBounding, HoldStaysWithinItsBudgetAtEveryRow, ()) {
-  const Run all = run(random_scene("energy-bounding"));
-  for (const Sample& row : all.rows) {
-    RC_ASSERT(row.energy_hold_j >= row.energy_budget_j - kLedgerRounding * all.turnover_j);
   }
 }
 
@@ -198,11 +184,7 @@ RC_GTEST_PROP(ScheduledChange, TakesEffectAtItsTickWithoutAKick, ()) {
   change.scene.algorithm.index = find_algorithm(any_algorithm()).value();
   RC_PRE(change.scene.algorithm.index != scene.algorithm.index);
   const Run plain = run(scene);
-  std::vector<Sample> changed;
-  SimulationOptions options;
-  options.changes = {&change, 1};
-  options.on_sample = [&](const Sample& sample) { changed.push_back(sample); };
-  (void)simulate(scene, options);
+  const std::vector<Sample> changed = testing::samples_of(scene, {&change, 1});
   RC_PRE(changed.size() > change.tick);  // a run may diverge before
   for (std::size_t k = 0; k < change.tick; ++k) {
     RC_ASSERT(changed[k].force_n == plain.rows[k].force_n);
