@@ -71,13 +71,13 @@ TEST(ReportPromises, ValuesOutOfTheirRangesBreakOne) {
   EXPECT_THROW(check_report(input(), promises), BrokenPromise);
 }
 
-TEST(TextPromises, WhatIsCleanIs) {
+TEST(TextPromises, AcceptsCleanText) {
   for (const char* text : {"", "plain", "\u00b5m \u2013 \u2126", "\xf0\x9f\x99\x82"}) {
     EXPECT_TRUE(is_clean(text)) << text;
   }
 }
 
-TEST(TextPromises, WhatIsNotCleanIsFound) {
+TEST(TextPromises, FindsTextThatIsNotClean) {
   for (const char* text : {"a\nb", "\x1b[2J", "\x7f", "\xc2\x9b", "\xc3", "\x80", "\xc0\x80",
                            "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xff"}) {
     EXPECT_FALSE(is_clean(text)) << ::testing::PrintToString(std::string(text));

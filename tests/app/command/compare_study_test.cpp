@@ -88,7 +88,7 @@ TEST_F(StudyCommand, IsTheSameEveryTime) {
   EXPECT_EQ(first, run());
 }
 
-TEST_F(StudyCommand, OfACornerIsOfAxisX) {
+TEST_F(StudyCommand, AStudyOfACornerIsOfAxisX) {
   const Answer answer = hapticwall(
       {"compare", "corner", "--study", "--algorithms", "force-bounding", "--duration", "2"});
   EXPECT_EQ(answer.status, 0) << answer.err;
@@ -117,7 +117,7 @@ ContactMetrics made_up_row() {
   return row;
 }
 
-TEST(StudyReport, WhatDoesNotApplyIsADashAndNull) {
+TEST(StudyReport, AFigureThatDoesNotApplyIsADashAndNull) {
   const std::vector<ContactMetrics> rows{made_up_row()};
   const std::string table = study_table(made_up_plan(), rows);
   EXPECT_THAT(table, HasSubstr("met at - m/s"));

@@ -132,7 +132,7 @@ TEST(CompareMarks, AWallThatShakesIsNeitherStiffNorHardToPushInto) {
   EXPECT_EQ(marked(one_axis({shaking, oscillating("more", 2e-3)}), 0), "2 10 ");
 }
 
-TEST(CompareMarks, WhatDivergedWinsNothing) {
+TEST(CompareMarks, ADivergedRunWinsNothing) {
   Summary lost = diverged("lost");
   lost.tail_peak_to_peak_m = 0.0;
   lost.passivity_margin_j = 0.0;
@@ -149,7 +149,7 @@ TEST(CompareMarks, TiesAreTiesBeforeRounding) {
   EXPECT_EQ(marked(one_axis({a, b}), 1), "2 4 5 10 ");
 }
 
-TEST(CompareMarks, WhatIsNotANumberWinsNothing) {
+TEST(CompareMarks, AFigureThatIsNoNumberWinsNothing) {
   Summary odd = settled("odd", {});
   odd.passivity_margin_j = std::numeric_limits<double>::quiet_NaN();
   odd.max_penetration_m = -std::numeric_limits<double>::infinity();

@@ -47,7 +47,7 @@ TEST(DeviceList, AUsableDeviceIsNamedAsDeviceTakesItWithItsFigures) {
   EXPECT_EQ(desk.bus.plugs()[0]->device.amplifier_force_n()[0], 0.0);
 }
 
-TEST(DeviceList, WherePermissionIsMissingTheRuleIsPrinted) {
+TEST(DeviceList, PrintsTheRuleIfPermissionIsMissing) {
   Desk desk;
   desk.bus.add(usual_listing(), one_axis()).denied = true;
   const std::string text = desk.text();

@@ -6,7 +6,7 @@
 namespace hapticwall::command {
 namespace {
 
-TEST(Progress, WhatRemainsFollowsFromWhatThisRunHasDone) {
+TEST(Progress, TheRemainingTimeFollowsFromTheWorkOfThisRun) {
   EXPECT_EQ(remaining_s(10.0, 0.0, 0.25), 30.0);
   // Half was there before: a quarter took 10 s, and a quarter is left.
   EXPECT_EQ(remaining_s(10.0, 0.5, 0.75), 10.0);

@@ -36,7 +36,7 @@ class RecoverCommand : public ProgramTest {
   }
 };
 
-TEST_F(RecoverCommand, WhateverTheMomentOfTheKillEveryWholeRowIsThereAndRepeats) {
+TEST_F(RecoverCommand, EveryWholeRowSurvivesAKillAtAnyMomentAndRepeats) {
   std::mt19937 random(7);
   std::uniform_int_distribution<std::uintmax_t> bytes(kSomeRows, 4'000'000);
   constexpr int kKills = 100;
@@ -81,7 +81,7 @@ TEST_F(RecoverCommand, ASessionInRealTimeIsRecoveredToo) {
   }
 }
 
-TEST_F(RecoverCommand, WhatIsLeftOfARecordingIsNotWrittenOver) {
+TEST_F(RecoverCommand, RemainsOfARecordingAreNotOverwritten) {
   ASSERT_EQ(shell("ulimit -f 8; exec $P run press --csv a.csv --quiet").status, 4);
   const std::string partial = content("a.csv.partial");
   EXPECT_EQ(hapticwall({"run", "press", "--csv", "a.csv"}).status, 4);

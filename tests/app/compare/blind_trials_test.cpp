@@ -74,7 +74,7 @@ TEST(BlindTrials, BothAreFeltBeforeOneIsChosen) {
   EXPECT_TRUE(trials.choose(Presentation::kFirst, 5.0));  // the next trial's were not felt yet
 }
 
-TEST(BlindTrials, WhatWasChosenIsCounted) {
+TEST(BlindTrials, ChoicesAreCounted) {
   BlindTrials trials = trials_of(20, 3);
   for (int i = 0; i < 20; ++i) {
     const Slot first = trials.present(Presentation::kFirst, 0.0);

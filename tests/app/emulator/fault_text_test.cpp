@@ -55,7 +55,7 @@ TEST(FaultText, EveryKindHasItsWord) {
   EXPECT_EQ(kind, static_cast<int>(FaultKind::kEncoderFault) + 1);
 }
 
-TEST(FaultText, WhatIsNoFaultIsToldWhatWouldBe) {
+TEST(FaultText, AnUnknownFaultGetsTheListOfFaults) {
   for (const char* text : {"", "unplugged", "unplugged@3", "unplugged+1", "unplugged+1@3"}) {
     EXPECT_THAT(refusal_of(text), HasSubstr("KIND@BEGIN+DURATION")) << text;
   }

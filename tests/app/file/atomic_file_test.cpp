@@ -119,7 +119,7 @@ TEST_F(AtomicFileTest, RecoveryFollowsNoLink) {
 }
 
 // A link to an endless file would be read to the end of memory.
-TEST_F(AtomicFileTest, WhatIsNoFileIsNoSidecar) {
+TEST_F(AtomicFileTest, ADeviceOrAFolderIsNoSidecar) {
   fs::create_symlink("/dev/zero", path("a.toml"));
   EXPECT_FALSE(may_replace_sidecar(path("a.toml"), kRecordingTable));
   fs::create_directory(path("b.toml"));
@@ -136,7 +136,7 @@ TEST_F(AtomicFileTest, AFullDiskAndAQuotaAreNamedAndNothingHasTheName) {
   }
 }
 
-TEST_F(AtomicFileTest, WhatIsKeptIsThereToTheLastByte) {
+TEST_F(AtomicFileTest, AKeptFileIsThereToTheLastByte) {
   auto file = AtomicFile::create(path("a"));
   ASSERT_TRUE(file);
   file->keep_partial();
@@ -150,7 +150,7 @@ TEST_F(AtomicFileTest, WhatIsKeptIsThereToTheLastByte) {
   EXPECT_THAT(files(), ::testing::ElementsAre("a.partial"));
 }
 
-TEST_F(AtomicFileTest, WhatIsNotOnTheDiskGetsNoName) {
+TEST_F(AtomicFileTest, AFileThatIsNotOnTheDiskGetsNoName) {
   FaultyDisk disk;
   disk.fail_sync(EIO);
   EXPECT_EQ(refusal("a"), "a: could not be written: Input/output error");

@@ -36,7 +36,7 @@ TEST(DeviceFile, ReadsEveryKey) {
   EXPECT_EQ(*device, expected);
 }
 
-TEST(DeviceFile, WhatMayBeAbsentIs) {
+TEST(DeviceFile, OptionalKeysMayBeAbsent) {
   const Result<DeviceDescription> device = parse_device(
       "source = \"s\"\n[usb]\nvendor_id = 1\nproduct_id = 2\n"
       "[x]\nencoder_m = 1e-5\nforce_limit_n = 5\n",

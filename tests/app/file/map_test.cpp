@@ -120,7 +120,7 @@ TEST_F(MapFile, ARunThatEndedBetweenItsTwoNamesIsFinished) {
   EXPECT_EQ(content("map.csv"), whole);
 }
 
-TEST_F(MapFile, WhatIsOfAnotherMapIsNotWrittenOver) {
+TEST_F(MapFile, RowsOfAnotherMapAreNotOverwritten) {
   const MapPart all = map_part(map_, 1, 1);
   write("map.csv", all, 10, false);
   const std::string partial = content("map.csv.partial");

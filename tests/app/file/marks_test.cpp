@@ -51,7 +51,7 @@ TEST(Marks, AsManyAsThereMayBeFitIntoASidecar) {
   EXPECT_FALSE(parse_scene(sidecar_of(more), "a.toml"));
 }
 
-TEST(Marks, WhatIsTypedIsKeptAsFarAsItMayBe) {
+TEST(Marks, TypedTextIsKeptAsFarAsAllowed) {
   EXPECT_EQ(mark_text("first touch"), "first touch");
   EXPECT_EQ(mark_text("a\nb\x7f"), "a?b?");
   EXPECT_EQ(mark_text("\xff\xc3"), "??");

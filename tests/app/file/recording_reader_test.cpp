@@ -153,7 +153,7 @@ TEST_F(RecordingReading, TheSidecarSaysTheRest) {
   EXPECT_THAT(generations, ElementsAre(0, 0, 0, 1, 1, 2, 2, 2, 2, 2));
 }
 
-TEST_F(RecordingReading, WithoutASidecarTheRowsAreShownAllTheSame) {
+TEST_F(RecordingReading, RowsWithoutASidecarAreShown) {
   record(0, 10, csv_columns(true));
   fs::remove(path("a.toml"));
   const auto reader = opened();

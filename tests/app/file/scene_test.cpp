@@ -95,7 +95,7 @@ TEST(SceneFile, ReadsEveryKey) {
   EXPECT_FALSE(value("rest_force_step_n").has_value());
 }
 
-TEST(SceneFile, WhatIsAbsentIsLeftOut) {
+TEST(SceneFile, AbsentValuesAreLeftOut) {
   const Result<LoadedScene> loaded =
       parse_scene("[device]\nmass_kg = 1\ndamping_n_s_per_m = 0\n", "dir/bare.toml");
   ASSERT_TRUE(loaded) << loaded.error().message;

@@ -38,7 +38,7 @@ TEST(TripleBuffer, NewestWinsAndIsNewsOnce) {
   EXPECT_EQ(buffer.current(), 5);
 }
 
-TEST(TripleBuffer, WhatTheConsumerLooksAtStaysWhileTheProducerGoesOn) {
+TEST(TripleBuffer, TheConsumersValueStaysWhileTheProducerGoesOn) {
   TripleBuffer<int> buffer;
   buffer.publish(1);
   ASSERT_TRUE(buffer.update());
@@ -49,7 +49,7 @@ TEST(TripleBuffer, WhatTheConsumerLooksAtStaysWhileTheProducerGoesOn) {
   }
 }
 
-TEST(TripleBuffer, WhatWasNotSeenCanBeTakenBack) {
+TEST(TripleBuffer, AValueThatWasNotSeenCanBeTakenBack) {
   TripleBuffer<int> buffer(7);
   EXPECT_FALSE(buffer.withdraw()) << "there was nothing to take back";
   buffer.publish(1);

@@ -69,7 +69,7 @@ TEST(Metrics, CountsContactsAndSaturation) {
   EXPECT_EQ(summary.saturated_ticks, 3U);
 }
 
-TEST(Metrics, WhatDoesNotApplyIsAbsent) {
+TEST(Metrics, AFigureThatDoesNotApplyIsAbsent) {
   Scene scene = wall_at_ten_hertz();
   Metrics never_touched(scene, 2, false);
   never_touched.add(at(0, 0.0, 0.0));

@@ -106,7 +106,7 @@ TEST(VirtualCoupling, IsThePapersTwoKilonewtonsPerMetreInSeries) {
   EXPECT_EQ(bench.move_to(-1e-3).force_n, 0.0);
 }
 
-TEST(VirtualCoupling, OfNoStiffnessAtAllGivesNoForce) {
+TEST(VirtualCoupling, WithoutAnyStiffnessThereIsNoForce) {
   ServoSettings settings = wall_at_zero("virtual-coupling", 0.0);
   set_parameter(settings.algorithm, "coupling_stiffness_n_per_m", 0.0);
   EXPECT_EQ(PositionBench(settings).move_to(1e-3).force_n, 0.0);

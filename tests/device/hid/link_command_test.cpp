@@ -46,7 +46,7 @@ TEST(LinkCommand, KeepsToTheLimitWhateverItIs) {
   EXPECT_EQ(force_report(command, 1, kNowNs).force_n, (AxisValues{0.0, 0.0}));
 }
 
-TEST(LinkCommand, WhatIsNoNumberOnEitherAxisTakesEnableAway) {
+TEST(LinkCommand, AForceThatIsNoNumberOnEitherAxisTakesEnableAway) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
         -std::numeric_limits<double>::infinity()}) {

@@ -250,7 +250,7 @@ TEST_F(LinkState, RoundTripAndDelayAreByTheDevicesClock) {
   EXPECT_DOUBLE_EQ(stats().delay_s, 1e-3);  // the state of the tick at which it acted is missing
 }
 
-TEST_F(LinkState, WhatAnotherSessionSentSaysNothing) {
+TEST_F(LinkState, CommandsOfAnotherSessionTellNoDelay) {
   state.acknowledged_sequence = 1;
   state.acknowledged_time_us = 900'000;
   ASSERT_TRUE(take());

@@ -148,7 +148,7 @@ TEST(ComparisonFigure, NamesWhatFollowsInItsTitleAlone) {
   EXPECT_NE(short_name->rgba, title->rgba);
 }
 
-TEST(ComparisonFigure, OfNothingIsStillAPage) {
+TEST(ComparisonFigure, APageWithoutRunsIsDrawn) {
   const auto none = draw_comparison(press(), {}, kSmall);
   ASSERT_TRUE(none.ok());
   EXPECT_TRUE(half_is_white(*none));

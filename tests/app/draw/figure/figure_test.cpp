@@ -100,7 +100,7 @@ TEST(Figure, IsTheSameEveryTimeAndDependsOnTheRun) {
   EXPECT_NE(first->rgba, other->rgba);
 }
 
-TEST(Figure, OfNoSamplesIsStillAPage) {
+TEST(Figure, APageWithoutSamplesIsDrawn) {
   const auto figure = draw_figure(file::load_scene("press")->scene, {}, {640, 480});
   ASSERT_TRUE(figure.ok());
   EXPECT_GT(test::count_pixels(*figure, {255, 255, 255}, 0, 0, 640, 480), 640 * 480 / 2);

@@ -113,7 +113,7 @@ TEST(PhasePlot, TheLastContactIsTheNewestThatBeginsInTheWindow) {
   EXPECT_EQ(phase_range(history, settings, {0.5, 0.6}).count(), 101U);
 }
 
-TEST(PhasePlot, OfALongWindowTheNewestSamplesAreDrawn) {
+TEST(PhasePlot, DrawsTheNewestSamplesOfALongWindow) {
   const SampleHistory history = two_touches(30000);
   const IndexRange range = phase_range(history, {}, {0.0, 25.0});
   EXPECT_EQ(range.count(), kMaxPhaseSamples);
@@ -148,7 +148,7 @@ TEST(PhasePlot, JoinedSpansPaintTheSamePixelsOnce) {
   EXPECT_EQ(painted, pixels.size());
 }
 
-TEST(PhasePlot, NothingIsNoEnergy) {
+TEST(PhasePlot, NoLoopIsNoEnergy) {
   EXPECT_EQ(energy_of(SampleHistory(10)), 0.0);
   EXPECT_EQ(energy_of(ellipse(1e-3, 1.0, 0, 1.0)), 0.0);
 }

@@ -62,7 +62,7 @@ TEST(Cursors, TheRateIsPositiveWhicheverComesFirst) {
   EXPECT_NEAR(*table.rate_hz(), 2.0, 1e-9);
 }
 
-TEST(Cursors, OfNoSamplesThereAreNoRows) {
+TEST(Cursors, NoSamplesGiveNoRows) {
   const CursorTable table =
       read_cursors(SampleHistory(10), {true, {0.6, 0.1}}, kPlots, usual_lines(), 0);
   EXPECT_TRUE(table.rows.empty());

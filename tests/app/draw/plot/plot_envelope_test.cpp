@@ -110,7 +110,7 @@ TEST(PlotEnvelope, AStepIsJoinedInOneColumn) {
   EXPECT_EQ(columns[3].top, columns[3].bottom);
 }
 
-TEST(PlotEnvelope, WhatIsFarOutsideTheScreenIsCutToIt) {
+TEST(PlotEnvelope, CutsLinesFarOutsideToTheScreen) {
   Trace far;
   far.time_s = {0.0, 1e300, 1e305};
   far.value = {0.0, 1e300, -1e300};

@@ -149,7 +149,7 @@ TEST_F(TriggerTest, AfterAResetItWaitsForANewContact) {
   EXPECT_NEAR(frame()->from_s, 0.25, 1e-9);
 }
 
-TEST_F(TriggerTest, OfNoSamplesThereIsNothingToShow) { EXPECT_FALSE(frame().has_value()); }
+TEST_F(TriggerTest, ShowsNothingWithoutSamples) { EXPECT_FALSE(frame().has_value()); }
 
 TEST(NewestWindow, ASessionYoungerThanTheWindowBeginsAtTheLeft) {
   EXPECT_DOUBLE_EQ(newest_window(1.0, 4.0).from_s, 0.0);

@@ -185,7 +185,7 @@ TEST(CrashStop, EndsEveryLoop) {
   }
 }
 
-TEST(CrashStop, WhatARecordingHasOnTheDiskStays) {
+TEST(CrashStop, RowsOnTheDiskStay) {
   const test::TemporaryFolder folder;
   const Shared heard;
   const pid_t child = start_child([&] {

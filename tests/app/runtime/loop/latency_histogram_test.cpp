@@ -68,7 +68,7 @@ TEST(LatencyHistogramTest, QuantilesAreThoseOfTheSortedTimes) {
   }
 }
 
-TEST(LatencyHistogramTest, OfNothingEverythingIsZero) {
+TEST(LatencyHistogramTest, EverythingIsZeroWithoutLatencies) {
   const Quantiles none = quantiles(LatencyCounts{});
   EXPECT_EQ(none.count, 0U);
   EXPECT_EQ(none.maximum_ns, 0);

@@ -45,7 +45,7 @@ TEST(SpinningClock, WhoWokeUpLateDoesNotWait) {
   EXPECT_EQ(clock.now_ns(), 900 + 500 + 6) << "one look, then this one";
 }
 
-TEST(SpinningClock, OfNothingIsTheOtherClock) {
+TEST(SpinningClock, WithoutSpinningItIsTheOtherClock) {
   FakeClock inner;
   SpinningClock clock(inner, 0);
   const std::int64_t deadline = inner.now_ns() + 5000;

@@ -143,7 +143,7 @@ TEST(CornerSession, ReplaysBothAxes) {
   EXPECT_EQ(y.force_n, (*replay)->snapshot().newest.axes[1].force_n);
 }
 
-TEST(CornerSession, WhatNeedsANewSessionIsNamedOnEitherAxis) {
+TEST(CornerSession, NamesAChangeOfEitherAxisThatNeedsANewSession) {
   const Scene scene = corner_scene();
   const auto key_of = [&](const auto& change) {
     Scene wanted = scene;

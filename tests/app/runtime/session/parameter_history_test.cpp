@@ -87,7 +87,7 @@ TEST(ParameterHistory, SaysWhereThereWereMoreChangesThanItKeeps) {
   EXPECT_FALSE(history.has_lost_changes());
 }
 
-TEST(ParameterHistory, WhatWasTakenBackUnreadIsNowhereTold) {
+TEST(ParameterHistory, AChangeThatWasTakenBackUnreadIsForgotten) {
   const Scene first = contact_scene();
   ParameterHistory history(first);
   history.came_into_force({0, 1});

@@ -15,7 +15,7 @@ Scene with_mass(double mass_kg) {
   return scene;
 }
 
-TEST(PlantKeeper, WhatChangesNoPlantNeedsNone) {
+TEST(PlantKeeper, AChangeBesideThePlantNeedsNoNewOne) {
   PlantKeeper keeper(contact_scene());
   EXPECT_EQ(keeper.plant_for(test::with_algorithm(contact_scene(), 0), 2, false), nullptr);
   PlantModel* heavy = keeper.plant_for(with_mass(0.2), 3, false);
@@ -39,7 +39,7 @@ TEST(PlantKeeper, FreesWhatWasReplacedOnlyWhenTheLoopSaysSo) {
   EXPECT_EQ(keeper.plant_for(with_mass(0.2), 4, false), second);
 }
 
-TEST(PlantKeeper, WhatTheLoopNeverSawIsFreedAtOnce) {
+TEST(PlantKeeper, APlantThatTheLoopNeverSawIsFreedAtOnce) {
   PlantKeeper keeper(contact_scene());
   bool unread = false;
   for (std::uint32_t generation = 2; generation < 1000; ++generation) {

@@ -152,7 +152,7 @@ TEST_F(HandRerun, ARecordingThatBeganLaterIsRepeatedFromItsFirstRow) {
   expect_the_recording_again();
 }
 
-TEST_F(HandRerun, WhatThePlantHadBeenThroughBeforeIsNotKnown) {
+TEST_F(HandRerun, ThePlantsStateBeforeTheRowsIsNotKnown) {
   record(
       scene_of("press"), 3000, [](std::uint64_t) { return 0.06; }, {}, 1200);
   const RerunOutcome outcome = rerun();
@@ -201,7 +201,7 @@ TEST_F(HandRerun, ItCanBeEnded) {
   EXPECT_EQ(outcome.ticks, 2048U);
 }
 
-TEST_F(HandRerun, WhatDivergesEndsThere) {
+TEST_F(HandRerun, ARunThatDivergesEndsThere) {
   Scene scene = scene_of("press");
   scene.simulator = {Integrator::kSemiImplicitEuler, 1};
   record(scene, 3000, {});

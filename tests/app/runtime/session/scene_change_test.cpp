@@ -32,7 +32,7 @@ TEST(SceneChange, AWallOrAnAlgorithmIsNoOtherPlant) {
   EXPECT_TRUE(same_parameters(scene, scene));
 }
 
-TEST(SceneChange, WhatNeedsANewSessionIsNamed) {
+TEST(SceneChange, NamesAChangeThatNeedsANewSession) {
   const Scene scene = contact_scene();
   Scene rate = scene;
   rate.sampling.rate_hz = 2000.0;

@@ -67,7 +67,7 @@ TEST(SessionDisk, FullOrOverItsQuotaItIsToldWhileTheLoopGoesOn) {
   }
 }
 
-TEST(SessionDisk, WhatFoundRoomIsRecoveredWhenThereIsSomeAgain) {
+TEST(SessionDisk, RowsThatFoundRoomAreRecoveredLater) {
   constexpr std::size_t kRoomBytes = 20'000;
   const TemporaryFolder folder;
   {

@@ -170,7 +170,7 @@ TEST(SessionRecording, ResetFinishesItAndTheNextOneStartsWithTheNewTickZero) {
   EXPECT_EQ(loaded->scene.x().device.mass_kg, 0.2) << "as it was at the new tick 0";
 }
 
-TEST(SessionRecording, WhatThePointerLedIsMarkedAsNotRepeatable) {
+TEST(SessionRecording, ARecordingThatThePointerLedIsNotRepeatable) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
   const auto record = [&](const std::string& name) {
