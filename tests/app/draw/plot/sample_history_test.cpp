@@ -204,14 +204,6 @@ TEST(SampleHistory, AtTwoSamplesAColumnEverySampleIsDrawn) {
   for (std::size_t i = 0; i < 1800; ++i) ASSERT_EQ(trace.value[i], noise(100 + i));
 }
 
-TEST(SampleHistory, FewSamplesArePlottedAsTheyAre) {
-  const SampleHistory history = noisy_history(100, 60);
-  Trace trace;
-  history.decimate(&Sample::force_n, history.range(0.0, 1.0), 500, 1.0, trace);
-  ASSERT_EQ(trace.value.size(), 60U);
-  for (std::size_t i = 0; i < 60; ++i) EXPECT_EQ(trace.value[i], noise(i));
-}
-
 TEST(SampleHistory, ASpikeOfOneSampleIsNeverLost) {
   SampleHistory history(100000);
   constexpr std::uint64_t kSpike = 54321;

@@ -34,6 +34,16 @@ SamplePyramid pyramid_of(const std::vector<double>& values) {
   return pyramid;
 }
 
+// Precondition: `pyramid` has the samples from `first` to `last` (exclusive) of `values`.
+void expect_exact(const SamplePyramid& pyramid, const std::vector<double>& values,
+                  std::uint64_t first, std::uint64_t last) {
+  const auto [low, high] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                               values.begin() + static_cast<std::ptrdiff_t>(last));
+  const Extremes extremes = pyramid.extremes(first, last);
+  ASSERT_EQ(extremes.minimum, *low) << first << " to " << last;
+  ASSERT_EQ(extremes.maximum, *high) << first << " to " << last;
+}
+
 TEST(BlockArray, GivesBackWhatWasPushedWhereverBlocksAreFlat) {
   BlockArray<double> array;
   const auto value = [](std::uint64_t i) {
@@ -89,14 +99,7 @@ TEST(SamplePyramid, ExtremesAreExactlyThoseOfTheSamples) {
     if (i % 97 != 0) continue;
     const std::uint64_t a = random() % (i + 1);
     const std::uint64_t b = random() % (i + 1);
-    const std::uint64_t first = std::min(a, b);
-    const std::uint64_t last = std::max(a, b) + 1;
-    const auto [low, high] =
-        std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(first),
-                            values.begin() + static_cast<std::ptrdiff_t>(last));
-    const Extremes extremes = pyramid.extremes(first, last);
-    ASSERT_EQ(extremes.minimum, *low) << first << " to " << last;
-    ASSERT_EQ(extremes.maximum, *high) << first << " to " << last;
+    ASSERT_NO_FATAL_FAILURE(expect_exact(pyramid, values, std::min(a, b), std::max(a, b) + 1));
   }
 }
 
@@ -111,11 +114,7 @@ TEST(SamplePyramid, ExtremesStayRightWhenTheOldestIsForgotten) {
     const std::uint64_t count = pyramid.end() - pyramid.first();
     const std::uint64_t first = pyramid.first() + random() % count;
     const std::uint64_t last = first + 1 + random() % (pyramid.end() - first);
-    const auto [low, high] =
-        std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(first),
-                            values.begin() + static_cast<std::ptrdiff_t>(last));
-    ASSERT_EQ(pyramid.extremes(first, last).minimum, *low);
-    ASSERT_EQ(pyramid.extremes(first, last).maximum, *high);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(pyramid, values, first, last));
   }
   EXPECT_GE(pyramid.first(), 40000U);
 }
