@@ -82,7 +82,7 @@ hid::EmulatorSettings without_info() {
 TEST(LinkOpening, SaysWhyADeviceIsNoneOfTheProtocol) {
   constexpr std::uint64_t kForEver = 1'000'000'000;
   ImpulseEngineOptions described;
-  described.x = AxisDescription{1e-4, 5.0};
+  described.axes[0] = AxisDescription{1e-4, 5.0};
   Rig void_info;
   void_info.plug.feature_is_void = true;
   EXPECT_EQ(failure_of(void_info),
