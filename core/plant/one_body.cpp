@@ -9,7 +9,7 @@ namespace {
 
 // Scaled states (u, aT[, eT/m]).
 template <bool kLag>
-auto make_generator(const PlantParameters& p, long double t) {
+auto one_body_generator(const PlantParameters& p, long double t) {
   LinearGenerator<kLag ? 3 : 2> g(p, t);
   constexpr int kU = 0;
   constexpr int kA = 1;
@@ -57,7 +57,7 @@ BasicOneBody<Real, kLag>::BasicOneBody(const PlantParameters& parameters, double
   }
   Real rate_per_s = natural_rate_per_s_ + damping_rate_per_s_;
   if constexpr (kLag) rate_per_s += lag_.rate_per_s;
-  const auto generator = make_generator<kLag>(parameters, static_cast<long double>(period_s));
+  const auto generator = one_body_generator<kLag>(parameters, static_cast<long double>(period_s));
   long double duration_s = period_s;
   for (const auto& step : make_propagators<generator.kCore>(
            generator.matrix, generator.template weights<kLag>(),

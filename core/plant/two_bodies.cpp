@@ -7,7 +7,7 @@ namespace {
 
 // Scaled states (aT, d, d'T, u[, eT/m]).
 template <bool kLag>
-auto make_generator(const PlantParameters& p, long double t) {
+auto two_bodies_generator(const PlantParameters& p, long double t) {
   LinearGenerator<kLag ? 5 : 4> g(p, t);
   constexpr int kA = 0;
   constexpr int kD = 1;
@@ -90,7 +90,7 @@ BasicTwoBodies<Real, kLag>::BasicTwoBodies(const PlantParameters& p, double peri
 template <typename Real, bool kLag>
 void BasicTwoBodies<Real, kLag>::make_levels(const PlantParameters& p, int halvings) {
   constexpr int kD = 1;
-  const auto generator = make_generator<kLag>(p, static_cast<long double>(period_s_));
+  const auto generator = two_bodies_generator<kLag>(p, static_cast<long double>(period_s_));
   long double duration_s = period_s_;
   for (const auto& step : make_propagators<generator.kCore>(
            generator.matrix, generator.template weights<kLag>(), halvings)) {
