@@ -84,8 +84,8 @@ class Sequence {
   void draw_algorithm() {
     if (chance(0.3)) set("damping_n_s_per_m", scene_.b = log_uniform(0.01, 20.0));
     const double period_s = 1.0 / scene_.rate;
-    scene_.alpha_rest = settings_.encoder_m > 0.0 ? scene_.b * settings_.encoder_m / period_s
-                                                  : std::numeric_limits<double>::max();
+    scene_.alpha_rest =
+        settings_.encoder_m > 0.0 ? scene_.b * 0.0075 : std::numeric_limits<double>::max();
     if (chance(0.5)) set("rest_force_step_n", scene_.alpha_rest = log_uniform(1e-4, 1.0));
     scene_.c2 = scene_.b / period_s;
     if (chance(0.5)) set("storage_stiffness_n_per_m", scene_.c2 *= uniform(0.01, 1.0));
