@@ -13,10 +13,9 @@
 
 namespace hapticwall {
 
-enum class Verdict : std::uint8_t { kSettled, kOscillating, kDiverged };
-
-// In the order of Verdict.
-inline constexpr std::array<std::string_view, 3> kVerdictNames{"settled", "oscillating",
+// From good to bad; docs/physics.md defines them.
+enum class Verdict : std::uint8_t { kSettled, kBuzzing, kOscillating, kDiverged };
+inline constexpr std::array<std::string_view, 4> kVerdictNames{"settled", "buzzing", "oscillating",
                                                                "diverged"};
 
 [[nodiscard]] constexpr std::string_view verdict_name(Verdict verdict) {

@@ -21,9 +21,10 @@ void write_tail(const RunStats& stats, Summary& summary) {
 
 Verdict verdict_of(const Summary& summary) {
   if (summary.diverged_at_tick) return Verdict::kDiverged;
-  const bool quiet =
+  const bool still =
       summary.tail_peak_to_peak_m && *summary.tail_peak_to_peak_m <= kSettledPeakToPeakM;
-  return quiet ? Verdict::kSettled : Verdict::kOscillating;
+  if (!still) return Verdict::kOscillating;
+  return *summary.tail_force_std_n <= kSettledForceStdN ? Verdict::kSettled : Verdict::kBuzzing;
 }
 
 }  // namespace

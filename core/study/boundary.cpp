@@ -10,9 +10,17 @@
 namespace hapticwall {
 namespace {
 
+// A change of verdict between two values.
+struct Change {
+  double settled = 0.0;
+  double failed = 0.0;
+  std::optional<Summary> at_settled;
+};
+
 struct Search {
   Boundary found;
-  Scene scene;  // without the searched number
+  Scene scene;                  // without the searched number
+  std::vector<Change> changes;  // the first, and the last if it is another
 };
 
 std::vector<Search> searches_of(const BoundaryPlan& plan) {
@@ -42,65 +50,114 @@ Scene scene_at(const BoundaryPlan& plan, const Search& search, double value) {
 bool settles(const Summary& summary) { return summary.verdict == Verdict::kSettled; }
 
 // `scan`: in the order of the values.
-void take_scan(const BoundaryPlan& plan, std::span<Summary> scan, Boundary& found) {
-  std::optional<std::size_t> change;  // first value after it
-  for (std::size_t i = 1; i < scan.size(); ++i) {
-    if (settles(scan[i]) == settles(scan[i - 1])) continue;
-    ++found.changes;
-    if (!change) change = i;
+void take_scan(const BoundaryPlan& plan, std::span<Summary> scan, Search& search) {
+  Boundary& found = search.found;
+  std::vector<std::size_t> changes;  // first value after each
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    Extent& extent = settles(scan[i]) ? found.settled : found.failed;
+    if (!extent.first) extent.first = plan.along.value(i);
+    extent.last = plan.along.value(i);
+    if (i > 0 && settles(scan[i]) != settles(scan[i - 1])) changes.push_back(i);
   }
-  const std::size_t end = settles(scan.front()) ? scan.size() - 1 : 0;
-  const std::size_t last = change ? *change - 1 : end;
-  const auto take = [&](std::size_t i) {
-    if (!settles(scan[i])) {
-      found.unsettled = plan.along.value(i);
-      return;
-    }
-    found.settled = plan.along.value(i);
-    found.at_settled = std::move(scan[i]);
-  };
-  if (change) take(*change);
-  take(last);
+  found.changes = changes.size();
+  if (changes.empty()) {
+    if (settles(scan.back())) found.at_settled = std::move(scan.back());
+    return;
+  }
+  if (changes.size() > 1) changes = {changes.front(), changes.back()};
+  for (const std::size_t i : changes) {
+    const std::size_t settled = settles(scan[i]) ? i : i - 1;
+    const std::size_t failed = settled == i ? i - 1 : i;
+    search.changes.push_back({plan.along.value(settled), plan.along.value(failed), scan[settled]});
+  }
 }
 
-bool is_open(const BoundaryPlan& plan, const Boundary& found) {
-  if (!found.settled || !found.unsettled) return false;
-  const double larger = std::max(std::abs(*found.settled), std::abs(*found.unsettled));
-  return std::abs(*found.unsettled - *found.settled) > plan.tolerance * larger;
-}
-
-double middle(const BoundaryPlan& plan, const Boundary& found) {
-  const double value = plan.along.logarithmic
-                           ? std::sqrt(*found.settled) * std::sqrt(*found.unsettled)
-                           : 0.5 * (*found.settled + *found.unsettled);
+double middle(const BoundaryPlan& plan, const Change& change) {
+  const double value = plan.along.logarithmic ? std::sqrt(change.settled) * std::sqrt(change.failed)
+                                              : 0.5 * (change.settled + change.failed);
   return plan.along.number.whole ? std::floor(value) : value;
 }
 
-// One step of all open searches; false if stopped.
-bool bisect(const BoundaryPlan& plan, std::vector<Search*>& open, const BoundaryOptions& options) {
+bool is_open(const BoundaryPlan& plan, const Change& change) {
+  const double larger = std::max(std::abs(change.settled), std::abs(change.failed));
+  const double value = middle(plan, change);  // one of the two if they are adjacent doubles
+  return std::abs(change.failed - change.settled) > plan.tolerance * larger &&
+         value != change.settled && value != change.failed;
+}
+
+struct OpenChange {
+  const Search* search;
+  Change* change;
+};
+
+// Runs scenes and reports what part of all runs to expect is done.
+class Runner {
+ public:
+  Runner(const BoundaryPlan& plan, const BoundaryOptions& options) : options_(options) {
+    constexpr double kChanges = 2.0;  // at most, of a search
+    const double steps = std::ceil(std::log2(1.0 / plan.tolerance));
+    total_ = static_cast<double>(plan.boundary_count()) *
+             (static_cast<double>(plan.along.count) + kChanges * steps);
+  }
+
+  // Empty if stopped.
+  std::vector<Summary> run(const std::vector<Scene>& scenes) {
+    const auto show = [&](std::size_t done, std::size_t) {
+      const double runs = done_ + static_cast<double>(done);
+      if (options_.progress) options_.progress(std::min(1.0, runs / total_));
+    };
+    std::vector<Summary> summaries =
+        simulate_all(scenes, {.should_stop = options_.should_stop, .progress = show});
+    done_ += static_cast<double>(scenes.size());
+    return summaries;
+  }
+
+ private:
+  const BoundaryOptions& options_;
+  double total_ = 0.0;
+  double done_ = 0.0;
+};
+
+// One step of all open changes; false if stopped.
+bool bisect(const BoundaryPlan& plan, const std::vector<OpenChange>& open, Runner& runner) {
   std::vector<Scene> scenes;
   scenes.reserve(open.size());
-  for (const Search* search : open) {
-    scenes.push_back(scene_at(plan, *search, middle(plan, search->found)));
+  for (const OpenChange& each : open) {
+    scenes.push_back(scene_at(plan, *each.search, middle(plan, *each.change)));
   }
-  std::vector<Summary> summaries =
-      simulate_all(scenes, {.should_stop = options.should_stop, .progress = {}});
-  if (summaries.size() != open.size()) return false;
+  std::vector<Summary> summaries = runner.run(scenes);
+  if (summaries.empty()) return false;
   for (std::size_t i = 0; i < open.size(); ++i) {
-    Boundary& found = open[i]->found;
-    const double value = middle(plan, found);
-    // The two ends are adjacent doubles.
-    const bool stuck = value == *found.settled || value == *found.unsettled;
+    Change& change = *open[i].change;
+    const double value = middle(plan, change);
     if (settles(summaries[i])) {
-      found.settled = value;
-      found.at_settled = std::move(summaries[i]);
+      change.settled = value;
+      change.at_settled = std::move(summaries[i]);
     } else {
-      found.unsettled = value;
+      change.failed = value;
     }
-    if (stuck || !is_open(plan, found)) open[i] = nullptr;
   }
-  std::erase(open, nullptr);
   return true;
+}
+
+// The scan's extents, with the ends at changes of verdict refined.
+Boundary result_of(Search search) {
+  Boundary found = std::move(search.found);
+  if (search.changes.empty()) return found;
+  const Change& first = search.changes.front();
+  const Change& last = search.changes.back();
+  if (first.settled < first.failed) {
+    found.failed.first = first.failed;
+  } else {
+    found.settled.first = first.settled;
+  }
+  if (last.settled < last.failed) {
+    found.settled.last = last.settled;
+  } else {
+    found.failed.last = last.failed;
+  }
+  found.at_settled = std::move(search.changes.front().at_settled);
+  return found;
 }
 
 }  // namespace
@@ -122,23 +179,23 @@ std::vector<Boundary> find_boundaries(const BoundaryPlan& plan, const BoundaryOp
       scenes.push_back(scene_at(plan, search, plan.along.value(i)));
     }
   }
-  std::vector<Summary> scan =
-      simulate_all(scenes, {.should_stop = options.should_stop, .progress = {}});
-  if (scan.size() != scenes.size()) return {};
-  std::vector<Search*> open;
+  Runner runner(plan, options);
+  std::vector<Summary> scan = runner.run(scenes);
+  if (scan.empty()) return {};
   for (std::size_t i = 0; i < searches.size(); ++i) {
-    take_scan(plan, std::span(scan).subspan(i * plan.along.count, plan.along.count),
-              searches[i].found);
-    if (is_open(plan, searches[i].found)) open.push_back(&searches[i]);
+    take_scan(plan, std::span(scan).subspan(i * plan.along.count, plan.along.count), searches[i]);
   }
-  const double steps = std::ceil(std::log2(1.0 / plan.tolerance));
-  for (double step = 1.0; !open.empty(); ++step) {
-    if (options.progress) options.progress(std::min(1.0, step / (steps + 1.0)));
-    if (!bisect(plan, open, options)) return {};
+  std::vector<OpenChange> open;
+  for (Search& search : searches) {
+    for (Change& change : search.changes) open.push_back({&search, &change});
+  }
+  const auto closed = [&](const OpenChange& each) { return !is_open(plan, *each.change); };
+  for (std::erase_if(open, closed); !open.empty(); std::erase_if(open, closed)) {
+    if (!bisect(plan, open, runner)) return {};
   }
   std::vector<Boundary> boundaries;
   boundaries.reserve(searches.size());
-  for (Search& search : searches) boundaries.push_back(std::move(search.found));
+  for (Search& search : searches) boundaries.push_back(result_of(std::move(search)));
   return boundaries;
 }
 

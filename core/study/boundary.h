@@ -1,4 +1,5 @@
-// Finds the change of verdict along a number of the scene, by a scan and bisection.
+// Finds where the verdict changes along a number of the scene: first and last failure, first and
+// last settled value, by a scan and bisection.
 #pragma once
 
 #include <cstddef>
@@ -24,18 +25,26 @@ struct BoundaryPlan {
 };
 inline constexpr double kMinTolerance = 1e-12;
 
-// First change between settled and any other verdict, from the low end.
+// Smallest and largest value with a verdict; nullopt: none in the scan. A change of verdict between
+// two values of the scan is found to the tolerance. A change and its reverse between two values of
+// the scan are not seen: the step of the scan belongs to the result.
+struct Extent {
+  std::optional<double> first;
+  std::optional<double> last;
+};
+
 struct Boundary {
-  std::size_t algorithm = 0;          // in BoundaryPlan::algorithms
-  std::optional<double> x;            // value of the axis x, if any
-  std::optional<double> settled;      // last value known to settle; nullopt: none
-  std::optional<double> unsettled;    // first known not to; nullopt: all settle
+  std::size_t algorithm = 0;  // in BoundaryPlan::algorithms
+  std::optional<double> x;    // value of the axis x, if any
+  Extent settled;
+  Extent failed;                      // any other verdict
   std::size_t changes = 0;            // of verdict in the scan; more than 1: islands
-  std::optional<Summary> at_settled;  // at `settled`
+  std::optional<Summary> at_settled;  // on the settled side of the first change
 };
 
 struct BoundaryOptions {
   std::function<bool()> should_stop;
+  // Called by any thread, never by two at once; monotonic.
   std::function<void(double fraction)> progress;
 };
 

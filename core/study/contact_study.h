@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "core/study/boundary.h"
 #include "core/study/first_contact.h"
-#include "core/study/stability_map.h"
 #include "core/summary.h"
 
 namespace hapticwall {
@@ -21,36 +21,25 @@ struct ContactStudyPlan {
   // Scanned stiffnesses of the first wall, in equal ratios.
   double low_n_per_m = 100.0;
   double high_n_per_m = 1e6;
-  std::size_t count = 97;   // 2 to kMaxMapValues
+  std::size_t count = 926;  // in steps of 1 %; 2 to kMaxMapValues
   double tolerance = 1e-3;  // of the refinement, relative to the value
 
   // Precondition: the scene has a wall.
   [[nodiscard]] MapAxis stiffnesses() const;
 };
 
-// Largest displayed stiffness of a run that settles.
-struct LargestStiffness {
-  // Summary::displayed_stiffness_n_per_m; maximum over scan and refinement.
-  double displayed_n_per_m = 0.0;
-  double wall_n_per_m = 0.0;  // stiffness of the wall in that run
-  // Standard deviation of the command in the tail: a run settles by its position and may still
-  // buzz.
-  double force_std_n = 0.0;
-  // All stiffer walls of the scan settle too, so `displayed_n_per_m` is a lower bound.
-  bool open_ended = false;
-};
-
 struct ContactMetrics {
-  // ---- over the scan of the first wall's stiffness ----
-  // The scan, then bisection at the upper end of the settled range with the stiffest wall. nullopt
-  // if no run settles in contact. This is the stiffness of the Z-width (Colgate & Brown 1994, cited
-  // from memory) for this hand and contact, not for the worst hand.
-  std::optional<LargestStiffness> stiffest;
-  // The same over the walls from the softest up to the first that does not settle. Prefer this
-  // value if there are islands.
-  std::optional<LargestStiffness> stiffest_unbroken;
-  // Number of contiguous settled ranges in the scan; 2 or more: islands.
-  std::size_t settled_ranges = 0;
+  // Along the stiffness of the first wall. `limits.failed.first` is the first failure.
+  // `limits.at_settled` is the run just below it if the softest wall settles; its displayed
+  // stiffness is that of the Z-width (Colgate & Brown 1994, cited from memory) for this hand and
+  // contact, not for the worst hand.
+  Boundary limits;
+  // Nullopt if the softest wall of the scan does not settle.
+  [[nodiscard]] std::optional<Summary> stiffest() const {
+    const bool fails_first = limits.failed.first && limits.settled.first &&
+                             *limits.failed.first < *limits.settled.first;
+    return fails_first ? std::nullopt : limits.at_settled;
+  }
 
   // ---- of the unchanged scene ----
   Summary summary;

@@ -19,18 +19,10 @@ namespace {
 constexpr std::array<std::string_view, 3> kRiseMarks{"  ", " *", " +"};
 constexpr std::array<std::string_view, 3> kRiseNames{"mean", "one-tick", "to-the-limit"};
 
-bool has_islands(const ContactMetrics& row) { return row.settled_ranges > 1; }
-
-std::string displayed_text(const std::optional<LargestStiffness>& largest) {
-  if (!largest) return "-";
-  return (largest->open_ended ? ">= " : "") + kilonewtons_per_metre(largest->displayed_n_per_m);
-}
-std::string wall_text(const std::optional<LargestStiffness>& largest) {
-  return largest ? fixed(largest->wall_n_per_m, 1.0 / kNewtonsPerKilonewton, 1) : "-";
-}
-
-std::string buzz_text(const std::optional<LargestStiffness>& largest) {
-  return largest ? fixed(largest->force_std_n, 1.0, 2) : "-";
+// A number of the run below the first failure.
+std::optional<double> of_stiffest(const ContactMetrics& row, std::optional<double> Summary::*key) {
+  const std::optional<Summary> run = row.stiffest();
+  return run ? (*run).*key : std::nullopt;
 }
 
 bool rises(const ContactMetrics& row, RiseKind kind) {
@@ -43,18 +35,21 @@ std::string rate_hardness_text(const ContactMetrics& row) {
          std::string(kRiseMarks.at(static_cast<std::size_t>(kind)));
 }
 
-constexpr std::array<TableColumn<ContactMetrics>, 13> kStudyColumns{
+constexpr std::array<TableColumn<ContactMetrics>, 12> kStudyColumns{
     {{"algorithm", "", [](const ContactMetrics& r) { return r.summary.algorithm; }, Align::kLeft},
      {"stiffest", "kN/m",
-      [](const ContactMetrics& r) { return displayed_text(r.stiffest_unbroken); }},
-     {"of a wall", "kN/m", [](const ContactMetrics& r) { return wall_text(r.stiffest_unbroken); }},
-     {"force", "+/- N", [](const ContactMetrics& r) { return buzz_text(r.stiffest_unbroken); }},
-     {"in islands", "kN/m",
-      [](const ContactMetrics& r) { return has_islands(r) ? displayed_text(r.stiffest) : ""; }},
-     {"of a wall", "kN/m",
-      [](const ContactMetrics& r) { return has_islands(r) ? wall_text(r.stiffest) : ""; }},
+      [](const ContactMetrics& r) {
+        return kilonewtons_per_metre(of_stiffest(r, &Summary::displayed_stiffness_n_per_m));
+      }},
      {"force", "+/- N",
-      [](const ContactMetrics& r) { return has_islands(r) ? buzz_text(r.stiffest) : ""; }},
+      [](const ContactMetrics& r) {
+        return fixed(of_stiffest(r, &Summary::tail_force_std_n), 1.0, 2);
+      }},
+     {"first failure", "kN/m",
+      [](const ContactMetrics& r) { return kilonewtons_per_metre(r.limits.failed.first); }},
+     {"last settled", "kN/m",
+      [](const ContactMetrics& r) { return kilonewtons_per_metre(r.limits.settled.last); }},
+     {"changes  ", "", [](const ContactMetrics& r) { return changes_text(r.limits.changes); }},
      {"rate-hardness  ", "kN/m  ", rate_hardness_text},
      {"rise time", "ms",
       [](const ContactMetrics& r) { return fixed(r.rise_time_s, kMillisecondsPerSecond, 1); }},
@@ -79,21 +74,20 @@ std::string conditions_text(const ContactStudyPlan& plan, const std::vector<Cont
   const MapAxis axis = plan.stiffnesses();
   return fmt::format(
       "{}{}: wall of {} kN/m, met at {} m/s, {:g} s\n"
-      "stiffest: {} stiffnesses of the wall from {} to {} N/m, refined to {:g}\n\n",
+      "limits: {} stiffnesses of the wall from {} to {} N/m in steps of {:.2g} %, refined to "
+      "{:g}\n\n",
       plan.scene.name, plan.scene.two_axes() ? ", axis x" : "",
       kilonewtons_per_metre(plan.scene.x().walls.front().stiffness_n_per_m), fixed(speed, 1.0, 3),
       plan.scene.duration_s, axis.count, file::shortest_number(axis.low),
-      file::shortest_number(axis.high), plan.tolerance);
+      file::shortest_number(axis.high), kPercent * (axis.value(1) / axis.value(0) - 1.0),
+      plan.tolerance);
 }
 
 std::string marks_text(const std::vector<ContactMetrics>& rows) {
   const auto any = [&](auto holds) { return std::ranges::any_of(rows, holds); };
   std::string text;
-  if (any([](const ContactMetrics& r) { return r.stiffest && r.stiffest->open_ended; })) {
-    text += ">= settles up to the largest stiffness of the scan\n";
-  }
-  if (any(has_islands)) {
-    text += "in islands: of all walls that settle, also above softer walls that do not\n";
+  if (any([](const ContactMetrics& r) { return r.limits.changes > 1; })) {
+    text += kManyChangesNote;
   }
   if (any([](const ContactMetrics& r) { return rises(r, RiseKind::kOneTick); })) {
     text +=
@@ -117,20 +111,11 @@ Json conditions_object(const ContactStudyPlan& plan) {
           {"scan_tolerance", json_number(plan.tolerance)}};
 }
 
-// `largest` as four keys.
-void add_stiffness(const std::string& prefix, const std::optional<LargestStiffness>& largest,
-                   Json& object) {
-  object[prefix + "stiffness_n_per_m"] = largest ? json_number(largest->displayed_n_per_m) : Json();
-  object[prefix + "at_wall_n_per_m"] = largest ? json_number(largest->wall_n_per_m) : Json();
-  object[prefix + "tail_force_std_n"] = largest ? json_number(largest->force_std_n) : Json();
-  object[prefix + "reaches_end_of_scan"] = largest ? Json(largest->open_ended) : Json();
-}
-
 Json row_object(const ContactMetrics& row) {
   Json object{{"algorithm", row.summary.algorithm}};
-  add_stiffness("unbroken_", row.stiffest_unbroken, object);
-  add_stiffness("largest_", row.stiffest, object);
-  object["settled_ranges"] = row.settled_ranges;
+  object["stiffest_n_per_m"] = json_number(of_stiffest(row, &Summary::displayed_stiffness_n_per_m));
+  object["stiffest_tail_force_std_n"] = json_number(of_stiffest(row, &Summary::tail_force_std_n));
+  add_limits(row.limits, object);
   object["approach_speed_m_per_s"] = json_number(row.approach_speed_m_per_s);
   object["rate_hardness_n_per_m"] = json_number(row.rate_hardness_n_per_m);
   object["rate_hardness_of"] = row.rate_hardness_n_per_m

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <numeric>
 #include <optional>
 
 #include "app/command/report/json_report.h"
@@ -30,12 +31,10 @@ std::string label_of(const Scene& scene, std::size_t algorithm) {
 
 // Cells of one algorithm, by verdict.
 struct Counts {
-  std::array<std::size_t, 3> of{};
+  std::array<std::size_t, kVerdictNames.size()> of{};
 
-  [[nodiscard]] std::size_t all() const { return of[0] + of[1] + of[2]; }
-  [[nodiscard]] std::string percent(Verdict verdict) const {
-    const auto part = static_cast<double>(of.at(static_cast<std::size_t>(verdict)));
-    return fmt::format("{:.1f}", kPercent * part / static_cast<double>(all()));
+  [[nodiscard]] std::size_t all() const {
+    return std::accumulate(of.begin(), of.end(), std::size_t{0});
   }
 };
 
@@ -56,13 +55,6 @@ std::string axis_text(const MapAxis& axis) {
                      axis.logarithmic ? "equal ratios" : "equal steps");
 }
 
-// The side of the boundary that settles.
-std::string end_text(const Boundary& boundary) {
-  if (!boundary.settled) return "nowhere";
-  if (!boundary.unsettled) return "throughout";
-  return *boundary.settled < *boundary.unsettled ? "up to" : "from";
-}
-
 std::string significant(std::optional<double> value) {
   return value ? fmt::format("{:.6g}", *value) : "-";
 }
@@ -70,9 +62,7 @@ std::string significant(std::optional<double> value) {
 Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary) {
   Json object{{"algorithm", label_of(plan.scene, plan.algorithms.at(boundary.algorithm))}};
   if (plan.x) object[plan.x->number.path] = json_number(boundary.x);
-  object["settled"] = json_number(boundary.settled);
-  object["unsettled"] = json_number(boundary.unsettled);
-  object["changes"] = boundary.changes;
+  add_limits(boundary, object);
   const bool known = boundary.at_settled.has_value();
   object["displayed_stiffness_n_per_m"] =
       known ? json_number(boundary.at_settled->displayed_stiffness_n_per_m) : Json();
@@ -84,11 +74,11 @@ Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary) {
 std::vector<std::string> boundary_row(const BoundaryPlan& plan, const Boundary& boundary) {
   std::vector<std::string> row{label_of(plan.scene, plan.algorithms.at(boundary.algorithm))};
   if (plan.x) row.push_back(significant(boundary.x));
-  row.push_back(end_text(boundary));
-  row.push_back(boundary.settled && boundary.unsettled ? significant(boundary.settled) : "");
-  row.push_back(boundary.settled && boundary.unsettled ? significant(boundary.unsettled) : "");
-  row.push_back(boundary.changes > 1 ? fmt::format("{} !", boundary.changes)
-                                     : fmt::format("{}  ", boundary.changes));
+  for (const auto& value : {boundary.settled.first, boundary.settled.last, boundary.failed.first,
+                            boundary.failed.last}) {
+    row.push_back(significant(value));
+  }
+  row.push_back(changes_text(boundary.changes));
   const std::optional<Summary>& there = boundary.at_settled;
   row.push_back(fixed(there ? there->displayed_stiffness_n_per_m : std::nullopt,
                       1.0 / kNewtonsPerKilonewton, 3));
@@ -104,9 +94,9 @@ std::vector<std::vector<std::string>> boundary_heading(const BoundaryPlan& plan)
     units.push_back(std::move(unit));
   };
   if (plan.x) add(plan.x->number.path, plan.x->number.unit);
-  add("settles", "");
-  add("value", plan.along.number.unit);
-  add("no longer at", plan.along.number.unit);
+  for (const char* title : {"first settled", "last settled", "first failure", "last failure"}) {
+    add(title, plan.along.number.unit);
+  }
   add("changes  ", "");
   add("stiffness", "kN/m");
   add("tail p-p", "mm");
@@ -117,16 +107,22 @@ std::vector<std::vector<std::string>> boundary_heading(const BoundaryPlan& plan)
 
 std::string map_table(const StabilityMap& map, std::size_t begin,
                       std::span<const MapMetrics> metrics) {
-  std::vector<std::vector<std::string>> rows{
-      {"algorithm", "cells", "settled", "oscillating", "diverged"}, {"", "", "%", "%", "%"}};
+  std::vector<std::vector<std::string>> rows{{"algorithm", "cells"}, {"", ""}};
+  for (const std::string_view verdict : kVerdictNames) {
+    rows[0].emplace_back(verdict);
+    rows[1].emplace_back("%");
+  }
   const std::vector<Counts> counts = counts_of(map, begin, metrics);
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i].all() == 0) continue;
-    rows.push_back({label_of(map.scene, map.algorithms[i]), fmt::format("{}", counts[i].all()),
-                    counts[i].percent(Verdict::kSettled), counts[i].percent(Verdict::kOscillating),
-                    counts[i].percent(Verdict::kDiverged)});
+    const std::size_t all = counts[i].all();
+    if (all == 0) continue;
+    rows.push_back({label_of(map.scene, map.algorithms[i]), fmt::format("{}", all)});
+    for (const std::size_t cells : counts[i].of) {
+      rows.back().push_back(
+          fmt::format("{:.1f}", kPercent * static_cast<double>(cells) / static_cast<double>(all)));
+    }
   }
-  std::array<Align, 5> aligns{};
+  std::array<Align, 2 + kVerdictNames.size()> aligns{};
   aligns.front() = Align::kLeft;
   return fmt::format("{}\nx: {}\ny: {}\n\n", map.scene.name, axis_text(map.x), axis_text(map.y)) +
          aligned(rows, aligns);
@@ -143,11 +139,11 @@ std::string map_json(const StabilityMap& map, std::size_t begin,
   const std::vector<Counts> counts = counts_of(map, begin, metrics);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i].all() == 0) continue;
-    list.push_back({{"algorithm", label_of(map.scene, map.algorithms[i])},
-                    {"cells", counts[i].all()},
-                    {"settled", counts[i].of[0]},
-                    {"oscillating", counts[i].of[1]},
-                    {"diverged", counts[i].of[2]}});
+    Json& row = list.emplace_back(
+        Json{{"algorithm", label_of(map.scene, map.algorithms[i])}, {"cells", counts[i].all()}});
+    for (std::size_t verdict = 0; verdict < kVerdictNames.size(); ++verdict) {
+      row[std::string(kVerdictNames[verdict])] = counts[i].of[verdict];
+    }
   }
   return json_text(object);
 }
@@ -161,16 +157,10 @@ std::string boundary_table(const BoundaryPlan& plan, const std::vector<Boundary>
   }
   std::vector<Align> aligns(rows.front().size(), Align::kRight);
   aligns.front() = Align::kLeft;
-  aligns[plan.x ? 2 : 1] = Align::kLeft;
   std::string text = fmt::format("{}, along {}, to {:g} of the value\n\n", plan.scene.name,
                                  axis_text(plan.along), plan.tolerance) +
                      aligned(rows, aligns);
-  if (islands) {
-    text += fmt::format(
-        "\n! the verdict changes more than once along the {} values; this is the first "
-        "change\n",
-        plan.along.count);
-  }
+  if (islands) text += fmt::format("\n{}", kManyChangesNote);
   return text;
 }
 

@@ -23,6 +23,14 @@ Json json_number(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json();
 }
 
+void add_limits(const Boundary& boundary, Json& object) {
+  object["first_settled"] = json_number(boundary.settled.first);
+  object["last_settled"] = json_number(boundary.settled.last);
+  object["first_failure"] = json_number(boundary.failed.first);
+  object["last_failure"] = json_number(boundary.failed.last);
+  object["changes"] = boundary.changes;
+}
+
 std::string json_text(const Json& object) {
   return object.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
 }

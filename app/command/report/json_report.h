@@ -6,12 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "core/study/boundary.h"
+
 namespace hapticwall::command {
 
 using Json = nlohmann::ordered_json;
 
 // `null` if there is no value or the value is not finite.
 [[nodiscard]] Json json_number(std::optional<double> value);
+
+// The extents of settled and failed values, and the changes of verdict.
+void add_limits(const Boundary& boundary, Json& object);
 
 // With a line end. Replaces invalid UTF-8, which a scene's name may contain.
 [[nodiscard]] std::string json_text(const Json& object);

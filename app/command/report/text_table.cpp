@@ -34,6 +34,10 @@ std::string kilonewtons_per_metre(std::optional<double> value_n_per_m) {
   return fixed(value_n_per_m, 1.0 / kNewtonsPerKilonewton, 2);
 }
 
+std::string changes_text(std::size_t changes) {
+  return fmt::format("{} {}", changes, changes > 1 ? '!' : ' ');
+}
+
 std::string aligned(const std::vector<std::vector<std::string>>& rows,
                     std::span<const Align> columns) {
   std::vector<std::size_t> widths(columns.size());

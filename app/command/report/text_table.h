@@ -18,6 +18,12 @@ namespace hapticwall::command {
 // The same of newtons per metre in kN/m, with two decimals.
 [[nodiscard]] std::string kilonewtons_per_metre(std::optional<double> value_n_per_m);
 
+// "3 !" where the verdict changes more than once; kManyChangesNote explains the mark.
+[[nodiscard]] std::string changes_text(std::size_t changes);
+inline constexpr std::string_view kManyChangesNote =
+    "! the verdict changes more than once; a finer scan may find more changes and an earlier "
+    "failure\n";
+
 enum class Align : bool { kRight, kLeft };
 
 // The rows as aligned lines. Precondition: every row has as many cells as `columns`.

@@ -93,7 +93,7 @@ void draw_title(const Theme& theme, const Scene& scene, std::size_t runs) {
 
 Tone tone_of(Verdict verdict) {
   if (verdict == Verdict::kSettled) return Tone::kGood;
-  return verdict == Verdict::kOscillating ? Tone::kWarning : Tone::kBad;
+  return verdict == Verdict::kDiverged ? Tone::kBad : Tone::kWarning;
 }
 
 std::string verdict_text(const Scene& scene, const Summary& summary) {

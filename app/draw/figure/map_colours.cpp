@@ -11,6 +11,7 @@ namespace hapticwall::draw {
 namespace {
 
 constexpr ImU32 kSettled = IM_COL32(203, 226, 222, 255);
+constexpr ImU32 kBuzzing = IM_COL32(176, 160, 214, 255);
 constexpr ImU32 kDiverged = IM_COL32(52, 42, 48, 255);
 // From the smallest oscillation to the largest.
 constexpr std::array<ImVec4, 4> kHot{{{0.99F, 0.88F, 0.55F, 1.0F},
@@ -23,6 +24,7 @@ constexpr double kColourSteps = 48.0;
 }  // namespace
 
 ImU32 settled_colour() { return kSettled; }
+ImU32 buzzing_colour() { return kBuzzing; }
 ImU32 diverged_colour() { return kDiverged; }
 
 ImU32 oscillating_colour(double tail_peak_to_peak_m) {
@@ -37,6 +39,7 @@ ImU32 oscillating_colour(double tail_peak_to_peak_m) {
 
 ImU32 colour_of(const MapMetrics& figures) {
   if (figures.verdict == Verdict::kSettled) return settled_colour();
+  if (figures.verdict == Verdict::kBuzzing) return buzzing_colour();
   if (figures.verdict == Verdict::kDiverged) return diverged_colour();
   return oscillating_colour(figures.tail_peak_to_peak_m.value_or(kHottestM));
 }

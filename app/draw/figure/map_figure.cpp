@@ -175,9 +175,11 @@ void draw_key(ImU32 colour, const char* text, bool line) {
 
 void draw_legend(const std::vector<BoundLines>& bounds) {
   const FontScope font(nullptr, kSmallFontSize);
-  const std::string settled = fmt::format("settled, at most {:g} mm peak to peak",
-                                          kSettledPeakToPeakM * kMillimetresPerMetre);
-  draw_key(settled_colour(), settled.c_str(), false);
+  draw_key(settled_colour(), "settled", false);
+  const std::string buzzing =
+      fmt::format("still to {:g} mm, force ± more than {:g} N",
+                  kSettledPeakToPeakM * kMillimetresPerMetre, kSettledForceStdN);
+  draw_key(buzzing_colour(), buzzing.c_str(), false);
   constexpr std::array kShownM{kSettledPeakToPeakM, 1e-3, 1e-2, kHottestM};
   for (const double amplitude_m : kShownM) {
     const std::string text = fmt::format("{:g} mm", amplitude_m * kMillimetresPerMetre);

@@ -59,6 +59,17 @@ TEST(Metrics, SettledEndsAtATenthOfAMillimetre) {
   }
 }
 
+// A square wave between two forces has half their distance as its standard deviation.
+TEST(Metrics, BuzzingBeginsAtThreeTenthsOfANewton) {
+  for (const double std_n : {0.299, 0.301}) {
+    Metrics metrics(wall_at_ten_hertz(), 10, true);
+    for (std::uint64_t k = 0; k < 10; ++k) {
+      metrics.add(at(k, 0.051, 5.0 + (k % 2 == 0 ? std_n : -std_n)));
+    }
+    EXPECT_EQ(metrics.finish().verdict, std_n > 0.3 ? Verdict::kBuzzing : Verdict::kSettled);
+  }
+}
+
 TEST(Metrics, CountsContactsAndSaturation) {
   Metrics metrics(wall_at_ten_hertz(), 6, true);
   const double positions[] = {0.04, 0.051, 0.04, 0.051, 0.052, 0.04};

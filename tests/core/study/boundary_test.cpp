@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <vector>
 
 #include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
@@ -39,12 +40,14 @@ TEST(Boundaries, LieBetweenAValueThatSettlesAndOneThatDoesNot) {
   const auto boundaries = find_boundaries(plan);
   ASSERT_EQ(boundaries.size(), 1U);
   const Boundary& found = boundaries.front();
-  ASSERT_TRUE(found.settled && found.unsettled);
-  EXPECT_LT(*found.settled, *found.unsettled);
-  EXPECT_LE(*found.unsettled - *found.settled, 1e-5 * *found.unsettled);
+  ASSERT_TRUE(found.settled.last && found.failed.first);
+  EXPECT_LT(*found.settled.last, *found.failed.first);
+  EXPECT_LE(*found.failed.first - *found.settled.last, 1e-5 * *found.failed.first);
+  EXPECT_EQ(found.settled.first, 500.0);
+  EXPECT_EQ(found.failed.last, 8000.0);
   EXPECT_EQ(found.changes, 1U);
-  EXPECT_EQ(verdict_at(plan, *found.settled), Verdict::kSettled);
-  EXPECT_NE(verdict_at(plan, *found.unsettled), Verdict::kSettled);
+  EXPECT_EQ(verdict_at(plan, *found.settled.last), Verdict::kSettled);
+  EXPECT_NE(verdict_at(plan, *found.failed.first), Verdict::kSettled);
   ASSERT_TRUE(found.at_settled);
   EXPECT_EQ(found.at_settled->verdict, Verdict::kSettled);
 }
@@ -54,21 +57,26 @@ TEST(Boundaries, OfAKeyThatStabilisesAreFoundFromBelowToo) {
   scene.x().walls[0].stiffness_n_per_m = 3000.0;
   const auto boundaries =
       find_boundaries(plan_of(scene, "device.damping_n_s_per_m", 0.5, 5.0, 10, false));
-  ASSERT_TRUE(boundaries.front().settled && boundaries.front().unsettled);
-  EXPECT_GT(*boundaries.front().settled, *boundaries.front().unsettled);
-  EXPECT_NEAR(*boundaries.front().settled, 1.5, 0.15) << "b = K T / 2";
+  const Boundary& found = boundaries.front();
+  ASSERT_TRUE(found.settled.first && found.failed.last);
+  EXPECT_GT(*found.settled.first, *found.failed.last);
+  EXPECT_NEAR(*found.settled.first, 1.5, 0.15) << "b = K T / 2";
+  EXPECT_EQ(found.failed.first, 0.5);
+  EXPECT_EQ(found.settled.last, 5.0);
 }
 
 TEST(Boundaries, SayWhereThereIsNone) {
   const auto quiet =
       find_boundaries(plan_of(short_press(), "wall.stiffness_n_per_m", 100.0, 1000.0, 4, false));
-  EXPECT_EQ(quiet.front().settled, 1000.0);
-  EXPECT_FALSE(quiet.front().unsettled);
+  EXPECT_EQ(quiet.front().settled.first, 100.0);
+  EXPECT_EQ(quiet.front().settled.last, 1000.0);
+  EXPECT_FALSE(quiet.front().failed.first || quiet.front().failed.last);
   EXPECT_EQ(quiet.front().changes, 0U);
   const auto loud =
       find_boundaries(plan_of(short_press(), "wall.stiffness_n_per_m", 5000.0, 8000.0, 4, false));
-  EXPECT_FALSE(loud.front().settled);
-  EXPECT_EQ(loud.front().unsettled, 5000.0);
+  EXPECT_FALSE(loud.front().settled.first || loud.front().settled.last);
+  EXPECT_EQ(loud.front().failed.first, 5000.0);
+  EXPECT_EQ(loud.front().failed.last, 8000.0);
   EXPECT_FALSE(loud.front().at_settled);
 }
 
@@ -78,9 +86,9 @@ TEST(Boundaries, OfAKeyThatCountsAreNeighbours) {
   const auto boundaries =
       find_boundaries(plan_of(scene, "device.delay_ticks", 0.0, 20.0, 5, false));
   const Boundary& found = boundaries.front();
-  ASSERT_TRUE(found.settled && found.unsettled);
-  EXPECT_EQ(*found.unsettled - *found.settled, 1.0);
-  EXPECT_EQ(*found.settled, std::round(*found.settled));
+  ASSERT_TRUE(found.settled.last && found.failed.first);
+  EXPECT_EQ(*found.failed.first - *found.settled.last, 1.0);
+  EXPECT_EQ(*found.settled.last, std::round(*found.settled.last));
 }
 
 TEST(Boundaries, AreFoundForEveryValueOfXAndEveryAlgorithm) {
@@ -94,10 +102,33 @@ TEST(Boundaries, AreFoundForEveryValueOfXAndEveryAlgorithm) {
     const double damping = 1.0 + static_cast<double>(i);
     EXPECT_EQ(boundaries[i].algorithm, 0U);
     EXPECT_EQ(boundaries[i].x, damping);
-    EXPECT_NEAR(boundaries[i].settled.value(), 2000.0 * damping, 200.0 * damping);
+    EXPECT_NEAR(boundaries[i].settled.last.value(), 2000.0 * damping, 200.0 * damping);
     EXPECT_EQ(boundaries[3 + i].algorithm, 1U);
-    EXPECT_FALSE(boundaries[3 + i].unsettled) << "a virtual coupling takes any wall";
+    EXPECT_FALSE(boundaries[3 + i].failed.first) << "a virtual coupling takes any wall";
   }
+}
+
+// `press` without an algorithm: a scan of its own in steps of 25 N/m beside the search.
+TEST(Boundaries, AreTheFirstFailureAndTheLastSettledValueBeyondIslands) {
+  Scene scene;
+  scene.x().device.friction_n = 0.14;
+  scene.x().device.encoder_m = 0.254e-3;
+  scene.x().hand = HandSettings{0.4, 250.0, 33.0, 1000.0, 1.0, {{0.0, 0.03}, {1.5, 0.075}}, false};
+  scene.x().walls = {{0.05, 1000.0, 0.0}};
+  const BoundaryPlan plan = plan_of(scene, "wall.stiffness_n_per_m", 2000.0, 8000.0, 241, false);
+  std::vector<double> settled;
+  std::vector<double> failed;
+  for (double value = 2000.0; value <= 8000.0; value += 25.0) {
+    (verdict_at(plan, value) == Verdict::kSettled ? settled : failed).push_back(value);
+  }
+  const Boundary found = find_boundaries(plan).front();
+  EXPECT_GT(found.changes, 2U);
+  EXPECT_LE(found.failed.first.value(), failed.front());
+  EXPECT_GT(*found.failed.first, failed.front() - 25.0);
+  EXPECT_GE(found.settled.last.value(), settled.back());
+  EXPECT_LT(*found.settled.last, settled.back() + 25.0);
+  EXPECT_NE(verdict_at(plan, *found.failed.first), Verdict::kSettled);
+  EXPECT_EQ(verdict_at(plan, *found.settled.last), Verdict::kSettled);
 }
 
 TEST(Boundaries, TellProgressAndStop) {

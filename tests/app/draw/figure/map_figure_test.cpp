@@ -96,6 +96,9 @@ TEST(MapFigure, ColoursTellHowFarItSwings) {
   figures.verdict = Verdict::kOscillating;
   figures.tail_peak_to_peak_m = 2e-3;
   EXPECT_EQ(colour_of(figures), oscillating_colour(2e-3));
+  figures.verdict = Verdict::kBuzzing;
+  EXPECT_NE(colour_of(figures), settled_colour());
+  EXPECT_NE(colour_of(figures), oscillating_colour(1e-4));
 }
 
 }  // namespace
