@@ -142,7 +142,7 @@ TEST(StudyReport, MarksAreExplainedWhereTheyOccur) {
   row.rise_kind = RiseKind::kOneTick;
   const std::string table = study_table(made_up_plan(), {row});
   EXPECT_THAT(table, AllOf(HasSubstr("met at 0.030 m/s"), HasSubstr("7.28   0.27"),
-                           HasSubstr(" 7.28        142.00      3 ! "), HasSubstr(" 44.35 * "),
+                           HasSubstr(" 7.28        142.00        3 ! "), HasSubstr(" 44.35 * "),
                            HasSubstr("\n! the verdict changes more than once"),
                            HasSubstr("\n* one jump in one tick")));
   const auto json = nlohmann::json::parse(study_json(made_up_plan(), {row}));

@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <array>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -97,7 +98,10 @@ TEST_F(PlotExportTest, AFigureShowsTheVisibleRangeThePlotsAndTheSignalsThatAreAs
   constexpr std::array kForceOnly{draw::PlotId::kForce};
   constexpr draw::FigureSize kSize{800, 400};
   const auto count = [&](const draw::FigureView& view, draw::Tone tone) {
-    const auto figure = draw::draw_figure(scene(), application_->history(), view, kSize);
+    // On another thread, because a figure has an OpenGL context of its own.
+    const auto figure = std::async(std::launch::async, [&] {
+                          return draw::draw_figure(scene(), application_->history(), view, kSize);
+                        }).get();
     EXPECT_TRUE(figure.ok());
     if (!figure) return 0;
     const ItemRect below_title{ImVec2(0.0F, 80.0F), ImVec2(kSize.width, kSize.height)};
