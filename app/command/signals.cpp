@@ -9,6 +9,7 @@
 
 #include "app/command/report/terminal.h"
 #include "app/runtime/loop/crash_stop.h"
+#include "core/simulation/simulate.h"
 
 namespace hapticwall::command {
 namespace {
@@ -29,6 +30,8 @@ int run_guarded(const std::function<Result<int>()>& program) {
   try {
     const Result<int> status = program();
     return status ? *status : report(status.error());
+  } catch (const SimulationRefused& refused) {
+    return report({ErrorKind::kUsage, refused.what()});
   } catch (const std::bad_alloc&) {
     return report({ErrorKind::kUsage, "out of memory: choose a smaller scene or study"});
   } catch (const std::exception& error) {

@@ -12,6 +12,8 @@ namespace hapticwall {
 
 template <typename Body, bool kFriction>
 void ExactPlant<Body, kFriction>::advance(Real force_n) {
+  if (this->gave_up()) return;
+  pieces_ = 0;
   motion_.path = path_.straight();
   if (path_.bends_within_tick()) {
     do {
@@ -35,6 +37,10 @@ void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s) {
   int stalls = 0;
   stop_if_spent();
   while (done_s < duration_s) {
+    if (++pieces_ > Base::kMaxPieces) {
+      motion_.body.position_m = std::numeric_limits<Real>::quiet_NaN();
+      return;
+    }
     const Real rest_s = duration_s - done_s;
     Real step_s = try_levels(force_n, now, rest_s);
     if (step_s == 0 && events_at_one_instant > kMaxEventsAtOneInstant) {

@@ -24,6 +24,7 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
   using Base::motion_;
   using Base::path_;
   using Base::period_s_;
+  using Base::pieces_;
 
  public:
   using typename Base::Motion;
@@ -38,6 +39,7 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
 
   void reset() {
     motion_ = {};
+    pieces_ = 0;
     motion_.body = Body::at_rest(this->start_m_);
     path_.reset();
   }
@@ -74,7 +76,8 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
     return true;
   }
 
-  // From this tick to the next under the held actuator force.
+  // From this tick to the next under the held actuator force. A fast rate of the body and friction
+  // may need more than kMaxPieces pieces: then the plant gives up.
   void advance(Real force_n);
 
  private:

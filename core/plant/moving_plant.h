@@ -34,6 +34,7 @@ template <typename State, typename Real>
 class MovingPlant {
  public:
   using Number = Real;
+  static constexpr int kMaxPieces = 20000;  // per tick; a piece takes about 1 µs
 
   // Everything that changes from tick to tick. A loop may advance a copy with the plant's
   // try_tick() while that succeeds, and return the copy with resume().
@@ -47,6 +48,12 @@ class MovingPlant {
   [[nodiscard]] HandPath& path() { return path_; }
   [[nodiscard]] Real position_m() const { return motion_.body.position_m; }
   [[nodiscard]] const BasicEnergyTotals<Real>& energy() const { return motion_.energy; }
+
+  // Pieces that the motion of the last tick was cut into; 0 if it took the short way.
+  [[nodiscard]] int pieces() const { return pieces_; }
+  // True after a tick with more than kMaxPieces. The position is then NaN, and stays so until
+  // reset().
+  [[nodiscard]] bool gave_up() const { return pieces_ > kMaxPieces; }
 
   // False if the run has diverged: the handle is not within ±1 m, or the hand has run away.
   [[nodiscard]] static bool in_reach(const Motion& motion) {
@@ -121,6 +128,7 @@ class MovingPlant {
   HandPath path_;
   double period_s_;
   double start_m_;
+  int pieces_ = 0;
   Motion motion_;  // motion() fills its path from path_
 };
 

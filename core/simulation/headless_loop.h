@@ -57,6 +57,9 @@ constexpr LoopParts lean_loop(bool encoder, bool log) {
           .maybe_log = log};
 }
 
+// About 10 ms.
+inline constexpr int kMaxChunkPieces = 8192;
+
 // The plant as a device of the servo step: a position to read and a force to hold. The loop ends
 // before the plant's position becomes NaN, so every reading is sound.
 template <typename Plant, LoopParts kParts>
@@ -90,14 +93,19 @@ class HeadlessDevice {
   }
   void write_truth(PlantTruth& truth) const { plant_.write_truth(motion_, truth); }
 
-  // Passes the time to the next tick.
-  void pass_tick() {
+  // Passes the time to the next tick. Ends the chunk at this tick after much work, so that a run
+  // can be stopped soon.
+  void pass_tick(std::uint64_t tick, std::uint64_t& end) {
     if (plant_.try_tick(motion_, force_n_)) [[likely]] {
       return;
     }
     plant_.resume(motion_);
     advance_plant(plant_, force_n_);
     motion_ = plant_.motion();
+    pieces_ += plant_.pieces();
+    if (pieces_ > kMaxChunkPieces) [[unlikely]] {
+      end = tick;
+    }
   }
   void give_back() { plant_.resume(motion_); }
 
@@ -114,6 +122,7 @@ class HeadlessDevice {
   bool has_output_stage_;
   CountingEncoder encoder_;
   double force_n_ = 0.0;
+  int pieces_ = 0;
 };
 
 // The law of the only algorithm, inlined.
@@ -168,7 +177,7 @@ HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint6
                 {true_position_m, outcome.contact.penetration_m, outcome.force_n,
                  outcome.contact.in_contact, outcome.saturated},
                 state.ledger);
-    device.pass_tick();
+    device.pass_tick(state.tick, end);
     metrics.add_net_work(device.net_work_j());
   }
   device.give_back();

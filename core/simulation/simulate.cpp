@@ -89,7 +89,10 @@ void hand_out(std::deque<WaitingAxis>& axes, const AxesOptions& options) {
     }
     options.on_tick(tick);
   }
-  for (WaitingAxis& axis : axes) axis.waiting().clear();
+  for (WaitingAxis& axis : axes) {
+    axis.waiting().erase(axis.waiting().begin(),
+                         axis.waiting().begin() + static_cast<std::ptrdiff_t>(count));
+  }
 }
 
 }  // namespace
@@ -115,11 +118,16 @@ AxesResult simulate_axes(const Scene& scene, const AxesOptions& options) {
   }
   AxesResult result;
   const auto is_over = [](WaitingAxis& axis) { return axis.simulation().over(); };
-  // All axes have the same changes and so the same chunks.
-  while (std::ranges::none_of(axes, is_over)) {
+  const auto diverged = [](WaitingAxis& axis) { return axis.simulation().diverged(); };
+  while (std::ranges::none_of(axes, diverged) && !std::ranges::all_of(axes, is_over)) {
     result.stopped_early = options.should_stop && options.should_stop();
     if (result.stopped_early) break;
-    for (WaitingAxis& axis : axes) axis.simulation().advance();
+    // A chunk may end early: those behind catch up first.
+    std::uint64_t behind = scene.tick_count();
+    for (WaitingAxis& axis : axes) behind = std::min(behind, axis.simulation().tick());
+    for (WaitingAxis& axis : axes) {
+      if (axis.simulation().tick() == behind) axis.simulation().advance();
+    }
     if (wants_samples) hand_out(axes, options);
   }
   for (WaitingAxis& axis : axes) result.axes.push_back(axis.simulation().finish());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "core/sample.h"
@@ -12,10 +13,16 @@
 
 namespace hapticwall {
 
+// Thrown by simulate() and by batches: a tick of the scene is too much work for the exact
+// integrator. The message names the tick and the way out.
+struct SimulationRefused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 struct SimulationOptions {
   // Called with the sample of every tick, in order; empty: samples are not assembled.
   std::function<void(const Sample&)> on_sample;
-  // Called about every thousand ticks; true ends the run early (Ctrl-C).
+  // Called about every thousand ticks, and sooner if they take long; true ends the run early.
   std::function<bool()> should_stop;
   // Sorted by tick.
   std::span<const ScheduledChange> changes;

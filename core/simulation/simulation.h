@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -42,7 +43,7 @@ class Simulation {
     return finish();
   }
 
-  // A chunk at a time: up to the next change, and at most kChunkTicks.
+  // A chunk at a time: up to the next change, and at most kChunkTicks; fewer if they take long.
   void advance() {
     while (next_change_ < options_.changes.size() &&
            options_.changes[next_change_].tick <= run_.servo.state().tick) {
@@ -54,10 +55,11 @@ class Simulation {
     }
     run_loop_(run_, plant_, end);
   }
-  [[nodiscard]] bool over() const {
-    return run_.servo.state().tick >= scene_.tick_count() || run_.diverged_at_tick.has_value();
-  }
+  [[nodiscard]] bool over() const { return tick() >= scene_.tick_count() || diverged(); }
+  [[nodiscard]] std::uint64_t tick() const { return run_.servo.state().tick; }
+  [[nodiscard]] bool diverged() const { return run_.diverged_at_tick.has_value(); }
 
+  // Throws SimulationRefused if the plant gave up.
   SimulationResult finish() {
     SimulationResult result;
     result.stopped_early = stopped_early_;
@@ -104,6 +106,12 @@ class Simulation {
 
   // The loop checks the reach before each tick; this is the check after the last one.
   void check_end() {
+    if (std::visit([](const auto& plant) { return plant.gave_up(); }, plant_)) {
+      throw SimulationRefused(
+          "tick " + std::to_string(run_.servo.state().tick) +
+          " has too many starts and stops of the handle for the exact integrator: use a heavier "
+          "hand, a softer grip or another simulator.integrator");
+    }
     const bool in_reach =
         std::visit([](const auto& plant) { return plant.in_reach(plant.motion()); }, plant_);
     if (!run_.diverged_at_tick && !in_reach) run_.diverged_at_tick = run_.servo.state().tick;

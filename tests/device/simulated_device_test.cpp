@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/loop/servo.h"
@@ -175,6 +176,28 @@ TEST(SimulatedDevice, SaysWhatItIs) {
   EXPECT_EQ(device.info().name, "simulator");
   device.close();
   device.close();
+}
+
+// A live loop then commands no force, and each tick is short.
+TEST(SimulatedDevice, APlantThatGivesUpIsAFaultUntilReset) {
+  Scene scene = held_scene();
+  scene.sampling.rate_hz = 228.918;
+  scene.x().device.encoder_m.reset();
+  scene.x().device.mass_kg = 0.0145;
+  scene.x().device.damping_n_s_per_m = 0.02;
+  scene.x().device.friction_n = 0.004;
+  scene.x().hand = HandSettings{
+      3.25e-6, 7200.0, 21.0, 3.18e6, 3700.0, {{0.0, 0.03}, {0.1, 0.06}, {0.2, 0.02}}, false};
+  SimulatedDevice device(scene);
+  int ticks = 0;
+  for (DeviceReading now = device.read(); now.state == DeviceState::kOk; now = device.read()) {
+    ASSERT_LT(++ticks, 1000);
+    device.write(std::max(0.0, 41e3 * (now.position_m - 0.05)));
+  }
+  device.write(0.0);
+  EXPECT_EQ(device.read().state, DeviceState::kFault);
+  device.reset();
+  EXPECT_EQ(device.read().state, DeviceState::kOk);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ using testing::promised_balance;
 
 TEST(ExtremeScenes, AreSoundUnderTheExactIntegrator) {
   constexpr std::uint64_t kScenes = 12000;
+  int refused = 0;
   int beyond_domain = 0;
   int beyond_promise = 0;
   double worst_within = 0.0;
@@ -25,7 +26,13 @@ TEST(ExtremeScenes, AreSoundUnderTheExactIntegrator) {
   for (std::uint64_t number = 0; number < kScenes; ++number) {
     SCOPED_TRACE(number);
     const Scene scene = extreme_scene(number);
-    const double error = expect_sound(scene);
+    double error = 0.0;
+    try {
+      error = expect_sound(scene);
+    } catch (const SimulationRefused&) {
+      ++refused;
+      continue;
+    }
     const bool within = promised_balance(scene) <= kPromisedBalance;
     beyond_domain += within ? 0 : 1;
     beyond_promise += error > kPromisedBalance ? 1 : 0;
@@ -35,8 +42,9 @@ TEST(ExtremeScenes, AreSoundUnderTheExactIntegrator) {
   }
   std::printf(
       "balance of %d scenes: at worst %.2g of the turnover in the domain of 1e-9; %d scenes beyond "
-      "it, of which %d keep less than 1e-9, at worst %.2g\n",
-      static_cast<int>(kScenes), worst_within, beyond_domain, beyond_promise, worst);
+      "it, of which %d keep less than 1e-9, at worst %.2g; %d refused\n",
+      static_cast<int>(kScenes), worst_within, beyond_domain, beyond_promise, worst, refused);
+  EXPECT_LE(refused, static_cast<int>(kScenes) / 100);
   // Even beyond the domain digits are hardly ever lost.
   EXPECT_LE(beyond_promise, beyond_domain / 100);
   EXPECT_LE(worst, 1e-3);

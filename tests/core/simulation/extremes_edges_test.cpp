@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "core/simulation/simulate.h"
@@ -306,6 +307,44 @@ TEST(Edge, AReallyUnstablePlantIsToldAsDivergedInGoodOrder) {
   EXPECT_EQ(reference.summary.verdict, Verdict::kDiverged);
   EXPECT_EQ(reference.summary.diverged_at_tick, simulate(scene).summary.diverged_at_tick);
   EXPECT_TRUE(is_finite(reference.summary));
+}
+
+// ---- a light hand on a stiff grip, with friction: a tick has many starts and stops ----
+
+Scene restless(double hand_kg, double grip_n_per_m, double grip_n_s_per_m) {
+  Scene scene = pressed();
+  scene.duration_s = 10.0;
+  scene.sampling.rate_hz = 228.918;
+  scene.x().device.mass_kg = 0.0145;
+  scene.x().device.damping_n_s_per_m = 0.02;
+  scene.x().device.friction_n = 0.004;
+  scene.x().walls.front().stiffness_n_per_m = 41e3;
+  scene.x().hand->mass_kg = hand_kg;
+  scene.x().hand->stiffness_n_per_m = 7200.0;
+  scene.x().hand->damping_n_s_per_m = 21.0;
+  scene.x().hand->grip_stiffness_n_per_m = grip_n_per_m;
+  scene.x().hand->grip_damping_n_s_per_m = grip_n_s_per_m;
+  return scene;
+}
+
+TEST(Edge, ATickWithTooManyPiecesIsRefusedInWords) {
+  const Scene scene = restless(3.25e-6, 3.18e6, 3700.0);
+  ASSERT_FALSE(validate(scene));
+  try {
+    (void)simulate(scene);
+    FAIL() << "the work of a tick has a limit";
+  } catch (const SimulationRefused& refused) {
+    EXPECT_EQ(std::string(refused.what()).rfind("tick ", 0), 0U) << refused.what();
+  }
+}
+
+TEST(Edge, ARunWithManyPiecesAsksEarlierWhetherToStop) {
+  const Scene scene = restless(1e-5, 1e6, 100.0);
+  std::uint64_t questions = 0;
+  SimulationOptions options;
+  options.should_stop = [&] { return ++questions > 100; };
+  (void)simulate(scene, options);
+  EXPECT_GT(questions, 10U) << "three for its 2289 ticks if they were quick";
 }
 
 }  // namespace
