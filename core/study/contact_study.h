@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,9 +37,9 @@ struct ContactMetrics {
   Boundary limits;
   // Nullopt if the softest wall of the scan does not settle.
   [[nodiscard]] std::optional<Summary> stiffest() const {
-    const bool fails_first = limits.failed.first && limits.settled.first &&
-                             *limits.failed.first < *limits.settled.first;
-    return fails_first ? std::nullopt : limits.at_settled;
+    const double settled = limits.settled.first.value_or(0.0);
+    const double failed = limits.failed.first.value_or(std::numeric_limits<double>::infinity());
+    return failed < settled ? std::nullopt : limits.at_settled;
   }
 
   // ---- of the unchanged scene ----
