@@ -17,9 +17,9 @@ inline constexpr double kInitialRiseS = 0.01;
 // leaves the wall.
 //
 // Rate-hardness, N/s per m/s = N/m: "initial rate of change of force versus initial velocity upon
-// penetrating the surface" (Lawrence, Pao, Dougherty & Salada, "Rate-hardness: a new performance
-// metric for haptic interfaces", IEEE Trans. Robotics and Automation 16(4), 2000; cited from
-// memory). For the sampled force F_d we use
+// penetrating the surface" (Lawrence, Pao, Dougherty, Salada & Pavlou, "Rate-hardness: a new
+// performance metric for haptic interfaces", IEEE Trans. Robotics and Automation 16(4), 2000; cited
+// from memory). For the sampled force F_d we use
 //
 //   max over k of (F_d(k) - F_d(k0)) / ((k - k0) T v_a)
 //

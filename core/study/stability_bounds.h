@@ -13,7 +13,7 @@ struct StabilityBounds {
   // Passive for any hand: b >= K T / 2 + B (Colgate and Schenkel). 0 if B >= b.
   std::optional<double> passive_n_per_m;
   // Stable for a hand that only adds mass, with a delay t_d from a position to its force:
-  // K < (b + B) / (T / 2 + t_d) (Gil, Diolaiti and others).
+  // K < (b + B) / (T / 2 + t_d) (Gil; Hulin).
   std::optional<double> delayed_n_per_m;
   // With an encoder and Coulomb friction: K <= 2 f_c / Delta (Abbott and Okamura 2005).
   std::optional<double> friction_n_per_m;
