@@ -181,8 +181,8 @@ std::optional<SceneNumber> find_scene_number(const Scene& scene, std::string_vie
   if (scene.x().walls.size() == 1 && wanted.starts_with(kFirstWall)) {
     wanted.replace(0, kFirstWall.size(), "wall.");
   }
-  for (SceneNumber& number : scene_numbers(scene)) {
-    if (number.path == wanted) return std::move(number);
+  for (const SceneNumber& number : scene_numbers(scene)) {
+    if (number.path == wanted) return number;
   }
   return std::nullopt;
 }

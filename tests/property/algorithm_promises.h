@@ -56,8 +56,8 @@ inline void forces_are_finite_and_within_the_limit(const Trial& trial) {
 
 // |F(k) - F(k-1)| ≤ b|v|, at rest ≤ α_max; so energy_hold ≥ energy_budget.
 inline void energy_bounding_keeps_its_bound(const Trial& trial) {
-  const double hidden_n = trial.settings.encoder_m > 0.0 ? trial.b() * 0.0075
-                                                         : std::numeric_limits<double>::max();
+  const double hidden_n =
+      trial.settings.encoder_m > 0.0 ? trial.b() * 0.0075 : std::numeric_limits<double>::max();
   const double rest_n = stabiliser_context(trial.settings).value_or("rest_force_step_n", hidden_n);
   for_each_step(trial, [&](const Step& step) {
     const double v = step.now.velocity_m_per_s;

@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-
 #include "core/study/stability_map.h"
 
 namespace hapticwall::draw {

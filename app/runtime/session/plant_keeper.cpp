@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-
 namespace hapticwall::runtime {
 
 PlantKeeper::PlantKeeper(const Scene& first) { kept_.push_back(kept(first, 1, nullptr)); }

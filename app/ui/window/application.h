@@ -70,7 +70,8 @@ class Application {
   void save_settings() { settings_.save(state_); }
 
   [[nodiscard]] runtime::SampleSource& session() {
-    return live_ ? static_cast<runtime::SampleSource&>(*live_) : *replay_;
+    if (live_) return *live_;
+    return *replay_;
   }
   // One of these two is null.
   [[nodiscard]] runtime::LiveSession* live() { return live_.get(); }
