@@ -119,7 +119,9 @@ TEST(Boundaries, AreTheFirstFailureAndTheLastSettledValueBeyondIslands) {
   std::vector<double> settled;
   std::vector<double> failed;
   for (double value = 2000.0; value <= 8000.0; value += 25.0) {
-    (verdict_at(plan, value) == Verdict::kSettled ? settled : failed).push_back(value);
+    const bool settles = verdict_at(plan, value) == Verdict::kSettled;
+    if (settles) settled.push_back(value);
+    if (!settles) failed.push_back(value);
   }
   const Boundary found = find_boundaries(plan).front();
   EXPECT_GT(found.changes, 2U);

@@ -15,10 +15,10 @@ using testing::kPushN;
 
 struct BadCommand {
   std::string name;
-  std::function<std::vector<std::uint8_t>(ForceReport)> bytes;
+  std::function<std::vector<std::uint8_t>(const ForceReport&)> bytes;
 };
 
-std::vector<std::uint8_t> sealed(ForceReport command,
+std::vector<std::uint8_t> sealed(const ForceReport& command,
                                  const std::function<void(ReportBytes&)>& change) {
   ReportBytes bytes = encode_force(command);
   change(bytes);
@@ -40,30 +40,31 @@ std::vector<BadCommand> bad_commands() {
   using Bytes = ReportBytes;
   using Force = ForceReport;
   return {
-      {"empty", [](Force c) { return resized(c, 0); }},
-      {"short", [](Force c) { return resized(c, 63); }},
-      {"long", [](Force c) { return resized(c, 65); }},
-      {"all zero", [](Force) { return std::vector<std::uint8_t>(kReportBytes); }},
-      {"id", [](Force c) { return sealed(c, [](Bytes& b) { b[0] = kStateId; }); }},
+      {"empty", [](const Force& c) { return resized(c, 0); }},
+      {"short", [](const Force& c) { return resized(c, 63); }},
+      {"long", [](const Force& c) { return resized(c, 65); }},
+      {"all zero", [](const Force&) { return std::vector<std::uint8_t>(kReportBytes); }},
+      {"id", [](const Force& c) { return sealed(c, [](Bytes& b) { b[0] = kStateId; }); }},
       {"crc",
-       [](Force c) {
+       [](const Force& c) {
          auto bytes = resized(c, kReportBytes);
          bytes.back() ^= 1U;
          return bytes;
        }},
-      {"reserved byte", [](Force c) { return sealed(c, [](Bytes& b) { b[40] = 1; }); }},
-      {"reserved flag", [](Force c) { return sealed(c, [](Bytes& b) { b[1] |= 4U; }); }},
-      {"no life", [](Force c) { return sealed(c, [](Bytes& b) { b[6] = 0; }); }},
-      {"too long a life", [](Force c) { return sealed(c, [](Bytes& b) { b[6] = 101; }); }},
+      {"reserved byte", [](const Force& c) { return sealed(c, [](Bytes& b) { b[40] = 1; }); }},
+      {"reserved flag", [](const Force& c) { return sealed(c, [](Bytes& b) { b[1] |= 4U; }); }},
+      {"no life", [](const Force& c) { return sealed(c, [](Bytes& b) { b[6] = 0; }); }},
+      {"too long a life", [](const Force& c) { return sealed(c, [](Bytes& b) { b[6] = 101; }); }},
       {"enable and clear",
-       [](Force c) { return changed(c, [](Force& f) { f.clear_faults = true; }); }},
-      {"the sequence before", [](Force c) { return changed(c, [](Force& f) { --f.sequence; }); }},
+       [](const Force& c) { return changed(c, [](Force& f) { f.clear_faults = true; }); }},
+      {"the sequence before",
+       [](const Force& c) { return changed(c, [](Force& f) { --f.sequence; }); }},
       {"a sequence half a turn ahead",
-       [](Force c) { return changed(c, [](Force& f) { f.sequence += 32768U - 1U; }); }},
+       [](const Force& c) { return changed(c, [](Force& f) { f.sequence += 32768U - 1U; }); }},
       {"echo of the past",
-       [](Force c) { return changed(c, [](Force& f) { f.echoed_state_sequence -= 101; }); }},
+       [](const Force& c) { return changed(c, [](Force& f) { f.echoed_state_sequence -= 101; }); }},
       {"echo of the future",
-       [](Force c) { return changed(c, [](Force& f) { f.echoed_state_sequence += 1; }); }}};
+       [](const Force& c) { return changed(c, [](Force& f) { f.echoed_state_sequence += 1; }); }}};
 }
 
 TEST(EmulatorDuty, No7RejectedCommandsChangeNothing) {
