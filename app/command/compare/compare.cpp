@@ -84,10 +84,12 @@ std::optional<Runs> run_all(file::LoadedScene loaded, const std::vector<std::siz
 Failure write_results(OutputFiles& files, const Scene& scene, const Runs& runs,
                       const std::vector<std::size_t>& order) {
   std::vector<RunSummary> rows;
+  rows.reserve(order.size());
   for (const std::size_t i : order) rows.push_back(runs.summaries[i]);
   return files.write(
       {summaries_csv(runs.summaries), summaries_json(runs.summaries), comparison_table(rows)}, [&] {
         std::vector<draw::ComparedRun> compared;
+        compared.reserve(order.size());
         for (const std::size_t i : order) {
           compared.push_back({runs.summaries[i].front(), runs.histories[i]});
         }

@@ -131,6 +131,7 @@ Json row_object(const ContactMetrics& row) {
 
 std::vector<Json> row_objects(const std::vector<ContactMetrics>& rows) {
   std::vector<Json> objects;
+  objects.reserve(rows.size());
   for (const ContactMetrics& row : rows) objects.push_back(row_object(row));
   return objects;
 }
