@@ -155,6 +155,7 @@ std::vector<Summary> simulate_all(std::span<const Scene> scenes, const BatchOpti
   BatchResult result = simulate_batch(scenes, options);
   std::vector<Summary> summaries;
   if (result.stopped_early) return summaries;
+  summaries.reserve(scenes.size());
   for (std::optional<Summary>& summary : result.summaries) summaries.push_back(std::move(*summary));
   return summaries;
 }

@@ -9,10 +9,13 @@ std::vector<MapMetrics> run_cells(const StabilityMap& map, std::size_t begin, st
   std::vector<Scene> scenes;
   scenes.reserve(end - begin);
   for (std::size_t cell = begin; cell < end; ++cell) scenes.push_back(map.scene_at(cell));
+  // Not simulate_all(): with short runs the second list of summaries costs time.
+  const BatchResult result = simulate_batch(scenes, {.should_stop = should_stop, .progress = {}});
   std::vector<MapMetrics> metrics;
-  for (const Summary& summary :
-       simulate_all(scenes, {.should_stop = should_stop, .progress = {}})) {
-    metrics.push_back(map_metrics(summary));
+  if (result.stopped_early) return metrics;
+  metrics.reserve(scenes.size());
+  for (const std::optional<Summary>& summary : result.summaries) {
+    metrics.push_back(map_metrics(*summary));
   }
   return metrics;
 }
