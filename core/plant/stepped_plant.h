@@ -31,10 +31,9 @@ struct SteppedMechanics {
     if (p.grip) {
       return p.grip_stiffness_n_per_m * (y.hand_position_m - y.position_m) +
              p.grip_damping_n_s_per_m * (y.hand_velocity_m_per_s - y.velocity_m_per_s);
-    } else {
-      return p.hand_stiffness_n_per_m * (drive.position_m - y.position_m) +
-             p.hand_damping_n_s_per_m * (drive.velocity_m_per_s - y.velocity_m_per_s);
     }
+    return p.hand_stiffness_n_per_m * (drive.position_m - y.position_m) +
+           p.hand_damping_n_s_per_m * (drive.velocity_m_per_s - y.velocity_m_per_s);
   }
   // The actuator's real force under the command `force_n`.
   [[nodiscard]] double actuator_n(const State& y, double force_n) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/units.h"
+#include "device/hid/link_command.h"
 
 namespace hapticwall::device {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <ranges>
+#include <span>
 
 #include "app/command/report/text_table.h"
 #include "core/simulation/metrics.h"
@@ -206,7 +206,7 @@ std::string summary_lines(const RunSummary& run, const Circumstances& circumstan
                      summary_line("simulated", fmt::format("{:.6g} s, {} ticks{}", s.duration_s,
                                                            s.ticks, speed_text(s))) +
                      axis_lines(s);
-  for (const Summary& y : run | std::views::drop(1)) {
+  for (const Summary& y : std::span(run).subspan(1)) {
     text += fmt::format("axis y: {}\n", verdict_text(y)) + axis_lines(y);
   }
   if (!circumstances.realtime_status.empty()) {

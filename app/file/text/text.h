@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -61,6 +62,7 @@ inline constexpr std::size_t kMaxQuoteBytes = 80;  // bytes
 template <typename Elements, typename Name>
 [[nodiscard]] std::vector<std::string_view> names_of(const Elements& elements, Name name) {
   std::vector<std::string_view> names;
+  names.reserve(std::size(elements));
   for (const auto& element : elements) names.emplace_back(element.*name);
   return names;
 }

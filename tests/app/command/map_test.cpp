@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/summary.h"
 #include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <ranges>
 #include <regex>
 #include <stdexcept>
 #include <string>
@@ -69,8 +68,8 @@ class WrongInputReader {
   void finish_row() {
     if (lines_.empty()) return;
     std::vector<std::string> choices{""};
-    for (const std::string& line : std::views::reverse(lines_)) {
-      if (std::smatch list; std::regex_search(line, list, list_)) choices = split(list.str(1));
+    for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) {
+      if (std::smatch list; std::regex_search(*line, list, list_)) choices = split(list.str(1));
     }
     for (std::size_t i = 0; i < choices.size(); ++i) {
       if (!name_.empty()) rows_.push_back({section_, name_, line_of_name_, {}, {}, 0, ""});
