@@ -49,7 +49,7 @@ class MovingPlant {
   [[nodiscard]] Real position_m() const { return motion_.body.position_m; }
   [[nodiscard]] const BasicEnergyTotals<Real>& energy() const { return motion_.energy; }
 
-  // Pieces that the motion of the last tick was cut into; 0 if it took the short way.
+  // Pieces of the motion in the last advance(); 0 if one matrix step was enough.
   [[nodiscard]] int pieces() const { return pieces_; }
   // True after a tick with more than kMaxPieces. The position is then NaN, and stays so until
   // reset().
