@@ -23,8 +23,8 @@ static_assert(kChunkTicks == kAxesApartTicks);
 constexpr std::array kLawLoops{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_ADDRESS)};
 #undef HAPTICWALL_ADDRESS
 
-// Laws have inlined loops for the exact plants. Other plants and algorithms with a follower call the
-// law through a pointer.
+// Laws have inlined loops for the exact plants. Other plants and algorithms with a follower call
+// the law through a pointer.
 template <typename Plant>
 void run_chunk_of(HeadlessRun& run, Plant& plant, std::uint64_t end) {
   if constexpr (LawLoopTable::kHas<Plant>) {
