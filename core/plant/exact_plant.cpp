@@ -48,7 +48,7 @@ void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s) {
       events_at_one_instant = 0;
     }
     if (step_s == 0) {
-      step_s = std::min(level_duration(body_.deepest_level()), rest_s);
+      step_s = std::min(body_.level(body_.deepest_level()).duration_s, rest_s);
       if (done_s + step_s <= done_s) break;  // the rest is below the last digit
       step_s *= advance_by_taylor(force_n, now, step_s);
       // A stretch below the last digit of the time is no progress either.
@@ -60,16 +60,11 @@ void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s) {
   Body::move_origin(motion_.body, -origin_m);
 }
 
-template <typename Body, bool kFriction>
-auto ExactPlant<Body, kFriction>::level_duration(int level) const -> Real {
-  return std::ldexp(static_cast<Real>(period_s_), -level);
-}
-
 // Takes the longest level that fits without an event; returns its duration, or 0 for none.
 template <typename Body, bool kFriction>
 auto ExactPlant<Body, kFriction>::try_levels(Real force_n, const Drive& now, Real rest_s) -> Real {
   for (int level = 0; level <= body_.deepest_level(); ++level) {
-    const Real step_s = level_duration(level);
+    const Real step_s = body_.level(level).duration_s;
     if (step_s > rest_s || !surely_quiet(level, force_n, now)) continue;
     if (kFriction && motion_.direction == 0) {
       body_.advance_stick_level(level, motion_.body, force_n, now);
@@ -91,10 +86,11 @@ auto ExactPlant<Body, kFriction>::rest_for_a_while(Real force_n, const Drive& no
                                                    int stalls) -> Real {
   for (int level = std::max(0, body_.deepest_level() - stalls); level <= body_.deepest_level();
        ++level) {
-    if (level_duration(level) > rest_s) continue;
+    const Real step_s = body_.level(level).duration_s;
+    if (step_s > rest_s) continue;
     if (motion_.direction != 0) stop();
     body_.advance_stick_level(level, motion_.body, force_n, now);
-    return level_duration(level);
+    return step_s;
   }
   return 0;
 }
@@ -119,7 +115,7 @@ bool ExactPlant<Body, kFriction>::surely_quiet(int level, Real force_n, const Dr
   if constexpr (!kFriction) return true;
   if (motion_.direction == 0) {
     return body_.surely_sticks(level, motion_.body, force_n, now,
-                               friction_n_ + rounding_n(force_n, now));
+                               friction_n_ + rounding_n(motion_.body, force_n, now));
   }
   return body_.surely_slides(body_.level(level), motion_.body, load(motion_, force_n), now,
                              motion_.direction);
@@ -154,7 +150,7 @@ auto ExactPlant<Body, kFriction>::advance_sliding(Real force_n, const Drive& now
 template <typename Body, bool kFriction>
 auto ExactPlant<Body, kFriction>::advance_sticking(Real force_n, const Drive& now, Real step_s)
     -> Real {
-  const Real rounding = rounding_n(force_n, now);
+  const Real rounding = rounding_n(motion_.body, force_n, now);
   const auto stick = body_.stick(motion_.body, force_n, now, step_s);
   Real theta = 1;
   Real direction = 0;
@@ -175,15 +171,6 @@ auto ExactPlant<Body, kFriction>::advance_sticking(Real force_n, const Drive& no
     ++friction_events_;
   }
   return theta;
-}
-
-// Rounding error of a net force. A net force beyond friction by more than this breaks the handle
-// loose at once, whatever its trend.
-template <typename Body, bool kFriction>
-auto ExactPlant<Body, kFriction>::rounding_n(Real force_n, const Drive& now) const -> Real {
-  constexpr Real kLastDigits = 8 * std::numeric_limits<Real>::epsilon();
-  return kLastDigits *
-         (std::abs(body_.hand_force_n(motion_.body, now)) + std::abs(force_n) + friction_n_);
 }
 
 template class ExactPlant<BasicOneBody<double, false>, false>;

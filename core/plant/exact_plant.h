@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "core/plant/energy_totals.h"
@@ -28,8 +29,8 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
 
  public:
   using typename Base::Motion;
-  // Without optional parts, whose tick is so short that the cost of the loop matters.
-  static constexpr bool kPlain = !kFriction && !Body::kHasLag;
+  // Without an amplifier's lag the tick is so short that the cost of the loop matters.
+  static constexpr bool kPlain = !Body::kHasLag;
 
   // `friction_n`: Coulomb friction f_c ≥ 0; not read if kFriction is false.
   ExactPlant(const Body& body, HandPath path, double period_s, double start_m, double friction_n)
@@ -101,8 +102,8 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
     const Drive now = drive(motion);
     const Load<Real> total = load(motion, force_n);
     if constexpr (kFriction) {
-      if (motion.direction == 0 ||
-          !body_.surely_slides(body_.level(0), motion.body, total, now, motion.direction)) {
+      if (motion.direction == 0) return try_sticking_tick(motion, force_n);
+      if (!body_.surely_slides(body_.level(0), motion.body, total, now, motion.direction)) {
         return false;
       }
     }
@@ -110,10 +111,25 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
     return true;
   }
 
+  // Relative to the handle, as advance_piece() does it: with the same bits.
+  [[nodiscard, gnu::always_inline]] bool try_sticking_tick(Motion& motion, Real force_n) const {
+    const Real origin_m = motion.body.position_m;
+    typename Body::State body = motion.body;
+    Body::move_origin(body, origin_m);
+    Drive now = drive(motion);
+    now.position_m -= origin_m;
+    if (!body_.surely_sticks(0, body, force_n, now, friction_n_ + rounding_n(body, force_n, now))) {
+      return false;
+    }
+    body_.advance_stick_level(0, body, force_n, now);
+    Body::move_origin(body, -origin_m);
+    motion.body = body;
+    return true;
+  }
+
   // A stretch with a straight path: whole levels while no event is possible in them, else Taylor
   // pieces.
   void advance_piece(Real force_n, Real duration_s);
-  [[nodiscard]] Real level_duration(int level) const;
   Real try_levels(Real force_n, const Drive& now, Real rest_s);
   Real rest_for_a_while(Real force_n, const Drive& now, Real rest_s, int stalls);
   void stop_if_spent();
@@ -122,7 +138,14 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
   Real advance_by_taylor(Real force_n, const Drive& now, Real step_s);
   Real advance_sliding(Real force_n, const Drive& now, Real step_s);
   Real advance_sticking(Real force_n, const Drive& now, Real step_s);
-  [[nodiscard]] Real rounding_n(Real force_n, const Drive& now) const;
+  // Rounding error of a net force. A net force beyond friction by more than this breaks the handle
+  // loose at once, whatever its trend.
+  [[nodiscard]] Real rounding_n(const typename Body::State& body, Real force_n,
+                                const Drive& now) const {
+    constexpr Real kLastDigits = 8 * std::numeric_limits<Real>::epsilon();
+    return kLastDigits *
+           (std::abs(body_.hand_force_n(body, now)) + std::abs(force_n) + friction_n_);
+  }
 
   static constexpr int kMaxEventsAtOneInstant = 8;
 

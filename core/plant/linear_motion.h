@@ -82,13 +82,14 @@ template <typename Real, bool kLag>
                                               const TaylorPolynomial<Real>& hand_force,
                                               const LagPiece<Real, kLag>& lag, Real duration_s,
                                               Real theta) {
+  std::array<const TaylorPolynomial<Real>*, kLag ? 3 : 2> factors{&velocity, &hand_force};
+  if constexpr (kLag) factors[2] = &lag.excess;
+  const auto products = product_integrals(factors, velocity, theta);
   MotionIncrement<Real> increment;
   increment.displacement_m = duration_s * velocity.integral_to(theta);
-  increment.velocity_squared = duration_s * product_integral(velocity, velocity, theta);
-  increment.hand_work_j = duration_s * product_integral(hand_force, velocity, theta);
-  if constexpr (kLag) {
-    increment.lag_work_j = duration_s * product_integral(lag.excess, velocity, theta);
-  }
+  increment.velocity_squared = duration_s * products[0];
+  increment.hand_work_j = duration_s * products[1];
+  if constexpr (kLag) increment.lag_work_j = duration_s * products[2];
   return increment;
 }
 

@@ -80,26 +80,6 @@ BasicOneBody<Real, kLag>::BasicOneBody(const PlantParameters& parameters, double
   }
 }
 
-// On a handle at rest the hand's force changes linearly and a lag's excess decays, so the values at
-// both ends bound the net force.
-template <typename Real, bool kLag>
-bool BasicOneBody<Real, kLag>::surely_sticks(int level, const State& state, Real force_n,
-                                             const BasicHandDrive<Real>& drive,
-                                             Real friction_n) const {
-  const Rows& rows = this->level(level);
-  const Real begin_n = hand_force_n(state, drive) - force_n;
-  const Real end_n = begin_n + hand_stiffness_n_per_m_ * drive.velocity_m_per_s * rows.duration_s;
-  Real most_n = std::max(begin_n, end_n);
-  Real least_n = std::min(begin_n, end_n);
-  if constexpr (kLag) {
-    const Real excess_n = state.excess_n(force_n);
-    const Real rest_n = excess_n - rows.lag.settled_fraction * excess_n;
-    most_n -= std::min(excess_n, rest_n);
-    least_n -= std::max(excess_n, rest_n);
-  }
-  return most_n <= friction_n && least_n >= -friction_n;
-}
-
 template <typename Real, bool kLag>
 auto BasicOneBody<Real, kLag>::slide(const State& state, const Load<Real>& load,
                                      const BasicHandDrive<Real>& drive, Real duration_s,

@@ -1,7 +1,9 @@
 #include "core/plant/taylor_polynomial.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace hapticwall {
 namespace {
@@ -91,6 +93,29 @@ Real refine(const TaylorPolynomial<Real>& p, Real sign, Real low, Real high) {
   return theta;
 }
 
+// The answer of search() on [0, 1] where it is plain, without Bernstein coefficients: P keeps its
+// sign, or it is monotone and ends clearly on one side.
+enum class Plain : std::uint8_t { kNo, kStays, kCrosses };
+template <typename Real>
+Plain plain_case(const Coefficients<Real>& c, Real sign) {
+  constexpr Real kMargin{1e-9};  // far above the rounding of these sums
+  Real rest = 0;
+  Real rest_of_slope = 0;
+  Real end = 0;
+  for (std::size_t j = kTerms - 1; j > 0; --j) {
+    rest += std::abs(c[j]);
+    if (j > 1) rest_of_slope += static_cast<Real>(j) * std::abs(c[j]);
+    end += c[j];
+  }
+  const Real begin = sign * c[0];
+  end = begin + sign * end;
+  const Real rounding = kMargin * (std::abs(begin) + rest);
+  if (begin - rest > rounding) return Plain::kStays;
+  if (begin < rounding || std::abs(c[1]) - rest_of_slope < rounding) return Plain::kNo;
+  if (end > rounding) return Plain::kStays;
+  return end < -rounding ? Plain::kCrosses : Plain::kNo;
+}
+
 constexpr int kMaxDepth = 48;
 
 template <typename Real>
@@ -104,6 +129,16 @@ std::optional<Real> search(const TaylorPolynomial<Real>& p, Real sign, Coefficie
   const Real middle = (low + high) / 2;
   if (const auto found = search(p, sign, left, low, middle, depth + 1)) return found;
   return search(p, sign, b, middle, high, depth + 1);
+}
+
+template <typename Real>
+std::optional<Real> first_crossing_from_above(const TaylorPolynomial<Real>& p, Real sign) {
+  const Plain plain = plain_case(p.coefficient, sign);
+  if (plain == Plain::kStays) return std::nullopt;
+  if (plain == Plain::kCrosses) return refine<Real>(p, sign, 0, 1);
+  Coefficients<Real> b = to_bernstein<Real>(p.coefficient);
+  if (sign < 0) std::transform(b.begin(), b.end(), b.begin(), [](Real v) { return -v; });
+  return search<Real>(p, sign, b, 0, 1, 0);
 }
 
 }  // namespace
@@ -135,49 +170,56 @@ Real TaylorPolynomial<Real>::integral_to(Real theta) const {
   return value * theta;
 }
 
-template <typename Real>
-Real product_integral(const TaylorPolynomial<Real>& p, const TaylorPolynomial<Real>& q,
-                      Real theta) {
-  Real total = 0;
+template <typename Real, std::size_t kCount>
+std::array<Real, kCount> product_integrals(
+    const std::array<const TaylorPolynomial<Real>*, kCount>& ps, const TaylorPolynomial<Real>& q,
+    Real theta) {
+  // One lane a P: the additions of all sums wait for each other anyway.
+  using Lanes = Eigen::Array<Real, kCount, 1>;
+  std::array<Lanes, kTerms> p;
+  for (std::size_t i = 0; i < kTerms; ++i) {
+    for (std::size_t k = 0; k < kCount; ++k) p[i][k] = ps[k]->coefficient[i];
+  }
+  Lanes total = Lanes::Zero();
   for (std::size_t n = 2 * kTerms - 1; n > 0; --n) {
     const std::size_t degree = n - 1;
-    Real term = 0;
+    Lanes term = Lanes::Zero();
     const std::size_t first = degree < kTerms ? 0 : degree - (kTerms - 1);
     for (std::size_t i = first; i <= std::min(degree, kTerms - 1); ++i) {
-      term += p.coefficient[i] * q.coefficient[degree - i];
+      term += p[i] * q.coefficient[degree - i];
     }
     total = total * theta + term / static_cast<Real>(n);
   }
-  return total * theta;
+  total *= theta;
+  std::array<Real, kCount> integrals;
+  for (std::size_t k = 0; k < kCount; ++k) integrals[k] = total[k];
+  return integrals;
 }
 
 template <typename Real>
 std::optional<Real> first_crossing(const TaylorPolynomial<Real>& p, Real sign) {
   const auto& c = p.coefficient;
-  Real rest = 0;
-  for (std::size_t j = 1; j < kTerms; ++j) rest += std::abs(c[j]);
-  if (sign * c[0] > rest) return std::nullopt;
-
-  TaylorPolynomial<Real> q = p;
-  if (sign * c[0] <= 0) {
-    std::size_t zeros = 1;
-    while (zeros < kTerms && c[zeros] == 0) ++zeros;
-    if (zeros == kTerms) return std::nullopt;
-    if (sign * c[zeros] < 0) return Real(0);
-    q = TaylorPolynomial<Real>{};
-    std::copy(c.begin() + static_cast<std::ptrdiff_t>(zeros), c.end(), q.coefficient.begin());
-  }
-  Coefficients<Real> b = to_bernstein<Real>(q.coefficient);
-  if (sign < 0) std::transform(b.begin(), b.end(), b.begin(), [](Real v) { return -v; });
-  return search<Real>(q, sign, b, 0, 1, 0);
+  if (!(sign * c[0] <= 0)) return first_crossing_from_above(p, sign);
+  std::size_t zeros = 1;
+  while (zeros < kTerms && c[zeros] == 0) ++zeros;
+  if (zeros == kTerms) return std::nullopt;
+  if (sign * c[zeros] < 0) return Real(0);
+  TaylorPolynomial<Real> q;
+  std::copy(c.begin() + static_cast<std::ptrdiff_t>(zeros), c.end(), q.coefficient.begin());
+  return first_crossing_from_above(q, sign);
 }
 
 template struct TaylorPolynomial<double>;
 template struct TaylorPolynomial<long double>;
-template double product_integral(const TaylorPolynomial<double>&, const TaylorPolynomial<double>&,
-                                 double);
-template long double product_integral(const TaylorPolynomial<long double>&,
-                                      const TaylorPolynomial<long double>&, long double);
+#define HAPTICWALL_PRODUCT_INTEGRALS(Real, count)                                             \
+  template std::array<Real, count> product_integrals(                                         \
+      const std::array<const TaylorPolynomial<Real>*, count>&, const TaylorPolynomial<Real>&, \
+      Real)
+HAPTICWALL_PRODUCT_INTEGRALS(double, 2);
+HAPTICWALL_PRODUCT_INTEGRALS(double, 3);
+HAPTICWALL_PRODUCT_INTEGRALS(long double, 2);
+HAPTICWALL_PRODUCT_INTEGRALS(long double, 3);
+#undef HAPTICWALL_PRODUCT_INTEGRALS
 template std::optional<double> first_crossing(const TaylorPolynomial<double>&, double);
 template std::optional<long double> first_crossing(const TaylorPolynomial<long double>&,
                                                    long double);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 namespace hapticwall {
@@ -32,10 +33,11 @@ struct TaylorPolynomial {
   [[nodiscard]] Real integral_to(Real theta) const;
 };
 
-// ∫_0^θ P Q. Realtime-safe: yes, this and what follows.
-template <typename Real>
-[[nodiscard]] Real product_integral(const TaylorPolynomial<Real>& p,
-                                    const TaylorPolynomial<Real>& q, Real theta);
+// ∫_0^θ P Q for each P. Realtime-safe: yes, this and what follows.
+template <typename Real, std::size_t kCount>
+[[nodiscard]] std::array<Real, kCount> product_integrals(
+    const std::array<const TaylorPolynomial<Real>*, kCount>& ps, const TaylorPolynomial<Real>& q,
+    Real theta);
 
 // The first θ in [0, 1] at which `sign` * P turns from positive to negative, or nothing. `sign` is
 // +1 or -1. A start at zero, or below it by rounding, counts as zero, and gives 0 only if sign * P

@@ -63,7 +63,14 @@ BasicTwoBodies<Real, kLag>::BasicTwoBodies(const PlantParameters& p, double peri
       period_s_(period_s),
       half_mass_kg_(parameters_.mass_kg / 2),
       per_mass_(1 / parameters_.mass_kg),
-      per_hand_mass_(1 / parameters_.hand_mass_kg) {
+      per_hand_mass_(1 / parameters_.hand_mass_kg),
+      stick_stiffness_n_per_m_(parameters_.hand_stiffness_n_per_m +
+                               parameters_.grip_stiffness_n_per_m),
+      root_stick_stiffness_(std::sqrt(stick_stiffness_n_per_m_)),
+      root_per_hand_mass_(std::sqrt(per_hand_mass_)),
+      hand_share_(stick_stiffness_n_per_m_ > 0
+                      ? parameters_.hand_stiffness_n_per_m / stick_stiffness_n_per_m_
+                      : 0) {
   const Parameters& q = parameters_;
   const Real stiffness =
       std::max(2 * q.grip_stiffness_n_per_m * per_mass_,
@@ -123,48 +130,6 @@ void BasicTwoBodies<Real, kLag>::make_stick_levels(const PlantParameters& p, int
     stick_levels_.push_back({{static_cast<Real>(e(0, 0)), static_cast<Real>(e(0, 1) * t)},
                              {static_cast<Real>(e(2, 0) * t), static_cast<Real>(e(2, 1) * t * t)}});
   }
-}
-
-// The net force changes at the rate k_g w + b_g w'. The energy ½m_h w'² + ½(k_h + k_g)(w - w_end)²
-// never grows, which bounds both terms. A lag's excess decays to a known value.
-template <typename Real, bool kLag>
-bool BasicTwoBodies<Real, kLag>::surely_sticks(int level, const State& state, Real force_n,
-                                               const BasicHandDrive<Real>& drive,
-                                               Real friction_n) const {
-  const Parameters& p = parameters_;
-  const Rows& rows = this->level(level);
-  const Real h = rows.duration_s;
-  const Real stiffness = p.hand_stiffness_n_per_m + p.grip_stiffness_n_per_m;
-  const Real end = settling_velocity(drive);
-  const Real u = state.hand_velocity_m_per_s - end;
-  const Real a = hand_acceleration(state, drive);
-  const Real root_energy = std::sqrt(p.hand_mass_kg * a * a + stiffness * u * u);
-  const Real most_a = root_energy * std::sqrt(per_hand_mass_);
-  Real most_w = std::abs(state.hand_velocity_m_per_s) + h * most_a;
-  if (stiffness > 0) {
-    most_w = std::min(most_w, std::abs(end) + root_energy / std::sqrt(stiffness));
-  }
-  Real change_n = h * (p.grip_stiffness_n_per_m * most_w + p.grip_damping_n_s_per_m * most_a);
-  Real net_n = grip_force(state) - force_n;
-  if constexpr (kLag) {
-    const Real excess_n = state.excess_n(force_n);
-    net_n -= excess_n;
-    change_n += rows.lag.settled_fraction * std::abs(excess_n);
-  }
-  return std::abs(net_n) + change_n <= friction_n;
-}
-
-template <typename Real, bool kLag>
-void BasicTwoBodies<Real, kLag>::advance_stick_level(int level, State& state, Real force_n,
-                                                     const BasicHandDrive<Real>& drive) const {
-  const Rows& rows = this->level(level);
-  const StickRows& stick = stick_levels_[static_cast<std::size_t>(level)];
-  const Real end = settling_velocity(drive);
-  const Real u = state.hand_velocity_m_per_s - end;
-  const Real a = hand_acceleration(state, drive);
-  state.hand_position_m += end * rows.duration_s + (stick.integral[0] * u + stick.integral[1] * a);
-  state.hand_velocity_m_per_s += stick.velocity[0] * u + stick.velocity[1] * a;
-  rows.lag.settle(state, force_n);
 }
 
 template <typename Real, bool kLag>

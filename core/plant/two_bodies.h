@@ -133,8 +133,7 @@ class BasicTwoBodies {
 
   // The speed at which the hand's force on a handle at rest would stay constant.
   [[nodiscard]] Real settling_velocity(const BasicHandDrive<Real>& drive) const {
-    const Real total = parameters_.hand_stiffness_n_per_m + parameters_.grip_stiffness_n_per_m;
-    return total > 0 ? parameters_.hand_stiffness_n_per_m / total * drive.velocity_m_per_s : 0;
+    return hand_share_ * drive.velocity_m_per_s;
   }
   // sqrt(2E) of the relative motion's energy E; see surely_slides().
   [[nodiscard]] Real root_energy(const Row& c) const;
@@ -156,6 +155,11 @@ class BasicTwoBodies {
   Real jerk_per_root_energy_ = 0;
   Real drive_rate_per_root_energy_ = 0;  // bounds g' of surely_slides()
   Real self_damping_rate_per_s_ = 0;     // (b + b_g)/m
+  // Of the hand alone, while the handle sticks.
+  Real stick_stiffness_n_per_m_;  // k_h + k_g
+  Real root_stick_stiffness_;
+  Real root_per_hand_mass_;
+  Real hand_share_;  // k_h/(k_h + k_g), 0 without stiffness
   std::vector<Rows> levels_;
   std::vector<StickRows> stick_levels_;
 };
@@ -210,6 +214,47 @@ template <typename Real, bool kLag>
          v + std::min(Real(0), direction * c[0] * h) > bend ||
          (v > 0 && direction * c[0] + self_damping_rate_per_s_ * v >
                        h * drive_rate_per_root_energy_ * root + settling);
+}
+
+// The net force changes at the rate k_g w + b_g w'. The energy ½m_h w'² + ½(k_h + k_g)(w - w_end)²
+// never grows, which bounds both terms. A lag's excess decays to a known value.
+template <typename Real, bool kLag>
+[[gnu::always_inline]] inline bool BasicTwoBodies<Real, kLag>::surely_sticks(
+    int level, const State& state, Real force_n, const BasicHandDrive<Real>& drive,
+    Real friction_n) const {
+  const Parameters& p = parameters_;
+  const Rows& rows = this->level(level);
+  const Real h = rows.duration_s;
+  const Real end = settling_velocity(drive);
+  const Real u = state.hand_velocity_m_per_s - end;
+  const Real a = hand_acceleration(state, drive);
+  const Real root_energy = std::sqrt(p.hand_mass_kg * a * a + stick_stiffness_n_per_m_ * u * u);
+  const Real most_a = root_energy * root_per_hand_mass_;
+  Real most_w = std::abs(state.hand_velocity_m_per_s) + h * most_a;
+  if (stick_stiffness_n_per_m_ > 0) {
+    most_w = std::min(most_w, std::abs(end) + root_energy / root_stick_stiffness_);
+  }
+  Real change_n = h * (p.grip_stiffness_n_per_m * most_w + p.grip_damping_n_s_per_m * most_a);
+  Real net_n = grip_force(state) - force_n;
+  if constexpr (kLag) {
+    const Real excess_n = state.excess_n(force_n);
+    net_n -= excess_n;
+    change_n += rows.lag.settled_fraction * std::abs(excess_n);
+  }
+  return std::abs(net_n) + change_n <= friction_n;
+}
+
+template <typename Real, bool kLag>
+[[gnu::always_inline]] inline void BasicTwoBodies<Real, kLag>::advance_stick_level(
+    int level, State& state, Real force_n, const BasicHandDrive<Real>& drive) const {
+  const Rows& rows = this->level(level);
+  const StickRows& stick = stick_levels_[static_cast<std::size_t>(level)];
+  const Real end = settling_velocity(drive);
+  const Real u = state.hand_velocity_m_per_s - end;
+  const Real a = hand_acceleration(state, drive);
+  state.hand_position_m += end * rows.duration_s + (stick.integral[0] * u + stick.integral[1] * a);
+  state.hand_velocity_m_per_s += stick.velocity[0] * u + stick.velocity[1] * a;
+  rows.lag.settle(state, force_n);
 }
 
 }  // namespace hapticwall
