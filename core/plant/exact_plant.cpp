@@ -151,6 +151,11 @@ template <typename Body, bool kFriction>
 auto ExactPlant<Body, kFriction>::advance_sticking(Real force_n, const Drive& now, Real step_s)
     -> Real {
   const Real rounding = rounding_n(motion_.body, force_n, now);
+  const Real net_n = body_.net_force_at_rest_n(motion_.body, force_n, now);
+  if (friction_n_ - std::abs(net_n) < -rounding) {
+    break_loose(net_n > 0 ? 1 : -1);
+    return 0;
+  }
   const auto stick = body_.stick(motion_.body, force_n, now, step_s);
   Real theta = 1;
   Real direction = 0;
@@ -158,19 +163,21 @@ auto ExactPlant<Body, kFriction>::advance_sticking(Real force_n, const Drive& no
     TaylorPolynomial<Real> reserve = stick.net_force;  // f_c - side * F_net
     for (Real& c : reserve.coefficient) c *= -side;
     reserve.coefficient[0] += friction_n_;
-    const auto loose = reserve.coefficient[0] < -rounding ? std::optional<Real>(0)
-                                                          : first_crossing(reserve, Real(1));
+    const auto loose = first_crossing(reserve, Real(1));
     if (loose && (*loose < theta || direction == 0)) {
       theta = *loose;
       direction = side;
     }
   }
   Body::advance(motion_.body, stick, theta);
-  if (direction != 0) {
-    motion_.direction = direction;
-    ++friction_events_;
-  }
+  if (direction != 0) break_loose(direction);
   return theta;
+}
+
+template <typename Body, bool kFriction>
+void ExactPlant<Body, kFriction>::break_loose(Real direction) {
+  motion_.direction = direction;
+  ++friction_events_;
 }
 
 template class ExactPlant<BasicOneBody<double, false>, false>;

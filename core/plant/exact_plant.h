@@ -134,6 +134,7 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
   Real rest_for_a_while(Real force_n, const Drive& now, Real rest_s, int stalls);
   void stop_if_spent();
   void stop();
+  void break_loose(Real direction);
   [[nodiscard]] bool surely_quiet(int level, Real force_n, const Drive& now) const;
   Real advance_by_taylor(Real force_n, const Drive& now, Real step_s);
   Real advance_sliding(Real force_n, const Drive& now, Real step_s);

@@ -95,6 +95,13 @@ class BasicOneBody {
     this->level(level).lag.settle(state, force_n);
   }
 
+  // F_h - F_a on a handle at rest, newtons.
+  [[nodiscard]] Real net_force_at_rest_n(const State& state, Real force_n,
+                                         const BasicHandDrive<Real>& drive) const {
+    const Real net_n = hand_force_n(state, drive) - force_n;
+    if constexpr (kLag) return net_n - state.excess_n(force_n);
+    return net_n;
+  }
   // For steps shorter than the deepest level. A handle that has just broken loose is not
   // accelerated against `push`, the sign of its direction (0: it already moves).
   [[nodiscard]] Slide slide(const State& state, const Load<Real>& load,

@@ -181,6 +181,7 @@ std::array<Real, kCount> product_integrals(
     for (std::size_t k = 0; k < kCount; ++k) p[i][k] = ps[k]->coefficient[i];
   }
   Lanes total = Lanes::Zero();
+#pragma GCC unroll 30
   for (std::size_t n = 2 * kTerms - 1; n > 0; --n) {
     const std::size_t degree = n - 1;
     Lanes term = Lanes::Zero();

@@ -88,6 +88,12 @@ class BasicTwoBodies {
                                    const BasicHandDrive<Real>& drive, Real friction_n) const;
   void advance_stick_level(int level, State& state, Real force_n,
                            const BasicHandDrive<Real>& drive) const;
+  [[nodiscard]] Real net_force_at_rest_n(const State& state, Real force_n,
+                                         const BasicHandDrive<Real>& /*drive*/) const {
+    const Real net_n = grip_force(state) - force_n;
+    if constexpr (kLag) return net_n - state.excess_n(force_n);
+    return net_n;
+  }
   [[nodiscard]] Slide slide(const State& state, const Load<Real>& load,
                             const BasicHandDrive<Real>& drive, Real duration_s, Real push) const;
   [[nodiscard]] MotionIncrement<Real> advance(State& state, const Slide& slide, Real theta) const;
