@@ -17,16 +17,16 @@ void ExactPlant<Body, kFriction>::advance(Real force_n) {
   motion_.path = path_.straight();
   if (path_.bends_within_tick()) {
     do {
-      advance_piece(force_n, path_.piece_fraction() * period_s_);
+      advance_piece(force_n, path_.piece_fraction() * period_s_, 0);
     } while (path_.next_piece());
   } else if (!try_straight_tick(motion_, force_n)) {
-    advance_piece(force_n, period_s_);
+    advance_piece(force_n, period_s_, 1);
   }
   path_.next_tick();
 }
 
 template <typename Body, bool kFriction>
-void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s) {
+void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s, int first_level) {
   // Small displacements must not drown in a large position: the origin moves to the handle.
   const Real origin_m = motion_.body.position_m;
   Body::move_origin(motion_.body, origin_m);
@@ -35,6 +35,7 @@ void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s) {
   Real done_s = 0;
   int events_at_one_instant = 0;
   int stalls = 0;
+  const std::uint64_t events = friction_events_;
   stop_if_spent();
   while (done_s < duration_s) {
     if (++pieces_ > Base::kMaxPieces) {
@@ -42,7 +43,8 @@ void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s) {
       return;
     }
     const Real rest_s = duration_s - done_s;
-    Real step_s = try_levels(force_n, now, rest_s);
+    const bool as_at_first = done_s == 0 && friction_events_ == events;
+    Real step_s = try_levels(as_at_first ? first_level : 0, force_n, now, rest_s);
     if (step_s == 0 && events_at_one_instant > kMaxEventsAtOneInstant) {
       step_s = rest_for_a_while(force_n, now, rest_s, stalls++);
       events_at_one_instant = 0;
@@ -60,10 +62,12 @@ void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s) {
   Body::move_origin(motion_.body, -origin_m);
 }
 
-// Takes the longest level that fits without an event; returns its duration, or 0 for none.
+// Takes the longest level from `first_level` on that fits without an event; returns its duration,
+// or 0 for none.
 template <typename Body, bool kFriction>
-auto ExactPlant<Body, kFriction>::try_levels(Real force_n, const Drive& now, Real rest_s) -> Real {
-  for (int level = 0; level <= body_.deepest_level(); ++level) {
+auto ExactPlant<Body, kFriction>::try_levels(int first_level, Real force_n, const Drive& now,
+                                             Real rest_s) -> Real {
+  for (int level = first_level; level <= body_.deepest_level(); ++level) {
     const Real step_s = body_.level(level).duration_s;
     if (step_s > rest_s || !surely_quiet(level, force_n, now)) continue;
     if (kFriction && motion_.direction == 0) {

@@ -128,9 +128,9 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
   }
 
   // A stretch with a straight path: whole levels while no event is possible in them, else Taylor
-  // pieces.
-  void advance_piece(Real force_n, Real duration_s);
-  Real try_levels(Real force_n, const Drive& now, Real rest_s);
+  // pieces. At first the levels before `first_level` are known not to be quiet.
+  void advance_piece(Real force_n, Real duration_s, int first_level);
+  Real try_levels(int first_level, Real force_n, const Drive& now, Real rest_s);
   Real rest_for_a_while(Real force_n, const Drive& now, Real rest_s, int stalls);
   void stop_if_spent();
   void stop();

@@ -64,10 +64,11 @@ BasicTwoBodies<Real, kLag>::BasicTwoBodies(const PlantParameters& p, double peri
       half_mass_kg_(parameters_.mass_kg / 2),
       per_mass_(1 / parameters_.mass_kg),
       per_hand_mass_(1 / parameters_.hand_mass_kg),
+      root_per_mass_(std::sqrt(per_mass_)),
+      root_per_hand_mass_(std::sqrt(per_hand_mass_)),
       stick_stiffness_n_per_m_(parameters_.hand_stiffness_n_per_m +
                                parameters_.grip_stiffness_n_per_m),
       root_stick_stiffness_(std::sqrt(stick_stiffness_n_per_m_)),
-      root_per_hand_mass_(std::sqrt(per_hand_mass_)),
       hand_share_(stick_stiffness_n_per_m_ > 0
                       ? parameters_.hand_stiffness_n_per_m / stick_stiffness_n_per_m_
                       : 0) {
@@ -81,11 +82,11 @@ BasicTwoBodies<Real, kLag>::BasicTwoBodies(const PlantParameters& p, double peri
   // |m a'| = |k_g (u_h - u) + b_g (a_h - a) - b a|, each term at most this much times sqrt(2E).
   jerk_per_root_energy_ =
       per_mass_ * (std::sqrt(q.grip_stiffness_n_per_m) +
-                   q.grip_damping_n_s_per_m * (std::sqrt(per_hand_mass_) + std::sqrt(per_mass_)) +
-                   q.damping_n_s_per_m * std::sqrt(per_mass_));
+                   q.grip_damping_n_s_per_m * (root_per_hand_mass_ + root_per_mass_) +
+                   q.damping_n_s_per_m * root_per_mass_);
   // |m g'| = |k_g d + b_g w'| likewise.
   drive_rate_per_root_energy_ = per_mass_ * (std::sqrt(q.grip_stiffness_n_per_m) +
-                                             q.grip_damping_n_s_per_m * std::sqrt(per_hand_mass_));
+                                             q.grip_damping_n_s_per_m * root_per_hand_mass_);
   self_damping_rate_per_s_ = (q.damping_n_s_per_m + q.grip_damping_n_s_per_m) * per_mass_;
   Real rate_per_s = std::sqrt(stiffness) + damping;
   if constexpr (kLag) rate_per_s += lag_.rate_per_s;

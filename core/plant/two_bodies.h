@@ -158,13 +158,14 @@ class BasicTwoBodies {
   Real half_mass_kg_;
   Real per_mass_;
   Real per_hand_mass_;
+  Real root_per_mass_;
+  Real root_per_hand_mass_;
   Real jerk_per_root_energy_ = 0;
   Real drive_rate_per_root_energy_ = 0;  // bounds g' of surely_slides()
   Real self_damping_rate_per_s_ = 0;     // (b + b_g)/m
   // Of the hand alone, while the handle sticks.
   Real stick_stiffness_n_per_m_;  // k_h + k_g
   Real root_stick_stiffness_;
-  Real root_per_hand_mass_;
   Real hand_share_;  // k_h/(k_h + k_g), 0 without stiffness
   std::vector<Rows> levels_;
   std::vector<StickRows> stick_levels_;
@@ -209,15 +210,14 @@ template <typename Real, bool kLag>
   Real settling = 0;
   if constexpr (kLag) {
     const Real excess_n = std::abs(c[4]);
-    root += rows.lag.settled_fraction * excess_n * std::sqrt(per_mass_);
+    root += rows.lag.settled_fraction * excess_n * root_per_mass_;
     jerk = lag_.rate_per_s * excess_n * per_mass_;
     settling = rows.lag.settled_fraction * excess_n * per_mass_;
   }
   const Real h = rows.duration_s;
   const Real v = direction * state.velocity_m_per_s;
   const Real bend = h * h / 2 * (jerk_per_root_energy_ * root + jerk);
-  return v > h * root * std::sqrt(per_mass_) ||
-         v + std::min(Real(0), direction * c[0] * h) > bend ||
+  return v > h * root * root_per_mass_ || v + std::min(Real(0), direction * c[0] * h) > bend ||
          (v > 0 && direction * c[0] + self_damping_rate_per_s_ * v >
                        h * drive_rate_per_root_energy_ * root + settling);
 }
