@@ -49,7 +49,9 @@ void register_all() {
   add_scene("golden-soft, encoder, full ledger", encoder);
   benchmark::RegisterBenchmark("golden-soft, full ledger, every sample kept",
                                [soft](benchmark::State& state) { with_samples(state, soft); });
-  add_scene("golden-soft-fric, full ledger", builtin("golden-soft-fric"));
+  const Scene friction = builtin("golden-soft-fric");
+  add_scene("golden-soft-fric, full ledger", friction);
+  add_friction_kernel("golden-soft-fric, full ledger", friction);
   for (const AlgorithmDescription& algorithm : algorithms()) {
     const std::string name(algorithm.name);
     add_scene("press, " + name, under(name.c_str(), builtin("press")));

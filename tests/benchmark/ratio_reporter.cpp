@@ -58,6 +58,7 @@ void RatioReporter::Finalize() {
   }
   for (const Row& row : rows_) {
     if (row.events > 0.0) print_events(row);
+    print_kernel(row);
     if (row.simulated_s > 0.0) print_map(row, bare->total_ns / bare->ticks);
   }
 }
@@ -78,6 +79,16 @@ void RatioReporter::print_events(const Row& row) const {
   if (without == nullptr) return;
   std::printf("%s: %.0f ns an event (%.0f events in %.0f ticks)\n", row.name.c_str(),
               (row.total_ns - without->total_ns) / row.events, row.events, row.ticks);
+}
+
+// Without the set-up, which is that of a matrix for each level of the tick.
+void RatioReporter::print_kernel(const Row& row) const {
+  const Row* kernel = find(row.name + kKernelSuffix);
+  if (kernel == nullptr) return;
+  const Row* before = find(row.name + kSetUpSuffix);
+  const double loop_ns = row.total_ns - (before != nullptr ? before->total_ns : 0.0);
+  std::printf("%s: %.2fx the friction kernel (%.2f ns a tick)\n", row.name.c_str(),
+              loop_ns / kernel->total_ns, kernel->total_ns / kernel->ticks);
 }
 
 void RatioReporter::print_map(const Row& row, double bare_ns) {

@@ -32,6 +32,7 @@ class RatioReporter : public benchmark::ConsoleReporter {
   [[nodiscard]] const Row* find(const std::string& name) const;
   void print_row(const Row& row, double bare_ns) const;
   void print_events(const Row& row) const;
+  void print_kernel(const Row& row) const;
   static void print_map(const Row& row, double bare_ns);
 
   std::vector<Row> rows_;

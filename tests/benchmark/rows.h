@@ -15,6 +15,8 @@ inline constexpr const char* kSimulatedCounter = "simulated_s";  // of rows that
 // without what the row is about.
 inline constexpr const char* kSetUpSuffix = " (set-up)";
 inline constexpr const char* kWithoutSuffix = " (without)";
+// The friction kernel on the same scene: a peer of its own.
+inline constexpr const char* kKernelSuffix = " (friction kernel)";
 // All rows are ratios to this one.
 inline constexpr const char* kBareLoop = "bare loop, golden-soft";
 
@@ -28,6 +30,8 @@ void add_scene(const std::string& name, const Scene& scene);
 // Linear → encoder → force limit → friction → grip → delay → lag: each with all before it, then
 // each alone on the linear scene.
 void add_ladder();
+// The friction kernel beside the row `name` of a scene without encoder under `none`.
+void add_friction_kernel(const std::string& name, const Scene& scene);
 // What an event of friction costs.
 void add_friction_events();
 // Many scenes at once, on one core: by algorithm, by instruction set.

@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "core/plant/plant_model.h"
 #include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/benchmark/friction_loop.h"
 #include "tests/benchmark/rows.h"
 
 namespace hapticwall::benchmark_rows {
@@ -87,13 +89,36 @@ std::uint64_t count_friction_events(const Scene& scene) {
 
 // A scene with friction, which is counted, and the same without.
 void add_events(const std::string& name, Scene scene) {
-  scene.x().device.encoder_m.reset();
   register_row(name, scene, static_cast<double>(count_friction_events(scene)));
   scene.x().device.friction_n.reset();
   register_row(name + kWithoutSuffix, scene);
 }
 
+// The peer must do the same work: about as many events, and if the handle comes to rest it is at
+// the same place.
+bool does_the_same(const benchmark_loops::FrictionState& end, const Scene& scene) {
+  constexpr double kSamePlaceM = 1e-9;
+  constexpr double kSameShare = 0.02;
+  const SimulationResult run = simulate(scene);
+  const auto events = static_cast<double>(count_friction_events(scene));
+  const bool same_place = std::abs(end.position_m - run.final_state.truth.position_m) < kSamePlaceM;
+  return std::abs(static_cast<double>(end.events) - events) <= kSameShare * events &&
+         (same_place || run.summary.verdict == Verdict::kOscillating);
+}
+
 }  // namespace
+
+void add_friction_kernel(const std::string& name, const Scene& scene) {
+  benchmark::RegisterBenchmark((name + kKernelSuffix).c_str(), [scene](benchmark::State& state) {
+    const benchmark_loops::FrictionLoop loop(scene);
+    if (!does_the_same(loop.run(), scene)) {
+      state.SkipWithError("the friction kernel does not follow the scene");
+      return;
+    }
+    for (auto _ : state) benchmark::DoNotOptimize(loop.run());
+    state.counters[kTicksCounter] = static_cast<double>(scene.tick_count());
+  });
+}
 
 Scene builtin(const char* name) {
   const auto loaded = file::load_scene(name);
@@ -136,8 +161,13 @@ void add_ladder() {
 void add_friction_events() {
   Scene light = under("none", builtin("light"));
   light.x().device.friction_n = 0.5;
-  add_events("friction events, handle alone (light)", light);
-  add_events("friction events, grip (tap)", under("none", builtin("tap")));
+  light.x().device.encoder_m.reset();
+  const std::string name = "friction events, handle alone (light)";
+  add_events(name, light);
+  add_friction_kernel(name, light);
+  Scene tap = under("none", builtin("tap"));
+  tap.x().device.encoder_m.reset();
+  add_events("friction events, grip (tap)", tap);
 }
 
 }  // namespace hapticwall::benchmark_rows
