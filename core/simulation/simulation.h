@@ -43,13 +43,16 @@ class Simulation {
     return finish();
   }
 
-  // A chunk at a time: up to the next change, and at most kChunkTicks; fewer if they take long.
+  // A chunk at a time: up to the next change, and at most kChunkTicks; fewer if they take long or
+  // have substeps.
   void advance() {
     while (next_change_ < options_.changes.size() &&
            options_.changes[next_change_].tick <= run_.servo.state().tick) {
       apply(options_.changes[next_change_++].scene);
     }
-    std::uint64_t end = std::min(scene_.tick_count(), run_.servo.state().tick + kChunkTicks);
+    const auto substeps = static_cast<std::uint64_t>(scene_.simulator.substeps);
+    const std::uint64_t ticks = std::max<std::uint64_t>(kChunkTicks / substeps, 1);
+    std::uint64_t end = std::min(scene_.tick_count(), run_.servo.state().tick + ticks);
     if (next_change_ < options_.changes.size()) {
       end = std::min(end, options_.changes[next_change_].tick);
     }
