@@ -172,7 +172,8 @@ inline double reference_half_sample(const ReferenceScene& s, ReferenceState& m, 
 
 // With several walls the force that goes with an energy is looked for: all springs together hold
 // it at some depth.
-inline double reference_energy_bookkeeping(const ReferenceScene& s, ReferenceState& m, double x) {
+inline double reference_energy_limited_spring(const ReferenceScene& s, ReferenceState& m,
+                                              double x) {
   const double dx = reference_step(m, x);
   const double wall = reference_wall_force(s, x, dx * s.rate);
   const double p = s.walls.empty() ? 0.0 : x - s.walls.front().at;
@@ -214,7 +215,7 @@ inline double reference_force(const std::string& algorithm, const ReferenceScene
   if (algorithm == "energy-bounding-2010") return reference_energy_bounding_2010(s, m, x);
   if (algorithm == "force-bounding") return reference_force_bounding(s, m, x);
   if (algorithm == "half-sample") return reference_half_sample(s, m, x);
-  if (algorithm == "energy-bookkeeping") return reference_energy_bookkeeping(s, m, x);
+  if (algorithm == "energy-limited-spring") return reference_energy_limited_spring(s, m, x);
   return std::nan("");
 }
 

@@ -69,6 +69,7 @@ struct AlgorithmDescription {
   // The first contradiction between the algorithm's keys, which are in range each. Checked in every
   // scene, whichever algorithm it names. nullptr: none is possible.
   std::optional<SceneProblem> (*problem)(const StabiliserContext& context) = nullptr;
+  std::string_view old_name = {};  // read like the name, never written; empty: none
 };
 
 // The device's damping as the user states it; several algorithms share this key.
@@ -91,7 +92,7 @@ inline constexpr ParameterDescription kThenParameter =
 // ---- the closed list, as data ----
 
 [[nodiscard]] std::span<const AlgorithmDescription> algorithms();
-// Index in algorithms() of a name, or nothing. Realtime-safe: yes.
+// Index in algorithms() of a name, present or old. Realtime-safe: yes.
 [[nodiscard]] std::optional<std::size_t> find_algorithm(std::string_view name);
 // Of the only follower. Realtime-safe: yes.
 [[nodiscard]] std::size_t follower_index();

@@ -66,8 +66,9 @@ constexpr ParameterUnion kParameterUnion = unite_parameters();
 std::span<const AlgorithmDescription> algorithms() { return kAlgorithms; }
 
 std::optional<std::size_t> find_algorithm(std::string_view name) {
-  const auto found = std::find_if(kAlgorithms.begin(), kAlgorithms.end(),
-                                  [&](const auto& algorithm) { return algorithm.name == name; });
+  const auto found = std::ranges::find_if(kAlgorithms, [&](const auto& algorithm) {
+    return !name.empty() && (algorithm.name == name || algorithm.old_name == name);
+  });
   if (found == kAlgorithms.end()) return std::nullopt;
   return static_cast<std::size_t>(std::distance(kAlgorithms.begin(), found));
 }

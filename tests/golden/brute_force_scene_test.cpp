@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values("press", "tap", "tap-slow", "light"),
                        ::testing::Values("none", "virtual-coupling", "passivity-control",
                                          "energy-bounding", "energy-bounding-2010",
-                                         "force-bounding", "half-sample", "energy-bookkeeping")),
+                                         "force-bounding", "half-sample", "energy-limited-spring")),
     [](const auto& test) {
       std::string name = std::string(std::get<0>(test.param)) + "_" + std::get<1>(test.param);
       std::replace(name.begin(), name.end(), '-', '_');

@@ -58,10 +58,10 @@ const Expected kTable[] = {
     {"tap", "half-sample", kCycle, 0.8965e-3, kNo, kNo, kNo, kNo, kNo},
     {"tap-slow", "half-sample", kCycle, 0.9e-3, kNo, kNo, kNo, kNo, kNo},
     {"light", "half-sample", kCycle, 1.2e-3, kNo, kNo, kNo, kNo, kNo},
-    {"press", "energy-bookkeeping", kQuiet, kNo, kNo, kNo, 2.0e3, kNo, kNo},
-    {"tap", "energy-bookkeeping", kQuiet, kNo, kNo, kNo, kNo, kNo, kNo},
-    {"tap-slow", "energy-bookkeeping", kQuiet, kNo, kNo, kNo, kNo, kNo, kNo},
-    {"light", "energy-bookkeeping", kQuiet, 0.016e-3, kNo, kNo, kNo, kNo, kNo},
+    {"press", "energy-limited-spring", kQuiet, kNo, kNo, kNo, 2.0e3, kNo, kNo},
+    {"tap", "energy-limited-spring", kQuiet, kNo, kNo, kNo, kNo, kNo, kNo},
+    {"tap-slow", "energy-limited-spring", kQuiet, kNo, kNo, kNo, kNo, kNo, kNo},
+    {"light", "energy-limited-spring", kQuiet, 0.016e-3, kNo, kNo, kNo, kNo, kNo},
 };
 
 Summary run(const std::string& scene_name, const std::string& algorithm) {

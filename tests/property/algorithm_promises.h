@@ -118,7 +118,7 @@ inline void half_sample_is_half_a_tick_ahead(const Trial& trial) {
 
 // One wall without damping, no force limit: F within its bounds, and the book never below its
 // floor H ≥ -(b/T) Σ Δx² - (max(κ, K/2) + κ/2) P², κ = 2b/T, sums and P since the contact began.
-inline void energy_bookkeeping_keeps_its_floor(const Trial& trial) {
+inline void energy_limited_spring_keeps_its_floor(const Trial& trial) {
   const double stiffness = trial.settings.walls.walls().front().stiffness_n_per_m;
   const double passive = 2.0 * trial.per_period();
   const double depth_cost = std::max(passive, stiffness / 2.0) + passive / 2.0;

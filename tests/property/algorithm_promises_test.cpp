@@ -88,14 +88,14 @@ RC_GTEST_PROP(HalfSamplePromise, IsTheWallHalfATickAhead, ()) {
   is_kept(settings, testing::half_sample_is_half_a_tick_ahead);
 }
 
-RC_GTEST_PROP(EnergyBookkeepingPromise, TheBookStaysAboveItsFloor, ()) {
-  ServoSettings settings = random_settings("energy-bookkeeping");
+RC_GTEST_PROP(EnergyLimitedSpringPromise, TheBookStaysAboveItsFloor, ()) {
+  ServoSettings settings = random_settings("energy-limited-spring");
   settings.force_limit_n = kNoLimit;
-  is_kept(settings, testing::energy_bookkeeping_keeps_its_floor);
+  is_kept(settings, testing::energy_limited_spring_keeps_its_floor);
 }
 
-RC_GTEST_PROP(EnergyBookkeepingPromise, TwoWallsInOnePlaceAreOneOfBoth, ()) {
-  ServoSettings settings = random_settings("energy-bookkeeping");
+RC_GTEST_PROP(EnergyLimitedSpringPromise, TwoWallsInOnePlaceAreOneOfBoth, ()) {
+  ServoSettings settings = random_settings("energy-limited-spring");
   WallSettings wall = settings.walls.walls().front();
   const std::vector<WallSettings> halves(2, {wall.position_m, wall.stiffness_n_per_m / 2.0, 0.0});
   ServoSettings layered = settings;

@@ -54,7 +54,13 @@ void append_map_row(std::string& text, const StabilityMap& map, std::size_t cell
 
 std::optional<MapMetrics> parse_map_row(std::string_view line, const StabilityMap& map,
                                         std::size_t cell) {
-  const std::string place = map_row_beginning(map, cell);
+  const std::string beginning = map_row_beginning(map, cell);
+  std::string_view place = beginning;
+  const AlgorithmDescription& algorithm = algorithms()[map.algorithms[map.place(cell).algorithm]];
+  if (!algorithm.old_name.empty() && line.starts_with(algorithm.old_name)) {
+    line.remove_prefix(algorithm.old_name.size());
+    place.remove_prefix(algorithm.name.size());
+  }
   if (!line.starts_with(place)) return std::nullopt;
   const std::vector<std::string_view> fields = split(line.substr(place.size()), ',');
   const std::optional<Verdict> verdict = find_verdict(fields.front());

@@ -58,6 +58,28 @@ TEST_F(ReplayCommand, UnderItsOwnAlgorithmTheBytesComeOutAgain) {
   EXPECT_TRUE(content("a.csv") == content("b.csv"));
 }
 
+// A recording of a version that called its algorithm otherwise.
+TEST_F(ReplayCommand, AnOldNameOfAnAlgorithmIsReadAndThePresentOneWritten) {
+  record({"--algorithm", "energy-bookkeeping"});
+  replace_in("a.toml", "name = \"energy-limited-spring\"", "name = \"energy-bookkeeping\"");
+  const Answer shown = hapticwall({"replay", "a.csv", "--json", "-"});
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_EQ(nlohmann::json::parse(shown.out)["algorithm"], "energy-limited-spring");
+  const Answer again =
+      hapticwall({"replay", "a.csv", "--algorithm", "energy-bookkeeping", "--csv", "b.csv"});
+  EXPECT_THAT(again.out, AllOf(StartsWith("press under energy-limited-spring: settled"),
+                               HasSubstr("equal to the recording, bit for bit")));
+  ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "c.csv", "--quiet"}).status, 0);
+  EXPECT_TRUE(content("a.csv") == content("b.csv") && content("a.csv") == content("c.csv"));
+  for (const char* sidecar : {"b.toml", "c.toml"}) {
+    EXPECT_THAT(content(sidecar), AllOf(HasSubstr("name = \"energy-limited-spring\""),
+                                        Not(HasSubstr("bookkeeping"))));
+  }
+  const Answer compared = hapticwall({"compare", "a.toml", "--algorithms",
+                                      "energy-bookkeeping,none", "--sort", "none", "--json", "-"});
+  EXPECT_EQ(nlohmann::json::parse(compared.out).at(0)["algorithm"], "energy-limited-spring");
+}
+
 TEST_F(ReplayCommand, SoDoTheyWhereThePointerLed) {
   record_led();
   ASSERT_EQ(

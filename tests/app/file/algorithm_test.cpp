@@ -29,6 +29,15 @@ TEST(AlgorithmFile, TakesEveryNameAndWritesItAgain) {
   }
 }
 
+TEST(AlgorithmFile, TakesAnOldNameAndWritesThePresentOne) {
+  const auto loaded = parse_scene(scene_text("name = \"energy-bookkeeping\""), "x.toml");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  EXPECT_EQ(algorithm_label(loaded->scene.algorithm), "energy-limited-spring");
+  const std::string text = scene_to_toml(loaded->scene);
+  EXPECT_NE(text.find("name = \"energy-limited-spring\""), std::string::npos);
+  EXPECT_EQ(text.find("bookkeeping"), std::string::npos);
+}
+
 TEST(AlgorithmFile, TakesWhatFollowsAndWritesItAgain) {
   const auto loaded =
       parse_scene(scene_text("name = \"force-bounding\"\nthen = \"passivity-control\""), "x.toml");

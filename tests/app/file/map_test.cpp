@@ -74,6 +74,20 @@ TEST_F(MapFile, ARowOfAnotherCellOrSpoiltIsNone) {
   EXPECT_FALSE(parse_map_row("", map_, 7));
 }
 
+// A CSV of a version that called an algorithm otherwise.
+TEST_F(MapFile, ARowMayHaveTheOldNameOfItsAlgorithm) {
+  map_.algorithms = {find_algorithm("energy-bookkeeping").value()};
+  std::string line;
+  append_map_row(line, map_, 7, {});
+  line.pop_back();
+  EXPECT_TRUE(line.starts_with("energy-limited-spring,"));
+  const std::string old = "energy-bookkeeping" + line.substr(line.find(','));
+  EXPECT_TRUE(parse_map_row(old, map_, 7));
+  EXPECT_FALSE(parse_map_row(old, map_, 6));
+  map_.algorithms = {find_algorithm("none").value()};
+  EXPECT_FALSE(parse_map_row(old, map_, 7));
+}
+
 TEST_F(MapFile, PartsInARowAreTheWholeByteForByte) {
   write("whole.csv", map_part(map_, 1, 1), map_.cell_count(), true);
   const std::string whole = content("whole.csv");

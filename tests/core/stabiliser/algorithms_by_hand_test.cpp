@@ -86,8 +86,8 @@ TEST(HalfSample, PushesHalfAMoveAhead) {
   EXPECT_EQ(bench.move_to(0.01e-3).force_n, 0.0);
 }
 
-TEST(EnergyBookkeeping, GivesThePassiveSpringOrWhatTheBookAllows) {
-  PositionBench bench(wall_at_zero("energy-bookkeeping", 10e3));
+TEST(EnergyLimitedSpring, GivesThePassiveSpringOrWhatTheBookAllows) {
+  PositionBench bench(wall_at_zero("energy-limited-spring", 10e3));
   bench.move_to(0.0);
   EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.2, kNear);  // nothing put in yet: (2b/T) p
   // 0.2 N through 0.1 mm: 0.02 mJ, which the wall's spring holds at √0.4 N.

@@ -17,10 +17,15 @@ TEST(AlgorithmList, EveryNameIsItsOwnAndFoundAgain) {
     const AlgorithmDescription& algorithm = algorithms()[i];
     EXPECT_TRUE(names.insert(algorithm.name).second) << algorithm.name;
     EXPECT_EQ(find_algorithm(algorithm.name), i);
+    if (!algorithm.old_name.empty()) {
+      EXPECT_TRUE(names.insert(algorithm.old_name).second) << algorithm.old_name;
+      EXPECT_EQ(find_algorithm(algorithm.old_name), i);
+    }
     EXPECT_FALSE(algorithm.title.empty());
     EXPECT_FALSE(algorithm.idea.empty());
   }
   EXPECT_EQ(find_algorithm("no-such-thing"), std::nullopt);
+  EXPECT_EQ(find_algorithm(""), std::nullopt);
 }
 
 TEST(AlgorithmList, AnIndexOutsideItIsTheFirstAlgorithm) {

@@ -1,4 +1,4 @@
-// Energy bookkeeping: the wall gives back only what the contact has put into it.
+// Energy-limited spring: the wall gives back only what the contact has put into it.
 #include "core/stabiliser/law.h"
 
 HAPTICWALL_LAW_BEGIN
@@ -20,17 +20,20 @@ HAPTICWALL_LAW_BEGIN
 // costs no more than the damping dissipates plus ½κP². This bound is weaker than passivity: with
 // K > 2b/T a quick retreat gets more than was put in. Displays about 2b/T.
 //
-// Source: after Stramigioli, Secchi, van der Schaft & Fantuzzi, "Sampled data systems passivity and
-// discrete port-Hamiltonian systems", IEEE Trans. Robotics 21(4), 2005 (paper, ref. 17); this form
-// derived.
-struct EnergyBookkeeping {
+// Source: derived. The exact account of the hold is that of Stramigioli, Secchi, van der Schaft &
+// Fantuzzi, "Sampled data systems passivity and discrete port-Hamiltonian systems", IEEE Trans.
+// Robotics 21(4), 2005 (paper, ref. 17); their controller is another one.
+struct EnergyLimitedSpring {
   static constexpr std::array<ParameterDescription, 1> kParameters{kBelievedDampingParameter};
   static constexpr AlgorithmDescription kDescription{
-      "energy-bookkeeping", "Energy bookkeeping",
+      "energy-limited-spring",
+      "Energy-limited spring",
       "keeps the book of the contact's energy and gives the spring force that it allows",
       kParameters,
       "H(k) = H(k-1) + F_d(k-1) Δx,  0 out of contact,\n"
-      "F_d(k) = min(F_e, max((2b/T) p, √(2 K max(H, 0))))"};
+      "F_d(k) = min(F_e, max((2b/T) p, √(2 K max(H, 0))))",
+      nullptr,
+      "energy-bookkeeping"};
   static constexpr bool kOnlyPushes = true;
 
   template <class N>
