@@ -26,6 +26,7 @@ struct ReferenceScene {
   double coupling = 0.0, coupling_damp = 0.0;  // virtual-coupling
   bool held = false, credited = false, forgets = false;
   double alpha_most = 0.0, floor = 0.0;  // passivity-control
+  bool ahead = false;                    // beside `held`: the observer one-step
 };
 
 struct ReferenceState {
@@ -97,7 +98,7 @@ inline double reference_passivity(const ReferenceScene& s, ReferenceState& m, do
   if (s.held) m.energy += m.force * dx;
   if (s.credited) m.eaten += s.b * std::abs(v * dx);
   if (s.forgets && !contact) m.energy = m.eaten = 0.0;
-  const double w = s.held ? m.energy : m.energy + wanted * dx;
+  const double w = s.held && !s.ahead ? m.energy : m.energy + wanted * dx;
   double force = wanted;
   if (w < -m.eaten && std::abs(v) > s.floor) {
     const double missing = -m.eaten - w;

@@ -10,15 +10,18 @@ HAPTICWALL_LAW_BEGIN
 //
 //   W = E(k-1) + F_e(k) Δx_k      (observer "same-sample": Hannaford & Ryu 2002; paper, Eq. 6)
 //   W = E(k-1) + F_d(k-1) Δx_k    (observer "held-force":  Ryu et al. 2004; paper, Eq. 10)
+//   W = E(k-1) + F_d(k-1) Δx_k + F_e(k) Δx_k   (observer "one-step")
 //   W < -credit, |v_k| > floor:   α = min((-credit - W)/(T v_k²), α_max),  F_d = F_e + α v_k
 //   else                          F_d = F_e;      E follows the force really applied.
 //
 // The observer "same-sample" is blind to the hold: on a spring wall W is never negative
-// [paper, Eq. 12] and the controller never acts (the paper's Figure 4 (c)).
-// Source: Hannaford & Ryu 2002 and Ryu et al. 2004, formulas reconstructed. The quotient is used
-// only where it is at most α_max|v|, so it cannot overflow.
+// [paper, Eq. 12] and the controller never acts (the paper's Figure 4 (c)). The observer "one-step"
+// predicts Δx_{k+1} = Δx_k and takes what the hold will then have given out.
+// Source: Hannaford & Ryu 2002 and Ryu et al. 2004, formulas reconstructed; for the prediction we
+// read no original. The quotient is used only where it is at most α_max|v|, so it cannot overflow.
 struct PassivityControl {
-  static constexpr std::array<std::string_view, 2> kObservers{"same-sample", "held-force"};
+  static constexpr std::array<std::string_view, 3> kObservers{"same-sample", "held-force",
+                                                              "one-step"};
   static constexpr std::array<ParameterDescription, 6> kParameters{
       kBelievedDampingParameter,
       choice_parameter("observer", kObservers,
@@ -33,17 +36,23 @@ struct PassivityControl {
       number_parameter("velocity_floor_m_per_s", "m/s", 0.0, 1e3, "0",
                        "no action at or below this measured speed")};
   static constexpr AlgorithmDescription kDescription{
-      "passivity-control", "Passivity control",
+      "passivity-control",
+      "Passivity control",
       "watches the energy that the wall returns and damps the handle when it is too much",
-      kParameters, "W = E(k-1) + F_e Δx;  F_d = F_e + α v where W < 0,  α = min(-W/(T v²), α_max)"};
+      kParameters,
+      "W = E(k-1) + F_e Δx;  F_d = F_e + α v where W < 0,  α = min(-W/(T v²), α_max)",
+      nullptr,
+      "",
+      "observer"};
   static constexpr bool kOnlyPushes = false;
 
   template <class N>
   struct Parameters {
-    N damping_n_s_per_m;                                 // b
-    N max_damping_n_s_per_m;                             // α_max
-    N velocity_floor_m_per_s;                            // floor
-    N held_force, damping_credit, reset_in_free_motion;  // 1 or 0
+    N damping_n_s_per_m;                     // b
+    N max_damping_n_s_per_m;                 // α_max
+    N velocity_floor_m_per_s;                // floor
+    N observer;                              // index in kObservers
+    N damping_credit, reset_in_free_motion;  // 1 or 0
   };
   template <class N>
   struct State {
@@ -66,11 +75,12 @@ struct PassivityControl {
   static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& /*walls*/,
                      const LawInput& in) {
     const Number zero = number(0.0);
-    const Flags held_force = differs(p.held_force, zero);
+    const Flags observes_hold = differs(p.observer, zero);
+    const Flags adds_this_force = differs(p.observer, number(1.0));
     // A damper α takes α T v² in a tick; T v = Δx.
     const Number energy_per_damping = abs_of(in.velocity_m_per_s * in.displacement_m);
     // The force really applied is known one tick later: both pairings take it from there.
-    s.observed_j = s.observed_j + in.previous_force_n * select(held_force, in.displacement_m,
+    s.observed_j = s.observed_j + in.previous_force_n * select(observes_hold, in.displacement_m,
                                                                s.pending_displacement_m);
     s.pending_displacement_m = in.displacement_m;
     s.credit_j = s.credit_j +
@@ -81,7 +91,7 @@ struct PassivityControl {
     s.pending_displacement_m = or_zero(remembers, s.pending_displacement_m);
 
     const Number energy_j =
-        select(held_force, s.observed_j, s.observed_j + in.wall_force_n * in.displacement_m);
+        select(adds_this_force, s.observed_j + in.wall_force_n * in.displacement_m, s.observed_j);
     const Number deficit_j = minus(s.credit_j) - energy_j;
     const Flags acts = both(greater(deficit_j, zero),
                             greater(abs_of(in.velocity_m_per_s), p.velocity_floor_m_per_s));

@@ -25,6 +25,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/algorithm_settings.h"
 #include "core/wall.h"
@@ -69,7 +70,8 @@ struct AlgorithmDescription {
   // The first contradiction between the algorithm's keys, which are in range each. Checked in every
   // scene, whichever algorithm it names. nullptr: none is possible.
   std::optional<SceneProblem> (*problem)(const StabiliserContext& context) = nullptr;
-  std::string_view old_name = {};  // read like the name, never written; empty: none
+  std::string_view old_name = {};   // read like the name, never written; empty: none
+  std::string_view forms_key = {};  // a comparison shows each choice of this key; empty: none
 };
 
 // The device's damping as the user states it; several algorithms share this key.
@@ -101,6 +103,15 @@ inline constexpr ParameterDescription kThenParameter =
 [[nodiscard]] std::optional<std::size_t> find_algorithm_parameter(std::string_view key);
 // "energy-bounding", "energy-bounding then passivity-control". Realtime-safe: no.
 [[nodiscard]] std::string algorithm_label(const AlgorithmSettings& settings);
+// A row of a comparison of algorithms.
+struct ComparedAlgorithm {
+  AlgorithmSettings settings;
+  std::string label;  // "energy-bounding", "passivity-control (held-force)"
+};
+// The settings under each of these algorithms, indices in algorithms(): a row for each choice of an
+// algorithm's `forms_key`, or for the one that the settings name. Realtime-safe: no.
+[[nodiscard]] std::vector<ComparedAlgorithm> compared_algorithms(
+    AlgorithmSettings settings, std::span<const std::size_t> indices);
 // True if the algorithm of these settings or its follower reads the key. Realtime-safe: yes.
 [[nodiscard]] bool reads(const AlgorithmSettings& settings, std::string_view key);
 // A value as a scene file shows it: "true", "held-force", "0.01". Realtime-safe: no.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "core/scene_keys.h"
 #include "core/stabiliser/algorithm_files.h"
@@ -106,6 +107,29 @@ std::string algorithm_label(const AlgorithmSettings& settings) {
   std::string label(kAlgorithms.at(settings.index).name);
   if (has_follower(settings)) label += " then " + std::string(kFollowers.back());
   return label;
+}
+
+std::vector<ComparedAlgorithm> compared_algorithms(AlgorithmSettings settings,
+                                                   std::span<const std::size_t> indices) {
+  std::vector<ComparedAlgorithm> rows;
+  for (const std::size_t index : indices) {
+    settings.index = index;
+    const auto key = find_algorithm_parameter(kAlgorithms.at(index).forms_key);
+    if (!key) {
+      rows.push_back({settings, algorithm_label(settings)});
+      continue;
+    }
+    const std::span<const std::string_view> forms = algorithm_parameters()[*key].choices;
+    for (std::size_t form = 0; form < forms.size(); ++form) {
+      const auto value = static_cast<double>(form);
+      if (settings.values.at(*key).value_or(value) != value) continue;
+      ComparedAlgorithm row{settings, algorithm_label(settings)};
+      row.settings.values.at(*key) = value;
+      if (form > 0) row.label += " (" + std::string(forms[form]) + ")";
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
 }
 
 void Stabiliser::configure(std::size_t algorithm, const StabiliserContext& context) {

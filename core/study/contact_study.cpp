@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "core/simulation/simulate.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {
@@ -13,28 +16,24 @@ namespace {
 constexpr std::string_view kFirstStiffness = "wall[0].stiffness_n_per_m";
 constexpr double kRiseFrom = 0.1;
 constexpr double kRiseTo = 0.9;
-constexpr double kSearchShare = 0.9;  // of the progress
+constexpr double kSearchShare = 0.9;  // of a row's progress
 
-Scene scene_of(const ContactStudyPlan& plan, std::size_t algorithm) {
+Scene scene_of(const ContactStudyPlan& plan, const AlgorithmSettings& algorithm) {
   Scene scene = plan.scene;
   scene.axes.resize(1);
-  scene.algorithm.index = algorithm;
+  scene.algorithm = algorithm;
   return scene;
 }
 
-// False if stopped.
-bool find_limits(const ContactStudyPlan& plan, const ContactStudyOptions& options,
-                 std::vector<ContactMetrics>& rows) {
-  BoundaryOptions search;
-  search.should_stop = options.should_stop;
-  if (options.progress) {
-    search.progress = [&](double fraction) { options.progress(kSearchShare * fraction); };
-  }
+// False if stopped. `show`: the progress of this search.
+bool find_limits(const ContactStudyPlan& plan, const Scene& scene,
+                 const std::function<bool()>& should_stop, const std::function<void(double)>& show,
+                 ContactMetrics& metrics) {
   std::vector<Boundary> limits = find_boundaries(
-      {scene_of(plan, 0), plan.algorithms, std::nullopt, plan.stiffnesses(), plan.tolerance},
-      search);
+      {scene, {scene.algorithm.index}, std::nullopt, plan.stiffnesses(), plan.tolerance},
+      {.should_stop = should_stop, .progress = show});
   if (limits.empty()) return false;
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].limits = std::move(limits[i]);
+  metrics.limits = std::move(limits.front());
   return true;
 }
 
@@ -60,10 +59,10 @@ class ForceRise {
 
 // Runs the unchanged scene twice: the rise time of the second run needs the summary of the first.
 // False if stopped.
-bool look_at_contact(const Scene& scene, const ContactStudyOptions& study,
+bool look_at_contact(const Scene& scene, const std::function<bool()>& should_stop,
                      ContactMetrics& metrics) {
   SimulationOptions options;
-  options.should_stop = study.should_stop;
+  options.should_stop = should_stop;
   SimulationResult result = simulate(scene, options);
   if (result.stopped_early) return false;
   metrics.summary = std::move(result.summary);
@@ -98,8 +97,8 @@ std::optional<SceneProblem> validate(const ContactStudyPlan& plan) {
     return SceneProblem{"wall", "the study varies the stiffness of a wall, and there is none"};
   }
   const MapAxis axis = plan.stiffnesses();
-  for (const std::size_t algorithm : plan.algorithms) {
-    Scene scene = scene_of(plan, algorithm);
+  for (const ComparedAlgorithm& row : compared_algorithms(plan.scene.algorithm, plan.algorithms)) {
+    Scene scene = scene_of(plan, row.settings);
     if (auto problem = validate(scene)) return problem;
     for (const std::size_t end : {std::size_t{0}, axis.count - 1}) {
       axis.number.set(scene, axis.value(end));
@@ -111,12 +110,19 @@ std::optional<SceneProblem> validate(const ContactStudyPlan& plan) {
 
 std::vector<ContactMetrics> study_contact(const ContactStudyPlan& plan,
                                           const ContactStudyOptions& options) {
-  std::vector<ContactMetrics> rows(plan.algorithms.size());
-  if (!find_limits(plan, options, rows)) return {};
+  const auto compared = compared_algorithms(plan.scene.algorithm, plan.algorithms);
+  std::vector<ContactMetrics> rows(compared.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!look_at_contact(scene_of(plan, plan.algorithms[i]), options, rows[i])) return {};
-    const double done = static_cast<double>(i + 1) / static_cast<double>(rows.size());
-    if (options.progress) options.progress(kSearchShare + (1.0 - kSearchShare) * done);
+    const auto show = [&, i](double fraction) {
+      const double done = static_cast<double>(i) + fraction;
+      if (options.progress) options.progress(done / static_cast<double>(rows.size()));
+    };
+    const auto show_search = [&](double fraction) { show(kSearchShare * fraction); };
+    const Scene scene = scene_of(plan, compared[i].settings);
+    if (!find_limits(plan, scene, options.should_stop, show_search, rows[i])) return {};
+    if (!look_at_contact(scene, options.should_stop, rows[i])) return {};
+    rows[i].summary.algorithm = compared[i].label;
+    show(1.0);
   }
   return rows;
 }

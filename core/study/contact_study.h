@@ -18,7 +18,7 @@ namespace hapticwall {
 
 struct ContactStudyPlan {
   Scene scene;
-  std::vector<std::size_t> algorithms;  // indices in algorithms(); the scene sets `then`
+  std::vector<std::size_t> algorithms;  // indices in algorithms(); compared_algorithms() has rows
   // Scanned stiffnesses of the first wall, in equal ratios.
   double low_n_per_m = 100.0;
   double high_n_per_m = 1e6;
@@ -68,8 +68,9 @@ struct ContactStudyOptions {
 // A missing wall, or the first invalid scene of the scan.
 [[nodiscard]] std::optional<SceneProblem> validate(const ContactStudyPlan& plan);
 
-// One row per algorithm, in the order of the plan; independent of the number of threads. Empty if
-// `should_stop` returned true. Precondition: validate() returns nullopt. Realtime-safe: no.
+// The rows of compared_algorithms(), with their labels as `summary.algorithm`; independent of the
+// number of threads. Empty if `should_stop` returned true. Precondition: validate() returns
+// nullopt. Realtime-safe: no.
 [[nodiscard]] std::vector<ContactMetrics> study_contact(const ContactStudyPlan& plan,
                                                         const ContactStudyOptions& options = {});
 

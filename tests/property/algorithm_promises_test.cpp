@@ -106,16 +106,17 @@ RC_GTEST_PROP(EnergyLimitedSpringPromise, TwoWallsInOnePlaceAreOneOfBoth, ()) {
   for (std::size_t k = 0; k < kPromiseTicks; ++k) RC_ASSERT(one[k].force_n == two[k].force_n);
 }
 
-// With the same-sample observer the passivity controller takes the missing energy unless its cap is
-// reached. It acts as a follower of energy-bounding, whose control law lags and is therefore
-// active.
-void follower_takes_what_is_missing(bool credit) {
+// With the same-sample and the one-step observer the passivity controller takes the missing energy
+// unless its cap is reached. It acts as a follower of energy-bounding, whose control law lags and
+// is therefore active.
+void follower_takes_what_is_missing(bool credit, bool one_step = false) {
   ServoSettings settings = random_settings("energy-bounding");
   settings.force_limit_n = kNoLimit;
   const double cap = log_uniform(0.1, 1e5);
   set_parameter(settings.algorithm, "then", 1.0);
   set_parameter(settings.algorithm, "max_damping_n_s_per_m", cap);
   if (credit) set_parameter(settings.algorithm, "damping_credit", 1.0);
+  if (one_step) set_parameter(settings.algorithm, "observer", 2.0);
   const Trial trial = attacked(settings);
   // The first algorithm has no state but the last force: what it asked for follows from the rows.
   std::vector<double> wanted_n;
@@ -131,7 +132,7 @@ void follower_takes_what_is_missing(bool credit) {
     before_n = row.force_n;
   }
   testing::forces_are_finite_and_within_the_limit(trial);
-  testing::passivity_control_acts_or_is_capped(trial, cap, credit, wanted_n);
+  testing::passivity_control_acts_or_is_capped(trial, cap, credit, one_step, wanted_n);
 }
 
 RC_GTEST_PROP(PassivityControlPromise, TakesWhatIsMissingUnlessCapped, ()) {
@@ -139,6 +140,9 @@ RC_GTEST_PROP(PassivityControlPromise, TakesWhatIsMissingUnlessCapped, ()) {
 }
 RC_GTEST_PROP(PassivityControlPromise, WithCreditToleratesWhatTheDeviceEats, ()) {
   follower_takes_what_is_missing(true);
+}
+RC_GTEST_PROP(PassivityControlPromise, OneStepPaysForTheNextMoveIfItEqualsTheLast, ()) {
+  follower_takes_what_is_missing(flip(), true);
 }
 
 // At or below the floor the wall's force is not touched; above it every deficit of the held-force
@@ -156,7 +160,7 @@ RC_GTEST_PROP(PassivityControlPromise, ActsAboveItsVelocityFloorOnly, ()) {
 // forces that it gives alone.
 RC_GTEST_PROP(PassivityControlPromise, WithResetEveryContactIsTheFirst, ()) {
   ServoSettings settings = random_settings("passivity-control");
-  set_parameter(settings.algorithm, "observer", flip() ? 1.0 : 0.0);
+  set_parameter(settings.algorithm, "observer", *rc::gen::inRange(0, 3));
   set_parameter(settings.algorithm, "reset_in_free_motion", 1.0);
   const Trial trial = attacked(settings);
   testing::PositionBench alone(settings);

@@ -33,7 +33,7 @@ void set(Scene& scene, std::string_view key, double value) {
 // Every key that an algorithm reads, or its default.
 void randomise_algorithm(Scene& scene) {
   if (flip()) set(scene, "damping_n_s_per_m", log_uniform(0.01, 20.0));
-  if (flip()) set(scene, "observer", flip() ? 1.0 : 0.0);
+  if (flip()) set(scene, "observer", *rc::gen::inRange(0, 3));
   if (flip()) set(scene, "damping_credit", flip() ? 1.0 : 0.0);
   if (flip()) set(scene, "reset_in_free_motion", flip() ? 1.0 : 0.0);
   if (flip()) set(scene, "max_damping_n_s_per_m", log_uniform(0.1, 100.0));

@@ -36,14 +36,13 @@ struct CompareOptions {
 Failure check_plot(const OutputOptions& options, const Scene& scene, std::size_t runs) {
   if (options.plot.empty()) return {};
   if (runs > draw::kMaxComparedRuns) {
-    return usage_error(
-        fmt::format("--plot: a figure shows at most {} algorithms, --algorithms names {}",
-                    draw::kMaxComparedRuns, runs));
+    return usage_error(fmt::format("--plot: a figure shows at most {} rows, --algorithms gives {}",
+                                   draw::kMaxComparedRuns, runs));
   }
   const std::uint64_t ticks = scene.tick_count();
   if (ticks <= kMaxPlottedTicks / runs) return {};
   return usage_error(fmt::format(
-      "--plot: a figure shows at most {} ticks in all, {} of each of {} algorithms; this scene has "
+      "--plot: a figure shows at most {} ticks in all, {} of each of {} rows; this scene has "
       "{}; --duration shortens it",
       kMaxPlottedTicks, kMaxPlottedTicks / runs, runs, ticks));
 }
@@ -54,7 +53,7 @@ struct Runs {
 };
 
 // nullopt if a signal ended it early.
-std::optional<Runs> run_all(file::LoadedScene loaded, const std::vector<std::size_t>& indices,
+std::optional<Runs> run_all(Scene scene, const std::vector<ComparedAlgorithm>& compared,
                             const OutputOptions& options) {
   Runs runs;
   std::function<void(const Tick&)> on_tick;
@@ -63,18 +62,19 @@ std::optional<Runs> run_all(file::LoadedScene loaded, const std::vector<std::siz
       if (is_finite(tick.x())) runs.histories.back().push(tick.x());
     };
   }
-  for (const std::size_t index : indices) {
-    loaded.scene.algorithm.index = index;
-    if (on_tick) runs.histories.emplace_back(loaded.scene.tick_count());
+  for (const ComparedAlgorithm& row : compared) {
+    scene.algorithm = row.settings;
+    if (on_tick) runs.histories.emplace_back(scene.tick_count());
     HeadlessResult result =
-        simulate_timed({.scene = loaded.scene,
+        simulate_timed({.scene = scene,
                         .changes = {},
                         .on_tick = on_tick,
                         .should_stop = {},
-                        .progress_label = fmt::format("{} {}/{}", algorithms()[index].name,
-                                                      runs.summaries.size() + 1, indices.size()),
+                        .progress_label = fmt::format("{} {}/{}", row.label,
+                                                      runs.summaries.size() + 1, compared.size()),
                         .show_progress = !options.quiet});
     if (result.stopped_early) return std::nullopt;
+    for (Summary& axis : result.summary) axis.algorithm = row.label;
     runs.summaries.push_back(std::move(result.summary));
   }
   return runs;
@@ -112,11 +112,12 @@ Result<int> compare(const CompareOptions& options) {
   if (!indices) return indices.error();
   const Result<file::LoadedScene> loaded = load_for_study("compare", options.scene);
   if (!loaded) return loaded.error();
-  if (Failure failed = check_plot(options.output, loaded->scene, indices->size())) return *failed;
+  const auto compared = compared_algorithms(loaded->scene.algorithm, *indices);
+  if (Failure failed = check_plot(options.output, loaded->scene, compared.size())) return *failed;
   catch_stop_signals();
   Result<OutputFiles> files = OutputFiles::open(options.output);
   if (!files) return files.error();
-  const std::optional<Runs> runs = run_all(*loaded, *indices, options.output);
+  const std::optional<Runs> runs = run_all(loaded->scene, compared, options.output);
   if (!runs) return ended_early();
   const std::vector<std::size_t> rows = ordered(runs->summaries, *order);
   if (Failure failed = write_results(*files, loaded->scene, *runs, rows)) return *failed;
@@ -136,7 +137,7 @@ Command add_compare(CLI::App& program) {
   app->add_flag("--study", options->study,
                 "Instead, measure largest stable stiffness, rate-hardness, rise time, peak "
                 "penetration and energy to the hand");
-  add_csv_option(*app, options->output, "Write the table as CSV, one line per algorithm");
+  add_csv_option(*app, options->output, "Write the table as CSV, one line per row");
   add_plot_option(*app, options->output, "Draw all runs side by side");
   app->add_option("--sort", options->sort,
                   "Order of the printed rows: a key of the summary, -KEY for descending order, or "

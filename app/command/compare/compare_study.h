@@ -14,13 +14,13 @@ namespace hapticwall::command {
 [[nodiscard]] Result<int> compare_study(const SceneOptions& scene, const OutputOptions& output,
                                         const std::vector<std::string>& algorithms);
 
-// Two lines of conditions, one row per algorithm, and the meaning of the marks.
+// Two lines of conditions, the rows, and the meaning of the marks.
 [[nodiscard]] std::string study_table(const ContactStudyPlan& plan,
                                       const std::vector<ContactMetrics>& rows);
 // One object, with the conditions, and `rows`.
 [[nodiscard]] std::string study_json(const ContactStudyPlan& plan,
                                      const std::vector<ContactMetrics>& rows);
-// A header and one line per algorithm, each with the conditions and the keys of its row.
+// A header and one line per row, each with the conditions and the keys of its row.
 [[nodiscard]] std::string study_csv(const ContactStudyPlan& plan,
                                     const std::vector<ContactMetrics>& rows);
 

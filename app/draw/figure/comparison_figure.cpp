@@ -81,7 +81,7 @@ void draw_title(const Theme& theme, const Scene& scene, std::size_t runs) {
   strong_text(theme, scene.name, kTitleFontSize);
   ImGui::SameLine();
   ImGui::TextDisabled(
-      "  compared: %zu algorithm%s%s%s", runs, runs == 1 ? "" : "s",
+      "  compared: %zu run%s%s%s", runs, runs == 1 ? "" : "s",
       has_follower(scene.algorithm) ? ", each with a passivity controller behind it" : "",
       scene.two_axes() ? "  ·  axis x" : "");
   const FontScope font(nullptr, kSmallFontSize);
@@ -129,10 +129,12 @@ std::array<std::string, 2> tail_texts(const Summary& s, bool stretches) {
 void draw_run_heading(const Theme& theme, const Comparison& comparison, const ComparedRun& run) {
   const Summary& summary = run.summary;
   ImGui::BeginGroup();
-  // The name ends at a space. The rest names the follower, which the title tells for all runs.
+  // The name ends at a space. The title tells the follower of all runs; the form is "(held-force)".
   strong_text(theme, summary.algorithm.substr(0, summary.algorithm.find(' ')));
-  ImGui::TextColored(theme.colour(tone_of(summary.verdict)), "%s",
-                     verdict_text(comparison.scene, summary).c_str());
+  const std::string form =
+      summary.algorithm.substr(std::min(summary.algorithm.find('('), summary.algorithm.size()));
+  ImGui::TextColored(theme.colour(tone_of(summary.verdict)), "%s  %s",
+                     verdict_text(comparison.scene, summary).c_str(), form.c_str());
   ImGui::PushFont(nullptr, kSmallFontSize);
   const bool stretches = stretches_axes(run, comparison.runs);
   for (const std::string& text : tail_texts(summary, stretches))

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -187,6 +188,12 @@ TEST(CompareMarks, TheyMoveNoDigit) {
   EXPECT_THAT(lines.at(4), StartsWith("* best of its column"));
 }
 
+std::vector<std::size_t> all_algorithms() {
+  std::vector<std::size_t> indices(algorithms().size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return indices;
+}
+
 class Compare : public ProgramTest {
  protected:
   // The first words of the table's rows.
@@ -222,6 +229,26 @@ TEST_F(Compare, SortsWhatPeopleReadAndNothingElse) {
   }
 }
 
+TEST_F(Compare, ShowsTheFormsOfAnAlgorithmInRowsOfTheirOwn) {
+  const auto labels = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "compare", "press", "--duration", "0.1", "--algorithms", "passivity-control,none",
+        "--json",  "-"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    std::vector<std::string> found;
+    for (const auto& row : nlohmann::json::parse(hapticwall(arguments).out)) {
+      found.push_back(row.at("algorithm"));
+    }
+    return found;
+  };
+  EXPECT_THAT(labels({}), ElementsAre("passivity-control", "passivity-control (held-force)",
+                                      "passivity-control (one-step)", "none"));
+  EXPECT_THAT(labels({"--set", "algorithm.observer=held-force"}),
+              ElementsAre("passivity-control (held-force)", "none"));
+  EXPECT_THAT(labels({"--set", "algorithm.observer=same-sample"}),
+              ElementsAre("passivity-control", "none"));
+}
+
 // The golden tests compare simulate() with an independent model.
 TEST_F(Compare, EveryRowIsTheSummaryOfSimulate) {
   const auto without_times = [](nlohmann::json row) {
@@ -232,11 +259,13 @@ TEST_F(Compare, EveryRowIsTheSummaryOfSimulate) {
     const Answer answer = hapticwall({"compare", name, "--json", "-"});
     ASSERT_EQ(answer.status, 0) << answer.err;
     const auto rows = nlohmann::json::parse(answer.out);
-    ASSERT_EQ(rows.size(), algorithms().size());
     Scene scene = file::load_scene(name)->scene;
+    const auto compared = compared_algorithms(scene.algorithm, all_algorithms());
+    ASSERT_EQ(rows.size(), compared.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      scene.algorithm.index = i;
-      const RunSummary summary{simulate(scene).summary};
+      scene.algorithm = compared[i].settings;
+      RunSummary summary{simulate(scene).summary};
+      summary.front().algorithm = compared[i].label;
       EXPECT_EQ(without_times(rows[i]),
                 without_times(nlohmann::json::parse(summary_json(summary))));
     }

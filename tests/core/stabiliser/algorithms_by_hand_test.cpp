@@ -137,6 +137,21 @@ TEST(PassivityControl, StaysFiniteForTheSmallestVelocity) {
 }
 
 // The follower keeps its own book: two controllers in a row, each with a cap of 1 N·s/m.
+// 1 N held through -0.05 mm took 0.05 mJ; 0.5 N through the same again would take 0.025 mJ. With
+// 1.5 N less the next move pays both, and nothing is owed.
+TEST(PassivityControl, OneStepPaysForWhatTheHoldWillGiveOut) {
+  ServoSettings settings = wall_at_zero("passivity-control", 10e3);
+  set_parameter(settings.algorithm, "observer", 2.0);
+  set_parameter(settings.algorithm, "max_damping_n_s_per_m", 1e6);
+  PositionBench bench(settings);
+  bench.move_to(0.0);
+  EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 1.0, kNear);
+  EXPECT_NEAR(bench.move_to(0.05e-3).force_n, -1.0, kNear);
+  const Sample paid = bench.move_to(0.0);
+  EXPECT_NEAR(paid.energy_scv_j, 0.0, 1e-15);
+  EXPECT_NEAR(paid.force_n, 0.0, kNear);
+}
+
 TEST(Follower, HasAStateOfItsOwn) {
   ServoSettings settings = wall_at_zero("passivity-control", 10e3);
   set_parameter(settings.algorithm, "observer", 1.0);

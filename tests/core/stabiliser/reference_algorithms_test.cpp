@@ -103,6 +103,7 @@ class Sequence {
           std::pair("reset_in_free_motion", &ReferenceScene::forgets)}) {
       if (chance(0.5)) set(key, 1.0), scene_.*member = true;
     }
+    if (scene_.held && chance(0.5)) set("observer", 2.0), scene_.ahead = true;
   }
 
   std::mt19937_64 random_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include "tests/position_bench.h"
 
@@ -26,6 +27,26 @@ TEST(AlgorithmList, EveryNameIsItsOwnAndFoundAgain) {
   }
   EXPECT_EQ(find_algorithm("no-such-thing"), std::nullopt);
   EXPECT_EQ(find_algorithm(""), std::nullopt);
+}
+
+TEST(AlgorithmList, AComparisonShowsEachFormUnlessTheSceneChoosesOne) {
+  AlgorithmSettings settings;
+  const std::size_t control = *find_algorithm("passivity-control");
+  const std::vector<std::size_t> indices{control, 0};
+  const std::size_t observer = *find_algorithm_parameter("observer");
+  const auto rows = compared_algorithms(settings, indices);
+  ASSERT_EQ(rows.size(), 4U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(rows[i].settings.index, control);
+    EXPECT_EQ(rows[i].settings.values.at(observer), static_cast<double>(i));
+  }
+  EXPECT_EQ(rows[1].label, "passivity-control (held-force)");
+  EXPECT_EQ(rows[3].label, "none");
+  EXPECT_EQ(rows[3].settings, settings);
+  settings.values.at(observer) = 2.0;
+  const auto chosen = compared_algorithms(settings, indices);
+  ASSERT_EQ(chosen.size(), 2U);
+  EXPECT_EQ(chosen[0].label, "passivity-control (one-step)");
 }
 
 TEST(AlgorithmList, AnIndexOutsideItIsTheFirstAlgorithm) {
