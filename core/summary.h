@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -25,6 +26,13 @@ inline constexpr std::array<std::string_view, 4> kVerdictNames{"settled", "buzzi
   const auto found = std::ranges::find(kVerdictNames, name);
   if (found == kVerdictNames.end()) return std::nullopt;
   return static_cast<Verdict>(found - kVerdictNames.begin());
+}
+
+// Energy that flowed, by its sums at the end: the scale of a balance error. What flowed to and fro
+// in between is not in them.
+[[nodiscard]] inline double turnover_j(double hand_work_j, double actuator_work_j,
+                                       double dissipation_j, double kinetic_j) {
+  return std::abs(hand_work_j) + std::abs(actuator_work_j) + dissipation_j + kinetic_j;
 }
 
 // Result of one run along one axis. Fields that do not apply are nullopt.
@@ -60,6 +68,7 @@ struct Summary {
   std::optional<double> true_hand_work_j;
   std::optional<double> kinetic_j;
   std::optional<double> energy_balance_error_j;
+  std::optional<double> energy_balance_relative;  // to turnover_j(); nullopt if nothing moved
   std::optional<double> passivity_margin_j;
 };
 
@@ -78,7 +87,7 @@ struct SummaryKey {
 
 // In the order of JSON and CSV (docs/command-line.md). A new field needs a line here and one in
 // summarise(); every output and every comparison of summaries reads this table.
-inline constexpr std::array<SummaryKey, 28> kSummaryKeys{
+inline constexpr std::array<SummaryKey, 29> kSummaryKeys{
     {{"scene", &Summary::scene, true},
      {"algorithm", &Summary::algorithm, true},
      {"verdict", &Summary::verdict},
@@ -105,6 +114,7 @@ inline constexpr std::array<SummaryKey, 28> kSummaryKeys{
      {"true_hand_work_j", &Summary::true_hand_work_j},
      {"kinetic_j", &Summary::kinetic_j},
      {"energy_balance_error_j", &Summary::energy_balance_error_j},
+     {"energy_balance_relative", &Summary::energy_balance_relative},
      {"passivity_margin_j", &Summary::passivity_margin_j},
      {"diverged_at_tick", &Summary::diverged_at_tick}}};
 

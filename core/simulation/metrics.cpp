@@ -1,5 +1,7 @@
 #include "core/simulation/metrics.h"
 
+#include <cmath>
+
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
@@ -62,6 +64,11 @@ Summary summarise(const Scene& scene, const RunStats& stats, const EnergyLedger&
     summary.true_hand_work_j = energies->hand_work_j;
     summary.kinetic_j = energies->kinetic_j;
     summary.energy_balance_error_j = energies->balance_error_j;
+    const double turned_j = turnover_j(energies->hand_work_j, energies->actuator_work_j,
+                                       energies->dissipation_j, energies->kinetic_j);
+    if (turned_j > 0.0) {
+      summary.energy_balance_relative = std::abs(energies->balance_error_j) / turned_j;
+    }
     summary.passivity_margin_j = stats.passivity_margin_j;
   }
   return summary;

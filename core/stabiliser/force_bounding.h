@@ -12,8 +12,9 @@ HAPTICWALL_LAW_BEGIN
 // hold and the control law together are passive as the encoder sees them. Forgetting E without a
 // force keeps energy of free motion out of the next contact. Displays about 2b/T.
 //
-// Source: after Kim, Baek & Ryu, "A force bounding approach for multi-degree-of-freedom haptic
-// interaction", IEEE/ASME Trans. Mechatronics 20(3), 2015; this form derived.
+// Source: Kim, Baek & Ryu, "A force bounding approach for multi-degree-of-freedom haptic
+// interaction", IEEE/ASME Trans. Mechatronics 20(3), 2015; formula reconstructed. It agrees with a
+// public implementation for several degrees of freedom (docs/algorithms/force-bounding.md).
 struct ForceBounding {
   static constexpr std::array<ParameterDescription, 1> kParameters{kBelievedDampingParameter};
   static constexpr AlgorithmDescription kDescription{

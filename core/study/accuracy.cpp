@@ -112,6 +112,7 @@ class Study {
     row.verdict_agrees = row.verdict == reference.verdict;
     if (row.verdict == Verdict::kDiverged) return;
     row.energy_balance_error_j = result.summary.energy_balance_error_j;
+    row.energy_balance_relative = result.summary.energy_balance_relative;
     row.tail_peak_to_peak_m = result.summary.tail_peak_to_peak_m;
     if (reference.verdict == Verdict::kDiverged) return;
     compare(result.final_state);

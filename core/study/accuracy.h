@@ -36,6 +36,7 @@ struct AccuracyRow {
   std::optional<double> set_up_ns;       // once a run, before the first tick
   std::optional<double> max_position_error_m;  // of the true position, over all ticks
   std::optional<double> energy_balance_error_j;
+  std::optional<double> energy_balance_relative;
   std::optional<double> tail_peak_to_peak_m;
   // (this - reference) / reference; -1 if the oscillation is missing. nullopt if the reference
   // settled.

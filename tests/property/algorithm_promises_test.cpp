@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "core/simulation/simulate.h"
 #include "tests/position_bench.h"
@@ -106,6 +108,23 @@ RC_GTEST_PROP(EnergyLimitedSpringPromise, TwoWallsInOnePlaceAreOneOfBoth, ()) {
   for (std::size_t k = 0; k < kPromiseTicks; ++k) RC_ASSERT(one[k].force_n == two[k].force_n);
 }
 
+// What energy-bounding asked for in each row: it has no state but the last force.
+std::vector<double> wanted_by_energy_bounding(const Trial& trial) {
+  std::vector<double> wanted_n;
+  Stabiliser first;
+  first.configure(trial.settings.algorithm.index, stabiliser_context(trial.settings));
+  double before_n = 0.0;
+  for (const Sample& row : trial.rows) {
+    StabiliserInput input;
+    input.wall_force_n = row.wall_force_n;
+    input.velocity_m_per_s = row.velocity_m_per_s;
+    input.previous_force_n = before_n;
+    wanted_n.push_back(first.step(input));
+    before_n = row.force_n;
+  }
+  return wanted_n;
+}
+
 // With the same-sample and the one-step observer the passivity controller takes the missing energy
 // unless its cap is reached. It acts as a follower of energy-bounding, whose control law lags and
 // is therefore active.
@@ -118,21 +137,9 @@ void follower_takes_what_is_missing(bool credit, bool one_step = false) {
   if (credit) set_parameter(settings.algorithm, "damping_credit", 1.0);
   if (one_step) set_parameter(settings.algorithm, "observer", 2.0);
   const Trial trial = attacked(settings);
-  // The first algorithm has no state but the last force: what it asked for follows from the rows.
-  std::vector<double> wanted_n;
-  Stabiliser first;
-  first.configure(settings.algorithm.index, stabiliser_context(settings));
-  double before_n = 0.0;
-  for (const Sample& row : trial.rows) {
-    StabiliserInput input;
-    input.wall_force_n = row.wall_force_n;
-    input.velocity_m_per_s = row.velocity_m_per_s;
-    input.previous_force_n = before_n;
-    wanted_n.push_back(first.step(input));
-    before_n = row.force_n;
-  }
   testing::forces_are_finite_and_within_the_limit(trial);
-  testing::passivity_control_acts_or_is_capped(trial, cap, credit, one_step, wanted_n);
+  testing::passivity_control_acts_or_is_capped(trial, cap, credit, one_step,
+                                               wanted_by_energy_bounding(trial));
 }
 
 RC_GTEST_PROP(PassivityControlPromise, TakesWhatIsMissingUnlessCapped, ()) {
@@ -143,6 +150,25 @@ RC_GTEST_PROP(PassivityControlPromise, WithCreditToleratesWhatTheDeviceEats, ())
 }
 RC_GTEST_PROP(PassivityControlPromise, OneStepPaysForTheNextMoveIfItEqualsTheLast, ()) {
   follower_takes_what_is_missing(flip(), true);
+}
+
+// A force limit only takes force away: Eq. 6 stays above zero until the cap binds.
+RC_GTEST_PROP(PassivityControlPromise, AForceLimitDoesNotBreakIt, ()) {
+  constexpr double kCap = 1e6;
+  ServoSettings settings = random_settings("energy-bounding");
+  settings.force_limit_n = log_uniform(0.1, 20.0);
+  set_parameter(settings.algorithm, "then", 1.0);
+  set_parameter(settings.algorithm, "max_damping_n_s_per_m", kCap);
+  const Trial trial = attacked(settings);
+  const std::vector<double> wanted_n = wanted_by_energy_bounding(trial);
+  bool capped = false;
+  std::size_t k = 0;
+  testing::for_each_step(trial, [&](const testing::Step& step) {
+    capped = capped || (step.moved_m != 0.0 &&
+                        std::abs(wanted_n[k]) > kCap * std::abs(step.now.velocity_m_per_s));
+    ++k;
+    if (!capped) RC_ASSERT(step.now.energy_cv_j >= -testing::kRounding * step.turnover_j);
+  });
 }
 
 // At or below the floor the wall's force is not touched; above it every deficit of the held-force

@@ -73,9 +73,12 @@ RC_GTEST_PROP(Energy, BalanceClosesToABillionth, ()) {
   const Scene scene = random_scene(any_algorithm());
   const Run all = run(scene);
   const Summary& s = all.result.summary;
-  const double scale = std::abs(*s.true_hand_work_j) + std::abs(*s.true_dissipation_j) +
-                       std::abs(*s.true_actuator_work_j) + *s.kinetic_j;
+  const double scale = std::abs(*s.true_hand_work_j) + std::abs(*s.true_actuator_work_j) +
+                       *s.true_dissipation_j + *s.kinetic_j;
   RC_ASSERT(std::abs(*s.energy_balance_error_j) <= 1e-9 * scale);
+  if (scale > 0.0) {
+    RC_ASSERT(*s.energy_balance_relative == std::abs(*s.energy_balance_error_j) / scale);
+  }
 }
 
 // Without an encoder the ledger's Eq. 10 and the plant's own account are the same sum.
@@ -154,7 +157,8 @@ RC_GTEST_PROP(Simulate, SummaryIsThatOfItsSamples, ()) {
   Summary from_samples = metrics.finish();
   for (const auto energy :
        {&Summary::true_actuator_work_j, &Summary::true_dissipation_j, &Summary::true_hand_work_j,
-        &Summary::kinetic_j, &Summary::energy_balance_error_j, &Summary::passivity_margin_j}) {
+        &Summary::kinetic_j, &Summary::energy_balance_error_j, &Summary::energy_balance_relative,
+        &Summary::passivity_margin_j}) {
     from_samples.*energy = all.result.summary.*energy;
   }
   RC_ASSERT(testing::differences(from_samples, all.result.summary) == "");

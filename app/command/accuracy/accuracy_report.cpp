@@ -46,6 +46,7 @@ Json row_object(const AccuracyRow& row) {
           {"set_up_ns", json_number(row.set_up_ns)},
           {"max_position_error_m", json_number(row.max_position_error_m)},
           {"energy_balance_error_j", json_number(row.energy_balance_error_j)},
+          {"energy_balance_relative", json_number(row.energy_balance_relative)},
           {"tail_peak_to_peak_m", json_number(row.tail_peak_to_peak_m)},
           {"tail_peak_to_peak_relative_error", json_number(row.tail_peak_to_peak_relative_error)},
           {"verdict", verdict_name(row.verdict)},
@@ -65,7 +66,7 @@ std::string verdict_text(const AccuracyRow& row) {
   return text;
 }
 
-constexpr std::array<TableColumn<AccuracyRow>, 10> kAccuracyColumns{
+constexpr std::array<TableColumn<AccuracyRow>, 11> kAccuracyColumns{
     {{"integrator", "", [](const AccuracyRow& r) { return std::string(name_of(r.integrator)); },
       Align::kLeft},
      {"substeps", "",
@@ -78,6 +79,8 @@ constexpr std::array<TableColumn<AccuracyRow>, 10> kAccuracyColumns{
       [](const AccuracyRow& r) { return scientific(r.max_position_error_m); }},
      {"balance error", "J",
       [](const AccuracyRow& r) { return scientific(r.energy_balance_error_j); }},
+     {"to turnover", "",
+      [](const AccuracyRow& r) { return scientific(r.energy_balance_relative); }},
      {"tail p-p", "mm",
       [](const AccuracyRow& r) { return fixed(r.tail_peak_to_peak_m, kMillimetresPerMetre, 4); }},
      {"its error", "%",

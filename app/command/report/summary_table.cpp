@@ -105,6 +105,14 @@ std::string contact_text(const Summary& s) {
       s.saturated_ticks);
 }
 
+std::string balance_text(const Summary& s) {
+  if (!s.energy_balance_relative) return "-";
+  const double turned_j =
+      turnover_j(*s.true_hand_work_j, *s.true_actuator_work_j, *s.true_dissipation_j, *s.kinetic_j);
+  return fmt::format("{:.1e} J ({:.1e} of {:.3g} J turned over)", *s.energy_balance_error_j,
+                     *s.energy_balance_relative, turned_j);
+}
+
 std::string axis_lines(const Summary& s) {
   return summary_line(tail_label(s), tail_text(s)) +
          summary_line("displayed stiffness",
@@ -123,6 +131,7 @@ std::string axis_lines(const Summary& s) {
                                                millijoules(s.true_hand_work_j),
                                                millijoules(s.true_actuator_work_j),
                                                millijoules(s.true_dissipation_j))) +
+         summary_line("energy balance error", balance_text(s)) +
          summary_line("passivity margin", millijoules(s.passivity_margin_j) + " mJ");
 }
 

@@ -11,6 +11,7 @@
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
+#include "core/summary.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -83,11 +84,15 @@ void draw_cost(const PanelContext& context) {
 }
 
 void draw_balance(const PanelContext& context) {
+  const PlantTruth& truth = context.snapshot.newest.x().truth;
   figure_row(context, "energy error",
-             fmt::format("{:+.1e} J", energy_error_j(context.snapshot.newest.x().truth)),
+             fmt::format("{:+.1e} of {:.1e} J", energy_error_j(truth),
+                         turnover_j(truth.hand_work_j, truth.actuator_work_j, truth.dissipation_j,
+                                    truth.kinetic_j)),
              draw::Tone::kText,
              "Energy that the integrator has lost (+) or created (-) since tick 0: the hand's work "
-             "minus kinetic energy, dissipation and actuator work.");
+             "minus kinetic energy, dissipation and actuator work. Beside it the turnover, the sum "
+             "of the four without their signs.");
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ AccuracyStudy made_up() {
   exact.set_up_ns = 29'000.0;
   exact.max_position_error_m = 4e-16;
   exact.energy_balance_error_j = -1e-15;
+  exact.energy_balance_relative = 3e-15;
   exact.tail_peak_to_peak_m = 0.5e-3;
   exact.tail_peak_to_peak_relative_error = -1e-12;
   exact.verdict = Verdict::kOscillating;
@@ -58,6 +59,7 @@ TEST(AccuracyReport, TheTableSaysWhoIsWrong) {
   const std::string table = accuracy_table(made_up());
   EXPECT_THAT(table, HasSubstr("reference: oscillating, 0.5000 mm peak to peak"));
   EXPECT_THAT(table, HasSubstr("  0.5000       0.00  oscillating\n"));
+  EXPECT_THAT(table, HasSubstr("  -1.0e-15      3.0e-15  "));
   EXPECT_THAT(table, HasSubstr("    -100.00  settled !\n"));
   EXPECT_THAT(table, HasSubstr("  diverged at tick 12 !\n"));
   EXPECT_THAT(table, HasSubstr("\n! the verdict differs from the reference's\n"));
@@ -95,7 +97,8 @@ TEST(AccuracyReport, JsonHasEveryKeyAndNullForWhatDoesNotApply) {
   EXPECT_EQ(rows[2].at("diverged_at_tick"), 12);
   for (const char* key :
        {"ns_per_tick", "set_up_ns", "max_position_error_m", "energy_balance_error_j",
-        "tail_peak_to_peak_m", "tail_peak_to_peak_relative_error", "ratio_to_exact"}) {
+        "energy_balance_relative", "tail_peak_to_peak_m", "tail_peak_to_peak_relative_error",
+        "ratio_to_exact"}) {
     EXPECT_TRUE(rows[2].at(key).is_null()) << key;
   }
 }
@@ -108,11 +111,11 @@ TEST(AccuracyReport, CsvIsTheSameFlat) {
       AllOf(StartsWith("scene,algorithm,duration_s,ticks,reference_verdict,"
                        "reference_tail_peak_to_peak_m,reference_diverged_at_tick,integrator,"
                        "substeps,ns_per_tick,ratio_to_exact,set_up_ns,max_position_error_m,"
-                       "energy_balance_error_j,tail_peak_to_peak_m,"
+                       "energy_balance_error_j,energy_balance_relative,tail_peak_to_peak_m,"
                        "tail_peak_to_peak_relative_error,verdict,verdict_agrees,diverged_at_tick"
                        "\n\"a, \"\"b\"\"\xff\",none,5,5000,oscillating,5e-04,,exact,,7,1,29000,"),
             HasSubstr(",0,-1,settled,false,\n"),
-            HasSubstr(",rk4,1000,,,,,,,,diverged,false,12\n")));
+            HasSubstr(",rk4,1000,,,,,,,,,diverged,false,12\n")));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(SummaryFields, KeysAndOrderAreThePromisedOnes) {
             "max_penetration_m peak_force_n saturated_ticks contacts energy_cv_j energy_hold_j "
             "energy_scv_j energy_budget_j min_energy_cv_j min_energy_scv_j true_actuator_work_j "
             "true_dissipation_j true_hand_work_j kinetic_j energy_balance_error_j "
-            "passivity_margin_j diverged_at_tick ");
+            "energy_balance_relative passivity_margin_j diverged_at_tick ");
 }
 
 TEST(SummaryFields, JsonHasNullWhereNothingApplies) {
