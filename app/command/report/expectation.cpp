@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "app/command/report/summary_fields.h"
 #include "app/command/report/terminal.h"
 #include "app/file/text/text.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::command {
 namespace {
@@ -87,7 +89,9 @@ Result<Expectation> parse_expectation(const std::string& text) {
   }
   expectation.sign = sign;
   if (std::holds_alternative<std::string>(field->value)) {
-    expectation.value = std::string(value);
+    // An old name of an algorithm means the present one.
+    const auto algorithm = expectation.key == "algorithm" ? find_algorithm(value) : std::nullopt;
+    expectation.value = std::string(algorithm ? algorithms()[*algorithm].name : value);
     if (const std::optional<Error> error = check_word(expectation, value)) return *error;
     return expectation;
   }

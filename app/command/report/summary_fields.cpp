@@ -60,8 +60,10 @@ std::string unknown_key(std::string_view key) {
   const std::vector<SummaryField> known = all_summary_fields();
   const auto keys = file::names_of(known, &SummaryField::key);
   const std::string hint = file::suggestion(key, keys);
-  return fmt::format("the summary has no key {}{}", file::in_quotes(key),
-                     hint.empty() ? "; known: " + file::joined(keys) : hint);
+  if (!hint.empty()) return fmt::format("the summary has no key {}{}", file::in_quotes(key), hint);
+  const std::vector<SummaryField> of_x = summary_fields(RunSummary(1));
+  return fmt::format("the summary has no key {}; known: {}; of a second axis: y_KEY",
+                     file::in_quotes(key), file::joined(file::names_of(of_x, &SummaryField::key)));
 }
 
 std::string value_text(const SummaryValue& value) {

@@ -52,6 +52,15 @@ TEST(Expectation, NumbersAndWords) {
   EXPECT_TRUE(holds("algorithm=none"));
 }
 
+TEST(Expectation, AnOldNameOfAnAlgorithmMeansThePresentOne) {
+  Summary summary = example();
+  summary.algorithm = "energy-limited-spring";
+  for (const char* text : {"algorithm=energy-bookkeeping", "algorithm=energy-limited-spring"}) {
+    EXPECT_FALSE(unmet(*parse_expectation(text), {summary})) << text;
+  }
+  EXPECT_TRUE(unmet(*parse_expectation("algorithm=energy-bookkeeping"), {example()}));
+}
+
 TEST(Expectation, NullFailsEveryComparison) {
   for (const std::string sign : {"<", "<=", "=", ">=", ">"}) {
     EXPECT_FALSE(holds("displayed_stiffness_n_per_m" + sign + "0"));
