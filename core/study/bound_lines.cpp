@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hapticwall {
 namespace {
@@ -21,12 +22,6 @@ struct Stiffnesses {
     return wall > 0.0 && bound > 0.0 ? std::log(wall / bound) : kNone;
   }
 };
-
-Stiffnesses stiffnesses(const Scene& scene, BoundMember bound) {
-  const WallSettings& wall = scene.x().walls.front();
-  const std::optional<double> limit = stability_bounds(scene, wall, delay_of(scene)).*bound;
-  return {wall.stiffness_n_per_m, limit.value_or(kNone)};
-}
 
 struct Corner {
   MapPoint at;
@@ -64,13 +59,34 @@ void append_square(std::vector<BoundSegment>& lines, const StabilityMap& map,
 
 }  // namespace
 
-std::vector<BoundSegment> bound_lines(const StabilityMap& map, BoundMember bound) {
+std::vector<CellBounds> cell_bounds(const StabilityMap& map) {
+  std::vector<CellBounds> cells;
+  if (map.scene.x().walls.empty()) return cells;
+  cells.reserve(map.x.count * map.y.count);
+  Scene last;
+  for (std::size_t i = 0; i < map.x.count * map.y.count; ++i) {
+    Scene scene = map.scene_at(i);
+    WallSettings& wall = scene.x().walls.front();
+    // No bound depends on the stiffness, which most maps vary along x.
+    const double wall_n_per_m = std::exchange(wall.stiffness_n_per_m, 0.0);
+    if (cells.empty() || scene != last) {
+      cells.push_back({wall_n_per_m, stability_bounds(scene, wall, delay_of(scene))});
+      last = std::move(scene);
+    } else {
+      cells.push_back({wall_n_per_m, cells.back().bounds});
+    }
+  }
+  return cells;
+}
+
+std::vector<BoundSegment> bound_lines(const StabilityMap& map, std::span<const CellBounds> cells,
+                                      BoundMember bound) {
   std::vector<BoundSegment> lines;
-  if (map.scene.x().walls.empty()) return lines;
-  std::vector<Stiffnesses> found(map.x.count * map.y.count);
-  for (std::size_t i = 0; i < found.size(); ++i) found[i] = stiffnesses(map.scene_at(i), bound);
+  if (cells.empty()) return lines;
   const auto corner = [&](std::size_t x, std::size_t y) {
-    return Corner{{static_cast<double>(x), static_cast<double>(y)}, found[y * map.x.count + x]};
+    const CellBounds& cell = cells[y * map.x.count + x];
+    return Corner{{static_cast<double>(x), static_cast<double>(y)},
+                  {cell.wall_n_per_m, (cell.bounds.*bound).value_or(kNone)}};
   };
   for (std::size_t y = 0; y + 1 < map.y.count; ++y) {
     for (std::size_t x = 0; x + 1 < map.x.count; ++x) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/study/stability_bounds.h"
@@ -26,9 +27,20 @@ struct BoundSegment {
 
 using BoundMember = std::optional<double> StabilityBounds::*;
 
-// Interpolates linearly between the values of the axes: exact for a power of a key on logarithmic
-// axes, and for a multiple on linear ones. Empty if no cell has the bound, no two neighbours lie on
-// different sides of it, or the scene has no wall. Realtime-safe: no.
-[[nodiscard]] std::vector<BoundSegment> bound_lines(const StabilityMap& map, BoundMember bound);
+struct CellBounds {
+  double wall_n_per_m = 0.0;  // stiffness of the first wall
+  StabilityBounds bounds;
+};
+
+// Of the grid's points, which are the same under every algorithm; x varies fastest. Empty if the
+// scene has no wall. Realtime-safe: no.
+[[nodiscard]] std::vector<CellBounds> cell_bounds(const StabilityMap& map);
+
+// `cells`: of the map. Interpolates linearly between the values of the axes: exact for a power of a
+// key on logarithmic axes, and for a multiple on linear ones. Empty if no cell has the bound, or no
+// two neighbours lie on different sides of it. Realtime-safe: no.
+[[nodiscard]] std::vector<BoundSegment> bound_lines(const StabilityMap& map,
+                                                    std::span<const CellBounds> cells,
+                                                    BoundMember bound);
 
 }  // namespace hapticwall

@@ -2,15 +2,23 @@
 
 #include <algorithm>
 
+#include "core/plant/plant_model.h"
+#include "core/study/stable_stiffness.h"
+
 namespace hapticwall {
 
-StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall, double delay_s) {
+StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall,
+                                 const LoopDelay& delay) {
   const DeviceSettings& device = scene.x().device;
   const double half_period_s = 0.5 * scene.sampling.period_s();
   const double damping = device.damping_n_s_per_m;
   StabilityBounds bounds;
   bounds.passive_n_per_m = std::max(0.0, damping - wall.damping_n_s_per_m) / half_period_s;
-  bounds.delayed_n_per_m = (damping + wall.damping_n_s_per_m) / (half_period_s + delay_s);
+  SampledLoop loop{plant_parameters(scene), scene.sampling.period_s(), delay.transport_s,
+                   wall.damping_n_s_per_m};
+  loop.plant.time_constant_s = delay.time_constant_s;
+  bounds.stable_n_per_m = largest_stable_stiffness(loop);
+  bounds.rule_n_per_m = (damping + wall.damping_n_s_per_m) / (half_period_s + delay.total_s());
   const double encoder_m = device.encoder_m.value_or(0.0);
   if (encoder_m > 0.0) {
     if (device.friction_n) bounds.friction_n_per_m = 2.0 * *device.friction_n / encoder_m;
@@ -19,9 +27,9 @@ StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall, d
   return bounds;
 }
 
-double delay_of(const Scene& scene) {
-  return scene.x().device.delay_ticks.value_or(0) * scene.sampling.period_s() +
-         scene.x().device.amplifier_time_constant_s.value_or(0.0);
+LoopDelay delay_of(const Scene& scene) {
+  return {scene.x().device.delay_ticks.value_or(0) * scene.sampling.period_s(),
+          scene.x().device.amplifier_time_constant_s.value_or(0.0)};
 }
 
 }  // namespace hapticwall

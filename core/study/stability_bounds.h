@@ -12,21 +12,33 @@ namespace hapticwall {
 struct StabilityBounds {
   // Passive for any hand: b >= K T / 2 + B (Colgate and Schenkel). 0 if B >= b.
   std::optional<double> passive_n_per_m;
-  // Stable for a hand that only adds mass, with a delay t_d from a position to its force:
-  // K < (b + B) / (T / 2 + t_d) (Gil; Hulin).
-  std::optional<double> delayed_n_per_m;
+  // Stable with the scene's hand, delay and amplifier: largest_stable_stiffness(). 0: no wall is.
+  std::optional<double> stable_n_per_m;
+  // The rule of thumb for the same, for a hand that only adds mass: K < (b + B) / (T / 2 + t_d)
+  // (Gil; Hulin). Too high by at most 12 % up to kMaxRuleDamping and two ticks of delay.
+  std::optional<double> rule_n_per_m;
   // With an encoder and Coulomb friction: K <= 2 f_c / Delta (Abbott and Okamura 2005).
   std::optional<double> friction_n_per_m;
   // Force limit within one count: K <= F_max / Delta. A stiffer wall acts like a switch.
   std::optional<double> resolution_n_per_m;
 };
 
-// `delay_s` >= 0, from the latch of a position to its force, without the half tick of the hold:
-// delay_of() for a simulator, the measured delay for a real device. Realtime-safe: yes.
-[[nodiscard]] StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall,
-                                               double delay_s);
+inline constexpr double kMaxRuleDamping = 0.1;  // B T/m
 
-// Of a simulated device: its delay in ticks plus the time constant of its amplifier. Seconds.
-[[nodiscard]] double delay_of(const Scene& scene);
+// From the latch of a position to its force, without the half tick of the hold; each at least 0.
+struct LoopDelay {
+  double transport_s = 0.0;      // whole ticks of a simulator; as measured of a real device
+  double time_constant_s = 0.0;  // of the amplifier; 0 if the measured delay contains it
+
+  [[nodiscard]] double total_s() const { return transport_s + time_constant_s; }
+};
+
+// Of the wall by itself: other walls that it may overlap do not count. For a real device, whose
+// hand is unknown, the scene has none. About 10 µs (stable_stiffness.h). Realtime-safe: no.
+[[nodiscard]] StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall,
+                                               const LoopDelay& delay);
+
+// Of a simulated device.
+[[nodiscard]] LoopDelay delay_of(const Scene& scene);
 
 }  // namespace hapticwall

@@ -1,14 +1,12 @@
 // The limits of theory come out of the studies: maps and boundaries against b/(T/2 + t_d) and
-// 2 f_c / Δ, and against the eigenvalues of the sampled loop, which share nothing with the
-// simulator but the scene's numbers. docs/maps.md quotes the distances.
+// 2 f_c / Δ, and against the eigenvalues of the sampled loop, which stable_limit_test.cpp tests.
+// docs/maps.md quotes the distances.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "core/stabiliser/stabiliser.h"
 #include "core/study/boundary.h"
@@ -19,39 +17,8 @@
 namespace hapticwall {
 namespace {
 
-constexpr double kHandStiffness = 5.0;  // of pressed_wall()
-
-// Growth of the loop in a tick, while the handle stays in the wall: largest modulus of an
-// eigenvalue of position, velocity and the `delay` forces that are on their way.
-double growth_in_a_tick(const Scene& scene, double stiffness, int delay) {
-  const DeviceSettings& device = scene.x().device;
-  const double period_s = scene.sampling.period_s();
-  Eigen::Matrix3d rates = Eigen::Matrix3d::Zero();  // position, velocity, held force
-  rates(0, 1) = 1.0;
-  rates(1, 0) = -kHandStiffness / device.mass_kg;
-  rates(1, 1) = -device.damping_n_s_per_m / device.mass_kg;
-  rates(1, 2) = -1.0 / device.mass_kg;
-  const Eigen::Matrix3d tick = (rates * period_s).exp();
-  Eigen::MatrixXd loop = Eigen::MatrixXd::Zero(2 + delay, 2 + delay);
-  loop.topLeftCorner(2, 2) = tick.topLeftCorner(2, 2);
-  if (delay == 0) {
-    loop.topLeftCorner(2, 1) += stiffness * tick.topRightCorner(2, 1);
-  } else {
-    loop.block(0, 2, 2, 1) = tick.topRightCorner(2, 1);  // the oldest force acts
-    for (int i = 0; i + 1 < delay; ++i) loop(2 + i, 3 + i) = 1.0;
-    loop(1 + delay, 0) = stiffness;
-  }
-  return loop.eigenvalues().cwiseAbs().maxCoeff();
-}
-
-double eigenvalue_limit(const Scene& scene, int delay) {
-  double low = 1.0;
-  double high = 1e5;
-  while (high - low > 1e-9 * high) {
-    const double middle = 0.5 * (low + high);
-    (growth_in_a_tick(scene, middle, delay) < 1.0 ? low : high) = middle;
-  }
-  return low;
+double eigenvalue_limit(const Scene& scene) {
+  return stability_bounds(scene, scene.x().walls[0], delay_of(scene)).stable_n_per_m.value();
 }
 
 Boundary largest_stiffness(Scene scene, double expected) {
@@ -69,8 +36,8 @@ TEST(AnalyticLimits, ASampledSpringMayHaveTwiceTheDampingOverThePeriod) {
     Scene scene = testing::pressed_wall(2000.0);
     scene.x().device.mass_kg = mass_kg;
     scene.duration_s = 4000.0 * mass_kg;
-    const double bound = stability_bounds(scene, scene.x().walls[0], 0.0).passive_n_per_m.value();
-    const double exact = eigenvalue_limit(scene, 0);
+    const double bound = stability_bounds(scene, scene.x().walls[0], {}).passive_n_per_m.value();
+    const double exact = eigenvalue_limit(scene);
     const Boundary found = largest_stiffness(scene, bound);
     ASSERT_TRUE(found.settled.last && found.failed.first);
     const std::string name = "mass_" + std::to_string(static_cast<int>(1000 * mass_kg)) + "_g";
@@ -92,9 +59,9 @@ TEST(AnalyticLimits, WithADelayTheDampingOverHalfThePeriodAndTheDelay) {
     scene.x().device.delay_ticks = delay;
     scene.duration_s = 400.0;
     const double bound =
-        stability_bounds(scene, scene.x().walls[0], delay_of(scene)).delayed_n_per_m.value();
+        stability_bounds(scene, scene.x().walls[0], delay_of(scene)).rule_n_per_m.value();
     scene.x().device.start_m = testing::kWallAtM + testing::kPressN / bound + 0.2e-3;
-    const double exact = eigenvalue_limit(scene, delay);
+    const double exact = eigenvalue_limit(scene);
     const Boundary found = largest_stiffness(scene, bound);
     ASSERT_TRUE(found.settled.last && found.failed.first);
     const std::string name = "delay_" + std::to_string(delay);
@@ -117,7 +84,7 @@ TEST(AnalyticLimits, OfAQuantisedWallIsTwiceTheFrictionOverTheCount) {
   map.scene.x().device.start_m = testing::kWallAtM;
   map.algorithms = {find_algorithm("none").value()};
   const double bound =
-      stability_bounds(map.scene, map.scene.x().walls[0], 0.0).friction_n_per_m.value();
+      stability_bounds(map.scene, map.scene.x().walls[0], {}).friction_n_per_m.value();
   map.x = {find_scene_number(map.scene, "wall.stiffness_n_per_m").value(), 0.9 * bound, 1.1 * bound,
            41, false};
   // About a count's worth of force.

@@ -180,7 +180,7 @@ Table wall_rows(const std::string& scene_of_two_walls) {
           slides("damping-slider", damping),
           takes("position", "51", position_mm, 51.0),
           shown("bound, passive"),
-          shown("bound, delay"),
+          shown("bound, stable"),
           shown("bound, friction"),
           shown("bound, resolution"),
           {"wall 2",

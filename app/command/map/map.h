@@ -1,4 +1,5 @@
-// hapticwall map SCENE: a grid over two numbers of a scene, or its stability boundary along one.
+// hapticwall map SCENE: a grid over two numbers of a scene, its stability boundary along one, or
+// the normalised chart of its handle.
 #pragma once
 
 #include <optional>
@@ -22,6 +23,7 @@ struct MapOptions {
   std::string tolerance;
   std::string shard;
   std::string read;
+  bool normalised = false;
 };
 
 // The problem of validate() as a usage error.
@@ -29,5 +31,8 @@ struct MapOptions {
 
 // --boundary: finds, writes and prints the boundaries; returns the exit status.
 [[nodiscard]] Result<int> run_boundary(const MapOptions& options, Scene scene);
+
+// --normalised: the same with the chart of K T²/m over B T/m.
+[[nodiscard]] Result<int> run_normalised(const MapOptions& options, const Scene& scene);
 
 }  // namespace hapticwall::command

@@ -24,16 +24,21 @@ namespace {
 
 constexpr float kMapDesignHeight = 1000.0F;  // figure of scale 1
 constexpr float kMapLineWeight = 2.0F;
+constexpr float kThinLineWeight = 0.7F;
 
 // A bound of theory, as it is drawn.
 struct BoundStyle {
   const char* name;
   BoundMember bound;
   ImU32 colour;
+  float weight = kMapLineWeight;
 };
-constexpr std::array<BoundStyle, 4> kBounds{
+constexpr std::array<BoundStyle, 5> kBounds{
     {{"K = 2 (b - B) / T, passive", &StabilityBounds::passive_n_per_m, IM_COL32(20, 60, 140, 255)},
-     {"K = (b + B) / (T/2 + t_d)", &StabilityBounds::delayed_n_per_m, IM_COL32(120, 40, 150, 255)},
+     {"stable below, with this hand", &StabilityBounds::stable_n_per_m,
+      IM_COL32(120, 40, 150, 255)},
+     {"K = (b + B) / (T/2 + t_d), rule for B T/m < 0.1 without a hand",
+      &StabilityBounds::rule_n_per_m, IM_COL32(120, 40, 150, 255), kThinLineWeight},
      {"K = 2 f_c / Δ", &StabilityBounds::friction_n_per_m, IM_COL32(0, 120, 90, 255)},
      {"K = F_max / Δ", &StabilityBounds::resolution_n_per_m, IM_COL32(60, 60, 60, 255)}}};
 
@@ -45,9 +50,10 @@ struct BoundLines {
 // The same for every algorithm: they are bounds of the bare wall.
 std::vector<BoundLines> all_bound_lines(const StabilityMap& map) {
   std::vector<BoundLines> all;
+  const std::vector<CellBounds> cells = cell_bounds(map);
   for (const BoundStyle& style : kBounds) {
-    std::vector<BoundSegment> lines = bound_lines(map, style.bound);
-    // Without a delay and a damped wall the first two are one.
+    std::vector<BoundSegment> lines = bound_lines(map, cells, style.bound);
+    // Without a delay and a damped wall the rule is the first one.
     const bool drawn =
         std::ranges::any_of(all, [&](const BoundLines& other) { return other.lines == lines; });
     if (!lines.empty() && !drawn) all.push_back({&style, std::move(lines)});
@@ -89,7 +95,7 @@ void draw_bounds(const StabilityMap& map, const std::vector<BoundLines>& bounds,
   for (const BoundLines& bound : bounds) {
     for (const BoundSegment& line : bound.lines) {
       list.AddLine(pixels_of(map, line.from.x, line.from.y), pixels_of(map, line.to.x, line.to.y),
-                   bound.style->colour, kMapLineWeight * scale);
+                   bound.style->colour, bound.style->weight * scale);
     }
   }
 }
@@ -156,14 +162,14 @@ void draw_field(const Theme& theme, const Contents& contents, std::size_t algori
   ImGui::EndGroup();
 }
 
-// A box of a colour and what it stands for; the next item stands beside it.
-void draw_key(ImU32 colour, const char* text, bool line) {
+// A box of a colour, or a line of a weight, and what it stands for; the next item stands beside it.
+void draw_key(ImU32 colour, const char* text, float line_weight = 0.0F) {
   const float side = ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (line) {
+  if (line_weight > 0.0F) {
     list.AddLine(ImVec2(at.x, at.y + 0.5F * side), ImVec2(at.x + side, at.y + 0.5F * side), colour,
-                 0.15F * side);
+                 line_weight);
   } else {
     list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), colour);
   }
@@ -173,21 +179,23 @@ void draw_key(ImU32 colour, const char* text, bool line) {
   ImGui::SameLine(0.0F, 1.6F * side);
 }
 
-void draw_legend(const std::vector<BoundLines>& bounds) {
+void draw_legend(const std::vector<BoundLines>& bounds, float scale) {
   const FontScope font(nullptr, kSmallFontSize);
-  draw_key(settled_colour(), "settled", false);
+  draw_key(settled_colour(), "settled");
   const std::string buzzing =
       fmt::format("still to {:g} mm, force ± more than {:g} N",
                   kSettledPeakToPeakM * kMillimetresPerMetre, kSettledForceStdN);
-  draw_key(buzzing_colour(), buzzing.c_str(), false);
+  draw_key(buzzing_colour(), buzzing.c_str());
   constexpr std::array kShownM{kSettledPeakToPeakM, 1e-3, 1e-2, kHottestM};
   for (const double amplitude_m : kShownM) {
     const std::string text = fmt::format("{:g} mm", amplitude_m * kMillimetresPerMetre);
-    draw_key(oscillating_colour(amplitude_m), text.c_str(), false);
+    draw_key(oscillating_colour(amplitude_m), text.c_str());
   }
-  draw_key(diverged_colour(), "diverged", false);
+  draw_key(diverged_colour(), "diverged");
   ImGui::NewLine();
-  for (const BoundLines& bound : bounds) draw_key(bound.style->colour, bound.style->name, true);
+  for (const BoundLines& bound : bounds) {
+    draw_key(bound.style->colour, bound.style->name, bound.style->weight * scale);
+  }
   if (bounds.empty()) {
     ImGui::TextDisabled("no bound of theory crosses this map");
   } else {
@@ -207,7 +215,7 @@ void draw_contents(const Theme& theme, const Contents& contents) {
   ImGui::SameLine();
   ImGui::TextDisabled("  stability map, %zu x %zu runs of %g s under each algorithm", map.x.count,
                       map.y.count, map.scene.duration_s);
-  draw_legend(contents.bounds);
+  draw_legend(contents.bounds, contents.scale);
   ImGui::Spacing();
   const std::size_t columns = columns_for(map.algorithms.size());
   const std::size_t rows = (map.algorithms.size() + columns - 1) / columns;

@@ -40,7 +40,7 @@ std::vector<BoundLine> bound_lines(const StabilityBounds& bounds) {
     }
   };
   add("passive", bounds.passive_n_per_m);
-  add("delay", bounds.delayed_n_per_m);
+  add("stable", bounds.stable_n_per_m);
   add("friction", bounds.friction_n_per_m);
   add("resolution", bounds.resolution_n_per_m);
   std::stable_sort(lines.begin(), lines.end(), [](const BoundLine& a, const BoundLine& b) {

@@ -14,7 +14,7 @@ struct BoundLine {
   double stiffness_n_per_m = 0.0;
 };
 
-// The bounds of the scene, the softest first; equal ones share a line.
+// The bounds of the scene without the rule of thumb, the softest first; equal ones share a line.
 [[nodiscard]] std::vector<BoundLine> bound_lines(const StabilityBounds& bounds);
 
 // Draws those within the value axis of the current plot, whose unit is `scale` times SI: thin, with

@@ -11,7 +11,6 @@
 #include "app/ui/panel/toolbar.h"
 #include "app/ui/state/export.h"
 #include "app/ui/widget/shown_axis.h"
-#include "core/study/stability_bounds.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -59,9 +58,7 @@ std::vector<draw::BoundLine> bounds_of(const PanelContext& context) {
   if (scene.x().walls.empty()) return {};
   const std::size_t wall =
       std::min(context.state.transient.chosen_wall, scene.x().walls.size() - 1);
-  const double delay_s =
-      context.session.device_info().is_simulated ? delay_of(scene) : context.snapshot.link.delay_s;
-  return draw::bound_lines(stability_bounds(scene, scene.x().walls[wall], delay_s));
+  return draw::bound_lines(shown_bounds(context, scene.x().walls[wall]));
 }
 
 void export_samples(const PanelContext& context, const draw::SampleHistory& history) {

@@ -72,11 +72,6 @@ void draw_rows(const PanelContext& context) {
                        "grows into the wall."});
 }
 
-double delay_s(const PanelContext& context) {
-  return context.session.device_info().is_simulated ? delay_of(shown_scene(context))
-                                                    : context.snapshot.link.delay_s;
-}
-
 void draw_bound(const PanelContext& context, std::string_view name,
                 const std::optional<double>& bound_n_per_m, double stiffness_n_per_m,
                 const std::string& tooltip) {
@@ -89,17 +84,32 @@ void draw_bound(const PanelContext& context, std::string_view name,
                  "is stiffer.");
 }
 
+// What the limit contains, and the rule of thumb for it.
+std::string stable_text(const PanelContext& context, const WallSettings& wall,
+                        const StabilityBounds& bounds) {
+  const bool simulated = context.session.device_info().is_simulated;
+  const Scene scene = shown_scene(context);
+  return fmt::format(
+      "Stable below it, in N/m, by the eigenvalues of the sampled loop of handle, {}hold, wall and "
+      "t_d = {:.0f} µs {}; without friction, encoder and force limit. 0: no wall is stable, "
+      "because B is too large.\n\nThe rule K < (b + B) / (T/2 + t_d) gives {:.0f} N/m. It is for B "
+      "T/m below "
+      "{:g}, here {:.2g}, and for a hand that only adds mass.",
+      simulated && scene.x().hand ? "hand, " : "",
+      shown_delay(context).total_s() * kMicrosecondsPerSecond,
+      simulated ? "as simulated" : "as measured", bounds.rule_n_per_m.value_or(0.0),
+      kMaxRuleDamping,
+      wall.damping_n_s_per_m * scene.sampling.period_s() / scene.x().device.mass_kg);
+}
+
 void draw_bounds(const PanelContext& context, const WallSettings& wall) {
-  const StabilityBounds bounds = stability_bounds(shown_scene(context), wall, delay_s(context));
+  const StabilityBounds bounds = shown_bounds(context, wall);
   const double stiffness = wall.stiffness_n_per_m;
   draw_bound(context, "bound, passive", bounds.passive_n_per_m, stiffness,
              "K < 2 (b - B) / T, in N/m (Eq. 18): creates no energy for any motion, except through "
              "the encoder.");
-  draw_bound(
-      context, "bound, delay", bounds.delayed_n_per_m, stiffness,
-      fmt::format("K < (b + B) / (T/2 + t_d), in N/m, t_d = {:.0f} µs {}.",
-                  delay_s(context) * kMicrosecondsPerSecond,
-                  context.session.device_info().is_simulated ? "as simulated" : "as measured"));
+  draw_bound(context, "bound, stable", bounds.stable_n_per_m, stiffness,
+             stable_text(context, wall, bounds));
   draw_bound(context, "bound, friction", bounds.friction_n_per_m, stiffness,
              "K < 2 f_c / Δ, in N/m: friction can hold the handle between two counts.");
   draw_bound(context, "bound, resolution", bounds.resolution_n_per_m, stiffness,

@@ -35,6 +35,17 @@ const Sample& shown_sample(const PanelContext& context) {
   return context.snapshot.newest.axes[shown_index(context)];
 }
 
+LoopDelay shown_delay(const PanelContext& context) {
+  if (context.session.device_info().is_simulated) return delay_of(shown_scene(context));
+  return {.transport_s = context.snapshot.link.delay_s, .time_constant_s = 0.0};
+}
+
+StabilityBounds shown_bounds(const PanelContext& context, const WallSettings& wall) {
+  Scene scene = shown_scene(context);
+  if (!context.session.device_info().is_simulated) scene.x().hand.reset();
+  return stability_bounds(scene, wall, shown_delay(context));
+}
+
 std::optional<SceneProblem> set_shown_walls(const PanelContext& context,
                                             const std::vector<WallSettings>& walls) {
   Scene changed = context.session.scene();

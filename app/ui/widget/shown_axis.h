@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/ui/state/ui_state.h"
+#include "core/study/stability_bounds.h"
 
 namespace hapticwall::ui {
 
@@ -11,6 +12,11 @@ namespace hapticwall::ui {
 [[nodiscard]] Scene shown_scene(const PanelContext& context);
 [[nodiscard]] const std::vector<WallSettings>& shown_walls(const PanelContext& context);
 [[nodiscard]] const Sample& shown_sample(const PanelContext& context);
+
+// Of a simulated device as the scene states it, of a real one as measured.
+[[nodiscard]] LoopDelay shown_delay(const PanelContext& context);
+// Of one of the shown walls. The hand at a real device is not that of the scene: without a hand.
+[[nodiscard]] StabilityBounds shown_bounds(const PanelContext& context, const WallSettings& wall);
 
 // Asks for these walls on the shown axis. A problem changes nothing.
 std::optional<SceneProblem> set_shown_walls(const PanelContext& context,

@@ -125,7 +125,7 @@ TEST(BoundLines, StandWhereTheWallIsAsStiffAsTheBound) {
   StabilityMap map = small_map();  // b = 1, T = 1 ms: K = 2000 (1 - B)
   map.x = axis(map.scene, "wall.stiffness_n_per_m", 500.0, 2500.0, 401);
   map.y = axis(map.scene, "wall.damping_n_s_per_m", 0.0, 0.5, 11);
-  const auto lines = bound_lines(map, &StabilityBounds::passive_n_per_m);
+  const auto lines = bound_lines(map, cell_bounds(map), &StabilityBounds::passive_n_per_m);
   ASSERT_FALSE(lines.empty());
   double lowest = std::numeric_limits<double>::infinity();
   double highest = 0.0;
@@ -141,11 +141,11 @@ TEST(BoundLines, StandWhereTheWallIsAsStiffAsTheBound) {
   EXPECT_EQ(lowest, 0.0);
   EXPECT_EQ(highest, 10.0);
   // No encoder: what is made of its count does not apply.
-  EXPECT_TRUE(bound_lines(map, &StabilityBounds::friction_n_per_m).empty());
+  EXPECT_TRUE(bound_lines(map, cell_bounds(map), &StabilityBounds::friction_n_per_m).empty());
   map.scene.x().walls.clear();
   map.x = axis(map.scene, "device.mass_kg", 0.01, 0.1, 3);
   map.y = axis(map.scene, "device.damping_n_s_per_m", 0.0, 0.5, 3);
-  EXPECT_TRUE(bound_lines(map, &StabilityBounds::passive_n_per_m).empty());
+  EXPECT_TRUE(bound_lines(map, cell_bounds(map), &StabilityBounds::passive_n_per_m).empty());
 }
 
 // K = 2 b f on two logarithmic axes is a straight line, and exact however few the values are.
@@ -153,7 +153,7 @@ TEST(BoundLines, AreExactOnLogarithmicAxes) {
   StabilityMap map = small_map();
   map.x = axis(map.scene, "wall.stiffness_n_per_m", 300.0, 1e5, 4, true);
   map.y = axis(map.scene, "sampling.rate_hz", 500.0, 8000.0, 3, true);
-  const auto lines = bound_lines(map, &StabilityBounds::passive_n_per_m);
+  const auto lines = bound_lines(map, cell_bounds(map), &StabilityBounds::passive_n_per_m);
   ASSERT_FALSE(lines.empty());
   for (const BoundSegment& line : lines) {
     for (const MapPoint& point : {line.from, line.to}) {

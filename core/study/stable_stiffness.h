@@ -1,0 +1,22 @@
+// The limit of theory for a bare wall: the largest stiffness at which the sampled loop is stable.
+#pragma once
+
+#include "core/plant/plant_parameters.h"
+
+namespace hapticwall {
+
+// A wall in the hold of a controller, while the handle stays in it: F(k) = K x_k + B (x_k -
+// x_{k-1})/T acts on handle and hand through delay and amplifier. All parts are linear: without
+// friction, encoder, force limit and force resolution.
+struct SampledLoop {
+  PlantParameters plant;  // friction is not read
+  double period_s = 1e-3;
+  double delay_s = 0.0;  // from x_k to the arrival of F(k) at the amplifier; may end within a tick
+  double wall_damping_n_s_per_m = 0.0;  // B
+};
+
+// Every softer wall is stable, too. 0: no wall is, however soft. Error below 1e-9 of the value.
+// About 5 to 20 µs, and 1 µs more for each tick of delay. Realtime-safe: no.
+[[nodiscard]] double largest_stable_stiffness(const SampledLoop& loop);
+
+}  // namespace hapticwall

@@ -1,0 +1,368 @@
+// The limit of theory that maps and window show, against the eigenvalues of the sampled loop by a
+// second derivation, which shares only the scene's numbers with it; against published values; and
+// against runs of the simulator. docs/physics.md quotes the distances.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+#include <unsupported/Eigen/MatrixFunctions>
+#include <vector>
+
+#include "core/stabiliser/stabiliser.h"
+#include "core/study/boundary.h"
+#include "core/study/stability_bounds.h"
+#include "core/study/stable_stiffness.h"
+#include "tests/core/study/study_scenes.h"
+
+namespace hapticwall {
+namespace {
+
+// ---- the second derivation ----
+
+template <typename Real>
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+// x, v and y, w of handle and hand in SI, the amplifier's force, and a command that is held.
+enum State { kX, kV, kY, kW, kForce, kCommand, kStates };
+
+// The matrix that takes the states over `duration_s`. The hand's mass, if any, is held by a grip.
+template <typename Real>
+Matrix<Real> motion(const Scene& scene, Real duration_s) {
+  const DeviceSettings& device = scene.x().device;
+  const HandSettings hand = scene.x().hand.value_or(HandSettings{});
+  Matrix<Real> rates = Matrix<Real>::Zero(kStates, kStates);
+  const Real rigid_kg = hand.has_grip() ? 0.0 : hand.mass_kg.value_or(0.0);
+  const Real mass_kg = Real(device.mass_kg) + rigid_kg;
+  rates(kX, kV) = 1;
+  rates(kV, kV) = -Real(device.damping_n_s_per_m) / mass_kg;
+  if (hand.has_grip()) {
+    const Real hand_kg = *hand.mass_kg;
+    const Real stiffness = *hand.grip_stiffness_n_per_m;
+    const Real damping = hand.grip_damping_n_s_per_m.value_or(0.0);
+    rates(kV, kX) -= stiffness / mass_kg;
+    rates(kV, kV) -= damping / mass_kg;
+    rates(kV, kY) = stiffness / mass_kg;
+    rates(kV, kW) = damping / mass_kg;
+    rates(kY, kW) = 1;
+    rates(kW, kX) = stiffness / hand_kg;
+    rates(kW, kV) = damping / hand_kg;
+    rates(kW, kY) = -(stiffness + Real(hand.stiffness_n_per_m)) / hand_kg;
+    rates(kW, kW) = -(damping + Real(hand.damping_n_s_per_m)) / hand_kg;
+  } else {
+    rates(kV, kX) -= Real(hand.stiffness_n_per_m) / mass_kg;
+    rates(kV, kV) -= Real(hand.damping_n_s_per_m) / mass_kg;
+  }
+  const std::optional<double> lag_s = device.amplifier_time_constant_s;
+  rates(kV, lag_s ? kForce : kCommand) = -1 / mass_kg;
+  if (lag_s) {
+    rates(kForce, kCommand) = 1 / Real(*lag_s);
+    rates(kForce, kForce) = -1 / Real(*lag_s);
+  }
+  return Matrix<Real>(rates * duration_s).exp();
+}
+
+// Growth in a tick: states, the previous position, and the commands on their way, newest first.
+template <typename Real>
+Real growth(const Scene& scene, double delay_s, Real stiffness) {
+  const Real period_s = 1 / Real(scene.sampling.rate_hz);
+  const Real ticks = Real(delay_s) / period_s;
+  const int whole = static_cast<int>(std::floor(ticks + Real(1e-6)));
+  const Real late = std::max(Real(0), ticks - whole);
+  const bool split = late > Real(1e-6);
+  const int waiting = whole + (split ? 1 : 0);
+  const int plant = kCommand;  // states without the command
+  const int size = plant + 1 + waiting;
+  // The command now as a row of the loop's states.
+  const Real damping = Real(scene.x().walls[0].damping_n_s_per_m) / period_s;
+  Matrix<Real> command = Matrix<Real>::Zero(1, size);
+  command(0, kX) = stiffness + damping;
+  command(0, plant) = -damping;
+  const auto sent = [&](int ticks_ago) {
+    Matrix<Real> row = Matrix<Real>::Zero(1, size);
+    if (ticks_ago > 0) row(0, plant + ticks_ago) = 1;
+    return ticks_ago > 0 ? row : command;
+  };
+  Matrix<Real> states = Matrix<Real>::Identity(plant, size);
+  const auto hold = [&](Real duration_s, const Matrix<Real>& held) {
+    const Matrix<Real> step = motion(scene, duration_s);
+    states = (step.topLeftCorner(plant, plant) * states + step.block(0, kCommand, plant, 1) * held)
+                 .eval();
+  };
+  if (split) hold(late * period_s, sent(whole + 1));
+  hold((1 - late) * period_s, sent(whole));
+  // A hand without a mass does not move.
+  Matrix<Real> loop = Matrix<Real>::Zero(size, size);
+  loop.topRows(plant) = states;
+  loop(plant, kX) = 1;
+  if (waiting > 0) loop.row(plant + 1) = command;
+  for (int i = 1; i < waiting; ++i) loop(plant + 1 + i, plant + i) = 1;
+  const bool grip = scene.x().hand && scene.x().hand->has_grip();
+  if (!grip) loop(kY, kY) = loop(kW, kW) = 0;  // neither moves nor matters
+  return loop.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+// The softest unstable wall, or nullopt if walls of 1 N/m are unstable.
+std::optional<double> eigenvalue_limit(const Scene& scene, double delay_s) {
+  constexpr double kScan = 1.1;
+  constexpr double kStiffest = 1e8;
+  double found = 1.0;
+  if (growth<double>(scene, delay_s, found) > 1.0) return std::nullopt;
+  while (growth<double>(scene, delay_s, found) < 1.0 && found < kStiffest) found *= kScan;
+  long double low = found / kScan;
+  long double high = found;
+  while (high - low > 1e-12L * high) {
+    const long double middle = 0.5L * (low + high);
+    (growth<long double>(scene, delay_s, middle) < 1.0L ? low : high) = middle;
+  }
+  return static_cast<double>(low);
+}
+
+// ---- scenes ----
+
+class Random {
+ public:
+  // The same numbers with any standard library.
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11U) / 0x1p53;
+  }
+  double ratio(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
+  int upto(int most) { return static_cast<int>(between(0.0, most + 1.0 - 1e-9)); }
+
+ private:
+  std::mt19937_64 engine_{20261123};
+};
+
+std::optional<HandSettings> some_hand(Random& random, int kind) {
+  if (kind == 0) return std::nullopt;
+  HandSettings hand;
+  hand.stiffness_n_per_m = random.ratio(1.0, 1000.0);
+  hand.damping_n_s_per_m = random.ratio(0.1, 50.0);
+  if (kind > 1) hand.mass_kg = random.ratio(0.01, 1.0);
+  if (kind > 2) {
+    hand.grip_stiffness_n_per_m = random.ratio(100.0, 1e5);
+    hand.grip_damping_n_s_per_m = random.ratio(0.1, 30.0);
+  }
+  return hand;
+}
+
+// Kinds of hand take turns: none, spring and damper, with a mass, with a grip.
+Scene some_scene(Random& random, int i) {
+  Scene scene;
+  scene.sampling.rate_hz = random.ratio(300.0, 10e3);
+  DeviceSettings& device = scene.x().device;
+  device.mass_kg = random.ratio(0.01, 1.0);
+  device.damping_n_s_per_m = random.ratio(0.1, 10.0);
+  device.delay_ticks = random.upto(6);
+  if (i % 3 == 1)
+    device.amplifier_time_constant_s = random.ratio(0.05, 3.0) / scene.sampling.rate_hz;
+  scene.x().hand = some_hand(random, i % 4);
+  const double unit = device.mass_kg * scene.sampling.rate_hz;
+  scene.x().walls = {{0.05, 1000.0, i % 5 == 0 ? 0.0 : unit * random.ratio(0.005, 0.5)}};
+  return scene;
+}
+
+double shown_limit(const Scene& scene, const LoopDelay& delay) {
+  return stability_bounds(scene, scene.x().walls[0], delay).stable_n_per_m.value();
+}
+
+TEST(StableLimit, IsThatOfTheEigenvaluesOfASecondDerivation) {
+  Random random;
+  double worst = 0.0;
+  int stable = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Scene scene = some_scene(random, i);
+    LoopDelay delay = delay_of(scene);
+    // A real device's delay may end within a tick.
+    if (i % 6 == 5) delay.transport_s += 0.37 * scene.sampling.period_s();
+    const double limit = shown_limit(scene, delay);
+    const auto expected = eigenvalue_limit(scene, delay.transport_s);
+    if (!expected) {
+      EXPECT_LT(limit, 1.0) << i;
+      continue;
+    }
+    ++stable;
+    worst = std::max(worst, std::abs(limit / *expected - 1.0));
+    EXPECT_NEAR(limit / *expected, 1.0, 1e-9) << i;
+  }
+  RecordProperty("worst", std::to_string(worst * 1e12) + "e-12");
+  RecordProperty("stable", stable);
+  EXPECT_GT(stable, 40);
+}
+
+TEST(StableLimit, IsThatOfTheNormalisedChart) {
+  struct Row {
+    double damping;
+    std::array<double, 3> limits;
+  };
+  Scene scene;
+  scene.x().walls = {{}};
+  const auto limit = [&](double damping, int delay) {
+    scene.x().walls[0].damping_n_s_per_m = 50.0 * damping;
+    scene.x().device.delay_ticks = delay;
+    return shown_limit(scene, delay_of(scene)) * 1e-6 / 0.05;
+  };
+  for (const Row& row : {Row{0.0, {0.0401, 0.0134, 0.0081}}, Row{0.05, {0.1337, 0.0444, 0.0263}},
+                         Row{0.2, {0.3620, 0.1148, 0.0625}}, Row{0.4, {0.5644, 0.1544, 0.0582}}}) {
+    for (int delay = 0; delay < 3; ++delay) {
+      EXPECT_NEAR(limit(row.damping, delay), row.limits.at(static_cast<std::size_t>(delay)),
+                  0.5e-4);
+    }
+  }
+  EXPECT_NEAR(limit(0.82, 0), 0.713, 0.5e-3);
+  EXPECT_NEAR(limit(0.43, 1), 0.155, 0.5e-3);
+  EXPECT_NEAR(limit(0.29, 2), 0.069, 0.5e-3);
+  // The last dampings are 2.03, 0.84 and 0.55.
+  EXPECT_GT(limit(2.025, 0), 0.0);
+  EXPECT_EQ(limit(2.035, 0), 0.0);
+  EXPECT_GT(limit(0.835, 1), 0.0);
+  EXPECT_EQ(limit(0.845, 1), 0.0);
+  EXPECT_GT(limit(0.545, 2), 0.0);
+  EXPECT_EQ(limit(0.555, 2), 0.0);
+}
+
+TEST(StableLimit, IsZeroWithoutAnyDamping) {
+  Scene scene;
+  scene.x().device.damping_n_s_per_m = 0.0;
+  scene.x().walls = {{}};
+  EXPECT_EQ(shown_limit(scene, {}), 0.0);
+  scene.x().walls[0].damping_n_s_per_m = 1.0;
+  EXPECT_GT(shown_limit(scene, {}), 1000.0);
+}
+
+TEST(StableLimit, ChangesLittleWithTheEndOfTheDelayWithinTheTick) {
+  Scene scene;
+  scene.x().walls = {{0.05, 1000.0, 2.0}};
+  double last = shown_limit(scene, {.transport_s = 0.0, .time_constant_s = 0.0});
+  for (int i = 1; i <= 300; ++i) {
+    const double limit = shown_limit(scene, {.transport_s = 1e-5 * i, .time_constant_s = 0.0});
+    EXPECT_LT(limit, last) << i;
+    EXPECT_GT(limit, 0.96 * last) << i;
+    last = limit;
+  }
+}
+
+TEST(StableLimit, KnowsAHandThatHoldsNothingOrWithoutASpring) {
+  Scene scene;
+  scene.x().walls = {{0.05, 1000.0, 2.0}};
+  const double alone = shown_limit(scene, {});
+  HandSettings hand;
+  hand.mass_kg = 0.3;
+  hand.stiffness_n_per_m = 200.0;
+  hand.grip_stiffness_n_per_m = 0.0;
+  scene.x().hand = hand;
+  EXPECT_DOUBLE_EQ(shown_limit(scene, {}), alone);
+  scene.x().hand->grip_damping_n_s_per_m = 1e-9;
+  EXPECT_NEAR(shown_limit(scene, {}) / alone, 1.0, 1e-6);
+  scene.x().hand->stiffness_n_per_m = 0.0;  // the hand may drift: no wall can hold it
+  EXPECT_NEAR(shown_limit(scene, {}) / alone, 1.0, 1e-6);
+}
+
+// A light hand on a loose grip swings by itself; the wall excites it or damps it.
+TEST(StableLimit, SeesAResonanceOfTheHand) {
+  for (const double grip_n_per_m : {10.0, 1000.0, 1e4, 1e5}) {
+    Scene scene;
+    HandSettings hand;
+    hand.mass_kg = 2e-3;
+    hand.grip_stiffness_n_per_m = grip_n_per_m;
+    hand.grip_damping_n_s_per_m = 1e-3;
+    scene.x().hand = hand;
+    scene.x().device.delay_ticks = 1;
+    scene.x().walls = {{0.05, 1000.0, 5.0}};
+    const double limit = shown_limit(scene, delay_of(scene));
+    const auto expected = eigenvalue_limit(scene, 1e-3);
+    EXPECT_NEAR(limit, expected.value_or(0.0), 1e-8 * limit + 1.0) << grip_n_per_m;
+  }
+}
+
+// ---- the simulator ----
+
+// Pressed into the wall by 4.75 N, as in pressed_wall().
+Scene pressed(int delay, double lag_s, double wall_damping, int kind) {
+  Scene scene = testing::pressed_wall(1000.0);
+  scene.x().walls[0].damping_n_s_per_m = wall_damping;
+  if (delay > 0) scene.x().device.delay_ticks = delay;
+  if (lag_s > 0.0) scene.x().device.amplifier_time_constant_s = lag_s;
+  HandSettings& hand = *scene.x().hand;
+  if (kind > 0) hand.damping_n_s_per_m = 0.5;
+  if (kind > 1) hand.mass_kg = 0.1;
+  if (kind > 2) {
+    hand.grip_stiffness_n_per_m = 2000.0;
+    hand.grip_damping_n_s_per_m = 2.0;
+  }
+  const double limit = shown_limit(scene, delay_of(scene));
+  scene.x().device.start_m = testing::kWallAtM + 0.75 * testing::kPressN / limit;
+  scene.duration_s = 400.0;
+  return scene;
+}
+
+TEST(StableLimit, PartsTheWallsThatSettleInTheSimulatorFromThoseThatDoNot) {
+  constexpr double kDistance = 1e-3;
+  double settled_below = 0.0;  // the largest distances
+  double failed_below = 0.0;
+  double settled_above = 0.0;
+  int points = 0;
+  for (const int delay : {0, 1, 3}) {
+    for (const double lag_s : {0.0, 0.7e-3}) {
+      for (const double damping : {0.0, 2.0, 8.0}) {
+        const int kind = points % 4;
+        const Scene scene = pressed(delay, lag_s, damping, kind);
+        const double limit = shown_limit(scene, delay_of(scene));
+        BoundaryPlan plan;
+        plan.scene = scene;
+        plan.algorithms = {find_algorithm("none").value()};
+        plan.along = {find_scene_number(scene, "wall.stiffness_n_per_m").value(), 0.7 * limit,
+                      1.4 * limit, 7, true};
+        plan.tolerance = 1e-5;
+        const Boundary found = find_boundaries(plan).front();
+        const std::string name = std::to_string(delay) + " ticks, lag " + std::to_string(lag_s) +
+                                 ", B " + std::to_string(damping) + ", hand " +
+                                 std::to_string(kind);
+        ASSERT_TRUE(found.settled.last && found.failed.first) << name;
+        EXPECT_EQ(found.changes, 1U) << name;
+        EXPECT_LE(*found.settled.last, limit * (1.0 + 1e-9)) << name;
+        EXPECT_GE(*found.settled.last, limit * (1.0 - kDistance)) << name;
+        EXPECT_GE(*found.failed.first, limit * (1.0 - kDistance)) << name;
+        settled_below = std::max(settled_below, 1.0 - *found.settled.last / limit);
+        settled_above = std::max(settled_above, *found.settled.last / limit - 1.0);
+        failed_below = std::max(failed_below, 1.0 - *found.failed.first / limit);
+        ++points;
+      }
+    }
+  }
+  RecordProperty("points", points);
+  RecordProperty("settled_below", std::to_string(settled_below));
+  RecordProperty("settled_above", std::to_string(settled_above));
+  RecordProperty("failed_below", std::to_string(failed_below));
+}
+
+// ---- the rule ----
+
+TEST(StableLimit, IsMissedByTheRuleByAtMostAnEighthWithinItsRange) {
+  Scene scene;
+  scene.x().walls = {{}};
+  for (const double damping : {0.0, 0.02, 0.05, 0.1, 0.2, 0.4}) {
+    scene.x().walls[0].damping_n_s_per_m = 50.0 * damping;
+    for (int delay = 0; delay < 3; ++delay) {
+      scene.x().device.delay_ticks = delay;
+      const StabilityBounds bounds = stability_bounds(scene, scene.x().walls[0], delay_of(scene));
+      const double over = *bounds.rule_n_per_m / *bounds.stable_n_per_m - 1.0;
+      RecordProperty("over_" + std::to_string(static_cast<int>(100.0 * damping)) + "_delay_" +
+                         std::to_string(delay),
+                     std::to_string(over));
+      if (damping <= kMaxRuleDamping) {
+        EXPECT_GT(over, -0.01);
+        EXPECT_LT(over, 0.15) << damping << " " << delay;
+      } else {
+        EXPECT_GT(over, 0.2);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall
