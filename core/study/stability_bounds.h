@@ -15,7 +15,7 @@ struct StabilityBounds {
   // Stable with the scene's hand, delay and amplifier: largest_stable_stiffness(). 0: no wall is.
   std::optional<double> stable_n_per_m;
   // The rule of thumb for the same, for a hand that only adds mass: K < (b + B) / (T / 2 + t_d)
-  // (Gil; Hulin). Too high by at most 12 % up to kMaxRuleDamping and two ticks of delay.
+  // (Gil; Hulin). Too high by at most 16 % up to kMaxRuleDamping and two ticks of delay.
   std::optional<double> rule_n_per_m;
   // With an encoder and Coulomb friction: K <= 2 f_c / Delta (Abbott and Okamura 2005).
   std::optional<double> friction_n_per_m;

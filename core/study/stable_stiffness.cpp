@@ -301,8 +301,9 @@ double largest_stable_stiffness(const SampledLoop& loop) {
   const double mass_kg = loop.plant.mass_kg;
   const double damping = loop.wall_damping_n_s_per_m * loop.period_s / mass_kg;
   const double stiffness = first_crossing(plant, damping);
+  constexpr double kRounding = 1e-20;  // the limit of a loop without any damping is 0
   // Between zero and the first crossing no zero passes the circle.
-  if (!is_stable(plant, 0.5 * stiffness, damping)) return 0.0;
+  if (stiffness < kRounding || !is_stable(plant, 0.5 * stiffness, damping)) return 0.0;
   return stiffness * mass_kg / (loop.period_s * loop.period_s);
 }
 

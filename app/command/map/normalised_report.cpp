@@ -33,8 +33,8 @@ std::vector<Row> rows_of(const NormalisedChart& chart) {
 constexpr std::array<TableColumn<Row>, 8> kColumns{
     {{"delay", "ticks", [](const Row& r) { return fmt::format("{}", r.delay_ticks); }},
      {"B", "N·s/m", [](const Row& r) { return fixed(r.point.damping, r.unit_n_s_per_m, 2); }},
-     {"limit", "kN/m",
-      [](const Row& r) { return kilonewtons_per_metre(r.point.limit * r.unit_n_per_m); }},
+     {"limit", "N/m",
+      [](const Row& r) { return fmt::format("{:.5g}", r.point.limit * r.unit_n_per_m); }},
      {"B T/m", "", [](const Row& r) { return fixed(r.point.damping, 1.0, 4); }},
      {"limit", "K T²/m", [](const Row& r) { return fixed(r.point.limit, 1.0, 5); }},
      {"settles", "K T²/m", [](const Row& r) { return fixed(r.point.settled, 1.0, 5); }},

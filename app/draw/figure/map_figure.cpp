@@ -24,7 +24,7 @@ namespace {
 
 constexpr float kMapDesignHeight = 1000.0F;  // figure of scale 1
 constexpr float kMapLineWeight = 2.0F;
-constexpr float kThinLineWeight = 0.7F;
+constexpr float kThinLineWeight = 0.8F;
 
 // A bound of theory, as it is drawn.
 struct BoundStyle {
@@ -38,7 +38,7 @@ constexpr std::array<BoundStyle, 5> kBounds{
      {"stable below, with this hand", &StabilityBounds::stable_n_per_m,
       IM_COL32(120, 40, 150, 255)},
      {"K = (b + B) / (T/2 + t_d), rule for B T/m < 0.1 without a hand",
-      &StabilityBounds::rule_n_per_m, IM_COL32(120, 40, 150, 255), kThinLineWeight},
+      &StabilityBounds::rule_n_per_m, IM_COL32(165, 90, 190, 255), kThinLineWeight},
      {"K = 2 f_c / Δ", &StabilityBounds::friction_n_per_m, IM_COL32(0, 120, 90, 255)},
      {"K = F_max / Δ", &StabilityBounds::resolution_n_per_m, IM_COL32(60, 60, 60, 255)}}};
 

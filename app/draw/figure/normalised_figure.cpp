@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -65,13 +66,13 @@ void draw_delay(const Theme& theme, const DelayChart& delay, std::size_t index, 
 void draw_plot(const Theme& theme, const NormalisedChart& chart, ImVec2 size, float scale) {
   double right = 0.0;
   double top = 0.0;
-  double bottom = 1.0;
+  double bottom = std::numeric_limits<double>::infinity();
   for (const DelayChart& delay : chart.delays) {
+    constexpr double kLeastShare = 0.05;  // of the best, if a wall without damping is not stable
+    const double first = delay.curve.empty() ? 0.0 : delay.curve.front().limit;
     right = std::max(right, delay.last_damping);
     top = std::max(top, delay.best.limit);
-    for (const SimulatedPoint& point : delay.points) {
-      if (point.limit > 0.0) bottom = std::min(bottom, point.limit);
-    }
+    bottom = std::min(bottom, std::max(first, kLeastShare * delay.best.limit));
   }
   constexpr double kRoom = 1.05;
   if (!ImPlot::BeginPlot("##chart", size, ImPlotFlags_CanvasOnly | ImPlotFlags_NoInputs)) return;

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "app/draw/figure/map_colours.h"
 #include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/app/ui/pixels.h"
 
 namespace hapticwall::draw {
 namespace {
@@ -85,6 +87,27 @@ TEST(MapFigure, EveryAlgorithmHasAField) {
   // Second field of the lower row.
   EXPECT_GT(diverged.left, 1600 / 4);
   EXPECT_LT(diverged.right, 1600 / 2);
+}
+
+// With virtual damping the rule lies above the limit, so it is the only thing to the right of it.
+TEST(MapFigure, DrawsTheExactLimitAndTheRuleAsAThinnerLine) {
+  StabilityMap map;
+  map.scene.x().device.delay_ticks = 1;
+  map.scene.x().walls = {{0.05, 1000.0, 0.0}};
+  map.algorithms = {find_algorithm("none").value()};
+  map.x = {find_scene_number(map.scene, "wall.stiffness_n_per_m").value(), 500.0, 5e4, 40, true};
+  map.y = {find_scene_number(map.scene, "wall.damping_n_s_per_m").value(), 0.5, 20.0, 60, false};
+  const auto picture = draw_map(map, std::vector<MapMetrics>(map.cell_count()));
+  ASSERT_TRUE(picture.ok()) << picture.error().message;
+  const Extent limit = extent_of(*picture, IM_COL32(120, 40, 150, 255));
+  const Extent cells = extent_of(*picture, settled_colour());
+  EXPECT_GT(limit.count, 500U);
+  const double best = 0.1544 * 5e4;  // K T²/m at B T/m = 0.4
+  const double share = (std::log(best / 500.0) / std::log(100.0) * 39.0 + 0.5) / 40.0;
+  EXPECT_NEAR(limit.right, cells.left + share * (cells.right - cells.left), 6.0);
+  const test::Colour rule{165, 90, 190};
+  const int thin = test::count_pixels(*picture, rule, limit.right + 5, 200, cells.right, 1000, 60);
+  EXPECT_GT(thin, 100);
 }
 
 TEST(MapFigure, ColoursTellHowFarItSwings) {
