@@ -34,7 +34,7 @@ struct LoopDelay {
 };
 
 // Of the wall by itself: other walls that it may overlap do not count. For a real device, whose
-// hand is unknown, the scene has none. About 10 µs (stable_stiffness.h). Realtime-safe: no.
+// hand is unknown, the scene has none. For the cost see stable_stiffness.h. Realtime-safe: no.
 [[nodiscard]] StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall,
                                                const LoopDelay& delay);
 

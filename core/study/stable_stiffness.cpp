@@ -25,7 +25,9 @@ struct PulseTransfer {
   std::array<double, kMaxStates + 1> denominator{};
   std::array<double, kMaxStates> numerator{};  // of the command that acts to the end of the tick
   std::array<double, kMaxStates> earlier{};    // of the one before it, if the delay ends within it
-  double hand_angle = 0.0;  // rad/tick: the hand's mass between grip and hand, the handle at rest
+  // Swing of the hand's mass with the handle at rest, where the numerator is nearly 0; per tick.
+  double hand_angle = 0.0;
+  double hand_decay = 0.0;
 };
 
 template <int kStates>
@@ -127,9 +129,15 @@ PulseTransfer transfer_of(const SampledLoop& loop) {
   }
   PulseTransfer transfer = p.has_lag() ? transfer_of(motion_of<true, true>(p, t), delay_ticks)
                                        : transfer_of(motion_of<true, false>(p, t), delay_ticks);
-  transfer.hand_angle =
+  constexpr double kLeastDecay = 1e-9;
+  const double natural =
       loop.period_s *
       std::sqrt((p.grip_stiffness_n_per_m + p.hand_stiffness_n_per_m) / p.hand_mass_kg);
+  // The same place on the circle for a swing faster than half the rate.
+  transfer.hand_angle = std::abs(std::remainder(natural, 2.0 * std::numbers::pi));
+  transfer.hand_decay = std::max(
+      kLeastDecay,
+      0.5 * loop.period_s * (p.grip_damping_n_s_per_m + p.hand_damping_n_s_per_m) / p.hand_mass_kg);
   return transfer;
 }
 
@@ -200,14 +208,18 @@ class Sweep {
     constexpr double kPi = std::numbers::pi;
     constexpr double kFirst = 1e-9;
     constexpr double kRatio = 2.0;
+    constexpr double kShare = 0.5;
     // A piece that turned by a full circle would pass for one that does not turn.
     const double longest =
         1.5 / (plant_.delay_ticks + 2.0 * static_cast<double>(plant_.states) + 1.0);
     CurvePoint last = point(kFirst);
     while (last.at.angle < kPi) {
       double next = std::min({kRatio * last.at.angle, last.at.angle + longest, kPi});
-      // Beside a light resonance of the hand a turn and its reverse may follow each other closely.
-      if (last.at.angle < plant_.hand_angle && plant_.hand_angle < next) next = plant_.hand_angle;
+      // At the hand's own swing a turn and its reverse may follow each other closely.
+      if (plant_.hand_angle > 0.0) {
+        const double distance = std::abs(last.at.angle - plant_.hand_angle);
+        next = std::min(next, last.at.angle + kShare * (distance + plant_.hand_decay));
+      }
       const CurvePoint to = point(next);
       piece(last, to, 0);
       last = to;

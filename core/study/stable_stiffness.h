@@ -16,7 +16,8 @@ struct SampledLoop {
 };
 
 // Every softer wall is stable, too. 0: no wall is, however soft. Error below 1e-9 of the value.
-// About 5 to 20 µs, and 1 µs more for each tick of delay. Realtime-safe: no.
+// Walls beyond it may be stable again. About 5 µs without a grip and 20 to 35 µs with one, and 1 µs
+// more for each tick of delay. Realtime-safe: no.
 [[nodiscard]] double largest_stable_stiffness(const SampledLoop& loop);
 
 }  // namespace hapticwall

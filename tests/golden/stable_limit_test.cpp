@@ -287,6 +287,23 @@ TEST(StableLimit, SeesAResonanceOfTheHand) {
   }
 }
 
+// A heavy hand that swings slowly is unstable only from 33.9 to about 45 N/m; stiffer walls are
+// stable again. The limit is the first failure.
+TEST(StableLimit, IsTheFirstOfSeveral) {
+  Scene scene;
+  scene.sampling.rate_hz = 3739.69;
+  scene.x().device.mass_kg = 0.0164632;
+  scene.x().device.damping_n_s_per_m = 0.022193;
+  scene.x().device.delay_ticks = 5;
+  scene.x().device.amplifier_time_constant_s = 2.61852e-5;
+  scene.x().hand = HandSettings{0.153871, 360.409, 0.0252831, 32.214, 1.06342, {}, false};
+  scene.x().walls = {{0.05, 1000.0, 0.0}};
+  const LoopDelay delay = delay_of(scene);
+  EXPECT_NEAR(shown_limit(scene, delay), 33.86, 0.01);
+  EXPECT_GT(growth(scene, delay.transport_s, 40.0), 1.0);
+  EXPECT_LT(growth(scene, delay.transport_s, 100.0), 1.0);
+}
+
 // ---- the simulator ----
 
 // Pressed into the wall by 4.75 N, as in pressed_wall().
