@@ -35,7 +35,6 @@ void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s, i
   Real done_s = 0;
   int events_at_one_instant = 0;
   int stalls = 0;
-  const std::uint64_t events = friction_events_;
   stop_if_spent();
   while (done_s < duration_s) {
     if (++pieces_ > Base::kMaxPieces) {
@@ -43,8 +42,7 @@ void ExactPlant<Body, kFriction>::advance_piece(Real force_n, Real duration_s, i
       return;
     }
     const Real rest_s = duration_s - done_s;
-    const bool as_at_first = done_s == 0 && friction_events_ == events;
-    Real step_s = try_levels(as_at_first ? first_level : 0, force_n, now, rest_s);
+    Real step_s = try_levels(first_level, force_n, now, rest_s);
     if (step_s == 0 && events_at_one_instant > kMaxEventsAtOneInstant) {
       step_s = rest_for_a_while(force_n, now, rest_s, stalls++);
       events_at_one_instant = 0;

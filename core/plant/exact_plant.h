@@ -128,7 +128,7 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
   }
 
   // A stretch with a straight path: whole levels while no event is possible in them, else Taylor
-  // pieces. At first the levels before `first_level` are known not to be quiet.
+  // pieces. 1 as the first level: the whole tick has been tried.
   void advance_piece(Real force_n, Real duration_s, int first_level);
   Real try_levels(int first_level, Real force_n, const Drive& now, Real rest_s);
   Real rest_for_a_while(Real force_n, const Drive& now, Real rest_s, int stalls);
