@@ -14,7 +14,7 @@
 
 namespace hapticwall {
 
-// From good to bad; docs/physics.md defines them.
+// From good to bad; docs/command-line.md defines them.
 enum class Verdict : std::uint8_t { kSettled, kBuzzing, kOscillating, kDiverged };
 inline constexpr std::array<std::string_view, 4> kVerdictNames{"settled", "buzzing", "oscillating",
                                                                "diverged"};

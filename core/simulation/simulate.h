@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "core/sample.h"
@@ -18,6 +19,9 @@ namespace hapticwall {
 struct SimulationRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+inline constexpr std::string_view kTooMuchWork =
+    "too much work for the exact integrator: use a heavier hand, a softer grip or another "
+    "simulator.integrator";
 
 struct SimulationOptions {
   // Called with the sample of every tick, in order; empty: samples are not assembled.

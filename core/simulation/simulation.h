@@ -10,6 +10,7 @@
 #include "core/plant/plant_model.h"
 #include "core/simulation/headless_loop.h"
 #include "core/simulation/simulate.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 
@@ -110,10 +111,9 @@ class Simulation {
   // The loop checks the reach before each tick; this is the check after the last one.
   void check_end() {
     if (std::visit([](const auto& plant) { return plant.gave_up(); }, plant_)) {
-      throw SimulationRefused(
-          "tick " + std::to_string(run_.servo.state().tick) +
-          " has too many starts and stops of the handle for the exact integrator: use a heavier "
-          "hand, a softer grip or another simulator.integrator");
+      throw SimulationRefused("tick " + std::to_string(tick()) + " under " +
+                              algorithm_label(scene_.algorithm) + " is " +
+                              std::string(kTooMuchWork));
     }
     const bool in_reach =
         std::visit([](const auto& plant) { return plant.in_reach(plant.motion()); }, plant_);

@@ -19,7 +19,7 @@ struct EnergyBounding {
           "rest_force_step_n", "N", 0.0, 1e6,
           "b times 0.0075 m/s with an encoder, no limit without",
           "α_max: the largest change of force in a tick without measured motion; press "
-          "is quiet from 0.005 to 0.024 N")};
+          "is quiet from 0.0053 to 0.024 N")};
   static constexpr AlgorithmDescription kDescription{
       "energy-bounding", "Energy bounding",
       "limits the change of force in a tick to what the device's damping can dissipate",

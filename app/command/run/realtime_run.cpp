@@ -17,6 +17,8 @@
 #include "app/command/signals.h"
 #include "app/file/text/text.h"
 #include "app/runtime/session/live_session.h"
+#include "core/sample.h"
+#include "core/simulation/simulate.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
@@ -80,6 +82,10 @@ Failure trouble_in(const runtime::LiveSession& session, const runtime::Snapshot&
   if (snapshot.ended_by_fault) {
     return failed(
         fmt::format("the loop ended by a fault after {} ticks", snapshot.newest.x().tick));
+  }
+  const Sample& newest = snapshot.newest.x();
+  if (session.device_info().is_simulated && (newest.flags & kFlagDeviceFault) != 0) {
+    return usage_error(fmt::format("a tick before {:.3f} s is {}", newest.time_s, kTooMuchWork));
   }
   if (session.dropped_plot_samples() > 0) {
     return failed(

@@ -239,5 +239,24 @@ TEST_F(Program, RealTimeRunsAreRepeatedBitForBit) {
   EXPECT_TRUE(content("a.csv") == content("b.csv"));
 }
 
+// A very light hand on a very stiff grip, with friction.
+TEST_F(Program, ATickThatIsTooMuchWorkIsRefusedInARunAndInRealTime) {
+  std::vector<std::string> line{"run", "press", "--algorithm", "none", "--quiet"};
+  for (const char* set :
+       {"sampling.rate_hz=228.918", "device.mass_kg=0.0145", "device.damping_n_s_per_m=0.02",
+        "device.friction_n=0.004", "device.encoder_m=0", "wall.stiffness_n_per_m=100",
+        "hand.mass_kg=3.25e-6", "hand.stiffness_n_per_m=7200", "hand.damping_n_s_per_m=21",
+        "hand.grip_stiffness_n_per_m=3.18e6", "hand.grip_damping_n_s_per_m=3700"}) {
+    line.insert(line.end(), {"--set", set});
+  }
+  for (int i = 0; i < 2; ++i) {
+    const Answer answer = hapticwall(line);
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_THAT(answer.err, HasSubstr("is too much work for the exact integrator"));
+    EXPECT_EQ(answer.error_lines(), 1);
+    line.emplace_back("--realtime");
+  }
+}
+
 }  // namespace
 }  // namespace hapticwall::command::test
