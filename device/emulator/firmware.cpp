@@ -7,7 +7,6 @@ namespace hapticwall::device::hid {
 namespace {
 
 constexpr std::uint64_t kMicrosecondsPerMillisecond = 1000;
-constexpr std::uint64_t kOldestEchoUs = kMaxTimeToLiveMs * kMicrosecondsPerMillisecond;
 
 // The code of one of the faults; 0 without faults.
 std::uint8_t code_of(std::uint16_t faults) {
@@ -30,7 +29,8 @@ bool Firmware::is_acceptable(const ForceReport& command) const {
   if (command.clear_faults) return false;
   if (following_ && sequence_step(command_.sequence, command.sequence) <= 0) return false;
   const auto ticks = static_cast<std::uint16_t>(sequence_ - command.echoed_state_sequence);
-  return std::uint64_t{ticks} * info_.tick_us <= kOldestEchoUs;
+  return std::uint64_t{ticks} * info_.tick_us <=
+         command.time_to_live_ms * kMicrosecondsPerMillisecond;
 }
 
 void Firmware::receive(std::span<const std::uint8_t> bytes, std::uint64_t clock_us) {

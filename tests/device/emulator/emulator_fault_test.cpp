@@ -22,8 +22,9 @@ constexpr std::uint64_t kBeginUs = 200 * kMillisecondUs;
 constexpr std::uint64_t kTimeToLiveUs = kUsualTimeToLiveMs * kMillisecondUs;
 constexpr std::uint64_t kWatchdogUs = 50 * kMillisecondUs;
 constexpr std::uint64_t kBusLossUs = 3 * kMillisecondUs;
-// The echo of a host without new states grows old; then its last command must expire.
-constexpr std::uint64_t kBlindHostUs = 100 * kMillisecondUs + kTimeToLiveUs;
+// The echo of a host without new states grows older than a force may live; then its last command
+// must expire.
+constexpr std::uint64_t kBlindHostUs = 2 * kTimeToLiveUs;
 
 struct Promise {
   FaultKind kind;

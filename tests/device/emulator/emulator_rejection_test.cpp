@@ -62,7 +62,7 @@ std::vector<BadCommand> bad_commands() {
       {"a sequence half a turn ahead",
        [](const Force& c) { return changed(c, [](Force& f) { f.sequence += 32768U - 1U; }); }},
       {"echo of the past",
-       [](const Force& c) { return changed(c, [](Force& f) { f.echoed_state_sequence -= 101; }); }},
+       [](const Force& c) { return changed(c, [](Force& f) { f.echoed_state_sequence -= 21; }); }},
       {"echo of the future",
        [](const Force& c) { return changed(c, [](Force& f) { f.echoed_state_sequence += 1; }); }}};
 }
@@ -105,11 +105,12 @@ TEST(EmulatorDuty, No7TheBitGoesWithTheNextCommandThatIsAccepted) {
   EXPECT_EQ(bench.state.rejected_commands, 1);
 }
 
-TEST(EmulatorDuty, No7AnEchoOf100msIsStillGood) {
+TEST(EmulatorDuty, No7AnEchoAsOldAsTheTimeToLiveIsStillGood) {
   Bench bench;
   bench.ticks(300);
   ForceReport command = bench.next_command(kPushN);
-  command.echoed_state_sequence = 200;
+  command.time_to_live_ms = 30;
+  command.echoed_state_sequence = 270;
   bench.send(command);
   bench.tick();
   EXPECT_EQ(bench.force_n(), kPushN);
