@@ -20,6 +20,7 @@ using device::hid::FaultKind;
 
 constexpr double kMaxTimeS = 86400.0;
 constexpr std::uint32_t kMaxTicksApart = 1'000'000;
+constexpr double kMaxAmount = 1e6;
 
 struct NamedKind {
   std::string_view name;
@@ -46,8 +47,18 @@ constexpr auto kKinds = std::to_array<NamedKind>({
     {"over-temperature", FaultKind::kOverTemperature},
     {"over-current", FaultKind::kOverCurrent},
     {"encoder-fault", FaultKind::kEncoderFault},
+    {"jump", FaultKind::kJump},
+    {"runaway", FaultKind::kRunaway},
+    {"slow", FaultKind::kSlow},
+    {"rejects", FaultKind::kRejects},
+    {"no-answer", FaultKind::kNoAnswer},
+    {"withheld-answer", FaultKind::kWithheldAnswer},
+    {"not-enabled", FaultKind::kNotEnabled},
+    {"no-force", FaultKind::kNoForce},
+    {"other-force", FaultKind::kOtherForce},
+    {"foreign-force", FaultKind::kForeignForce},
 });
-static_assert(kKinds.size() == static_cast<std::size_t>(FaultKind::kEncoderFault) + 1);
+static_assert(kKinds.size() == device::hid::kFaultKinds);
 
 std::optional<std::uint64_t> microseconds_of(std::string_view text) {
   const std::optional<double> seconds = file::parsed<double>(text);
@@ -215,7 +226,8 @@ Result<Fault> parse_fault(std::string_view text) {
   if (plus == std::string_view::npos) {
     return refusal(text, "it takes KIND@BEGIN+DURATION in seconds, e.g. unplugged@3+1");
   }
-  const std::string_view name = text.substr(0, at);
+  const std::size_t equals = text.substr(0, at).find('=');
+  const std::string_view name = text.substr(0, std::min(at, equals));
   const auto* known = std::find_if(kKinds.begin(), kKinds.end(),
                                    [&](const NamedKind& one) { return one.name == name; });
   if (known == kKinds.end()) {
@@ -233,16 +245,26 @@ Result<Fault> parse_fault(std::string_view text) {
   if (!every || *every == 0 || *every > kMaxTicksApart) {
     return refusal(text, fmt::format("/EVERY takes a number of ticks, 1 to {}", kMaxTicksApart));
   }
-  return Fault{known->kind, *begin, *duration, *every};
+  std::optional<double> amount;
+  if (equals != std::string_view::npos) {
+    amount = file::parsed<double>(text.substr(equals + 1, at - equals - 1));
+    if (!amount || !(std::abs(*amount) <= kMaxAmount) ||
+        device::hid::usual_amount(known->kind) == 0.0) {
+      return refusal(text, "=AMOUNT takes a number, and only a lie that has one");
+    }
+  }
+  return Fault{known->kind, *begin, *duration, *every, amount};
 }
 
 void add_options(CLI::App& program, EmulatorOptions& options) {
   add_scenes(program, options);
   add_identity(program, options);
   program
-      .add_option("--fault", options.faults,
-                  "KIND@BEGIN+DURATION in seconds since the start; /EVERY: only every N-th tick "
-                  "(repeatable)")
+      .add_option(
+          "--fault", options.faults,
+          "KIND[=AMOUNT]@BEGIN+DURATION in seconds since the start; =AMOUNT: of a lie (jump m, "
+          "runaway m/s, slow s, withheld-answer commands, other-force factor, "
+          "foreign-force N); /EVERY: only every N-th tick (repeatable)")
       ->type_name("FAULT")
       ->allow_extra_args(false);
   program

@@ -46,7 +46,7 @@ struct Plan {
 [[nodiscard]] std::string fault_names();
 
 // A fault: KIND@BEGIN+DURATION in seconds since the start, with /EVERY for every N-th tick only
-// ("unplugged@3+1", "bad-crc@1+2/10").
+// ("unplugged@3+1", "bad-crc@1+2/10"), and with =AMOUNT for a lie ("jump=0.2@3+0.001").
 [[nodiscard]] Result<device::hid::Fault> parse_fault(std::string_view text);
 
 void add_options(CLI::App& program, EmulatorOptions& options);

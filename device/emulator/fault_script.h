@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,7 +34,39 @@ enum class FaultKind : std::uint8_t {
   kOverTemperature,
   kOverCurrent,
   kEncoderFault,  // the counts freeze
+  // Lies: well-formed and wrong.
+  kJump,            // every position is off by `amount`, metres
+  kRunaway,         // the told position runs away at `amount`, metres per second
+  kSlow,            // commands arrive `amount` seconds late
+  kRejects,         // every command is rejected
+  kNoAnswer,        // commands act, the acknowledgement stands still
+  kWithheldAnswer,  // the acknowledgement is the one of `amount` commands ago
+  kNotEnabled,      // the amplifiers stay off, and it says so
+  kNoForce,         // the amplifiers give nothing, and it says so
+  kOtherForce,      // the amplifiers give `amount` times the force, and it says so
+  kForeignForce,    // it tells `amount` newtons in the place of the force
 };
+inline constexpr std::size_t kFaultKinds = static_cast<std::size_t>(FaultKind::kForeignForce) + 1;
+
+// What a lie amounts to where a script does not say it.
+[[nodiscard]] constexpr double usual_amount(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::kJump:
+      return 1.0;
+    case FaultKind::kRunaway:
+      return 20.0;
+    case FaultKind::kSlow:
+      return 0.05;
+    case FaultKind::kWithheldAnswer:
+      return 30.0;
+    case FaultKind::kOtherForce:
+      return 0.5;
+    case FaultKind::kForeignForce:
+      return 3.0;
+    default:
+      return 0.0;
+  }
+}
 
 // Lasts `duration_us` from `begin_us`; corrupts the report of every `every`-th tick.
 struct Fault {
@@ -40,6 +74,7 @@ struct Fault {
   std::uint64_t begin_us = 0;
   std::uint64_t duration_us = 0;
   std::uint32_t every = 1;
+  std::optional<double> amount = std::nullopt;  // of a lie; nullopt: the usual one
 
   [[nodiscard]] bool lasts_at(std::uint64_t now_us) const {
     return now_us >= begin_us && now_us - begin_us < duration_us;
@@ -52,12 +87,28 @@ class FaultScript {
   FaultScript(std::initializer_list<Fault> faults) : faults_(faults) {}
   explicit FaultScript(std::vector<Fault> faults) : faults_(std::move(faults)) {}
 
-  // Realtime-safe: yes, both.
+  // Realtime-safe: yes, all.
   [[nodiscard]] bool lasts(FaultKind kind, std::uint64_t now_us) const {
     return std::ranges::any_of(
         faults_, [&](const Fault& fault) { return fault.kind == kind && fault.lasts_at(now_us); });
   }
-  // The same for faults that strike every `every`-th tick.
+  // The amount of the first such fault that lasts; nullopt without one.
+  [[nodiscard]] std::optional<double> amount(FaultKind kind, std::uint64_t now_us) const {
+    for (const Fault& fault : faults_) {
+      if (fault.kind == kind && fault.lasts_at(now_us)) {
+        return fault.amount.value_or(usual_amount(kind));
+      }
+    }
+    return std::nullopt;
+  }
+  // Microseconds since the first such fault that lasts began; 0 without one.
+  [[nodiscard]] std::uint64_t since_us(FaultKind kind, std::uint64_t now_us) const {
+    for (const Fault& fault : faults_) {
+      if (fault.kind == kind && fault.lasts_at(now_us)) return now_us - fault.begin_us;
+    }
+    return 0;
+  }
+  // As lasts(), for faults that strike every `every`-th tick.
   [[nodiscard]] bool strikes(FaultKind kind, std::uint64_t now_us, std::uint64_t tick_us) const {
     return std::ranges::any_of(faults_, [&](const Fault& fault) {
       return fault.kind == kind && fault.lasts_at(now_us) &&

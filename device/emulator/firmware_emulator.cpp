@@ -16,6 +16,7 @@ constexpr std::uint32_t kFirmwareVersion = 0x00010000;
 constexpr std::size_t kShortBytes = 12;
 constexpr std::size_t kOverLongBytes = InputReport::kMaxBytes;
 constexpr std::uint8_t kNoId = 0x07;
+constexpr std::size_t kMaxTold = 200;
 constexpr std::uint8_t kNextMajor = (kProtocolMajor + 1) << 4U;
 
 double encoder_of(const Scene& scene) {
@@ -81,8 +82,59 @@ bool FirmwareEmulator::accepts_output() const {
 
 bool FirmwareEmulator::write_output(std::span<const std::uint8_t> bytes) {
   if (!accepts_output()) return false;
-  firmware_.receive(bytes, now_us_ - power_up_us_);
+  const double late_s = script_.amount(FaultKind::kSlow, now_us_).value_or(0.0);
+  if (late_s > 0.0 || !late_.empty()) {
+    const auto late_us = static_cast<std::uint64_t>(late_s * kMicrosecondsPerSecond);
+    const std::uint64_t before_us = late_.empty() ? 0 : late_.back().due_us;  // nothing overtakes
+    late_.push_back({std::max(now_us_ + late_us, before_us), {bytes.begin(), bytes.end()}});
+    return true;
+  }
+  receive(bytes, now_us_);
   return true;
+}
+
+void FirmwareEmulator::receive(std::span<const std::uint8_t> bytes, std::uint64_t at_us) {
+  // A packet of the wrong length is rejected.
+  if (lasts(FaultKind::kRejects)) bytes = bytes.first(bytes.size() / 2);
+  firmware_.receive(bytes, at_us - power_up_us_);
+}
+
+void FirmwareEmulator::receive_due() {
+  while (!late_.empty() && late_.front().due_us <= now_us_) {
+    receive(late_.front().bytes, late_.front().due_us);
+    late_.pop_front();
+  }
+}
+
+// The newest state with the lies that last.
+StateReport FirmwareEmulator::as_told() const {
+  StateReport told = state_;
+  const auto amount = [&](FaultKind kind) { return script_.amount(kind, now_us_); };
+  double off_m = amount(FaultKind::kJump).value_or(0.0);
+  if (const auto speed = amount(FaultKind::kRunaway)) {
+    off_m += *speed * static_cast<double>(script_.since_us(FaultKind::kRunaway, now_us_)) /
+             kMicrosecondsPerSecond;
+  }
+  if (off_m != 0.0) {
+    told.position_counts[0] =
+        saturated_count(told.position_counts[0] + round_to_even(off_m / encoder_m_[0]));
+  }
+  const std::array<double, kMaxAxes> force_n = amplifier_force_n();
+  if (lasts(FaultKind::kNotEnabled)) told.status &= static_cast<std::uint16_t>(~kStatusEnabled);
+  if (lasts(FaultKind::kNotEnabled) || lasts(FaultKind::kNoForce) ||
+      lasts(FaultKind::kOtherForce)) {
+    told.applied_force_n = force_n;
+  }
+  if (const auto foreign_n = amount(FaultKind::kForeignForce)) told.applied_force_n[0] = *foreign_n;
+  const auto held = static_cast<std::size_t>(amount(FaultKind::kWithheldAnswer).value_or(0.0));
+  const StateReport* acknowledges = nullptr;
+  if (lasts(FaultKind::kNoAnswer) && !told_.empty()) acknowledges = &told_.back();
+  if (held > 0 && told_.size() >= held) acknowledges = &told_[told_.size() - held];
+  if (acknowledges != nullptr) {
+    told.acknowledged_sequence = acknowledges->acknowledged_sequence;
+    told.acknowledged_time_us = acknowledges->acknowledged_time_us;
+  }
+  return told;
 }
 
 std::optional<ReportBytes> FirmwareEmulator::get_feature(std::uint8_t id) const {
@@ -93,8 +145,15 @@ std::optional<ReportBytes> FirmwareEmulator::get_feature(std::uint8_t id) const 
 }
 
 std::array<double, kMaxAxes> FirmwareEmulator::amplifier_force_n() const {
-  if (!has_power() || lasts(FaultKind::kEmergencyStop)) return {};
-  return firmware_.force_n();
+  if (!has_power() || lasts(FaultKind::kEmergencyStop) || lasts(FaultKind::kNotEnabled) ||
+      lasts(FaultKind::kNoForce)) {
+    return {};
+  }
+  std::array<double, kMaxAxes> force_n = firmware_.force_n();
+  if (const auto factor = script_.amount(FaultKind::kOtherForce, now_us_)) {
+    for (double& axis_n : force_n) axis_n *= *factor;
+  }
+  return force_n;
 }
 
 // The plant's positive force pushes out of the wall, towards smaller positions.
@@ -166,9 +225,13 @@ void FirmwareEmulator::pass_tick() {
   if (!lasts(FaultKind::kUnplugged)) on_bus_us_ = now_us_;
   if (frozen) return;
   alive_us_ = now_us_;
+  receive_due();
   firmware_.tick(now_us_ - power_up_us_, hardware());
   state_ = latch();
   if ((state_.status & kStatusEnabled) != 0) hand_waits_ = false;
+  // The acknowledgement stands still at the one before the lie began.
+  if (!lasts(FaultKind::kNoAnswer)) told_.push_back(state_);
+  while (told_.size() > kMaxTold) told_.pop_front();
   send();
 }
 
@@ -179,7 +242,7 @@ void FirmwareEmulator::send() {
     return;
   }
   if (script_.strikes(FaultKind::kSkipped, now_us_, tick_us_)) return;
-  StateReport told = state_;
+  StateReport told = as_told();
   if (overrun_) told.status |= kStatusReportOverrun;
   overrun_ = false;
   const ReportBytes bytes = encode_state(told);

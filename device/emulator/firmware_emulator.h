@@ -89,6 +89,9 @@ class FirmwareEmulator {
   void lose_power();
   void send();
   void spoil(InputReport& report) const;
+  void receive(std::span<const std::uint8_t> bytes, std::uint64_t at_us);
+  void receive_due();
+  [[nodiscard]] StateReport as_told() const;
 
   FaultScript script_;
   EmulatorSettings settings_;
@@ -111,6 +114,13 @@ class FirmwareEmulator {
   StateReport state_;
   std::deque<InputReport> on_the_wire_;
   std::optional<InputReport> last_sent_;
+  struct Late {
+    std::uint64_t due_us = 0;
+    std::vector<std::uint8_t> bytes;
+  };
+  std::deque<Late> late_;  // commands on a slow way
+  // Of the newest states, for an acknowledgement that is withheld.
+  std::deque<StateReport> told_;
 };
 
 }  // namespace hapticwall::device::hid

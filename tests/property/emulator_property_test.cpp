@@ -30,8 +30,7 @@ EmulatorSettings settings() {
 FaultScript random_script() {
   std::vector<Fault> faults(*rc::gen::inRange<std::size_t>(0, 6));
   for (Fault& fault : faults) {
-    fault.kind = static_cast<FaultKind>(
-        *rc::gen::inRange(0, static_cast<int>(FaultKind::kEncoderFault) + 1));
+    fault.kind = static_cast<FaultKind>(*rc::gen::inRange(0, static_cast<int>(kFaultKinds)));
     fault.begin_us = *rc::gen::inRange<std::uint64_t>(0, 400 * kMillisecondUs);
     fault.duration_us = *rc::gen::inRange<std::uint64_t>(0, 200 * kMillisecondUs);
     fault.every = *rc::gen::inRange<std::uint32_t>(1, 5);

@@ -26,8 +26,7 @@ constexpr std::uint64_t kRunMs = 1500;
 FaultScript random_script() {
   std::vector<Fault> faults(*rc::gen::inRange<std::size_t>(0, 6));
   for (Fault& fault : faults) {
-    fault.kind = static_cast<FaultKind>(
-        *rc::gen::inRange(0, static_cast<int>(FaultKind::kEncoderFault) + 1));
+    fault.kind = static_cast<FaultKind>(*rc::gen::inRange(0, static_cast<int>(hid::kFaultKinds)));
     fault.begin_us = *rc::gen::inRange<std::uint64_t>(0, 1000 * kMillisecondUs);
     fault.duration_us = *rc::gen::inRange<std::uint64_t>(0, 400 * kMillisecondUs);
     fault.every = *rc::gen::inRange<std::uint32_t>(1, 5);
