@@ -14,12 +14,22 @@ class PlantModel;
 
 namespace hapticwall::device {
 
+// Motion that a handle can make. A position beyond it is a fault of the device.
+struct MotionLimits {
+  double min_m = -1.0;
+  double max_m = 1.0;
+  double max_speed_m_per_s = 10.0;
+
+  friend bool operator==(const MotionLimits&, const MotionLimits&) = default;
+};
+
 struct DeviceInfo {
   std::string name;  // for people and for the sidecar
   bool is_simulated = false;
   // Reported by a real device once it is open, for the loop's axis; 0: unknown.
   double encoder_m = 0.0;
   double force_limit_n = 0.0;  // overrides a larger one of the scene
+  MotionLimits motion{};       // of a real device
 };
 
 // Call open() once, then read() and write() alternately once a tick from one thread, then close().

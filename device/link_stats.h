@@ -53,6 +53,15 @@ static_assert(kTroubleTexts.size() == static_cast<std::size_t>(Trouble::kOwnFaul
   return trouble >= Trouble::kWatchdog;
 }
 
+// The device's word on its force, compared with the command that the same state acknowledges.
+enum class ForceWord : std::uint8_t {
+  kNone,        // nothing to compare: no command of this link is acknowledged
+  kSame,        // the commanded force
+  kNotEnabled,  // a command enabled the amplifiers; the device says that they are off
+  kNoForce,     // it says zero, and another force was commanded
+  kOther,       // it says another force, or one that was not enabled
+};
+
 // All zero for a simulator. Times in seconds, counters since open(). Trivially copyable.
 struct LinkStats {
   Trouble trouble = Trouble::kNone;
@@ -77,6 +86,13 @@ struct LinkStats {
   // last hundred ticks. 0: unknown.
   double delay_s = 0.0;
   double maximum_delay_s = 0.0;
+  // By the device's clock at the newest state: since it acknowledged another command, and since the
+  // latch behind the command that it acknowledges. Both since the first state of the link before
+  // the first acknowledgement.
+  double unanswered_s = 0.0;
+  double command_age_s = 0.0;
+  ForceWord force_word = ForceWord::kNone;
+  std::uint32_t same_words = 0;  // consecutive states with this word
 };
 
 }  // namespace hapticwall::device

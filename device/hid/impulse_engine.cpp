@@ -32,6 +32,7 @@ DeviceInfo ImpulseEngine::info() const {
   info.name = description->name;
   info.encoder_m = description->axis[0].encoder_m;
   info.force_limit_n = description->axis[0].force_limit_n;
+  info.motion = description->axis[0].motion;
   return info;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/loop/triple_buffer.h"
+#include "device/device.h"
 #include "device/hid/report.h"
 #include "device/link_stats.h"
 #include "device/os_threads.h"
@@ -21,6 +22,7 @@ namespace hapticwall::device {
 struct AxisDescription {
   double encoder_m = 0.0;
   double force_limit_n = 0.0;
+  MotionLimits motion{};  // known from a device file only
 
   friend bool operator==(const AxisDescription&, const AxisDescription&) = default;
 };

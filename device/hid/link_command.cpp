@@ -7,7 +7,10 @@ namespace hapticwall::device {
 namespace {
 
 constexpr std::uint64_t kPresentBit = std::uint64_t{1} << 48U;
+constexpr std::uint64_t kEnableBit = kPresentBit << 1U;
 constexpr unsigned kSequenceShift = 32;
+constexpr unsigned kForceShift = 16;  // of the second axis
+constexpr double kStepsPerNewton = 1000.0;
 
 }  // namespace
 
@@ -31,10 +34,38 @@ hid::ForceReport force_report(const LinkCommand& command, std::uint16_t sequence
   return report;
 }
 
-void SentCommands::note(std::uint16_t sequence, std::uint32_t state_latch_us) {
-  const std::uint64_t packed =
-      kPresentBit | (std::uint64_t{sequence} << kSequenceShift) | state_latch_us;
-  slots_[sequence % kKept].store(packed, std::memory_order_release);
+SentForce sent_force(const hid::ForceReport& report) {
+  SentForce force;
+  force.enable = report.enable;
+  for (std::size_t axis = 0; axis < force.force_mn.size(); ++axis) {
+    force.force_mn[axis] =
+        static_cast<std::int16_t>(std::lround(report.force_n[axis] * kStepsPerNewton));
+  }
+  return force;
+}
+
+// The latch last: who finds it finds the force, too.
+void SentCommands::note(std::uint16_t sequence, std::uint32_t state_latch_us,
+                        const SentForce& force) {
+  const std::uint64_t tag = kPresentBit | (std::uint64_t{sequence} << kSequenceShift);
+  const auto half = [&](std::size_t axis) {
+    return std::uint64_t{static_cast<std::uint16_t>(force.force_mn[axis])};
+  };
+  forces_[sequence % kKept].store(
+      tag | (force.enable ? kEnableBit : 0U) | (half(1) << kForceShift) | half(0),
+      std::memory_order_release);
+  slots_[sequence % kKept].store(tag | state_latch_us, std::memory_order_release);
+}
+
+std::optional<SentForce> SentCommands::force(std::uint16_t sequence) const {
+  const std::uint64_t packed = forces_[sequence % kKept].load(std::memory_order_acquire);
+  const std::uint64_t wanted = kPresentBit | (std::uint64_t{sequence} << kSequenceShift);
+  if (((packed & ~kEnableBit) >> kSequenceShift) != (wanted >> kSequenceShift)) return std::nullopt;
+  SentForce force;
+  force.enable = (packed & kEnableBit) != 0;
+  force.force_mn = {static_cast<std::int16_t>(static_cast<std::uint16_t>(packed)),
+                    static_cast<std::int16_t>(static_cast<std::uint16_t>(packed >> kForceShift))};
+  return force;
 }
 
 std::optional<std::uint32_t> SentCommands::latch_us(std::uint16_t sequence) const {

@@ -1,6 +1,7 @@
 #include "device/hid/link_state.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/units.h"
@@ -12,6 +13,11 @@ namespace {
 constexpr std::int32_t kMaxStepUs = 1'000'000;
 // More ticks than any device makes in that time.
 constexpr int kMaxStepTicks = 20'000;
+// A force that a device tells may differ from the commanded one by this share of its limit (eight
+// bits of an amplifier are 0.4 %), and by a step of the report.
+constexpr double kForceTolerance = 0.01;
+constexpr double kStepsPerNewton = 1000.0;
+constexpr double kReportStepN = 1.5 / kStepsPerNewton;
 // Weight of one tick in the moving average of the delay.
 constexpr double kDelayWeight = 1.0 / 64.0;
 
@@ -57,6 +63,10 @@ void StateTracker::begin(const LinkSession& session) {
   stats.round_trip_s = 0.0;
   stats.delay_s = 0.0;
   stats.device_period_s = 0.0;
+  stats.unanswered_s = 0.0;
+  stats.command_age_s = 0.0;
+  stats.force_word = ForceWord::kNone;
+  stats.same_words = 0;
 }
 
 bool StateTracker::take(std::span<const std::uint8_t> bytes, std::int64_t received_ns) {
@@ -101,6 +111,8 @@ void StateTracker::begin_with(const hid::StateReport& state) {
   view_.session = session_.number;
   view_.device_time_us = state.time_us;
   first_time_us_ = state.time_us;
+  answered_us_ = state.time_us;
+  command_us_ = state.time_us;
   ticks_ = 0;
   for (std::size_t axis = 0; axis < origin_m_.size(); ++axis) {
     const bool tells_its_place = is_calibrated(state) || axis >= session_.device.axes;
@@ -124,6 +136,7 @@ void StateTracker::follow(const hid::StateReport& state) {
   const bool acknowledges = state.acknowledged_sequence != newest_->acknowledged_sequence ||
                             state.acknowledged_time_us != newest_->acknowledged_time_us;
   if (acknowledges) measure(state, ticks == 1);
+  hear_answer(state, acknowledges);
 }
 
 void StateTracker::accept(const hid::StateReport& state, std::int64_t received_ns) {
@@ -143,16 +156,58 @@ void StateTracker::accept(const hid::StateReport& state, std::int64_t received_n
   stats.enabled = (state.status & hid::kStatusEnabled) != 0;
 }
 
-// Measures by the device's clock, and only commands of this session: those of another session are
-// not in `sent`, or arrived before the latch of their state.
-void StateTracker::measure(const hid::StateReport& state, bool next_tick) {
+// Of a command of this session: those of another session are not in `sent`, or arrived before the
+// latch of their state.
+std::optional<std::uint32_t> StateTracker::latch_behind(const hid::StateReport& state) const {
   const auto latch_us = session_.sent->latch_us(state.acknowledged_sequence);
-  if (!latch_us) return;
+  if (!latch_us) return std::nullopt;
   const std::int32_t round_trip_us = hid::clock_step_us(*latch_us, state.acknowledged_time_us);
   const std::int32_t since_us = hid::clock_step_us(state.acknowledged_time_us, state.time_us);
-  if (round_trip_us < 0 || round_trip_us > kMaxStepUs || since_us < 0) return;
+  if (round_trip_us < 0 || round_trip_us > kMaxStepUs || since_us < 0) return std::nullopt;
+  return latch_us;
+}
+
+// What the device says of its force, and how old the command is that it obeys.
+void StateTracker::hear_answer(const hid::StateReport& state, bool another) {
   LinkStats& stats = view_.stats;
-  stats.round_trip_s = seconds(round_trip_us);
+  const auto latch_us = latch_behind(state);
+  if (latch_us) {
+    command_us_ = view_.device_time_us - hid::clock_step_us(*latch_us, state.time_us);
+    if (another) answered_us_ = view_.device_time_us;
+  }
+  const double per_s = kMicrosecondsPerSecond;
+  stats.unanswered_s = static_cast<double>(view_.device_time_us - answered_us_) / per_s;
+  stats.command_age_s = static_cast<double>(view_.device_time_us - command_us_) / per_s;
+  const ForceWord word = latch_us ? force_word(state) : ForceWord::kNone;
+  stats.same_words = word == stats.force_word ? stats.same_words + 1 : 1;
+  stats.force_word = word;
+}
+
+// The force in a state is that of the command that it acknowledges (docs/hid-protocol.md, timing).
+ForceWord StateTracker::force_word(const hid::StateReport& state) const {
+  const auto sent = session_.sent->force(state.acknowledged_sequence);
+  if (!sent) return ForceWord::kNone;
+  const bool enabled = (state.status & hid::kStatusEnabled) != 0;
+  if (sent->enable && !enabled) return ForceWord::kNotEnabled;
+  bool other = enabled && !sent->enable;
+  for (std::size_t axis = 0; axis < session_.device.axes; ++axis) {
+    const double commanded_n = sent->force_mn[axis] / kStepsPerNewton;
+    const double told_n = state.applied_force_n[axis];
+    const double step_n =
+        std::max(kReportStepN, kForceTolerance * session_.device.axis[axis].force_limit_n);
+    if (std::abs(told_n - commanded_n) <= step_n) continue;
+    if (told_n == 0.0) return ForceWord::kNoForce;
+    other = true;
+  }
+  return other ? ForceWord::kOther : ForceWord::kSame;
+}
+
+// Measures by the device's clock.
+void StateTracker::measure(const hid::StateReport& state, bool next_tick) {
+  const auto latch_us = latch_behind(state);
+  if (!latch_us) return;
+  LinkStats& stats = view_.stats;
+  stats.round_trip_s = seconds(hid::clock_step_us(*latch_us, state.acknowledged_time_us));
   stats.maximum_round_trip_s = std::max(stats.maximum_round_trip_s, stats.round_trip_s);
   if (!next_tick) return;  // the state of the tick at which it acted is missing
   const double delay_s = seconds(hid::clock_step_us(*latch_us, state.time_us));

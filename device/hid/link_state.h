@@ -44,6 +44,9 @@ class StateTracker {
   void follow(const hid::StateReport& state);
   void accept(const hid::StateReport& state, std::int64_t received_ns);
   void measure(const hid::StateReport& state, bool next_tick);
+  void hear_answer(const hid::StateReport& state, bool another);
+  [[nodiscard]] ForceWord force_word(const hid::StateReport& state) const;
+  [[nodiscard]] std::optional<std::uint32_t> latch_behind(const hid::StateReport& state) const;
 
   LinkSession session_;
   LinkView view_;
@@ -53,6 +56,10 @@ class StateTracker {
   AxisValues origin_m_{};                                    // this position
   std::int64_t first_time_us_ = 0;
   std::uint64_t ticks_ = 0;  // of the device since the first state
+  // By the device's clock, unwrapped: the last state with another acknowledgement, and the latch
+  // behind the last command that was acknowledged.
+  std::int64_t answered_us_ = 0;
+  std::int64_t command_us_ = 0;
 };
 
 // The fault in a state, or kNone. Realtime-safe: yes.

@@ -34,10 +34,11 @@ std::optional<hid::ReportBytes> WriteSession::begin(std::int64_t now_ns) {
   const bool goes_back_to_a_state = newest_.session == number_;
   begun_ = true;
   ++sequence_;
-  if (goes_back_to_a_state) sent_->note(sequence_, command.state_latch_us);
+  const hid::ForceReport report = force_report(command, sequence_, now_ns);
+  if (goes_back_to_a_state) sent_->note(sequence_, command.state_latch_us, sent_force(report));
   began_ns_ = now_ns;
   state_.store(State::kWriting, std::memory_order_release);
-  return hid::encode_force(force_report(command, sequence_, now_ns));
+  return hid::encode_force(report);
 }
 
 void WriteSession::finish(std::int64_t now_ns) {

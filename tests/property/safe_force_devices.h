@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -60,9 +61,10 @@ struct Commands {
 };
 
 // A real one: somebody moves its handle, and its readings are good or not.
+// Its handle is anywhere: plausible motion is tested elsewhere.
 class FaultyDevice : public device::Device {
  public:
-  [[nodiscard]] DeviceInfo info() const override { return {"faulty", false, 0.0, 0.0}; }
+  [[nodiscard]] DeviceInfo info() const override { return {"faulty", false, 0.0, 0.0, kAnywhere}; }
   [[nodiscard]] Failure open() override { return std::nullopt; }
   [[nodiscard]] DeviceReading read() override {
     if (commands.throws_at_read) throw std::runtime_error("read");
@@ -71,6 +73,9 @@ class FaultyDevice : public device::Device {
   void write(double force_n) override { commands.write(force_n); }
   void enable(bool enabled) override { commands.enabled = enabled; }
   void close() override { commands.closed = true; }
+
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  static constexpr device::MotionLimits kAnywhere{-kFar, kFar, kFar};
 
   Commands commands;
   DeviceReading reading;

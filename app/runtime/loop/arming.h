@@ -35,23 +35,42 @@ enum class ArmingNote : std::uint8_t {
   kDevice,      // the device reported a fault, or was lost
   kForce,       // the algorithm's force was not a finite number
   kWallMoved,   // a change of parameters put the wall over the handle
-  kLate         // the loop woke up later than the time to live of a force
+  kLate,        // the loop woke up later than the time to live of a force
+  // What DeviceJudge found.
+  kImplausible,
+  kSlowAnswer,
+  kNoAnswer,
+  kNotEnabled,
+  kNoForce,
+  kRejected,
+  kOtherForce
 };
 
-// A clause for people; empty for kNone.
-[[nodiscard]] inline std::string_view arming_note_text(ArmingNote note) {
-  constexpr std::array<std::string_view, 10> kTexts{
-      "",
-      "switched off",
-      "the handle is inside the wall: move it out first",
-      "the device gives no valid position",
-      "the session is paused",
-      "the newest position was too old",
-      "the device was lost or reported a fault",
-      "the force was not a finite number",
-      "the change would have put the wall over the handle",
-      "the program was held up for too long"};
-  return kTexts.at(static_cast<std::size_t>(note));
+// A clause for people, in the order of ArmingNote.
+inline constexpr auto kArmingNoteTexts = std::to_array<std::string_view>({
+    "",
+    "switched off",
+    "the handle is inside the wall: move it out first",
+    "the device gives no valid position",
+    "the session is paused",
+    "the newest position was too old",
+    "the device was lost or reported a fault",
+    "the force was not a finite number",
+    "the change would have put the wall over the handle",
+    "the program was held up for too long",
+    "the position jumped farther than the handle can move",
+    "commands take longer than 20 ms to act",
+    "the device acknowledges no command",
+    "the device says that it is not enabled",
+    "the device says that it gives no force",
+    "the device rejects commands",
+    "the device says that it gives another force than the commanded one",
+});
+static_assert(kArmingNoteTexts.size() == static_cast<std::size_t>(ArmingNote::kOtherForce) + 1);
+
+// Empty for kNone.
+[[nodiscard]] constexpr std::string_view arming_note_text(ArmingNote note) {
+  return kArmingNoteTexts.at(static_cast<std::size_t>(note));
 }
 
 // The facts of a tick that arming depends on.
@@ -61,11 +80,13 @@ struct ArmingFacts {
   bool failed = false;  // the force was not finite
   bool in_contact = false;
   bool parameters_changed = false;
+  ArmingNote judged = ArmingNote::kNone;  // what DeviceJudge found
+  bool waits_for_answer = false;          // the delay of the device is not known yet
 };
 [[nodiscard]] inline ArmingFacts arming_facts(const Sample& sample, bool failed) {
   const auto has = [&](SampleFlag flag) { return (sample.flags & flag) != 0; };
-  return {has(kFlagDeviceFault), has(kFlagStaleInput), failed, sample.penetration_m > 0.0,
-          has(kFlagParametersChanged)};
+  return {has(kFlagDeviceFault),       has(kFlagStaleInput), failed, sample.penetration_m > 0.0,
+          has(kFlagParametersChanged), ArmingNote::kNone,    false};
 }
 
 class Arming {
@@ -118,6 +139,7 @@ class Arming {
  private:
   // While the force is on. Contact alone is no problem.
   [[nodiscard]] ArmingNote trouble_in(const ArmingFacts& facts) const {
+    if (facts.judged != ArmingNote::kNone) return facts.judged;
     if (facts.fault) return ArmingNote::kDevice;
     if (facts.stale) return ArmingNote::kStale;
     if (facts.failed) return ArmingNote::kForce;
@@ -128,9 +150,13 @@ class Arming {
   }
 
   void answer(const ArmingFacts& facts) {
+    const bool troubled = facts.judged != ArmingNote::kNone || facts.fault || facts.stale;
+    if (facts.waits_for_answer && !troubled) return;
     asked_ = false;
     ++answers_;
-    if (facts.fault || facts.stale) {
+    if (facts.judged != ArmingNote::kNone) {
+      note_ = facts.judged;
+    } else if (facts.fault || facts.stale) {
       note_ = ArmingNote::kNotReady;
     } else if (facts.failed) {
       note_ = ArmingNote::kForce;

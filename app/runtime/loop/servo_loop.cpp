@@ -19,6 +19,15 @@ std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
   return a > kMax - b ? kMax : a + b;
 }
 
+// Gives the servo step a reading that was taken before.
+struct ReadDevice {
+  device::Device& device;
+  DeviceReading reading;
+
+  [[nodiscard]] DeviceReading read() const { return reading; }
+  void write(double force_n) { device.write(force_n); }
+};
+
 }  // namespace
 
 void LoopAxis::apply(const ServoSettings& settings, PlantModel* new_plant) {
@@ -53,12 +62,26 @@ Sample LoopAxis::at_rest() {
   return sample;
 }
 
+Sample LoopAxis::judged_tick(double elapsed_s) {
+  ReadDevice read{device, device.read()};
+  judged = judge->judge(read.reading, device.link(), elapsed_s);
+  if (judged == ArmingNote::kImplausible) read.reading.state = DeviceState::kFault;
+  if (judged != ArmingNote::kNone) {
+    servo.state().force_gain = 0.0;
+    device.enable(false);
+  }
+  return servo.tick(read);
+}
+
 ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
                      const LoopParameters& initial, bool start_paused)
     : exchange_(exchange),
       arming_(!devices.front()->info().is_simulated, initial.axes.front().servo.rate_hz) {
   for (device::Device* device : devices) {
-    axes_.push_back({*device, Servo(initial.axes.at(axes_.size()).servo)});
+    LoopAxis& axis =
+        axes_.emplace_back(LoopAxis{*device, Servo(initial.axes.at(axes_.size()).servo)});
+    const device::DeviceInfo info = device->info();
+    if (!info.is_simulated) axis.judge.emplace(info);
   }
   snapshot_.newest.count = static_cast<std::uint8_t>(axes_.size());
   snapshot_.generation = initial.generation;
@@ -72,6 +95,7 @@ ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exch
 void ServoLoop::cycle(const Wake& wake, Clock& clock) {
   if (seconds(wake.latency_ns) > kDefaultMaxAgeS) disarm(ArmingNote::kLate);
   take_commands();
+  elapsed_s_ = axes_.front().servo.settings().period_s() * static_cast<double>(1 + wake.missed);
   const bool ticks = !snapshot_.paused || steps_left_ > 0;
   if (ticks) {
     tick();
@@ -187,6 +211,9 @@ ArmingFacts ServoLoop::facts(const Tick& tick) const {
     all.failed = all.failed || one.failed;
     all.in_contact = all.in_contact || one.in_contact;
     all.parameters_changed = all.parameters_changed || one.parameters_changed;
+    if (all.judged == ArmingNote::kNone) all.judged = axes_[i].judged;
+    const bool waits = axes_[i].judge && axes_[i].judge->waits_for_answer();
+    all.waits_for_answer = all.waits_for_answer || waits;
   }
   return all;
 }
@@ -194,7 +221,7 @@ ArmingFacts ServoLoop::facts(const Tick& tick) const {
 Sample ServoLoop::tick_axis(LoopAxis& axis) {
   axis.servo.state().force_gain = arming_.gain();
   axis.device.enable(arming_.enabled());
-  Sample sample = axis.servo.tick(axis.device);
+  Sample sample = axis.judge ? axis.judged_tick(elapsed_s_) : axis.servo.tick(axis.device);
   sample.generation = snapshot_.generation;
   return sample;
 }
@@ -241,6 +268,7 @@ void ServoLoop::idle() {
     axis.device.write(0.0);
     // Motion during a pause is unobserved: the next tick must not derive a velocity from it.
     axis.servo.state().position_known = false;
+    if (axis.judge) axis.judge->forget();
     axis.servo.state().previous_force_n = 0.0;
   }
 }

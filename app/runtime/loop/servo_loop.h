@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "app/runtime/loop/arming.h"
 #include "app/runtime/loop/clock.h"
 #include "app/runtime/loop/cost_window.h"
 #include "app/runtime/loop/cycle_scheduler.h"
+#include "app/runtime/loop/device_judge.h"
 #include "app/runtime/loop/exchange.h"
 #include "core/loop/servo.h"
 #include "device/device.h"
@@ -20,6 +22,8 @@ struct LoopAxis {
   Servo servo;
   PlantModel* plant = nullptr;  // in use; nullptr: the device's own
   bool hand_led = false;
+  std::optional<DeviceJudge> judge{};  // nullopt: a simulator
+  ArmingNote judged = ArmingNote::kNone;
 
   // Realtime-safe: yes, every member.
   void apply(const ServoSettings& settings, PlantModel* new_plant);
@@ -28,6 +32,8 @@ struct LoopAxis {
   void reset();
   // The sample before tick 0: the device's rest position, no force, no energies.
   [[nodiscard]] Sample at_rest();
+  // Judges the device and ticks. What is forbidden gives no force in the same tick.
+  [[nodiscard]] Sample judged_tick(double elapsed_s);
 };
 
 // The loop's state. The devices are open; they and the exchange outlive the loop.
@@ -66,6 +72,7 @@ class ServoLoop {
   Arming arming_;
   Snapshot snapshot_;
   CostWindow cost_;
+  double elapsed_s_ = 0.0;  // since the previous cycle, as planned
   std::uint32_t steps_left_ = 0;
   bool recording_ = false;
   bool echo_due_ = true;  // the next tick is the first of a reset or of new parameters

@@ -1,0 +1,96 @@
+// One report at a time.
+#include "app/runtime/loop/device_judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace hapticwall::runtime {
+namespace {
+
+constexpr double kTickS = 1e-3;
+constexpr double kCountM = 1e-4;
+
+class Judged : public ::testing::Test {
+ protected:
+  // The next report, a tick later by both clocks.
+  ArmingNote at(double position_m, double device_step_s = kTickS, double host_step_s = kTickS) {
+    reading.position_m = position_m;
+    reading.device_time_s += device_step_s;
+    return judge.judge(reading, link, host_step_s);
+  }
+  static device::DeviceInfo paddle() {
+    device::DeviceInfo info;
+    info.encoder_m = kCountM;
+    info.motion = {-0.05, 0.06, 2.0};
+    return info;
+  }
+
+  DeviceJudge judge{paddle()};
+  DeviceReading reading{0.0, 0.0, DeviceState::kOk, 1.0};
+  device::LinkStats link;
+};
+
+TEST_F(Judged, TheFirstPositionIsAnywhereInTheWorkspace) {
+  EXPECT_EQ(at(0.06), ArmingNote::kNone);
+  judge.forget();
+  EXPECT_EQ(at(-0.05), ArmingNote::kNone);
+  judge.forget();
+  EXPECT_EQ(at(0.0601), ArmingNote::kImplausible);
+  judge.forget();
+  EXPECT_EQ(at(-0.0501), ArmingNote::kImplausible);
+  judge.forget();
+  EXPECT_EQ(at(std::numeric_limits<double>::quiet_NaN()), ArmingNote::kImplausible);
+}
+
+TEST_F(Judged, TheSpeedIsByTheClockOfTheDevice) {
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  EXPECT_EQ(at(0.0020), ArmingNote::kNone);
+  EXPECT_EQ(at(0.00409), ArmingNote::kNone);  // one count more than 2 m/s
+  EXPECT_EQ(at(0.0063), ArmingNote::kImplausible);
+  EXPECT_EQ(at(0.0083), ArmingNote::kNone);  // the new place counts
+  EXPECT_EQ(at(0.0123, 2e-3, kTickS), ArmingNote::kNone);
+  EXPECT_EQ(at(0.0163, kTickS, 2e-3), ArmingNote::kImplausible);
+}
+
+TEST_F(Judged, WithoutAClockOfTheDeviceTheHostsCounts) {
+  EXPECT_EQ(at(0.0, 0.0), ArmingNote::kNone);
+  EXPECT_EQ(at(0.002, 0.0), ArmingNote::kNone);
+  EXPECT_EQ(at(0.002, 0.0), ArmingNote::kNone);  // it reports at every third tick
+  EXPECT_EQ(at(0.002, 0.0), ArmingNote::kNone);
+  EXPECT_EQ(at(0.008, 0.0), ArmingNote::kNone);
+  EXPECT_EQ(at(0.012, 0.0), ArmingNote::kImplausible);
+}
+
+TEST_F(Judged, AClockThatRunsAheadHidesNoJump) {
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  EXPECT_EQ(at(0.05, 1.0), ArmingNote::kImplausible);  // 20 ms count at most: 40 mm
+  EXPECT_EQ(at(0.051, -1.0), ArmingNote::kImplausible);
+}
+
+TEST_F(Judged, WhatTheDeviceCallsAFaultIsNotJudged) {
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  reading.state = DeviceState::kFault;
+  EXPECT_EQ(at(0.9), ArmingNote::kNone);
+  reading.state = DeviceState::kOk;
+  EXPECT_EQ(at(0.05), ArmingNote::kNone);  // unobserved motion
+}
+
+TEST_F(Judged, UnknownIsUnknown) {
+  link.connected = true;
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  EXPECT_TRUE(judge.waits_for_answer());
+  link.command_age_s = link.unanswered_s = 0.0201;
+  EXPECT_EQ(at(0.0), ArmingNote::kNoAnswer);
+  link.force_word = device::ForceWord::kSame;
+  link.command_age_s = 0.02;
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  EXPECT_FALSE(judge.waits_for_answer());
+  link.command_age_s = 0.0201;
+  link.unanswered_s = 1e-3;
+  EXPECT_EQ(at(0.0), ArmingNote::kSlowAnswer);
+}
+
+}  // namespace
+}  // namespace hapticwall::runtime

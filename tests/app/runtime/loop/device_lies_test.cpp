@@ -1,0 +1,180 @@
+// A device that is wrong but well-formed, in virtual time: the force at the device after the lie,
+// the time until it is zero, and the reason that the person reads.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <string_view>
+
+#include "app/emulator/emulator_options.h"
+#include "tests/app/runtime/loop/lie_rig.h"
+
+namespace hapticwall::runtime::test {
+namespace {
+
+constexpr std::uint64_t kArmMs = 50;
+constexpr std::uint64_t kBeginMs = 1500;
+constexpr std::uint64_t kEndMs = 2600;
+constexpr double kRippleN = 0.5;  // of one count in the wall
+
+constexpr ArmingNote kNone = ArmingNote::kNone;
+constexpr ArmingNote kImplausible = ArmingNote::kImplausible;
+
+// A lie that begins at 1.5 s.
+struct Lie {
+  std::string_view kind;
+  double duration_s;
+  // The note after it while armed, free and in contact; kNone: it does no harm and is no objection.
+  ArmingNote free;
+  ArmingNote in_contact;
+  // The note of a request to arm 100 ms after its begin, with the handle outside the wall.
+  ArmingNote refused;
+  // The force at the device has gone after this time.
+  std::uint64_t within_ms = 1;
+};
+
+constexpr double kShort = 0.001;  // one report
+constexpr double kLong = 0.4;
+
+const Lie kLies[] = {
+    // Rule 1: plausible motion.
+    {"jump=1.5", kShort, kImplausible, kImplausible, kNone},
+    {"jump=-1.5", kShort, kImplausible, kImplausible, kNone},
+    {"jump=1.5", kLong, kImplausible, kImplausible, kImplausible},
+    {"jump=-1.5", kLong, kImplausible, kImplausible, kImplausible},
+    {"jump=0.9", kShort, kImplausible, kImplausible, kNone},
+    {"jump=0.05", kShort, kImplausible, kImplausible, kNone},
+    {"jump=0.05", kLong, kImplausible, kImplausible, ArmingNote::kInsideWall},
+    {"jump=-0.05", kShort, kImplausible, kImplausible, kNone},
+    {"jump=0.012", kShort, kImplausible, kImplausible, kNone},
+    {"jump=-0.012", kLong, kImplausible, kImplausible, kNone},
+    {"jump=1e6", kLong, kImplausible, kImplausible, kImplausible},
+    {"runaway=12", kLong, kImplausible, kImplausible, kImplausible, 2},
+    {"runaway=-12", kLong, kImplausible, kImplausible, kImplausible, 2},
+    {"runaway=500", kLong, kImplausible, kImplausible, kImplausible, 2},
+    // Rule 2: delay.
+    {"slow", kLong, ArmingNote::kNoAnswer, ArmingNote::kNoAnswer, ArmingNote::kSlowAnswer, 21},
+    {"slow=0.03", kLong, ArmingNote::kNoAnswer, ArmingNote::kNoAnswer, ArmingNote::kSlowAnswer, 21},
+    {"slow=0.022", kLong, ArmingNote::kNoAnswer, ArmingNote::kNoAnswer, ArmingNote::kSlowAnswer,
+     21},
+    {"slow=0.005", kLong, kNone, kNone, kNone},
+    {"withheld-answer", kLong, ArmingNote::kSlowAnswer, ArmingNote::kSlowAnswer,
+     ArmingNote::kSlowAnswer},
+    {"withheld-answer=150", kLong, ArmingNote::kSlowAnswer, ArmingNote::kSlowAnswer,
+     ArmingNote::kSlowAnswer},
+    // Rule 3: what was taken away stays away.
+    {"no-answer", kLong, ArmingNote::kNoAnswer, ArmingNote::kNoAnswer, ArmingNote::kNoAnswer, 21},
+    {"no-answer", 0.03, ArmingNote::kNoAnswer, ArmingNote::kNoAnswer, kNone, 21},
+    {"no-answer", 0.01, kNone, kNone, kNone},
+    {"no-output", 0.045, ArmingNote::kNoAnswer, ArmingNote::kNoAnswer, kNone, 21},
+    {"no-output", 0.01, kNone, kNone, kNone},
+    {"not-enabled", kShort, ArmingNote::kNotEnabled, ArmingNote::kNotEnabled, kNone},
+    {"not-enabled", kLong, ArmingNote::kNotEnabled, ArmingNote::kNotEnabled, kNone},
+    {"no-force", kShort, kNone, ArmingNote::kNoForce, kNone},
+    {"no-force", kLong, kNone, ArmingNote::kNoForce, kNone},
+    // Rule 4: the device's word is compared.
+    {"rejects", kShort, ArmingNote::kRejected, ArmingNote::kRejected, kNone, 2},
+    {"rejects", kLong, ArmingNote::kRejected, ArmingNote::kRejected, ArmingNote::kRejected, 21},
+    {"other-force", kLong, kNone, ArmingNote::kOtherForce, kNone, 5},
+    {"other-force=1.1", kLong, kNone, ArmingNote::kOtherForce, kNone, 5},
+    {"other-force=-1", kLong, kNone, ArmingNote::kOtherForce, kNone, 5},
+    {"other-force=0.5", 0.003, kNone, kNone, kNone},
+    {"foreign-force", kLong, ArmingNote::kOtherForce, ArmingNote::kOtherForce,
+     ArmingNote::kOtherForce, 5},
+    {"foreign-force=-0.5", kLong, ArmingNote::kOtherForce, ArmingNote::kOtherForce,
+     ArmingNote::kOtherForce, 5},
+};
+
+device::hid::FaultScript script_of(const Lie& lie, double begin_s = 1e-3 * kBeginMs) {
+  const std::string text =
+      std::string(lie.kind) + "@" + std::to_string(begin_s) + "+" + std::to_string(lie.duration_s);
+  const auto fault = emulator::parse_fault(text);
+  EXPECT_TRUE(fault.ok()) << text;
+  return fault ? device::hid::FaultScript{*fault} : device::hid::FaultScript{};
+}
+
+std::ostream& operator<<(std::ostream& out, const Lie& lie) {
+  return out << lie.kind << " for " << lie.duration_s << " s";
+}
+
+class DeviceLie : public ::testing::TestWithParam<Lie> {};
+
+void expect_armed(const Lie& lie, bool in_contact) {
+  LieRig rig(script_of(lie), in_contact);
+  rig.until_ms(kArmMs);
+  rig.arm();
+  rig.until_ms(kBeginMs - 100);
+  ASSERT_EQ(rig.arming().state, ArmingState::kOn);
+  rig.peak_n = 0.0;
+  rig.until_ms(kBeginMs - 1);
+  const double before_n = rig.peak_n;
+  if (in_contact) EXPECT_GT(before_n, 3.0);
+  if (!in_contact) EXPECT_EQ(before_n, 0.0);
+
+  rig.peak_n = 0.0;
+  const std::uint64_t begin_us = rig.now_us() + 1000;
+  rig.until_ms(kEndMs);
+  const ArmingNote note = in_contact ? lie.in_contact : lie.free;
+  EXPECT_EQ(arming_note_text(rig.arming().note), arming_note_text(note));
+  const double gain = lie.kind.starts_with("other-force=1.1") ? 1.1 : 1.0;
+  EXPECT_LE(rig.peak_n, gain * before_n + kRippleN);
+  if (note == kNone) {
+    EXPECT_EQ(rig.arming().state, ArmingState::kOn);
+    return;
+  }
+  EXPECT_EQ(rig.arming().state, ArmingState::kOff);
+  EXPECT_EQ(rig.arming().gain, 0.0);
+  const std::uint64_t gone_us = rig.last_force_us < begin_us ? 0 : rig.last_force_us - begin_us;
+  EXPECT_LE(gone_us, 1000 * lie.within_ms);
+}
+
+TEST_P(DeviceLie, TakesTheForceAwayInTimeAndForGood) {
+  for (const bool in_contact : {false, true}) {
+    SCOPED_TRACE(in_contact ? "in contact" : "free");
+    expect_armed(GetParam(), in_contact);
+  }
+}
+
+TEST_P(DeviceLie, GivesNoForceWhileDisarmed) {
+  for (const bool in_contact : {false, true}) {
+    LieRig rig(script_of(GetParam()), in_contact);
+    rig.until_ms(kEndMs);
+    EXPECT_EQ(rig.peak_n, 0.0);
+    EXPECT_EQ(rig.arming().state, ArmingState::kOff);
+    EXPECT_EQ(rig.arming().note, kNone);
+  }
+}
+
+TEST_P(DeviceLie, RefusesToArmWhileItLasts) {
+  const Lie& lie = GetParam();
+  LieRig rig(script_of(lie), false);
+  rig.until_ms(kBeginMs + 100);
+  rig.arm();
+  rig.tick();
+  EXPECT_EQ(arming_note_text(rig.arming().note), arming_note_text(lie.refused));
+  EXPECT_EQ(rig.arming().state, lie.refused == kNone ? ArmingState::kRamping : ArmingState::kOff);
+  EXPECT_EQ(rig.arming().asked, 1U);
+  // A lie about a force shows when there is one.
+  rig.until_ms(kBeginMs + 200);
+  if (lie.refused == kNone && lie.duration_s > 0.2) {
+    EXPECT_EQ(arming_note_text(rig.arming().note),
+              arming_note_text(lie.free == kImplausible ? kNone : lie.free));
+  }
+}
+
+TEST_P(DeviceLie, IsForgottenWhenItIsOverAndThePersonArms) {
+  const Lie& lie = GetParam();
+  LieRig rig(script_of(lie), false);
+  rig.until_ms(kArmMs);
+  rig.arm();
+  rig.until_ms(kEndMs);
+  rig.arm();
+  rig.until_ms(kEndMs + 600);
+  EXPECT_EQ(rig.arming().state, ArmingState::kOn);
+  EXPECT_EQ(rig.arming().note, kNone);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, DeviceLie, ::testing::ValuesIn(kLies));
+
+}  // namespace
+}  // namespace hapticwall::runtime::test
