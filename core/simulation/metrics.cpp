@@ -81,8 +81,12 @@ Metrics::Metrics(const Scene& scene, std::uint64_t planned_ticks, bool has_truth
 
 void Metrics::add(const Sample& sample) {
   const double position_m = has_truth_ ? sample.truth.position_m : sample.position_m;
-  if (end_.diverged_at_tick) return;
-  if (has_diverged(position_m) || !std::isfinite(sample.force_n)) return diverge(sample.tick);
+  if (end_.diverged_at_tick || has_diverged(position_m) || !std::isfinite(sample.force_n)) {
+    if (!end_.diverged_at_tick) diverge(sample.tick);
+    // A device was commanded, wherever its handle went.
+    if (!has_truth_) ticks_.add_force(sample.force_n);
+    return;
+  }
   if (has_truth_) {
     if (!initial_kinetic_j_) initial_kinetic_j_ = sample.truth.kinetic_j;
     const PlantTruth& truth = sample.truth;

@@ -76,6 +76,11 @@ class TickMetrics {
     if (tick >= tail_begin_tick_) add_to_tail(stats);
   }
 
+  // A commanded force after the handle has left: only its peak counts.
+  void add_force(double force_n) {
+    if (std::isfinite(force_n)) keep_max(run_.peak_force_n, std::abs(force_n));
+  }
+
   // The energy that the hand has put in so far, by the plant's own account.
   void add_net_work(double net_work_j) { keep_min(run_.passivity_margin_j, net_work_j); }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/command/report/json_report.h"
+#include "app/runtime/loop/device_judge.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
@@ -24,9 +25,12 @@ struct DeviceMarks {
   double age;             // in periods
   double write;           // in periods
   double missing_states;  // share of all
+  double delay;           // in periods
 };
-constexpr DeviceMarks kGoodMarks{1.5, 0.5, 0.0};
-constexpr DeviceMarks kUsableMarks{3.0, 1.0, 1e-3};
+constexpr DeviceMarks kGoodMarks{1.5, 0.5, 0.0, 2.0};
+constexpr DeviceMarks kUsableMarks{3.0, 1.0, 1e-3, 5.0};
+// The device's tick and the loop's differ by parts in a thousand.
+constexpr double kDelayTolerance = 1.01;
 
 double microseconds(std::int64_t nanoseconds) {
   return static_cast<double>(nanoseconds) / kNanosecondsPerMicrosecond;
@@ -34,6 +38,34 @@ double microseconds(std::int64_t nanoseconds) {
 
 double share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+// Of a wall without algorithm, for each N s/m of the device's damping: 1 / (T/2 + t_d).
+double stiffness_left(const TimingPlan& plan, double delay_s) {
+  return 1.0 / (0.5 / plan.rate_hz + delay_s);
+}
+
+// The mean decides: a single slow command disarms at most.
+void judge_delay(const TimingPlan& plan, const device::LinkStats& link,
+                 TimingJudgement& judgement) {
+  const std::string advice = "give the device a USB port of its own";
+  if (link.delay_s <= 0.0) {
+    judge(Measure{1.0, 0.0, 0.0,
+                  "the delay is unknown: the device acknowledged no command; the force cannot be "
+                  "armed",
+                  "its firmware has to follow docs/hid-protocol.md"},
+          judgement);
+    return;
+  }
+  const double period_s = 1.0 / plan.rate_hz;
+  std::string reason = fmt::format(
+      "a force acts {:.0f} us after its position: this leaves {:.0f} N/m without an algorithm for "
+      "each N s/m of damping",
+      link.delay_s * kMicrosecondsPerSecond, stiffness_left(plan, link.delay_s));
+  if (link.delay_s > runtime::kMaxCommandAgeS) reason += "; the force cannot be armed";
+  judge(Measure{link.delay_s, kDelayTolerance * kGoodMarks.delay * period_s,
+                kDelayTolerance * kUsableMarks.delay * period_s, reason, advice},
+        judgement);
 }
 
 void judge_device(const TimingPlan& plan, const TimingRecord& record, TimingJudgement& judgement) {
@@ -60,6 +92,7 @@ void judge_device(const TimingPlan& plan, const TimingRecord& record, TimingJudg
               fmt::format("one write in 100 takes at least {:.0f} us", microseconds(write.p99_ns)),
               "give the device a USB port of its own"},
       judgement);
+  judge_delay(plan, link, judgement);
   if (link.device_period_s <= 0.0) return;
   const double device_rate_hz = 1.0 / link.device_period_s;
   if (std::abs(device_rate_hz / plan.rate_hz - 1.0) > kRateTolerance) {
@@ -112,6 +145,8 @@ std::string link_text(const device::LinkStats& link) {
     text += fmt::format(
         "from a position to its force, t_d: {:.0f} us, max {:.0f} us (by the device's clock)\n",
         link.delay_s * kMicrosecondsPerSecond, link.maximum_delay_s * kMicrosecondsPerSecond);
+  } else {
+    text += "from a position to its force, t_d: unknown\n";
   }
   return text;
 }
@@ -139,7 +174,7 @@ Json device_object(const TimingRecord& record, const std::string& device_name) {
           {"rejected_commands", link.rejected_commands},
           {"losses", link.losses},
           {"device_period_s", link.device_period_s},
-          {"delay_s", link.delay_s},
+          {"delay_s", link.delay_s > 0.0 ? Json(link.delay_s) : Json()},
           {"age", quantiles_object(record.age_ns)},
           {"round_trip", quantiles_object(record.round_trip_ns)},
           {"write", quantiles_object(record.write_ns)}};

@@ -28,10 +28,17 @@ constexpr std::array<NumberKey<DeviceDescription>, 1> kDeviceKeys{
 
 constexpr ValueRange kEncoder{1e-9, 0.01};
 constexpr ValueRange kForceLimit{0.0, 32.767, true};  // a report carries no more
-constexpr std::array<NumberKey<AxisDescription>, 2> kAxisKeys{
+constexpr ValueRange kWorkspaceBegin{-10.0, 0.0};
+constexpr ValueRange kWorkspaceEnd{0.0, 10.0};
+constexpr ValueRange kSpeedLimit{0.0, 100.0, true};
+constexpr std::array<NumberKey<AxisDescription>, 5> kAxisKeys{
     NumberKey<AxisDescription>{"encoder_m", "m", kEncoder, true, &AxisDescription::encoder_m},
     NumberKey<AxisDescription>{"force_limit_n", "N", kForceLimit, true,
-                               &AxisDescription::force_limit_n}};
+                               &AxisDescription::force_limit_n},
+    NumberKey<AxisDescription>{"min_m", "m", kWorkspaceBegin, false, &AxisDescription::min_m},
+    NumberKey<AxisDescription>{"max_m", "m", kWorkspaceEnd, false, &AxisDescription::max_m},
+    NumberKey<AxisDescription>{"max_speed_m_per_s", "m/s", kSpeedLimit, false,
+                               &AxisDescription::max_speed_m_per_s}};
 
 template <typename Owner>
 void read_numbers(TableReader& reader, const toml::table& table,

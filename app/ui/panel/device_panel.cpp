@@ -46,6 +46,11 @@ std::string microseconds(double newest_s, double most_s) {
                      most_s * kMicrosecondsPerSecond);
 }
 
+// Of an acknowledged command; without one it is unknown, not 0.
+std::string answered(double value_s, const std::string& text) {
+  return value_s > 0.0 ? text : "unknown";
+}
+
 void draw_rows(const PanelContext& context, std::span<const ParameterText> rows) {
   for (const ParameterText& text : rows) {
     const auto& key = key_called<DeviceSettings>(text.key);
@@ -65,14 +70,18 @@ void draw_times(const PanelContext& context, const device::LinkStats& link) {
   figure_row(context, "write", microseconds(link.write_time_s, link.maximum_write_time_s),
              draw::Tone::kText,
              "Time for handing a command to the operating system. The loop never waits for it.");
-  figure_row(context, "round trip", microseconds(link.round_trip_s, link.maximum_round_trip_s),
-             draw::Tone::kText,
-             "From the latch of a position to the arrival of the command that it led to, by the "
-             "device's own clock.");
-  figure_row(context, "delay", fmt::format("{:5.0f} µs", link.delay_s * kMicrosecondsPerSecond),
-             draw::Tone::kText,
-             "t_d, from the latch of a position to the tick at which its force acted. It reduces "
-             "the stable stiffness: see the wall.");
+  figure_row(
+      context, "round trip",
+      answered(link.round_trip_s, microseconds(link.round_trip_s, link.maximum_round_trip_s)),
+      draw::Tone::kText,
+      "From the latch of a position to the arrival of the command that it led to, by the "
+      "device's own clock.");
+  figure_row(
+      context, "delay",
+      answered(link.delay_s, fmt::format("{:5.0f} µs", link.delay_s * kMicrosecondsPerSecond)),
+      draw::Tone::kText,
+      "t_d, from the latch of a position to the tick at which its force acted. It reduces "
+      "the stable stiffness: see the wall.");
 }
 
 void draw_counts(const PanelContext& context, const device::LinkStats& link) {

@@ -101,6 +101,27 @@ TEST(TimingVerdictTest, ADevicesLossesAgesAndWritesCount) {
   EXPECT_THAT(judgement.advice.back(), HasSubstr("--set sampling.rate_hz=2000"));
 }
 
+TEST(TimingVerdictTest, TheDelayIsJudgedAndUnknownIsNotZero) {
+  const auto judged = [](double delay_s) {
+    TimingRecord record = quiet_device();
+    record.link.delay_s = delay_s;
+    return judge_timing(usual_plan(), record, true);
+  };
+  EXPECT_EQ(judged(2.01e-3).verdict, TimingVerdict::kGood);
+  EXPECT_EQ(judged(2.1e-3).verdict, TimingVerdict::kUsable);
+  EXPECT_EQ(judged(5.1e-3).verdict, TimingVerdict::kPoor);
+  EXPECT_THAT(judged(5.1e-3).reasons.back(), HasSubstr("leaves 179 N/m"));
+  EXPECT_THAT(judged(5.1e-3).reasons.back(), Not(HasSubstr("cannot be armed")));
+  EXPECT_THAT(judged(0.051).reasons.back(), HasSubstr("cannot be armed"));
+  EXPECT_EQ(judged(0.0).verdict, TimingVerdict::kPoor);
+  EXPECT_THAT(judged(0.0).reasons.back(), HasSubstr("unknown"));
+  TimingRecord record = quiet_device();
+  record.link.delay_s = 0.0;
+  EXPECT_THAT(timing_text(usual_plan(), record, "paddle"), HasSubstr("t_d: unknown"));
+  const auto json = nlohmann::json::parse(timing_json(usual_plan(), record, "paddle"));
+  EXPECT_TRUE(json["device"]["delay_s"].is_null());
+}
+
 TEST(TimingReport, TextHasTableHistogramAndVerdict) {
   TimingRecord record = quiet_device();
   record.latency_ns[0] = 1500 * kMicrosecondNs;

@@ -22,6 +22,9 @@ serial = "A-1"
 [x]
 encoder_m = 1e-5
 force_limit_n = 5
+min_m = -0.05
+max_m = 0.06
+max_speed_m_per_s = 3
 [y]
 encoder_m = 2e-5
 force_limit_n = 32.767
@@ -30,9 +33,14 @@ force_limit_n = 32.767
 TEST(DeviceFile, ReadsEveryKey) {
   const Result<DeviceDescription> device = parse_device(kWholeDevice, "d.toml");
   ASSERT_TRUE(device) << device.error().message;
-  const DeviceDescription expected{
-      "Stick",     "a ruler and a spring scale", 500.0, 0x1209, 0xffff, "A-1",
-      {1e-5, 5.0}, AxisDescription{2e-5, 32.767}};
+  const DeviceDescription expected{"Stick",
+                                   "a ruler and a spring scale",
+                                   500.0,
+                                   0x1209,
+                                   0xffff,
+                                   "A-1",
+                                   {1e-5, 5.0, -0.05, 0.06, 3.0},
+                                   AxisDescription{2e-5, 32.767}};
   EXPECT_EQ(*device, expected);
 }
 

@@ -106,6 +106,19 @@ TEST(Metrics, ADivergedRunStopsCounting) {
   }
 }
 
+// A handle that jumps does not hide the force that the device was commanded.
+TEST(Metrics, OfADeviceEveryCommandedForceCounts) {
+  for (const bool has_truth : {false, true}) {
+    Metrics metrics(wall_at_ten_hertz(), 10, has_truth);
+    metrics.add(at(0, 0.0, 1.0));
+    metrics.add(at(1, 1.5, -8.9));
+    metrics.add(at(2, 0.0, 2.0));
+    metrics.add(at(3, 0.0, std::numeric_limits<double>::infinity()));
+    EXPECT_EQ(metrics.finish().peak_force_n, has_truth ? 1.0 : 8.9);
+    EXPECT_EQ(metrics.finish().ticks, 1U);
+  }
+}
+
 // The tail is exactly the last ten ticks: one before it and one inside it tell.
 TEST(Metrics, TheTailBeginsAtItsFirstTick) {
   for (const std::uint64_t spike : {9U, 10U}) {
