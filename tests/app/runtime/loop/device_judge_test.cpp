@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/app/runtime/loop/loop_bench.h"
+
 namespace hapticwall::runtime {
 namespace {
 
@@ -90,6 +92,41 @@ TEST_F(Judged, UnknownIsUnknown) {
   link.command_age_s = 0.0201;
   link.unanswered_s = 1e-3;
   EXPECT_EQ(at(0.0), ArmingNote::kSlowAnswer);
+}
+
+// Not even one command with force leaves in the tick of an objection, and the arming asks for an
+// answer first.
+TEST(JudgedLoop, AnObjectionGivesNoForceInTheSameTick) {
+  Scene scene;
+  scene.x().walls = {{0.05, 1000.0, 0.0}};
+  scene.algorithm.index = find_algorithm("none").value();
+  for (const bool jumps : {false, true}) {
+    test::LoopBench<test::FakeDevice> bench(scene);
+    bench.device.position_m = 0.049;
+    bench.device.figures.connected = true;
+    bench.command(CommandKind::kArm);
+    bench.cycles(10);
+    EXPECT_EQ(bench.snapshot().arming.state, ArmingState::kOff);
+    EXPECT_EQ(bench.snapshot().arming.asked, 0U);
+    bench.device.figures.force_word = device::ForceWord::kSame;
+    bench.cycles(600);
+    ASSERT_EQ(bench.snapshot().arming.state, ArmingState::kOn);
+    bench.device.position_m = 0.052;
+    bench.cycles(1);
+    ASSERT_NEAR(bench.device.forces_n.back(), 2.0, 1e-9);
+    const std::size_t written = bench.device.forces_n.size();
+    if (jumps) bench.device.position_m = 1.2;
+    if (!jumps) bench.device.figures.rejected_commands = 1;
+    bench.cycles(1);
+    for (std::size_t i = written; i < bench.device.forces_n.size(); ++i) {
+      EXPECT_EQ(bench.device.forces_n[i], 0.0);
+      EXPECT_FALSE(bench.device.enabled_at_write[i]);
+    }
+    EXPECT_EQ(bench.snapshot().newest.x().force_n, 0.0);
+    EXPECT_EQ(bench.snapshot().newest.x().flags & kFlagDeviceFault, jumps ? kFlagDeviceFault : 0U);
+    EXPECT_EQ(bench.snapshot().arming.note,
+              jumps ? ArmingNote::kImplausible : ArmingNote::kRejected);
+  }
 }
 
 }  // namespace
