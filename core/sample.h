@@ -20,6 +20,7 @@ enum SampleFlag : std::uint32_t {
   kFlagStaleInput = 8,
   kFlagParametersChanged = 16,  // first tick that uses new parameters
   kFlagDeviceFault = 32,
+  kFlagForceRate = 64,  // the force rose slower than the law asked
 };
 
 // Known to a simulator only: at the instant of the tick, before its force acts.

@@ -28,8 +28,9 @@ struct DeviceInfo {
   bool is_simulated = false;
   // Reported by a real device once it is open, for the loop's axis; 0: unknown.
   double encoder_m = 0.0;
-  double force_limit_n = 0.0;  // overrides a larger one of the scene
-  MotionLimits motion{};       // of a real device
+  double force_limit_n = 0.0;           // overrides a larger one of the scene
+  MotionLimits motion{};                // of a real device
+  double max_force_rate_n_per_s = 0.0;  // at which a force may rise; 0: any
 };
 
 // Call open() once, then read() and write() alternately once a tick from one thread, then close().

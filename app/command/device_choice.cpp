@@ -23,7 +23,10 @@ bool names_a_device_file(const std::string& path) {
 }
 
 device::AxisDescription description_of(const file::AxisDescription& axis) {
-  return {axis.encoder_m, axis.force_limit_n, {axis.min_m, axis.max_m, axis.max_speed_m_per_s}};
+  return {axis.encoder_m,
+          axis.force_limit_n,
+          {axis.min_m, axis.max_m, axis.max_speed_m_per_s},
+          axis.max_force_rate_n_per_s};
 }
 
 device::ImpulseEngineOptions described_by(const file::DeviceDescription& description) {

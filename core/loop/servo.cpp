@@ -46,7 +46,9 @@ void Servo::reset() {
   stabiliser_.reset();
   const double budget_n_per_m = state_.budget_n_per_m;
   const double force_gain = state_.force_gain;
+  const double max_rise_n = state_.max_rise_n;
   state_ = ServoState{};
+  state_.max_rise_n = max_rise_n;
   state_.budget_n_per_m = budget_n_per_m;
   state_.force_gain = force_gain;
 }

@@ -76,7 +76,9 @@ struct ServoState {
   // Share of the force that reaches the device, 0 to 1; less than 1 until the device is fully
   // armed.
   double force_gain = 1.0;
-  double previous_gain = 1.0;   // of the previous force
+  double previous_gain = 1.0;  // of the previous force
+  // Of the force's magnitude in a tick; infinite on a simulator.
+  double max_rise_n = std::numeric_limits<double>::infinity();
   bool position_known = false;  // the last reading was without fault
   bool parameters_changed = false;
   bool failed = false;  // a force that was not finite; sticky until reset
@@ -97,9 +99,18 @@ struct TickOutcome {
   bool stale = false;
   bool fault = false;
   bool parameters_changed = false;
+  bool rate_limited = false;
 };
 
 namespace detail {
+
+// From the previous force of the same sign, else from zero; the force falls at once. Realtime-safe:
+// yes.
+[[nodiscard]] inline double limit_rise(double force_n, const ServoState& state) {
+  const bool same_sign = (force_n > 0.0) == (state.previous_force_n > 0.0);
+  const double from_n = same_sign ? std::abs(state.previous_force_n) : 0.0;
+  return std::clamp(force_n, -from_n - state.max_rise_n, from_n + state.max_rise_n);
+}
 
 // Finite check, then clamp; zero if the input is not usable. Realtime-safe: yes.
 [[nodiscard]] inline double restrict_force(double wanted_n, double limit_n, bool usable,
@@ -198,6 +209,13 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
     out.saturated = out.saturated || std::abs(wanted_n) > limit_n;
     out.force_n = detail::restrict_force(wanted_n, limit_n, !out.stale && !out.fault, state);
   }
+  if constexpr (!kKnown.steady) {
+    if (std::isfinite(state.max_rise_n)) [[unlikely]] {
+      const double risen_n = detail::limit_rise(out.force_n, state);
+      out.rate_limited = risen_n != out.force_n;
+      out.force_n = risen_n;
+    }
+  }
   device.write(out.force_n);
 
   state.ledger.add(out.force_n, state.previous_force_n, out.displacement_m, state.budget_n_per_m);
@@ -241,7 +259,8 @@ inline void write_sample(const ServoSettings& settings, const EnergyLedger& ledg
   sample.flags = flag(out.contact.in_contact, kFlagInContact) |
                  flag(out.saturated, kFlagForceLimit) | flag(out.intervened, kFlagIntervened) |
                  flag(out.stale, kFlagStaleInput) | flag(out.fault, kFlagDeviceFault) |
-                 flag(out.parameters_changed, kFlagParametersChanged);
+                 flag(out.parameters_changed, kFlagParametersChanged) |
+                 flag(out.rate_limited, kFlagForceRate);
 }
 
 }  // namespace hapticwall

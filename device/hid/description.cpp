@@ -60,6 +60,9 @@ AxisDescription axis_of(const InfoReport* info, std::size_t axis,
                                   : info->maximum_force_n[axis];
   }
   described.force_limit_n = whole_millinewtons(described.force_limit_n);
+  if (described.max_force_rate_n_per_s <= 0.0 && described.force_limit_n > kFreeRiseN) {
+    described.max_force_rate_n_per_s = described.force_limit_n / kForceRiseS;
+  }
   return described;
 }
 

@@ -35,6 +35,10 @@ struct DeviceDescription {
   friend bool operator==(const DeviceDescription&, const DeviceDescription&) = default;
 };
 
+// A device with a larger force limit reaches it in kForceRiseS, if its file gives no rate.
+inline constexpr double kFreeRiseN = 10.0;
+inline constexpr double kForceRiseS = 2e-3;
+
 // Reads INFO from an open device and merges it with the options. Fails if INFO is void, or if
 // neither source describes axis x. Realtime-safe: no.
 [[nodiscard]] Result<DeviceDescription> describe(const Listing& listing, Handle& handle,

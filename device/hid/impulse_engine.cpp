@@ -33,6 +33,7 @@ DeviceInfo ImpulseEngine::info() const {
   info.encoder_m = description->axis[0].encoder_m;
   info.force_limit_n = description->axis[0].force_limit_n;
   info.motion = description->axis[0].motion;
+  info.max_force_rate_n_per_s = description->axis[0].max_force_rate_n_per_s;
   return info;
 }
 

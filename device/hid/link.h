@@ -22,7 +22,8 @@ namespace hapticwall::device {
 struct AxisDescription {
   double encoder_m = 0.0;
   double force_limit_n = 0.0;
-  MotionLimits motion{};  // known from a device file only
+  MotionLimits motion{};                // known from a device file only
+  double max_force_rate_n_per_s = 0.0;  // of a device file; 0: the default, see describe()
 
   friend bool operator==(const AxisDescription&, const AxisDescription&) = default;
 };

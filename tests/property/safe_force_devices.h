@@ -64,7 +64,9 @@ struct Commands {
 // Its handle is anywhere: plausible motion is tested elsewhere.
 class FaultyDevice : public device::Device {
  public:
-  [[nodiscard]] DeviceInfo info() const override { return {"faulty", false, 0.0, 0.0, kAnywhere}; }
+  [[nodiscard]] DeviceInfo info() const override {
+    return {"faulty", false, 0.0, 0.0, kAnywhere, 0.0};
+  }
   [[nodiscard]] Failure open() override { return std::nullopt; }
   [[nodiscard]] DeviceReading read() override {
     if (commands.throws_at_read) throw std::runtime_error("read");

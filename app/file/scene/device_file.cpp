@@ -30,13 +30,16 @@ constexpr ValueRange kEncoder{1e-9, 0.01};
 constexpr ValueRange kForceLimit{0.0, 32.767, true};  // a report carries no more
 constexpr ValueRange kWorkspaceBegin{-10.0, 0.0};
 constexpr ValueRange kWorkspaceEnd{0.0, 10.0};
+constexpr ValueRange kForceRate{0.0, 1e6, true};
 constexpr ValueRange kSpeedLimit{0.0, 100.0, true};
-constexpr std::array<NumberKey<AxisDescription>, 5> kAxisKeys{
+constexpr std::array<NumberKey<AxisDescription>, 6> kAxisKeys{
     NumberKey<AxisDescription>{"encoder_m", "m", kEncoder, true, &AxisDescription::encoder_m},
     NumberKey<AxisDescription>{"force_limit_n", "N", kForceLimit, true,
                                &AxisDescription::force_limit_n},
     NumberKey<AxisDescription>{"min_m", "m", kWorkspaceBegin, false, &AxisDescription::min_m},
     NumberKey<AxisDescription>{"max_m", "m", kWorkspaceEnd, false, &AxisDescription::max_m},
+    NumberKey<AxisDescription>{"max_force_rate_n_per_s", "N/s", kForceRate, false,
+                               &AxisDescription::max_force_rate_n_per_s},
     NumberKey<AxisDescription>{"max_speed_m_per_s", "m/s", kSpeedLimit, false,
                                &AxisDescription::max_speed_m_per_s}};
 

@@ -13,11 +13,12 @@
 namespace hapticwall::file {
 
 struct AxisDescription {
-  double encoder_m = 0.0;           // travel of the hand per count, 1e-9 to 0.01
-  double force_limit_n = 0.0;       // more than 0, at most 32.767
-  double min_m = -1.0;              // workspace, -10 to 0
-  double max_m = 1.0;               // 0 to 10
-  double max_speed_m_per_s = 10.0;  // of the handle, more than 0, at most 100
+  double encoder_m = 0.0;               // travel of the hand per count, 1e-9 to 0.01
+  double force_limit_n = 0.0;           // more than 0, at most 32.767
+  double min_m = -1.0;                  // workspace, -10 to 0
+  double max_m = 1.0;                   // 0 to 10
+  double max_force_rate_n_per_s = 0.0;  // more than 0, at most 1e6; 0: not given
+  double max_speed_m_per_s = 10.0;      // of the handle, more than 0, at most 100
 
   friend bool operator==(const AxisDescription&, const AxisDescription&) = default;
 };

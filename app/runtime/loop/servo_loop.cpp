@@ -81,7 +81,12 @@ ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exch
     LoopAxis& axis =
         axes_.emplace_back(LoopAxis{*device, Servo(initial.axes.at(axes_.size()).servo)});
     const device::DeviceInfo info = device->info();
-    if (!info.is_simulated) axis.judge.emplace(info);
+    if (info.is_simulated) continue;
+    axis.judge.emplace(info);
+    if (info.max_force_rate_n_per_s > 0.0) {
+      axis.servo.state().max_rise_n =
+          info.max_force_rate_n_per_s * axis.servo.settings().period_s();
+    }
   }
   snapshot_.newest.count = static_cast<std::uint8_t>(axes_.size());
   snapshot_.generation = initial.generation;

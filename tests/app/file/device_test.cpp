@@ -25,6 +25,7 @@ force_limit_n = 5
 min_m = -0.05
 max_m = 0.06
 max_speed_m_per_s = 3
+max_force_rate_n_per_s = 2500
 [y]
 encoder_m = 2e-5
 force_limit_n = 32.767
@@ -39,7 +40,7 @@ TEST(DeviceFile, ReadsEveryKey) {
                                    0x1209,
                                    0xffff,
                                    "A-1",
-                                   {1e-5, 5.0, -0.05, 0.06, 3.0},
+                                   {1e-5, 5.0, -0.05, 0.06, 2500.0, 3.0},
                                    AxisDescription{2e-5, 32.767}};
   EXPECT_EQ(*device, expected);
 }

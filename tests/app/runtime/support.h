@@ -146,7 +146,7 @@ class FakeClock : public Clock {
 class FakeDevice : public device::Device {
  public:
   [[nodiscard]] device::DeviceInfo info() const override {
-    return {"fake", false, encoder_m, force_limit_n};
+    return {"fake", false, encoder_m, force_limit_n, {}, max_force_rate_n_per_s};
   }
   [[nodiscard]] Failure open() override {
     log.emplace_back("open");
@@ -171,6 +171,7 @@ class FakeDevice : public device::Device {
   DeviceState state = DeviceState::kOk;
   double encoder_m = 0.0;
   double force_limit_n = 0.0;
+  double max_force_rate_n_per_s = 0.0;
   device::LinkStats figures;
   Failure open_failure;
   int throw_at_read = 0;  // number of the read; 0: never

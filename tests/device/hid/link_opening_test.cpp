@@ -136,6 +136,29 @@ TEST(LinkOpening, TheFilesEncoderWinsAndTheSmallerForce) {
   }
 }
 
+// Up to 10 N a law is felt as it is; a stronger device needs 2 ms to its limit, or as its file
+// says.
+TEST(LinkOpening, AStrongDeviceRaisesItsForceInTwoMilliseconds) {
+  for (const double limit_n : {8.9, 20.0}) {
+    for (const double rate : {0.0, 500.0}) {
+      hid::testing::FakeBus bus;
+      hid::EmulatorSettings settings = hid::testing::one_axis();
+      settings.axes[0].x().device.force_limit_n = limit_n;
+      bus.add(hid::testing::usual_listing(), settings);
+      hid::testing::FakePort port(bus);
+      ASSERT_TRUE(port.list());
+      const auto handle = port.open("/dev/hidraw0");
+      ASSERT_TRUE(handle);
+      ImpulseEngineOptions options;
+      if (rate > 0.0) options.axes[0] = AxisDescription{1e-4, limit_n, {}, rate};
+      const auto described = hid::describe(hid::testing::usual_listing(), **handle, options);
+      ASSERT_TRUE(described);
+      const double usual = limit_n > 10.0 ? limit_n / 2e-3 : 0.0;
+      EXPECT_DOUBLE_EQ(described->axis[0].max_force_rate_n_per_s, rate > 0.0 ? rate : usual);
+    }
+  }
+}
+
 TEST(LinkOpening, ADeviceThatDescribedItselfHasToGoOnDoingSo) {
   ImpulseEngineOptions options;
   options.axes[0] = AxisDescription{0.25e-3, 20.0};  // more than the device allows

@@ -227,6 +227,47 @@ TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
   }
 }
 
+// Of its magnitude, from zero after a change of sign; it falls at once. Ledger and sample have what
+// was commanded.
+TEST(ArmedLoop, ADeviceMayLimitTheRateAtWhichItsForceRises) {
+  struct Slow : FakeDevice {
+    Slow() { max_force_rate_n_per_s = 700.0; }
+  };
+  LoopBench<Slow> bench(bare_wall());
+  Slow& device = bench.device;
+  device.position_m = 0.0499;
+  bench.command(CommandKind::kReset);  // the limit stays
+  bench.cycles(1);
+  bench.command(CommandKind::kArm);
+  bench.cycles(kRampTicks + 2);
+  device.position_m = kArmingInsideM;  // 2 N
+  const double energy_j = bench.snapshot().newest.x().energy_cv_j;
+  for (const double expected_n : {0.7, 1.4, 2.0, 2.0}) {
+    bench.cycles(1);
+    const Sample sample = bench.snapshot().newest.x();
+    EXPECT_NEAR(device.forces_n.back(), expected_n, 1e-9);
+    EXPECT_EQ(sample.force_n, device.forces_n.back());
+    EXPECT_EQ((sample.flags & kFlagForceRate) != 0, expected_n < 2.0);
+  }
+  EXPECT_NE(bench.snapshot().newest.x().energy_cv_j, energy_j);
+  device.position_m = 0.0499;
+  bench.cycles(1);
+  EXPECT_EQ(device.forces_n.back(), 0.0);
+  EXPECT_EQ(bench.snapshot().newest.x().flags & kFlagForceRate, 0U);
+}
+
+TEST(ServoRise, IsOfTheMagnitude) {
+  ServoState state;
+  state.max_rise_n = 1.0;
+  state.previous_force_n = 3.0;
+  EXPECT_EQ(hapticwall::detail::limit_rise(9.0, state), 4.0);
+  EXPECT_EQ(hapticwall::detail::limit_rise(0.5, state), 0.5);
+  EXPECT_EQ(hapticwall::detail::limit_rise(-9.0, state), -1.0);
+  state.previous_force_n = -3.0;
+  EXPECT_EQ(hapticwall::detail::limit_rise(-9.0, state), -4.0);
+  EXPECT_EQ(hapticwall::detail::limit_rise(9.0, state), 1.0);
+}
+
 TEST(ArmedLoop, DisarmActsAtTheNextTick) {
   RealLoop real;
   real.arm();
