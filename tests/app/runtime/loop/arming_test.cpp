@@ -111,7 +111,7 @@ TEST(Arming, ContactAndChangesOfTheWallInsideItAreWhatItIsFor) {
 }
 
 TEST(Arming, EveryNoteHasWords) {
-  for (int note = 1; note <= static_cast<int>(ArmingNote::kLate); ++note) {
+  for (std::size_t note = 1; note < kArmingNoteTexts.size(); ++note) {
     EXPECT_FALSE(arming_note_text(static_cast<ArmingNote>(note)).empty()) << note;
   }
   EXPECT_TRUE(arming_note_text(ArmingNote::kNone).empty());
