@@ -154,7 +154,8 @@ class FakeDevice : public device::Device {
   }
   [[nodiscard]] DeviceReading read() override {
     if (throw_at_read != 0 && ++reads == throw_at_read) throw std::runtime_error("unplugged");
-    return {position_m, age_s, state, 2.0 * position_m};
+    device_time_s += 1.0;  // between two reads its handle may move by 0.2 m
+    return {position_m, age_s, state, device_time_s};
   }
   void enable(bool wanted) override { enabled = wanted; }
   [[nodiscard]] device::LinkStats link() const override { return figures; }
@@ -169,6 +170,7 @@ class FakeDevice : public device::Device {
   double position_m = 0.0;
   double age_s = 0.0;
   DeviceState state = DeviceState::kOk;
+  double device_time_s = 0.0;
   double encoder_m = 0.0;
   double force_limit_n = 0.0;
   double max_force_rate_n_per_s = 0.0;

@@ -90,7 +90,10 @@ class Shared {
 class SharedDevice : public device::Device {
  public:
   explicit SharedDevice(Heard& heard) : heard_(heard) {}
-  [[nodiscard]] device::DeviceInfo info() const override { return {"shared", false, 0.0, 0.0}; }
+  [[nodiscard]] device::DeviceInfo info() const override {
+    constexpr device::MotionLimits kFast{-1.0, 1.0, 1e6};  // a test moves its handle at once
+    return {"shared", false, 0.0, 0.0, kFast, 0.0};
+  }
   [[nodiscard]] Failure open() override { return std::nullopt; }
   [[nodiscard]] DeviceReading read() override {
     if (on_read) on_read();
