@@ -11,7 +11,14 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 add_library(hapticwall_common_options INTERFACE)
 # Results are the same on every machine: no FMA contraction, no -ffast-math, no -march=native.
-target_compile_options(hapticwall_common_options INTERFACE -ffp-contract=off -fstack-protector-strong)
+target_compile_options(
+  hapticwall_common_options INTERFACE -ffp-contract=off -fstack-protector-strong
+                                      -fstack-clash-protection)
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-fcf-protection HAPTICWALL_HAS_CF_PROTECTION)  # x86
+if(HAPTICWALL_HAS_CF_PROTECTION)
+  target_compile_options(hapticwall_common_options INTERFACE -fcf-protection)
+endif()
 # Links only libraries that are used; some distributions make that the default.
 target_link_options(hapticwall_common_options INTERFACE -Wl,-z,relro,-z,now -Wl,--as-needed)
 if(HAPTICWALL_SANITIZE)
@@ -27,7 +34,8 @@ if(HAPTICWALL_SANITIZE)
 else()
   target_compile_options(
     hapticwall_common_options
-    INTERFACE $<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2>)
+    INTERFACE $<$<CONFIG:Release,RelWithDebInfo,MinSizeRel>:-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2
+              -D_GLIBCXX_ASSERTIONS>)
 endif()
 
 add_library(hapticwall_options INTERFACE)
