@@ -40,7 +40,8 @@ struct Summary {
   std::string scene;
   std::string algorithm;
   Verdict verdict = Verdict::kSettled;
-  double duration_s = 0.0;  // simulated
+  std::optional<std::string> verdict_note;  // what its reader must know
+  double duration_s = 0.0;                  // simulated
   std::uint64_t ticks = 0;
   std::optional<std::uint64_t> diverged_at_tick;
   // From a wall clock; the caller that has one fills them.
@@ -52,7 +53,7 @@ struct Summary {
   std::optional<double> tail_force_std_n;
   std::optional<double> displayed_stiffness_n_per_m;  // nullopt if the tail has no contact
   // Over the whole run.
-  std::optional<double> max_penetration_m;  // nullopt without a wall or a tick
+  std::optional<double> max_penetration_m;  // nullopt without a contact
   double peak_force_n = 0.0;
   std::uint64_t saturated_ticks = 0;
   std::uint64_t contacts = 0;  // entries into the wall
@@ -75,9 +76,10 @@ struct Summary {
 // The axes of one run, x first. Precondition of its readers: not empty.
 using RunSummary = std::vector<Summary>;
 
-using SummaryMember = std::variant<std::string Summary::*, Verdict Summary::*, double Summary::*,
-                                   std::uint64_t Summary::*, std::optional<double> Summary::*,
-                                   std::optional<std::uint64_t> Summary::*>;
+using SummaryMember =
+    std::variant<std::string Summary::*, Verdict Summary::*, double Summary::*,
+                 std::uint64_t Summary::*, std::optional<std::string> Summary::*,
+                 std::optional<double> Summary::*, std::optional<std::uint64_t> Summary::*>;
 
 struct SummaryKey {
   std::string_view name;  // in JSON, CSV, --expect and --sort
@@ -116,6 +118,7 @@ inline constexpr std::array<SummaryKey, 29> kSummaryKeys{
      {"energy_balance_error_j", &Summary::energy_balance_error_j},
      {"energy_balance_relative", &Summary::energy_balance_relative},
      {"passivity_margin_j", &Summary::passivity_margin_j},
-     {"diverged_at_tick", &Summary::diverged_at_tick}}};
+     {"diverged_at_tick", &Summary::diverged_at_tick},
+     {"verdict_note", &Summary::verdict_note, true}}};
 
 }  // namespace hapticwall

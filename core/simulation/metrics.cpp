@@ -46,9 +46,8 @@ Summary summarise(const Scene& scene, const RunStats& stats, const EnergyLedger&
   summary.diverged_at_tick = end.diverged_at_tick;
   write_tail(stats, summary);
   summary.verdict = verdict_of(summary);
-  if (!scene.x().walls.empty() && stats.max_penetration_m > -RunStats::kInfinity) {
-    summary.max_penetration_m = stats.max_penetration_m;
-  }
+  if (stats.tail_ticks > 0 && summary.duration_s < kTailS) summary.verdict_note = kShortRun;
+  if (stats.contacts > 0) summary.max_penetration_m = stats.max_penetration_m;
   summary.peak_force_n = stats.peak_force_n;
   summary.saturated_ticks = stats.saturated_ticks;
   summary.contacts = stats.contacts;

@@ -25,6 +25,7 @@ inline constexpr double kSettledPeakToPeakM = 1e-4;
 inline constexpr double kSettledForceStdN = 0.3;
 // The tail of a run is its last second.
 inline constexpr double kTailS = 1.0;
+inline constexpr const char* kShortRun = "the run is shorter than the tail of 1 s";
 
 // One tick's contribution.
 struct TickStats {

@@ -87,7 +87,7 @@ constexpr std::size_t kHeadRows = 2;     // titles and units
 constexpr std::size_t kTextColumns = 2;  // left-aligned; the rest are numbers
 
 std::string_view tail_label(const Summary& s) {
-  return s.tail_peak_to_peak_m && s.duration_s < kTailS ? "whole run" : "last second";
+  return s.verdict_note ? "whole run" : "last second";
 }
 
 std::string tail_text(const Summary& s) {
@@ -97,8 +97,7 @@ std::string tail_text(const Summary& s) {
 }
 
 std::string contact_text(const Summary& s) {
-  if (!s.max_penetration_m) return "none";
-  if (s.contacts == 0) return "not touched";
+  if (s.contacts == 0) return "no contact";
   return fmt::format(
       "{} contact{}, at most {} mm deep, peak force {} N, {} ticks at the force limit", s.contacts,
       s.contacts == 1 ? "" : "s", millimetres(s.max_penetration_m), newtons(s.peak_force_n),

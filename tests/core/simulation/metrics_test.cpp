@@ -86,11 +86,19 @@ TEST(Metrics, AFigureThatDoesNotApplyIsAbsent) {
   never_touched.add(at(0, 0.0, 0.0));
   EXPECT_FALSE(never_touched.finish().displayed_stiffness_n_per_m.has_value());
   EXPECT_FALSE(never_touched.finish().kinetic_j.has_value());
-  EXPECT_TRUE(never_touched.finish().max_penetration_m.has_value());
+  EXPECT_FALSE(never_touched.finish().max_penetration_m.has_value());
   scene.x().walls.clear();
   Metrics no_wall(scene, 2, false);
   no_wall.add(at(0, 0.0, 0.0));
   EXPECT_FALSE(no_wall.finish().max_penetration_m.has_value());
+}
+
+TEST(Metrics, ARunShorterThanItsTailSaysSo) {
+  for (const std::uint64_t ticks : {9U, 10U}) {
+    Metrics metrics(wall_at_ten_hertz(), ticks, true);
+    for (std::uint64_t k = 0; k < ticks; ++k) metrics.add(at(k, 0.0, 0.0));
+    EXPECT_EQ(metrics.finish().verdict_note.has_value(), ticks < 10);
+  }
 }
 
 TEST(Metrics, ADivergedRunStopsCounting) {
