@@ -1,11 +1,13 @@
 #include "app/command/signals.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <atomic>
 #include <csignal>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "app/command/report/terminal.h"
 #include "app/runtime/loop/crash_stop.h"
@@ -22,16 +24,33 @@ extern "C" void hapticwall_on_stop_signal(int signal) {
   if (g_stop_signal.exchange(signal) == signal) runtime::end_by(signal);
 }
 
+// Also the threads have a stack of this size.
+Failure check_stack() {
+  constexpr rlim_t kMinBytes = rlim_t{1} << 20U;
+  constexpr rlim_t kBytesPerKib = 1024;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kMinBytes) return {};
+  return usage_error(
+      fmt::format("the stack limit is {} KiB, and the program needs {}: 'ulimit -s 8192' raises it",
+                  limit.rlim_cur / kBytesPerKib, kMinBytes / kBytesPerKib));
+}
+
 }  // namespace
 
 int run_guarded(const std::function<Result<int>()>& program) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
+    if (Failure failed = check_stack()) return report(*failed);
     const Result<int> status = program();
     return status ? *status : report(status.error());
   } catch (const SimulationRefused& refused) {
     return report({ErrorKind::kUsage, refused.what()});
+  } catch (const std::system_error& error) {
+    return report({ErrorKind::kUsage,
+                   fmt::format("the system refused a thread or a resource: {}; 'ulimit -a' shows "
+                               "the limits",
+                               error.what())});
   } catch (const std::bad_alloc&) {
     return report({ErrorKind::kUsage, "out of memory: choose a smaller scene or study"});
   } catch (const std::exception& error) {

@@ -5,10 +5,15 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace hapticwall::draw {
 namespace {
@@ -57,6 +62,21 @@ EGLDisplay open_display() {
   return display;
 }
 
+// Mesa waits forever for a thread that could not be started.
+bool can_start_threads() {
+  constexpr std::size_t kMaxThreads = 32;  // of Mesa
+  const std::size_t count = std::min<std::size_t>(std::thread::hardware_concurrency(), kMaxThreads);
+  std::atomic<bool> end = false;
+  std::vector<std::jthread> threads;
+  try {
+    while (threads.size() < count) threads.emplace_back([&] { end.wait(false); });
+  } catch (const std::system_error&) {
+  }
+  end = true;
+  end.notify_all();
+  return threads.size() == count;
+}
+
 class Context final : public OffscreenContext {
  public:
   explicit Context(EGLDisplay display) : display_(display) {}
@@ -97,6 +117,10 @@ class Context final : public OffscreenContext {
 }  // namespace
 
 Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
+  if (!can_start_threads()) {
+    return Error{ErrorKind::kFile,
+                 "pictures need a thread for each core, and no more can be started ('ulimit -u')"};
+  }
   const EGLDisplay display = open_display();
   if (display == EGL_NO_DISPLAY) {
     return Error{ErrorKind::kFile,
