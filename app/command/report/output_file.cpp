@@ -1,13 +1,59 @@
 #include "app/command/report/output_file.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <future>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "app/command/report/terminal.h"
+#include "app/command/signals.h"
+#include "app/file/text/text.h"
 
 namespace hapticwall::command {
+namespace {
+
+// "-", /dev/stdout and whatever else names the descriptor.
+Result<bool> is_standard_output(const std::string& path) {
+  if (path == kStandardOutput) return true;
+  const Result<file::OutputPlace> place = file::output_place(path);
+  if (!place) return place.error();
+  return place->descriptor == STDOUT_FILENO;
+}
+
+// Appends: a stream that is a file after all may have content.
+std::FILE* open_stream(const file::OutputPlace& place) {
+  if (!place.descriptor) return std::fopen(place.path.c_str(), "ae");
+  const int descriptor = fcntl(*place.descriptor, F_DUPFD_CLOEXEC, 0);
+  return descriptor < 0 ? nullptr : fdopen(descriptor, "w");
+}
+
+// Draws and encodes; the thread may outlive the wait.
+Result<std::string> encoded(const std::function<Result<file::Picture>()>& draw) {
+  const Result<file::Picture> figure = draw();
+  if (!figure) return figure.error();
+  return file::encode_png(*figure);
+}
+
+}  // namespace
 
 Failure OutputFile::open(const std::string& path) {
   if (path.empty() || path == kStandardOutput) return {};
+  const Result<file::OutputPlace> place = file::output_place(path);
+  if (!place) return place.error();
+  if (place->kind == file::PlaceKind::kStream) {
+    stream_path_ = path;
+    stream_.reset(open_stream(*place));
+    if (stream_) return {};
+    return file_error(fmt::format("{}: cannot be written: {}", file::shown(path),
+                                  std::generic_category().message(errno)));
+  }
   Result<file::AtomicFile> opened = file::AtomicFile::create(path);
   if (!opened) return opened.error();
   file_ = std::move(*opened);
@@ -15,34 +61,55 @@ Failure OutputFile::open(const std::string& path) {
 }
 
 Failure OutputFile::write_whole(std::string_view text) {
+  if (stream_) return write_stream(fileno(stream_.get()), file::shown(stream_path_) + ":", text);
   if (!file_) return {};
   if (Failure failed = file_->write(text)) return failed;
   return file_->commit();
 }
 
+void OutputFile::discard() { file_.reset(); }
+
 Result<OutputFiles> OutputFiles::open(const OutputOptions& options) {
   OutputFiles files;
-  files.prints_json_ = options.json == kStandardOutput;
+  const Result<bool> prints_json = is_standard_output(options.json);
+  if (!prints_json) return prints_json.error();
+  files.prints_json_ = *prints_json;
   files.quiet_ = options.quiet;
   if (Failure failed = files.csv_.open(options.csv)) return *failed;
-  if (Failure failed = files.json_.open(options.json)) return *failed;
+  if (Failure failed = files.json_.open(*prints_json ? "" : options.json)) return *failed;
   if (Failure failed = files.plot_.open(options.plot)) return *failed;
   return files;
 }
 
+Failure OutputFiles::write_figure(const std::function<Result<file::Picture>()>& draw) {
+  constexpr std::chrono::milliseconds kPollInterval{10};
+  std::packaged_task<Result<std::string>()> task([&] { return encoded(draw); });
+  std::future<Result<std::string>> drawn = task.get_future();
+  std::thread painter(std::move(task));
+  while (drawn.wait_for(kPollInterval) != std::future_status::ready) {
+    if (stop_signal() == 0) continue;
+    plot_.discard();
+    std::_Exit(ended_early("; the figure was not drawn"));  // a figure cannot be interrupted
+  }
+  painter.join();
+  const Result<std::string> bytes = drawn.get();
+  return bytes ? plot_.write_whole(*bytes) : bytes.error();
+}
+
 Failure OutputFiles::write(const ResultTexts& texts,
                            const std::function<Result<file::Picture>()>& draw) {
-  if (Failure failed = csv_.write_whole(texts.csv)) return failed;
-  if (Failure failed = json_.write_whole(texts.json)) return failed;
-  if (plot_.is_open()) {
-    const Result<file::Picture> figure = draw();
-    if (!figure) return figure.error();
-    const Result<std::string> bytes = file::encode_png(*figure);
-    if (!bytes) return bytes.error();
-    if (Failure failed = plot_.write_whole(*bytes)) return failed;
+  Failure first = csv_.write_whole(texts.csv);
+  const auto keep = [&](Failure failed) {
+    if (!first) first = std::move(failed);
+  };
+  keep(json_.write_whole(texts.json));
+  if (plot_.is_open()) keep(write_figure(draw));
+  if (prints_json_) {
+    keep(write_output(texts.json));
+  } else if (!quiet_) {
+    keep(write_output(texts.table));
   }
-  if (prints_json_) return write_output(texts.json);
-  return quiet_ ? Failure() : write_output(texts.table);
+  return first;
 }
 
 }  // namespace hapticwall::command

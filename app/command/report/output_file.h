@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,17 +31,23 @@ struct OutputOptions {
 // Of a figure, whose samples are kept in memory.
 inline constexpr std::uint64_t kMaxPlottedTicks = 1'000'000;
 
-// A file that an option names, or none.
+// A file or a stream (a pipe, a device, /dev/stderr) that an option names, or none.
 class OutputFile {
  public:
   // Opens nothing for an empty path and for standard output.
   [[nodiscard]] Failure open(const std::string& path);
-  [[nodiscard]] bool is_open() const { return file_.has_value(); }
-  // Writes `text` and gives the file its name; does nothing without an open file.
+  [[nodiscard]] bool is_open() const { return file_ || stream_; }
+  // Writes `text` and gives a file its name; does nothing without an open file.
   [[nodiscard]] Failure write_whole(std::string_view text);
+  void discard();
 
  private:
+  struct Close {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+  };
   std::optional<file::AtomicFile> file_;
+  std::unique_ptr<std::FILE, Close> stream_;
+  std::string stream_path_;
 };
 
 struct ResultTexts {
@@ -54,12 +62,15 @@ class OutputFiles {
   // Opens them before anything runs.
   [[nodiscard]] static Result<OutputFiles> open(const OutputOptions& options);
   [[nodiscard]] bool wants_plot() const { return plot_.is_open(); }
-  // Writes the open files, then the table, or the JSON for `--json -`, to standard output. Calls
-  // `draw` only for --plot.
+  // Writes the open files, then the table, or the JSON for `--json -`, to standard output. Returns
+  // the first failure; the others are written all the same. Calls `draw` only for --plot, on a
+  // thread of its own: a stop signal ends the program at once.
   [[nodiscard]] Failure write(const ResultTexts& texts,
                               const std::function<Result<file::Picture>()>& draw = {});
 
  private:
+  [[nodiscard]] Failure write_figure(const std::function<Result<file::Picture>()>& draw);
+
   OutputFile csv_;
   OutputFile json_;
   OutputFile plot_;

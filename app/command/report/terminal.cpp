@@ -30,10 +30,14 @@ int write_all(int descriptor, std::string_view text) {
 }  // namespace
 
 Failure write_output(std::string_view text) {
-  const int code = write_all(STDOUT_FILENO, text);
+  return write_stream(STDOUT_FILENO, "standard output", text);
+}
+
+Failure write_stream(int descriptor, std::string_view name, std::string_view text) {
+  const int code = write_all(descriptor, text);
   if (code == 0 || code == EPIPE) return {};
-  return file_error(fmt::format("standard output could not be written: {}",
-                                std::generic_category().message(code)));
+  return file_error(
+      fmt::format("{} could not be written: {}", name, std::generic_category().message(code)));
 }
 
 int report(const Error& error) {

@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -16,11 +17,17 @@
 namespace hapticwall::file {
 namespace {
 
-constexpr mode_t kNewFileMode = 0666;  // without the umask
+// Without the umask. Only its owner may write a file on which results rest.
+constexpr mode_t kNewFileMode = 0644;
+constexpr int kMaxLinks = 40;  // as the kernel
 
 Error system_error_of(const std::string& path, std::string_view what, int code) {
   return file_error(
       fmt::format("{}: {}: {}", shown(path), what, std::generic_category().message(code)));
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : ".";
 }
 
 // Whether the name still refers to the open file: another process may rename it between open and
@@ -33,20 +40,27 @@ bool is_still_named(int descriptor, const std::string& path) {
 }
 
 // Why a partial file must not be written, or an empty text. A folder from elsewhere could hold one
-// that leads out of the folder.
+// that leads out of the folder, or whose rows somebody else may still change.
 std::string_view strangeness(const struct stat& status) {
   if (S_ISLNK(status.st_mode)) return "is a symbolic link";
   if (!S_ISREG(status.st_mode)) return "is not a regular file";
-  return status.st_nlink > 1 ? "has a second name" : "";
+  if (status.st_nlink > 1) return "has a second name";
+  if (status.st_uid != geteuid()) return "belongs to another user";
+  return (status.st_mode & (S_IWGRP | S_IWOTH)) != 0 ? "can be written by others" : "";
 }
 
-// Opens or creates PATH.partial; on failure returns -1, and `status` of a strange file.
+// Creates PATH.partial or opens an older one; on failure returns -1, and `status` of a strange
+// file.
 int open_partial(const std::string& partial_path, struct stat& status) {
-  constexpr int kFlags = O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  const int descriptor = open(partial_path.c_str(), kFlags, kNewFileMode);
+  constexpr int kFlags = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  const char* path = partial_path.c_str();
+  const int created = open(path, kFlags | O_CREAT | O_EXCL, kNewFileMode);
+  // Some file systems give a new file other permissions or another owner: only an older one is
+  // checked.
+  if (created >= 0 || errno != EEXIST) return created;
+  const int descriptor = open(path, kFlags);
   const int code = errno;
-  const int known =
-      descriptor < 0 ? lstat(partial_path.c_str(), &status) : fstat(descriptor, &status);
+  const int known = descriptor < 0 ? lstat(path, &status) : fstat(descriptor, &status);
   const bool strange = known == 0 && !strangeness(status).empty();
   if (descriptor >= 0 && !strange) return descriptor;
   if (descriptor >= 0) close(descriptor);
@@ -55,17 +69,62 @@ int open_partial(const std::string& partial_path, struct stat& status) {
   return -1;
 }
 
+// A link in /proc leads to an open file: `descriptor` of this process, where it is one's own.
+bool leads_to_open_file(const std::filesystem::path& link, std::optional<int>& descriptor) {
+  std::error_code failed;
+  const auto folder = std::filesystem::canonical(folder_of(link), failed);
+  if (failed || !folder.string().starts_with("/proc/")) return false;
+  if (folder == std::filesystem::canonical("/proc/self/fd", failed)) {
+    descriptor = parsed<int>(link.filename().string());
+  }
+  return true;
+}
+
+Error cannot_write(const std::string& path, std::string_view why) {
+  return file_error(fmt::format("{}: cannot be written: {}", shown(path), why));
+}
+
 // Syncs the folder, to make a rename durable. Best effort: some file systems cannot.
 void sync_folder(const std::string& path) {
-  std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  if (folder.empty()) folder = ".";
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int descriptor = open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
   fsync(descriptor);
   close(descriptor);
 }
 
 }  // namespace
+
+Result<OutputPlace> output_place(const std::string& path) {
+  OutputPlace place{path, PlaceKind::kFile, std::nullopt};
+  struct stat status {};
+  for (int links = 0; lstat(place.path.c_str(), &status) == 0 && S_ISLNK(status.st_mode);) {
+    if (leads_to_open_file(place.path, place.descriptor)) {
+      place.kind = PlaceKind::kStream;
+      return place;
+    }
+    if (status.st_uid != geteuid() && status.st_uid != 0) {
+      return cannot_write(path, "it is a symbolic link of another user");
+    }
+    std::error_code failed;
+    const auto target = std::filesystem::read_symlink(place.path, failed);
+    if (failed || ++links > kMaxLinks) return cannot_write(path, "its link leads nowhere");
+    place.path = std::filesystem::path(place.path).parent_path() / target;
+  }
+  if (stat(place.path.c_str(), &status) != 0) return place;
+  if (S_ISDIR(status.st_mode)) place.kind = PlaceKind::kFolder;
+  if (!S_ISDIR(status.st_mode) && !S_ISREG(status.st_mode)) place.kind = PlaceKind::kStream;
+  if (S_ISREG(status.st_mode) && (status.st_mode & S_IWUSR) == 0) {
+    return cannot_write(place.path, "it is read-only; choose another name, or 'chmod u+w' it");
+  }
+  return place;
+}
+
+Result<std::string> replaceable_path(const std::string& path) {
+  Result<OutputPlace> place = output_place(path);
+  if (!place) return place.error();
+  if (place->kind == PlaceKind::kFile) return std::move(place->path);
+  return cannot_write(path, "it exists and is not a regular file");
+}
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
   Result<AtomicFile> file = resume(path);
@@ -75,25 +134,21 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
 }
 
 Result<AtomicFile> AtomicFile::resume(const std::string& path) {
-  struct stat existing {};
-  if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode)) {
-    return file_error(
-        fmt::format("{}: cannot be written: it exists and is not a regular file", shown(path)));
-  }
-  const std::string partial_path = partial_of(path);
+  const Result<std::string> place = replaceable_path(path);
+  if (!place) return place.error();
+  const std::string partial_path = partial_of(*place);
   struct stat found {};
   const int descriptor = open_partial(partial_path, found);
   if (descriptor < 0 && found.st_mode != 0) {
-    return file_error(fmt::format("{}: cannot be written: {} {}; remove it", shown(path),
-                                  shown(partial_path), strangeness(found)));
+    return cannot_write(*place,
+                        fmt::format("{} {}; remove it", shown(partial_path), strangeness(found)));
   }
-  if (descriptor < 0) return system_error_of(path, "cannot be written", errno);
+  if (descriptor < 0) return system_error_of(*place, "cannot be written", errno);
   if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 || !is_still_named(descriptor, partial_path)) {
     close(descriptor);
-    return file_error(
-        fmt::format("{}: cannot be written: another process is writing it", shown(path)));
+    return cannot_write(*place, "another process is writing it");
   }
-  return AtomicFile(path, partial_path, descriptor);
+  return AtomicFile(*place, partial_path, descriptor);
 }
 
 AtomicFile::AtomicFile(std::string path, std::string partial_path, int descriptor)
@@ -170,11 +225,15 @@ Failure AtomicFile::write(std::string_view bytes) {
   return {};
 }
 
-Failure AtomicFile::sync() {
-  if (!is_still_named(descriptor_, partial_path_)) return lost();
+Failure AtomicFile::secure() {
   // EINVAL: the file system does not support fsync.
   if (fsync(descriptor_) != 0 && errno != EINVAL) return failure("could not be written");
   return {};
+}
+
+Failure AtomicFile::sync() {
+  if (!is_still_named(descriptor_, partial_path_)) return lost();
+  return secure();
 }
 
 Failure AtomicFile::commit() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,12 +16,30 @@ inline constexpr std::string_view kPartialEnding = ".partial";
   return path + std::string(kPartialEnding);
 }
 
+enum class PlaceKind : std::uint8_t { kFile, kFolder, kStream };
+
+// Where an output goes: its path with links followed.
+struct OutputPlace {
+  std::string path;
+  PlaceKind kind = PlaceKind::kFile;  // also of a new file
+  std::optional<int> descriptor;      // of a stream that this process has open, /dev/stdout
+};
+
+// A pipe, a device and a link of /proc to an open file are streams: they have no name to replace.
+// Fails for a file without write permission, also as root, and for a link of another user.
+[[nodiscard]] Result<OutputPlace> output_place(const std::string& path);
+
+// The path of the place; fails for a folder or a stream.
+[[nodiscard]] Result<std::string> replaceable_path(const std::string& path);
+
 // Writes to PATH.partial, which it locks. commit() syncs the file and renames it, which replaces an
-// older file atomically. Errors are ErrorKind::kFile and name the file. Realtime-safe: no.
+// older file atomically. A link keeps its name: its target is the PATH. Errors are ErrorKind::kFile
+// and name the file. Realtime-safe: no.
 class AtomicFile {
  public:
-  // Refuses a PATH that is no regular file, and a PATH.partial that another process holds, or that
-  // is a symbolic link, a pipe or a file with another name.
+  // Refuses what replaceable_path() refuses, a PATH.partial that another process holds, and one
+  // that is a link, a pipe or a file with another name, belongs to another user or can be written
+  // by others.
   [[nodiscard]] static Result<AtomicFile> create(const std::string& path);
   // The same, but keeps the content of PATH.partial; writing continues after keep_only().
   [[nodiscard]] static Result<AtomicFile> resume(const std::string& path);
@@ -37,8 +56,9 @@ class AtomicFile {
   [[nodiscard]] Failure keep_only(std::uint64_t bytes);
   // Fails at once if PATH.partial or its folder was removed.
   [[nodiscard]] Failure write(std::string_view bytes);
-  // Syncs to the disk without renaming. Fails also if PATH.partial was moved.
-  [[nodiscard]] Failure sync();
+  // Puts on the disk what is written so far.
+  [[nodiscard]] Failure secure();
+  [[nodiscard]] Failure sync();    // the same; fails also if PATH.partial was moved
   [[nodiscard]] Failure commit();  // sync(), then rename
 
   [[nodiscard]] std::uint64_t size() const;  // bytes; 0 if it is no regular file

@@ -3,10 +3,17 @@
 #include <fmt/format.h>
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
+#include <fstream>
 #include <stdexcept>
 
 namespace hapticwall::file {
+namespace {
+
+constexpr std::size_t kHashedBytes = std::size_t{1} << 16U;
+
+}  // namespace
 
 void Sha256::Free::operator()(evp_md_ctx_st* context) const { EVP_MD_CTX_free(context); }
 
@@ -27,6 +34,19 @@ std::string Sha256::finish() {
   std::string text;
   for (unsigned int i = 0; i < size; ++i) text += fmt::format("{:02x}", digest.at(i));
   return text;
+}
+
+std::optional<std::string> sha256_of(const std::string& path, std::uint64_t bytes) {
+  std::ifstream in(path, std::ios::binary);
+  std::string piece(kHashedBytes, '\0');
+  Sha256 digest;
+  while (bytes > 0) {
+    const std::uint64_t wanted = std::min<std::uint64_t>(bytes, piece.size());
+    if (!in.read(piece.data(), static_cast<std::streamsize>(wanted))) return std::nullopt;
+    digest.update(std::string_view(piece).substr(0, wanted));
+    bytes -= wanted;
+  }
+  return digest.finish();
 }
 
 }  // namespace hapticwall::file

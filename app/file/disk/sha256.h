@@ -1,7 +1,9 @@
 // SHA-256 of a file while it is being written.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,5 +24,8 @@ class Sha256 {
   };
   std::unique_ptr<evp_md_ctx_st, Free> context_;
 };
+
+// Of the first `bytes` of a file; nullopt if they cannot be read. Realtime-safe: no.
+[[nodiscard]] std::optional<std::string> sha256_of(const std::string& path, std::uint64_t bytes);
 
 }  // namespace hapticwall::file

@@ -117,14 +117,16 @@ std::string map_sidecar(const StabilityMap& map, const MapPart& part) {
   return scene_to_toml(map.scene) + out.text();
 }
 
-Result<MapWriter> MapWriter::open(const std::string& path, const StabilityMap& map,
+Result<MapWriter> MapWriter::open(const std::string& named, const StabilityMap& map,
                                   const MapPart& part) {
+  const Result<std::string> place = replaceable_path(named);
+  if (!place) return place.error();
+  const std::string& path = *place;
   const std::string sidecar_path = sidecar_path_of(path);
-  if (!may_replace_sidecar(sidecar_path, kMapTable)) {
-    return file_error(
-        fmt::format("{}: the sidecar of {} would replace this other file; choose another "
-                    "name",
-                    shown(sidecar_path), shown(path)));
+  const std::string obstacle = sidecar_obstacle(sidecar_path, kMapTable);
+  if (!obstacle.empty()) {
+    return file_error(fmt::format("{}: the sidecar of {} would replace {}; choose another name",
+                                  shown(sidecar_path), shown(path), obstacle));
   }
   const std::string partial = partial_of(path);
   const std::string sidecar_text = map_sidecar(map, part);

@@ -29,7 +29,7 @@ class MapWriter {
  public:
   // Resumes a NAME.csv.partial of the same map and build, according to its NAME.toml.partial;
   // refuses any other one.
-  [[nodiscard]] static Result<MapWriter> open(const std::string& path, const StabilityMap& map,
+  [[nodiscard]] static Result<MapWriter> open(const std::string& named, const StabilityMap& map,
                                               const MapPart& part);
 
   // Cells of an earlier run, from part.begin on.

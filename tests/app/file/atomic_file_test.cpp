@@ -84,13 +84,101 @@ TEST_F(AtomicFileTest, APipeThatSomebodyReadsIsNotWrittenEither) {
   close(reader);
 }
 
-TEST_F(AtomicFileTest, ALinkAtTheNameIsReplacedAndNotFollowed) {
-  elsewhere_.put("victim", "old");
-  fs::create_symlink(elsewhere_.file("victim"), path("a"));
+TEST_F(AtomicFileTest, ALinkAtTheNameStaysAndItsTargetIsWritten) {
+  elsewhere_.put("target", "old");
+  fs::create_symlink(elsewhere_.file("target"), path("b"));
+  fs::create_symlink("b", path("a"));
+  {
+    auto file = AtomicFile::create(path("a"));
+    ASSERT_TRUE(file) << file.error().message;
+    ASSERT_FALSE(file->write("half"));
+    EXPECT_EQ(elsewhere_.content("target"), "old");
+  }
   EXPECT_EQ(refusal("a"), "");
-  EXPECT_FALSE(fs::is_symlink(path("a")));
-  EXPECT_EQ(content("a"), "new");
-  EXPECT_EQ(elsewhere_.content("victim"), "old");
+  EXPECT_TRUE(fs::is_symlink(path("a")) && fs::is_symlink(path("b")));
+  EXPECT_EQ(elsewhere_.content("target"), "new");
+  EXPECT_THAT(elsewhere_.names(), ::testing::ElementsAre("target"));
+}
+
+TEST_F(AtomicFileTest, ALinkToAFileThatIsNotThereYetMakesIt) {
+  fs::create_symlink(elsewhere_.file("target"), path("a"));
+  EXPECT_EQ(refusal("a"), "");
+  EXPECT_TRUE(fs::is_symlink(path("a")));
+  EXPECT_EQ(elsewhere_.content("target"), "new");
+}
+
+TEST_F(AtomicFileTest, ACircleOfLinksIsRefused) {
+  fs::create_symlink("b", path("a"));
+  fs::create_symlink("a", path("b"));
+  EXPECT_EQ(refusal("a"), "a: cannot be written: its link leads nowhere");
+}
+
+TEST_F(AtomicFileTest, ADeviceAPipeOrAnOpenFileIsNeverReplaced) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  fs::create_symlink("/dev/null", path("device"));
+  fs::create_symlink("/proc/self/fd/1", path("output"));
+  for (const char* name : {"pipe", "device", "output"}) {
+    EXPECT_EQ(refusal(name),
+              std::string(name) + ": cannot be written: it exists and is not a regular file");
+  }
+  put("open", "old");
+  const int descriptor = open(path("open").c_str(), O_WRONLY | O_CLOEXEC);
+  const std::string of_process = "/proc/self/fd/" + std::to_string(descriptor);
+  fs::create_symlink(of_process, path("a"));
+  for (const std::string& named : {path("a"), of_process}) {
+    const auto place = output_place(named);
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->kind, PlaceKind::kStream);
+    EXPECT_EQ(place->descriptor, descriptor);
+    EXPECT_TRUE(write_file(named, "new"));
+  }
+  close(descriptor);
+  EXPECT_EQ(content("open"), "old");
+}
+
+// Only as root can a test make files of another user.
+TEST_F(AtomicFileTest, FilesOfOthersAreRefused) {
+  constexpr uid_t kNobody = 65534;
+  put("a.partial", "theirs");
+  chmod(path("a.partial").c_str(), 0664);
+  EXPECT_EQ(refusal("a"), "a: cannot be written: a.partial can be written by others; remove it");
+  chmod(path("a.partial").c_str(), 0646);
+  EXPECT_EQ(refusal("a"), "a: cannot be written: a.partial can be written by others; remove it");
+  EXPECT_EQ(content("a.partial"), "theirs");
+  chmod(path("a.partial").c_str(), 0644);
+  EXPECT_EQ(refusal("a"), "");
+  if (geteuid() != 0) GTEST_SKIP() << "needs root";
+  put("b.partial", "theirs");
+  ASSERT_EQ(chown(path("b.partial").c_str(), kNobody, kNobody), 0);
+  EXPECT_EQ(refusal("b"), "b: cannot be written: b.partial belongs to another user; remove it");
+  fs::create_symlink("target", path("c"));
+  ASSERT_EQ(lchown(path("c").c_str(), kNobody, kNobody), 0);
+  EXPECT_EQ(refusal("c"), "c: cannot be written: it is a symbolic link of another user");
+}
+
+TEST_F(AtomicFileTest, AReadOnlyFileIsNotReplacedNotEvenByRoot) {
+  for (const char* name : {"a", "a.csv", "b.toml"}) {
+    put(name, "[recording]\n");
+    chmod(path(name).c_str(), 0444);
+  }
+  EXPECT_EQ(refusal("a"),
+            "a: cannot be written: it is read-only; choose another name, or 'chmod u+w' it");
+  fs::create_symlink("a", path("link"));
+  EXPECT_THAT(refusal("link"), HasSubstr("it is read-only"));
+  for (const char* name : {"a.csv", "b.csv"}) {
+    const auto writer = RecordingWriter::create(path(name), csv_columns(true));
+    ASSERT_FALSE(writer);
+    EXPECT_EQ(writer.error().kind, ErrorKind::kFile);
+    EXPECT_THAT(writer.error().message, HasSubstr("read-only"));
+  }
+  EXPECT_THAT(files(), ::testing::ElementsAre("a", "a.csv", "b.toml", "link"));
+}
+
+TEST_F(AtomicFileTest, OnlyItsOwnerMayWriteANewFile) {
+  const mode_t before = umask(0);
+  EXPECT_EQ(refusal("a"), "");
+  umask(before);
+  EXPECT_EQ(fs::status(path("a")).permissions(), static_cast<fs::perms>(0644));
 }
 
 TEST_F(AtomicFileTest, ARecordingAndItsSidecarFollowNoLinkEither) {
@@ -119,12 +207,12 @@ TEST_F(AtomicFileTest, RecoveryFollowsNoLink) {
 }
 
 // A link to an endless file would be read to the end of memory.
-TEST_F(AtomicFileTest, ADeviceOrAFolderIsNoSidecar) {
+TEST_F(AtomicFileTest, ALinkOrAFolderIsNoSidecar) {
   fs::create_symlink("/dev/zero", path("a.toml"));
-  EXPECT_FALSE(may_replace_sidecar(path("a.toml"), kRecordingTable));
+  EXPECT_EQ(sidecar_obstacle(path("a.toml"), kRecordingTable), "a link");
   fs::create_directory(path("b.toml"));
-  EXPECT_FALSE(may_replace_sidecar(path("b.toml"), kRecordingTable));
-  EXPECT_TRUE(may_replace_sidecar(path("c.toml"), kRecordingTable));
+  EXPECT_EQ(sidecar_obstacle(path("b.toml"), kRecordingTable), "a file that is not a recording's");
+  EXPECT_EQ(sidecar_obstacle(path("c.toml"), kRecordingTable), "");
 }
 
 TEST_F(AtomicFileTest, AFullDiskAndAQuotaAreNamedAndNothingHasTheName) {
