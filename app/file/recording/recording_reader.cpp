@@ -79,7 +79,7 @@ void RecordingReader::read_sidecar() {
     tolerance_ = {.holes = true, .cut_off = true};
     notes.emplace_back("never finished: 'hapticwall recover' finishes it");
   }
-  const std::string path = sidecar_path_of(csv_path);
+  const std::string path = find_sidecar(csv_path);
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
     notes.push_back(
@@ -104,12 +104,13 @@ void RecordingReader::read_sidecar() {
   info_.device = recorded(root, "device");
   info_.realtime = recorded(root, "realtime");
   info_.start_time = recorded(root, "start_time");
-  claimed_sha256_ = recorded(root, "csv_sha256");
+  if (info_.loaded.edited) notes.emplace_back(kEditedSidecar);
   tolerance_.holes = partial || !root["recording"]["complete"].value_or(true);
 }
 
 Failure RecordingReader::scan(const ReadProgress& progress) {
   RecordingScan scan(info_.csv_path, tolerance_);
+  const std::string& claimed_sha256 = info_.loaded.csv_sha256;
   Sha256 digest;
   text_.resize(kPieceBytes);
   struct stat status {};
@@ -121,7 +122,7 @@ Failure RecordingReader::scan(const ReadProgress& progress) {
     if (count < 0) return cannot_be_read(info_.csv_path, errno);
     if (count == 0) return changed();
     const std::string_view piece(text_.data(), static_cast<std::size_t>(count));
-    if (!claimed_sha256_.empty()) digest.update(piece);
+    if (!claimed_sha256.empty()) digest.update(piece);
     if (Failure failed = scan.take(piece)) return failed;
     offset += piece.size();
     if (progress && !progress(static_cast<double>(offset) / static_cast<double>(size))) {
@@ -130,8 +131,9 @@ Failure RecordingReader::scan(const ReadProgress& progress) {
   }
   Result<ScannedRows> scanned = scan.finish();
   if (!scanned) return scanned.error();
-  if (!claimed_sha256_.empty() && digest.finish() != claimed_sha256_) {
-    info_.notes.emplace_back("not the file that its sidecar was written for (its SHA-256 differs)");
+  if (!claimed_sha256.empty() && digest.finish() != claimed_sha256) {
+    info_.notes.emplace_back(
+        "its rows are not those that its sidecar was written for (the SHA-256 differs)");
   }
   take_over(std::move(*scanned));
   return {};

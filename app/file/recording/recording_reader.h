@@ -84,7 +84,6 @@ class RecordingReader {
   int descriptor_;
   RecordingInfo info_;
   Tolerance tolerance_;
-  std::string claimed_sha256_;
 
   static constexpr std::uint64_t kNoBlock = ~std::uint64_t{0};
   std::uint64_t loaded_block_ = kNoBlock;

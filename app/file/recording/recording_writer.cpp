@@ -21,11 +21,10 @@ constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
 
 Failure check_sidecar(const std::string& csv_path, const std::string& remedy) {
   const std::string sidecar_path = sidecar_path_of(csv_path);
-  if (may_replace_sidecar(sidecar_path, kRecordingTable)) return {};
-  return file_error(
-      fmt::format("{}: cannot be recorded: its sidecar {} would replace a file that is "
-                  "not a recording's; {}",
-                  shown(csv_path), shown(sidecar_path), remedy));
+  const std::string obstacle = sidecar_obstacle(sidecar_path, kRecordingTable);
+  if (obstacle.empty()) return {};
+  return file_error(fmt::format("{}: cannot be recorded: its sidecar {} would replace {}; {}",
+                                shown(csv_path), shown(sidecar_path), obstacle, remedy));
 }
 
 bool has_rows(const std::string& partial_csv) {
@@ -84,6 +83,11 @@ class CsvRecordingWriter final : public RecordingWriter {
     return failed_;
   }
 
+  Failure sync() override {
+    if (!flush()) failed_ = csv_.secure();
+    return failed_;
+  }
+
   // The CSV gets its name last, after its sidecar.
   Failure finish(const Scene& scene, const RecordingMetadata& metadata) override {
     if (Failure failed = flush()) return failed;
@@ -123,8 +127,11 @@ class CsvRecordingWriter final : public RecordingWriter {
 
 }  // namespace
 
-Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& csv_path,
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& path,
                                                                  CsvColumns columns) {
+  const Result<std::string> place = replaceable_path(path);
+  if (!place) return place.error();
+  const std::string& csv_path = *place;
   if (Failure refused = check_sidecar(csv_path, "choose another name")) return *refused;
   Result<AtomicFile> csv = AtomicFile::resume(csv_path);
   if (!csv) return csv.error();

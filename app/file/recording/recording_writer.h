@@ -1,6 +1,7 @@
 // A recording: one CSV row a tick, and a sidecar that says everything needed to repeat it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -28,8 +29,9 @@ struct RecordingMetadata {
   bool recovered = false;  // finished by recover_recording() after the session was cut off
   bool repeatable = true;  // false if the pointer led the hand, for example
   std::string not_repeatable_because;
-  std::vector<ScheduledChange> changes;  // since tick 0, in order
-  std::vector<Mark> marks;               // in order, at most kMaxMarks
+  std::array<std::optional<std::uint64_t>, kMaxAxes> diverged_at_tick;  // by axis
+  std::vector<ScheduledChange> changes;                                 // since tick 0, in order
+  std::vector<Mark> marks;  // in order, at most kMaxMarks
 };
 
 // Writes NAME.csv.partial; finish() gives CSV and sidecar NAME.toml their names. Without finish()
@@ -37,10 +39,11 @@ struct RecordingMetadata {
 // no; used by one thread at a time.
 class RecordingWriter {
  public:
-  // `csv_path` should end in ".csv"; the sidecar replaces the ending by ".toml" (or adds it).
-  // Fails if the file cannot be written, if the sidecar would replace a file that is not a sidecar,
-  // and if recover_recording() could finish a NAME.csv.partial that is there.
-  [[nodiscard]] static Result<std::unique_ptr<RecordingWriter>> create(const std::string& csv_path,
+  // `path` should end in ".csv"; the sidecar replaces the ending by ".toml" (or adds it). A link is
+  // followed: CSV and sidecar stand beside its target. Fails if the file cannot be written, if the
+  // sidecar would replace a file that is not a sidecar, and if recover_recording() could finish a
+  // NAME.csv.partial that is there.
+  [[nodiscard]] static Result<std::unique_ptr<RecordingWriter>> create(const std::string& path,
                                                                        CsvColumns columns);
   virtual ~RecordingWriter() = default;
 
@@ -53,6 +56,8 @@ class RecordingWriter {
   virtual Failure append(const Tick& tick) = 0;
   // Hands the buffer to the operating system.
   virtual Failure flush() = 0;
+  // The same, and to the disk.
+  virtual Failure sync() = 0;
   // `scene`: as it was at tick 0.
   virtual Failure finish(const Scene& scene, const RecordingMetadata& metadata) = 0;
   [[nodiscard]] virtual std::uint64_t rows() const = 0;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -15,7 +14,6 @@
 #include "app/file/recording/recording_reader.h"
 #include "app/file/recording/sidecar.h"
 #include "app/file/scene/scene_file.h"
-#include "app/file/scene/table_reader.h"
 #include "app/file/text/text.h"
 #include "core/plant/plant_model.h"
 
@@ -23,7 +21,6 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kRowsAtATime = 1024;
-constexpr std::size_t kCopiedBytes = std::size_t{1} << 16U;
 
 // Checks row by row whether the hand of one axis follows its script.
 class ScriptedHand {
@@ -108,22 +105,6 @@ Result<std::string> find_unknown_events(RecordingReader& reader) {
   return events.reason();
 }
 
-// The SHA-256 of the first `bytes` of a file, read anew: a user may have edited the rows.
-Result<std::string> sha256_of(const std::string& path, std::uint64_t bytes) {
-  std::ifstream in(path, std::ios::binary);
-  std::string piece(kCopiedBytes, '\0');
-  Sha256 digest;
-  while (bytes > 0) {
-    const std::uint64_t wanted = std::min<std::uint64_t>(bytes, piece.size());
-    if (!in.read(piece.data(), static_cast<std::streamsize>(wanted))) {
-      return usage_error(shown(path) + ": changed while it was read");
-    }
-    digest.update(std::string_view(piece).substr(0, wanted));
-    bytes -= wanted;
-  }
-  return digest.finish();
-}
-
 RecordingMetadata metadata_of(const RecordingInfo& info, const std::string& unknown_event) {
   const std::uint64_t end_tick = info.scanned.last_tick + 1;
   RecordingMetadata metadata;
@@ -171,11 +152,10 @@ Failure check_names(const std::string& csv_path, const std::string& partial) {
                     "'hapticwall replay {}' shows the rows",
                     shown(sidecar), shown(partial)));
   }
-  if (!may_replace_sidecar(sidecar_path_of(csv_path), kRecordingTable)) {
-    return usage_error(
-        fmt::format("{} is not a recording's sidecar and would be replaced: move it "
-                    "away",
-                    shown(sidecar_path_of(csv_path))));
+  const std::string obstacle = sidecar_obstacle(sidecar_path_of(csv_path), kRecordingTable);
+  if (!obstacle.empty()) {
+    return usage_error(fmt::format("{} is {} and would be replaced: move it away",
+                                   shown(sidecar_path_of(csv_path)), obstacle));
   }
   return {};
 }
@@ -183,9 +163,8 @@ Failure check_names(const std::string& csv_path, const std::string& partial) {
 // The CSV's SHA-256 in a finished sidecar; empty if there is none.
 std::string claimed_sha256(const std::string& sidecar_path) {
   const Result<std::string> text = read_small_file(sidecar_path, "sidecar", kMaxSidecarBytes);
-  if (!text || !parse_scene(*text, sidecar_path)) return {};
-  const toml::table root = parse_toml(*text, sidecar_path);  // parse_scene() has accepted it
-  return root["recording"]["csv_sha256"].value_or(std::string());
+  const Result<LoadedScene> loaded = text ? parse_scene(*text, sidecar_path) : text.error();
+  return loaded ? loaded->csv_sha256 : "";
 }
 
 // Cuts off an incomplete last row and gives the CSV its name.
@@ -208,12 +187,13 @@ bool lacks_only_its_name(const std::string& csv_path) {
   if (claimed.empty()) return false;
   const auto reader = RecordingReader::open(partial);
   if (!reader) return false;
-  const Result<std::string> found = sha256_of(partial, (*reader)->info().scanned.end_offset);
-  return found && *found == claimed;
+  return sha256_of(partial, (*reader)->info().scanned.end_offset) == claimed;
 }
 
 Result<Recovered> recover_recording(const std::string& path) {
-  const std::string csv_path = csv_path_of(path);
+  const Result<OutputPlace> place = output_place(csv_path_of(path));
+  if (!place) return place.error();
+  const std::string& csv_path = place->path;
   const std::string partial = partial_of(csv_path);
   if (Failure failed = check_names(csv_path, partial)) return *failed;
   Result<AtomicFile> csv = AtomicFile::resume(csv_path);  // locks it: no other process writes it
@@ -229,8 +209,9 @@ Result<Recovered> recover_recording(const std::string& path) {
   if (!info.has_sidecar) return usage_error(info.sidecar_problem);
   const Result<std::string> unknown_event = find_unknown_events(**reader);
   if (!unknown_event) return unknown_event.error();
-  const Result<std::string> csv_sha256 = sha256_of(partial, info.scanned.end_offset);
-  if (!csv_sha256) return csv_sha256.error();
+  // Read anew: a user may have edited the rows.
+  const auto csv_sha256 = sha256_of(partial, info.scanned.end_offset);
+  if (!csv_sha256) return usage_error(shown(partial) + ": changed while it was read");
 
   const RecordingMetadata metadata = metadata_of(info, *unknown_event);
   const RecordedRows counted{info.scanned.rows, metadata.dropped_rows, info.scanned.last_tick + 1,
@@ -238,6 +219,7 @@ Result<Recovered> recover_recording(const std::string& path) {
   const std::string text = sidecar_toml(info.loaded.scene, metadata, counted);
   if (Failure failed = write_sidecar(csv_path, text)) return *failed;
   Result<Recovered> recovered = finish_names(std::move(*csv), info);
+  if (recovered && info.loaded.edited) recovered->notes.emplace_back(kEditedSidecar);
   if (recovered && !metadata.repeatable) {
     recovered->notes.push_back("'run' will not repeat it: " + metadata.not_repeatable_because);
   }

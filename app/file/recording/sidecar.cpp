@@ -1,9 +1,12 @@
 #include "app/file/recording/sidecar.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
 #include "app/file/disk/atomic_file.h"
+#include "app/file/scene/seal.h"
 #include "app/file/scene/toml_text.h"
 #include "core/scene_keys.h"
 #include "hapticwall_version.h"
@@ -72,6 +75,10 @@ std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
   out.integer("rows", recorded.rows);
   out.integer("dropped_rows", recorded.dropped_rows);
   out.boolean("complete", recorded.finished && recorded.dropped_rows == 0);
+  for (std::size_t axis = 0; axis < kMaxAxes; ++axis) {
+    const auto tick = metadata.diverged_at_tick.at(axis);
+    if (tick) out.integer(kDivergedKeys.at(axis), *tick);
+  }
   if (metadata.recovered) out.boolean("recovered", true);
   out.integer("first_tick", metadata.first_tick);
   const bool repeatable = metadata.repeatable && not_repeatable_because.empty();
@@ -81,7 +88,7 @@ std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
   const Scene start = without_paths(scene);
   for (const ScheduledChange& change : metadata.changes) write_change(out, start, change);
   for (const Mark& mark : metadata.marks) write_mark(out, mark, scene.sampling.rate_hz);
-  return scene_to_toml(scene) + out.text();
+  return sealed(scene_to_toml(scene) + out.text());
 }
 
 std::string sidecar_path_of(const std::string& csv_path) {
@@ -95,6 +102,15 @@ std::string sidecar_path_of(const std::string& csv_path) {
   return path + ".toml";
 }
 
+std::string find_sidecar(const std::string& csv_path) {
+  std::error_code failed;
+  const auto file = std::filesystem::canonical(csv_path, failed);
+  const std::string beside_file = sidecar_path_of(file.string());
+  const bool linked = !failed && std::filesystem::is_symlink(csv_path, failed);
+  return linked && std::filesystem::exists(beside_file, failed) ? beside_file
+                                                                : sidecar_path_of(csv_path);
+}
+
 Failure write_sidecar(const std::string& csv_path, std::string_view text) {
   const std::string path = sidecar_path_of(csv_path);
   const std::string partial = partial_of(path);
@@ -102,9 +118,15 @@ Failure write_sidecar(const std::string& csv_path, std::string_view text) {
   return rename_file(partial, path);
 }
 
-bool may_replace_sidecar(const std::string& path, std::string_view table) {
+std::string sidecar_obstacle(const std::string& path, std::string_view table) {
   std::error_code ignored;
-  return !std::filesystem::exists(path, ignored) || is_sidecar(path, table);
+  const auto status = std::filesystem::symlink_status(path, ignored);
+  if (!std::filesystem::exists(status)) return "";
+  if (std::filesystem::is_symlink(status)) return "a link";
+  if (!is_sidecar(path, table)) return fmt::format("a file that is not a {}'s", table);
+  const bool read_only =
+      (status.permissions() & std::filesystem::perms::owner_write) == std::filesystem::perms::none;
+  return read_only ? "a read-only file" : "";
 }
 
 }  // namespace hapticwall::file

@@ -12,8 +12,7 @@
 
 namespace hapticwall::file {
 
-// Of one recording; dragging a slider makes sixty changes a second.
-inline constexpr std::size_t kMaxChanges = 10'000;
+inline constexpr std::string_view kEditedSidecar = "its sidecar was changed since it was written";
 
 // Counted by the writer of the CSV.
 struct RecordedRows {
@@ -33,11 +32,16 @@ struct RecordedRows {
 // NAME.toml beside NAME.csv (or beside any other name); NAME.toml.partial beside NAME.csv.partial.
 [[nodiscard]] std::string sidecar_path_of(const std::string& csv_path);
 
+// The sidecar of a recording that is there: beside the file, where it is written, else beside the
+// link that names the file.
+[[nodiscard]] std::string find_sidecar(const std::string& csv_path);
+
 // Gives NAME.csv its sidecar. A NAME.toml.partial holds the old or the new text at any moment, also
 // on a full disk or after a kill.
 [[nodiscard]] Failure write_sidecar(const std::string& csv_path, std::string_view text);
 
-// True if there is no file at `path`, or only an older sidecar of the same kind.
-[[nodiscard]] bool may_replace_sidecar(const std::string& path, std::string_view table);
+// Why no sidecar may be written at `path`: only an older one of the same kind is replaced. Empty if
+// it may.
+[[nodiscard]] std::string sidecar_obstacle(const std::string& path, std::string_view table);
 
 }  // namespace hapticwall::file

@@ -114,12 +114,16 @@ void read_recording(const toml::table& table, const toml::table& root, const std
                     LoadedScene& loaded) {
   TableReader reader(table, "recording.", origin);
   for (const std::string_view key :
-       {"program", "version", "build", "start_time", "device", "realtime", "csv_sha256"}) {
+       {"program", "version", "build", "start_time", "device", "realtime", "sidecar_sha256"}) {
     static_cast<void>(reader.string(key));
   }
   for (const std::string_view key : {"rows", "dropped_rows"}) static_cast<void>(reader.count(key));
   for (const std::string_view key : {"complete", "recovered"}) {
     static_cast<void>(reader.boolean(key));
+  }
+  loaded.csv_sha256 = reader.string("csv_sha256").value_or("");
+  for (std::size_t axis = 0; axis < kMaxAxes; ++axis) {
+    loaded.diverged_at_tick.at(axis) = reader.count(kDivergedKeys.at(axis));
   }
   loaded.first_recorded_tick = reader.count("first_tick").value_or(0);
   const std::optional<std::string> reason = reader.string("not_repeatable_because");
@@ -127,6 +131,7 @@ void read_recording(const toml::table& table, const toml::table& root, const std
     loaded.not_repeatable_because = reason.value_or("the recording says so");
   }
   for (const toml::table* change : reader.tables("change")) {
+    if (loaded.changes.size() == kMaxChanges) reader.fail(*change, "change", kTooManyChanges);
     const std::string prefix = fmt::format("recording.change[{}].", loaded.changes.size());
     ScheduledChange read = read_change(*change, prefix, loaded.scene, origin);
     if (!loaded.changes.empty() && read.tick < loaded.changes.back().tick) {

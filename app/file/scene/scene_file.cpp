@@ -10,6 +10,7 @@
 
 #include "app/file/disk/small_file.h"
 #include "app/file/scene/scene_reader.h"
+#include "app/file/scene/seal.h"
 #include "app/file/scene/table_reader.h"
 #include "app/file/text/text.h"
 #include "embedded_scenes.h"
@@ -69,7 +70,9 @@ Result<LoadedScene> parse_scene(std::string_view toml_text, const std::string& o
   try {
     toml::table root = parse_toml(toml_text, origin);
     for (const std::string& text : overrides) apply_override(root, text);
-    return read_scene(root, origin);
+    LoadedScene loaded = read_scene(root, origin);
+    loaded.edited = is_broken_seal(toml_text);
+    return loaded;
   } catch (const ReadFailure& failure) {
     return usage_error(failure.what());
   }

@@ -1,14 +1,17 @@
 // Scenes from TOML files, and the built-in scenes.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/result.h"
+#include "core/sample.h"
 #include "core/scene.h"
 
 namespace hapticwall::file {
@@ -21,6 +24,9 @@ struct Mark {
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 
+// Of one recording; dragging a slider makes sixty changes a second.
+inline constexpr std::size_t kMaxChanges = 10'000;
+inline constexpr std::string_view kTooManyChanges = "more than 10000 changes of parameters";
 // Together well below kMaxSidecarBytes.
 inline constexpr std::size_t kMaxMarks = 1000;     // of a recording
 inline constexpr std::size_t kMaxMarkBytes = 200;  // of a text, UTF-8
@@ -36,6 +42,10 @@ struct LoadedScene {
   std::uint64_t first_recorded_tick = 0;
   std::string not_repeatable_because;  // empty: a repetition gives the same rows
   std::vector<Mark> marks;             // in order
+  std::string csv_sha256;              // of the rows; empty: not known
+  bool edited = false;                 // the sidecar was changed since it was written
+  // By axis, where the recorded run diverged: the rows do not show it.
+  std::array<std::optional<std::uint64_t>, kMaxAxes> diverged_at_tick;
 };
 
 // Parses and validates; `origin` names the text in messages ("scene.toml:12: wall.stiffness_n_per_m
@@ -53,6 +63,10 @@ inline constexpr std::string_view kMapTable = "map";
 
 // A larger file is not a sidecar. A change of all walls, device and hand takes at most 4 KB.
 inline constexpr std::size_t kMaxSidecarBytes = std::size_t{1} << 26U;
+
+// Where [recording] says that a run diverged, by axis.
+inline constexpr std::array<std::string_view, kMaxAxes> kDivergedKeys{"diverged_at_tick",
+                                                                      "y_diverged_at_tick"};
 
 // True if the file at `path` has this table and is no larger than a sidecar.
 [[nodiscard]] bool is_sidecar(const std::string& path, std::string_view table);

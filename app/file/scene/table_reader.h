@@ -30,8 +30,9 @@ class ReadFailure : public std::runtime_error {
 // "a number in kg".
 [[nodiscard]] std::string number_in(std::string_view unit);
 
-// Throws ReadFailure if the text is not TOML or nested too deeply. `kind` names the expected file
-// in the message.
+// Throws ReadFailure if the text is not TOML, nested too deeply, or if it has more changes of a
+// recording than kMaxChanges: these are refused before they take memory. `kind` names the expected
+// file in the message.
 [[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& origin,
                                      std::string_view kind = "scene");
 

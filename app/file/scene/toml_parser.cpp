@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
+#include "app/file/scene/scene_file.h"
 #include "app/file/scene/table_reader.h"
 #include "app/file/text/text.h"
 
@@ -34,9 +36,26 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-// The number of parts of the longest dotted key (decimal points of numbers count as one part).
-std::size_t deepest_key(std::string_view text) {
-  std::size_t deepest = 0;
+// What toml++ would make of a text.
+struct Load {
+  std::size_t key_parts = 0;  // of the longest key; decimal points of numbers count as one part
+  std::size_t changes = 0;    // of a recording, or inline tables, which could be changes too
+};
+
+// True if a line "[[recording.change]]" begins here.
+bool begins_change(std::string_view text) {
+  constexpr std::size_t kMaxHeaderBytes = 64;
+  if (!text.starts_with("[[") || text.starts_with("[[[")) return false;
+  text = text.substr(0, kMaxHeaderBytes);
+  std::string name;
+  for (const char c : text.substr(0, text.find(']'))) {
+    if (std::string_view(" \t\"'").find(c) == std::string_view::npos) name += c;
+  }
+  return name == "[[recording.change";
+}
+
+Load load_of(std::string_view text) {
+  Load load;
   std::size_t points = 0;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
@@ -48,22 +67,27 @@ std::size_t deepest_key(std::string_view text) {
       i = end_of_string(text, i);
       continue;
     }
+    if (c == '{' || begins_change(text.substr(i))) ++load.changes;
     if (c == '.') {
-      deepest = std::max(deepest, ++points);
+      load.key_parts = std::max(load.key_parts, ++points);
     } else if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) {
       points = 0;
     }
     ++i;
   }
-  return deepest;
+  return load;
 }
 
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& origin, std::string_view kind) {
-  if (deepest_key(text) > kMaxKeyParts) {
+  const Load load = load_of(text);
+  if (load.key_parts > kMaxKeyParts) {
     throw ReadFailure(
         fmt::format("{}: not a {}: keys of more than {} parts", shown(origin), kind, kMaxKeyParts));
+  }
+  if (load.changes > kMaxChanges) {
+    throw ReadFailure(fmt::format("{}: not a {}: {}", shown(origin), kind, kTooManyChanges));
   }
   try {
     return toml::parse(text, std::string_view(origin));

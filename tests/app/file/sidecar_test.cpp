@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/file/recording/recording_writer.h"
@@ -39,6 +40,45 @@ std::vector<ScheduledChange> through_a_sidecar(const Scene& start,
       parse_scene(sidecar_toml(start, metadata, {8, 0, 8, "0"}), "a.toml");
   EXPECT_TRUE(loaded) << loaded.error().message;
   return loaded ? loaded->changes : std::vector<ScheduledChange>();
+}
+
+TEST(Sidecar, AnyEditIsSeenAndAnOlderOneWithoutASealIsRead) {
+  const std::string text = sidecar_toml(scene_with_everything(), {}, {8, 0, 8, "0"});
+  const auto edited = [](const std::string& toml) {
+    const Result<LoadedScene> loaded = parse_scene(toml, "a.toml");
+    EXPECT_TRUE(loaded) << loaded.error().message;
+    return loaded && loaded->edited;
+  };
+  EXPECT_FALSE(edited(text));
+  for (const auto& [before, after] : {std::pair{"mass_kg = 0.4", "mass_kg = 0.5"},
+                                      {"rows = 8", "rows = 9"},
+                                      {"[recording]", "# a note\n[recording]"},
+                                      {"sidecar_sha256 = \"", "sidecar_sha256 = \"0"}}) {
+    std::string other = text;
+    EXPECT_TRUE(edited(other.replace(other.find(before), std::string(before).size(), after)));
+  }
+  EXPECT_TRUE(edited(text + "\n"));
+  const std::size_t begin = text.find("sidecar_sha256");
+  std::string older = text;
+  EXPECT_FALSE(edited(older.erase(begin, text.find('\n', begin) + 1 - begin)));
+}
+
+// With spaces, with quotes, or inline: none reaches the memory of a parser.
+TEST(Sidecar, MoreChangesThanAreWrittenAreRefused) {
+  const std::string scene = "[device]\nmass_kg = 1\ndamping_n_s_per_m = 1\n";
+  for (const std::string header : {"[[recording.change]]", " [[ recording . 'change' ]]",
+                                   "[[\"recording\".\"\\u0063hange\"]]"}) {
+    std::string text = scene + "[recording]\n";
+    for (std::size_t i = 0; i < kMaxChanges; ++i) text += header + "\ntick = 1\n";
+    EXPECT_TRUE(parse_scene(text, "a.toml").ok());
+    const auto refused = parse_scene(text + header + "\ntick = 1\n", "a.toml");
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr("more than 10000 changes of parameters"));
+  }
+  std::string text = scene + "[recording]\nchange = [";
+  for (std::size_t i = 0; i <= kMaxChanges; ++i) text += "{tick=1},";
+  EXPECT_THAT(parse_scene(text + "]", "a.toml").error().message,
+              HasSubstr("a.toml: not a scene: more than 10000 changes of parameters"));
 }
 
 TEST(Sidecar, ChangesOfThePlantReadBackTheSame) {
