@@ -108,6 +108,8 @@ class Rerun {
   Result<RerunOutcome> run() {
     while (servo_.state().tick < end_tick_ && pass_tick()) {
     }
+    // The tick after the last row, as a headless run checks it.
+    if (servo_.state().tick == end_tick_ && plant_->has_diverged()) metrics_.diverge(end_tick_);
     if (rows_.failure()) return *rows_.failure();
     outcome_.summary = metrics_.finish();
     outcome_.ticks = outcome_.summary.ticks;
@@ -268,7 +270,7 @@ Result<file::LoadedScene> rerun_scene(const file::RecordingInfo& recording,
       return usage_error(fmt::format("--set: parameters change {} times in {}, which would undo it",
                                      wanted.changes.size(), file::shown(recording.csv_path)));
     }
-    auto loaded = file::load_scene(file::sidecar_path_of(recording.csv_path), overrides);
+    auto loaded = file::load_scene(file::find_sidecar(recording.csv_path), overrides);
     if (!loaded) return loaded;
     if (Failure failed = check_overrides(wanted.scene, loaded->scene)) return *std::move(failed);
     wanted = std::move(*loaded);

@@ -34,25 +34,31 @@ void Recorder::start(std::unique_ptr<file::RecordingWriter> writer) {
   end_ = false;
   failure_.reset();
   note_.reset();
+  last_flush_ = last_sync_ = now_();
   thread_ = std::thread([this] { work(); });
 }
 
 void Recorder::work() {
   set_up_recorder_thread();
-  auto last_flush = std::chrono::steady_clock::now();
   std::unique_lock lock(mutex_);
   while (!end_) {
     wake_.wait_for(lock, kDrainInterval, [this] { return end_; });
     lock.unlock();
     write_note();  // first: a row on the disk needs its sidecar
     move_ticks();
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_flush >= kFlushInterval) {
-      last_flush = now;
-      if (writable_) keep(guarded([this] { return writer_->flush(); }));
-    }
+    save();
     lock.lock();
   }
+}
+
+// The disk may take its time: the queue holds the ticks of many seconds.
+void Recorder::save() {
+  const auto now = now_();
+  const bool syncs = now - last_sync_ >= kSyncInterval;
+  if (!writable_ || (!syncs && now - last_flush_ < kFlushInterval)) return;
+  last_flush_ = now;
+  if (syncs) last_sync_ = now;
+  keep(guarded([&] { return syncs ? writer_->sync() : writer_->flush(); }));
 }
 
 void Recorder::note(const Scene& scene, file::RecordingMetadata metadata) {

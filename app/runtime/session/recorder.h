@@ -5,10 +5,12 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "app/file/recording/recording_writer.h"
 #include "app/runtime/loop/spsc_queue.h"
@@ -25,8 +27,12 @@ class Recorder {
   // How long ticks may wait in the queue, and rows in our own buffers.
   static constexpr std::chrono::milliseconds kDrainInterval{50};
   static constexpr std::chrono::milliseconds kFlushInterval{250};
+  // Together with kDrainInterval: rows older than a second are on the disk, also after a power cut.
+  static constexpr std::chrono::milliseconds kSyncInterval{750};
 
-  explicit Recorder(SpscQueue<Tick>& queue) : queue_(queue) {}
+  using Now = std::function<std::chrono::steady_clock::time_point()>;
+  explicit Recorder(SpscQueue<Tick>& queue, Now now = std::chrono::steady_clock::now)
+      : queue_(queue), now_(std::move(now)) {}
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder();  // keeps the partial file without finish()
@@ -59,12 +65,17 @@ class Recorder {
 
  private:
   void work();
+  // flush() or sync(), if it is time for one.
+  void save();
   void move_ticks();
   void write_note();
   void write(const Tick& tick);
   void keep(Failure failure);
 
   SpscQueue<Tick>& queue_;
+  Now now_;
+  std::chrono::steady_clock::time_point last_flush_;
+  std::chrono::steady_clock::time_point last_sync_;
   std::unique_ptr<file::RecordingWriter> writer_;
   std::thread thread_;
 

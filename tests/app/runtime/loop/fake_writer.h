@@ -18,6 +18,7 @@ struct WriterLog {
   std::vector<file::RecordingMetadata> finished;
   std::vector<file::RecordingMetadata> notes;
   std::atomic<int> flushes{0};
+  std::atomic<int> syncs{0};
   std::uint64_t fail_at_row = 0;   // 0: never
   std::uint64_t throw_at_row = 0;  // 0: never
   std::atomic<bool> fail_at_flush{false};
@@ -43,6 +44,10 @@ class FakeWriter : public file::RecordingWriter {
     ++log_->flushes;
     if (log_->fail_at_flush) return Error{ErrorKind::kFile, "disk gone"};
     return std::nullopt;
+  }
+  Failure sync() override {
+    ++log_->syncs;
+    return flush();
   }
   Failure finish(const Scene& scene, const file::RecordingMetadata& metadata) override {
     static_cast<void>(scene);
