@@ -1,6 +1,7 @@
 // hapticwall replay RECORDING.csv: shows a recording, or re-runs its hand under another algorithm.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -81,7 +82,12 @@ struct Outcome {
 // The summary of the recorded rows.
 Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs) {
   const file::RecordingInfo& info = recording.info();
-  AxesMetrics metrics(info.loaded.scene, recording.rows(), info.of_simulator());
+  const auto& diverged_at_tick = info.loaded.diverged_at_tick;
+  const bool diverged =
+      std::ranges::any_of(diverged_at_tick, [](const auto& tick) { return tick.has_value(); });
+  // A run that diverged did not reach its tail.
+  const std::uint64_t planned = diverged ? info.loaded.scene.tick_count() : recording.rows();
+  AxesMetrics metrics(info.loaded.scene, planned, info.of_simulator());
   std::vector<Tick> rows(file::kRowsPerBlock);
   for (std::uint64_t row = 0; row < recording.rows() && stop_signal() == 0;) {
     const Result<std::size_t> count = recording.read(row, rows);
@@ -92,6 +98,7 @@ Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs)
     }
     row += *count;
   }
+  metrics.diverge(diverged_at_tick);
   const double end_s =
       static_cast<double>(info.scanned.last_tick + 1) / info.loaded.scene.sampling.rate_hz;
   Outcome outcome{metrics.finish(), end_s, "", stop_signal() != 0};
@@ -141,6 +148,7 @@ Result<int> run_headless(const ReplayCommand& command) {
   const Result<Outcome> outcome = command.reruns() ? rerun(command, **recording, *loaded, *outputs)
                                                    : summarise(**recording, *outputs);
   if (!outcome) return outcome.error();
+  if (outcome->stopped_early && outputs->failure()) return *outputs->failure();
   if (outcome->stopped_early) return ended_early("");
   if (Failure failed =
           outputs->finish(loaded->scene, outcome->summary, table_of(loaded->scene, *outcome))) {

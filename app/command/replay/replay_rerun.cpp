@@ -26,6 +26,7 @@ file::RecordingMetadata metadata_of(const RecordedRerun& rerun,
   metadata.realtime_status = "not in real time: the hand of " + file::shown(name) + ", re-run";
   metadata.first_tick = rerun.loaded.first_recorded_tick;
   metadata.session_ticks = outcome.ticks;
+  metadata.diverged_at_tick = divergence_of({outcome.summary});
   if (outcome.pointer_led) {
     metadata.repeatable = false;
     metadata.not_repeatable_because =
@@ -63,19 +64,16 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
   runtime::RerunOptions options;
   options.keep_going = [&](double fraction) {
     progress.show(fraction);
-    return stop_signal() == 0 && !failed;
+    return stop_signal() == 0;
   };
   options.on_sample = [&](const Sample& sample) {
     if (writer && !failed) failed = writer->append({{sample}});
     if (outputs.wants_ticks()) outputs.take({{sample}});
   };
   auto outcome = runtime::rerun_hand(rerun.recording, rerun.loaded, options);
-  if (failed) return *std::move(failed);
   if (!outcome) return outcome;
-  if (writer) {
-    failed = writer->finish(rerun.loaded.scene, metadata_of(rerun, *outcome));
-    if (failed) return *std::move(failed);
-  }
+  if (writer && !failed) failed = writer->finish(rerun.loaded.scene, metadata_of(rerun, *outcome));
+  outputs.keep_failure(std::move(failed));
   return outcome;
 }
 

@@ -1,8 +1,10 @@
 // The summary of recorded or live samples of a scene with one axis or two.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/sample.h"
@@ -23,6 +25,12 @@ class AxesMetrics {
   // Precondition: the tick has the axes of the scene.
   void add(const Tick& tick) {
     for (std::size_t axis = 0; axis < axes_.size(); ++axis) axes_[axis].add(tick.axes[axis]);
+  }
+  // The axes that diverged, at these ticks: their samples may not show it.
+  void diverge(const std::array<std::optional<std::uint64_t>, kMaxAxes>& ticks) {
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+      if (ticks.at(axis)) axes_[axis].diverge(*ticks.at(axis));
+    }
   }
   [[nodiscard]] RunSummary finish() const {
     RunSummary run;

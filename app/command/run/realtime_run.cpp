@@ -167,10 +167,11 @@ Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
   }
   session.arm(false);
   leave_out_the_rest(session);
-  if (Failure failed = session.stop_recording()) return *failed;
+  Failure recording_failure = session.stop_recording();
   while (const std::uint64_t taken = taker.take(session, run)) done += taken;
   if (trouble) return *trouble;
-  return RealtimeOutcome{taker.summary(), status_text(session, session.snapshot()), done < ticks};
+  return RealtimeOutcome{taker.summary(), status_text(session, session.snapshot()), done < ticks,
+                         std::move(recording_failure)};
 }
 
 }  // namespace hapticwall::command

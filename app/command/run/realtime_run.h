@@ -28,11 +28,12 @@ struct RealtimeOutcome {
   RunSummary summary;
   std::string status;  // of the real-time loop, in words
   bool stopped_early = false;
+  Failure recording_failure;
 };
 
 // Runs exactly scene.tick_count() ticks, fewer after a stop signal, and finishes the recording. A
 // device that is lost or cannot be armed ends the run with ErrorKind::kDevice, with zero force and
-// a finished recording.
+// a finished recording. A recording that fails does not end it.
 [[nodiscard]] Result<RealtimeOutcome> run_realtime(const RealtimeRun& run);
 
 }  // namespace hapticwall::command

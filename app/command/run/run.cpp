@@ -1,7 +1,9 @@
 // hapticwall run SCENE: one session without a window.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
@@ -13,6 +15,7 @@
 #include "app/command/run/realtime_run.h"
 #include "app/command/run/run_outputs.h"
 #include "app/command/signals.h"
+#include "app/file/disk/sha256.h"
 #include "app/file/text/text.h"
 #include "core/result.h"
 #include "core/units.h"
@@ -69,22 +72,41 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
                     .spin_s = options.scene.spin_us / kMicrosecondsPerSecond,
                     .show_progress = !options.output.quiet});
   if (!result) return result.error();
+  outputs.keep_failure(result->recording_failure);
   return RunOutcome{result->summary, result->stopped_early, result->status};
 }
 
-Result<RunOutcome> run_headless(const RunOptions& options, const file::LoadedScene& loaded,
-                                RunOutputs& outputs) {
-  const HeadlessResult result =
-      simulate_timed({.scene = loaded.scene,
-                      .changes = loaded.changes,
-                      .on_tick = tick_sink(outputs),
-                      .should_stop = [&] { return outputs.failure().has_value(); },
-                      .progress_label = loaded.scene.name,
-                      .show_progress = !options.output.quiet});
+RunOutcome run_headless(const RunOptions& options, const file::LoadedScene& loaded,
+                        RunOutputs& outputs) {
+  const HeadlessResult result = simulate_timed({.scene = loaded.scene,
+                                                .changes = loaded.changes,
+                                                .on_tick = tick_sink(outputs),
+                                                .should_stop = {},
+                                                .progress_label = loaded.scene.name,
+                                                .show_progress = !options.output.quiet});
   const std::uint64_t ticks =
       result.stopped_early ? result.summary.front().ticks : loaded.scene.tick_count();
-  if (Failure failed = outputs.finish_recording(loaded, ticks)) return *failed;
+  outputs.finish_recording(loaded, ticks, result.summary);
   return RunOutcome{result.summary, result.stopped_early, ""};
+}
+
+// Whether the sidecar or its rows were changed since the recording.
+void tell_edits(const std::string& sidecar, const file::LoadedScene& loaded) {
+  if (loaded.edited) {
+    tell(
+        fmt::format("note: {} was changed since it was written: the run will differ from the "
+                    "recorded session",
+                    file::shown(sidecar)));
+  }
+  if (loaded.csv_sha256.empty() || !sidecar.ends_with(".toml")) return;
+  const std::string csv = sidecar.substr(0, sidecar.size() - 4) + "csv";
+  std::error_code missing;
+  const std::uintmax_t bytes = std::filesystem::file_size(csv, missing);
+  if (missing || file::sha256_of(csv, bytes) == loaded.csv_sha256) return;
+  tell(
+      fmt::format("note: {} has other rows than {} was written for: the run repeats the session, "
+                  "not these rows",
+                  file::shown(csv), file::shown(sidecar)));
 }
 
 int end_early(const RunOutcome& outcome, const Scene& scene, const std::string& csv) {
@@ -117,6 +139,7 @@ Result<int> run(const RunOptions& options) {
   }
   Result<RunOutputs> outputs = RunOutputs::open(options.output, *loaded, in_real_time);
   if (!outputs) return outputs.error();
+  if (!options.output.quiet) tell_edits(options.scene.scene, *loaded);
   if (!loaded->not_repeatable_because.empty() && !options.output.quiet && !device->hardware) {
     tell(fmt::format("note: the run will differ from the recorded session: {}",
                      file::shown(loaded->not_repeatable_because)));
@@ -125,8 +148,9 @@ Result<int> run(const RunOptions& options) {
   catch_stop_signals();
   const Result<RunOutcome> outcome =
       in_real_time ? run_in_real_time(options, *device, loaded->scene, *outputs)
-                   : run_headless(options, *loaded, *outputs);
+                   : Result(run_headless(options, *loaded, *outputs));
   if (!outcome) return outcome.error();
+  if (outcome->stopped_early && outputs->failure()) return *outputs->failure();
   if (outcome->stopped_early) return end_early(*outcome, loaded->scene, options.output.csv);
   if (Failure failed =
           outputs->finish(loaded->scene, outcome->summary, table_of(loaded->scene, *outcome))) {

@@ -23,6 +23,12 @@ file::RecordingMetadata metadata_of(const file::LoadedScene& loaded, std::uint64
 
 }  // namespace
 
+std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(const RunSummary& summary) {
+  std::array<std::optional<std::uint64_t>, kMaxAxes> ticks;
+  for (std::size_t i = 0; i < summary.size(); ++i) ticks.at(i) = summary[i].diverged_at_tick;
+  return ticks;
+}
+
 Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::LoadedScene& loaded,
                                     bool session_records) {
   if (!options.plot.empty() && loaded.scene.tick_count() > kMaxPlottedTicks) {
@@ -59,9 +65,12 @@ void RunOutputs::take(const Tick& tick) {
   }
 }
 
-Failure RunOutputs::finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks) {
-  if (failure_ || !recording_) return failure_;
-  return recording_->finish(loaded.scene, metadata_of(loaded, ticks));
+void RunOutputs::finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks,
+                                  const RunSummary& summary) {
+  if (failure_ || !recording_) return;
+  file::RecordingMetadata metadata = metadata_of(loaded, ticks);
+  metadata.diverged_at_tick = divergence_of(summary);
+  failure_ = recording_->finish(loaded.scene, metadata);
 }
 
 // The axes side by side, x on the left.
@@ -78,7 +87,9 @@ Result<file::Picture> RunOutputs::draw(const Scene& scene) const {
 }
 
 Failure RunOutputs::finish(const Scene& scene, const RunSummary& summary, std::string table) {
-  return files_.write({"", summary_json(summary), std::move(table)}, [&] { return draw(scene); });
+  Failure failed =
+      files_.write({"", summary_json(summary), std::move(table)}, [&] { return draw(scene); });
+  return failure_ ? failure_ : failed;
 }
 
 }  // namespace hapticwall::command

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/command/report/output_file.h"
@@ -14,6 +16,10 @@
 #include "core/simulation/simulate.h"
 
 namespace hapticwall::command {
+
+// When each axis diverged, for the sidecar.
+[[nodiscard]] std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(
+    const RunSummary& summary);
 
 class RunOutputs {
  public:
@@ -25,12 +31,15 @@ class RunOutputs {
   // Whether take() must be called with every tick.
   [[nodiscard]] bool wants_ticks() const { return recording_ || files_.wants_plot(); }
   void take(const Tick& tick);
-  // A file could not be written: the run should end.
+  // Of the recording. The run continues for its other outputs, and finish() fails.
   [[nodiscard]] const Failure& failure() const { return failure_; }
+  void keep_failure(Failure failure) { failure_ = std::move(failure); }
 
   // Finishes the recording, also of a run that ended early.
-  [[nodiscard]] Failure finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks);
-  // Writes JSON and figure, and prints JSON or `table`.
+  void finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks,
+                        const RunSummary& summary);
+  // Writes JSON and figure, and prints JSON or `table`. Fails with the first failure, that of the
+  // recording included.
   [[nodiscard]] Failure finish(const Scene& scene, const RunSummary& summary, std::string table);
 
  private:

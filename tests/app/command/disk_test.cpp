@@ -100,6 +100,32 @@ TEST_F(DiskTest, AMapThatFoundNoRoomIsGoneOnWith) {
   EXPECT_THAT(content("m.csv"), StartsWith(left));
 }
 
+// The other outputs of a run do not depend on its recording, nor on each other.
+TEST_F(DiskTest, AFullDiskOfOneOutputCostsNoOther) {
+  const std::string full =
+      "error: a.csv: could not be written: File too large (the written part is in "
+      "a.csv.partial)\n";
+  for (const std::string command : {"run press", "run press --realtime --duration 1.5"}) {
+    const Answer answer = shell("ulimit -f 8; exec $P " + command + " --csv a.csv --json a.json");
+    EXPECT_EQ(answer.status, 4);
+    EXPECT_THAT(answer.err, EndsWith(full));
+    EXPECT_THAT(answer.out, StartsWith("press under energy-bounding: "));
+    EXPECT_THAT(content("a.json"), HasSubstr("\"verdict\": "));
+    EXPECT_THAT(files(), ElementsAre("a.csv.partial", "a.json", "a.toml.partial"));
+    remove_files();
+  }
+  ASSERT_EQ(hapticwall({"run", "press", "--csv", "b.csv", "--quiet"}).status, 0);
+  const Answer rerun =
+      shell("ulimit -f 8; exec $P replay b.csv --algorithm none --quiet --csv a.csv --json a.json");
+  EXPECT_EQ(rerun.status, 4);
+  EXPECT_EQ(rerun.err, full);
+  EXPECT_THAT(content("a.json"), HasSubstr("\"algorithm\": \"none\""));
+  const Answer compared = hapticwall({"compare", "press", "--csv", "/dev/full", "--json", "-"});
+  EXPECT_EQ(compared.status, 4);
+  EXPECT_EQ(compared.err, "error: /dev/full: could not be written: No space left on device\n");
+  EXPECT_THAT(compared.out, StartsWith("[\n"));
+}
+
 TEST_F(DiskTest, AFullDiskIsToldWhileARunInRealTimeGoesOn) {
   const pid_t child = start({"/bin/sh", "-c",
                              "ulimit -f 8; exec '" + program() +
@@ -117,7 +143,7 @@ TEST_F(DiskTest, AFullDiskIsToldWhileARunInRealTimeGoesOn) {
   ASSERT_EQ(hapticwall({"recover", "a.csv"}).status, 0);
 }
 
-TEST_F(DiskTest, AFolderThatIsRemovedEndsARunAndIsToldInRealTime) {
+TEST_F(DiskTest, AFolderThatIsRemovedIsToldAtOnceInRealTimeElseAtTheEnd) {
   for (const bool in_real_time : {false, true}) {
     std::filesystem::create_directory(path("sub"));
     std::vector<std::string> arguments{program(), "run",   "press",     "--duration",
@@ -126,11 +152,9 @@ TEST_F(DiskTest, AFolderThatIsRemovedEndsARunAndIsToldInRealTime) {
     const pid_t child = start(arguments);
     wait_for_bytes(child, "sub/a.csv.partial");
     std::filesystem::remove_all(path("sub"));
-    if (in_real_time) {
-      wait_for_line(child);
-      EXPECT_TRUE(is_running(child));
-      kill(child, SIGINT);
-    }
+    if (in_real_time) wait_for_line(child);
+    EXPECT_TRUE(is_running(child));
+    kill(child, SIGINT);
     const Answer answer = wait_for(child);
     EXPECT_EQ(answer.status, 4);
     EXPECT_THAT(answer.err,

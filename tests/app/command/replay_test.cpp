@@ -47,6 +47,57 @@ TEST_F(ReplayCommand, SummarisesARecordingAsItIs) {
   EXPECT_EQ(hapticwall({"replay", "a.csv", "--expect", "verdict=diverged"}).status, 1);
 }
 
+// Rows or sidecar that were changed since: a line each, and the work goes on.
+TEST_F(ReplayCommand, EditsAreToldInALine) {
+  record();
+  EXPECT_THAT(hapticwall({"run", "a.toml", "--json", "-"}).err, IsEmpty());
+  replace_in("a.csv", ",0.03,", ",0.04,");
+  Answer answer = hapticwall({"run", "a.toml", "--json", "-"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_EQ(answer.err,
+            "note: a.csv has other rows than a.toml was written for: the run repeats the session, "
+            "not these rows\n");
+  replace_in("a.csv", ",0.04,", ",0.03,");
+  replace_in("a.toml", "stiffness_n_per_m = 35000", "stiffness_n_per_m = 34000");
+  answer = hapticwall({"run", "a.toml", "--json", "-"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_EQ(answer.err,
+            "note: a.toml was changed since it was written: the run will differ from the recorded "
+            "session\n");
+  answer = hapticwall({"replay", "a.csv", "--json", "-"});
+  EXPECT_EQ(answer.status, 0);
+  EXPECT_EQ(answer.err, "note: a.csv: its sidecar was changed since it was written\n");
+}
+
+TEST_F(ReplayCommand, ARunThatDivergedReplaysAsOne) {
+  record({"--set", "wall.damping_n_s_per_m=1e4", "--set", "device.encoder_m=0", "--set",
+          "device.force_limit_n=1e6", "--algorithm", "none", "--json", "run.json"});
+  const auto run = nlohmann::json::parse(content("run.json"));
+  ASSERT_EQ(run["verdict"], "diverged");
+  const auto replay = nlohmann::json::parse(hapticwall({"replay", "a.csv", "--json", "-"}).out);
+  for (const char* key : {"verdict", "diverged_at_tick", "ticks", "tail_peak_to_peak_m", "contacts",
+                          "max_penetration_m", "verdict_note"}) {
+    EXPECT_EQ(replay[key], run[key]) << key;
+  }
+  ASSERT_EQ(hapticwall({"replay", "a.csv", "--algorithm", "none", "--csv", "b.csv"}).status, 0);
+  const auto rerun = nlohmann::json::parse(hapticwall({"replay", "b.csv", "--json", "-"}).out);
+  for (const char* key : {"verdict", "diverged_at_tick"}) EXPECT_EQ(rerun[key], run[key]) << key;
+}
+
+TEST_F(ReplayCommand, ALinkIsFollowedToTheRecordingAndItsSidecar) {
+  std::filesystem::create_directory(path("sub"));
+  std::filesystem::create_symlink("sub/b.csv", path("a.csv"));
+  record();
+  EXPECT_TRUE(std::filesystem::is_symlink(path("a.csv")));
+  EXPECT_THAT(files(), ElementsAre("a.csv", "sub"));
+  EXPECT_THAT(hapticwall({"replay", "a.csv", "--json", "-"}).err, IsEmpty());
+  EXPECT_EQ(hapticwall({"replay", "a.csv", "--set", "wall.damping_n_s_per_m=1", "--quiet"}).status,
+            0);
+  std::filesystem::rename(path("sub/b.csv"), path("sub/b.csv.partial"));
+  EXPECT_EQ(hapticwall({"recover", "a.csv"}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("sub/b.csv")));
+}
+
 TEST_F(ReplayCommand, UnderItsOwnAlgorithmTheBytesComeOutAgain) {
   record();
   const Answer answer =
