@@ -195,6 +195,16 @@ TEST_F(Recording, AHoleIsToldOf) {
   EXPECT_THAT(content("a.toml"), HasSubstr("rows = 2\ndropped_rows = 1\ncomplete = false\n"));
 }
 
+TEST_F(Recording, ASyncAsksTheDiskAndKeepsItsError) {
+  const auto writer = begun("a.csv", 0, 10);
+  ASSERT_FALSE(writer->sync());
+  EXPECT_THAT(content("a.csv.partial"), HasSubstr("\n9,"));
+  FaultyDisk disk;
+  disk.fail_sync(EIO);
+  EXPECT_TRUE(writer->sync());
+  EXPECT_TRUE(writer->append(tick_at(10)));
+}
+
 TEST_F(Recording, AFullDiskIsAnErrorAndStaysOne) {
   const auto writer = begun("a.csv", 0, 1);
   test::FaultyDisk disk;
