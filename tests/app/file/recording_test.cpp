@@ -199,7 +199,7 @@ TEST_F(Recording, ASyncAsksTheDiskAndKeepsItsError) {
   const auto writer = begun("a.csv", 0, 10);
   ASSERT_FALSE(writer->sync());
   EXPECT_THAT(content("a.csv.partial"), HasSubstr("\n9,"));
-  FaultyDisk disk;
+  test::FaultyDisk disk;
   disk.fail_sync(EIO);
   EXPECT_TRUE(writer->sync());
   EXPECT_TRUE(writer->append(tick_at(10)));
