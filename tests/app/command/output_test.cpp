@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/app/command/binary.h"
@@ -83,14 +84,18 @@ TEST_F(OutputTest, ASmallStackIsRefusedInALine) {
 TEST_F(OutputTest, MissingThreadsAreToldInALine) {
   if (geteuid() != 0) GTEST_SKIP() << "needs root, to be a user without other processes";
   fs::permissions(path(""), fs::perms::all);
-  for (const std::string command :
-       {"run press --realtime --duration 0.1", "timing --seconds 0.1", "run press --plot a.png",
-        "map press --x wall.stiffness_n_per_m=1e3:1e4:5 --y wall.damping_n_s_per_m=0:1:3"}) {
+  for (const auto& [command, begin] :
+       {std::pair<std::string, std::string>{"run press --realtime",
+                                            "error: the loop did not start"},
+        {"timing --seconds 0.1", "error: the system refused a thread"},
+        {"run press --plot a.png", "error: the system refused a thread"},
+        {"map press --x wall.stiffness_n_per_m=1e3:1e4:5 --y wall.damping_n_s_per_m=0:1:3",
+         "error: "}}) {
     const Answer answer = shell("exec setpriv --reuid 54321 --clear-groups prlimit --nproc=1 $P " +
                                 command + " --quiet");
     EXPECT_THAT(answer.status, ::testing::AnyOf(2, 3)) << command;
     EXPECT_THAT(answer.err,
-                AllOf(StartsWith("error: "), HasSubstr("Resource temporarily unavailable")));
+                AllOf(StartsWith(begin), HasSubstr("Resource temporarily unavailable")));
     EXPECT_EQ(answer.error_lines(), 1);
   }
 }
