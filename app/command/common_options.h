@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/command/report/output_file.h"
+#include "app/command/output_file.h"
 #include "app/file/scene/scene_file.h"
 #include "core/result.h"
 

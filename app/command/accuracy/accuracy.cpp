@@ -16,7 +16,7 @@
 #include "app/command/accuracy/accuracy_report.h"
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
-#include "app/command/report/output_file.h"
+#include "app/command/output_file.h"
 #include "app/command/report/progress.h"
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/command/report/output_file.h"
+#include "app/command/output_file.h"
 #include "app/command/report/progress.h"
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"

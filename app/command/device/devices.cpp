@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "app/command/commands.h"
+#include "app/command/output_file.h"
 #include "app/command/report/json_report.h"
-#include "app/command/report/output_file.h"
 #include "app/command/report/terminal.h"
 #include "app/file/text/text.h"
 #include "core/units.h"

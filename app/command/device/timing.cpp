@@ -9,7 +9,7 @@
 #include "app/command/common_options.h"
 #include "app/command/device/timing_report.h"
 #include "app/command/device_choice.h"
-#include "app/command/report/output_file.h"
+#include "app/command/output_file.h"
 #include "app/command/report/progress.h"
 #include "app/command/signals.h"
 #include "app/command/usage.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/command/report/output_file.h"
+#include "app/command/output_file.h"
 #include "app/file/picture.h"
 #include "app/file/recording/recording_writer.h"
 #include "app/file/scene/scene_file.h"

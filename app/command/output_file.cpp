@@ -1,4 +1,4 @@
-#include "app/command/report/output_file.h"
+#include "app/command/output_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
