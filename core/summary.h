@@ -89,7 +89,7 @@ struct SummaryKey {
 
 // In the order of JSON and CSV (docs/command-line.md). A new field needs a line here and one in
 // summarise(); every output and every comparison of summaries reads this table.
-inline constexpr std::array<SummaryKey, 29> kSummaryKeys{
+inline constexpr std::array<SummaryKey, 30> kSummaryKeys{
     {{"scene", &Summary::scene, true},
      {"algorithm", &Summary::algorithm, true},
      {"verdict", &Summary::verdict},

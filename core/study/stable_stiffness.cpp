@@ -94,14 +94,14 @@ PulseTransfer transfer_of(const Motion<kStates>& motion, long double delay_ticks
   PulseTransfer transfer;
   transfer.states = kCount;
   // A whole number of ticks may come in seconds.
-  constexpr long double kRounding = 1e-9L;
-  const long double whole = std::floor(delay_ticks + kRounding);
+  constexpr long double kSameTick = 1e-9L;
+  const long double whole = std::floor(delay_ticks + kSameTick);
   const long double late = std::max(0.0L, delay_ticks - whole);
   transfer.delay_ticks = static_cast<double>(whole);
   const auto tick = step_of(motion, 1.0L);
   const Eigen::Matrix<long double, kStates, 1> both = tick.integral * motion.input;
   Eigen::Matrix<long double, kStates, 1> now = both;
-  if (late > kRounding) now = step_of(motion, 1.0L - late).integral * motion.input;
+  if (late > kSameTick) now = step_of(motion, 1.0L - late).integral * motion.input;
   SetupMatrix<kStates> adjugate = SetupMatrix<kStates>::Identity();
   transfer.denominator[kCount] = 1.0;
   for (std::size_t k = 1; k <= kCount; ++k) {
@@ -313,9 +313,9 @@ double largest_stable_stiffness(const SampledLoop& loop) {
   const double mass_kg = loop.plant.mass_kg;
   const double damping = loop.wall_damping_n_s_per_m * loop.period_s / mass_kg;
   const double stiffness = first_crossing(plant, damping);
-  constexpr double kRounding = 1e-20;  // the limit of a loop without any damping is 0
+  constexpr double kNoStiffness = 1e-20;  // the limit of a loop without any damping is 0
   // Between zero and the first crossing no zero passes the circle.
-  if (stiffness < kRounding || !is_stable(plant, 0.5 * stiffness, damping)) return 0.0;
+  if (stiffness < kNoStiffness || !is_stable(plant, 0.5 * stiffness, damping)) return 0.0;
   return stiffness * mass_kg / (loop.period_s * loop.period_s);
 }
 

@@ -2,7 +2,7 @@
 
 #include "app/command/map/map.h"
 #include "app/command/map/map_report.h"
-#include "app/command/report/output_file.h"
+#include "app/command/output_file.h"
 #include "app/command/report/progress.h"
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
