@@ -104,8 +104,9 @@ TEST_F(OutputTest, MissingThreadsAreToldInALine) {
 TEST_F(OutputTest, AFigureNeedsItsThreads) {
   if (geteuid() != 0) GTEST_SKIP() << "needs root, to be a user without other processes";
   fs::permissions(path(""), fs::perms::all);
+  // Not the user of the test before, which may run at the same time.
   const Answer answer = shell(
-      "exec setpriv --reuid 54321 --clear-groups prlimit --nproc=2 $P run press --plot a.png");
+      "exec setpriv --reuid 54322 --clear-groups prlimit --nproc=2 $P run press --plot a.png");
   EXPECT_EQ(answer.status, 4);
   EXPECT_THAT(answer.err, StartsWith("error: pictures need a thread for each core"));
   EXPECT_THAT(answer.out, StartsWith("press under"));
