@@ -178,7 +178,9 @@ std::array<Real, kCount> product_integrals(
   using Lanes = Eigen::Array<Real, kCount, 1>;
   std::array<Lanes, kTerms> p;
   for (std::size_t i = 0; i < kTerms; ++i) {
-    for (std::size_t k = 0; k < kCount; ++k) p[i][k] = ps[k]->coefficient[i];
+    for (std::size_t k = 0; k < kCount; ++k) {
+      p[i][static_cast<Eigen::Index>(k)] = ps[k]->coefficient[i];
+    }
   }
   Lanes total = Lanes::Zero();
 #pragma GCC unroll 30
@@ -193,7 +195,7 @@ std::array<Real, kCount> product_integrals(
   }
   total *= theta;
   std::array<Real, kCount> integrals;
-  for (std::size_t k = 0; k < kCount; ++k) integrals[k] = total[k];
+  std::copy(total.begin(), total.end(), integrals.begin());
   return integrals;
 }
 
