@@ -64,7 +64,7 @@ DelayChart theory_of(Scene scene, int ticks) {
 
 // The handle pressed into a wall, which the plan varies.
 Scene pressed(const NormalisedChart& chart, const DelayChart& delay) {
-  constexpr double kTicksPerDamping = 12000.0;  // what is 0.1 % below the limit comes to rest
+  constexpr double kTicksPerDamping = 12000.0;  // enough for a wall 0.1 % below the limit to settle
   constexpr double kMinTicks = 1e5;
   constexpr double kMaxTicks = 1e6;
   Scene scene = chart.handle;

@@ -9,7 +9,6 @@ namespace {
 // Larger than a report, so that an overlong one is noticed.
 constexpr std::size_t kFeatureRoom = kReportBytes + 16;
 constexpr std::size_t kProtocolOffset = 1;
-constexpr double kStepsPerNewton = 1000.0;
 // A device with an INFO report may fail to answer once.
 constexpr int kAsks = 3;
 // Keeps 8.9 N at 8900 steps despite rounding.
@@ -17,8 +16,7 @@ constexpr double kRoundingSteps = 1e-6;
 
 // The largest force that a report can carry within the limit.
 double whole_millinewtons(double limit_n) {
-  const double steps = std::floor(std::min(limit_n, kMaxForceN) * kStepsPerNewton +  //
-                                  kRoundingSteps);
+  const double steps = std::floor(std::min(limit_n, kMaxForceN) * kStepsPerNewton + kRoundingSteps);
   return std::max(steps, 0.0) / kStepsPerNewton;
 }
 

@@ -10,7 +10,6 @@ constexpr std::uint64_t kPresentBit = std::uint64_t{1} << 48U;
 constexpr std::uint64_t kEnableBit = kPresentBit << 1U;
 constexpr unsigned kSequenceShift = 32;
 constexpr unsigned kForceShift = 16;  // of the second axis
-constexpr double kStepsPerNewton = 1000.0;
 
 }  // namespace
 
@@ -39,7 +38,7 @@ SentForce sent_force(const hid::ForceReport& report) {
   force.enable = report.enable;
   for (std::size_t axis = 0; axis < force.force_mn.size(); ++axis) {
     force.force_mn[axis] =
-        static_cast<std::int16_t>(std::lround(report.force_n[axis] * kStepsPerNewton));
+        static_cast<std::int16_t>(std::lround(report.force_n[axis] * hid::kStepsPerNewton));
   }
   return force;
 }

@@ -16,8 +16,7 @@ constexpr int kMaxStepTicks = 20'000;
 // A force that a device tells may differ from the commanded one by this share of its limit (eight
 // bits of an amplifier are 0.4 %), and by a step of the report.
 constexpr double kForceTolerance = 0.01;
-constexpr double kStepsPerNewton = 1000.0;
-constexpr double kReportStepN = 1.5 / kStepsPerNewton;
+constexpr double kReportStepN = 1.5 / hid::kStepsPerNewton;
 // Weight of one tick in the moving average of the delay.
 constexpr double kDelayWeight = 1.0 / 64.0;
 
@@ -191,7 +190,7 @@ ForceWord StateTracker::force_word(const hid::StateReport& state) const {
   if (sent->enable && !enabled) return ForceWord::kNotEnabled;
   bool other = enabled && !sent->enable;
   for (std::size_t axis = 0; axis < session_.device.axes; ++axis) {
-    const double commanded_n = sent->force_mn[axis] / kStepsPerNewton;
+    const double commanded_n = sent->force_mn[axis] / hid::kStepsPerNewton;
     const double told_n = state.applied_force_n[axis];
     const double step_n =
         std::max(kReportStepN, kForceTolerance * session_.device.axis[axis].force_limit_n);

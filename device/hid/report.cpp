@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::size_t kCrcAt = kReportBytes - sizeof(std::uint16_t);
 constexpr std::size_t kVersionAt = 1;  // of STATE and INFO
-constexpr double kMillinewtonsPerNewton = 1e3;
 constexpr double kMillivoltsPerVolt = 1e3;
 constexpr double kCentidegreesPerDegree = 1e2;
 constexpr std::uint8_t kMaxMinor = 0x0F;
@@ -36,8 +35,7 @@ T saturated(double value) {
 // Clamped symmetrically. A force that is not finite becomes 0: it is a mistake, not a strong force.
 std::int16_t millinewtons(double force_n) {
   if (!std::isfinite(force_n)) return 0;
-  return saturated<std::int16_t>(std::clamp(force_n, -kMaxForceN, kMaxForceN) *
-                                 kMillinewtonsPerNewton);
+  return saturated<std::int16_t>(std::clamp(force_n, -kMaxForceN, kMaxForceN) * kStepsPerNewton);
 }
 
 // Little endian on every machine.
@@ -88,7 +86,7 @@ struct FieldReader {
     value = get<T>(bytes, at) / steps_per_unit;
   }
   void force(std::size_t at, double& force_n) {
-    scaled<std::int16_t>(at, force_n, kMillinewtonsPerNewton);
+    scaled<std::int16_t>(at, force_n, kStepsPerNewton);
   }
 };
 

@@ -31,7 +31,8 @@ inline constexpr std::uint16_t kTestProductId = 0x0001;
 inline constexpr std::size_t kMaxAxes = 2;
 inline constexpr std::uint16_t kUsualTimeToLiveMs = 20;
 inline constexpr std::uint16_t kMaxTimeToLiveMs = 100;
-inline constexpr double kMaxForceN = 32.767;  // of a report, in either direction
+inline constexpr double kMaxForceN = 32.767;       // of a report, in either direction
+inline constexpr double kStepsPerNewton = 1000.0;  // a report counts force in millinewtons
 
 // The report descriptor of protocol 1.0. A test reads it item by item.
 // clang-format off

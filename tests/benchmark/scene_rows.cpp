@@ -94,8 +94,7 @@ void add_events(const std::string& name, Scene scene) {
   register_row(name + kWithoutSuffix, scene);
 }
 
-// The peer must do the same work: about as many events, and if the handle comes to rest it is at
-// the same place.
+// The peer must have about as many events. A handle that comes to rest must rest at the same place.
 bool does_the_same(const benchmark_loops::FrictionState& end, const Scene& scene) {
   constexpr double kSamePlaceM = 1e-9;
   constexpr double kSameShare = 0.02;
