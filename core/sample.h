@@ -52,13 +52,14 @@ struct Sample {
   // Known to a real device only; 0 from the simulator.
   double device_time_s = 0.0;  // when it latched the position, by its own clock since it was opened
   double read_age_s = 0.0;     // age of the position when the loop used it
+  double applied_force_n = 0.0;  // that the device says it applies from the latch on
   std::uint32_t flags = 0;
   std::uint32_t generation = 0;  // of the parameters in force (live sessions; 0 in headless runs)
 };
 
 // Which columns a recording has: kTick once, kAxis for every axis, and of every axis kTruth (from a
-// simulator) or kDevice (from a real device).
-enum class ColumnGroup : std::uint8_t { kTick, kAxis, kTruth, kDevice };
+// simulator) or kDevice (from a real device), with kApplied if the device tells its force.
+enum class ColumnGroup : std::uint8_t { kTick, kAxis, kTruth, kDevice, kApplied };
 
 using SampleMember = std::variant<double Sample::*, double PlantTruth::*, std::uint64_t Sample::*,
                                   std::uint32_t Sample::*>;
@@ -71,7 +72,7 @@ struct SampleColumn {
 
 // In the order of a recording (docs/recording.md). A new field needs a line here; writer,
 // reader, history and every comparison read this table. `generation` is not recorded.
-inline constexpr std::array<SampleColumn, 23> kSampleColumns{
+inline constexpr std::array<SampleColumn, 24> kSampleColumns{
     {{"tick", &Sample::tick, ColumnGroup::kTick},
      {"time_s", &Sample::time_s, ColumnGroup::kTick},
      {"position_m", &Sample::position_m, ColumnGroup::kAxis},
@@ -94,7 +95,8 @@ inline constexpr std::array<SampleColumn, 23> kSampleColumns{
      {"true_hand_work_j", &PlantTruth::hand_work_j, ColumnGroup::kTruth},
      {"kinetic_j", &PlantTruth::kinetic_j, ColumnGroup::kTruth},
      {"device_time_s", &Sample::device_time_s, ColumnGroup::kDevice},
-     {"read_age_s", &Sample::read_age_s, ColumnGroup::kDevice}}};
+     {"read_age_s", &Sample::read_age_s, ColumnGroup::kDevice},
+     {"applied_force_n", &Sample::applied_force_n, ColumnGroup::kApplied}}};
 
 // The place of a member in kSampleColumns. Fails to compile for a member that has no column.
 template <typename Member>

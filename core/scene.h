@@ -31,6 +31,7 @@ struct DeviceSettings {
   std::optional<double> friction_n;
   std::optional<double> encoder_m;
   std::optional<double> force_limit_n;
+  std::optional<double> max_force_rate_n_per_s;  // at which the commanded force may rise
   // The force chain from the command to the handle: rounding to steps of force, a delay of whole
   // ticks (at most kMaxDelayTicks), and a first-order lag for the amplifier.
   std::optional<double> force_resolution_n;

@@ -15,6 +15,7 @@ constexpr ValueRange kDamping{0.0, 1e4};
 constexpr ValueRange kFriction{0.0, 1e3};
 constexpr ValueRange kEncoder{0.0, 0.01};
 constexpr ValueRange kForceLimit{0.0, 1e6};
+constexpr ValueRange kForceRate{0.0, 1e9};
 constexpr ValueRange kForceResolution{0.0, 1e3};
 constexpr ValueRange kDelay{0.0, kMaxDelayTicks};
 constexpr ValueRange kTimeConstant{0.0, 10.0};
@@ -40,6 +41,7 @@ constexpr auto kKeys<DeviceSettings> = std::to_array<NumberKey<DeviceSettings>>(
      {"friction_n", "N", kFriction, false, &DeviceSettings::friction_n},
      {"encoder_m", "m", kEncoder, false, &DeviceSettings::encoder_m},
      {"force_limit_n", "N", kForceLimit, false, &DeviceSettings::force_limit_n},
+     {"max_force_rate_n_per_s", "N/s", kForceRate, false, &DeviceSettings::max_force_rate_n_per_s},
      {"force_resolution_n", "N", kForceResolution, false, &DeviceSettings::force_resolution_n},
      {"delay_ticks", "ticks", kDelay, false, &DeviceSettings::delay_ticks},
      {"amplifier_time_constant_s", "s", kTimeConstant, false,

@@ -71,6 +71,21 @@ struct Summary {
   std::optional<double> energy_balance_error_j;
   std::optional<double> energy_balance_relative;  // to turnover_j(); nullopt if nothing moved
   std::optional<double> passivity_margin_j;
+  // Of a session in real time, filled by its caller; all but the first of a real device only.
+  std::optional<std::uint64_t> missed_ticks;
+  std::optional<std::uint64_t> missing_states;
+  std::optional<std::uint64_t> void_reports;
+  std::optional<std::uint64_t> applied_commands;
+  std::optional<std::uint64_t> lost_commands;
+  std::optional<std::uint64_t> rejected_commands;
+  std::optional<double> delay_s;        // nullopt: unknown
+  std::optional<double> disarmed_at_s;  // of the session's time; nullopt: it was not disarmed
+  std::optional<std::string> disarm_reason;
+
+  // False for a run that ended before its tail without diverging.
+  [[nodiscard]] bool has_verdict() const {
+    return verdict == Verdict::kDiverged || tail_peak_to_peak_m.has_value();
+  }
 };
 
 // The axes of one run, x first. Precondition of its readers: not empty.
@@ -84,12 +99,13 @@ using SummaryMember =
 struct SummaryKey {
   std::string_view name;  // in JSON, CSV, --expect and --sort
   SummaryMember member;
-  bool of_run = false;  // all axes share it
+  bool of_run = false;      // all axes share it
+  bool of_session = false;  // absent unless the run was a session in real time
 };
 
 // In the order of JSON and CSV (docs/command-line.md). A new field needs a line here and one in
 // summarise(); every output and every comparison of summaries reads this table.
-inline constexpr std::array<SummaryKey, 30> kSummaryKeys{
+inline constexpr std::array<SummaryKey, 39> kSummaryKeys{
     {{"scene", &Summary::scene, true},
      {"algorithm", &Summary::algorithm, true},
      {"verdict", &Summary::verdict},
@@ -119,6 +135,15 @@ inline constexpr std::array<SummaryKey, 30> kSummaryKeys{
      {"energy_balance_relative", &Summary::energy_balance_relative},
      {"passivity_margin_j", &Summary::passivity_margin_j},
      {"diverged_at_tick", &Summary::diverged_at_tick},
-     {"verdict_note", &Summary::verdict_note, true}}};
+     {"verdict_note", &Summary::verdict_note, true},
+     {"missed_ticks", &Summary::missed_ticks, true, true},
+     {"missing_states", &Summary::missing_states, true, true},
+     {"void_reports", &Summary::void_reports, true, true},
+     {"applied_commands", &Summary::applied_commands, true, true},
+     {"lost_commands", &Summary::lost_commands, true, true},
+     {"rejected_commands", &Summary::rejected_commands, true, true},
+     {"delay_s", &Summary::delay_s, true, true},
+     {"disarmed_at_s", &Summary::disarmed_at_s, true, true},
+     {"disarm_reason", &Summary::disarm_reason, true, true}}};
 
 }  // namespace hapticwall

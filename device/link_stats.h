@@ -73,11 +73,15 @@ struct LinkStats {
   std::uint64_t void_reports = 0;    // wrong length, id, CRC, major version or value
   std::uint64_t repeated_states = 0;
   std::uint64_t rejected_commands = 0;  // by the device
-  std::uint64_t losses = 0;             // of the link
-  double device_period_s = 0.0;         // mean time between states by the device's clock
-  double age_s = 0.0;                   // of the position at the newest read()
-  double maximum_age_s = 0.0;           // while the link was up
-  double write_time_s = 0.0;            // of the newest command into the operating system
+  // Acknowledged by a state, and the gaps between their numbers: lost, overtaken by a newer one
+  // within a tick, rejected, or acknowledged by a state that is missing.
+  std::uint64_t applied_commands = 0;
+  std::uint64_t lost_commands = 0;
+  std::uint64_t losses = 0;      // of the link
+  double device_period_s = 0.0;  // mean time between states by the device's clock
+  double age_s = 0.0;            // of the position at the newest read()
+  double maximum_age_s = 0.0;    // while the link was up
+  double write_time_s = 0.0;     // of the newest command into the operating system
   double maximum_write_time_s = 0.0;
   // From the latch of a position to the arrival of its command, by the device's clock; 0: unknown.
   double round_trip_s = 0.0;

@@ -85,7 +85,7 @@ std::optional<LaneKind> lane_kind(const Scene& scene) {
       !has_follower(scene.algorithm) && scene.simulator.integrator == Integrator::kExact &&
       scene.x().walls.size() <= 1 && !names(device.friction_n) &&
       !names(device.amplifier_time_constant_s) && !names(device.force_resolution_n) &&
-      device.delay_ticks.value_or(0) == 0 &&
+      !names(device.max_force_rate_n_per_s) && device.delay_ticks.value_or(0) == 0 &&
       !(scene.x().hand && (scene.x().hand->has_grip() || scene.x().hand->follows_mouse));
   if (!fits) return std::nullopt;
   const bool damped = !scene.x().walls.empty() && scene.x().walls.front().damping_n_s_per_m != 0.0;

@@ -10,6 +10,9 @@ ServoSettings servo_settings(const Scene& scene) {
   settings.device_damping_n_s_per_m = scene.x().device.damping_n_s_per_m;
   settings.encoder_m = scene.x().device.encoder_m.value_or(0.0);
   if (scene.x().device.force_limit_n) settings.force_limit_n = *scene.x().device.force_limit_n;
+  if (const double rate = scene.x().device.max_force_rate_n_per_s.value_or(0.0); rate > 0.0) {
+    settings.max_rise_n = rate * settings.period_s();
+  }
   settings.walls = WallSet(scene.x().walls);
   settings.algorithm = scene.algorithm;
   return settings;
@@ -46,9 +49,7 @@ void Servo::reset() {
   stabiliser_.reset();
   const double budget_n_per_m = state_.budget_n_per_m;
   const double force_gain = state_.force_gain;
-  const double max_rise_n = state_.max_rise_n;
   state_ = ServoState{};
-  state_.max_rise_n = max_rise_n;
   state_.budget_n_per_m = budget_n_per_m;
   state_.force_gain = force_gain;
 }

@@ -33,6 +33,8 @@ struct ServoSettings {
   double encoder_m = 0.0;  // 0: none
   double force_limit_n =
       std::numeric_limits<double>::max();  // finite, so that an infinite force is over it
+  // Of the force's magnitude in a tick.
+  double max_rise_n = std::numeric_limits<double>::infinity();
   double maximum_age_s = kDefaultMaxAgeS;
   double transition_s = kSwitchTransitionS;
   WallSet walls;
@@ -76,9 +78,7 @@ struct ServoState {
   // Share of the force that reaches the device, 0 to 1; less than 1 until the device is fully
   // armed.
   double force_gain = 1.0;
-  double previous_gain = 1.0;  // of the previous force
-  // Of the force's magnitude in a tick; infinite on a simulator.
-  double max_rise_n = std::numeric_limits<double>::infinity();
+  double previous_gain = 1.0;   // of the previous force
   bool position_known = false;  // the last reading was without fault
   bool parameters_changed = false;
   bool failed = false;  // a force that was not finite; sticky until reset
@@ -88,8 +88,9 @@ struct ServoState {
 struct TickOutcome {
   std::uint64_t tick = 0;
   double position_m = 0.0;
-  double age_s = 0.0;          // of the position
-  double device_time_s = 0.0;  // of the position, by the device's clock
+  double age_s = 0.0;            // of the position
+  double device_time_s = 0.0;    // of the position, by the device's clock
+  double applied_force_n = 0.0;  // by the device's word
   double displacement_m = 0.0;
   double velocity_m_per_s = 0.0;
   WallContact contact;
@@ -106,10 +107,10 @@ namespace detail {
 
 // From the previous force of the same sign, else from zero; the force falls at once. Realtime-safe:
 // yes.
-[[nodiscard]] inline double limit_rise(double force_n, const ServoState& state) {
-  const bool same_sign = (force_n > 0.0) == (state.previous_force_n > 0.0);
-  const double from_n = same_sign ? std::abs(state.previous_force_n) : 0.0;
-  return std::clamp(force_n, -from_n - state.max_rise_n, from_n + state.max_rise_n);
+[[nodiscard]] inline double limit_rise(double force_n, double previous_n, double max_rise_n) {
+  const bool same_sign = (force_n > 0.0) == (previous_n > 0.0);
+  const double from_n = same_sign ? std::abs(previous_n) : 0.0;
+  return std::clamp(force_n, -from_n - max_rise_n, from_n + max_rise_n);
 }
 
 // Finite check, then clamp; zero if the input is not usable. Realtime-safe: yes.
@@ -144,16 +145,18 @@ namespace detail {
 // same bits without them.
 struct StepKnowledge {
   bool sound_device = false;  // no reading is old or faulty
-  // The last reading was sound, no blend is running, the gain is 1, and every force was finite; see
-  // is_steady(). Stays true while state.failed is false and the device is sound.
+  // The last reading was sound, no blend is running, the gain is 1, every force was finite, and
+  // none may rise slowly; see is_steady(). Stays true while state.failed is false and the device is
+  // sound.
   bool steady = false;
   bool one_undamped_wall = false;
 };
 
 // Realtime-safe: yes, these two.
-[[nodiscard]] inline bool is_steady(const ServoState& state) {
+[[nodiscard]] inline bool is_steady(const ServoSettings& settings, const ServoState& state) {
   return state.position_known && state.transition.ticks_left == 0 && state.force_gain == 1.0 &&
-         state.previous_gain == 1.0 && !state.failed && !state.parameters_changed;
+         state.previous_gain == 1.0 && !state.failed && !state.parameters_changed &&
+         !std::isfinite(settings.max_rise_n);
 }
 [[nodiscard]] inline bool has_one_undamped_wall(const ServoSettings& settings) {
   const auto walls = settings.walls.walls();
@@ -174,6 +177,7 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
     out.fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
     out.age_s = reading.age_s;
     out.device_time_s = reading.device_time_s;
+    out.applied_force_n = reading.applied_force_n;
   }
   out.position_m = out.fault ? state.previous_position_m : reading.position_m;
 
@@ -210,8 +214,9 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
     out.force_n = detail::restrict_force(wanted_n, limit_n, !out.stale && !out.fault, state);
   }
   if constexpr (!kKnown.steady) {
-    if (std::isfinite(state.max_rise_n)) [[unlikely]] {
-      const double risen_n = detail::limit_rise(out.force_n, state);
+    if (std::isfinite(settings.max_rise_n)) [[unlikely]] {
+      const double risen_n =
+          detail::limit_rise(out.force_n, state.previous_force_n, settings.max_rise_n);
       out.rate_limited = risen_n != out.force_n;
       out.force_n = risen_n;
     }
@@ -253,6 +258,7 @@ inline void write_sample(const ServoSettings& settings, const EnergyLedger& ledg
   sample.energy_budget_j = ledger.budget_j;
   sample.device_time_s = out.device_time_s;
   sample.read_age_s = out.age_s;
+  sample.applied_force_n = out.applied_force_n;
   const auto flag = [](bool set, SampleFlag bit) {
     return set ? static_cast<std::uint32_t>(bit) : 0U;
   };

@@ -198,13 +198,14 @@ void run_lean_loop(HeadlessRun& run, Plant& plant, std::uint64_t end) {
 template <typename Stabiliser, typename Plant>
 void choose_loop(HeadlessRun& run, Plant& plant, std::uint64_t end) {
   if constexpr (Plant::kPlain && Stabiliser::kLean) {
+    const ServoSettings& settings = run.servo.settings();
     const ServoState& state = run.servo.state();
-    const bool lean = !run.output.present() && has_one_undamped_wall(run.servo.settings());
-    if (lean && !is_steady(state)) {
+    const bool lean = !run.output.present() && has_one_undamped_wall(settings);
+    if (lean && !is_steady(settings, state)) {
       const std::uint64_t unsteady = 1 + state.transition.ticks_left;
       run_loop<kAnyLoop, Stabiliser>(run, plant, std::min(end, state.tick + unsteady));
     }
-    if (lean && is_steady(state)) {
+    if (lean && is_steady(settings, state)) {
       return run.on_sample ? run_lean_loop<true, Stabiliser>(run, plant, end)
                            : run_lean_loop<false, Stabiliser>(run, plant, end);
     }

@@ -52,6 +52,7 @@ DeviceReading ImpulseEngine::read() {
   reading.age_s = axes.age_s;
   reading.device_time_s = axes.device_time_s;
   reading.state = axes.state;
+  reading.applied_force_n = axes.applied_n[0];
   return reading;
 }
 

@@ -57,6 +57,7 @@ struct LinkView {
   std::uint32_t latch_us = 0;        // the same, as received
   std::uint16_t sequence = 0;
   AxisValues position_m{};
+  AxisValues applied_n{};  // told by the device; positive pushes out of the wall
   AxisValues limit_n{};
   LinkStats stats;  // without the parts that the loop, the writer and the owner count
 };

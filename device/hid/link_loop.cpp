@@ -29,6 +29,7 @@ AxesReading LinkLoop::read() {
   collect_stats(seconds(age_ns));
   AxesReading reading;
   reading.position_m = view.position_m;
+  reading.applied_n = view.applied_n;
   reading.age_s = stats_.age_s;
   reading.device_time_s = static_cast<double>(view.device_time_us) / kMicrosecondsPerSecond;
   reading.state = trouble_ == Trouble::kNone ? DeviceState::kOk : DeviceState::kFault;

@@ -12,6 +12,7 @@ namespace hapticwall::device {
 // A DeviceReading of both axes.
 struct AxesReading {
   AxisValues position_m{};  // of the newest state, also after a loss
+  AxisValues applied_n{};
   double age_s = 0.0;
   double device_time_s = 0.0;  // by the device's clock, since its start
   DeviceState state = DeviceState::kFault;

@@ -57,6 +57,7 @@ void StateTracker::begin(const LinkSession& session) {
   session_ = session;
   ended_ = Trouble::kNone;
   newest_.reset();
+  answered_.reset();
   // Measurements of the previous link do not apply to this one.
   LinkStats& stats = view_.stats;
   stats.round_trip_s = 0.0;
@@ -148,6 +149,7 @@ void StateTracker::accept(const hid::StateReport& state, std::int64_t received_n
     const std::int64_t counts = std::int64_t{state.position_counts[axis]} - origin_counts_[axis];
     view_.position_m[axis] =
         static_cast<double>(counts) * session_.device.axis[axis].encoder_m + origin_m_[axis];
+    view_.applied_n[axis] = 0.0 - state.applied_force_n[axis];  // no negative zero
   }
   LinkStats& stats = view_.stats;
   ++stats.states;
@@ -172,7 +174,7 @@ void StateTracker::hear_answer(const hid::StateReport& state, bool another) {
   const auto latch_us = latch_behind(state);
   if (latch_us) {
     command_us_ = view_.device_time_us - hid::clock_step_us(*latch_us, state.time_us);
-    if (another) answered_us_ = view_.device_time_us;
+    if (another) count_answer(state.acknowledged_sequence);
   }
   const double per_s = kMicrosecondsPerSecond;
   stats.unanswered_s = static_cast<double>(view_.device_time_us - answered_us_) / per_s;
@@ -180,6 +182,17 @@ void StateTracker::hear_answer(const hid::StateReport& state, bool another) {
   const ForceWord word = latch_us ? force_word(state) : ForceWord::kNone;
   stats.same_words = word == stats.force_word ? stats.same_words + 1 : 1;
   stats.force_word = word;
+}
+
+void StateTracker::count_answer(std::uint16_t sequence) {
+  LinkStats& stats = view_.stats;
+  answered_us_ = view_.device_time_us;
+  ++stats.applied_commands;
+  if (answered_) {
+    stats.lost_commands +=
+        static_cast<std::uint64_t>(std::max(hid::sequence_step(*answered_, sequence) - 1, 0));
+  }
+  answered_ = sequence;
 }
 
 // The force in a state is that of the command that it acknowledges (docs/hid-protocol.md, timing).

@@ -45,6 +45,7 @@ class StateTracker {
   void accept(const hid::StateReport& state, std::int64_t received_ns);
   void measure(const hid::StateReport& state, bool next_tick);
   void hear_answer(const hid::StateReport& state, bool another);
+  void count_answer(std::uint16_t sequence);
   [[nodiscard]] ForceWord force_word(const hid::StateReport& state) const;
   [[nodiscard]] std::optional<std::uint32_t> latch_behind(const hid::StateReport& state) const;
 
@@ -58,6 +59,7 @@ class StateTracker {
   std::uint64_t ticks_ = 0;  // of the device since the first state
   // By the device's clock, unwrapped: the last state with another acknowledgement, and the latch
   // behind the last command that was acknowledged.
+  std::optional<std::uint16_t> answered_;  // number of the last acknowledged command of this link
   std::int64_t answered_us_ = 0;
   std::int64_t command_us_ = 0;
 };

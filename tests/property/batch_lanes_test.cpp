@@ -97,6 +97,7 @@ RC_GTEST_PROP(Batch, GivesWhatSimulateGives, ()) {
     if (*rc::gen::inRange(0, 6) == 0) scenes.back().x().device.delay_ticks = 2;
     if (*rc::gen::inRange(0, 6) == 0) scenes.back().x().device.amplifier_time_constant_s = 1e-3;
     if (*rc::gen::inRange(0, 6) == 0) scenes.back().x().device.force_resolution_n = 0.01;
+    if (*rc::gen::inRange(0, 6) == 0) scenes.back().x().device.max_force_rate_n_per_s = 300.0;
     if (*rc::gen::inRange(0, 6) == 0) scenes.back().x().walls.push_back({0.06, 500.0, 0.0});
     if (*rc::gen::inRange(0, 6) == 0) scenes.back().simulator = {Integrator::kRungeKutta4, 3};
   }

@@ -24,6 +24,12 @@ SummaryValue value_of(const std::optional<Value>& value) {
   return value_of(*value);
 }
 
+SummaryValue value_of(const Summary& summary, const SummaryKey& key) {
+  const bool is_verdict = std::holds_alternative<Verdict Summary::*>(key.member);
+  if (is_verdict && !summary.has_verdict()) return std::monostate{};
+  return std::visit([&](auto member) { return value_of(summary.*member); }, key.member);
+}
+
 Json json_object(const RunSummary& run) {
   Json object = Json::object();
   for (const SummaryField& field : summary_fields(run)) {
@@ -45,23 +51,30 @@ std::vector<SummaryField> summary_fields(const RunSummary& run) {
   std::vector<SummaryField> fields;
   for (std::size_t axis = 0; axis < run.size(); ++axis) {
     for (const SummaryKey& key : kSummaryKeys) {
-      if (axis > 0 && key.of_run) continue;
+      if ((axis > 0 && key.of_run) || (key.of_session && !run.front().missed_ticks)) continue;
       fields.push_back(
-          {std::string(axis > 0 ? "y_" : "").append(key.name),
-           std::visit([&](auto member) { return value_of(run[axis].*member); }, key.member)});
+          {std::string(axis > 0 ? "y_" : "").append(key.name), value_of(run[axis], key)});
     }
   }
   return fields;
 }
 
-std::vector<SummaryField> all_summary_fields() { return summary_fields(RunSummary(2)); }
+std::vector<SummaryField> all_summary_fields(std::size_t axes) {
+  RunSummary session(axes);
+  session.front().missed_ticks = 0;
+  for (Summary& axis : session) {
+    axis.tail_peak_to_peak_m = 0.0;  // so that it has a verdict
+    axis.verdict_note = axis.disarm_reason = "";
+  }
+  return summary_fields(session);
+}
 
 std::string unknown_key(std::string_view key) {
   const std::vector<SummaryField> known = all_summary_fields();
   const auto keys = file::names_of(known, &SummaryField::key);
   const std::string hint = file::suggestion(key, keys);
   if (!hint.empty()) return fmt::format("the summary has no key {}{}", file::in_quotes(key), hint);
-  const std::vector<SummaryField> of_x = summary_fields(RunSummary(1));
+  const std::vector<SummaryField> of_x = all_summary_fields(1);
   return fmt::format("the summary has no key {}; known: {}; of a second axis: y_KEY",
                      file::in_quotes(key), file::joined(file::names_of(of_x, &SummaryField::key)));
 }

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/command/device_choice.h"
 #include "app/command/report/axes_metrics.h"
 #include "app/command/report/progress.h"
 #include "app/command/report/terminal.h"
@@ -29,10 +28,12 @@ constexpr std::size_t kTicksPerPoll = 4096;
 
 // Age of positions and missing reports of a real device.
 std::string link_text(const runtime::LiveSession& session, const device::LinkStats& link) {
-  return fmt::format("; {}: {} states, {} missing, {} void, at most {:.0f} us old, delay {:.0f} us",
+  const std::string delay = link.delay_s > 0.0
+                                ? fmt::format("{:.0f} us", link.delay_s * kMicrosecondsPerSecond)
+                                : "unknown";
+  return fmt::format("; {}: {} states, {} missing, {} void, at most {:.0f} us old, delay {}",
                      session.device_info().name, link.states, link.missing_states,
-                     link.void_reports, link.maximum_age_s * kMicrosecondsPerSecond,
-                     link.delay_s * kMicrosecondsPerSecond);
+                     link.void_reports, link.maximum_age_s * kMicrosecondsPerSecond, delay);
 }
 
 std::string status_text(const runtime::LiveSession& session, const runtime::Snapshot& snapshot) {
@@ -66,24 +67,35 @@ class TickTaker {
   std::vector<Tick> ticks_;
 };
 
-Result<std::unique_ptr<runtime::LiveSession>> start_session(const RealtimeRun& run) {
+Result<std::unique_ptr<runtime::LiveSession>> start_session(RealtimeRun& run) {
   runtime::SessionOptions options;
   options.start_paused = true;  // the recording begins with tick 0
   options.allow_no_realtime = run.allow_no_realtime;
   options.spin_s = run.spin_s;
-  if (!run.hardware) return runtime::LiveSession::start(run.scene, options);
-  return runtime::LiveSession::start_on(make_device(*run.hardware, run.scene), run.scene, options);
+  if (!run.device) return runtime::LiveSession::start(run.scene, options);
+  return runtime::LiveSession::start_on(std::move(run.device), run.scene, options);
+}
+
+Failure device_trouble(const runtime::LiveSession& session, double since_s, std::string_view why) {
+  return device_error(fmt::format("{}: {}; the force is off since {:.3f} s",
+                                  session.device_info().name, why, since_s));
+}
+
+// The pause after the last tick is no trouble, and a handle inside the wall may come out.
+bool was_disarmed(const runtime::ArmingStatus& arming) {
+  return arming.asked > 0 && arming.state == runtime::ArmingState::kOff &&
+         arming.note != runtime::ArmingNote::kPaused &&
+         arming.note != runtime::ArmingNote::kInsideWall;
 }
 
 // Trouble that ends a run early.
 Failure trouble_in(const runtime::LiveSession& session, const runtime::Snapshot& snapshot,
                    const RealtimeRun& run) {
   const auto failed = [](std::string text) { return device_error(std::move(text)); };
-  if (snapshot.ended_by_fault) {
-    return failed(
-        fmt::format("the loop ended by a fault after {} ticks", snapshot.newest.x().tick));
-  }
   const Sample& newest = snapshot.newest.x();
+  if (snapshot.ended_by_fault) {
+    return failed(fmt::format("the loop ended by a fault after {} ticks", newest.tick));
+  }
   if (session.device_info().is_simulated && (newest.flags & kFlagDeviceFault) != 0) {
     return usage_error(fmt::format("a tick before {:.3f} s is {}", newest.time_s, kTooMuchWork));
   }
@@ -92,22 +104,63 @@ Failure trouble_in(const runtime::LiveSession& session, const runtime::Snapshot&
         "samples were lost: this machine is too slow for the rate; choose a lower "
         "sampling.rate_hz");
   }
-  const runtime::ArmingStatus& arming = snapshot.arming;
-  const std::string& name = session.device_info().name;
   if (snapshot.link.trouble != device::Trouble::kNone) {
     const std::string details = session.device_trouble();
-    return failed(
-        fmt::format("{}: {}; the force is off since {:.3f} s", name,
-                    details.empty() ? device::trouble_text(snapshot.link.trouble) : details,
-                    snapshot.newest.x().time_s));
+    return device_trouble(session, newest.time_s,
+                          details.empty() ? device::trouble_text(snapshot.link.trouble) : details);
   }
-  // The pause after the last tick is no trouble.
-  if (run.arm && arming.asked > 0 && arming.state == runtime::ArmingState::kOff &&
-      arming.note != runtime::ArmingNote::kPaused) {
-    return failed(fmt::format("{}: the force is off since {:.3f} s: {}", name,
-                              snapshot.newest.x().time_s, runtime::arming_note_text(arming.note)));
+  if (!run.arm || !was_disarmed(snapshot.arming)) return {};
+  return device_trouble(session, snapshot.arming.since_s,
+                        runtime::arming_note_text(snapshot.arming.note));
+}
+
+// Asks for the force until the handle is outside the wall.
+class ArmingRequest {
+ public:
+  void ask(runtime::LiveSession& session) {
+    session.arm(true);
+    ++asked_;
   }
-  return {};
+  void look(runtime::LiveSession& session, const runtime::ArmingStatus& arming) {
+    const bool refused =
+        asked_ > 0 && arming.asked == asked_ && arming.note == runtime::ArmingNote::kInsideWall;
+    if (arming.state != runtime::ArmingState::kOff) waits_ = false;
+    if (!refused) return;
+    if (!waits_) {
+      tell(fmt::format("{}; the force stays off until then",
+                       runtime::arming_note_text(arming.note)));
+    }
+    waits_ = true;
+    ask(session);
+  }
+  // Why the force was off to the end.
+  [[nodiscard]] Failure trouble() const {
+    if (!waits_) return {};
+    return device_error("the force stayed off: the handle was inside the wall to the end");
+  }
+
+ private:
+  std::uint32_t asked_ = 0;
+  bool waits_ = false;
+};
+
+// What the summary of a session adds to that of its ticks.
+void add_session(const runtime::LiveSession& session, const runtime::Snapshot& snapshot, bool armed,
+                 Summary& summary) {
+  summary.missed_ticks = snapshot.timing.missed_ticks;
+  if (session.device_info().is_simulated) return;
+  const device::LinkStats& link = snapshot.link;
+  summary.missing_states = link.missing_states;
+  summary.void_reports = link.void_reports;
+  summary.applied_commands = link.applied_commands;
+  summary.lost_commands = link.lost_commands;
+  summary.rejected_commands = link.rejected_commands;
+  if (link.delay_s > 0.0) summary.delay_s = link.delay_s;
+  if (!armed || !was_disarmed(snapshot.arming)) return;
+  summary.disarmed_at_s = snapshot.arming.since_s;
+  summary.disarm_reason = link.trouble != device::Trouble::kNone
+                              ? device::trouble_text(link.trouble)
+                              : runtime::arming_note_text(snapshot.arming.note);
 }
 
 // Drops the remaining steps, so that summary and recording end with the same tick.
@@ -139,7 +192,7 @@ class RecordingWatch {
 
 }  // namespace
 
-Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
+Result<RealtimeOutcome> run_realtime(RealtimeRun run) {
   const std::uint64_t ticks = run.scene.tick_count();
   if (ticks > UINT32_MAX) {
     return usage_error(fmt::format("--realtime runs at most {} ticks", UINT32_MAX));
@@ -154,24 +207,32 @@ Result<RealtimeOutcome> run_realtime(const RealtimeRun& run) {
   TickTaker taker(session.scene(), session.device_info().is_simulated);
   Progress progress(run.scene.name, run.show_progress);
   session.step(static_cast<std::uint32_t>(ticks));
-  if (run.arm) session.arm(true);
-  Failure trouble;
+  ArmingRequest request;
+  if (run.arm) request.ask(session);
+  RealtimeOutcome outcome;
   RecordingWatch recording;
+  runtime::Snapshot snapshot;
   std::uint64_t done = 0;
-  while (done < ticks && stop_signal() == 0 && !trouble) {
+  while (done < ticks && stop_signal() == 0 && !outcome.trouble) {
     done += taker.take(session, run);
-    trouble = trouble_in(session, session.snapshot(), run);
+    snapshot = session.snapshot();
+    request.look(session, snapshot.arming);
+    outcome.trouble = trouble_in(session, snapshot, run);
     recording.look(session);
     progress.show(static_cast<double>(done) / static_cast<double>(ticks));
-    if (done < ticks && !trouble) std::this_thread::sleep_for(kPollInterval);
+    if (done < ticks && !outcome.trouble) std::this_thread::sleep_for(kPollInterval);
   }
+  if (outcome.trouble && outcome.trouble->kind == ErrorKind::kUsage) return *outcome.trouble;
   session.arm(false);
   leave_out_the_rest(session);
-  Failure recording_failure = session.stop_recording();
+  outcome.recording_failure = session.stop_recording();
   while (const std::uint64_t taken = taker.take(session, run)) done += taken;
-  if (trouble) return *trouble;
-  return RealtimeOutcome{taker.summary(), status_text(session, session.snapshot()), done < ticks,
-                         std::move(recording_failure)};
+  if (!outcome.trouble && done == ticks) outcome.trouble = request.trouble();
+  outcome.summary = taker.summary();
+  outcome.status = status_text(session, snapshot);
+  outcome.stopped_early = done < ticks;
+  add_session(session, snapshot, run.arm, outcome.summary.front());
+  return outcome;
 }
 
 }  // namespace hapticwall::command

@@ -2,23 +2,23 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
 #include "core/summary.h"
-#include "device/hid/impulse_engine.h"
+#include "device/device.h"
 
 namespace hapticwall::command {
 
 struct RealtimeRun {
   const Scene& scene;
-  std::string csv;                                       // empty: no recording
-  std::function<void(const Tick&)> on_tick;              // as in HeadlessRun
-  std::optional<device::ImpulseEngineOptions> hardware;  // nullopt: the simulator
-  bool arm = false;                                      // arms the device at the first tick
+  std::string csv;                           // empty: no recording
+  std::function<void(const Tick&)> on_tick;  // as in HeadlessRun
+  std::unique_ptr<device::Device> device;    // not open yet; nullptr: the simulator
+  bool arm = false;                          // arms the device as soon as it can
   bool allow_no_realtime = false;
   double spin_s = 0.0;  // as in SessionOptions
   bool show_progress = false;
@@ -28,12 +28,14 @@ struct RealtimeOutcome {
   RunSummary summary;
   std::string status;  // of the real-time loop, in words
   bool stopped_early = false;
+  Failure trouble;  // that ended it early
   Failure recording_failure;
 };
 
-// Runs exactly scene.tick_count() ticks, fewer after a stop signal, and finishes the recording. A
-// device that is lost or cannot be armed ends the run with ErrorKind::kDevice, with zero force and
-// a finished recording. A recording that fails does not end it.
-[[nodiscard]] Result<RealtimeOutcome> run_realtime(const RealtimeRun& run);
+// Runs exactly scene.tick_count() ticks, fewer after a stop signal, and finishes the recording. To
+// arm waits while the handle is inside the wall. A device that is lost or disarmed ends the run
+// with zero force: the outcome then has the ticks so far, and the trouble (ErrorKind::kDevice). A
+// recording that fails does not end it.
+[[nodiscard]] Result<RealtimeOutcome> run_realtime(RealtimeRun run);
 
 }  // namespace hapticwall::command

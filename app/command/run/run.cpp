@@ -34,6 +34,7 @@ struct RunOutcome {
   RunSummary summary;
   bool stopped_early = false;
   std::string realtime_status;
+  Failure trouble;  // of a session; the outputs have what was before it
 };
 
 Failure check_arming(const RunOptions& options, const DeviceChoice& device) {
@@ -66,14 +67,14 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
       run_realtime({.scene = scene,
                     .csv = options.output.csv,
                     .on_tick = tick_sink(outputs),
-                    .hardware = device.hardware,
+                    .device = device.hardware ? make_device(*device.hardware, scene) : nullptr,
                     .arm = options.arm,
                     .allow_no_realtime = options.scene.allow_no_realtime,
                     .spin_s = options.scene.spin_us / kMicrosecondsPerSecond,
                     .show_progress = !options.output.quiet});
   if (!result) return result.error();
   outputs.keep_failure(result->recording_failure);
-  return RunOutcome{result->summary, result->stopped_early, result->status};
+  return RunOutcome{result->summary, result->stopped_early, result->status, result->trouble};
 }
 
 RunOutcome run_headless(const RunOptions& options, const file::LoadedScene& loaded,
@@ -87,7 +88,7 @@ RunOutcome run_headless(const RunOptions& options, const file::LoadedScene& load
   const std::uint64_t ticks =
       result.stopped_early ? result.summary.front().ticks : loaded.scene.tick_count();
   outputs.finish_recording(loaded, ticks, result.summary);
-  return RunOutcome{result.summary, result.stopped_early, ""};
+  return RunOutcome{result.summary, result.stopped_early, "", {}};
 }
 
 // Whether the sidecar or its rows were changed since the recording.
@@ -115,7 +116,9 @@ int end_early(const RunOutcome& outcome, const Scene& scene, const std::string& 
                                  csv.empty() ? "" : "; " + file::shown(csv) + " holds these"));
 }
 
+// Nothing for a session that ended early: it has no verdict.
 std::string table_of(const Scene& scene, const RunOutcome& outcome) {
+  if (outcome.trouble) return "";
   const RunSummary& summary = outcome.summary;
   const bool hand_moves = hand_moves_in_tail(scene, summary, summary.front().duration_s);
   return summary_lines(summary, {outcome.realtime_status, hand_moves});
@@ -150,13 +153,15 @@ Result<int> run(const RunOptions& options) {
       in_real_time ? run_in_real_time(options, *device, loaded->scene, *outputs)
                    : Result(run_headless(options, *loaded, *outputs));
   if (!outcome) return outcome.error();
-  if (outcome->stopped_early && outputs->failure()) return *outputs->failure();
-  if (outcome->stopped_early) return end_early(*outcome, loaded->scene, options.output.csv);
-  if (Failure failed =
-          outputs->finish(loaded->scene, outcome->summary, table_of(loaded->scene, *outcome))) {
-    return *failed;
-  }
-  return judge(*expectations, {&outcome->summary, 1});
+  const bool interrupted = outcome->stopped_early && !outcome->trouble;
+  if (interrupted && outputs->failure()) return *outputs->failure();
+  if (interrupted) return end_early(*outcome, loaded->scene, options.output.csv);
+  const Failure failed =
+      outputs->finish(loaded->scene, outcome->summary, table_of(loaded->scene, *outcome));
+  const int status = judge(*expectations, {&outcome->summary, 1});
+  if (outcome->trouble) return *outcome->trouble;
+  if (failed) return *failed;
+  return status;
 }
 
 }  // namespace

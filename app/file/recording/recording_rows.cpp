@@ -29,7 +29,8 @@ constexpr auto kOfTick = [](const SampleColumn& column, CsvColumns /*columns*/) 
   return column.group == ColumnGroup::kTick;
 };
 constexpr auto kOfAxis = [](const SampleColumn& column, CsvColumns columns) {
-  return column.group == ColumnGroup::kAxis || column.group == columns.source;
+  return column.group == ColumnGroup::kAxis || column.group == columns.source ||
+         (column.group == ColumnGroup::kApplied && columns.applied);
 };
 
 // Reads fields from left to right.
@@ -119,7 +120,9 @@ std::string csv_header(CsvColumns columns) {
 Result<CsvColumns> parse_csv_header(std::string_view line) {
   for (const bool simulated : {true, false}) {
     for (std::size_t axes = 1; axes <= kMaxAxes; ++axes) {
-      const CsvColumns columns = csv_columns(simulated, axes);
+      CsvColumns columns = csv_columns(simulated, axes);
+      if (line == csv_header(columns)) return columns;
+      columns.applied = false;
       if (line == csv_header(columns)) return columns;
     }
   }

@@ -16,13 +16,15 @@ namespace hapticwall::file {
 struct CsvColumns {
   ColumnGroup source = ColumnGroup::kTruth;  // or kDevice
   std::uint8_t axes = 1;
+  bool applied = false;  // with kApplied: older recordings of devices have none
 
   [[nodiscard]] bool of_simulator() const { return source == ColumnGroup::kTruth; }
   friend bool operator==(const CsvColumns&, const CsvColumns&) = default;
 };
 
 [[nodiscard]] constexpr CsvColumns csv_columns(bool simulated, std::size_t axes = 1) {
-  return {simulated ? ColumnGroup::kTruth : ColumnGroup::kDevice, static_cast<std::uint8_t>(axes)};
+  return {simulated ? ColumnGroup::kTruth : ColumnGroup::kDevice, static_cast<std::uint8_t>(axes),
+          !simulated};
 }
 
 // Upper limit of a line in bytes, without its line end.

@@ -80,13 +80,7 @@ ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exch
   for (device::Device* device : devices) {
     LoopAxis& axis =
         axes_.emplace_back(LoopAxis{*device, Servo(initial.axes.at(axes_.size()).servo)});
-    const device::DeviceInfo info = device->info();
-    if (info.is_simulated) continue;
-    axis.judge.emplace(info);
-    if (info.max_force_rate_n_per_s > 0.0) {
-      axis.servo.state().max_rise_n =
-          info.max_force_rate_n_per_s * axis.servo.settings().period_s();
-    }
+    if (!device->info().is_simulated) axis.judge.emplace(device->info());
   }
   snapshot_.newest.count = static_cast<std::uint8_t>(axes_.size());
   snapshot_.generation = initial.generation;
@@ -200,6 +194,7 @@ void ServoLoop::disarm(ArmingNote why) {
 
 void ServoLoop::show_arming() {
   ArmingStatus& shown = snapshot_.arming;
+  if (shown.state != arming_.state()) shown.since_s = snapshot_.newest.x().time_s;
   shown.state = arming_.state();
   shown.note = arming_.note();
   shown.gain = arming_.gain();

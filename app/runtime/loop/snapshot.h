@@ -44,6 +44,7 @@ struct ArmingStatus {
   ArmingNote note = ArmingNote::kNone;
   double gain = 1.0;        // of the force, 0 to 1
   std::uint32_t asked = 0;  // answered requests to arm, granted or refused
+  double since_s = 0.0;     // session's time at which `state` began
 };
 
 // The newest tick and the state of the loop. Trivially copyable.

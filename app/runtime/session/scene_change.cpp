@@ -29,6 +29,11 @@ std::optional<SceneProblem> axis_needs_new_session(const AxisSettings& running,
   return std::nullopt;
 }
 
+// `limit` 0: none.
+void lower(std::optional<double>& setting, double limit) {
+  if (limit > 0.0) setting = std::min(setting.value_or(limit), limit);
+}
+
 }  // namespace
 
 std::optional<SceneProblem> needs_new_session(const Scene& running, const Scene& wanted) {
@@ -47,11 +52,11 @@ std::optional<SceneProblem> needs_new_session(const Scene& running, const Scene&
 Scene scene_on(Scene scene, const device::DeviceInfo& device) {
   if (device.is_simulated) return scene;
   scene.x().hand.reset();
-  if (device.encoder_m > 0.0) scene.x().device.encoder_m = device.encoder_m;
-  if (device.force_limit_n > 0.0) {
-    scene.x().device.force_limit_n = std::min(
-        scene.x().device.force_limit_n.value_or(device.force_limit_n), device.force_limit_n);
-  }
+  DeviceSettings& settings = scene.x().device;
+  if (device.encoder_m > 0.0) settings.encoder_m = device.encoder_m;
+  lower(settings.force_limit_n, device.force_limit_n);
+  if (settings.max_force_rate_n_per_s == 0.0) settings.max_force_rate_n_per_s.reset();
+  lower(settings.max_force_rate_n_per_s, device.max_force_rate_n_per_s);
   return scene;
 }
 

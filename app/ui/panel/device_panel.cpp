@@ -27,6 +27,8 @@ const std::array kRows{
                   "Δ, the count of the position sensor: the controller sees x = Δ round(x / Δ)",
                   0.254e-3},
     ParameterText{"force_limit_n", "force limit", "F_max: the largest force of the actuator", 8.9},
+    ParameterText{"max_force_rate_n_per_s", "force rate",
+                  "the fastest rise of the commanded force; it falls at once", 5e3},
     ParameterText{"force_resolution_n", "force step", "resolution of the actuator's force", 0.01},
     ParameterText{"delay_ticks", "delay",
                   "delay between command and amplifier, in ticks of length T", 1.0},

@@ -99,7 +99,9 @@ void expect_equal(const Sample& read, const Sample& written, CsvColumns columns)
 }
 
 TEST_F(RecordingReading, GivesBackEveryDigit) {
-  for (const CsvColumns columns : {csv_columns(true), csv_columns(false)}) {
+  CsvColumns older = csv_columns(false);
+  older.applied = false;
+  for (const CsvColumns columns : {csv_columns(true), csv_columns(false), older}) {
     record(7, 3000, columns);
     const auto reader = opened();
     ASSERT_EQ(reader->rows(), 3000U);

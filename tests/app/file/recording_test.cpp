@@ -50,7 +50,7 @@ TEST_F(Recording, HeaderIsThePromisedOne) {
   const std::string common =
       "tick,time_s,position_m,velocity_m_per_s,penetration_m,wall_force_n,force_n,"
       "stiffness_n_per_m,energy_cv_j,energy_hold_j,energy_scv_j,energy_budget_j,flags";
-  EXPECT_EQ(csv_header(csv_columns(false)), common + ",device_time_s,read_age_s");
+  EXPECT_EQ(csv_header(csv_columns(false)), common + ",device_time_s,read_age_s,applied_force_n");
   EXPECT_EQ(csv_header(csv_columns(true)),
             common +
                 ",true_position_m,true_velocity_m_per_s,hand_path_m,hand_force_n,"
@@ -76,12 +76,13 @@ TEST_F(Recording, ColumnsStandUnderTheirNames) {
   for (double* number : truths) *number = next++;
   sample.device_time_s = 22.0;
   sample.read_age_s = 23.0;
+  sample.applied_force_n = 24.0;
   std::string row;
   append_csv_row(row, {{sample}}, csv_columns(true));
   EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21\n");
   row.clear();
   append_csv_row(row, {{sample}}, csv_columns(false));
-  EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13,22,23\n");
+  EXPECT_EQ(row, "1,2,3,4,5,6,7,8,9,10,11,12,13,22,23,24\n");
 }
 
 class CommaDecimal : public std::numpunct<char> {

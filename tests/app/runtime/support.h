@@ -98,6 +98,7 @@ inline std::vector<Scene> plant_changes(Scene scene) {
     s.x().hand->grip_stiffness_n_per_m = 2000.0;
   });
   change([](Scene& s) { s.x().device.force_resolution_n = 0.05; });
+  change([](Scene& s) { s.x().device.max_force_rate_n_per_s = 2e3; });
   change([](Scene& s) { s.x().device.delay_ticks = 1; });
   change([](Scene& s) { s.simulator = {Integrator::kSemiImplicitEuler, 1}; });
   change([](Scene& s) { s.simulator.substeps = 10; });

@@ -192,6 +192,14 @@ TEST(ServoStep, ClampsAPullAsItClampsAPush) {
   }
 }
 
+TEST(ServoStep, MayLimitTheRiseOfTheMagnitude) {
+  EXPECT_EQ(hapticwall::detail::limit_rise(9.0, 3.0, 1.0), 4.0);
+  EXPECT_EQ(hapticwall::detail::limit_rise(0.5, 3.0, 1.0), 0.5);
+  EXPECT_EQ(hapticwall::detail::limit_rise(-9.0, 3.0, 1.0), -1.0);
+  EXPECT_EQ(hapticwall::detail::limit_rise(-9.0, -3.0, 1.0), -4.0);
+  EXPECT_EQ(hapticwall::detail::limit_rise(9.0, -3.0, 1.0), 1.0);
+}
+
 TEST(ServoStep, TellsWhetherTheAlgorithmIntervened) {
   for (const char* algorithm : {"none", "virtual-coupling"}) {
     Bench bench(stiff_wall(algorithm));

@@ -191,6 +191,29 @@ TEST(Edge, AForceLimitOfZeroIsNoForce) {
   });
 }
 
+// With samples and without, where a faster loop runs.
+TEST(Edge, AForceRateLimitsTheRiseAlone) {
+  Scene scene = pressed();
+  scene.x().walls.front().stiffness_n_per_m = 1e5;
+  scene.x().device.max_force_rate_n_per_s = 500.0;
+  for_each_integrator(scene, [](Scene each) {
+    (void)expect_sound(each);
+    double before_n = 0.0;
+    double peak_n = 0.0;
+    std::size_t flagged = 0;
+    for (const Sample& sample : samples_of(each)) {
+      ASSERT_LE(std::abs(sample.force_n) - std::abs(before_n), 0.5 + 1e-9) << sample.tick;
+      if ((sample.flags & kFlagForceRate) != 0) ++flagged;
+      before_n = sample.force_n;
+      peak_n = std::max(peak_n, std::abs(before_n));
+    }
+    EXPECT_GT(flagged, 10U);
+    EXPECT_EQ(simulate(each).summary.peak_force_n, peak_n);
+    each.x().device.max_force_rate_n_per_s = 0.0;  // none
+    EXPECT_GT(simulate(each).summary.peak_force_n, peak_n);
+  });
+}
+
 // The encoder says 0 where the wall stands a denormal before it: force over penetration is more
 // than any number.
 TEST(Edge, ADenormalPenetrationGivesAFiniteStiffness) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/runtime/session/scene_change.h"
 #include "tests/app/runtime/loop/loop_bench.h"
 
 namespace hapticwall::runtime::test {
@@ -230,13 +231,11 @@ TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
 // Of its magnitude, from zero after a change of sign; it falls at once. Ledger and sample have what
 // was commanded.
 TEST(ArmedLoop, ADeviceMayLimitTheRateAtWhichItsForceRises) {
-  struct Slow : FakeDevice {
-    Slow() { max_force_rate_n_per_s = 700.0; }
-  };
-  LoopBench<Slow> bench(bare_wall());
-  Slow& device = bench.device;
+  FakeDevice slow;
+  slow.max_force_rate_n_per_s = 700.0;
+  LoopBench<FakeDevice> bench(scene_on(bare_wall(), slow.info()));
+  FakeDevice& device = bench.device;
   device.position_m = 0.0499;
-  bench.command(CommandKind::kReset);  // the limit stays
   bench.cycles(1);
   bench.command(CommandKind::kArm);
   bench.cycles(kRampTicks + 2);
@@ -254,18 +253,6 @@ TEST(ArmedLoop, ADeviceMayLimitTheRateAtWhichItsForceRises) {
   bench.cycles(1);
   EXPECT_EQ(device.forces_n.back(), 0.0);
   EXPECT_EQ(bench.snapshot().newest.x().flags & kFlagForceRate, 0U);
-}
-
-TEST(ServoRise, IsOfTheMagnitude) {
-  ServoState state;
-  state.max_rise_n = 1.0;
-  state.previous_force_n = 3.0;
-  EXPECT_EQ(hapticwall::detail::limit_rise(9.0, state), 4.0);
-  EXPECT_EQ(hapticwall::detail::limit_rise(0.5, state), 0.5);
-  EXPECT_EQ(hapticwall::detail::limit_rise(-9.0, state), -1.0);
-  state.previous_force_n = -3.0;
-  EXPECT_EQ(hapticwall::detail::limit_rise(-9.0, state), -4.0);
-  EXPECT_EQ(hapticwall::detail::limit_rise(9.0, state), 1.0);
 }
 
 TEST(ArmedLoop, DisarmActsAtTheNextTick) {
@@ -295,10 +282,14 @@ TEST(ArmedLoop, AFaultIsAnsweredInTheSameTick) {
     real.cycles(1);
     real.expect_no_force();
     EXPECT_EQ(real.snapshot().arming.note, stale ? ArmingNote::kStale : ArmingNote::kDevice);
+    const double since_s = real.snapshot().newest.x().time_s;
+    EXPECT_GT(since_s, 0.0);
+    EXPECT_EQ(real.snapshot().arming.since_s, since_s);
     real.device.age_s = 0.0;
     real.device.state = DeviceState::kOk;
     real.cycles(100);  // well again, and still off
     real.expect_no_force();
+    EXPECT_EQ(real.snapshot().arming.since_s, since_s);
   }
 }
 

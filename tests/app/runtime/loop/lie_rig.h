@@ -35,7 +35,8 @@ class LinkDevice : public device::Device {
   [[nodiscard]] Failure open() override { return std::nullopt; }
   [[nodiscard]] DeviceReading read() override {
     const device::AxesReading axes = host_.loop.read();
-    return {axes.position_m[0], axes.age_s, axes.state, axes.device_time_s};
+    return {axes.position_m[0], axes.age_s, axes.state, axes.device_time_s,
+            axes.applied_n[0]};
   }
   void write(double force_n) override { host_.loop.write({force_n, 0.0}); }
   void enable(bool enabled) override { host_.loop.enable(enabled); }
