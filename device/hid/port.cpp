@@ -16,6 +16,10 @@ std::string obstacle_text(const std::string& path, Obstacle obstacle) {
   return obstacle == Obstacle::kNone ? "" : path + kTexts.at(static_cast<std::size_t>(obstacle));
 }
 
+std::string in_use_text(const std::string& path, const std::string& host) {
+  return path + " is in use by " + host + ": end that session first";
+}
+
 bool may_be_haptic(const Listing& listing) {
   if (listing.usage_page == 0) return true;
   return listing.usage_page == kUsagePage && (listing.usage == kUsage || listing.usage == 0);

@@ -69,6 +69,8 @@ enum class Obstacle : std::uint8_t {
 };
 // One line for people: problem and remedy. Empty for kNone.
 [[nodiscard]] std::string obstacle_text(const std::string& path, Obstacle obstacle);
+// The same of kBusy, where the other host is known: "hapticwall (process 1234)".
+[[nodiscard]] std::string in_use_text(const std::string& path, const std::string& host);
 
 class Port {
  public:
@@ -80,9 +82,11 @@ class Port {
   // Every HID device, each path once. Fails if the transport does not work.
   [[nodiscard]] virtual Result<std::vector<Listing>> list() = 0;
   // `path` must come from list(). Two threads may use a device at the same time through two
-  // handles, never through one. A known obstacle fails with its obstacle_text().
+  // handles, never through one. A known obstacle fails with its obstacle_text(), a device of
+  // another host with its in_use_text() and without a word to the device. The handles of a path
+  // keep other hosts out until the last one is closed.
   [[nodiscard]] virtual Result<std::unique_ptr<Handle>> open(const std::string& path) = 0;
-  // The obstacle to an open() now, found without opening. Cannot detect kBusy.
+  // The obstacle to an open() now, found without opening. Never kBusy: only open() knows.
   [[nodiscard]] virtual Obstacle obstacle(const std::string& path) = 0;
 };
 

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "core/text.h"
+#include "device/hid/node_lock.h"
 #include "device/hid/port.h"
 
 namespace hapticwall::device::hid {
@@ -41,6 +42,7 @@ using OpenDevice = std::unique_ptr<hid_device, CloseDevice>;
 
 // An open device, which two handles may share.
 struct SharedDevice {
+  std::shared_ptr<NodeLock> lock;  // released after the device is closed
   OpenDevice device;
   std::mutex mutex;
   // One handle is closed and the other one will be: no new handle may share it.
@@ -84,8 +86,10 @@ class HidapiHandle : public Handle {
   }
 
  private:
+  // A write that does not end must not look like a reader that was held up.
   int read_now(std::span<std::uint8_t> bytes, int wait_ms) {
-    const std::lock_guard lock(shared_->mutex);
+    const std::unique_lock lock(shared_->mutex, std::try_to_lock);
+    if (!lock) return 0;
     return hid_read_timeout(shared_->device.get(), bytes.data(), bytes.size(), wait_ms);
   }
 
@@ -159,7 +163,10 @@ class HidapiPort : public Port {
     if (const Obstacle obstacle = obstacle_at(path); obstacle != Obstacle::kNone) {
       return device_error(obstacle_text(path, obstacle));
     }
+    auto lock = lock_of(path);
+    if (!lock) return lock.error();
     auto shared = std::make_shared<SharedDevice>();
+    shared->lock = *lock;
     shared->device.reset(hid_open_path(path.c_str()));
     if (!shared->device) return not_opened(path);
     open_[path] = shared;
@@ -171,6 +178,16 @@ class HidapiPort : public Port {
  private:
   static Result<std::unique_ptr<Handle>> handle_on(std::shared_ptr<SharedDevice> shared) {
     return std::unique_ptr<Handle>(std::make_unique<HidapiHandle>(std::move(shared)));
+  }
+
+  // That of the handles that this process has, if any.
+  Result<std::shared_ptr<NodeLock>> lock_of(const std::string& path) {
+    const std::string node = node_of(path);
+    auto held = locks_[path].lock();
+    if (held && held->is_of(node)) return held;
+    auto taken = NodeLock::take(node, path);
+    if (taken) locks_[path] = *taken;
+    return taken;
   }
 
   // On libusb, the device that is open at that path.
@@ -194,6 +211,7 @@ class HidapiPort : public Port {
 
   std::set<std::string> listed_;
   std::map<std::string, std::weak_ptr<SharedDevice>> open_;
+  std::map<std::string, std::weak_ptr<NodeLock>> locks_;
 };
 
 }  // namespace

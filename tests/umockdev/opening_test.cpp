@@ -1,4 +1,6 @@
 // Devices that are listed and cannot be opened: what stands in the way is named.
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -69,6 +71,27 @@ TEST_F(HidrawOpening, OneThatWentAfterItWasListedIsGone) {
   bus_.unplug(device);
   EXPECT_EQ(port_->obstacle(device.path()), Obstacle::kGone);
   EXPECT_EQ(refusal_of(device.path()), obstacle_text(device.path(), Obstacle::kGone));
+}
+
+TEST_F(HidrawOpening, OneThatAnotherHostHasIsRefusedUntilItIsFree) {
+  const MockDevice& device = bus_.plug();
+  EXPECT_EQ(listed().size(), 1U);
+  const int other = ::open(device.node_file().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
+  EXPECT_THAT(refusal_of(device.path()),
+              HasSubstr(device.path() + " is in use by umockdev_tests (process " +
+                        std::to_string(::getpid()) + ")"));
+  EXPECT_EQ(port_->obstacle(device.path()), Obstacle::kNone);
+  ::flock(other, LOCK_UN);
+  {
+    auto reader = opened(device);
+    auto writer = opened(device);
+    EXPECT_NE(::flock(other, LOCK_EX | LOCK_NB), 0);
+    reader.reset();
+    EXPECT_NE(::flock(other, LOCK_EX | LOCK_NB), 0) << "the writer's handle still has it";
+  }
+  EXPECT_EQ(::flock(other, LOCK_EX | LOCK_NB), 0);
+  ::close(other);
 }
 
 TEST_F(HidrawOpening, WhatWasNeverListedIsNotOpened) {

@@ -56,6 +56,18 @@ TEST(DeviceList, PrintsTheRuleIfPermissionIsMissing) {
   EXPECT_THAT(text, HasSubstr("\nSUBSYSTEM==\"hidraw\", KERNELS==\"0003:1209:0001.*\""));
 }
 
+TEST(DeviceList, ADeviceOfAnotherHostIsListedAndLeftAlone) {
+  Desk desk;
+  desk.bus.add(usual_listing(), two_axes());
+  FakePort session(desk.bus);
+  ASSERT_TRUE(session.list());
+  const auto handle = session.open("/dev/hidraw0");
+  ASSERT_TRUE(handle);
+  EXPECT_THAT(desk.text(), HasSubstr("serial 0001\n  not usable: /dev/hidraw0 is in use by another "
+                                     "host: end that session first\n"));
+  EXPECT_EQ(desk.bus.open_handles(), 1U);
+}
+
 TEST(DeviceList, ADeviceThatIsNotUnderstoodSaysWhy) {
   Desk desk;
   desk.bus.add(usual_listing("/dev/hidraw0"), one_axis()).feature_is_newer = true;

@@ -57,7 +57,9 @@ class FakeHandle : public Handle {
   // As deep as the kernel's, which keeps the oldest.
   static constexpr std::size_t kQueue = 63;
 
-  explicit FakeHandle(Plug& plug) : plug_(plug) { plug_.handles.push_back(this); }
+  FakeHandle(Plug& plug, const void* host) : host_(host), plug_(plug) {
+    plug_.handles.push_back(this);
+  }
   ~FakeHandle() override { std::erase(plug_.handles, this); }
 
   ReadOutcome read(std::span<std::uint8_t> bytes, int /*wait_ms*/) override {
@@ -97,8 +99,10 @@ class FakeHandle : public Handle {
   }
   void unplug() { alive_ = false; }
   [[nodiscard]] bool is_alive() const { return alive_; }
+  [[nodiscard]] bool is_of(const void* host) const { return host_ == host; }
 
  private:
+  const void* host_;
   Plug& plug_;
   std::deque<InputReport> queue_;
   bool alive_ = true;
@@ -159,7 +163,13 @@ class FakePort : public Port {
     if (const Obstacle found = obstacle(path); found != Obstacle::kNone) {
       return Error{ErrorKind::kDevice, obstacle_text(path, found)};
     }
-    return std::unique_ptr<Handle>(std::make_unique<FakeHandle>(*plug_at(path)));
+    Plug& plug = *plug_at(path);
+    // An unplugged handle locks a node that is no longer there.
+    const bool taken = std::ranges::any_of(plug.handles, [this](const FakeHandle* handle) {
+      return handle->is_alive() && !handle->is_of(this);
+    });
+    if (taken) return Error{ErrorKind::kDevice, in_use_text(path, "another host")};
+    return std::unique_ptr<Handle>(std::make_unique<FakeHandle>(plug, this));
   }
 
   Obstacle obstacle(const std::string& path) override {
