@@ -13,8 +13,12 @@ namespace hapticwall::device {
 // disarmed.
 enum class Trouble : std::uint8_t {
   kNone,
-  kNotFound,     // never seen on the bus in this session
-  kSilent,       // no valid report for 20 ms, or unplugged; the search continues
+  kNotFound,  // never seen on the bus in this session
+  // No valid report for 20 ms; the search continues.
+  kSilent,       // none at all, or an unplug that the kernel has not noticed yet
+  kUnplugged,    // reading fails, or it is no longer on the bus
+  kVoid,         // reports came, none of them valid
+  kHeldUp,       // this program did not listen for all of that time
   kRefused,      // found, but cannot be opened or understood; trouble_details() says why
   kRestarted,    // its clock or its sequence jumped
   kCalibration,  // it lost or found its calibration: count 0 has moved
@@ -31,6 +35,9 @@ inline constexpr auto kTroubleTexts = std::to_array<std::string_view>({
     "",
     "no haptic device is connected",
     "the device was silent for 20 ms",
+    "the device was unplugged",
+    "the device sent only void reports for 20 ms",
+    "this program was held up and heard no report for 20 ms",
     "the device cannot be used",
     "the device has restarted",
     "the calibration of the device has changed",

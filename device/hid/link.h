@@ -11,6 +11,7 @@
 
 #include "core/loop/triple_buffer.h"
 #include "device/device.h"
+#include "device/hid/link_listening.h"
 #include "device/hid/report.h"
 #include "device/link_stats.h"
 #include "device/os_threads.h"
@@ -75,39 +76,25 @@ struct LinkCommand {
   std::uint32_t state_latch_us = 0;
 };
 
-// Owner to loop.
+// Owner to loop: the open session (0: none), and why none is open or the previous one ended. Loop
+// to owner: the session that it lost, and why.
 struct LinkStatus {
-  std::uint32_t session = 0;            // that is open; 0: none
-  Trouble reason = Trouble::kNotFound;  // why none is open, or why the previous one ended
+  std::uint32_t session = 0;
+  Trouble reason = Trouble::kNotFound;
 };
+static_assert(std::atomic<LinkStatus>::is_always_lock_free);
 
 struct LinkExchange {
   TripleBuffer<LinkView> views;        // reader -> loop
   TripleBuffer<LinkCommand> commands;  // loop -> writer
   WakeSignal command_signal;
 
-  void show(LinkStatus status) {
-    status_.store((std::uint64_t{status.session} << kSessionShift) |
-                      static_cast<std::uint64_t>(status.reason),
-                  std::memory_order_release);
-  }
-  // Realtime-safe: yes.
-  [[nodiscard]] LinkStatus status() const {
-    const std::uint64_t packed = status_.load(std::memory_order_acquire);
-    return {static_cast<std::uint32_t>(packed >> kSessionShift),
-            static_cast<Trouble>(packed & kReasonMask)};
-  }
-
-  std::atomic<std::uint32_t> lost_session{0};  // loop -> owner: the session that fell silent
-  std::atomic<std::int64_t> write_ns{0};       // writer -> loop: duration of the newest write
+  std::atomic<LinkStatus> status{LinkStatus{}};  // owner -> loop
+  std::atomic<LinkStatus> lost{LinkStatus{}};    // loop -> owner
+  Listening listening;                           // reader -> loop, owner
+  std::atomic<std::int64_t> write_ns{0};         // writer -> loop: duration of the newest write
   std::atomic<std::int64_t> longest_write_ns{0};
   std::atomic<std::uint64_t> losses{0};  // owner -> loop
-
- private:
-  static constexpr unsigned kSessionShift = 32;
-  static constexpr std::uint64_t kReasonMask = 0xFF;
-
-  std::atomic<std::uint64_t> status_{static_cast<std::uint64_t>(Trouble::kNotFound)};
 };
 
 }  // namespace hapticwall::device

@@ -13,9 +13,6 @@
 
 namespace hapticwall::device {
 
-// The link is lost after this time without a valid report.
-inline constexpr std::int64_t kLinkLostNs = 20'000'000;
-
 // Clamps the forces to the limit. The report enables no force if the command does not, if a force
 // is not finite, or if the position is older than kLinkLostNs.
 [[nodiscard]] hid::ForceReport force_report(const LinkCommand& command, std::uint16_t sequence,

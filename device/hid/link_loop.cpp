@@ -19,7 +19,7 @@ LinkLoop::LinkLoop(LinkExchange& exchange, const HostClock& now_ns)
 
 AxesReading LinkLoop::read() {
   exchange_.views.update();
-  status_ = exchange_.status();
+  status_ = exchange_.status;
   const LinkView& view = exchange_.views.current();
   read_ns_ = now_ns_();
   const std::int64_t since_ns = view.session == 0 ? opened_ns_ : view.received_ns;
@@ -41,12 +41,12 @@ Trouble LinkLoop::judge(std::int64_t age_ns) {
   const LinkView& view = exchange_.views.current();
   const Trouble reason = status_.reason == Trouble::kNone ? Trouble::kSilent : status_.reason;
   if (status_.session == 0 || view.session != status_.session) return reason;
-  if (lost_session_ == view.session) return Trouble::kSilent;
+  if (lost_.session == view.session) return lost_.reason;
   if (view.trouble != Trouble::kNone) return view.trouble;
   if (age_ns > kLinkLostNs) {
-    lost_session_ = view.session;
-    exchange_.lost_session.store(view.session, std::memory_order_release);
-    return Trouble::kSilent;
+    lost_ = {view.session, exchange_.listening.cause(read_ns_)};
+    exchange_.lost = lost_;
+    return lost_.reason;
   }
   // The link was lost and came back since the last read: report it once.
   const bool came_back_unseen = seen_session_ != 0 && seen_session_ != view.session;
@@ -60,7 +60,7 @@ void LinkLoop::collect_stats(double age_s) {
   stats_ = view.stats;
   stats_.trouble = trouble_;
   stats_.connected =
-      status_.session != 0 && view.session == status_.session && lost_session_ != view.session;
+      status_.session != 0 && view.session == status_.session && lost_.session != view.session;
   stats_.calibrated = stats_.calibrated && stats_.connected;
   stats_.enabled = stats_.enabled && stats_.connected;
   stats_.age_s = age_s;

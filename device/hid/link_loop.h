@@ -40,7 +40,7 @@ class LinkLoop {
   Trouble trouble_ = Trouble::kNotFound;
   std::int64_t read_ns_ = 0;
   std::uint32_t seen_session_ = 0;  // of the newest state
-  std::uint32_t lost_session_ = 0;
+  LinkStatus lost_;
   bool asked_ = false;    // the last enable()
   bool enabled_ = false;  // enabled since the last trouble
   LinkStats stats_;

@@ -108,7 +108,7 @@ void LinkOwner::look(std::int64_t now_ns) {
   const Failure failure = bring_up(now_ns);
   if (!failure) return;
   say(failure->message);
-  exchange_.show({0, reason_});
+  exchange_.status = {0, reason_};
   if (opening() == Opening::kPending && attempts_ >= kAttemptsToOpen) {
     opening_.store(Opening::kFailed, std::memory_order_release);
   }
@@ -126,7 +126,7 @@ Failure LinkOwner::bring_up(std::int64_t now_ns) {
   if (!listed) return listed.error();
   tried_ = hid::choose(hid::each_path_once(*listed), options_, known_);
   if (!tried_) {
-    reason_ = known_ ? Trouble::kSilent : Trouble::kNotFound;
+    reason_ = known_ ? Trouble::kUnplugged : Trouble::kNotFound;
     return device_error(known_ ? known_->path + " is no longer connected: plug the device in again"
                                : nobody_there(options_));
   }
@@ -164,7 +164,7 @@ void LinkOwner::start(const hid::Listing& listing, const hid::DeviceDescription&
   read_ = std::make_shared<ReadSession>();
   read_->link = {session_number_, description, options_.start_m, sent};
   read_->handle = std::move(to_read);
-  exchange_.show({session_number_, reason_});
+  exchange_.status = {session_number_, reason_};
   reader_.give(read_);
   tried_ = listing;
   phase_ = Phase::kStarting;
@@ -200,10 +200,10 @@ void LinkOwner::watch_start(std::int64_t now_ns) {
 void LinkOwner::watch(std::int64_t now_ns) {
   Trouble trouble = read_->ended.load(std::memory_order_acquire);
   const std::int64_t silent_ns = now_ns - read_->newest_ns.load(std::memory_order_acquire);
-  const bool loop_lost_it =
-      exchange_.lost_session.load(std::memory_order_acquire) == session_number_;
-  if (trouble == Trouble::kNone && (loop_lost_it || silent_ns > kLinkLostNs)) {
-    trouble = Trouble::kSilent;
+  const LinkStatus lost = exchange_.lost;
+  if (trouble == Trouble::kNone && lost.session == session_number_) trouble = lost.reason;
+  if (trouble == Trouble::kNone && silent_ns > kLinkLostNs) {
+    trouble = exchange_.listening.cause(now_ns);
   }
   if (trouble == Trouble::kNone) return;
   exchange_.losses.fetch_add(1, std::memory_order_relaxed);
@@ -213,7 +213,7 @@ void LinkOwner::watch(std::int64_t now_ns) {
 // The loop stops commanding first; then the writer removes the force.
 void LinkOwner::take_down(Trouble reason, const std::string& words, std::int64_t now_ns) {
   reason_ = reason;
-  exchange_.show({0, reason});
+  exchange_.status = {0, reason};
   say(words);
   write_->session->stop();
   exchange_.command_signal.post();

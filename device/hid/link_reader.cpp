@@ -39,6 +39,7 @@ void LinkReader::take_session() {
   if (!next_) return;
   session_ = std::move(next_);
   tracker_.begin(session_->link);
+  exchange_.listening.begin(now_ns_());
 }
 
 LinkReader::Step LinkReader::step(int wait_ms) {
@@ -63,11 +64,12 @@ bool LinkReader::drain(int wait_ms) {
   for (int i = 0; i < kMaxAtOnce; ++i) {
     const hid::ReadOutcome outcome = session_->handle->read(room, i == 0 ? wait_ms : 0);
     works = outcome.kind != hid::ReadKind::kFailed;
-    if (outcome.kind != hid::ReadKind::kReport) break;
-    session_->packets.fetch_add(1, std::memory_order_relaxed);
     const std::int64_t now_ns = now_ns_();
-    tracker_.take(std::span<const std::uint8_t>(room).first(std::min(outcome.size, room.size())),
-                  now_ns);
+    const Trouble gap = exchange_.listening.cause(now_ns);  // before this read
+    exchange_.listening.heard(now_ns, !works);
+    if (outcome.kind != hid::ReadKind::kReport) break;
+    take(std::span<const std::uint8_t>(room).first(std::min(outcome.size, room.size())), now_ns,
+         gap);
     news = true;
   }
   if (news) {
@@ -78,6 +80,13 @@ bool LinkReader::drain(int wait_ms) {
     }
   }
   return works;
+}
+
+void LinkReader::take(std::span<const std::uint8_t> bytes, std::int64_t now_ns, Trouble gap) {
+  session_->packets.fetch_add(1, std::memory_order_relaxed);
+  const std::uint64_t void_reports = tracker_.view().stats.void_reports;
+  tracker_.take(bytes, now_ns, gap);
+  if (tracker_.view().stats.void_reports != void_reports) exchange_.listening.heard_void(now_ns);
 }
 
 }  // namespace hapticwall::device

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 
 #include "device/hid/link.h"
 #include "device/hid/link_state.h"
@@ -45,6 +46,7 @@ class LinkReader {
  private:
   void take_session();
   bool drain(int wait_ms);
+  void take(std::span<const std::uint8_t> bytes, std::int64_t now_ns, Trouble gap);
 
   LinkExchange& exchange_;
   const HostClock& now_ns_;

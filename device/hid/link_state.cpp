@@ -69,7 +69,8 @@ void StateTracker::begin(const LinkSession& session) {
   stats.same_words = 0;
 }
 
-bool StateTracker::take(std::span<const std::uint8_t> bytes, std::int64_t received_ns) {
+bool StateTracker::take(std::span<const std::uint8_t> bytes, std::int64_t received_ns,
+                        Trouble gap) {
   if (ended_ != Trouble::kNone) return false;
   const hid::Decoded<hid::StateReport> decoded = hid::decode_state(bytes);
   const hid::StateReport* state = decoded.report();
@@ -82,7 +83,8 @@ bool StateTracker::take(std::span<const std::uint8_t> bytes, std::int64_t receiv
       ++view_.stats.repeated_states;
       return false;
     }
-    ended_ = objection(*state, received_ns);
+    const bool late = received_ns - view_.received_ns > kLinkLostNs;
+    ended_ = late ? gap : objection(*state);
     if (ended_ != Trouble::kNone) {
       view_.trouble = ended_;
       return false;
@@ -96,8 +98,7 @@ bool StateTracker::take(std::span<const std::uint8_t> bytes, std::int64_t receiv
 }
 
 // Why a state cannot follow the previous one.
-Trouble StateTracker::objection(const hid::StateReport& state, std::int64_t received_ns) const {
-  if (received_ns - view_.received_ns > kLinkLostNs) return Trouble::kSilent;
+Trouble StateTracker::objection(const hid::StateReport& state) const {
   const std::int32_t step_us = hid::clock_step_us(newest_->time_us, state.time_us);
   const int ticks = hid::sequence_step(newest_->sequence, state.sequence);
   if (step_us <= 0 || step_us > kMaxStepUs || ticks <= 0 || ticks > kMaxStepTicks) {

@@ -30,8 +30,9 @@ class StateTracker {
   void begin(const LinkSession& session);
 
   // Takes one input packet of any bytes, and its arrival by the host's monotonic clock. True if it
-  // is a valid new state.
-  bool take(std::span<const std::uint8_t> bytes, std::int64_t received_ns);
+  // is a valid new state. `gap` ends the link if no valid state came for kLinkLostNs before.
+  bool take(std::span<const std::uint8_t> bytes, std::int64_t received_ns,
+            Trouble gap = Trouble::kSilent);
 
   // The view of the previous link, except for the counters, until the first valid state.
   [[nodiscard]] const LinkView& view() const { return view_; }
@@ -39,7 +40,7 @@ class StateTracker {
   [[nodiscard]] Trouble ended() const { return ended_; }
 
  private:
-  [[nodiscard]] Trouble objection(const hid::StateReport& state, std::int64_t received_ns) const;
+  [[nodiscard]] Trouble objection(const hid::StateReport& state) const;
   void begin_with(const hid::StateReport& state);
   void follow(const hid::StateReport& state);
   void accept(const hid::StateReport& state, std::int64_t received_ns);

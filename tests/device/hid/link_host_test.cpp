@@ -116,7 +116,7 @@ TEST(LinkHost, AHostThatStallsForASecondActsOnNothingOld) {
   rig.host.stalled = false;
   rig.host.tick();
   EXPECT_EQ(rig.host.last.state, DeviceState::kFault);
-  EXPECT_EQ(rig.host.stats().trouble, Trouble::kSilent);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kHeldUp);
   rig.host.ticks(1000);
   EXPECT_TRUE(rig.saw(Trouble::kWatchdog));  // the device says so when it is heard again
   EXPECT_EQ(rig.host.stats().trouble, Trouble::kNone);
@@ -164,7 +164,7 @@ TEST(LinkHost, AnUnpluggedDeviceWhoseWriteHangsComesBackOnFreshHandles) {
   rig.host.ticks(5);
   rig.plug.hidden = true;
   rig.host.ticks(300);
-  EXPECT_EQ(rig.host.stats().trouble, Trouble::kSilent);
+  EXPECT_EQ(rig.host.stats().trouble, Trouble::kUnplugged);
   EXPECT_EQ(rig.bus.open_handles(), 1U);  // that of the write
   rig.plug.hidden = false;
   ASSERT_TRUE(rig.host.ticks_until([&] { return rig.host.stats().connected; }, 1500));
@@ -234,7 +234,7 @@ TEST(LinkHost, ALossAndAReturnBetweenTwoLooksOfTheLoopIsNoSecret) {
     rig.host.loop_stalled = false;
     rig.host.tick();
     EXPECT_EQ(rig.host.last.state, DeviceState::kFault);
-    EXPECT_EQ(rig.host.stats().trouble, armed ? Trouble::kWatchdog : Trouble::kSilent);
+    EXPECT_EQ(rig.host.stats().trouble, armed ? Trouble::kWatchdog : Trouble::kUnplugged);
     EXPECT_TRUE(rig.host.stats().connected);
     rig.host.ticks(100);
     EXPECT_EQ(rig.force_n(), 0.0);

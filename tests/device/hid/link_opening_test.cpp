@@ -225,7 +225,7 @@ TEST(LinkOpening, ATransportThatDoesNotWorkIsTold) {
       clock, [](const std::shared_ptr<WriteSession>&) { return [] {}; });
   owner.step();
   EXPECT_EQ(owner.words(), "no transport");
-  EXPECT_EQ(exchange.status().reason, Trouble::kRefused);
+  EXPECT_EQ(exchange.status.load().reason, Trouble::kRefused);
   owner.stop();
   owner.step();
   EXPECT_EQ(owner.ending(), Ending::kEnded);
