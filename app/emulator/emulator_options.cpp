@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -71,14 +70,13 @@ Error refusal(std::string_view text, std::string_view why) {
 }
 
 constexpr int kHexadecimal = 16;
-constexpr std::uint16_t kMaxTickUs = std::numeric_limits<std::uint16_t>::max();
 
 // Tick of a scene in whole microseconds; 0 if it is not whole.
 std::uint64_t tick_us_of(const Scene& scene) {
   const double tick_us = kMicrosecondsPerSecond / scene.sampling.rate_hz;
   const double whole_us = std::round(tick_us);
   constexpr double kRounding = 1e-9;  // relative, of a rate like 3125 Hz
-  if (whole_us < 1.0 || whole_us > kMaxTickUs) return 0;
+  if (whole_us < 1.0 || whole_us > device::hid::kMaxTickUs) return 0;
   return std::abs(tick_us - whole_us) <= kRounding * tick_us ? static_cast<std::uint64_t>(whole_us)
                                                              : 0;
 }
@@ -98,10 +96,10 @@ Result<Scene> load_axis(const std::string& name, const std::vector<std::string>&
                        "'hand.path=[[0, 0.03], [1, 0.06]]' gives it a path");
   }
   if (tick_us_of(loaded->scene) == 0) {
-    return usage_error(
-        fmt::format("{}: sampling.rate_hz: {} Hz; the tick of a device is a whole "
-                    "number of microseconds, 1 to {}",
-                    shown, file::shortest_number(loaded->scene.sampling.rate_hz), kMaxTickUs));
+    return usage_error(fmt::format(
+        "{}: sampling.rate_hz: {} Hz; the tick of a device is a whole "
+        "number of microseconds, 1 to {}",
+        shown, file::shortest_number(loaded->scene.sampling.rate_hz), device::hid::kMaxTickUs));
   }
   return std::move(loaded->scene);
 }

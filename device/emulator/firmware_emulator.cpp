@@ -189,6 +189,7 @@ HardwareState FirmwareEmulator::hardware() const {
 // Incremental encoders: count 0 is the position at power-up.
 void FirmwareEmulator::lose_power() {
   firmware_.restart();
+  late_.clear();
   counts_at_power_up_ = encoder_counts_;
   calibrated_ = false;
   overrun_ = false;
@@ -225,6 +226,7 @@ void FirmwareEmulator::pass_tick() {
   if (!lasts(FaultKind::kUnplugged)) on_bus_us_ = now_us_;
   if (frozen) return;
   alive_us_ = now_us_;
+  if (!hardware().bus_alive) late_.clear();
   receive_due();
   firmware_.tick(now_us_ - power_up_us_, hardware());
   state_ = latch();

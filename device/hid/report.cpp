@@ -172,7 +172,8 @@ bool are_forces(const std::array<double, kMaxAxes>& force_n) {
 }
 
 bool makes_sense(const InfoReport& info) {
-  if (info.axes < 1 || info.axes > kMaxAxes || info.tick_us == 0) return false;
+  if (info.axes < 1 || info.axes > kMaxAxes) return false;
+  if (info.tick_us < 1 || info.tick_us > kMaxTickUs) return false;
   if (info.watchdog_ms < 1 || info.watchdog_ms > kMaxTimeToLiveMs) return false;
   for (std::size_t axis = 0; axis < kMaxAxes; ++axis) {
     const bool there = axis < info.axes;
@@ -251,10 +252,12 @@ Decoded<ForceReport> decode_force(std::span<const std::uint8_t> bytes) {
   }
   force.enable = (flags & kEnableFlag) != 0;
   force.clear_faults = (flags & kClearFaultsFlag) != 0;
-  if (force.time_to_live_ms < 1 || force.time_to_live_ms > kMaxTimeToLiveMs) {
-    return Refusal::kValue;
-  }
-  if (!are_forces(force.force_n)) return Refusal::kValue;
+  const bool lives = force.time_to_live_ms >= 1 && force.time_to_live_ms <= kMaxTimeToLiveMs;
+  if (lives && are_forces(force.force_n)) return force;
+  if (force.enable) return Refusal::kValue;
+  // A command without enable removes the force, whatever these ignored fields hold.
+  force.time_to_live_ms = kUsualTimeToLiveMs;
+  force.force_n = {};
   return force;
 }
 

@@ -31,8 +31,9 @@ inline constexpr std::uint16_t kTestProductId = 0x0001;
 inline constexpr std::size_t kMaxAxes = 2;
 inline constexpr std::uint16_t kUsualTimeToLiveMs = 20;
 inline constexpr std::uint16_t kMaxTimeToLiveMs = 100;
-inline constexpr double kMaxForceN = 32.767;       // of a report, in either direction
-inline constexpr double kStepsPerNewton = 1000.0;  // a report counts force in millinewtons
+inline constexpr std::uint16_t kMaxTickUs = 19'999;  // the host gives a link up after 20 ms
+inline constexpr double kMaxForceN = 32.767;         // of a report, in either direction
+inline constexpr double kStepsPerNewton = 1000.0;    // a report counts force in millinewtons
 
 // The report descriptor of protocol 1.0. A test reads it item by item.
 // clang-format off
@@ -131,7 +132,7 @@ struct InfoReport {
   // Positive for each axis of the device, 0 for a missing one.
   std::array<std::int32_t, kMaxAxes> counts_per_metre{};
   std::array<double, kMaxAxes> maximum_force_n{};
-  std::uint16_t tick_us = 0;      // positive
+  std::uint16_t tick_us = 0;      // 1 to kMaxTickUs
   std::uint16_t watchdog_ms = 0;  // 1 to kMaxTimeToLiveMs
 
   friend bool operator==(const InfoReport&, const InfoReport&) = default;
@@ -165,8 +166,9 @@ class [[nodiscard]] Decoded {
   std::variant<Report, Refusal> content_;
 };
 
-// Accept any number of any bytes. Reserved bytes are not checked if the minor version is newer than
-// ours, which may use them.
+// Accept any number of any bytes. A command without enable is taken whatever its time to live and
+// its force; values out of range read as the usual time and as 0. Reserved bytes are not checked if
+// the minor version is newer than ours, which may use them.
 Decoded<StateReport> decode_state(std::span<const std::uint8_t> bytes);
 Decoded<ForceReport> decode_force(std::span<const std::uint8_t> bytes);
 Decoded<InfoReport> decode_info(std::span<const std::uint8_t> bytes);

@@ -20,7 +20,8 @@ bool is_axis(bool there, double counts_per_metre, double maximum_force) {
 }
 
 bool are_common_values(unsigned axes, unsigned tick_us, unsigned watchdog_ms) {
-  return (axes == 1 || axes == 2) && tick_us > 0 && watchdog_ms >= 1 && watchdog_ms <= 100;
+  return (axes == 1 || axes == 2) && tick_us >= 1 && tick_us < 20'000 && watchdog_ms >= 1 &&
+         watchdog_ms <= 100;
 }
 
 bool bytes_make_sense(Bytes bytes) {

@@ -65,7 +65,7 @@ TEST_F(EmulatorTool, MistakesAreOneLineEachAndLeaveNothing) {
   expect_refused({"--hand", "waves"}, "--hand 'waves': it takes 'waits' or 'goes'");
   expect_refused({"--set", "sampling.rate_hz=3000"},
                  "press: sampling.rate_hz: 3000 Hz; the tick of a device is a whole number of "
-                 "microseconds, 1 to 65535");
+                 "microseconds, 1 to 19999");
   expect_refused({"--set", "hand.path=\"mouse\""},
                  "press: hand.path: the emulator has no mouse to follow; --set 'hand.path=[[0, "
                  "0.03], [1, 0.06]]' gives it a path");

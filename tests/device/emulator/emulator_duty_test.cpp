@@ -2,6 +2,8 @@
 // emulator_rejection_test.cpp.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/device/emulator/emulator_support.h"
@@ -54,6 +56,30 @@ TEST(EmulatorDuty, No2EnableCountsForOneCommand) {
   EXPECT_EQ(bench.state.acknowledged_sequence, 2);
   bench.ticks(200);
   EXPECT_EQ(bench.state.status, kStatusCalibrated);  // no watchdog before the first command
+}
+
+// Nothing but a void report keeps the force.
+TEST(EmulatorDuty, No2ACommandWithoutEnableIgnoresItsTimeToLiveAndItsForce) {
+  struct Field {
+    std::size_t at;
+    std::array<std::uint8_t, 2> value;
+  };
+  constexpr Field kFields[] = {{6, {0, 0}}, {6, {101, 0}}, {8, {0xFF, 0x7F}}, {8, {0, 0x80}}};
+  for (const Field& field : kFields) {
+    Bench bench;
+    bench.tick();
+    bench.drive(kPushN, 5);
+    ForceReport without = bench.next_command(kPushN);
+    without.enable = false;
+    ReportBytes bytes = encode_force(without);
+    std::copy(field.value.begin(), field.value.end(), bytes.begin() + field.at);
+    seal(bytes);
+    ASSERT_TRUE(bench.device.write_output(bytes));
+    bench.tick();
+    EXPECT_EQ(bench.force_n(), 0.0) << field.at;
+    EXPECT_EQ(bench.state.rejected_commands, 0) << field.at;
+    EXPECT_EQ(bench.state.acknowledged_sequence, without.sequence) << field.at;
+  }
 }
 
 TEST(EmulatorDuty, No3TimeToLive) {
@@ -248,6 +274,46 @@ TEST(EmulatorDuty, No10LossOfTheBus) {
   EXPECT_EQ(bench.state.sequence, 603);  // the sequence continued
   EXPECT_EQ(bench.state.time_us, 603'000U);
   EXPECT_EQ(bench.force_n(), 0.0);
+}
+
+// Their echo would be young enough when the bus is back.
+TEST(EmulatorDuty, No10CommandsOnTheirWayAreDroppedWithTheBus) {
+  for (const FaultKind kind : {FaultKind::kUnplugged, FaultKind::kRestart}) {
+    Bench bench({{FaultKind::kSlow, 0, 1000 * kMillisecondUs, 1, 0.012},
+                 {kind, 100 * kMillisecondUs, 6 * kMillisecondUs}});
+    bench.drive(kPushN, 99);
+    EXPECT_EQ(bench.force_n(), kPushN);
+    bench.ticks(4);
+    for (int i = 0; i < 30; ++i) {
+      bench.tick();
+      ASSERT_EQ(bench.force_n(), 0.0) << i;
+    }
+  }
+}
+
+TEST(EmulatorDuty, No10AcknowledgementCountersAndFaultsOutliveTheBusAndNotTheRestart) {
+  Bench bench({{FaultKind::kOverCurrent, 50 * kMillisecondUs, kMillisecondUs},
+               {FaultKind::kUnplugged, 100 * kMillisecondUs, 10 * kMillisecondUs},
+               {FaultKind::kRestart, 200 * kMillisecondUs, 10 * kMillisecondUs}});
+  bench.drive(kPushN, 60);
+  bench.device.write_output({});
+  bench.ticks(39);
+  const StateReport before = bench.state;
+  EXPECT_EQ(before.acknowledged_sequence, 60);
+  EXPECT_EQ(before.rejected_commands, 1);
+  EXPECT_EQ(before.fault, kFaultOverCurrent);
+  bench.ticks(30);
+  EXPECT_EQ(bench.state.acknowledged_sequence, before.acknowledged_sequence);
+  EXPECT_EQ(bench.state.acknowledged_time_us, before.acknowledged_time_us);
+  EXPECT_EQ(bench.state.rejected_commands, before.rejected_commands);
+  EXPECT_EQ(bench.state.fault, before.fault);
+  EXPECT_EQ(bench.state.status, before.status);
+  bench.ticks(100);
+  EXPECT_EQ(bench.state.acknowledged_sequence, 0);
+  EXPECT_EQ(bench.state.acknowledged_time_us, 0U);
+  EXPECT_EQ(bench.state.rejected_commands, 0);
+  EXPECT_EQ(bench.state.fault, kNoFault);
+  EXPECT_EQ(bench.state.status, 0);
 }
 
 TEST(EmulatorDuty, No11CalibratedOnlyWhileCountZeroIsWhereItShouldBe) {

@@ -176,7 +176,10 @@ TEST_F(LinkState, EveryFaultIsATroubleByItsCodeOrItsBit) {
       {hid::kFaultOverTemperature, Trouble::kOverTemperature},
       {hid::kFaultOverCurrent, Trouble::kOverCurrent},
       {hid::kFaultEncoder, Trouble::kEncoder},
-      {hid::kFirstOwnFault, Trouble::kOwnFault}};
+      {hid::kFaultEncoder + 1, Trouble::kOwnFault},  // reserved: of a later minor version
+      {hid::kFirstOwnFault - 1, Trouble::kOwnFault},
+      {hid::kFirstOwnFault, Trouble::kOwnFault},
+      {0xFF, Trouble::kOwnFault}};
   for (const auto& [code, trouble] : kCodes) {
     state.fault = code;
     EXPECT_EQ(fault_in(state), trouble);

@@ -210,12 +210,31 @@ TEST(HidReport, ACommandsTimeToLiveHasARange) {
     const auto bytes = with(encode_force(some_force()), 6, static_cast<std::uint8_t>(milliseconds));
     EXPECT_REFUSED(decode_force(bytes), Refusal::kValue);
   }
+  const auto no_force = with(with(encode_force(some_force()), 8, 0x00), 9, 0x80);
+  EXPECT_REFUSED(decode_force(no_force), Refusal::kValue);
   ForceReport force = some_force();
   force.time_to_live_ms = 0;
   EXPECT_EQ(encode_force(force)[6], 1);
   force.time_to_live_ms = 65535;
   EXPECT_EQ(encode_force(force)[6], 100);
   EXPECT_EQ(encode_force(force)[7], 0);
+}
+
+// It removes the force: nothing that it does not need may make it void.
+TEST(HidReport, ACommandWithoutEnableNeedsNoTimeToLiveAndNoForce) {
+  ForceReport command = some_force();
+  command.enable = false;
+  command.clear_faults = true;
+  const ReportBytes sound = encode_force(command);
+  ASSERT_TRUE(decode_force(sound).report());
+  EXPECT_EQ(*decode_force(sound).report(), command);
+  command.time_to_live_ms = kUsualTimeToLiveMs;
+  command.force_n = {};
+  for (const auto& bytes : {with(sound, 6, 0), with(sound, 6, 101), with(sound, 7, 0xFF),
+                            with(with(sound, 10, 0x00), 11, 0x80)}) {
+    ASSERT_TRUE(decode_force(bytes).report());
+    EXPECT_EQ(*decode_force(bytes).report(), command);
+  }
 }
 
 TEST(HidReport, ADeviceThatMakesNoSenseIsRefused) {
@@ -228,6 +247,7 @@ TEST(HidReport, ADeviceThatMakesNoSenseIsRefused) {
   refuse([](InfoReport& info) { info.axes = 3; });
   refuse([](InfoReport& info) { info.axes = 1; });  // and yet numbers of a second one
   refuse([](InfoReport& info) { info.tick_us = 0; });
+  refuse([](InfoReport& info) { info.tick_us = 20'000; });  // no link would last
   refuse([](InfoReport& info) { info.watchdog_ms = 0; });
   refuse([](InfoReport& info) { info.watchdog_ms = 101; });
   for (const std::size_t axis : {0U, 1U}) {
@@ -240,6 +260,8 @@ TEST(HidReport, ADeviceThatMakesNoSenseIsRefused) {
   one_axis.axes = 1;
   one_axis.counts_per_metre[1] = 0;
   one_axis.maximum_force_n[1] = 0.0;
+  EXPECT_TRUE(decode_info(encode_info(one_axis)).report());
+  one_axis.tick_us = 19'999;
   EXPECT_TRUE(decode_info(encode_info(one_axis)).report());
 }
 
