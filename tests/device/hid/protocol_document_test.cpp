@@ -1,6 +1,8 @@
 // The bytes and offsets of docs/hid-protocol.md are those of the codec.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <sstream>
@@ -113,6 +115,21 @@ TEST(HidProtocolDocument, ItsBytesAreThoseOfTheCodec) {
     const auto found = shown.find(name);
     ASSERT_NE(found, shown.end()) << name;
     EXPECT_EQ(found->second, text_of(bytes)) << name;
+  }
+}
+
+TEST(HidProtocolDocument, ItsRangesAreThoseOfTheCodec) {
+  const auto range_to = [](auto most) { return ", 1 to " + std::to_string(most); };
+  const std::string wanted[] = {"time to live, ms" + range_to(kMaxTimeToLiveMs),
+                                "tick, µs" + range_to(kMaxTickUs),
+                                "watchdog, ms" + range_to(kMaxTimeToLiveMs),
+                                "first axis" + range_to(std::lround(kMaxForceN * kStepsPerNewton)),
+                                "6 to " + std::to_string(kFirstOwnFault - 1) + " are reserved"};
+  for (const std::string& words : wanted) {
+    const auto lines = lines_of_document();
+    EXPECT_TRUE(std::ranges::any_of(lines, [&](const std::string& line) {
+      return line.find(words) != std::string::npos;
+    })) << words;
   }
 }
 
