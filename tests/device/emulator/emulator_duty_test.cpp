@@ -288,6 +288,7 @@ TEST(EmulatorDuty, No10CommandsOnTheirWayAreDroppedWithTheBus) {
       bench.tick();
       ASSERT_EQ(bench.force_n(), 0.0) << i;
     }
+    EXPECT_EQ(bench.state.rejected_commands, 0) << "never judged";
   }
 }
 
