@@ -10,7 +10,7 @@
 namespace hapticwall {
 
 // The program's exit status for each kind of failure (docs/command-line.md).
-enum class ErrorKind : std::uint8_t { kUsage = 2, kDevice = 3, kFile = 4 };
+enum class ErrorKind : std::uint8_t { kUsage = 2, kDevice = 3, kFile = 4, kDisplay = 5 };
 
 struct Error {
   ErrorKind kind = ErrorKind::kUsage;

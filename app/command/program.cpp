@@ -42,9 +42,10 @@ Examples:
   hapticwall run press --device ie2000 --arm      the same on a haptic device ('devices' lists them)
 
 Exit status:
-  0  success                           3  device
-  1  an --expect does not hold         4  a file could not be written
+  0  success                           4  a file could not be written
+  1  an --expect does not hold         5  the display server died
   2  usage or scene error              130, 143  ended early by Ctrl-C, SIGTERM
+  3  device
 )";
 
 std::string footer() {

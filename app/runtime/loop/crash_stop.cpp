@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstdlib>
 #include <ctime>
 #include <memory>
 #include <mutex>
@@ -123,6 +124,9 @@ class SignalStack {
 }  // namespace
 
 CrashStop::CrashStop() {
+  // A library may call exit(), as Xlib does.
+  static const bool kAtExit = std::atexit(end_all_force) == 0;
+  static_cast<void>(kAtExit);
   thread_local const SignalStack kStack;
   static_cast<void>(kStack);
   const std::lock_guard lock(g_mutex);

@@ -17,7 +17,8 @@ inline constexpr std::int64_t kMaxLastWaitNs = 50'000'000;
 // While one exists, the signals that end a process at once are caught: those of a fault always,
 // others (closed terminal, Ctrl-\) if they have no other handler. The handler ends every loop with
 // zero force. Then the process ends as it would have without it: by the same signal, at the same
-// instruction, through the previous handler. The last CrashStop restores the handlers.
+// instruction, through the previous handler. The last CrashStop restores the handlers. Once one has
+// existed, exit() ends every loop with zero force, too.
 //
 // It gives the constructing thread a signal stack if that has none, because a stack overflow is a
 // fault, too. Realtime-safe: no.

@@ -21,6 +21,7 @@
 #include "app/runtime/loop/crash_stop.h"
 #include "app/ui/state/settings_file.h"
 #include "app/ui/window/application.h"
+#include "app/ui/window/display_end.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -277,8 +278,9 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
       theme, sessions);
   if (!application) return application.error();
   const DropTarget drops(window.get(), **application);
+  const DisplayEnd display_end(**application);
   run_loop(window.get(), **application, hooks);
-  return std::nullopt;
+  return lost_compositor();
 }
 
 }  // namespace hapticwall::ui

@@ -136,6 +136,22 @@ std::vector<End> all_ends() {
 INSTANTIATE_TEST_SUITE_P(Ways, CrashStopEnds, ::testing::ValuesIn(all_ends()),
                          [](const auto& way) { return std::string(way.param.name); });
 
+// As Xlib calls it when the display server dies.
+TEST(CrashStop, AnExitOfALibraryEndsTheForceFirst) {
+  const Shared heard;
+  const pid_t child = start_child([&] {
+    const auto session = pushing_session(*heard);
+    std::exit(1);
+  });
+  const int status = status_of(child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_TRUE(heard->pushed());
+  EXPECT_EQ(heard->newest_n, 0.0);
+  EXPECT_FALSE(heard->enabled);
+  EXPECT_TRUE(heard->closed);
+}
+
 // After a fault on the loop's thread the device ends the force, 20 ms after the last command. The
 // process must still end.
 TEST(CrashStop, AFaultOfTheLoopsOwnThreadEndsTheProcess) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
@@ -17,8 +18,8 @@
 #include "app/file/scene/scene_file.h"
 #include "app/ui/window/application.h"
 #include "app/ui/window/window.h"
-#include "tests/app/runtime/loop/child_support.h"
 #include "tests/app/ui/display.h"
+#include "tests/app/ui/window/pushing_window.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -26,35 +27,9 @@ namespace {
 using runtime::test::eventually;
 using runtime::test::kAlive;
 using runtime::test::Shared;
-using runtime::test::SharedDevice;
+using test::PushingWindow;
 
 void close_window() { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); }
-
-// The window on a test device that pushes before the first frame.
-struct PushingWindow {
-  explicit PushingWindow(Shared& shared) : heard(shared) {
-    options.scene = runtime::test::contact_scene();
-    options.start_on_device =
-        [this](const Scene& /*scene*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
-      auto device = std::make_unique<SharedDevice>(*heard);
-      device->on_words = in_a_panel;
-      return runtime::test::pushing_session(*heard, std::move(device));
-    };
-    hooks.in_a_hurry = true;
-  }
-
-  void expect_safe_end() const {
-    EXPECT_TRUE(heard->pushed());
-    EXPECT_EQ(heard->newest_n, 0.0);
-    EXPECT_FALSE(heard->enabled);
-    EXPECT_TRUE(heard->closed);
-  }
-
-  Shared& heard;
-  runtime::WindowOptions options;
-  WindowHooks hooks;
-  std::function<void()> in_a_panel;  // called in the middle of every frame
-};
 
 // ---- ends
 
@@ -172,6 +147,26 @@ TEST(WindowSafety, AFrameThatHangsCostsNoTick) {
   };
   EXPECT_FALSE(run_window(window.options, window.hooks));
   EXPECT_GT(ticks, kMeanwhile);
+  window.expect_safe_end();
+}
+
+TEST(WindowSafety, ATickThatHangsCostsNoFrame) {
+  if (!test::has_display()) GTEST_SKIP() << "no display";
+  constexpr int kMeanwhile = 10;
+  Shared heard;
+  PushingWindow window(heard);
+  std::atomic<int> frames{-1};  // from the first one on
+  std::atomic<bool> went_on{false};
+  window.in_a_tick = [&] {
+    if (frames < 0 || went_on) return;
+    EXPECT_TRUE(eventually([&] { return frames > kMeanwhile; }));
+    went_on = true;
+  };
+  window.hooks.drawn = [&] {
+    ++frames;
+    if (went_on) close_window();
+  };
+  EXPECT_FALSE(run_window(window.options, window.hooks));
   window.expect_safe_end();
 }
 

@@ -1,0 +1,46 @@
+// The real window on a pushing device.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "app/ui/window/window.h"
+#include "tests/app/runtime/loop/child_support.h"
+
+namespace hapticwall::test {
+
+using runtime::test::Shared;
+using runtime::test::SharedDevice;
+
+// The window on a test device that pushes before the first frame.
+struct PushingWindow {
+  explicit PushingWindow(Shared& shared) : heard(shared) {
+    options.scene = runtime::test::contact_scene();
+    options.start_on_device =
+        [this](const Scene& /*scene*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
+      auto device = std::make_unique<SharedDevice>(*heard);
+      device->on_words = in_a_panel;
+      device->on_read = in_a_tick;
+      return runtime::test::pushing_session(*heard, std::move(device));
+    };
+    hooks.in_a_hurry = true;
+  }
+
+  void expect_safe_end() const {
+    EXPECT_TRUE(heard->pushed());
+    EXPECT_EQ(heard->newest_n, 0.0);
+    EXPECT_FALSE(heard->enabled);
+    EXPECT_TRUE(heard->closed);
+  }
+
+  Shared& heard;
+  runtime::WindowOptions options;
+  ui::WindowHooks hooks;
+  std::function<void()> in_a_panel;  // called in the middle of every frame
+  std::function<void()> in_a_tick;   // of every tick, on the loop's thread
+};
+
+}  // namespace hapticwall::test
