@@ -7,7 +7,6 @@
 
 #include "core/batch/lane_group.h"
 #include "core/batch/workers.h"
-#include "core/simulation/simulate.h"
 
 namespace hapticwall {
 namespace {
@@ -130,13 +129,15 @@ class Batch {
         [&] { return reporter_.should_stop(); });
   }
 
-  void run_one(std::size_t scene) {
+  void run_one(std::size_t scene) try {
     SimulationOptions options;
     options.should_stop = [this] { return reporter_.should_stop(); };
     SimulationResult result = simulate(scenes_[scene], options);
     if (result.stopped_early) return;
     result_.summaries[scene] = std::move(result.summary);
     reporter_.add_done(1);
+  } catch (const SimulationRefused& refused) {
+    throw SceneRefused(refused, scene);
   }
 
   std::span<const Scene> scenes_;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "core/simulation/simulate.h"
 #include "core/summary.h"
 
 namespace hapticwall {
@@ -30,6 +31,13 @@ struct BatchResult {
   // summaries[i] is of scenes[i]; nothing if the batch was stopped before its end.
   std::vector<std::optional<Summary>> summaries;
   bool stopped_early = false;
+};
+
+// Thrown by a batch for one of the scenes that simulate() refuses.
+struct SceneRefused : SimulationRefused {
+  SceneRefused(const SimulationRefused& refused, std::size_t index)
+      : SimulationRefused(refused), scene(index) {}
+  std::size_t scene;  // its index
 };
 
 // Scenes are validated ones, as for simulate(); a hand that follows the mouse throws

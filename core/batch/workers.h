@@ -11,7 +11,8 @@ namespace hapticwall::batch {
 
 // Calls `work` for every item below `items` on at most `workers` threads, including the caller's,
 // and returns after all calls. No two calls at a time have the same worker; each is below
-// `workers`. The first exception ends the work and is rethrown. Realtime-safe: no.
+// `workers`. The first exception ends the work and is rethrown. Without threads of the system the
+// caller's does all. Realtime-safe: no.
 void share_out(std::size_t items, std::size_t workers,
                const std::function<void(std::size_t item, std::size_t worker)>& work);
 

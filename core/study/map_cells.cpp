@@ -1,8 +1,23 @@
 // Computes the cells of a stability map. A file of its own: readers of maps need no simulator.
+#include <string>
+
 #include "core/batch/batch_simulator.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall {
+namespace {
+
+// As --set takes it.
+std::string setting(const MapAxis& axis, std::size_t index) {
+  return axis.number.path + "=" + number_text(axis.value(index));
+}
+
+std::string cell_name(const StabilityMap& map, std::size_t cell) {
+  const MapPlace at = map.place(cell);
+  return "the cell " + setting(map.x, at.x) + ", " + setting(map.y, at.y);
+}
+
+}  // namespace
 
 std::vector<MapMetrics> run_cells(const StabilityMap& map, std::size_t begin, std::size_t end,
                                   const std::function<bool()>& should_stop) {
@@ -10,7 +25,12 @@ std::vector<MapMetrics> run_cells(const StabilityMap& map, std::size_t begin, st
   scenes.reserve(end - begin);
   for (std::size_t cell = begin; cell < end; ++cell) scenes.push_back(map.scene_at(cell));
   // Not simulate_all(): with short runs the second list of summaries costs time.
-  const BatchResult result = simulate_batch(scenes, {.should_stop = should_stop, .progress = {}});
+  BatchResult result;
+  try {
+    result = simulate_batch(scenes, {.should_stop = should_stop, .progress = {}});
+  } catch (const SceneRefused& refused) {
+    throw SimulationRefused(cell_name(map, begin + refused.scene) + ": " + refused.what());
+  }
   std::vector<MapMetrics> metrics;
   if (result.stopped_early) return metrics;
   metrics.reserve(scenes.size());

@@ -62,7 +62,7 @@ struct StabilityMap {
 [[nodiscard]] std::optional<SceneProblem> validate(const StabilityMap& map);
 
 // Cells [begin, end), in order, with the same bits as simulate(). Empty if `should_stop` returned
-// true. Realtime-safe: no.
+// true. Throws SimulationRefused (simulate.h) with the name of the cell. Realtime-safe: no.
 [[nodiscard]] std::vector<MapMetrics> run_cells(const StabilityMap& map, std::size_t begin,
                                                 std::size_t end,
                                                 const std::function<bool()>& should_stop = {});

@@ -189,6 +189,17 @@ TEST_F(Program, AStudyThatIsEndedEarlyWritesNothing) {
   }
 }
 
+// A tick of 1000 substeps takes many of its periods.
+TEST_F(Program, ASlowRealTimeRunEndsEarlyWithAWholeRecording) {
+  const Answer answer = interrupted(
+      {"run", "press", "--realtime", "--set", "simulator.integrator=rk4", "--set",
+       "simulator.substeps=1000", "--set", "sampling.rate_hz=1e5", "--csv", "a.csv", "--quiet"},
+      SIGTERM);
+  EXPECT_EQ(answer.status, 128 + SIGTERM);
+  ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "b.csv", "--quiet"}).status, 0);
+  EXPECT_TRUE(content("a.csv") == content("b.csv"));
+}
+
 TEST_F(Program, AReaderThatLeavesIsNoError) {
   const Answer answer = shell("{ $P compare press; echo status $? >&2; } | true");
   EXPECT_EQ(answer.err, "status 0\n");
@@ -240,8 +251,7 @@ TEST_F(Program, RealTimeRunsAreRepeatedBitForBit) {
 }
 
 // A very light hand on a very stiff grip, with friction.
-TEST_F(Program, ATickThatIsTooMuchWorkIsRefusedInARunAndInRealTime) {
-  std::vector<std::string> line{"run", "press", "--algorithm", "none", "--quiet"};
+void add_tick_of_too_much_work(std::vector<std::string>& line) {
   for (const char* set :
        {"sampling.rate_hz=228.918", "device.mass_kg=0.0145", "device.damping_n_s_per_m=0.02",
         "device.friction_n=0.004", "device.encoder_m=0", "wall.stiffness_n_per_m=100",
@@ -249,6 +259,11 @@ TEST_F(Program, ATickThatIsTooMuchWorkIsRefusedInARunAndInRealTime) {
         "hand.grip_stiffness_n_per_m=3.18e6", "hand.grip_damping_n_s_per_m=3700"}) {
     line.insert(line.end(), {"--set", set});
   }
+}
+
+TEST_F(Program, ATickThatIsTooMuchWorkIsRefusedInARunAndInRealTime) {
+  std::vector<std::string> line{"run", "press", "--algorithm", "none", "--quiet"};
+  add_tick_of_too_much_work(line);
   for (int i = 0; i < 2; ++i) {
     const Answer answer = hapticwall(line);
     EXPECT_EQ(answer.status, 2);
@@ -256,6 +271,20 @@ TEST_F(Program, ATickThatIsTooMuchWorkIsRefusedInARunAndInRealTime) {
     EXPECT_EQ(answer.error_lines(), 1);
     line.emplace_back("--realtime");
   }
+}
+
+TEST_F(Program, AMapNamesTheCellThatItRefuses) {
+  std::vector<std::string> line{"map", "press", "--algorithms", "none", "--quiet"};
+  add_tick_of_too_much_work(line);
+  for (const char* word : {"--x", "hand.mass_kg=3.25e-6:0.3:2", "--y",
+                           "device.friction_n=0:0.004:2", "--csv", "a.csv"}) {
+    line.emplace_back(word);
+  }
+  const Answer answer = hapticwall(line);
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.err, StartsWith("error: the cell hand.mass_kg=3.25e-6, "
+                                     "device.friction_n=0.004: tick "));
+  EXPECT_EQ(answer.error_lines(), 1);
 }
 
 }  // namespace

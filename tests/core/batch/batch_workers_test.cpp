@@ -1,4 +1,7 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <stdexcept>
@@ -47,6 +50,30 @@ TEST(Workers, LetOutWhatACallThrowsAndBeginNoMore) {
   };
   EXPECT_THROW(share_out(1000, 2, work), std::runtime_error);
   EXPECT_LE(begun, 2);
+}
+
+// As a user of its own, because root has no limit. The process itself is one of `threads`.
+[[noreturn]] void work_with_few(rlim_t threads) {
+  constexpr uid_t kUser = 54325;
+  constexpr std::size_t kItems = 1000;
+  const rlimit limit{threads, threads};
+  std::vector<int> done(kItems);
+  if (setrlimit(RLIMIT_NPROC, &limit) != 0 || setuid(kUser) != 0) _exit(2);
+  alarm(60);  // ends a hang
+  share_out(kItems, 8, [&](std::size_t item, std::size_t) { ++done[item]; });
+  _exit(done == std::vector<int>(kItems, 1) ? 0 : 1);
+}
+
+TEST(Workers, DoAllWithoutTheThreadsOfTheSystem) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs root, to be a user without other processes";
+  for (const rlim_t threads : {1U, 2U, 3U, 5U}) {
+    const pid_t child = fork();
+    if (child == 0) work_with_few(threads);
+    int status = -1;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 0) << threads << " threads";
+  }
 }
 
 }  // namespace
