@@ -20,19 +20,25 @@ Application* g_application = nullptr;  // Xlib's handlers take no data
 
 [[noreturn]] void leave() { _exit(static_cast<int>(ErrorKind::kDisplay)); }
 
+bool records(const runtime::LiveSession* session) {
+  return session != nullptr &&
+         session->recording_status().state == runtime::RecordingState::kRecording;
+}
+
 // Not if a device hangs, because its loop still records.
-void finish_recording() {
-  runtime::LiveSession* session = g_application->live();
-  if (session == nullptr || !session->snapshot().ended_by_fault) return;
+void finish_recording(runtime::LiveSession& session) {
+  if (!session.snapshot().ended_by_fault) return;
   std::signal(SIGALRM, [](int) { leave(); });
   alarm(kMaxFinishS);
-  static_cast<void>(session->stop_recording());
+  static_cast<void>(session.stop_recording());
 }
 
 [[noreturn]] void end(const char* reason) {
   runtime::end_all_force();
-  std::fprintf(stderr, "error: %s; the force is off, and a recording is kept\n", reason);
-  finish_recording();
+  runtime::LiveSession* session = g_application->live();
+  std::fprintf(stderr, "error: %s; the force is off%s\n", reason,
+               records(session) ? ", and the recording is kept" : "");
+  if (session != nullptr) finish_recording(*session);
   leave();
 }
 

@@ -121,7 +121,7 @@ TEST_F(DisplayEndTest, AServerThatDiesTakesTheForceAwayAndFinishesTheRecording) 
       lose_the_display(heard_, csv_, [](const OwnServer& server) { server.die(); }),
       ::testing::ExitedWithCode(kDisplayStatus),
       AllOf(HasSubstr("error: the display server ended the connection;"),
-            EndsWith("; the force is off, and a recording is kept\n"), Not(HasSubstr("XIO"))));
+            EndsWith("; the force is off, and the recording is kept\n"), Not(HasSubstr("XIO"))));
   expect_safe_end();
 }
 
