@@ -7,7 +7,7 @@
 #   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay;
 #   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen, Highway and itself;
-# core/batch alone spreads scenes over the cores, with oneTBB.
+# core/batch alone spreads scenes over the cores.
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -84,7 +84,7 @@ function(objection file layer header out)
     set(${out} "is of ${target_room}, which ${room} must not know" PARENT_SCOPE)
   elseif(layer STREQUAL "core" AND NOT target)
     if(header STREQUAL "thread" AND file STREQUAL "core/batch/workers.cpp")
-      return()  # what ThreadSanitizer gets instead of oneTBB
+      return()  # it shares scenes out
     elseif(header MATCHES "${impure}")
       set(${out} "has a clock, files or threads, and core is pure" PARENT_SCOPE)
     elseif(NOT header MATCHES "^((unsupported/)?Eigen/.*|hwy/.*|[a-z_0-9]+)$"

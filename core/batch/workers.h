@@ -6,13 +6,14 @@
 
 namespace hapticwall::batch {
 
-// `threads`; for 0 the number of threads that the processor runs at a time.
+// `threads`; for 0 the limit of oneTBB: the number of threads that the processor runs at a
+// time, unless a tbb::global_control lowers it.
 [[nodiscard]] std::size_t worker_count(int threads);
 
 // Calls `work` for every item below `items` on at most `workers` threads, including the caller's,
 // and returns after all calls. No two calls at a time have the same worker; each is below
-// `workers`. The first exception ends the work and is rethrown. Without threads of the system the
-// caller's does all. Realtime-safe: no.
+// `workers`. The first exception ends the work and is rethrown. Where the system has
+// no more threads, fewer do all of it. Realtime-safe: no.
 void share_out(std::size_t items, std::size_t workers,
                const std::function<void(std::size_t item, std::size_t worker)>& work);
 

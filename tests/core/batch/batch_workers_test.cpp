@@ -52,8 +52,7 @@ TEST(Workers, LetOutWhatACallThrowsAndBeginNoMore) {
   EXPECT_LE(begun, 2);
 }
 
-// As a user of its own, because root has no limit. The process itself is one of `threads`. Only a
-// process without oneTBB's threads from before asks for new ones: ctest starts one for each test.
+// As a user of its own, because root has no limit. The process itself is one of `threads`.
 [[noreturn]] void work_with_few(rlim_t threads) {
   constexpr uid_t kUser = 54325;
   constexpr std::size_t kItems = 1000;
