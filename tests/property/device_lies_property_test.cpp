@@ -1,12 +1,13 @@
-// A device that lies by a random script, on the whole link and the loop of a session: the force at
-// the device stays within limit and ramp, it is zero while disarmed, and every disarming has a
-// reason.
+// A device that lies by a random script, on the whole link and the loop of a session: the force
+// stays within limit, rate and ramp, it is zero while disarmed, and every disarming has a reason.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <sstream>
 #include <vector>
 
 #include "tests/app/runtime/loop/lie_rig.h"
@@ -42,42 +43,101 @@ device::hid::FaultScript random_lies() {
   return device::hid::FaultScript(faults);
 }
 
-RC_GTEST_PROP(DeviceLiesProperty, NoScriptPushesWhileDisarmedOrDisarmsInSilence, ()) {
-  LieRig rig(random_lies(), *rc::gen::arbitrary<bool>());
+// 0: at any rate; else the force needs 9 ms to 9 s from zero to its limit.
+double random_force_rate() {
+  return *rc::gen::arbitrary<bool>() ? *rc::gen::inRange(1, 1000) : 0.0;
+}
+
+device::ImpulseEngineOptions rising_at(double force_rate_n_per_s) {
+  device::AxisDescription axis;
+  axis.force_limit_n = device::hid::testing::kLimitN;
+  axis.max_force_rate_n_per_s = force_rate_n_per_s;
+  device::ImpulseEngineOptions options;
+  options.axes[0] = axis;
+  return options;
+}
+
+// What holds at every tick.
+class Promises {
+ public:
+  Promises(LieRig& rig, double force_rate_n_per_s)
+      : rig_(rig),
+        max_rise_n_(force_rate_n_per_s > 0.0 ? 1e-3 * force_rate_n_per_s : kLimitN),
+        before_(rig.arming()) {}
+
+  void check() {
+    const Snapshot now = rig_.snapshot();
+    off_ = now.arming.state == ArmingState::kOff;
+    if (off_ && before_.state != ArmingState::kOff) check_disarming(now.arming.note);
+    if (off_ && now.arming.asked != before_.asked) RC_ASSERT(now.arming.note != ArmingNote::kNone);
+    if (!off_) max_gain_ = std::max(max_gain_, now.arming.gain);
+    before_ = now.arming;
+    check_commanded(now.newest.x().force_n);
+    check_applied(std::abs(rig_.rig.force_n()));
+  }
+  [[nodiscard]] int disarmings() const { return disarmings_; }
+
+ private:
+  static constexpr double kLimitN = device::hid::testing::kLimitN;
+  static constexpr double kRoundingN = 1e-3;  // of a report
+
+  void check_disarming(ArmingNote why) {
+    ++disarmings_;
+    off_since_us_ = rig_.now_us();
+    max_gain_ = 0.0;
+    RC_ASSERT(why != ArmingNote::kNone);
+    RC_ASSERT(why != ArmingNote::kAsked);
+    RC_ASSERT(!arming_note_text(why).empty());
+  }
+  void check_commanded(double force_n) {
+    RC_ASSERT(std::abs(force_n) <= kLimitN);
+    if (off_) RC_ASSERT(force_n == 0.0);
+    const double from_n = force_n * commanded_n_ > 0.0 ? std::abs(commanded_n_) : 0.0;
+    RC_ASSERT(std::abs(force_n) <= from_n + max_rise_n_ + 1e-12);
+    commanded_n_ = force_n;
+    recent_n_.at(rig_.now_us() / 1000 % recent_n_.size()) = std::abs(force_n);
+  }
+  void check_applied(double force_n) {
+    RC_ASSERT(force_n <= kLimitN);
+    RC_ASSERT(force_n <= std::ranges::max(recent_n_) + kRoundingN);
+    if (rig_.now_us() - off_since_us_ <= kMaxGoneUs) return;
+    if (off_) RC_ASSERT(force_n == 0.0);
+    if (!off_) RC_ASSERT(force_n <= max_gain_ * kLimitN + kRoundingN);
+  }
+
+  LieRig& rig_;
+  double max_rise_n_;  // of a tick
+  ArmingStatus before_;
+  bool off_ = true;
+  double max_gain_ = 0.0;
+  double commanded_n_ = 0.0;
+  std::array<double, kMaxGoneUs / 1000> recent_n_{};  // as commanded: a late one still acts
+  std::uint64_t off_since_us_ = 0;
+  int disarmings_ = 0;
+};
+
+void run_script() {
+  const double force_rate_n_per_s = random_force_rate();
+  LieRig rig(random_lies(), *rc::gen::arbitrary<bool>(), rising_at(force_rate_n_per_s));
   rig.tick();
-  ArmingStatus before = rig.arming();
-  double max_gain = 0.0;
-  std::uint64_t off_since_us = 0;
-  int disarmings = 0;
-  rig.on_tick = [&] {
-    const ArmingStatus now = rig.arming();
-    const bool off = now.state == ArmingState::kOff;
-    const bool was_off = before.state == ArmingState::kOff;
-    if (off && !was_off) {
-      ++disarmings;
-      off_since_us = rig.now_us();
-      max_gain = 0.0;
-      RC_ASSERT(now.note != ArmingNote::kNone);
-      RC_ASSERT(now.note != ArmingNote::kAsked);
-      RC_ASSERT(!arming_note_text(now.note).empty());
-    }
-    if (off && now.asked != before.asked) RC_ASSERT(now.note != ArmingNote::kNone);
-    const double force_n = std::abs(rig.rig.force_n());
-    RC_ASSERT(force_n <= device::hid::testing::kLimitN);
-    if (off && rig.now_us() - off_since_us > kMaxGoneUs) RC_ASSERT(force_n == 0.0);
-    if (!off) {
-      max_gain = std::max(max_gain, now.gain);
-      const bool fresh = rig.now_us() - off_since_us > kMaxGoneUs;
-      if (fresh) RC_ASSERT(force_n <= max_gain * device::hid::testing::kLimitN + 1e-3);
-    }
-    before = now;
-  };
+  Promises promises(rig, force_rate_n_per_s);
+  rig.on_tick = [&] { promises.check(); };
   while (rig.now_us() < 1000 * kLieRunMs) {
     if (rig.now_us() % 100'000 < 1000 || *rc::gen::inRange(0, 40) == 0) rig.arm();
     for (int i = 0; i < 10; ++i) rig.tick();
   }
-  RC_CLASSIFY(disarmings == 0, "never disarmed");
-  RC_CLASSIFY(disarmings > 1, "disarmed again");
+  RC_CLASSIFY(promises.disarmings() == 0, "never disarmed");
+  RC_CLASSIFY(promises.disarmings() > 1, "disarmed again");
+}
+
+// 4000 scripts, or 40 times the max_success of RC_PARAMS.
+TEST(DeviceLiesProperty, NoScriptPushesWhileDisarmedOrDisarmsInSilence) {
+  rc::detail::TestParams params = rc::detail::configuration().testParams;
+  params.maxSuccess *= 40;
+  const auto result = rc::detail::checkTestable(run_script, rc::detail::TestMetadata(), params);
+  std::ostringstream text;
+  rc::detail::printResultMessage(result, text);
+  EXPECT_TRUE(result.is<rc::detail::SuccessResult>()) << text.str();
 }
 
 }  // namespace

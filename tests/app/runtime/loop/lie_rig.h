@@ -30,6 +30,7 @@ class LinkDevice : public device::Device {
     if (description) info.encoder_m = description->axis[0].encoder_m;
     if (description) info.force_limit_n = description->axis[0].force_limit_n;
     if (description) info.motion = description->axis[0].motion;
+    if (description) info.max_force_rate_n_per_s = description->axis[0].max_force_rate_n_per_s;
     return info;
   }
   [[nodiscard]] Failure open() override { return std::nullopt; }
@@ -60,7 +61,7 @@ class LieRig {
          const device::ImpulseEngineOptions& options = {})
       : rig(std::move(script), options, held_device(in_contact)),
         device_(rig.host),
-        exchange_({}, parameters_of(scene())) {
+        exchange_(kQueues, parameters_of(scene())) {
     EXPECT_TRUE(rig.host.come_up());
     loop_.emplace(std::vector<device::Device*>{&device_}, exchange_, parameters_of(scene()), false);
     rig.host.whole_loop = [this] { loop_->cycle({clock_.now_ns(), 0, 0}, clock_); };
@@ -88,6 +89,9 @@ class LieRig {
   std::function<void()> on_tick;
 
  private:
+  // Nobody takes the samples, and queues of the usual size would be nearly all of the time.
+  static constexpr QueueCapacities kQueues{.plot = 1, .recorder = 1};
+
   static Scene scene() {
     Scene scene;
     scene.x().device.force_limit_n = device::hid::testing::kLimitN;
