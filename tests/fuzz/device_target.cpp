@@ -20,7 +20,9 @@ bool is_within(double value, double least, double most) { return value >= least 
 
 bool is_axis(const AxisDescription& axis) {
   return is_within(axis.encoder_m, 1e-9, 0.01) && axis.force_limit_n > 0.0 &&
-         axis.force_limit_n <= 32.767;
+         axis.force_limit_n <= 32.767 && is_within(axis.min_m, -10.0, 0.0) &&
+         is_within(axis.max_m, 0.0, 10.0) && is_within(axis.max_force_rate_n_per_s, 0.0, 1e6) &&
+         axis.max_speed_m_per_s > 0.0 && axis.max_speed_m_per_s <= 100.0;
 }
 
 void require_texts(const DeviceDescription& device) {

@@ -4,6 +4,7 @@
 
 #include "app/file/recording/sidecar.h"
 #include "app/file/scene/scene_file.h"
+#include "app/file/scene/seal.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"
 
@@ -65,6 +66,8 @@ Outcome fuzz_one(Bytes input) {
   const Result<LoadedScene> again = file::parse_scene(text, "written.toml");
   require(again.ok(), "a sidecar that was written can be read");
   require_same(*loaded, *again);
+  require(!again->edited, "a sidecar that was written has a whole seal");
+  require(file::is_broken_seal("#\n" + text), "a line more breaks the seal");
   require(written(*again) == text, "a sidecar that was read is written the same");
   return Outcome::kTaken;
 }
