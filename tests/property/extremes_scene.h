@@ -102,7 +102,6 @@ inline void draw_device(Draw& draw, DeviceSettings& device) {
   if (draw.chance(0.3)) device.friction_n = draw.zero_or(1e-6, 10.0);
   if (draw.chance(0.5)) device.encoder_m = draw.zero_or(1e-9, 0.01);
   if (draw.chance(0.8)) device.force_limit_n = draw.zero_or(1e-3, 1e6);
-  if (draw.chance(0.1)) device.max_force_rate_n_per_s = draw.zero_or(1e-3, 1e9);
   if (draw.chance(0.3)) device.force_resolution_n = draw.zero_or(1e-12, 1e3);
   if (draw.chance(0.3)) {
     device.delay_ticks = draw.chance(0.2) ? 0 : static_cast<int>(draw.log_uniform(1.0, 1000.0));
@@ -211,6 +210,7 @@ inline Scene extreme_scene(std::uint64_t number) {
   }
   draw_algorithm(draw, scene.algorithm);
   bound_cost(scene, ticks);
+  if (draw.chance(0.1)) scene.x().device.max_force_rate_n_per_s = draw.zero_or(1e-3, 1e9);
   bound_storage(scene);
   return scene;
 }

@@ -210,9 +210,11 @@ bool hand_moves_in_tail(const Scene& scene, const RunSummary& run, double end_s)
 
 std::string summary_lines(const RunSummary& run, const Circumstances& circumstances) {
   const Summary& s = run.front();
+  // On a device nothing is.
+  const char* label = s.true_hand_work_j ? "simulated" : "run";
   std::string text = heading(s) +
-                     summary_line("simulated", fmt::format("{:.6g} s, {} ticks{}", s.duration_s,
-                                                           s.ticks, speed_text(s))) +
+                     summary_line(label, fmt::format("{:.6g} s, {} ticks{}", s.duration_s, s.ticks,
+                                                     speed_text(s))) +
                      axis_lines(s);
   for (const Summary& y : std::span(run).subspan(1)) {
     text += fmt::format("axis y: {}\n", verdict_text(y)) + axis_lines(y);

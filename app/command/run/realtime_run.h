@@ -15,10 +15,10 @@ namespace hapticwall::command {
 
 struct RealtimeRun {
   const Scene& scene;
-  std::string csv;                           // empty: no recording
-  std::function<void(const Tick&)> on_tick;  // as in HeadlessRun
-  std::unique_ptr<device::Device> device;    // not open yet; nullptr: the simulator
-  bool arm = false;                          // arms the device as soon as it can
+  std::string csv{};                           // empty: no recording
+  std::function<void(const Tick&)> on_tick{};  // as in HeadlessRun
+  std::unique_ptr<device::Device> device{};    // not open yet; nullptr: the simulator
+  bool arm = false;                            // arms the device as soon as it can
   bool allow_no_realtime = false;
   double spin_s = 0.0;  // as in SessionOptions
   bool show_progress = false;

@@ -64,6 +64,9 @@ std::string sidecar_toml(Scene scene, const RecordingMetadata& metadata,
   if (!take_duration(scene, recorded.session_ticks) && metadata.repeatable) {
     not_repeatable_because = "the session was longer than a scene can be";
   }
+  if (recorded.finished && recorded.rows == 0 && recorded.dropped_rows == 0) {
+    not_repeatable_because = "it has no tick";
+  }
   TomlText out;
   out.table("recording");
   out.string("program", "hapticwall");

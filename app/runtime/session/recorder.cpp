@@ -73,7 +73,8 @@ void Recorder::write_note() {
     note.swap(note_);
   }
   if (!note || !writable_) return;
-  keep(guarded([&] { return writer_->note(note->scene, note->metadata); }));
+  // Where it fails the rows go on, and finish() tries again.
+  static_cast<void>(guarded([&] { return writer_->note(note->scene, note->metadata); }));
 }
 
 void Recorder::move_ticks() {

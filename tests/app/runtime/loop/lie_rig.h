@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/runtime/loop/servo_loop.h"
+#include "app/runtime/session/scene_change.h"
 #include "tests/app/runtime/support.h"
 #include "tests/device/hid/link_rig.h"
 
@@ -36,8 +37,7 @@ class LinkDevice : public device::Device {
   [[nodiscard]] Failure open() override { return std::nullopt; }
   [[nodiscard]] DeviceReading read() override {
     const device::AxesReading axes = host_.loop.read();
-    return {axes.position_m[0], axes.age_s, axes.state, axes.device_time_s,
-            axes.applied_n[0]};
+    return {axes.position_m[0], axes.age_s, axes.state, axes.device_time_s, axes.applied_n[0]};
   }
   void write(double force_n) override { host_.loop.write({force_n, 0.0}); }
   void enable(bool enabled) override { host_.loop.enable(enabled); }
@@ -63,7 +63,8 @@ class LieRig {
         device_(rig.host),
         exchange_(kQueues, parameters_of(scene())) {
     EXPECT_TRUE(rig.host.come_up());
-    loop_.emplace(std::vector<device::Device*>{&device_}, exchange_, parameters_of(scene()), false);
+    loop_.emplace(std::vector<device::Device*>{&device_}, exchange_,
+                  parameters_of(scene_on(scene(), device_.info())), false);
     rig.host.whole_loop = [this] { loop_->cycle({clock_.now_ns(), 0, 0}, clock_); };
     rig.host.after_tick = [this] {
       const double force_n = std::abs(rig.force_n());

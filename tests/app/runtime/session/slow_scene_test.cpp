@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "app/runtime/session/live_session.h"
 #include "tests/app/runtime/loop/servo_loop_support.h"
@@ -40,6 +42,10 @@ Scene slow_scene_of_two_axes() {
 class SlowMachine : public test::FakeClock {
  public:
   static constexpr std::int64_t kMissedPerCycle = 39;
+  // Lets others run: the loop may have real-time priority, and here it never waits.
+  SlowMachine() {
+    after_sleep = [](FakeClock&) { std::this_thread::sleep_for(std::chrono::microseconds(20)); };
+  }
   [[nodiscard]] std::int64_t now_ns() override {
     constexpr std::int64_t kStepNs = 200'000;
     advance_ns(kStepNs);
