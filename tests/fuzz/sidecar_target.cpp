@@ -27,7 +27,7 @@ std::string written(const LoadedScene& loaded) {
   }
   metadata.marks = loaded.marks;
   file::RecordedRows rows;
-  rows.session_ticks = loaded.scene.tick_count();
+  rows.session_ticks = rows.rows = loaded.scene.tick_count();
   return file::sidecar_toml(loaded.scene, metadata, rows);
 }
 
