@@ -43,6 +43,7 @@ EnergyStory tell_energy_story(const EnergyLedger& now, const EnergyLedger& since
   story.control_law_j = positive(-cv_j);
   story.given_out_j = positive(-scv_j);
   story.budget_j = positive(-budget_j);
+  story.tolerance_j = least_j;
   if (budget_j - scv_j > least_j) {
     story.state = EnergyState::kActive;
     story.extracted_j = budget_j - scv_j;

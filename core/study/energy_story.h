@@ -41,6 +41,7 @@ struct EnergyStory {
   double control_law_j = 0.0;                // max(0, -cv)
   double given_out_j = 0.0;                  // max(0, -scv)
   double budget_j = 0.0;                     // dissipated by the device damping
+  double tolerance_j = 0.0;                  // what the encoder cannot show: `resolution_j`
 };
 
 // From `since` to `now`, two rows of one ledger. The wall must store no energy at `since` (default:

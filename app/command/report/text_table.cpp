@@ -23,13 +23,6 @@ std::size_t width_of(const std::string& text) {
 
 }  // namespace
 
-std::string fixed(std::optional<double> value, double factor, int digits) {
-  if (!value || !std::isfinite(*value)) return "-";
-  const std::string text = fmt::format("{:.{}f}", *value * factor, digits);
-  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, digits)
-                                                            : text;
-}
-
 std::string kilonewtons_per_metre(std::optional<double> value_n_per_m) {
   return fixed(value_n_per_m, 1.0 / kNewtonsPerKilonewton, 2);
 }

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "app/file/text/text.h"
+
 namespace hapticwall::command {
 
-// "1.234" of value * factor; "-" if there is no value or it is not finite. A negative value that
-// rounds to zero keeps no sign.
-[[nodiscard]] std::string fixed(std::optional<double> value, double factor, int digits);
+using file::fixed;
 
 // The same of newtons per metre in kN/m, with two decimals.
 [[nodiscard]] std::string kilonewtons_per_metre(std::optional<double> value_n_per_m);

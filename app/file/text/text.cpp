@@ -59,6 +59,13 @@ void append_number(std::string& text, double value) {
   text.append(digits.data(), end);
 }
 
+std::string fixed(std::optional<double> value, double factor, int digits) {
+  if (!value || !std::isfinite(*value)) return "-";
+  const std::string text = fmt::format("{:.{}f}", *value * factor, digits);
+  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, digits)
+                                                            : text;
+}
+
 std::string shortest_number(double value) {
   std::string text;
   append_number(text, value);

@@ -19,6 +19,9 @@ namespace hapticwall::file {
 // where number_text() (core/scene_keys.h) writes 1e9 for people.
 void append_number(std::string& text, double value);
 [[nodiscard]] std::string shortest_number(double value);
+// "1.234" of value * factor; "-" if there is no value or it is not finite. A negative value that
+// rounds to zero keeps no sign.
+[[nodiscard]] std::string fixed(std::optional<double> value, double factor, int digits);
 
 // The number that all of `text` spells in the C locale; nullopt for anything else, and for a number
 // that is out of range or not finite.

@@ -8,6 +8,7 @@
 #include "app/ui/page/plots_panel.h"
 #include "app/ui/page/timing_page.h"
 #include "app/ui/panel/energy_lamp_view.h"
+#include "app/ui/panel/verdict_strip.h"
 #include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
@@ -51,6 +52,7 @@ void draw_lower_page(const PanelContext& context, const draw::SampleHistory& his
   draw_page_choice(context);
   ImGui::SameLine(0.0F, kTabGapEms * ImGui::GetFontSize());
   draw_energy_lamp(context);
+  draw_verdict_strip(context);
   ImGui::BeginChild("lower page", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders);
   switch (lower_page(context)) {
     case LowerPage::kPlots:

@@ -53,8 +53,12 @@ LampWords spending_words(const EnergyStory& story) {
   const double scale = whole ? 1.0 : kMillijoulesPerJoule;
   const std::string share = fmt::format("{:.{}f} of {}", story.given_out_j * scale, whole ? 2 : 1,
                                         energy_text(story.budget_j));
-  return {
-      draw::Tone::kWarning, "spending the budget: " + share, {}, "spending " + share, "spending"};
+  const std::string decides =
+      story.given_out_j > story.budget_j
+          ? fmt::format("within one encoder count, {}", energy_text(story.tolerance_j))
+          : std::string();
+  return {draw::Tone::kWarning, "spending the budget: " + share, decides, "spending " + share,
+          "spending"};
 }
 
 // Width with all digits 0, so that the layout does not depend on the digits.

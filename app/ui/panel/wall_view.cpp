@@ -74,6 +74,14 @@ void move_camera(WallState& state, const ViewArea& area, bool two_axes) {
   orbit = limited(orbit, two_axes);
 }
 
+// The mean force over the mean penetration of the last second, as the verdict tells it: a single
+// quotient flickers by several times. Nullopt out of contact.
+std::optional<double> shown_stiffness(const PanelContext& context, std::size_t axis) {
+  const Sample& sample = context.snapshot.newest.axes.at(axis);
+  if ((sample.flags & kFlagInContact) == 0U) return std::nullopt;
+  return context.state.tails.at(axis).summary.displayed_stiffness_n_per_m;
+}
+
 void draw_readout(const PanelContext& context, ImVec2 corner) {
   const Sample& sample = shown_sample(context);
   const bool contact = (sample.flags & kFlagInContact) != 0U;
@@ -102,7 +110,8 @@ void draw_readout(const PanelContext& context, ImVec2 corner) {
   row("position", sample.position_m * kMillimetresPerMetre, 3, "mm", true);
   row("penetration", sample.penetration_m * kMillimetresPerMetre, 3, "mm", contact);
   row("force", sample.force_n, 3, "N", true);
-  row("stiffness", sample.stiffness_n_per_m / 1e3, 2, "kN/m", contact);
+  const std::optional<double> stiffness = shown_stiffness(context, shown_index(context));
+  row("stiffness", stiffness.value_or(0.0) / 1e3, 2, "kN/m", stiffness.has_value());
   ImGui::EndGroup();
   ImGui::PopStyleVar();
   ImGui::PopFont();
@@ -134,7 +143,9 @@ WallPicture fading_picture(const PanelContext& context) {
   }
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     ShownStiffness& shown = transient.shown.at(axis);
-    shown = faded(shown, picture.shown.at(axis), static_cast<double>(ImGui::GetIO().DeltaTime));
+    const std::optional<double> mean = shown_stiffness(context, axis);
+    const ShownStiffness now = mean ? ShownStiffness{std::max(*mean, 0.0), 1.0} : ShownStiffness{};
+    shown = faded(shown, now, static_cast<double>(ImGui::GetIO().DeltaTime));
     picture.shown.at(axis) = shown;
   }
   return picture;

@@ -26,6 +26,7 @@
 #include "app/ui/state/compare_state.h"
 #include "app/ui/state/export.h"
 #include "app/ui/state/messages.h"
+#include "app/ui/state/tail.h"
 #include "app/ui/state/timing_state.h"
 #include "app/ui/state/undo.h"
 #include "app/ui/wall/wall_camera.h"
@@ -192,6 +193,7 @@ struct UiState {
   ReplayState replay;
   CompareState compare;
   TimingState timing;
+  Tails tails;
 };
 
 // Decided once a frame, before any panel draws.

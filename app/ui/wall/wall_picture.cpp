@@ -17,11 +17,6 @@ double towards(double from, double to, double share) {
   return std::abs(to - value) < kSettledTint * std::max(std::abs(to), 1.0) ? to : value;
 }
 
-ShownStiffness shown_now(const Sample& sample) {
-  if ((sample.flags & kFlagInContact) == 0U) return {};
-  return {std::max(sample.stiffness_n_per_m, 0.0), 1.0};
-}
-
 }  // namespace
 
 WallPicture wall_picture(const Scene& scene, const Tick& tick) {
@@ -45,7 +40,6 @@ WallPicture wall_picture(const Scene& scene, const Tick& tick) {
     picture.full_scale_n =
         std::max(picture.full_scale_n, axis.device.force_limit_n.value_or(kDefaultFullScaleN));
     picture.saturated = picture.saturated || (sample.flags & kFlagForceLimit) != 0U;
-    picture.shown.at(index) = shown_now(sample);
   }
   std::stable_sort(picture.walls.begin(), picture.walls.end(),
                    [](const PictureWall& a, const PictureWall& b) { return a.face_m < b.face_m; });

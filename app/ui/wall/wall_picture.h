@@ -29,9 +29,10 @@ struct PictureWall {
   friend bool operator==(const PictureWall&, const PictureWall&) = default;
 };
 
-// The stiffness that the walls of one axis display to the hand.
+// The stiffness that the walls of one axis display to the hand; wall_picture() leaves it to the
+// view.
 struct ShownStiffness {
-  double n_per_m = 0.0;   // F_d / penetration
+  double n_per_m = 0.0;   // mean force over mean penetration
   double strength = 0.0;  // 0: nothing is displayed; 1: in contact; between while a tint fades
 
   friend bool operator==(const ShownStiffness&, const ShownStiffness&) = default;

@@ -17,11 +17,11 @@ struct Choice {
 };
 constexpr std::array kChoices{Choice{Axis::kX, "x"}, Choice{Axis::kY, "y"}};
 
+}  // namespace
+
 std::size_t shown_index(const PanelContext& context) {
   return context.shows.axis == Axis::kY ? 1 : 0;
 }
-
-}  // namespace
 
 Scene shown_scene(const PanelContext& context) {
   return axis_scene(context.session.scene(), shown_index(context));

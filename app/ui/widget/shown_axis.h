@@ -8,6 +8,7 @@
 
 namespace hapticwall::ui {
 
+[[nodiscard]] std::size_t shown_index(const PanelContext& context);
 // The shown axis as a scene of one axis.
 [[nodiscard]] Scene shown_scene(const PanelContext& context);
 [[nodiscard]] const std::vector<WallSettings>& shown_walls(const PanelContext& context);

@@ -101,6 +101,7 @@ void Application::frame() {
   runtime::Snapshot snapshot = session().snapshot();
   if (!session().knows_truth()) draw_where_measured(snapshot.newest);
   note_timing(state_.timing, live_.get(), snapshot.timing);
+  note_tails(state_.tails, history_, session().scene());
   const PanelContext context{session(), snapshot, theme_, state_, visibility(snapshot.generation)};
   handle_keys(context, bindings_in_force(context.shows));
   draw_window(context, history_.axis(context.shows.axis == Axis::kY ? 1 : 0), *renderer_);

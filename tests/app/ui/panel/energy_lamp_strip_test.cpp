@@ -85,6 +85,15 @@ TEST_F(EnergyLampStripTest, TheBudgetIsToldInOneUnit) {
   EXPECT_EQ(lamp_words(story).text, "spending the budget: 12.3 of 54.1 mJ");
   story.budget_j = 2.5;
   EXPECT_EQ(lamp_words(story).text, "spending the budget: 0.01 of 2.50 J");
+  EXPECT_EQ(lamp_words(story).remark, "");
+}
+
+TEST_F(EnergyLampStripTest, TellsTheToleranceWhereItDecides) {
+  const EnergyLedger now{.cv_j = 0.0, .hold_j = -0.0306, .scv_j = -0.0306, .budget_j = -0.0292};
+  const EnergyStory story = tell_energy_story(now, {}, 0.002);
+  EXPECT_EQ(story.state, EnergyState::kSpendingBudget);
+  EXPECT_EQ(lamp_words(story).text, "spending the budget: 30.6 of 29.2 mJ");
+  EXPECT_EQ(lamp_words(story).remark, "within one encoder count, 2.0 mJ");
 }
 
 TEST_F(EnergyLampStripTest, BothToBlameIsToldWithBothFigures) {

@@ -24,7 +24,6 @@ TEST(WallPicture, ShowsSceneAndSample) {
   sample.truth.position_m = 0.0507;
   sample.truth.hand_path_m = 0.07;
   sample.force_n = 3.0;
-  sample.stiffness_n_per_m = 4000.0;
   sample.flags = kFlagInContact | kFlagForceLimit;
   const WallPicture picture = wall_picture(scene, sample);
   EXPECT_EQ(picture.handle_m, glm::dvec2(0.0507, 0.0)) << "the true position, not the measured one";
@@ -34,9 +33,6 @@ TEST(WallPicture, ShowsSceneAndSample) {
   EXPECT_EQ(picture.force_n, glm::dvec2(3.0, 0.0));
   EXPECT_EQ(picture.full_scale_n, 8.9);
   EXPECT_TRUE(picture.saturated);
-  EXPECT_EQ(picture.shown.front(), (ShownStiffness{4000.0, 1.0}));
-  sample.flags = 0;
-  EXPECT_EQ(wall_picture(scene, sample).shown.front().strength, 0.0);
 }
 
 TEST(WallPicture, TheProxyStaysAtTheFaces) {

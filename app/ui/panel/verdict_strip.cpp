@@ -1,0 +1,46 @@
+#include "app/ui/panel/verdict_strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/ui/state/tail.h"
+#include "app/ui/widget/shown_axis.h"
+#include "app/ui/widget/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr const char* kMeaning =
+    "The last second, by the formulas of 'hapticwall run': verdict, way of the handle from peak to "
+    "peak, mean force and its standard deviation, mean force over mean penetration, and the rhythm "
+    "of what shakes. settled: within 0.1 mm and 0.3 N. buzzing: the handle rests and the force "
+    "does "
+    "not. oscillating: the handle moves, also on its way.";
+
+draw::Tone tone_of(Verdict verdict) {
+  if (verdict == Verdict::kSettled) return draw::Tone::kGood;
+  return verdict == Verdict::kBuzzing ? draw::Tone::kWarning : draw::Tone::kBad;
+}
+
+}  // namespace
+
+void draw_verdict_strip(const PanelContext& context) {
+  if (context.shows.hides_force) {
+    ImGui::TextDisabled("verdict: hidden");
+    return;
+  }
+  const Tail& tail = context.state.tails.at(shown_index(context));
+  const std::string text = tail_text(tail);
+  {
+    const draw::FontScope font(context.theme.fonts.digits, draw::kTitleFontSize);
+    const float share = ImGui::GetContentRegionAvail().x / ImGui::CalcTextSize(text.c_str()).x;
+    const draw::FontScope fitting(context.theme.fonts.digits,
+                                  std::clamp(std::floor(share * draw::kTitleFontSize),
+                                             draw::kSmallFontSize, draw::kTitleFontSize));
+    ImGui::TextColored(context.theme.colour(tone_of(tail.summary.verdict)), "%s", text.c_str());
+  }
+  explain(kMeaning);
+}
+
+}  // namespace hapticwall::ui

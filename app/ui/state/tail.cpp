@@ -1,0 +1,114 @@
+#include "app/ui/state/tail.h"
+
+#include <fmt/format.h>
+
+#include "app/file/text/text.h"
+#include "core/simulation/metrics.h"
+#include "core/units.h"
+
+namespace hapticwall::ui {
+namespace {
+
+using draw::Extremes;
+using draw::IndexRange;
+using draw::Quantity;
+using draw::SampleHistory;
+using file::fixed;
+
+constexpr double kCrossed = 0.25;  // of the extremes, on either side of their middle
+
+IndexRange last_second(const SampleHistory& history, double rate_hz) {
+  const std::uint64_t first = tail_begin_tick(history.size(), rate_hz);
+  return {static_cast<std::size_t>(first), history.size()};
+}
+
+RunStats stats_of(const SampleHistory& history, IndexRange range) {
+  TickMetrics metrics(0);
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const auto flags = static_cast<std::uint32_t>(history.value(&Sample::flags, i));
+    metrics.add(i - range.first,
+                {history.value(&PlantTruth::position_m, i),
+                 history.value(&Sample::penetration_m, i), history.value(&Sample::force_n, i),
+                 (flags & kFlagInContact) != 0, (flags & kFlagForceLimit) != 0},
+                {});
+  }
+  return metrics.stats();
+}
+
+// From the first to the last rise through the middle, with a hysteresis. Nullopt below two.
+std::optional<double> frequency_of(const SampleHistory& history, IndexRange range,
+                                   Quantity quantity, double rate_hz) {
+  const Extremes all = history.extremes(quantity, range);
+  const double middle = 0.5 * (all.minimum + all.maximum);
+  const double margin = kCrossed * (all.maximum - all.minimum);
+  bool high = true;  // the first rise needs a fall before it
+  std::size_t rises = 0;
+  std::size_t first = 0;
+  std::size_t last = 0;
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const double value = history.value(quantity, i) - middle;
+    if (high && value < -margin) high = false;
+    if (high || value <= margin) continue;
+    high = true;
+    if (rises++ == 0) first = i;
+    last = i;
+  }
+  if (rises < 2) return std::nullopt;
+  return static_cast<double>(rises - 1) * rate_hz / static_cast<double>(last - first);
+}
+
+std::string movement_text(const Tail& tail) {
+  if (tail.summary.verdict == Verdict::kSettled) return "quiet";
+  return tail.frequency_hz ? fmt::format("{:.1f} Hz", *tail.frequency_hz) : "no rhythm";
+}
+
+}  // namespace
+
+Tail tail_of(const SampleHistory& history, const Scene& scene) {
+  Tail tail;
+  if (history.empty()) return tail;
+  const double rate_hz = scene.sampling.rate_hz;
+  const IndexRange range = last_second(history, rate_hz);
+  tail.end_tick = static_cast<std::uint64_t>(history.value(&Sample::tick, history.size() - 1)) + 1;
+  RunEnd end{.ticks = range.count(), .diverged_at_tick = std::nullopt};
+  const Extremes places = history.extremes(&PlantTruth::position_m, range);
+  if (has_diverged(places.minimum) || has_diverged(places.maximum)) {
+    end.diverged_at_tick = tail.end_tick;
+  }
+  tail.summary = summarise(scene, stats_of(history, range), {}, std::nullopt, end);
+  if (tail.summary.verdict != Verdict::kSettled) {
+    const bool force_alone = tail.summary.verdict == Verdict::kBuzzing;
+    tail.frequency_hz = frequency_of(
+        history, range,
+        force_alone ? Quantity(&Sample::force_n) : Quantity(&PlantTruth::position_m), rate_hz);
+  }
+  return tail;
+}
+
+void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene) {
+  for (std::size_t axis = 0; axis < tails.size(); ++axis) {
+    Tail& tail = tails.at(axis);
+    const SampleHistory& samples = history.axis(axis);
+    if (axis >= scene.axes.size() || samples.empty()) {
+      tail = {};
+    } else if (samples.value(&Sample::tick, samples.size() - 1) + 1.0 !=
+               static_cast<double>(tail.end_tick)) {
+      tail = tail_of(samples, axis_scene(scene, axis));
+    }
+  }
+}
+
+std::string tail_text(const Tail& tail) {
+  const Summary& s = tail.summary;
+  if (tail.end_tick == 0 || !s.tail_peak_to_peak_m) return "no sample yet";
+  const std::string stiffness =
+      s.displayed_stiffness_n_per_m
+          ? fixed(s.displayed_stiffness_n_per_m, 1.0 / kNewtonsPerKilonewton, 2) + " kN/m"
+          : "no contact";
+  return fmt::format("{} · {} mm p-p · {} ± {} N · {} · {}", verdict_name(s.verdict),
+                     fixed(s.tail_peak_to_peak_m, kMillimetresPerMetre, 3),
+                     fixed(s.tail_force_mean_n, 1.0, 3), fixed(s.tail_force_std_n, 1.0, 3),
+                     stiffness, movement_text(tail));
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,33 @@
+// The last second of a session, by the formulas of a run's summary.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "app/draw/plot/sample_history.h"
+#include "core/sample.h"
+#include "core/scene.h"
+#include "core/summary.h"
+
+namespace hapticwall::ui {
+
+struct Tail {
+  std::uint64_t end_tick = 0;  // after the newest sample; 0: none yet
+  Summary summary;             // its tail and its verdict; the rest is that of the last second
+  std::optional<double> frequency_hz;  // of the position, or of the force if only it shakes
+};
+using Tails = std::array<Tail, kMaxAxes>;
+
+// The last second of `history`, or all of it if it is shorter. `scene`: of its axis.
+[[nodiscard]] Tail tail_of(const draw::SampleHistory& history, const Scene& scene);
+
+// Keeps the tails of all axes up to date. Costs nothing without a new sample.
+void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene);
+
+// "settled · 0.000 mm p-p · 4.967 ± 0.128 N · 30.12 kN/m · quiet", with the digits of `run`.
+[[nodiscard]] std::string tail_text(const Tail& tail);
+
+}  // namespace hapticwall::ui
