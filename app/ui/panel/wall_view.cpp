@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/panel/energy_lamp_view.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/wall/wall_labels.h"
 #include "app/ui/widget/shown_axis.h"
@@ -134,11 +135,12 @@ WallPicture fading_picture(const PanelContext& context) {
   WallPicture picture = wall_picture(context.session.scene(), context.snapshot.newest);
   WallState::Transient& transient = context.state.wall.transient;
   if (context.shows.hides_force) {
-    // Hides arrow and tint, also right after the test.
+    // Both walls look the same: the handle is where a rigid wall would hold the hand.
+    picture.handle_m = held_by_walls(picture, picture.hand_m.value_or(glm::dvec2(0.0)));
     picture.force_n = {};
     picture.saturated = false;
     picture.shown = {};
-    transient.shown = {};
+    transient.shown = {};  // also right after the test
     return picture;
   }
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -147,7 +149,10 @@ WallPicture fading_picture(const PanelContext& context) {
     const ShownStiffness now = mean ? ShownStiffness{std::max(*mean, 0.0), 1.0} : ShownStiffness{};
     shown = faded(shown, now, static_cast<double>(ImGui::GetIO().DeltaTime));
     picture.shown.at(axis) = shown;
+    sweep(picture, static_cast<Axis>(axis), transient.swept.at(axis));
   }
+  if (const auto& lamp = context.state.compare.transient.lamp)
+    picture.energy = lamp_words(lamp->story()).tone;
   return picture;
 }
 
@@ -201,7 +206,10 @@ void draw_wall_view(const PanelContext& context, WallRenderer& renderer) {
   draw_picture(context, renderer, picture, camera, area);
   take_pointer(context, camera, area);
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  draw_wall_labels(context.theme, picture, camera, area);
+  draw_wall_labels(context.theme, picture, camera, area,
+                   context.shows.hides_force
+                       ? std::string()
+                       : rhythm_text(context.state.tails.at(shown_index(context))));
   ImGui::PopFont();
   if (!context.shows.hides_force) draw_readout(context, area.corner);
   draw_reset_button(context, area);

@@ -59,7 +59,11 @@ std::optional<double> frequency_of(const SampleHistory& history, IndexRange rang
 
 std::string movement_text(const Tail& tail) {
   if (tail.summary.verdict == Verdict::kSettled) return "quiet";
-  return tail.frequency_hz ? fmt::format("{:.1f} Hz", *tail.frequency_hz) : "no rhythm";
+  return tail.frequency_hz ? fixed(tail.frequency_hz, 1.0, 1) + " Hz" : "no rhythm";
+}
+
+std::string way_text(const Tail& tail) {
+  return fixed(tail.summary.tail_peak_to_peak_m, kMillimetresPerMetre, 3) + " mm p-p";
 }
 
 }  // namespace
@@ -98,6 +102,10 @@ void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& sce
   }
 }
 
+std::string rhythm_text(const Tail& tail) {
+  return tail.frequency_hz ? movement_text(tail) + " · " + way_text(tail) : std::string();
+}
+
 std::string tail_text(const Tail& tail) {
   const Summary& s = tail.summary;
   if (tail.end_tick == 0 || !s.tail_peak_to_peak_m) return "no sample yet";
@@ -105,8 +113,7 @@ std::string tail_text(const Tail& tail) {
       s.displayed_stiffness_n_per_m
           ? fixed(s.displayed_stiffness_n_per_m, 1.0 / kNewtonsPerKilonewton, 2) + " kN/m"
           : "no contact";
-  return fmt::format("{} · {} mm p-p · {} ± {} N · {} · {}", verdict_name(s.verdict),
-                     fixed(s.tail_peak_to_peak_m, kMillimetresPerMetre, 3),
+  return fmt::format("{} · {} · {} ± {} N · {} · {}", verdict_name(s.verdict), way_text(tail),
                      fixed(s.tail_force_mean_n, 1.0, 3), fixed(s.tail_force_std_n, 1.0, 3),
                      stiffness, movement_text(tail));
 }

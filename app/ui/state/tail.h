@@ -27,6 +27,8 @@ using Tails = std::array<Tail, kMaxAxes>;
 // Keeps the tails of all axes up to date. Costs nothing without a new sample.
 void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene);
 
+// "50.0 Hz · 2.825 mm p-p"; empty without a rhythm.
+[[nodiscard]] std::string rhythm_text(const Tail& tail);
 // "settled · 0.000 mm p-p · 4.967 ± 0.128 N · 30.12 kN/m · quiet", with the digits of `run`.
 [[nodiscard]] std::string tail_text(const Tail& tail);
 

@@ -39,7 +39,7 @@ namespace hapticwall::ui {
 enum class ViewDrag : std::uint8_t { kNone, kLeadHand, kTurn, kShift };
 
 // Magnifications of the contact, relative to the wall view as it first shows a scene.
-inline constexpr std::array kMagnifications{10, 20, 50, 100, 200, 500, 1000};
+inline constexpr std::array kMagnifications{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
 
 // View of the magnifier, m.
 struct Magnified {
@@ -51,11 +51,12 @@ struct WallState {
   // Stored in the settings file.
   struct Persisted {
     WallOrbit orbit;
-    int magnification = 0;  // 10 to 1000; 0: automatic
+    int magnification = 0;  // 1 to 1000; 0: automatic
   };
   struct Transient {
     ViewDrag drag = ViewDrag::kNone;
     std::array<ShownStiffness, kAxisCount> shown{};  // the fading tint of the walls
+    std::array<Swept, kAxisCount> swept{};
     bool view_refined = true;  // false: the picture still improves in the next frames
     int magnification = 0;     // in force; 0: none yet
     Magnified magnified;

@@ -72,24 +72,10 @@ Shape make_plane() {
   return shape;
 }
 
-Shape make_face(std::uint32_t parts) {
+Shape make_face() {
   Shape shape;
-  const std::uint32_t in_row = parts + 1;
-  for (std::uint32_t row = 0; row < in_row; ++row) {
-    for (std::uint32_t column = 0; column < in_row; ++column) {
-      const auto share = [parts](std::uint32_t i) {
-        return static_cast<float>(i) / static_cast<float>(parts) - 0.5F;
-      };
-      shape.vertices.push_back({{0.0F, share(row), share(column)}, {-1.0F, 0.0F, 0.0F}});
-    }
-  }
-  for (std::uint32_t row = 0; row < parts; ++row) {
-    for (std::uint32_t column = 0; column < parts; ++column) {
-      const std::uint32_t i = row * in_row + column;
-      for (const std::uint32_t corner : {i, i + 1, i + in_row + 1, i, i + in_row + 1, i + in_row})
-        shape.indices.push_back(corner);
-    }
-  }
+  add_side(shape, 0, -1.0F);
+  for (draw::Vertex& vertex : shape.vertices) vertex.position.x = 0.0F;
   return shape;
 }
 

@@ -13,10 +13,9 @@ struct Shape {
   std::vector<std::uint32_t> indices;
 };
 
-[[nodiscard]] Shape make_box();    // edges of length 1
-[[nodiscard]] Shape make_plane();  // of edges of length 1, at y = 0, seen from above
-// Of edges of length 1, at x = 0, facing -x, in `parts` by `parts` pieces.
-[[nodiscard]] Shape make_face(std::uint32_t parts);
+[[nodiscard]] Shape make_box();       // edges of length 1
+[[nodiscard]] Shape make_plane();     // of edges of length 1, at y = 0, seen from above
+[[nodiscard]] Shape make_face();      // of edges of length 1, at x = 0, facing -x
 [[nodiscard]] Shape make_sides();     // of a box from x = 0 to 1 without the side at x = 0
 [[nodiscard]] Shape make_sphere();    // radius 1
 [[nodiscard]] Shape make_cylinder();  // radius 1, along x from 0 to 1, with lids

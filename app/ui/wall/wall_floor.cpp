@@ -113,7 +113,7 @@ void WallFloor::draw_shadow(const WallView& view) const {
   const auto& [picture, camera, theme] = view;
   constexpr float kRadius = WallMeasures::kHandleRadius;
   constexpr float kReach = 2.3F * kRadius;  // as in the shader
-  const glm::vec3 ball = ball_centre(picture.two_axes, camera, picture.handle_m);
+  const glm::vec3 ball = ball_centre(picture.two_axes, camera, swept_place(picture).from_m);
   const float length = picture.two_axes ? 0.0F : WallMeasures::kHandleLength - kRadius;
   const glm::vec2 middle = glm::vec2(ball.x - 0.5F * length, ball.z) + kShadowShift;
   shadow_.use();

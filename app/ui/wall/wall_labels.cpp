@@ -17,6 +17,8 @@ namespace {
 constexpr float kRulerFront = 0.25F;  // of the ruler, in front of the walls
 constexpr float kMinArrow = 0.04F;    // shorter arrows have no label
 constexpr float kEdge = 4.0F;         // pixels that are kept free
+constexpr double kSameForce = 0.01;   // of the full scale: what the label does not tell apart
+constexpr const char* kTruePlace = "true place";
 
 // Places in the picture's units become pixels of the window.
 class Pen {
@@ -159,19 +161,24 @@ void draw_name_beside(const Pen& pen, const Name& name, float side) {
   pen.write(ImVec2(name.thing.x + side * (gap + half + 3.0F), name.thing.y), name.tone, name.text);
 }
 
-void draw_things_on_axis(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
+std::string handle_name(const std::string& rhythm) {
+  return rhythm.empty() ? "handle" : "handle · " + rhythm;
+}
+
+void draw_things_on_axis(const Pen& pen, const WallPicture& picture, const WallCamera& camera,
+                         const std::string& rhythm) {
   constexpr float kRadius = WallMeasures::kHandleRadius;
   constexpr float kNeckHalf = 0.62F * kRadius;
   constexpr float kAtRod = -0.75F;  // of the handle's name, from the ball
   constexpr float kSleeve = kRadius - 0.5F * (WallMeasures::kSleeveFrom + WallMeasures::kSleeveTo);
-  const glm::vec3 handle = ball_centre(false, camera, picture.handle_m);
+  const glm::vec3 handle = ball_centre(false, camera, swept_place(picture).from_m);
   std::vector<Name> names;
-  names.push_back(
-      {pen.screen(handle + glm::vec3(kAtRod, -kNeckHalf, 0.0F)), draw::Tone::kText, "handle"});
-  if (const auto proxy_m = proxy_of(picture)) {
-    const glm::vec3 proxy = ball_centre(false, camera, *proxy_m);
-    names.push_back({pen.screen(proxy + 1.1F * kRadius * glm::vec3(0.35F, -1.0F, 0.0F)),
-                     draw::Tone::kAccent, "proxy"});
+  names.push_back({pen.screen(handle + glm::vec3(kAtRod, -kNeckHalf, 0.0F)), draw::Tone::kText,
+                   handle_name(rhythm)});
+  if (const auto deepest_m = deepest_place(picture)) {
+    const glm::vec3 place = ball_centre(false, camera, *deepest_m);
+    names.push_back({pen.screen(place + kRadius * glm::vec3(0.35F, -1.0F, 0.0F)),
+                     draw::Tone::kAccent, kTruePlace});
   }
   if (picture.hand_m) {
     const glm::vec3 hand = ball_centre(false, camera, *picture.hand_m);
@@ -182,18 +189,19 @@ void draw_things_on_axis(const Pen& pen, const WallPicture& picture, const WallC
                    pen.screen(handle - glm::vec3(0.0F, 2.0F * kRadius, 0.0F)).y);
 }
 
-void draw_things_on_plane(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
+void draw_things_on_plane(const Pen& pen, const WallPicture& picture, const WallCamera& camera,
+                          const std::string& rhythm) {
   constexpr float kRadius = WallMeasures::kHandleRadius;
   const glm::vec3 rod = rod_direction(true);
-  const glm::vec3 handle = ball_centre(true, camera, picture.handle_m);
-  draw_name_beside(
-      pen,
-      {pen.screen(handle + 0.92F * WallMeasures::kStylusLength * rod), draw::Tone::kText, "handle"},
-      -1.0F);
-  if (const auto proxy_m = proxy_of(picture)) {
-    const glm::vec3 proxy = ball_centre(true, camera, *proxy_m);
+  const glm::vec3 handle = ball_centre(true, camera, swept_place(picture).from_m);
+  draw_name_beside(pen,
+                   {pen.screen(handle + 0.92F * WallMeasures::kStylusLength * rod),
+                    draw::Tone::kText, handle_name(rhythm)},
+                   -1.0F);
+  if (const auto deepest_m = deepest_place(picture)) {
+    const glm::vec3 place = ball_centre(true, camera, *deepest_m);
     draw_name_beside(
-        pen, {pen.screen(proxy - glm::vec3(kRadius, 0.0F, 0.0F)), draw::Tone::kAccent, "proxy"},
+        pen, {pen.screen(place - glm::vec3(kRadius, 0.0F, 0.0F)), draw::Tone::kAccent, kTruePlace},
         -1.0F);
   }
   if (!picture.hand_m) return;
@@ -203,12 +211,23 @@ void draw_things_on_plane(const Pen& pen, const WallPicture& picture, const Wall
   draw_name_beside(pen, {pen.screen(hand + back * rod + aside), draw::Tone::kHand, "hand"}, 1.0F);
 }
 
+// "4.97 N", "0.00 to 8.90 N  limit".
+std::string force_text(const WallPicture& picture, const SweptForce& force) {
+  const auto size = [&](glm::dvec2 n) { return picture.two_axes ? glm::length(n) : n.x; };
+  const double least_n = size(force.least_n);
+  const double most_n = size(force.most_n);
+  const bool one = std::abs(most_n - least_n) < kSameForce * picture.full_scale_n;
+  return fmt::format("{}{:.2f} N{}", one ? "" : fmt::format("{:.2f} to ", least_n), most_n,
+                     picture.saturated ? "  limit" : "");
+}
+
 void draw_force(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
-  const glm::vec2 arrow = arrow_of(picture);
+  const SweptForce force = swept_force(picture);
+  const glm::vec2 arrow = arrow_of(picture, force.most_n);
   if (glm::length(arrow) < kMinArrow) return;
-  const glm::vec3 from = picture.two_axes
-                             ? ball_centre(true, camera, picture.handle_m)
-                             : camera.point_of(picture.handle_m, WallMeasures::kArrowHeight);
+  const glm::dvec2 place_m = swept_place(picture).to_m;
+  const glm::vec3 from = picture.two_axes ? ball_centre(true, camera, place_m)
+                                          : camera.point_of(place_m, WallMeasures::kArrowHeight);
   // Above the middle of the arrow. With two axes beyond its tip, because the arrow may point
   // towards the viewer.
   const glm::vec3 along(arrow.x, 0.0F, -arrow.y);
@@ -216,9 +235,8 @@ void draw_force(const Pen& pen, const WallPicture& picture, const WallCamera& ca
                                             : from + 0.5F * along + glm::vec3(0.0F, 0.3F, 0.0F);
   ImVec2 place = pen.screen(beside);
   if (!picture.two_axes) place.y -= 0.5F * ImGui::GetFontSize();
-  const double size_n = picture.two_axes ? glm::length(picture.force_n) : picture.force_n.x;
   pen.write(place, picture.saturated ? draw::Tone::kBad : draw::Tone::kForce,
-            fmt::format("{:.2f} N{}", size_n, picture.saturated ? "  limit" : ""));
+            force_text(picture, force));
 }
 
 // The colour bar of stiffness, with the displayed stiffness.
@@ -313,7 +331,7 @@ std::string stiffness_text(double n_per_m) {
 }
 
 void draw_wall_labels(const draw::Theme& theme, const WallPicture& picture,
-                      const WallCamera& camera, const ViewArea& area) {
+                      const WallCamera& camera, const ViewArea& area, const std::string& rhythm) {
   Pen pen(theme, camera, area);
   StiffnessBar bar(pen, picture);
   const bool with_bar = !picture.walls.empty() && bar.has_room();
@@ -322,9 +340,9 @@ void draw_wall_labels(const draw::Theme& theme, const WallPicture& picture,
   if (camera.space().y) draw_ruler(pen, camera, Axis::kY, picture.two_axes);
   draw_wall_names(pen, picture, camera);
   if (picture.two_axes) {
-    draw_things_on_plane(pen, picture, camera);
+    draw_things_on_plane(pen, picture, camera, rhythm);
   } else {
-    draw_things_on_axis(pen, picture, camera);
+    draw_things_on_axis(pen, picture, camera, rhythm);
   }
   draw_force(pen, picture, camera);
   if (with_bar) draw_stiffness_bar(bar, picture);

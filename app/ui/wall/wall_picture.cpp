@@ -19,6 +19,33 @@ double towards(double from, double to, double share) {
 
 }  // namespace
 
+void note_swept(Swept& swept, const draw::SampleHistory& history) {
+  if (history.empty()) {
+    swept = {};
+    return;
+  }
+  const std::size_t size = history.size();
+  const auto end_tick = static_cast<std::uint64_t>(history.value(&Sample::tick, size - 1)) + 1;
+  if (end_tick == swept.end_tick) return;
+  // After a reset or without an earlier frame: the newest sample alone.
+  const bool goes_on = swept.end_tick > 0 && swept.end_tick < end_tick;
+  const std::uint64_t count = goes_on ? end_tick - swept.end_tick : 1;
+  const draw::IndexRange range{size - std::min<std::size_t>(count, size), size};
+  swept = {history.extremes(&PlantTruth::position_m, range),
+           history.extremes(&Sample::force_n, range), end_tick};
+}
+
+void sweep(WallPicture& picture, Axis axis, const Swept& swept) {
+  if (swept.end_tick == 0) return;
+  const auto extend = [axis](Reach& reach, const glm::dvec2& newest, const draw::Extremes& all) {
+    const int i = index_of(axis);
+    reach.below[i] = std::max(0.0, newest[i] - all.minimum);
+    reach.above[i] = std::max(0.0, all.maximum - newest[i]);
+  };
+  extend(picture.handle_reach_m, picture.handle_m, swept.place_m);
+  extend(picture.force_reach_n, picture.force_n, swept.force_n);
+}
+
 WallPicture wall_picture(const Scene& scene, const Tick& tick) {
   WallPicture picture;
   picture.two_axes = scene.two_axes();
@@ -61,21 +88,45 @@ const PictureWall* outermost_wall(const WallPicture& picture, Axis axis) {
   return outermost;
 }
 
-double true_penetration_m(const WallPicture& picture, Axis axis) {
-  const PictureWall* wall = outermost_wall(picture, axis);
-  if (wall == nullptr) return 0.0;
-  return std::max(0.0, picture.handle_m[index_of(axis)] - wall->face_m);
+glm::dvec2 held_by_walls(const WallPicture& picture, glm::dvec2 place_m) {
+  for (const PictureWall& wall : picture.walls) {
+    double& coordinate_m = place_m[index_of(wall.axis)];
+    coordinate_m = std::min(coordinate_m, wall.face_m);
+  }
+  return place_m;
 }
 
 std::optional<glm::dvec2> proxy_of(const WallPicture& picture) {
-  const glm::dvec2 depth_m(true_penetration_m(picture, Axis::kX),
-                           true_penetration_m(picture, Axis::kY));
-  if (depth_m.x <= 0.0 && depth_m.y <= 0.0) return std::nullopt;
-  return picture.handle_m - depth_m;
+  const glm::dvec2 held_m = held_by_walls(picture, picture.handle_m);
+  if (held_m == picture.handle_m) return std::nullopt;
+  return held_m;
 }
 
-glm::vec2 arrow_of(const WallPicture& picture) {
-  const glm::dvec2 share = picture.force_n / std::max(picture.full_scale_n, kMinFullScaleN);
+SweptPlace swept_place(const WallPicture& picture) {
+  return {held_by_walls(picture, picture.handle_m - picture.handle_reach_m.below),
+          held_by_walls(picture, picture.handle_m + picture.handle_reach_m.above)};
+}
+
+std::optional<glm::dvec2> deepest_place(const WallPicture& picture) {
+  const glm::dvec2 place_m = picture.handle_m + picture.handle_reach_m.above;
+  if (held_by_walls(picture, place_m) == place_m) return std::nullopt;
+  return place_m;
+}
+
+SweptForce swept_force(const WallPicture& picture) {
+  SweptForce swept{picture.force_n - picture.force_reach_n.below,
+                   picture.force_n + picture.force_reach_n.above};
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    double& least_n = swept.least_n[axis];
+    double& most_n = swept.most_n[axis];
+    if (std::abs(least_n) > std::abs(most_n)) std::swap(least_n, most_n);
+    if (least_n * most_n < 0.0) least_n = 0.0;
+  }
+  return swept;
+}
+
+glm::vec2 arrow_of(const WallPicture& picture, glm::dvec2 force_n) {
+  const glm::dvec2 share = force_n / std::max(picture.full_scale_n, kMinFullScaleN);
   const double length = std::max(1.0, glm::length(share));
   return -WallMeasures::kMaxArrow * glm::vec2(share / length);
 }

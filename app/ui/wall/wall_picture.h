@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
 #include "core/sample.h"
 #include "core/scene.h"
@@ -38,38 +39,74 @@ struct ShownStiffness {
   friend bool operator==(const ShownStiffness&, const ShownStiffness&) = default;
 };
 
-// The tip of the handle is its position; the proxy is where the walls would hold that tip.
+// How far the values since the last frame reach below and above the newest; not negative.
+struct Reach {
+  glm::dvec2 below{0.0};
+  glm::dvec2 above{0.0};
+
+  friend bool operator==(const Reach&, const Reach&) = default;
+};
+
+// The tip of the handle is its position; the proxy is where the walls would hold that tip. The
+// handle is drawn at the proxy, never in a wall; its true place is an outline.
 struct WallPicture {
   bool two_axes = false;
   glm::dvec2 handle_m{0.0};  // in truth
+  Reach handle_reach_m;
   std::optional<glm::dvec2> hand_m;
   std::vector<PictureWall> walls;  // on each axis the outermost first
   glm::dvec2 force_n{0.0};         // F_d; positive pushes out of the wall
-  double full_scale_n = 10.0;      // the force with the longest arrow
+  Reach force_reach_n;
+  double full_scale_n = 10.0;  // the force with the longest arrow
   bool saturated = false;
   std::array<ShownStiffness, kAxisCount> shown{};
+  std::optional<draw::Tone> energy;  // of the edges of the walls on x: the lamp's
 
   friend bool operator==(const WallPicture&, const WallPicture&) = default;
 };
+
+// The values of one axis since the last frame that had new samples.
+struct Swept {
+  draw::Extremes place_m;  // of the handle, in truth
+  draw::Extremes force_n;
+  std::uint64_t end_tick = 0;  // after the newest sample; 0: none yet
+};
+// Costs nothing without a new sample.
+void note_swept(Swept& swept, const draw::SampleHistory& history);
 
 // `tick`: one sample for each axis of the scene.
 [[nodiscard]] WallPicture wall_picture(const Scene& scene, const Tick& tick);
 // The same for a scene of one axis.
 [[nodiscard]] WallPicture wall_picture(const Scene& scene, const Sample& sample);
+// Extends the picture of the instant by what was since the last frame.
+void sweep(WallPicture& picture, Axis axis, const Swept& swept);
 
 // The first wall of an axis; null without one.
 [[nodiscard]] const PictureWall* outermost_wall(const WallPicture& picture, Axis axis);
 
-// Depth of the true position in the outermost wall of an axis, metres; 0 in front of it.
-[[nodiscard]] double true_penetration_m(const WallPicture& picture, Axis axis);
-
-// The place where rigid walls would hold the handle: on every face that it has passed. Nullopt out
-// of contact.
+// The place where rigid walls would hold a tip: on every face that it has passed.
+[[nodiscard]] glm::dvec2 held_by_walls(const WallPicture& picture, glm::dvec2 place_m);
+// That of the handle. Nullopt out of contact.
 [[nodiscard]] std::optional<glm::dvec2> proxy_of(const WallPicture& picture);
 
-// The force arrow in the picture's units along the device's axes, positive into the wall; as long
-// as WallMeasures::kMaxArrow at full scale, never longer.
-[[nodiscard]] glm::vec2 arrow_of(const WallPicture& picture);
+// The handle's place from the free side to the deepest since the last frame, both at the proxy.
+struct SweptPlace {
+  glm::dvec2 from_m{0.0};
+  glm::dvec2 to_m{0.0};
+};
+[[nodiscard]] SweptPlace swept_place(const WallPicture& picture);
+// The deepest place since the last frame, in truth. Nullopt if no wall was touched.
+[[nodiscard]] std::optional<glm::dvec2> deepest_place(const WallPicture& picture);
+
+// The arrow of a force in the picture's units along the device's axes, positive into the wall; as
+// long as WallMeasures::kMaxArrow at full scale, never longer.
+[[nodiscard]] glm::vec2 arrow_of(const WallPicture& picture, glm::dvec2 force_n);
+// The smallest and the largest force since the last frame, by their size on each axis.
+struct SweptForce {
+  glm::dvec2 least_n{0.0};
+  glm::dvec2 most_n{0.0};
+};
+[[nodiscard]] SweptForce swept_force(const WallPicture& picture);
 
 // Moves the shown tint towards the present one, `passed_s` later, because a chattering force would
 // make it flicker. Strength and stiffness settle within about kTintTimeS.

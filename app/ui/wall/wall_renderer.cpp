@@ -19,6 +19,10 @@ constexpr double kMinScaleN = 1e-9;
 constexpr double kShades = 200.0;  // of the tint
 
 double in_steps(double value, double step) { return step * std::round(value / step); }
+void in_steps(Reach& reach, int axis, double step) {
+  reach.below[axis] = in_steps(reach.below[axis], step);
+  reach.above[axis] = in_steps(reach.above[axis], step);
+}
 
 bool same_colours(const draw::Theme& a, const draw::Theme& b) {
   return std::equal(a.colours.begin(), a.colours.end(), b.colours.begin(),
@@ -165,6 +169,8 @@ WallPicture in_visible_steps(const WallPicture& picture, double step_m) {
   const double force_step_n = std::max(picture.full_scale_n, kMinScaleN) / kForceSteps;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     result.handle_m[axis] = in_steps(picture.handle_m[axis], step_m);
+    in_steps(result.handle_reach_m, axis, step_m);
+    in_steps(result.force_reach_n, axis, force_step_n);
     if (picture.hand_m) (*result.hand_m)[axis] = in_steps((*picture.hand_m)[axis], step_m);
     result.force_n[axis] = in_steps(picture.force_n[axis], force_step_n);
   }

@@ -10,7 +10,6 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr std::uint32_t kBentFaceParts = 40;
 constexpr float kInvisible = 0.04F;  // length of an arrow
 constexpr float kArrowRadius = 0.085F;
 constexpr float kArrowHeadRadius = 0.24F;
@@ -23,12 +22,11 @@ constexpr float kFaceAlpha = 0.62F;
 constexpr float kSidesAlpha = 0.40F;
 constexpr float kHandAlpha = 0.55F;
 constexpr float kHandFlatness = 0.45F;
-constexpr float kProxyAlpha = 0.95F;
-constexpr float kProxyRadius = 1.16F * WallMeasures::kHandleRadius;  // around the handle's ball
+constexpr float kTruePlaceAlpha = 0.95F;
+constexpr float kSweptAlpha = 0.45F;
+constexpr float kSweptLength = 0.01F;  // shorter ones are not seen
 constexpr float kEdgeWidth = 0.035F;
-constexpr float kMinDentWidth = 0.40F;
-constexpr float kDentRoundness = 1.15F;  // a dent is this much wider than the ball that makes it
-constexpr float kNearness = 2.5F;        // from the face: where the handle's shadow on it begins
+constexpr float kNearness = 2.5F;  // from the face: where the handle's shadow on it begins
 constexpr float kFaceGrid = 0.5F;
 
 draw::GlMesh mesh_of(const Shape& shape) { return {shape.vertices, shape.indices}; }
@@ -84,14 +82,10 @@ WallSlab wall_slab(const WallPicture& picture, const WallCamera& camera, const P
     const PictureWall* corner = outermost_wall(picture, Axis::kX);
     slab.along_to = corner != nullptr ? camera.x_of(corner->face_m) : WallMeasures::kFarEnd;
   }
-  const glm::vec3 ball = ball_centre(picture.two_axes, camera, picture.handle_m);
-  slab.tip = into(picture.handle_m[index_of(wall.axis)]);
+  const glm::dvec2 tip_m = swept_place(picture).to_m;
+  const glm::vec3 ball = ball_centre(picture.two_axes, camera, tip_m);
+  slab.tip = into(tip_m[index_of(wall.axis)]);
   slab.tip_along = on_x ? ball.z : ball.x;
-  slab.dent = std::max(0.0F, slab.tip - slab.face);
-  const auto deepest =
-      static_cast<float>(true_penetration_m(picture, wall.axis) * camera.units_per_m());
-  slab.dent_width =
-      std::max(kMinDentWidth, std::sqrt(kDentRoundness * deepest * WallMeasures::kHandleRadius));
   return slab;
 }
 
@@ -119,8 +113,7 @@ WallSolids::WallSolids(draw::GlProgram solid, draw::GlProgram wall)
       sphere_(mesh_of(make_sphere())),
       cylinder_(mesh_of(make_cylinder())),
       cone_(mesh_of(make_cone())),
-      flat_face_(mesh_of(make_face(1))),
-      bent_face_(mesh_of(make_face(kBentFaceParts))),
+      face_(mesh_of(make_face())),
       sides_(mesh_of(make_sides())) {}
 
 Result<WallSolids> WallSolids::create() {
@@ -161,9 +154,10 @@ void WallSolids::surface(float shininess, float flatness, float shell) const {
   solid_.set("shell", shell);
 }
 
+// At the free end of its way.
 void WallSolids::draw_handle(const WallView& view) const {
   const auto& [picture, camera, theme] = view;
-  const glm::vec3 centre = ball_centre(picture.two_axes, camera, picture.handle_m);
+  const glm::vec3 centre = ball_centre(picture.two_axes, camera, swept_place(picture).from_m);
   const float length = picture.two_axes ? WallMeasures::kStylusLength
                                         : WallMeasures::kHandleLength - WallMeasures::kHandleRadius;
   const glm::vec3 end = centre + length * rod_direction(picture.two_axes);
@@ -172,6 +166,20 @@ void WallSolids::draw_handle(const WallView& view) const {
   ball(centre, WallMeasures::kHandleRadius, handle_colour(theme, kBallTone));
   rod(cylinder_, centre, end, kNeck, grip);
   ball(end, kNeck, grip);
+}
+
+// The rest of its way.
+void WallSolids::draw_swept_handle(const WallView& view) const {
+  const auto& [picture, camera, theme] = view;
+  const SweptPlace swept = swept_place(picture);
+  const glm::vec3 from = ball_centre(picture.two_axes, camera, swept.from_m);
+  const glm::vec3 to = ball_centre(picture.two_axes, camera, swept.to_m);
+  if (glm::distance(from, to) < kSweptLength) return;
+  glm::vec4 colour = handle_colour(theme, kBallTone);
+  colour.a = kSweptAlpha;
+  surface(1.0F, 0.0F, 0.0F);
+  rod(cylinder_, from, to, WallMeasures::kHandleRadius, colour);
+  ball(to, WallMeasures::kHandleRadius, colour);
 }
 
 // A sleeve around the handle's rod where the hand would hold it, and the tip that it aims at.
@@ -190,30 +198,30 @@ void WallSolids::draw_hand(const WallView& view) const {
   ball(centre, WallMeasures::kHandleRadius, rgba(theme.colour(draw::Tone::kHand)));
 }
 
-void WallSolids::draw_proxy(const WallView& view) const {
+void WallSolids::draw_true_place(const WallView& view) const {
   const auto& [picture, camera, theme] = view;
-  const std::optional<glm::dvec2> proxy_m = proxy_of(picture);
-  if (!proxy_m) return;
+  const std::optional<glm::dvec2> deepest_m = deepest_place(picture);
+  if (!deepest_m) return;
   surface(0.0F, 1.0F, 1.0F);
-  ball(ball_centre(picture.two_axes, camera, *proxy_m), kProxyRadius,
-       rgba(draw::with_alpha(theme.colour(draw::Tone::kAccent), kProxyAlpha)));
+  ball(ball_centre(picture.two_axes, camera, *deepest_m), WallMeasures::kHandleRadius,
+       rgba(draw::with_alpha(theme.colour(draw::Tone::kAccent), kTruePlaceAlpha)));
 }
 
-void WallSolids::draw_arrow(const WallView& view) const {
+void WallSolids::draw_arrow(const WallView& view, glm::dvec2 force_n, float alpha) const {
   const auto& [picture, camera, theme] = view;
-  const glm::vec2 arrow = arrow_of(picture);
+  const glm::vec2 arrow = arrow_of(picture, force_n);
   const float length = glm::length(arrow);
   if (length < kInvisible) return;
   const glm::vec3 direction = glm::vec3(arrow.x, 0.0F, -arrow.y) / length;
-  const glm::vec3 start =
-      picture.two_axes
-          ? ball_centre(true, camera, picture.handle_m) + WallMeasures::kHandleRadius * direction
-          : camera.point_of(picture.handle_m, WallMeasures::kArrowHeight);
+  const glm::dvec2 place_m = swept_place(picture).to_m;
+  const glm::vec3 start = picture.two_axes ? ball_centre(true, camera, place_m) +
+                                                 WallMeasures::kHandleRadius * direction
+                                           : camera.point_of(place_m, WallMeasures::kArrowHeight);
   // A short arrow is all head.
   const float head = std::min(kArrowHeadLength, length);
   const glm::vec3 neck = start + (length - head) * direction;
-  const glm::vec4 colour =
-      rgba(theme.colour(picture.saturated ? draw::Tone::kBad : draw::Tone::kForce));
+  const glm::vec4 colour = rgba(draw::with_alpha(
+      theme.colour(picture.saturated ? draw::Tone::kBad : draw::Tone::kForce), alpha));
   surface(0.3F, kArrowFlatness, 0.0F);
   if (length > head) rod(cylinder_, start, neck, kArrowRadius, colour);
   rod(cone_, neck, neck + head * direction, kArrowHeadRadius * head / kArrowHeadLength, colour);
@@ -235,18 +243,16 @@ void WallSolids::draw_edges(const WallPicture& picture, const WallSlab& slab,
          {kEdgeWidth, kEdgeWidth, length});
 }
 
-// The face, which gives way. draw_walls() draws the transparent sides after it.
+// draw_walls() draws the transparent sides after it.
 void WallSolids::draw_slab(const WallPicture& picture, const WallSlab& slab) const {
   const float height = WallMeasures::wall_top(picture) - WallMeasures::kFloor;
   wall_.set("frame", frame_of(slab.wall->axis));
   wall_.set("origin", glm::vec3(slab.face, WallMeasures::kFloor + 0.5F * height,
                                 0.5F * (slab.along_from + slab.along_to)));
   wall_.set("size", glm::vec3(slab.end - slab.face, height, slab.along_to - slab.along_from));
-  wall_.set("dent", glm::vec4(slab.dent, slab.dent_width, 0.0F, slab.tip_along));
-  wall_.set("on_face", 1.0F);
   wall_.set("grid_step", kFaceGrid);
   glDisable(GL_CULL_FACE);
-  (slab.dent > 0.0F ? bent_face_ : flat_face_).draw();
+  face_.draw();
   glEnable(GL_CULL_FACE);
 }
 
@@ -268,7 +274,6 @@ void WallSolids::draw_walls(const WallView& view, const std::vector<WallSlab>& s
     wall_.set("colour", glm::vec4(glm::vec3(own), kFaceAlpha));
     draw_slab(picture, slab);
     wall_.set("colour", glm::vec4(glm::vec3(own), kSidesAlpha));
-    wall_.set("on_face", 0.0F);
     wall_.set("grid_step", 0.0F);
     sides_.draw();
   }
@@ -282,18 +287,25 @@ void WallSolids::draw(const WallView& view) const {
   solid_.use();
   solid_.set("view_projection", camera.view_projection());
   solid_.set("eye", camera.eye());
+  const SweptForce force = swept_force(picture);
   draw_handle(view);
-  draw_arrow(view);
+  draw_arrow(view, force.least_n, 1.0F);
   surface(0.2F, 0.3F, 0.0F);
-  for (const WallSlab& slab : slabs)
-    draw_edges(picture, slab, own_colour(picture, theme, *slab.wall));
+  for (const WallSlab& slab : slabs) {
+    const bool tells = picture.energy && slab.wall->axis == Axis::kX;
+    draw_edges(
+        picture, slab,
+        tells ? rgba(theme.colour(*picture.energy)) : own_colour(picture, theme, *slab.wall));
+  }
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glDepthMask(GL_FALSE);
   draw_walls(view, slabs);
-  // Proxy and intended hand are drawn over the walls; only the handle hides them.
+  // True place and intended hand are drawn over the walls; only the handle hides them.
   solid_.use();
-  draw_proxy(view);
+  draw_swept_handle(view);
+  if (force.most_n != force.least_n) draw_arrow(view, force.most_n, kSweptAlpha);
+  draw_true_place(view);
   draw_hand(view);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);

@@ -1,4 +1,5 @@
-// The solids above the floor: walls, handle, the hand's intention, proxy, force.
+// The solids above the floor: walls, handle, its true place, the hand's intention, force. What
+// moves is swept from its smallest to its largest value since the last frame.
 #pragma once
 
 #include <vector>
@@ -23,10 +24,8 @@ struct WallSlab {
   float end = 0.0F;  // where the next wall's face is, or the last wall's end
   float along_from = 0.0F;
   float along_to = 0.0F;
-  float tip = 0.0F;         // of the handle, into the wall
-  float tip_along = 0.0F;   // where the handle touches
-  float dent = 0.0F;        // how far the face gives way: the true penetration
-  float dent_width = 0.0F;  // of the outermost wall's dent; deeper faces follow it
+  float tip = 0.0F;        // of the handle, into the wall
+  float tip_along = 0.0F;  // where the handle touches
 };
 [[nodiscard]] WallSlab wall_slab(const WallPicture& picture, const WallCamera& camera,
                                  const PictureWall& wall);
@@ -51,9 +50,10 @@ class WallSolids {
   void ball(glm::vec3 centre, float radius, const glm::vec4& colour) const;
   void surface(float shininess, float flatness, float shell) const;
   void draw_handle(const WallView& view) const;
+  void draw_swept_handle(const WallView& view) const;
   void draw_hand(const WallView& view) const;
-  void draw_proxy(const WallView& view) const;
-  void draw_arrow(const WallView& view) const;
+  void draw_true_place(const WallView& view) const;
+  void draw_arrow(const WallView& view, glm::dvec2 force_n, float alpha) const;
   void draw_edges(const WallPicture& picture, const WallSlab& slab, const glm::vec4& colour) const;
   void draw_walls(const WallView& view, const std::vector<WallSlab>& slabs) const;
   void draw_slab(const WallPicture& picture, const WallSlab& slab) const;
@@ -64,8 +64,7 @@ class WallSolids {
   draw::GlMesh sphere_;
   draw::GlMesh cylinder_;
   draw::GlMesh cone_;
-  draw::GlMesh flat_face_;
-  draw::GlMesh bent_face_;
+  draw::GlMesh face_;
   draw::GlMesh sides_;
 };
 

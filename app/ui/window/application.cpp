@@ -102,6 +102,8 @@ void Application::frame() {
   if (!session().knows_truth()) draw_where_measured(snapshot.newest);
   note_timing(state_.timing, live_.get(), snapshot.timing);
   note_tails(state_.tails, history_, session().scene());
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+    note_swept(state_.wall.transient.swept.at(axis), history_.axis(axis));
   const PanelContext context{session(), snapshot, theme_, state_, visibility(snapshot.generation)};
   handle_keys(context, bindings_in_force(context.shows));
   draw_window(context, history_.axis(context.shows.axis == Axis::kY ? 1 : 0), *renderer_);

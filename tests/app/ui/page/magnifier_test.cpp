@@ -18,7 +18,7 @@ constexpr double kUnmagnifiedM = 0.035;  // width of 300 pixels in a view with 8
 TEST(Magnification, IsTheLargestThatShowsTheDepthAndDoesNotFlicker) {
   EXPECT_EQ(ui::suitable_magnification(1e-6, kUnmagnifiedM, 0), 1000);
   EXPECT_EQ(ui::suitable_magnification(0.2e-3, kUnmagnifiedM, 0), 100);
-  EXPECT_EQ(ui::suitable_magnification(1.0, kUnmagnifiedM, 0), 10) << "the smallest there is";
+  EXPECT_EQ(ui::suitable_magnification(1.0, kUnmagnifiedM, 0), 1) << "the smallest there is";
   // Near the limit of a larger magnification, the present one stays.
   const double limit_m = 0.65 * kUnmagnifiedM / 100.0;
   EXPECT_EQ(ui::suitable_magnification(0.95 * limit_m, kUnmagnifiedM, 0), 100);
@@ -31,9 +31,9 @@ TEST(Magnification, GoesStepByStepAndEnds) {
   EXPECT_EQ(ui::next_magnification(50, 1), 100);
   EXPECT_EQ(ui::next_magnification(50, -1), 20);
   EXPECT_EQ(ui::next_magnification(1000, 1), 1000);
-  EXPECT_EQ(ui::next_magnification(10, -1), 10);
+  EXPECT_EQ(ui::next_magnification(1, -1), 1);
   EXPECT_EQ(ui::next_magnification(73, 0), 50) << "a value from a file becomes one of the list";
-  EXPECT_EQ(ui::next_magnification(-4, 0), 10);
+  EXPECT_EQ(ui::next_magnification(-4, 0), 1);
 }
 
 WallPicture picture_at(double tip_m) {

@@ -92,7 +92,7 @@ TEST_F(WallViewTest, ShowsForceHandAndProxy) {
   };
   EXPECT_GT(count(draw::Tone::kForce), 100) << "the arrow and its figure";
   EXPECT_GT(count(draw::Tone::kHand), 10) << "the hand's name";
-  EXPECT_GT(count(draw::Tone::kAccent), 10) << "the proxy's name";
+  EXPECT_GT(count(draw::Tone::kAccent), 10) << "the true place's name";
 }
 
 TEST_F(WallViewTest, NothingIsDrawnAgainWhileNothingChanges) {

@@ -46,23 +46,57 @@ TEST(WallPicture, TheProxyStaysAtTheFaces) {
   picture.handle_m = {0.061, 0.025};
   EXPECT_NEAR(proxy_of(picture)->x, 0.05, 1e-12);
   EXPECT_NEAR(proxy_of(picture)->y, 0.02, 1e-12);
-  EXPECT_NEAR(true_penetration_m(picture, Axis::kX), 0.011, 1e-12);
-  EXPECT_NEAR(true_penetration_m(picture, Axis::kY), 0.005, 1e-12);
+}
+
+TEST(WallPicture, SweepsWhatWasSinceTheLastFrame) {
+  draw::SampleHistory history(draw::kHistoryCapacity);
+  Swept swept;
+  note_swept(swept, history);
+  EXPECT_EQ(swept.end_tick, 0U);
+  const auto push = [&](std::uint64_t tick, double position_m, double force_n) {
+    Sample sample;
+    sample.tick = tick;
+    sample.truth.position_m = position_m;
+    sample.force_n = force_n;
+    history.push(sample);
+  };
+  push(0, 0.04, 1.0);
+  note_swept(swept, history);
+  push(1, 0.052, -2.0);
+  push(2, 0.049, 8.0);
+  push(3, 0.050, 3.0);
+  note_swept(swept, history);
+  note_swept(swept, history);  // a frame without a new sample keeps what was
+  WallPicture picture;
+  picture.walls = {{Axis::kX, 0.051, 100.0}};
+  picture.handle_m.x = 0.05;
+  picture.force_n.x = 3.0;
+  sweep(picture, Axis::kX, swept);
+  EXPECT_NEAR(swept_place(picture).from_m.x, 0.049, 1e-12);
+  EXPECT_NEAR(swept_place(picture).to_m.x, 0.051, 1e-12) << "never in the wall";
+  EXPECT_NEAR(deepest_place(picture)->x, 0.052, 1e-12);
+  EXPECT_EQ(swept_force(picture).least_n.x, 0.0) << "it went through zero";
+  EXPECT_NEAR(swept_force(picture).most_n.x, 8.0, 1e-12);
+  push(0, 0.03, 0.0);  // a reset
+  note_swept(swept, history);
+  EXPECT_EQ(swept.place_m.minimum, 0.03);
+  EXPECT_EQ(swept.place_m.maximum, 0.03);
 }
 
 TEST(ForceArrow, GrowsWithTheForceOutOfTheWallAndEndsAtFullScale) {
   WallPicture picture;
   picture.full_scale_n = 8.9;
-  EXPECT_EQ(arrow_of(picture), glm::vec2(0.0F));
+  EXPECT_EQ(arrow_of(picture, picture.force_n), glm::vec2(0.0F));
   picture.force_n.x = 4.45;
-  EXPECT_NEAR(arrow_of(picture).x, -0.5F * WallMeasures::kMaxArrow, 1e-5);
+  EXPECT_NEAR(arrow_of(picture, picture.force_n).x, -0.5F * WallMeasures::kMaxArrow, 1e-5);
   picture.force_n.x = 20.0;
-  EXPECT_EQ(arrow_of(picture).x, -WallMeasures::kMaxArrow);
+  EXPECT_EQ(arrow_of(picture, picture.force_n).x, -WallMeasures::kMaxArrow);
   picture.force_n.x = -8.9;
-  EXPECT_EQ(arrow_of(picture).x, WallMeasures::kMaxArrow);
+  EXPECT_EQ(arrow_of(picture, picture.force_n).x, WallMeasures::kMaxArrow);
   picture.force_n = {80.0, 60.0};
-  EXPECT_NEAR(glm::length(arrow_of(picture)), WallMeasures::kMaxArrow, 1e-5);
-  EXPECT_NEAR(arrow_of(picture).x / arrow_of(picture).y, 4.0 / 3.0, 1e-5);
+  EXPECT_NEAR(glm::length(arrow_of(picture, picture.force_n)), WallMeasures::kMaxArrow, 1e-5);
+  EXPECT_NEAR(arrow_of(picture, picture.force_n).x / arrow_of(picture, picture.force_n).y,
+              4.0 / 3.0, 1e-5);
 }
 
 TEST(StiffnessScale, IsLogarithmicAndEndsAtTheStiffestWallsOwn) {
@@ -95,7 +129,7 @@ TEST(FadedTint, SettlesAndKeepsItsColourWhileItGoes) {
   EXPECT_EQ(shown.strength, 0.0);
 }
 
-TEST(WallSlabs, ReachFromFaceToFaceAndGiveWayByTheTruePenetration) {
+TEST(WallSlabs, ReachFromFaceToFaceAndTheHandleStaysOutside) {
   WallPicture picture;
   picture.walls = {{Axis::kX, 0.05, 500.0}, {Axis::kX, 0.056, 3000.0}};
   picture.handle_m = {0.058, 0.0};
@@ -105,10 +139,9 @@ TEST(WallSlabs, ReachFromFaceToFaceAndGiveWayByTheTruePenetration) {
   EXPECT_FLOAT_EQ(outer.face, camera.x_of(0.05));
   EXPECT_FLOAT_EQ(outer.end, deeper.face);
   EXPECT_FLOAT_EQ(deeper.end, WallMeasures::kFarEnd);
-  EXPECT_NEAR(outer.dent, 0.008 * camera.units_per_m(), 1e-4) << "to scale";
-  EXPECT_NEAR(deeper.dent, 0.002 * camera.units_per_m(), 1e-4);
+  EXPECT_FLOAT_EQ(outer.tip, outer.face);
   picture.handle_m = {0.04, 0.0};
-  EXPECT_EQ(wall_slab(picture, camera, picture.walls[0]).dent, 0.0F);
+  EXPECT_FLOAT_EQ(wall_slab(picture, camera, picture.walls[0]).tip, camera.x_of(0.04));
 }
 
 TEST(WallSlabs, TheFarWallIsDrawnFirst) {

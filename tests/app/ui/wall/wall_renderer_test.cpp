@@ -138,19 +138,45 @@ TEST_P(WallRendererTest, TheHandIsASleeveAndATipAlsoInsideTheWall) {
   EXPECT_GT(colour.blue, colour.green) << "in the hand's tone";
 }
 
-TEST_P(WallRendererTest, TheProxyStaysAtTheFaceWhileTheHandleIsInside) {
+TEST_P(WallRendererTest, TheHandleStaysAtTheFaceAndItsTruePlaceIsAnOutline) {
   WallPicture picture = one_wall(1000.0);
+  picture.handle_m = {0.05, 0.0};
+  const file::Picture touching = draw(picture);
   picture.handle_m = {0.06, 0.0};
-  const file::Picture with = draw(picture);
-  // The outline of the proxy is visible above the handle's rod.
-  const glm::vec3 outline = ball(0.05) + glm::vec3(0.0F, 1.12F * WallMeasures::kHandleRadius, 0.0F);
-  const glm::vec3 beside = outline + glm::vec3(0.0F, 0.25F, 0.0F);
+  const file::Picture inside = draw(picture);
+  const glm::vec3 rod = ball(0.05) + glm::vec3(-1.0F, 0.0F, 0.0F);
+  EXPECT_EQ(change(touching, inside, rod), 0) << "the handle itself does not enter";
+  const glm::vec3 outline = ball(0.06) + glm::vec3(0.0F, 0.96F * WallMeasures::kHandleRadius, 0.0F);
   const test::Colour accent = tone(draw::Tone::kAccent);
-  EXPECT_LT(test::difference(at(with, outline), accent) + 20,
-            test::difference(at(with, beside), accent));
-  picture.handle_m = {0.049, 0.0};
-  const file::Picture apart = draw(picture);
-  EXPECT_GT(change(with, apart, outline), 15);
+  EXPECT_LT(test::difference(at(inside, outline), accent) + 20,
+            test::difference(at(touching, outline), accent));
+}
+
+TEST_P(WallRendererTest, AShakingHandleAndForceAreSweptOverTheirWay) {
+  WallPicture picture = one_wall();
+  picture.handle_m = {0.04, 0.0};
+  picture.force_n.x = 4.0;
+  const file::Picture still = draw(picture);
+  picture.handle_reach_m = {{0.0, 0.0}, {0.008, 0.0}};
+  picture.force_reach_n = {{0.0, 0.0}, {4.0, 0.0}};
+  const file::Picture shakes = draw(picture);
+  EXPECT_GT(change(still, shakes, ball(0.046)), 25);
+  EXPECT_EQ(change(still, shakes, ball(0.04) - glm::vec3(1.5F, 0.0F, 0.0F)), 0) << "the rod";
+  const glm::vec3 most(camera_.x_of(0.048) - 0.8F * WallMeasures::kMaxArrow,
+                       WallMeasures::kArrowHeight, 0.0F);
+  EXPECT_GT(change(still, shakes, most), 25);
+}
+
+TEST_P(WallRendererTest, TheEdgesHaveTheLampsColour) {
+  WallPicture picture = one_wall();
+  picture.handle_m = {0.02, 0.0};
+  const glm::vec3 edge = on_face(0.05, 0.4F, WallMeasures::kWallHalfDepth);
+  picture.energy = draw::Tone::kBad;
+  const test::Colour bad = at(draw(picture), edge);
+  picture.energy = draw::Tone::kGood;
+  const test::Colour good = at(draw(picture), edge);
+  EXPECT_GT(bad.red, bad.green);
+  EXPECT_GT(good.green, good.red);
 }
 
 TEST_P(WallRendererTest, TheWallShowsTheStiffnessItDisplays) {
@@ -169,22 +195,6 @@ TEST_P(WallRendererTest, TheWallShowsTheStiffnessItDisplays) {
   EXPECT_LT(test::difference(colour(1e9, 1.0), stiff), 4) << "capped at the wall's own";
   EXPECT_EQ(test::difference(colour(10.0, 0.0), colour(kStiff, 0.0)), 0) << "nothing is displayed";
   EXPECT_GT(test::difference(colour(10.0, 0.0), softest), 20);
-}
-
-TEST_P(WallRendererTest, TheFaceGivesWayByTheTruePenetrationToScale) {
-  WallPicture picture = one_wall(1000.0);
-  const file::Picture flat = draw(picture);
-  picture.handle_m = {0.05 + 0.008, 0.0};
-  const file::Picture pressed = draw(picture);
-  picture.handle_m = {0.05 + 0.003, 0.0};
-  const file::Picture less = draw(picture);
-  // Above the ball, seen through the side of the wall: there the face is three quarters as deep.
-  const auto inside = [&](double depth_m) {
-    return glm::vec3(camera_.x_of(0.05 + depth_m), 0.6F, 0.0F);
-  };
-  EXPECT_GT(change(flat, pressed, inside(0.0055)), 4);
-  EXPECT_LE(change(flat, pressed, inside(0.0095)), 2) << "not as deep as that";
-  EXPECT_LE(change(flat, less, inside(0.0055)), 2) << "nor where it is pressed less";
 }
 
 TEST_P(WallRendererTest, EveryLayerIsSeenInItsOwnTint) {
