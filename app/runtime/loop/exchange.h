@@ -35,6 +35,7 @@ enum class CommandKind : std::uint8_t {
   kPause,
   kResume,
   kStep,
+  kSlow,
   kReset,
   kArm,
   kDisarm,
@@ -44,7 +45,7 @@ enum class CommandKind : std::uint8_t {
 
 struct Command {
   CommandKind kind = CommandKind::kPause;
-  std::uint32_t ticks = 0;  // of kStep
+  std::uint32_t ticks = 0;  // of kStep; of kSlow: periods per tick
 };
 
 // The tick at which a generation took effect. Sent for every change, and for tick 0 after a reset.

@@ -95,9 +95,11 @@ void ServoLoop::cycle(const Wake& wake, Clock& clock) {
   if (seconds(wake.latency_ns) > kDefaultMaxAgeS) disarm(ArmingNote::kLate);
   take_commands();
   elapsed_s_ = axes_.front().servo.settings().period_s() * static_cast<double>(1 + wake.missed);
-  const bool ticks = !snapshot_.paused || steps_left_ > 0;
+  const bool due = ++periods_since_tick_ >= snapshot_.periods_per_tick;
+  const bool ticks = steps_left_ > 0 || (due && !snapshot_.paused);
   if (ticks) {
     tick();
+    periods_since_tick_ = 0;
     if (steps_left_ > 0) --steps_left_;
     ++snapshot_.timing.ticks;
   } else {
@@ -127,6 +129,11 @@ void ServoLoop::execute(const Command& command) {
       break;
     case CommandKind::kStep:
       if (snapshot_.paused) steps_left_ = saturating_sum(steps_left_, command.ticks);
+      break;
+    case CommandKind::kSlow:
+      // A hand on a real device must not wait for its force.
+      if (axes_.front().device.info().is_simulated)
+        snapshot_.periods_per_tick = std::max(command.ticks, 1U);
       break;
     case CommandKind::kReset:
       reset();

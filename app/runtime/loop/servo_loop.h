@@ -74,6 +74,7 @@ class ServoLoop {
   CostWindow cost_;
   double elapsed_s_ = 0.0;  // since the previous cycle, as planned
   std::uint32_t steps_left_ = 0;
+  std::uint32_t periods_since_tick_ = 0;
   bool recording_ = false;
   bool echo_due_ = true;  // the next tick is the first of a reset or of new parameters
   bool at_start_ = true;  // the next tick is tick 0

@@ -66,6 +66,10 @@ class LiveSession : public SampleSource {
   // nullopt, or a number that is not finite, gives it back to its script. No effect without a hand.
   virtual void lead_hand(std::optional<double> position_m, std::size_t axis = 0) = 0;
 
+  // Slow motion of a simulator: one tick in so many periods, 1 or more. The samples are those of
+  // full speed. No effect on a real device.
+  virtual void slow_down(std::uint32_t periods_per_tick) = 0;
+
   // Asks for the force of a real device (arming.h), or removes it at the next tick. The snapshot
   // has the answer. No effect on a simulator. reset() disarms, and finishes a running recording.
   virtual void arm(bool armed) = 0;

@@ -137,6 +137,10 @@ void LoopSession::pause(bool paused) {
   send({paused ? CommandKind::kPause : CommandKind::kResume, 0});
 }
 
+void LoopSession::slow_down(std::uint32_t periods_per_tick) {
+  send({CommandKind::kSlow, periods_per_tick});
+}
+
 void LoopSession::step(std::uint32_t ticks) { send({CommandKind::kStep, ticks}); }
 
 void LoopSession::reset() {

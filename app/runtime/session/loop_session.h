@@ -38,6 +38,7 @@ class LoopSession final : public LiveSession {
   std::optional<SceneProblem> change_scene(const Scene& wanted) override;
   [[nodiscard]] std::uint32_t generation() const override { return history_.generation(); }
   void lead_hand(std::optional<double> position_m, std::size_t axis = 0) override;
+  void slow_down(std::uint32_t periods_per_tick) override;
   void arm(bool armed) override;
   void pause(bool paused) override;
   void step(std::uint32_t ticks) override;

@@ -243,11 +243,15 @@ void go_to(const PanelContext& context, ReplaySession& replay, double time_s) {
 }
 
 void slower(const PanelContext& context) {
-  if (ReplaySession* replay = context.shows.replay) replay->set_speed(slower_than(replay->speed()));
+  ReplaySession* replay = context.shows.replay;
+  if (replay == nullptr) return change_slow_motion(context, 1);
+  replay->set_speed(slower_than(replay->speed()));
 }
 
 void faster(const PanelContext& context) {
-  if (ReplaySession* replay = context.shows.replay) replay->set_speed(faster_than(replay->speed()));
+  ReplaySession* replay = context.shows.replay;
+  if (replay == nullptr) return change_slow_motion(context, -1);
+  replay->set_speed(faster_than(replay->speed()));
 }
 
 void toggle_loop(const PanelContext& context) {

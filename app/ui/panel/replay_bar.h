@@ -14,9 +14,10 @@ void draw_opening(const PanelContext& context);
 // Seeks, and lets the plots follow.
 void go_to(const PanelContext& context, runtime::ReplaySession& replay, double time_s);
 
-// Key actions during a replay; no effect otherwise.
+// Key actions: the speed of a replay, or the slow motion of a simulator.
 void slower(const PanelContext& context);
 void faster(const PanelContext& context);
+// The same during a replay only; no effect otherwise.
 void toggle_loop(const PanelContext& context);
 void step_back(const PanelContext& context);  // one tick, while paused
 void previous_mark(const PanelContext& context);

@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <iterator>
 
 #include "app/file/text/text.h"
 #include "app/ui/panel/replay_bar.h"
@@ -13,6 +18,8 @@
 namespace hapticwall::ui {
 namespace {
 
+constexpr std::array<std::uint32_t, 10> kSlowMotions{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
+
 using runtime::RecordingState;
 using runtime::RecordingStatus;
 
@@ -20,6 +27,7 @@ constexpr float kToolButtonEms = 6.0F;
 constexpr float kRecordButtonEms = 7.0F;
 constexpr float kMarkButtonEms = 4.0F;
 constexpr float kNameEms = 15.0F;
+constexpr float kSlowEms = 6.5F;
 
 std::string automatic_name(const PanelContext& context) {
   const Scene& scene = context.session.scene();
@@ -48,6 +56,29 @@ void draw_run_buttons(const PanelContext& context) {
   ImGui::Text("%9.3f s", context.snapshot.newest.x().time_s);
   ImGui::PopFont();
   explain("Session time since the last reset.");
+}
+
+std::string slowness_text(std::uint32_t periods) {
+  return periods == 1 ? "full speed" : fmt::format("1/{}", periods);
+}
+
+// Of a simulator only.
+void draw_slow_motion(const PanelContext& context, runtime::LiveSession& live) {
+  if (!live.device_info().is_simulated) return;
+  const std::uint32_t now = context.snapshot.periods_per_tick;
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(ems(kSlowEms));
+  if (ImGui::BeginCombo("##slow motion", slowness_text(now).c_str(), ImGuiComboFlags_HeightLarge)) {
+    for (const std::uint32_t periods : kSlowMotions) {
+      if (list_choice(fmt::format("{}###slow motion {}", slowness_text(periods), periods),
+                      periods == now))
+        live.slow_down(periods);
+    }
+    ImGui::EndCombo();
+  }
+  explain(
+      "Slow motion of the simulator: one tick in so many periods (keys [ and ]). The samples "
+      "are those of full speed.");
 }
 
 void draw_recording_status(const PanelContext& context, const RecordingStatus& status) {
@@ -124,9 +155,20 @@ void draw_toolbar(const PanelContext& context) {
     draw_replay_bar(context, *context.shows.replay);
   } else {
     draw_run_buttons(context);
+    draw_slow_motion(context, *context.shows.live);
     draw_recording(context, *context.shows.live);
   }
   draw_opening(context);
+}
+
+void change_slow_motion(const PanelContext& context, int steps) {
+  runtime::LiveSession* live = context.shows.live;
+  if (live == nullptr || !live->device_info().is_simulated) return;
+  const auto* now = std::ranges::lower_bound(kSlowMotions, context.snapshot.periods_per_tick);
+  const std::ptrdiff_t last = std::ssize(kSlowMotions) - 1;
+  const std::ptrdiff_t index =
+      std::clamp<std::ptrdiff_t>(now - kSlowMotions.begin() + steps, 0, last);
+  live->slow_down(kSlowMotions[static_cast<std::size_t>(index)]);
 }
 
 void toggle_pause(const PanelContext& context) { context.session.pause(!context.snapshot.paused); }

@@ -11,6 +11,8 @@ void draw_toolbar(const PanelContext& context);
 
 // Actions of the buttons and keys.
 void toggle_pause(const PanelContext& context);
+// One step in the list of slow motions; no effect on a real device and in a replay.
+void change_slow_motion(const PanelContext& context, int steps);
 void single_step(const PanelContext& context);
 void reset_session(const PanelContext& context);
 void toggle_recording(const PanelContext& context);

@@ -42,6 +42,8 @@ std::vector<KeyBinding> session_keys() {
                      "one tick, while paused",
                      {ImGuiKey_S, ImGuiKey_RightArrow},
                      single_step}),
+          {KeyGroup::kSession, "slower: slow motion", {ImGuiKey_LeftBracket}, slower, {}, U'['},
+          {KeyGroup::kSession, "faster", {ImGuiKey_RightBracket}, faster, {}, U']'},
           {KeyGroup::kSession, "reset: back to tick 0, at rest", {ImGuiKey_R}, reset_session},
           {KeyGroup::kSession, "record, or stop recording", {ctrl(ImGuiKey_R)}, toggle_recording},
           {KeyGroup::kSession, "mark this moment in the recording", {ImGuiKey_M}, add_mark}};
@@ -51,8 +53,6 @@ std::vector<KeyBinding> session_keys() {
 std::vector<KeyBinding> replay_keys() {
   return {repeating(
               {KeyGroup::kReplay, "one tick back, while paused", {ImGuiKey_LeftArrow}, step_back}),
-          {KeyGroup::kReplay, "slower", {ImGuiKey_LeftBracket}, slower, {}, U'['},
-          {KeyGroup::kReplay, "faster", {ImGuiKey_RightBracket}, faster, {}, U']'},
           {KeyGroup::kReplay, "begin anew at the end, or not", {ImGuiKey_L}, toggle_loop},
           {KeyGroup::kReplay, "to the mark before", {ImGuiKey_PageUp}, previous_mark},
           {KeyGroup::kReplay, "to the next mark", {ImGuiKey_PageDown}, next_mark}};

@@ -63,6 +63,7 @@ class FakeSession final : public runtime::LiveSession {
       axes_.front().device.release_hand();
     }
   }
+  void slow_down(std::uint32_t periods) override { periods_per_tick = periods; }
   void arm(bool armed) override { arm_requests.push_back(armed); }
   void pause(bool paused) override { is_paused = paused; }
   void step(std::uint32_t ticks) override {
@@ -84,6 +85,7 @@ class FakeSession final : public runtime::LiveSession {
     snapshot.arming = arming;
     snapshot.link = link;
     snapshot.paused = is_paused;
+    snapshot.periods_per_tick = periods_per_tick;
     if (echoes) echoed_ = generation_;
     snapshot.generation = echoed_;
     return snapshot;
@@ -130,6 +132,7 @@ class FakeSession final : public runtime::LiveSession {
   std::vector<bool> arm_requests;
   runtime::TimingStatistics timing;
   runtime::TimingHistograms histograms;
+  std::uint32_t periods_per_tick = 1;
   bool is_paused = false;
   bool echoes = true;  // the next snapshot confirms the newest parameters
   int steps = 0;

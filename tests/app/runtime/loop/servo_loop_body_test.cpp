@@ -96,6 +96,14 @@ TEST(ServoLoopBody, HolesAreCountedAndNotCaughtUp) {
   EXPECT_EQ(harness.clock.now_ns() - start_ns, 104'000'000 + 20'000) << "the phase is kept";
 }
 
+TEST(ServoLoopBody, ARealDeviceKnowsNoSlowMotion) {
+  BodyHarness harness;
+  harness.command(CommandKind::kSlow, 10);
+  harness.cycles(50);
+  EXPECT_EQ(harness.snapshot().timing.ticks, 50U);
+  EXPECT_EQ(harness.snapshot().periods_per_tick, 1U);
+}
+
 TEST(ServoLoopBody, APausedDeviceHasNoForceAndIsKeptAwake) {
   BodyHarness harness;
   harness.arm_and_press();

@@ -106,6 +106,23 @@ TEST(ServoLoop, NoEchoIsLostWhenNobodyTakesThem) {
   EXPECT_EQ(next, echoes.size());
 }
 
+TEST(ServoLoop, SlowMotionKeepsTheCadenceAndTheSamples) {
+  Harness harness(contact_scene());
+  harness.cycles(100);
+  harness.command(CommandKind::kSlow, 10);
+  harness.cycles(1000);
+  EXPECT_EQ(harness.snapshot().periods_per_tick, 10U);
+  EXPECT_EQ(harness.snapshot().timing.ticks, 200U);
+  harness.command(CommandKind::kPause);
+  harness.command(CommandKind::kStep, 3);
+  harness.cycles(3);
+  EXPECT_EQ(harness.snapshot().timing.ticks, 203U) << "a step is one period";
+  harness.command(CommandKind::kResume);
+  harness.command(CommandKind::kSlow, 0);  // as 1
+  harness.cycles(97);
+  expect_same(harness.samples(), headless(harness.scene, 300));
+}
+
 TEST(ServoLoop, PausedItKeepsItsCadenceButDoesNotTick) {
   Harness harness(contact_scene());
   harness.cycles(5);

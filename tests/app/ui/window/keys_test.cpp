@@ -106,6 +106,22 @@ TEST_F(KeysTest, TheNamesOfKeysAreThoseOfTheKeyboard) {
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
+TEST_F(KeysTest, BracketsChangeTheSlowMotionOfASimulatorStepByStep) {
+  press(ImGuiKey_RightBracket);
+  EXPECT_EQ(fake_->periods_per_tick, 1U) << "no faster than full speed";
+  for (const std::uint32_t periods : {2U, 5U, 10U}) {
+    press(ImGuiKey_LeftBracket);
+    EXPECT_EQ(fake_->periods_per_tick, periods);
+  }
+  press(ImGuiKey_RightBracket);
+  EXPECT_EQ(fake_->periods_per_tick, 5U);
+  click("slow motion");
+  click("slow motion 1000");
+  EXPECT_EQ(fake_->periods_per_tick, 1000U);
+  press(ImGuiKey_LeftBracket);
+  EXPECT_EQ(fake_->periods_per_tick, 1000U);
+}
+
 TEST_F(KeysTest, ALetterWithCtrlIsNotTheLetter) {
   press(ImGuiMod_Ctrl | ImGuiKey_A);
   EXPECT_TRUE(fake_->arm_requests.empty());
