@@ -14,7 +14,7 @@
 namespace hapticwall::command {
 
 // Of the window.
-inline constexpr const char* kDefaultScene = "press";
+inline constexpr const char* kDefaultScene = "tap";
 
 // The scene and its device, also of the window.
 struct SceneOptions {

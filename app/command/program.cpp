@@ -29,7 +29,7 @@ constexpr const char* kDescription =
 
 constexpr std::string_view kExamples = R"(
 Examples:
-  hapticwall                                      the window, on the scene 'press'
+  hapticwall                                      the window, on the scene 'tap'
   hapticwall run press --csv a.csv --plot a.png   recording (a.csv, a.toml) and figure
   hapticwall run a.toml --csv b.csv               the same session again, bit for bit
   hapticwall run tap --algorithm virtual-coupling --set hand.mass_kg=0.3

@@ -68,7 +68,7 @@ Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
   return status_of(run_replay_window(std::move(*recording), std::move(window), open));
 }
 
-Result<int> open_window(const SceneOptions& options, const LookOptions& look,
+Result<int> open_window(const SceneOptions& options, const LookOptions& look, bool repeats,
                         const runtime::OpenWindow& open) {
   if (file::is_recording(options.scene)) return open_recording(options, look, open);
   const Result<DeviceChoice> device = parse_device_choice(options.device);
@@ -81,6 +81,7 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look,
   window.scene = loaded->scene;
   window.start_on_device = session_starter(*device, options.allow_no_realtime, *spin_s);
   window.spin_s = *spin_s;
+  window.repeats = repeats;
   window.settings_path = file::settings_path(file::process_environment);
   window.opened_file = opened_file(options.scene);
   window.forced_scale = forced_scale(look);
@@ -93,8 +94,9 @@ Action add_window(CLI::App& program, runtime::OpenWindow open) {
   const auto options = std::make_shared<SceneOptions>();
   const auto look = std::make_shared<LookOptions>();
   program
-      .add_option("SCENE", options->scene,
-                  "Scene file, name of a built-in scene (default: press), or a recording")
+      .add_option(
+          "SCENE", options->scene,
+          "Scene file, name of a built-in scene (default: tap, again and again), or a recording")
       ->type_name("");
   add_algorithm_option(program, *options);
   add_scene_options(program, *options);
@@ -106,8 +108,9 @@ Action add_window(CLI::App& program, runtime::OpenWindow open) {
       ->check(is_number_within(kMin, kMax))
       ->type_name("FACTOR");
   return [options, look, open = std::move(open)] {
-    if (options->scene.empty()) options->scene = kDefaultScene;
-    return open_window(*options, *look, open);
+    const bool repeats = options->scene.empty();
+    if (repeats) options->scene = kDefaultScene;
+    return open_window(*options, *look, repeats, open);
   };
 }
 

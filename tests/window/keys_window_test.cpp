@@ -105,10 +105,19 @@ void step_back(Person& person, const Act& press) {
   EXPECT_LT(tick(person), before);
 }
 
-void change_speed(Person& person, const Act& press, double way) {
+// Of the simulator, from 1/2 to 1/`after`, and of a recording.
+void change_speed(Person& person, const Act& press, std::uint32_t after, double way) {
+  const auto periods = [&] { return person.session().snapshot().periods_per_tick; };
+  person.live().slow_down(2);
+  person.wait_until([&] { return periods() == 2; }, "slow motion");
+  press();
+  person.wait_until([&] { return periods() == after; }, "the next slow motion");
+  person.live().slow_down(1);
+  open_a_recording(person);
   replay(person).set_speed(1.0);
   press();
   EXPECT_GT(way * (replay(person).speed() - 1.0), 0.0);
+  back_to_the_scene(person);
 }
 
 void go_to_mark(Person& person, const Act& press, double from_s, const file::Mark& mark) {
@@ -143,8 +152,8 @@ std::vector<KeyRow> key_rows() {
       key_flips("show or hide the cursors",
                 [](Person& p) { return p.state().plots.transient.cursors.shown ? 1.0 : 0.0; }),
       in_replay("one tick back, while paused", step_back),
-      in_replay("slower", [](Person& p, const Act& press) { change_speed(p, press, -1.0); }),
-      in_replay("faster", [](Person& p, const Act& press) { change_speed(p, press, 1.0); }),
+      {"slower: slow motion", [](Person& p, const Act& press) { change_speed(p, press, 5, -1.0); }},
+      {"faster", [](Person& p, const Act& press) { change_speed(p, press, 1, 1.0); }},
       in_replay("begin anew at the end, or not",
                 [](Person& p, const Act& press) {
                   const bool before = replay(p).loops();

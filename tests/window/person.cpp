@@ -21,7 +21,7 @@ std::string kind_of(const std::string& item) {
   for (const char* kind : {"ghost of", "under "}) {
     if (item.starts_with(kind)) return kind;
   }
-  for (const char* kind : {"toast ", "recent "}) {
+  for (const char* kind : {"toast ", "recent ", "slow motion "}) {
     if (item.starts_with(kind)) return kind + std::string("N");
   }
   return item;

@@ -1,9 +1,11 @@
 // The head of the panel, the toolbar, and the overlays: messages and help.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "app/ui/state/appearance.h"
+#include "app/ui/state/tour.h"
 #include "app/ui/window/keys.h"
 #include "tests/window/rows.h"
 
@@ -59,6 +61,38 @@ void reset_layout(Person& person) {
   EXPECT_EQ(persisted.picture_share, usual.picture_share);
   persisted.view_share = view_share;
   persisted.picture_share = picture_share;
+  EXPECT_FALSE(persisted.more);
+  person.put_everything_away();
+  person.click("more");
+  EXPECT_TRUE(persisted.more);
+}
+
+void use_slow_motion(Person& person) {
+  for (const std::uint32_t wanted : {5U, 1U}) {
+    person.click("slow motion");
+    person.click(fmt::format("slow motion {}", wanted));
+    person.wait_until([&] { return person.session().snapshot().periods_per_tick == wanted; },
+                      "the slow motion");
+  }
+}
+
+void take_the_tour(Person& person) {
+  const int& step = person.state().persisted.tour;
+  person.click("help");
+  person.click("tour of help");
+  EXPECT_EQ(step, 1);
+  person.click("tour next");
+  EXPECT_EQ(step, 2);
+  person.click("tour back");
+  EXPECT_EQ(step, 1);
+  person.click("close tour");
+  EXPECT_EQ(step, ui::kTourClosed);
+  person.state().persisted.tour = ui::kTourOffered;
+  person.wait_a_frame();
+  person.click("begin tour");
+  EXPECT_EQ(step, 1);
+  EXPECT_EQ(person.scene().name, ui::kTourScene);
+  person.click("close tour");
 }
 
 void name_the_recording(Person& person) {
@@ -128,9 +162,14 @@ Table toolbar_rows() {
           does("step", step_once),
           does("reset", reset_once),
           does("record", record_and_stop),
+          {"slow motion", use_slow_motion},
+          flips("repeat scene",
+                [](Person& person) { return person.state().transient.repeats ? 1.0 : 0.0; }),
           {"recording name", name_the_recording}};
 }
 
-Table overlay_rows() { return {{"copy message", use_messages}, {"help", read_help}}; }
+Table overlay_rows() {
+  return {{"copy message", use_messages}, {"help", read_help}, {"tour of help", take_the_tour}};
+}
 
 }  // namespace hapticwall::test

@@ -18,6 +18,7 @@
 #include "app/file/disk/user_folders.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/scene/settings_text.h"
+#include "app/ui/state/tour.h"
 #include "tests/app/ui/items.h"
 #include "tests/app/ui/offscreen_gui.h"
 
@@ -136,6 +137,9 @@ std::string screen_name(const ::testing::TestParamInfo<Screen>& info) {
 Home::Home() {
   const file::Settings settings{{"window.width", static_cast<double>(kWidth)},
                                 {"window.height", static_cast<double>(kHeight)},
+                                {"window.more", true},
+                                {"window.tour", static_cast<double>(ui::kTourClosed)},
+                                {"plots.arrangement", std::string("all")},
                                 {"window.view_share", kViewShare},
                                 {"window.picture_share", kPictureShare}};
   EXPECT_FALSE(file::make_folder_of(settings_path()));

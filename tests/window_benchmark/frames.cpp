@@ -14,6 +14,7 @@
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 #include "tests/app/ui/fake_session.h"
+#include "tests/app/ui/show_everything.h"
 #include "tests/window_benchmark/measurements.h"
 #include "tests/window_benchmark/stage.h"
 
@@ -81,6 +82,7 @@ Failure open(Window& window, const Stage& stage, const Scene& scene) {
   auto application = ui::Application::create(scene, {}, stage.theme(), sessions);
   if (!application) return application.error();
   window.application = std::move(*application);
+  test::show_everything(window.application->state());
   for (int done = 0; done < window.ticks; done += kTicksAtATime) {
     window.session->advance(std::min(kTicksAtATime, window.ticks - done));
     window.application->take_ticks();

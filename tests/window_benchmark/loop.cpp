@@ -19,6 +19,7 @@
 #include "app/ui/window/application.h"
 #include "core/units.h"
 #include "tests/app/runtime/support.h"
+#include "tests/app/ui/show_everything.h"
 #include "tests/window_benchmark/measurements.h"
 #include "tests/window_benchmark/stage.h"
 
@@ -242,6 +243,7 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene,
   auto created = ui::Application::create(scene, {}, stage.theme(), sessions);
   if (!created) return created.error();
   ui::Application& application = **created;
+  test::show_everything(application.state());
   std::printf("The loop of '%s' at %g Hz beside %d busy processes, %s\n%dx%d by %s\n",
               scene.name.c_str(), scene.sampling.rate_hz, kHogs,
               application.session().realtime_status().text.c_str(), kWidth, kHeight,

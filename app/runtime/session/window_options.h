@@ -28,7 +28,8 @@ struct WindowOptions {
   std::string settings_path;          // empty: settings are neither read nor kept
   std::optional<float> forced_scale;  // empty: from the settings or the screen
   double spin_s = 0.0;                // as SessionOptions::spin_s, on the simulator
-  std::string opened_file;            // the scene's file; empty: a built-in scene
+  bool repeats = false;     // a simulated scene begins anew at its end, until another one is chosen
+  std::string opened_file;  // the scene's file; empty: a built-in scene
 };
 
 // Opens a window and returns when it is closed.

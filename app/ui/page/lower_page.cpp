@@ -45,12 +45,15 @@ void draw_page_choice(const PanelContext& context) {
 }  // namespace
 
 LowerPage lower_page(const PanelContext& context) {
-  return context.shows.hides_force ? LowerPage::kBlindTest : context.state.persisted.lower_page;
+  if (context.shows.hides_force) return LowerPage::kBlindTest;
+  return context.state.persisted.more ? context.state.persisted.lower_page : LowerPage::kPlots;
 }
 
 void draw_lower_page(const PanelContext& context, const draw::SampleHistory& history) {
-  draw_page_choice(context);
-  ImGui::SameLine(0.0F, kTabGapEms * ImGui::GetFontSize());
+  if (context.state.persisted.more) {
+    draw_page_choice(context);
+    ImGui::SameLine(0.0F, kTabGapEms * ImGui::GetFontSize());
+  }
   draw_energy_lamp(context);
   draw_verdict_strip(context);
   ImGui::BeginChild("lower page", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders);

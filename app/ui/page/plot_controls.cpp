@@ -20,6 +20,7 @@ constexpr float kTriggerEms = 9.5F;
 constexpr float kExportEms = 3.6F;
 constexpr double kMaxPrePercent = 90.0;
 
+constexpr std::array kTwoPlots{draw::PlotId::kPosition, draw::PlotId::kForce};
 constexpr std::array kFigure4Plots{draw::PlotId::kPosition, draw::PlotId::kForce,
                                    draw::PlotId::kPassivity};
 constexpr std::array kFigure5And6Plots{draw::PlotId::kPosition, draw::PlotId::kForce,
@@ -32,6 +33,7 @@ struct Arrangement {
   std::span<const draw::PlotId> plots;
 };
 constexpr std::array kArrangements{
+    Arrangement{"two plots", "Position and force", kTwoPlots},
     Arrangement{"all plots", "Position, force, stiffness and passivity", draw::kAllPlots},
     Arrangement{"as Figure 4", "The panels of the paper's Figure 4: position, force, passivity",
                 kFigure4Plots},
@@ -213,6 +215,7 @@ std::span<const draw::PlotId> plots_of(PlotArrangement arrangement) {
 }
 
 void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& history) {
+  if (!context.state.persisted.more) return;
   draw_axis_choice(context, "plots");
   for (const auto draw : {draw_arrangement, draw_loop_button, draw_follow, draw_length,
                           draw_automatic, draw_trigger, draw_cursors_button}) {

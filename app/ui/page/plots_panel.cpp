@@ -73,10 +73,10 @@ draw::PlotSurface surface_of(const PanelContext& context, const draw::SampleHist
   return surface;
 }
 
-// Four plots make a square; the three of the paper's figures make a column.
+// Two plots make a row, four a square; the three of the paper's figures make a column.
 void draw_plots(UiState& state, draw::PlotSurface& surface, ImVec2 corner, ImVec2 free) {
   const std::span<const draw::PlotId> plots = plots_of(state.persisted.arrangement);
-  const std::size_t columns = plots.size() == draw::kPlotCount ? 2 : 1;
+  const std::size_t columns = plots.size() % 2 == 0 ? 2 : 1;
   const std::size_t whole_rows = (plots.size() + columns - 1) / columns;
   const ImVec2 gap(kPlotGapEms * ImGui::GetFontSize(), ImGui::GetStyle().ItemSpacing.y);
   const auto count = static_cast<float>(columns);

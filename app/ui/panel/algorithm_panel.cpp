@@ -140,6 +140,7 @@ void draw_algorithm_section(const PanelContext& context) {
   }
   if (current >= list.size()) return;
   muted_text(context, list[current].idea);
+  if (!context.state.persisted.more) return;
   for (const ParameterDescription& parameter : list[current].parameters)
     draw_parameter(context, parameter);
   draw_follower(context, list[current]);

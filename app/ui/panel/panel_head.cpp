@@ -87,6 +87,8 @@ void reset_layout(PersistedState& kept) {
   kept.panel_ems = usual.panel_ems;
   kept.view_share = usual.view_share;
   kept.picture_share = usual.picture_share;
+  kept.more = usual.more;
+  kept.arrangement = usual.arrangement;
 }
 
 void draw_settings(const PanelContext& context, ImVec2 below) {
@@ -98,8 +100,8 @@ void draw_settings(const PanelContext& context, ImVec2 below) {
   draw_folder(context);
   field_label(context, "layout", "", "");
   if (button("as at first###reset layout",
-             "Restores the sizes of panel, views and plots. Drag the gaps between them to change "
-             "them."))
+             "Restores what is shown at first, and the sizes of panel, views and plots. Drag the "
+             "gaps between them to change them."))
     reset_layout(context.state.persisted);
   const std::string& path = context.state.transient.settings_path;
   muted_text(context, path.empty() ? "Nothing of this is kept." : "Kept in " + path);
@@ -141,6 +143,11 @@ void draw_panel_head(const PanelContext& context) {
   ImGui::PopStyleVar();
   ImGui::PopFont();
   draw_settings(context, settings_below);
+}
+
+void show_more(PersistedState& kept) {
+  kept.more = true;
+  kept.arrangement = PlotArrangement::kAll;
 }
 
 void toggle_help(const PanelContext& context) {

@@ -38,20 +38,6 @@ constexpr std::array kPaperFigures{
         "The paper's Figure 6: the energy bounding algorithm. Starts scene 'press' from rest and "
         "shows position, force and stiffness: quiet, and stiff."}};
 
-// Asks for a built-in scene, with its own algorithm or the one named.
-void want_builtin(const PanelContext& context, const std::string& name,
-                  std::string_view algorithm) {
-  Result<file::LoadedScene> loaded = file::load_scene(name);
-  if (!loaded) return tell(context.state, loaded.error());
-  Scene scene = std::move(loaded->scene);
-  if (!algorithm.empty()) {
-    const auto index = find_algorithm(algorithm);
-    if (!index) return;
-    scene.algorithm.index = *index;
-  }
-  context.state.transient.wanted_scene = WantedScene{std::move(scene), true};
-}
-
 void draw_figure_buttons(const PanelContext& context) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const auto count = static_cast<float>(kPaperFigures.size());
@@ -122,6 +108,18 @@ void draw_path_field(const PanelContext& context) {
 
 }  // namespace
 
+void want_builtin(const PanelContext& context, std::string_view name, std::string_view algorithm) {
+  Result<file::LoadedScene> loaded = file::load_scene(std::string(name));
+  if (!loaded) return tell(context.state, loaded.error());
+  Scene scene = std::move(loaded->scene);
+  if (!algorithm.empty()) {
+    const auto index = find_algorithm(algorithm);
+    if (!index) return;
+    scene.algorithm.index = *index;
+  }
+  context.state.transient.wanted_scene = WantedScene{std::move(scene), true};
+}
+
 void draw_scene_section(const PanelContext& context) {
   section(context, "Scene");
   draw_way_back(context);
@@ -136,7 +134,7 @@ void draw_scene_section(const PanelContext& context) {
   }
   explain("A scene starts a new session from rest.");
   if (!scene.description.empty()) muted_text(context, scene.description);
-  draw_figure_buttons(context);
+  if (context.state.persisted.more) draw_figure_buttons(context);
 }
 
 }  // namespace hapticwall::ui

@@ -1,6 +1,8 @@
 // The parts of the control panel and of the status rows that only the window uses.
 #pragma once
 
+#include <string_view>
+
 #include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
@@ -8,8 +10,12 @@ namespace hapticwall::ui {
 // The head: undo, redo, settings and help.
 void draw_panel_head(const PanelContext& context);
 void toggle_help(const PanelContext& context);
+// Every section, page and control, and all plots.
+void show_more(PersistedState& kept);
 
 void draw_scene_section(const PanelContext& context);
+// Asks for a built-in scene, with its own algorithm or the one named.
+void want_builtin(const PanelContext& context, std::string_view name, std::string_view algorithm);
 void draw_algorithm_section(const PanelContext& context);
 void draw_compare_section(const PanelContext& context);
 void draw_wall_section(const PanelContext& context);  // of the shown axis

@@ -51,6 +51,13 @@ void draw_run_buttons(const PanelContext& context) {
              {.width = width}))
     reset_session(context);
   ImGui::SameLine();
+  bool& repeats = context.state.transient.repeats;
+  if (choice_button(
+          context, "Repeat###repeat scene", repeats,
+          "A simulated scene begins anew, at rest, at its end; not while it is recorded or "
+          "the pointer leads the hand"))
+    repeats = !repeats;
+  ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(context.theme.fonts.digits, 0.0F);
   ImGui::Text("%9.3f s", context.snapshot.newest.x().time_s);

@@ -11,6 +11,7 @@
 #include "app/file/text/text.h"
 #include "app/ui/state/recent_files.h"
 #include "app/ui/state/settings_file.h"
+#include "app/ui/state/tour.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -131,6 +132,7 @@ Key word(const char* name, const std::array<Word<Value>, kCount>& words, Value P
 constexpr std::array kLooks{Word<draw::Look>{"dark", draw::Look::kScreen},
                             Word<draw::Look>{"light", draw::Look::kLight}};
 constexpr std::array kArrangementWords{
+    Word<PlotArrangement>{"two", PlotArrangement::kTwo},
     Word<PlotArrangement>{"all", PlotArrangement::kAll},
     Word<PlotArrangement>{"figure-4", PlotArrangement::kFigure4},
     Word<PlotArrangement>{"figures-5-6", PlotArrangement::kFigure5And6}};
@@ -155,6 +157,9 @@ std::vector<Key> plain_keys() {
       number("window.panel_ems", &PersistedState::panel_ems, kMinPanelEms, kMaxPanelEms),
       number("window.view_share", &PersistedState::view_share, kMinShare, kMaxShare),
       number("window.picture_share", &PersistedState::picture_share, kMinShare, kMaxShare),
+      flag("window.more", &PersistedState::more),
+      number("window.tour", &PersistedState::tour, kTourClosed,
+             static_cast<double>(tour_steps().size())),
       word("window.lower_page", kLowerPages, &PersistedState::lower_page),
       flag("hand.stays_where_released", &PersistedState::hand_stays_where_released),
       text("recording.folder", &PersistedState::recording_folder),

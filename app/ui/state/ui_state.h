@@ -109,16 +109,18 @@ struct ReplayState {
   bool wants_back = false;  // go back to the previous scene after this frame
 };
 
-// Which plots are shown: all, or the panels (a), (b), (c) of the paper's figures.
-enum class PlotArrangement : std::uint8_t { kAll, kFigure4, kFigure5And6 };
+// Which plots are shown: two, all, or the panels (a), (b), (c) of the paper's figures.
+enum class PlotArrangement : std::uint8_t { kTwo, kAll, kFigure4, kFigure5And6 };
 
 // The page below the views.
 enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest };
 
 // Stored in the settings file.
 struct PersistedState {
+  bool more = false;  // false: scene, algorithms, wall and plots alone
+  int tour = 0;       // a step, from 1; kTourOffered or kTourClosed (tour.h)
   double time_window_s = 6.0;
-  PlotArrangement arrangement = PlotArrangement::kAll;
+  PlotArrangement arrangement = PlotArrangement::kTwo;
   LowerPage lower_page = LowerPage::kPlots;
   draw::HiddenLines hidden_lines = 0;
   bool hand_stays_where_released = false;
@@ -178,6 +180,8 @@ struct TransientState {
   std::string mark_text;         // of the next mark
   std::size_t chosen_wall = 0;
   Axis shown_axis = Axis::kX;  // see shown_axis.h
+  bool tour_step_done = false;
+  bool repeats = false;  // the scene begins anew, at rest, at its end
   bool dragging_hand = false;
   std::optional<double> hand_m;  // where the pointer leads the hand
   bool follow = true;            // the plots follow the newest samples

@@ -109,6 +109,7 @@ void Application::frame() {
   draw_window(context, history_.axis(context.shows.axis == Axis::kY ? 1 : 0), *renderer_);
   // Last, because the panels hold references to the session that this replaces.
   go_back();
+  repeat(snapshot);
   start_wanted_scene();
   open_wanted_recording();
   take_opened_recording();
@@ -169,8 +170,18 @@ void Application::start_wanted_scene() {
   if (wanted.back_to) state_.transient.loaded_scene = *wanted.back_to;
 }
 
+// Begins a simulated scene anew, at rest, unless somebody leads it or records it.
+void Application::repeat(const runtime::Snapshot& snapshot) {
+  if (!live_ || !state_.transient.repeats || !live_->device_info().is_simulated) return;
+  if (snapshot.newest.x().time_s < live_->scene().duration_s || state_.transient.hand_m ||
+      live_->recording_status().state == runtime::RecordingState::kRecording)
+    return;
+  live_->reset();
+}
+
 // Clears the state of the previous session.
 void Application::forget_session() {
+  state_.transient.repeats = false;
   state_.timing.cleared = {};
   in_force_generation_ = 0;
   history_.clear();

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "app/ui/panel/tour_strip.h"
 #include "app/ui/widget/widgets.h"
 #include "app/ui/window/keys.h"
 
@@ -63,6 +64,12 @@ void draw_content(const PanelContext& context) {
   draw::strong_text(context.theme, "Keys and pointer", draw::kTitleFontSize);
   ImGui::SameLine();
   constexpr const char* kClose = "Close (Esc)###close help";
+  if (context.shows.live != nullptr && !context.shows.hides_algorithm &&
+      button("The tour###tour of help", "Five lessons, a minute each")) {
+    begin_tour(context);
+    context.state.transient.help_shown = false;
+  }
+  ImGui::SameLine();
   draw::align_right(button_width(kClose));
   if (ImGui::Button(kClose)) context.state.transient.help_shown = false;
   if (ImGui::BeginTable("help", 2)) {
@@ -95,7 +102,8 @@ void draw_help(const PanelContext& context) {
   ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   draw_content(context);
   const bool elsewhere = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
-                         !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+                         !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                                                 ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   if (elsewhere && !ImGui::IsWindowAppearing()) context.state.transient.help_shown = false;
   ImGui::End();
   draw::end_raised();

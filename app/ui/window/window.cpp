@@ -277,6 +277,7 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
       {options.settings_path, options.recording_folder, options.forced_scale, options.opened_file},
       theme, sessions);
   if (!application) return application.error();
+  (*application)->state().transient.repeats = options.repeats;
   const DropTarget drops(window.get(), **application);
   const DisplayEnd display_end(**application);
   run_loop(window.get(), **application, hooks);

@@ -10,6 +10,7 @@
 #include "app/ui/panel/replay_panel.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/panel/toolbar.h"
+#include "app/ui/panel/tour_strip.h"
 #include "app/ui/panel/wall_view.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/splitter.h"
@@ -23,6 +24,8 @@ namespace {
 constexpr float kMinPanelWidthEms = 14.0F;
 constexpr float kLockedAlpha = 0.7F;    // of values that cannot change
 constexpr float kMaxPanelShare = 0.5F;  // of the window
+constexpr ImGuiWindowFlags kStill =
+    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
 
 float panel_width(const PanelContext& context, float window_width) {
   const float wanted = static_cast<float>(context.state.persisted.panel_ems) * ImGui::GetFontSize();
@@ -36,6 +39,15 @@ void draw_dimmed(const PanelContext& context, bool dimmed, void (*draw)(const Pa
   if (dimmed) ImGui::PushStyleColor(ImGuiCol_Text, context.theme.colour(draw::Tone::kMuted));
   draw(context);
   if (dimmed) ImGui::PopStyleColor();
+}
+
+void draw_more_sections(const PanelContext& context) {
+  const AskedFor asked = asked_for(context);
+  draw_dimmed(context, asked.algorithm, draw_compare_section);
+  draw_dimmed(context, asked.walls, draw_wall_section);
+  draw_dimmed(context, asked.hand, draw_hand_section);
+  draw_dimmed(context, asked.device, draw_device_section);
+  draw_dimmed(context, asked.simulator, draw_loop_section);
 }
 
 void draw_panel(const PanelContext& context, float width, float height) {
@@ -54,13 +66,16 @@ void draw_panel(const PanelContext& context, float width, float height) {
   if (replay != nullptr) draw_replay_section(context, *replay);
   ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, kLockedAlpha);
   ImGui::BeginDisabled(replay != nullptr);
-  const AskedFor asked = asked_for(context);
-  draw_dimmed(context, asked.algorithm, draw_algorithm_section);
-  draw_dimmed(context, asked.algorithm, draw_compare_section);
-  draw_dimmed(context, asked.walls, draw_wall_section);
-  draw_dimmed(context, asked.hand, draw_hand_section);
-  draw_dimmed(context, asked.device, draw_device_section);
-  draw_dimmed(context, asked.simulator, draw_loop_section);
+  draw_dimmed(context, asked_for(context).algorithm, draw_algorithm_section);
+  if (context.state.persisted.more) {
+    draw_more_sections(context);
+  } else if (button(
+                 "More###more",
+                 "Every parameter, comparison, pages and plot controls. Settings, layout, brings "
+                 "back what is shown now.",
+                 {.width = ImGui::GetContentRegionAvail().x})) {
+    show_more(context.state.persisted);
+  }
   ImGui::EndDisabled();
   ImGui::PopStyleVar();
   ImGui::EndChild();
@@ -87,27 +102,31 @@ double view_scale(const PanelContext& context, ImVec2 size) {
   return static_cast<double>(glm::distance(face, beside)) / kProbeM;
 }
 
+// The magnifier on the right of the views, and the gap before it.
+void draw_contact(const PanelContext& context, const draw::SampleHistory& history, ImVec2 gap,
+                  ImVec2 views, double pixels_per_m) {
+  ImGui::SameLine();
+  ImGui::BeginChild("contact", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders, kStill);
+  draw_magnifier(context, history, pixels_per_m);
+  ImGui::EndChild();
+  const Split split = draw_splitter(context, "picture splitter", SplitWay::kColumns, gap, views.y);
+  move_share(context.state.persisted.picture_share, split, views.x, PersistedState{}.picture_share);
+}
+
 void draw_views(const PanelContext& context, const draw::SampleHistory& history,
                 WallRenderer& renderer, ImVec2 size) {
-  constexpr ImGuiWindowFlags kStill =
-      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-  double& share = context.state.persisted.picture_share;
+  const double share = context.state.persisted.picture_share;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::BeginChild("views", size, ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground | kStill);
-  const float width = std::floor(static_cast<float>(share) * size.x);
+  const bool more = context.state.persisted.more;
+  const float width = more ? std::floor(static_cast<float>(share) * size.x) : size.x;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(1.0F, 1.0F));
   ImGui::BeginChild("wall", ImVec2(width, 0.0F), ImGuiChildFlags_Borders, kStill);
   ImGui::PopStyleVar();
   const double pixels_per_m = view_scale(context, ImGui::GetContentRegionAvail());
   draw_wall_view(context, renderer);
   ImGui::EndChild();
-  ImGui::SameLine();
-  ImGui::BeginChild("contact", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders, kStill);
-  draw_magnifier(context, history, pixels_per_m);
-  ImGui::EndChild();
-  const Split split = draw_splitter(context, "picture splitter", SplitWay::kColumns,
-                                    ImVec2(corner.x + width, corner.y), size.y);
-  move_share(share, split, size.x, PersistedState{}.picture_share);
+  if (more) draw_contact(context, history, {corner.x + width, corner.y}, size, pixels_per_m);
   ImGui::EndChild();
 }
 
@@ -118,6 +137,7 @@ void draw_right(const PanelContext& context, const draw::SampleHistory& history,
                     ImGuiWindowFlags_NoBackground);
   draw_arming_strip(context);
   draw_toolbar(context);
+  draw_tour_strip(context);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 free = ImGui::GetContentRegionAvail();
   const ImVec2 views(free.x, std::floor(static_cast<float>(share) * free.y));

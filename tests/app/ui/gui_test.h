@@ -21,6 +21,7 @@
 #include "tests/app/ui/items.h"
 #include "tests/app/ui/offscreen_gui.h"
 #include "tests/app/ui/pixels.h"
+#include "tests/app/ui/show_everything.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::test {
@@ -75,6 +76,7 @@ class GuiTest : public FolderTest {
         ui::Application::create(file::load_scene(scene_name)->scene, options, theme, starters);
     ASSERT_TRUE(application.ok()) << application.error().message;
     application_ = std::move(*application);
+    if (shows_everything) show_everything(state());
     frames(3);
   }
 
@@ -259,6 +261,7 @@ class GuiTest : public FolderTest {
   ui::Application::RecordingOpener open_recording;
   int sessions = 0;
   bool with_device = false;  // the next open() has a real device
+  bool shows_everything = true;
   int devices_open = 0;
   OffscreenGui gui_{ImVec2(kScreenWidth, kScreenHeight)};
   std::optional<draw::GlTarget> target_;

@@ -1,0 +1,90 @@
+#include "app/ui/panel/tour_strip.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+
+#include "app/ui/panel/sections.h"
+#include "app/ui/state/tour.h"
+#include "app/ui/widget/widgets.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr float kButtonEms = 4.5F;
+constexpr int kButtons = 3;
+
+// Also notes that it is done: the sight may be over before the text is read.
+bool is_done(const PanelContext& context, int step) {
+  const auto& lamp = context.state.compare.transient.lamp;
+  bool& done = context.state.transient.tour_step_done;
+  const Sight sight{context.session.scene(), context.state.tails.front(),
+                    lamp ? lamp->story() : EnergyStory{}};
+  done = done || tour_steps()[static_cast<std::size_t>(step) - 1].done(sight);
+  return done;
+}
+
+void go_to_step(UiState& state, int step) {
+  state.persisted.tour = step;
+  state.transient.tour_step_done = false;
+}
+
+void draw_offer(const PanelContext& context) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("New here? Five lessons, a minute each.");
+  ImGui::SameLine();
+  if (button("Begin the tour###begin tour", "Starts in the scene 'press', without an algorithm"))
+    begin_tour(context);
+  ImGui::SameLine();
+  if (button("No###close tour", "The tour begins from F1 as well"))
+    context.state.persisted.tour = kTourClosed;
+}
+
+void draw_step_buttons(const PanelContext& context, int step, int count) {
+  UiState& state = context.state;
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SameLine();
+  draw::align_right(kButtons * (ems(kButtonEms) + gap) - gap);
+  if (button("Back###tour back", "", {.width = ems(kButtonEms), .enabled = step > 1}))
+    go_to_step(state, step - 1);
+  ImGui::SameLine();
+  if (button("Next###tour next", "", {.width = ems(kButtonEms), .enabled = step < count}))
+    go_to_step(state, step + 1);
+  ImGui::SameLine();
+  if (button("Close###close tour", "The tour begins again from F1", {.width = ems(kButtonEms)}))
+    state.persisted.tour = kTourClosed;
+}
+
+void draw_step(const PanelContext& context, int step) {
+  const auto steps = tour_steps();
+  const int count = static_cast<int>(steps.size());
+  const TourStep& now = steps[static_cast<std::size_t>(step) - 1];
+  const bool done = is_done(context, step);
+  ImGui::AlignTextToFramePadding();
+  draw::strong_text(context.theme, fmt::format("{} of {} · {}", step, count, now.lesson));
+  ImGui::SameLine();
+  ImGui::TextColored(context.theme.colour(done ? draw::Tone::kGood : draw::Tone::kMuted), "%s",
+                     done ? "· seen" : "· not seen yet");
+  draw_step_buttons(context, step, count);
+  draw::wrapped_text(context.theme.colour(draw::Tone::kText), now.text);
+}
+
+}  // namespace
+
+void draw_tour_strip(const PanelContext& context) {
+  const int step = context.state.persisted.tour;
+  if (step == kTourClosed || context.shows.live == nullptr || context.shows.hides_algorithm) return;
+  if (step == kTourOffered) {
+    draw_offer(context);
+  } else {
+    draw_step(context, step);
+  }
+}
+
+void begin_tour(const PanelContext& context) {
+  want_builtin(context, std::string(kTourScene), kTourAlgorithm);
+  go_to_step(context.state, 1);
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,14 @@
+// The tour above the views: the present step, and whether it is done.
+#pragma once
+
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+// Nothing while the tour is closed, during a replay and in a blind test.
+void draw_tour_strip(const PanelContext& context);
+
+// From the first step, in the scene of the tour.
+void begin_tour(const PanelContext& context);
+
+}  // namespace hapticwall::ui
