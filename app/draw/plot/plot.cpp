@@ -175,6 +175,7 @@ void draw_readout(const PlotSurface& surface, const PlotDescription& plot) {
 void notice_input(PlotSurface& surface, PlotAxes& axes, bool right) {
   axes.left.notice_input(ImAxis_Y1);
   if (right) axes.right.notice_input(ImAxis_Y2);
+  if (ImPlot::IsPlotHovered()) surface.pointed_s = ImPlot::GetPlotMousePos().x;
   if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
   if (ImPlot::IsPlotHovered() || ImPlot::IsAxisHovered(ImAxis_X1)) surface.wants_newest = true;
 }

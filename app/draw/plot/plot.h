@@ -68,7 +68,8 @@ struct PlotSurface {
   bool value_labels = true;  // beside it
   bool heading = true;       // above it
   float line_weight = kLineWeight;
-  bool wants_newest = false;  // set when the user asks for the automatic time axis
+  bool wants_newest = false;        // set when the user asks for the automatic time axis
+  std::optional<double> pointed_s;  // set to the time under the pointer
 };
 
 // Draws a heading with the legend and the plot below it into `size`. `mark` precedes the title: the

@@ -150,6 +150,7 @@ void draw_plots_panel(const PanelContext& context, const draw::SampleHistory& hi
     state.transient.follow = false;
   }
   if (surface.wants_newest) state.transient.follow = true;
+  state.transient.looked_at_s = following ? std::nullopt : surface.pointed_s;
 }
 
 }  // namespace hapticwall::ui

@@ -17,9 +17,9 @@ using file::fixed;
 
 constexpr double kCrossed = 0.25;  // of the extremes, on either side of their middle
 
-IndexRange last_second(const SampleHistory& history, double rate_hz) {
-  const std::uint64_t first = tail_begin_tick(history.size(), rate_hz);
-  return {static_cast<std::size_t>(first), history.size()};
+// The tick after the sample before `end`.
+std::uint64_t tick_at(const SampleHistory& history, std::size_t end) {
+  return static_cast<std::uint64_t>(history.value(&Sample::tick, end - 1)) + 1;
 }
 
 RunStats stats_of(const SampleHistory& history, IndexRange range) {
@@ -68,18 +68,18 @@ std::string way_text(const Tail& tail) {
 
 }  // namespace
 
-Tail tail_of(const SampleHistory& history, const Scene& scene) {
+Tail tail_of(const SampleHistory& history, const Scene& scene, std::size_t end) {
   Tail tail;
-  if (history.empty()) return tail;
+  if (end == 0) return tail;
   const double rate_hz = scene.sampling.rate_hz;
-  const IndexRange range = last_second(history, rate_hz);
-  tail.end_tick = static_cast<std::uint64_t>(history.value(&Sample::tick, history.size() - 1)) + 1;
-  RunEnd end{.ticks = range.count(), .diverged_at_tick = std::nullopt};
+  const IndexRange range{static_cast<std::size_t>(tail_begin_tick(end, rate_hz)), end};
+  tail.end_tick = tick_at(history, end);
+  RunEnd run_end{.ticks = range.count(), .diverged_at_tick = std::nullopt};
   const Extremes places = history.extremes(&PlantTruth::position_m, range);
   if (has_diverged(places.minimum) || has_diverged(places.maximum)) {
-    end.diverged_at_tick = tail.end_tick;
+    run_end.diverged_at_tick = tail.end_tick;
   }
-  tail.summary = summarise(scene, stats_of(history, range), {}, std::nullopt, end);
+  tail.summary = summarise(scene, stats_of(history, range), {}, std::nullopt, run_end);
   if (tail.summary.verdict != Verdict::kSettled) {
     const bool force_alone = tail.summary.verdict == Verdict::kBuzzing;
     tail.frequency_hz = frequency_of(
@@ -89,15 +89,18 @@ Tail tail_of(const SampleHistory& history, const Scene& scene) {
   return tail;
 }
 
-void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene) {
+void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene,
+                std::optional<double> at_s) {
   for (std::size_t axis = 0; axis < tails.size(); ++axis) {
     Tail& tail = tails.at(axis);
     const SampleHistory& samples = history.axis(axis);
     if (axis >= scene.axes.size() || samples.empty()) {
       tail = {};
-    } else if (samples.value(&Sample::tick, samples.size() - 1) + 1.0 !=
-               static_cast<double>(tail.end_tick)) {
-      tail = tail_of(samples, axis_scene(scene, axis));
+      continue;
+    }
+    const std::size_t end = at_s ? *samples.nearest(*at_s) + 1 : samples.size();
+    if (tick_at(samples, end) != tail.end_tick) {
+      tail = tail_of(samples, axis_scene(scene, axis), end);
     }
   }
 }

@@ -21,11 +21,14 @@ struct Tail {
 };
 using Tails = std::array<Tail, kMaxAxes>;
 
-// The last second of `history`, or all of it if it is shorter. `scene`: of its axis.
-[[nodiscard]] Tail tail_of(const draw::SampleHistory& history, const Scene& scene);
+// The second before the sample `end`, or all of it if it is shorter. `scene`: of its axis.
+// Precondition: end <= history.size().
+[[nodiscard]] Tail tail_of(const draw::SampleHistory& history, const Scene& scene, std::size_t end);
 
-// Keeps the tails of all axes up to date. Costs nothing without a new sample.
-void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene);
+// Keeps the tails of all axes up to date: of the newest second, or of that before `at_s`. Costs
+// nothing without a new sample.
+void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& scene,
+                std::optional<double> at_s = std::nullopt);
 
 // "50.0 Hz · 2.825 mm p-p"; empty without a rhythm.
 [[nodiscard]] std::string rhythm_text(const Tail& tail);

@@ -183,8 +183,9 @@ struct TransientState {
   bool tour_step_done = false;
   bool repeats = false;  // the scene begins anew, at rest, at its end
   bool dragging_hand = false;
-  std::optional<double> hand_m;  // where the pointer leads the hand
-  bool follow = true;            // the plots follow the newest samples
+  std::optional<double> hand_m;       // where the pointer leads the hand
+  bool follow = true;                 // the plots follow the newest samples
+  std::optional<double> looked_at_s;  // the moment that the views show; empty: the newest
   double time_from_s = 0.0;
   double time_to_s = 0.0;
   draw::Trace scratch;

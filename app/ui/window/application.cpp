@@ -101,9 +101,7 @@ void Application::frame() {
   runtime::Snapshot snapshot = session().snapshot();
   if (!session().knows_truth()) draw_where_measured(snapshot.newest);
   note_timing(state_.timing, live_.get(), snapshot.timing);
-  note_tails(state_.tails, history_, session().scene());
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis)
-    note_swept(state_.wall.transient.swept.at(axis), history_.axis(axis));
+  look_at_moment(snapshot);
   const PanelContext context{session(), snapshot, theme_, state_, visibility(snapshot.generation)};
   handle_keys(context, bindings_in_force(context.shows));
   draw_window(context, history_.axis(context.shows.axis == Axis::kY ? 1 : 0), *renderer_);
@@ -115,6 +113,22 @@ void Application::frame() {
   take_opened_recording();
   if (live_) notice_changes(state_, live_->scene());
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
+}
+
+// At the newest moment, or back at that under the pointer in plots that stand still.
+void Application::look_at_moment(runtime::Snapshot& snapshot) {
+  const std::optional<double> looked_at_s = std::exchange(state_.transient.looked_at_s, {});
+  note_tails(state_.tails, history_, session().scene(), looked_at_s);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const draw::SampleHistory& samples = history_.axis(axis);
+    Swept& swept = state_.wall.transient.swept.at(axis);
+    if (!looked_at_s || samples.empty()) {
+      note_swept(swept, samples);
+    } else {
+      swept = {};
+      snapshot.newest.axes.at(axis) = samples.sample(*samples.nearest(*looked_at_s));
+    }
+  }
 }
 
 Visibility Application::visibility(std::uint32_t echoed_generation) {

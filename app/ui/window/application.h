@@ -89,6 +89,7 @@ class Application {
 
   void keep_appearance();
   [[nodiscard]] Visibility visibility(std::uint32_t echoed_generation);
+  void look_at_moment(runtime::Snapshot& snapshot);
   void repeat(const runtime::Snapshot& snapshot);
   void start_wanted_scene();
   [[nodiscard]] bool start_anew(const Scene& scene);

@@ -1,6 +1,7 @@
 // The plots: time, value axes, trigger, cursors and phase plane.
 #include "app/ui/page/plots_panel.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,6 +63,31 @@ TEST_F(PlotsPanelTest, ThePlotsFollowTheNewestSamplesUntilTheWheelZoomsTime) {
   click("follow");
   live(100);
   expect_newest();
+}
+
+TEST_F(PlotsPanelTest, ThePointerLooksBackInPlotsThatStandStill) {
+  live(3000);
+  press(ImGuiKey_F);
+  ASSERT_FALSE(state().transient.follow);
+  const ItemRect plot = rect("plot Force");
+  const auto newest_s = [&] { return application_->history().newest_time_s(); };
+  const double newest_n = application_->history().sample(2999).force_n;
+  EXPECT_GT(newest_n, 1.0);
+  move_to(ImVec2(plot.from.x + 2.0F, plot.centre().y));
+  const double from_s = state().transient.time_from_s;
+  ASSERT_TRUE(state().transient.looked_at_s);
+  frames(1);
+  EXPECT_NEAR(*state().transient.looked_at_s, from_s, 0.02 * length_s());
+  EXPECT_LT(static_cast<double>(state().tails.front().end_tick), 0.05 * 3000.0)
+      << "the verdict is that of then";
+  EXPECT_TRUE(text().find(fmt::format("{:9.3f} s", newest_s())) == std::string::npos);
+  move_away();
+  frames(1);
+  EXPECT_FALSE(state().transient.looked_at_s);
+  EXPECT_EQ(state().tails.front().end_tick, 3000U);
+  press(ImGuiKey_F);
+  move_to(plot.centre());
+  EXPECT_FALSE(state().transient.looked_at_s) << "the plots follow";
 }
 
 TEST_F(PlotsPanelTest, TheWheelOverAValueAxisPutsItAndItStaysWhileTheSessionRuns) {

@@ -80,7 +80,7 @@ Tail swinging(double position_m, double force_n) {
     sample.force_n = force_n * std::sin(phase);
     history.push(sample);
   }
-  return tail_of(history, scene);
+  return tail_of(history, scene, history.size());
 }
 
 TEST(Tail, TellsTheRhythm) {
@@ -107,6 +107,14 @@ TEST(Tail, FollowsTheNewestSampleOfEveryAxis) {
   EXPECT_EQ(tails[0].end_tick, 1U);
   EXPECT_EQ(tails[0].summary.tail_force_mean_n, 2.0);
   EXPECT_EQ(tails[1].end_tick, 0U);  // the scene has no second axis
+  tick.axes[0].tick = 1;
+  tick.axes[0].time_s = 1e-3;
+  tick.axes[0].force_n = 4.0;
+  history.push(std::span(&tick, 1));
+  note_tails(tails, history, scene, 0.0);
+  EXPECT_EQ(tails[0].summary.tail_force_mean_n, 2.0) << "back in time";
+  note_tails(tails, history, scene);
+  EXPECT_EQ(tails[0].summary.tail_force_mean_n, 3.0);
   history.clear();
   note_tails(tails, history, scene);
   EXPECT_EQ(tail_text(tails[0]), "no sample yet");
