@@ -197,9 +197,10 @@ class Life {
   }
 
   void lead() {
-    exchange_.pointer_m[0] = draw_.chance(0.5)   ? kNotANumber
-                             : draw_.chance(0.2) ? 1.0
-                                                 : draw_.uniform(0.0, 0.1);
+    runtime::HandMove move{.m = {draw_.chance(0.2) ? 1.0 : draw_.uniform(0.0, 0.1)}};
+    move.to_place = draw_.chance(0.5);
+    move.duration_s = draw_.uniform(0.0, 0.1);
+    static_cast<void>(exchange_.hand_moves.try_push(move));
   }
 
   void command_something() {

@@ -143,11 +143,8 @@ void Researcher::another_integrator(Scene& scene) {
 }
 
 void Researcher::lead_hand() {
-  if (leading_) {
-    session_.lead_hand(between(kAwayM, kPressedM));
-  } else {
-    session_.lead_hand(std::nullopt);
-  }
+  if (leading_)
+    session_.move_hand({.m = {between(kAwayM, kPressedM)}, .to_place = true, .at_once = true});
 }
 
 void Researcher::start_recording() {

@@ -132,6 +132,12 @@ std::vector<KeyRow> key_rows() {
       {"pause, or run on", pause_and_run},
       {"one tick, while paused", step_once},
       {"reset: back to tick 0, at rest", reset_once},
+      {"withdraw the hand from the wall",
+       [](Person& p, const Act& press) {
+         p.state().transient.hand_led = false;
+         press();
+         EXPECT_TRUE(p.state().transient.hand_led);
+       }},
       {"record, or stop recording", record_and_stop},
       {"mark this moment in the recording",
        [](Person& p, const Act& press) { set_marks(p, press); }},

@@ -98,11 +98,9 @@ Table parameter_rows(const std::string& section, const std::string& prefix,
 double end_mm(Person& person) { return person.scene().x().hand->path.back().position_m * 1e3; }
 double end_time_s(Person& person) { return person.scene().x().hand->path.back().time_s; }
 
-double hand_stays(Person& person) {
-  return person.state().persisted.hand_stays_where_released ? 1.0 : 0.0;
-}
+double withdraw_mm_per_s(Person& person) { return person.state().persisted.withdraw_mm_per_s; }
 
-void unfold_hand(Person& person) { unfold(person, "Hand", "hand stays"); }
+void unfold_hand(Person& person) { unfold(person, "Hand", "withdraw hand"); }
 
 }  // namespace
 
@@ -114,7 +112,12 @@ Table hand_rows() {
                }},
               takes("end position", "70", end_mm, 70.0, unfold_hand),
               takes("approach speed", "20", end_time_s, 2.0, unfold_hand),
-              flips("hand stays", hand_stays, unfold_hand)};
+              takes("withdraw speed", "40", withdraw_mm_per_s, 40.0, unfold_hand),
+              {"withdraw hand", [](Person& person) {
+                 unfold_hand(person);
+                 person.click("withdraw hand");
+                 EXPECT_TRUE(person.state().transient.hand_led);
+               }}};
   const auto keys = parameter_rows("Hand", "hand.", number_keys<HandSettings>(),
                                    [](const Scene& scene) { return *scene.x().hand; });
   table.insert(table.end(), keys.begin(), keys.end());

@@ -84,22 +84,17 @@ TEST_P(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
   });
 }
 
-TEST_P(UseWindowTest, ThePointerLeadsTheHandWhileItIsDown) {
+TEST_P(UseWindowTest, TheHandIsLedWithdrawnAndGivenBackByAReset) {
   use([](Person& person) {
+    const auto hand_m = [&] { return person.session().snapshot().newest.x().truth.hand_path_m; };
     person.drag("wall view", ImVec2(60.0F, 0.0F));
-    EXPECT_FALSE(person.state().transient.hand_m) << "let go: the script leads again";
-    unfold(person, "Hand", "hand stays");
-    person.click("hand stays");
-    person.drag("wall view", ImVec2(60.0F, 0.0F));
-    ASSERT_TRUE(person.state().transient.hand_m);
-    const double led_m = *person.state().transient.hand_m;
-    person.wait_until(
-        [&] {
-          return std::abs(person.session().snapshot().newest.x().truth.hand_path_m - led_m) < 1e-9;
-        },
-        "the hand where it was let go");
-    person.click("hand stays");
-    EXPECT_FALSE(person.state().transient.hand_m);
+    EXPECT_TRUE(person.state().transient.hand_led);
+    person.press(ImGuiKey_H);
+    person.wait_until([&] { return hand_m() == person.scene().x().device.start_m; },
+                      "the hand where the scene begins");
+    person.press(ImGuiKey_R);
+    EXPECT_FALSE(person.state().transient.hand_led);
+    person.wait_until([&] { return hand_m() > person.scene().x().device.start_m; }, "the script");
   });
 }
 

@@ -6,9 +6,9 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "app/runtime/loop/latency_histogram.h"
+#include "app/runtime/loop/led_hand.h"
 #include "app/runtime/loop/snapshot.h"
 #include "app/runtime/loop/spsc_queue.h"
 #include "core/loop/servo_step.h"
@@ -60,7 +60,7 @@ inline constexpr std::size_t kEchoQueueCapacity = 64;
 // One cycle sends at most one.
 inline constexpr std::size_t kFreeEchoPlaces = kEchoQueueCapacity / 2;
 
-inline constexpr double kNoPointer = std::numeric_limits<double>::quiet_NaN();
+inline constexpr std::size_t kHandMoveQueueCapacity = 256;
 
 struct Exchange {
   Exchange(const QueueCapacities& capacities, const LoopParameters& initial)
@@ -69,8 +69,8 @@ struct Exchange {
   // Owner to loop.
   TripleBuffer<LoopParameters> parameters;
   SpscQueue<Command> commands{kCommandQueueCapacity};
-  // By axis; the newest wins. NaN: the script leads the hand.
-  std::array<std::atomic<double>, kMaxAxes> pointer_m{kNoPointer, kNoPointer};
+  SpscQueue<HandMove> hand_moves{kHandMoveQueueCapacity};
+  std::atomic<std::uint32_t> hand_gesture{0};  // moves of another gesture are dropped
   std::atomic<bool> stop{false};
 
   // Loop to owner.
@@ -88,7 +88,6 @@ struct Exchange {
   // Loop to recorder.
   SpscQueue<Tick> recorder;
 
-  static_assert(std::atomic<double>::is_always_lock_free);
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "app/runtime/loop/crash_stop.h"
 
@@ -37,20 +36,9 @@ void LoopAxis::apply(const ServoSettings& settings, PlantModel* new_plant) {
   device.change_plant(*plant);
 }
 
-bool LoopAxis::lead_hand(double pointer_m) {
-  if (std::isnan(pointer_m)) {
-    if (hand_led) device.release_hand();
-    hand_led = false;
-    return false;
-  }
-  device.lead_hand_to(pointer_m);
-  return !std::exchange(hand_led, true);
-}
-
 void LoopAxis::reset() {
   device.reset();
   servo.reset();
-  hand_led = false;
 }
 
 Sample LoopAxis::at_rest() {
@@ -156,6 +144,7 @@ void ServoLoop::execute(const Command& command) {
 void ServoLoop::reset() {
   disarm(ArmingNote::kAsked);
   for (LoopAxis& axis : axes_) axis.reset();
+  hand_ = {};
   steps_left_ = 0;
   echo_due_ = true;
   at_start_ = true;
@@ -185,10 +174,18 @@ void ServoLoop::take_parameters() {
 }
 
 void ServoLoop::lead_hand() {
+  LedHand::Places present_m{};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (axes_[i].lead_hand(exchange_.pointer_m[i].load(std::memory_order_relaxed))) {
-      exchange_.pointer_led.store(true, std::memory_order_relaxed);
-    }
+    const PlantTruth* truth = axes_[i].device.truth();
+    if (truth == nullptr) return;
+    present_m[i] = truth->hand_path_m;
+  }
+  hand_.next_tick(exchange_.hand_moves, exchange_.hand_gesture.load(std::memory_order_acquire),
+                  axes_.front().servo.settings().period_s(), present_m);
+  if (!hand_.leads()) return;
+  exchange_.pointer_led.store(true, std::memory_order_relaxed);
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!std::isnan(hand_.target_m()[i])) axes_[i].device.lead_hand_to(hand_.target_m()[i]);
   }
 }
 

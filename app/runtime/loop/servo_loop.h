@@ -20,15 +20,12 @@ namespace hapticwall::runtime {
 struct LoopAxis {
   device::Device& device;
   Servo servo;
-  PlantModel* plant = nullptr;  // in use; nullptr: the device's own
-  bool hand_led = false;
+  PlantModel* plant = nullptr;         // in use; nullptr: the device's own
   std::optional<DeviceJudge> judge{};  // nullopt: a simulator
   ArmingNote judged = ArmingNote::kNone;
 
   // Realtime-safe: yes, every member.
   void apply(const ServoSettings& settings, PlantModel* new_plant);
-  // NaN: the script leads the hand. True if the pointer begins to lead.
-  bool lead_hand(double pointer_m);
   void reset();
   // The sample before tick 0: the device's rest position, no force, no energies.
   [[nodiscard]] Sample at_rest();
@@ -72,6 +69,7 @@ class ServoLoop {
   Arming arming_;
   Snapshot snapshot_;
   CostWindow cost_;
+  LedHand hand_;
   double elapsed_s_ = 0.0;  // since the previous cycle, as planned
   std::uint32_t steps_left_ = 0;
   std::uint32_t periods_since_tick_ = 0;

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/runtime/loop/led_hand.h"
 #include "app/runtime/session/sample_source.h"
 #include "core/result.h"
 
@@ -62,9 +63,9 @@ class LiveSession : public SampleSource {
   std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls);
   // Number of the scene() asked for last. It is in force once Snapshot::generation equals it.
   [[nodiscard]] virtual std::uint32_t generation() const = 0;
-  // The pointer leads the simulated hand of an axis (metres, newest wins, kept within a metre).
-  // nullopt, or a number that is not finite, gives it back to its script. No effect without a hand.
-  virtual void lead_hand(std::optional<double> position_m, std::size_t axis = 0) = 0;
+  // Leads the simulated hands, which then stay where the moves end; reset() gives them back to
+  // their scripts. No effect without a hand, or with numbers that make no motion (HandMove).
+  virtual void move_hand(const HandMove& move) = 0;
 
   // Slow motion of a simulator: one tick in so many periods, 1 or more. The samples are those of
   // full speed. No effect on a real device.

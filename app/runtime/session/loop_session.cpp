@@ -10,7 +10,6 @@
 
 #include "app/file/recording/sidecar.h"
 #include "app/runtime/session/scene_change.h"
-#include "core/scene_keys.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -55,10 +54,17 @@ std::vector<device::Device*> pointers_to(
   return pointers;
 }
 
-// Clamped pointer position; NaN releases the hand.
-double pointer_place(std::optional<double> position_m) {
-  if (!position_m || !std::isfinite(*position_m)) return kNoPointer;
-  return std::clamp(*position_m, kPositionRange.minimum, kPositionRange.maximum);
+// The move for the axes that have a hand; nullopt where it is no motion.
+std::optional<HandMove> hand_move(const Scene& scene, HandMove move) {
+  bool any = false;
+  for (std::size_t i = 0; i < kMaxAxes; ++i) {
+    if (i >= scene.axes.size() || !scene.axes[i].hand) move.m[i] = std::nan("");
+    if (std::isinf(move.m[i])) return std::nullopt;
+    any = any || !std::isnan(move.m[i]);
+  }
+  const double pace = move.to_place ? move.speed_m_per_s : move.duration_s;
+  const bool evenly = std::isfinite(pace) && (move.to_place ? pace > 0.0 : pace >= 0.0);
+  return any && evenly ? std::optional(move) : std::nullopt;
 }
 
 // End of a recording that still runs.
@@ -120,9 +126,18 @@ std::optional<SceneProblem> LoopSession::change_scene(const Scene& asked) {
   return std::nullopt;
 }
 
-void LoopSession::lead_hand(std::optional<double> position_m, std::size_t axis) {
-  if (axis >= scene().axes.size() || !scene().axes[axis].hand) return;
-  exchange_.pointer_m[axis].store(pointer_place(position_m), std::memory_order_relaxed);
+void LoopSession::move_hand(const HandMove& wanted) {
+  std::optional<HandMove> move = hand_move(scene(), wanted);
+  if (!move) return;
+  if (move->at_once) drop_hand_moves();
+  move->gesture = exchange_.hand_gesture.load(std::memory_order_relaxed);
+  unsent_moves_.push_back(*move);
+  exchange_news();
+}
+
+void LoopSession::drop_hand_moves() {
+  unsent_moves_.clear();
+  exchange_.hand_gesture.fetch_add(1, std::memory_order_release);
 }
 
 std::size_t LoopSession::plants_kept() const {
@@ -149,6 +164,7 @@ void LoopSession::reset() {
   first_mark_ = 0;
   ++resets_sent_;
   history_.restart();
+  drop_hand_moves();
   send({CommandKind::kReset, 0});
 }
 
@@ -160,6 +176,8 @@ void LoopSession::send(const Command& command) {
 
 void LoopSession::exchange_news() {
   while (!unsent_.empty() && exchange_.commands.try_push(unsent_.front())) unsent_.pop_front();
+  while (!unsent_moves_.empty() && exchange_.hand_moves.try_push(unsent_moves_.front()))
+    unsent_moves_.pop_front();
   ParameterEcho echo;
   while (exchange_.echoes.try_pop(echo)) {
     history_.came_into_force(echo);

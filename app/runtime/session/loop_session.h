@@ -37,8 +37,8 @@ class LoopSession final : public LiveSession {
   [[nodiscard]] const Scene& scene() const override { return history_.newest(); }
   std::optional<SceneProblem> change_scene(const Scene& wanted) override;
   [[nodiscard]] std::uint32_t generation() const override { return history_.generation(); }
-  void lead_hand(std::optional<double> position_m, std::size_t axis = 0) override;
   void slow_down(std::uint32_t periods_per_tick) override;
+  void move_hand(const HandMove& move) override;
   void arm(bool armed) override;
   void pause(bool paused) override;
   void step(std::uint32_t ticks) override;
@@ -68,6 +68,7 @@ class LoopSession final : public LiveSession {
 
  private:
   void send(const Command& command);
+  void drop_hand_moves();
   void exchange_news();
   void wait_for_recording_switch();
   [[nodiscard]] Failure finish_recording();
@@ -91,6 +92,7 @@ class LoopSession final : public LiveSession {
   RealtimeStatus realtime_;
 
   std::deque<Command> unsent_;  // waits for room in the queue
+  std::deque<HandMove> unsent_moves_;
   std::uint32_t recording_switches_sent_ = 0;
   std::uint64_t dropped_rows_before_ = 0;  // by earlier recordings
   std::string recording_start_time_;

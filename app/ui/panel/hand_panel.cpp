@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 
+#include "app/ui/panel/hand_drag.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/parameter_rows.h"
@@ -59,24 +61,34 @@ void draw_approach(const PanelContext& context, Approach approach) {
       "p', speed of the approach, in mm/s. Restarts the script from rest.", approach.speed_m_per_s);
 }
 
+double hand_mm(const PanelContext& context) {
+  return context.snapshot.newest.x().truth.hand_path_m * kMillimetresPerMetre;
+}
+
+void draw_withdrawal(const PanelContext& context) {
+  double& speed_mm_per_s = context.state.persisted.withdraw_mm_per_s;
+  const auto typed =
+      number_row(context, {"withdraw speed", "withdraw speed", "mm/s",
+                           "Speed at which the key H takes the hand back to where the scene "
+                           "begins, 1 to 1000 mm/s",
+                           speed_mm_per_s});
+  if (typed) speed_mm_per_s = std::clamp(*typed, 1.0, kMaxWithdrawMmPerS);
+  if (button("Withdraw the hand (H)###withdraw hand",
+             "Takes the hand back to where the scene begins, where it stays"))
+    withdraw_hand(context);
+}
+
 void draw_pointer(const PanelContext& context, const HandSettings& hand) {
-  TransientState& transient = context.state.transient;
-  if (transient.hand_m) {
-    ImGui::TextColored(context.theme.colour(draw::Tone::kHand), "The pointer leads: %.1f mm",
-                       *transient.hand_m * kMillimetresPerMetre);
+  if (context.state.transient.hand_led) {
+    ImGui::TextColored(context.theme.colour(draw::Tone::kHand), "Led by you, now at %.1f mm",
+                       hand_mm(context));
+    muted_text(context, "It stays where you leave it. Reset (R) starts its script again.");
   } else {
     muted_text(context, hand.follows_mouse
-                            ? "Waits for the pointer: drag in the view."
+                            ? "Waits for you: drag in the view."
                             : "Follows its script. Drag in the view to lead it yourself.");
   }
-  if (hand.follows_mouse) return;
-  bool& stays = context.state.persisted.hand_stays_where_released;
-  if (ImGui::Checkbox("stays where it is let go###hand stays", &stays) && !stays &&
-      !transient.dragging_hand)
-    release_hand(context);
-  explain(
-      "While the mouse button is down in the view, the hand's spring pulls the handle to the "
-      "pointer. After release the hand returns to its script; ticked, it stays where it was.");
+  draw_withdrawal(context);
 }
 
 const std::array kHandRows{
@@ -119,9 +131,8 @@ void draw_body(const PanelContext& context) {
 std::string summary(const PanelContext& context) {
   const auto& hand = context.session.scene().x().hand;
   if (!hand) return context.session.device_info().is_simulated ? "none" : "yours";
-  if (const auto hand_m = context.state.transient.hand_m) {
-    return fmt::format("led by the pointer, {:.1f} mm", *hand_m * kMillimetresPerMetre);
-  }
+  if (context.state.transient.hand_led)
+    return fmt::format("led by you, {:.1f} mm", hand_mm(context));
   if (hand->follows_mouse) return "waits for the pointer";
   if (const auto approach = approach_of(*hand)) {
     return fmt::format("to {} mm at {} mm/s",

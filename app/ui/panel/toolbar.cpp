@@ -187,6 +187,7 @@ void single_step(const PanelContext& context) {
 void reset_session(const PanelContext& context) {
   context.session.reset();
   context.state.transient.follow = true;
+  context.state.transient.hand_led = false;
 }
 
 void toggle_recording(const PanelContext& context) {

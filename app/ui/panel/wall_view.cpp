@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/ui/panel/energy_lamp_view.h"
-#include "app/ui/state/changes.h"
+#include "app/ui/panel/hand_drag.h"
 #include "app/ui/wall/wall_labels.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
@@ -15,34 +15,6 @@ namespace {
 
 constexpr double kTurnPerPixel = glm::radians(0.3);
 constexpr double kZoomPerNotch = 1.15;
-
-// The pointer leads while the button is down; then the script, or the hand stays.
-void lead_hand(const PanelContext& context, const WallCamera& camera, ImVec2 corner, bool held) {
-  runtime::LiveSession* live = context.shows.live;
-  if (live == nullptr) return;
-  UiState& state = context.state;
-  TransientState& transient = state.transient;
-  const Scene& scene = context.session.scene();
-  const auto& hand = scene.x().hand;
-  const bool any_hand = std::ranges::any_of(
-      scene.axes, [](const AxisSettings& axis) { return axis.hand.has_value(); });
-  if (held && !any_hand) {
-    tell(state, MessageKind::kNote, "this scene has no hand that the pointer could lead");
-    return;
-  }
-  if (held) {
-    const ImVec2 pointer = ImGui::GetIO().MousePos;
-    const glm::dvec2 place = camera.place_at({pointer.x - corner.x, pointer.y - corner.y});
-    if (!transient.dragging_hand || transient.hand_m != place.x) live->lead_hand(place.x);
-    if (scene.two_axes()) live->lead_hand(place.y, 1);
-    transient.hand_m = place.x;
-    transient.dragging_hand = true;
-  } else if (transient.dragging_hand) {
-    transient.dragging_hand = false;
-    if (state.persisted.hand_stays_where_released || (hand && hand->follows_mouse)) return;
-    release_hand(context);
-  }
-}
 
 ViewDrag drag_of_button() {
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return ViewDrag::kTurn;
@@ -178,7 +150,7 @@ void take_pointer(const PanelContext& context, const WallCamera& camera, const V
                              ImGuiButtonFlags_MouseButtonMiddle);
   if (ImGui::IsItemActivated()) state.transient.drag = drag_of_button();
   if (!ImGui::IsItemActive()) state.transient.drag = ViewDrag::kNone;
-  lead_hand(context, camera, area.corner, state.transient.drag == ViewDrag::kLeadHand);
+  lead_hand(context, camera, state.transient.drag == ViewDrag::kLeadHand);
   move_camera(state, area, camera.space().y.has_value());
   const bool turning = ImGui::IsItemActive() && state.transient.drag != ViewDrag::kLeadHand;
   if (turning) {

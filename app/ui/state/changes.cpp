@@ -46,13 +46,6 @@ std::optional<SceneProblem> ask_for_algorithm(const PanelContext& context,
   return ask_for(context, wanted);
 }
 
-void release_hand(const PanelContext& context) {
-  context.state.transient.hand_m.reset();
-  if (context.shows.live == nullptr) return;
-  for (std::size_t axis = 0; axis < context.session.scene().axes.size(); ++axis)
-    context.shows.live->lead_hand(std::nullopt, axis);
-}
-
 AskedFor asked_for(const PanelContext& context) {
   const Scene& asked = context.session.scene();
   const Scene& in_force = *context.shows.in_force;

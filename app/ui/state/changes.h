@@ -13,9 +13,6 @@ namespace hapticwall::ui {
 [[nodiscard]] std::optional<SceneProblem> ask_for_algorithm(const PanelContext& context,
                                                             const AlgorithmSettings& algorithm);
 
-// Gives the hand that the pointer leads back to its script.
-void release_hand(const PanelContext& context);
-
 // Parts of the scene that were asked for and that the loop has not echoed yet. A paused loop takes
 // no parameters, so that they stay asked for until the next tick.
 struct AskedFor {

@@ -161,7 +161,7 @@ std::vector<Key> plain_keys() {
       number("window.tour", &PersistedState::tour, kTourClosed,
              static_cast<double>(tour_steps().size())),
       word("window.lower_page", kLowerPages, &PersistedState::lower_page),
-      flag("hand.stays_where_released", &PersistedState::hand_stays_where_released),
+      number("hand.withdraw_mm_per_s", &PersistedState::withdraw_mm_per_s, 1.0, kMaxWithdrawMmPerS),
       text("recording.folder", &PersistedState::recording_folder),
       number("plots.time_window_s", &PersistedState::time_window_s, kTimeWindowsS.front(),
              kTimeWindowsS.back()),

@@ -25,6 +25,7 @@
 #include "app/ui/state/background.h"
 #include "app/ui/state/compare_state.h"
 #include "app/ui/state/export.h"
+#include "app/ui/state/hand_lead.h"
 #include "app/ui/state/messages.h"
 #include "app/ui/state/tail.h"
 #include "app/ui/state/timing_state.h"
@@ -115,6 +116,8 @@ enum class PlotArrangement : std::uint8_t { kTwo, kAll, kFigure4, kFigure5And6 }
 // The page below the views.
 enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest };
 
+inline constexpr double kMaxWithdrawMmPerS = 1000.0;
+
 // Stored in the settings file.
 struct PersistedState {
   bool more = false;  // false: scene, algorithms, wall and plots alone
@@ -123,7 +126,7 @@ struct PersistedState {
   PlotArrangement arrangement = PlotArrangement::kTwo;
   LowerPage lower_page = LowerPage::kPlots;
   draw::HiddenLines hidden_lines = 0;
-  bool hand_stays_where_released = false;
+  double withdraw_mm_per_s = 100.0;  // speed of the hand, see withdraw_hand()
   draw::Look look = draw::Look::kScreen;
   int scale_percent = 0;            // 0: follow the screen
   double panel_ems = 21.5;          // width of the control panel, in sizes of the text
@@ -142,6 +145,20 @@ struct TextEdit {
   ImGuiID asked = 0;    // the field that gets the keyboard next
   std::string tooltip;  // tooltip of the preceding label, for its field
   std::array<char, 256> text{};
+};
+
+// The pointer's place at a time, on the clock of the window.
+struct PointerEvent {
+  double time_s = 0.0;
+  ImVec2 at;
+};
+
+// The pointer drags the hand. Places are pixels.
+struct HandDrag {
+  HandLead lead;
+  glm::vec2 hand_at{};  // where the drag began, in the view,
+  ImVec2 grabbed_at;    // and the pointer then, on the screen
+  ImVec2 pointer;       // the newest place that `lead` knows
 };
 
 // A scene that needs a new session.
@@ -181,9 +198,11 @@ struct TransientState {
   std::size_t chosen_wall = 0;
   Axis shown_axis = Axis::kX;  // see shown_axis.h
   bool tour_step_done = false;
-  bool repeats = false;  // the scene begins anew, at rest, at its end
-  bool dragging_hand = false;
-  std::optional<double> hand_m;       // where the pointer leads the hand
+  bool repeats = false;                      // the scene begins anew, at rest, at its end
+  double now_s = 0.0;                        // at the start of the frame
+  std::vector<PointerEvent> pointer_events;  // since the frame before
+  HandDrag hand_drag;
+  bool hand_led = false;              // by the pointer or a key, since the last reset
   bool follow = true;                 // the plots follow the newest samples
   std::optional<double> looked_at_s;  // the moment that the views show; empty: the newest
   double time_from_s = 0.0;

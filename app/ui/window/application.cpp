@@ -47,6 +47,7 @@ Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> render
       renderer_(std::move(renderer)),
       theme_(theme),
       settings_(options.settings_path),
+      now_s_(options.now_s),
       incoming_(kTicksAtATime) {
   TransientState& transient = state_.transient;
   transient.settings_path = options.settings_path;
@@ -96,6 +97,7 @@ void Application::take_ticks() {
 }
 
 void Application::frame() {
+  state_.transient.now_s = now_s_ ? now_s_() : ImGui::GetTime();
   keep_appearance();
   take_ticks();
   runtime::Snapshot snapshot = session().snapshot();
@@ -112,6 +114,7 @@ void Application::frame() {
   open_wanted_recording();
   take_opened_recording();
   if (live_) notice_changes(state_, live_->scene());
+  state_.transient.pointer_events.clear();
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
 }
 
@@ -187,7 +190,7 @@ void Application::start_wanted_scene() {
 // Begins a simulated scene anew, at rest, unless somebody leads it or records it.
 void Application::repeat(const runtime::Snapshot& snapshot) {
   if (!live_ || !state_.transient.repeats || !live_->device_info().is_simulated) return;
-  if (snapshot.newest.x().time_s < live_->scene().duration_s || state_.transient.hand_m ||
+  if (snapshot.newest.x().time_s < live_->scene().duration_s || state_.transient.hand_led ||
       live_->recording_status().state == runtime::RecordingState::kRecording)
     return;
   live_->reset();
@@ -200,8 +203,8 @@ void Application::forget_session() {
   in_force_generation_ = 0;
   history_.clear();
   state_.transient.refusal.reset();
-  state_.transient.hand_m.reset();
-  state_.transient.dragging_hand = false;
+  state_.transient.hand_drag.lead.release();
+  state_.transient.hand_led = false;
   state_.transient.mark_text.clear();
   state_.transient.follow = true;
   state_.replay.rerun.give_up();

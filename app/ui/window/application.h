@@ -43,6 +43,7 @@ class Application {
     std::string recording_folder;       // empty: the one of the settings
     std::optional<float> forced_scale;  // empty: the settings, or the screen
     std::string opened_file;            // file of the scene; empty: built in
+    std::function<double()> now_s;      // clock of pointer events; empty: that of Dear ImGui
   };
 
   // Needs current contexts of OpenGL 3.3, ImGui and ImPlot for its whole life. Starts a session, on
@@ -60,6 +61,9 @@ class Application {
 
   // Scale of the screen; 1 is the designed size.
   void set_screen_scale(float scale) { state_.transient.screen_scale = scale; }
+
+  // The pointer came here; takes effect in the next frame.
+  void point(const PointerEvent& event) { state_.transient.pointer_events.push_back(event); }
 
   // Files dropped on the window: scenes or recordings.
   void drop(std::span<const std::string> paths);
@@ -111,6 +115,7 @@ class Application {
   draw::Look look_ = draw::Look::kScreen;  // in force, like the scale
   float scale_ = 0.0F;
   SettingsFile settings_;
+  std::function<double()> now_s_;
   // The scene before a replay, and the one to which its values can be reset.
   struct Before {
     Scene scene;

@@ -21,14 +21,15 @@ struct Gesture {
   const char* where;
   const char* what;
 };
-constexpr std::array kGestures{Gesture{"drag in the view", "leads the hand"},
-                               Gesture{"right drag, wheel", "turns the view, zooms it"},
-                               Gesture{"drag, wheel in a plot", "moves and zooms its time"},
-                               Gesture{"… over its value axis", "moves and zooms its values"},
-                               Gesture{"click on a legend", "hides the line"},
-                               Gesture{"Ctrl+click on a slider", "types its value"},
-                               Gesture{"drag a file to the window", "opens a scene or a recording"},
-                               Gesture{"rest on anything", "says what it is"}};
+constexpr std::array kGestures{
+    Gesture{"drag in the view", "leads the hand; it stays where you leave it"},
+    Gesture{"right drag, wheel", "turns the view, zooms it"},
+    Gesture{"drag, wheel in a plot", "moves and zooms its time"},
+    Gesture{"… over its value axis", "moves and zooms its values"},
+    Gesture{"click on a legend", "hides the line"},
+    Gesture{"Ctrl+click on a slider", "types its value"},
+    Gesture{"drag a file to the window", "opens a scene or a recording"},
+    Gesture{"rest on anything", "says what it is"}};
 
 void heading(const PanelContext& context, const char* title) {
   ImGui::Dummy(ImVec2(0.0F, ems(0.3F)));

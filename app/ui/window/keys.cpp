@@ -8,6 +8,7 @@
 
 #include "app/ui/page/plot_controls.h"
 #include "app/ui/panel/arming_strip.h"
+#include "app/ui/panel/hand_drag.h"
 #include "app/ui/panel/replay_bar.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/panel/toolbar.h"
@@ -45,6 +46,7 @@ std::vector<KeyBinding> session_keys() {
           {KeyGroup::kSession, "slower: slow motion", {ImGuiKey_LeftBracket}, slower, {}, U'['},
           {KeyGroup::kSession, "faster", {ImGuiKey_RightBracket}, faster, {}, U']'},
           {KeyGroup::kSession, "reset: back to tick 0, at rest", {ImGuiKey_R}, reset_session},
+          {KeyGroup::kSession, "withdraw the hand from the wall", {ImGuiKey_H}, withdraw_hand},
           {KeyGroup::kSession, "record, or stop recording", {ctrl(ImGuiKey_R)}, toggle_recording},
           {KeyGroup::kSession, "mark this moment in the recording", {ImGuiKey_M}, add_mark}};
 }

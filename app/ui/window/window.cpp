@@ -150,17 +150,26 @@ void take_dropped_files(GLFWwindow* window, int count, const char** paths) {
   application->drop(files);
 }
 
-// Passes dropped files to the application.
-class DropTarget {
+void take_pointer(GLFWwindow* window, double x, double y) {
+  ImGui_ImplGlfw_CursorPosCallback(window, x, y);
+  auto* application = static_cast<Application*>(glfwGetWindowUserPointer(window));
+  if (application == nullptr) return;
+  application->point({glfwGetTime(), ImVec2(static_cast<float>(x), static_cast<float>(y))});
+}
+
+// Passes dropped files, and the pointer with its times, to the application.
+class InputTarget {
  public:
-  DropTarget(GLFWwindow* window, Application& application) : window_(window) {
+  InputTarget(GLFWwindow* window, Application& application) : window_(window) {
     glfwSetWindowUserPointer(window_, &application);
     glfwSetDropCallback(window_, take_dropped_files);
+    glfwSetCursorPosCallback(window_, take_pointer);
   }
-  DropTarget(const DropTarget&) = delete;
-  DropTarget& operator=(const DropTarget&) = delete;
-  ~DropTarget() {
+  InputTarget(const InputTarget&) = delete;
+  InputTarget& operator=(const InputTarget&) = delete;
+  ~InputTarget() {
     glfwSetDropCallback(window_, nullptr);
+    glfwSetCursorPosCallback(window_, ImGui_ImplGlfw_CursorPosCallback);
     glfwSetWindowUserPointer(window_, nullptr);
   }
 
@@ -272,13 +281,14 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
   };
   sessions.start_on_device = options.start_on_device;
   sessions.replay = options.replay;
-  const auto application = Application::create(
-      options.scene,
-      {options.settings_path, options.recording_folder, options.forced_scale, options.opened_file},
-      theme, sessions);
+  const auto application =
+      Application::create(options.scene,
+                          {options.settings_path, options.recording_folder, options.forced_scale,
+                           options.opened_file, glfwGetTime},
+                          theme, sessions);
   if (!application) return application.error();
   (*application)->state().transient.repeats = options.repeats;
-  const DropTarget drops(window.get(), **application);
+  const InputTarget input(window.get(), **application);
   const DisplayEnd display_end(**application);
   run_loop(window.get(), **application, hooks);
   return lost_compositor();

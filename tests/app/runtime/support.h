@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <thread>
 #include <utility>
@@ -24,6 +25,15 @@ namespace hapticwall::runtime::test {
 using hapticwall::test::lines_of;
 using hapticwall::test::TemporaryFolder;
 using hapticwall::test::text_of;
+
+// To this place, as fast as a hand goes.
+inline HandMove hand_to(double position_m, std::size_t axis = 0) {
+  HandMove move;
+  move.m.fill(std::numeric_limits<double>::quiet_NaN());
+  move.m.at(axis) = position_m;
+  move.to_place = move.at_once = true;
+  return move;
+}
 
 // The paper's device, a firm hand that goes into the wall within some thirty ticks and stays there.
 inline Scene contact_scene(double rate_hz = 1000.0) {

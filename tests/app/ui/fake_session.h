@@ -2,6 +2,8 @@
 // simulated device are real.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <deque>
 #include <memory>
@@ -10,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/runtime/loop/exchange.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/scene_change.h"
 #include "core/loop/servo.h"
@@ -35,6 +38,7 @@ class FakeSession final : public runtime::LiveSession {
   void advance(int ticks) {
     for (int i = 0; i < ticks; ++i) {
       newest_.count = static_cast<std::uint8_t>(axes_.size());
+      lead_hands();
       for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
         newest_.axes[axis] = axes_[axis].servo.tick(axes_[axis].device);
         newest_.axes[axis].generation = generation_;
@@ -50,18 +54,11 @@ class FakeSession final : public runtime::LiveSession {
     return take(wanted);
   }
   [[nodiscard]] std::uint32_t generation() const override { return generation_; }
-  void lead_hand(std::optional<double> position_m, std::size_t axis = 0) override {
-    if (axis > 0) {
-      second_axis_lead = position_m;
-      return;
-    }
-    lead = position_m;
-    ++lead_calls;
-    if (position_m) {
-      axes_.front().device.lead_hand_to(*position_m);
-    } else {
-      axes_.front().device.release_hand();
-    }
+  void move_hand(const runtime::HandMove& move) override {
+    moves.push_back(move);
+    if (move.at_once) ++gesture_;
+    moves.back().gesture = gesture_;
+    EXPECT_TRUE(queued_moves_->try_push(moves.back()));
   }
   void slow_down(std::uint32_t periods) override { periods_per_tick = periods; }
   void arm(bool armed) override { arm_requests.push_back(armed); }
@@ -73,6 +70,8 @@ class FakeSession final : public runtime::LiveSession {
   void reset() override {
     ++resets;
     newest_ = {};
+    ++gesture_;
+    hand_ = {};
     for (AxisLoop& axis : axes_) {
       axis.device.reset();
       axis.servo.reset();
@@ -137,10 +136,8 @@ class FakeSession final : public runtime::LiveSession {
   bool echoes = true;  // the next snapshot confirms the newest parameters
   int steps = 0;
   int resets = 0;
-  int lead_calls = 0;
-  std::optional<double> lead;
-  std::optional<double> second_axis_lead;
-  std::string refuse_recording;  // the error of the next recordings
+  std::vector<runtime::HandMove> moves;  // asked for
+  std::string refuse_recording;          // the error of the next recordings
 
  private:
   struct AxisLoop {
@@ -148,6 +145,15 @@ class FakeSession final : public runtime::LiveSession {
     device::SimulatedDevice device;
     Servo servo;
   };
+
+  void lead_hands() {
+    runtime::LedHand::Places present_m{};
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+      present_m[i] = axes_[i].device.truth()->hand_path_m;
+    hand_.next_tick(*queued_moves_, gesture_, axes_.front().servo.settings().period_s(), present_m);
+    for (std::size_t i = 0; hand_.leads() && i < axes_.size(); ++i)
+      axes_[i].device.lead_hand_to(hand_.target_m()[i]);
+  }
 
   std::optional<SceneProblem> take(const Scene& changed) {
     if (auto problem = validate(changed)) return problem;
@@ -169,6 +175,10 @@ class FakeSession final : public runtime::LiveSession {
   std::uint32_t generation_ = 1;
   std::uint32_t echoed_ = 1;
   std::deque<Tick> queue_;
+  std::unique_ptr<runtime::SpscQueue<runtime::HandMove>> queued_moves_ =
+      std::make_unique<runtime::SpscQueue<runtime::HandMove>>(runtime::kHandMoveQueueCapacity);
+  runtime::LedHand hand_;
+  std::uint32_t gesture_ = 0;
   runtime::RecordingStatus recording_;
   std::vector<file::Mark> marks_;
   runtime::RealtimeStatus realtime_;

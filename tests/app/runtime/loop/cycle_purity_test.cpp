@@ -109,9 +109,9 @@ struct ScriptedLoop : test::LoopBench<device::SimulatedDevice> {
       exchange.parameters.publish(changed);
       cycles(kCyclesPerLeg);
     }
-    exchange.pointer_m[0] = 0.055;
+    ASSERT_TRUE(exchange.hand_moves.try_push({.m = {0.005}, .duration_s = 0.2}));
+    ASSERT_TRUE(exchange.hand_moves.try_push({.m = {-0.005}, .duration_s = 0.01}));
     cycles(kCyclesPerLeg);
-    exchange.pointer_m[0] = kNoPointer;
     cycles(kCyclesPerLeg);
     command(CommandKind::kPause);
     command(CommandKind::kStep, static_cast<std::uint32_t>(kCyclesPerLeg / 2));

@@ -201,18 +201,16 @@ TEST(ServoLoop, ResetWhilePausedShowsTheStartAtOnce) {
   EXPECT_EQ(snapshot.newest.x().force_n, 0.0);
 }
 
-TEST(ServoLoop, ThePointerLeadsUntilItIsGoneAndResetForgetsIt) {
+TEST(ServoLoop, ThePointerLeadsAndResetForgetsIt) {
   Harness harness(contact_scene());
   harness.cycles(10);
   EXPECT_FALSE(harness.exchange.pointer_led);
-  harness.exchange.pointer_m[0] = 0.02;
+  ASSERT_TRUE(
+      harness.exchange.hand_moves.try_push({.m = {0.02}, .speed_m_per_s = 0.1, .to_place = true}));
   harness.cycles(2000);
   EXPECT_TRUE(harness.exchange.pointer_led);
   EXPECT_NEAR(harness.snapshot().newest.x().truth.hand_path_m, 0.02, 1e-12);
   EXPECT_NEAR(harness.snapshot().newest.x().position_m, 0.02, 2e-3);
-  harness.exchange.pointer_m[0] = kNoPointer;
-  harness.cycles(2000);
-  EXPECT_NEAR(harness.snapshot().newest.x().truth.hand_path_m, 0.075, 1e-12);
   EXPECT_TRUE(harness.exchange.pointer_led) << "this run cannot be repeated any more";
   harness.command(CommandKind::kReset);
   static_cast<void>(harness.samples());

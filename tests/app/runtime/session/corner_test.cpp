@@ -95,7 +95,7 @@ TEST(CornerSession, HandsOutBothAxesTickByTick) {
 
 TEST(CornerSession, ThePointerLeadsEitherHand) {
   const auto session = started_paused(corner_scene());
-  session->lead_hand(0.041, 1);
+  session->move_hand(test::hand_to(0.041, 1));
   session->step(10);
   ASSERT_TRUE(ticks_reach(*session, 10));
   const Snapshot led = session->snapshot();

@@ -239,11 +239,11 @@ TEST_F(HandRerun, ALiveSessionsRecordingIsRepeated) {
     ASSERT_FALSE(session->start_recording(path("a.csv")));
     session->pause(false);
     for (const double pointer_m : {0.06, 0.045, 0.058, 0.0512}) {
-      session->lead_hand(pointer_m);
+      session->move_hand(hand_to(pointer_m));
       const std::uint64_t ticks = session->snapshot().timing.ticks;
       ASSERT_TRUE(ticks_reach(*session, ticks + 150));
     }
-    session->lead_hand(std::nullopt);
+    session->move_hand({.m = {-0.004}, .duration_s = 0.1});
     const std::uint64_t ticks = session->snapshot().timing.ticks;
     ASSERT_TRUE(ticks_reach(*session, ticks + 200));
     ASSERT_FALSE(session->stop_recording());

@@ -180,9 +180,8 @@ TEST(SessionRecording, ARecordingThatThePointerLedIsNotRepeatable) {
   };
   record("script");
   EXPECT_THAT(text_of(folder.file("script.toml")), HasSubstr("repeatable = true"));
-  session->lead_hand(0.04);
+  session->move_hand(test::hand_to(0.04));
   ASSERT_TRUE(eventually([&] { return session->snapshot().newest.x().truth.hand_path_m < 0.041; }));
-  session->lead_hand(std::nullopt);
   record("after");
   EXPECT_THAT(text_of(folder.file("after.toml")), HasSubstr("repeatable = false"));
   EXPECT_THAT(text_of(folder.file("after.toml")), HasSubstr("pointer"));

@@ -87,7 +87,7 @@ TEST(SessionRecovery, APointerThatLedTheHandIsNotForgotten) {
   const TemporaryFolder folder;
   const auto session = started(contact_scene());
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
-  session->lead_hand(0.04);
+  session->move_hand(test::hand_to(0.04));
   ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "the pointer led"));
   ASSERT_TRUE(rows_reach(*session, 11));
   ASSERT_TRUE(eventually([&] { return rows_of(folder.file("a.csv.partial")).size() > 1; }));
@@ -102,7 +102,7 @@ TEST(SessionRecovery, AHandThatHasLeftItsPathIsNotTakenForItsScript) {
   ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
   ASSERT_TRUE(note_says(*session, folder.file("a.toml.partial"), "repeatable = true"));
   keep_what_is_there(folder);
-  session->lead_hand(0.04);
+  session->move_hand(test::hand_to(0.04));
   ASSERT_TRUE(eventually([&] {
     const double intended_m = session->snapshot().newest.x().truth.hand_path_m;
     return intended_m < 0.045;

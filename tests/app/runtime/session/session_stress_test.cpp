@@ -51,9 +51,9 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
       ASSERT_FALSE(session.change_scene(changed));
     }
     if (round % 3 == 0) {
-      session.lead_hand(0.04 + 1e-3 * static_cast<double>(round % 20));
+      session.move_hand(test::hand_to(0.04 + 1e-3 * static_cast<double>(round % 20)));
     } else {
-      session.lead_hand(std::nullopt);
+      session.move_hand({.m = {1e-3}, .duration_s = 0.01});
     }
     session.pause(true);
     session.step(3);

@@ -217,14 +217,28 @@ TEST(Session, ARealDeviceGetsNoPlantButTheControllersPart) {
   EXPECT_EQ(session.scene().x().device.force_limit_n, 0.5);
 }
 
-TEST(Session, ThePointerLeadsTheHand) {
+TEST(Session, TheHandIsLedAndStaysUntilTheReset) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const auto session = started(contact_scene());
-  session->lead_hand(0.03);
-  EXPECT_TRUE(eventually(
-      [&] { return std::abs(session->snapshot().newest.x().truth.hand_path_m - 0.03) < 1e-9; }));
-  session->lead_hand(std::numeric_limits<double>::quiet_NaN());  // as good as nothing
-  EXPECT_TRUE(eventually(
-      [&] { return std::abs(session->snapshot().newest.x().truth.hand_path_m - 0.075) < 1e-9; }));
+  const auto hand_gets_to = [&](double place_m) {
+    return eventually([&] {
+      return std::abs(session->snapshot().newest.x().truth.hand_path_m - place_m) < 1e-9;
+    });
+  };
+  session->move_hand(test::hand_to(0.03));
+  EXPECT_TRUE(hand_gets_to(0.03));
+  session->move_hand(test::hand_to(kNan));  // as good as nothing, like the next ones
+  session->move_hand(test::hand_to(std::numeric_limits<double>::infinity()));
+  session->move_hand({.m = {0.01}, .duration_s = -1.0});
+  session->move_hand({.m = {0.01}, .duration_s = kNan});
+  session->move_hand({.m = {0.01}, .speed_m_per_s = 0.0, .to_place = true});
+  session->move_hand({.m = {0.002}, .duration_s = 0.01});
+  EXPECT_TRUE(hand_gets_to(0.032));
+  ASSERT_TRUE(ticks_reach(*session, session->snapshot().timing.ticks + 100));
+  EXPECT_TRUE(hand_gets_to(0.032)) << "it stays";
+  session->move_hand({.m = {0.001}, .duration_s = 1e6});
+  session->reset();
+  EXPECT_TRUE(hand_gets_to(0.075)) << "the script's end";
 }
 
 }  // namespace

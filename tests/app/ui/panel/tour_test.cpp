@@ -118,7 +118,7 @@ TEST_F(TourTest, TheFirstSceneRepeatsUntilSomebodyTakesPart) {
   state().transient.repeats = true;
   live(static_cast<int>(scene().tick_count()) + 20);
   EXPECT_EQ(fake_->resets, 1);
-  state().transient.hand_m = 0.04;
+  state().transient.hand_led = true;
   live(static_cast<int>(scene().tick_count()) + 20);
   EXPECT_EQ(fake_->resets, 1) << "the pointer leads the hand";
   open("tap");

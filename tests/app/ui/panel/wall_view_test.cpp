@@ -1,8 +1,10 @@
 #include "app/ui/panel/wall_view.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "tests/app/ui/gui_test.h"
 
@@ -12,6 +14,7 @@ namespace {
 class WallViewTest : public GuiTest {
  protected:
   [[nodiscard]] ui::WallOrbit& orbit() { return state().wall.persisted.orbit; }
+  [[nodiscard]] double hand_m() const { return newest().truth.hand_path_m; }
   [[nodiscard]] ui::WallCamera camera() {
     const ItemRect view = rect("wall view");
     return {ui::wall_space(scene()), orbit(), view.to.x - view.from.x, view.to.y - view.from.y};
@@ -29,7 +32,7 @@ TEST_F(WallViewTest, TheRightButtonTurnsAndNeverLeadsTheHand) {
   drag_by("wall view", ImVec2(-80.0F, 40.0F), ImGuiMouseButton_Right);
   EXPECT_GT(orbit().yaw_rad, 0.1);
   EXPECT_GT(orbit().pitch_rad, 0.05);
-  EXPECT_EQ(fake_->lead_calls, 0);
+  EXPECT_TRUE(fake_->moves.empty());
   const ui::WallOrbit turned = orbit();
   move_to(ImVec2(rect("wall view").centre().x + 50.0F, rect("wall view").centre().y));
   EXPECT_EQ(orbit(), turned) << "only while the button is down";
@@ -40,7 +43,7 @@ TEST_F(WallViewTest, TheMiddleButtonMovesWhatIsSeenWithThePointer) {
   drag_by("wall view", ImVec2(30.0F, -20.0F), ImGuiMouseButton_Middle);
   EXPECT_NEAR(place(0.05).x, before.x + 30.0F, 0.1F);
   EXPECT_NEAR(place(0.05).y, before.y - 20.0F, 0.1F);
-  EXPECT_EQ(fake_->lead_calls, 0);
+  EXPECT_TRUE(fake_->moves.empty());
 }
 
 TEST_F(WallViewTest, TheWheelZoomsAtThePointer) {
@@ -68,19 +71,95 @@ TEST_F(WallViewTest, TheHandIsLedRightlyFromEveryView) {
         ui::WallOrbit{-0.6, 0.9, 1.3, {0.2, 0.1}}, ui::WallOrbit{1.6, -0.2, 0.9, {}}}) {
     orbit() = view;
     frames(2);
-    move_to(place(0.04));
+    fake_->advance(10);
+    const double before_m = hand_m();
+    move_to(place(before_m));
     mouse_button(true);
     for (const double position_m : {0.045, 0.052}) {
       move_to(place(position_m));
-      ASSERT_TRUE(fake_->lead.has_value());
+      fake_->advance(500);
       const double pixels_per_m =
           1e3 * static_cast<double>(std::hypot(place(position_m + 1e-3).x - place(position_m).x,
                                                place(position_m + 1e-3).y - place(position_m).y));
-      EXPECT_NEAR(*fake_->lead, position_m, kPixels / pixels_per_m);
+      EXPECT_NEAR(hand_m(), position_m, kPixels / pixels_per_m);
     }
     mouse_button(false);
-    EXPECT_FALSE(fake_->lead.has_value());
+    press(ImGuiKey_R);
   }
+}
+
+TEST_F(WallViewTest, TheHandIsGrabbedWhereverThePointerIsAndStaysWhereItIsLeft) {
+  live(500);
+  const double before_m = hand_m();
+  ASSERT_FALSE(state().transient.hand_led);
+  const ImVec2 anywhere = rect("wall view").at(0.7F, 0.2F);
+  move_to(anywhere);
+  mouse_button(true);
+  fake_->advance(200);
+  EXPECT_EQ(hand_m(), before_m) << "the script is suspended, and nothing jumps";
+  const ImVec2 from = place(before_m);
+  const ImVec2 to = place(before_m + 0.01);
+  move_to(ImVec2(anywhere.x + to.x - from.x, anywhere.y + to.y - from.y));
+  mouse_button(false);
+  fake_->advance(500);
+  EXPECT_NEAR(hand_m(), before_m + 0.01, 3e-4) << "its picture moves as the pointer does";
+  const double left_m = hand_m();
+  live(3000);
+  EXPECT_EQ(hand_m(), left_m);
+  press(ImGuiKey_R);
+  EXPECT_FALSE(state().transient.hand_led);
+  live(500);
+  EXPECT_EQ(hand_m(), before_m) << "reset takes up the script";
+}
+
+TEST_F(WallViewTest, AKeyWithdrawsTheHandAtTheChosenSpeed) {
+  live(1000);
+  const double before_m = hand_m();
+  const double start_m = scene().x().device.start_m;
+  state().persisted.withdraw_mm_per_s = 50.0;
+  press(ImGuiKey_H);
+  fake_->advance(100);
+  EXPECT_NEAR(hand_m(), before_m - 0.05 * 0.1, 1e-9);
+  fake_->advance(2000);
+  EXPECT_EQ(hand_m(), start_m);
+}
+
+TEST_F(WallViewTest, APausedHandIsNotGrabbedAndTheReasonIsGiven) {
+  fake_->is_paused = true;
+  drag_by("wall view", ImVec2(80.0F, 0.0F));
+  press(ImGuiKey_H);
+  EXPECT_TRUE(fake_->moves.empty());
+  EXPECT_THAT(message().text, ::testing::HasSubstr("paused"));
+}
+
+// What the pointer does after the release is its own affair, also where a frame sees both.
+TEST_F(WallViewTest, TheHandDoesNotFollowThePointerBeyondTheRelease) {
+  fake_->advance(10);
+  const double before_m = hand_m();
+  move_to(place(0.04));
+  mouse_button(true);
+  ImGui::GetIO().AddMouseButtonEvent(ImGuiMouseButton_Left, false);
+  ImGui::GetIO().AddMousePosEvent(place(0.08).x, place(0.08).y);
+  application_->point({ImGui::GetTime(), place(0.08)});
+  frames(5);
+  fake_->advance(2000);
+  EXPECT_EQ(hand_m(), before_m);
+}
+
+TEST_F(WallViewTest, PointerEventsKeepTheirTimes) {
+  fake_->advance(10);
+  move_to(place(0.04));
+  mouse_button(true);
+  fake_->moves.clear();
+  const double now_s = state().transient.now_s;
+  application_->point({now_s + 0.02, place(0.042)});
+  application_->point({now_s + 0.05, place(0.048)});
+  frames(1);
+  std::vector<double> durations_s;
+  for (const runtime::HandMove& move : fake_->moves)
+    if (move.m[0] != 0.0) durations_s.push_back(move.duration_s);
+  ASSERT_EQ(durations_s.size(), 2U);
+  EXPECT_NEAR(durations_s.back(), 0.03, 1e-9);
 }
 
 TEST_F(WallViewTest, ShowsForceHandAndProxy) {

@@ -31,7 +31,7 @@ void change_all(UiState& state) {
   state.persisted.window_width = 1234;
   state.persisted.window_height = 800;
   state.persisted.window_maximised = true;
-  state.persisted.hand_stays_where_released = true;
+  state.persisted.withdraw_mm_per_s = 40.0;
   state.persisted.time_window_s = 60.0;
   state.persisted.arrangement = ui::PlotArrangement::kFigure5And6;
   state.persisted.hidden_lines =
