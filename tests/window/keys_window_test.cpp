@@ -139,7 +139,7 @@ std::vector<KeyRow> key_rows() {
          EXPECT_TRUE(p.state().transient.hand_led);
        }},
       {"record, or stop recording", record_and_stop},
-      {"mark this moment in the recording",
+      {"mark this moment of the recording, then name it",
        [](Person& p, const Act& press) { set_marks(p, press); }},
       key_flips("slot A or B of Compare; in a field: the next field",
                 [](Person& p) { return static_cast<double>(ui::slots_of(p.state()).active); }),

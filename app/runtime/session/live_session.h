@@ -89,6 +89,8 @@ class LiveSession : public SampleSource {
   // (file::mark_text() limits it). Fails where nothing is recorded, and after file::kMaxMarks
   // marks. The loop does not notice.
   [[nodiscard]] virtual Failure mark(std::string_view text) = 0;
+  // Gives the newest mark of the running recording this text; harmless without one.
+  virtual void name_mark(std::string_view text) = 0;
 };
 
 }  // namespace hapticwall::runtime

@@ -234,7 +234,7 @@ Failure LoopSession::start_recording(const std::string& csv_path) {
 void LoopSession::record_into(std::unique_ptr<file::RecordingWriter> writer) {
   recording_path_ = writer->csv_path();
   recording_start_time_ = utc_now();
-  noted_ = {history_.revision(), marks_.size(), hand_was_led()};
+  noted_ = {history_.revision(), marks_revision_, hand_was_led()};
   recording_failure_.reset();
   first_mark_ = marks_.size();
   dropped_rows_before_ = exchange_.dropped_rows.load(std::memory_order_relaxed);
@@ -310,7 +310,7 @@ void LoopSession::note_recording() {
   constexpr auto kMinPause = Recorder::kFlushInterval;
   constexpr int kPauseToCost = 50;
   if (!recorder_.running()) return;
-  const Noted present{history_.revision(), marks_.size(), hand_was_led()};
+  const Noted present{history_.revision(), marks_revision_, hand_was_led()};
   const auto now = std::chrono::steady_clock::now();
   if (present == noted_ || now < next_note_) return;
   noted_ = present;
@@ -331,7 +331,14 @@ Failure LoopSession::mark(std::string_view text) {
   const Snapshot present = snapshot();
   const std::uint64_t tick = present.resets == resets_sent_ ? present.newest.x().tick : 0;
   marks_.push_back({tick, file::mark_text(text)});
+  ++marks_revision_;
   return std::nullopt;
+}
+
+void LoopSession::name_mark(std::string_view text) {
+  if (!recorder_.running() || marks_.size() <= first_mark_) return;
+  marks_.back().text = file::mark_text(text);
+  ++marks_revision_;
 }
 
 // Clamps every mark to a recorded row, because the loop may start or end later than asked.

@@ -51,6 +51,7 @@ class LoopSession final : public LiveSession {
   [[nodiscard]] Failure stop_recording() override;
   [[nodiscard]] RecordingStatus recording_status() const override;
   [[nodiscard]] Failure mark(std::string_view text) override;
+  void name_mark(std::string_view text) override;
   [[nodiscard]] std::span<const file::Mark> marks() const override { return marks_; }
   [[nodiscard]] const RealtimeStatus& realtime_status() const override { return realtime_; }
   [[nodiscard]] const device::DeviceInfo& device_info() const override { return device_info_; }
@@ -99,13 +100,14 @@ class LoopSession final : public LiveSession {
   std::string recording_path_;
   Failure recording_failure_;  // of the newest recording, after its end
   std::vector<file::Mark> marks_;
+  std::uint64_t marks_revision_ = 0;
   std::size_t first_mark_ = 0;  // of the newest recording
   std::uint32_t resets_sent_ = 0;
 
   // Metadata that the recorder has, and the earliest time of the next update.
   struct Noted {
     std::uint64_t parameters = 0;  // revision of their history
-    std::size_t marks = 0;
+    std::uint64_t marks = 0;       // revision of the marks
     bool led = false;
 
     friend bool operator==(const Noted&, const Noted&) = default;

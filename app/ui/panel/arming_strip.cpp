@@ -51,6 +51,12 @@ void draw_button(const PanelContext& context) {
     off ? ask_to_arm(context) : disarm(context);
 }
 
+void tell_without_device(const PanelContext& context, const char* meaning) {
+  if (context.shows.live != nullptr && !context.session.device_info().is_simulated) return;
+  tell(context.state, MessageKind::kNote,
+       fmt::format("{}; none is connected, and nothing pushes. P pauses.", meaning));
+}
+
 }  // namespace
 
 std::string arming_text(const runtime::Snapshot& snapshot) {
@@ -85,10 +91,14 @@ void draw_arming_strip(const PanelContext& context) {
 
 void ask_to_arm(const PanelContext& context) {
   if (context.shows.live != nullptr) context.shows.live->arm(true);
+  tell_without_device(context, "A arms the force of a device");
 }
 
 void disarm(const PanelContext& context) {
   if (context.shows.live != nullptr) context.shows.live->arm(false);
+  // In a text, Space is a blank as well.
+  if (!ImGui::GetIO().WantTextInput)
+    tell_without_device(context, "Space takes the force of a device away");
 }
 
 }  // namespace hapticwall::ui

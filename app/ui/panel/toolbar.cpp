@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include "app/file/text/text.h"
 #include "app/ui/panel/replay_bar.h"
@@ -49,7 +50,7 @@ void draw_run_buttons(const PanelContext& context) {
   if (button("Reset###reset",
              "Back to tick 0 at rest, with the present values (key R). Ends a recording.",
              {.width = width}))
-    reset_session(context);
+    ask_to_reset(context);
   ImGui::SameLine();
   bool& repeats = context.state.transient.repeats;
   if (choice_button(
@@ -119,17 +120,28 @@ void draw_mark(const PanelContext& context) {
   constexpr const char* kTooltip =
       "Marks this moment in the recording, with an optional text: a line in the plots and in the "
       "sidecar (key M)";
-  if (button("Mark###mark", kTooltip, {.width = ems(kMarkButtonEms)})) add_mark(context);
+  if (button("Mark###mark", kTooltip, {.width = ems(kMarkButtonEms)}))
+    static_cast<void>(add_mark(context));
   ImGui::SameLine();
   const float width = ems(kNameEms) - ImGui::GetItemRectSize().x;
   ImGui::SetNextItemWidth(width - ImGui::GetStyle().ItemSpacing.x);
-  std::string& text = context.state.transient.mark_text;
-  const auto typed = text_field(context, "##mark text", "what happens here", text);
-  explain("Text of the next mark; Enter sets it.");
-  if (!typed) return;
-  text = *typed;
+  TransientState& transient = context.state.transient;
+  if (transient.focus_mark) ImGui::SetKeyboardFocusHere();
+  const bool asked = std::exchange(transient.focus_mark, false);
+  const auto typed = text_field(context, "##mark text", "what happens here", transient.mark_text);
+  explain("Text of the next mark, or after M of the mark just set; Enter sets it.");
+  if (!typed) {
+    // Left without a text: the mark has no name.
+    if (!asked && ImGui::IsItemDeactivated()) transient.names_mark = false;
+    return;
+  }
+  if (std::exchange(transient.names_mark, false)) {
+    context.shows.live->name_mark(*typed);
+    return;
+  }
+  transient.mark_text = *typed;
   if (ImGui::IsKeyPressed(ImGuiKey_Enter) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter))
-    add_mark(context);
+    static_cast<void>(add_mark(context));
 }
 
 void draw_recording(const PanelContext& context, const runtime::LiveSession& live) {
@@ -155,6 +167,24 @@ void draw_recording(const PanelContext& context, const runtime::LiveSession& liv
   draw_recording_status(context, status);
 }
 
+// Below the reset button; R again agrees, Esc does not.
+void draw_reset_question(const PanelContext& context) {
+  constexpr const char* kPopup = "reset the recording";
+  Question& question = context.state.transient.reset_question;
+  if (question == Question::kNone) return;
+  if (question == Question::kAsked) ImGui::OpenPopup(kPopup);
+  question = Question::kShown;
+  if (!ImGui::BeginPopup(kPopup)) {
+    question = Question::kNone;  // a click elsewhere, or Esc
+    return;
+  }
+  ImGui::TextUnformatted("A recording runs. A reset ends it.");
+  if (button("End it and reset (R)###agree to reset", "")) reset_session(context);
+  ImGui::SameLine();
+  if (button("Go on recording (Esc)###go on recording", "")) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
 }  // namespace
 
 void draw_toolbar(const PanelContext& context) {
@@ -163,6 +193,7 @@ void draw_toolbar(const PanelContext& context) {
   } else {
     draw_run_buttons(context);
     draw_slow_motion(context, *context.shows.live);
+    draw_reset_question(context);
     draw_recording(context, *context.shows.live);
   }
   draw_opening(context);
@@ -184,7 +215,19 @@ void single_step(const PanelContext& context) {
   if (context.snapshot.paused) context.session.step();
 }
 
+void ask_to_reset(const PanelContext& context) {
+  TransientState& transient = context.state.transient;
+  const bool recording = context.shows.live != nullptr &&
+                         context.shows.live->recording_status().state == RecordingState::kRecording;
+  if (recording && transient.reset_question == Question::kNone) {
+    transient.reset_question = Question::kAsked;
+  } else {
+    reset_session(context);
+  }
+}
+
 void reset_session(const PanelContext& context) {
+  context.state.transient.reset_question = Question::kNone;
   context.session.reset();
   context.state.transient.follow = true;
   context.state.transient.hand_led = false;
@@ -213,17 +256,25 @@ void stop_recording(UiState& state, runtime::LiveSession& live) {
   tell(state, failure, "recording finished: " + live.recording_status().path);
 }
 
-void add_mark(const PanelContext& context) {
+bool add_mark(const PanelContext& context) {
   TransientState& transient = context.state.transient;
   if (context.shows.replay != nullptr) {
     tell(context.state, MessageKind::kNote, "marks need a running recording; this one is finished");
-    return;
+    return false;
   }
   if (const Failure failure = context.shows.live->mark(transient.mark_text)) {
     tell(context.state, MessageKind::kNote, failure->message);
-    return;
+    return false;
   }
   transient.mark_text.clear();
+  return true;
+}
+
+void mark_and_name(const PanelContext& context) {
+  if (!add_mark(context)) return;
+  TransientState& transient = context.state.transient;
+  transient.focus_mark = transient.names_mark = true;
+  promise_keyboard(context.state);
 }
 
 std::string unused_recording_path(const std::string& folder, const std::string& name) {

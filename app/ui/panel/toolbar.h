@@ -14,9 +14,14 @@ void toggle_pause(const PanelContext& context);
 // One step in the list of slow motions; no effect on a real device and in a replay.
 void change_slow_motion(const PanelContext& context, int steps);
 void single_step(const PanelContext& context);
+// While a recording runs, asks first; the second time it agrees.
+void ask_to_reset(const PanelContext& context);
 void reset_session(const PanelContext& context);
 void toggle_recording(const PanelContext& context);
-void add_mark(const PanelContext& context);
+// False, with a message, where nothing is recorded.
+[[nodiscard]] bool add_mark(const PanelContext& context);
+// The same; then the keyboard names the mark.
+void mark_and_name(const PanelContext& context);
 void stop_recording(UiState& state, runtime::LiveSession& live);
 
 // An unused path for a recording of this name in `folder`. Adds ".csv" where it is missing, and

@@ -142,8 +142,9 @@ struct PersistedState {
 // The text field in edit; all others show the present values.
 struct TextEdit {
   ImGuiID field = 0;
-  ImGuiID asked = 0;    // the field that gets the keyboard next
-  std::string tooltip;  // tooltip of the preceding label, for its field
+  ImGuiID asked = 0;     // the field that gets the keyboard next
+  int typing_until = 0;  // a field has been promised the keyboard: letters are no keys until then
+  std::string tooltip;   // tooltip of the preceding label, for its field
   std::array<char, 256> text{};
 };
 
@@ -159,6 +160,15 @@ struct HandDrag {
   glm::vec2 hand_at{};  // where the drag began, in the view,
   ImVec2 grabbed_at;    // and the pointer then, on the screen
   ImVec2 pointer;       // the newest place that `lead` knows
+};
+
+// A question in a popup.
+enum class Question : std::uint8_t { kNone, kAsked, kShown };
+
+// The modifiers of a key press, from the window system.
+struct KeyPress {
+  ImU32 event = 0;  // ImGuiInputEvent::EventId
+  ImGuiKeyChord mods = 0;
 };
 
 // A scene that needs a new session.
@@ -192,9 +202,13 @@ struct TransientState {
   std::optional<Refusal> refusal;
   // Values of the parts that are switched off, by key.
   std::map<std::string, double, std::less<>> switched_off;
-  std::string recording_folder;  // from the command line; empty: the persisted one
-  std::string recording_name;    // empty: named after scene and algorithm
-  std::string mark_text;         // of the next mark
+  std::string recording_folder;               // from the command line; empty: the persisted one
+  std::string recording_name;                 // empty: named after scene and algorithm
+  std::string mark_text;                      // of the next mark
+  bool focus_mark = false;                    // the mark's field gets the keyboard
+  bool names_mark = false;                    // the mark's field names the newest mark
+  Question reset_question = Question::kNone;  // "a recording runs: reset?"
+  std::vector<KeyPress> key_presses;          // in the queue of Dear ImGui
   std::size_t chosen_wall = 0;
   Axis shown_axis = Axis::kX;  // see shown_axis.h
   bool tour_step_done = false;
@@ -245,6 +259,11 @@ struct PanelContext {
 // The time axes of the plots.
 [[nodiscard]] inline draw::TimeWindow time_window(const UiState& state) {
   return {state.transient.time_from_s, state.transient.time_to_s};
+}
+
+// Call it when a field is to get the keyboard, which takes Dear ImGui two frames.
+inline void promise_keyboard(UiState& state) {
+  state.transient.edit.typing_until = ImGui::GetFrameCount() + 3;
 }
 
 inline void tell(UiState& state, MessageKind kind, std::string text) {

@@ -77,6 +77,7 @@ void type_where_asked(const PanelContext& context, const char* id) {
   ImGuiID& asked = context.state.transient.edit.asked;
   if (asked == 0 || asked != ImGui::GetID(id)) return;
   ImGui::SetKeyboardFocusHere();
+  promise_keyboard(context.state);
   asked = 0;
 }
 
@@ -96,6 +97,7 @@ std::optional<double> thin_slider(const PanelContext& context, const char* id, d
                       range.zero_at_left ? ", 0 at the left end" : ""));
   if (ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl) {
     context.state.transient.edit.asked = ImGui::GetID(id);
+    promise_keyboard(context.state);
     ImGui::ClearActiveID();
     return std::nullopt;
   }

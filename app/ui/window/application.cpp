@@ -1,5 +1,7 @@
 #include "app/ui/window/application.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -115,6 +117,7 @@ void Application::frame() {
   take_opened_recording();
   if (live_) notice_changes(state_, live_->scene());
   state_.transient.pointer_events.clear();
+  if (ImGui::GetCurrentContext()->InputEventsQueue.empty()) state_.transient.key_presses.clear();
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
 }
 

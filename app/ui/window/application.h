@@ -65,6 +65,9 @@ class Application {
   // The pointer came here; takes effect in the next frame.
   void point(const PointerEvent& event) { state_.transient.pointer_events.push_back(event); }
 
+  // A key was pressed with these modifiers; its event is in the queue of Dear ImGui.
+  void press(const KeyPress& press) { state_.transient.key_presses.push_back(press); }
+
   // Files dropped on the window: scenes or recordings.
   void drop(std::span<const std::string> paths);
 

@@ -45,10 +45,13 @@ std::vector<KeyBinding> session_keys() {
                      single_step}),
           {KeyGroup::kSession, "slower: slow motion", {ImGuiKey_LeftBracket}, slower, {}, U'['},
           {KeyGroup::kSession, "faster", {ImGuiKey_RightBracket}, faster, {}, U']'},
-          {KeyGroup::kSession, "reset: back to tick 0, at rest", {ImGuiKey_R}, reset_session},
+          {KeyGroup::kSession, "reset: back to tick 0, at rest", {ImGuiKey_R}, ask_to_reset},
           {KeyGroup::kSession, "withdraw the hand from the wall", {ImGuiKey_H}, withdraw_hand},
           {KeyGroup::kSession, "record, or stop recording", {ctrl(ImGuiKey_R)}, toggle_recording},
-          {KeyGroup::kSession, "mark this moment in the recording", {ImGuiKey_M}, add_mark}};
+          {KeyGroup::kSession,
+           "mark this moment of the recording, then name it",
+           {ImGuiKey_M},
+           mark_and_name}};
 }
 
 // In addition to the session keys, which also apply.
@@ -126,10 +129,19 @@ std::vector<KeyBinding> joined(std::initializer_list<std::vector<KeyBinding>> pa
   return all;
 }
 
+// The modifiers of the press of this frame; at the end of the frame Ctrl may be up again.
+ImGuiKeyChord modifiers_of(const TransientState& state, ImGuiKey key) {
+  for (const ImGuiInputEvent& event : ImGui::GetCurrentContext()->InputEventsTrail) {
+    if (event.Type != ImGuiInputEventType_Key || event.Key.Key != key || !event.Key.Down) continue;
+    const auto found = std::ranges::find(state.key_presses, event.EventId, &KeyPress::event);
+    if (found != state.key_presses.end()) return found->mods;
+  }
+  return ImGui::GetIO().KeyMods;
+}
+
 // Shift counts only together with Ctrl; letters ignore it.
-bool modifiers_fit(ImGuiKeyChord chord) {
+bool modifiers_fit(ImGuiKeyChord held, ImGuiKeyChord chord) {
   constexpr ImGuiKeyChord kStrong = ImGuiMod_Ctrl | ImGuiMod_Alt | ImGuiMod_Super;
-  const ImGuiKeyChord held = ImGui::GetIO().KeyMods;
   const ImGuiKeyChord wanted = chord & ImGuiMod_Mask_;
   if ((held & kStrong) != (wanted & kStrong)) return false;
   return wanted == 0 || (held & ImGuiMod_Shift) == (wanted & ImGuiMod_Shift);
@@ -140,10 +152,11 @@ bool typed(ImWchar character) {
   return character != 0 && std::find(queue.begin(), queue.end(), character) != queue.end();
 }
 
-bool pressed(const KeyBinding& binding) {
+bool pressed(const TransientState& state, const KeyBinding& binding) {
   const auto chord_pressed = [&](ImGuiKeyChord chord) {
-    return (binding.always || modifiers_fit(chord)) &&
-           ImGui::IsKeyPressed(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), binding.repeats);
+    const auto key = static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_);
+    return ImGui::IsKeyPressed(key, binding.repeats) &&
+           (binding.always || modifiers_fit(modifiers_of(state, key), chord));
   };
   return std::any_of(binding.chords.begin(), binding.chords.end(), chord_pressed) ||
          std::any_of(binding.more.begin(), binding.more.end(), chord_pressed) ||
@@ -195,11 +208,15 @@ const std::vector<KeyBinding>& bindings_in_force(const Visibility& shows) {
 }
 
 void handle_keys(const PanelContext& context, std::span<const KeyBinding> bindings) {
-  const bool typing = ImGui::GetIO().WantTextInput;
+  const TransientState& transient = context.state.transient;
+  bool typing =
+      ImGui::GetIO().WantTextInput || ImGui::GetFrameCount() <= transient.edit.typing_until;
   // Otherwise Tab would move the keyboard to the first field.
   if (!typing) ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("keys of the window"));
   for (const KeyBinding& binding : bindings) {
-    if ((!typing || binding.always) && pressed(binding)) binding.act(context);
+    if ((typing && !binding.always) || !pressed(transient, binding)) continue;
+    binding.act(context);
+    typing = typing || ImGui::GetFrameCount() <= transient.edit.typing_until;
   }
 }
 

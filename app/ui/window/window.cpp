@@ -157,19 +157,38 @@ void take_pointer(GLFWwindow* window, double x, double y) {
   application->point({glfwGetTime(), ImVec2(static_cast<float>(x), static_cast<float>(y))});
 }
 
-// Passes dropped files, and the pointer with its times, to the application.
+ImGuiKeyChord chord_of(int mods) {
+  return ((mods & GLFW_MOD_CONTROL) != 0 ? ImGuiMod_Ctrl : 0) |
+         ((mods & GLFW_MOD_SHIFT) != 0 ? ImGuiMod_Shift : 0) |
+         ((mods & GLFW_MOD_ALT) != 0 ? ImGuiMod_Alt : 0) |
+         ((mods & GLFW_MOD_SUPER) != 0 ? ImGuiMod_Super : 0);
+}
+
+// Dear ImGui asks for the state of the modifier keys only later, when Ctrl may be up again.
+void take_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
+  ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, mods);
+  const auto& queue = ImGui::GetCurrentContext()->InputEventsQueue;
+  auto* application = static_cast<Application*>(glfwGetWindowUserPointer(window));
+  if (application == nullptr || action != GLFW_PRESS || queue.empty()) return;
+  application->press({queue.back().EventId, chord_of(mods)});
+}
+
+// Passes dropped files, keys with their modifiers, and the pointer with its times, to the
+// application.
 class InputTarget {
  public:
   InputTarget(GLFWwindow* window, Application& application) : window_(window) {
     glfwSetWindowUserPointer(window_, &application);
     glfwSetDropCallback(window_, take_dropped_files);
     glfwSetCursorPosCallback(window_, take_pointer);
+    glfwSetKeyCallback(window_, take_key);
   }
   InputTarget(const InputTarget&) = delete;
   InputTarget& operator=(const InputTarget&) = delete;
   ~InputTarget() {
     glfwSetDropCallback(window_, nullptr);
     glfwSetCursorPosCallback(window_, ImGui_ImplGlfw_CursorPosCallback);
+    glfwSetKeyCallback(window_, ImGui_ImplGlfw_KeyCallback);
     glfwSetWindowUserPointer(window_, nullptr);
   }
 

@@ -114,6 +114,10 @@ class FakeSession final : public runtime::LiveSession {
     marks_.push_back({newest_.x().tick, file::mark_text(text)});
     return std::nullopt;
   }
+  void name_mark(std::string_view text) override {
+    ASSERT_FALSE(marks_.empty());
+    marks_.back().text = file::mark_text(text);
+  }
   [[nodiscard]] std::span<const file::Mark> marks() const override { return marks_; }
   [[nodiscard]] const runtime::RealtimeStatus& realtime_status() const override {
     return realtime_;

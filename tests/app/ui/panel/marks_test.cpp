@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/draw/figure/figure.h"
 #include "tests/app/ui/gui_test.h"
@@ -37,6 +38,7 @@ TEST_F(MarksTest, AButtonAndAKeySetThemWhileItRecords) {
   EXPECT_FALSE(sees("recording name"));
   live(300);
   press(ImGuiKey_M);
+  press(ImGuiKey_Escape);
   live(200);
   click("mark");
   const auto marks = fake_->marks();
@@ -62,9 +64,56 @@ TEST_F(MarksTest, TypedWordsBelongToOneMark) {
   click("mark");
   ASSERT_EQ(fake_->marks().size(), 2U);
   EXPECT_EQ(fake_->marks()[1].text, "me");
+  press(ImGuiKey_Escape);
   press(ImGuiKey_M);
   ASSERT_EQ(fake_->marks().size(), 3U);
   EXPECT_EQ(fake_->marks()[2].text, "") << "each word counts once";
+}
+
+// Letters that are keys otherwise: the trigger, pause, and arming a device.
+TEST_F(MarksTest, MSetsTheMarkAtOnceAndTheNextLettersNameIt) {
+  click("record");
+  live(300);
+  ImGuiIO& io = ImGui::GetIO();
+  for (const auto& [key, letter] :
+       {std::pair{ImGuiKey_M, 'm'}, {ImGuiKey_T, 't'}, {ImGuiKey_A, 'a'}, {ImGuiKey_P, 'p'}}) {
+    io.AddKeyEvent(key, true);
+    io.AddInputCharacter(static_cast<unsigned int>(letter));
+    io.AddKeyEvent(key, false);
+    frames(letter == 'm' ? 4 : 0);
+  }
+  frames(10);
+  live(200);
+  ASSERT_EQ(fake_->marks().size(), 1U);
+  press(ImGuiKey_Enter);
+  ASSERT_EQ(fake_->marks().size(), 1U);
+  EXPECT_EQ(fake_->marks()[0].tick, 299U) << "the moment of the key";
+  EXPECT_EQ(fake_->marks()[0].text, "tap");
+  EXPECT_TRUE(fake_->arm_requests.empty());
+  EXPECT_FALSE(fake_->is_paused);
+  EXPECT_EQ(state().plots.persisted.trigger.mode, draw::TriggerMode::kOff);
+  press(ImGuiKey_M);
+  press(ImGuiKey_Escape);
+  type("mark text", "next");
+  ASSERT_EQ(fake_->marks().size(), 3U);
+  EXPECT_EQ(fake_->marks()[1].text, "");
+  EXPECT_EQ(fake_->marks()[2].text, "next");
+}
+
+// A fast hand: all events within one frame, before the field has the keyboard.
+TEST_F(MarksTest, LettersRightAfterMAreNeverKeys) {
+  click("record");
+  live(100);
+  ImGuiIO& io = ImGui::GetIO();
+  for (const ImGuiKey key : {ImGuiKey_M, ImGuiKey_A, ImGuiKey_P, ImGuiKey_T, ImGuiKey_R}) {
+    io.AddKeyEvent(key, true);
+    io.AddKeyEvent(key, false);
+  }
+  frames(12);
+  EXPECT_TRUE(fake_->arm_requests.empty());
+  EXPECT_FALSE(fake_->is_paused);
+  EXPECT_EQ(fake_->resets, 0);
+  EXPECT_EQ(state().plots.persisted.trigger.mode, draw::TriggerMode::kOff);
 }
 
 TEST_F(MarksTest, ThePlotsShowThem) {

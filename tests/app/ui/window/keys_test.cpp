@@ -131,5 +131,55 @@ TEST_F(KeysTest, ALetterWithCtrlIsNotTheLetter) {
   EXPECT_TRUE(fake_->is_paused);
 }
 
+// Ctrl goes up before R does, within one frame.
+TEST_F(KeysTest, AFastCtrlRIsNeverR) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.AddKeyEvent(ImGuiMod_Ctrl, true);
+  frames(2);
+  io.AddKeyEvent(ImGuiKey_R, true);
+  application_->press({ImGui::GetCurrentContext()->InputEventsQueue.back().EventId, ImGuiMod_Ctrl});
+  io.AddKeyEvent(ImGuiMod_Ctrl, false);
+  io.AddKeyEvent(ImGuiKey_R, false);
+  frames(4);
+  EXPECT_EQ(fake_->resets, 0);
+  EXPECT_EQ(fake_->recording_status().state, runtime::RecordingState::kRecording);
+  EXPECT_TRUE(state().transient.key_presses.empty());
+}
+
+TEST_F(KeysTest, ResetAsksWhileItRecords) {
+  const auto recording = [this] { return fake_->recording_status().state; };
+  press(ImGuiMod_Ctrl | ImGuiKey_R);
+  press(ImGuiKey_R);
+  EXPECT_EQ(fake_->resets, 0);
+  EXPECT_TRUE(sees("agree to reset"));
+  press(ImGuiKey_Escape);
+  EXPECT_FALSE(sees("agree to reset"));
+  EXPECT_EQ(recording(), runtime::RecordingState::kRecording);
+  press(ImGuiKey_R);
+  click("go on recording");
+  EXPECT_EQ(fake_->resets, 0);
+  click("reset");
+  click("agree to reset");
+  EXPECT_EQ(fake_->resets, 1);
+  EXPECT_FALSE(sees("agree to reset"));
+  press(ImGuiKey_R);
+  press(ImGuiKey_R);
+  EXPECT_EQ(fake_->resets, 2) << "the second time agrees";
+  press(ImGuiMod_Ctrl | ImGuiKey_R);
+  press(ImGuiKey_R);
+  EXPECT_EQ(fake_->resets, 3) << "nothing is recorded";
+}
+
+TEST_F(KeysTest, TheKeysOfTheForceSayWhatTheyDoWithoutADevice) {
+  for (const ImGuiKey key : {ImGuiKey_Space, ImGuiKey_A}) {
+    press(key);
+    EXPECT_THAT(message().text, ::testing::HasSubstr("none is connected"));
+    press(ImGuiKey_Escape);
+  }
+  fake_->info.is_simulated = false;
+  press(ImGuiKey_Space);
+  EXPECT_THAT(message().text, ::testing::Not(::testing::HasSubstr("none is connected")));
+}
+
 }  // namespace
 }  // namespace hapticwall::test
