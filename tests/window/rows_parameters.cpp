@@ -16,12 +16,12 @@ namespace {
 using ReadKey = std::function<std::optional<double>(Person&)>;
 
 void type_good_and_bad(Person& person, const std::string& item, const ValueRange& range, bool whole,
-                       const ReadKey& read) {
+                       double scale, const ReadKey& read) {
   const double good = whole ? 3.0 : range.contains(0.0625) ? 0.0625 : 2.0 * range.minimum;
-  person.type(item, fmt::format("{}", good));
+  person.type(item, fmt::format("{}", good * scale));
   EXPECT_EQ(read(person), good) << item;
   EXPECT_FALSE(person.state().transient.refusal);
-  person.type(item, fmt::format("{}", 10.0 * range.maximum));
+  person.type(item, fmt::format("{}", 10.0 * range.maximum * scale));
   EXPECT_EQ(read(person), good) << "a value out of range changes nothing";
   ASSERT_TRUE(person.state().transient.refusal) << item;
   EXPECT_EQ(person.state().transient.refusal->key, item);
@@ -70,7 +70,8 @@ void use_key(Person& person, const std::string& item, const NumberKey<Owner>& ke
   if (!was_on) person.click("switch " + item);
   ASSERT_TRUE(read(person)) << item;
   const Scene usual = person.scene();
-  type_good_and_bad(person, item, key.range, key.whole(), read);
+  const double scale = key.unit == "m" ? 1e3 : 1.0;  // lengths are shown in mm
+  type_good_and_bad(person, item, key.range, key.whole(), scale, read);
   restore(person, usual);
   EXPECT_TRUE(person.has_tooltip(item));
   EXPECT_EQ(person.sees(item + "-slider"), !key.whole());

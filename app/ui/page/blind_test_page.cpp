@@ -38,9 +38,9 @@ void draw_trials(const PanelContext& context) {
   if (!typed) return;
   if (*typed != std::round(*typed) || *typed < 1.0 ||
       *typed > static_cast<double>(compare::kMaxTrials)) {
-    tell(context.state, MessageKind::kProblem,
-         fmt::format("trials: {} is no whole number from 1 to {}", rounded_number(*typed),
-                     compare::kMaxTrials));
+    refuse(context, "blind trials",
+           fmt::format("{} is no whole number from 1 to {}", rounded_number(*typed),
+                       compare::kMaxTrials));
     return;
   }
   trials = static_cast<std::size_t>(*typed);
@@ -54,9 +54,9 @@ void draw_confidence(const PanelContext& context) {
                            confidence * kPercent});
   if (!typed) return;
   if (*typed < kMinConfidence * kPercent || *typed > kMaxConfidence * kPercent) {
-    tell(context.state, MessageKind::kProblem,
-         fmt::format("confidence: {} is not from {} to {} %", rounded_number(*typed),
-                     kMinConfidence * kPercent, kMaxConfidence * kPercent));
+    refuse(context, "blind confidence",
+           fmt::format("{} is not from {} to {} %", rounded_number(*typed),
+                       kMinConfidence * kPercent, kMaxConfidence * kPercent));
     return;
   }
   confidence = *typed / kPercent;

@@ -13,10 +13,16 @@
 namespace hapticwall::ui {
 namespace {
 
+std::string refusal_key(const ParameterDescription& parameter) {
+  return fmt::format("algorithm.{}", parameter.key);
+}
+
 void set_parameter(const PanelContext& context, std::size_t index, std::optional<double> value) {
   AlgorithmSettings changed = context.session.scene().algorithm;
   changed.values[index] = value;
-  if (const auto problem = ask_for_algorithm(context, changed)) tell(context.state, *problem);
+  context.state.transient.refusal.reset();
+  if (const auto problem = ask_for_algorithm(context, changed))
+    refuse(context, refusal_key(algorithm_parameters()[index]), problem->message);
 }
 
 std::string parameter_tooltip(const ParameterDescription& parameter) {
@@ -29,7 +35,7 @@ std::string parameter_tooltip(const ParameterDescription& parameter) {
 }
 
 std::string field_id(const ParameterDescription& parameter) {
-  return fmt::format("##algorithm.{}", parameter.key);
+  return "##" + refusal_key(parameter);
 }
 
 // An empty field means the algorithm's default, shown as a hint.
@@ -46,8 +52,7 @@ void draw_number(const PanelContext& context, const ParameterDescription& parame
   if (const auto number = parse_number(*text)) {
     set_parameter(context, index, number);
   } else {
-    tell(context.state, MessageKind::kProblem,
-         fmt::format("algorithm.{}: '{}' is not a number", parameter.key, *text));
+    refuse(context, refusal_key(parameter), no_number(*text));
   }
 }
 
@@ -97,6 +102,7 @@ void draw_parameter(const PanelContext& context, const ParameterDescription& par
     explain(tooltip);
   }
   unit_label(parameter.unit);
+  draw_refusal(context, refusal_key(parameter));
 }
 
 // The following algorithm, and its parameters that are not shown yet.

@@ -36,7 +36,7 @@ std::optional<Approach> approach_of(const HandSettings& hand) {
 
 void want_approach(const PanelContext& context, const Approach& approach) {
   if (!(approach.speed_m_per_s > 0.0)) {
-    tell(context.state, MessageKind::kProblem, "the approach speed must be more than 0 mm/s");
+    refuse(context, "approach speed", "the approach speed must be more than 0 mm/s");
     return;
   }
   Scene changed = context.session.scene();

@@ -21,10 +21,11 @@ namespace {
 constexpr LogRange kStiffness{100.0, 1e6};
 constexpr LogRange kDamping{0.01, 1000.0, true};
 
-void set_wall(const PanelContext& context, std::size_t index, const WallSettings& wall) {
+std::optional<SceneProblem> set_wall(const PanelContext& context, std::size_t index,
+                                     const WallSettings& wall) {
   std::vector<WallSettings> walls = shown_walls(context);
   walls[index] = wall;
-  if (const auto problem = set_shown_walls(context, walls)) tell(context.state, *problem);
+  return set_shown_walls(context, walls);
 }
 
 void draw_chooser(const PanelContext& context, std::size_t count) {
@@ -46,7 +47,8 @@ void draw_row(const PanelContext& context, double WallSettings::*member, double 
   const auto value = number_row(context, row);
   if (!value) return;
   wall.*member = *value / scale;
-  set_wall(context, index, wall);
+  if (const auto problem = set_wall(context, index, wall))
+    refuse(context, row.name, problem->message);
 }
 
 void draw_rows(const PanelContext& context) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "app/file/text/text.h"
@@ -32,6 +33,16 @@ Values values_of(const Scene& scene) {
                         value ? value_text(parameters[i], *value) : kAbsent);
   }
   return values;
+}
+
+// A comma before three digits may separate thousands.
+bool is_ambiguous(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return false;
+  const std::string_view before = text.substr(text.starts_with('-') ? 1 : 0, comma);
+  const std::string_view after = text.substr(comma + 1);
+  const auto digits = std::ranges::find_if_not(after, [](char c) { return c >= '0' && c <= '9'; });
+  return digits - after.begin() == 3 && !before.starts_with('0') && !before.starts_with(',');
 }
 
 }  // namespace
@@ -76,7 +87,21 @@ std::optional<double> parse_number(std::string_view text) {
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  return file::parsed<double>(text);
+  if (is_ambiguous(text)) return std::nullopt;
+  std::string plain(text);
+  if (const std::size_t comma = plain.find(','); comma != std::string::npos) plain[comma] = '.';
+  if (plain.ends_with('k') || plain.ends_with('M')) {
+    const char* power = plain.ends_with('k') ? "e3" : "e6";
+    plain.pop_back();
+    while (!plain.empty() && is_space(plain.back())) plain.pop_back();
+    plain += power;
+  }
+  return file::parsed<double>(plain);
+}
+
+std::string no_number(std::string_view text) {
+  if (is_ambiguous(text)) return fmt::format("'{}': write no thousands separator", text);
+  return fmt::format("'{}' is not a number, as 35000, 35k or 0,5", text);
 }
 
 std::string rounded_number(double value) { return fmt::format("{:.10g}", value); }

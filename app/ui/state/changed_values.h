@@ -17,8 +17,11 @@ namespace hapticwall::ui {
 // `running` with all these values from the loaded scene.
 [[nodiscard]] Scene with_loaded_values(const Scene& running, const Scene& loaded);
 
-// A finite number as people type it, with `.` as decimal point; nullopt otherwise.
+// A finite number as people type it: 35000.5, 35000,5, 3.5e4, 35k, 35 k, 0.2M; nullopt otherwise,
+// and for 35,000, which is 35 to some and 35000 to others.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
+// Why a text is none, in a line.
+[[nodiscard]] std::string no_number(std::string_view text);
 
 // Ten significant digits at most, so that no rounding noise is shown.
 [[nodiscard]] std::string rounded_number(double value);

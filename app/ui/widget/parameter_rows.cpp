@@ -64,11 +64,18 @@ std::optional<ParameterEdit> draw_field(const PanelContext& context, const Param
   if (!text) return std::nullopt;
   const auto number = parse_number(*text);
   if (!number) {
-    refuse(context, row.key, fmt::format("'{}' is not a number", *text));
+    refuse(context, row.key, no_number(*text));
     return std::nullopt;
   }
   if (row.whole && *number != std::round(*number)) {
     refuse(context, row.key, fmt::format("{} is no whole number", rounded_number(*number)));
+    return std::nullopt;
+  }
+  if (row.scale != 1.0 && !row.range.contains(*number)) {  // the scene speaks of other units
+    refuse(context, row.key,
+           fmt::format("{} is out of range; it takes {} to {} {}", rounded_number(*number),
+                       rounded_number(row.range.minimum), rounded_number(row.range.maximum),
+                       row.unit));
     return std::nullopt;
   }
   return ParameterEdit{number};
@@ -102,18 +109,18 @@ std::optional<ParameterEdit> draw_parameter_row(const PanelContext& context,
   }
   if (const auto slid = draw_slider(context, row, from, to)) edit = slid;
   draw_refusal(context, row.key);
+  if (edit && edit->value) *edit->value /= row.scale;
   return edit;
 }
 
-void refuse(const PanelContext& context, const std::string& key, std::string why) {
-  context.state.transient.refusal = Refusal{key, std::move(why)};
-}
-
-void draw_refusal(const PanelContext& context, const std::string& key) {
-  const auto& refusal = context.state.transient.refusal;
-  if (!refusal || refusal->key != key) return;
-  const FontScope font(nullptr, draw::kSmallFontSize);
-  draw::wrapped_text(context.theme.colour(draw::Tone::kBad), refusal->why);
+void show_in_millimetres(ParameterRow& row) {
+  row.unit = "mm";
+  row.scale = kMillimetresPerMetre;
+  row.text.suggestion *= row.scale;
+  row.range.minimum *= row.scale;
+  row.range.maximum *= row.scale;
+  if (row.value) *row.value *= row.scale;
+  if (row.loaded) *row.loaded *= row.scale;
 }
 
 void change_parameters(const PanelContext& context, const std::string& key,

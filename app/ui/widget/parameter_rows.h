@@ -10,7 +10,9 @@
 #include <variant>
 
 #include "app/ui/state/ui_state.h"
+#include "app/ui/widget/widgets.h"
 #include "core/scene_keys.h"
+#include "core/units.h"
 
 namespace hapticwall::ui {
 
@@ -31,8 +33,9 @@ struct ParameterRow {
   ValueRange range;
   bool optional = false;
   bool whole = false;
-  std::optional<double> value;
+  std::optional<double> value;  // in `unit`, like the range and the suggestion
   std::optional<double> loaded;
+  double scale = 1.0;  // `unit` per unit of the scene
 };
 
 struct ParameterEdit {
@@ -46,12 +49,6 @@ struct ParameterEdit {
 // Asks the session for an edit of its scene. Shows a refusal below the row of `key`.
 void change_parameters(const PanelContext& context, const std::string& key,
                        const std::function<void(Scene&)>& edit);
-
-// Shows the reason of a refusal below the row of `key`.
-void refuse(const PanelContext& context, const std::string& key, std::string why);
-
-// Draws the refusal of `key`, if there is one.
-void draw_refusal(const PanelContext& context, const std::string& key);
 
 template <typename Owner>
 [[nodiscard]] bool may_be_absent(const NumberKey<Owner>& key) {
@@ -72,19 +69,24 @@ void assign(const NumberKey<Owner>& key, Owner& owner, std::optional<double> val
   }
 }
 
+// Lengths of a device are millimetres and less.
+void show_in_millimetres(ParameterRow& row);
+
 // The row of one key. `prefix` ends with a dot.
 template <typename Owner>
 [[nodiscard]] ParameterRow parameter_row(const std::string& prefix, const NumberKey<Owner>& key,
                                          const ParameterText& text, const Owner& in_force,
                                          const Owner& loaded) {
-  return {prefix + std::string(key.key),
-          text,
-          key.unit,
-          key.range,
-          may_be_absent(key),
-          key.whole(),
-          key.get(in_force),
-          key.get(loaded)};
+  ParameterRow row{prefix + std::string(key.key),
+                   text,
+                   key.unit,
+                   key.range,
+                   may_be_absent(key),
+                   key.whole(),
+                   key.get(in_force),
+                   key.get(loaded)};
+  if (key.unit == "m") show_in_millimetres(row);
+  return row;
 }
 
 template <typename Owner>

@@ -113,13 +113,21 @@ std::optional<double> number_row(const PanelContext& context, const NumberRow& r
   const std::string id = fmt::format("##{}", row.name);
   field_label(context, row.label, row.tooltip, row.unit);
   type_where_asked(context, id.c_str());
-  std::optional<double> value = number_field(context, id.c_str(), row.value);
+  std::optional<double> value;
+  if (const auto text = text_field(context, id.c_str(), "", rounded_number(row.value))) {
+    value = parse_number(*text);
+    context.state.transient.refusal.reset();
+    if (!value) refuse(context, row.name, no_number(*text));
+  }
   const float from = ImGui::GetItemRectMin().x;
   const float to = ImGui::GetItemRectMax().x;
   unit_label(row.unit);
-  if (!row.range) return value;
-  const auto slid = thin_slider(context, id.c_str(), row.value, *row.range, from, to);
-  return slid ? slid : value;
+  if (row.range) {
+    const auto slid = thin_slider(context, id.c_str(), row.value, *row.range, from, to);
+    if (slid) value = slid;
+  }
+  draw_refusal(context, row.name);
+  return value;
 }
 
 }  // namespace hapticwall::ui

@@ -67,11 +67,36 @@ void explain(std::string_view text) {
       !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) {
     return;
   }
+  const float wrap = kTooltipWidthEms * ImGui::GetFontSize();
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  const ImVec2 inner = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  ImGui::SetNextWindowPos(
+      tooltip_place({ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), window->Pos,
+                     ImVec2(window->Pos.x + window->Size.x, window->Pos.y + window->Size.y),
+                     ImGui::GetIO().DisplaySize, ImGui::GetFrameHeightWithSpacing()},
+                    ImVec2(inner.x + 2.0F * padding.x, inner.y + 2.0F * padding.y)));
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(kTooltipWidthEms * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(wrap);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+}
+
+ImVec2 tooltip_place(const TooltipSpace& space, ImVec2 size) {
+  const float gap = 0.3F * space.row;
+  const float down = std::max(0.0F, space.screen.y - size.y);
+  if (space.window_to.x - space.window_from.x <= 0.5F * space.screen.x) {
+    const float y = std::clamp(space.item_from.y, 0.0F, down);
+    const float right = space.window_to.x + gap;
+    if (right + size.x <= space.screen.x) return {right, y};
+    const float left = space.window_from.x - gap - size.x;
+    if (left >= 0.0F) return {left, y};
+  }
+  const float x = std::clamp(space.item_from.x, 0.0F, std::max(0.0F, space.screen.x - size.x));
+  const float below = space.item_to.y + space.row;
+  if (below + size.y <= space.screen.y) return {x, below};
+  return {x, std::max(0.0F, space.item_from.y - space.row - size.y)};
 }
 
 bool button(const std::string& label, std::string_view tooltip, const ButtonLook& look) {
@@ -168,9 +193,27 @@ std::optional<double> number_field(const PanelContext& context, const char* id, 
   const auto number = parse_number(*text);
   if (!number) {
     tell(context.state, MessageKind::kProblem,
-         fmt::format("'{}' is not a number; {} stays in force", *text, rounded_number(shown)));
+         fmt::format("{}; {} stays in force", no_number(*text), rounded_number(shown)));
   }
   return number;
+}
+
+void refuse(const PanelContext& context, const std::string& key, std::string why) {
+  context.state.transient.refusal = Refusal{key, std::move(why)};
+}
+
+void draw_refusal(const PanelContext& context, const std::string& key) {
+  const auto& refusal = context.state.transient.refusal;
+  if (!refusal || refusal->key != key) return;
+  const FontScope font(nullptr, draw::kSmallFontSize);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImGui::PushClipRect(from,
+                      ImVec2(from.x + ImGui::GetContentRegionAvail().x,
+                             from.y + ImGui::GetTextLineHeightWithSpacing()),
+                      true);
+  ImGui::TextColored(context.theme.colour(draw::Tone::kBad), "%s", refusal->why.c_str());
+  ImGui::PopClipRect();
+  explain(refusal->why);
 }
 
 }  // namespace hapticwall::ui

@@ -71,6 +71,23 @@ void figure_row(const PanelContext& context, std::string_view name, const std::s
                                                     const std::string& hint,
                                                     const std::string& shown);
 
+// Shows below the field of `key` why its newest text was refused.
+void refuse(const PanelContext& context, const std::string& key, std::string why);
+// Draws the refusal of `key` in one line, if there is one; the tooltip has all of it.
+void draw_refusal(const PanelContext& context, const std::string& key);
+
+// Upper left corner of the tooltip of an item. It never covers the item's row in its window, nor
+// the next one below. Beside a narrow window, else a row below the item, else a row above. Pixels.
+struct TooltipSpace {
+  ImVec2 item_from;
+  ImVec2 item_to;
+  ImVec2 window_from;
+  ImVec2 window_to;
+  ImVec2 screen;
+  float row = 0.0F;  // height
+};
+[[nodiscard]] ImVec2 tooltip_place(const TooltipSpace& space, ImVec2 size);
+
 // The same for a number. Tells the user about invalid input and returns nullopt.
 [[nodiscard]] std::optional<double> number_field(const PanelContext& context, const char* id,
                                                  double shown);

@@ -32,7 +32,15 @@ TEST(ParseNumber, TakesWhatPeopleTypeAndNothingElse) {
   EXPECT_EQ(parse_number("35000"), 35000.0);
   EXPECT_EQ(parse_number(" +3.5e4 "), 35000.0);
   EXPECT_EQ(parse_number("-0.25"), -0.25);
-  for (const char* text : {"", " ", "abc", "1,5", "1 2", "3kN", "nan", "inf", "1e999", "+-1"}) {
+  EXPECT_EQ(parse_number("35000,5"), 35000.5);
+  EXPECT_EQ(parse_number("0,125"), 0.125) << "no thousands begin with 0";
+  EXPECT_EQ(parse_number("12,3456"), 12.3456);
+  EXPECT_EQ(parse_number("35k"), 35000.0);
+  EXPECT_EQ(parse_number("35 k"), 35000.0);
+  EXPECT_EQ(parse_number("0,3k"), 300.0);
+  EXPECT_EQ(parse_number("1.5M"), 1.5e6);
+  for (const char* text : {"", " ", "abc", "35,000", "-1,234", "1.234,5", "1,2,3", "k", "1 k k",
+                           "1 2", "3kN", "nan", "inf", "1e999", "+-1"}) {
     EXPECT_FALSE(parse_number(text)) << text;
   }
 }

@@ -28,7 +28,7 @@ TEST_F(ParametersTest, TypedValuesAreInForceWithoutANewSession) {
   live(700);
   open_section("Device");
   type("device.mass_kg", "0.2");
-  type("device.encoder_m", "1e-4");
+  type("device.encoder_m", "0.1");
   EXPECT_DOUBLE_EQ(device().mass_kg, 0.2);
   EXPECT_DOUBLE_EQ(device().encoder_m.value(), 1e-4);
   live(300);

@@ -39,13 +39,26 @@ TEST_F(ApplicationTest, AFailedRecordingStatesTheReason) {
 TEST_F(ApplicationTest, AnInvalidValueIsExplainedAndTheOldOneStays) {
   const Scene before = scene();
   for (const auto& [typed, said] :
-       {std::pair{"-5", "stiffness_n_per_m"}, std::pair{"1e99", "stiffness_n_per_m"},
-        std::pair{"stiff", "'stiff' is not a number"}, std::pair{"nan", "'nan' is not a number"}}) {
+       {std::pair{"-5", "out of range"}, std::pair{"1e99", "out of range"},
+        std::pair{"stiff", "'stiff' is not a number"}, std::pair{"nan", "'nan' is not a number"},
+        std::pair{"35,000", "no thousands separator"}}) {
     type("stiffness", typed);
-    EXPECT_EQ(message().kind, MessageKind::kProblem);
-    EXPECT_THAT(message().text, HasSubstr(said));
+    ASSERT_TRUE(refusal());
+    EXPECT_EQ(refusal()->key, "stiffness");
+    EXPECT_THAT(refusal()->why, HasSubstr(said));
+    ASSERT_TRUE(sees(refusal()->why));
+    EXPECT_GE(rect(refusal()->why).from.y, rect("stiffness").to.y) << "under the field,";
+    EXPECT_LE(rect(refusal()->why).to.y, rect("damping").from.y) << "in a line";
     EXPECT_TRUE(ui::same_scene(scene(), before)) << typed;
   }
+}
+
+TEST_F(ApplicationTest, NumbersAreTakenAsPeopleTypeThem) {
+  type("stiffness", "12k");
+  EXPECT_EQ(wall().stiffness_n_per_m, 12000.0);
+  type("stiffness", "35000,5");
+  EXPECT_EQ(wall().stiffness_n_per_m, 35000.5);
+  EXPECT_FALSE(refusal());
 }
 
 TEST_F(ApplicationTest, ANewRateStartsANewSessionAtRestAndABadOneDoesNot) {
@@ -106,7 +119,8 @@ TEST_F(ApplicationTest, TheHandsScriptIsChangedByTyping) {
   EXPECT_NEAR(scene().x().hand->path.back().time_s, 2.0, 1e-12);  // 40 mm at 20 mm/s
   type("approach speed", "0");
   EXPECT_EQ(sessions, 3);
-  EXPECT_THAT(message().text, HasSubstr("approach speed"));
+  ASSERT_TRUE(refusal());
+  EXPECT_EQ(refusal()->key, "approach speed");
 }
 
 TEST_F(ApplicationTest, TheFigureButtonsStartPressFromRestUnderThePapersAlgorithms) {
