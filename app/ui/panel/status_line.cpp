@@ -126,8 +126,10 @@ void draw_status_row(const PanelContext& context) {
         draw::Tone::kText, "Ticks of the loop per second");
   if (context.shows.live != nullptr) draw_loop_values(context, *context.shows.live);
   value(context, "frame",
-        fmt::format("{:4.1f} ms",
-                    kMillisecondsPerSecond / static_cast<double>(ImGui::GetIO().Framerate)),
+        context.snapshot.paused
+            ? "      –"
+            : fmt::format("{:4.1f} ms",
+                          kMillisecondsPerSecond / static_cast<double>(ImGui::GetIO().Framerate)),
         draw::Tone::kText, "Time between two frames of this window");
   draw_realtime_state(context);
 }

@@ -32,6 +32,7 @@
 #include "app/ui/state/undo.h"
 #include "app/ui/wall/wall_camera.h"
 #include "app/ui/wall/wall_picture.h"
+#include "app/ui/wall/wall_resolution.h"
 #include "core/scene.h"
 
 namespace hapticwall::ui {
@@ -58,6 +59,7 @@ struct WallState {
     ViewDrag drag = ViewDrag::kNone;
     std::array<ShownStiffness, kAxisCount> shown{};  // the fading tint of the walls
     std::array<Swept, kAxisCount> swept{};
+    WallResolution resolution;
     bool view_refined = true;  // false: the picture still improves in the next frames
     int magnification = 0;     // in force; 0: none yet
     Magnified magnified;

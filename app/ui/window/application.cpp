@@ -104,7 +104,9 @@ void Application::frame() {
   take_ticks();
   runtime::Snapshot snapshot = session().snapshot();
   if (!session().knows_truth()) draw_where_measured(snapshot.newest);
-  note_timing(state_.timing, live_.get(), snapshot.timing);
+  // At rest only its own page shows it, so that the window need not be painted again.
+  if (!snapshot.paused || state_.persisted.lower_page == LowerPage::kTiming)
+    note_timing(state_.timing, live_.get(), snapshot.timing);
   look_at_moment(snapshot);
   const PanelContext context{session(), snapshot, theme_, state_, visibility(snapshot.generation)};
   handle_keys(context, bindings_in_force(context.shows));
@@ -161,6 +163,11 @@ void Application::keep_appearance() {
   look_ = state_.persisted.look;
   scale_ = scale;
   restyle(theme_, look_, scale_);
+}
+
+void Application::note_frame(double frame_s, double now_s) {
+  state_.timing.frames.add(frame_s);
+  state_.wall.transient.resolution.note_frame(frame_s, now_s);
 }
 
 bool Application::moving() const {

@@ -17,6 +17,7 @@
 #include "app/ui/state/settings_file.h"
 #include "app/ui/state/ui_state.h"
 #include "app/ui/wall/wall_renderer.h"
+#include "app/ui/window/paint_gate.h"
 #include "core/result.h"
 #include "core/scene.h"
 
@@ -71,6 +72,14 @@ class Application {
   // Files dropped on the window: scenes or recordings.
   void drop(std::span<const std::string> paths);
 
+  // Call it after ImGui::Render(). False: the window shows this frame already.
+  [[nodiscard]] bool needs_painting() {
+    return paint_gate_.needs_painting(*ImGui::GetDrawData(), renderer_->times_drawn());
+  }
+  void forget_painted() { paint_gate_.forget(); }
+
+  // The last frame took this long to draw and ended at `now_s`.
+  void note_frame(double frame_s, double now_s);
   // True while samples arrive or something is animated.
   [[nodiscard]] bool moving() const;
   // Writes changed settings.
@@ -131,6 +140,7 @@ class Application {
   UiState state_;
   draw::TickHistory history_;
   std::vector<Tick> incoming_;
+  PaintGate paint_gate_;
   bool samples_came_ = false;  // in the last frame
 };
 

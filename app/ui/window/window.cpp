@@ -173,6 +173,12 @@ void take_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
   application->press({queue.back().EventId, chord_of(mods)});
 }
 
+// The window was covered, and its picture is lost.
+void paint_again(GLFWwindow* window) {
+  auto* application = static_cast<Application*>(glfwGetWindowUserPointer(window));
+  if (application != nullptr) application->forget_painted();
+}
+
 // Passes dropped files, keys with their modifiers, and the pointer with its times, to the
 // application.
 class InputTarget {
@@ -182,11 +188,13 @@ class InputTarget {
     glfwSetDropCallback(window_, take_dropped_files);
     glfwSetCursorPosCallback(window_, take_pointer);
     glfwSetKeyCallback(window_, take_key);
+    glfwSetWindowRefreshCallback(window_, paint_again);
   }
   InputTarget(const InputTarget&) = delete;
   InputTarget& operator=(const InputTarget&) = delete;
   ~InputTarget() {
     glfwSetDropCallback(window_, nullptr);
+    glfwSetWindowRefreshCallback(window_, nullptr);
     glfwSetCursorPosCallback(window_, ImGui_ImplGlfw_CursorPosCallback);
     glfwSetKeyCallback(window_, ImGui_ImplGlfw_KeyCallback);
     glfwSetWindowUserPointer(window_, nullptr);
@@ -261,14 +269,14 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
     const bool acts = user_acts();
     draw_frame(application);
     if (!hooks.in_a_hurry || ++unpainted >= kPaintedInAHurry) {
-      paint_frame(window);
+      if (application.needs_painting()) paint_frame(window);
       unpainted = 0;
     }
     if (hooks.drawn) hooks.drawn();
     if (acts || application.moving()) idleness.wake(glfwGetTime());
     // Limits the frame rate where swapping does not wait; events end the wait early.
     const double now_s = glfwGetTime();
-    application.state().timing.frames.add(now_s - start_s);
+    application.note_frame(now_s - start_s, now_s);
     const double rest_s = idleness.frame_s(now_s) - (now_s - start_s);
     if (!hooks.in_a_hurry && rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
   }

@@ -26,7 +26,7 @@ struct WindowHooks {
 // Idle detection: no samples arrive and the user does nothing.
 inline constexpr double kAwakeS = 0.6;  // after the last event
 inline constexpr double kFrameS = 1.0 / 60.0;
-inline constexpr double kIdleFrameS = 0.5;  // events end the wait early
+inline constexpr double kIdleFrameS = 1.0;  // events end the wait early
 
 class Idleness {
  public:
