@@ -168,8 +168,11 @@ Result<file::LoadedScene> load_for_study(const std::string& command, const Scene
 Failure check_outputs(const OutputOptions& options, std::initializer_list<std::string> read) {
   if (options.csv == kStandardOutput) return usage_error("--csv -: it takes a file name");
   if (options.plot == kStandardOutput) return usage_error("--plot -: it takes a file name");
-  std::vector<std::pair<std::string_view, std::string>> files{
-      {"--csv", options.csv}, {"--json", options.json}, {"--plot", options.plot}};
+  if (options.wav == kStandardOutput) return usage_error("--wav -: it takes a file name");
+  std::vector<std::pair<std::string_view, std::string>> files{{"--csv", options.csv},
+                                                              {"--json", options.json},
+                                                              {"--plot", options.plot},
+                                                              {"--wav", options.wav}};
   if (!options.csv.empty())
     files.emplace_back("the sidecar of --csv", file::sidecar_path_of(options.csv));
   for (std::size_t i = 0; i < files.size(); ++i) {

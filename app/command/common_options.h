@@ -55,8 +55,8 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 [[nodiscard]] Result<file::LoadedScene> load_for_study(const std::string& command,
                                                        const SceneOptions& options);
 
-// Refuses two outputs to one file, an output to a file of `read`, and --csv or --plot to standard
-// output.
+// Refuses two outputs to one file, an output to a file of `read`, and --csv, --plot or --wav to
+// standard output.
 [[nodiscard]] Failure check_outputs(const OutputOptions& options,
                                     std::initializer_list<std::string> read);
 

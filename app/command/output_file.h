@@ -24,6 +24,7 @@ struct OutputOptions {
   std::string csv;
   std::string json;
   std::string plot;
+  std::string wav;
   std::vector<std::string> expectations;
   bool quiet = false;
 };

@@ -31,6 +31,7 @@ constexpr std::string_view kExamples = R"(
 Examples:
   hapticwall                                      the window, on the scene 'tap'
   hapticwall run press --csv a.csv --plot a.png   recording (a.csv, a.toml) and figure
+  hapticwall run tap --wav tap.wav                the handle's acceleration, to be heard
   hapticwall run a.toml --csv b.csv               the same session again, bit for bit
   hapticwall run tap --algorithm virtual-coupling --set hand.mass_kg=0.3
   hapticwall run press --expect verdict=settled --expect 'tail_peak_to_peak_m<1e-4'

@@ -142,7 +142,7 @@ Result<int> run_headless(const ReplayCommand& command) {
   tell_notes(command, (*recording)->info());
   const Result<file::LoadedScene> loaded = scene_of(command, (*recording)->info());
   if (!loaded) return loaded.error();
-  Result<RunOutputs> outputs = RunOutputs::open(command.output, *loaded, true);
+  Result<RunOutputs> outputs = RunOutputs::open(command.output, *loaded, {.session_records = true});
   if (!outputs) return outputs.error();
 
   const Result<Outcome> outcome = command.reruns() ? rerun(command, **recording, *loaded, *outputs)

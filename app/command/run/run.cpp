@@ -140,7 +140,9 @@ Result<int> run(const RunOptions& options) {
   if (in_real_time) {
     if (Failure failed = check_realtime(options.scene, *loaded)) return *failed;
   }
-  Result<RunOutputs> outputs = RunOutputs::open(options.output, *loaded, in_real_time);
+  Result<RunOutputs> outputs = RunOutputs::open(
+      options.output, *loaded,
+      {.session_records = in_real_time, .knows_truth = !device->hardware.has_value()});
   if (!outputs) return outputs.error();
   if (!options.output.quiet) tell_edits(options.scene.scene, *loaded);
   if (!loaded->not_repeatable_because.empty() && !options.output.quiet && !device->hardware) {
@@ -181,6 +183,9 @@ Command add_run(CLI::App& program) {
   add_csv_option(*app, options->output,
                  "Record every tick; run the sidecar FILE.toml to repeat it");
   add_plot_option(*app, options->output, "Draw the figure of the run");
+  app->add_option("--wav", options->output.wav,
+                  "Write the sound of the run: the handle's acceleration, one channel at 48 kHz")
+      ->type_name("FILE.wav");
   add_output_options(*app, options->output);
   return {app, [options] { return run(*options); }};
 }

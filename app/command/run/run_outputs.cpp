@@ -6,6 +6,7 @@
 
 #include "app/command/report/summary_fields.h"
 #include "app/draw/figure/figure.h"
+#include "app/sound/signal/wav.h"
 #include "core/result.h"
 
 namespace hapticwall::command {
@@ -21,6 +22,19 @@ file::RecordingMetadata metadata_of(const file::LoadedScene& loaded, std::uint64
   return metadata;
 }
 
+Failure check_lengths(const OutputOptions& options, const Scene& scene) {
+  if (!options.plot.empty() && scene.tick_count() > kMaxPlottedTicks) {
+    return usage_error(fmt::format(
+        "--plot: a figure shows at most {} ticks, this run has {}; --duration shortens it",
+        kMaxPlottedTicks, scene.tick_count()));
+  }
+  if (options.wav.empty() || scene.duration_s <= kMaxSoundS) return {};
+  return usage_error(
+      fmt::format("--wav: a sound file has at most {:g} s, this run has {:g} s; --duration "
+                  "shortens it",
+                  kMaxSoundS, scene.duration_s));
+}
+
 }  // namespace
 
 std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(const RunSummary& summary) {
@@ -30,12 +44,8 @@ std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(const RunSummar
 }
 
 Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::LoadedScene& loaded,
-                                    bool session_records) {
-  if (!options.plot.empty() && loaded.scene.tick_count() > kMaxPlottedTicks) {
-    return usage_error(fmt::format(
-        "--plot: a figure shows at most {} ticks, this run has {}; --duration shortens it",
-        kMaxPlottedTicks, loaded.scene.tick_count()));
-  }
+                                    const TickOrigin& origin) {
+  if (Failure failed = check_lengths(options, loaded.scene)) return *failed;
   RunOutputs outputs;
   outputs.first_recorded_tick_ = loaded.first_recorded_tick;
   OutputOptions without_csv = options;
@@ -43,7 +53,11 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
   Result<OutputFiles> files = OutputFiles::open(without_csv);
   if (!files) return files.error();
   outputs.files_ = std::move(*files);
-  if (!options.csv.empty() && !session_records) {
+  if (!options.wav.empty()) {
+    if (Failure failed = outputs.wav_.open(options.wav)) return *failed;
+    outputs.sound_.emplace(loaded.scene.sampling.rate_hz, sound::kFileRateHz, origin.knows_truth);
+  }
+  if (!options.csv.empty() && !origin.session_records) {
     auto recording = file::RecordingWriter::create(
         options.csv, file::csv_columns(true, loaded.scene.axes.size()));
     if (!recording) return recording.error();
@@ -59,6 +73,7 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
 void RunOutputs::take(const Tick& tick) {
   if (tick.x().tick < first_recorded_tick_) return;
   if (recording_ && !failure_) failure_ = recording_->append(tick);
+  if (sound_) sound_->take(tick, heard_);
   if (!files_.wants_plot() || !is_finite(tick)) return;
   for (std::size_t axis = 0; axis < tick.count; ++axis) {
     samples_[axis].push_back(tick.axes[axis]);
@@ -86,9 +101,18 @@ Result<file::Picture> RunOutputs::draw(const Scene& scene) const {
   return all;
 }
 
+Failure RunOutputs::write_sound() {
+  if (!sound_) return {};
+  sound_->finish(heard_);
+  const Result<std::string> bytes = sound::encode_wav(heard_);
+  return bytes ? wav_.write_whole(*bytes) : bytes.error();
+}
+
 Failure RunOutputs::finish(const Scene& scene, const RunSummary& summary, std::string table) {
   Failure failed =
       files_.write({"", summary_json(summary), std::move(table)}, [&] { return draw(scene); });
+  Failure unheard = write_sound();
+  if (!failed) failed = std::move(unheard);
   return failure_ ? failure_ : failed;
 }
 

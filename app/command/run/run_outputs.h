@@ -13,6 +13,7 @@
 #include "app/file/picture.h"
 #include "app/file/recording/recording_writer.h"
 #include "app/file/scene/scene_file.h"
+#include "app/sound/signal/sound_stream.h"
 #include "core/simulation/simulate.h"
 
 namespace hapticwall::command {
@@ -21,15 +22,24 @@ namespace hapticwall::command {
 [[nodiscard]] std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(
     const RunSummary& summary);
 
+// Of a sound file, whose samples are kept in memory.
+inline constexpr double kMaxSoundS = 600.0;
+
+// Where the ticks of a run come from.
+struct TickOrigin {
+  bool session_records = false;  // a session writes the CSV
+  bool knows_truth = true;       // a simulator
+};
+
 class RunOutputs {
  public:
-  // Opens the files that `options` name, without the CSV if `session_records`.
+  // Opens the files that `options` name, without the CSV if the session records.
   [[nodiscard]] static Result<RunOutputs> open(const OutputOptions& options,
                                                const file::LoadedScene& loaded,
-                                               bool session_records);
+                                               const TickOrigin& origin);
 
   // Whether take() must be called with every tick.
-  [[nodiscard]] bool wants_ticks() const { return recording_ || files_.wants_plot(); }
+  [[nodiscard]] bool wants_ticks() const { return recording_ || files_.wants_plot() || sound_; }
   void take(const Tick& tick);
   // Of the recording. The run continues for its other outputs, and finish() fails.
   [[nodiscard]] const Failure& failure() const { return failure_; }
@@ -38,17 +48,21 @@ class RunOutputs {
   // Finishes the recording, also of a run that ended early.
   void finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks,
                         const RunSummary& summary);
-  // Writes JSON and figure, and prints JSON or `table`. Fails with the first failure, that of the
-  // recording included.
+  // Writes JSON, figure and sound, and prints JSON or `table`. Fails with the first failure, that
+  // of the recording included.
   [[nodiscard]] Failure finish(const Scene& scene, const RunSummary& summary, std::string table);
 
  private:
   [[nodiscard]] Result<file::Picture> draw(const Scene& scene) const;
+  [[nodiscard]] Failure write_sound();
 
   std::unique_ptr<file::RecordingWriter> recording_;
   std::uint64_t first_recorded_tick_ = 0;
   OutputFiles files_;
   std::array<std::vector<Sample>, kMaxAxes> samples_;  // of the figure, by axis
+  std::optional<sound::SoundStream> sound_;
+  std::vector<float> heard_;
+  OutputFile wav_;
   Failure failure_;
 };
 

@@ -63,6 +63,7 @@ TEST_F(DiskTest, FullWhileAnOutputIsWritten) {
            Output{"run press --quiet --duration 0.001 --csv a.csv", 1, "a.toml.partial", ""},
            Output{"run press --quiet --json a.json", 1, "a.json", ""},
            Output{"run press --quiet --plot a.png", 8, "a.png", ""},
+           Output{"run press --quiet --wav a.wav", 8, "a.wav", ""},
            Output{"compare press --quiet --csv a.csv", 1, "a.csv", ""},
            Output{"compare press --quiet --json a.json", 1, "a.json", ""},
            Output{"compare press --quiet --plot a.png", 8, "a.png", ""},
@@ -184,9 +185,9 @@ TEST_F(DiskTest, AFolderThatIsMovedKeepsTheRowsForRecovery) {
 
 // Also as root, who ignores permissions.
 TEST_F(DiskTest, ReadOnlyFoldersAreToldBeforeAnythingRuns) {
-  for (const std::string option : {"--csv", "--json", "--plot"}) {
+  for (const std::string option : {"--csv", "--json", "--plot", "--wav"}) {
     const Answer answer =
-        hapticwall({"run", "press", "--duration", "1000", option, "/sys/hapticwall"});
+        hapticwall({"run", "press", "--duration", "600", option, "/sys/hapticwall"});
     EXPECT_EQ(answer.status, 4);
     EXPECT_THAT(answer.err, StartsWith("error: /sys/hapticwall: cannot be written: "));
     EXPECT_EQ(answer.error_lines(), 1);
