@@ -13,6 +13,7 @@ find_package(fmt REQUIRED)
 find_package(PNG REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)  # app/sound
+pkg_check_modules(RTAUDIO REQUIRED IMPORTED_TARGET rtaudio)
 find_package(CLI11 REQUIRED)  # app/command
 find_package(glfw3 REQUIRED)  # app/ui
 find_package(glm REQUIRED)

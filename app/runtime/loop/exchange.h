@@ -6,10 +6,12 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "app/runtime/loop/latency_histogram.h"
 #include "app/runtime/loop/led_hand.h"
 #include "app/runtime/loop/snapshot.h"
+#include "app/runtime/loop/sound_feed.h"
 #include "app/runtime/loop/spsc_queue.h"
 #include "core/loop/servo_step.h"
 #include "core/loop/triple_buffer.h"
@@ -64,7 +66,10 @@ inline constexpr std::size_t kHandMoveQueueCapacity = 256;
 
 struct Exchange {
   Exchange(const QueueCapacities& capacities, const LoopParameters& initial)
-      : parameters(initial), plot(capacities.plot), recorder(capacities.recorder) {}
+      : parameters(initial),
+        plot(capacities.plot),
+        recorder(capacities.recorder),
+        sound(std::make_shared<SoundFeed>(capacities.sound)) {}
 
   // Owner to loop.
   TripleBuffer<LoopParameters> parameters;
@@ -87,6 +92,9 @@ struct Exchange {
 
   // Loop to recorder.
   SpscQueue<Tick> recorder;
+
+  // Loop to sound. The sound may keep it longer than the session lives.
+  const std::shared_ptr<SoundFeed> sound;
 
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 };

@@ -258,6 +258,9 @@ void ServoLoop::hand_out(const Tick& tick) {
   if (recording_ && !exchange_.recorder.try_push(tick)) {
     exchange_.dropped_rows.fetch_add(1, std::memory_order_relaxed);
   }
+  if (exchange_.sound->wanted.load(std::memory_order_relaxed)) {
+    static_cast<void>(exchange_.sound->ticks.try_push(tick));  // a full queue is a gap in the sound
+  }
 }
 
 // Paused. A simulated plant freezes with its force. A real device is disarmed, and zero forces keep

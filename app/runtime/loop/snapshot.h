@@ -15,6 +15,7 @@ namespace hapticwall::runtime {
 struct QueueCapacities {
   std::size_t plot = 1U << 16U;
   std::size_t recorder = 1U << 17U;
+  std::size_t sound = 1U << 11U;
 };
 
 // Since the start of the session. Wake latency and compute time cover every cycle, also those in a

@@ -19,6 +19,7 @@
 namespace hapticwall::runtime {
 
 class Clock;
+struct SoundFeed;
 
 enum class RecordingState : std::uint8_t { kIdle, kRecording, kFailed };
 
@@ -74,6 +75,9 @@ class LiveSession : public SampleSource {
   // Asks for the force of a real device (arming.h), or removes it at the next tick. The snapshot
   // has the answer. No effect on a simulator. reset() disarms, and finishes a running recording.
   virtual void arm(bool armed) = 0;
+
+  // For the sound, which may keep it.
+  [[nodiscard]] virtual std::shared_ptr<SoundFeed> sound_feed() const = 0;
 
   virtual void read_timing(TimingHistograms& timing) const = 0;
   // Samples that take_ticks() lost because the owner was too slow.

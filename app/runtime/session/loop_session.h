@@ -44,6 +44,7 @@ class LoopSession final : public LiveSession {
   void step(std::uint32_t ticks) override;
   void reset() override;
   [[nodiscard]] Snapshot snapshot() override;
+  [[nodiscard]] std::shared_ptr<SoundFeed> sound_feed() const override { return exchange_.sound; }
   void read_timing(TimingHistograms& timing) const override;
   std::size_t take_ticks(std::span<Tick> out) override;
   [[nodiscard]] std::uint64_t dropped_plot_samples() const override;

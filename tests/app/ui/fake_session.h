@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/runtime/loop/exchange.h"
+#include "app/runtime/loop/sound_feed.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/scene_change.h"
 #include "core/loop/servo.h"
@@ -44,6 +45,7 @@ class FakeSession final : public runtime::LiveSession {
         newest_.axes[axis].generation = generation_;
       }
       queue_.push_back(newest_);
+      if (feed->wanted) static_cast<void>(feed->ticks.try_push(newest_));
       if (recording_.state == runtime::RecordingState::kRecording) ++recording_.rows;
     }
   }
@@ -89,6 +91,7 @@ class FakeSession final : public runtime::LiveSession {
     snapshot.generation = echoed_;
     return snapshot;
   }
+  [[nodiscard]] std::shared_ptr<runtime::SoundFeed> sound_feed() const override { return feed; }
   void read_timing(runtime::TimingHistograms& out) const override { out = histograms; }
   std::size_t take_ticks(std::span<Tick> out) override {
     const std::size_t count = std::min(out.size(), queue_.size());
@@ -129,6 +132,7 @@ class FakeSession final : public runtime::LiveSession {
 
   device::DeviceInfo info{"simulator", true};
   std::string trouble;
+  const std::shared_ptr<runtime::SoundFeed> feed = std::make_shared<runtime::SoundFeed>(1000);
   int* open_count = nullptr;     // decremented at the end of this session
   runtime::ArmingStatus arming;  // of the next snapshots, like link and timing
   device::LinkStats link;

@@ -1,0 +1,51 @@
+// The live sound: a thread between the loop's queue and the card.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "app/sound/live/card.h"
+#include "app/sound/live/sound_pump.h"
+
+namespace hapticwall::sound {
+
+enum class SoundState : std::uint8_t { kOff, kOpening, kPlaying, kNoCard, kStuck };
+
+struct SoundStatus {
+  SoundState state = SoundState::kOff;
+  std::string card;        // where it plays
+  std::string problem;     // of kNoCard
+  double latency_s = 0.0;  // where it plays: from a tick to the plug
+};
+
+// One sentence.
+[[nodiscard]] std::string describe(const SoundStatus& status);
+
+// All members are called from one thread, the owner's, and none waits for the card. The loop meets
+// the sound only at SoundFeed.
+class SoundPlayer {
+ public:
+  explicit SoundPlayer(OpenCard open_card);
+  SoundPlayer(const SoundPlayer&) = delete;
+  SoundPlayer& operator=(const SoundPlayer&) = delete;
+  // Silence. Waits for at most 0.2 s; a card that is stuck for longer keeps its thread.
+  ~SoundPlayer();
+
+  // Opens the card, or closes it. A card that did not open is tried again at the next switch.
+  void play(bool on);
+  void mix(const SoundMix& mix);
+  // The session to be heard from now on; the same one again costs nothing.
+  void follow(const SoundSource& source);
+  [[nodiscard]] SoundStatus status() const;
+
+ private:
+  struct Shared;
+  static void work(const std::shared_ptr<Shared>& shared);
+
+  std::shared_ptr<Shared> shared_;  // with the thread, which may outlive the player
+  std::thread thread_;
+};
+
+}  // namespace hapticwall::sound

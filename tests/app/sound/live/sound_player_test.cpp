@@ -1,0 +1,148 @@
+#include "app/sound/live/sound_player.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "tests/app/runtime/support.h"
+
+namespace hapticwall::sound::test {
+namespace {
+
+using runtime::test::eventually;
+using ::testing::HasSubstr;
+
+std::shared_ptr<runtime::SoundFeed> new_feed() { return std::make_shared<runtime::SoundFeed>(64); }
+
+// To and fro at 50 Hz.
+bool push(runtime::SoundFeed& feed, std::uint64_t tick) {
+  Tick pushed;
+  pushed.axes[0].tick = tick;
+  pushed.axes[0].truth.velocity_m_per_s = tick % 20 < 10 ? 0.1 : -0.1;
+  return feed.ticks.try_push(pushed);
+}
+
+// Calls about every millisecond, and counts what is not silent.
+class BusyCard final : public Card {
+ public:
+  BusyCard(FillSound fill, std::shared_ptr<std::atomic<int>> heard)
+      : thread_([this, fill = std::move(fill), heard = std::move(heard)] {
+          std::vector<float> samples(48);
+          while (!end_) {
+            fill(samples);
+            for (const float sample : samples) *heard += sample != 0.0F ? 1 : 0;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+          }
+        }) {}
+  ~BusyCard() override {
+    end_ = true;
+    thread_.join();
+  }
+  BusyCard(const BusyCard&) = delete;
+  BusyCard& operator=(const BusyCard&) = delete;
+  [[nodiscard]] CardFacts facts() const override { return {"busy", 48000.0, 48, 0.001}; }
+
+ private:
+  std::atomic<bool> end_{false};
+  std::thread thread_;
+};
+
+class SilentCard final : public Card {
+ public:
+  [[nodiscard]] CardFacts facts() const override { return {"silent", 48000.0, 128, 0.005}; }
+};
+
+TEST(SoundPlayer, PlaysTheSessionThatItFollows) {
+  const auto heard = std::make_shared<std::atomic<int>>(0);
+  SoundPlayer player([heard](const FillSound& fill) -> Result<std::unique_ptr<Card>> {
+    return std::unique_ptr<Card>(std::make_unique<BusyCard>(fill, heard));
+  });
+  const auto first = new_feed();
+  const auto second = new_feed();
+  player.follow({first, 1000.0, true});
+  EXPECT_FALSE(first->wanted);
+  EXPECT_EQ(player.status().state, SoundState::kOff);
+  player.play(true);
+  EXPECT_TRUE(eventually([&] { return first->wanted.load(); }));
+  std::uint64_t tick = 0;
+  EXPECT_TRUE(eventually([&] {
+    if (first->ticks.size() < 10 && push(*first, tick)) ++tick;
+    return *heard > 100;
+  }));
+  EXPECT_EQ(player.status().state, SoundState::kPlaying);
+  EXPECT_THAT(describe(player.status()), HasSubstr("busy: the sound is "));
+  player.follow({second, 1000.0, true});
+  EXPECT_FALSE(first->wanted);
+  EXPECT_TRUE(eventually([&] { return second->wanted.load(); }));
+  player.play(false);
+  EXPECT_TRUE(eventually([&] { return !second->wanted; }));
+  EXPECT_TRUE(eventually([&] { return player.status().state == SoundState::kOff; }));
+}
+
+TEST(SoundPlayer, NoCardIsOneSentence) {
+  const auto attempts = std::make_shared<std::atomic<int>>(0);
+  SoundPlayer player([attempts](const FillSound&) -> Result<std::unique_ptr<Card>> {
+    ++*attempts;
+    return Error{ErrorKind::kDevice, "no sound card"};
+  });
+  const auto feed = new_feed();
+  player.follow({feed, 1000.0, true});
+  for (int attempt = 1; attempt <= 2; ++attempt) {
+    player.play(true);
+    EXPECT_TRUE(eventually([&] { return player.status().state == SoundState::kNoCard; }));
+    EXPECT_EQ(describe(player.status()), "There is no sound: no sound card.");
+    EXPECT_FALSE(feed->wanted);
+    EXPECT_EQ(*attempts, attempt);
+    player.play(false);
+    EXPECT_TRUE(eventually([&] { return player.status().state == SoundState::kOff; }));
+  }
+}
+
+// The loop's queue is emptied all the same.
+TEST(SoundPlayer, ACardThatNeverCallsIsTold) {
+  SoundPlayer player([](const FillSound&) -> Result<std::unique_ptr<Card>> {
+    return std::unique_ptr<Card>(std::make_unique<SilentCard>());
+  });
+  const auto feed = new_feed();
+  player.follow({feed, 1000.0, true});
+  player.play(true);
+  EXPECT_TRUE(eventually([&] { return feed->wanted.load(); }));
+  for (std::uint64_t tick = 0; tick < 40; ++tick) EXPECT_TRUE(push(*feed, tick));
+  EXPECT_TRUE(eventually([&] { return feed->ticks.size() == 0; }));
+  EXPECT_TRUE(eventually([&] { return player.status().state == SoundState::kStuck; }));
+  EXPECT_THAT(describe(player.status()), HasSubstr("switch the sound off and on again"));
+}
+
+// Neither the window nor the loop waits for it, and the program ends.
+TEST(SoundPlayer, ACardThatBlocksHoldsNobodyUp) {
+  std::promise<void> release;
+  const std::shared_future<void> released = release.get_future().share();
+  const auto ended = std::make_shared<std::promise<void>>();
+  const auto feed = new_feed();
+  {
+    SoundPlayer player([released, ended](const FillSound&) -> Result<std::unique_ptr<Card>> {
+      released.wait();
+      ended->set_value();
+      return Error{ErrorKind::kDevice, "late"};
+    });
+    player.follow({feed, 1000.0, true});
+    player.play(true);
+    EXPECT_TRUE(eventually([&] { return player.status().state == SoundState::kOpening; }));
+    player.mix({1.0, true});
+    player.play(false);
+    player.play(true);
+    EXPECT_FALSE(feed->wanted);
+  }
+  release.set_value();
+  ended->get_future().wait();
+}
+
+}  // namespace
+}  // namespace hapticwall::sound::test
