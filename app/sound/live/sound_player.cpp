@@ -1,7 +1,5 @@
 #include "app/sound/live/sound_player.h"
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -9,7 +7,6 @@
 #include <utility>
 
 #include "app/runtime/loop/realtime_setup.h"
-#include "core/units.h"
 
 namespace hapticwall::sound {
 namespace {
@@ -154,23 +151,6 @@ void SoundPlayer::follow(const SoundSource& source) {
 SoundStatus SoundPlayer::status() const {
   const std::scoped_lock lock(shared_->mutex);
   return shared_->status;
-}
-
-std::string describe(const SoundStatus& status) {
-  switch (status.state) {
-    case SoundState::kOff:
-      return "The sound is off.";
-    case SoundState::kOpening:
-      return "The sound card is being opened.";
-    case SoundState::kNoCard:
-      return "There is no sound: " + status.problem + ".";
-    case SoundState::kStuck:
-      return "The sound card does not take samples: switch the sound off and on again.";
-    case SoundState::kPlaying:
-      break;
-  }
-  return fmt::format("{}: the sound is {:.0f} ms behind the handle.", status.card,
-                     status.latency_s * kMillisecondsPerSecond);
 }
 
 }  // namespace hapticwall::sound

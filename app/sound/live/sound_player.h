@@ -1,27 +1,14 @@
 // The live sound: a thread between the loop's queue and the card.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <string>
 #include <thread>
 
 #include "app/sound/live/card.h"
 #include "app/sound/live/sound_pump.h"
+#include "app/sound/live/sound_status.h"
 
 namespace hapticwall::sound {
-
-enum class SoundState : std::uint8_t { kOff, kOpening, kPlaying, kNoCard, kStuck };
-
-struct SoundStatus {
-  SoundState state = SoundState::kOff;
-  std::string card;        // where it plays
-  std::string problem;     // of kNoCard
-  double latency_s = 0.0;  // where it plays: from a tick to the plug
-};
-
-// One sentence.
-[[nodiscard]] std::string describe(const SoundStatus& status);
 
 // All members are called from one thread, the owner's, and none waits for the card. The loop meets
 // the sound only at SoundFeed.

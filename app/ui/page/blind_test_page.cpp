@@ -78,11 +78,21 @@ void draw_seed(const PanelContext& context) {
   seed = parsed;
 }
 
+void draw_masking(const PanelContext& context) {
+  field_label(context, "sound", "", "");
+  ImGui::Checkbox("masking noise###masking noise", &context.state.compare.persisted.masking_noise);
+  explain(
+      "During the test the sound, if it is on, is noise that knows nothing of the wall. Switch "
+      "this "
+      "off if the question is about the sound.");
+}
+
 void draw_fields(const PanelContext& context) {
   draw_question(context);
   draw_trials(context);
   draw_confidence(context);
   draw_seed(context);
+  draw_masking(context);
   ImGui::Spacing();
   const bool replaying = context.shows.replay != nullptr;
   const char* tooltip = replaying ? "A recording cannot be felt: go back to the scene first."

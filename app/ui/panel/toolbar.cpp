@@ -12,6 +12,7 @@
 
 #include "app/file/text/text.h"
 #include "app/ui/panel/replay_bar.h"
+#include "app/ui/panel/sound_switch.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/export.h"
 #include "app/ui/widget/widgets.h"
@@ -193,6 +194,7 @@ void draw_toolbar(const PanelContext& context) {
   } else {
     draw_run_buttons(context);
     draw_slow_motion(context, *context.shows.live);
+    draw_sound_switch(context);
     draw_reset_question(context);
     draw_recording(context, *context.shows.live);
   }

@@ -57,6 +57,7 @@ struct CompareState {
     std::string question = compare::TrialPlan{}.question;
     std::size_t trials = compare::TrialPlan{}.trials;
     double confidence = compare::TrialPlan{}.confidence;
+    bool masking_noise = true;  // in the place of the sound
   } persisted;
 
   // Lives as long as the window.

@@ -173,10 +173,12 @@ std::vector<Key> plain_keys() {
       number("plots.before_trigger", &draw::TriggerSettings::pre_share, 0.0, kMaxShare),
       number("wall.magnification", &WallState::Persisted::magnification, 0.0,
              kMagnifications.back()),
+      number("sound.volume", &PersistedState::sound_volume, 0.0, 1.0),
       flag("compare.ghost", &Compare::ghost_shown),
       text("blind_test.question", &Compare::question),
       number("blind_test.trials", &Compare::trials, 1.0, static_cast<double>(compare::kMaxTrials)),
-      number("blind_test.confidence", &Compare::confidence, kMinConfidence, kMaxConfidence)};
+      number("blind_test.confidence", &Compare::confidence, kMinConfidence, kMaxConfidence),
+      flag("blind_test.masking_noise", &Compare::masking_noise)};
 }
 
 // Lines are stored by name, because bit positions change between versions.

@@ -22,6 +22,7 @@
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
 #include "app/runtime/session/window_options.h"
+#include "app/sound/live/sound_status.h"
 #include "app/ui/state/background.h"
 #include "app/ui/state/compare_state.h"
 #include "app/ui/state/export.h"
@@ -139,6 +140,7 @@ struct PersistedState {
   int window_width = 0;             // in pixels at scale 1; 0: as fits the screen
   int window_height = 0;
   bool window_maximised = false;
+  double sound_volume = 0.5;  // 0 to 1
 };
 
 // The text field in edit; all others show the present values.
@@ -218,7 +220,9 @@ struct TransientState {
   double now_s = 0.0;                        // at the start of the frame
   std::vector<PointerEvent> pointer_events;  // since the frame before
   HandDrag hand_drag;
-  bool hand_led = false;              // by the pointer or a key, since the last reset
+  bool hand_led = false;  // by the pointer or a key, since the last reset
+  bool sound_on = false;
+  sound::SoundStatus sound;
   bool follow = true;                 // the plots follow the newest samples
   std::optional<double> looked_at_s;  // the moment that the views show; empty: the newest
   double time_from_s = 0.0;

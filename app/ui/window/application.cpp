@@ -50,7 +50,8 @@ Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> render
       theme_(theme),
       settings_(options.settings_path),
       now_s_(options.now_s),
-      incoming_(kTicksAtATime) {
+      incoming_(kTicksAtATime),
+      sound_(sessions_.open_card ? sessions_.open_card : sound::open_usual_card) {
   TransientState& transient = state_.transient;
   transient.settings_path = options.settings_path;
   transient.forced_scale = options.forced_scale;
@@ -118,9 +119,25 @@ void Application::frame() {
   open_wanted_recording();
   take_opened_recording();
   if (live_) notice_changes(state_, live_->scene());
+  heed_sound();
   state_.transient.pointer_events.clear();
   if (ImGui::GetCurrentContext()->InputEventsQueue.empty()) state_.transient.key_presses.clear();
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
+}
+
+// Without a card the switch goes back, and one sentence says why.
+void Application::heed_sound() {
+  TransientState& transient = state_.transient;
+  sound::SoundSource source;
+  if (live_) source = {live_->sound_feed(), live_->scene().sampling.rate_hz, live_->knows_truth()};
+  sound_.follow(source);
+  sound_.mix({state_.persisted.sound_volume,
+              blind_test_runs(state_) && state_.compare.persisted.masking_noise});
+  sound_.play(transient.sound_on);
+  transient.sound = sound_.status();
+  if (transient.sound.state != sound::SoundState::kNoCard || !transient.sound_on) return;
+  transient.sound_on = false;
+  tell(state_, MessageKind::kNote, describe(transient.sound));
 }
 
 // At the newest moment, or back at that under the pointer in plots that stand still.

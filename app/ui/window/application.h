@@ -14,6 +14,7 @@
 #include "app/draw/plot/theme.h"
 #include "app/file/recording/recording_reader.h"
 #include "app/runtime/session/live_session.h"
+#include "app/sound/live/sound_player.h"
 #include "app/ui/state/settings_file.h"
 #include "app/ui/state/ui_state.h"
 #include "app/ui/wall/wall_renderer.h"
@@ -36,6 +37,7 @@ class Application {
     // Makes the recording to show first, with the scene to go back to. Empty: a session of the
     // scene.
     std::function<std::unique_ptr<runtime::ReplaySession>()> replay;
+    sound::OpenCard open_card;  // empty: the usual sound card
   };
 
   // Options besides the scene.
@@ -104,6 +106,7 @@ class Application {
   [[nodiscard]] Failure start_session(const Scene& scene);
 
   void keep_appearance();
+  void heed_sound();
   [[nodiscard]] Visibility visibility(std::uint32_t echoed_generation);
   void look_at_moment(runtime::Snapshot& snapshot);
   void repeat(const runtime::Snapshot& snapshot);
@@ -142,6 +145,7 @@ class Application {
   std::vector<Tick> incoming_;
   PaintGate paint_gate_;
   bool samples_came_ = false;  // in the last frame
+  sound::SoundPlayer sound_;
 };
 
 }  // namespace hapticwall::ui

@@ -17,6 +17,7 @@
 #include "app/file/scene/scene_file.h"
 #include "app/ui/window/application.h"
 #include "tests/app/runtime/support.h"
+#include "tests/app/sound/live/busy_card.h"
 #include "tests/app/ui/fake_session.h"
 #include "tests/app/ui/items.h"
 #include "tests/app/ui/offscreen_gui.h"
@@ -54,6 +55,7 @@ class GuiTest : public FolderTest {
     ui::Application::Sessions starters;
     starters.simulate = start;
     starters.open_recording = open_recording;
+    starters.open_card = open_card;
     if (with_device) {
       starters.start_on_device = [this, start](const Scene& scene) {
         EXPECT_EQ(devices_open, 0) << "there is one device only";
@@ -259,6 +261,7 @@ class GuiTest : public FolderTest {
   std::string refuse_device;         // the same for sessions on the device
   ui::Application::Options options;  // of the next open()
   ui::Application::RecordingOpener open_recording;
+  sound::OpenCard open_card = sound::test::no_card;
   int sessions = 0;
   bool with_device = false;  // the next open() has a real device
   bool shows_everything = true;

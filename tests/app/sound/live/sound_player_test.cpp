@@ -4,14 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <future>
 #include <memory>
-#include <thread>
 #include <utility>
-#include <vector>
 
 #include "tests/app/runtime/support.h"
+#include "tests/app/sound/live/busy_card.h"
 
 namespace hapticwall::sound::test {
 namespace {
@@ -29,41 +27,14 @@ bool push(runtime::SoundFeed& feed, std::uint64_t tick) {
   return feed.ticks.try_push(pushed);
 }
 
-// Calls about every millisecond, and counts what is not silent.
-class BusyCard final : public Card {
- public:
-  BusyCard(FillSound fill, std::shared_ptr<std::atomic<int>> heard)
-      : thread_([this, fill = std::move(fill), heard = std::move(heard)] {
-          std::vector<float> samples(48);
-          while (!end_) {
-            fill(samples);
-            for (const float sample : samples) *heard += sample != 0.0F ? 1 : 0;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-          }
-        }) {}
-  ~BusyCard() override {
-    end_ = true;
-    thread_.join();
-  }
-  BusyCard(const BusyCard&) = delete;
-  BusyCard& operator=(const BusyCard&) = delete;
-  [[nodiscard]] CardFacts facts() const override { return {"busy", 48000.0, 48, 0.001}; }
-
- private:
-  std::atomic<bool> end_{false};
-  std::thread thread_;
-};
-
 class SilentCard final : public Card {
  public:
   [[nodiscard]] CardFacts facts() const override { return {"silent", 48000.0, 128, 0.005}; }
 };
 
 TEST(SoundPlayer, PlaysTheSessionThatItFollows) {
-  const auto heard = std::make_shared<std::atomic<int>>(0);
-  SoundPlayer player([heard](const FillSound& fill) -> Result<std::unique_ptr<Card>> {
-    return std::unique_ptr<Card>(std::make_unique<BusyCard>(fill, heard));
-  });
+  const auto heard = std::make_shared<Heard>();
+  SoundPlayer player(busy_card(heard));
   const auto first = new_feed();
   const auto second = new_feed();
   player.follow({first, 1000.0, true});
@@ -74,7 +45,7 @@ TEST(SoundPlayer, PlaysTheSessionThatItFollows) {
   std::uint64_t tick = 0;
   EXPECT_TRUE(eventually([&] {
     if (first->ticks.size() < 10 && push(*first, tick)) ++tick;
-    return *heard > 100;
+    return heard->samples > 100;
   }));
   EXPECT_EQ(player.status().state, SoundState::kPlaying);
   EXPECT_THAT(describe(player.status()), HasSubstr("busy: the sound is "));

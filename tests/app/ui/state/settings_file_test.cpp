@@ -42,7 +42,8 @@ void change_all(UiState& state) {
   state.plots.persisted.show_bounds = false;
   state.wall.persisted.magnification = 50;
   state.persisted.lower_page = ui::LowerPage::kBlindTest;
-  state.compare.persisted = {false, "Which is steadier?", 12, 0.9};
+  state.compare.persisted = {false, "Which is steadier?", 12, 0.9, false};
+  state.persisted.sound_volume = 0.8;
 }
 
 class SettingsTest : public FolderTest {
@@ -69,7 +70,7 @@ TEST(Settings, EverythingThatIsKeptComesBack) {
     const auto at_first = usual.find(key);
     if (at_first == usual.end() || at_first->second != value) ++changed;
   }
-  EXPECT_GE(changed, 24U);
+  EXPECT_GE(changed, 26U);
 }
 
 TEST_F(SettingsTest, AFileIsWrittenIntoANewFolderAndReadBack) {

@@ -1,0 +1,21 @@
+// How the live sound fares, for people.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace hapticwall::sound {
+
+enum class SoundState : std::uint8_t { kOff, kOpening, kPlaying, kNoCard, kStuck };
+
+struct SoundStatus {
+  SoundState state = SoundState::kOff;
+  std::string card;        // where it plays
+  std::string problem;     // of kNoCard
+  double latency_s = 0.0;  // where it plays: from a tick to the plug
+};
+
+// One sentence.
+[[nodiscard]] std::string describe(const SoundStatus& status);
+
+}  // namespace hapticwall::sound
