@@ -59,7 +59,7 @@ class RtAudioCard final : public Card {
     output.deviceId = audio_->getDefaultOutputDevice();
     output.nChannels = kChannels;
     RtAudio::StreamOptions options;
-    options.flags = RTAUDIO_MINIMIZE_LATENCY;
+    options.flags = RTAUDIO_MINIMIZE_LATENCY | RTAUDIO_ALSA_USE_DEFAULT;
     options.numberOfBuffers = kBuffers;
     options.streamName = "Haptic Wall";
     frames_ = kWantedFrames;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kSwitchEms = 4.5F;
 constexpr float kVolumeEms = 5.0F;
+constexpr float kGapEms = 1.0F;
 constexpr const char* kMeaning =
     "The handle's acceleration as sound: a limit cycle hums, a touch clicks.\n";
 
@@ -30,6 +31,7 @@ void draw_volume(double& volume) {
 void draw_sound_switch(const PanelContext& context) {
   TransientState& transient = context.state.transient;
   ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < ems(kSwitchEms + kVolumeEms + kGapEms)) ImGui::NewLine();
   if (choice_button(context, "Sound###sound", transient.sound_on,
                     kMeaning + describe(transient.sound), {.width = ems(kSwitchEms)}))
     transient.sound_on = !transient.sound_on;

@@ -5,7 +5,7 @@
 
 namespace hapticwall::ui {
 
-// In the row of the last item.
+// In the row of the last item where it fits.
 void draw_sound_switch(const PanelContext& context);
 
 }  // namespace hapticwall::ui
