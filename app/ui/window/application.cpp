@@ -119,17 +119,18 @@ void Application::frame() {
   open_wanted_recording();
   take_opened_recording();
   if (live_) notice_changes(state_, live_->scene());
-  heed_sound();
+  heed_sound(snapshot);
   state_.transient.pointer_events.clear();
   if (ImGui::GetCurrentContext()->InputEventsQueue.empty()) state_.transient.key_presses.clear();
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
 }
 
-// Without a card the switch goes back, and one sentence says why.
-void Application::heed_sound() {
+// Without a card the switch goes back, and one sentence says why. Slow motion would be chopped.
+void Application::heed_sound(const runtime::Snapshot& snapshot) {
   TransientState& transient = state_.transient;
   sound::SoundSource source;
-  if (live_) source = {live_->sound_feed(), live_->scene().sampling.rate_hz, live_->knows_truth()};
+  if (live_ && snapshot.periods_per_tick == 1)
+    source = {live_->sound_feed(), live_->scene().sampling.rate_hz, live_->knows_truth()};
   sound_.follow(source);
   sound_.mix({state_.persisted.sound_volume,
               blind_test_runs(state_) && state_.compare.persisted.masking_noise});

@@ -106,7 +106,7 @@ class Application {
   [[nodiscard]] Failure start_session(const Scene& scene);
 
   void keep_appearance();
-  void heed_sound();
+  void heed_sound(const runtime::Snapshot& snapshot);
   [[nodiscard]] Visibility visibility(std::uint32_t echoed_generation);
   void look_at_moment(runtime::Snapshot& snapshot);
   void repeat(const runtime::Snapshot& snapshot);

@@ -77,6 +77,16 @@ TEST_F(SoundSwitchTest, FollowsTheNextSession) {
   EXPECT_FALSE(first->wanted);
 }
 
+TEST_F(SoundSwitchTest, SlowMotionIsSilent) {
+  open_with_card();
+  click("sound");
+  frames_until([&] { return fake_->feed->wanted.load(); });
+  fake_->slow_down(10);
+  frames_until([&] { return !fake_->feed->wanted; });
+  fake_->slow_down(1);
+  frames_until([&] { return fake_->feed->wanted.load(); });
+}
+
 // A blind test hears noise, unless the sound is its question.
 TEST_F(SoundSwitchTest, ABlindTestIsMasked) {
   open_with_card();
