@@ -76,6 +76,20 @@ void use_slow_motion(Person& person) {
   }
 }
 
+// This machine may have no card: then a message says so, and there is no volume.
+void use_sound(Person& person) {
+  const ui::TransientState& transient = person.state().transient;
+  person.click("sound");
+  person.wait_until([&] { return !transient.sound_on || !transient.sound.card.empty(); },
+                    "the sound card");
+  if (!transient.sound_on) return;
+  const double before = person.state().persisted.sound_volume;
+  person.drag("volume", ImVec2(20.0F, 0.0F));
+  EXPECT_NE(person.state().persisted.sound_volume, before);
+  person.click("sound");
+  EXPECT_FALSE(transient.sound_on);
+}
+
 void take_the_tour(Person& person) {
   const int& step = person.state().persisted.tour;
   person.click("help");
@@ -163,6 +177,7 @@ Table toolbar_rows() {
           does("reset", reset_once),
           does("record", record_and_stop),
           {"slow motion", use_slow_motion},
+          {"sound", use_sound},
           flips("repeat scene",
                 [](Person& person) { return person.state().transient.repeats ? 1.0 : 0.0; }),
           {"recording name", name_the_recording}};

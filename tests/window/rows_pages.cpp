@@ -87,6 +87,10 @@ void set_up_blind_test(Person& person) {
   EXPECT_NEAR(person.state().compare.persisted.confidence, 0.9, 1e-12);
   person.type("blind seed", "7");
   EXPECT_EQ(person.state().compare.transient.seed, 7U);
+  for (const bool masked : {false, true}) {
+    person.click("masking noise");
+    EXPECT_EQ(person.state().compare.persisted.masking_noise, masked);
+  }
   person.click("blind start");
   EXPECT_TRUE(ui::blind_test_runs(person.state()));
 }

@@ -35,7 +35,7 @@ void draw_sound_switch(const PanelContext& context) {
   if (choice_button(context, "Sound###sound", transient.sound_on,
                     kMeaning + describe(transient.sound), {.width = ems(kSwitchEms)}))
     transient.sound_on = !transient.sound_on;
-  if (transient.sound_on) draw_volume(context.state.persisted.sound_volume);
+  if (!transient.sound.card.empty()) draw_volume(context.state.persisted.sound_volume);
 }
 
 }  // namespace hapticwall::ui
