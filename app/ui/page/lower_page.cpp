@@ -56,7 +56,8 @@ void draw_lower_page(const PanelContext& context, const draw::SampleHistory& his
   }
   draw_energy_lamp(context);
   draw_verdict_strip(context);
-  ImGui::BeginChild("lower page", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders);
+  ImGui::BeginChild("lower page", ImVec2(0.0F, 0.0F),
+                    ImGuiChildFlags_Borders | ImGuiChildFlags_NavFlattened);
   switch (lower_page(context)) {
     case LowerPage::kPlots:
       show_ghost(context);

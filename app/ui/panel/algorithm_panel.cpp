@@ -117,6 +117,25 @@ void draw_follower(const PanelContext& context, const AlgorithmDescription& algo
   }
 }
 
+// Heights that no algorithm exceeds, so that the rows below stay where they are.
+float largest_idea() {
+  const FontScope font(nullptr, draw::kSmallFontSize);
+  const float width = ImGui::GetContentRegionAvail().x;
+  float height = 0.0F;
+  for (const AlgorithmDescription& algorithm : algorithms()) {
+    const std::string idea(algorithm.idea);
+    height = std::max(height, ImGui::CalcTextSize(idea.c_str(), nullptr, false, width).y);
+  }
+  return height + ImGui::GetStyle().ItemSpacing.y;
+}
+
+float most_rows() {
+  std::size_t rows = 0;
+  for (const AlgorithmDescription& algorithm : algorithms())
+    rows = std::max(rows, algorithm.parameters.size());
+  return static_cast<float>(rows + 1) * ImGui::GetFrameHeightWithSpacing();  // and "then"
+}
+
 }  // namespace
 
 void choose_algorithm(const PanelContext& context, std::size_t index) {
@@ -145,11 +164,13 @@ void draw_algorithm_section(const PanelContext& context) {
     if (list_choice(label, i == in_force, tooltip)) choose_algorithm(context, i);
   }
   if (current >= list.size()) return;
+  const float end = ImGui::GetCursorPosY() + largest_idea() + most_rows();
   muted_text(context, list[current].idea);
   if (!context.state.persisted.more) return;
   for (const ParameterDescription& parameter : list[current].parameters)
     draw_parameter(context, parameter);
   draw_follower(context, list[current]);
+  ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), end));
 }
 
 }  // namespace hapticwall::ui

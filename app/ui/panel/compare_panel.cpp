@@ -71,11 +71,10 @@ void draw_slot(const PanelContext& context, Slot slot) {
   } else {
     draw_take_button(context, slot, name_ends, right);
   }
+  // Always a line, so that the rows below stay.
   const std::string keys = set_keys_text(settings);
-  if (!keys.empty()) {
-    ImGui::SetCursorPosX(indent);
-    muted_text(context, keys);
-  }
+  ImGui::SetCursorPosX(indent);
+  muted_text(context, keys.empty() ? "with its defaults" : keys);
   if (clicked && !active) choose_slot(context, slot);
 }
 

@@ -132,10 +132,10 @@ WallPicture fading_picture(const PanelContext& context) {
 void draw_picture(const PanelContext& context, WallRenderer& renderer, const WallPicture& picture,
                   const WallCamera& camera, const ViewArea& area) {
   const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
-  const float share = context.state.wall.transient.resolution.share();
-  const GLuint texture = renderer.draw(
-      picture, camera, context.theme, std::max(1, static_cast<int>(area.size.x * pixels.x * share)),
-      std::max(1, static_cast<int>(area.size.y * pixels.y * share)));
+  renderer.set_draft_share(context.state.wall.transient.resolution.share());
+  const GLuint texture = renderer.draw(picture, camera, context.theme,
+                                       std::max(1, static_cast<int>(area.size.x * pixels.x)),
+                                       std::max(1, static_cast<int>(area.size.y * pixels.y)));
   context.state.wall.transient.view_refined = renderer.refined();
   ImGui::GetWindowDrawList()->AddImage(
       ImTextureRef(static_cast<ImTextureID>(texture)), area.corner,

@@ -65,6 +65,11 @@ class Renderer final : public WallRenderer {
 
   GLuint draw(const WallPicture& picture, const WallCamera& camera, const draw::Theme& theme,
               int width, int height) override;
+  void set_draft_share(float share) override {
+    if (share == draft_share_) return;
+    draft_share_ = share;
+    last_ground_.reset();  // it has another size
+  }
   [[nodiscard]] bool refined() const override { return refined_; }
   [[nodiscard]] std::uint64_t times_drawn() const override { return times_drawn_; }
   [[nodiscard]] GLuint framebuffer() const override {
@@ -82,6 +87,7 @@ class Renderer final : public WallRenderer {
   WallFloor floor_;
   WallSolids solids_;
   bool drafts_first_;
+  float draft_share_ = 1.0F;
   std::optional<draw::GlTarget> ground_;  // the floor of the last draft, which seldom changes
   std::optional<draw::GlTarget> draft_;
   std::optional<draw::GlTarget> fine_;
@@ -119,12 +125,14 @@ void Renderer::draw_solids(const WallView& view) const {
 }
 
 bool Renderer::draw_draft(const WallView& view) {
-  if (!ensure(draft_, last_.width, last_.height, 1)) return false;
+  const int width = std::max(1, static_cast<int>(draft_share_ * static_cast<float>(last_.width)));
+  const int height = std::max(1, static_cast<int>(draft_share_ * static_cast<float>(last_.height)));
+  if (!ensure(draft_, width, height, 1)) return false;
   if (!last_ground_ || !last_ground_->same_ground(last_)) {
     last_ground_.reset();
-    if (!ensure(ground_, last_.width, last_.height, 1)) return false;
+    if (!ensure(ground_, width, height, 1)) return false;
     ground_->bind();
-    floor_.draw(view, last_.height);
+    floor_.draw(view, height);
     last_ground_ = last_;
   }
   draft_->copy_colours(*ground_);
@@ -150,7 +158,7 @@ GLuint Renderer::draw(const WallPicture& picture, const WallCamera& camera,
                      width, height};
   if (needs_drawing(wanted)) {
     last_ = wanted;
-    refined_ = !drafts_first_ || calls_without_change_ > 0;
+    refined_ = !(drafts_first_ || draft_share_ < 1.0F) || calls_without_change_ > 0;
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);

@@ -24,6 +24,8 @@ class WallRenderer {
   // is refined after some calls without a change. Binds the default framebuffer afterwards.
   virtual GLuint draw(const WallPicture& picture, const WallCamera& camera,
                       const draw::Theme& theme, int width, int height) = 0;
+  // A moving picture gets this share of width and height, in (0, 1]; a still one all of it.
+  virtual void set_draft_share(float share) = 0;
   // False: the picture is a draft, to be refined by further calls.
   [[nodiscard]] virtual bool refined() const = 0;
   // Number of calls of draw() that have drawn.

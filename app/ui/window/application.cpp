@@ -52,6 +52,7 @@ Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> render
       now_s_(options.now_s),
       incoming_(kTicksAtATime),
       sound_(sessions_.open_card ? sessions_.open_card : sound::open_usual_card) {
+  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   TransientState& transient = state_.transient;
   transient.settings_path = options.settings_path;
   transient.forced_scale = options.forced_scale;

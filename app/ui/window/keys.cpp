@@ -152,9 +152,23 @@ bool typed(ImWchar character) {
   return character != 0 && std::find(queue.begin(), queue.end(), character) != queue.end();
 }
 
+bool is_arrow(ImGuiKey key) { return key == ImGuiKey_LeftArrow || key == ImGuiKey_RightArrow; }
+
+// Keys that are commands do not navigate: Space takes the force away and presses nothing. The
+// arrows navigate as soon as the cursor of the keyboard is seen, which ↑, ↓ and Alt begin.
+void keep_from_navigation() {
+  const ImGuiID owner = ImHashStr("keys of the window");
+  for (const ImGuiKey key : {ImGuiKey_Tab, ImGuiKey_Space, ImGuiKey_PageUp, ImGuiKey_PageDown})
+    ImGui::SetKeyOwner(key, owner);
+  if (ImGui::GetIO().NavVisible) return;
+  for (const ImGuiKey key : {ImGuiKey_LeftArrow, ImGuiKey_RightArrow})
+    ImGui::SetKeyOwner(key, owner);
+}
+
 bool pressed(const TransientState& state, const KeyBinding& binding) {
   const auto chord_pressed = [&](ImGuiKeyChord chord) {
     const auto key = static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_);
+    if (is_arrow(key) && ImGui::GetIO().NavVisible) return false;
     return ImGui::IsKeyPressed(key, binding.repeats) &&
            (binding.always || modifiers_fit(modifiers_of(state, key), chord));
   };
@@ -211,8 +225,7 @@ void handle_keys(const PanelContext& context, std::span<const KeyBinding> bindin
   const TransientState& transient = context.state.transient;
   bool typing =
       ImGui::GetIO().WantTextInput || ImGui::GetFrameCount() <= transient.edit.typing_until;
-  // Otherwise Tab would move the keyboard to the first field.
-  if (!typing) ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("keys of the window"));
+  if (!typing) keep_from_navigation();
   for (const KeyBinding& binding : bindings) {
     if ((typing && !binding.always) || !pressed(transient, binding)) continue;
     binding.act(context);

@@ -51,7 +51,8 @@ void draw_more_sections(const PanelContext& context) {
 }
 
 void draw_panel(const PanelContext& context, float width, float height) {
-  ImGui::BeginChild("controls", ImVec2(width, height), ImGuiChildFlags_Borders);
+  ImGui::BeginChild("controls", ImVec2(width, height),
+                    ImGuiChildFlags_Borders | ImGuiChildFlags_NavFlattened);
   draw_panel_head(context);
   if (context.shows.hides_algorithm) {
     muted_text(
@@ -106,7 +107,8 @@ double view_scale(const PanelContext& context, ImVec2 size) {
 void draw_contact(const PanelContext& context, const draw::SampleHistory& history, ImVec2 gap,
                   ImVec2 views, double pixels_per_m) {
   ImGui::SameLine();
-  ImGui::BeginChild("contact", ImVec2(0.0F, 0.0F), ImGuiChildFlags_Borders, kStill);
+  ImGui::BeginChild("contact", ImVec2(0.0F, 0.0F),
+                    ImGuiChildFlags_Borders | ImGuiChildFlags_NavFlattened, kStill);
   draw_magnifier(context, history, pixels_per_m);
   ImGui::EndChild();
   const Split split = draw_splitter(context, "picture splitter", SplitWay::kColumns, gap, views.y);
@@ -117,11 +119,13 @@ void draw_views(const PanelContext& context, const draw::SampleHistory& history,
                 WallRenderer& renderer, ImVec2 size) {
   const double share = context.state.persisted.picture_share;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::BeginChild("views", size, ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground | kStill);
+  ImGui::BeginChild("views", size, ImGuiChildFlags_NavFlattened,
+                    ImGuiWindowFlags_NoBackground | kStill);
   const bool more = context.state.persisted.more;
   const float width = more ? std::floor(static_cast<float>(share) * size.x) : size.x;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(1.0F, 1.0F));
-  ImGui::BeginChild("wall", ImVec2(width, 0.0F), ImGuiChildFlags_Borders, kStill);
+  ImGui::BeginChild("wall", ImVec2(width, 0.0F),
+                    ImGuiChildFlags_Borders | ImGuiChildFlags_NavFlattened, kStill);
   ImGui::PopStyleVar();
   const double pixels_per_m = view_scale(context, ImGui::GetContentRegionAvail());
   draw_wall_view(context, renderer);
@@ -133,7 +137,7 @@ void draw_views(const PanelContext& context, const draw::SampleHistory& history,
 void draw_right(const PanelContext& context, const draw::SampleHistory& history,
                 WallRenderer& renderer, float height) {
   double& share = context.state.persisted.view_share;
-  ImGui::BeginChild("right", ImVec2(0.0F, height), ImGuiChildFlags_None,
+  ImGui::BeginChild("right", ImVec2(0.0F, height), ImGuiChildFlags_NavFlattened,
                     ImGuiWindowFlags_NoBackground);
   draw_arming_strip(context);
   draw_toolbar(context);

@@ -46,6 +46,23 @@ TEST(SessionMarks, AreAtTheNewestTickAndReadBack) {
   EXPECT_THAT(session->marks(), SizeIs(2)) << "still to be seen";
 }
 
+TEST(SessionMarks, TheNewestIsNamedLater) {
+  const TemporaryFolder folder;
+  const auto session = started_paused(contact_scene());
+  session->name_mark("nothing to name");
+  ASSERT_FALSE(session->start_recording(folder.file("a.csv")));
+  session->name_mark("nothing to name");
+  session->step(20);
+  ASSERT_TRUE(eventually([&] { return session->snapshot().newest.x().tick == 19; }));
+  ASSERT_FALSE(session->mark("first"));
+  ASSERT_FALSE(session->mark(""));
+  session->step(10);
+  session->name_mark("tap");
+  ASSERT_FALSE(session->stop_recording());
+  const std::vector<file::Mark> expected{{19, "first"}, {19, "tap"}};
+  EXPECT_EQ(marks_in(folder.file("a.csv")), expected);
+}
+
 TEST(SessionMarks, NeedARecording) {
   const auto session = started(contact_scene());
   const Failure failure = session->mark("nowhere");

@@ -237,6 +237,9 @@ TEST(Session, TheHandIsLedAndStaysUntilTheReset) {
   ASSERT_TRUE(ticks_reach(*session, session->snapshot().timing.ticks + 100));
   EXPECT_TRUE(hand_gets_to(0.032)) << "it stays";
   session->move_hand({.m = {0.001}, .duration_s = 1e6});
+  session->move_hand(test::hand_to(0.04));
+  EXPECT_TRUE(hand_gets_to(0.04)) << "at once";
+  session->move_hand({.m = {0.001}, .duration_s = 1e6});
   session->reset();
   EXPECT_TRUE(hand_gets_to(0.075)) << "the script's end";
 }

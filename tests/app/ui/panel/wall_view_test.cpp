@@ -186,6 +186,27 @@ TEST_F(WallViewTest, NothingIsDrawnAgainWhileNothingChanges) {
   EXPECT_GT(application_->renderer().times_drawn(), drawn);
 }
 
+TEST_F(WallViewTest, SlowFramesLowerTheResolutionOfAMovingPictureOnly) {
+  const auto pixels = [this] {
+    glBindFramebuffer(GL_FRAMEBUFFER, application_->renderer().framebuffer());
+    GLint name = 0;
+    glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+    GLint width = 0;
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(name));
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    return width;
+  };
+  live(500);
+  const GLint whole = pixels();
+  application_->note_frame(0.05, 1.0);
+  live(500);
+  EXPECT_EQ(pixels(), whole / 2);
+  frames(60);
+  EXPECT_EQ(pixels(), whole) << "a still picture is refined";
+  EXPECT_TRUE(state().wall.transient.view_refined);
+}
+
 TEST_F(WallViewTest, TheTintComesAndGoesWithTheContact) {
   const auto strength = [this] { return state().wall.transient.shown[0].strength; };
   live(100);

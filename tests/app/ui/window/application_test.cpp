@@ -53,6 +53,14 @@ TEST_F(ApplicationTest, AnInvalidValueIsExplainedAndTheOldOneStays) {
   }
 }
 
+TEST_F(ApplicationTest, TheRowsOfThePanelStayWhenTheAlgorithmChanges) {
+  const float before = rect("stiffness").from.y;
+  for (const AlgorithmDescription& algorithm : algorithms()) {
+    click(std::string(algorithm.name));
+    EXPECT_EQ(rect("stiffness").from.y, before) << algorithm.name;
+  }
+}
+
 TEST_F(ApplicationTest, NumbersAreTakenAsPeopleTypeThem) {
   type("stiffness", "12k");
   EXPECT_EQ(wall().stiffness_n_per_m, 12000.0);

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
+#include <random>
 #include <set>
 
 #include "app/ui/state/appearance.h"
@@ -129,6 +131,57 @@ TEST_F(KeysTest, ALetterWithCtrlIsNotTheLetter) {
   EXPECT_FALSE(fake_->is_paused);
   press(ImGuiMod_Shift | ImGuiKey_P);
   EXPECT_TRUE(fake_->is_paused);
+}
+
+// Walks with the arrows. A slider is the pointer's way to its field; plots, their legends and the
+// views take the pointer only.
+TEST_F(KeysTest, TheArrowsReachEveryControl) {
+  std::set<ImGuiID> reached;
+  const auto step = [&](ImGuiKey way) {
+    ImGui::GetIO().AddKeyEvent(way, true);
+    frames(1);
+    ImGui::GetIO().AddKeyEvent(way, false);
+    frames(1);
+    reached.insert(ImGui::GetCurrentContext()->NavId);
+  };
+  const Items usual = drawn_items();
+  std::mt19937 random(1);
+  constexpr std::array kWays{ImGuiKey_DownArrow, ImGuiKey_UpArrow, ImGuiKey_RightArrow,
+                             ImGuiKey_LeftArrow};
+  ImGuiKey way = ImGuiKey_DownArrow;
+  for (int i = 0; i < 3000; ++i) {
+    if (random() % 6 == 0) way = kWays.at(i == 0 ? 0 : random() % kWays.size());
+    step(way);
+  }
+  for (const char* row : {"follow", "magnify less"}) {
+    click(row);
+    ImGui::SetNavCursorVisible(true);  // as Alt does
+    for (int i = 0; i < 10; ++i) step(ImGuiKey_RightArrow);
+  }
+  const std::set<std::string> disabled{"undo", "redo", "step", "automatic axes"};
+  const std::set<std::string> for_the_pointer{"wall view", "magnifier"};
+  for (const auto& [name, item] : usual) {
+    const bool pointed = name.starts_with("legend ") || name.ends_with("-slider") ||
+                         name.ends_with("splitter") || for_the_pointer.contains(name);
+    if (item.id == 0 || pointed || disabled.contains(name)) continue;
+    EXPECT_TRUE(reached.contains(item.id)) << name;
+  }
+  EXPECT_EQ(fake_->steps, 0) << "the arrows navigate";
+}
+
+TEST_F(KeysTest, SpacePressesNothingWhereTheKeyboardIs) {
+  press(ImGuiKey_DownArrow);
+  ASSERT_TRUE(ImGui::GetIO().NavVisible);
+  const std::size_t before = fake_->arm_requests.size();
+  const auto algorithm = scene().algorithm.index;
+  for (int i = 0; i < 8; ++i) {
+    press(ImGuiKey_Space);
+    press(ImGuiKey_DownArrow);
+  }
+  EXPECT_EQ(fake_->arm_requests.size(), before + 8);
+  EXPECT_EQ(scene().algorithm.index, algorithm);
+  EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+  EXPECT_FALSE(state().transient.help_shown);
 }
 
 // Ctrl goes up before R does, within one frame.
