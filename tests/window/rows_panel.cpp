@@ -72,7 +72,7 @@ void type_parameter(Person& person, const ParameterDescription& description) {
   person.type(item, "nonsense");
   EXPECT_EQ(parameter(person, description.key), value)
       << "a text that is no number changes nothing";
-  EXPECT_EQ(person.message().kind, ui::MessageKind::kProblem);
+  EXPECT_TRUE(person.state().transient.refusal);
   person.put_everything_away();
   person.type(item, "");
   EXPECT_EQ(parameter(person, description.key), std::nullopt);

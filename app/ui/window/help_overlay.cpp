@@ -29,7 +29,7 @@ constexpr std::array kGestures{
     Gesture{"click on a legend", "hides the line"},
     Gesture{"Ctrl+click on a slider", "types its value"},
     Gesture{"35k or 0,5 in a field", "35000 or 0.5"},
-    Gesture{"↑ ↓ or Alt, then arrows", "reach every control; Enter uses it"},
+    Gesture{"↑ ↓ or Alt, then arrows", "reach the controls; Enter uses them"},
     Gesture{"drag a file to the window", "opens a scene or a recording"},
     Gesture{"rest on anything", "says what it is"}};
 

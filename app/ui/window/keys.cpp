@@ -158,7 +158,8 @@ bool is_arrow(ImGuiKey key) { return key == ImGuiKey_LeftArrow || key == ImGuiKe
 // arrows navigate as soon as the cursor of the keyboard is seen, which ↑, ↓ and Alt begin.
 void keep_from_navigation() {
   const ImGuiID owner = ImHashStr("keys of the window");
-  for (const ImGuiKey key : {ImGuiKey_Tab, ImGuiKey_Space, ImGuiKey_PageUp, ImGuiKey_PageDown})
+  for (const ImGuiKey key :
+       {ImGuiKey_Tab, ImGuiKey_Space, ImGuiKey_PageUp, ImGuiKey_PageDown, ImGuiKey_Escape})
     ImGui::SetKeyOwner(key, owner);
   if (ImGui::GetIO().NavVisible) return;
   for (const ImGuiKey key : {ImGuiKey_LeftArrow, ImGuiKey_RightArrow})
