@@ -1,4 +1,5 @@
 // Computes the cells of a stability map. A file of its own: readers of maps need no simulator.
+#include <numeric>
 #include <string>
 
 #include "core/batch/batch_simulator.h"
@@ -21,15 +22,23 @@ std::string cell_name(const StabilityMap& map, std::size_t cell) {
 
 std::vector<MapMetrics> run_cells(const StabilityMap& map, std::size_t begin, std::size_t end,
                                   const std::function<bool()>& should_stop) {
+  std::vector<std::size_t> cells(end - begin);
+  std::iota(cells.begin(), cells.end(), begin);
+  return run_cells(map, cells, 0, should_stop);
+}
+
+std::vector<MapMetrics> run_cells(const StabilityMap& map, std::span<const std::size_t> cells,
+                                  int threads, const std::function<bool()>& should_stop) {
   std::vector<Scene> scenes;
-  scenes.reserve(end - begin);
-  for (std::size_t cell = begin; cell < end; ++cell) scenes.push_back(map.scene_at(cell));
+  scenes.reserve(cells.size());
+  for (const std::size_t cell : cells) scenes.push_back(map.scene_at(cell));
   // Not simulate_all(): with short runs the second list of summaries costs time.
   BatchResult result;
   try {
-    result = simulate_batch(scenes, {.should_stop = should_stop, .progress = {}});
+    result =
+        simulate_batch(scenes, {.threads = threads, .should_stop = should_stop, .progress = {}});
   } catch (const SceneRefused& refused) {
-    throw SimulationRefused(cell_name(map, begin + refused.scene) + ": " + refused.what());
+    throw SimulationRefused(cell_name(map, cells[refused.scene]) + ": " + refused.what());
   }
   std::vector<MapMetrics> metrics;
   if (result.stopped_early) return metrics;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/scene.h"
@@ -65,6 +66,10 @@ struct StabilityMap {
 // true. Throws SimulationRefused (simulate.h) with the name of the cell. Realtime-safe: no.
 [[nodiscard]] std::vector<MapMetrics> run_cells(const StabilityMap& map, std::size_t begin,
                                                 std::size_t end,
+                                                const std::function<bool()>& should_stop = {});
+// The same for these cells, on at most `threads` threads; 0: as many as the processor runs.
+[[nodiscard]] std::vector<MapMetrics> run_cells(const StabilityMap& map,
+                                                std::span<const std::size_t> cells, int threads,
                                                 const std::function<bool()>& should_stop = {});
 
 }  // namespace hapticwall

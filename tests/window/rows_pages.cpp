@@ -8,6 +8,7 @@
 #include "app/runtime/session/replay_session.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/comparing.h"
+#include "core/stabiliser/stabiliser.h"
 #include "tests/window/rows.h"
 
 namespace hapticwall::test {
@@ -39,6 +40,49 @@ void hover_timing(Person& person) {
   person.click("timing clear");
   person.wait_a_frame();
   EXPECT_FALSE(person.state().timing.since_start());
+  go_to_page(person, "Plots");
+}
+
+void choose_the_map(Person& person) {
+  go_to_page(person, "Map");
+  const ui::MapChoice& choice = person.state().map.choice;
+  person.click("map algorithms");
+  person.click("map all");
+  EXPECT_EQ(choice.algorithms.size(), algorithms().size());
+  if (!person.sees("map under none")) person.click("map algorithms");
+  person.click("map under none");
+  EXPECT_EQ(choice.algorithms.size() + 1, algorithms().size());
+  person.put_everything_away();
+  person.click("map algorithms");
+  person.click("map in force");
+  EXPECT_TRUE(choice.algorithms.empty());
+  for (const char* axis : {"0", "1"}) {
+    const ui::MapAxisChoice& chosen = choice.axes.at(axis[0] == '0' ? 0 : 1);
+    person.click(std::string("map number ") + axis);
+    person.click(std::string("map choice ") + axis + " device.mass_kg");
+    EXPECT_EQ(chosen.path, "device.mass_kg");
+    person.type(std::string("map from ") + axis, "0.01");
+    EXPECT_EQ(chosen.range->low, 0.01);
+    person.type(std::string("map to ") + axis, "0.02");
+    EXPECT_EQ(chosen.range->high, 0.02);
+    person.click(std::string("map log ") + axis);
+    EXPECT_FALSE(chosen.range->logarithmic);
+    person.click(std::string("map around ") + axis);
+    person.wait_a_frame();
+    EXPECT_FALSE(chosen.typed);
+  }
+  person.state().map.choice = {};
+  person.wait_a_frame();
+}
+
+void click_the_map(Person& person) {
+  go_to_page(person, "Map");
+  person.wait_until([&] { return person.state().map.live.up_to_date(); }, "the first picture");
+  const Scene before = person.scene();
+  person.click("map cells 0");
+  EXPECT_NE(person.scene(), before);
+  person.click("undo");
+  EXPECT_EQ(person.scene(), before);
   go_to_page(person, "Plots");
 }
 
@@ -194,11 +238,10 @@ void use_corner(Person& person) {
 
 Table page_rows() {
   using enum ui::LowerPage;
-  return {page("Timing", kTiming, "timing clear"),
-          page("Blind test", kBlindTest, "blind start"),
-          page("Plots", kPlots, "plot Force"),
-          {"timing clear", hover_timing},
-          shown("penetration")};
+  return {page("Timing", kTiming, "timing clear"), page("Blind test", kBlindTest, "blind start"),
+          page("Map", kMap, "map algorithms"),     page("Plots", kPlots, "plot Force"),
+          {"timing clear", hover_timing},          {"map algorithms", choose_the_map},
+          {"map cells 0", click_the_map},          shown("penetration")};
 }
 
 Table compare_rows() {

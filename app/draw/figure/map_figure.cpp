@@ -1,242 +1,34 @@
 #include "app/draw/figure/map_figure.h"
 
-#include <fmt/format.h>
 #include <imgui.h>
-#include <implot.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
 #include <vector>
 
-#include "app/draw/figure/map_colours.h"
+#include "app/draw/figure/map_field.h"
 #include "app/draw/figure/page.h"
 #include "app/draw/plot/theme.h"
-#include "core/simulation/metrics.h"
-#include "core/stabiliser/stabiliser.h"
-#include "core/study/bound_lines.h"
-#include "core/study/dimensionless.h"
-#include "core/units.h"
 
 namespace hapticwall::draw {
 namespace {
 
 constexpr float kMapDesignHeight = 1000.0F;  // figure of scale 1
-constexpr float kMapLineWeight = 2.0F;
-constexpr float kThinLineWeight = 0.8F;
 
-// A bound of theory, as it is drawn.
-struct BoundStyle {
-  const char* name;
-  BoundMember bound;
-  ImU32 colour;
-  float weight = kMapLineWeight;
-};
-constexpr std::array<BoundStyle, 5> kBounds{
-    {{"K = 2 (b - B) / T, passive", &StabilityBounds::passive_n_per_m, IM_COL32(20, 60, 140, 255)},
-     {"stable below, with this hand", &StabilityBounds::stable_n_per_m,
-      IM_COL32(120, 40, 150, 255)},
-     {"K = (b + B) / (T/2 + t_d), rule for B T/m < 0.1 without a hand",
-      &StabilityBounds::rule_n_per_m, IM_COL32(165, 90, 190, 255), kThinLineWeight},
-     {"K = 2 f_c / Δ", &StabilityBounds::friction_n_per_m, IM_COL32(0, 120, 90, 255)},
-     {"K = F_max / Δ", &StabilityBounds::resolution_n_per_m, IM_COL32(60, 60, 60, 255)}}};
-
-struct BoundLines {
-  const BoundStyle* style;
-  std::vector<BoundSegment> lines;
-};
-
-// The same for every algorithm: they are bounds of the bare wall.
-std::vector<BoundLines> all_bound_lines(const StabilityMap& map) {
-  std::vector<BoundLines> all;
-  const std::vector<CellBounds> cells = cell_bounds(map);
-  for (const BoundStyle& style : kBounds) {
-    std::vector<BoundSegment> lines = bound_lines(map, cells, style.bound);
-    // Without a delay and a damped wall the rule is the first one.
-    const bool drawn =
-        std::ranges::any_of(all, [&](const BoundLines& other) { return other.lines == lines; });
-    if (!lines.empty() && !drawn) all.push_back({&style, std::move(lines)});
-  }
-  return all;
-}
-
-// A place on the axis, in steps of it, as a value.
-double value_at(const MapAxis& axis, double steps) {
-  const double part = steps / static_cast<double>(axis.count - 1);
-  return axis.logarithmic ? axis.low * std::pow(axis.high / axis.low, part)
-                          : axis.low + part * (axis.high - axis.low);
-}
-
-ImVec2 pixels_of(const StabilityMap& map, double x, double y) {
-  return ImPlot::PlotToPixels(value_at(map.x, x), value_at(map.y, y));
-}
-
-// Neighbours in x of one colour become one rectangle.
-void draw_cells(const StabilityMap& map, std::span<const MapMetrics> figures) {
-  constexpr double kHalf = 0.5;
-  ImDrawList& list = *ImPlot::GetPlotDrawList();
-  for (std::size_t y = 0; y < map.y.count; ++y) {
-    const std::size_t row = y * map.x.count;
-    for (std::size_t from = 0; from < map.x.count;) {
-      const ImU32 colour = colour_of(figures[row + from]);
-      std::size_t to = from + 1;
-      while (to < map.x.count && colour_of(figures[row + to]) == colour) ++to;
-      const auto foot = static_cast<double>(y) - kHalf;
-      list.AddRectFilled(pixels_of(map, static_cast<double>(from) - kHalf, foot + 1.0),
-                         pixels_of(map, static_cast<double>(to) - kHalf, foot), colour);
-      from = to;
-    }
-  }
-}
-
-void draw_bounds(const StabilityMap& map, const std::vector<BoundLines>& bounds, float scale) {
-  ImDrawList& list = *ImPlot::GetPlotDrawList();
-  for (const BoundLines& bound : bounds) {
-    for (const BoundSegment& line : bound.lines) {
-      list.AddLine(pixels_of(map, line.from.x, line.from.y), pixels_of(map, line.to.x, line.to.y),
-                   bound.style->colour, bound.style->weight * scale);
-    }
-  }
-}
-
-std::string axis_title(const Scene& scene, const MapAxis& axis, const MapAxis& other) {
-  std::string title = axis.number.path;
-  if (!axis.number.unit.empty()) title += ", " + axis.number.unit;
-  if (const auto number = dimensionless(scene, axis, other)) {
-    title += fmt::format("   ({}: {:.3g} to {:.3g})", number->symbol, axis.low * number->factor,
-                         axis.high * number->factor);
-  }
-  return title;
-}
-
-void set_up_axis(ImAxis id, const MapAxis& axis, const std::string& title) {
-  constexpr double kHalf = 0.5;
-  ImPlot::SetupAxis(id, title.c_str(), ImPlotAxisFlags_NoGridLines);
-  if (axis.logarithmic) ImPlot::SetupAxisScale(id, ImPlotScale_Log10);
-  ImPlot::SetupAxisFormat(id, "%g");
-  ImPlot::SetupAxisLimits(id, value_at(axis, -kHalf),
-                          value_at(axis, static_cast<double>(axis.count) - kHalf),
-                          ImPlotCond_Always);
-}
-
-struct Contents {
-  const StabilityMap& map;
-  std::span<const MapMetrics> figures;
-  const std::vector<BoundLines>& bounds;
-  float scale;
-};
-
-std::string label_of(const StabilityMap& map, std::size_t algorithm) {
-  AlgorithmSettings settings = map.scene.algorithm;
-  settings.index = map.algorithms[algorithm];
-  return algorithm_label(settings);
-}
-
-void draw_field(const Theme& theme, const Contents& contents, std::size_t algorithm, ImVec2 size) {
-  const StabilityMap& map = contents.map;
-  const std::size_t cells = map.x.count * map.y.count;
-  const std::span<const MapMetrics> figures = contents.figures.subspan(algorithm * cells, cells);
-  const auto settled = std::ranges::count(figures, Verdict::kSettled, &MapMetrics::verdict);
-  ImGui::BeginGroup();
-  ImGui::PushFont(theme.fonts.strong, kFontSize);
-  ImGui::TextUnformatted(label_of(map, algorithm).c_str());
-  ImGui::PopFont();
-  ImGui::SameLine();
-  ImGui::PushFont(nullptr, kSmallFontSize);
-  ImGui::TextDisabled("%.1f %% settled",
-                      100.0 * static_cast<double>(settled) / static_cast<double>(cells));
-  const float height = size.y - ImGui::GetTextLineHeightWithSpacing() - ImGui::GetFontSize();
-  const std::string name = fmt::format("##map{}", algorithm);
-  if (ImPlot::BeginPlot(name.c_str(), ImVec2(size.x, height),
-                        ImPlotFlags_CanvasOnly | ImPlotFlags_NoInputs)) {
-    set_up_axis(ImAxis_X1, map.x, axis_title(map.scene, map.x, map.y));
-    set_up_axis(ImAxis_Y1, map.y, axis_title(map.scene, map.y, map.x));
-    ImPlot::PushPlotClipRect();
-    draw_cells(map, figures);
-    draw_bounds(map, contents.bounds, contents.scale);
-    ImPlot::PopPlotClipRect();
-    ImPlot::EndPlot();
-  }
-  ImGui::PopFont();
-  ImGui::EndGroup();
-}
-
-// A box of a colour, or a line of a weight, and what it stands for; the next item stands beside it.
-void draw_key(ImU32 colour, const char* text, float line_weight = 0.0F) {
-  const float side = ImGui::GetFontSize();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (line_weight > 0.0F) {
-    list.AddLine(ImVec2(at.x, at.y + 0.5F * side), ImVec2(at.x + side, at.y + 0.5F * side), colour,
-                 line_weight);
-  } else {
-    list.AddRectFilled(at, ImVec2(at.x + side, at.y + side), colour);
-  }
-  ImGui::Dummy(ImVec2(side, side));
-  ImGui::SameLine();
-  ImGui::TextUnformatted(text);
-  ImGui::SameLine(0.0F, 1.6F * side);
-}
-
-void draw_legend(const std::vector<BoundLines>& bounds, float scale) {
-  const FontScope font(nullptr, kSmallFontSize);
-  draw_key(settled_colour(), "settled");
-  const std::string buzzing =
-      fmt::format("still to {:g} mm, force ± more than {:g} N",
-                  kSettledPeakToPeakM * kMillimetresPerMetre, kSettledForceStdN);
-  draw_key(buzzing_colour(), buzzing.c_str());
-  constexpr std::array kShownM{kSettledPeakToPeakM, 1e-3, 1e-2, kHottestM};
-  for (const double amplitude_m : kShownM) {
-    const std::string text = fmt::format("{:g} mm", amplitude_m * kMillimetresPerMetre);
-    draw_key(oscillating_colour(amplitude_m), text.c_str());
-  }
-  draw_key(diverged_colour(), "diverged");
-  ImGui::NewLine();
-  for (const BoundLines& bound : bounds) {
-    draw_key(bound.style->colour, bound.style->name, bound.style->weight * scale);
-  }
-  if (bounds.empty()) {
-    ImGui::TextDisabled("no bound of theory crosses this map");
-  } else {
-    ImGui::TextDisabled("bounds of the bare wall, without an algorithm");
-  }
-}
-
-// Fields in a row.
-std::size_t columns_for(std::size_t fields) {
-  constexpr std::size_t kMaxInOneRow = 3;
-  return fields <= kMaxInOneRow ? fields : (fields + 1) / 2;
-}
-
-void draw_contents(const Theme& theme, const Contents& contents) {
+void draw_contents(const Theme& theme, const MapContents& contents) {
   const StabilityMap& map = contents.map;
   strong_text(theme, map.scene.name, kTitleFontSize);
   ImGui::SameLine();
   ImGui::TextDisabled("  stability map, %zu x %zu runs of %g s under each algorithm", map.x.count,
                       map.y.count, map.scene.duration_s);
-  draw_legend(contents.bounds, contents.scale);
+  draw_map_legend(contents.bounds, contents.scale);
   ImGui::Spacing();
-  const std::size_t columns = columns_for(map.algorithms.size());
-  const std::size_t rows = (map.algorithms.size() + columns - 1) / columns;
-  const ImVec2 free = ImGui::GetContentRegionAvail();
-  const float gap = ImGui::GetFontSize();
-  const ImVec2 each((free.x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns),
-                    free.y / static_cast<float>(rows));
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  for (std::size_t i = 0; i < map.algorithms.size(); ++i) {
-    const std::size_t row = i / columns;
-    ImGui::SetCursorScreenPos(ImVec2(corner.x + static_cast<float>(i % columns) * (each.x + gap),
-                                     corner.y + static_cast<float>(row) * each.y));
-    draw_field(theme, contents, i, each);
-  }
+  draw_map_fields(theme, contents);
 }
 
 }  // namespace
 
 Result<file::Picture> draw_map(const StabilityMap& map, std::span<const MapMetrics> figures,
                                FigureSize size) {
-  const std::vector<BoundLines> bounds = all_bound_lines(map);
+  const std::vector<BoundLines> bounds = map_bounds(map);
   const float scale = static_cast<float>(size.height) / kMapDesignHeight;
   return draw_page(size, scale, [&](const Theme& theme) {
     draw_contents(theme, {map, figures, bounds, scale});

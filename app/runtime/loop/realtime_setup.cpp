@@ -24,6 +24,7 @@ namespace {
 // More than a tick needs; touched once so that no tick takes a page fault.
 constexpr std::size_t kStackToTouchBytes = std::size_t{128} * 1024;
 constexpr std::size_t kMinPageBytes = 4096;
+constexpr int kBackgroundNice = 10;
 constexpr std::int64_t kNanosecondsInSecond = 1'000'000'000;
 
 [[gnu::noinline]] void touch_stack() {
@@ -161,6 +162,13 @@ void set_up_device_thread() {
 
 void set_up_recorder_thread() {
   static_cast<void>(set_fifo_priority(sched_get_priority_min(SCHED_FIFO)));
+}
+
+void set_up_background_thread() {
+  use_default_floating_point();
+  const sched_param none{};
+  sched_setscheduler(0, SCHED_BATCH, &none);
+  setpriority(PRIO_PROCESS, 0, kBackgroundNice);  // Linux: of the thread
 }
 
 void use_default_floating_point() { std::fesetenv(FE_DFL_ENV); }

@@ -54,6 +54,11 @@ void set_up_device_thread();
 // cores cost no rows. As far as the system permits. Realtime-safe: no.
 void set_up_recorder_thread();
 
+// Sets up the calling thread, and all that it starts, for long computations: they yield to every
+// other thread of the session (SCHED_BATCH, nice 10), with the default floating-point environment.
+// Realtime-safe: no.
+void set_up_background_thread();
+
 // Round to nearest, with denormals, so that every thread computes the same bits. A library built
 // with -ffast-math may have switched denormals off for the process. Realtime-safe: no.
 void use_default_floating_point();

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/ui/page/blind_test_page.h"
+#include "app/ui/page/map_page.h"
 #include "app/ui/page/plots_panel.h"
 #include "app/ui/page/timing_page.h"
 #include "app/ui/panel/energy_lamp_view.h"
@@ -25,7 +26,10 @@ constexpr std::array kPages{
     Page{LowerPage::kPlots, "Plots", "Position, force, stiffness and energy over time"},
     Page{LowerPage::kTiming, "Timing", "Timing of the loop and of the window"},
     Page{LowerPage::kBlindTest, "Blind test",
-         "Which of two walls? A and B of Compare, in hidden order"}};
+         "Which of two walls? A and B of Compare, in hidden order"},
+    Page{LowerPage::kMap, "Map",
+         "Where the present scene is stable, over two of its numbers. A click makes a cell the "
+         "running scene."}};
 
 void draw_page_choice(const PanelContext& context) {
   const LowerPage now = lower_page(context);
@@ -56,6 +60,7 @@ void draw_lower_page(const PanelContext& context, const draw::SampleHistory& his
   }
   draw_energy_lamp(context);
   draw_verdict_strip(context);
+  if (lower_page(context) != LowerPage::kMap) context.state.map.live.stop();
   ImGui::BeginChild("lower page", ImVec2(0.0F, 0.0F),
                     ImGuiChildFlags_Borders | ImGuiChildFlags_NavFlattened);
   switch (lower_page(context)) {
@@ -68,6 +73,9 @@ void draw_lower_page(const PanelContext& context, const draw::SampleHistory& his
       break;
     case LowerPage::kBlindTest:
       draw_blind_test_page(context);
+      break;
+    case LowerPage::kMap:
+      draw_map_page(context);
       break;
   }
   ImGui::EndChild();

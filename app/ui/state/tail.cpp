@@ -62,8 +62,8 @@ std::string movement_text(const Tail& tail) {
   return tail.frequency_hz ? fixed(tail.frequency_hz, 1.0, 1) + " Hz" : "no rhythm";
 }
 
-std::string way_text(const Tail& tail) {
-  return fixed(tail.summary.tail_peak_to_peak_m, kMillimetresPerMetre, 3) + " mm p-p";
+std::string way_text(const Summary& summary) {
+  return fixed(summary.tail_peak_to_peak_m, kMillimetresPerMetre, 3) + " mm p-p";
 }
 
 }  // namespace
@@ -106,19 +106,22 @@ void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& sce
 }
 
 std::string rhythm_text(const Tail& tail) {
-  return tail.frequency_hz ? movement_text(tail) + " · " + way_text(tail) : std::string();
+  return tail.frequency_hz ? movement_text(tail) + " · " + way_text(tail.summary) : std::string();
 }
 
-std::string tail_text(const Tail& tail) {
-  const Summary& s = tail.summary;
-  if (tail.end_tick == 0 || !s.tail_peak_to_peak_m) return "no sample yet";
+std::string figures_text(const Summary& s) {
   const std::string stiffness =
       s.displayed_stiffness_n_per_m
           ? fixed(s.displayed_stiffness_n_per_m, 1.0 / kNewtonsPerKilonewton, 2) + " kN/m"
           : "no contact";
-  return fmt::format("{} · {} · {} ± {} N · {} · {}", verdict_name(s.verdict), way_text(tail),
+  return fmt::format("{} · {} · {} ± {} N · {}", verdict_name(s.verdict), way_text(s),
                      fixed(s.tail_force_mean_n, 1.0, 3), fixed(s.tail_force_std_n, 1.0, 3),
-                     stiffness, movement_text(tail));
+                     stiffness);
+}
+
+std::string tail_text(const Tail& tail) {
+  if (tail.end_tick == 0 || !tail.summary.tail_peak_to_peak_m) return "no sample yet";
+  return figures_text(tail.summary) + " · " + movement_text(tail);
 }
 
 }  // namespace hapticwall::ui

@@ -32,7 +32,9 @@ void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& sce
 
 // "50.0 Hz · 2.825 mm p-p"; empty without a rhythm.
 [[nodiscard]] std::string rhythm_text(const Tail& tail);
-// "settled · 0.000 mm p-p · 4.967 ± 0.128 N · 30.12 kN/m · quiet", with the digits of `run`.
+// "settled · 0.000 mm p-p · 4.967 ± 0.128 N · 30.12 kN/m", with the digits of `run`.
+[[nodiscard]] std::string figures_text(const Summary& summary);
+// The same and the rhythm: "… · quiet".
 [[nodiscard]] std::string tail_text(const Tail& tail);
 
 }  // namespace hapticwall::ui

@@ -27,6 +27,8 @@
 #include "app/ui/state/compare_state.h"
 #include "app/ui/state/export.h"
 #include "app/ui/state/hand_lead.h"
+#include "app/ui/state/live_map.h"
+#include "app/ui/state/map_choice.h"
 #include "app/ui/state/messages.h"
 #include "app/ui/state/tail.h"
 #include "app/ui/state/timing_state.h"
@@ -117,7 +119,7 @@ struct ReplayState {
 enum class PlotArrangement : std::uint8_t { kTwo, kAll, kFigure4, kFigure5And6 };
 
 // The page below the views.
-enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest };
+enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest, kMap };
 
 inline constexpr double kMaxWithdrawMmPerS = 1000.0;
 
@@ -230,6 +232,12 @@ struct TransientState {
   draw::Trace scratch;
 };
 
+// Lives as long as the window.
+struct MapState {
+  MapChoice choice;
+  LiveMap live;
+};
+
 struct UiState {
   PersistedState persisted;
   TransientState transient;
@@ -238,6 +246,7 @@ struct UiState {
   ReplayState replay;
   CompareState compare;
   TimingState timing;
+  MapState map;
   Tails tails;
 };
 

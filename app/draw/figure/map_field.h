@@ -1,0 +1,48 @@
+// The fields of a stability map, one an algorithm: cells in their colours, the bounds of theory
+// over them, axes with units. The figure and the window draw them.
+#pragma once
+
+#include <imgui.h>
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "app/draw/plot/theme.h"
+#include "core/study/bound_lines.h"
+#include "core/study/stability_map.h"
+
+namespace hapticwall::draw {
+
+// A bound of theory that crosses the map. `bound`: its number in the legend.
+struct BoundLines {
+  std::size_t bound = 0;
+  std::vector<BoundSegment> lines;
+};
+// The same for every algorithm: they are bounds of the bare wall.
+[[nodiscard]] std::vector<BoundLines> map_bounds(const StabilityMap& map);
+
+struct MapContents {
+  const StabilityMap& map;
+  std::span<const MapMetrics> figures;  // of all cells
+  std::span<const BoundLines> bounds;
+  float scale;  // of the lines
+};
+
+// The cells of a field, in pixels: of equal size, the last y at the top. Size 0: no room.
+struct MapFieldArea {
+  ImVec2 corner;
+  ImVec2 size;
+};
+// Called after a field; may draw and put items over it.
+using OverMapField = std::function<void(std::size_t algorithm, const MapFieldArea& area)>;
+
+// Fills the rest of the region.
+void draw_map_fields(const Theme& theme, const MapContents& contents,
+                     const OverMapField& over = {});
+
+// The colours and the bounds, in as many lines as they need.
+void draw_map_legend(std::span<const BoundLines> bounds, float scale);
+
+}  // namespace hapticwall::draw

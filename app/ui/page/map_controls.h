@@ -1,0 +1,11 @@
+// The choices of the map page: two numbers, their ranges, the algorithms.
+#pragma once
+
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+// `map`: of this frame.
+void draw_map_controls(const PanelContext& context, const StabilityMap& map);
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,10 @@
+// The map page: where the present scene is stable, over two of its numbers.
+#pragma once
+
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+void draw_map_page(const PanelContext& context);
+
+}  // namespace hapticwall::ui
