@@ -23,7 +23,7 @@ Row page(const char* name, ui::LowerPage wanted, const char* first_item) {
   return does(std::string("page ") + name, [=](Person& person, const Act& click) {
     click();
     EXPECT_EQ(person.state().persisted.lower_page, wanted);
-    EXPECT_TRUE(person.sees(first_item));
+    person.wait_until([&] { return person.sees(first_item); }, first_item);
     EXPECT_EQ(person.sees("plot Position"), wanted == ui::LowerPage::kPlots);
   });
 }
@@ -83,6 +83,19 @@ void click_the_map(Person& person) {
   EXPECT_NE(person.scene(), before);
   person.click("undo");
   EXPECT_EQ(person.scene(), before);
+  go_to_page(person, "Plots");
+}
+
+void click_all_at_once(Person& person) {
+  go_to_page(person, "All at once");
+  const ui::AllRuns& all = person.state().all_runs;
+  person.wait_until([&] { return all.up_to_date(); }, "the runs");
+  const std::vector<ui::AlgorithmRun> runs(all.runs().begin(), all.runs().end());
+  for (const ui::AlgorithmRun& run : runs) {
+    person.click("all " + run.algorithm.label);
+    EXPECT_EQ(person.scene().algorithm, run.algorithm.settings) << run.algorithm.label;
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) person.click("undo");
   go_to_page(person, "Plots");
 }
 
@@ -238,10 +251,16 @@ void use_corner(Person& person) {
 
 Table page_rows() {
   using enum ui::LowerPage;
-  return {page("Timing", kTiming, "timing clear"), page("Blind test", kBlindTest, "blind start"),
-          page("Map", kMap, "map algorithms"),     page("Plots", kPlots, "plot Force"),
-          {"timing clear", hover_timing},          {"map algorithms", choose_the_map},
-          {"map cells 0", click_the_map},          shown("penetration")};
+  return {page("Timing", kTiming, "timing clear"),
+          page("Blind test", kBlindTest, "blind start"),
+          page("Map", kMap, "map algorithms"),
+          page("All at once", kAll, "all none"),
+          page("Plots", kPlots, "plot Force"),
+          {"timing clear", hover_timing},
+          {"map algorithms", choose_the_map},
+          {"map cells 0", click_the_map},
+          {"all none", click_all_at_once},
+          shown("penetration")};
 }
 
 Table compare_rows() {

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "app/ui/page/all_page.h"
 #include "app/ui/page/blind_test_page.h"
 #include "app/ui/page/map_page.h"
 #include "app/ui/page/plots_panel.h"
@@ -29,7 +30,9 @@ constexpr std::array kPages{
          "Which of two walls? A and B of Compare, in hidden order"},
     Page{LowerPage::kMap, "Map",
          "Where the present scene is stable, over two of its numbers. A click makes a cell the "
-         "running scene."}};
+         "running scene."},
+    Page{LowerPage::kAll, "All at once",
+         "The present scene under all algorithms. A click puts one in force."}};
 
 void draw_page_choice(const PanelContext& context) {
   const LowerPage now = lower_page(context);
@@ -61,6 +64,7 @@ void draw_lower_page(const PanelContext& context, const draw::SampleHistory& his
   draw_energy_lamp(context);
   draw_verdict_strip(context);
   if (lower_page(context) != LowerPage::kMap) context.state.map.live.stop();
+  if (lower_page(context) != LowerPage::kAll) context.state.all_runs.stop();
   ImGui::BeginChild("lower page", ImVec2(0.0F, 0.0F),
                     ImGuiChildFlags_Borders | ImGuiChildFlags_NavFlattened);
   switch (lower_page(context)) {
@@ -76,6 +80,9 @@ void draw_lower_page(const PanelContext& context, const draw::SampleHistory& his
       break;
     case LowerPage::kMap:
       draw_map_page(context);
+      break;
+    case LowerPage::kAll:
+      draw_all_page(context);
       break;
   }
   ImGui::EndChild();

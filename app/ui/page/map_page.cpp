@@ -7,9 +7,8 @@
 #include <string>
 
 #include "app/draw/figure/map_field.h"
-#include "app/runtime/session/scene_change.h"
 #include "app/ui/page/map_controls.h"
-#include "app/ui/state/changes.h"
+#include "app/ui/state/model_runs.h"
 #include "app/ui/state/tail.h"
 #include "app/ui/widget/widgets.h"
 
@@ -21,20 +20,6 @@ constexpr float kMaxControlsEms = 21.0F;
 constexpr float kGapEms = 1.0F;
 constexpr float kDotEms = 0.36F;
 constexpr float kBarAlpha = 0.4F;
-
-// Why this session has no map; "" if it has one.
-std::string why_no_map(const PanelContext& context) {
-  if (!context.session.device_info().is_simulated) {
-    return "A map computes the simulator's model of handle and hand. The hand at this device has "
-           "no model: start the program without the device for a map.";
-  }
-  const auto& hand = context.session.scene().x().hand;
-  if (hand && hand->follows_mouse) {
-    return "The pointer leads the hand of this scene. A map needs a hand with a path of its own: "
-           "choose another scene.";
-  }
-  return "";
-}
 
 // A value in steps of its axis; NaN for a value that the axis cannot have.
 float steps_of(const MapAxis& axis, double value) {
@@ -95,15 +80,6 @@ std::string cell_text(const MapPicture& picture, std::size_t cell) {
                      value_text(map.y, at.y));
 }
 
-void make_running(const PanelContext& context, const Scene& wanted) {
-  if (context.shows.live == nullptr) return;
-  if (runtime::needs_new_session(context.session.scene(), wanted)) {
-    context.state.transient.wanted_scene = WantedScene{wanted};
-  } else if (const auto problem = ask_for(context, wanted)) {
-    tell(context.state, *problem);
-  }
-}
-
 // The pointer over a field: figures of the cell, and a click that makes it the running scene.
 void use_field(const PanelContext& context, const StabilityMap& map, std::size_t algorithm,
                const draw::MapFieldArea& area) {
@@ -158,8 +134,7 @@ void draw_note(const PanelContext& context) {
 // A drag of a slider does not restart a picture before its first stage is done.
 void compute(LiveMap& live, const StabilityMap& map) {
   live.take();
-  const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left) && ImGui::IsAnyItemActive();
-  if (dragging && live.running() && !live.up_to_date()) return;
+  if (scene_in_motion() && live.running() && !live.up_to_date()) return;
   live.ask_for(map);
 }
 
@@ -189,7 +164,7 @@ void draw_picture(const PanelContext& context, const StabilityMap& map) {
 }  // namespace
 
 void draw_map_page(const PanelContext& context) {
-  if (const std::string why = why_no_map(context); !why.empty()) {
+  if (const std::string why = why_no_runs(context); !why.empty()) {
     context.state.map.live.stop();
     return muted_text(context, why);
   }

@@ -23,6 +23,7 @@
 #include "app/runtime/session/replay_session.h"
 #include "app/runtime/session/window_options.h"
 #include "app/sound/live/sound_status.h"
+#include "app/ui/state/all_runs.h"
 #include "app/ui/state/background.h"
 #include "app/ui/state/compare_state.h"
 #include "app/ui/state/export.h"
@@ -119,7 +120,7 @@ struct ReplayState {
 enum class PlotArrangement : std::uint8_t { kTwo, kAll, kFigure4, kFigure5And6 };
 
 // The page below the views.
-enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest, kMap };
+enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest, kMap, kAll };
 
 inline constexpr double kMaxWithdrawMmPerS = 1000.0;
 
@@ -247,6 +248,7 @@ struct UiState {
   CompareState compare;
   TimingState timing;
   MapState map;
+  AllRuns all_runs;
   Tails tails;
 };
 

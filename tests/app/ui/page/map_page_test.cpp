@@ -207,7 +207,7 @@ TEST_F(MapPageTest, ADeviceHasNoMapAndThePageSaysSo) {
   open("press");
   click("page Map");
   frames(3);
-  EXPECT_THAT(text(), HasSubstr("The hand at this device has no model"));
+  EXPECT_THAT(text(), HasSubstr("The hand at a device has no model"));
   EXPECT_FALSE(live().running());
 }
 

@@ -2,10 +2,17 @@
 
 #include <dirent.h>
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/resource.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <set>
 
 #include "app/file/scene/scene_file.h"
+#include "app/file/text/text.h"
+#include "core/batch/workers.h"
 #include "core/simulation/simulate.h"
 #include "tests/app/runtime/support.h"
 
@@ -40,11 +47,18 @@ void take_until(LiveMap& live, const std::function<bool()>& condition) {
   }));
 }
 
-std::size_t threads_of_this_process() {
-  std::size_t count = 0;
+std::set<int> threads_of_this_process() {
+  std::set<int> threads;
   const std::unique_ptr<DIR, int (*)(DIR*)> tasks(opendir("/proc/self/task"), closedir);
-  while (const dirent* entry = readdir(tasks.get())) count += entry->d_name[0] != '.' ? 1 : 0;
-  return count;
+  while (const dirent* entry = readdir(tasks.get())) {
+    if (const auto id = file::parsed<int>(entry->d_name)) threads.insert(*id);
+  }
+  return threads;
+}
+
+bool yields_to_others(int thread) {
+  return sched_getscheduler(thread) == SCHED_BATCH &&
+         getpriority(PRIO_PROCESS, static_cast<id_t>(thread)) == 10;
 }
 
 TEST(MapStages, EveryCellHasAMiddleAndEveryMiddleIsItsOwn) {
@@ -135,10 +149,10 @@ TEST(LiveMapTest, AnotherMapRestartsItAndThePictureStaysUntilTheNextIsThere) {
 }
 
 TEST(LiveMapTest, AStopLeavesNoThreadAndTheNextQuestionBeginsAgain) {
-  const std::size_t before = threads_of_this_process();
+  const std::set<int> before = threads_of_this_process();
   LiveMap live;
   live.ask_for(endless());
-  EXPECT_TRUE(runtime::test::eventually([&] { return threads_of_this_process() > before; }));
+  EXPECT_TRUE(runtime::test::eventually([&] { return threads_of_this_process() != before; }));
   live.stop();
   EXPECT_FALSE(live.running());
   EXPECT_TRUE(runtime::test::eventually([&] { return threads_of_this_process() == before; }));
@@ -146,8 +160,21 @@ TEST(LiveMapTest, AStopLeavesNoThreadAndTheNextQuestionBeginsAgain) {
   EXPECT_TRUE(live.running());
 }
 
+TEST(LiveMapTest, LeavesACoreToTheLoopAndYieldsOnTheOthers) {
+  const std::set<int> before = threads_of_this_process();
+  LiveMap live;
+  live.ask_for(endless());
+  std::vector<int> started;
+  EXPECT_TRUE(runtime::test::eventually([&] {
+    started.clear();
+    std::ranges::set_difference(threads_of_this_process(), before, std::back_inserter(started));
+    return !started.empty() && std::ranges::all_of(started, yields_to_others);
+  }));
+  EXPECT_LE(started.size(), std::max(batch::worker_count(0), std::size_t{2}) - 1);
+}
+
 TEST(LiveMapTest, ItsEndWaitsForItsThreads) {
-  const std::size_t before = threads_of_this_process();
+  const std::set<int> before = threads_of_this_process();
   {
     LiveMap live;
     live.ask_for(endless());

@@ -1,0 +1,10 @@
+// The page of all algorithms: the present scene under each, side by side.
+#pragma once
+
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+void draw_all_page(const PanelContext& context);
+
+}  // namespace hapticwall::ui

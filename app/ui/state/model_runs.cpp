@@ -1,0 +1,34 @@
+#include "app/ui/state/model_runs.h"
+
+#include "app/runtime/session/scene_change.h"
+#include "app/ui/state/changes.h"
+
+namespace hapticwall::ui {
+
+std::string why_no_runs(const PanelContext& context) {
+  if (!context.session.device_info().is_simulated) {
+    return "This page computes the simulator's model of handle and hand. The hand at a device has "
+           "no model: start the program without the device.";
+  }
+  const auto& hand = context.session.scene().x().hand;
+  if (hand && hand->follows_mouse) {
+    return "The pointer leads the hand of this scene. This page needs a hand with a path of its "
+           "own: choose another scene.";
+  }
+  return "";
+}
+
+bool scene_in_motion() {
+  return ImGui::IsMouseDown(ImGuiMouseButton_Left) && ImGui::IsAnyItemActive();
+}
+
+void make_running(const PanelContext& context, const Scene& wanted) {
+  if (context.shows.live == nullptr) return;
+  if (runtime::needs_new_session(context.session.scene(), wanted)) {
+    context.state.transient.wanted_scene = WantedScene{wanted};
+  } else if (const auto problem = ask_for(context, wanted)) {
+    tell(context.state, *problem);
+  }
+}
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,80 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/ui/state/blind_test.h"
+#include "app/ui/state/tail.h"
+#include "core/simulation/simulate.h"
+#include "tests/app/ui/gui_test.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class AllPageTest : public GuiTest {
+ protected:
+  void SetUp() override {
+    GuiTest::SetUp();
+    click("page All at once");
+    runs_are_there();
+  }
+  void runs_are_there() {
+    frames_until([&] { return all().up_to_date(); });
+    frames(2);
+  }
+  [[nodiscard]] ui::AllRuns& all() const { return state().all_runs; }
+};
+
+TEST_F(AllPageTest, ShowsTheVerdictOfEveryAlgorithmAndAClickPutsItInForce) {
+  const std::vector<ui::AlgorithmRun> runs(all().runs().begin(), all().runs().end());
+  for (const ui::AlgorithmRun& run : runs) {
+    const std::string item = "all " + run.algorithm.label;
+    if (!sees(item)) scroll_down_at("all " + runs.front().algorithm.label);
+    click(item);
+    EXPECT_EQ(scene().algorithm, run.algorithm.settings) << item;
+    EXPECT_EQ(ui::figures_text(simulate(scene()).summary), ui::figures_text(run.summary));
+    EXPECT_THAT(text(), HasSubstr("mm p-p")) << item;
+  }
+  EXPECT_EQ(sessions, 1) << "each changes while the session runs";
+}
+
+TEST_F(AllPageTest, FollowsTheScene) {
+  const std::string before = ui::figures_text(all().runs().front().summary);
+  Scene changed = scene();
+  changed.x().walls.front().stiffness_n_per_m = 500.0;
+  ASSERT_FALSE(fake_->change_scene(changed));
+  frames(1);
+  EXPECT_FALSE(all().up_to_date());
+  EXPECT_TRUE(application_->moving());
+  runs_are_there();
+  EXPECT_NE(ui::figures_text(all().runs().front().summary), before);
+}
+
+TEST_F(AllPageTest, AnotherPageAndABlindTestStopAndHideIt) {
+  Scene endless = scene();
+  endless.duration_s = 1e5;
+  ASSERT_FALSE(fake_->change_scene(endless));
+  frames(2);
+  ASSERT_TRUE(all().running());
+  click("page Blind test");
+  EXPECT_FALSE(all().running());
+  click("blind start");
+  ASSERT_TRUE(ui::blind_test_runs(state()));
+  state().persisted.lower_page = ui::LowerPage::kAll;
+  frames(3);
+  EXPECT_FALSE(all().running());
+  EXPECT_FALSE(sees("all none"));
+}
+
+TEST_F(AllPageTest, ADeviceHasNoRunsAndThePageSaysSo) {
+  with_device = true;
+  open("press");
+  click("page All at once");
+  frames(3);
+  EXPECT_THAT(text(), HasSubstr("The hand at a device has no model"));
+  EXPECT_FALSE(all().running());
+}
+
+}  // namespace
+}  // namespace hapticwall::test
