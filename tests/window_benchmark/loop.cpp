@@ -17,6 +17,7 @@
 #include "app/file/recording/recording_reader.h"
 #include "app/file/scene/scene_file.h"
 #include "app/ui/window/application.h"
+#include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 #include "tests/app/runtime/support.h"
 #include "tests/app/ui/show_everything.h"
@@ -33,6 +34,7 @@ constexpr int kHeight = 720;
 constexpr int kHogs = 2;
 constexpr double kWarmUpS = 3.0;
 constexpr double kMaxRatio = 1.2;
+constexpr double kLoopRateHz = 1000.0;
 // How often a window that nobody sees takes its samples.
 constexpr std::chrono::milliseconds kUnseenFrame{100};
 
@@ -211,15 +213,32 @@ Result<std::uint64_t> print_losses(ui::Application& application, const std::stri
 }
 
 // Off, on, on, off: what changes slowly on the machine hits both alike.
+void alternate(double seconds, double block_s, const std::function<void(bool on)>& run) {
+  constexpr bool kOn[] = {false, true, true, false};
+  const int blocks = std::max(2, static_cast<int>(seconds / block_s));
+  for (int block = 0; block < blocks; ++block) run(kOn[block % 4]);
+}
+
 void compare(ui::Application& application, Stage& stage, double seconds, double block_s) {
   Blocks without{"without window", {}, 0, 0, 0.0, 0.0, {}};
   Blocks with{"with window", {}, 0, 0, 0.0, 0.0, {}};
-  constexpr bool kDrawn[] = {false, true, true, false};
-  const int blocks = std::max(2, static_cast<int>(seconds / block_s));
-  for (int block = 0; block < blocks; ++block) {
-    const bool drawn = kDrawn[block % 4];
+  alternate(seconds, block_s, [&](bool drawn) {
     run_block(application, stage, drawn, block_s, drawn ? with : without);
-  }
+  });
+  print_table(without, with);
+}
+
+// The map is of all algorithms: no block sees its end.
+void compare_map(ui::Application& application, Stage& stage, double seconds, double block_s) {
+  Blocks without{"without map", {}, 0, 0, 0.0, 0.0, {}};
+  Blocks with{"with map", {}, 0, 0, 0.0, 0.0, {}};
+  ui::UiState& state = application.state();
+  for (std::size_t i = 0; i < algorithms().size(); ++i)
+    ui::choose_algorithm_in_map(state.map.choice, i, true);
+  alternate(seconds, block_s, [&](bool map) {
+    state.persisted.lower_page = map ? ui::LowerPage::kMap : ui::LowerPage::kTiming;
+    run_block(application, stage, true, block_s, map ? with : without);
+  });
   print_table(without, with);
 }
 
@@ -244,10 +263,9 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene,
   if (!created) return created.error();
   ui::Application& application = **created;
   test::show_everything(application.state());
-  std::printf("The loop of '%s' at %g Hz beside %d busy processes, %s\n%dx%d by %s\n",
-              scene.name.c_str(), scene.sampling.rate_hz, kHogs,
-              application.session().realtime_status().text.c_str(), kWidth, kHeight,
-              stage.renderer().c_str());
+  std::printf("The loop of '%s' at %g Hz, %s\n%dx%d by %s\n", scene.name.c_str(),
+              scene.sampling.rate_hz, application.session().realtime_status().text.c_str(), kWidth,
+              kHeight, stage.renderer().c_str());
   std::fflush(stdout);
   Blocks warm_up{"", {}, 0, 0, 0.0, 0.0, {}};
   run_block(application, stage, true, kWarmUpS, warm_up);
@@ -256,9 +274,11 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene,
   return print_losses(application, csv);
 }
 
-// Exit status of the program.
-int run_at(double rate_hz, const std::function<void(ui::Application&, Stage&)>& measure) {
-  const Hogs hogs(kHogs);
+// `hogs`: processes that keep the cores busy. Returns the exit status of the program.
+int run_at(double rate_hz, int hogs, const std::function<void(ui::Application&, Stage&)>& measure) {
+  std::printf("Beside %d busy processes\n", hogs);
+  std::fflush(stdout);
+  const Hogs busy(hogs);
   const auto fail = [](const Error& error) {
     std::fprintf(stderr, "%s\n", error.message.c_str());
     return EXIT_FAILURE;
@@ -277,14 +297,19 @@ int run_at(double rate_hz, const std::function<void(ui::Application&, Stage&)>& 
 }  // namespace
 
 int measure_loop(double seconds, double block_s) {
-  constexpr double kRateHz = 1000.0;
-  return run_at(kRateHz, [&](ui::Application& application, Stage& stage) {
+  return run_at(kLoopRateHz, kHogs, [&](ui::Application& application, Stage& stage) {
     compare(application, stage, seconds, block_s);
   });
 }
 
+int measure_map_loop(double seconds, double block_s) {
+  return run_at(kLoopRateHz, 0, [&](ui::Application& application, Stage& stage) {
+    compare_map(application, stage, seconds, block_s);
+  });
+}
+
 int measure_recording(double seconds, double rate_hz) {
-  return run_at(rate_hz, [&](ui::Application& application, Stage& stage) {
+  return run_at(rate_hz, kHogs, [&](ui::Application& application, Stage& stage) {
     draw_throughout(application, stage, seconds);
   });
 }

@@ -1,4 +1,5 @@
-// Measures the window: `frames`, `loop [SECONDS [BLOCK_SECONDS]]`, or `record [SECONDS [RATE_HZ]]`.
+// Measures the window: `frames`, `map`, `loop [SECONDS [BLOCK_SECONDS]]`, `map-loop` with the same,
+// or `record [SECONDS [RATE_HZ]]`.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -13,8 +14,8 @@ constexpr double kRecordedRateHz = 10'000.0;
 
 int usage() {
   std::fputs(
-      "usage: hapticwall_window_benchmark frames | loop [SECONDS [BLOCK_SECONDS]] | "
-      "record [SECONDS [RATE_HZ]]\n",
+      "usage: hapticwall_window_benchmark frames | map | loop [SECONDS [BLOCK_SECONDS]] | "
+      "map-loop [SECONDS [BLOCK_SECONDS]] | record [SECONDS [RATE_HZ]]\n",
       stderr);
   return EXIT_FAILURE;
 }
@@ -22,13 +23,16 @@ int usage() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace hapticwall::window_benchmark;
   const std::string what = argc > 1 ? argv[1] : "";
-  if (what == "frames") return hapticwall::window_benchmark::measure_frames();
-  if (what != "loop" && what != "record") return usage();
-  const bool compared = what == "loop";
+  if (what == "frames") return measure_frames();
+  if (what == "map") return measure_map();
+  if (what != "loop" && what != "map-loop" && what != "record") return usage();
   const double seconds = argc > 2 ? std::atof(argv[2]) : kSeconds;
-  const double more = argc > 3 ? std::atof(argv[3]) : compared ? kBlockSeconds : kRecordedRateHz;
+  const double more = argc > 3           ? std::atof(argv[3])
+                      : what == "record" ? kRecordedRateHz
+                                         : kBlockSeconds;
   if (!(seconds > 0.0 && more > 0.0)) return usage();
-  return compared ? hapticwall::window_benchmark::measure_loop(seconds, more)
-                  : hapticwall::window_benchmark::measure_recording(seconds, more);
+  if (what == "record") return measure_recording(seconds, more);
+  return what == "loop" ? measure_loop(seconds, more) : measure_map_loop(seconds, more);
 }

@@ -12,6 +12,14 @@ int measure_frames();
 // recording runs. Returns the exit status of the program.
 int measure_loop(double seconds, double block_s);
 
+// The same while a map of all algorithms is computed, and while it is not; the window is drawn
+// throughout, and nothing else keeps the cores busy.
+int measure_map_loop(double seconds, double block_s);
+
+// When the first picture of a map of `press` stands, and when all of its cells do. Returns the exit
+// status of the program.
+int measure_map();
+
 // Whether anything is lost of a recording at this rate while the window is drawn as fast as it can
 // and every core is kept busy besides. Returns the exit status of the program.
 int measure_recording(double seconds, double rate_hz);

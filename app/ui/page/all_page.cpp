@@ -11,6 +11,7 @@
 
 #include "app/draw/plot/plot_axes.h"
 #include "app/draw/plot/plot_envelope.h"
+#include "app/ui/panel/verdict_strip.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/state/tail.h"
 #include "app/ui/widget/widgets.h"
@@ -37,11 +38,6 @@ draw::Extremes span_mm(std::span<const AlgorithmRun> runs) {
     }
   }
   return draw::round_range(all.value_or(draw::Extremes{}), kSmallestSpanMm);
-}
-
-draw::Tone tone_of(Verdict verdict) {
-  if (verdict == Verdict::kSettled) return draw::Tone::kGood;
-  return verdict == Verdict::kBuzzing ? draw::Tone::kWarning : draw::Tone::kBad;
 }
 
 void draw_trace(const PanelContext& context, const AlgorithmRun& run, draw::Extremes span,
@@ -86,7 +82,7 @@ void draw_run(const PanelContext& context, const AlgorithmRun& run, draw::Extrem
   {
     const FontScope font(context.theme.fonts.digits, draw::kSmallFontSize);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x);
-    ImGui::TextColored(context.theme.colour(tone_of(run.summary.verdict)), "%s",
+    ImGui::TextColored(context.theme.colour(verdict_tone(run.summary.verdict)), "%s",
                        verdict_lines(run.summary).c_str());
     ImGui::PopTextWrapPos();
   }

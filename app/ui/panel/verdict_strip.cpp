@@ -18,12 +18,12 @@ constexpr const char* kMeaning =
     "does "
     "not. oscillating: the handle moves, also on its way.";
 
-draw::Tone tone_of(Verdict verdict) {
+}  // namespace
+
+draw::Tone verdict_tone(Verdict verdict) {
   if (verdict == Verdict::kSettled) return draw::Tone::kGood;
   return verdict == Verdict::kBuzzing ? draw::Tone::kWarning : draw::Tone::kBad;
 }
-
-}  // namespace
 
 void draw_verdict_strip(const PanelContext& context) {
   if (context.shows.hides_force) {
@@ -38,7 +38,8 @@ void draw_verdict_strip(const PanelContext& context) {
     const draw::FontScope fitting(context.theme.fonts.digits,
                                   std::clamp(std::floor(share * draw::kTitleFontSize),
                                              draw::kSmallFontSize, draw::kTitleFontSize));
-    ImGui::TextColored(context.theme.colour(tone_of(tail.summary.verdict)), "%s", text.c_str());
+    ImGui::TextColored(context.theme.colour(verdict_tone(tail.summary.verdict)), "%s",
+                       text.c_str());
   }
   explain(kMeaning);
 }
