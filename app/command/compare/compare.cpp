@@ -64,7 +64,7 @@ std::optional<Runs> run_all(Scene scene, const std::vector<ComparedAlgorithm>& c
   }
   for (const ComparedAlgorithm& row : compared) {
     scene.algorithm = row.settings;
-    if (on_tick) runs.histories.emplace_back(scene.tick_count());
+    if (on_tick) runs.histories.emplace_back(scene.tick_count(), scene.x().device.encoder_m);
     HeadlessResult result =
         simulate_timed({.scene = scene,
                         .changes = {},

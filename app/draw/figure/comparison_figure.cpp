@@ -70,10 +70,11 @@ void share_axes(Comparison& comparison) {
     for (const ComparedRun& run : comparison.runs) {
       if (!stretches_axes(run, comparison.runs)) continue;
       surface.history = &run.history;
-      include(values, automatic_values(surface, plot_description(id)));
+      include(values, shown_values(surface, plot_description(id)));
     }
     if (!values) continue;
-    (*surface.axes)[static_cast<std::size_t>(id)].left = {true, values->minimum, values->maximum};
+    fit_left_axis(surface, plot_description(id), *values);
+    (*surface.axes)[static_cast<std::size_t>(id)].left.manual = true;
   }
 }
 
@@ -196,7 +197,7 @@ void draw_rows(Comparison& comparison, const Columns& columns, float left, ImVec
   const float each = (free.y - (count - 1.0F) * gap) / count;
   const float top = ImGui::GetCursorScreenPos().y;
   for (std::size_t row = 0; row < kAllPlots.size(); ++row) {
-    const PlotDescription& plot = plot_description(kAllPlots[row]);
+    const PlotDescription plot = in_shown_units(surface, plot_description(kAllPlots[row]));
     const float row_top = top + static_cast<float>(row) * (each + gap);
     ImGui::SetCursorScreenPos(ImVec2(left, row_top));
     draw_plot_heading(surface, plot, fmt::format("({}) ", static_cast<char>('a' + row)),
@@ -239,8 +240,7 @@ Result<file::Picture> draw_comparison(const Scene& scene, std::span<const Compar
   ChosenLines lines = compared_lines();
   HiddenLines hidden = 0;
   AllPlotAxes axes;
-  Trace scratch;
-  std::vector<PixelColumn> pixels;
+  PlotScratch scratch;
   Comparison comparison{scene, runs, {}, {}};
   PlotSurface& surface = comparison.surface;
   surface.walls = scene.x().walls;
@@ -249,9 +249,10 @@ Result<file::Picture> draw_comparison(const Scene& scene, std::span<const Compar
   surface.hidden = &hidden;
   surface.axes = &axes;
   surface.scratch = &scratch;
-  surface.columns = &pixels;
+  surface.device = scene.x().device;
   surface.interactive = false;
   surface.heading = false;
+  surface.line_names = false;
   surface.line_weight = kComparisonLineWeight * scale;
   share_axes(comparison);
   return draw_page(size, scale, [&](const Theme& theme) { draw_contents(theme, comparison); });

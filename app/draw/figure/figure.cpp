@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <implot.h>
 
 #include <algorithm>
 #include <string>
@@ -38,11 +39,13 @@ void draw_plots(PlotSurface& surface, std::span<const PlotId> plots, ImVec2 free
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   const auto count = static_cast<float>(plots.size());
   const ImVec2 each(free.x, (free.y - (count - 1.0F) * gap) / count);
+  ImPlot::BeginAlignedPlots("plots");  // one left and one right margin
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const std::string mark = fmt::format("({}) ", static_cast<char>('a' + i));
     surface.time_labels = i + 1 == plots.size();
     draw_plot(surface, plot_description(plots[i]), mark, each);
   }
+  ImPlot::EndAlignedPlots();
 }
 
 void draw_contents(const Scene& scene, PlotSurface& surface, const FigureView& view) {
@@ -86,7 +89,7 @@ std::string describe(const Scene& scene) {
 
 Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
                                   FigureSize size) {
-  SampleHistory history(samples.size());
+  SampleHistory history(samples.size(), scene.x().device.encoder_m);
   history.push(samples);
   const double from_s = history.oldest_time_s();
   FigureView view;
@@ -100,8 +103,7 @@ Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& histo
   const float scale = static_cast<float>(size.height) / kFigureDesignHeight;
   // Drawing an axis writes to it.
   FigureView copy = view;
-  Trace scratch;
-  std::vector<PixelColumn> columns;
+  PlotScratch scratch;
   PlotSurface surface;
   surface.history = &history;
   surface.walls = scene.x().walls;
@@ -110,7 +112,7 @@ Result<file::Picture> draw_figure(const Scene& scene, const SampleHistory& histo
   surface.hidden = &copy.hidden;
   surface.axes = &copy.axes;
   surface.scratch = &scratch;
-  surface.columns = &columns;
+  surface.device = scene.x().device;
   surface.bounds = view.bounds;
   surface.extra_traces = view.extra_traces;
   surface.marks = view.marks;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/draw/plot/plot.h"
-#include "app/draw/plot/plot_envelope.h"
 #include "app/draw/plot/plot_heading.h"
 
 namespace hapticwall::draw {
@@ -17,14 +16,17 @@ namespace {
 
 constexpr float kTraceWidth = 2.4F;  // relative to a line of the session
 
-bool has(const ExtraTrace& trace, const PlotLine& line) {
-  return trace.history != nullptr && !trace.history->empty() &&
-         (trace.lines & line_bit(line.quantity)) != 0U;
-}
-
 IndexRange visible_range(const PlotSurface& surface, const ExtraTrace& trace) {
   return trace.history->range(surface.window->from_s - trace.shift_s,
                               surface.window->to_s - trace.shift_s);
+}
+
+// Whether the trace has the line, and a piece of it is in sight.
+bool has(const PlotSurface& surface, const ExtraTrace& trace, const PlotLine& line) {
+  if (trace.history == nullptr || trace.history->empty()) return false;
+  const bool in_sight = trace.history->oldest_time_s() + trace.shift_s < surface.window->to_s &&
+                        trace.history->newest_time_s() + trace.shift_s > surface.window->from_s;
+  return in_sight && (trace.lines & line_bit(line.quantity)) != 0U;
 }
 
 }  // namespace
@@ -38,16 +40,16 @@ void replace_extra_traces(std::vector<ExtraTrace>& all, ExtraSource source,
 
 bool is_drawn(const PlotSurface& surface, const PlotDescription& plot, const ExtraTrace& trace) {
   return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
-    return has(trace, line) && is_drawn(surface, plot, line);
+    return has(surface, trace, line) && is_drawn(surface, plot, line);
   });
 }
 
 std::optional<Extremes> extra_extremes(const PlotSurface& surface, const PlotLine& line) {
   std::optional<Extremes> all;
   for (const ExtraTrace& trace : surface.extra_traces) {
-    if (!has(trace, line)) continue;
-    const IndexRange range = visible_range(surface, trace);
-    if (range.count() > 0) include(all, trace.history->extremes(line.quantity, range));
+    if (!has(surface, trace, line)) continue;
+    const SampleStats stats = trace.history->stats(line.quantity, visible_range(surface, trace));
+    if (!stats.empty()) include(all, stats.extremes);
   }
   return all;
 }
@@ -57,18 +59,14 @@ void draw_extra_traces(const PlotSurface& surface, const PlotDescription& plot) 
   for (const ExtraTrace& trace : surface.extra_traces) {
     ++index;
     for (const PlotLine& line : plot.lines) {
-      if (!has(trace, line) || !is_drawn(surface, plot, line)) continue;
-      const IndexRange range = visible_range(surface, trace);
-      if (range.count() == 0) continue;
-      Trace& points = *surface.scratch;
-      trace.history->decimate(line.quantity, range, plot_columns(), plot.scale_of(line).scale,
-                              points);
-      for (double& time_s : points.time_s) time_s += trace.shift_s;
+      if (!has(surface, trace, line) || !is_drawn(surface, plot, line)) continue;
+      const ValueScale& scale = plot.scale_of(line);
       const std::string name = fmt::format("{}##extra{}", line.name, index);
-      draw_trace(points,
+      draw_trace({*trace.history, line.quantity, visible_range(surface, trace), scale.scale,
+                  trace.shift_s},
                  {name.c_str(), extra_colour(*surface.theme, trace, line.tone),
-                  kTraceWidth * surface.line_weight},
-                 line.on_right ? ImAxis_Y2 : ImAxis_Y1, *surface.columns);
+                  kTraceWidth * surface.line_weight, Dash::kSolid, scale.smallest_span},
+                 line.on_right ? ImAxis_Y2 : ImAxis_Y1, *surface.scratch);
     }
   }
   ImPlot::SetAxes(ImAxis_X1, ImAxis_Y1);
@@ -77,7 +75,7 @@ void draw_extra_traces(const PlotSurface& surface, const PlotDescription& plot) 
 void draw_extra_readout(const PlotSurface& surface, const PlotDescription& plot,
                         const PlotLine& line, double time_s) {
   for (const ExtraTrace& trace : surface.extra_traces) {
-    if (!has(trace, line) || !is_drawn(surface, plot, line)) continue;
+    if (!has(surface, trace, line) || !is_drawn(surface, plot, line)) continue;
     const double own_s = time_s - trace.shift_s;
     const SampleHistory& history = *trace.history;
     if (own_s < history.oldest_time_s() || own_s > history.newest_time_s()) continue;

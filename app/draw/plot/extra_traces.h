@@ -20,7 +20,7 @@ enum class ExtraSource : std::uint8_t { kReplay, kComparison };
 
 // The lines of such a run; a plot draws those whose quantity it draws of the session.
 inline constexpr LineSet kExtraLines = line_bit(&Sample::position_m) | line_bit(&Sample::force_n) |
-                                       line_bit(&Sample::stiffness_n_per_m) |
+                                       line_bit(Derived::kStiffness) |
                                        line_bit(&Sample::energy_cv_j);
 
 struct ExtraTrace {

@@ -4,6 +4,7 @@
 #include <implot.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/draw/plot/plot_heading.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kMinTimeAxisS = 1e-4;
 constexpr double kMaxTimeAxisS = 1e6;
+constexpr float kWishStrength = 0.4F;  // of a wish's band
 
 bool has_right_axis(const PlotSurface& surface, const PlotDescription& plot) {
   return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
@@ -28,28 +30,48 @@ bool shows_positions(const PlotSurface& surface, const PlotDescription& plot) {
   });
 }
 
-// The extremes that the automatic axis shows.
-Extremes fitted_values(const PlotSurface& surface, const PlotDescription& plot, IndexRange range,
-                       bool right) {
+// The extremes of the drawn lines that are a wish, or that are none.
+std::optional<Extremes> line_values(const PlotSurface& surface, const PlotDescription& plot,
+                                    IndexRange range, bool right, bool wish) {
   std::optional<Extremes> all;
-  const ValueScale& scale = right ? plot.right : plot.left;
-  const auto include_si = [&](const Extremes& values) {
-    include(all, {values.minimum * scale.scale, values.maximum * scale.scale});
-  };
   for (const PlotLine& line : plot.lines) {
-    // The hand's path lies far inside a stiff wall and would hide the contact.
-    if (line.on_right != right || line.quantity == &PlantTruth::hand_path_m) continue;
-    if (!is_drawn(surface, plot, line)) continue;
-    if (const auto extra = extra_extremes(surface, line)) include_si(*extra);
-    if (range.count() > 0) include_si(surface.history->extremes(line.quantity, range));
+    if (line.on_right != right || line.wish != wish || !is_drawn(surface, plot, line)) continue;
+    if (const auto extra = extra_extremes(surface, line)) include(all, *extra);
+    if (range.count() == 0) continue;
+    const SampleStats stats = surface.history->stats(line.quantity, range);
+    if (!stats.empty()) include(all, stats.extremes);
   }
+  return all;
+}
+
+// The force axis always shows what the actuator can do in the direction of the forces, with room
+// for the label of the limit.
+void include_limit(const PlotSurface& surface, Extremes& values) {
+  constexpr double kPullShare = 0.05;  // of the limit: less is no pull
+  constexpr double kRoom = 1.15;
+  const double limit_n = surface.device.force_limit_n.value_or(0.0);
+  const bool pulls = values.minimum < -kPullShare * limit_n;
+  values.include({pulls ? -kRoom * limit_n : 0.0, kRoom * limit_n});
+}
+
+// The extremes that the automatic axis shows, in SI units.
+Extremes axis_values(const PlotSurface& surface, const PlotDescription& plot, IndexRange range,
+                     bool right) {
+  std::optional<Extremes> all = line_values(surface, plot, range, right, false);
+  if (!all) all = line_values(surface, plot, range, right, true);
   if (plot.id != PlotId::kPosition || right) {
     include(all, {});
   } else if (!surface.walls.empty() && (!all || shows_positions(surface, plot))) {
     const double face_m = surface.walls.front().position_m;
-    include_si({face_m, face_m});
+    include(all, {face_m, face_m});
   }
-  return round_range(all.value_or(Extremes{}), scale.smallest_span);
+  if (plot.id == PlotId::kForce) include_limit(surface, *all);
+  return all.value_or(Extremes{});
+}
+
+Extremes axis_range(const Extremes& values, const ValueScale& scale) {
+  return round_range({values.minimum * scale.scale, values.maximum * scale.scale},
+                     scale.smallest_span);
 }
 
 // A wheel or drag that began between the axes changes the time axis.
@@ -70,9 +92,9 @@ void set_up_axes(PlotSurface& surface, PlotAxes& axes, double* length_s, bool ri
   ImPlot::SetupAxisLinks(ImAxis_X1, &surface.window->from_s, &surface.window->to_s);
   ImPlot::SetupAxisZoomConstraints(ImAxis_X1, kMinTimeAxisS, kMaxTimeAxisS);
   ImPlot::SetupAxisFormat(ImAxis_X1, format_time, length_s);
-  axes.left.set_up(ImAxis_Y1, "%6.4g", lock | labels(surface.value_labels));
+  axes.left.set_up(ImAxis_Y1, "%6.6g", lock | labels(surface.value_labels));
   if (right) {
-    axes.right.set_up(ImAxis_Y2, "%.4g",
+    axes.right.set_up(ImAxis_Y2, "%.6g",
                       lock | ImPlotAxisFlags_Opposite | ImPlotAxisFlags_NoGridLines);
   }
   ImPlot::SetupFinish();
@@ -102,16 +124,64 @@ void draw_zero_line(const PlotSurface& surface) {
   ImPlot::PlotInfLines("##zero", &zero, 1, spec);
 }
 
+// No label lies on the line of zero or on the face of a wall.
+void take_horizontals(const PlotSurface& surface, const PlotDescription& plot) {
+  const ImPlotRect limits = ImPlot::GetPlotLimits();
+  const auto take = [&](double value) {
+    const std::array line{ImPlot::PlotToPixels(limits.X.Min, value),
+                          ImPlot::PlotToPixels(limits.X.Max, value)};
+    surface.scratch->ink.take(line, surface.line_weight);
+  };
+  if (plot.id == PlotId::kPassivity) take(0.0);
+  if (plot.id != PlotId::kPosition) return;
+  for (const WallSettings& wall : surface.walls) take(wall.position_m * plot.left.scale);
+}
+
+// The measured signal has the band, not its truth as well: both would hide each other.
+bool has_other_band(const PlotSurface& surface, const PlotDescription& plot, const PlotLine& line) {
+  return std::ranges::any_of(plot.lines, [&](const PlotLine& other) {
+    return line.measured_as == other.quantity && is_drawn(surface, plot, other);
+  });
+}
+
 void draw_lines(const PlotSurface& surface, const PlotDescription& plot, IndexRange range) {
   if (range.count() == 0) return;
+  const auto drawn = std::ranges::count_if(
+      plot.lines, [&](const PlotLine& line) { return is_drawn(surface, plot, line); });
   for (const PlotLine& line : plot.lines) {
     if (!is_drawn(surface, plot, line)) continue;
-    surface.history->decimate(line.quantity, range, plot_columns(), plot.scale_of(line).scale,
-                              *surface.scratch);
-    draw_trace(*surface.scratch, {line.name, surface.theme->colour(line.tone), surface.line_weight},
-               line.on_right ? ImAxis_Y2 : ImAxis_Y1, *surface.columns);
+    const ValueScale& scale = plot.scale_of(line);
+    TraceStyle style{line.name, surface.theme->colour(line.tone), surface.line_weight, line.dash,
+                     scale.smallest_span};
+    if (surface.line_names && drawn > 1) style.label = line.name;
+    if (line.wish) style.band_strength = kWishStrength;
+    if (has_other_band(surface, plot, line)) style.band_strength = 0.0F;
+    TraceSource source{*surface.history, line.quantity, range, scale.scale};
+    if (line.wish && plot.id == PlotId::kForce && surface.device.force_limit_n)
+      source.clip = {-*surface.device.force_limit_n, *surface.device.force_limit_n};
+    draw_trace(source, style, line.on_right ? ImAxis_Y2 : ImAxis_Y1, *surface.scratch);
   }
   ImPlot::SetAxes(ImAxis_X1, ImAxis_Y1);
+}
+
+// The bounds of theory, or the limits of the actuator.
+std::vector<BoundLine> bounds_of(const PlotSurface& surface, const PlotDescription& plot) {
+  if (plot.id == PlotId::kForce && surface.device.force_limit_n) {
+    const double limit_n = *surface.device.force_limit_n;
+    return {{"−F_max", -limit_n}, {"F_max", limit_n}};
+  }
+  const bool shown = surface.show_bounds == nullptr || *surface.show_bounds;
+  return plot.id == PlotId::kStiffness && shown ? surface.bounds : std::vector<BoundLine>{};
+}
+
+void draw_labels(const PlotSurface& surface, const PlotDescription& plot) {
+  const ImVec2 corner = ImPlot::GetPlotPos();
+  const ImVec2 size = ImPlot::GetPlotSize();
+  ImPlot::PushPlotClipRect();
+  draw_line_ends(surface.scratch->ink, {corner, {corner.x + size.x, corner.y + size.y}},
+                 ImPlot::GetPlotDrawList());
+  ImPlot::PopPlotClipRect();
+  draw_bounds(*surface.theme, bounds_of(surface, plot), plot.left.scale, surface.scratch->ink);
 }
 
 // The trigger's contact: a small triangle at the top and a faint line.
@@ -164,8 +234,10 @@ void draw_readout(const PlotSurface& surface, const PlotDescription& plot) {
   for (const PlotLine& line : plot.lines) {
     if (!is_chosen(surface, plot, line)) continue;
     const ValueScale& scale = plot.scale_of(line);
-    ImGui::TextColored(surface.theme->colour(line.tone), "%-20s %10.4f %s", line.name,
-                       history.value(line.quantity, index) * scale.scale, scale.unit);
+    const double value = history.value(line.quantity, index) * scale.scale;
+    if (!std::isnan(value))
+      ImGui::TextColored(surface.theme->colour(line.tone), "%-20s %10.4f %s", line.name, value,
+                         scale.unit);
     draw_extra_readout(surface, plot, line, pointed_s);
   }
   ImGui::PopFont();
@@ -183,10 +255,11 @@ void notice_input(PlotSurface& surface, PlotAxes& axes, bool right) {
 void draw_contents(const PlotSurface& surface, const PlotDescription& plot, IndexRange range) {
   if (plot.id == PlotId::kPosition) draw_walls(surface, plot);
   if (plot.id == PlotId::kPassivity) draw_zero_line(surface);
+  surface.scratch->ink.clear();
+  take_horizontals(surface, plot);
   draw_extra_traces(surface, plot);
   draw_lines(surface, plot, range);
-  if (plot.id == PlotId::kStiffness && (surface.show_bounds == nullptr || *surface.show_bounds))
-    draw_bounds(*surface.theme, surface.bounds, plot.left.scale);
+  draw_labels(surface, plot);
   draw_contact_mark(surface);
   draw_plot_marks(*surface.theme, surface.marks, surface.line_weight);
   if (!draw_cursors(surface)) draw_readout(surface, plot);
@@ -198,8 +271,29 @@ IndexRange range_of(const PlotSurface& surface) {
 
 }  // namespace
 
-Extremes automatic_values(const PlotSurface& surface, const PlotDescription& plot) {
-  return fitted_values(surface, plot, range_of(surface), false);
+PlotDescription in_shown_units(const PlotSurface& surface, const PlotDescription& plot) {
+  constexpr double kMinCounts = 2.0;
+  PlotDescription shown = plot;
+  if ((*surface.axes)[static_cast<std::size_t>(plot.id)].large) shown.left = plot.left_large;
+  if (plot.id == PlotId::kPosition) {
+    const double count_m = surface.device.encoder_m.value_or(0.0);
+    shown.left.smallest_span =
+        std::max(plot.left.smallest_span, kMinCounts * count_m * plot.left.scale);
+  }
+  return shown;
+}
+
+Extremes shown_values(const PlotSurface& surface, const PlotDescription& plot) {
+  return axis_values(surface, plot, range_of(surface), false);
+}
+
+void fit_left_axis(const PlotSurface& surface, const PlotDescription& plot, Extremes values) {
+  constexpr double kMaxSmall = 1000.0;
+  PlotAxes& axes = (*surface.axes)[static_cast<std::size_t>(plot.id)];
+  if (axes.left.manual) return;
+  const double largest = std::max(std::abs(values.minimum), std::abs(values.maximum));
+  axes.large = plot.left_large.scale > 0.0 && largest * plot.left.scale >= kMaxSmall;
+  axes.left.fit(axis_range(values, in_shown_units(surface, plot).left));
 }
 
 std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot,
@@ -210,21 +304,22 @@ std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot
   const double highest =
       surface.history->extremes(&PlantTruth::hand_path_m, range).maximum * plot.left.scale;
   if (highest <= axis_maximum) return {};
-  return fmt::format("hand up to {:.4g} {} ↑", highest, plot.left.unit);
+  return fmt::format("hand to {:.4g} {} ↑", highest, plot.left.unit);
 }
 
-PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
+PlotArea draw_plot(PlotSurface& surface, const PlotDescription& general, const std::string& mark,
                    ImVec2 size) {
-  ImGui::PushID(plot.title);
-  PlotAxes& axes = (*surface.axes)[static_cast<std::size_t>(plot.id)];
+  ImGui::PushID(general.title);
+  PlotAxes& axes = (*surface.axes)[static_cast<std::size_t>(general.id)];
   const float top = ImGui::GetCursorPosY();
   const IndexRange range = range_of(surface);
-  axes.left.fit(fitted_values(surface, plot, range, false));
+  fit_left_axis(surface, general, axis_values(surface, general, range, false));
+  const PlotDescription plot = in_shown_units(surface, general);
   if (surface.heading) {
     draw_plot_heading(surface, plot, mark, hand_outside(surface, plot, axes.left.maximum), size.x);
   }
   const bool right = has_right_axis(surface, plot);
-  if (right) axes.right.fit(fitted_values(surface, plot, range, true));
+  if (right) axes.right.fit(axis_range(axis_values(surface, plot, range, true), plot.right));
   const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));
   ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
   double length_s = surface.window->length_s();

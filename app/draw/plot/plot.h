@@ -13,9 +13,9 @@
 #include "app/draw/plot/plot_axes.h"
 #include "app/draw/plot/plot_bounds.h"
 #include "app/draw/plot/plot_cursors.h"
-#include "app/draw/plot/plot_envelope.h"
 #include "app/draw/plot/plot_lines.h"
 #include "app/draw/plot/plot_marks.h"
+#include "app/draw/plot/plot_trace.h"
 #include "app/draw/plot/plot_trigger.h"
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
@@ -40,6 +40,7 @@ struct PlotArea {
 struct PlotAxes {
   ValueAxis left;
   ValueAxis right;
+  bool large = false;  // the left axis has the large unit of its plot
   PlotArea area;
 };
 using AllPlotAxes = std::array<PlotAxes, kPlotCount>;  // by PlotId
@@ -54,19 +55,20 @@ struct PlotSurface {
   ChosenLines* chosen = nullptr;
   HiddenLines* hidden = nullptr;
   AllPlotAxes* axes = nullptr;
-  Trace* scratch = nullptr;
-  std::vector<PixelColumn>* columns = nullptr;  // scratch, too
-  Cursors* cursors = nullptr;                   // null: none
-  std::optional<double> contact_s;              // the contact that the trigger shows
-  std::vector<BoundLine> bounds;                // of the stiffness plot
-  std::span<const ExtraTrace> extra_traces;     // of other runs
-  PlotMarks marks;                              // of recordings
-  bool* show_bounds = nullptr;                  // null: no choice; always shown
-  bool simulated = true;                        // false: the plant's truth is unknown
+  PlotScratch* scratch = nullptr;
+  Cursors* cursors = nullptr;                // null: none
+  std::optional<double> contact_s;           // the contact that the trigger shows
+  std::vector<BoundLine> bounds;             // of the stiffness plot
+  DeviceSettings device;                     // its count and its force limit
+  std::span<const ExtraTrace> extra_traces;  // of other runs
+  PlotMarks marks;                           // of recordings
+  bool* show_bounds = nullptr;               // null: no choice; always shown
+  bool simulated = true;                     // false: the plant's truth is unknown
   bool interactive = true;
   bool time_labels = true;   // below the plot
   bool value_labels = true;  // beside it
   bool heading = true;       // above it
+  bool line_names = true;    // at their ends
   float line_weight = kLineWeight;
   bool wants_newest = false;        // set when the user asks for the automatic time axis
   std::optional<double> pointed_s;  // set to the time under the pointer
@@ -78,8 +80,15 @@ struct PlotSurface {
 PlotArea draw_plot(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
                    ImVec2 size);
 
-// The range of the automatic left axis.
-[[nodiscard]] Extremes automatic_values(const PlotSurface& surface, const PlotDescription& plot);
+// The values that the automatic left axis shows, in SI units.
+[[nodiscard]] Extremes shown_values(const PlotSurface& surface, const PlotDescription& plot);
+
+// The plot in the units that its axes show, with the smallest span of the device's encoder.
+[[nodiscard]] PlotDescription in_shown_units(const PlotSurface& surface,
+                                             const PlotDescription& plot);
+
+// Fits the left axis to values in SI units, and chooses its unit, unless the user has set the axis.
+void fit_left_axis(const PlotSurface& surface, const PlotDescription& plot, Extremes values);
 
 // The heading's note if the hand goes above `axis_maximum` within the window, and how far.
 [[nodiscard]] std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot,

@@ -3,25 +3,28 @@
 #include <implot.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <array>
 #include <optional>
+
+#include "app/draw/plot/dashes.h"
 
 namespace hapticwall::draw {
 namespace {
 
 constexpr float kBoundLineWeight = 1.0F;
-constexpr float kDash = 6.0F;  // pixels at scale 1
-constexpr float kGap = 4.0F;
 
-void draw_dashes(ImDrawList* list, ImVec2 from, float to_x, ImU32 colour, float scale) {
-  const float step = (kDash + kGap) * scale;
-  const int count = static_cast<int>(std::ceil((to_x - from.x) / step));
-  for (int i = 0; i < count; ++i) {
-    const float x = from.x + static_cast<float>(i) * step;
-    list->AddLine(ImVec2(x, from.y), ImVec2(std::min(x + kDash * scale, to_x), from.y), colour,
-                  kBoundLineWeight * scale);
+// Above and below the line, from right to left.
+std::optional<ImVec2> label_place(PlotInk& ink, const PixelBox& area, float y, ImVec2 size) {
+  constexpr int kTries = 16;
+  const float gap = 0.3F * ImGui::GetFontSize();
+  const float step = (area.to.x - area.from.x - size.x - 2.0F * gap) / (kTries - 1);
+  std::array<ImVec2, 2 * kTries> corners;
+  for (int i = 0; i < kTries; ++i) {
+    const float x = area.to.x - gap - size.x - static_cast<float>(i) * step;
+    corners[static_cast<std::size_t>(2 * i)] = {x, y - gap - size.y};
+    corners[static_cast<std::size_t>(2 * i + 1)] = {x, y + gap};
   }
+  return take_free_place(ink, area, size, corners);
 }
 
 }  // namespace
@@ -31,7 +34,7 @@ std::vector<BoundLine> bound_lines(const StabilityBounds& bounds) {
   const auto add = [&](const char* label, const std::optional<double>& stiffness_n_per_m) {
     if (!stiffness_n_per_m) return;
     const auto equal = std::find_if(lines.begin(), lines.end(), [&](const BoundLine& line) {
-      return line.stiffness_n_per_m == *stiffness_n_per_m;
+      return line.value == *stiffness_n_per_m;
     });
     if (equal != lines.end()) {
       equal->label += std::string(", ") + label;
@@ -43,37 +46,34 @@ std::vector<BoundLine> bound_lines(const StabilityBounds& bounds) {
   add("stable", bounds.stable_n_per_m);
   add("friction", bounds.friction_n_per_m);
   add("resolution", bounds.resolution_n_per_m);
-  std::stable_sort(lines.begin(), lines.end(), [](const BoundLine& a, const BoundLine& b) {
-    return a.stiffness_n_per_m < b.stiffness_n_per_m;
-  });
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const BoundLine& a, const BoundLine& b) { return a.value < b.value; });
   return lines;
 }
 
-void draw_bounds(const Theme& theme, const std::vector<BoundLine>& bounds, double scale) {
+void draw_bounds(const Theme& theme, const std::vector<BoundLine>& bounds, double scale,
+                 PlotInk& ink) {
   const ImPlotRect limits = ImPlot::GetPlotLimits();
   ImDrawList* list = ImPlot::GetPlotDrawList();
   const float font_scale = ImGui::GetStyle().FontScaleMain;
   const ImVec2 corner = ImPlot::GetPlotPos();
-  const float right = corner.x + ImPlot::GetPlotSize().x;
-  const float gap = 0.3F * ImGui::GetFontSize();
-  // Labels of bounds closer than a line of text go beside each other.
-  float label_right = right;
-  float last_y = std::numeric_limits<float>::infinity();
+  const PixelBox area{corner,
+                      {corner.x + ImPlot::GetPlotSize().x, corner.y + ImPlot::GetPlotSize().y}};
+  const auto y_of = [&](const BoundLine& bound) {
+    return ImPlot::PlotToPixels(limits.X.Min, bound.value * scale).y;
+  };
   ImPlot::PushPlotClipRect();
   for (const BoundLine& bound : bounds) {
-    const double value = bound.stiffness_n_per_m * scale;
-    if (!limits.Y.Contains(value)) continue;
-    const float y = ImPlot::PlotToPixels(limits.X.Min, value).y;
-    draw_dashes(list, ImVec2(corner.x, y), right, theme.packed(Tone::kText, 0.8F), font_scale);
+    const std::array line{ImVec2(area.from.x, y_of(bound)), ImVec2(area.to.x, y_of(bound))};
+    draw_dashed(list, line, theme.packed(Tone::kText, 0.8F), kBoundLineWeight * font_scale,
+                Dash::kDashed, font_scale);
+    ink.take(line, kBoundLineWeight * font_scale);
+  }
+  for (const BoundLine& bound : bounds) {
+    if (!limits.Y.Contains(bound.value * scale)) continue;
     const ImVec2 size = ImGui::CalcTextSize(bound.label.c_str());
-    const float height = size.y + gap;
-    label_right = (last_y - y < height ? label_right : right) - size.x - 2.0F * gap;
-    last_y = y;
-    const ImVec2 label(label_right, y - height > corner.y ? y - height : y + gap);
-    list->AddRectFilled(ImVec2(label.x - gap, label.y),
-                        ImVec2(label.x + size.x + gap, label.y + size.y),
-                        theme.packed(Tone::kBackground, 0.75F), gap);
-    list->AddText(label, theme.packed(Tone::kText, 0.9F), bound.label.c_str());
+    if (const auto place = label_place(ink, area, y_of(bound), size))
+      list->AddText(*place, theme.packed(Tone::kText, 0.9F), bound.label.c_str());
   }
   ImPlot::PopPlotClipRect();
 }

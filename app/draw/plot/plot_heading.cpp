@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace hapticwall::draw {
 namespace {
 
 constexpr float kDashEms = 1.2F;      // a legend entry's piece of line
 constexpr float kDashWeight = 0.17F;  // of the text's size
+constexpr float kDashShare = 0.6F;    // of a dash in the plot: the piece has more than one
 constexpr float kExtraDashWeight = 0.36F;
 constexpr float kHeadingNameEms = 1.5F;  // where its name begins
 constexpr float kEntryGapEms = 0.6F;     // between two entries
@@ -28,16 +30,19 @@ struct LegendEntry {
   ImVec2 corner;
   const std::string& text;
   ImU32 colour;
-  float weight;  // of the dash
-  float alpha;   // of the text
+  float weight;  // of the piece of line
+  Dash dash;
+  float alpha;  // of the text
 };
 
 void draw_dash(const PlotSurface& surface, const LegendEntry& entry) {
   const float em = ImGui::GetFontSize();
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float middle = entry.corner.y + 0.6F * em;
-  list->AddLine(ImVec2(entry.corner.x, middle), ImVec2(entry.corner.x + kDashEms * em, middle),
-                entry.colour, entry.weight * em);
+  const std::array piece{ImVec2(entry.corner.x, middle),
+                         ImVec2(entry.corner.x + kDashEms * em, middle)};
+  draw_dashed(list, piece, entry.colour, entry.weight * em, entry.dash,
+              kDashShare * ImGui::GetStyle().FontScaleMain);
   list->AddText(ImVec2(entry.corner.x + kHeadingNameEms * em, entry.corner.y),
                 surface.theme->packed(Tone::kText, 0.85F * entry.alpha), entry.text.c_str());
 }
@@ -54,7 +59,8 @@ void draw_legend_entry(PlotSurface& surface, const PlotDescription& plot, const 
   if (surface.interactive && ImGui::IsItemHovered())
     ImGui::SetTooltip("%s\nclick to hide or show", line.meaning);
   const float alpha = is_drawn(surface, plot, line) ? 1.0F : 0.3F;
-  draw_dash(surface, {corner, text, surface.theme->packed(line.tone, alpha), kDashWeight, alpha});
+  draw_dash(surface,
+            {corner, text, surface.theme->packed(line.tone, alpha), kDashWeight, line.dash, alpha});
 }
 
 // The same for a trace of another run; it takes no click.
@@ -66,8 +72,8 @@ void draw_extra_entry(PlotSurface& surface, const PlotDescription& plot, const E
   const ImVec4 colour = extra_colour(*surface.theme, trace, line->tone);
   ImGui::SetCursorScreenPos(corner);
   ImGui::Dummy(ImVec2(entry_width(trace.label), 1.2F * ImGui::GetFontSize()));
-  draw_dash(surface,
-            {corner, trace.label, ImGui::ColorConvertFloat4ToU32(colour), kExtraDashWeight, 1.0F});
+  draw_dash(surface, {corner, trace.label, ImGui::ColorConvertFloat4ToU32(colour), kExtraDashWeight,
+                      Dash::kSolid, 1.0F});
 }
 
 float extra_legend_width(const PlotSurface& surface, const PlotDescription& plot) {
@@ -131,7 +137,7 @@ void draw_choice_of_lines(PlotSurface& surface, const PlotDescription& plot) {
   LineSet& chosen = (*surface.chosen)[static_cast<std::size_t>(plot.id)];
   for (const PlotLine& line : plot.lines) {
     bool on = is_chosen(surface, plot, line);
-    ImGui::BeginDisabled(line.kind == LineKind::kSimulator && !surface.simulated);
+    ImGui::BeginDisabled(line.is_truth() && !surface.simulated);
     ImGui::PushStyleColor(ImGuiCol_CheckMark, surface.theme->colour(line.tone));
     if (ImGui::Checkbox(fmt::format("{0}###signal {0}", line.name).c_str(), &on))
       chosen ^= line_bit(line.quantity);
@@ -167,7 +173,7 @@ void draw_signals_button(PlotSurface& surface, const PlotDescription& plot) {
 
 bool is_chosen(const PlotSurface& surface, const PlotDescription& plot, const PlotLine& line) {
   const LineSet chosen = (*surface.chosen)[static_cast<std::size_t>(plot.id)];
-  return (chosen & line_bit(line.quantity)) != 0U;
+  return (chosen & line_bit(line.quantity)) != 0U && (surface.simulated || !line.is_truth());
 }
 
 bool is_drawn(const PlotSurface& surface, const PlotDescription& plot, const PlotLine& line) {

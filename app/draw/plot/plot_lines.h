@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
+#include "app/draw/plot/dashes.h"
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
 
@@ -28,13 +30,14 @@ static_assert(kQuantityCount <= 32);
 enum class LineKind : std::uint8_t {
   kUsual,      // shown by default
   kExtra,      // shown on request
+  kTruth,      // as kUsual, and known to a simulator only
   kSimulator,  // as kExtra, and known to a simulator only
 };
 
 // An axis of values, on the left or on the right.
 struct ValueScale {
   const char* unit = "";
-  double scale = 1.0;          // of SI values into `unit`
+  double scale = 0.0;          // of SI values into `unit`
   double smallest_span = 1.0;  // of the axis, in `unit`
 };
 
@@ -44,14 +47,23 @@ struct PlotLine {
   const char* meaning = "";
   Tone tone = Tone::kText;
   LineKind kind = LineKind::kUsual;
+  Dash dash = Dash::kSolid;
   bool on_right = false;  // of the second axis
+  bool wish = false;      // not what happens: the axis follows it only if it stands alone
+  // Of a truth: the signal that measures it; while that is drawn, it has the band for both.
+  std::optional<Quantity> measured_as = std::nullopt;
+
+  [[nodiscard]] bool is_truth() const {
+    return kind == LineKind::kTruth || kind == LineKind::kSimulator;
+  }
 };
 
 struct PlotDescription {
   PlotId id = PlotId::kPosition;
   const char* title = "";
   ValueScale left;
-  ValueScale right;  // of the lines with `on_right`
+  ValueScale left_large;  // in the place of `left` from 1000 of its units; no scale: none
+  ValueScale right;       // of the lines with `on_right`
   std::span<const PlotLine> lines;
 
   [[nodiscard]] const ValueScale& scale_of(const PlotLine& line) const {

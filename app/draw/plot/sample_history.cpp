@@ -4,6 +4,22 @@
 #include <cmath>
 
 namespace hapticwall::draw {
+
+void append_group(const SampleGroup& group, double scale, Trace& trace) {
+  const auto add = [&](double value) {
+    trace.time_s.push_back(group.time_s);
+    trace.value.push_back(value * scale);
+  };
+  if (group.stats.empty()) return add(kMasked);
+  const auto [minimum, maximum] = group.stats.extremes;
+  // The extreme nearer to the line's end comes first: the line then crosses a column once, which
+  // halves the pixels that a software renderer paints.
+  const double stands = trace.value.empty() ? group.first : trace.value.back() / scale;
+  const bool low_first = !(std::abs(stands - minimum) > std::abs(stands - maximum));
+  add(low_first ? minimum : maximum);
+  if (minimum != maximum) add(low_first ? maximum : minimum);
+}
+
 std::size_t decimation_group(std::size_t samples, std::size_t columns) {
   const std::size_t most = std::max<std::size_t>(samples / std::max<std::size_t>(columns, 1), 1);
   std::size_t unit = 1;
@@ -14,8 +30,8 @@ std::size_t decimation_group(std::size_t samples, std::size_t columns) {
   return most / unit * unit;
 }
 
-SampleHistory::SampleHistory(std::size_t capacity)
-    : capacity_(std::max<std::size_t>(capacity, 1)) {}
+SampleHistory::SampleHistory(std::size_t capacity, std::optional<double> count_m)
+    : capacity_(std::max<std::size_t>(capacity, 1)), count_m_(count_m.value_or(0.0)) {}
 
 void SampleHistory::push(const Sample& sample) {
   if (!empty() && sample.tick <= newest_tick_) clear();
@@ -23,6 +39,7 @@ void SampleHistory::push(const Sample& sample) {
   for_each_column(sample, [&](const SampleColumn& /*column*/, const auto& value) {
     (next++)->push_back(static_cast<double>(value));
   });
+  next->push_back(stiffness_.push(sample, count_m_));
   newest_tick_ = sample.tick;
   if (size() >= capacity_ + BlockArray<double>::kBlock) {
     for (SamplePyramid& column : columns_) column.forget_before(column.end() - capacity_);
@@ -33,7 +50,10 @@ void SampleHistory::push(std::span<const Sample> samples) {
   for (const Sample& sample : samples) push(sample);
 }
 
-void SampleHistory::clear() { columns_.fill(SamplePyramid()); }
+void SampleHistory::clear() {
+  columns_.fill(SamplePyramid());
+  stiffness_ = {};
+}
 
 std::size_t SampleHistory::size() const {
   return static_cast<std::size_t>(columns_.front().end() - columns_.front().first());
@@ -90,8 +110,12 @@ std::optional<std::size_t> SampleHistory::nearest(double time_s) const {
   return value(&Sample::time_s, after) - time_s < before_s ? after : after - 1;
 }
 
+SampleStats SampleHistory::stats(Quantity quantity, IndexRange range) const {
+  return column(quantity).stats(oldest() + range.first, oldest() + range.last);
+}
+
 Extremes SampleHistory::extremes(Quantity quantity, IndexRange range) const {
-  return column(quantity).extremes(oldest() + range.first, oldest() + range.last);
+  return stats(quantity, range).extremes;
 }
 
 std::optional<std::size_t> SampleHistory::by_age(std::optional<std::uint64_t> index) const {
@@ -115,37 +139,19 @@ void SampleHistory::decimate(Quantity quantity, IndexRange range, std::size_t co
                              Trace& trace) const {
   trace.time_s.clear();
   trace.value.clear();
-  const SamplePyramid& time = column(&Sample::time_s);
-  const SamplePyramid& values = column(quantity);
-  const std::uint64_t group = decimation_group(range.count(), columns);
-  const std::uint64_t end = oldest() + range.last;
-  const auto add = [&](std::uint64_t index, double value) {
-    trace.time_s.push_back(time[index]);
-    trace.value.push_back(value * scale);
-  };
-  std::uint64_t first = oldest() + range.first;
-  while (first < end) {
-    const std::uint64_t last = std::min((first / group + 1) * group, end);
-    if (last - first <= 2) {
-      for (; first < last; ++first) add(first, values[first]);
-      continue;
-    }
-    const Extremes found = values.extremes(first, last);
-    // The extreme nearer to the line's end comes first: the line then crosses a column once, which
-    // halves the pixels that a software renderer paints.
-    const double stands = trace.value.empty() ? values[first] : trace.value.back() / scale;
-    const bool low_first = std::abs(stands - found.minimum) <= std::abs(stands - found.maximum);
-    const std::uint64_t middle = first + (last - first) / 2;
-    add(middle, low_first ? found.minimum : found.maximum);
-    if (found.minimum != found.maximum) add(middle, low_first ? found.maximum : found.minimum);
-    first = last;
-  }
+  for_each_group(quantity, range, columns,
+                 [&](const SampleGroup& group) { append_group(group, scale, trace); });
 }
 
 void TickHistory::push(std::span<const Tick> ticks) {
   for (const Tick& tick : ticks) {
     for (std::size_t axis = 0; axis < tick.count; ++axis) axes_[axis].push(tick.axes[axis]);
   }
+}
+
+void TickHistory::set_counts(const Scene& scene) {
+  for (std::size_t axis = 0; axis < scene.axes.size(); ++axis)
+    axes_[axis].set_count(scene.axes[axis].device.encoder_m);
 }
 
 void TickHistory::clear() {

@@ -9,15 +9,24 @@
 #include <span>
 #include <vector>
 
+#include "app/draw/plot/displayed_stiffness.h"
 #include "app/draw/plot/sample_pyramid.h"
 #include "core/sample.h"
+#include "core/scene.h"
 
 namespace hapticwall::draw {
 
+// Columns that the history computes from those of the sample, behind them.
+enum class Derived : std::uint8_t { kStiffness };  // see DisplayedStiffness
+inline constexpr std::size_t kDerivedCount = 1;
+
 // A column of kSampleColumns, written as the member: `history.value(&Sample::force_n, i)`. A member
-// that has no column does not compile.
+// that has no column does not compile. Or a derived column.
 class Quantity {
  public:
+  consteval Quantity(Derived derived)  // NOLINT(google-explicit-constructor)
+      : index_(
+            static_cast<std::uint8_t>(kSampleColumns.size() + static_cast<std::size_t>(derived))) {}
   template <typename Member>
   consteval Quantity(Member member)  // NOLINT(google-explicit-constructor): a member is its column
       : index_(static_cast<std::uint8_t>(column_index(member))) {}
@@ -28,9 +37,9 @@ class Quantity {
  private:
   std::uint8_t index_;
 };
-inline constexpr std::size_t kQuantityCount = kSampleColumns.size();
+inline constexpr std::size_t kQuantityCount = kSampleColumns.size() + kDerivedCount;
 
-// The window keeps an hour at 1 kHz. At most about 200 bytes a sample, less while quantities do not
+// The window keeps an hour at 1 kHz. At most about 270 bytes a sample, less while quantities do not
 // change.
 inline constexpr std::size_t kHistoryCapacity = 3'600'000;
 
@@ -42,11 +51,21 @@ struct IndexRange {
   [[nodiscard]] std::size_t count() const { return last - first; }
 };
 
+// Some neighbouring samples that are drawn as one.
+struct SampleGroup {
+  double time_s = 0.0;  // of its middle
+  double first = 0.0;   // its oldest value
+  SampleStats stats;
+};
+
 // Points of one line, ready to be plotted.
 struct Trace {
   std::vector<double> time_s;
   std::vector<double> value;
 };
+
+// Adds the extremes of a group, multiplied by `scale`, at its time; kMasked if it is empty.
+void append_group(const SampleGroup& group, double scale, Trace& trace);
 
 // The number of samples that are drawn as one group: as many as fit one column of pixels, at least
 // 1. A large group is 4 to 16 whole blocks of the pyramid, and so up to a fifth narrower than a
@@ -59,7 +78,11 @@ struct Trace {
 // the two may be pushed to. Realtime-safe: no.
 class SampleHistory {
  public:
-  explicit SampleHistory(std::size_t capacity);
+  // `count_m`: a count of the encoder; nullopt without one.
+  explicit SampleHistory(std::size_t capacity, std::optional<double> count_m = std::nullopt);
+
+  // Of the samples that are pushed from now on.
+  void set_count(std::optional<double> count_m) { count_m_ = count_m.value_or(0.0); }
 
   void push(const Sample& sample);
   void push(std::span<const Sample> samples);
@@ -84,7 +107,8 @@ class SampleHistory {
   // The sample whose time is nearest; nullopt if empty.
   [[nodiscard]] std::optional<std::size_t> nearest(double time_s) const;
 
-  // Precondition: the range is not empty.
+  // Precondition: the range is not empty. Without masked samples.
+  [[nodiscard]] SampleStats stats(Quantity quantity, IndexRange range) const;
   [[nodiscard]] Extremes extremes(Quantity quantity, IndexRange range) const;
 
   // The newest sample of the range at which the quantity is above `threshold`, or is not.
@@ -101,6 +125,24 @@ class SampleHistory {
   void decimate(Quantity quantity, IndexRange range, std::size_t columns, double scale,
                 Trace& trace) const;
 
+  // Calls visit(SampleGroup) for each decimation_group() of the range in order; of groups of one or
+  // two samples for each sample.
+  template <typename Visit>
+  void for_each_group(Quantity quantity, IndexRange range, std::size_t columns,
+                      Visit&& visit) const {
+    const SamplePyramid& time = column(&Sample::time_s);
+    const SamplePyramid& values = column(quantity);
+    const std::uint64_t group = decimation_group(range.count(), columns);
+    const std::uint64_t end = oldest() + range.last;
+    for (std::uint64_t first = oldest() + range.first; first < end;) {
+      const std::uint64_t whole = std::min((first / group + 1) * group, end);
+      const std::uint64_t last = whole - first <= 2 ? first + 1 : whole;
+      visit(
+          SampleGroup{time[first + (last - first) / 2], values[first], values.stats(first, last)});
+      first = last;
+    }
+  }
+
  private:
   [[nodiscard]] const SamplePyramid& column(Quantity quantity) const {
     return columns_[quantity.index()];
@@ -110,7 +152,9 @@ class SampleHistory {
   [[nodiscard]] std::optional<std::size_t> by_age(std::optional<std::uint64_t> index) const;
 
   std::size_t capacity_;
+  double count_m_;
   std::uint64_t newest_tick_ = 0;
+  DisplayedStiffness stiffness_;
   std::array<SamplePyramid, kQuantityCount> columns_;
 };
 
@@ -119,6 +163,7 @@ class TickHistory {
  public:
   void push(std::span<const Tick> ticks);
   void clear();
+  void set_counts(const Scene& scene);  // see SampleHistory::set_count()
   [[nodiscard]] const SampleHistory& axis(std::size_t index) const { return axes_.at(index); }
 
  private:

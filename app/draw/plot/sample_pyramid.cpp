@@ -1,21 +1,28 @@
 #include "app/draw/plot/sample_pyramid.h"
 
+#include <cmath>
+
 namespace hapticwall::draw {
 namespace {
 
 static_assert(SamplePyramid::kFan == 4, "size_of() shifts by two bits a level");
 
+SampleStats stats_of(double value) {
+  if (std::isnan(value)) return {};
+  return {{value, value}, value, 1.0};
+}
+
 }  // namespace
 
 void SamplePyramid::push_back(double value) {
   samples_.push_back(value);
-  Extremes carried{value, value};
+  SampleStats carried = stats_of(value);
   for (std::size_t level = 0; level < kLevels; ++level) {
     growing_[level].include(carried);
     if (samples_.end() % size_of(level) != 0) return;
     carried = growing_[level];
     levels_[level].push_back(carried);
-    growing_[level] = kNothing;
+    growing_[level] = {};
   }
 }
 
@@ -26,13 +33,11 @@ void SamplePyramid::forget_before(std::uint64_t index) {
     levels_[level].forget_before(samples_.first() / size_of(level));
 }
 
-Extremes SamplePyramid::extremes(std::uint64_t first, std::uint64_t last) const {
-  Extremes all = kNothing;
+SampleStats SamplePyramid::stats(std::uint64_t first, std::uint64_t last) const {
+  SampleStats all;
   visit_parts(
-      first, last, [&](const Extremes& block) { all.include(block); },
-      [&](double value) {
-        all.include({value, value});
-      });
+      first, last, [&](const SampleStats& block) { all.include(block); },
+      [&](double value) { all.include(stats_of(value)); });
   return all;
 }
 
@@ -46,7 +51,7 @@ std::optional<std::uint64_t> SamplePyramid::newest(std::uint64_t first, std::uin
     std::size_t level = 0;  // as in visit_parts(), from the other end
     while (level < highest && last % size_of(level) == 0 && last - first >= size_of(level)) ++level;
     const std::uint64_t size = level > 0 ? size_of(level - 1) : 1;
-    const Extremes part = level > 0 ? levels_[level - 1][last / size - 1]
+    const Extremes part = level > 0 ? levels_[level - 1][last / size - 1].extremes
                                     : Extremes{samples_[last - 1], samples_[last - 1]};
     if (!wanted(part)) {
       last -= size;

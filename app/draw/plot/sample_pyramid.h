@@ -1,4 +1,5 @@
-// A column of samples with the extremes of its blocks, for the extremes of any range in few steps.
+// A column of samples with extremes and sums of its blocks, for extremes and mean of any range in
+// few steps.
 #pragma once
 
 #include <algorithm>
@@ -27,9 +28,28 @@ inline void include(std::optional<Extremes>& all, const Extremes& more) {
   all->include(more);
 }
 
+// Of some samples without the masked ones; of none, the extremes are {infinity, -infinity}.
+struct SampleStats {
+  Extremes extremes{std::numeric_limits<double>::infinity(),
+                    -std::numeric_limits<double>::infinity()};
+  double sum = 0.0;
+  double count = 0.0;
+
+  void include(const SampleStats& more) {
+    extremes.include(more.extremes);
+    sum += more.sum;
+    count += more.count;
+  }
+  [[nodiscard]] bool empty() const { return count == 0.0; }
+  [[nodiscard]] double mean() const { return sum / count; }  // NaN if empty
+};
+
+// A sample without a meaning: no line, extreme or mean shows it.
+inline constexpr double kMasked = std::numeric_limits<double>::quiet_NaN();
+
 // Levels of blocks lie over the samples: of 16 samples, of 64, of 256 and so on. Each block holds
-// its smallest and largest sample. A push updates them in less than two comparisons of pairs.
-// Indices are those of BlockArray. All values must be finite.
+// the stats of its samples. A push updates them in less than two comparisons of pairs.
+// Indices are those of BlockArray. All values must be finite or kMasked.
 class SamplePyramid {
  public:
   static constexpr std::uint64_t kMinBlock = 16;  // samples
@@ -43,8 +63,8 @@ class SamplePyramid {
   [[nodiscard]] std::uint64_t end() const { return samples_.end(); }
   [[nodiscard]] double operator[](std::uint64_t index) const { return samples_[index]; }
 
-  // Of the samples [first, last). Precondition: not empty.
-  [[nodiscard]] Extremes extremes(std::uint64_t first, std::uint64_t last) const;
+  // Of the samples [first, last).
+  [[nodiscard]] SampleStats stats(std::uint64_t first, std::uint64_t last) const;
 
   // The newest of the samples [first, last) that is above `threshold`, or that is not.
   [[nodiscard]] std::optional<std::uint64_t> newest_above(std::uint64_t first, std::uint64_t last,
@@ -53,7 +73,7 @@ class SamplePyramid {
                                                               std::uint64_t last,
                                                               double threshold) const;
 
-  // Calls `block(extremes)` and `sample(value)` for the few parts that make up [first, last), in
+  // Calls `block(stats)` and `sample(value)` for the few parts that make up [first, last), in
   // order.
   template <typename Block, typename SingleSample>
   void visit_parts(std::uint64_t first, std::uint64_t last, Block&& block,
@@ -82,17 +102,9 @@ class SamplePyramid {
   [[nodiscard]] std::optional<std::uint64_t> newest(std::uint64_t first, std::uint64_t last,
                                                     Wanted&& wanted) const;
 
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  static constexpr Extremes kNothing{kInfinity, -kInfinity};
-  static constexpr std::array<Extremes, kLevels> all_nothing() {
-    std::array<Extremes, kLevels> all{};
-    all.fill(kNothing);
-    return all;
-  }
-
   BlockArray<double> samples_;
-  std::array<BlockArray<Extremes>, kLevels> levels_;
-  std::array<Extremes, kLevels> growing_ = all_nothing();  // the incomplete blocks
+  std::array<BlockArray<SampleStats>, kLevels> levels_;
+  std::array<SampleStats, kLevels> growing_;  // the incomplete blocks
 };
 
 }  // namespace hapticwall::draw

@@ -20,21 +20,21 @@ constexpr Colours colours_of(const std::array<unsigned, kToneCount>& rgb) {
   return colours;
 }
 
-// In the order of Tone.
+// In the order of Tone. Signals have the hues of Okabe and Ito, Color Universal Design (2008),
+// which the colour-blind tell apart; lighter or darker where the background asks for it.
 constexpr Colours kScreenColours =
     colours_of({0xDCE3EA, 0x8E9AA8, 0x2C343F, 0x12161B, 0x191E25, 0x4FB6C9, 0x6CC08B, 0xE9B45A,
-                0xF0716B, 0x6FB1FF, 0xB7A3E8, 0x5FBFA8, 0xF2B25C, 0x5C6B7E, 0x8FD17F, 0x6FB1FF,
-                0xC792EA, 0xF0716B, 0xD9C56B});
+                0xF0716B, 0x56B4E9, 0xD98CB8, 0x5FBFA8, 0xE69F00, 0x5C6B7E, 0x22B88A, 0x56B4E9,
+                0xE8702A, 0x22B88A, 0xDCE3EA});
 // For light rooms: the same hues, dark enough to be read on white.
 constexpr Colours kLightColours =
     colours_of({0x1B222A, 0x56616D, 0xDDE2E8, 0xF2F4F7, 0xFFFFFF, 0x0B6E86, 0x1E7A45, 0x8F5A00,
-                0xB3261E, 0x1F69B8, 0x7455BE, 0x007A68, 0xB05400, 0x6B7A8C, 0x3B7D2B, 0x1F69B8,
-                0x8A3FB0, 0xB3261E, 0x857000});
-// Distinct in grey, too, and for the colour-blind.
+                0xB3261E, 0x0072B2, 0x9E4A78, 0x007A68, 0x8F5C00, 0x7E8B9A, 0x007A5A, 0x0072B2,
+                0xC65200, 0x007A5A, 0x1B222A});
 constexpr Colours kPrintColours =
     colours_of({0x1A1D21, 0x4A525C, 0xC9CFD6, 0xFFFFFF, 0xFFFFFF, 0x0072B2, 0x2E7D4F, 0xB36B00,
-                0xC0392B, 0x0060A8, 0x8A6FC2, 0x00835F, 0xC65A00, 0xA3AFBD, 0x2E7D4F, 0x0060A8,
-                0x9340B5, 0xC0392B, 0xA88400});
+                0xC0392B, 0x0072B2, 0xA85584, 0x00835F, 0xA86B00, 0x8F9BA9, 0x007F5F, 0x0072B2,
+                0xD55E00, 0x007F5F, 0x1A1D21});
 
 ImFont* load_font(std::string_view name) {
   for (const EmbeddedFile& file : embedded_fonts()) {

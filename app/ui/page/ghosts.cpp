@@ -35,9 +35,12 @@ Sample sample_at(const Ghost& ghost, const TracePoint& point, double rate_hz) {
   return sample;
 }
 
-draw::ExtraTrace trace_of(const Ghost& ghost, double rate_hz, const AlgorithmSettings& settings) {
-  auto history = std::make_shared<draw::SampleHistory>(ghost.points.size());
-  for (const TracePoint& point : ghost.points) history->push(sample_at(ghost, point, rate_hz));
+draw::ExtraTrace trace_of(const Ghost& ghost, const Scene& scene,
+                          const AlgorithmSettings& settings) {
+  auto history =
+      std::make_shared<draw::SampleHistory>(ghost.points.size(), scene.x().device.encoder_m);
+  for (const TracePoint& point : ghost.points)
+    history->push(sample_at(ghost, point, scene.sampling.rate_hz));
   draw::ExtraTrace trace;
   trace.label =
       fmt::format("ghost of {}: {}", compare::slot_name(ghost.slot), algorithm_name(settings));
@@ -64,7 +67,7 @@ void show_ghost(const PanelContext& context) {
   compare.transient.shown_ghost = wanted;
   std::vector<draw::ExtraTrace> traces;
   if (ghost) {
-    traces.push_back(trace_of(*ghost, context.session.scene().sampling.rate_hz,
+    traces.push_back(trace_of(*ghost, context.session.scene(),
                               compare.transient.comparison->settings(ghost->slot)));
   }
   replace_extra_traces(context.state.plots.transient.extra_traces, draw::ExtraSource::kComparison,

@@ -1,6 +1,7 @@
 #include "app/ui/page/plots_panel.h"
 
 #include <fmt/format.h>
+#include <implot.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,11 +59,11 @@ draw::PlotSurface surface_of(const PanelContext& context, const draw::SampleHist
   surface.chosen = &plots.persisted.lines;
   surface.hidden = &state.persisted.hidden_lines;
   surface.axes = &plots.transient.axes;
-  surface.scratch = &state.transient.scratch;
-  surface.columns = &plots.transient.columns;
+  surface.scratch = &plots.transient.scratch;
   surface.cursors = &plots.transient.cursors;
   if (plots.persisted.trigger.mode != draw::TriggerMode::kOff)
     surface.contact_s = plots.transient.trigger.contact_s;
+  surface.device = shown_device(context);
   surface.bounds = bounds_of(context);
   // Overlays and ghosts belong to axis x.
   if (context.shows.axis == Axis::kX) surface.extra_traces = plots.transient.extra_traces;
@@ -83,6 +84,7 @@ void draw_plots(UiState& state, draw::PlotSurface& surface, ImVec2 corner, ImVec
   const auto rows = static_cast<float>(whole_rows);
   const ImVec2 each((free.x - (count - 1.0F) * gap.x) / count,
                     (free.y - (rows - 1.0F) * gap.y) / rows);
+  ImPlot::BeginAlignedPlots("plots");  // one left and one right margin
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const auto column = static_cast<float>(i % columns);
     const std::size_t row_index = i / columns;
@@ -94,6 +96,7 @@ void draw_plots(UiState& state, draw::PlotSurface& surface, ImVec2 corner, ImVec
     surface.time_labels = i + columns >= plots.size();  // linked axes need them once
     draw_plot(surface, plot, mark, each);
   }
+  ImPlot::EndAlignedPlots();
 }
 
 // The phase plane above the cursor table, or the one that is shown.

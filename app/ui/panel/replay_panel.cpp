@@ -38,7 +38,7 @@ Result<LaidOver> rerun(const file::RecordingInfo& shown, const std::string& algo
     return progress(kReadShare + (1.0 - kReadShare) * fraction);
   });
   if (!overlay) return overlay.error();
-  auto history = history_of(*overlay);
+  auto history = history_of(*overlay, (*reader)->info().loaded.scene.x().device);
   return LaidOver{std::move(*overlay), std::move(history)};
 }
 
@@ -152,9 +152,9 @@ void draw_overlay_in_plots(UiState& state, const runtime::Overlay* overlay,
                        std::move(traces));
 }
 
-std::shared_ptr<const draw::SampleHistory> history_of(const runtime::Overlay& overlay) {
-  auto history =
-      std::make_shared<draw::SampleHistory>(std::max<std::size_t>(overlay.samples.size(), 1));
+std::shared_ptr<const draw::SampleHistory> history_of(const runtime::Overlay& overlay,
+                                                      const DeviceSettings& device) {
+  auto history = std::make_shared<draw::SampleHistory>(overlay.samples.size(), device.encoder_m);
   history->push(overlay.samples);
   return history;
 }

@@ -23,7 +23,7 @@ void draw_overlay_in_plots(UiState& state, const runtime::Overlay* overlay,
                            std::shared_ptr<const draw::SampleHistory> history);
 
 // The samples of an overlay for the plots.
-[[nodiscard]] std::shared_ptr<const draw::SampleHistory> history_of(
-    const runtime::Overlay& overlay);
+[[nodiscard]] std::shared_ptr<const draw::SampleHistory> history_of(const runtime::Overlay& overlay,
+                                                                    const DeviceSettings& device);
 
 }  // namespace hapticwall::ui

@@ -94,7 +94,7 @@ struct PlotsState {
     bool was_following = true;
     draw::Cursors cursors;
     draw::PhaseView phase;
-    std::vector<draw::PixelColumn> columns;
+    draw::PlotScratch scratch;
     std::vector<draw::ExtraTrace> extra_traces;  // see replace_extra_traces()
     ExportJob exporting;
   } transient;

@@ -170,7 +170,7 @@ ImVec4 stiffness_colour(const draw::Theme& theme, float share) {
   using draw::mixed;
   const ImVec4 soft =
       mixed(theme.colour(draw::Tone::kPanel), theme.colour(draw::Tone::kMuted), 0.55F);
-  const ImVec4 middle = mixed(theme.colour(draw::Tone::kBudget), soft, 0.15F);
+  const ImVec4 middle = mixed(theme.colour(draw::Tone::kWarning), soft, 0.15F);
   const ImVec4& stiff = theme.colour(draw::Tone::kWall);
   if (share < kMiddleShare) return mixed(soft, middle, share / kMiddleShare);
   return mixed(middle, stiff, (share - kMiddleShare) / (1.0F - kMiddleShare));

@@ -31,6 +31,10 @@ const std::vector<WallSettings>& shown_walls(const PanelContext& context) {
   return context.session.scene().axes[shown_index(context)].walls;
 }
 
+const DeviceSettings& shown_device(const PanelContext& context) {
+  return context.session.scene().axes[shown_index(context)].device;
+}
+
 const Sample& shown_sample(const PanelContext& context) {
   return context.snapshot.newest.axes[shown_index(context)];
 }

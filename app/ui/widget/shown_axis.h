@@ -12,6 +12,7 @@ namespace hapticwall::ui {
 // The shown axis as a scene of one axis.
 [[nodiscard]] Scene shown_scene(const PanelContext& context);
 [[nodiscard]] const std::vector<WallSettings>& shown_walls(const PanelContext& context);
+[[nodiscard]] const DeviceSettings& shown_device(const PanelContext& context);
 [[nodiscard]] const Sample& shown_sample(const PanelContext& context);
 
 // Of a simulated device as the scene states it, of a real one as measured.

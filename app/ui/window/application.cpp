@@ -90,6 +90,7 @@ void Application::take_ticks() {
   const bool measured = !session().knows_truth();
   samples_came_ = false;
   notice_jumps();
+  history_.set_counts(session().scene());
   for (int batch = 0; batch < kMaxBatches; ++batch) {
     const std::span<Tick> ticks = std::span(incoming_).first(session().take_ticks(incoming_));
     if (measured) std::ranges::for_each(ticks, draw_where_measured);

@@ -61,7 +61,7 @@ void Application::show_recording(std::unique_ptr<runtime::ReplaySession> replay)
   jumps_ = replay_->snapshot().resets;
   state_.transient.loaded_scene = replay_->recording().loaded.scene;
   if (const runtime::Overlay* overlay = replay_->overlay())
-    draw_overlay_in_plots(state_, overlay, history_of(*overlay));
+    draw_overlay_in_plots(state_, overlay, history_of(*overlay, replay_->scene().x().device));
 }
 
 void Application::go_back() {

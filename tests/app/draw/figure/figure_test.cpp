@@ -85,7 +85,7 @@ TEST(Figure, ShowsTheLinesOfAllFourPlotsWithoutADisplay) {
   EXPECT_GT(count(Tone::kHold, 3), kEnoughPixels);
   EXPECT_GT(count(Tone::kScv, 3), kEnoughPixels);
   EXPECT_GT(count(Tone::kBudget, 3), kEnoughPixels);
-  EXPECT_LT(count(Tone::kScv, 0), kEnoughPixels);  // the colours do tell the plots apart
+  EXPECT_LT(count(Tone::kHold, 0), kEnoughPixels);  // the colours do tell the plots apart
 }
 
 TEST(Figure, IsTheSameEveryTimeAndDependsOnTheRun) {

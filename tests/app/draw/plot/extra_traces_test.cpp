@@ -72,7 +72,7 @@ TEST_F(ExtraTracesTest, TheLegendNamesThemWhereTheyAre) {
   EXPECT_TRUE(find("under none").has_value());
   for (const Quantity quantity :
        {Quantity(&Sample::position_m), Quantity(&Sample::force_n),
-        Quantity(&Sample::stiffness_n_per_m), Quantity(&Sample::energy_cv_j)})
+        Quantity(draw::Derived::kStiffness), Quantity(&Sample::energy_cv_j)})
     application_->state().persisted.hidden_lines |= draw::line_bit(quantity);
   frames(1);
   EXPECT_FALSE(find("under none").has_value()) << "hidden with the session's own lines";
@@ -94,9 +94,11 @@ TEST_F(ExtraTracesTest, TheValueAxesHaveRoomForThem) {
   replace_extra_traces(all(), ExtraSource::kReplay, {trace("spike", other)});
   frames(2);
   EXPECT_GE(force_axis(), kSpikeN);
+  EXPECT_TRUE(find("spike").has_value());
   all().front().shift_s = 100.0;  // out of sight
   frames(2);
   EXPECT_EQ(force_axis(), alone_n);
+  EXPECT_FALSE(find("spike").has_value()) << "nor in a legend";
 }
 
 TEST_F(ExtraTracesTest, NothingIsDrawnOfOneWithoutSamples) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <vector>
@@ -39,9 +40,13 @@ void expect_exact(const SamplePyramid& pyramid, const std::vector<double>& value
                   std::uint64_t first, std::uint64_t last) {
   const auto [low, high] = std::minmax_element(values.begin() + static_cast<std::ptrdiff_t>(first),
                                                values.begin() + static_cast<std::ptrdiff_t>(last));
-  const Extremes extremes = pyramid.extremes(first, last);
-  ASSERT_EQ(extremes.minimum, *low) << first << " to " << last;
-  ASSERT_EQ(extremes.maximum, *high) << first << " to " << last;
+  const SampleStats stats = pyramid.stats(first, last);
+  ASSERT_EQ(stats.extremes.minimum, *low) << first << " to " << last;
+  ASSERT_EQ(stats.extremes.maximum, *high) << first << " to " << last;
+  ASSERT_EQ(stats.count, static_cast<double>(last - first));
+  const double sum = std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                     values.begin() + static_cast<std::ptrdiff_t>(last), 0.0);
+  ASSERT_NEAR(stats.sum, sum, 1e-9 * stats.count * std::max(std::abs(*low), std::abs(*high)));
 }
 
 TEST(BlockArray, GivesBackWhatWasPushedWhereverBlocksAreFlat) {
@@ -131,9 +136,21 @@ TEST(SamplePyramid, AnyRangeOfAnHourIsAFewParts) {
     const std::uint64_t last = first + 1 + random() % (kHour - first);
     std::uint64_t parts = 0;
     pyramid.visit_parts(
-        first, last, [&](const Extremes&) { ++parts; }, [&](double) { ++parts; });
+        first, last, [&](const SampleStats&) { ++parts; }, [&](double) { ++parts; });
     ASSERT_LE(parts, kMaxParts) << first << " to " << last;
   }
+}
+
+TEST(SamplePyramid, MaskedSamplesHaveNoPartInExtremesAndMean) {
+  SamplePyramid pyramid;
+  for (int i = 0; i < 5000; ++i)
+    pyramid.push_back(i % 3 == 0 || i / 1000 == 2 ? kMasked : static_cast<double>(i % 3));
+  const SampleStats all = pyramid.stats(0, 5000);
+  EXPECT_EQ(all.extremes.minimum, 1.0);
+  EXPECT_EQ(all.extremes.maximum, 2.0);
+  EXPECT_NEAR(all.mean(), 1.5, 1e-3);
+  EXPECT_TRUE(pyramid.stats(2000, 3000).empty());
+  EXPECT_TRUE(pyramid.stats(3, 4).empty());
 }
 
 TEST(SamplePyramid, FindsTheNewestSampleAboveAThreshold) {

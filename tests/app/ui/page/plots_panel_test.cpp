@@ -188,6 +188,61 @@ TEST_F(PlotsPanelTest, CursorsGoWithTheWindowWhileItFollows) {
   EXPECT_NEAR(plots().transient.cursors.time_s[0], before_s + 1.0, 1e-6);
 }
 
+// None chatters with 3 mm, so that the axes have labels of different widths.
+TEST_F(PlotsPanelTest, AllTimeAxesHaveOneLeftAndOneRightMargin) {
+  press(ImGuiKey_1);
+  click("signals Position");
+  click("signal velocity");  // a second axis on the right
+  press(ImGuiKey_Escape);
+  live(3000);
+  const auto margins = [&](PlotId id) {
+    const draw::PlotArea& area = plots().transient.axes[static_cast<std::size_t>(id)].area;
+    return std::pair(area.position.x, area.position.x + area.size.x);
+  };
+  EXPECT_EQ(margins(PlotId::kPosition), margins(PlotId::kStiffness));
+  EXPECT_EQ(margins(PlotId::kForce), margins(PlotId::kPassivity));
+  const auto width = [&](PlotId id) { return margins(id).second - margins(id).first; };
+  EXPECT_EQ(width(PlotId::kPosition), width(PlotId::kForce));
+}
+
+TEST_F(PlotsPanelTest, TheForceAxisIsThatOfTheActuatorWhateverTheWallWishes) {
+  press(ImGuiKey_1);
+  live(4000);
+  const draw::SampleHistory& history = application_->history();
+  const double limit_n = *fake_->scene().x().device.force_limit_n;
+  ASSERT_GT(history.extremes(&Sample::wall_force_n, {0, history.size()}).maximum, 3.0 * limit_n);
+  EXPECT_GT(left_axis(PlotId::kForce).maximum, limit_n);
+  EXPECT_LT(left_axis(PlotId::kForce).maximum, 1.5 * limit_n);
+  EXPECT_LE(left_axis(PlotId::kForce).minimum, 0.0);
+  EXPECT_GT(left_axis(PlotId::kForce).minimum, -limit_n) << "the wall does not pull";
+  state().persisted.hidden_lines |= draw::line_bit(&Sample::force_n);
+  frames(1);
+  EXPECT_GT(left_axis(PlotId::kForce).maximum, 3.0 * limit_n) << "alone, it is followed";
+}
+
+TEST_F(PlotsPanelTest, APositionAtRestIsShownOverTwoCountsAtLeast) {
+  state().persisted.time_window_s = 0.5;
+  press(ImGuiKey_4);
+  live(8000);
+  const double count_mm = *fake_->scene().x().device.encoder_m * 1e3;
+  const draw::ValueAxis& axis = left_axis(PlotId::kPosition);
+  EXPECT_GE(axis.maximum - axis.minimum, 2.0 * count_mm);
+  EXPECT_LT(axis.maximum - axis.minimum, 4.0 * count_mm);
+}
+
+TEST_F(PlotsPanelTest, EnergyIsInJoulesFromAThousandMillijoules) {
+  press(ImGuiKey_4);
+  live(3000);
+  const auto& axes = plots().transient.axes[static_cast<std::size_t>(PlotId::kPassivity)];
+  EXPECT_FALSE(axes.large);
+  EXPECT_GT(axes.left.maximum - axes.left.minimum, 5.0);
+  press(ImGuiKey_1);
+  live(9000);
+  EXPECT_TRUE(axes.large);
+  EXPECT_LT(axes.left.maximum, 10.0);
+  EXPECT_GE(axes.left.maximum - axes.left.minimum, 1.0);
+}
+
 TEST_F(PlotsPanelTest, ADeviceHasNoSignalsOfTheSimulatedTruth) {
   with_device = true;
   open("press");

@@ -1,0 +1,48 @@
+// Places for labels in a plot where no trace and no other label is.
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hapticwall::draw {
+
+// In pixels; y grows downwards.
+struct PixelBox {
+  ImVec2 from;
+  ImVec2 to;
+
+  [[nodiscard]] bool touches(const PixelBox& other) const {
+    return from.x < other.to.x && other.from.x < to.x && from.y < other.to.y && other.from.y < to.y;
+  }
+};
+
+// The end of a line: where its label wants to be.
+struct LineEnd {
+  const char* label = "";
+  ImU32 colour = 0;
+  ImVec2 place;
+};
+
+// What a plot has drawn so far in this frame.
+struct PlotInk {
+  std::vector<PixelBox> taken;
+  std::vector<LineEnd> ends;
+
+  void clear();
+  // The line through the points, in pixels.
+  void take(std::span<const ImVec2> points, float weight);
+};
+
+// The first of `corners` at which a label of this size lies within `area` and on nothing; nullopt
+// if there is none. Takes the place.
+[[nodiscard]] std::optional<ImVec2> take_free_place(PlotInk& ink, const PixelBox& area, ImVec2 size,
+                                                    std::span<const ImVec2> corners);
+
+// The names of the lines beside their ends, in their colours. A name without a free place is left
+// to the legend.
+void draw_line_ends(PlotInk& ink, const PixelBox& area, ImDrawList* list);
+
+}  // namespace hapticwall::draw

@@ -1,0 +1,133 @@
+#include "app/draw/plot/plot_trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/draw/plot/plot_axes.h"
+
+namespace hapticwall::draw {
+namespace {
+
+constexpr float kFaintAlpha = 0.15F;
+constexpr float kBoldAlpha = 0.5F;
+constexpr double kBoldHeight = 4.0;  // relative to a faint band
+// Clamps far points just outside the screen, within the range of pixel numbers.
+constexpr double kFarPixels = 1e4;
+constexpr double kFarValue = std::numeric_limits<double>::infinity();
+
+// From the units of an axis to pixels; ImPlot's linear axes.
+struct PixelScale {
+  double origin = 0.0;
+  double scale = 1.0;
+
+  PixelScale(double first, double second, float first_pixel, float second_pixel)
+      : scale(static_cast<double>(second_pixel - first_pixel) / (second - first)) {
+    origin = static_cast<double>(first_pixel) - scale * first;
+  }
+  [[nodiscard]] float operator()(double value) const {
+    return static_cast<float>(std::clamp(origin + scale * value, -kFarPixels, kFarPixels));
+  }
+};
+
+struct PlotPixels {
+  PixelScale x;
+  PixelScale y;
+};
+
+PlotPixels plot_pixels(ImAxis value_axis) {
+  const ImPlotRect limits = ImPlot::GetPlotLimits(ImAxis_X1, value_axis);
+  const ImVec2 corner = ImPlot::GetPlotPos();
+  const ImVec2 size = ImPlot::GetPlotSize();
+  return {{limits.X.Min, limits.X.Max, corner.x, corner.x + size.x},
+          {limits.Y.Max, limits.Y.Min, corner.y, corner.y + size.y}};
+}
+
+// The columns of pixels that the range takes.
+std::size_t columns_of(const TraceSource& source, const PlotPixels& pixels) {
+  const auto time_s = [&](std::size_t i) { return source.history.value(&Sample::time_s, i); };
+  const double length_s = time_s(source.range.last - 1) - time_s(source.range.first);
+  return static_cast<std::size_t>(std::max(std::round(length_s * pixels.x.scale), 2.0));
+}
+
+void place(const TraceSource& source, SignalShape& shape) {
+  const Extremes clip = source.clip.value_or(Extremes{-kFarValue, kFarValue});
+  const auto clipped = [&](double value) {
+    return std::clamp(value, clip.minimum * source.scale, clip.maximum * source.scale);
+  };
+  for (double& time_s : shape.line.time_s) time_s += source.shift_s;
+  for (double& value : shape.line.value) value = clipped(value);
+  for (BandColumn& column : shape.band)
+    column = {column.time_s + source.shift_s, clipped(column.low), clipped(column.high)};
+}
+
+void draw_band(const std::vector<BandColumn>& band, const TraceStyle& style,
+               const PlotPixels& pixels, PlotInk& ink) {
+  if (band.empty() || style.band_strength == 0.0F) return;
+  const auto count = static_cast<int>(band.size());
+  ImDrawList* list = ImPlot::GetPlotDrawList();
+  list->PrimReserve(6 * count, 4 * count);
+  for (std::size_t i = 0; i < band.size(); ++i) {
+    const float left = pixels.x(band[i].time_s);
+    // Up to the next column, unless that is on the other side of a gap.
+    const float next = i + 1 < band.size() ? pixels.x(band[i + 1].time_s) : left + 1.0F;
+    const PixelBox box{{left, pixels.y(band[i].high)},
+                       {next - left < 2.0F ? next : left + 1.0F, pixels.y(band[i].low)}};
+    const float alpha = band_alpha(band[i].high - band[i].low, style.faint_height);
+    ImVec4 colour = style.colour;
+    colour.w *= alpha * style.band_strength;
+    list->PrimRect(box.from, box.to, ImGui::ColorConvertFloat4ToU32(colour));
+    ink.taken.push_back(box);
+  }
+}
+
+void draw_line(const Trace& line, const TraceStyle& style, PlotScratch& scratch) {
+  if (style.dash == Dash::kSolid) {
+    ImPlotSpec spec = line_spec(style.colour);
+    spec.LineWeight = style.weight;
+    ImPlot::PlotLine(style.name, line.time_s.data(), line.value.data(),
+                     static_cast<int>(line.time_s.size()), spec);
+    return;
+  }
+  ImPlot::PushPlotClipRect();
+  draw_dashed(ImPlot::GetPlotDrawList(), scratch.points,
+              ImGui::ColorConvertFloat4ToU32(style.colour), style.weight, style.dash,
+              ImGui::GetStyle().FontScaleMain);
+  ImPlot::PopPlotClipRect();
+}
+
+void note_end(const TraceStyle& style, PlotScratch& scratch) {
+  const auto is_point = [](const ImVec2& point) { return !std::isnan(point.y); };
+  const auto last = std::find_if(scratch.points.rbegin(), scratch.points.rend(), is_point);
+  if (style.label == nullptr || last == scratch.points.rend()) return;
+  scratch.ink.ends.push_back({style.label, ImGui::ColorConvertFloat4ToU32(style.colour), *last});
+}
+
+}  // namespace
+
+float band_alpha(double height, double faint_height) {
+  const double times = height / faint_height;
+  const auto share = static_cast<float>(std::clamp((times - 1.0) / (kBoldHeight - 1.0), 0.0, 1.0));
+  return kFaintAlpha + share * (kBoldAlpha - kFaintAlpha);
+}
+
+void draw_trace(const TraceSource& source, const TraceStyle& style, ImAxis value_axis,
+                PlotScratch& scratch) {
+  const PlotPixels pixels = plot_pixels(value_axis);
+  SignalShape& shape = scratch.shape;
+  shape_signal(source.history, source.quantity, source.range, columns_of(source, pixels),
+               source.scale, shape);
+  place(source, shape);
+  scratch.points.clear();
+  for (std::size_t i = 0; i < shape.line.value.size(); ++i)
+    scratch.points.emplace_back(pixels.x(shape.line.time_s[i]), pixels.y(shape.line.value[i]));
+  scratch.ink.take(scratch.points, style.weight);
+  ImPlot::SetAxes(ImAxis_X1, value_axis);
+  ImPlot::PushPlotClipRect();
+  draw_band(shape.band, style, pixels, scratch.ink);
+  ImPlot::PopPlotClipRect();
+  draw_line(shape.line, style, scratch);
+  note_end(style, scratch);
+}
+
+}  // namespace hapticwall::draw
