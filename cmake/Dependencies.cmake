@@ -26,6 +26,10 @@ mark_as_advanced(HAPTICWALL_READERWRITERQUEUE_DIR)
 add_library(hapticwall_readerwriterqueue INTERFACE)
 target_include_directories(hapticwall_readerwriterqueue SYSTEM
                            INTERFACE ${HAPTICWALL_READERWRITERQUEUE_DIR})
+find_path(HAPTICWALL_KISSFFT_DIR kissfft/kissfft.hh REQUIRED)  # app/draw
+mark_as_advanced(HAPTICWALL_KISSFFT_DIR)
+add_library(hapticwall_kissfft INTERFACE)
+target_include_directories(hapticwall_kissfft SYSTEM INTERFACE ${HAPTICWALL_KISSFFT_DIR})
 
 if(HAPTICWALL_TESTS)
   find_package(GTest REQUIRED)

@@ -236,6 +236,17 @@ void use_phase_plane(Person& person) {
   EXPECT_FALSE(phase.shown);
 }
 
+void use_spectrum(Person& person) {
+  auto& spectrum = person.state().plots.persisted.spectrum;
+  if (!spectrum.shown) person.click("spectrum");
+  ASSERT_TRUE(spectrum.shown);
+  person.click("spectrum signal");
+  person.click("spectrum of actuator F_d");
+  EXPECT_EQ(spectrum.quantity, draw::Quantity(&Sample::force_n));
+  person.click("spectrum");
+  EXPECT_FALSE(spectrum.shown);
+}
+
 }  // namespace
 
 Table view_rows() {
@@ -267,7 +278,10 @@ Table plot_control_rows() {
 }
 
 Table plot_rows() {
-  Table table{{"phase plane", use_phase_plane}, {"bounds", toggle_bounds}};
+  Table table{{"phase plane", use_phase_plane},
+              {"spectrum", use_spectrum},
+              {"spectrum signal", use_spectrum},
+              {"bounds", toggle_bounds}};
   for (const PlotId id : kAllPlots) {
     table.push_back(time_of(id));
     table.push_back({std::string("signals ") + draw::plot_description(id).title,

@@ -28,6 +28,11 @@ struct CursorRow {
   const PlotLine* line = nullptr;
   const char* unit = "";
   std::array<double, 2> value{};
+  // Of the samples from one cursor to the other, both included; NaN without one.
+  double mean = 0.0;
+  double deviation = 0.0;  // standard deviation
+  double peak_to_peak = 0.0;
+  double rms = 0.0;
 
   [[nodiscard]] double difference() const { return value[1] - value[0]; }
 };
@@ -35,15 +40,17 @@ struct CursorRow {
 struct CursorTable {
   std::array<double, 2> time_s{};  // of the samples nearest to the cursors
   std::vector<CursorRow> rows;     // empty without samples
+  double energy_j = 0.0;           // ∫ F_d dx by the encoder: from the handle to the actuator
 
   [[nodiscard]] double difference_s() const { return time_s[1] - time_s[0]; }
   [[nodiscard]] std::optional<double> rate_hz() const;  // 1/Δt; nullopt if Δt is 0
 };
 
-// The rows of all lines of these plots that are chosen and not hidden.
+// The rows of all lines of these plots that are chosen and not hidden. `simulated`: truths are
+// known.
 [[nodiscard]] CursorTable read_cursors(const SampleHistory& history, const Cursors& cursors,
                                        std::span<const PlotId> plots, const ChosenLines& chosen,
-                                       HiddenLines hidden);
+                                       HiddenLines hidden, bool simulated = true);
 
 void draw_cursor_table(const Theme& theme, const CursorTable& table);
 

@@ -15,12 +15,29 @@ void PlotInk::clear() {
   ends.clear();
 }
 
+// Neighbouring pieces share a box while that is hardly higher than they are: a label looks at few.
+void PlotInk::take(const PixelBox& box) {
+  constexpr float kMaxWidth = 24.0F;
+  constexpr float kMaxMore = 4.0F;  // height
+  if (!taken.empty()) {
+    PixelBox& last = taken.back();
+    const PixelBox both{{std::min(last.from.x, box.from.x), std::min(last.from.y, box.from.y)},
+                        {std::max(last.to.x, box.to.x), std::max(last.to.y, box.to.y)}};
+    const float higher = std::max(last.to.y - last.from.y, box.to.y - box.from.y);
+    if (both.to.x - both.from.x <= kMaxWidth && both.to.y - both.from.y <= higher + kMaxMore) {
+      last = both;
+      return;
+    }
+  }
+  taken.push_back(box);
+}
+
 void PlotInk::take(std::span<const ImVec2> points, float weight) {
   const float half = 0.5F * weight;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const auto [left, right] = std::minmax(points[i - 1].x, points[i].x);
     const auto [top, bottom] = std::minmax(points[i - 1].y, points[i].y);
-    taken.push_back({{left - half, top - half}, {right + half, bottom + half}});
+    take({{left - half, top - half}, {right + half, bottom + half}});
   }
 }
 

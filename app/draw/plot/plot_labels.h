@@ -32,6 +32,8 @@ struct PlotInk {
   std::vector<LineEnd> ends;
 
   void clear();
+  // A piece of a trace, in the order in which it is drawn.
+  void take(const PixelBox& box);
   // The line through the points, in pixels.
   void take(std::span<const ImVec2> points, float weight);
 };

@@ -77,7 +77,7 @@ void draw_band(const std::vector<BandColumn>& band, const TraceStyle& style,
     ImVec4 colour = style.colour;
     colour.w *= alpha * style.band_strength;
     list->PrimRect(box.from, box.to, ImGui::ColorConvertFloat4ToU32(colour));
-    ink.taken.push_back(box);
+    ink.take(box);
   }
 }
 

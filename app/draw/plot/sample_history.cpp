@@ -118,6 +118,13 @@ Extremes SampleHistory::extremes(Quantity quantity, IndexRange range) const {
   return stats(quantity, range).extremes;
 }
 
+double SampleHistory::variance(Quantity quantity, IndexRange range) const {
+  const SampleStats all = stats(quantity, range);
+  if (all.empty()) return 0.0;
+  return column(quantity).squares(oldest() + range.first, oldest() + range.last, all.mean()) /
+         all.count;
+}
+
 std::optional<std::size_t> SampleHistory::by_age(std::optional<std::uint64_t> index) const {
   if (!index) return std::nullopt;
   return static_cast<std::size_t>(*index - oldest());

@@ -110,6 +110,8 @@ class SampleHistory {
   // Precondition: the range is not empty. Without masked samples.
   [[nodiscard]] SampleStats stats(Quantity quantity, IndexRange range) const;
   [[nodiscard]] Extremes extremes(Quantity quantity, IndexRange range) const;
+  // Of the samples that are not masked; 0 without one.
+  [[nodiscard]] double variance(Quantity quantity, IndexRange range) const;
 
   // The newest sample of the range at which the quantity is above `threshold`, or is not.
   [[nodiscard]] std::optional<std::size_t> newest_above(Quantity quantity, IndexRange range,

@@ -22,6 +22,9 @@ void SamplePyramid::push_back(double value) {
     if (samples_.end() % size_of(level) != 0) return;
     carried = growing_[level];
     levels_[level].push_back(carried);
+    if (level == kSquaresLevel)
+      squares_.push_back(
+          raw_squares(samples_.end() - size_of(level), samples_.end(), carried.mean()));
     growing_[level] = {};
   }
 }
@@ -31,6 +34,7 @@ void SamplePyramid::forget_before(std::uint64_t index) {
   // No range asks for the block that the new beginning cuts.
   for (std::size_t level = 0; level < kLevels; ++level)
     levels_[level].forget_before(samples_.first() / size_of(level));
+  squares_.forget_before(samples_.first() / size_of(kSquaresLevel));
 }
 
 SampleStats SamplePyramid::stats(std::uint64_t first, std::uint64_t last) const {
@@ -39,6 +43,31 @@ SampleStats SamplePyramid::stats(std::uint64_t first, std::uint64_t last) const 
       first, last, [&](const SampleStats& block) { all.include(block); },
       [&](double value) { all.include(stats_of(value)); });
   return all;
+}
+
+double SamplePyramid::raw_squares(std::uint64_t first, std::uint64_t last, double mean) const {
+  double sum = 0.0;
+  for (std::uint64_t i = first; i < last; ++i) {
+    const double distance = samples_[i] - mean;
+    if (!std::isnan(distance)) sum += distance * distance;
+  }
+  return sum;
+}
+
+double SamplePyramid::squares(std::uint64_t first, std::uint64_t last, double mean) const {
+  constexpr std::uint64_t kSize = size_of(kSquaresLevel);
+  const std::uint64_t first_block = (first + kSize - 1) / kSize;
+  const std::uint64_t last_block = last / kSize;
+  if (first_block >= last_block) return raw_squares(first, last, mean);
+  double sum =
+      raw_squares(first, first_block * kSize, mean) + raw_squares(last_block * kSize, last, mean);
+  for (std::uint64_t i = first_block; i < last_block; ++i) {
+    const SampleStats& block = levels_[kSquaresLevel][i];
+    if (block.empty()) continue;
+    const double distance = block.mean() - mean;
+    sum += squares_[i] + block.count * distance * distance;
+  }
+  return sum;
 }
 
 // `wanted(extremes)`: whether a block may hold a wanted sample; of a sample's own extremes, whether

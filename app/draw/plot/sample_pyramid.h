@@ -66,6 +66,9 @@ class SamplePyramid {
   // Of the samples [first, last).
   [[nodiscard]] SampleStats stats(std::uint64_t first, std::uint64_t last) const;
 
+  // The sum of their squared distances from `mean`.
+  [[nodiscard]] double squares(std::uint64_t first, std::uint64_t last, double mean) const;
+
   // The newest of the samples [first, last) that is above `threshold`, or that is not.
   [[nodiscard]] std::optional<std::uint64_t> newest_above(std::uint64_t first, std::uint64_t last,
                                                           double threshold) const;
@@ -102,7 +105,13 @@ class SamplePyramid {
   [[nodiscard]] std::optional<std::uint64_t> newest(std::uint64_t first, std::uint64_t last,
                                                     Wanted&& wanted) const;
 
+  [[nodiscard]] double raw_squares(std::uint64_t first, std::uint64_t last, double mean) const;
+
+  // Squares exist for blocks of this level only: 1024 samples.
+  static constexpr std::size_t kSquaresLevel = 3;
+
   BlockArray<double> samples_;
+  BlockArray<double> squares_;  // distances from the mean of the block
   std::array<BlockArray<SampleStats>, kLevels> levels_;
   std::array<SampleStats, kLevels> growing_;  // the incomplete blocks
 };

@@ -63,10 +63,15 @@ double mean_of(const SignalShape& shape, Window window) {
   return sum / weights;
 }
 
-bool oscillates(const SignalShape& shape, Window window, const Extremes& extremes) {
-  const double range = extremes.maximum - extremes.minimum;
-  return range > 0.0 &&
-         shape.travelled[window.last] - shape.travelled[window.first] > kBandTravel * range;
+bool oscillates(const SignalShape& shape, Window window, double scale) {
+  const double travelled = shape.travelled[window.last] - shape.travelled[window.first];
+  const auto range = [](const Extremes& all) { return all.maximum - all.minimum; };
+  // Three groups rule out most signals.
+  Extremes few = shape.groups[window.middle].stats.extremes;
+  few.include(shape.groups[window.first].stats.extremes);
+  few.include(shape.groups[window.last].stats.extremes);
+  if (!(travelled > kBandTravel * range(few) * scale)) return false;
+  return travelled > kBandTravel * range(extremes_of(shape, window, scale));
 }
 
 void add_strokes(SignalShape& shape, std::size_t group) {
@@ -94,8 +99,7 @@ void shape_signal(const SampleHistory& history, Quantity quantity, IndexRange ra
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t inside = std::clamp(i, room, count - 1 - room);
     const Window window = around(inside, reach);
-    if (shape.groups[i].stats.empty() ||
-        !oscillates(shape, window, extremes_of(shape, window, scale))) {
+    if (shape.groups[i].stats.empty() || !oscillates(shape, window, scale)) {
       add_strokes(shape, i);
       continue;
     }

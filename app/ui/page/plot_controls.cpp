@@ -78,6 +78,14 @@ void draw_loop_button(const PanelContext& context) {
     phase = !phase;
 }
 
+void draw_spectrum_button(const PanelContext& context) {
+  bool& shown = context.state.plots.persisted.spectrum.shown;
+  if (choice_button(context, "Spectrum###spectrum", shown,
+                    "Amplitudes over frequency of a signal in the visible range,\n"
+                    "or between the cursors while these are shown"))
+    shown = !shown;
+}
+
 void toggle_follow(UiState& state) { state.transient.follow = !state.transient.follow; }
 
 void draw_follow(const PanelContext& context) {
@@ -217,8 +225,8 @@ std::span<const draw::PlotId> plots_of(PlotArrangement arrangement) {
 void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& history) {
   if (!context.state.persisted.more) return;
   draw_axis_choice(context, "plots");
-  for (const auto draw : {draw_arrangement, draw_loop_button, draw_follow, draw_length,
-                          draw_automatic, draw_trigger, draw_cursors_button}) {
+  for (const auto draw : {draw_arrangement, draw_loop_button, draw_spectrum_button, draw_follow,
+                          draw_length, draw_automatic, draw_trigger, draw_cursors_button}) {
     draw(context);
     ImGui::SameLine();
   }

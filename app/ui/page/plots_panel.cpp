@@ -99,24 +99,38 @@ void draw_plots(UiState& state, draw::PlotSurface& surface, ImVec2 corner, ImVec
   ImPlot::EndAlignedPlots();
 }
 
-// The phase plane above the cursor table, or the one that is shown.
+int side_planes(const PlotsState& plots) {
+  return (plots.persisted.phase.shown ? 1 : 0) + (plots.persisted.spectrum.shown ? 1 : 0);
+}
+
+// From the top: the phase plane, the spectrum, the cursor table, those that are shown.
 void draw_side(const PanelContext& context, const draw::PlotSurface& surface, ImVec2 corner,
                ImVec2 size) {
   UiState& state = context.state;
   PlotsState& plots = state.plots;
-  ImGui::SetCursorScreenPos(corner);
   const bool table = plots.transient.cursors.shown;
+  const int planes = side_planes(plots);
+  const float each =
+      (table ? 1.0F - kTableShare : 1.0F) * size.y / static_cast<float>(std::max(planes, 1));
+  const auto next = [&] { ImGui::SetCursorScreenPos(corner); };
+  next();
   if (plots.persisted.phase.shown) {
-    const float height = table ? (1.0F - kTableShare) * size.y : size.y;
-    draw_phase_plot(surface, plots.persisted.phase, plots.transient.phase, ImVec2(size.x, height));
-    ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + height));
+    draw_phase_plot(surface, plots.persisted.phase, plots.transient.phase, ImVec2(size.x, each));
+    corner.y += each;
+    next();
+  }
+  if (plots.persisted.spectrum.shown) {
+    draw_spectrum_plot(surface, plots.persisted.spectrum, plots.transient.spectrum,
+                       ImVec2(size.x, each));
+    corner.y += each;
+    next();
   }
   if (!table) return;
-  ImGui::BeginChild("cursor table", ImVec2(size.x, 0.0F));
+  ImGui::BeginChild("cursor table", ImVec2(size.x, 0.0F), 0, ImGuiWindowFlags_HorizontalScrollbar);
   draw_cursor_table(
       context.theme,
       read_cursors(*surface.history, plots.transient.cursors, plots_of(state.persisted.arrangement),
-                   plots.persisted.lines, state.persisted.hidden_lines));
+                   plots.persisted.lines, state.persisted.hidden_lines, surface.simulated));
   ImGui::EndChild();
 }
 
@@ -139,7 +153,7 @@ void draw_plots_panel(const PanelContext& context, const draw::SampleHistory& hi
   draw::PlotSurface surface = surface_of(context, history, window);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImVec2 free = ImGui::GetContentRegionAvail();
-  if (state.plots.persisted.phase.shown || state.plots.transient.cursors.shown) {
+  if (side_planes(state.plots) > 0 || state.plots.transient.cursors.shown) {
     const float side =
         std::clamp(kPlaneShare * free.x, draw::ems(kMinPlaneEms), draw::ems(kMaxPlaneEms));
     draw_side(context, surface, ImVec2(corner.x + free.x - side, corner.y), ImVec2(side, free.y));

@@ -46,6 +46,8 @@ auto& part(auto& state) {
     return state.plots.persisted;
   } else if constexpr (std::is_same_v<Part, draw::PhaseSettings>) {
     return state.plots.persisted.phase;
+  } else if constexpr (std::is_same_v<Part, draw::SpectrumSettings>) {
+    return state.plots.persisted.spectrum;
   } else {
     static_assert(std::is_same_v<Part, draw::TriggerSettings>);
     return state.plots.persisted.trigger;
@@ -169,6 +171,7 @@ std::vector<Key> plain_keys() {
       word("plots.arrangement", kArrangementWords, &PersistedState::arrangement),
       flag("plots.loop", &draw::PhaseSettings::shown),
       flag("plots.loop_of_last_contact", &draw::PhaseSettings::last_contact),
+      flag("plots.spectrum", &draw::SpectrumSettings::shown),
       flag("plots.bounds", &Plots::show_bounds),
       word("plots.trigger", kTriggers, &draw::TriggerSettings::mode),
       number("plots.before_trigger", &draw::TriggerSettings::pre_share, 0.0, kMaxShare),

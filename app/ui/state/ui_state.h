@@ -18,6 +18,7 @@
 #include "app/draw/plot/plot_cursors.h"
 #include "app/draw/plot/plot_trigger.h"
 #include "app/draw/plot/sample_history.h"
+#include "app/draw/plot/spectrum_plot.h"
 #include "app/draw/plot/theme.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
@@ -84,6 +85,7 @@ struct PlotsState {
     draw::ChosenLines lines = draw::usual_lines();
     draw::TriggerSettings trigger;
     draw::PhaseSettings phase;
+    draw::SpectrumSettings spectrum;
     bool show_bounds = true;
   } persisted;
 
@@ -94,6 +96,7 @@ struct PlotsState {
     bool was_following = true;
     draw::Cursors cursors;
     draw::PhaseView phase;
+    draw::SpectrumView spectrum;
     draw::PlotScratch scratch;
     std::vector<draw::ExtraTrace> extra_traces;  // see replace_extra_traces()
     ExportJob exporting;

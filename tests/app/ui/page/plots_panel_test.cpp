@@ -274,6 +274,24 @@ TEST_F(PlotsPanelTest, TheLoopTellsItsEnergyOfTheWindowAndOfTheLastContact) {
   EXPECT_FALSE(sees("plot Phase"));
 }
 
+TEST_F(PlotsPanelTest, TheSpectrumTellsTheFrequencyOfTheLimitCycle) {
+  press(ImGuiKey_1);
+  live(9000);  // the hand has come to rest more than a window ago
+  EXPECT_TRUE(plots().transient.spectrum.spectrum.amplitude.empty()) << "no transform unless shown";
+  click("spectrum");
+  live(100);
+  const auto& strongest = plots().transient.spectrum.strongest;
+  ASSERT_TRUE(strongest.has_value());
+  EXPECT_NEAR(strongest->frequency_hz, 49.8, 1.0);
+  click("spectrum signal");
+  click("spectrum of actuator F_d");
+  frames(1);
+  EXPECT_NEAR(strongest->frequency_hz, 49.8, 1.0);
+  EXPECT_GT(strongest->amplitude, 3.0) << "in N";
+  click("spectrum");
+  EXPECT_FALSE(sees("spectrum signal"));
+}
+
 TEST_F(PlotsPanelTest, EverythingAtOnceFitsIntoTheSmallestWindow) {
   live(2000);
   click("phase plane");

@@ -39,6 +39,7 @@ void change_all(UiState& state) {
   state.plots.persisted.lines.at(0) = draw::line_bit(&Sample::position_m);
   state.plots.persisted.trigger = {draw::TriggerMode::kNormal, 0.5};
   state.plots.persisted.phase.shown = true;
+  state.plots.persisted.spectrum.shown = true;
   state.plots.persisted.show_bounds = false;
   state.wall.persisted.magnification = 50;
   state.persisted.lower_page = ui::LowerPage::kBlindTest;
