@@ -1,6 +1,7 @@
 #include "app/draw/plot/signal_shape.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace hapticwall::draw {
@@ -41,10 +42,27 @@ struct Window {
   std::size_t last = 0;
 };
 
+// Two runs of a power of two cover any window: a look at one costs the same for any reach.
+void find_extremes(SignalShape& shape, std::size_t reach) {
+  const std::size_t count = shape.groups.size();
+  const auto levels = static_cast<std::size_t>(std::bit_width(2 * reach + 1));
+  if (shape.extremes.size() < levels) shape.extremes.resize(levels);
+  shape.extremes.front().clear();
+  for (const SampleGroup& group : shape.groups)
+    shape.extremes.front().push_back(group.stats.extremes);
+  for (std::size_t level = 1; level < levels; ++level) {
+    const std::vector<Extremes>& half = shape.extremes[level - 1];
+    const std::size_t away = std::size_t{1} << (level - 1);
+    shape.extremes[level] = half;
+    for (std::size_t i = 0; i + away < count; ++i) shape.extremes[level][i].include(half[i + away]);
+  }
+}
+
 Extremes extremes_of(const SignalShape& shape, Window window, double scale) {
-  Extremes all = SampleStats{}.extremes;
-  for (std::size_t i = window.first; i <= window.last; ++i)
-    all.include(shape.groups[i].stats.extremes);
+  const std::size_t count = window.last - window.first + 1;
+  const auto level = static_cast<std::size_t>(std::bit_width(count)) - 1;
+  Extremes all = shape.extremes[level][window.first];
+  all.include(shape.extremes[level][window.last + 1 - (std::size_t{1} << level)]);
   return {all.minimum * scale, all.maximum * scale};
 }
 
@@ -63,15 +81,9 @@ double mean_of(const SignalShape& shape, Window window) {
   return sum / weights;
 }
 
-bool oscillates(const SignalShape& shape, Window window, double scale) {
+bool oscillates(const SignalShape& shape, Window window, const Extremes& extremes) {
   const double travelled = shape.travelled[window.last] - shape.travelled[window.first];
-  const auto range = [](const Extremes& all) { return all.maximum - all.minimum; };
-  // Three groups rule out most signals.
-  Extremes few = shape.groups[window.middle].stats.extremes;
-  few.include(shape.groups[window.first].stats.extremes);
-  few.include(shape.groups[window.last].stats.extremes);
-  if (!(travelled > kBandTravel * range(few) * scale)) return false;
-  return travelled > kBandTravel * range(extremes_of(shape, window, scale));
+  return travelled > kBandTravel * (extremes.maximum - extremes.minimum);
 }
 
 void add_strokes(SignalShape& shape, std::size_t group) {
@@ -91,6 +103,7 @@ void shape_signal(const SampleHistory& history, Quantity quantity, IndexRange ra
   const std::size_t count = shape.groups.size();
   const auto reach = static_cast<std::size_t>(kBandReach * static_cast<double>(count) /
                                               static_cast<double>(columns));
+  find_extremes(shape, reach);
   const auto around = [&](std::size_t i, std::size_t groups) {
     return Window{i - std::min(i, groups), i, std::min(i + groups, count - 1)};
   };
@@ -99,7 +112,8 @@ void shape_signal(const SampleHistory& history, Quantity quantity, IndexRange ra
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t inside = std::clamp(i, room, count - 1 - room);
     const Window window = around(inside, reach);
-    if (shape.groups[i].stats.empty() || !oscillates(shape, window, scale)) {
+    if (shape.groups[i].stats.empty() ||
+        !oscillates(shape, window, extremes_of(shape, window, scale))) {
       add_strokes(shape, i);
       continue;
     }
