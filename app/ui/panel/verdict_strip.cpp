@@ -11,7 +11,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr const char* kMeaning =
+constexpr const char* kStripMeaning =
     "The last second, by the formulas of 'hapticwall run': verdict, way of the handle from peak to "
     "peak, mean force and its standard deviation, mean force over mean penetration, and the rhythm "
     "of what shakes. settled: within 0.1 mm and 0.3 N. buzzing: the handle rests and the force "
@@ -41,7 +41,7 @@ void draw_verdict_strip(const PanelContext& context) {
     ImGui::TextColored(context.theme.colour(verdict_tone(tail.summary.verdict)), "%s",
                        text.c_str());
   }
-  explain(kMeaning);
+  explain(kStripMeaning);
 }
 
 }  // namespace hapticwall::ui
