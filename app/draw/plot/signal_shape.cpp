@@ -81,9 +81,9 @@ double mean_of(const SignalShape& shape, Window window) {
   return sum / weights;
 }
 
-bool oscillates(const SignalShape& shape, Window window, const Extremes& extremes) {
+bool oscillates(const SignalShape& shape, Window window, const Extremes& extremes, bool before) {
   const double travelled = shape.travelled[window.last] - shape.travelled[window.first];
-  return travelled > kBandTravel * (extremes.maximum - extremes.minimum);
+  return travelled > (before ? kKeptTravel : kBandTravel) * (extremes.maximum - extremes.minimum);
 }
 
 void add_strokes(SignalShape& shape, std::size_t group) {
@@ -109,11 +109,13 @@ void shape_signal(const SampleHistory& history, Quantity quantity, IndexRange ra
   };
   // Near its ends, the signal goes on as a reach away from them.
   const std::size_t room = std::min(reach, (std::max<std::size_t>(count, 1) - 1) / 2);
+  bool in_band = false;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t inside = std::clamp(i, room, count - 1 - room);
     const Window window = around(inside, reach);
-    if (shape.groups[i].stats.empty() ||
-        !oscillates(shape, window, extremes_of(shape, window, scale))) {
+    in_band = !shape.groups[i].stats.empty() &&
+              oscillates(shape, window, extremes_of(shape, window, scale), in_band);
+    if (!in_band) {
       add_strokes(shape, i);
       continue;
     }

@@ -15,6 +15,8 @@ inline constexpr double kBandReach = 8.0;
 // The signal oscillates where it goes so many times up or down through its range within that
 // reach: a cycle of up to five pixels is a band, a longer one a line.
 inline constexpr double kBandTravel = 4.0;
+// A band ends only below this, so that a cycle in between is not now the one and now the other.
+inline constexpr double kKeptTravel = 3.0;
 
 struct BandColumn {
   double time_s = 0.0;

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "app/draw/plot/plot_axes.h"
-#include "app/draw/plot/plot_envelope.h"
 #include "app/ui/panel/verdict_strip.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/state/tail.h"
@@ -53,9 +52,9 @@ void draw_trace(const PanelContext& context, const AlgorithmRun& run, draw::Extr
   ImPlot::SetupFinish();
   draw::Trace trace = run.position_m;
   for (double& value : trace.value) value *= kMillimetresPerMetre;
-  std::vector<draw::PixelColumn> columns;
-  draw::draw_trace(trace, {"position", context.theme.colour(draw::Tone::kPosition), 1.0F},
-                   ImAxis_Y1, columns);
+  ImPlot::PlotLine("position", trace.time_s.data(), trace.value.data(),
+                   static_cast<int>(trace.time_s.size()),
+                   draw::line_spec(context.theme.colour(draw::Tone::kPosition)));
   ImPlot::EndPlot();
 }
 

@@ -80,8 +80,8 @@ void draw_loop_button(const PanelContext& context) {
 
 void draw_spectrum_button(const PanelContext& context) {
   bool& shown = context.state.plots.persisted.spectrum.shown;
-  if (choice_button(context, "Spectrum###spectrum", shown,
-                    "Amplitudes over frequency of a signal in the visible range,\n"
+  if (choice_button(context, "FFT###spectrum", shown,
+                    "The spectrum: amplitudes over frequency of a signal in the visible range,\n"
                     "or between the cursors while these are shown"))
     shown = !shown;
 }

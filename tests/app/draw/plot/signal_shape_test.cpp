@@ -67,6 +67,19 @@ TEST(SignalShape, ALongerCycleIsTheLineItself) {
   }
 }
 
+// Between the two it is one or the other, and not both by turns.
+TEST(SignalShape, ACycleOfAMiddleLengthDoesNotAlternate) {
+  for (double columns = 5.0; columns < 12.0; columns += 0.37) {
+    const SignalShape shape = shape_of(history_of([=](double tick) {
+      return std::sin(2.0 * std::numbers::pi * tick / (columns * kSamplesAColumn));
+    }));
+    int ends = 0;
+    for (std::size_t i = 1; i < shape.band.size(); ++i)
+      ends += shape.band[i].time_s - shape.band[i - 1].time_s > 0.02 ? 1 : 0;
+    EXPECT_EQ(ends, 0) << columns;
+  }
+}
+
 // A slow press into the wall: the staircase of an encoder is no oscillation, however many steps it
 // has in a column.
 TEST(SignalShape, AStaircaseAndAStepAreLines) {
