@@ -13,6 +13,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+constexpr int kUntilStill = 60;  // frames, until the wall is refined
+
 class MapPageTest : public GuiTest {
  protected:
   void SetUp() override {
@@ -154,11 +156,13 @@ TEST_F(MapPageTest, AnotherPageStopsIt) {
   Scene changed = scene();
   changed.duration_s = 1e4;
   ASSERT_FALSE(fake_->change_scene(changed));
-  frames(2);
+  frames(kUntilStill);
   ASSERT_TRUE(live().running());
   EXPECT_TRUE(application_->moving()) << "a paused window takes the results";
   click("page Plots");
   EXPECT_FALSE(live().running());
+  frames(kUntilStill);
+  EXPECT_FALSE(application_->moving());
 }
 
 TEST_F(MapPageTest, AnAxisOfTheRateStartsANewSession) {
