@@ -2,13 +2,12 @@
 // simulated device are real.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>
 #include <string>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -60,7 +59,7 @@ class FakeSession final : public runtime::LiveSession {
     moves.push_back(move);
     if (move.at_once) ++gesture_;
     moves.back().gesture = gesture_;
-    EXPECT_TRUE(queued_moves_->try_push(moves.back()));
+    if (!queued_moves_->try_push(moves.back())) throw std::length_error("too many moves");
   }
   void slow_down(std::uint32_t periods) override { periods_per_tick = periods; }
   void arm(bool armed) override { arm_requests.push_back(armed); }
@@ -118,7 +117,7 @@ class FakeSession final : public runtime::LiveSession {
     return std::nullopt;
   }
   void name_mark(std::string_view text) override {
-    ASSERT_FALSE(marks_.empty());
+    if (marks_.empty()) throw std::logic_error("no mark to name");
     marks_.back().text = file::mark_text(text);
   }
   [[nodiscard]] std::span<const file::Mark> marks() const override { return marks_; }
