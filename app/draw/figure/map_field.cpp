@@ -20,6 +20,7 @@ namespace {
 
 constexpr float kMapLineWeight = 2.0F;
 constexpr float kThinLineWeight = 0.8F;
+constexpr float kBelowPlotEms = 4.0F;  // labels and title of the axis across
 
 // A bound of theory, as it is drawn.
 struct BoundStyle {
@@ -128,7 +129,7 @@ MapFieldArea draw_field(const Theme& theme, const MapContents& contents, std::si
   if (ImPlot::BeginPlot(name.c_str(), ImVec2(size.x, height),
                         ImPlotFlags_CanvasOnly | ImPlotFlags_NoInputs)) {
     set_up_axis(ImAxis_X1, map.x, axis_title(map.scene, map.x, map.y, size.x));
-    set_up_axis(ImAxis_Y1, map.y, axis_title(map.scene, map.y, map.x, height));
+    set_up_axis(ImAxis_Y1, map.y, axis_title(map.scene, map.y, map.x, height - ems(kBelowPlotEms)));
     ImPlot::PushPlotClipRect();
     draw_cells(map, figures);
     draw_bounds(map, contents.bounds, contents.scale);

@@ -97,7 +97,7 @@ void use_field(const PanelContext& context, const StabilityMap& map, std::size_t
   if (!current) {
     text += "\nof the scene before; the new map is being computed";
   } else if (context.shows.live != nullptr) {
-    text += "\nclick: this becomes the running scene";
+    text += "\nclick: this becomes the running scene; Reset runs it from rest, as the map did";
   }
   ImGui::SetTooltip("%s", text.c_str());
   if (clicked && current) make_running(context, map.scene_at(cell));

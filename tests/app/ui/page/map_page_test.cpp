@@ -11,7 +11,6 @@ namespace hapticwall::test {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 constexpr int kUntilStill = 60;  // frames, until the wall is refined
 
