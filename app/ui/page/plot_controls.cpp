@@ -17,6 +17,7 @@ constexpr float kArrangementEms = 8.5F;
 constexpr float kFollowEms = 4.4F;
 constexpr float kWindowEms = 5.5F;
 constexpr float kTriggerEms = 9.5F;
+constexpr float kTextButtonEms = 3.6F;
 constexpr float kExportEms = 3.6F;
 constexpr double kMaxPrePercent = 90.0;
 
@@ -202,9 +203,22 @@ void draw_cursors_button(const PanelContext& context) {
     toggle_cursors(context.state);
 }
 
+struct Control {
+  void (*draw)(const PanelContext&);
+  float width_ems;
+};
+constexpr std::array kControls{Control{draw_arrangement, kArrangementEms},
+                               Control{draw_loop_button, kTextButtonEms},
+                               Control{draw_spectrum_button, kTextButtonEms},
+                               Control{draw_follow, kFollowEms},
+                               Control{draw_length, kWindowEms},
+                               Control{draw_automatic, kTextButtonEms},
+                               Control{draw_trigger, kTriggerEms},
+                               Control{draw_cursors_button, kFollowEms}};
+
 void draw_exports(const PanelContext& context, const draw::SampleHistory& history) {
   const float width = 2.0F * ems(kExportEms) + ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
+  draw::align_right(width);
   const bool busy = context.state.plots.transient.exporting.running();
   if (button(busy ? "…###export csv" : "CSV###export csv",
              "Writes the samples of the visible range like a recording: CSV and sidecar",
@@ -225,11 +239,11 @@ std::span<const draw::PlotId> plots_of(PlotArrangement arrangement) {
 void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& history) {
   if (!context.state.persisted.more) return;
   draw_axis_choice(context, "plots");
-  for (const auto draw : {draw_arrangement, draw_loop_button, draw_spectrum_button, draw_follow,
-                          draw_length, draw_automatic, draw_trigger, draw_cursors_button}) {
-    draw(context);
-    ImGui::SameLine();
+  for (const Control& control : kControls) {
+    if (&control != kControls.data()) beside(ems(control.width_ems));
+    control.draw(context);
   }
+  beside(2.0F * ems(kExportEms) + ImGui::GetStyle().ItemSpacing.x);
   draw_exports(context, history);
 }
 

@@ -37,12 +37,6 @@ constexpr float kSliderEms = 1.5F;    // how high all of it is
 constexpr float kNearMarkEms = 0.4F;  // a click so near to a mark is one on it
 constexpr double kQuietOpeningS = 0.3;
 
-// Continues the row if `width` fits, else begins a new one.
-void beside(float width, float gap = -1.0F) {
-  ImGui::SameLine(0.0F, gap);
-  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
-}
-
 double time_of(const ReplaySession& replay, const file::Mark& mark) {
   return static_cast<double>(mark.tick) / replay.recording().rate_hz;
 }

@@ -57,6 +57,11 @@ bool folding_section(const PanelContext& context, const char* title, std::string
   return false;
 }
 
+void beside(float width, float gap) {
+  ImGui::SameLine(0.0F, gap);
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
 void muted_text(const PanelContext& context, std::string_view text) {
   const FontScope font(nullptr, draw::kSmallFontSize);
   draw::wrapped_text(context.theme.colour(draw::Tone::kMuted), text);

@@ -28,6 +28,8 @@ void section(const PanelContext& context, const char* title, bool asked_for = fa
                                    std::string_view summary, bool asked_for = false);
 
 // Secondary text, wrapped at the edge of the panel.
+// Continues the row if `width` fits, else begins a new one.
+void beside(float width, float gap = -1.0F);
 void muted_text(const PanelContext& context, std::string_view text);
 
 // Shows a tooltip for the last item.

@@ -108,7 +108,7 @@ class AppearanceTest : public GuiTest {
 TEST_F(AppearanceTest, BothLooksAreDrawnInTheirOwnColours) {
   // Its dots lie on the handle's line.
   kept().hidden_lines = draw::line_bit(&PlantTruth::position_m);
-  live(1500);
+  live(4000);
   for (const Look look : {Look::kScreen, Look::kLight}) {
     kept().look = look;
     move_away();

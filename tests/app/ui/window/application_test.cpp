@@ -166,7 +166,8 @@ TEST_F(ApplicationTest, EverySampleOfTheSessionReachesTheHistory) {
 
 TEST_F(ApplicationTest, TheScreenShowsTheLinesOfEveryPlot) {
   press(ImGuiKey_1);
-  live(3000);
+  state().persisted.hidden_lines = draw::line_bit(&PlantTruth::position_m);  // dots on the handle's
+  live(5000);
   move_away();
   const file::Picture picture = screen();
   const auto count = [&](const char* plot, draw::Tone tone) {
