@@ -110,11 +110,14 @@ void use_headless(const runtime::WindowOptions& options, const Script& script, I
   ui::Application::Sessions sessions;
   sessions.simulate = [](const Scene& scene) { return runtime::LiveSession::start(scene); };
   sessions.start_on_device = options.start_on_device;
-  const auto created = ui::Application::create(
-      options.scene,
-      {options.settings_path, options.recording_folder, options.forced_scale, options.opened_file,
-       {}},
-      draw::apply_theme(draw::Look::kScreen, 1.0F), sessions);
+  const auto created =
+      ui::Application::create(options.scene,
+                              {options.settings_path,
+                               options.recording_folder,
+                               options.forced_scale,
+                               options.opened_file,
+                               {}},
+                              draw::apply_theme(draw::Look::kScreen, 1.0F), sessions);
   ASSERT_TRUE(created.ok()) << created.error().message;
   ui::Application& application = **created;
   Engine engine(application, script, log,

@@ -53,9 +53,9 @@ struct Snapshot {
   Tick newest;
   TimingStatistics timing;
   ArmingStatus arming;
-  device::LinkStats link;        // of a real device
-  std::uint32_t generation = 0;  // of the parameters in force
-  std::uint32_t resets = 0;      // how often the session went back to tick 0
+  device::LinkStats link;              // of a real device
+  std::uint32_t generation = 0;        // of the parameters in force
+  std::uint32_t resets = 0;            // how often the session went back to tick 0
   std::uint32_t periods_per_tick = 1;  // slow motion of a simulator
   bool paused = false;
   bool ended_by_fault = false;  // the loop gave up: force is zero, the device is closed

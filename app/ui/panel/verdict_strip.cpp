@@ -15,8 +15,7 @@ constexpr const char* kStripMeaning =
     "The last second, by the formulas of 'hapticwall run': verdict, way of the handle from peak to "
     "peak, mean force and its standard deviation, mean force over mean penetration, and the rhythm "
     "of what shakes. settled: within 0.1 mm and 0.3 N. buzzing: the handle rests and the force "
-    "does "
-    "not. oscillating: the handle moves, also on its way.";
+    "does not. oscillating: the handle moves, also when it only follows the hand.";
 
 }  // namespace
 
@@ -38,8 +37,10 @@ void draw_verdict_strip(const PanelContext& context) {
     const draw::FontScope fitting(context.theme.fonts.digits,
                                   std::clamp(std::floor(share * draw::kTitleFontSize),
                                              draw::kSmallFontSize, draw::kTitleFontSize));
-    ImGui::TextColored(context.theme.colour(verdict_tone(tail.summary.verdict)), "%s",
-                       text.c_str());
+    const bool on_its_way = tail.summary.verdict == Verdict::kOscillating && !tail.frequency_hz;
+    const draw::Tone tone =
+        on_its_way && tail.hand_moves ? draw::Tone::kMuted : verdict_tone(tail.summary.verdict);
+    ImGui::TextColored(context.theme.colour(tone), "%s", text.c_str());
   }
   explain(kStripMeaning);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/ui/panel/energy_lamp_view.h"
 #include "app/ui/panel/hand_drag.h"
@@ -103,6 +104,13 @@ void draw_reset_button(const PanelContext& context, const ViewArea& area) {
     orbit = {};
 }
 
+// Infinite without one, and for an axis that the scene does not have.
+double force_limit_n(const PanelContext& context, std::size_t axis) {
+  const std::vector<AxisSettings>& axes = context.session.scene().axes;
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  return axis < axes.size() ? axes[axis].device.force_limit_n.value_or(kNone) : kNone;
+}
+
 WallPicture fading_picture(const PanelContext& context) {
   WallPicture picture = wall_picture(context.session.scene(), context.snapshot.newest);
   WallState::Transient& transient = context.state.wall.transient;
@@ -121,7 +129,10 @@ WallPicture fading_picture(const PanelContext& context) {
     const ShownStiffness now = mean ? ShownStiffness{std::max(*mean, 0.0), 1.0} : ShownStiffness{};
     shown = faded(shown, now, static_cast<double>(ImGui::GetIO().DeltaTime));
     picture.shown.at(axis) = shown;
-    sweep(picture, static_cast<Axis>(axis), transient.swept.at(axis));
+    const Swept& swept = transient.swept.at(axis);
+    sweep(picture, static_cast<Axis>(axis), swept);
+    const double most_n = std::max(swept.force_n.maximum, -swept.force_n.minimum);
+    picture.saturated = picture.saturated || most_n >= force_limit_n(context, axis);
   }
   if (const auto& lamp = context.state.compare.transient.lamp)
     picture.energy = lamp_words(lamp->story()).tone;

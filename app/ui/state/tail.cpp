@@ -59,7 +59,8 @@ std::optional<double> frequency_of(const SampleHistory& history, IndexRange rang
 
 std::string movement_text(const Tail& tail) {
   if (tail.summary.verdict == Verdict::kSettled) return "quiet";
-  return tail.frequency_hz ? fixed(tail.frequency_hz, 1.0, 1) + " Hz" : "no rhythm";
+  if (tail.frequency_hz) return fixed(tail.frequency_hz, 1.0, 1) + " Hz";
+  return tail.hand_moves ? "the hand moves" : "no rhythm";
 }
 
 std::string way_text(const Summary& summary) {
@@ -80,6 +81,8 @@ Tail tail_of(const SampleHistory& history, const Scene& scene, std::size_t end) 
     run_end.diverged_at_tick = tail.end_tick;
   }
   tail.summary = summarise(scene, stats_of(history, range), {}, std::nullopt, run_end);
+  const Extremes hand = history.extremes(&PlantTruth::hand_path_m, range);
+  tail.hand_moves = hand.maximum > hand.minimum;
   if (tail.summary.verdict != Verdict::kSettled) {
     const bool force_alone = tail.summary.verdict == Verdict::kBuzzing;
     tail.frequency_hz = frequency_of(

@@ -18,6 +18,7 @@ struct Tail {
   std::uint64_t end_tick = 0;  // after the newest sample; 0: none yet
   Summary summary;             // its tail and its verdict; the rest is that of the last second
   std::optional<double> frequency_hz;  // of the position, or of the force if only it shakes
+  bool hand_moves = false;             // so the handle moves without shaking
 };
 using Tails = std::array<Tail, kMaxAxes>;
 

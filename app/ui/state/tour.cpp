@@ -45,12 +45,11 @@ constexpr std::array kTourSteps{
                return under(s, "passivity-control") && swings(s, kChatterM) &&
                       s.story.blame == EnergyBlame::kHold && s.story.control_law_j <= 0.0;
              }},
-    TourStep{"Quiet, but soft",
-             "Press 2, then R: virtual coupling from rest. The wall is quiet, but soft: settled, "
-             "1.9 kN/m.",
-             [](const Sight& s) {
-               return under(s, "virtual-coupling") && settles(s, 0.0, kSoftNPerM);
-             }},
+    TourStep{
+        "Quiet, but soft",
+        "Press 2, then R: virtual coupling from rest. The wall is quiet, but soft: settled, "
+        "1.9 kN/m.",
+        [](const Sight& s) { return under(s, "virtual-coupling") && settles(s, 0.0, kSoftNPerM); }},
     TourStep{"Quiet and stiff",
              "Press 4, then R: energy bounding from rest. The wall is quiet and stiff: settled, "
              "30 kN/m.",

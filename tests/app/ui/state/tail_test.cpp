@@ -17,6 +17,7 @@
 namespace hapticwall::ui {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::StartsWith;
 
 constexpr std::uint64_t kMoments = 20;
@@ -83,6 +84,19 @@ Tail swinging(double position_m, double force_n) {
   return tail_of(history, scene, history.size());
 }
 
+// 10 mm/s, the hand and the handle.
+Tail following_the_hand() {
+  draw::SampleHistory history(draw::kHistoryCapacity);
+  for (std::uint64_t tick = 0; tick < 1000; ++tick) {
+    Sample sample;
+    sample.tick = tick;
+    sample.time_s = static_cast<double>(tick) * 1e-3;
+    sample.truth.position_m = sample.truth.hand_path_m = 0.01 * sample.time_s;
+    history.push(sample);
+  }
+  return tail_of(history, Scene{}, history.size());
+}
+
 TEST(Tail, TellsTheRhythm) {
   EXPECT_EQ(tail_text(swinging(1e-3, 1.0)),
             "oscillating · 2.000 mm p-p · 0.000 ± 0.707 N · no contact · 50.0 Hz");
@@ -92,6 +106,7 @@ TEST(Tail, TellsTheRhythm) {
             "settled · 0.002 mm p-p · 0.000 ± 0.000 N · no contact · quiet");
   EXPECT_THAT(tail_text(swinging(2.0, 1.0)), StartsWith("diverged"));
   EXPECT_EQ(tail_text({}), "no sample yet");
+  EXPECT_THAT(tail_text(following_the_hand()), EndsWith(" · the hand moves"));
 }
 
 TEST(Tail, FollowsTheNewestSampleOfEveryAxis) {
