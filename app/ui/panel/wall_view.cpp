@@ -111,34 +111,6 @@ double force_limit_n(const PanelContext& context, std::size_t axis) {
   return axis < axes.size() ? axes[axis].device.force_limit_n.value_or(kNone) : kNone;
 }
 
-WallPicture fading_picture(const PanelContext& context) {
-  WallPicture picture = wall_picture(context.session.scene(), context.snapshot.newest);
-  WallState::Transient& transient = context.state.wall.transient;
-  if (context.shows.hides_force) {
-    // Both walls look the same: the handle is where a rigid wall would hold the hand.
-    picture.handle_m = held_by_walls(picture, picture.hand_m.value_or(glm::dvec2(0.0)));
-    picture.force_n = {};
-    picture.saturated = false;
-    picture.shown = {};
-    transient.shown = {};  // also right after the test
-    return picture;
-  }
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    ShownStiffness& shown = transient.shown.at(axis);
-    const std::optional<double> mean = shown_stiffness(context, axis);
-    const ShownStiffness now = mean ? ShownStiffness{std::max(*mean, 0.0), 1.0} : ShownStiffness{};
-    shown = faded(shown, now, static_cast<double>(ImGui::GetIO().DeltaTime));
-    picture.shown.at(axis) = shown;
-    const Swept& swept = transient.swept.at(axis);
-    sweep(picture, static_cast<Axis>(axis), swept);
-    const double most_n = std::max(swept.force_n.maximum, -swept.force_n.minimum);
-    picture.saturated = picture.saturated || most_n >= force_limit_n(context, axis);
-  }
-  if (const auto& lamp = context.state.compare.transient.lamp)
-    picture.energy = lamp_words(lamp->story()).tone;
-  return picture;
-}
-
 // The picture and the invisible item over it, which takes the pointer.
 void draw_picture(const PanelContext& context, WallRenderer& renderer, const WallPicture& picture,
                   const WallCamera& camera, const ViewArea& area) {
@@ -180,13 +152,41 @@ WallCamera wall_view_camera(const Scene& scene, ImVec2 size) {
   return {wall_space(scene), WallOrbit{}, size.x, size.y};
 }
 
+WallPicture shown_picture(const PanelContext& context) {
+  WallPicture picture = wall_picture(context.session.scene(), context.snapshot.newest);
+  WallState::Transient& transient = context.state.wall.transient;
+  if (context.shows.hides_force) {
+    // Both walls look the same: the handle is where a rigid wall would hold the hand.
+    picture.handle_m = held_by_walls(picture, picture.hand_m.value_or(glm::dvec2(0.0)));
+    picture.force_n = {};
+    picture.saturated = false;
+    picture.shown = {};
+    transient.shown = {};  // also right after the test
+    return picture;
+  }
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    ShownStiffness& shown = transient.shown.at(axis);
+    const std::optional<double> mean = shown_stiffness(context, axis);
+    const ShownStiffness now = mean ? ShownStiffness{std::max(*mean, 0.0), 1.0} : ShownStiffness{};
+    shown = faded(shown, now, static_cast<double>(ImGui::GetIO().DeltaTime));
+    picture.shown.at(axis) = shown;
+    const Swept& swept = transient.swept.at(axis);
+    sweep(picture, static_cast<Axis>(axis), swept);
+    const double most_n = std::max(swept.force_n.maximum, -swept.force_n.minimum);
+    picture.saturated = picture.saturated || most_n >= force_limit_n(context, axis);
+  }
+  if (const auto& lamp = context.state.compare.transient.lamp)
+    picture.energy = lamp_words(lamp->story()).tone;
+  return picture;
+}
+
 void draw_wall_view(const PanelContext& context, WallRenderer& renderer) {
   const ImVec2 available = ImGui::GetContentRegionAvail();
   const ViewArea area{ImGui::GetCursorScreenPos(),
                       ImVec2(std::max(available.x, 1.0F), std::max(available.y, 1.0F))};
   const WallCamera camera(wall_space(context.session.scene()), context.state.wall.persisted.orbit,
                           area.size.x, area.size.y);
-  const WallPicture picture = fading_picture(context);
+  const WallPicture picture = shown_picture(context);
   draw_picture(context, renderer, picture, camera, area);
   take_pointer(context, camera, area);
   ImGui::PushFont(nullptr, draw::kSmallFontSize);

@@ -174,6 +174,26 @@ TEST_F(WallViewTest, ShowsForceHandAndProxy) {
   EXPECT_GT(count(draw::Tone::kAccent), 10) << "the true place's name";
 }
 
+TEST_F(WallViewTest, ShowsTheIntervalAndTheLampWhetherTheWallShakesOrNot) {
+  const auto picture_of = [&](ImGuiKey algorithm) {
+    open("press");
+    press(algorithm);
+    live(3000);
+    const runtime::Snapshot snapshot = fake_->snapshot();
+    const draw::Theme theme;
+    return ui::shown_picture({*fake_, snapshot, theme, state(), {.live = fake_}});
+  };
+  const ui::WallPicture shakes = picture_of(ImGuiKey_1);
+  EXPECT_GT(shakes.handle_reach_m.below.x + shakes.handle_reach_m.above.x, 2e-3);
+  EXPECT_GT(shakes.force_reach_n.below.x + shakes.force_reach_n.above.x, 8.0);
+  EXPECT_TRUE(shakes.saturated) << "within the interval";
+  EXPECT_EQ(shakes.energy, draw::Tone::kBad);
+  const ui::WallPicture quiet = picture_of(ImGuiKey_4);
+  EXPECT_LT(quiet.handle_reach_m.below.x + quiet.handle_reach_m.above.x, 1e-4);
+  EXPECT_FALSE(quiet.saturated);
+  EXPECT_NE(quiet.energy, draw::Tone::kBad);
+}
+
 TEST_F(WallViewTest, NothingIsDrawnAgainWhileNothingChanges) {
   live(2000);
   frames(120);  // the tint has settled, the picture is refined
