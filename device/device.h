@@ -77,9 +77,6 @@ class Device {
   // A pointer at this position leads the hand from now on (simulators only). Realtime-safe: yes.
   virtual void lead_hand_to(double position_m) { (void)position_m; }
 
-  // The hand follows its scripted path again. Realtime-safe: yes.
-  virtual void release_hand() {}
-
   // The simulator's true state at the last read(); nullptr for a real device. Realtime-safe: yes.
   [[nodiscard]] virtual const PlantTruth* truth() const { return nullptr; }
 };

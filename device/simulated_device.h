@@ -40,7 +40,9 @@ class SimulatedDevice : public Device {
     plant_ = &plant;
   }
   void lead_hand_to(double position_m) override { plant_->lead_hand_to(position_m); }
-  void release_hand() override { plant_->release_hand(); }
+  // The hand follows its scripted path again, as in recordings of programs that could release it.
+  // Realtime-safe: yes.
+  void release_hand() { plant_->release_hand(); }
   [[nodiscard]] const PlantTruth* truth() const override { return &plant_->truth(); }
 
  private:

@@ -52,7 +52,7 @@ TEST(Workers, LetOutWhatACallThrowsAndBeginNoMore) {
   EXPECT_LE(begun, 2);
 }
 
-// As a user of its own, because root has no limit. The process itself is one of `threads`.
+// Runs as a user of its own: root has no limit. `threads` includes the first thread of the process.
 [[noreturn]] void work_with_few(rlim_t threads) {
   constexpr uid_t kUser = 54325;
   constexpr std::size_t kItems = 1000;
