@@ -18,7 +18,6 @@
 #include "app/file/disk/user_folders.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/scene/settings_text.h"
-#include "app/ui/state/tour.h"
 #include "tests/app/ui/items.h"
 #include "tests/app/ui/offscreen_gui.h"
 
@@ -142,7 +141,7 @@ Home::Home() {
   const file::Settings settings{{"window.width", static_cast<double>(kWidth)},
                                 {"window.height", static_cast<double>(kHeight)},
                                 {"window.more", true},
-                                {"window.tour", static_cast<double>(ui::kTourClosed)},
+                                {"window.tour_offered", false},
                                 {"plots.arrangement", std::string("all")},
                                 {"window.view_share", kViewShare},
                                 {"window.picture_share", kPictureShare}};

@@ -16,17 +16,17 @@ constexpr float kButtonEms = 4.5F;
 constexpr int kButtons = 3;
 
 // Also notes that it is done: the sight may be over before the text is read.
-bool is_done(const PanelContext& context, int step) {
+bool is_done(const PanelContext& context, const TourStep& step) {
   const auto& lamp = context.state.compare.transient.lamp;
   bool& done = context.state.transient.tour_step_done;
   const Sight sight{context.session.scene(), context.state.tails.front(),
                     lamp ? lamp->story() : EnergyStory{}};
-  done = done || tour_steps()[static_cast<std::size_t>(step) - 1].done(sight);
+  done = done || step.done(sight);
   return done;
 }
 
-void go_to_step(UiState& state, int step) {
-  state.persisted.tour = step;
+void go_to_step(UiState& state, std::size_t step) {
+  state.transient.tour_step = step;
   state.transient.tour_step_done = false;
 }
 
@@ -38,10 +38,10 @@ void draw_offer(const PanelContext& context) {
     begin_tour(context);
   ImGui::SameLine();
   if (button("No###close tour", "The tour begins from F1 as well"))
-    context.state.persisted.tour = kTourClosed;
+    context.state.persisted.tour_offered = false;
 }
 
-void draw_step_buttons(const PanelContext& context, int step, int count) {
+void draw_step_buttons(const PanelContext& context, std::size_t step, std::size_t count) {
   UiState& state = context.state;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SameLine();
@@ -53,37 +53,39 @@ void draw_step_buttons(const PanelContext& context, int step, int count) {
     go_to_step(state, step + 1);
   ImGui::SameLine();
   if (button("Close###close tour", "The tour begins again from F1", {.width = ems(kButtonEms)}))
-    state.persisted.tour = kTourClosed;
+    go_to_step(state, 0);
 }
 
-void draw_step(const PanelContext& context, int step) {
+void draw_step(const PanelContext& context, std::size_t step) {
   const auto steps = tour_steps();
-  const int count = static_cast<int>(steps.size());
-  const TourStep& now = steps[static_cast<std::size_t>(step) - 1];
-  const bool done = is_done(context, step);
+  const TourStep& now = steps[step - 1];
+  const bool done = is_done(context, now);
   ImGui::AlignTextToFramePadding();
-  draw::strong_text(context.theme, fmt::format("{} of {} · {}", step, count, now.lesson));
+  draw::strong_text(context.theme, fmt::format("{} of {} · {}", step, steps.size(), now.lesson));
   ImGui::SameLine();
   ImGui::TextColored(context.theme.colour(done ? draw::Tone::kGood : draw::Tone::kMuted), "%s",
                      done ? "· seen" : "· not seen yet");
-  draw_step_buttons(context, step, count);
+  draw_step_buttons(context, step, steps.size());
   draw::wrapped_text(context.theme.colour(draw::Tone::kText), now.text);
 }
 
 }  // namespace
 
 void draw_tour_strip(const PanelContext& context) {
-  const int step = context.state.persisted.tour;
-  if (step == kTourClosed || context.shows.live == nullptr || context.shows.hides_algorithm) return;
-  if (step == kTourOffered) {
+  if (context.shows.live == nullptr || context.shows.hides_algorithm) return;
+  UiState& state = context.state;
+  // Whoever chooses another scene has left the tour.
+  if (context.session.scene().name != kTourScene) go_to_step(state, 0);
+  if (state.transient.tour_step > 0) {
+    draw_step(context, state.transient.tour_step);
+  } else if (state.persisted.tour_offered) {
     draw_offer(context);
-  } else {
-    draw_step(context, step);
   }
 }
 
 void begin_tour(const PanelContext& context) {
-  want_builtin(context, std::string(kTourScene), kTourAlgorithm);
+  want_builtin(context, kTourScene, kTourAlgorithm);
+  context.state.persisted.tour_offered = false;
   go_to_step(context.state, 1);
 }
 

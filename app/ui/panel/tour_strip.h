@@ -5,7 +5,7 @@
 
 namespace hapticwall::ui {
 
-// Nothing while the tour is closed, during a replay and in a blind test.
+// The offer, once; then the present step. Nothing during a replay and in a blind test.
 void draw_tour_strip(const PanelContext& context);
 
 // From the first step, in the scene of the tour.

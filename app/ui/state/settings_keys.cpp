@@ -11,7 +11,6 @@
 #include "app/file/text/text.h"
 #include "app/ui/state/recent_files.h"
 #include "app/ui/state/settings_file.h"
-#include "app/ui/state/tour.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -161,8 +160,7 @@ std::vector<Key> plain_keys() {
       number("window.view_share", &PersistedState::view_share, kMinShare, kMaxShare),
       number("window.picture_share", &PersistedState::picture_share, kMinShare, kMaxShare),
       flag("window.more", &PersistedState::more),
-      number("window.tour", &PersistedState::tour, kTourClosed,
-             static_cast<double>(tour_steps().size())),
+      flag("window.tour_offered", &PersistedState::tour_offered),
       word("window.lower_page", kLowerPages, &PersistedState::lower_page),
       number("hand.withdraw_mm_per_s", &PersistedState::withdraw_mm_per_s, 1.0, kMaxWithdrawMmPerS),
       text("recording.folder", &PersistedState::recording_folder),

@@ -28,8 +28,4 @@ struct TourStep {
 inline constexpr std::string_view kTourScene = "press";
 inline constexpr std::string_view kTourAlgorithm = "none";  // that it begins with
 
-// Values of PersistedState::tour beside the steps, which count from 1.
-inline constexpr int kTourOffered = 0;
-inline constexpr int kTourClosed = -1;
-
 }  // namespace hapticwall::ui

@@ -130,7 +130,7 @@ inline constexpr double kMaxWithdrawMmPerS = 1000.0;
 // Stored in the settings file.
 struct PersistedState {
   bool more = false;  // false: scene, algorithms, wall and plots alone
-  int tour = 0;       // a step, from 1; kTourOffered or kTourClosed (tour.h)
+  bool tour_offered = true;
   double time_window_s = 6.0;
   PlotArrangement arrangement = PlotArrangement::kTwo;
   LowerPage lower_page = LowerPage::kPlots;
@@ -221,6 +221,7 @@ struct TransientState {
   std::vector<KeyPress> key_presses;          // in the queue of Dear ImGui
   std::size_t chosen_wall = 0;
   Axis shown_axis = Axis::kX;  // see shown_axis.h
+  std::size_t tour_step = 0;   // from 1; 0: no tour
   bool tour_step_done = false;
   bool repeats = false;                      // the scene begins anew, at rest, at its end
   double now_s = 0.0;                        // at the start of the frame

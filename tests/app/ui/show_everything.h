@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/ui/panel/sections.h"
-#include "app/ui/state/tour.h"
 #include "app/ui/state/ui_state.h"
 
 namespace hapticwall::test {
@@ -9,7 +8,7 @@ namespace hapticwall::test {
 // What a newcomer opens with More, and without the tour.
 inline void show_everything(ui::UiState& state) {
   ui::show_more(state.persisted);
-  state.persisted.tour = ui::kTourClosed;
+  state.persisted.tour_offered = false;
 }
 
 }  // namespace hapticwall::test

@@ -77,7 +77,7 @@ TEST_F(TourTest, EveryLessonIsSeenAsItsTextSays) {
             5U);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     SCOPED_TRACE(steps[i].text);
-    EXPECT_EQ(state().persisted.tour, static_cast<int>(i) + 1);
+    EXPECT_EQ(state().transient.tour_step, i + 1);
     EXPECT_FALSE(state().transient.tour_step_done);
     follow(std::string(steps[i].text));
     frames(2);
@@ -87,7 +87,17 @@ TEST_F(TourTest, EveryLessonIsSeenAsItsTextSays) {
     if (i + 1 < steps.size()) click("tour next");
   }
   click("close tour");
-  EXPECT_EQ(state().persisted.tour, ui::kTourClosed);
+  EXPECT_FALSE(sees("· seen"));
+  EXPECT_FALSE(sees("begin tour")) << "it is offered once";
+}
+
+TEST_F(TourTest, AnotherSceneLeavesIt) {
+  click("begin tour");
+  EXPECT_EQ(state().transient.tour_step, 1U);
+  click("scene");
+  click("scene tap");
+  EXPECT_EQ(scene().name, "tap");
+  EXPECT_EQ(state().transient.tour_step, 0U);
 }
 
 TEST_F(TourTest, TheReadmeTellsTheSame) {
