@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/draw/plot/plot_axes.h"
+#include "app/draw/plot/theme.h"
 
 namespace hapticwall::draw {
 namespace {
@@ -61,39 +61,35 @@ void place(const TraceSource& source, SignalShape& shape) {
     column = {column.time_s + source.shift_s, clipped(column.low), clipped(column.high)};
 }
 
+// Columns of the same rows are one box: narrow ones are dear to a software renderer.
 void draw_band(const std::vector<BandColumn>& band, const TraceStyle& style,
                const PlotPixels& pixels, PlotInk& ink) {
   if (band.empty() || style.band_strength == 0.0F) return;
-  const auto count = static_cast<int>(band.size());
-  ImDrawList* list = ImPlot::GetPlotDrawList();
-  list->PrimReserve(6 * count, 4 * count);
+  PixelBox box;
+  ImU32 colour = 0;
+  const auto paint = [&] {
+    ImPlot::GetPlotDrawList()->AddRectFilled(box.from, box.to, colour);
+    ink.take(box);
+  };
   for (std::size_t i = 0; i < band.size(); ++i) {
     const float left = pixels.x(band[i].time_s);
     // Up to the next column, unless that is on the other side of a gap.
     const float next = i + 1 < band.size() ? pixels.x(band[i + 1].time_s) : left + 1.0F;
-    const PixelBox box{{left, pixels.y(band[i].high)},
-                       {next - left < 2.0F ? next : left + 1.0F, pixels.y(band[i].low)}};
+    const PixelBox column{
+        {left, std::round(pixels.y(band[i].high))},
+        {next - left < 2.0F ? next : left + 1.0F, std::round(pixels.y(band[i].low))}};
+    if (i > 0 && column.from.x == box.to.x && column.from.y == box.from.y &&
+        column.to.y == box.to.y) {
+      box.to.x = column.to.x;
+      continue;
+    }
+    if (i > 0) paint();
+    box = column;
     const float alpha = band_alpha(band[i].high - band[i].low, style.faint_height);
-    ImVec4 colour = style.colour;
-    colour.w *= alpha * style.band_strength;
-    list->PrimRect(box.from, box.to, ImGui::ColorConvertFloat4ToU32(colour));
-    ink.take(box);
+    colour = ImGui::ColorConvertFloat4ToU32(
+        with_alpha(style.colour, style.colour.w * alpha * style.band_strength));
   }
-}
-
-void draw_line(const Trace& line, const TraceStyle& style, PlotScratch& scratch) {
-  if (style.dash == Dash::kSolid) {
-    ImPlotSpec spec = line_spec(style.colour);
-    spec.LineWeight = style.weight;
-    ImPlot::PlotLine(style.name, line.time_s.data(), line.value.data(),
-                     static_cast<int>(line.time_s.size()), spec);
-    return;
-  }
-  ImPlot::PushPlotClipRect();
-  draw_dashed(ImPlot::GetPlotDrawList(), scratch.points,
-              ImGui::ColorConvertFloat4ToU32(style.colour), style.weight, style.dash,
-              ImGui::GetStyle().FontScaleMain);
-  ImPlot::PopPlotClipRect();
+  paint();
 }
 
 void note_end(const TraceStyle& style, PlotScratch& scratch) {
@@ -125,9 +121,12 @@ void draw_trace(const TraceSource& source, const TraceStyle& style, ImAxis value
   ImPlot::SetAxes(ImAxis_X1, value_axis);
   ImPlot::PushPlotClipRect();
   draw_band(shape.band, style, pixels, scratch.ink);
-  ImPlot::PopPlotClipRect();
-  draw_line(shape.line, style, scratch);
   note_end(style, scratch);
+  keep_bends(scratch.points);
+  draw_dashed(ImPlot::GetPlotDrawList(), scratch.points,
+              ImGui::ColorConvertFloat4ToU32(style.colour), style.weight, style.dash,
+              ImGui::GetStyle().FontScaleMain);
+  ImPlot::PopPlotClipRect();
 }
 
 }  // namespace hapticwall::draw

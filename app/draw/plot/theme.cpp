@@ -61,8 +61,8 @@ void set_colours(const Theme& theme, Look look) {
   auto& colours = ImGui::GetStyle().Colors;
   colours[ImGuiCol_Text] = text;
   colours[ImGuiCol_TextDisabled] = theme.colour(Tone::kMuted);
-  colours[ImGuiCol_WindowBg] = theme.colour(Tone::kBackground);
-  colours[ImGuiCol_ChildBg] = theme.colour(Tone::kPanel);
+  colours[ImGuiCol_WindowBg] = theme.colour(Tone::kPanel);
+  colours[ImGuiCol_ChildBg] = with_alpha(theme.colour(Tone::kPanel), 0.0F);
   colours[ImGuiCol_PopupBg] = raised(theme);
   colours[ImGuiCol_Border] = with_alpha(text, 0.14F);
   colours[ImGuiCol_ModalWindowDimBg] = with_alpha(theme.colour(Tone::kBackground), 0.6F);
@@ -117,7 +117,7 @@ void set_spacing(float scale) {
 void set_plot_style(const Theme& theme, float scale) {
   ImPlotStyle& style = ImPlot::GetStyle();
   style.Colors[ImPlotCol_FrameBg] = ImVec4(0.0F, 0.0F, 0.0F, 0.0F);
-  style.Colors[ImPlotCol_PlotBg] = theme.colour(Tone::kBackground);
+  style.Colors[ImPlotCol_PlotBg] = ImVec4(0.0F, 0.0F, 0.0F, 0.0F);
   style.Colors[ImPlotCol_PlotBorder] = theme.colour(Tone::kFaint);
   style.Colors[ImPlotCol_AxisText] = theme.colour(Tone::kMuted);
   style.Colors[ImPlotCol_AxisGrid] = with_alpha(theme.colour(Tone::kMuted), 0.22F);

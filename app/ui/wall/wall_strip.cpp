@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "app/draw/plot/dashes.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -235,20 +237,23 @@ void draw_trail_line(const Strip& strip, const draw::Trace& trace, double newest
   const auto level = [&](double share) {
     return strip.trail_from() + height * static_cast<float>(share);
   };
+  std::vector<ImVec2> points;
   std::size_t i = trace.time_s.size();
   while (i > 1) {
     const double piece = std::floor(std::max(age(i - 1), 0.0) * kPieces);
-    list->PathLineTo(ImVec2(strip.x_of(trace.value[i - 1]), level(age(i - 1))));
+    points.assign(1, ImVec2(strip.x_of(trace.value[i - 1]), level(age(i - 1))));
     // A piece ends with the first point of the next one, so that there is no gap.
     while (i > 1) {
       --i;
       const float x = strip.x_of(trace.value[i - 1]);
-      if (steps) list->PathLineTo(ImVec2(strip.x_of(trace.value[i]), level(age(i - 1))));
-      list->PathLineTo(ImVec2(x, level(age(i - 1))));
+      if (steps) points.emplace_back(strip.x_of(trace.value[i]), level(age(i - 1)));
+      points.emplace_back(x, level(age(i - 1)));
       if (age(i - 1) * kPieces >= piece + 1.0) break;
     }
     const auto faded = static_cast<float>(1.0 - std::min(piece / kPieces, 1.0));
-    list->PathStroke(packed(colour, kNewestAlpha * faded), 1.5F);
+    draw::keep_bends(points);
+    draw::draw_dashed(list, points, packed(colour, kNewestAlpha * faded), 1.5F, draw::Dash::kSolid,
+                      1.0F);
   }
 }
 

@@ -47,24 +47,24 @@ TEST(Spectrum, FindsASineAndItsAmplitudeBesideItsMean) {
 
 // Against the sum that defines it.
 TEST(Spectrum, IsTheFourierSumOfTheWindowedSamples) {
-  constexpr std::size_t kCount = 64;
+  constexpr std::size_t kTaken = 64;
   const auto force = [](double time_s) { return std::fmod(7919.0 * time_s, 1.3); };
-  const SampleHistory history = history_of(kCount, force);
-  const Spectrum spectrum = spectrum_of(history, &Sample::force_n, {0, kCount});
-  ASSERT_EQ(spectrum.amplitude.size(), kCount / 2);
-  EXPECT_NEAR(spectrum.step_hz, kRateHz / kCount, 1e-9);
-  const double mean = history.stats(&Sample::force_n, {0, kCount}).mean();
-  for (std::size_t k = 1; k < kCount / 2; ++k) {
+  const SampleHistory history = history_of(kTaken, force);
+  const Spectrum spectrum = spectrum_of(history, &Sample::force_n, {0, kTaken});
+  ASSERT_EQ(spectrum.amplitude.size(), kTaken / 2);
+  EXPECT_NEAR(spectrum.step_hz, kRateHz / kTaken, 1e-9);
+  const double mean = history.stats(&Sample::force_n, {0, kTaken}).mean();
+  for (std::size_t k = 1; k < kTaken / 2; ++k) {
     std::complex<double> sum;
-    for (std::size_t i = 0; i < kCount; ++i) {
+    for (std::size_t i = 0; i < kTaken; ++i) {
       const double hann =
-          0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5) / kCount);
-      const double turns = static_cast<double>(k * i % kCount) / kCount;
+          0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5) / kTaken);
+      const double turns = static_cast<double>(k * i % kTaken) / kTaken;
       sum += hann * (history.value(&Sample::force_n, i) - mean) *
              std::polar(1.0, -2.0 * std::numbers::pi * turns);
     }
     // The sum of the window is half of its length.
-    ASSERT_NEAR(spectrum.amplitude[k], 4.0 * std::abs(sum) / kCount, 1e-12) << k;
+    ASSERT_NEAR(spectrum.amplitude[k], 4.0 * std::abs(sum) / kTaken, 1e-12) << k;
   }
 }
 
