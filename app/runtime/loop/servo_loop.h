@@ -44,6 +44,8 @@ class ServoLoop {
   // One cycle: takes commands and parameters, ticks unless paused, and publishes the results. Reads
   // `clock` once, after the tick. Throws only what the device throws. Realtime-safe: yes.
   void cycle(const Wake& wake, Clock& clock);
+  // True while a simulator is paused: nothing moves, and a look now and then is enough.
+  [[nodiscard]] bool rests() const;
 
   // Zero force, closes the devices and informs the owner. Realtime-safe: no.
   void shut_down(bool by_itself) noexcept;
@@ -77,6 +79,9 @@ class ServoLoop {
   bool echo_due_ = true;  // the next tick is the first of a reset or of new parameters
   bool at_start_ = true;  // the next tick is tick 0
 };
+
+// Between two looks of a paused simulator at its commands.
+inline constexpr double kRestS = 0.01;
 
 // The thread's body: cycles at `rate_hz` until the exchange says stop. It always ends with zero
 // force and closed devices, also after an exception. Realtime-safe: yes, from the first cycle to

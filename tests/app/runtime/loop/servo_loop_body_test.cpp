@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "device/simulated_device.h"
 #include "tests/app/runtime/loop/loop_bench.h"
 
 namespace hapticwall::runtime {
@@ -102,6 +103,23 @@ TEST(ServoLoopBody, ARealDeviceKnowsNoSlowMotion) {
   harness.cycles(50);
   EXPECT_EQ(harness.snapshot().timing.ticks, 50U);
   EXPECT_EQ(harness.snapshot().periods_per_tick, 1U);
+}
+
+TEST(ServoLoopBody, OnlyAPausedSimulatorRests) {
+  const Scene scene = contact_scene();
+  LoopBench<device::SimulatedDevice> paused(scene, true, {}, scene);
+  const std::int64_t start_ns = paused.clock.now_ns();
+  int looks = 0;
+  paused.clock.after_sleep = [&](FakeClock& now) {
+    if (++looks == 100) paused.command(CommandKind::kResume);
+    if (now.now_ns() >= start_ns + 2'000'000'000) paused.exchange.stop = true;
+  };
+  run_servo_loop(paused.loop, paused.exchange, scene.sampling.rate_hz, paused.clock);
+  const double resumed_s = 100.0 * (kRestS + 1.0 / scene.sampling.rate_hz);
+  const double ran_s =
+      static_cast<double>(paused.clock.now_ns() - start_ns) / kNanosecondsPerSecond - resumed_s;
+  EXPECT_NEAR(static_cast<double>(paused.snapshot().timing.ticks), ran_s * 1000.0, 12.0);
+  EXPECT_EQ(paused.snapshot().timing.missed_ticks, 0U);
 }
 
 TEST(ServoLoopBody, APausedDeviceHasNoForceAndIsKeptAwake) {
