@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -142,6 +145,72 @@ TEST_F(BlindTestTest, NoPixelTellsAWallThatChattersFromOneThatIsQuiet) {
   const std::vector<file::Picture> quiet = pictures_of(Slot::kB);
   for (std::size_t i = 0; i < chatters.size(); ++i)
     EXPECT_LE(pixels_that_differ(chatters[i], quiet[i]), kGlyphEdge) << "moment " << i;
+}
+
+using Grey = std::vector<std::uint8_t>;
+
+Grey grey(const file::Picture& picture) {
+  Grey result;
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+    result.push_back(static_cast<std::uint8_t>(
+        (picture.rgba[i] + picture.rgba[i + 1] + picture.rgba[i + 2]) / 3));
+  return result;
+}
+
+struct Shown {
+  Slot slot;
+  Grey picture;
+};
+
+std::size_t index_of(Slot slot) { return slot == Slot::kA ? 0 : 1; }
+
+// An observer who has been told the wall of each look of the first half: a picture of the second is
+// that of the wall whose mean picture is nearer. The page tells the trial, so halves, not turns.
+std::size_t count_recognised(const std::vector<Shown>& looks) {
+  const auto half = static_cast<std::ptrdiff_t>(looks.size() / 2);
+  const std::size_t pixels = looks.front().picture.size();
+  std::array<std::vector<double>, 2> means{std::vector<double>(pixels),
+                                           std::vector<double>(pixels)};
+  std::array<double, 2> told{};
+  for (const Shown& look : std::span(looks).first(looks.size() / 2)) {
+    const std::size_t wall = index_of(look.slot);
+    ++told.at(wall);
+    for (std::size_t i = 0; i < pixels; ++i)
+      means.at(wall)[i] += (look.picture[i] - means.at(wall)[i]) / told.at(wall);
+  }
+  return static_cast<std::size_t>(
+      std::count_if(looks.begin() + half, looks.end(), [&](const Shown& look) {
+        double nearer_a = 0.0;
+        for (std::size_t i = 0; i < pixels; ++i) {
+          const double to_a = look.picture[i] - means[0][i];
+          const double to_b = look.picture[i] - means[1][i];
+          nearer_a += to_b * to_b - to_a * to_a;
+        }
+        return (nearer_a > 0.0) == (look.slot == Slot::kA);
+      }));
+}
+
+TEST_F(BlindTestTest, AnObserverOfPixelsIsAtChance) {
+  constexpr int kTrials = 100;  // of two looks each
+  constexpr int kTicksALook = 400;
+  open("press");
+  live(1500);
+  press(ImGuiKey_1);  // A: none
+  press(ImGuiKey_Tab);
+  press(ImGuiKey_4);  // B: energy bounding
+  start(kSeed, kTrials);
+  std::vector<Shown> looks;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    for (const ImGuiKey wall : {ImGuiKey_1, ImGuiKey_2}) {
+      press(wall);
+      move_away();
+      live(kTicksALook + trial % 20);  // a cycle of the chattering wall takes 20 ticks
+      looks.push_back({runs(Slot::kA) ? Slot::kA : Slot::kB, grey(screen())});
+    }
+    if (trial + 1 < kTrials) press(ImGuiMod_Ctrl | ImGuiKey_1);
+  }
+  // 50 of 100 in the mean; with a probability of 1 in 1000 above 66 or below 34.
+  EXPECT_NEAR(static_cast<double>(count_recognised(looks)), 50.0, 16.0);
 }
 
 TEST_F(BlindTestTest, IsSavedOnceAndNothingIsOverwritten) {
