@@ -1,8 +1,8 @@
 # Fails when an #include line goes against the arrows of the house:
 #   core <- device <- app/runtime <- app/ui, app/command; app/file stands on core alone;
-#   core <- app/compare; core, app/file <- app/draw; app/compare, app/draw <- app/ui; app/draw <- app/command;
+#   core <- app/compare; core, app/file <- app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/draw <- app/command;
 #   core <- app/sound/signal <- app/command; app/sound/signal, app/runtime <- app/sound/live <- app/ui;
-#   core, app/file <- app/command/report <- app/command.
+#   core, app/file, app/table <- app/command/report <- app/command.
 # Within a layer the rooms have arrows, too:
 #   device <- device/hid <- device/emulator; app/runtime: loop <- session;
 #   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay;
@@ -12,19 +12,20 @@
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(layers core device app/file app/runtime app/compare app/draw app/sound/signal app/sound/live app/ui app/command/report app/command app/emulator app
+set(layers core device app/file app/runtime app/compare app/table app/draw app/sound/signal app/sound/live app/ui app/command/report app/command app/emulator app
     tests)
 set(may_include_core core)
 set(may_include_device core device)
 set(may_include_app/file core app/file)
 set(may_include_app/runtime core device app/file app/runtime)
 set(may_include_app/compare core app/compare)
+set(may_include_app/table core app/file app/table)
 set(may_include_app/draw core app/file app/draw)
 set(may_include_app/sound/signal core app/sound/signal)
 set(may_include_app/sound/live core app/runtime app/sound/signal app/sound/live)
-set(may_include_app/ui core device app/file app/runtime app/compare app/draw app/sound/live app/ui)
-set(may_include_app/command/report core app/file app/command/report)
-set(may_include_app/command core device app/file app/runtime app/draw app/sound/signal app/command/report app/command)
+set(may_include_app/ui core device app/file app/runtime app/compare app/table app/draw app/sound/live app/ui)
+set(may_include_app/command/report core app/file app/table app/command/report)
+set(may_include_app/command core device app/file app/runtime app/table app/draw app/sound/signal app/command/report app/command)
 set(may_include_app/emulator core device app/file app/runtime app/command/report app/command app/emulator)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})

@@ -1,6 +1,7 @@
 // Cost and error of every integrator and substep count on one scene, against a reference.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -13,6 +14,9 @@ namespace hapticwall {
 
 // The positions of the reference are kept in memory, eight bytes a tick.
 inline constexpr std::uint64_t kMaxAccuracyTicks = 10'000'000;
+
+// Equal steps, nearly, on a logarithmic axis.
+inline constexpr std::array kUsualSubsteps{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
 
 struct AccuracyOptions {
   // Substeps a tick of the integrators that take them, each from 1 to kMaxSubsteps.

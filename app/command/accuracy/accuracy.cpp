@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/command/accuracy/accuracy_report.h"
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
 #include "app/command/output_file.h"
@@ -22,26 +19,20 @@
 #include "app/command/signals.h"
 #include "app/draw/figure/work_precision.h"
 #include "app/file/text/text.h"
+#include "app/runtime/loop/realtime_setup.h"
+#include "app/table/accuracy_report.h"
 #include "core/result.h"
 
 namespace hapticwall::command {
 namespace {
 
-constexpr const char* kDefaultSubsteps = "1,2,5,10,20,50,100,200,500,1000";
+std::string usual_substeps() { return fmt::format("{}", fmt::join(kUsualSubsteps, ",")); }
 
 struct CommandOptions {
   SceneOptions scene;
   OutputOptions output;
-  std::string substeps = kDefaultSubsteps;
+  std::string substeps = usual_substeps();
 };
-
-// Nanoseconds of processor time of the calling thread; monotonic.
-std::int64_t thread_processor_time_ns() {
-  constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<std::int64_t>(now.tv_sec) * kNanosecondsPerSecond + now.tv_nsec;
-}
 
 // Ascending, without duplicates.
 Result<std::vector<int>> parse_substeps(const std::string& text) {
@@ -64,7 +55,7 @@ AccuracyStudy measure(const Scene& scene, std::vector<int> substeps, bool quiet)
   Progress progress(scene.name, !quiet);
   AccuracyOptions options;
   options.substeps = std::move(substeps);
-  options.now_ns = thread_processor_time_ns;
+  options.now_ns = runtime::thread_processor_time_ns;
   options.should_stop = [] { return stop_signal() != 0; };
   options.on_progress = [&](double done) { progress.show(done); };
   return measure_accuracy(scene, options);
@@ -92,8 +83,9 @@ Result<int> accuracy(const CommandOptions& options) {
   if (!files) return files.error();
   const AccuracyStudy study = measure(scene, std::move(*substeps), options.output.quiet);
   if (study.stopped_early) return ended_early();
-  return status_of(files->write({accuracy_csv(study), accuracy_json(study), accuracy_table(study)},
-                                [&] { return draw::draw_work_precision(scene, study); }));
+  return status_of(files->write(
+      {table::accuracy_csv(study), table::accuracy_json(study), table::accuracy_table(study)},
+      [&] { return draw::draw_work_precision(scene, study); }));
 }
 
 }  // namespace
@@ -108,7 +100,7 @@ Command add_accuracy(CLI::App& program) {
   add_simulator_option(*app, options->scene);
   app->add_option(
          "--substeps", options->substeps,
-         fmt::format("Substeps per tick, 1 to {}; default {}", kMaxSubsteps, kDefaultSubsteps))
+         fmt::format("Substeps per tick, 1 to {}; default {}", kMaxSubsteps, usual_substeps()))
       ->type_name("N,N,...");
   add_csv_option(*app, options->output, "Write the table as CSV, one line per measurement");
   add_plot_option(*app, options->output, "Draw error over cost (work-precision diagram)");

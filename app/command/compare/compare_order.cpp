@@ -6,21 +6,16 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "app/command/report/summary_fields.h"
 #include "app/file/text/text.h"
+#include "app/table/order.h"
 
 namespace hapticwall::command {
 namespace {
 
-// Sort key of a row: by number, then by word.
-struct Place {
-  bool missing = true;
-  double number = 0.0;
-  std::string word;
-};
+using table::Place;
 
 Place place_of(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return {};
@@ -62,12 +57,6 @@ Place usual_place(const RunSummary& run) {
   return place;
 }
 
-bool before(const Place& a, const Place& b, bool descending) {
-  if (a.missing != b.missing) return b.missing;
-  return descending ? std::tie(b.number, b.word) < std::tie(a.number, a.word)
-                    : std::tie(a.number, a.word) < std::tie(b.number, b.word);
-}
-
 }  // namespace
 
 Result<RowOrder> parse_order(const std::string& text) {
@@ -92,7 +81,7 @@ std::vector<std::size_t> ordered(const std::vector<RunSummary>& runs, const RowO
   }
   std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) {
     if (places[a].first != places[b].first) return places[a].first < places[b].first;
-    return before(places[a].second, places[b].second, order.descending);
+    return table::before(places[a].second, places[b].second, order.descending);
   });
   return indices;
 }

@@ -9,7 +9,9 @@
 #include "app/command/report/progress.h"
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
+#include "app/table/study_report.h"
 #include "core/result.h"
+#include "core/study/contact_study.h"
 
 namespace hapticwall::command {
 namespace {
@@ -61,8 +63,8 @@ Result<int> compare_study(const SceneOptions& scene, const OutputOptions& output
   if (!files) return files.error();
   const std::vector<ContactMetrics> rows = study(*plan, output.quiet);
   if (rows.empty()) return ended_early();
-  return status_of(
-      files->write({study_csv(*plan, rows), study_json(*plan, rows), study_table(*plan, rows)}));
+  return status_of(files->write({table::study_csv(*plan, rows), table::study_json(*plan, rows),
+                                 table::study_table(*plan, rows)}));
 }
 
 }  // namespace hapticwall::command

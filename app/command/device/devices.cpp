@@ -7,9 +7,9 @@
 
 #include "app/command/commands.h"
 #include "app/command/output_file.h"
-#include "app/command/report/json_report.h"
 #include "app/command/report/terminal.h"
 #include "app/file/text/text.h"
+#include "app/table/json_report.h"
 #include "core/units.h"
 #include "embedded_rules.h"
 
@@ -119,17 +119,18 @@ std::string device_list_text(const DeviceList& list) {
 }
 
 std::string device_list_json(const DeviceList& list) {
-  Json array = Json::array();
+  table::Json array = table::Json::array();
   for (const ListedDevice& device : list.haptic) {
-    Json object = {{"device", "ie2000:" + device.listing.path},
-                   {"vendor_id", device.listing.vendor_id},
-                   {"product_id", device.listing.product_id},
-                   {"serial", device.listing.serial},
-                   {"manufacturer", device.listing.manufacturer},
-                   {"product", device.listing.product},
-                   {"usable", device.description.has_value()},
-                   {"problem", device.problem.empty() ? Json() : Json(device.problem)}};
-    Json axes = Json::array();
+    table::Json object = {
+        {"device", "ie2000:" + device.listing.path},
+        {"vendor_id", device.listing.vendor_id},
+        {"product_id", device.listing.product_id},
+        {"serial", device.listing.serial},
+        {"manufacturer", device.listing.manufacturer},
+        {"product", device.listing.product},
+        {"usable", device.description.has_value()},
+        {"problem", device.problem.empty() ? table::Json() : table::Json(device.problem)}};
+    table::Json axes = table::Json::array();
     for (std::size_t axis = 0; device.description && axis < device.description->axes; ++axis) {
       axes.push_back({{"encoder_m", device.description->axis[axis].encoder_m},
                       {"force_limit_n", device.description->axis[axis].force_limit_n}});
@@ -137,7 +138,7 @@ std::string device_list_json(const DeviceList& list) {
     object["axes"] = axes;
     array.push_back(object);
   }
-  return json_text(array);
+  return table::json_text(array);
 }
 
 Command add_devices(CLI::App& program) {

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cmath>
 
-#include "app/command/report/json_report.h"
 #include "app/runtime/loop/device_judge.h"
+#include "app/table/json_report.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
@@ -151,7 +151,7 @@ std::string link_text(const device::LinkStats& link) {
   return text;
 }
 
-Json quantiles_object(const std::vector<std::int64_t>& values_ns) {
+table::Json quantiles_object(const std::vector<std::int64_t>& values_ns) {
   const Quantiles row = runtime::quantiles(values_ns);
   if (row.count == 0) return nullptr;
   const auto seconds = [](std::int64_t nanoseconds) {
@@ -164,7 +164,7 @@ Json quantiles_object(const std::vector<std::int64_t>& values_ns) {
           {"maximum_s", seconds(row.maximum_ns)}};
 }
 
-Json device_object(const TimingRecord& record, const std::string& device_name) {
+table::Json device_object(const TimingRecord& record, const std::string& device_name) {
   const device::LinkStats& link = record.link;
   return {{"name", device_name},
           {"states", link.states},
@@ -174,7 +174,7 @@ Json device_object(const TimingRecord& record, const std::string& device_name) {
           {"rejected_commands", link.rejected_commands},
           {"losses", link.losses},
           {"device_period_s", link.device_period_s},
-          {"delay_s", link.delay_s > 0.0 ? Json(link.delay_s) : Json()},
+          {"delay_s", link.delay_s > 0.0 ? table::Json(link.delay_s) : table::Json()},
           {"age", quantiles_object(record.age_ns)},
           {"round_trip", quantiles_object(record.round_trip_ns)},
           {"write", quantiles_object(record.write_ns)}};
@@ -224,7 +224,7 @@ std::string timing_text(const TimingPlan& plan, const TimingRecord& record,
 std::string timing_json(const TimingPlan& plan, const TimingRecord& record,
                         const std::string& device_name) {
   const TimingJudgement judgement = judge_timing(plan, record, !device_name.empty());
-  const Json object = {
+  const table::Json object = {
       {"rate_hz", plan.rate_hz},
       {"ticks", record.latency_ns.size()},
       {"missed_ticks", record.missed_ticks},
@@ -236,8 +236,8 @@ std::string timing_json(const TimingPlan& plan, const TimingRecord& record,
       {"advice", judgement.advice},
       {"latency", quantiles_object(record.latency_ns)},
       {"compute", quantiles_object(record.compute_ns)},
-      {"device", device_name.empty() ? Json() : device_object(record, device_name)}};
-  return json_text(object);
+      {"device", device_name.empty() ? table::Json() : device_object(record, device_name)}};
+  return table::json_text(object);
 }
 
 }  // namespace hapticwall::command

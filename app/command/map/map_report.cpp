@@ -6,16 +6,16 @@
 #include <numeric>
 #include <optional>
 
-#include "app/command/report/json_report.h"
-#include "app/command/report/text_table.h"
 #include "app/file/text/text.h"
+#include "app/table/json_report.h"
+#include "app/table/text_table.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
 
-Json axis_object(const MapAxis& axis) {
+table::Json axis_object(const MapAxis& axis) {
   return {{"key", axis.number.path},
           {"low", axis.low},
           {"high", axis.high},
@@ -59,15 +59,15 @@ std::string significant(std::optional<double> value) {
   return value ? fmt::format("{:.6g}", *value) : "-";
 }
 
-Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary) {
-  Json object{{"algorithm", label_of(plan.scene, plan.algorithms.at(boundary.algorithm))}};
-  if (plan.x) object[plan.x->number.path] = json_number(boundary.x);
-  add_limits(boundary, object);
+table::Json boundary_object(const BoundaryPlan& plan, const Boundary& boundary) {
+  table::Json object{{"algorithm", label_of(plan.scene, plan.algorithms.at(boundary.algorithm))}};
+  if (plan.x) object[plan.x->number.path] = table::json_number(boundary.x);
+  table::add_limits(boundary, object);
   const bool known = boundary.at_settled.has_value();
   object["displayed_stiffness_n_per_m"] =
-      known ? json_number(boundary.at_settled->displayed_stiffness_n_per_m) : Json();
+      known ? table::json_number(boundary.at_settled->displayed_stiffness_n_per_m) : table::Json();
   object["tail_peak_to_peak_m"] =
-      known ? json_number(boundary.at_settled->tail_peak_to_peak_m) : Json();
+      known ? table::json_number(boundary.at_settled->tail_peak_to_peak_m) : table::Json();
   return object;
 }
 
@@ -78,11 +78,12 @@ std::vector<std::string> boundary_row(const BoundaryPlan& plan, const Boundary& 
                             boundary.failed.last}) {
     row.push_back(significant(value));
   }
-  row.push_back(changes_text(boundary.changes));
+  row.push_back(table::changes_text(boundary.changes));
   const std::optional<Summary>& there = boundary.at_settled;
-  row.push_back(fixed(there ? there->displayed_stiffness_n_per_m : std::nullopt,
-                      1.0 / kNewtonsPerKilonewton, 3));
-  row.push_back(fixed(there ? there->tail_peak_to_peak_m : std::nullopt, kMillimetresPerMetre, 4));
+  row.push_back(file::fixed(there ? there->displayed_stiffness_n_per_m : std::nullopt,
+                            1.0 / kNewtonsPerKilonewton, 3));
+  row.push_back(
+      file::fixed(there ? there->tail_peak_to_peak_m : std::nullopt, kMillimetresPerMetre, 4));
   return row;
 }
 
@@ -122,30 +123,30 @@ std::string map_table(const StabilityMap& map, std::size_t begin,
           fmt::format("{:.1f}", kPercent * static_cast<double>(cells) / static_cast<double>(all)));
     }
   }
-  std::array<Align, 2 + kVerdictNames.size()> aligns{};
-  aligns.front() = Align::kLeft;
+  std::array<table::Align, 2 + kVerdictNames.size()> aligns{};
+  aligns.front() = table::Align::kLeft;
   return fmt::format("{}\nx: {}\ny: {}\n\n", map.scene.name, axis_text(map.x), axis_text(map.y)) +
-         aligned(rows, aligns);
+         table::aligned(rows, aligns);
 }
 
 std::string map_json(const StabilityMap& map, std::size_t begin,
                      std::span<const MapMetrics> metrics) {
-  Json object{{"scene", map.scene.name},
-              {"x", axis_object(map.x)},
-              {"y", axis_object(map.y)},
-              {"first_cell", begin},
-              {"cells", metrics.size()}};
-  Json& list = object["algorithms"] = Json::array();
+  table::Json object{{"scene", map.scene.name},
+                     {"x", axis_object(map.x)},
+                     {"y", axis_object(map.y)},
+                     {"first_cell", begin},
+                     {"cells", metrics.size()}};
+  table::Json& list = object["algorithms"] = table::Json::array();
   const std::vector<Counts> counts = counts_of(map, begin, metrics);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i].all() == 0) continue;
-    Json& row = list.emplace_back(
-        Json{{"algorithm", label_of(map.scene, map.algorithms[i])}, {"cells", counts[i].all()}});
+    table::Json& row = list.emplace_back(table::Json{
+        {"algorithm", label_of(map.scene, map.algorithms[i])}, {"cells", counts[i].all()}});
     for (std::size_t verdict = 0; verdict < kVerdictNames.size(); ++verdict) {
       row[std::string(kVerdictNames[verdict])] = counts[i].of[verdict];
     }
   }
-  return json_text(object);
+  return table::json_text(object);
 }
 
 std::string boundary_table(const BoundaryPlan& plan, const std::vector<Boundary>& boundaries) {
@@ -155,30 +156,30 @@ std::string boundary_table(const BoundaryPlan& plan, const std::vector<Boundary>
     rows.push_back(boundary_row(plan, boundary));
     islands = islands || boundary.changes > 1;
   }
-  std::vector<Align> aligns(rows.front().size(), Align::kRight);
-  aligns.front() = Align::kLeft;
+  std::vector<table::Align> aligns(rows.front().size(), table::Align::kRight);
+  aligns.front() = table::Align::kLeft;
   std::string text = fmt::format("{}, along {}, to {:g} of the value\n\n", plan.scene.name,
                                  axis_text(plan.along), plan.tolerance) +
-                     aligned(rows, aligns);
-  if (islands) text += fmt::format("\n{}", kManyChangesNote);
+                     table::aligned(rows, aligns);
+  if (islands) text += fmt::format("\n{}", table::kManyChangesNote);
   return text;
 }
 
 std::string boundary_json(const BoundaryPlan& plan, const std::vector<Boundary>& boundaries) {
-  Json object{{"scene", plan.scene.name},
-              {"along", axis_object(plan.along)},
-              {"tolerance", plan.tolerance}};
+  table::Json object{{"scene", plan.scene.name},
+                     {"along", axis_object(plan.along)},
+                     {"tolerance", plan.tolerance}};
   if (plan.x) object["x"] = axis_object(*plan.x);
-  Json& list = object["boundaries"] = Json::array();
+  table::Json& list = object["boundaries"] = table::Json::array();
   for (const Boundary& boundary : boundaries) list.push_back(boundary_object(plan, boundary));
-  return json_text(object);
+  return table::json_text(object);
 }
 
 std::string boundary_csv(const BoundaryPlan& plan, const std::vector<Boundary>& boundaries) {
-  std::vector<Json> lines;
+  std::vector<table::Json> lines;
   lines.reserve(boundaries.size());
   for (const Boundary& boundary : boundaries) lines.push_back(boundary_object(plan, boundary));
-  return csv_text(lines);
+  return table::csv_text(lines);
 }
 
 }  // namespace hapticwall::command

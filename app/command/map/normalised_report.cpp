@@ -5,8 +5,8 @@
 #include <array>
 
 #include "app/command/map/map_report.h"
-#include "app/command/report/json_report.h"
-#include "app/command/report/text_table.h"
+#include "app/table/json_report.h"
+#include "app/table/text_table.h"
 
 namespace hapticwall::command {
 namespace {
@@ -30,18 +30,18 @@ std::vector<Row> rows_of(const NormalisedChart& chart) {
   return rows;
 }
 
-constexpr std::array<TableColumn<Row>, 8> kColumns{
+constexpr std::array<table::Column<Row>, 8> kColumns{
     {{"delay", "ticks", [](const Row& r) { return fmt::format("{}", r.delay_ticks); }},
-     {"B", "N·s/m", [](const Row& r) { return fixed(r.point.damping, r.unit_n_s_per_m, 2); }},
+     {"B", "N·s/m", [](const Row& r) { return file::fixed(r.point.damping, r.unit_n_s_per_m, 2); }},
      {"limit", "N/m",
       [](const Row& r) { return fmt::format("{:.5g}", r.point.limit * r.unit_n_per_m); }},
-     {"B T/m", "", [](const Row& r) { return fixed(r.point.damping, 1.0, 4); }},
-     {"limit", "K T²/m", [](const Row& r) { return fixed(r.point.limit, 1.0, 5); }},
-     {"settles", "K T²/m", [](const Row& r) { return fixed(r.point.settled, 1.0, 5); }},
-     {"fails", "K T²/m", [](const Row& r) { return fixed(r.point.failed, 1.0, 5); }},
-     {"rule", "K T²/m", [](const Row& r) { return fixed(r.point.rule, 1.0, 5); }}}};
+     {"B T/m", "", [](const Row& r) { return file::fixed(r.point.damping, 1.0, 4); }},
+     {"limit", "K T²/m", [](const Row& r) { return file::fixed(r.point.limit, 1.0, 5); }},
+     {"settles", "K T²/m", [](const Row& r) { return file::fixed(r.point.settled, 1.0, 5); }},
+     {"fails", "K T²/m", [](const Row& r) { return file::fixed(r.point.failed, 1.0, 5); }},
+     {"rule", "K T²/m", [](const Row& r) { return file::fixed(r.point.rule, 1.0, 5); }}}};
 
-Json head_of(const NormalisedChart& chart) {
+table::Json head_of(const NormalisedChart& chart) {
   const DeviceSettings& device = chart.handle.x().device;
   return {{"scene", chart.handle.name},
           {"rate_hz", chart.handle.sampling.rate_hz},
@@ -50,8 +50,8 @@ Json head_of(const NormalisedChart& chart) {
           {"normalised_device_damping", chart.device_damping}};
 }
 
-std::vector<Json> objects_of(const NormalisedChart& chart) {
-  std::vector<Json> objects;
+std::vector<table::Json> objects_of(const NormalisedChart& chart) {
+  std::vector<table::Json> objects;
   for (const Row& row : rows_of(chart)) {
     const SimulatedPoint& point = row.point;
     objects.push_back({{"delay_ticks", row.delay_ticks},
@@ -59,8 +59,8 @@ std::vector<Json> objects_of(const NormalisedChart& chart) {
                        {"limit_n_per_m", point.limit * row.unit_n_per_m},
                        {"normalised_damping", point.damping},
                        {"normalised_limit", point.limit},
-                       {"normalised_settled", json_number(point.settled)},
-                       {"normalised_failed", json_number(point.failed)},
+                       {"normalised_settled", table::json_number(point.settled)},
+                       {"normalised_failed", table::json_number(point.failed)},
                        {"normalised_rule", point.rule},
                        {"changes", point.changes}});
   }
@@ -82,7 +82,7 @@ std::string normalised_table(const NormalisedChart& chart) {
         "is stable\n",
         delay.ticks, delay.best.limit, delay.best.damping, delay.last_damping);
   }
-  text += "\n" + table_of(kColumns, rows);
+  text += "\n" + table::table_of(kColumns, rows);
   if (std::ranges::any_of(rows, [](const Row& row) { return row.point.changes > 1; })) {
     text += "\nthe verdict changes more than once along a scan: see --json\n";
   }
@@ -90,8 +90,8 @@ std::string normalised_table(const NormalisedChart& chart) {
 }
 
 std::string normalised_json(const NormalisedChart& chart) {
-  Json head = head_of(chart);
-  Json& delays = head["delays"] = Json::array();
+  table::Json head = head_of(chart);
+  table::Json& delays = head["delays"] = table::Json::array();
   for (const DelayChart& delay : chart.delays) {
     delays.push_back({{"delay_ticks", delay.ticks},
                       {"normalised_best_damping", delay.best.damping},
@@ -99,11 +99,11 @@ std::string normalised_json(const NormalisedChart& chart) {
                       {"normalised_last_damping", delay.last_damping},
                       {"normalised_pressing_stiffness", delay.pressing}});
   }
-  return study_json_text(std::move(head), objects_of(chart));
+  return table::study_json_text(std::move(head), objects_of(chart));
 }
 
 std::string normalised_csv(const NormalisedChart& chart) {
-  return study_csv_text(head_of(chart), objects_of(chart));
+  return table::study_csv_text(head_of(chart), objects_of(chart));
 }
 
 }  // namespace hapticwall::command

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "app/command/report/json_report.h"
 #include "app/file/text/text.h"
+#include "app/table/json_report.h"
 
 namespace hapticwall::command {
 namespace {
@@ -30,10 +30,10 @@ SummaryValue value_of(const Summary& summary, const SummaryKey& key) {
   return std::visit([&](auto member) { return value_of(summary.*member); }, key.member);
 }
 
-Json json_object(const RunSummary& run) {
-  Json object = Json::object();
+table::Json json_object(const RunSummary& run) {
+  table::Json object = table::Json::object();
   for (const SummaryField& field : summary_fields(run)) {
-    Json& member = object[field.key];
+    table::Json& member = object[field.key];
     std::visit(
         [&](const auto& value) {
           if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
@@ -86,19 +86,19 @@ std::string value_text(const SummaryValue& value) {
   return "null";
 }
 
-std::string summary_json(const RunSummary& run) { return json_text(json_object(run)); }
+std::string summary_json(const RunSummary& run) { return table::json_text(json_object(run)); }
 
 std::string summaries_json(const std::vector<RunSummary>& runs) {
-  Json array = Json::array();
+  table::Json array = table::Json::array();
   for (const RunSummary& run : runs) array.push_back(json_object(run));
-  return json_text(array);
+  return table::json_text(array);
 }
 
 std::string summaries_csv(const std::vector<RunSummary>& runs) {
-  std::vector<Json> objects;
+  std::vector<table::Json> objects;
   objects.reserve(runs.size());
   for (const RunSummary& run : runs) objects.push_back(json_object(run));
-  return csv_text(objects);
+  return table::csv_text(objects);
 }
 
 }  // namespace hapticwall::command

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "app/command/report/text_table.h"
+#include "app/table/text_table.h"
 #include "core/simulation/metrics.h"
 #include "core/units.h"
 
@@ -21,12 +21,12 @@ constexpr std::string_view kHandMoves =
     "the hand's script still moves in the last second: peak to peak and verdict include its way";
 
 std::string millimetres(std::optional<double> value_m) {
-  return fixed(value_m, kMillimetresPerMetre, 3);
+  return file::fixed(value_m, kMillimetresPerMetre, 3);
 }
 std::string millijoules(std::optional<double> value_j) {
-  return fixed(value_j, kMillijoulesPerJoule, 2);
+  return file::fixed(value_j, kMillijoulesPerJoule, 2);
 }
-std::string newtons(std::optional<double> value_n) { return fixed(value_n, 1.0, 3); }
+std::string newtons(std::optional<double> value_n) { return file::fixed(value_n, 1.0, 3); }
 
 std::string speed_text(const Summary& summary) {
   if (!summary.simulated_seconds_per_second || !summary.ns_per_tick) return "";
@@ -70,7 +70,7 @@ constexpr std::array<Column, 11> kColumns{
      {"std", "N", [](const Summary& s) { return newtons(s.tail_force_std_n); },
       Best::kSmallestSettled, [](const Summary& s) { return s.tail_force_std_n; }},
      {"stiffness", "kN/m",
-      [](const Summary& s) { return kilonewtons_per_metre(s.displayed_stiffness_n_per_m); },
+      [](const Summary& s) { return table::kilonewtons_per_metre(s.displayed_stiffness_n_per_m); },
       Best::kLargestSettled, [](const Summary& s) { return s.displayed_stiffness_n_per_m; }},
      {"max pen.", "mm", [](const Summary& s) { return millimetres(s.max_penetration_m); },
       Best::kSmallestSettled, [](const Summary& s) { return s.max_penetration_m; }},
@@ -115,7 +115,7 @@ std::string balance_text(const Summary& s) {
 std::string axis_lines(const Summary& s) {
   return summary_line(tail_label(s), tail_text(s)) +
          summary_line("displayed stiffness",
-                      kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
+                      table::kilonewtons_per_metre(s.displayed_stiffness_n_per_m) + " kN/m") +
          summary_line("wall", contact_text(s)) +
          summary_line("energy observed",
                       fmt::format("{} mJ (Eq. 6), least {} mJ", millijoules(s.energy_cv_j),
@@ -234,11 +234,11 @@ std::string comparison_table(const std::vector<RunSummary>& runs) {
     const std::vector<std::string> texts = column_cells(column, rows, marks);
     for (std::size_t i = 0; i < cells.size(); ++i) cells[i].push_back(texts[i]);
   }
-  std::array<Align, kColumns.size()> aligns{};
+  std::array<table::Align, kColumns.size()> aligns{};
   for (std::size_t i = 0; i < aligns.size(); ++i) {
-    aligns.at(i) = i < kTextColumns ? Align::kLeft : Align::kRight;
+    aligns.at(i) = i < kTextColumns ? table::Align::kLeft : table::Align::kRight;
   }
-  std::string table = aligned(cells, aligns);
+  std::string table = table::aligned(cells, aligns);
   if (table.find('*') != std::string::npos) table += kBestLegend;
   return table;
 }

@@ -27,6 +27,12 @@ constexpr std::size_t kMinPageBytes = 4096;
 constexpr int kBackgroundNice = 10;
 constexpr std::int64_t kNanosecondsInSecond = 1'000'000'000;
 
+std::int64_t clock_ns(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<std::int64_t>(now.tv_sec) * kNanosecondsInSecond + now.tv_nsec;
+}
+
 [[gnu::noinline]] void touch_stack() {
   std::array<std::byte, kStackToTouchBytes> area;
   volatile std::byte* bytes = area.data();
@@ -173,11 +179,9 @@ void set_up_background_thread() {
 
 void use_default_floating_point() { std::fesetenv(FE_DFL_ENV); }
 
-std::int64_t MonotonicClock::now_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<std::int64_t>(now.tv_sec) * kNanosecondsInSecond + now.tv_nsec;
-}
+std::int64_t thread_processor_time_ns() { return clock_ns(CLOCK_THREAD_CPUTIME_ID); }
+
+std::int64_t MonotonicClock::now_ns() { return clock_ns(CLOCK_MONOTONIC); }
 
 void MonotonicClock::sleep_until_ns(std::int64_t deadline_ns) {
   timespec deadline{};

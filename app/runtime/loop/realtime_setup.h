@@ -63,6 +63,9 @@ void set_up_background_thread();
 // with -ffast-math may have switched denormals off for the process. Realtime-safe: no.
 void use_default_floating_point();
 
+// Processor time of the calling thread, ns; monotonic. Realtime-safe: yes.
+[[nodiscard]] std::int64_t thread_processor_time_ns();
+
 // CLOCK_MONOTONIC with absolute deadlines.
 class MonotonicClock : public Clock {
  public:

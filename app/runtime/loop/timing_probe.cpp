@@ -3,7 +3,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <thread>
 
 #include "app/runtime/loop/cycle_scheduler.h"
@@ -57,10 +56,7 @@ struct Shared {
 
 // Of the calling thread, seconds.
 double processor_s() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) +
-         static_cast<double>(time.tv_nsec) / kNanosecondsPerSecond;
+  return static_cast<double>(thread_processor_time_ns()) / kNanosecondsPerSecond;
 }
 
 void run(const TimingPlan& plan, device::Device* device, Clock& sleeping, TimingRecord& record,

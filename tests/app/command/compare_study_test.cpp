@@ -1,6 +1,4 @@
 // `compare --study` as a script sees it: table, JSON, CSV, refusals.
-#include "app/command/compare/compare_study.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -100,61 +98,6 @@ TEST_F(StudyCommand, AStudyOfACornerIsOfAxisX) {
 
 TEST_F(StudyCommand, IsInTheHelp) {
   EXPECT_THAT(hapticwall({"compare", "--help"}).out, HasSubstr("--study"));
-}
-
-// ---- the report of invented metrics ----
-
-ContactStudyPlan made_up_plan() {
-  ContactStudyPlan plan;
-  plan.scene.name = "a, \"b\"\xff";
-  plan.scene.x().walls = {{0.05, 35000.0, 0.0}};
-  plan.algorithms = {0};
-  return plan;
-}
-
-ContactMetrics made_up_row() {
-  ContactMetrics row;
-  row.summary.algorithm = "none";
-  row.summary.verdict = Verdict::kOscillating;
-  return row;
-}
-
-TEST(StudyReport, AFigureThatDoesNotApplyIsADashAndNull) {
-  const std::vector<ContactMetrics> rows{made_up_row()};
-  const std::string table = study_table(made_up_plan(), rows);
-  EXPECT_THAT(table, HasSubstr("met at - m/s"));
-  EXPECT_THAT(table, AllOf(Not(HasSubstr("!")), Not(HasSubstr("*"))));
-  const auto json = nlohmann::json::parse(study_json(made_up_plan(), rows));
-  for (const char* key :
-       {"stiffest_n_per_m", "stiffest_tail_force_std_n", "first_failure", "last_settled",
-        "rate_hardness_n_per_m", "rise_time_s", "peak_penetration_m", "tail_peak_to_peak_m"}) {
-    EXPECT_TRUE(json.at("rows")[0].at(key).is_null()) << key;
-  }
-  EXPECT_EQ(json.at("rows")[0].at("energy_to_hand_j"), 0.0);
-  EXPECT_THAT(study_csv(made_up_plan(), rows), HasSubstr("\n\"a, \"\"b\"\"\xff\",6,1000,35000,"));
-}
-
-TEST(StudyReport, MarksAreExplainedWhereTheyOccur) {
-  ContactMetrics row = made_up_row();
-  row.limits = {0, {}, {100.0, 142'000.0}, {7279.0, 1e6}, 3, Summary{}};
-  row.limits.at_settled->displayed_stiffness_n_per_m = 7277.0;
-  row.limits.at_settled->tail_force_std_n = 0.27;
-  row.approach_speed_m_per_s = 0.03;
-  row.rate_hardness_n_per_m = 44'350.0;
-  row.rise_kind = RiseKind::kOneTick;
-  const std::string table = study_table(made_up_plan(), {row});
-  EXPECT_THAT(table, AllOf(HasSubstr("met at 0.030 m/s"), HasSubstr("7.28   0.27"),
-                           HasSubstr(" 7.28        142.00        3 ! "), HasSubstr(" 44.35 * "),
-                           HasSubstr("\n! the verdict changes more than once"),
-                           HasSubstr("\n* one jump in one tick")));
-  const auto json = nlohmann::json::parse(study_json(made_up_plan(), {row}));
-  EXPECT_EQ(json.at("rows")[0].at("rate_hardness_of"), "one-tick");
-  row.rise_kind = RiseKind::kToTheLimit;
-  EXPECT_THAT(study_table(made_up_plan(), {row}),
-              AllOf(HasSubstr(" 44.35 + "), HasSubstr("\n+ limited by the force limit\n"),
-                    Not(HasSubstr("*"))));
-  row.limits.changes = 1;
-  EXPECT_THAT(study_table(made_up_plan(), {row}), Not(HasSubstr("!")));
 }
 
 }  // namespace

@@ -1,17 +1,17 @@
-// Tables for a terminal.
+// Tables as text: a column states its title, its unit and how a row fills its cell.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "app/file/text/text.h"
 
-namespace hapticwall::command {
+namespace hapticwall::table {
 
 using file::fixed;
 
@@ -31,7 +31,7 @@ enum class Align : bool { kRight, kLeft };
                                   std::span<const Align> columns);
 
 template <typename Row>
-struct TableColumn {
+struct Column {
   std::string_view title;
   std::string_view unit;
   std::string (*text)(const Row&);
@@ -39,12 +39,12 @@ struct TableColumn {
 };
 
 // Titles, units, and one line per row.
-template <typename Row, std::size_t count>
-[[nodiscard]] std::string table_of(const std::array<TableColumn<Row>, count>& columns,
+template <typename Row>
+[[nodiscard]] std::string table_of(std::type_identity_t<std::span<const Column<Row>>> columns,
                                    const std::vector<Row>& rows) {
   std::vector<std::vector<std::string>> cells(2 + rows.size());
   std::vector<Align> aligns;
-  for (const TableColumn<Row>& column : columns) {
+  for (const Column<Row>& column : columns) {
     aligns.push_back(column.align);
     cells[0].emplace_back(column.title);
     cells[1].emplace_back(column.unit);
@@ -53,4 +53,12 @@ template <typename Row, std::size_t count>
   return aligned(cells, aligns);
 }
 
-}  // namespace hapticwall::command
+// A study for people: heading, rows, and the meaning of their marks, if any.
+template <typename Row>
+[[nodiscard]] std::string study_text(const std::string& heading,
+                                     std::type_identity_t<std::span<const Column<Row>>> columns,
+                                     const std::vector<Row>& rows, const std::string& marks) {
+  return heading + "\n" + table_of(columns, rows) + (marks.empty() ? "" : "\n" + marks);
+}
+
+}  // namespace hapticwall::table

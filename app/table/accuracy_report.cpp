@@ -1,4 +1,4 @@
-#include "app/command/accuracy/accuracy_report.h"
+#include "app/table/accuracy_report.h"
 
 #include <fmt/format.h>
 
@@ -9,12 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "app/command/report/json_report.h"
-#include "app/command/report/text_table.h"
 #include "app/file/text/text.h"
+#include "app/table/json_report.h"
 #include "core/units.h"
 
-namespace hapticwall::command {
+namespace hapticwall::table {
 namespace {
 
 constexpr std::string_view kWrongVerdictMark = " !";
@@ -66,7 +65,7 @@ std::string verdict_text(const AccuracyRow& row) {
   return text;
 }
 
-constexpr std::array<TableColumn<AccuracyRow>, 11> kAccuracyColumns{
+constexpr std::array<Column<AccuracyRow>, 11> kAccuracyColumns{
     {{"integrator", "", [](const AccuracyRow& r) { return std::string(name_of(r.integrator)); },
       Align::kLeft},
      {"substeps", "",
@@ -93,25 +92,31 @@ std::vector<Json> row_objects(const AccuracyStudy& study) {
   return rows;
 }
 
+}  // namespace
+
+std::span<const Column<AccuracyRow>> accuracy_columns() { return kAccuracyColumns; }
+
 std::string accuracy_heading(const Summary& reference) {
   std::string text =
       fmt::format("{} under {}, {} ticks\nreference: {}", reference.scene, reference.algorithm,
                   reference.ticks, verdict_name(reference.verdict));
   if (reference.diverged_at_tick) {
-    return text + fmt::format(" at tick {}; errors of position and tail do not apply\n\n",
+    return text + fmt::format(" at tick {}; errors of position and tail do not apply\n",
                               *reference.diverged_at_tick);
   }
-  return text + fmt::format(", {} mm peak to peak in the last second (tail)\n\n",
+  return text + fmt::format(", {} mm peak to peak in the last second (tail)\n",
                             fixed(reference.tail_peak_to_peak_m, kMillimetresPerMetre, 4));
 }
 
-}  // namespace
+std::string accuracy_marks(const std::vector<AccuracyRow>& rows) {
+  return std::ranges::all_of(rows, &AccuracyRow::verdict_agrees)
+             ? ""
+             : "! the verdict differs from the reference's\n";
+}
 
 std::string accuracy_table(const AccuracyStudy& study) {
-  const bool any_wrong = std::any_of(study.rows.begin(), study.rows.end(),
-                                     [](const AccuracyRow& row) { return !row.verdict_agrees; });
-  return accuracy_heading(study.reference) + table_of(kAccuracyColumns, study.rows) +
-         (any_wrong ? "\n! the verdict differs from the reference's\n" : "");
+  return study_text(accuracy_heading(study.reference), kAccuracyColumns, study.rows,
+                    accuracy_marks(study.rows));
 }
 
 std::string accuracy_json(const AccuracyStudy& study) {
@@ -122,4 +127,4 @@ std::string accuracy_csv(const AccuracyStudy& study) {
   return study_csv_text(reference_object(study.reference), row_objects(study));
 }
 
-}  // namespace hapticwall::command
+}  // namespace hapticwall::table

@@ -1,4 +1,5 @@
-// A contact study as a table, as JSON and as CSV.
+#include "app/table/study_report.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,13 +7,11 @@
 #include <optional>
 #include <string_view>
 
-#include "app/command/compare/compare_study.h"
-#include "app/command/report/json_report.h"
-#include "app/command/report/text_table.h"
 #include "app/file/text/text.h"
+#include "app/table/json_report.h"
 #include "core/units.h"
 
-namespace hapticwall::command {
+namespace hapticwall::table {
 namespace {
 
 // In the order of RiseKind; of equal width, to align the numbers.
@@ -35,7 +34,7 @@ std::string rate_hardness_text(const ContactMetrics& row) {
          std::string(kRiseMarks.at(static_cast<std::size_t>(kind)));
 }
 
-constexpr std::array<TableColumn<ContactMetrics>, 12> kStudyColumns{
+constexpr std::array<Column<ContactMetrics>, 12> kStudyColumns{
     {{"algorithm", "", [](const ContactMetrics& r) { return r.summary.algorithm; }, Align::kLeft},
      {"stiffest", "kN/m",
       [](const ContactMetrics& r) {
@@ -64,40 +63,6 @@ constexpr std::array<TableColumn<ContactMetrics>, 12> kStudyColumns{
      {"verdict", "",
       [](const ContactMetrics& r) { return std::string(verdict_name(r.summary.verdict)); },
       Align::kLeft}}};
-
-// Conditions of the scene and the scan.
-std::string conditions_text(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
-  std::optional<double> speed;
-  for (const ContactMetrics& row : rows) {
-    if (!speed) speed = row.approach_speed_m_per_s;
-  }
-  const MapAxis axis = plan.stiffnesses();
-  return fmt::format(
-      "{}{}: wall of {} kN/m, met at {} m/s, {:g} s\n"
-      "limits: {} stiffnesses of the wall from {} to {} N/m in steps of {:.2g} %, refined to "
-      "{:g}\n\n",
-      plan.scene.name, plan.scene.two_axes() ? ", axis x" : "",
-      kilonewtons_per_metre(plan.scene.x().walls.front().stiffness_n_per_m), fixed(speed, 1.0, 3),
-      plan.scene.duration_s, axis.count, file::shortest_number(axis.low),
-      file::shortest_number(axis.high), kPercent * (axis.value(1) / axis.value(0) - 1.0),
-      plan.tolerance);
-}
-
-std::string marks_text(const std::vector<ContactMetrics>& rows) {
-  const auto any = [&](auto holds) { return std::ranges::any_of(rows, holds); };
-  std::string text;
-  if (any([](const ContactMetrics& r) { return r.limits.changes > 1; })) {
-    text += kManyChangesNote;
-  }
-  if (any([](const ContactMetrics& r) { return rises(r, RiseKind::kOneTick); })) {
-    text +=
-        "* one jump in one tick: depends on the position of the wall between two encoder counts\n";
-  }
-  if (any([](const ContactMetrics& r) { return rises(r, RiseKind::kToTheLimit); })) {
-    text += "+ limited by the force limit\n";
-  }
-  return text.empty() ? text : "\n" + text;
-}
 
 Json conditions_object(const ContactStudyPlan& plan) {
   const MapAxis axis = plan.stiffnesses();
@@ -138,8 +103,43 @@ std::vector<Json> row_objects(const std::vector<ContactMetrics>& rows) {
 
 }  // namespace
 
+std::span<const Column<ContactMetrics>> study_columns() { return kStudyColumns; }
+
+std::string study_heading(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
+  std::optional<double> speed;
+  for (const ContactMetrics& row : rows) {
+    if (!speed) speed = row.approach_speed_m_per_s;
+  }
+  const MapAxis axis = plan.stiffnesses();
+  return fmt::format(
+      "{}{}: wall of {} kN/m, met at {} m/s, {:g} s\n"
+      "limits: {} stiffnesses of the wall from {} to {} N/m in steps of {:.2g} %, refined to "
+      "{:g}\n",
+      plan.scene.name, plan.scene.two_axes() ? ", axis x" : "",
+      kilonewtons_per_metre(plan.scene.x().walls.front().stiffness_n_per_m), fixed(speed, 1.0, 3),
+      plan.scene.duration_s, axis.count, file::shortest_number(axis.low),
+      file::shortest_number(axis.high), kPercent * (axis.value(1) / axis.value(0) - 1.0),
+      plan.tolerance);
+}
+
+std::string study_marks(const std::vector<ContactMetrics>& rows) {
+  const auto any = [&](auto holds) { return std::ranges::any_of(rows, holds); };
+  std::string text;
+  if (any([](const ContactMetrics& r) { return r.limits.changes > 1; })) {
+    text += kManyChangesNote;
+  }
+  if (any([](const ContactMetrics& r) { return rises(r, RiseKind::kOneTick); })) {
+    text +=
+        "* one jump in one tick: depends on the position of the wall between two encoder counts\n";
+  }
+  if (any([](const ContactMetrics& r) { return rises(r, RiseKind::kToTheLimit); })) {
+    text += "+ limited by the force limit\n";
+  }
+  return text;
+}
+
 std::string study_table(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
-  return conditions_text(plan, rows) + table_of(kStudyColumns, rows) + marks_text(rows);
+  return study_text(study_heading(plan, rows), kStudyColumns, rows, study_marks(rows));
 }
 
 std::string study_json(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
@@ -150,4 +150,4 @@ std::string study_csv(const ContactStudyPlan& plan, const std::vector<ContactMet
   return study_csv_text(conditions_object(plan), row_objects(rows));
 }
 
-}  // namespace hapticwall::command
+}  // namespace hapticwall::table

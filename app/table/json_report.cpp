@@ -1,11 +1,11 @@
-#include "app/command/report/json_report.h"
+#include "app/table/json_report.h"
 
 #include <cmath>
 
 #include "app/file/text/text.h"
 #include "core/text.h"
 
-namespace hapticwall::command {
+namespace hapticwall::table {
 namespace {
 
 constexpr int kIndent = 2;
@@ -64,4 +64,4 @@ std::string study_csv_text(const Json& head, const std::vector<Json>& rows) {
   return csv_text(lines);
 }
 
-}  // namespace hapticwall::command
+}  // namespace hapticwall::table

@@ -1,5 +1,5 @@
 // A study as a table, as JSON and as CSV.
-#include "app/command/accuracy/accuracy_report.h"
+#include "app/table/accuracy_report.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace hapticwall::command {
+namespace hapticwall::table {
 namespace {
 
 using ::testing::AllOf;
@@ -119,4 +119,4 @@ TEST(AccuracyReport, CsvIsTheSameFlat) {
 }
 
 }  // namespace
-}  // namespace hapticwall::command
+}  // namespace hapticwall::table

@@ -1,4 +1,4 @@
-#include "app/command/report/text_table.h"
+#include "app/table/text_table.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/units.h"
 
-namespace hapticwall::command {
+namespace hapticwall::table {
 namespace {
 
 constexpr const char* kGap = "  ";
@@ -53,4 +53,4 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows,
   return text;
 }
 
-}  // namespace hapticwall::command
+}  // namespace hapticwall::table

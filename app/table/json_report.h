@@ -8,7 +8,7 @@
 
 #include "core/study/boundary.h"
 
-namespace hapticwall::command {
+namespace hapticwall::table {
 
 using Json = nlohmann::ordered_json;
 
@@ -28,4 +28,4 @@ void add_limits(const Boundary& boundary, Json& object);
 [[nodiscard]] std::string study_json_text(Json head, const std::vector<Json>& rows);
 [[nodiscard]] std::string study_csv_text(const Json& head, const std::vector<Json>& rows);
 
-}  // namespace hapticwall::command
+}  // namespace hapticwall::table
