@@ -158,7 +158,15 @@ Result<file::LoadedScene> load_headless(const SceneOptions& options) {
 Result<file::LoadedScene> load_for_study(const std::string& command, const SceneOptions& options) {
   if (Failure failed = check_simulator(command, options.device)) return *failed;
   Result<file::LoadedScene> loaded = load_headless(options);
-  if (!loaded || loaded->changes.empty()) return loaded;
+  if (!loaded) return loaded;
+  // Its figures would be those of the script, not of the recorded hand.
+  if (!loaded->not_repeatable_because.empty()) {
+    return usage_error(fmt::format(
+        "{}: its session cannot be repeated: {}; 'hapticwall replay NAME.csv --algorithm NAME' "
+        "re-runs the recorded hand",
+        file::shown(options.scene), file::shown(loaded->not_repeatable_because)));
+  }
+  if (loaded->changes.empty()) return loaded;
   return usage_error(
       fmt::format("{}: a recording in which parameters changed; 'run' repeats it, '{}' takes a "
                   "scene without changes",

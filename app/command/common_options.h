@@ -51,7 +51,8 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 // The same without a window: refuses a hand that follows the mouse.
 [[nodiscard]] Result<file::LoadedScene> load_headless(const SceneOptions& options);
 
-// The same for a study on the simulator: refuses a device, and a scene whose parameters change.
+// The same for a study on the simulator: refuses a device, a scene whose parameters change, and the
+// sidecar of a session that cannot be repeated.
 [[nodiscard]] Result<file::LoadedScene> load_for_study(const std::string& command,
                                                        const SceneOptions& options);
 
