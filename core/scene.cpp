@@ -55,6 +55,24 @@ Problem check_device(const std::string& prefix, const DeviceSettings& device) {
   return std::nullopt;
 }
 
+// The text of a key takes longer than the checks: only a problem has one.
+Problem check_points(const std::string& key, const SharedPath& path) {
+  const PathPoint* before = nullptr;
+  for (const PathPoint& point : path) {
+    const bool in_range =
+        kPathTimeRange.contains(point.time_s) && kPositionRange.contains(point.position_m);
+    if (in_range && (before == nullptr || point.time_s > before->time_s)) {
+      before = &point;
+      continue;
+    }
+    const std::string name = key + "[" + std::to_string(&point - &path.front()) + "]";
+    if (auto problem = check_range(name, point.time_s, kPathTimeRange, "s")) return problem;
+    if (auto problem = check_range(name, point.position_m, kPositionRange, "m")) return problem;
+    return SceneProblem{name, "times must increase from point to point"};
+  }
+  return std::nullopt;
+}
+
 Problem check_path(const std::string& key, const HandSettings& hand) {
   if (hand.follows_mouse) {
     if (hand.path.empty()) return std::nullopt;
@@ -62,21 +80,11 @@ Problem check_path(const std::string& key, const HandSettings& hand) {
   }
   if (hand.path.empty())
     return SceneProblem{key, "missing; it takes points [[time s, position m], …]"};
-  if (hand.path.size() > kMaxPathPoints) {
+  if (hand.path.file.empty() && hand.path.size() > kMaxPathPoints) {
     return SceneProblem{key, "has " + std::to_string(hand.path.size()) + " points; at most " +
                                  std::to_string(kMaxPathPoints) + " are taken"};
   }
-  for (std::size_t i = 0; i < hand.path.size(); ++i) {
-    const std::string point = key + "[" + std::to_string(i) + "]";
-    if (auto problem = check_range(point, hand.path[i].time_s, kPathTimeRange, "s")) return problem;
-    if (auto problem = check_range(point, hand.path[i].position_m, kPositionRange, "m")) {
-      return problem;
-    }
-    if (i > 0 && !(hand.path[i].time_s > hand.path[i - 1].time_s)) {
-      return SceneProblem{point, "times must increase from point to point"};
-    }
-  }
-  return std::nullopt;
+  return check_points(key, hand.path);
 }
 
 // `prefix`: "hand." or "hand.y."
@@ -100,6 +108,18 @@ Problem check_wall_counts(const Scene& scene) {
     const std::string axis = !scene.two_axes() ? "" : i == 0 ? " on axis x" : " on axis y";
     return SceneProblem{"wall", std::to_string(count) + " walls" + axis + "; at most " +
                                     std::to_string(kMaxWalls) + " are taken"};
+  }
+  return std::nullopt;
+}
+
+// The pieces of a recorded hand are in ticks.
+Problem check_recorded_rate(const Scene& scene) {
+  for (const AxisSettings& axis : scene.axes) {
+    if (!axis.hand || !axis.hand->path.recorded) continue;
+    const double rate_hz = axis.hand->path.recorded->rate_hz;
+    if (rate_hz == scene.sampling.rate_hz) continue;
+    return SceneProblem{"sampling.rate_hz", "the hand was recorded at " + number_text(rate_hz) +
+                                                " Hz, and is re-run at no other rate"};
   }
   return std::nullopt;
 }
@@ -182,7 +202,7 @@ Scene axis_scene(const Scene& scene, std::size_t index) {
 
 Scene without_paths(Scene scene) {
   for (AxisSettings& axis : scene.axes) {
-    if (axis.hand) axis.hand->path = std::vector<PathPoint>();  // frees the memory too
+    if (axis.hand) axis.hand->path = {};
   }
   return scene;
 }
@@ -197,6 +217,7 @@ Problem validate(const Scene& scene) {
     return SceneProblem{"duration_s", "gives more than " + number_text(kMaxTicks) + " ticks"};
   }
   if (auto problem = check_axes(scene)) return problem;
+  if (auto problem = check_recorded_rate(scene)) return problem;
   for (const AxisSettings& axis : scene.axes) {
     if (auto problem = check_algorithm(scene, axis)) return problem;
   }

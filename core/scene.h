@@ -12,6 +12,7 @@
 
 #include "core/algorithm_settings.h"
 #include "core/sample.h"
+#include "core/shared_path.h"
 
 namespace hapticwall {
 
@@ -42,13 +43,6 @@ struct DeviceSettings {
   friend bool operator==(const DeviceSettings&, const DeviceSettings&) = default;
 };
 
-struct PathPoint {
-  double time_s = 0.0;
-  double position_m = 0.0;
-
-  friend bool operator==(const PathPoint&, const PathPoint&) = default;
-};
-
 // The hand follows an intended path through a spring-damper. Its mass, if any, is joined to the
 // handle: rigidly without a grip, through the spring-damper of the grip with one.
 struct HandSettings {
@@ -57,7 +51,7 @@ struct HandSettings {
   double damping_n_s_per_m = 0.0;
   std::optional<double> grip_stiffness_n_per_m;
   std::optional<double> grip_damping_n_s_per_m;
-  std::vector<PathPoint> path;
+  SharedPath path;
   // The pointer of the window leads the hand (`path = "mouse"`). Then `path` is empty.
   bool follows_mouse = false;
 

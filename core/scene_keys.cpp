@@ -66,7 +66,7 @@ constexpr auto kKeys<WallSettings> = std::to_array<NumberKey<WallSettings>>(
 double path_speed(const Scene& scene) {
   double speed = 0.0;
   if (!scene.x().hand) return speed;
-  const std::vector<PathPoint>& path = scene.x().hand->path;
+  const std::vector<PathPoint>& path = scene.x().hand->path.points();
   for (std::size_t i = 1; i < path.size(); ++i) {
     const double duration_s = path[i].time_s - path[i - 1].time_s;
     if (duration_s <= 0.0) continue;
@@ -77,7 +77,7 @@ double path_speed(const Scene& scene) {
 
 void set_path_speed(Scene& scene, double speed) {
   const double factor = path_speed(scene) / speed;
-  for (PathPoint& point : scene.x().hand->path) point.time_s *= factor;
+  for (PathPoint& point : scene.x().hand->path.edit()) point.time_s *= factor;
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ inline BruteForcePlant brute_force_plant(const Scene& scene) {
   } else {
     plant.mass += hand.mass_kg.value_or(0.0);
   }
-  const BruteForcePath path(hand.path);
+  const BruteForcePath path(hand.path.points());
   plant.path = [path](Real time, Real inside) { return path.position(time, inside); };
   plant.path_velocity = [path](Real inside) { return path.speed(inside); };
   return plant;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hapticwall {
 namespace {
@@ -18,54 +19,69 @@ double snap_to_tick(double ticks) {
 }  // namespace
 
 HandPath::HandPath(double position_m, double rate_hz)
-    : rate_hz_(rate_hz), segments_{{0.0, position_m, 0.0}} {
+    : HandPath(SharedPath{{0.0, position_m}}, rate_hz) {}
+
+HandPath::HandPath(SharedPath path, double rate_hz) : rate_hz_(rate_hz), path_(std::move(path)) {
   now_.period_s = 1.0 / rate_hz;
   reset();
 }
 
-HandPath::HandPath(const std::vector<PathPoint>& points, double rate_hz) : rate_hz_(rate_hz) {
-  now_.period_s = 1.0 / rate_hz;
-  segments_.reserve(points.size() + 1);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool last = i + 1 == points.size();
-    const double velocity_m_per_s = last ? 0.0
-                                         : (points[i + 1].position_m - points[i].position_m) /
-                                               (points[i + 1].time_s - points[i].time_s);
-    if (i == 0 && points[i].time_s > 0.0) segments_.push_back({0.0, points[i].position_m, 0.0});
-    segments_.push_back(
-        {snap_to_tick(points[i].time_s * rate_hz), points[i].position_m, velocity_m_per_s});
+// Infinite behind the last one.
+double HandPath::begin_tick(std::size_t point) const {
+  const bool recorded = path_.recorded != nullptr;
+  if (point == (recorded ? path_.recorded->pieces.size() : path_.size())) {
+    return std::numeric_limits<double>::infinity();
   }
-  reset();
+  if (recorded) return path_.recorded->pieces[point].from_tick;
+  return snap_to_tick(path_[point].time_s * rate_hz_);
+}
+
+// Computed when the hand arrives there: a measured hand has a point for every tick.
+void HandPath::next_segment() {
+  segment_ = path_.recorded ? recorded_segment() : segment_of_points();
+  next_begin_tick_ = begin_tick(++next_point_);
+}
+
+HandPath::Segment HandPath::recorded_segment() const {
+  const PathPiece& piece = path_.recorded->pieces[next_point_];
+  return {piece.begin_tick, piece.position_m, piece.velocity_m_per_s};
+}
+
+HandPath::Segment HandPath::segment_of_points() const {
+  const PathPoint& from = path_[next_point_];
+  if (next_point_ + 1 == path_.size()) return {next_begin_tick_, from.position_m, 0.0};
+  const PathPoint& to = path_[next_point_ + 1];
+  return {next_begin_tick_, from.position_m,
+          (to.position_m - from.position_m) / (to.time_s - from.time_s)};
 }
 
 void HandPath::reset() {
   now_.tick = 0;
-  segment_ = 0;
+  segment_ = {0.0, path_.recorded ? 0.0 : path_.front().position_m, 0.0};
+  next_point_ = 0;
+  next_begin_tick_ = begin_tick(0);
   lead_ = Lead::kScript;
   piece_begin_ = 0.0;
   set_piece();
 }
 
 double HandPath::scripted_position_m(double tick) const {
-  const Segment& segment = segments_[segment_];
-  return segment.position_m +
-         segment.velocity_m_per_s * ((tick - segment.begin_tick) * now_.period_s);
+  return segment_.position_m +
+         segment_.velocity_m_per_s * ((tick - segment_.begin_tick) * now_.period_s);
 }
 
 // Sets position, speed and end of the straight piece that begins at now_.tick + piece_begin_.
 void HandPath::set_piece() {
   const double now = static_cast<double>(now_.tick) + piece_begin_;
-  while (segment_ + 1 < segments_.size() && segments_[segment_ + 1].begin_tick <= now) ++segment_;
+  while (next_begin_tick_ <= now) next_segment();
   const double tick_end = static_cast<double>(now_.tick + 1);
-  const double next =
-      segment_ + 1 < segments_.size() ? segments_[segment_ + 1].begin_tick : tick_end;
+  const double next = next_begin_tick_;
   bends_ = next < tick_end || piece_begin_ > 0.0;
   piece_end_ = next < tick_end ? next - static_cast<double>(now_.tick) : 1.0;
   now_.position_m = scripted_position_m(now);
-  const Segment& segment = segments_[segment_];
-  now_.velocity_m_per_s = segment.velocity_m_per_s;
-  now_.segment_begin_tick = segment.begin_tick;
-  now_.segment_position_m = segment.position_m;
+  now_.velocity_m_per_s = segment_.velocity_m_per_s;
+  now_.segment_begin_tick = segment_.begin_tick;
+  now_.segment_position_m = segment_.position_m;
   now_.straight_until_tick = bends_ ? 0 : straight_until();
 }
 
@@ -78,8 +94,8 @@ bool HandPath::next_piece() {
 
 // The first tick that is not wholly inside the present segment, or never.
 std::uint64_t HandPath::straight_until() const {
-  if (segment_ + 1 >= segments_.size()) return std::numeric_limits<std::uint64_t>::max();
-  return static_cast<std::uint64_t>(std::floor(segments_[segment_ + 1].begin_tick));
+  if (std::isinf(next_begin_tick_)) return std::numeric_limits<std::uint64_t>::max();
+  return static_cast<std::uint64_t>(std::floor(next_begin_tick_));
 }
 
 void HandPath::enter_tick() {
@@ -114,9 +130,7 @@ void HandPath::aim() {
   const double end_tick = static_cast<double>(now_.tick + 1);
   double target_m = pointer_m_;
   if (lead_ == Lead::kReturning) {
-    while (segment_ + 1 < segments_.size() && segments_[segment_ + 1].begin_tick <= end_tick) {
-      ++segment_;
-    }
+    while (next_begin_tick_ <= end_tick) next_segment();
     target_m = scripted_position_m(end_tick);
   }
   const double reach_m = kMaxPointerSpeedMPerS * now_.period_s;

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "core/scene.h"
 
@@ -40,7 +39,7 @@ class HandPath {
  public:
   // A path that stays at `position_m`: without a hand, or with one that a pointer leads.
   HandPath(double position_m, double rate_hz);
-  HandPath(const std::vector<PathPoint>& points, double rate_hz);
+  HandPath(SharedPath path, double rate_hz);
 
   // Realtime-safe: yes, all that follows.
   void reset();
@@ -77,6 +76,10 @@ class HandPath {
     double velocity_m_per_s;
   };
 
+  [[nodiscard]] double begin_tick(std::size_t point) const;
+  void next_segment();
+  [[nodiscard]] Segment recorded_segment() const;
+  [[nodiscard]] Segment segment_of_points() const;
   [[nodiscard]] double scripted_position_m(double tick) const;
   [[nodiscard]] std::uint64_t straight_until() const;
   void enter_tick();
@@ -84,10 +87,12 @@ class HandPath {
   void aim();
 
   double rate_hz_ = 1.0;
-  std::vector<Segment> segments_;
+  SharedPath path_;
 
   StraightPath now_;
-  std::size_t segment_ = 0;
+  Segment segment_{};  // the present one
+  std::size_t next_point_ = 0;
+  double next_begin_tick_ = 0.0;
   double piece_begin_ = 0.0;
   double piece_end_ = 1.0;
   bool bends_ = false;

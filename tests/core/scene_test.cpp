@@ -60,7 +60,7 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
       {[](Scene& s) { s.x().walls.resize(9); }, "wall"},
       {[](Scene& s) { s.x().hand->mass_kg.reset(); }, "hand.grip_stiffness_n_per_m"},
       {[](Scene& s) { s.x().hand->grip_stiffness_n_per_m.reset(); }, "hand.grip_damping_n_s_per_m"},
-      {[](Scene& s) { s.x().hand->path.clear(); }, "hand.path"},
+      {[](Scene& s) { s.x().hand->path = {}; }, "hand.path"},
       {[](Scene& s) { s.x().hand->follows_mouse = true; }, "hand.path"},
       {[](Scene& s) {
          s.x().hand->path = {{1.0, 0.03}, {1.0, 0.04}};
@@ -74,7 +74,7 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
          s.x().hand->path = {{0.0, 3.0}};
        },
        "hand.path[0]"},
-      {[](Scene& s) { s.x().hand->path.resize(kMaxPathPoints + 1); }, "hand.path"},
+      {[](Scene& s) { s.x().hand->path.edit().resize(kMaxPathPoints + 1); }, "hand.path"},
       {[](Scene& s) { s.algorithm.index = 99; }, "algorithm.name"},
       {[](Scene& s) { s.algorithm.values[*find_algorithm_parameter("rest_force_step_n")] = -1.0; },
        "algorithm.rest_force_step_n"},
@@ -113,7 +113,7 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
 
 TEST(Validate, AMouseHandNeedsNoPath) {
   Scene scene = good_scene();
-  scene.x().hand->path.clear();
+  scene.x().hand->path = {};
   scene.x().hand->follows_mouse = true;
   EXPECT_FALSE(validate(scene).has_value());
 }

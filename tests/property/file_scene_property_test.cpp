@@ -60,7 +60,7 @@ Scene unusual_scene() {
   }
   if (testing::flip()) scene.x().hand.reset();
   if (scene.x().hand && testing::flip()) {
-    scene.x().hand->path.clear();
+    scene.x().hand->path = {};
     scene.x().hand->follows_mouse = true;
   }
   scene.x().walls.resize(*rc::gen::inRange<std::size_t>(0, kMaxWalls + 1));

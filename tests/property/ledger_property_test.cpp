@@ -167,10 +167,10 @@ RC_GTEST_PROP(Simulate, SummaryIsThatOfItsSamples, ()) {
 // Two runs that differ in the hand's script only after tick k agree up to tick k.
 RC_GTEST_PROP(Simulate, KnowsNothingOfTheFuture, ()) {
   Scene scene = random_scene(any_algorithm());
-  scene.x().hand->path.resize(1);
-  scene.x().hand->path.push_back({0.5, 0.055});
+  scene.x().hand->path.edit().resize(1);
+  scene.x().hand->path.edit().push_back({0.5, 0.055});
   const Run first = run(scene);
-  scene.x().hand->path.push_back({0.6, 0.03});
+  scene.x().hand->path.edit().push_back({0.6, 0.03});
   const Run second = run(scene);
   const std::size_t same = std::min({static_cast<std::size_t>(0.5 * scene.sampling.rate_hz),
                                      first.rows.size(), second.rows.size()});

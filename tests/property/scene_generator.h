@@ -38,7 +38,7 @@ inline HandSettings random_hand() {
     }
   }
   hand.path = {{0.0, 0.03}, {log_uniform(0.05, 1.0), uniform(0.045, 0.08)}};
-  if (flip()) hand.path.push_back({hand.path.back().time_s + 0.123, 0.04});
+  if (flip()) hand.path.edit().push_back({hand.path.back().time_s + 0.123, 0.04});
   return hand;
 }
 

@@ -30,10 +30,10 @@ Scene pressing_scene(double rate_hz) {
   if (!loaded) throw std::runtime_error(loaded.error().message);
   Scene scene = std::move(loaded->scene);
   scene.sampling.rate_hz = rate_hz;
-  scene.x().hand->path.clear();
+  scene.x().hand->path = {};
   for (int press = 0; press < kPresses; ++press) {
-    scene.x().hand->path.push_back({2.0 * press, kAwayM});
-    scene.x().hand->path.push_back({2.0 * press + 1.0, kPressedM});
+    scene.x().hand->path.edit().push_back({2.0 * press, kAwayM});
+    scene.x().hand->path.edit().push_back({2.0 * press + 1.0, kPressedM});
   }
   return scene;
 }

@@ -35,8 +35,11 @@ std::string toml_string(std::string_view value) {
 void write_path(TomlText& out, const HandSettings& hand) {
   if (hand.follows_mouse) {
     out.string("path", "mouse");
+  } else if (!hand.path.file.empty()) {
+    out.string("path_file", hand.path.file);
+    out.string("path_sha256", hand.path.sha256);
   } else {
-    out.path("path", hand.path);
+    out.path("path", hand.path.points());
   }
 }
 

@@ -40,7 +40,7 @@ void want_approach(const PanelContext& context, const Approach& approach) {
     return;
   }
   Scene changed = context.session.scene();
-  PathPoint& to = changed.x().hand->path.back();
+  PathPoint& to = changed.x().hand->path.edit().back();
   to.position_m = approach.end_m;
   to.time_s = changed.x().hand->path.front().time_s +
               std::abs(approach.end_m - approach.start_m) / approach.speed_m_per_s;

@@ -79,7 +79,7 @@ TEST(SceneFile, ReadsEveryKey) {
   EXPECT_EQ(scene.x().device.start_m, 0.02);
   ASSERT_TRUE(scene.x().hand);
   EXPECT_EQ(scene.x().hand->grip_damping_n_s_per_m, 1.0);
-  EXPECT_EQ(scene.x().hand->path, (std::vector<PathPoint>{{0.0, 0.03}, {1.5, 0.075}}));
+  EXPECT_EQ(scene.x().hand->path, (SharedPath{{0.0, 0.03}, {1.5, 0.075}}));
   ASSERT_EQ(scene.x().walls.size(), 2U);
   EXPECT_EQ(scene.x().walls[0].damping_n_s_per_m, 2.0);
   EXPECT_EQ(scene.x().walls[1].damping_n_s_per_m, 0.0);
@@ -272,7 +272,7 @@ TEST(SceneFile, BuiltinPathsRiseAtTheirRates) {
   for (const auto& [name, rate_m_per_s, end_m] : paths) {
     const Result<LoadedScene> loaded = load_scene(name);
     ASSERT_TRUE(loaded);
-    const std::vector<PathPoint>& path = loaded->scene.x().hand->path;
+    const SharedPath& path = loaded->scene.x().hand->path;
     ASSERT_EQ(path.size(), 2U);
     EXPECT_EQ(path[0], (PathPoint{0.0, 0.03}));
     EXPECT_EQ(path[1].position_m, end_m);

@@ -73,9 +73,9 @@ inline Scene with_algorithm(Scene scene, std::size_t index) {
 inline Scene moving_scene(double rate_hz = 1000.0) {
   Scene scene = contact_scene(rate_hz);
   scene.name = "moving";
-  scene.x().hand->path.clear();
+  scene.x().hand->path = {};
   for (int turn = 0; turn < 50; ++turn) {
-    scene.x().hand->path.push_back({0.2 * turn, turn % 2 == 0 ? 0.045 : 0.058});
+    scene.x().hand->path.edit().push_back({0.2 * turn, turn % 2 == 0 ? 0.045 : 0.058});
   }
   return scene;
 }

@@ -266,7 +266,7 @@ TEST(BatchSimulator, NeverCallsBackFromTwoThreadsAtATime) {
 TEST(BatchSimulator, RefusesAHandThatFollowsTheMouse) {
   Scene scene = press(1000.0);
   scene.x().hand->follows_mouse = true;
-  scene.x().hand->path.clear();
+  scene.x().hand->path = {};
   EXPECT_THROW((void)simulate_batch({&scene, 1}), std::invalid_argument);
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 namespace hapticwall {
 namespace {
 
@@ -44,6 +46,29 @@ TEST(HandPath, BendsWhereAPointFallsBetweenTicks) {
   path.next_tick();
   EXPECT_FALSE(path.bends_within_tick());
   EXPECT_DOUBLE_EQ(path.position_m(), 0.0);
+}
+
+// A piece may begin on the segment of a script that began earlier, and between two ticks.
+TEST(HandPath, FollowsARecordedHandPieceByPiece) {
+  SharedPath recorded;
+  recorded.recorded =
+      std::make_shared<const RecordedPieces>(RecordedPieces{1000.0,
+                                                            {{0.0, 0.0, 0.03, 0.0},
+                                                             {2.0, 2.0, 0.03, 0.5},
+                                                             {3.0, 1.5, 0.04, 0.1},
+                                                             {4.5, 4.5, 0.05, 0.0}}});
+  EXPECT_FALSE(recorded.empty());
+  HandPath path(recorded, 1000.0);
+  for (const double position_m : {0.03, 0.03, 0.03, 0.04 + 0.1 * 1.5e-3, 0.04 + 0.1 * 2.5e-3}) {
+    EXPECT_DOUBLE_EQ(path.position_m(), position_m);
+    EXPECT_EQ(path.bends_within_tick(), position_m > 0.0402);
+    if (!path.bends_within_tick()) path.next_tick();
+  }
+  ASSERT_TRUE(path.next_piece());
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.05);
+  EXPECT_DOUBLE_EQ(path.velocity_m_per_s(), 0.0);
+  path.reset();
+  EXPECT_DOUBLE_EQ(path.position_m(), 0.03);
 }
 
 TEST(HandPath, FollowsThePointerAsFastAsAnArm) {

@@ -135,7 +135,7 @@ TEST(Corner, EveryPartOfASecondAxisIsValidated) {
   EXPECT_EQ(key_of([](Scene&) {}), "");
   EXPECT_EQ(key_of([](Scene& s) { s.axes[1].device.mass_kg = -1.0; }), "device.y.mass_kg");
   EXPECT_EQ(key_of([](Scene& s) { s.axes[1].device.encoder_m = 1e-15; }), "device.y.encoder_m");
-  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand->path.clear(); }), "hand.y.path");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand->path = {}; }), "hand.y.path");
   EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand->grip_damping_n_s_per_m = 1.0; }),
             "hand.y.grip_damping_n_s_per_m");
   EXPECT_EQ(key_of([](Scene& s) { s.axes[1].walls[1].damping_n_s_per_m = -1.0; }),

@@ -286,7 +286,7 @@ TEST(Accuracy, RefusesWhatItCannotMeasure) {
   refuses(long_scene, stepping({1}));
   Scene led = short_chatter();
   led.x().hand->follows_mouse = true;
-  led.x().hand->path.clear();
+  led.x().hand->path = {};
   refuses(led, stepping({1}));
 }
 

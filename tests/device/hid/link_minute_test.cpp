@@ -19,10 +19,10 @@ constexpr std::uint64_t kMinuteMs = 60'000;
 // A hand that presses into a wall at 50 mm and lets go, every two seconds.
 Scene pressing_scene() {
   Scene scene = hid::testing::held_scene();
-  scene.x().hand->path.clear();
+  scene.x().hand->path = {};
   for (int second = 0; second < 60; second += 2) {
-    scene.x().hand->path.push_back({second + 0.0, 0.03});
-    scene.x().hand->path.push_back({second + 1.0, 0.06});
+    scene.x().hand->path.edit().push_back({second + 0.0, 0.03});
+    scene.x().hand->path.edit().push_back({second + 1.0, 0.06});
   }
   WallSettings wall;
   wall.position_m = 0.05;

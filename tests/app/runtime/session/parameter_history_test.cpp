@@ -48,7 +48,7 @@ TEST(ParameterHistory, KeepsEveryPartThatChangedAndThePathOfTheStart) {
   for (std::size_t i = 0; i < told.size(); ++i) {
     EXPECT_EQ(told[i].scene.x().device, changes[i].x().device);
     HandSettings hand = changes[i].x().hand.value();
-    hand.path.clear();
+    hand.path = {};
     EXPECT_EQ(told[i].scene.x().hand, hand);
     EXPECT_EQ(told[i].scene.simulator, changes[i].simulator);
     EXPECT_EQ(told[i].scene.algorithm, changes[i].algorithm);

@@ -111,7 +111,7 @@ TEST_F(HandRerun, SoItIsOnAWallAtZeroWhereDigitsAreFine) {
 
 TEST_F(HandRerun, SoItIsWithAHandThatOnlyThePointerLeads) {
   Scene scene = scene_of("press");
-  scene.x().hand->path.clear();
+  scene.x().hand->path = {};
   scene.x().hand->follows_mouse = true;
   scene.sampling.rate_hz = 777.0;
   record(scene, 3000, person(3, 0.05, 0.02));

@@ -39,7 +39,7 @@ TEST(SceneChange, NamesAChangeThatNeedsANewSession) {
   Scene start = scene;
   start.x().device.start_m = 0.04;
   Scene path = scene;
-  path.x().hand->path.back().position_m = 0.06;
+  path.x().hand->path.edit().back().position_m = 0.06;
   Scene mouse = scene;
   mouse.x().hand->follows_mouse = true;
   Scene free = scene;

@@ -218,7 +218,7 @@ TEST_F(MapPageTest, ADeviceHasNoMapAndThePageSaysSo) {
 TEST_F(MapPageTest, AHandThatThePointerLeadsHasNoMap) {
   Scene led = scene();
   led.x().hand->follows_mouse = true;
-  led.x().hand->path.clear();
+  led.x().hand->path = {};
   state().transient.wanted_scene = ui::WantedScene{led};
   frames(3);
   EXPECT_THAT(text(), HasSubstr("The pointer leads the hand"));
