@@ -13,6 +13,7 @@
 #include "app/file/disk/small_file.h"
 #include "app/file/map/map_rows.h"
 #include "app/file/recording/sidecar.h"
+#include "app/file/scene/hand_file.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/scene/toml_text.h"
 #include "app/file/text/text.h"
@@ -103,7 +104,7 @@ MapPart map_part(const StabilityMap& map, std::size_t index, std::size_t count) 
   return {begin(index - 1), begin(index)};
 }
 
-std::string map_sidecar(const StabilityMap& map, const MapPart& part) {
+std::string map_sidecar(const StabilityMap& map, const MapPart& part, const std::string& path) {
   TomlText out;
   out.table("map");
   out.string("program", "hapticwall");
@@ -114,7 +115,7 @@ std::string map_sidecar(const StabilityMap& map, const MapPart& part) {
   out.string("algorithms", algorithms_text(map));
   out.integer("first_cell", part.begin);
   out.integer("cells", part.end - part.begin);
-  return scene_to_toml(map.scene) + out.text();
+  return scene_to_toml(beside(map.scene, path)) + out.text();
 }
 
 Result<MapWriter> MapWriter::open(const std::string& named, const StabilityMap& map,
@@ -129,7 +130,7 @@ Result<MapWriter> MapWriter::open(const std::string& named, const StabilityMap& 
                                   shown(sidecar_path), shown(path), obstacle));
   }
   const std::string partial = partial_of(path);
-  const std::string sidecar_text = map_sidecar(map, part);
+  const std::string sidecar_text = map_sidecar(map, part, path);
   if (!is_empty(partial) && !is_of_map(sidecar_path, sidecar_text)) {
     return file_error(
         fmt::format("{}: it belongs to another map or build; finish it with its own "
@@ -191,7 +192,7 @@ Result<std::vector<MapMetrics>> parse_map(std::string_view text, const std::stri
 bool has_other_sidecar(const std::string& path, const StabilityMap& map) {
   const std::string sidecar_path = sidecar_path_of(path);
   return is_sidecar(sidecar_path, kMapTable) &&
-         contents(sidecar_path) != map_sidecar(map, {0, map.cell_count()});
+         contents(sidecar_path) != map_sidecar(map, {0, map.cell_count()}, path);
 }
 
 Result<std::vector<MapMetrics>> read_map(const std::string& path, const StabilityMap& map) {

@@ -21,8 +21,9 @@ struct MapPart {
 // Part `index` (from 1) of `count`.
 [[nodiscard]] MapPart map_part(const StabilityMap& map, std::size_t index, std::size_t count);
 
-// The map's sidecar: the scene, and a table [map] with the plan.
-[[nodiscard]] std::string map_sidecar(const StabilityMap& map, const MapPart& part);
+// The sidecar of the map at `path`: the scene, and a table [map] with the plan.
+[[nodiscard]] std::string map_sidecar(const StabilityMap& map, const MapPart& part,
+                                      const std::string& path);
 
 // Writes NAME.csv.partial and NAME.toml.partial, and renames both at the end.
 class MapWriter {

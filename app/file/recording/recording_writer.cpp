@@ -12,6 +12,7 @@
 #include "app/file/disk/sha256.h"
 #include "app/file/recording/recovery.h"
 #include "app/file/recording/sidecar.h"
+#include "app/file/scene/hand_file.h"
 #include "app/file/text/text.h"
 
 namespace hapticwall::file {
@@ -59,7 +60,8 @@ class CsvRecordingWriter final : public RecordingWriter {
     RecordedRows recorded;
     recorded.finished = false;
     recorded.session_ticks = metadata.session_ticks.value_or(0);
-    return write_file(partial_sidecar(), sidecar_toml(scene, metadata, recorded));
+    return write_file(partial_sidecar(),
+                      sidecar_toml(beside(scene, csv_.path()), metadata, recorded));
   }
 
   Failure append(const Tick& tick) override {
@@ -94,7 +96,7 @@ class CsvRecordingWriter final : public RecordingWriter {
     if (Failure failed = csv_.sync()) return failed;
     const RecordedRows recorded{rows_, metadata.dropped_rows + dropped_rows_,
                                 metadata.session_ticks.value_or(session_ticks_), digest_.finish()};
-    const std::string text = sidecar_toml(scene, metadata, recorded);
+    const std::string text = sidecar_toml(beside(scene, csv_.path()), metadata, recorded);
     if (Failure refused = check_sidecar(csv_.path(), recovery_remedy())) return refused;
     if (Failure failed = write_sidecar(csv_.path(), text)) return failed;
     return csv_.commit();

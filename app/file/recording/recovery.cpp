@@ -13,6 +13,7 @@
 #include "app/file/disk/small_file.h"
 #include "app/file/recording/recording_reader.h"
 #include "app/file/recording/sidecar.h"
+#include "app/file/scene/hand_file.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
 #include "core/plant/plant_model.h"
@@ -216,7 +217,7 @@ Result<Recovered> recover_recording(const std::string& path) {
   const RecordingMetadata metadata = metadata_of(info, *unknown_event);
   const RecordedRows counted{info.scanned.rows, metadata.dropped_rows, info.scanned.last_tick + 1,
                              *csv_sha256};
-  const std::string text = sidecar_toml(info.loaded.scene, metadata, counted);
+  const std::string text = sidecar_toml(beside(info.loaded.scene, csv_path), metadata, counted);
   if (Failure failed = write_sidecar(csv_path, text)) return *failed;
   Result<Recovered> recovered = finish_names(std::move(*csv), info);
   if (recovered && info.loaded.edited) recovered->notes.emplace_back(kEditedSidecar);

@@ -81,16 +81,33 @@ bool is_bare_word(std::string_view value) {
   return value.find_first_not_of(std::string(kKeyCharacters) + " .") == std::string_view::npos;
 }
 
+// The number of "np.float64(300.0)", as NumPy 2 writes a scalar; any other text as it is.
+std::string_view without_numpy(std::string_view value) {
+  const std::size_t open = value.find('(');
+  if (!value.starts_with("np.") || !value.ends_with(')') || open > value.size()) return value;
+  const std::string_view number = value.substr(open + 1, value.size() - open - 2);
+  return parsed<double>(number) ? number : value;
+}
+
 // Parses "key = value" with the position of every value at `label`.
 toml::table parse_assignment(const std::string& key, std::string_view value,
                              const std::string& label) {
   try {
     return parse_toml(fmt::format("{} = {}", key, value), label);
   } catch (const ReadFailure&) {
-    if (is_bare_word(value)) return parse_toml(fmt::format("{} = \"{}\"", key, value), label);
+    const bool is_file = key.ends_with("path_file") && value.find('\'') == std::string_view::npos;
+    if (is_bare_word(value) || is_file) {
+      return parse_toml(fmt::format("{} = '{}'", key, value), label);
+    }
     fail(label,
          "the value is not TOML (a number, true, false, a word, \"text\", [[0, 0.03], ...])");
   }
+}
+
+// A path of points takes the place of a file, and a file that of points.
+void drop_other_path(toml::table& hand, std::string_view key) {
+  if (key != "path" && key != "path_file") return;
+  for (const std::string_view other : {"path", "path_file", "path_sha256"}) hand.erase(other);
 }
 
 }  // namespace
@@ -99,7 +116,8 @@ void apply_override(toml::table& root, const std::string& override_text) {
   const std::string label = "--set " + shown(override_text);
   const std::size_t equals = override_text.find('=');
   if (equals == std::string::npos) fail(label, "there is no '=': it takes KEY=VALUE");
-  const std::string_view value = trimmed(std::string_view(override_text).substr(equals + 1));
+  const std::string_view value =
+      without_numpy(trimmed(std::string_view(override_text).substr(equals + 1)));
   const bool one_line = std::none_of(value.begin(), value.end(), [](char c) {
     return static_cast<unsigned char>(c) < 0x20U && c != '\t';
   });
@@ -128,6 +146,7 @@ void apply_override(toml::table& root, const std::string& override_text) {
   std::string key = parts[next].name;
   for (std::size_t i = next + 1; i < parts.size(); ++i) key += "." + parts[i].name;
   toml::table assignment = parse_assignment(key, value, label);
+  if (parts.front().name == "hand") drop_other_path(*table, key);
   table->insert_or_assign(parts[next].name, std::move(*assignment.get(parts[next].name)));
 }
 

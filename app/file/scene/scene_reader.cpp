@@ -62,6 +62,17 @@ void check_map(const toml::table& table, const std::string& origin) {
   reader.finish();
 }
 
+// The hand's file that has other bytes than the scene says, or "".
+std::string changed_hand_file(const toml::table& root, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.axes.size(); ++i) {
+    const toml::table* hand = axis_table(root["hand"].as_table(), i);
+    if (hand == nullptr || !hand->contains("path_sha256")) continue;
+    const SharedPath& path = scene.axes[i].hand->path;
+    if ((*hand)["path_sha256"].value_or(std::string_view()) != path.sha256) return path.file;
+  }
+  return "";
+}
+
 }  // namespace
 
 LoadedScene read_scene(const toml::table& root, const std::string& origin) {
@@ -73,6 +84,10 @@ LoadedScene read_scene(const toml::table& root, const std::string& origin) {
   reader.finish();
   check(loaded.scene, root, "", origin);
   if (recording != nullptr) read_recording(*recording, root, origin, loaded);
+  const std::string file = changed_hand_file(root, loaded.scene);
+  if (!file.empty()) {
+    loaded.not_repeatable_because = shown(file) + " was changed since (SHA-256 differs)";
+  }
   return loaded;
 }
 

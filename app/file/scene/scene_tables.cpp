@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <climits>
+#include <filesystem>
 
+#include "app/file/scene/hand_file.h"
 #include "app/file/text/text.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -26,6 +28,17 @@ std::vector<PathPoint> read_path(const TableReader& reader, const toml::node& no
     points.push_back(*point);
   }
   return points;
+}
+
+// A file of the scene is beside it, and one of --set in the current folder.
+SharedPath read_file_path(const TableReader& reader, const toml::node& node,
+                          const std::string& name) {
+  const auto& source = node.source().path;
+  const bool of_scene = source && *source == reader.origin();
+  const auto folder = std::filesystem::path(of_scene ? reader.origin() : "").parent_path();
+  Result<SharedPath> path = read_hand_file((folder / name).string());
+  if (!path) reader.fail(node, "path_file", path.error().message);
+  return std::move(*path);
 }
 
 double read_choice(TableReader& reader, const ParameterDescription& parameter,
@@ -75,6 +88,15 @@ HandSettings read_hand(const toml::table& table, std::size_t axis, const std::st
   if (path != nullptr && !hand.follows_mouse) {
     hand.path = read_path(reader, *path, "path");
   }
+  const std::optional<std::string> file = reader.string("path_file");
+  // read_scene() compares it.
+  if (reader.string("path_sha256") && !file) {
+    reader.fail(*table.get("path_sha256"), "path_sha256", "there is no path_file");
+  }
+  if (file && path != nullptr) {
+    reader.fail(*path, "path", "there is a path_file, too; the hand takes one of them");
+  }
+  if (file) hand.path = read_file_path(reader, *table.get("path_file"), *file);
   reader.finish();
   return hand;
 }

@@ -56,11 +56,18 @@ TEST(Override, BareWordsAreStrings) {
   EXPECT_TRUE(changed(kOneWall, {"hand.path=mouse"}).x().hand->follows_mouse);
 }
 
+TEST(Override, AScalarOfNumPyIsItsNumber) {
+  const Scene scene = changed(
+      kOneWall, {"wall.stiffness_n_per_m=np.float64(300.0)", "device.delay_ticks= np.int64(2) "});
+  EXPECT_EQ(scene.x().walls[0].stiffness_n_per_m, 300.0);
+  EXPECT_EQ(scene.x().device.delay_ticks, 2);
+}
+
 TEST(Override, WholeTablesAndPaths) {
   const Scene scene =
       changed(kOneWall, {"hand.path=[[0, 0.03], [1, 0.06]]", "hand.stiffness_n_per_m=300"});
   ASSERT_TRUE(scene.x().hand);
-  EXPECT_EQ(scene.x().hand->path, (std::vector<PathPoint>{{0.0, 0.03}, {1.0, 0.06}}));
+  EXPECT_EQ(scene.x().hand->path, (SharedPath{{0.0, 0.03}, {1.0, 0.06}}));
   EXPECT_TRUE(changed(kOneWall, {"wall=[]"}).x().walls.empty());
 }
 
