@@ -8,10 +8,14 @@
 #include <utility>
 
 #include "app/command/device_choice.h"
+#include "app/command/replay/replay_rerun.h"
+#include "app/command/report/terminal.h"
 #include "app/command/usage.h"
+#include "app/file/recording/recording_reader.h"
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
 #include "app/runtime/loop/spinning_clock.h"
+#include "app/runtime/session/hand_rerun.h"
 #include "core/scene_keys.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
@@ -26,6 +30,27 @@ Failure check_duration(const std::string& text) {
   return usage_error(fmt::format("--duration {}: it takes seconds, more than {} and at most {}",
                                  file::in_quotes(text), number_text(key.range.minimum),
                                  number_text(key.range.maximum)));
+}
+
+Failure check_changes(const std::string& command, const SceneOptions& options,
+                      const file::LoadedScene& loaded) {
+  if (loaded.changes.empty()) return {};
+  return usage_error(
+      fmt::format("{}: a recording in which parameters changed; 'run' repeats it, '{}' takes a "
+                  "scene without changes",
+                  file::shown(options.scene), command));
+}
+
+Result<file::LoadedScene> load_recorded(const std::string& command, const SceneOptions& options,
+                                        bool quiet) {
+  Result<OpenedRecording> opened = open_for_rerun(options, !quiet);
+  if (!opened) return opened.error();
+  if (Failure failed = check_changes(command, options, opened->loaded)) return *failed;
+  Result<Scene> scene = runtime::recorded_scene(*opened->reader, opened->loaded);
+  if (!scene) return scene.error();
+  file::LoadedScene loaded;
+  loaded.scene = std::move(*scene);
+  return loaded;
 }
 
 }  // namespace
@@ -155,22 +180,39 @@ Result<file::LoadedScene> load_headless(const SceneOptions& options) {
   return loaded;
 }
 
-Result<file::LoadedScene> load_for_study(const std::string& command, const SceneOptions& options) {
+Result<file::LoadedScene> load_for_study(const std::string& command, const SceneOptions& options,
+                                         bool quiet) {
   if (Failure failed = check_simulator(command, options.device)) return *failed;
-  Result<file::LoadedScene> loaded = load_headless(options);
+  Result<file::LoadedScene> loaded = file::is_recording(options.scene)
+                                         ? load_recorded(command, options, quiet)
+                                         : load_headless(options);
   if (!loaded) return loaded;
   // Its figures would be those of the script, not of the recorded hand.
   if (!loaded->not_repeatable_because.empty()) {
     return usage_error(fmt::format(
-        "{}: its session cannot be repeated: {}; 'hapticwall replay NAME.csv --algorithm NAME' "
-        "re-runs the recorded hand",
-        file::shown(options.scene), file::shown(loaded->not_repeatable_because)));
+        "{}: its session cannot be repeated: {}; '{} NAME.csv' re-runs the recorded hand",
+        file::shown(options.scene), file::shown(loaded->not_repeatable_because), command));
   }
-  if (loaded->changes.empty()) return loaded;
-  return usage_error(
-      fmt::format("{}: a recording in which parameters changed; 'run' repeats it, '{}' takes a "
-                  "scene without changes",
-                  file::shown(options.scene), command));
+  if (Failure failed = check_changes(command, options, *loaded)) return *failed;
+  return loaded;
+}
+
+std::string sidecar_read_with(const std::string& scene) {
+  return file::is_recording(scene) ? file::find_sidecar(scene) : std::string();
+}
+
+Failure check_hand_files(const OutputOptions& options, const Scene& scene) {
+  for (const AxisSettings& axis : scene.axes) {
+    if (!axis.hand || axis.hand->path.file.empty()) continue;
+    if (Failure failed = check_outputs(options, {axis.hand->path.file})) return failed;
+  }
+  return {};
+}
+
+void tell_difference(const file::LoadedScene& loaded) {
+  if (loaded.not_repeatable_because.empty()) return;
+  tell(fmt::format("note: the run will differ from the recorded session: {}",
+                   file::shown(loaded.not_repeatable_because)));
 }
 
 Failure check_outputs(const OutputOptions& options, std::initializer_list<std::string> read) {

@@ -52,14 +52,24 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 [[nodiscard]] Result<file::LoadedScene> load_headless(const SceneOptions& options);
 
 // The same for a study on the simulator: refuses a device, a scene whose parameters change, and the
-// sidecar of a session that cannot be repeated.
+// sidecar of a session that cannot be repeated. A recording gives its runtime::recorded_scene(); if
+// not `quiet`, notes say so.
 [[nodiscard]] Result<file::LoadedScene> load_for_study(const std::string& command,
-                                                       const SceneOptions& options);
+                                                       const SceneOptions& options, bool quiet);
+
+// The sidecar that is read with a recording; "" for a scene.
+[[nodiscard]] std::string sidecar_read_with(const std::string& scene);
 
 // Refuses two outputs to one file, an output to a file of `read`, and --csv, --plot or --wav to
 // standard output.
 [[nodiscard]] Failure check_outputs(const OutputOptions& options,
                                     std::initializer_list<std::string> read);
+
+// Refuses an output to the file of a hand (`path_file`).
+[[nodiscard]] Failure check_hand_files(const OutputOptions& options, const Scene& scene);
+
+// Tells that a session of this scene will not be the recorded one, if that is so.
+void tell_difference(const file::LoadedScene& loaded);
 
 // --algorithms A,B,...
 void add_algorithms_option(CLI::App& app, std::vector<std::string>& names);

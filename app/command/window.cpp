@@ -77,6 +77,7 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   if (!spin_s) return spin_s.error();
   Result<file::LoadedScene> loaded = load(options);
   if (!loaded) return loaded.error();
+  if (!device->hardware) tell_difference(*loaded);
   runtime::WindowOptions window;
   window.scene = loaded->scene;
   window.start_on_device = session_starter(*device, options.allow_no_realtime, *spin_s);

@@ -67,12 +67,16 @@ Result<int> accuracy(const CommandOptions& options) {
         "--expect: 'accuracy' has no single summary; use 'hapticwall run SCENE --expect EXPR' with "
         "--set simulator.integrator=NAME");
   }
-  if (Failure failed = check_outputs(options.output, {options.scene.scene})) return *failed;
+  if (Failure failed = check_outputs(options.output,
+                                     {options.scene.scene, sidecar_read_with(options.scene.scene)}))
+    return *failed;
   Result<std::vector<int>> substeps = parse_substeps(options.substeps);
   if (!substeps) return substeps.error();
-  const Result<file::LoadedScene> loaded = load_for_study("accuracy", options.scene);
+  const Result<file::LoadedScene> loaded =
+      load_for_study("accuracy", options.scene, options.output.quiet);
   if (!loaded) return loaded.error();
   const Scene& scene = loaded->scene;
+  if (Failure failed = check_hand_files(options.output, scene)) return *failed;
   if (scene.tick_count() > kMaxAccuracyTicks) {
     return usage_error(fmt::format(
         "accuracy: it takes at most {} ticks, this scene has {}; --duration shortens it",

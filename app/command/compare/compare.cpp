@@ -12,13 +12,16 @@
 #include "app/command/common_options.h"
 #include "app/command/compare/compare_order.h"
 #include "app/command/compare/compare_study.h"
+#include "app/command/device_choice.h"
 #include "app/command/output_file.h"
+#include "app/command/replay/replay_rerun.h"
 #include "app/command/report/expectation.h"
 #include "app/command/report/summary_fields.h"
 #include "app/command/report/summary_table.h"
 #include "app/command/run/headless.h"
 #include "app/command/signals.h"
 #include "app/draw/figure/comparison_figure.h"
+#include "app/file/recording/recording_reader.h"
 #include "core/result.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -52,9 +55,50 @@ struct Runs {
   std::vector<draw::SampleHistory> histories;  // of axis x, for --plot
 };
 
+// The scene, or the recording whose hand every row re-runs.
+struct Compared {
+  file::LoadedScene loaded;
+  std::optional<OpenedRecording> recording;
+};
+
+Result<Compared> load_compared(const SceneOptions& options, bool quiet) {
+  if (!file::is_recording(options.scene)) {
+    Result<file::LoadedScene> loaded = load_for_study("compare", options, quiet);
+    if (!loaded) return loaded.error();
+    return Compared{std::move(*loaded), std::nullopt};
+  }
+  if (Failure failed = check_simulator("compare", options.device)) return *failed;
+  Result<OpenedRecording> opened = open_for_rerun(options, !quiet);
+  if (!opened) return opened.error();
+  return Compared{opened->loaded, std::move(*opened)};
+}
+
 // nullopt if a signal ended it early.
-std::optional<Runs> run_all(Scene scene, const std::vector<ComparedAlgorithm>& compared,
-                            const OutputOptions& options) {
+Result<std::optional<RunSummary>> run_row(Compared& from, const ComparedAlgorithm& row,
+                                          const std::function<void(const Tick&)>& on_tick,
+                                          std::string label, bool shows_progress) {
+  if (from.recording) {
+    Progress progress(std::move(label), shows_progress);
+    Result<std::optional<Summary>> summary = rerun_row(*from.recording, row, on_tick, progress);
+    if (!summary) return summary.error();
+    if (!*summary) return std::optional<RunSummary>();
+    return std::optional(RunSummary{std::move(**summary)});
+  }
+  from.loaded.scene.algorithm = row.settings;
+  HeadlessResult result = simulate_timed({.scene = from.loaded.scene,
+                                          .changes = {},
+                                          .on_tick = on_tick,
+                                          .should_stop = {},
+                                          .progress_label = std::move(label),
+                                          .show_progress = shows_progress});
+  if (result.stopped_early) return std::optional<RunSummary>();
+  return std::optional(std::move(result.summary));
+}
+
+// nullopt if a signal ended it early.
+Result<std::optional<Runs>> run_all(Compared& from, const std::vector<ComparedAlgorithm>& compared,
+                                    const OutputOptions& options) {
+  const Scene& scene = from.loaded.scene;
   Runs runs;
   std::function<void(const Tick&)> on_tick;
   if (!options.plot.empty()) {
@@ -63,21 +107,17 @@ std::optional<Runs> run_all(Scene scene, const std::vector<ComparedAlgorithm>& c
     };
   }
   for (const ComparedAlgorithm& row : compared) {
-    scene.algorithm = row.settings;
     if (on_tick) runs.histories.emplace_back(scene.tick_count(), scene.x().device.encoder_m);
-    HeadlessResult result =
-        simulate_timed({.scene = scene,
-                        .changes = {},
-                        .on_tick = on_tick,
-                        .should_stop = {},
-                        .progress_label = fmt::format("{} {}/{}", row.label,
-                                                      runs.summaries.size() + 1, compared.size()),
-                        .show_progress = !options.quiet});
-    if (result.stopped_early) return std::nullopt;
-    for (Summary& axis : result.summary) axis.algorithm = row.label;
-    runs.summaries.push_back(std::move(result.summary));
+    Result<std::optional<RunSummary>> summary =
+        run_row(from, row, on_tick,
+                fmt::format("{} {}/{}", row.label, runs.summaries.size() + 1, compared.size()),
+                !options.quiet);
+    if (!summary) return summary.error();
+    if (!*summary) return std::optional<Runs>();
+    for (Summary& axis : **summary) axis.algorithm = row.label;
+    runs.summaries.push_back(std::move(**summary));
   }
-  return runs;
+  return std::optional(std::move(runs));
 }
 
 // The table and the figure follow `order`; CSV and JSON follow --algorithms.
@@ -107,21 +147,27 @@ Result<int> compare(const CompareOptions& options) {
   if (!expectations) return expectations.error();
   const Result<RowOrder> order = parse_order(options.sort);
   if (!order) return order.error();
-  if (Failure failed = check_outputs(options.output, {options.scene.scene})) return *failed;
+  if (Failure failed = check_outputs(
+          options.output, {options.scene.scene, sidecar_read_with(options.scene.scene)})) {
+    return *failed;
+  }
   const Result<std::vector<std::size_t>> indices = chosen_algorithms(options.algorithms);
   if (!indices) return indices.error();
-  const Result<file::LoadedScene> loaded = load_for_study("compare", options.scene);
-  if (!loaded) return loaded.error();
-  const auto compared = compared_algorithms(loaded->scene.algorithm, *indices);
-  if (Failure failed = check_plot(options.output, loaded->scene, compared.size())) return *failed;
+  Result<Compared> from = load_compared(options.scene, options.output.quiet);
+  if (!from) return from.error();
+  const Scene& scene = from->loaded.scene;
+  const auto compared = compared_algorithms(scene.algorithm, *indices);
+  if (Failure failed = check_plot(options.output, scene, compared.size())) return *failed;
+  if (Failure failed = check_hand_files(options.output, scene)) return *failed;
   catch_stop_signals();
   Result<OutputFiles> files = OutputFiles::open(options.output);
   if (!files) return files.error();
-  const std::optional<Runs> runs = run_all(loaded->scene, compared, options.output);
-  if (!runs) return ended_early();
-  const std::vector<std::size_t> rows = ordered(runs->summaries, *order);
-  if (Failure failed = write_results(*files, loaded->scene, *runs, rows)) return *failed;
-  return judge(*expectations, runs->summaries);
+  const Result<std::optional<Runs>> runs = run_all(*from, compared, options.output);
+  if (!runs) return runs.error();
+  if (!*runs) return ended_early();
+  const std::vector<std::size_t> rows = ordered((*runs)->summaries, *order);
+  if (Failure failed = write_results(*files, scene, **runs, rows)) return *failed;
+  return judge(*expectations, (*runs)->summaries);
 }
 
 }  // namespace

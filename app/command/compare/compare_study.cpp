@@ -27,14 +27,14 @@ Failure check_study_options(const SceneOptions& scene, const OutputOptions& outp
         "--plot: not with --study, which draws no figure; use 'hapticwall run SCENE --plot "
         "FILE.png'");
   }
-  return check_outputs(output, {scene.scene});
+  return check_outputs(output, {scene.scene, sidecar_read_with(scene.scene)});
 }
 
 Result<ContactStudyPlan> plan_study(const SceneOptions& scene,
-                                    const std::vector<std::string>& names) {
+                                    const std::vector<std::string>& names, bool quiet) {
   Result<std::vector<std::size_t>> algorithms = chosen_algorithms(names);
   if (!algorithms) return algorithms.error();
-  Result<file::LoadedScene> loaded = load_for_study("compare", scene);
+  Result<file::LoadedScene> loaded = load_for_study("compare", scene, quiet);
   if (!loaded) return loaded.error();
   ContactStudyPlan plan;
   plan.scene = std::move(loaded->scene);
@@ -56,8 +56,9 @@ std::vector<ContactMetrics> study(const ContactStudyPlan& plan, bool quiet) {
 Result<int> compare_study(const SceneOptions& scene, const OutputOptions& output,
                           const std::vector<std::string>& algorithms) {
   if (Failure failed = check_study_options(scene, output)) return *failed;
-  const Result<ContactStudyPlan> plan = plan_study(scene, algorithms);
+  const Result<ContactStudyPlan> plan = plan_study(scene, algorithms, output.quiet);
   if (!plan) return plan.error();
+  if (Failure failed = check_hand_files(output, plan->scene)) return *failed;
   catch_stop_signals();
   Result<OutputFiles> files = OutputFiles::open(output);
   if (!files) return files.error();

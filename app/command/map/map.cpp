@@ -204,7 +204,9 @@ Failure check_options(const MapOptions& options) {
     return usage_error(
         "--expect: 'map' has no single summary; use 'hapticwall run SCENE --expect EXPR'");
   }
-  if (Failure failed = check_outputs(options.output, {options.scene.scene, options.read})) {
+  if (Failure failed = check_outputs(
+          options.output,
+          {options.scene.scene, sidecar_read_with(options.scene.scene), options.read})) {
     return failed;
   }
   if (options.normalised) return check_normalised(options);
@@ -232,8 +234,10 @@ Failure check_options(const MapOptions& options) {
 
 Result<int> map(const MapOptions& options) {
   if (Failure failed = check_options(options)) return *failed;
-  Result<file::LoadedScene> loaded = load_for_study("map", options.scene);
+  Result<file::LoadedScene> loaded =
+      load_for_study("map", options.scene, options.output.quiet || options.normalised);
   if (!loaded) return loaded.error();
+  if (Failure failed = check_hand_files(options.output, loaded->scene)) return *failed;
   if (options.normalised) return run_normalised(options, loaded->scene);
   return options.boundary.empty() ? run_map(options, std::move(loaded->scene))
                                   : run_boundary(options, std::move(loaded->scene));

@@ -137,6 +137,7 @@ Result<int> run(const RunOptions& options) {
   const Result<file::LoadedScene> loaded =
       device->hardware ? load(options.scene) : load_headless(options.scene);
   if (!loaded) return loaded.error();
+  if (Failure failed = check_hand_files(options.output, loaded->scene)) return *failed;
   if (in_real_time) {
     if (Failure failed = check_realtime(options.scene, *loaded)) return *failed;
   }
@@ -145,10 +146,7 @@ Result<int> run(const RunOptions& options) {
       {.session_records = in_real_time, .knows_truth = !device->hardware.has_value()});
   if (!outputs) return outputs.error();
   if (!options.output.quiet) tell_edits(options.scene.scene, *loaded);
-  if (!loaded->not_repeatable_because.empty() && !options.output.quiet && !device->hardware) {
-    tell(fmt::format("note: the run will differ from the recorded session: {}",
-                     file::shown(loaded->not_repeatable_because)));
-  }
+  if (!options.output.quiet && !device->hardware) tell_difference(*loaded);
 
   catch_stop_signals();
   const Result<RunOutcome> outcome =

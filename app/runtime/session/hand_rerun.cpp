@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
+#include "app/file/disk/sha256.h"
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
 #include "core/loop/servo.h"
@@ -88,6 +90,39 @@ Result<std::vector<double>> recorded_path(file::RecordingReader& recording) {
   while (const Sample* row = rows.next()) positions_m.push_back(row->truth.hand_path_m);
   if (rows.failure()) return *rows.failure();
   return positions_m;
+}
+
+// Adds a piece, unless the last one continues or goes on resting.
+void add_piece(const PathPiece& piece, std::vector<PathPiece>& pieces) {
+  if (!pieces.empty() && piece.velocity_m_per_s == pieces.back().velocity_m_per_s) {
+    const bool rests = piece.velocity_m_per_s == 0.0;
+    const bool goes_on = rests || piece.begin_tick == pieces.back().begin_tick;
+    if (goes_on && piece.position_m == pieces.back().position_m) return;
+  }
+  pieces.push_back(piece);
+}
+
+// The present piece of a path at `tick`.
+PathPiece piece_of(const HandPath& path, std::uint64_t tick, bool is_led) {
+  const auto now = static_cast<double>(tick);
+  if (is_led) return {now, now, path.position_m(), path.velocity_m_per_s()};
+  const StraightPath& script = path.straight();
+  return {std::max(now, script.segment_begin_tick), script.segment_begin_tick,
+          script.segment_position_m, script.velocity_m_per_s};
+}
+
+std::vector<PathPiece> pieces_of(RecordedHand hand, HandPath path, std::uint64_t end_tick) {
+  std::vector<PathPiece> pieces;
+  for (std::uint64_t tick = 0; tick < end_tick; ++tick) {
+    const bool is_led = hand.lead(path);
+    do {
+      add_piece(piece_of(path, tick, is_led), pieces);
+    } while (path.next_piece());
+    path.next_tick();
+  }
+  const auto end = static_cast<double>(end_tick);
+  add_piece({end, end, path.position_m(), 0.0}, pieces);
+  return pieces;
 }
 
 class Rerun {
@@ -224,20 +259,37 @@ double RecordedHand::target_m(double from_m, double to_m) const {
   return to_m;
 }
 
-void RecordedHand::lead(PlantModel& plant) {
+// For the present tick; nullopt: the script leads. To the next tick.
+std::optional<double> RecordedHand::next_target_m(double from_m) {
   const double scripted_m = script_.position_m();
-  const double from_m = plant.truth().hand_path_m;
   const double to_m = position_m(tick_ + 1).value_or(leads_ ? from_m : scripted_m);
-  if (to_m == scripted_m && (!leads_ || reached_m(from_m, to_m) == to_m)) {
-    if (leads_) plant.release_hand();
-    leads_ = false;
-  } else {
-    plant.lead_hand_to(target_m(from_m, to_m));
-    leads_ = true;
-    has_led_ = true;
-  }
+  leads_ = to_m != scripted_m || (leads_ && reached_m(from_m, to_m) != to_m);
+  has_led_ = has_led_ || leads_;
+  const auto target = leads_ ? std::optional(target_m(from_m, to_m)) : std::nullopt;
   script_.next_tick();
   ++tick_;
+  return target;
+}
+
+void RecordedHand::lead(PlantModel& plant) {
+  const bool led = leads_;
+  const std::optional<double> target = next_target_m(plant.truth().hand_path_m);
+  if (target) {
+    plant.lead_hand_to(*target);
+  } else if (led) {
+    plant.release_hand();
+  }
+}
+
+bool RecordedHand::lead(HandPath& path) {
+  const bool led = leads_;
+  const std::optional<double> target = next_target_m(path.position_m());
+  if (target) {
+    path.lead_to(*target);
+  } else if (led) {
+    path.release();
+  }
+  return led || leads_;
 }
 
 Failure check_rerun(const file::RecordingInfo& recording) {
@@ -292,6 +344,25 @@ Result<RerunOutcome> rerun_hand(file::RecordingReader& recording, const file::Lo
   Result<std::vector<double>> positions_m = recorded_path(recording);
   if (!positions_m) return positions_m.error();
   return Rerun(recording, scene, options, std::move(*positions_m)).run();
+}
+
+Result<Scene> recorded_scene(file::RecordingReader& recording, const file::LoadedScene& wanted) {
+  const file::RecordingInfo& info = recording.info();
+  const std::uint64_t end_tick = info.scanned.last_tick + 1;
+  Scene scene = wanted.scene;
+  scene.duration_s = static_cast<double>(end_tick) / scene.sampling.rate_hz;
+  if (!scene.x().hand) return scene;
+  Result<std::vector<double>> positions_m = recorded_path(recording);
+  if (!positions_m) return positions_m.error();
+  RecordedHand hand(scene, info.scanned.first_tick, std::move(*positions_m));
+  SharedPath path;
+  path.recorded = std::make_shared<const RecordedPieces>(RecordedPieces{
+      scene.sampling.rate_hz, pieces_of(std::move(hand), hand_path(scene), end_tick)});
+  path.file = std::filesystem::absolute(info.csv_path).string();
+  path.sha256 = file::sha256_of(info.csv_path, info.scanned.end_offset).value_or("");
+  scene.x().hand->path = std::move(path);
+  scene.x().hand->follows_mouse = false;
+  return scene;
 }
 
 Result<Overlay> rerun_as_overlay(file::RecordingReader& recording, const std::string& algorithm,

@@ -72,6 +72,12 @@ struct RerunOutcome {
                                               const file::LoadedScene& scene,
                                               const RerunOptions& options = {});
 
+// The scene for studies, which run it any number of times: axis x of `wanted`, from rerun_scene(),
+// for as long as the rows last. Its hand moves as rerun_hand() moves it, bit for bit. Precondition:
+// `wanted` has no changes. Fails if the recording can no longer be read.
+[[nodiscard]] Result<Scene> recorded_scene(file::RecordingReader& recording,
+                                           const file::LoadedScene& wanted);
+
 // An overlay is kept in memory.
 inline constexpr std::uint64_t kMaxOverlaidTicks = 1'000'000;
 
@@ -89,14 +95,17 @@ class RecordedHand {
   // `positions_m`: at the ticks from `first_tick` on; at least one.
   RecordedHand(const Scene& scene, std::uint64_t first_tick, std::vector<double> positions_m);
 
-  // Call it at every tick from 0 on, when the plant is at that tick.
+  // Call one of them at every tick from 0 on, when the plant or its path is at that tick.
   void lead(PlantModel& plant);
+  // True if the path follows recorded positions during this tick, and no script.
+  bool lead(HandPath& path);
   [[nodiscard]] bool has_led() const { return has_led_; }
 
  private:
   [[nodiscard]] std::optional<double> position_m(std::uint64_t tick) const;
   [[nodiscard]] double reached_m(double from_m, double target_m) const;
   [[nodiscard]] double target_m(double from_m, double to_m) const;
+  [[nodiscard]] std::optional<double> next_target_m(double from_m);
 
   HandPath script_;  // one tick ahead of the plant
   double reach_m_;   // of a pointer, in a tick

@@ -1,5 +1,6 @@
 #include "app/ui/state/model_runs.h"
 
+#include "app/runtime/session/replay_session.h"
 #include "app/runtime/session/scene_change.h"
 #include "app/ui/state/changes.h"
 
@@ -9,6 +10,11 @@ std::string why_no_runs(const PanelContext& context) {
   if (!context.session.device_info().is_simulated) {
     return "This page computes the simulator's model of handle and hand. The hand at a device has "
            "no model: start the program without the device.";
+  }
+  if (context.shows.replay != nullptr &&
+      !context.shows.replay->recording().loaded.not_repeatable_because.empty()) {
+    return "This page would run the script of the recording's scene, not the recorded hand. "
+           "`hapticwall compare NAME.csv` and `map NAME.csv` re-run that hand.";
   }
   const auto& hand = context.session.scene().x().hand;
   if (hand && hand->follows_mouse) {

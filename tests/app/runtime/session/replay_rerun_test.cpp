@@ -5,6 +5,8 @@
 #include <random>
 
 #include "app/runtime/session/hand_rerun.h"
+#include "core/batch/batch_simulator.h"
+#include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/app/runtime/session/replay_support.h"
 #include "tests/app/runtime/session/session_support.h"
@@ -37,6 +39,32 @@ class HandRerun : public ReplayTest {
     const RerunOutcome outcome = rerun();
     EXPECT_FALSE(outcome.first_different_tick) << *outcome.first_different_tick;
     EXPECT_EQ(outcome.largest_distance_m, 0.0);
+    expect_a_study_to_run(outcome);
+  }
+  // The same hand in a headless run, up to the recorded end.
+  void expect_a_study_to_run(const RerunOutcome& rerun) {
+    const auto reader = opened(path("a.csv"));
+    const auto wanted = rerun_scene(reader->info(), "", {});
+    ASSERT_TRUE(wanted);
+    if (!wanted->changes.empty()) return;
+    const auto scene = recorded_scene(*reader, *wanted);
+    ASSERT_TRUE(scene);
+    EXPECT_EQ(validate(*scene), std::nullopt);
+    std::uint64_t row = 0;
+    SimulationOptions options;
+    options.on_sample = [&](const Sample& sample) {
+      if (sample.tick < reader->info().scanned.first_tick) return;
+      Tick recorded;
+      ASSERT_EQ(*reader->read(row++, {&recorded, 1}), 1U);
+      ASSERT_EQ(sample.truth.hand_path_m, recorded.x().truth.hand_path_m) << sample.tick;
+      ASSERT_EQ(sample.truth.position_m, recorded.x().truth.position_m) << sample.tick;
+      ASSERT_EQ(sample.truth.hand_work_j, recorded.x().truth.hand_work_j) << sample.tick;
+      ASSERT_EQ(sample.energy_scv_j, recorded.x().energy_scv_j) << sample.tick;
+    };
+    const Summary summary = simulate(*scene, options).summary;
+    EXPECT_EQ(row, reader->rows());
+    EXPECT_EQ(summary.verdict, rerun.summary.verdict);
+    EXPECT_EQ(summary.tail_peak_to_peak_m, rerun.summary.tail_peak_to_peak_m);
   }
   // hand_force_n too, which first_different_tick leaves out.
   [[nodiscard]] std::uint64_t other_hand_forces() {
@@ -183,6 +211,38 @@ TEST_F(HandRerun, UnderAnotherAlgorithmItIsWhatASessionWouldHaveBeen) {
     ASSERT_EQ(samples[i].truth.position_m, session[i].x().truth.position_m) << i;
     ASSERT_EQ(samples[i].energy_scv_j, session[i].x().energy_scv_j) << i;
   }
+}
+
+TEST_F(HandRerun, AStudyKeepsTheRateOfTheRows) {
+  record(scene_of("press"), 300, person(1, 0.05, 0.02));
+  const auto reader = opened(path("a.csv"));
+  Scene scene = *recorded_scene(*reader, *rerun_scene(reader->info(), "", {}));
+  EXPECT_EQ(scene.tick_count(), 300U);
+  scene.sampling.rate_hz = 2000.0;
+  EXPECT_EQ(validate(scene).value().key, "sampling.rate_hz");
+  EXPECT_EQ(validate(scene).value().message,
+            "the hand was recorded at 1000 Hz, and is re-run at no other rate");
+}
+
+// Side by side in lanes, and in the order of the ticks.
+TEST_F(HandRerun, ABatchFollowsTheRecordedHandToo) {
+  Scene scene = scene_of("light");
+  scene.x().device.friction_n.reset();  // lanes have none
+  scene.sampling.rate_hz = 777.0;
+  record(scene, 2500, person(4, 0.05, 0.02));
+  const auto reader = opened(path("a.csv"));
+  const Scene one = *recorded_scene(*reader, *rerun_scene(reader->info(), "", {}));
+  std::vector<Scene> scenes(5, one);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    scenes[i].x().walls.front().stiffness_n_per_m = 1000.0 * static_cast<double>(i + 1);
+  }
+  const std::vector<Summary> batch = simulate_all(scenes);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Summary alone = simulate(scenes[i]).summary;
+    EXPECT_EQ(batch[i].tail_peak_to_peak_m, alone.tail_peak_to_peak_m) << i;
+    EXPECT_EQ(batch[i].true_hand_work_j, alone.true_hand_work_j) << i;
+  }
+  EXPECT_NE(batch[0].true_hand_work_j, batch[4].true_hand_work_j);
 }
 
 TEST_F(HandRerun, OverridesAreTaken) {

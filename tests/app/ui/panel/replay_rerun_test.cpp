@@ -100,5 +100,22 @@ TEST_F(ReplayRerunTest, AFileThatHasChangedSinceIsToldAndNothingIsLaidOver) {
   EXPECT_THAT(message().text, HasSubstr("not the file any more that was opened"));
 }
 
+// Its scene has the script alone.
+TEST_F(ReplayGuiTest, OfALedHandTheModelDoesNotRun) {
+  record("led.csv", 300);
+  std::string sidecar = content("led.toml");
+  const std::string repeatable = "repeatable = true";
+  ASSERT_NE(sidecar.find(repeatable), std::string::npos);
+  put("led.toml", sidecar.replace(sidecar.find(repeatable), repeatable.size(),
+                                  "repeatable = false\nnot_repeatable_because = \"led\""));
+  drop("led.csv");
+  ASSERT_TRUE(replaying());
+  for (const char* page : {"page Map", "page All at once"}) {
+    click(page);
+    frames(3);
+    EXPECT_THAT(text(), HasSubstr("not the recorded hand")) << page;
+  }
+}
+
 }  // namespace
 }  // namespace hapticwall::test
