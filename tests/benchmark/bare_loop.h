@@ -31,9 +31,9 @@ class BareLoop {
     const double mass = scene.x().device.mass_kg + hand.mass_kg.value_or(0.0);
     const double period = scene.sampling.period_s();
     ramp_ticks_ =
-        static_cast<std::uint64_t>(std::lround(hand.path.at(1).time_s * scene.sampling.rate_hz));
-    ramp_m_per_tick_ = (hand.path.at(1).position_m - hand.path.at(0).position_m) /
-                       static_cast<double>(ramp_ticks_);
+        static_cast<std::uint64_t>(std::lround(hand.path[1].time_s * scene.sampling.rate_hz));
+    ramp_m_per_tick_ =
+        (hand.path[1].position_m - hand.path[0].position_m) / static_cast<double>(ramp_ticks_);
     ramp_speed_ = ramp_m_per_tick_ * scene.sampling.rate_hz;
     // (x - p, v, s, F), time in seconds: one matrix exponential.
     SetupMatrix<4> generator = SetupMatrix<4>::Zero();

@@ -34,9 +34,9 @@ class FrictionLoop {
         start_m_(scene.x().device.start_m),
         period_s_(scene.sampling.period_s()),
         ticks_(scene.tick_count()),
-        ramp_ticks_(static_cast<std::uint64_t>(
-            std::lround(hand_.path.at(1).time_s * scene.sampling.rate_hz))),
-        ramp_speed_((hand_.path.at(1).position_m - hand_.path.at(0).position_m) /
+        ramp_ticks_(
+            static_cast<std::uint64_t>(std::lround(hand_.path[1].time_s * scene.sampling.rate_hz))),
+        ramp_speed_((hand_.path[1].position_m - hand_.path[0].position_m) /
                     (static_cast<double>(ramp_ticks_) * period_s_)) {
     if (!(omega_ > 0.0)) throw std::invalid_argument("an underdamped hand is needed");
     tick_ = response(period_s_);
