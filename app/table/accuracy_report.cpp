@@ -92,10 +92,6 @@ std::vector<Json> row_objects(const AccuracyStudy& study) {
   return rows;
 }
 
-}  // namespace
-
-std::span<const Column<AccuracyRow>> accuracy_columns() { return kAccuracyColumns; }
-
 std::string accuracy_heading(const Summary& reference) {
   std::string text =
       fmt::format("{} under {}, {} ticks\nreference: {}", reference.scene, reference.algorithm,
@@ -108,15 +104,15 @@ std::string accuracy_heading(const Summary& reference) {
                             fixed(reference.tail_peak_to_peak_m, kMillimetresPerMetre, 4));
 }
 
-std::string accuracy_marks(const std::vector<AccuracyRow>& rows) {
-  return std::ranges::all_of(rows, &AccuracyRow::verdict_agrees)
-             ? ""
-             : "! the verdict differs from the reference's\n";
-}
+}  // namespace
 
-std::string accuracy_table(const AccuracyStudy& study) {
-  return study_text(accuracy_heading(study.reference), kAccuracyColumns, study.rows,
-                    accuracy_marks(study.rows));
+Sheet accuracy_sheet(const AccuracyStudy& study) {
+  Sheet sheet = sheet_of(kAccuracyColumns, study.rows);
+  sheet.heading = accuracy_heading(study.reference);
+  if (!std::ranges::all_of(study.rows, &AccuracyRow::verdict_agrees)) {
+    sheet.marks = "! the verdict differs from the reference's\n";
+  }
+  return sheet;
 }
 
 std::string accuracy_json(const AccuracyStudy& study) {

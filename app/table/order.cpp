@@ -25,10 +25,10 @@ Place place_of_cell(std::string_view cell) {
   return {false, 0.0, std::string(cell)};
 }
 
-std::vector<std::size_t> ordered(const std::vector<std::string>& cells, bool descending) {
+std::vector<std::size_t> ordered(const Sheet& sheet, std::size_t column, bool descending) {
   std::vector<Place> places;
-  for (const std::string& cell : cells) places.push_back(place_of_cell(cell));
-  std::vector<std::size_t> indices(cells.size());
+  for (const auto& row : sheet.rows) places.push_back(place_of_cell(row.at(column)));
+  std::vector<std::size_t> indices(places.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   std::ranges::stable_sort(indices, [&](std::size_t a, std::size_t b) {
     return before(places[a], places[b], descending);

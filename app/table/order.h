@@ -24,17 +24,8 @@ struct Place {
 // missing.
 [[nodiscard]] Place place_of_cell(std::string_view cell);
 
-// Indices of cells in their order; ties keep the order of the list.
-[[nodiscard]] std::vector<std::size_t> ordered(const std::vector<std::string>& cells,
+// Indices of the rows in the order of this column; ties keep the order of the sheet.
+[[nodiscard]] std::vector<std::size_t> ordered(const Sheet& sheet, std::size_t column,
                                                bool descending);
-
-// The cells of a column, one per row.
-template <typename Row>
-[[nodiscard]] std::vector<std::string> cells_of(const Column<Row>& column,
-                                                const std::vector<Row>& rows) {
-  std::vector<std::string> cells;
-  for (const Row& row : rows) cells.push_back(column.text(row));
-  return cells;
-}
 
 }  // namespace hapticwall::table

@@ -64,6 +64,40 @@ constexpr std::array<Column<ContactMetrics>, 12> kStudyColumns{
       [](const ContactMetrics& r) { return std::string(verdict_name(r.summary.verdict)); },
       Align::kLeft}}};
 
+// Conditions of the scene and the scan.
+std::string study_heading(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
+  std::optional<double> speed;
+  for (const ContactMetrics& row : rows) {
+    if (!speed) speed = row.approach_speed_m_per_s;
+  }
+  const MapAxis axis = plan.stiffnesses();
+  return fmt::format(
+      "{}{}: wall of {} kN/m, met at {} m/s, {:g} s\n"
+      "limits: {} stiffnesses of the wall from {} to {} N/m in steps of {:.2g} %, refined to "
+      "{:g}\n",
+      plan.scene.name, plan.scene.two_axes() ? ", axis x" : "",
+      kilonewtons_per_metre(plan.scene.x().walls.front().stiffness_n_per_m), fixed(speed, 1.0, 3),
+      plan.scene.duration_s, axis.count, file::shortest_number(axis.low),
+      file::shortest_number(axis.high), kPercent * (axis.value(1) / axis.value(0) - 1.0),
+      plan.tolerance);
+}
+
+std::string study_marks(const std::vector<ContactMetrics>& rows) {
+  const auto any = [&](auto holds) { return std::ranges::any_of(rows, holds); };
+  std::string text;
+  if (any([](const ContactMetrics& r) { return r.limits.changes > 1; })) {
+    text += kManyChangesNote;
+  }
+  if (any([](const ContactMetrics& r) { return rises(r, RiseKind::kOneTick); })) {
+    text +=
+        "* one jump in one tick: depends on the position of the wall between two encoder counts\n";
+  }
+  if (any([](const ContactMetrics& r) { return rises(r, RiseKind::kToTheLimit); })) {
+    text += "+ limited by the force limit\n";
+  }
+  return text;
+}
+
 Json conditions_object(const ContactStudyPlan& plan) {
   const MapAxis axis = plan.stiffnesses();
   return {{"scene", plan.scene.name},
@@ -103,43 +137,11 @@ std::vector<Json> row_objects(const std::vector<ContactMetrics>& rows) {
 
 }  // namespace
 
-std::span<const Column<ContactMetrics>> study_columns() { return kStudyColumns; }
-
-std::string study_heading(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
-  std::optional<double> speed;
-  for (const ContactMetrics& row : rows) {
-    if (!speed) speed = row.approach_speed_m_per_s;
-  }
-  const MapAxis axis = plan.stiffnesses();
-  return fmt::format(
-      "{}{}: wall of {} kN/m, met at {} m/s, {:g} s\n"
-      "limits: {} stiffnesses of the wall from {} to {} N/m in steps of {:.2g} %, refined to "
-      "{:g}\n",
-      plan.scene.name, plan.scene.two_axes() ? ", axis x" : "",
-      kilonewtons_per_metre(plan.scene.x().walls.front().stiffness_n_per_m), fixed(speed, 1.0, 3),
-      plan.scene.duration_s, axis.count, file::shortest_number(axis.low),
-      file::shortest_number(axis.high), kPercent * (axis.value(1) / axis.value(0) - 1.0),
-      plan.tolerance);
-}
-
-std::string study_marks(const std::vector<ContactMetrics>& rows) {
-  const auto any = [&](auto holds) { return std::ranges::any_of(rows, holds); };
-  std::string text;
-  if (any([](const ContactMetrics& r) { return r.limits.changes > 1; })) {
-    text += kManyChangesNote;
-  }
-  if (any([](const ContactMetrics& r) { return rises(r, RiseKind::kOneTick); })) {
-    text +=
-        "* one jump in one tick: depends on the position of the wall between two encoder counts\n";
-  }
-  if (any([](const ContactMetrics& r) { return rises(r, RiseKind::kToTheLimit); })) {
-    text += "+ limited by the force limit\n";
-  }
-  return text;
-}
-
-std::string study_table(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
-  return study_text(study_heading(plan, rows), kStudyColumns, rows, study_marks(rows));
+Sheet study_sheet(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {
+  Sheet sheet = sheet_of(kStudyColumns, rows);
+  sheet.heading = study_heading(plan, rows);
+  sheet.marks = study_marks(rows);
+  return sheet;
 }
 
 std::string study_json(const ContactStudyPlan& plan, const std::vector<ContactMetrics>& rows) {

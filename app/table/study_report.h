@@ -1,7 +1,6 @@
 // A contact study as a table, as JSON and as CSV.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -10,16 +9,9 @@
 
 namespace hapticwall::table {
 
-[[nodiscard]] std::span<const Column<ContactMetrics>> study_columns();
-// Conditions of the scene and of the scan, two lines.
-[[nodiscard]] std::string study_heading(const ContactStudyPlan& plan,
-                                        const std::vector<ContactMetrics>& rows);
-// The meaning of the marks in the rows, a line each; "" without marks.
-[[nodiscard]] std::string study_marks(const std::vector<ContactMetrics>& rows);
-
-// Heading, rows, marks.
-[[nodiscard]] std::string study_table(const ContactStudyPlan& plan,
-                                      const std::vector<ContactMetrics>& rows);
+// Its heading states the conditions of the scene and of the scan, in two lines.
+[[nodiscard]] Sheet study_sheet(const ContactStudyPlan& plan,
+                                const std::vector<ContactMetrics>& rows);
 // One object, with the conditions, and `rows`.
 [[nodiscard]] std::string study_json(const ContactStudyPlan& plan,
                                      const std::vector<ContactMetrics>& rows);

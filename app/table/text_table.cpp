@@ -53,4 +53,17 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows,
   return text;
 }
 
+std::string sheet_text(const Sheet& sheet) {
+  std::vector<std::vector<std::string>> lines(2);
+  std::vector<Align> aligns;
+  for (const Sheet::Head& column : sheet.columns) {
+    lines[0].push_back(column.title);
+    lines[1].push_back(column.unit);
+    aligns.push_back(column.align);
+  }
+  lines.insert(lines.end(), sheet.rows.begin(), sheet.rows.end());
+  return (sheet.heading.empty() ? "" : sheet.heading + "\n") + aligned(lines, aligns) +
+         (sheet.marks.empty() ? "" : "\n" + sheet.marks);
+}
+
 }  // namespace hapticwall::table

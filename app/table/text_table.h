@@ -38,27 +38,33 @@ struct Column {
   Align align = Align::kRight;
 };
 
-// Titles, units, and one line per row.
+// A filled table for people.
+struct Sheet {
+  struct Head {
+    std::string title;
+    std::string unit;
+    Align align = Align::kRight;
+  };
+  std::string heading;  // lines, or ""
+  std::vector<Head> columns;
+  std::vector<std::vector<std::string>> rows;  // a cell for each column
+  std::string marks;                           // the meaning of marks in cells: lines, or ""
+};
+
+// Without heading and marks.
 template <typename Row>
-[[nodiscard]] std::string table_of(std::type_identity_t<std::span<const Column<Row>>> columns,
-                                   const std::vector<Row>& rows) {
-  std::vector<std::vector<std::string>> cells(2 + rows.size());
-  std::vector<Align> aligns;
+[[nodiscard]] Sheet sheet_of(std::type_identity_t<std::span<const Column<Row>>> columns,
+                             const std::vector<Row>& rows) {
+  Sheet sheet;
+  sheet.rows.resize(rows.size());
   for (const Column<Row>& column : columns) {
-    aligns.push_back(column.align);
-    cells[0].emplace_back(column.title);
-    cells[1].emplace_back(column.unit);
-    for (std::size_t i = 0; i < rows.size(); ++i) cells[2 + i].push_back(column.text(rows[i]));
+    sheet.columns.push_back({std::string(column.title), std::string(column.unit), column.align});
+    for (std::size_t i = 0; i < rows.size(); ++i) sheet.rows[i].push_back(column.text(rows[i]));
   }
-  return aligned(cells, aligns);
+  return sheet;
 }
 
-// A study for people: heading, rows, and the meaning of their marks, if any.
-template <typename Row>
-[[nodiscard]] std::string study_text(const std::string& heading,
-                                     std::type_identity_t<std::span<const Column<Row>>> columns,
-                                     const std::vector<Row>& rows, const std::string& marks) {
-  return heading + "\n" + table_of(columns, rows) + (marks.empty() ? "" : "\n" + marks);
-}
+// Heading, titles, units, one line per row, marks.
+[[nodiscard]] std::string sheet_text(const Sheet& sheet);
 
 }  // namespace hapticwall::table

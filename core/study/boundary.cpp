@@ -106,8 +106,9 @@ class Runner {
       const double runs = done_ + static_cast<double>(done);
       if (options_.progress) options_.progress(std::min(1.0, runs / total_));
     };
-    std::vector<Summary> summaries =
-        simulate_all(scenes, {.should_stop = options_.should_stop, .progress = show});
+    std::vector<Summary> summaries = simulate_all(
+        scenes,
+        {.threads = options_.threads, .should_stop = options_.should_stop, .progress = show});
     done_ += static_cast<double>(scenes.size());
     return summaries;
   }

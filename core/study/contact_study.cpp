@@ -27,11 +27,11 @@ Scene scene_of(const ContactStudyPlan& plan, const AlgorithmSettings& algorithm)
 
 // False if stopped. `show`: the progress of this search.
 bool find_limits(const ContactStudyPlan& plan, const Scene& scene,
-                 const std::function<bool()>& should_stop, const std::function<void(double)>& show,
+                 const ContactStudyOptions& options, const std::function<void(double)>& show,
                  ContactMetrics& metrics) {
   std::vector<Boundary> limits = find_boundaries(
       {scene, {scene.algorithm.index}, std::nullopt, plan.stiffnesses(), plan.tolerance},
-      {.should_stop = should_stop, .progress = show});
+      {.threads = options.threads, .should_stop = options.should_stop, .progress = show});
   if (limits.empty()) return false;
   metrics.limits = std::move(limits.front());
   return true;
@@ -119,7 +119,7 @@ std::vector<ContactMetrics> study_contact(const ContactStudyPlan& plan,
     };
     const auto show_search = [&](double fraction) { show(kSearchShare * fraction); };
     const Scene scene = scene_of(plan, compared[i].settings);
-    if (!find_limits(plan, scene, options.should_stop, show_search, rows[i])) return {};
+    if (!find_limits(plan, scene, options, show_search, rows[i])) return {};
     if (!look_at_contact(scene, options.should_stop, rows[i])) return {};
     rows[i].summary.algorithm = compared[i].label;
     show(1.0);

@@ -60,6 +60,7 @@ struct ContactMetrics {
 };
 
 struct ContactStudyOptions {
+  int threads = 0;  // max; 0: as many as the processor runs at a time
   std::function<bool()> should_stop;
   // Called by any thread, never by two at once; monotonic.
   std::function<void(double fraction)> progress;

@@ -86,6 +86,29 @@ void click_the_map(Person& person) {
   go_to_page(person, "Plots");
 }
 
+// Ends the ranking, and uses the coarse accuracy, which comes within a second.
+void compute_studies(Person& person) {
+  go_to_page(person, "Study");
+  ui::Studies& studies = person.state().studies;
+  person.click("study compute");
+  EXPECT_TRUE(studies.ranking.running());
+  person.click("study compute");
+  EXPECT_FALSE(studies.running());
+  person.click("study accuracy");
+  person.click("study compute");
+  person.wait_until([&] { return studies.accuracy.result() != nullptr; }, "the coarse result");
+  person.click("study compute");
+  EXPECT_FALSE(studies.running());
+  person.click("study csv");
+  EXPECT_EQ(person.clipboard(), studies.accuracy.result()->csv);
+  person.click("study copy");
+  EXPECT_EQ(person.clipboard(), table::sheet_text(studies.accuracy.result()->sheet));
+  person.click("study column integrator");
+  person.click("study ranking");
+  EXPECT_FALSE(studies.shows_accuracy);
+  go_to_page(person, "Plots");
+}
+
 void click_all_at_once(Person& person) {
   go_to_page(person, "All at once");
   const ui::AllRuns& all = person.state().all_runs;
@@ -261,6 +284,7 @@ Table page_rows() {
   using enum ui::LowerPage;
   return {page("Timing", kTiming, "timing clear"), page("Blind test", kBlindTest, "blind start"),
           page("Map", kMap, "map algorithms"),     page("All at once", kAll, "all none"),
+          page("Study", kStudy, "study compute"),  {"study compute", compute_studies},
           page("Plots", kPlots, "plot Force"),     {"timing clear", hover_timing},
           {"map algorithms", choose_the_map},      {"map cells 0", click_the_map},
           {"all none", click_all_at_once},         shown("penetration")};

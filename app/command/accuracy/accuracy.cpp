@@ -87,9 +87,9 @@ Result<int> accuracy(const CommandOptions& options) {
   if (!files) return files.error();
   const AccuracyStudy study = measure(scene, std::move(*substeps), options.output.quiet);
   if (study.stopped_early) return ended_early();
-  return status_of(files->write(
-      {table::accuracy_csv(study), table::accuracy_json(study), table::accuracy_table(study)},
-      [&] { return draw::draw_work_precision(scene, study); }));
+  return status_of(files->write({table::accuracy_csv(study), table::accuracy_json(study),
+                                 table::sheet_text(table::accuracy_sheet(study))},
+                                [&] { return draw::draw_work_precision(scene, study); }));
 }
 
 }  // namespace

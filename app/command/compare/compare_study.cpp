@@ -65,7 +65,7 @@ Result<int> compare_study(const SceneOptions& scene, const OutputOptions& output
   const std::vector<ContactMetrics> rows = study(*plan, output.quiet);
   if (rows.empty()) return ended_early();
   return status_of(files->write({table::study_csv(*plan, rows), table::study_json(*plan, rows),
-                                 table::study_table(*plan, rows)}));
+                                 table::sheet_text(table::study_sheet(*plan, rows))}));
 }
 
 }  // namespace hapticwall::command

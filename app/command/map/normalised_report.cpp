@@ -82,7 +82,7 @@ std::string normalised_table(const NormalisedChart& chart) {
         "is stable\n",
         delay.ticks, delay.best.limit, delay.best.damping, delay.last_damping);
   }
-  text += "\n" + table::table_of(kColumns, rows);
+  text += "\n" + table::sheet_text(table::sheet_of(kColumns, rows));
   if (std::ranges::any_of(rows, [](const Row& row) { return row.point.changes > 1; })) {
     text += "\nthe verdict changes more than once along a scan: see --json\n";
   }

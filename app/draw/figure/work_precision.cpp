@@ -125,9 +125,10 @@ std::string diverged_runs(const AccuracyStudy& study) {
   return text;
 }
 
-void draw_contents(const Theme& theme, const Scene& scene, const AccuracyStudy& study,
-                   float scale) {
-  draw_title(theme, scene, study);
+}  // namespace
+
+void draw_work_precision(const Theme& theme, const AccuracyStudy& study, ImVec2 size, float scale) {
+  const float top = ImGui::GetCursorPosY();
   draw_legend(theme);
   const std::string diverged = diverged_runs(study);
   if (!diverged.empty()) {
@@ -142,22 +143,21 @@ void draw_contents(const Theme& theme, const Scene& scene, const AccuracyStudy& 
   if (study.reference.verdict == Verdict::kSettled) {
     amplitude.nothing = "the reference is settled: there is no oscillation to be off from";
   }
-  const ImVec2 free = ImGui::GetContentRegionAvail();
   const float gap = 3.0F * ImGui::GetStyle().ItemSpacing.x;
-  const ImVec2 half(0.5F * (free.x - gap), free.y);
+  const ImVec2 half(0.5F * (size.x - gap), size.y - (ImGui::GetCursorPosY() - top));
   draw_log_plot(theme, position, half, scale);
   ImGui::SameLine(0.0F, gap);
   draw_log_plot(theme, amplitude, half, scale);
 }
 
-}  // namespace
-
 Result<file::Picture> draw_work_precision(const Scene& scene, const AccuracyStudy& study,
                                           FigureSize size) {
   const float scale = std::min(static_cast<float>(size.width) / kDesignWidth,
                                static_cast<float>(size.height) / kPrecisionDesignHeight);
-  return draw_page(size, scale,
-                   [&](const Theme& theme) { draw_contents(theme, scene, study, scale); });
+  return draw_page(size, scale, [&](const Theme& theme) {
+    draw_title(theme, scene, study);
+    draw_work_precision(theme, study, ImGui::GetContentRegionAvail(), scale);
+  });
 }
 
 }  // namespace hapticwall::draw

@@ -2,7 +2,10 @@
 // display.
 #pragma once
 
+#include <imgui.h>
+
 #include "app/draw/figure/figure.h"
+#include "app/draw/plot/theme.h"
 #include "app/file/picture.h"
 #include "core/result.h"
 #include "core/scene.h"
@@ -18,5 +21,8 @@ inline constexpr FigureSize kWorkPrecisionSize{1600, 800};
 [[nodiscard]] Result<file::Picture> draw_work_precision(const Scene& scene,
                                                         const AccuracyStudy& study,
                                                         FigureSize size = kWorkPrecisionSize);
+
+// Legend and plots of the same into a window. `scale`: of lines and marks.
+void draw_work_precision(const Theme& theme, const AccuracyStudy& study, ImVec2 size, float scale);
 
 }  // namespace hapticwall::draw

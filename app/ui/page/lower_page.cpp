@@ -8,6 +8,7 @@
 #include "app/ui/page/blind_test_page.h"
 #include "app/ui/page/map_page.h"
 #include "app/ui/page/plots_panel.h"
+#include "app/ui/page/study_page.h"
 #include "app/ui/page/timing_page.h"
 #include "app/ui/panel/energy_lamp_view.h"
 #include "app/ui/panel/verdict_strip.h"
@@ -32,7 +33,9 @@ constexpr std::array kPages{
          "Where the present scene is stable, over two of its numbers. A click makes a cell the "
          "running scene."},
     Page{LowerPage::kAll, "All at once",
-         "The present scene under all algorithms. A click puts one in force."}};
+         "The present scene under all algorithms. A click puts one in force."},
+    Page{LowerPage::kStudy, "Study",
+         "Tables of the present scene: the algorithms ranked, the integrators measured"}};
 
 void draw_page_choice(const PanelContext& context) {
   const LowerPage now = lower_page(context);
@@ -65,6 +68,7 @@ void draw_lower_page(const PanelContext& context, const draw::SampleHistory& his
   draw_verdict_strip(context);
   if (lower_page(context) != LowerPage::kMap) context.state.map.live.stop();
   if (lower_page(context) != LowerPage::kAll) context.state.all_runs.stop();
+  if (lower_page(context) != LowerPage::kStudy) context.state.studies.stop();
   ImGui::BeginChild("lower page", ImVec2(0.0F, 0.0F),
                     ImGuiChildFlags_Borders | ImGuiChildFlags_NavFlattened);
   switch (lower_page(context)) {
@@ -83,6 +87,9 @@ void draw_lower_page(const PanelContext& context, const draw::SampleHistory& his
       break;
     case LowerPage::kAll:
       draw_all_page(context);
+      break;
+    case LowerPage::kStudy:
+      draw_study_page(context);
       break;
   }
   ImGui::EndChild();

@@ -19,7 +19,6 @@ constexpr float kControlsShare = 0.4F;  // of the width
 constexpr float kMaxControlsEms = 21.0F;
 constexpr float kGapEms = 1.0F;
 constexpr float kDotEms = 0.36F;
-constexpr float kBarAlpha = 0.4F;
 
 // A value in steps of its axis; NaN for a value that the axis cannot have.
 float steps_of(const MapAxis& axis, double value) {
@@ -112,10 +111,7 @@ void draw_progress(const PanelContext& context, const StabilityMap& map) {
   const std::string text = live.complete()
                                ? runs + " runs, complete"
                                : fmt::format("{} runs, {:.0f} %", runs, 100.0 * live.fraction());
-  ImGui::PushStyleColor(ImGuiCol_PlotHistogram,
-                        draw::with_alpha(context.theme.colour(draw::Tone::kAccent), kBarAlpha));
-  ImGui::ProgressBar(static_cast<float>(live.fraction()), ImVec2(-1.0F, 0.0F), text.c_str());
-  ImGui::PopStyleColor();
+  progress_bar(context, live.fraction(), text);
   explain(
       "Each cell is a run of the scene from rest, as of 'hapticwall map'. It is computed beside "
       "the session, coarse first, on all cores but one.");

@@ -12,7 +12,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kButtonEms = 4.5F;
+constexpr float kTourButtonEms = 4.5F;
 constexpr int kButtons = 3;
 
 // Also notes that it is done: the sight may be over before the text is read.
@@ -45,14 +45,14 @@ void draw_step_buttons(const PanelContext& context, std::size_t step, std::size_
   UiState& state = context.state;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SameLine();
-  draw::align_right(kButtons * (ems(kButtonEms) + gap) - gap);
-  if (button("Back###tour back", "", {.width = ems(kButtonEms), .enabled = step > 1}))
+  draw::align_right(kButtons * (ems(kTourButtonEms) + gap) - gap);
+  if (button("Back###tour back", "", {.width = ems(kTourButtonEms), .enabled = step > 1}))
     go_to_step(state, step - 1);
   ImGui::SameLine();
-  if (button("Next###tour next", "", {.width = ems(kButtonEms), .enabled = step < count}))
+  if (button("Next###tour next", "", {.width = ems(kTourButtonEms), .enabled = step < count}))
     go_to_step(state, step + 1);
   ImGui::SameLine();
-  if (button("Close###close tour", "The tour begins again from F1", {.width = ems(kButtonEms)}))
+  if (button("Close###close tour", "The tour begins again from F1", {.width = ems(kTourButtonEms)}))
     go_to_step(state, 0);
 }
 

@@ -1,8 +1,10 @@
 // Long work on its own thread, so that the window never waits.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <future>
@@ -11,9 +13,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/batch/workers.h"
 #include "core/result.h"
 
 namespace hapticwall::ui {
+
+// Of a task that shares its work out: one core is left to the loop and the window.
+[[nodiscard]] inline int background_thread_count() {
+  return static_cast<int>(std::max<std::size_t>(batch::worker_count(0), 2) - 1);
+}
 
 // One task at a time. All members are called from the owner's thread. None waits, except the
 // destructor, which waits for the end of the task.

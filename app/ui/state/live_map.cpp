@@ -4,15 +4,11 @@
 
 #include "app/runtime/loop/realtime_setup.h"
 #include "app/ui/state/map_choice.h"
-#include "core/batch/workers.h"
 
 namespace hapticwall::ui {
 namespace {
 
 constexpr std::size_t kCellsAtATime = 64;  // for each thread, between two deliveries
-
-// One core is left to the loop and the window.
-std::size_t thread_count() { return std::max<std::size_t>(batch::worker_count(0), 2) - 1; }
 
 std::size_t block_begin(std::size_t index, std::size_t stage) { return index / stage * stage; }
 
@@ -59,7 +55,7 @@ void MapPicture::add(std::size_t middle, std::size_t stage, const MapMetrics& me
 
 bool LiveMap::compute(const StabilityMap& map, Outbox& outbox, const Task::Progress& progress) {
   runtime::set_up_background_thread();
-  const std::size_t threads = thread_count();
+  const int threads = background_thread_count();
   const auto work = static_cast<double>(work_of(map));
   std::size_t done = 0;
   const auto stops = [&] { return !progress(static_cast<double>(done) / work); };
@@ -69,9 +65,9 @@ bool LiveMap::compute(const StabilityMap& map, Outbox& outbox, const Task::Progr
     for (std::size_t from = 0; from < all.size();) {
       const std::size_t left = all.size() - from;
       // The first picture is whole.
-      const auto some =
-          std::span(all).subspan(from, first ? left : std::min(left, threads * kCellsAtATime));
-      std::vector<MapMetrics> metrics = run_cells(map, some, static_cast<int>(threads), stops);
+      const auto some = std::span(all).subspan(
+          from, first ? left : std::min(left, static_cast<std::size_t>(threads) * kCellsAtATime));
+      std::vector<MapMetrics> metrics = run_cells(map, some, threads, stops);
       if (metrics.empty()) return false;
       Results results{stage, {some.begin(), some.end()}, std::move(metrics), {}};
       if (first) results.bounds = draw::map_bounds(map);

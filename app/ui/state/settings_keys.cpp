@@ -137,10 +137,12 @@ constexpr std::array kArrangementWords{
     Word<PlotArrangement>{"all", PlotArrangement::kAll},
     Word<PlotArrangement>{"figure-4", PlotArrangement::kFigure4},
     Word<PlotArrangement>{"figures-5-6", PlotArrangement::kFigure5And6}};
-constexpr std::array kLowerPages{
-    Word<LowerPage>{"plots", LowerPage::kPlots}, Word<LowerPage>{"timing", LowerPage::kTiming},
-    Word<LowerPage>{"blind-test", LowerPage::kBlindTest}, Word<LowerPage>{"map", LowerPage::kMap},
-    Word<LowerPage>{"all", LowerPage::kAll}};
+constexpr std::array kLowerPages{Word<LowerPage>{"plots", LowerPage::kPlots},
+                                 Word<LowerPage>{"timing", LowerPage::kTiming},
+                                 Word<LowerPage>{"blind-test", LowerPage::kBlindTest},
+                                 Word<LowerPage>{"map", LowerPage::kMap},
+                                 Word<LowerPage>{"all", LowerPage::kAll},
+                                 Word<LowerPage>{"study", LowerPage::kStudy}};
 constexpr std::array kTriggers{Word<draw::TriggerMode>{"off", draw::TriggerMode::kOff},
                                Word<draw::TriggerMode>{"auto", draw::TriggerMode::kAuto},
                                Word<draw::TriggerMode>{"normal", draw::TriggerMode::kNormal},

@@ -32,6 +32,7 @@
 #include "app/ui/state/live_map.h"
 #include "app/ui/state/map_choice.h"
 #include "app/ui/state/messages.h"
+#include "app/ui/state/scene_study.h"
 #include "app/ui/state/tail.h"
 #include "app/ui/state/timing_state.h"
 #include "app/ui/state/undo.h"
@@ -123,7 +124,7 @@ struct ReplayState {
 enum class PlotArrangement : std::uint8_t { kTwo, kAll, kFigure4, kFigure5And6 };
 
 // The page below the views.
-enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest, kMap, kAll };
+enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest, kMap, kAll, kStudy };
 
 inline constexpr double kMaxWithdrawMmPerS = 1000.0;
 
@@ -253,6 +254,7 @@ struct UiState {
   TimingState timing;
   MapState map;
   AllRuns all_runs;
+  Studies studies;
   Tails tails;
 };
 

@@ -67,6 +67,14 @@ void muted_text(const PanelContext& context, std::string_view text) {
   draw::wrapped_text(context.theme.colour(draw::Tone::kMuted), text);
 }
 
+void progress_bar(const PanelContext& context, double fraction, const std::string& text) {
+  constexpr float kAlpha = 0.4F;
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram,
+                        draw::with_alpha(context.theme.colour(draw::Tone::kAccent), kAlpha));
+  ImGui::ProgressBar(static_cast<float>(fraction), ImVec2(-1.0F, 0.0F), text.c_str());
+  ImGui::PopStyleColor();
+}
+
 void explain(std::string_view text) {
   if (text.empty() ||
       !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) {

@@ -32,6 +32,9 @@ void section(const PanelContext& context, const char* title, bool asked_for = fa
 void beside(float width, float gap = -1.0F);
 void muted_text(const PanelContext& context, std::string_view text);
 
+// As wide as the panel. `fraction`: 0 to 1.
+void progress_bar(const PanelContext& context, double fraction, const std::string& text);
+
 // Shows a tooltip for the last item.
 void explain(std::string_view text);
 

@@ -193,7 +193,7 @@ void Application::note_frame(double frame_s, double now_s) {
 bool Application::moving() const {
   return samples_came_ || state_.transient.toasts.moving() || !state_.wall.transient.view_refined ||
          state_.replay.opening.running() || state_.replay.rerun.running() ||
-         state_.map.live.running() || state_.all_runs.running();
+         state_.map.live.running() || state_.all_runs.running() || state_.studies.running();
 }
 
 void Application::drop(std::span<const std::string> paths) {

@@ -56,7 +56,7 @@ AccuracyStudy made_up() {
 }
 
 TEST(AccuracyReport, TheTableSaysWhoIsWrong) {
-  const std::string table = accuracy_table(made_up());
+  const std::string table = sheet_text(accuracy_sheet(made_up()));
   EXPECT_THAT(table, HasSubstr("reference: oscillating, 0.5000 mm peak to peak"));
   EXPECT_THAT(table, HasSubstr("  0.5000       0.00  oscillating\n"));
   EXPECT_THAT(table, HasSubstr("  -1.0e-15      3.0e-15  "));
@@ -66,14 +66,15 @@ TEST(AccuracyReport, TheTableSaysWhoIsWrong) {
   EXPECT_THAT(table, Not(HasSubstr("inf")));
   AccuracyStudy agreeing = made_up();
   agreeing.rows.resize(1);
-  EXPECT_THAT(accuracy_table(agreeing), Not(HasSubstr("!")));
+  EXPECT_THAT(sheet_text(accuracy_sheet(agreeing)), Not(HasSubstr("!")));
 }
 
 TEST(AccuracyReport, TheTableOfADivergedReferenceSaysSo) {
   AccuracyStudy study = made_up();
   study.reference.verdict = Verdict::kDiverged;
   study.reference.diverged_at_tick = 7;
-  EXPECT_THAT(accuracy_table(study), HasSubstr("reference: diverged at tick 7; errors"));
+  EXPECT_THAT(sheet_text(accuracy_sheet(study)),
+              HasSubstr("reference: diverged at tick 7; errors"));
 }
 
 TEST(AccuracyReport, JsonHasEveryKeyAndNullForWhatDoesNotApply) {

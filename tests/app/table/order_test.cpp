@@ -10,9 +10,15 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
+std::vector<std::size_t> order_of(const Cells& cells, bool descending) {
+  Sheet sheet;
+  for (const std::string& cell : cells) sheet.rows.push_back({"another", cell});
+  return ordered(sheet, 1, descending);
+}
+
 Cells in_order(const Cells& cells, bool descending) {
   Cells sorted;
-  for (const std::size_t i : ordered(cells, descending)) sorted.push_back(cells[i]);
+  for (const std::size_t i : order_of(cells, descending)) sorted.push_back(cells[i]);
   return sorted;
 }
 
@@ -35,7 +41,7 @@ TEST(Order, VerdictsRankFromGoodToBad) {
 TEST(Order, WordsAreSortedAndEqualRowsStay) {
   EXPECT_EQ(in_order({"none", "half-sample", "energy-bounding"}, false),
             (Cells{"energy-bounding", "half-sample", "none"}));
-  EXPECT_EQ(ordered({"1.0", "2.0", "1.00", "2.0"}, true), (std::vector<std::size_t>{1, 3, 0, 2}));
+  EXPECT_EQ(order_of({"1.0", "2.0", "1.00", "2.0"}, true), (std::vector<std::size_t>{1, 3, 0, 2}));
 }
 
 }  // namespace

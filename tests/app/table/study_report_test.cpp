@@ -32,7 +32,7 @@ ContactMetrics made_up_row() {
 
 TEST(StudyReport, AFigureThatDoesNotApplyIsADashAndNull) {
   const std::vector<ContactMetrics> rows{made_up_row()};
-  const std::string table = study_table(made_up_plan(), rows);
+  const std::string table = sheet_text(study_sheet(made_up_plan(), rows));
   EXPECT_THAT(table, HasSubstr("met at - m/s"));
   EXPECT_THAT(table, AllOf(Not(HasSubstr("!")), Not(HasSubstr("*"))));
   const auto json = nlohmann::json::parse(study_json(made_up_plan(), rows));
@@ -53,7 +53,7 @@ TEST(StudyReport, MarksAreExplainedWhereTheyOccur) {
   row.approach_speed_m_per_s = 0.03;
   row.rate_hardness_n_per_m = 44'350.0;
   row.rise_kind = RiseKind::kOneTick;
-  const std::string table = study_table(made_up_plan(), {row});
+  const std::string table = sheet_text(study_sheet(made_up_plan(), {row}));
   EXPECT_THAT(table, AllOf(HasSubstr("met at 0.030 m/s"), HasSubstr("7.28   0.27"),
                            HasSubstr(" 7.28        142.00        3 ! "), HasSubstr(" 44.35 * "),
                            HasSubstr("\n! the verdict changes more than once"),
@@ -61,11 +61,11 @@ TEST(StudyReport, MarksAreExplainedWhereTheyOccur) {
   const auto json = nlohmann::json::parse(study_json(made_up_plan(), {row}));
   EXPECT_EQ(json.at("rows")[0].at("rate_hardness_of"), "one-tick");
   row.rise_kind = RiseKind::kToTheLimit;
-  EXPECT_THAT(study_table(made_up_plan(), {row}),
+  EXPECT_THAT(sheet_text(study_sheet(made_up_plan(), {row})),
               AllOf(HasSubstr(" 44.35 + "), HasSubstr("\n+ limited by the force limit\n"),
                     Not(HasSubstr("*"))));
   row.limits.changes = 1;
-  EXPECT_THAT(study_table(made_up_plan(), {row}), Not(HasSubstr("!")));
+  EXPECT_THAT(sheet_text(study_sheet(made_up_plan(), {row})), Not(HasSubstr("!")));
 }
 
 }  // namespace

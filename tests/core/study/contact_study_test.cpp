@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -254,6 +255,20 @@ TEST(ContactStudy, TellsProgressAndStops) {
     EXPECT_TRUE(study_contact(plan, options).empty()) << from;
     EXPECT_LT(now, fractions.back());
   }
+}
+
+TEST(ContactStudy, OnOneThreadIsTheSameAndStaysOnThatThread) {
+  const ContactStudyPlan plan = pressed(500.0, 8000.0, 40);
+  ContactStudyOptions options;
+  options.threads = 1;
+  options.progress = [me = std::this_thread::get_id()](double) {
+    EXPECT_EQ(std::this_thread::get_id(), me);
+  };
+  const std::vector<ContactMetrics> one = study_contact(plan, options);
+  const std::vector<ContactMetrics> all = study_contact(plan);
+  ASSERT_EQ(one.size(), all.size());
+  EXPECT_EQ(one.front().limits.failed.first, all.front().limits.failed.first);
+  EXPECT_EQ(one.front().limits.settled.last, all.front().limits.settled.last);
 }
 
 }  // namespace

@@ -1,0 +1,10 @@
+// The study page: tables of the present scene, computed on demand.
+#pragma once
+
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+void draw_study_page(const PanelContext& context);
+
+}  // namespace hapticwall::ui
