@@ -39,11 +39,12 @@ void draw_plots(PlotSurface& surface, std::span<const PlotId> plots, ImVec2 free
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   const auto count = static_cast<float>(plots.size());
   const ImVec2 each(free.x, (free.y - (count - 1.0F) * gap) / count);
+  const PlotTable table(surface.history->derived());
   ImPlot::BeginAlignedPlots("plots");  // one left and one right margin
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const std::string mark = fmt::format("({}) ", static_cast<char>('a' + i));
     surface.time_labels = i + 1 == plots.size();
-    draw_plot(surface, plot_description(plots[i]), mark, each);
+    draw_plot(surface, table[plots[i]], mark, each);
   }
   ImPlot::EndAlignedPlots();
 }

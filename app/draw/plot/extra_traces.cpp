@@ -66,7 +66,7 @@ void draw_extra_traces(const PlotSurface& surface, const PlotDescription& plot) 
                   trace.shift_s},
                  {name.c_str(), extra_colour(*surface.theme, trace, line.tone),
                   kTraceWidth * surface.line_weight, Dash::kSolid, scale.smallest_span},
-                 line.on_right ? ImAxis_Y2 : ImAxis_Y1, *surface.scratch);
+                 value_axis(line.side), *surface.scratch);
     }
   }
   ImPlot::SetAxes(ImAxis_X1, ImAxis_Y1);

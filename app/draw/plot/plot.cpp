@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kMinTimeAxisS = 1e-4;
 constexpr double kMaxTimeAxisS = 1e6;
-constexpr float kWishStrength = 0.4F;  // of a wish's band
+constexpr float kDimStrength = 0.4F;  // of a band that must not cover others
 
-bool has_right_axis(const PlotSurface& surface, const PlotDescription& plot) {
+bool has_axis(const PlotSurface& surface, const PlotDescription& plot, Side side) {
   return std::any_of(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& line) {
-    return line.on_right && is_drawn(surface, plot, line);
+    return line.side == side && is_drawn(surface, plot, line);
   });
 }
 
@@ -32,10 +32,10 @@ bool shows_positions(const PlotSurface& surface, const PlotDescription& plot) {
 
 // The extremes of the drawn lines that are a wish, or that are none.
 std::optional<Extremes> line_values(const PlotSurface& surface, const PlotDescription& plot,
-                                    IndexRange range, bool right, bool wish) {
+                                    IndexRange range, Side side, bool wish) {
   std::optional<Extremes> all;
   for (const PlotLine& line : plot.lines) {
-    if (line.on_right != right || line.wish != wish || !is_drawn(surface, plot, line)) continue;
+    if (line.side != side || line.wish != wish || !is_drawn(surface, plot, line)) continue;
     if (const auto extra = extra_extremes(surface, line)) include(all, *extra);
     if (range.count() == 0) continue;
     const SampleStats stats = surface.history->stats(line.quantity, range);
@@ -56,16 +56,16 @@ void include_limit(const PlotSurface& surface, Extremes& values) {
 
 // The extremes that the automatic axis shows, in SI units.
 Extremes axis_values(const PlotSurface& surface, const PlotDescription& plot, IndexRange range,
-                     bool right) {
-  std::optional<Extremes> all = line_values(surface, plot, range, right, false);
-  if (!all) all = line_values(surface, plot, range, right, true);
-  if (plot.id != PlotId::kPosition || right) {
+                     Side side) {
+  std::optional<Extremes> all = line_values(surface, plot, range, side, false);
+  if (!all) all = line_values(surface, plot, range, side, true);
+  if (plot.id != PlotId::kPosition || side != Side::kLeft) {
     include(all, {});
   } else if (!surface.walls.empty() && (!all || shows_positions(surface, plot))) {
     const double face_m = surface.walls.front().position_m;
     include(all, {face_m, face_m});
   }
-  if (plot.id == PlotId::kForce) include_limit(surface, *all);
+  if (plot.id == PlotId::kForce && side == Side::kLeft) include_limit(surface, *all);
   return all.value_or(Extremes{});
 }
 
@@ -85,7 +85,8 @@ ImPlotAxisFlags value_lock(const PlotSurface& surface, const PlotAxes& axes) {
   return !selecting && axes.area.contains(began) ? ImPlotAxisFlags_Lock : 0;
 }
 
-void set_up_axes(PlotSurface& surface, PlotAxes& axes, double* length_s, bool right) {
+void set_up_axes(PlotSurface& surface, const PlotDescription& plot, PlotAxes& axes,
+                 double* length_s) {
   const auto labels = [](bool shown) { return shown ? 0 : ImPlotAxisFlags_NoTickLabels; };
   const ImPlotAxisFlags lock = value_lock(surface, axes);
   ImPlot::SetupAxis(ImAxis_X1, nullptr, kAxisFlags | labels(surface.time_labels));
@@ -93,9 +94,10 @@ void set_up_axes(PlotSurface& surface, PlotAxes& axes, double* length_s, bool ri
   ImPlot::SetupAxisZoomConstraints(ImAxis_X1, kMinTimeAxisS, kMaxTimeAxisS);
   ImPlot::SetupAxisFormat(ImAxis_X1, format_time, length_s);
   axes.left.set_up(ImAxis_Y1, "%6.6g", lock | labels(surface.value_labels));
-  if (right) {
-    axes.right.set_up(ImAxis_Y2, "%.6g",
-                      lock | ImPlotAxisFlags_Opposite | ImPlotAxisFlags_NoGridLines);
+  for (const Side side : kRightSides) {
+    if (!has_axis(surface, plot, side)) continue;
+    axes.on(side).set_up(value_axis(side), "%.6g",
+                         lock | ImPlotAxisFlags_Opposite | ImPlotAxisFlags_NoGridLines);
   }
   ImPlot::SetupFinish();
 }
@@ -154,12 +156,12 @@ void draw_lines(const PlotSurface& surface, const PlotDescription& plot, IndexRa
     TraceStyle style{line.name, surface.theme->colour(line.tone), surface.line_weight, line.dash,
                      scale.smallest_span};
     if (surface.line_names && drawn > 1) style.label = line.name;
-    if (line.wish) style.band_strength = kWishStrength;
+    if (line.wish || line.side != Side::kLeft) style.band_strength = kDimStrength;
     if (has_other_band(surface, plot, line)) style.band_strength = 0.0F;
     TraceSource source{*surface.history, line.quantity, range, scale.scale};
     if (line.wish && plot.id == PlotId::kForce && surface.device.force_limit_n)
       source.clip = {-*surface.device.force_limit_n, *surface.device.force_limit_n};
-    draw_trace(source, style, line.on_right ? ImAxis_Y2 : ImAxis_Y1, *surface.scratch);
+    draw_trace(source, style, value_axis(line.side), *surface.scratch);
   }
   ImPlot::SetAxes(ImAxis_X1, ImAxis_Y1);
 }
@@ -244,9 +246,11 @@ void draw_readout(const PlotSurface& surface, const PlotDescription& plot) {
   ImGui::EndTooltip();
 }
 
-void notice_input(PlotSurface& surface, PlotAxes& axes, bool right) {
+void notice_input(PlotSurface& surface, const PlotDescription& plot, PlotAxes& axes) {
   axes.left.notice_input(ImAxis_Y1);
-  if (right) axes.right.notice_input(ImAxis_Y2);
+  for (const Side side : kRightSides) {
+    if (has_axis(surface, plot, side)) axes.on(side).notice_input(value_axis(side));
+  }
   if (ImPlot::IsPlotHovered()) surface.pointed_s = ImPlot::GetPlotMousePos().x;
   if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
   if (ImPlot::IsPlotHovered() || ImPlot::IsAxisHovered(ImAxis_X1)) surface.wants_newest = true;
@@ -284,7 +288,7 @@ PlotDescription in_shown_units(const PlotSurface& surface, const PlotDescription
 }
 
 Extremes shown_values(const PlotSurface& surface, const PlotDescription& plot) {
-  return axis_values(surface, plot, range_of(surface), false);
+  return axis_values(surface, plot, range_of(surface), Side::kLeft);
 }
 
 void fit_left_axis(const PlotSurface& surface, const PlotDescription& plot, Extremes values) {
@@ -313,13 +317,15 @@ PlotArea draw_plot(PlotSurface& surface, const PlotDescription& general, const s
   PlotAxes& axes = (*surface.axes)[static_cast<std::size_t>(general.id)];
   const float top = ImGui::GetCursorPosY();
   const IndexRange range = range_of(surface);
-  fit_left_axis(surface, general, axis_values(surface, general, range, false));
+  fit_left_axis(surface, general, axis_values(surface, general, range, Side::kLeft));
   const PlotDescription plot = in_shown_units(surface, general);
   if (surface.heading) {
     draw_plot_heading(surface, plot, mark, hand_outside(surface, plot, axes.left.maximum), size.x);
   }
-  const bool right = has_right_axis(surface, plot);
-  if (right) axes.right.fit(axis_range(axis_values(surface, plot, range, true), plot.right));
+  for (const Side side : kRightSides) {
+    if (has_axis(surface, plot, side))
+      axes.on(side).fit(axis_range(axis_values(surface, plot, range, side), plot.scale_of(side)));
+  }
   const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));
   ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
   double length_s = surface.window->length_s();
@@ -327,9 +333,9 @@ PlotArea draw_plot(PlotSurface& surface, const PlotDescription& general, const s
                                          ImVec2(size.x, height), plot_flags(surface.interactive));
   if (!visible) axes.area = {};
   if (visible) {
-    set_up_axes(surface, axes, &length_s, right);
+    set_up_axes(surface, plot, axes, &length_s);
     draw_contents(surface, plot, range);
-    if (surface.interactive) notice_input(surface, axes, right);
+    if (surface.interactive) notice_input(surface, plot, axes);
     axes.area = {ImPlot::GetPlotPos(), ImPlot::GetPlotSize()};
     ImPlot::EndPlot();
   }

@@ -36,12 +36,22 @@ struct PlotArea {
   }
 };
 
+// ImPlot's axis of values on this side.
+[[nodiscard]] constexpr ImAxis value_axis(Side side) {
+  return ImAxis_Y1 + static_cast<ImAxis>(side);
+}
+
 // The state of a plot between frames.
 struct PlotAxes {
   ValueAxis left;
   ValueAxis right;
+  ValueAxis far_right;
   bool large = false;  // the left axis has the large unit of its plot
   PlotArea area;
+
+  [[nodiscard]] ValueAxis& on(Side side) {
+    return side == Side::kLeft ? left : side == Side::kRight ? right : far_right;
+  }
 };
 using AllPlotAxes = std::array<PlotAxes, kPlotCount>;  // by PlotId
 

@@ -108,7 +108,7 @@ std::optional<double> CursorTable::rate_hz() const {
 
 CursorTable read_cursors(const SampleHistory& history, const Cursors& cursors,
                          std::span<const PlotId> plots, const ChosenLines& chosen,
-                         HiddenLines hidden, bool simulated) {
+                         HiddenLines hidden, bool simulated, const PlotTable& plot_table) {
   CursorTable table;
   if (history.empty()) return table;
   std::array<std::size_t, 2> index{};
@@ -119,7 +119,7 @@ CursorTable read_cursors(const SampleHistory& history, const Cursors& cursors,
   table.energy_j = history.value(&Sample::energy_scv_j, index[1]) -
                    history.value(&Sample::energy_scv_j, index[0]);
   for (const PlotId id : plots) {
-    const PlotDescription& plot = plot_description(id);
+    const PlotDescription& plot = plot_table[id];
     const LineSet shown = chosen[static_cast<std::size_t>(id)] & ~hidden;
     for (const PlotLine& line : plot.lines) {
       if ((shown & line_bit(line.quantity)) == 0U) continue;

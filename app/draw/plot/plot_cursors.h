@@ -46,11 +46,12 @@ struct CursorTable {
   [[nodiscard]] std::optional<double> rate_hz() const;  // 1/Δt; nullopt if Δt is 0
 };
 
-// The rows of all lines of these plots that are chosen and not hidden. `simulated`: truths are
-// known.
+// The rows of all lines of these plots of `table` that are chosen and not hidden. They refer to the
+// table. `simulated`: truths are known.
 [[nodiscard]] CursorTable read_cursors(const SampleHistory& history, const Cursors& cursors,
                                        std::span<const PlotId> plots, const ChosenLines& chosen,
-                                       HiddenLines hidden, bool simulated = true);
+                                       HiddenLines hidden, bool simulated = true,
+                                       const PlotTable& table = usual_plots());
 
 void draw_cursor_table(const Theme& theme, const CursorTable& table);
 

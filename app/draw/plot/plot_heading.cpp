@@ -16,9 +16,11 @@ constexpr float kHeadingNameEms = 1.5F;  // where its name begins
 constexpr float kEntryGapEms = 0.6F;     // between two entries
 constexpr float kEntryTailEms = 0.2F;    // behind its name
 
-// The second axis has no heading, so its unit is in the legend.
+// An axis on the right has no heading, so its unit is in the legend.
 std::string entry_text(const PlotDescription& plot, const PlotLine& line) {
-  return line.on_right ? fmt::format("{} {} →", line.name, plot.right.unit) : line.name;
+  if (line.side == Side::kLeft) return line.name;
+  return fmt::format("{} {} {}", line.name, plot.scale_of(line).unit,
+                     line.side == Side::kRight ? "→" : "→→");
 }
 
 float entry_width(const std::string& text) {

@@ -1,5 +1,7 @@
 #include "app/draw/plot/plot_lines.h"
 
+#include "app/draw/plot/derived_signals.h"
+
 namespace hapticwall::draw {
 namespace {
 
@@ -7,23 +9,23 @@ using enum LineKind;
 
 constexpr std::array kPositionLines{
     PlotLine{&PlantTruth::hand_path_m, "hand", "intended position of the hand", Tone::kHand, kTruth,
-             Dash::kDashed, false, true},
+             Dash::kDashed, Side::kLeft, true},
     PlotLine{&Sample::position_m, "handle", "x, the position that the encoder measures",
              Tone::kPosition},
     PlotLine{&PlantTruth::position_m, "true position",
              "true position of the handle, between two counts", Tone::kText, kTruth, Dash::kDotted,
-             false, false, Quantity(&Sample::position_m)},
+             Side::kLeft, false, Quantity(&Sample::position_m)},
     PlotLine{&Sample::penetration_m, "penetration", "p = x - x_w, into the outermost wall",
              Tone::kForce, kExtra},
     PlotLine{&Sample::velocity_m_per_s, "velocity", "v, the backward difference of the position",
-             Tone::kStiffness, kExtra, Dash::kSolid, true},
+             Tone::kStiffness, kExtra, Dash::kSolid, Side::kRight},
     PlotLine{&PlantTruth::velocity_m_per_s, "true velocity",
              "true velocity of the handle at the tick", Tone::kStiffness, kSimulator, Dash::kDotted,
-             true, false, Quantity(&Sample::velocity_m_per_s)}};
+             Side::kRight, false, Quantity(&Sample::velocity_m_per_s)}};
 constexpr std::array kForceLines{
     PlotLine{&Sample::wall_force_n, "wall F_e",
              "F_e, the force that the virtual wall wishes; the actuator may have less",
-             Tone::kWallForce, kUsual, Dash::kSolid, false, true},
+             Tone::kWallForce, kUsual, Dash::kSolid, Side::kLeft, true},
     PlotLine{&Sample::force_n, "actuator F_d",
              "F_d, the force that the algorithm commands to the handle", Tone::kForce},
     PlotLine{&PlantTruth::hand_force_n, "hand F_h", "F_h, of the hand on the handle", Tone::kHand,
@@ -56,12 +58,29 @@ constexpr std::array kPassivityLines{
              Dash::kDotted}};
 
 const std::array<PlotDescription, kPlotCount> kPlots{
+    PlotDescription{PlotId::kPosition,
+                    "Position",
+                    {"mm", 1e3, 0.5},
+                    {},
+                    {"mm/s", 1e3, 1.0},
+                    {"m/s²", 1.0, 1.0},
+                    kPositionLines},
     PlotDescription{
-        PlotId::kPosition, "Position", {"mm", 1e3, 0.5}, {}, {"mm/s", 1e3, 1.0}, kPositionLines},
-    PlotDescription{PlotId::kForce, "Force", {"N", 1.0, 1.0}, {}, {}, kForceLines},
-    PlotDescription{PlotId::kStiffness, "Stiffness", {"kN/m", 1e-3, 1.0}, {}, {}, kStiffnessLines},
-    PlotDescription{
-        PlotId::kPassivity, "Passivity", {"mJ", 1e3, 0.1}, {"J", 1.0, 0.1}, {}, kPassivityLines}};
+        PlotId::kForce, "Force", {"N", 1.0, 1.0}, {}, {"N/s", 1.0, 10.0}, {}, kForceLines},
+    PlotDescription{PlotId::kStiffness,
+                    "Stiffness",
+                    {"kN/m", 1e-3, 1.0},
+                    {},
+                    {"kN/m/s", 1e-3, 10.0},
+                    {},
+                    kStiffnessLines},
+    PlotDescription{PlotId::kPassivity,
+                    "Passivity",
+                    {"mJ", 1e3, 0.1},
+                    {"J", 1.0, 0.1},
+                    {"mW", 1e3, 1.0},
+                    {},
+                    kPassivityLines}};
 
 ChosenLines find_usual_lines() {
   ChosenLines usual{};
@@ -75,7 +94,55 @@ ChosenLines find_usual_lines() {
 
 }  // namespace
 
-const PlotDescription& plot_description(PlotId id) { return kPlots[static_cast<std::size_t>(id)]; }
+const PlotDescription& plot_description(PlotId id) { return usual_plots()[id]; }
+
+PlotTable::PlotTable(const DerivedSignals& derived) : plots_(kPlots) {
+  for (std::size_t i = 0; i < kPlotCount; ++i)
+    lines_[i].assign(kPlots[i].lines.begin(), kPlots[i].lines.end());
+  for (std::size_t place = 0; place < derived.size(); ++place) {
+    if (derived[place]) add(place, *derived[place]);
+  }
+  for (std::size_t i = 0; i < kPlotCount; ++i) plots_[i].lines = lines_[i];
+}
+
+void PlotTable::add(std::size_t place, const DerivedSignal& signal) {
+  // Unlike those of most signals; long dashes are the derived signals' own.
+  constexpr std::array kTones{Tone::kText, Tone::kHand, Tone::kForce, Tone::kPosition};
+  const PlottedLine a = *usual_plots().find(signal.a);
+  const PlottedLine b = *usual_plots().find(signal.b);
+  names_[place] = derived_name(signal);
+  PlotLine line{Quantity::derived_signal(place), names_[place].c_str(),
+                kind_text(signal.kind).meaning, kTones[place]};
+  line.kind = a.line->is_truth() || b.line->is_truth() ? kSimulator : kExtra;
+  line.dash = Dash::kLongDashed;
+  line.side = a.line->side;
+  if (signal.kind == DerivedKind::kDerivative)
+    line.side = line.side == Side::kLeft ? Side::kRight : Side::kFarRight;
+  lines_[static_cast<std::size_t>(a.plot->id)].push_back(line);
+}
+
+template <typename Wanted>
+std::optional<PlottedLine> PlotTable::find_line(Wanted&& wanted) const {
+  for (const PlotDescription& plot : plots_) {
+    for (const PlotLine& line : plot.lines) {
+      if (wanted(line)) return PlottedLine{&plot, &line};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<PlottedLine> PlotTable::find(Quantity quantity) const {
+  return find_line([&](const PlotLine& line) { return line.quantity == quantity; });
+}
+
+std::optional<PlottedLine> PlotTable::find(std::string_view name) const {
+  return find_line([&](const PlotLine& line) { return line.name == name; });
+}
+
+const PlotTable& usual_plots() {
+  static const PlotTable kUsualPlots;
+  return kUsualPlots;
+}
 
 const ChosenLines& usual_lines() {
   static const ChosenLines kUsualLines = find_usual_lines();

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/draw/plot/dashes.h"
 #include "app/draw/plot/sample_history.h"
@@ -34,7 +37,12 @@ enum class LineKind : std::uint8_t {
   kSimulator,  // as kExtra, and known to a simulator only
 };
 
-// An axis of values, on the left or on the right.
+// A plot has up to three axes of values. That on the right is the rate of change of that on the
+// left, and the one beyond it is the rate of change of that.
+enum class Side : std::uint8_t { kLeft, kRight, kFarRight };
+inline constexpr std::array kRightSides{Side::kRight, Side::kFarRight};
+
+// An axis of values.
 struct ValueScale {
   const char* unit = "";
   double scale = 0.0;          // of SI values into `unit`
@@ -48,8 +56,8 @@ struct PlotLine {
   Tone tone = Tone::kText;
   LineKind kind = LineKind::kUsual;
   Dash dash = Dash::kSolid;
-  bool on_right = false;  // of the second axis
-  bool wish = false;      // not what happens: the axis follows it only if it stands alone
+  Side side = Side::kLeft;
+  bool wish = false;  // not what happens: the axis follows it only if it stands alone
   // Of a truth: the signal that measures it; while that is drawn, it has the band for both.
   std::optional<Quantity> measured_as = std::nullopt;
 
@@ -63,15 +71,55 @@ struct PlotDescription {
   const char* title = "";
   ValueScale left;
   ValueScale left_large;  // in the place of `left` from 1000 of its units; no scale: none
-  ValueScale right;       // of the lines with `on_right`
+  ValueScale right;
+  ValueScale far_right;  // no scale: none
   std::span<const PlotLine> lines;
 
+  [[nodiscard]] const ValueScale& scale_of(Side side) const {
+    return side == Side::kLeft ? left : side == Side::kRight ? right : far_right;
+  }
   [[nodiscard]] const ValueScale& scale_of(const PlotLine& line) const {
-    return line.on_right ? right : left;
+    return scale_of(line.side);
   }
 };
 
+// The plots with the lines that are always there.
 [[nodiscard]] const PlotDescription& plot_description(PlotId id);
+
+// A signal and its plot.
+struct PlottedLine {
+  const PlotDescription* plot = nullptr;
+  const PlotLine* line = nullptr;
+
+  [[nodiscard]] const ValueScale& scale() const { return plot->scale_of(*line); }
+};
+
+// The plots with all their lines: behind those that are always there, those of derived signals,
+// each in the plot that has its unit.
+class PlotTable {
+ public:
+  explicit PlotTable(const DerivedSignals& derived = {});
+  PlotTable(const PlotTable&) = delete;
+  PlotTable& operator=(const PlotTable&) = delete;
+
+  [[nodiscard]] const PlotDescription& operator[](PlotId id) const {
+    return plots_[static_cast<std::size_t>(id)];
+  }
+  // Nullopt for a place without a signal, and for a column that is not plotted.
+  [[nodiscard]] std::optional<PlottedLine> find(Quantity quantity) const;
+  [[nodiscard]] std::optional<PlottedLine> find(std::string_view name) const;
+
+ private:
+  template <typename Wanted>
+  [[nodiscard]] std::optional<PlottedLine> find_line(Wanted&& wanted) const;
+  void add(std::size_t place, const DerivedSignal& signal);
+
+  std::array<PlotDescription, kPlotCount> plots_;
+  std::array<std::vector<PlotLine>, kPlotCount> lines_;
+  std::array<std::string, kMaxDerivedSignals> names_;  // of the derived lines
+};
+// Without derived signals.
+[[nodiscard]] const PlotTable& usual_plots();
 
 // By PlotId.
 using ChosenLines = std::array<LineSet, kPlotCount>;

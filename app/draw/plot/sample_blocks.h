@@ -12,14 +12,17 @@
 
 namespace hapticwall::draw {
 
-// An element keeps its index: that of the n-th push is n. A block whose elements all have the same
-// bits (an unmeasured quantity, a force in free motion) takes no memory. A copy is cheap and does
-// not change while the original grows, on another thread too, as long as only one of the two is
-// pushed to. Realtime-safe: no.
+// An element keeps its index: that of the n-th push is `first` + n. A block whose elements all have
+// the same bits (an unmeasured quantity, a force in free motion) takes no memory. A copy is cheap
+// and does not change while the original grows, on another thread too, as long as only one of the
+// two is pushed to. Realtime-safe: no.
 template <typename T>
 class BlockArray {
  public:
   static constexpr std::uint64_t kBlock = 1024;  // elements
+
+  // The first push has the index `first`.
+  explicit BlockArray(std::uint64_t first = 0) : first_(first / kBlock * kBlock), end_(first) {}
 
   [[nodiscard]] std::uint64_t first() const { return first_; }  // the oldest one kept
   [[nodiscard]] std::uint64_t end() const { return end_; }
@@ -33,7 +36,7 @@ class BlockArray {
 
   void push_back(const T& value) {
     const auto place = static_cast<std::ptrdiff_t>(end_ % kBlock);
-    if (place == 0) blocks_.push_back({nullptr, value});
+    if (place == 0 || blocks_.empty()) blocks_.push_back({nullptr, value});
     Block& block = blocks_.back();
     if (block.values == nullptr && !same_bits(block.same, value)) {
       block.values = std::make_shared<T[]>(kBlock);
@@ -61,8 +64,8 @@ class BlockArray {
   }
 
   std::vector<Block> blocks_;
-  std::uint64_t first_ = 0;  // a multiple of kBlock
-  std::uint64_t end_ = 0;
+  std::uint64_t first_;  // a multiple of kBlock
+  std::uint64_t end_;
 };
 
 }  // namespace hapticwall::draw

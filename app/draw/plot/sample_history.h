@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "app/draw/plot/displayed_stiffness.h"
@@ -19,15 +20,24 @@ namespace hapticwall::draw {
 // Columns that the history computes from those of the sample, behind them.
 enum class Derived : std::uint8_t { kStiffness };  // see DisplayedStiffness
 inline constexpr std::size_t kDerivedCount = 1;
+inline constexpr std::size_t kStoredCount = kSampleColumns.size() + kDerivedCount;
+
+// Columns that the user derives from two of these, behind them: DerivedSignals has the places.
+inline constexpr std::size_t kMaxDerivedSignals = 4;
 
 // A column of kSampleColumns, written as the member: `history.value(&Sample::force_n, i)`. A member
 // that has no column does not compile. Or a derived column.
 class Quantity {
  public:
+  // The derived signal at this place of DerivedSignals.
+  [[nodiscard]] static constexpr Quantity derived_signal(std::size_t place) {
+    return {kStoredCount, place};
+  }
   consteval Quantity(Derived derived)  // NOLINT(google-explicit-constructor)
       : index_(
             static_cast<std::uint8_t>(kSampleColumns.size() + static_cast<std::size_t>(derived))) {}
   template <typename Member>
+  requires std::is_member_pointer_v<Member>
   consteval Quantity(Member member)  // NOLINT(google-explicit-constructor): a member is its column
       : index_(static_cast<std::uint8_t>(column_index(member))) {}
 
@@ -35,9 +45,48 @@ class Quantity {
   friend constexpr bool operator==(Quantity, Quantity) = default;
 
  private:
+  constexpr Quantity(std::size_t first, std::size_t place)
+      : index_(static_cast<std::uint8_t>(first + place)) {}
+
   std::uint8_t index_;
 };
-inline constexpr std::size_t kQuantityCount = kSampleColumns.size() + kDerivedCount;
+inline constexpr std::size_t kQuantityCount = kStoredCount + kMaxDerivedSignals;
+
+enum class DerivedKind : std::uint8_t { kDifference, kMean, kDerivative };
+
+// A signal of signals. Masked where one of its samples is, and where it would reach over a tick
+// that is missing or before the oldest one.
+struct DerivedSignal {
+  DerivedKind kind = DerivedKind::kDerivative;
+  Quantity a = &Sample::position_m;  // neither is a derived signal
+  Quantity b = a;                    // of a difference, a − b
+  double over_s = 0.1;               // of a mean: of the ticks in the time that ends at the sample
+
+  friend bool operator==(const DerivedSignal&, const DerivedSignal&) = default;
+};
+using DerivedSignals = std::array<std::optional<DerivedSignal>, kMaxDerivedSignals>;
+
+// The samples of a derived signal, computed from the columns.
+class DerivedSamples {
+ public:
+  DerivedSamples(const DerivedSignal& signal, std::span<const SamplePyramid> columns,
+                 double rate_hz);
+
+  [[nodiscard]] std::uint64_t first() const { return ticks_.first(); }
+  [[nodiscard]] std::uint64_t end() const { return ticks_.end(); }
+  [[nodiscard]] double operator[](std::uint64_t index) const;
+
+ private:
+  // Whether there is a sample of each of the `count` ticks up to this one.
+  [[nodiscard]] bool unbroken(std::uint64_t index, std::uint64_t count) const;
+
+  DerivedKind kind_;
+  const SamplePyramid& ticks_;
+  const SamplePyramid& a_;
+  const SamplePyramid& b_;
+  double rate_hz_;
+  std::uint64_t mean_ticks_;
+};
 
 // The window keeps an hour at 1 kHz. At most about 270 bytes a sample, less while quantities do not
 // change.
@@ -84,6 +133,11 @@ class SampleHistory {
   // Of the samples that are pushed from now on.
   void set_count(std::optional<double> count_m) { count_m_ = count_m.value_or(0.0); }
 
+  // Of all samples; `rate_hz`: the rate of their ticks. Keeps blocks of the new signals, but not
+  // their samples: an hour at 1 kHz takes 10 MB and 0.1 to 0.4 s.
+  void derive(const DerivedSignals& signals, double rate_hz);
+  [[nodiscard]] DerivedSignals derived() const;
+
   void push(const Sample& sample);
   void push(std::span<const Sample> samples);
   void clear();
@@ -93,10 +147,8 @@ class SampleHistory {
   [[nodiscard]] double oldest_time_s() const;  // 0 if empty
   [[nodiscard]] double newest_time_s() const;  // 0 if empty
 
-  // Precondition of both: index < size().
-  [[nodiscard]] double value(Quantity quantity, std::size_t index) const {
-    return column(quantity)[oldest() + index];
-  }
+  // Precondition of both: index < size(). Of all that take a quantity: a derived signal exists.
+  [[nodiscard]] double value(Quantity quantity, std::size_t index) const;
   // As it was pushed, without the generation of its parameters.
   [[nodiscard]] Sample sample(std::size_t index) const;
 
@@ -132,23 +184,39 @@ class SampleHistory {
   template <typename Visit>
   void for_each_group(Quantity quantity, IndexRange range, std::size_t columns,
                       Visit&& visit) const {
-    const SamplePyramid& time = column(&Sample::time_s);
-    const SamplePyramid& values = column(quantity);
+    const SamplePyramid& time = columns_[Quantity(&Sample::time_s).index()];
     const std::uint64_t group = decimation_group(range.count(), columns);
     const std::uint64_t end = oldest() + range.last;
-    for (std::uint64_t first = oldest() + range.first; first < end;) {
-      const std::uint64_t whole = std::min((first / group + 1) * group, end);
-      const std::uint64_t last = whole - first <= 2 ? first + 1 : whole;
-      visit(
-          SampleGroup{time[first + (last - first) / 2], values[first], values.stats(first, last)});
-      first = last;
-    }
+    in_column(quantity, [&](const auto& values) {
+      for (std::uint64_t first = oldest() + range.first; first < end;) {
+        const std::uint64_t whole = std::min((first / group + 1) * group, end);
+        const std::uint64_t last = whole - first <= 2 ? first + 1 : whole;
+        visit(SampleGroup{time[first + (last - first) / 2], values[first],
+                          values.stats(first, last)});
+        first = last;
+      }
+    });
   }
 
  private:
-  [[nodiscard]] const SamplePyramid& column(Quantity quantity) const {
-    return columns_[quantity.index()];
+  struct DerivedColumn {
+    std::optional<DerivedSignal> signal;
+    BlockLevels levels;
+  };
+
+  // Calls read(column), a SamplePyramid or the same of a derived signal.
+  template <typename Read>
+  decltype(auto) in_column(Quantity quantity, Read&& read) const {
+    if (quantity.index() < kStoredCount) return read(columns_[quantity.index()]);
+    const DerivedColumn& column = derived_[quantity.index() - kStoredCount];
+    return read(Pyramid<DerivedSamples, const BlockLevels&>(samples_of(column), column.levels));
   }
+  [[nodiscard]] DerivedSamples samples_of(const DerivedColumn& column) const {
+    return {*column.signal, columns_, rate_hz_};
+  }
+  // The levels of the samples from `first` on.
+  void stack(DerivedColumn& column, std::uint64_t first) const;
+
   [[nodiscard]] std::uint64_t oldest() const { return columns_.front().first(); }
   [[nodiscard]] std::size_t first_not_before(double time_s) const;
   [[nodiscard]] std::optional<std::size_t> by_age(std::optional<std::uint64_t> index) const;
@@ -157,8 +225,14 @@ class SampleHistory {
   double count_m_;
   std::uint64_t newest_tick_ = 0;
   DisplayedStiffness stiffness_;
-  std::array<SamplePyramid, kQuantityCount> columns_;
+  std::array<SamplePyramid, kStoredCount> columns_;
+  double rate_hz_ = 0.0;  // of the derived signals
+  std::array<DerivedColumn, kMaxDerivedSignals> derived_;
 };
+
+inline double SampleHistory::value(Quantity quantity, std::size_t index) const {
+  return in_column(quantity, [&](const auto& column) { return column[oldest() + index]; });
+}
 
 // The histories of all axes of a session.
 class TickHistory {
@@ -166,6 +240,7 @@ class TickHistory {
   void push(std::span<const Tick> ticks);
   void clear();
   void set_counts(const Scene& scene);  // see SampleHistory::set_count()
+  void derive(const DerivedSignals& signals, double rate_hz);
   [[nodiscard]] const SampleHistory& axis(std::size_t index) const { return axes_.at(index); }
 
  private:

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "app/draw/plot/sample_blocks.h"
 
@@ -47,34 +49,81 @@ struct SampleStats {
 // A sample without a meaning: no line, extreme or mean shows it.
 inline constexpr double kMasked = std::numeric_limits<double>::quiet_NaN();
 
-// Levels of blocks lie over the samples: of 16 samples, of 64, of 256 and so on. Each block holds
-// the stats of its samples. A push updates them in less than two comparisons of pairs.
-// Indices are those of BlockArray. All values must be finite or kMasked.
-class SamplePyramid {
- public:
+// Of one sample.
+[[nodiscard]] inline SampleStats stats_of(double value) {
+  if (std::isnan(value)) return {};
+  return {{value, value}, value, 1.0};
+}
+
+// Levels of blocks: of 16 samples, of 64, of 256 and so on. Each block holds the stats of its
+// samples. Takes 3 bytes a sample.
+struct BlockLevels {
   static constexpr std::uint64_t kMinBlock = 16;  // samples
   static constexpr std::uint64_t kFan = 4;        // blocks in a block of the next level
   static constexpr std::size_t kLevels = 9;       // the largest block: 2^20 samples
+  // Squares exist for blocks of this level only: 1024 samples.
+  static constexpr std::size_t kSquaresLevel = 3;
 
-  void push_back(double value);
-  void forget_before(std::uint64_t index);
+  [[nodiscard]] static constexpr std::uint64_t size_of(std::size_t level) {
+    return kMinBlock << (2 * level);
+  }
+
+  // Of samples from the index `first` on, a multiple of BlockArray::kBlock.
+  explicit BlockLevels(std::uint64_t first = 0);
+  void forget_before(std::uint64_t first);
+
+  std::array<BlockArray<SampleStats>, kLevels> stats;
+  std::array<SampleStats, kLevels> growing;  // the incomplete blocks
+  BlockArray<double> squares;                // distances from the mean of the block
+};
+
+// Samples under their levels. A push updates these in less than two comparisons of pairs. Indices
+// are those of BlockArray. All values must be finite or kMasked. `Samples`: has them, or computes
+// them; first(), end(), [index]. `Levels` may be a reference.
+template <typename Samples, typename Levels = BlockLevels>
+class Pyramid {
+ public:
+  Pyramid() = default;
+  Pyramid(Samples samples, Levels levels)
+      : samples_(std::move(samples)), levels_(std::forward<Levels>(levels)) {}
+
+  void push_back(double value) {
+    samples_.push_back(value);
+    stack(value, samples_.end());
+  }
+  // Only the levels. `value`: of the sample before `end`; they come in order.
+  void stack(double value, std::uint64_t end);
+  void forget_before(std::uint64_t index) {
+    samples_.forget_before(index);
+    levels_.forget_before(samples_.first());
+  }
 
   [[nodiscard]] std::uint64_t first() const { return samples_.first(); }
   [[nodiscard]] std::uint64_t end() const { return samples_.end(); }
   [[nodiscard]] double operator[](std::uint64_t index) const { return samples_[index]; }
 
   // Of the samples [first, last).
-  [[nodiscard]] SampleStats stats(std::uint64_t first, std::uint64_t last) const;
+  [[nodiscard]] SampleStats stats(std::uint64_t first, std::uint64_t last) const {
+    SampleStats all;
+    visit_parts(
+        first, last, [&](const SampleStats& block) { all.include(block); },
+        [&](double value) { all.include(stats_of(value)); });
+    return all;
+  }
 
   // The sum of their squared distances from `mean`.
   [[nodiscard]] double squares(std::uint64_t first, std::uint64_t last, double mean) const;
 
   // The newest of the samples [first, last) that is above `threshold`, or that is not.
   [[nodiscard]] std::optional<std::uint64_t> newest_above(std::uint64_t first, std::uint64_t last,
-                                                          double threshold) const;
+                                                          double threshold) const {
+    return newest(first, last, [=](const Extremes& part) { return part.maximum > threshold; });
+  }
   [[nodiscard]] std::optional<std::uint64_t> newest_not_above(std::uint64_t first,
                                                               std::uint64_t last,
-                                                              double threshold) const;
+                                                              double threshold) const {
+    return newest(first, last, [=](const Extremes& part) { return part.minimum <= threshold; });
+  }
 
   // Calls `block(stats)` and `sample(value)` for the few parts that make up [first, last), in
   // order.
@@ -86,34 +135,100 @@ class SamplePyramid {
       while (level < kLevels && first % size_of(level) == 0 && first + size_of(level) <= last)
         ++level;
       if (level > 0) {
-        block(levels_[level - 1][first / size_of(level - 1)]);
+        block(levels_.stats[level - 1][first / size_of(level - 1)]);
         first += size_of(level - 1);
         continue;
       }
-      const std::uint64_t next = (first / kMinBlock + 1) * kMinBlock;
+      const std::uint64_t next = (first / BlockLevels::kMinBlock + 1) * BlockLevels::kMinBlock;
       for (const std::uint64_t stop = next < last ? next : last; first < stop; ++first)
         sample(samples_[first]);
     }
   }
 
+ private:
+  static constexpr std::size_t kLevels = BlockLevels::kLevels;
   [[nodiscard]] static constexpr std::uint64_t size_of(std::size_t level) {
-    return kMinBlock << (2 * level);
+    return BlockLevels::size_of(level);
   }
 
- private:
   template <typename Wanted>
   [[nodiscard]] std::optional<std::uint64_t> newest(std::uint64_t first, std::uint64_t last,
                                                     Wanted&& wanted) const;
-
   [[nodiscard]] double raw_squares(std::uint64_t first, std::uint64_t last, double mean) const;
 
-  // Squares exist for blocks of this level only: 1024 samples.
-  static constexpr std::size_t kSquaresLevel = 3;
-
-  BlockArray<double> samples_;
-  BlockArray<double> squares_;  // distances from the mean of the block
-  std::array<BlockArray<SampleStats>, kLevels> levels_;
-  std::array<SampleStats, kLevels> growing_;  // the incomplete blocks
+  Samples samples_;
+  Levels levels_;
 };
+using SamplePyramid = Pyramid<BlockArray<double>>;
+extern template class Pyramid<BlockArray<double>>;
+
+template <typename Samples, typename Levels>
+void Pyramid<Samples, Levels>::stack(double value, std::uint64_t end) {
+  static_assert(BlockLevels::kFan == 4, "size_of() shifts by two bits a level");
+  SampleStats carried = stats_of(value);
+  for (std::size_t level = 0; level < kLevels; ++level) {
+    levels_.growing[level].include(carried);
+    if (end % size_of(level) != 0) return;
+    carried = levels_.growing[level];
+    levels_.stats[level].push_back(carried);
+    if (level == BlockLevels::kSquaresLevel)
+      levels_.squares.push_back(raw_squares(end - size_of(level), end, carried.mean()));
+    levels_.growing[level] = {};
+  }
+}
+
+template <typename Samples, typename Levels>
+double Pyramid<Samples, Levels>::raw_squares(std::uint64_t first, std::uint64_t last,
+                                             double mean) const {
+  double sum = 0.0;
+  for (std::uint64_t i = first; i < last; ++i) {
+    const double distance = samples_[i] - mean;
+    if (!std::isnan(distance)) sum += distance * distance;
+  }
+  return sum;
+}
+
+template <typename Samples, typename Levels>
+double Pyramid<Samples, Levels>::squares(std::uint64_t first, std::uint64_t last,
+                                         double mean) const {
+  constexpr std::uint64_t kSize = size_of(BlockLevels::kSquaresLevel);
+  const std::uint64_t first_block = (first + kSize - 1) / kSize;
+  const std::uint64_t last_block = last / kSize;
+  if (first_block >= last_block) return raw_squares(first, last, mean);
+  double sum =
+      raw_squares(first, first_block * kSize, mean) + raw_squares(last_block * kSize, last, mean);
+  for (std::uint64_t i = first_block; i < last_block; ++i) {
+    const SampleStats& block = levels_.stats[BlockLevels::kSquaresLevel][i];
+    if (block.empty()) continue;
+    const double distance = block.mean() - mean;
+    sum += levels_.squares[i] + block.count * distance * distance;
+  }
+  return sum;
+}
+
+// `wanted(extremes)`: whether a block may hold a wanted sample; of a sample's own extremes, whether
+// it is wanted.
+template <typename Samples, typename Levels>
+template <typename Wanted>
+std::optional<std::uint64_t> Pyramid<Samples, Levels>::newest(std::uint64_t first,
+                                                              std::uint64_t last,
+                                                              Wanted&& wanted) const {
+  std::size_t highest = kLevels;
+  while (last > first) {
+    std::size_t level = 0;  // as in visit_parts(), from the other end
+    while (level < highest && last % size_of(level) == 0 && last - first >= size_of(level)) ++level;
+    const std::uint64_t size = level > 0 ? size_of(level - 1) : 1;
+    const Extremes part = level > 0 ? levels_.stats[level - 1][last / size - 1].extremes
+                                    : Extremes{samples_[last - 1], samples_[last - 1]};
+    if (!wanted(part)) {
+      last -= size;
+    } else if (level == 0) {
+      return last - 1;
+    } else {
+      highest = level - 1;  // it is in this block
+    }
+  }
+  return std::nullopt;
+}
 
 }  // namespace hapticwall::draw

@@ -13,28 +13,12 @@ namespace {
 constexpr double kShownDecades = 4.0;  // below the strongest line
 constexpr float kSignalEms = 9.0F;
 
-// A signal and the scale of its plot.
-struct Chosen {
-  const PlotLine* line = nullptr;
-  ValueScale scale;
-};
-
-Chosen find_signal(Quantity quantity) {
-  for (const PlotId id : kAllPlots) {
-    const PlotDescription& plot = plot_description(id);
-    for (const PlotLine& line : plot.lines) {
-      if (line.quantity == quantity) return {&line, plot.scale_of(line)};
-    }
-  }
-  const PlotDescription& plot = plot_description(PlotId::kPosition);
-  return {&plot.lines.front(), plot.left};
-}
-
-void draw_signal_choice(const PlotSurface& surface, SpectrumSettings& settings) {
+void draw_signal_choice(const PlotSurface& surface, const PlotTable& table,
+                        SpectrumSettings& settings, const char* chosen) {
   ImGui::SetNextItemWidth(ems(kSignalEms));
-  if (!ImGui::BeginCombo("##spectrum signal", find_signal(settings.quantity).line->name)) return;
+  if (!ImGui::BeginCombo("##spectrum signal", chosen)) return;
   for (const PlotId id : kAllPlots) {
-    for (const PlotLine& line : plot_description(id).lines) {
+    for (const PlotLine& line : table[id].lines) {
       if (line.is_truth() && !surface.simulated) continue;
       const std::string label = fmt::format("{0}###spectrum of {0}", line.name);
       if (ImGui::Selectable(label.c_str(), line.quantity == settings.quantity))
@@ -45,16 +29,17 @@ void draw_signal_choice(const PlotSurface& surface, SpectrumSettings& settings) 
   ImGui::EndCombo();
 }
 
-void draw_spectrum_heading(const PlotSurface& surface, SpectrumSettings& settings,
-                           const SpectrumView& view, const ValueScale& scale) {
+void draw_spectrum_heading(const PlotSurface& surface, const PlotTable& table,
+                           SpectrumSettings& settings, const SpectrumView& view,
+                           const PlottedLine& chosen) {
   strong_text(*surface.theme, "Spectrum");
   ImGui::SameLine();
   const FontScope font(nullptr, kSmallFontSize);
-  if (surface.interactive) draw_signal_choice(surface, settings);
+  if (surface.interactive) draw_signal_choice(surface, table, settings, chosen.line->name);
   ImGui::SameLine();
   if (!view.strongest) return ImGui::TextDisabled("no oscillation in this range");
   ImGui::Text("%.4g Hz  %.4g %s", view.strongest->frequency_hz,
-              view.strongest->amplitude * scale.scale, scale.unit);
+              view.strongest->amplitude * chosen.scale().scale, chosen.scale().unit);
   ImGui::SetItemTooltip("The strongest line: its frequency and the amplitude of its sine");
 }
 
@@ -85,11 +70,11 @@ Trace points_of(const Spectrum& spectrum, double scale, double least, std::size_
   return points;
 }
 
-PlotArea draw_amplitudes(const PlotSurface& surface, const SpectrumView& view, const Chosen& chosen,
-                         ImVec2 size) {
+PlotArea draw_amplitudes(const PlotSurface& surface, const SpectrumView& view,
+                         const PlottedLine& chosen, ImVec2 size) {
   if (!view.strongest) return {};
   if (!ImPlot::BeginPlot("##plot Spectrum", size, plot_flags(false))) return {};
-  const double most = 2.0 * view.strongest->amplitude * chosen.scale.scale;
+  const double most = 2.0 * view.strongest->amplitude * chosen.scale().scale;
   const double least = most * std::pow(10.0, -kShownDecades);
   const Spectrum& spectrum = view.spectrum;
   ImPlot::SetupAxis(ImAxis_X1, nullptr, kAxisFlags);
@@ -100,7 +85,7 @@ PlotArea draw_amplitudes(const PlotSurface& surface, const SpectrumView& view, c
   ImPlot::SetupAxesLimits(0.0, spectrum.step_hz * static_cast<double>(spectrum.amplitude.size()),
                           least, most, ImPlotCond_Always);
   ImPlot::SetupFinish();
-  const Trace points = points_of(spectrum, chosen.scale.scale, least,
+  const Trace points = points_of(spectrum, chosen.scale().scale, least,
                                  static_cast<std::size_t>(ImPlot::GetPlotSize().x));
   ImPlotSpec spec = line_spec(surface.theme->colour(chosen.line->tone));
   spec.LineWeight = surface.line_weight;
@@ -113,15 +98,16 @@ PlotArea draw_amplitudes(const PlotSurface& surface, const SpectrumView& view, c
 
 }  // namespace
 
-PlotArea draw_spectrum_plot(const PlotSurface& surface, SpectrumSettings& settings,
-                            SpectrumView& view, ImVec2 size) {
+PlotArea draw_spectrum_plot(const PlotSurface& surface, const PlotTable& table,
+                            SpectrumSettings& settings, SpectrumView& view, ImVec2 size) {
   ImGui::PushID("spectrum");
-  const Chosen chosen = find_signal(settings.quantity);
+  if (!table.find(settings.quantity)) settings = {settings.shown};  // it was derived, and removed
+  const PlottedLine chosen = *table.find(settings.quantity);
   view.spectrum = spectrum_of(*surface.history, chosen.line->quantity, shown_range(surface));
   view.strongest = strongest_line(view.spectrum);
   ImGui::BeginGroup();  // its rows begin where the first one does
   const float top = ImGui::GetCursorPosY();
-  draw_spectrum_heading(surface, settings, view, chosen.scale);
+  draw_spectrum_heading(surface, table, settings, view, chosen);
   const float height = std::max(1.0F, size.y - (ImGui::GetCursorPosY() - top));
   ImGui::PushFont(surface.theme->fonts.digits, kSmallFontSize);
   const PlotArea area = draw_amplitudes(surface, view, chosen, ImVec2(size.x, height));

@@ -22,7 +22,7 @@ struct SpectrumView {
 // Draws heading, choice of the signal and the spectrum of the visible range into `size`; of the
 // samples between the cursors while these are shown. Transforms in every frame in which it is
 // drawn.
-PlotArea draw_spectrum_plot(const PlotSurface& surface, SpectrumSettings& settings,
-                            SpectrumView& view, ImVec2 size);
+PlotArea draw_spectrum_plot(const PlotSurface& surface, const PlotTable& table,
+                            SpectrumSettings& settings, SpectrumView& view, ImVec2 size);
 
 }  // namespace hapticwall::draw

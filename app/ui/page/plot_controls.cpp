@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "app/ui/page/derived_controls.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
@@ -18,6 +19,7 @@ constexpr float kFollowEms = 4.4F;
 constexpr float kWindowEms = 5.5F;
 constexpr float kTriggerEms = 9.5F;
 constexpr float kTextButtonEms = 3.6F;
+constexpr float kDerivedEms = 5.0F;
 constexpr float kExportEms = 3.6F;
 constexpr double kMaxPrePercent = 90.0;
 
@@ -128,7 +130,8 @@ void draw_length(const PanelContext& context) {
 
 std::vector<draw::ValueAxis*> value_axes(PlotsState::Transient& plots) {
   std::vector<draw::ValueAxis*> all{&plots.phase.penetration, &plots.phase.force};
-  for (draw::PlotAxes& axes : plots.axes) all.insert(all.end(), {&axes.left, &axes.right});
+  for (draw::PlotAxes& axes : plots.axes)
+    all.insert(all.end(), {&axes.left, &axes.right, &axes.far_right});
   return all;
 }
 
@@ -203,6 +206,17 @@ void draw_cursors_button(const PanelContext& context) {
     toggle_cursors(context.state);
 }
 
+void draw_derived_button(const PanelContext& context) {
+  if (button("Derived…###derived",
+             "Difference of two signals, running mean and derivative of one, as more lines of the "
+             "plots",
+             {.width = ems(kDerivedEms)}))
+    ImGui::OpenPopup("derived signals");
+  if (!ImGui::BeginPopup("derived signals")) return;
+  draw_derived_signals(context);
+  ImGui::EndPopup();
+}
+
 struct Control {
   void (*draw)(const PanelContext&);
   float width_ems;
@@ -214,7 +228,8 @@ constexpr std::array kControls{Control{draw_arrangement, kArrangementEms},
                                Control{draw_length, kWindowEms},
                                Control{draw_automatic, kTextButtonEms},
                                Control{draw_trigger, kTriggerEms},
-                               Control{draw_cursors_button, kFollowEms}};
+                               Control{draw_cursors_button, kFollowEms},
+                               Control{draw_derived_button, kDerivedEms}};
 
 void draw_exports(const PanelContext& context, const draw::SampleHistory& history) {
   const float width = 2.0F * ems(kExportEms) + ImGui::GetStyle().ItemSpacing.x;

@@ -75,7 +75,8 @@ draw::PlotSurface surface_of(const PanelContext& context, const draw::SampleHist
 }
 
 // Two plots make a row, four a square; the three of the paper's figures make a column.
-void draw_plots(UiState& state, draw::PlotSurface& surface, ImVec2 corner, ImVec2 free) {
+void draw_plots(UiState& state, draw::PlotSurface& surface, const draw::PlotTable& table,
+                ImVec2 corner, ImVec2 free) {
   const std::span<const draw::PlotId> plots = plots_of(state.persisted.arrangement);
   const std::size_t columns = plots.size() % 2 == 0 ? 2 : 1;
   const std::size_t whole_rows = (plots.size() + columns - 1) / columns;
@@ -92,9 +93,8 @@ void draw_plots(UiState& state, draw::PlotSurface& surface, ImVec2 corner, ImVec
     ImGui::SetCursorScreenPos(
         ImVec2(corner.x + column * (each.x + gap.x), corner.y + row * (each.y + gap.y)));
     const std::string mark = columns == 1 ? fmt::format("({}) ", static_cast<char>('a' + i)) : "";
-    const draw::PlotDescription& plot = plot_description(plots[i]);
     surface.time_labels = i + columns >= plots.size();  // linked axes need them once
-    draw_plot(surface, plot, mark, each);
+    draw_plot(surface, table[plots[i]], mark, each);
   }
   ImPlot::EndAlignedPlots();
 }
@@ -104,14 +104,14 @@ int side_planes(const PlotsState& plots) {
 }
 
 // From the top: the phase plane, the spectrum, the cursor table, those that are shown.
-void draw_side(const PanelContext& context, const draw::PlotSurface& surface, ImVec2 corner,
-               ImVec2 size) {
+void draw_side(const PanelContext& context, const draw::PlotSurface& surface,
+               const draw::PlotTable& table, ImVec2 corner, ImVec2 size) {
   UiState& state = context.state;
   PlotsState& plots = state.plots;
-  const bool table = plots.transient.cursors.shown;
+  const bool cursors = plots.transient.cursors.shown;
   const int planes = side_planes(plots);
   const float each =
-      (table ? 1.0F - kTableShare : 1.0F) * size.y / static_cast<float>(std::max(planes, 1));
+      (cursors ? 1.0F - kTableShare : 1.0F) * size.y / static_cast<float>(std::max(planes, 1));
   const auto next = [&] { ImGui::SetCursorScreenPos(corner); };
   next();
   if (plots.persisted.phase.shown) {
@@ -120,17 +120,17 @@ void draw_side(const PanelContext& context, const draw::PlotSurface& surface, Im
     next();
   }
   if (plots.persisted.spectrum.shown) {
-    draw_spectrum_plot(surface, plots.persisted.spectrum, plots.transient.spectrum,
+    draw_spectrum_plot(surface, table, plots.persisted.spectrum, plots.transient.spectrum,
                        ImVec2(size.x, each));
     corner.y += each;
     next();
   }
-  if (!table) return;
+  if (!cursors) return;
   ImGui::BeginChild("cursor table", ImVec2(size.x, 0.0F), 0, ImGuiWindowFlags_HorizontalScrollbar);
   draw_cursor_table(
       context.theme,
       read_cursors(*surface.history, plots.transient.cursors, plots_of(state.persisted.arrangement),
-                   plots.persisted.lines, state.persisted.hidden_lines, surface.simulated));
+                   plots.persisted.lines, state.persisted.hidden_lines, surface.simulated, table));
   ImGui::EndChild();
 }
 
@@ -151,15 +151,17 @@ void draw_plots_panel(const PanelContext& context, const draw::SampleHistory& hi
   const draw::TimeWindow before = time_window(state);
   draw::TimeWindow window = before;
   draw::PlotSurface surface = surface_of(context, history, window);
+  const draw::PlotTable table(history.derived());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImVec2 free = ImGui::GetContentRegionAvail();
   if (side_planes(state.plots) > 0 || state.plots.transient.cursors.shown) {
     const float side =
         std::clamp(kPlaneShare * free.x, draw::ems(kMinPlaneEms), draw::ems(kMaxPlaneEms));
-    draw_side(context, surface, ImVec2(corner.x + free.x - side, corner.y), ImVec2(side, free.y));
+    draw_side(context, surface, table, ImVec2(corner.x + free.x - side, corner.y),
+              ImVec2(side, free.y));
     free.x -= side + draw::ems(kPlotGapEms);
   }
-  draw_plots(state, surface, corner, free);
+  draw_plots(state, surface, table, corner, free);
   set_window(state, window);
   // Dragging an axis stops following.
   if (std::abs(window.from_s - before.from_s) > kAxisMovedS ||

@@ -12,11 +12,12 @@
 namespace hapticwall::draw {
 namespace {
 
-constexpr std::uint64_t kCount = 6000;  // samples at 1 kHz
-constexpr std::size_t kColumns = 480;   // a window at 6 s
+constexpr std::uint64_t kShapeSamples = 6000;  // samples at 1 kHz
+constexpr std::size_t kColumns = 480;          // a window at 6 s
 constexpr double kSamplesAColumn = 12.5;
 
-SampleHistory history_of(const std::function<double(double)>& force, std::uint64_t count = kCount) {
+SampleHistory history_of(const std::function<double(double)>& force,
+                         std::uint64_t count = kShapeSamples) {
   SampleHistory history(static_cast<std::size_t>(count));
   for (std::uint64_t tick = 0; tick < count; ++tick) {
     Sample sample;
@@ -122,8 +123,9 @@ TEST(SignalShape, TheBandHasExactlyTheExtremesOfItsSurroundings) {
 TEST(SignalShape, TheMeanLineIsTheMeanOfTheSamples) {
   // Dithers between two counts, more and more in the upper one.
   std::mt19937_64 random(11);
-  const SampleHistory history = history_of(
-      [&](double tick) { return static_cast<double>(random() % kCount) < tick ? 1.0 : 0.0; });
+  const SampleHistory history = history_of([&](double tick) {
+    return static_cast<double>(random() % kShapeSamples) < tick ? 1.0 : 0.0;
+  });
   const SignalShape shape = shape_of(history);
   double error = 0.0;
   for (std::size_t i = 0; i < shape.line.value.size(); ++i)
@@ -133,8 +135,8 @@ TEST(SignalShape, TheMeanLineIsTheMeanOfTheSamples) {
 }
 
 TEST(SignalShape, IsScaledAndHasGapsWhereNothingIsKnown) {
-  SampleHistory history(kCount, 1e-3);
-  for (std::uint64_t tick = 0; tick < kCount; ++tick) {
+  SampleHistory history(kShapeSamples, 1e-3);
+  for (std::uint64_t tick = 0; tick < kShapeSamples; ++tick) {
     Sample sample;
     sample.tick = tick;
     sample.time_s = static_cast<double>(tick) * 1e-3;

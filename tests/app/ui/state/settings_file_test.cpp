@@ -39,7 +39,10 @@ void change_all(UiState& state) {
   state.plots.persisted.lines.at(0) = draw::line_bit(&Sample::position_m);
   state.plots.persisted.trigger = {draw::TriggerMode::kNormal, 0.5};
   state.plots.persisted.phase.shown = true;
-  state.plots.persisted.spectrum.shown = true;
+  state.plots.persisted.derived[2] = draw::DerivedSignal();
+  state.plots.persisted.derived[3] = {draw::DerivedKind::kMean, &Sample::force_n, &Sample::force_n,
+                                      0.02};
+  state.plots.persisted.spectrum = {true, &Sample::force_n};
   state.plots.persisted.show_bounds = false;
   state.wall.persisted.magnification = 50;
   state.persisted.lower_page = ui::LowerPage::kBlindTest;
@@ -143,6 +146,23 @@ TEST_F(SettingsTest, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
   EXPECT_THAT(told, HasSubstr("plots.loop must be true or false"));
   EXPECT_THAT(told, ::testing::Not(HasSubstr("future")));
   EXPECT_TRUE(fs::exists(file() + ".broken"));
+}
+
+TEST_F(SettingsTest, ADerivedSignalOfAnUnknownSignalIsToldAndTheOthersAreTaken) {
+  put("settings.toml",
+      "[plots]\nderived = \"derivative(paddle), mean(handle over 0.5 s), mean(handle over 9 h)\"\n"
+      "spectrum_signal = \"paddle\"\n");
+  UiState state;
+  SettingsFile(file()).load(state);
+  const ui::PlotsState::Persisted& plots = state.plots.persisted;
+  const draw::DerivedSignal mean{draw::DerivedKind::kMean, &Sample::position_m, &Sample::position_m,
+                                 0.5};
+  EXPECT_EQ(plots.derived, draw::DerivedSignals{mean});
+  EXPECT_NE(plots.lines.at(0) & draw::line_bit(draw::Quantity::derived_signal(0)), 0U);
+  EXPECT_EQ(plots.spectrum.quantity, draw::Quantity(&Sample::position_m));
+  const std::string told = state.transient.toasts.newest().text;
+  EXPECT_THAT(told, HasSubstr("dropped: 'derivative(paddle)' 'mean(handle over 9 h)'"));
+  EXPECT_THAT(told, HasSubstr("plots.spectrum_signal must be the name of a signal"));
 }
 
 TEST_F(SettingsTest, UnknownKeysAreNoProblemAndAreNotKept) {
