@@ -138,7 +138,7 @@ void expect_ranges(const SampleHistory& history, std::size_t place,
 // The groups of samples that are drawn as one, over the newest shares of the history.
 void expect_groups(const SampleHistory& history, std::size_t place,
                    const std::vector<double>& wanted, double tolerance) {
-  for (const std::size_t share : {1, 9, 600}) {
+  for (const std::size_t share : {1U, 9U, 600U}) {
     const IndexRange range{wanted.size() - wanted.size() / share, wanted.size()};
     const std::size_t columns = 480;
     const std::size_t group = decimation_group(range.count(), columns);
@@ -235,7 +235,7 @@ TEST(DerivedSignals, StayRightWhileTheOldestSamplesAreForgotten) {
 
 TEST(DerivedSignals, ReachOverNoGap) {
   std::vector<Sample> samples = chatter();
-  for (const std::size_t dropped : {2500, 1200, 1199, 300})
+  for (const std::size_t dropped : {2500U, 1200U, 1199U, 300U})
     samples.erase(samples.begin() + static_cast<std::ptrdiff_t>(dropped));
   const SampleHistory history = history_of(samples);
   EXPECT_TRUE(std::isnan(history.value(at(2), 0))) << "nothing is before the first sample";
