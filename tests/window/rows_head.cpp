@@ -27,6 +27,10 @@ void scale_up_and_down(Person& person) {
   EXPECT_EQ(scale_percent(person), before);
   person.type("scale percent", "110");
   EXPECT_EQ(scale_percent(person), 110.0);
+  person.type("scale percent", "1000");
+  ASSERT_TRUE(person.state().transient.refusal);
+  EXPECT_EQ(person.state().transient.refusal->why, "1000 is out of range; it takes 50 to 300 %");
+  EXPECT_EQ(scale_percent(person), 110.0);
   person.wait_a_frame();
   EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.1F);
   person.click("automatic scale");
@@ -67,7 +71,14 @@ void reset_layout(Person& person) {
   EXPECT_TRUE(persisted.more);
 }
 
+// What has no room in the row of the session.
+void open_more(Person& person) {
+  if (!person.sees("repeat scene")) person.click("more of session");
+  person.wait_a_frame();
+}
+
 void use_slow_motion(Person& person) {
+  open_more(person);
   for (const std::uint32_t wanted : {5U, 1U}) {
     person.click("slow motion");
     person.click(fmt::format("slow motion {}", wanted));
@@ -84,8 +95,10 @@ void use_sound(Person& person) {
                     "the sound card");
   if (!transient.sound_on) return;
   const double before = person.state().persisted.sound_volume;
+  if (!person.sees("volume")) person.click("more of session");
   person.drag("volume", ImVec2(20.0F, 0.0F));
   EXPECT_NE(person.state().persisted.sound_volume, before);
+  person.put_everything_away();
   person.click("sound");
   EXPECT_FALSE(transient.sound_on);
 }
@@ -172,15 +185,18 @@ Table head_rows(const std::string& folder) {
 }
 
 Table toolbar_rows() {
-  return {does("pause", pause_and_run),
-          does("step", step_once),
-          does("reset", reset_once),
-          does("record", record_and_stop),
-          {"slow motion", use_slow_motion},
-          {"sound", use_sound},
-          flips("repeat scene",
-                [](Person& person) { return person.state().transient.repeats ? 1.0 : 0.0; }),
-          {"recording name", name_the_recording}};
+  return {
+      does("pause", pause_and_run),
+      does("step", step_once),
+      does("reset", reset_once),
+      does("record", record_and_stop),
+      {"slow motion", use_slow_motion},
+      {"sound", use_sound},
+      flips(
+          "repeat scene",
+          [](Person& person) { return person.state().transient.repeats ? 1.0 : 0.0; }, open_more),
+      shown("more of session"),
+      {"recording name", name_the_recording}};
 }
 
 Table overlay_rows() {

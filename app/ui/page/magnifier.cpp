@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "app/ui/wall/wall_strip.h"
+#include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
 
@@ -44,16 +46,25 @@ int choose_magnification(WallState& state, double deepest_m, double unmagnified_
   return magnification;
 }
 
+constexpr const char* kMagnifyLess = "–###magnify less";
+constexpr const char* kMagnifyMore = "+###magnify more";
+constexpr const char* kMagnifyAutomatically = "auto###magnify automatically";
+constexpr const char* kWidestMagnification = "×1000";
+constexpr const char* kContactTitle = "Contact";
+
+float magnification_width() {
+  return button_width(kMagnifyLess) + button_width(kMagnifyMore) +
+         ImGui::CalcTextSize(kWidestMagnification).x + 2.0F * ImGui::GetStyle().ItemSpacing.x;
+}
+
 void draw_magnification(const PanelContext& context) {
   WallState& state = context.state.wall;
   const int now = state.transient.magnification;
-  ImGui::SameLine();
-  if (button("–###magnify less", "Magnify less; so does the wheel over the picture.",
-             {.small = true}))
+  if (button(kMagnifyLess, "Magnify less; so does the wheel over the picture.", {.small = true}))
     state.persisted.magnification = next_magnification(now, -1);
   ImGui::SameLine();
   // Width of the longest text, so that the buttons do not move.
-  const float width = ImGui::CalcTextSize("×1000").x;
+  const float width = ImGui::CalcTextSize(kWidestMagnification).x;
   ImGui::BeginGroup();
   ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "×%d", now);
   ImGui::SameLine(0.0F, 0.0F);
@@ -61,20 +72,29 @@ void draw_magnification(const PanelContext& context) {
   ImGui::EndGroup();
   explain("Magnification relative to the initial wall view.");
   ImGui::SameLine();
-  if (button("+###magnify more", "Magnify more; so does the wheel over the picture.",
-             {.small = true}))
+  if (button(kMagnifyMore, "Magnify more; so does the wheel over the picture.", {.small = true}))
     state.persisted.magnification = next_magnification(now, 1);
-  if (state.persisted.magnification == 0) return;
-  ImGui::SameLine();
-  if (button("auto###magnify automatically",
+}
+
+void draw_automatic_magnification(WallState& state) {
+  if (button(kMagnifyAutomatically,
              "Fits the depth of the last half second; so does a double click on the picture.",
              {.small = true}))
     state.persisted.magnification = 0;
 }
 
 void draw_heading(const PanelContext& context, bool with_choice) {
-  draw::strong_text(context.theme, "Contact");
-  if (with_choice) draw_magnification(context);
+  const auto title = [&] { draw::strong_text(context.theme, kContactTitle); };
+  if (!with_choice) return title();
+  WallState& state = context.state.wall;
+  // The bold title is a little wider than the usual text.
+  const float title_width = ImGui::CalcTextSize(kContactTitle).x + ems(0.5F);
+  std::vector<RowControl> controls{
+      {title_width, 2, title}, {magnification_width(), 0, [&] { draw_magnification(context); }}};
+  if (state.persisted.magnification != 0)
+    controls.push_back(
+        {button_width(kMagnifyAutomatically), 1, [&] { draw_automatic_magnification(state); }});
+  draw_overflow_row(context, "contact", controls, {.small = true});
 }
 
 // Draws as many entries as fit.

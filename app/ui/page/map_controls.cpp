@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <string>
 #include <utility>
 
@@ -13,14 +14,29 @@
 namespace hapticwall::ui {
 namespace {
 
+constexpr float kBesideEms = 20.0F;  // width of a column whose lists stand beside their labels
+
+// Opens a list beside its label, or below it in a narrow column.
+bool begin_list(const PanelContext& context, const char* label, const char* tooltip,
+                const std::string& id, const std::string& shown) {
+  const bool narrow = ImGui::GetContentRegionAvail().x < ems(kBesideEms);
+  field_label(context, label, tooltip, "");
+  if (narrow) {
+    ImGui::NewLine();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+  }
+  const bool open = ImGui::BeginCombo(id.c_str(), shown.c_str());
+  const std::string meaning = std::exchange(context.state.transient.edit.tooltip, {});
+  if (!open) explain(meaning);
+  return open;
+}
+
 void draw_number_choice(const PanelContext& context, std::size_t axis, const MapAxis& present) {
   constexpr std::array kNames{"across", "up"};
   auto& axes = context.state.map.choice.axes;
-  field_label(context, kNames.at(axis), "The number of the scene along this axis", "");
-  if (!ImGui::BeginCombo(fmt::format("##map number {}", axis).c_str(),
-                         present.number.path.c_str())) {
+  if (!begin_list(context, kNames.at(axis), "The number of the scene along this axis",
+                  fmt::format("##map number {}", axis), present.number.path))
     return;
-  }
   for (const SceneNumber& number : map_numbers(context.session.scene())) {
     const bool chosen = number.path == present.number.path;
     if (!list_choice(fmt::format("{0}###map choice {1} {0}", number.path, axis), chosen) ||
@@ -37,21 +53,24 @@ void draw_number_choice(const PanelContext& context, std::size_t axis, const Map
 }
 
 void change_range(const PanelContext& context, MapAxisChoice& choice, double low, double high,
-                  bool logarithmic) {
+                  bool logarithmic, const std::string& field) {
   if (const auto problem = set_range(choice, low, high, logarithmic))
-    tell(context.state, MessageKind::kProblem, choice.path + ": " + *problem);
+    refuse(context, field, *problem);
+}
+
+std::string end_field(std::size_t axis, bool upper) {
+  return fmt::format("##map {} {}", upper ? "to" : "from", axis);
 }
 
 void draw_end(const PanelContext& context, std::size_t axis, bool upper, const MapAxis& present,
               float width) {
   ImGui::SetNextItemWidth(width);
-  const auto typed =
-      number_field(context, fmt::format("##map {} {}", upper ? "to" : "from", axis).c_str(),
-                   upper ? present.high : present.low);
+  const std::string field = end_field(axis, upper);
+  const auto typed = number_field(context, field.c_str(), upper ? present.high : present.low);
   explain("An end of the axis. A typed range stays when the value leaves it.");
   if (!typed) return;
   change_range(context, context.state.map.choice.axes.at(axis), upper ? present.low : *typed,
-               upper ? *typed : present.high, present.logarithmic);
+               upper ? *typed : present.high, present.logarithmic, field);
 }
 
 // Both ends in a row, and the unit.
@@ -66,6 +85,7 @@ void draw_ends(const PanelContext& context, std::size_t axis, const MapAxis& pre
   ImGui::SameLine(0.0F, gap);
   draw_end(context, axis, true, present, each);
   unit_label(present.number.unit);
+  for (const bool upper : {false, true}) draw_refusal(context, end_field(axis, upper));
 }
 
 void draw_axis(const PanelContext& context, std::size_t axis, const MapAxis& present) {
@@ -75,7 +95,7 @@ void draw_axis(const PanelContext& context, std::size_t axis, const MapAxis& pre
   ImGui::BeginDisabled(present.number.whole);
   if (ImGui::Checkbox(fmt::format("logarithmic###map log {}", axis).c_str(), &logarithmic)) {
     change_range(context, context.state.map.choice.axes.at(axis), present.low, present.high,
-                 logarithmic);
+                 logarithmic, end_field(axis, false));
   }
   ImGui::EndDisabled();
   explain("Equal ratios instead of equal steps between the values of the axis");
@@ -83,6 +103,7 @@ void draw_axis(const PanelContext& context, std::size_t axis, const MapAxis& pre
   if (button(fmt::format("around###map around {}", axis),
              "The usual range around the present value of this number", {.small = true})) {
     choose_number(context.state.map.choice.axes.at(axis), present.number.path);
+    context.state.transient.refusal.reset();
   }
 }
 
@@ -96,8 +117,9 @@ std::string algorithms_text(const MapChoice& choice) {
 
 void draw_algorithm_choice(const PanelContext& context) {
   MapChoice& choice = context.state.map.choice;
-  field_label(context, "under", "The algorithms of the map, a field each", "");
-  if (!ImGui::BeginCombo("##map algorithms", algorithms_text(choice).c_str())) return;
+  if (!begin_list(context, "under", "The algorithms of the map, a field each", "##map algorithms",
+                  algorithms_text(choice)))
+    return;
   if (list_choice("the one in force###map in force", choice.algorithms.empty()))
     choice.algorithms.clear();
   if (list_choice("all###map all", choice.algorithms.size() == algorithms().size())) {

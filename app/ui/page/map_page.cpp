@@ -16,6 +16,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kControlsShare = 0.4F;  // of the width
+constexpr float kMinControlsEms = 15.0F;
 constexpr float kMaxControlsEms = 21.0F;
 constexpr float kGapEms = 1.0F;
 constexpr float kDotEms = 0.36F;
@@ -166,8 +167,8 @@ void draw_map_page(const PanelContext& context) {
   }
   const StabilityMap map = map_of(context.state.map.choice, context.session.scene());
   compute(context.state.map.live, map);
-  const float width =
-      std::min(kControlsShare * ImGui::GetContentRegionAvail().x, ems(kMaxControlsEms));
+  const float width = std::clamp(kControlsShare * ImGui::GetContentRegionAvail().x,
+                                 ems(kMinControlsEms), ems(kMaxControlsEms));
   ImGui::BeginChild("map choices", ImVec2(width, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
   draw_progress(context, map);

@@ -85,7 +85,7 @@ void draw_plots(UiState& state, draw::PlotSurface& surface, const draw::PlotTabl
   const auto rows = static_cast<float>(whole_rows);
   const ImVec2 each((free.x - (count - 1.0F) * gap.x) / count,
                     (free.y - (rows - 1.0F) * gap.y) / rows);
-  ImPlot::BeginAlignedPlots("plots");  // one left and one right margin
+  if (!ImPlot::BeginAlignedPlots("plots")) return;  // one left and one right margin
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const auto column = static_cast<float>(i % columns);
     const std::size_t row_index = i / columns;

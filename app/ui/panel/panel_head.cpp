@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -18,6 +19,7 @@ namespace {
 constexpr const char* kSettings = "settings";
 constexpr float kSettingsWidthEms = 22.0F;
 constexpr float kPercentEms = 4.5F;
+constexpr const char* kScaleField = "##scale percent";
 
 struct Button {
   const char* label;
@@ -37,6 +39,14 @@ void draw_look(const PanelContext& context) {
   if (ImGui::RadioButton("light", look == draw::Look::kLight)) look = draw::Look::kLight;
 }
 
+void set_typed_scale(const PanelContext& context, double percent) {
+  if (percent >= runtime::kMinScalePercent && percent <= runtime::kMaxScalePercent)
+    return set_scale(context.state, static_cast<int>(std::lround(percent)));
+  refuse(context, kScaleField,
+         fmt::format("{} is out of range; it takes {} to {} %", rounded_number(percent),
+                     runtime::kMinScalePercent, runtime::kMaxScalePercent));
+}
+
 void draw_scale(const PanelContext& context) {
   UiState& state = context.state;
   field_label(
@@ -47,12 +57,13 @@ void draw_scale(const PanelContext& context) {
   if (ImGui::Button("−###smaller")) step_scale(state, -1);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ems(kPercentEms));
-  if (const auto percent = number_field(context, "##scale percent", scale_percent_in_force(state)))
-    set_scale(state, static_cast<int>(std::clamp(*percent, 1.0, 1e4)));
+  if (const auto percent = number_field(context, kScaleField, scale_percent_in_force(state)))
+    set_typed_scale(context, *percent);
   ImGui::SameLine();
   ImGui::TextDisabled("%%");
   ImGui::SameLine();
   if (ImGui::Button("+###larger")) step_scale(state, 1);
+  draw_refusal(context, kScaleField);
   const bool automatic = state.persisted.scale_percent == 0 && !state.transient.forced_scale;
   field_label(context, "", "", "");
   if (button(fmt::format("as the screen says ({:.0f} %)###automatic scale",
@@ -129,7 +140,7 @@ void draw_panel_head(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(gap, 0.5F * style.FramePadding.y));
   float width = -gap;
   for (const Button& each : buttons) width += ImGui::CalcTextSize(each.label).x + 3.0F * gap;
-  ImGui::SameLine();
+  beside(width);
   draw::align_right(width);
   for (const Button& each : buttons) {
     if (button(fmt::format("{}###{}", each.label, each.name), each.enabled ? each.tooltip : "",

@@ -11,6 +11,7 @@
 
 #include "app/file/recording/recording_writer.h"
 #include "app/ui/panel/toolbar.h"
+#include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
@@ -30,8 +31,9 @@ constexpr double kSameSpeed = 1e-9;  // of it: what is not a rounding error
 constexpr float kButtonEms = 4.6F;
 constexpr float kToStartEms = 5.2F;
 constexpr float kSpeedEms = 3.6F;
-constexpr float kSpeedGroupEms = 10.0F;  // with its list and "Repeat"
 constexpr float kBackEms = 9.0F;
+constexpr float kFileNameEms = 12.0F;
+constexpr const char* kSpeedField = "##speed";
 constexpr float kTrackEms = 0.5F;     // how thick the track is
 constexpr float kSliderEms = 1.5F;    // how high all of it is
 constexpr float kNearMarkEms = 0.4F;  // a click so near to a mark is one on it
@@ -45,28 +47,37 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-void draw_transport(const PanelContext& context) {
-  const bool paused = context.snapshot.paused;
-  const float width = ems(kButtonEms);
-  if (button(paused ? "Play###pause" : "Pause###pause",
+void draw_play(const PanelContext& context) {
+  if (button(context.snapshot.paused ? "Play###pause" : "Pause###pause",
              "Plays or pauses the recording (key P). At the end it starts again.",
-             {.width = width}))
+             {.width = ems(kButtonEms)}))
     toggle_pause(context);
-  beside(width);
+}
+
+void draw_replay_step(const PanelContext& context) {
   if (button("Step###step", "The next row, while paused (key S or →); ← goes back to the last one",
-             {.width = width, .enabled = paused}))
+             {.width = ems(kButtonEms), .enabled = context.snapshot.paused}))
     single_step(context);
-  beside(ems(kToStartEms));
+}
+
+void draw_to_start(const PanelContext& context) {
   if (button("To start###reset", "To the first row (key R)", {.width = ems(kToStartEms)}))
     reset_session(context);
 }
 
+std::string replay_time_text(const ReplaySession& replay, double time_s) {
+  return fmt::format("{:8.3f} / {:.3f} s", time_s, replay.end_s());
+}
+
+float replay_time_width(const PanelContext& context, const ReplaySession& replay) {
+  const draw::FontScope font(context.theme.fonts.digits, 0.0F);
+  return ImGui::CalcTextSize(replay_time_text(replay, replay.end_s()).c_str()).x;
+}
+
 void draw_time(const PanelContext& context, ReplaySession& replay) {
-  const std::string time = fmt::format("{:8.3f} / {:.3f} s", replay.position_s(), replay.end_s());
   ImGui::PushFont(context.theme.fonts.digits, 0.0F);
-  beside(ImGui::CalcTextSize(time.c_str()).x);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(time.c_str());
+  ImGui::TextUnformatted(replay_time_text(replay, replay.position_s()).c_str());
   ImGui::PopFont();
   explain(
       fmt::format("Time of the session that was recorded. This recording goes from {:.3f} s to "
@@ -79,17 +90,16 @@ void set_speed(const PanelContext& context, ReplaySession& replay, double speed)
     replay.set_speed(speed);
     return;
   }
-  tell(context.state, MessageKind::kProblem,
-       fmt::format("speed: from {:g} to {:g} times; {} stays", kMinReplaySpeed, kMaxReplaySpeed,
-                   rounded_number(replay.speed())));
+  refuse(context, kSpeedField,
+         fmt::format("{} is out of range; it takes {:g} to {:g}", rounded_number(speed),
+                     kMinReplaySpeed, kMaxReplaySpeed));
 }
 
 void draw_speed(const PanelContext& context, ReplaySession& replay) {
   constexpr const char* kTooltip =
       "Speed in recorded seconds per second, 0.01 to 100 (keys [ and ])";
-  beside(ems(kSpeedGroupEms));
   ImGui::SetNextItemWidth(ems(kSpeedEms));
-  if (const auto typed = number_field(context, "##speed", replay.speed()))
+  if (const auto typed = number_field(context, kSpeedField, replay.speed()))
     set_speed(context, replay, *typed);
   explain(kTooltip);
   ImGui::SameLine(0.0F, 1.0F);
@@ -102,29 +112,32 @@ void draw_speed(const PanelContext& context, ReplaySession& replay) {
     ImGui::EndCombo();
   }
   explain(kTooltip);
-  ImGui::SameLine();
+}
+
+void draw_replay_repeat(const PanelContext& context, ReplaySession& replay) {
   const bool loops = replay.loops();
-  if (choice_button(context, "Repeat###repeat", loops, "Begins anew at the end (key L)"))
+  if (choice_button(context, "Repeat###repeat", loops, "Begins anew at the end (key L)",
+                    {.width = ems(kButtonEms)}))
     replay.set_loop(!loops);
 }
 
-void draw_way_back(const PanelContext& context, const ReplaySession& replay) {
-  const float back = ems(kBackEms);
-  beside(back, ems(1.0F));
-  const std::string name = file_name(replay.recording().csv_path);
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  // Right-aligned; a narrow window clips the name.
+void draw_way_back(const PanelContext& context) {
+  if (button("Back to the scene###back to the scene",
+             "Ends the replay and starts the scene that ran before, at rest.",
+             {.width = ems(kBackEms)}))
+    context.state.replay.wants_back = true;
+}
+
+// A long name is clipped; the tooltip has its path.
+void draw_file_name(const PanelContext& context, const ReplaySession& replay) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float room = std::max(0.0F, ImGui::GetContentRegionAvail().x - back - gap);
-  ImGui::PushClipRect(corner, ImVec2(corner.x + room, corner.y + ImGui::GetFrameHeight()), true);
+  ImGui::PushClipRect(
+      corner, ImVec2(corner.x + ems(kFileNameEms), corner.y + ImGui::GetFrameHeight()), true);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "%s", name.c_str());
+  ImGui::TextColored(context.theme.colour(draw::Tone::kAccent), "%s",
+                     file_name(replay.recording().csv_path).c_str());
   ImGui::PopClipRect();
   explain(replay.recording().csv_path);
-  ImGui::SetCursorScreenPos(ImVec2(corner.x + room + gap, corner.y));
-  if (button("Back to the scene###back to the scene",
-             "Ends the replay and starts the scene that ran before, at rest.", {.width = back}))
-    context.state.replay.wants_back = true;
 }
 
 // The mark at this pixel, or null.
@@ -212,10 +225,17 @@ double faster_than(double speed) {
 }
 
 void draw_replay_bar(const PanelContext& context, ReplaySession& replay) {
-  draw_transport(context);
-  draw_time(context, replay);
-  draw_speed(context, replay);
-  draw_way_back(context, replay);
+  const float speed = ems(kSpeedEms) + 1.0F + ImGui::GetFrameHeight();
+  const std::array<RowControl, 8> controls{
+      {{ems(kButtonEms), 0, [&] { draw_play(context); }},
+       {ems(kButtonEms), 4, [&] { draw_replay_step(context); }},
+       {ems(kToStartEms), 5, [&] { draw_to_start(context); }},
+       {replay_time_width(context, replay), 1, [&] { draw_time(context, replay); }},
+       {speed, 3, [&] { draw_speed(context, replay); }, kSpeedField},
+       {ems(kButtonEms), 6, [&] { draw_replay_repeat(context, replay); }},
+       {ems(kBackEms), 2, [&] { draw_way_back(context); }},
+       {ems(kFileNameEms), 7, [&] { draw_file_name(context, replay); }}}};
+  draw_overflow_row(context, "replay", controls);
   draw_slider(context, replay);
 }
 

@@ -5,7 +5,10 @@
 
 namespace hapticwall::ui {
 
-// In the row of the last item where it fits.
+inline constexpr float kSoundEms = 4.5F;
+inline constexpr float kVolumeEms = 5.0F;
+
 void draw_sound_switch(const PanelContext& context);
+void draw_volume(const PanelContext& context);
 
 }  // namespace hapticwall::ui

@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/ui/panel/sections.h"
+#include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/widgets.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
@@ -10,16 +14,33 @@
 namespace hapticwall::ui {
 namespace {
 
+constexpr float kStatusGapEms = 1.3F;
+constexpr float kStatusNameGapEms = 0.4F;
+constexpr float kMinRealtimeEms = 10.0F;  // at least, of the state of the real-time loop
+
 // Name in grey and digits of constant width, so that nothing moves.
-void value(const PanelContext& context, const char* name, const std::string& text, draw::Tone tone,
-           std::string_view tooltip) {
-  ImGui::BeginGroup();
-  ImGui::TextDisabled("%s", name);
-  ImGui::SameLine(0.0F, 0.4F * ImGui::GetFontSize());
-  digits_text(context, text, tone);
-  ImGui::EndGroup();
-  explain(tooltip);
-  ImGui::SameLine(0.0F, 1.3F * ImGui::GetFontSize());
+struct StatusValue {
+  const char* name;
+  std::string text;
+  draw::Tone tone;
+  std::string tooltip;
+  const char* widest = "";  // of the texts that are usual
+};
+
+RowControl control_of(const PanelContext& context, int rank, StatusValue value) {
+  const float name = ImGui::CalcTextSize(value.name).x + ems(kStatusNameGapEms);
+  const draw::FontScope font(context.theme.fonts.digits, draw::kSmallFontSize);
+  const float text =
+      std::max(ImGui::CalcTextSize(value.text.c_str()).x, ImGui::CalcTextSize(value.widest).x);
+  const float width = name + text + ems(kStatusGapEms) - ImGui::GetStyle().ItemSpacing.x;
+  return {width, rank, [&context, value = std::move(value)] {
+            ImGui::BeginGroup();
+            ImGui::TextDisabled("%s", value.name);
+            ImGui::SameLine(0.0F, ems(kStatusNameGapEms));
+            digits_text(context, value.text, value.tone);
+            ImGui::EndGroup();
+            explain(value.tooltip);
+          }};
 }
 
 void dot(const PanelContext& context, draw::Tone tone) {
@@ -31,24 +52,25 @@ void dot(const PanelContext& context, draw::Tone tone) {
   ImGui::SetCursorScreenPos(ImVec2(corner.x + 0.85F * size, corner.y));
 }
 
+std::string device_text(const PanelContext& context) {
+  const device::DeviceInfo& info = context.session.device_info();
+  const bool simulated = info.is_simulated && context.shows.replay == nullptr;
+  return (simulated ? "Simulator" : info.name) + (context.snapshot.paused ? ", paused" : "");
+}
+
 // The simulator, or the device and whether its reports arrive.
 void draw_device_state(const PanelContext& context) {
-  const device::DeviceInfo& info = context.session.device_info();
   const bool lost = context.snapshot.link.trouble != device::Trouble::kNone;
   dot(context, lost ? draw::Tone::kBad : draw::Tone::kAccent);
-  const bool replaying = context.shows.replay != nullptr;
-  std::string text = info.is_simulated && !replaying ? "Simulator" : info.name;
-  if (context.snapshot.paused) text += ", paused";
-  ImGui::TextUnformatted(text.c_str());
-  if (replaying) {
+  ImGui::TextUnformatted(device_text(context).c_str());
+  if (context.shows.replay != nullptr) {
     explain("A recording: nothing is simulated or moved.");
-  } else if (info.is_simulated) {
+  } else if (context.session.device_info().is_simulated) {
     explain("Everything on this screen is simulated: no haptic device is connected or moved.");
   } else {
     explain(lost ? device::trouble_text(context.snapshot.link.trouble)
                  : "A real device: the strip at the top shows whether it pushes.");
   }
-  ImGui::SameLine(0.0F, 1.3F * ImGui::GetFontSize());
 }
 
 // Fills the rest of the row; the tooltip has the whole text.
@@ -79,21 +101,36 @@ std::string p99_text(const runtime::Quantiles& quantiles) {
 }
 
 // Values of the real-time loop; a recording has none.
-void draw_loop_values(const PanelContext& context, const runtime::LiveSession& live) {
+std::vector<RowControl> loop_values(const PanelContext& context, const runtime::LiveSession& live) {
   const runtime::TimingStatistics& timing = context.snapshot.timing;
   const std::uint64_t dropped = live.dropped_plot_samples();
-  value(context, "missed", fmt::format("{}", timing.missed_ticks),
-        timing.missed_ticks > 0 ? draw::Tone::kWarning : draw::Tone::kText,
-        fmt::format("Of {} ticks since the start; a missed tick is skipped", timing.ticks));
-  value(context, "wake-up", p99_text(context.state.timing.wake_latency), draw::Tone::kText,
-        "Wake-up latency of the loop: 99th percentile and maximum");
-  // The compute time would reveal the algorithm.
-  value(context, "compute",
-        context.shows.hides_algorithm ? "hidden" : p99_text(context.state.timing.compute_time),
-        draw::Tone::kText, "Compute time of a tick: 99th percentile and maximum");
-  value(context, "plot drops", fmt::format("{}", dropped),
-        dropped > 0 ? draw::Tone::kWarning : draw::Tone::kText,
-        "Samples that the window was too slow to take; the recording has its own queue");
+  return {control_of(
+              context, 1,
+              {"missed", fmt::format("{}", timing.missed_ticks),
+               timing.missed_ticks > 0 ? draw::Tone::kWarning : draw::Tone::kText,
+               fmt::format("Of {} ticks since the start; a missed tick is skipped", timing.ticks),
+               "9999"}),
+          control_of(context, 3,
+                     {"wake-up", p99_text(context.state.timing.wake_latency), draw::Tone::kText,
+                      "Wake-up latency of the loop: 99th percentile and maximum"}),
+          // The compute time would reveal the algorithm.
+          control_of(context, 4,
+                     {"compute",
+                      context.shows.hides_algorithm ? "hidden"
+                                                    : p99_text(context.state.timing.compute_time),
+                      draw::Tone::kText, "Compute time of a tick: 99th percentile and maximum"}),
+          control_of(context, 2,
+                     {"plot drops", fmt::format("{}", dropped),
+                      dropped > 0 ? draw::Tone::kWarning : draw::Tone::kText,
+                      "Samples that the window was too slow to take; the recording has its own "
+                      "queue",
+                      "999"})};
+}
+
+std::string frame_text(const PanelContext& context) {
+  if (context.snapshot.paused) return "      –";
+  return fmt::format("{:4.1f} ms",
+                     kMillisecondsPerSecond / static_cast<double>(ImGui::GetIO().Framerate));
 }
 
 }  // namespace
@@ -121,16 +158,26 @@ void draw_hint_row(const PanelContext& context) {
 }
 
 void draw_status_row(const PanelContext& context) {
-  draw_device_state(context);
-  value(context, "rate", fmt::format("{:g} Hz", context.session.scene().sampling.rate_hz),
-        draw::Tone::kText, "Ticks of the loop per second");
-  if (context.shows.live != nullptr) draw_loop_values(context, *context.shows.live);
-  value(context, "frame",
-        context.snapshot.paused
-            ? "      –"
-            : fmt::format("{:4.1f} ms",
-                          kMillisecondsPerSecond / static_cast<double>(ImGui::GetIO().Framerate)),
-        draw::Tone::kText, "Time between two frames of this window");
+  const float device =
+      ImGui::CalcTextSize(device_text(context).c_str()).x + ems(kStatusGapEms + 0.4F);
+  std::vector<RowControl> controls{
+      {device, 0, [&] { draw_device_state(context); }},
+      control_of(context, 5,
+                 {"rate", fmt::format("{:g} Hz", context.session.scene().sampling.rate_hz),
+                  draw::Tone::kText, "Ticks of the loop per second"})};
+  if (context.shows.live != nullptr) {
+    for (RowControl& value : loop_values(context, *context.shows.live))
+      controls.push_back(std::move(value));
+  }
+  controls.push_back(control_of(context, 6,
+                                {"frame", frame_text(context), draw::Tone::kText,
+                                 "Time between two frames of this window", "999.9 ms"}));
+  ImGui::BeginGroup();
+  draw_overflow_row(
+      context, "status", controls,
+      {.room = ImGui::GetContentRegionAvail().x - ems(kMinRealtimeEms), .small = true});
+  ImGui::EndGroup();
+  ImGui::SameLine(0.0F, ems(kStatusGapEms));
   draw_realtime_state(context);
 }
 

@@ -9,12 +9,14 @@
 #include <filesystem>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include "app/file/text/text.h"
 #include "app/ui/panel/replay_bar.h"
 #include "app/ui/panel/sound_switch.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/export.h"
+#include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
@@ -25,11 +27,13 @@ constexpr std::array<std::uint32_t, 10> kSlowMotions{1, 2, 5, 10, 20, 50, 100, 2
 using runtime::RecordingState;
 using runtime::RecordingStatus;
 
-constexpr float kToolButtonEms = 6.0F;
-constexpr float kRecordButtonEms = 7.0F;
-constexpr float kMarkButtonEms = 4.0F;
-constexpr float kNameEms = 15.0F;
+constexpr float kToolButtonEms = 4.6F;
+constexpr float kTimeEms = 6.8F;
+constexpr float kRecordButtonEms = 5.2F;
+constexpr float kMarkButtonEms = 3.6F;
+constexpr float kNameEms = 12.0F;
 constexpr float kSlowEms = 6.5F;
+constexpr float kStatusEms = 11.5F;
 
 std::string automatic_name(const PanelContext& context) {
   const Scene& scene = context.session.scene();
@@ -37,29 +41,37 @@ std::string automatic_name(const PanelContext& context) {
   return plain_file_name(fmt::format("{}-{}.csv", scene.name, algorithm_name(scene.algorithm)));
 }
 
-void draw_run_buttons(const PanelContext& context) {
+void draw_pause(const PanelContext& context) {
   const bool paused = context.snapshot.paused;
-  const float width = ems(kToolButtonEms);
   if (button(paused ? "Run###pause" : "Pause###pause", "Pauses or runs the loop (key P)",
-             {.width = width}))
+             {.width = ems(kToolButtonEms)}))
     toggle_pause(context);
-  ImGui::SameLine();
+}
+
+void draw_step_button(const PanelContext& context) {
   if (button("Step###step", "One tick, while paused (key S or →)",
-             {.width = width, .enabled = paused}))
+             {.width = ems(kToolButtonEms), .enabled = context.snapshot.paused}))
     single_step(context);
-  ImGui::SameLine();
+}
+
+void draw_reset(const PanelContext& context) {
   if (button("Reset###reset",
              "Back to tick 0 at rest, with the present values (key R). Ends a recording.",
-             {.width = width}))
+             {.width = ems(kToolButtonEms)}))
     ask_to_reset(context);
-  ImGui::SameLine();
+}
+
+void draw_repeat(const PanelContext& context) {
   bool& repeats = context.state.transient.repeats;
   if (choice_button(
           context, "Repeat###repeat scene", repeats,
           "A simulated scene begins anew, at rest, at its end; not while it is recorded or "
-          "the pointer leads the hand"))
+          "the pointer leads the hand",
+          {.width = ems(kToolButtonEms)}))
     repeats = !repeats;
-  ImGui::SameLine();
+}
+
+void draw_session_time(const PanelContext& context) {
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(context.theme.fonts.digits, 0.0F);
   ImGui::Text("%9.3f s", context.snapshot.newest.x().time_s);
@@ -71,11 +83,8 @@ std::string slowness_text(std::uint32_t periods) {
   return periods == 1 ? "full speed" : fmt::format("1/{}", periods);
 }
 
-// Of a simulator only.
 void draw_slow_motion(const PanelContext& context, runtime::LiveSession& live) {
-  if (!live.device_info().is_simulated) return;
   const std::uint32_t now = context.snapshot.periods_per_tick;
-  ImGui::SameLine();
   ImGui::SetNextItemWidth(ems(kSlowEms));
   if (ImGui::BeginCombo("##slow motion", slowness_text(now).c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const std::uint32_t periods : kSlowMotions) {
@@ -91,8 +100,7 @@ void draw_slow_motion(const PanelContext& context, runtime::LiveSession& live) {
 }
 
 void draw_recording_status(const PanelContext& context, const RecordingStatus& status) {
-  if (status.state == RecordingState::kIdle && status.path.empty()) return;
-  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
   if (status.state == RecordingState::kFailed) {
     ImGui::TextColored(context.theme.colour(draw::Tone::kBad), "%s", status.error.c_str());
     explain(status.error);
@@ -145,12 +153,7 @@ void draw_mark(const PanelContext& context) {
     static_cast<void>(add_mark(context));
 }
 
-void draw_recording(const PanelContext& context, const runtime::LiveSession& live) {
-  const RecordingStatus status = live.recording_status();
-  const bool recording = status.state == RecordingState::kRecording;
-  // A narrow window gives it its own row.
-  ImGui::SameLine(0.0F, ems(2.0F));
-  if (ImGui::GetContentRegionAvail().x < ems(kRecordButtonEms + kNameEms)) ImGui::NewLine();
+void draw_record(const PanelContext& context, bool recording) {
   if (recording)
     ImGui::PushStyleColor(ImGuiCol_Button, context.theme.packed(draw::Tone::kBad, 0.55F));
   const bool clicked =
@@ -159,13 +162,36 @@ void draw_recording(const PanelContext& context, const runtime::LiveSession& liv
              {.width = ems(kRecordButtonEms)});
   if (recording) ImGui::PopStyleColor();
   if (clicked) toggle_recording(context);
-  ImGui::SameLine();
+}
+
+void draw_name_or_mark(const PanelContext& context, bool recording) {
   if (recording) {
     draw_mark(context);
   } else {
     draw_name(context);
   }
-  draw_recording_status(context, status);
+}
+
+void draw_session_bar(const PanelContext& context, runtime::LiveSession& live) {
+  const RecordingStatus status = live.recording_status();
+  const bool recording = status.state == RecordingState::kRecording;
+  const TransientState& transient = context.state.transient;
+  std::vector<RowControl> controls{
+      {ems(kToolButtonEms), 0, [&] { draw_pause(context); }},
+      {ems(kToolButtonEms), 5, [&] { draw_step_button(context); }},
+      {ems(kToolButtonEms), 2, [&] { draw_reset(context); }},
+      {ems(kTimeEms), 3, [&] { draw_session_time(context); }},
+      {ems(kRecordButtonEms), 1, [&] { draw_record(context, recording); }},
+      {ems(kNameEms), 6, [&] { draw_name_or_mark(context, recording); }, {}, transient.focus_mark},
+      {ems(kSoundEms), 4, [&] { draw_sound_switch(context); }}};
+  if (!transient.sound.card.empty())
+    controls.push_back({ems(kVolumeEms), 8, [&] { draw_volume(context); }});
+  if (live.device_info().is_simulated)
+    controls.push_back({ems(kSlowEms), 9, [&] { draw_slow_motion(context, live); }});
+  controls.push_back({ems(kToolButtonEms), 10, [&] { draw_repeat(context); }});
+  if (status.state != RecordingState::kIdle || !status.path.empty())
+    controls.push_back({ems(kStatusEms), 7, [&] { draw_recording_status(context, status); }});
+  draw_overflow_row(context, "session", controls);
 }
 
 // Below the reset button; R again agrees, Esc does not.
@@ -192,11 +218,8 @@ void draw_toolbar(const PanelContext& context) {
   if (context.shows.replay != nullptr) {
     draw_replay_bar(context, *context.shows.replay);
   } else {
-    draw_run_buttons(context);
-    draw_slow_motion(context, *context.shows.live);
-    draw_sound_switch(context);
+    draw_session_bar(context, *context.shows.live);
     draw_reset_question(context);
-    draw_recording(context, *context.shows.live);
   }
   draw_opening(context);
 }

@@ -40,7 +40,7 @@ void draw_verdict_strip(const PanelContext& context) {
     const bool on_its_way = tail.summary.verdict == Verdict::kOscillating && !tail.frequency_hz;
     const draw::Tone tone =
         on_its_way && tail.hand_moves ? draw::Tone::kMuted : verdict_tone(tail.summary.verdict);
-    ImGui::TextColored(context.theme.colour(tone), "%s", text.c_str());
+    draw::wrapped_text(context.theme.colour(tone), text);
   }
   explain(kStripMeaning);
 }

@@ -87,7 +87,7 @@ void explain(std::string_view text) {
   ImGui::SetNextWindowPos(
       tooltip_place({ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), window->Pos,
                      ImVec2(window->Pos.x + window->Size.x, window->Pos.y + window->Size.y),
-                     ImGui::GetIO().DisplaySize, ImGui::GetFrameHeightWithSpacing()},
+                     ImGui::GetIO().DisplaySize, ImGui::GetFrameHeightWithSpacing() + padding.y},
                     ImVec2(inner.x + 2.0F * padding.x, inner.y + 2.0F * padding.y)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(wrap);
@@ -205,8 +205,9 @@ std::optional<double> number_field(const PanelContext& context, const char* id, 
   if (!text) return std::nullopt;
   const auto number = parse_number(*text);
   if (!number) {
-    tell(context.state, MessageKind::kProblem,
-         fmt::format("{}; {} stays in force", no_number(*text), rounded_number(shown)));
+    refuse(context, id, no_number(*text));
+  } else if (is_refused(context, id)) {
+    context.state.transient.refusal.reset();
   }
   return number;
 }
@@ -215,9 +216,14 @@ void refuse(const PanelContext& context, const std::string& key, std::string why
   context.state.transient.refusal = Refusal{key, std::move(why)};
 }
 
+bool is_refused(const PanelContext& context, std::string_view key) {
+  const auto& refusal = context.state.transient.refusal;
+  return refusal && refusal->key == key;
+}
+
 void draw_refusal(const PanelContext& context, const std::string& key) {
   const auto& refusal = context.state.transient.refusal;
-  if (!refusal || refusal->key != key) return;
+  if (!is_refused(context, key)) return;
   const FontScope font(nullptr, draw::kSmallFontSize);
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(from,

@@ -78,6 +78,7 @@ void figure_row(const PanelContext& context, std::string_view name, const std::s
 
 // Shows below the field of `key` why its newest text was refused.
 void refuse(const PanelContext& context, const std::string& key, std::string why);
+[[nodiscard]] bool is_refused(const PanelContext& context, std::string_view key);
 // Draws the refusal of `key` in one line, if there is one; the tooltip has all of it.
 void draw_refusal(const PanelContext& context, const std::string& key);
 
@@ -89,11 +90,11 @@ struct TooltipSpace {
   ImVec2 window_from;
   ImVec2 window_to;
   ImVec2 screen;
-  float row = 0.0F;  // height
+  float row = 0.0F;  // height, with the padding of a window that may begin there
 };
 [[nodiscard]] ImVec2 tooltip_place(const TooltipSpace& space, ImVec2 size);
 
-// The same for a number. Tells the user about invalid input and returns nullopt.
+// The same for a number. Refuses invalid input under the key `id` and returns nullopt.
 [[nodiscard]] std::optional<double> number_field(const PanelContext& context, const char* id,
                                                  double shown);
 

@@ -24,6 +24,12 @@ struct ItemRect {
     return {from.x + x_share * (to.x - from.x), from.y + y_share * (to.y - from.y)};
   }
   [[nodiscard]] ImVec2 centre() const { return at(0.5F, 0.5F); }
+  [[nodiscard]] bool holds(ImVec2 place) const {
+    return place.x >= from.x && place.x <= to.x && place.y >= from.y && place.y <= to.y;
+  }
+  [[nodiscard]] bool meets(const ItemRect& other) const {
+    return from.x < other.to.x && other.from.x < to.x && from.y < other.to.y && other.from.y < to.y;
+  }
 };
 
 using Items = std::map<std::string, ItemRect, std::less<>>;

@@ -185,10 +185,23 @@ TEST_F(MapPageTest, ARangeIsTypedRefusedAndTakenBack) {
   type("map from 0", "1000");
   EXPECT_EQ(state().map.choice.axes.front().range->low, 1000.0);
   type("map from 0", "1e6");
-  EXPECT_THAT(message().text, HasSubstr("wall.stiffness_n_per_m: "));
+  EXPECT_THAT(refusal()->why, HasSubstr("must be less"));
+  EXPECT_GE(rect(refusal()->why).from.y, rect("map from 0").to.y) << "below its field";
   EXPECT_EQ(state().map.choice.axes.front().range->low, 1000.0);
   click("map around 0");
   EXPECT_EQ(state().map.choice.axes.front().range->low, 3500.0);
+  EXPECT_FALSE(refusal());
+}
+
+TEST_F(MapPageTest, TheListsShowTheirWholeChoiceInANarrowColumn) {
+  for (const float width : {1280.0F, 900.0F, 800.0F}) {
+    ImGui::GetIO().DisplaySize.x = width;
+    frames(3);
+    const std::string shown = state().map.choice.axes.front().path;
+    const ItemRect list = rect("map number 0");
+    const float text = ImGui::CalcTextSize(shown.c_str()).x;
+    EXPECT_GT(list.to.x - list.from.x, text + ImGui::GetFrameHeight()) << width;
+  }
 }
 
 TEST_F(MapPageTest, ABlindTestHidesAndStopsIt) {

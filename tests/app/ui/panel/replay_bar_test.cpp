@@ -31,10 +31,13 @@ class ReplayBarTest : public ReplayGuiTest {
     const float width = rect.to.x - rect.from.x - 2.0F * inset;
     click_at(ImVec2(rect.from.x + inset + static_cast<float>(share) * width, rect.centre().y));
   }
-  static void expect_controls() {
+  // In the row, or in the popup at its end.
+  void expect_controls() {
+    if (sees("more of replay")) click("more of replay");
     for (const char* name : {"pause", "step", "reset", "speed", "speeds", "repeat",
                              "back to the scene", "time slider"})
       EXPECT_TRUE(sees(name)) << name;
+    press(ImGuiKey_Escape);
   }
   void expect_whole_history() {
     const draw::SampleHistory& history = application_->history();
@@ -143,8 +146,16 @@ TEST_F(ReplayBarTest, ASpeedIsInForceOrRefused) {
   EXPECT_EQ(tick(), before + 200);
   type("speed", "500");
   EXPECT_EQ(replay().speed(), 2.0);
-  EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
-  EXPECT_THAT(message().text, HasSubstr("speed: from 0.01 to 100 times; 2 stays"));
+  const std::string why = "500 is out of range; it takes 0.01 to 100";
+  const ItemRect line = rect(why);
+  EXPECT_GE(line.from.y, rect("speed").to.y) << "below its field";
+  EXPECT_EQ(line.from.x, rect("speed").from.x);
+  EXPECT_EQ(message().kind, ui::MessageKind::kNone);
+  type("speed", "fast");
+  EXPECT_THAT(refusal()->why, HasSubstr("fast"));
+  type("speed", "3");
+  EXPECT_FALSE(refusal());
+  EXPECT_EQ(replay().speed(), 3.0);
 }
 
 TEST_F(ReplayBarTest, NothingThatWasRecordedIsChanged) {
