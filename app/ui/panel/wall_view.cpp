@@ -1,6 +1,7 @@
 #include "app/ui/panel/wall_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,8 @@ namespace {
 
 constexpr double kTurnPerPixel = glm::radians(0.3);
 constexpr double kZoomPerNotch = 1.15;
+constexpr float kReadoutGap = 0.25F;      // between its rows, of the usual gap
+constexpr float kMinReadoutShare = 0.6F;  // of its usual size of text
 
 ViewDrag drag_of_button() {
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return ViewDrag::kTurn;
@@ -56,7 +59,30 @@ std::optional<double> shown_stiffness(const PanelContext& context, std::size_t a
   return context.state.tails.at(axis).summary.displayed_stiffness_n_per_m;
 }
 
-void draw_readout(const PanelContext& context, ImVec2 corner) {
+constexpr const char* kWidestReadout = "penetration    0.000 kN/m";
+
+// Size of the readout's text, so that it fits into a narrow picture.
+float readout_size(const PanelContext& context, const ViewArea& area) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const draw::FontScope font(context.theme.fonts.digits, draw::kSmallFontSize);
+  const float free = area.size.x - 2.0F * (style.WindowPadding.x + style.ItemSpacing.x);
+  const float share = free / ImGui::CalcTextSize(kWidestReadout).x;
+  return draw::kSmallFontSize * std::clamp(share, kMinReadoutShare, 1.0F);
+}
+
+// Where the readout stands, with its background.
+draw::PixelBox readout_area(const PanelContext& context, const ViewArea& area) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const draw::FontScope font(context.theme.fonts.digits, readout_size(context, area));
+  const ImVec2 around(style.ItemSpacing.x, 0.5F * style.ItemSpacing.y);
+  const float row = ImGui::GetTextLineHeight() + kReadoutGap * style.ItemSpacing.y;
+  const ImVec2 text(area.corner.x + style.WindowPadding.x, area.corner.y + style.WindowPadding.y);
+  return {ImVec2(text.x - around.x, text.y - around.y),
+          ImVec2(text.x + ImGui::CalcTextSize(kWidestReadout).x + around.x,
+                 text.y + 4.0F * row + around.y)};
+}
+
+void draw_readout(const PanelContext& context, const ViewArea& area) {
   const Sample& sample = shown_sample(context);
   const bool contact = (sample.flags & kFlagInContact) != 0U;
   const auto row = [&](const char* name, double value, int digits, const char* unit, bool known) {
@@ -69,17 +95,14 @@ void draw_readout(const PanelContext& context, ImVec2 corner) {
     }
   };
   const ImGuiStyle& style = ImGui::GetStyle();
-  ImGui::PushFont(context.theme.fonts.digits, draw::kSmallFontSize);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
-                      ImVec2(style.ItemSpacing.x, 0.25F * style.ItemSpacing.y));
-  const ImVec2 from(corner.x + style.WindowPadding.x, corner.y + style.WindowPadding.y);
-  const float width = ImGui::CalcTextSize("penetration    0.000 kN/m").x;
-  const float height = 4.0F * ImGui::GetTextLineHeightWithSpacing();
+  const draw::PixelBox box = readout_area(context, area);
   ImGui::GetWindowDrawList()->AddRectFilled(
-      ImVec2(from.x - style.ItemSpacing.x, from.y - 0.5F * style.ItemSpacing.y),
-      ImVec2(from.x + width + style.ItemSpacing.x, from.y + height + 0.5F * style.ItemSpacing.y),
-      context.theme.packed(draw::Tone::kPanel, kBehindText), style.FrameRounding);
-  ImGui::SetCursorScreenPos(from);
+      box.from, box.to, context.theme.packed(draw::Tone::kPanel, kBehindText), style.FrameRounding);
+  ImGui::SetCursorScreenPos(
+      ImVec2(area.corner.x + style.WindowPadding.x, area.corner.y + style.WindowPadding.y));
+  ImGui::PushFont(context.theme.fonts.digits, readout_size(context, area));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                      ImVec2(style.ItemSpacing.x, kReadoutGap * style.ItemSpacing.y));
   ImGui::BeginGroup();
   row("position", sample.position_m * kMillimetresPerMetre, 3, "mm", true);
   row("penetration", sample.penetration_m * kMillimetresPerMetre, 3, "mm", contact);
@@ -91,17 +114,24 @@ void draw_readout(const PanelContext& context, ImVec2 corner) {
   ImGui::PopFont();
 }
 
-// Only drawn where it has an effect.
-void draw_reset_button(const PanelContext& context, const ViewArea& area) {
-  WallOrbit& orbit = context.state.wall.persisted.orbit;
-  if (orbit == WallOrbit{}) return;
+constexpr const char* kResetView = "Reset view###reset view";
+
+// Of the button at the upper right; empty while it would have no effect.
+draw::PixelBox reset_area(const PanelContext& context, const ViewArea& area) {
+  if (context.state.wall.persisted.orbit == WallOrbit{}) return {area.corner, area.corner};
   const ImGuiStyle& style = ImGui::GetStyle();
-  constexpr const char* kLabel = "Reset view###reset view";
   const float right = area.corner.x + area.size.x - style.WindowPadding.x;
-  ImGui::SetCursorScreenPos(
-      ImVec2(right - button_width(kLabel), area.corner.y + style.WindowPadding.y));
-  if (button(kLabel, "Restores the initial view; so does a double click with the right button."))
-    orbit = {};
+  const float top = area.corner.y + style.WindowPadding.y;
+  return {ImVec2(right - button_width(kResetView), top),
+          ImVec2(right, top + ImGui::GetFrameHeight())};
+}
+
+void draw_reset_button(const PanelContext& context, const ViewArea& area) {
+  if (context.state.wall.persisted.orbit == WallOrbit{}) return;
+  ImGui::SetCursorScreenPos(reset_area(context, area).from);
+  if (button(kResetView,
+             "Restores the initial view; so does a double click with the right button."))
+    context.state.wall.persisted.orbit = {};
 }
 
 // Infinite without one, and for an axis that the scene does not have.
@@ -144,6 +174,18 @@ void take_pointer(const PanelContext& context, const WallCamera& camera, const V
     ImGui::SetMouseCursor(camera.space().y ? ImGuiMouseCursor_ResizeAll
                                            : ImGuiMouseCursor_ResizeEW);
   }
+}
+
+void draw_labels(const PanelContext& context, const WallPicture& picture, const WallCamera& camera,
+                 const ViewArea& area) {
+  const bool hidden = context.shows.hides_force;
+  const std::array taken{reset_area(context, area), hidden
+                                                        ? draw::PixelBox{area.corner, area.corner}
+                                                        : readout_area(context, area)};
+  const draw::FontScope font(nullptr, draw::kSmallFontSize);
+  draw_wall_labels(
+      context.theme, picture, camera, area, taken,
+      hidden ? std::string() : rhythm_text(context.state.tails.at(shown_index(context))));
 }
 
 }  // namespace
@@ -189,13 +231,8 @@ void draw_wall_view(const PanelContext& context, WallRenderer& renderer) {
   const WallPicture picture = shown_picture(context);
   draw_picture(context, renderer, picture, camera, area);
   take_pointer(context, camera, area);
-  ImGui::PushFont(nullptr, draw::kSmallFontSize);
-  draw_wall_labels(context.theme, picture, camera, area,
-                   context.shows.hides_force
-                       ? std::string()
-                       : rhythm_text(context.state.tails.at(shown_index(context))));
-  ImGui::PopFont();
-  if (!context.shows.hides_force) draw_readout(context, area.corner);
+  draw_labels(context, picture, camera, area);
+  if (!context.shows.hides_force) draw_readout(context, area);
   draw_reset_button(context, area);
 }
 

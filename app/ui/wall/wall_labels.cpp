@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/wall/stiffness_bar.h"
 #include "app/ui/wall/wall_floor.h"
 #include "app/ui/wall/wall_solids.h"
 #include "core/units.h"
@@ -15,59 +16,14 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kRulerFront = 0.25F;  // of the ruler, in front of the walls
+constexpr float kTickHalf = 3.0F;     // pixels
 constexpr float kMinArrow = 0.04F;    // shorter arrows have no label
-constexpr float kEdge = 4.0F;         // pixels that are kept free
+constexpr float kBelowArrow = 2.8F;   // lines from above the arrow to below it
 constexpr double kSameForce = 0.01;   // of the full scale: what the label does not tell apart
 constexpr const char* kTruePlace = "true place";
 
-// Places in the picture's units become pixels of the window.
-class Pen {
- public:
-  Pen(const draw::Theme& theme, const WallCamera& camera, const ViewArea& area)
-      : theme_(theme), camera_(camera), area_(area), list_(ImGui::GetWindowDrawList()) {}
-
-  [[nodiscard]] ImVec2 screen(glm::vec3 point) const {
-    const glm::vec2 pixel = camera_.pixel_of(point);
-    return {area_.corner.x + pixel.x, area_.corner.y + pixel.y};
-  }
-  [[nodiscard]] bool within(ImVec2 place) const {
-    return place.x >= area_.corner.x && place.x <= area_.corner.x + area_.size.x &&
-           place.y >= area_.corner.y && place.y <= area_.corner.y + area_.size.y;
-  }
-  // Reserves the area right of and below this place.
-  void cover_from(ImVec2 place) { covered_ = place; }
-  [[nodiscard]] bool is_covered(ImVec2 place) const {
-    return place.x > covered_.x && place.y > covered_.y;
-  }
-  // Centred at `place`, kept inside the picture.
-  void write(ImVec2 place, draw::Tone tone, const std::string& text) const {
-    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
-    const float x = kept(place.x - 0.5F * extent.x, area_.corner.x, area_.size.x - extent.x);
-    const float y = kept(place.y - 0.5F * extent.y, area_.corner.y, area_.size.y - extent.y);
-    list_->AddRectFilled(ImVec2(x - 2.0F, y), ImVec2(x + extent.x + 2.0F, y + extent.y),
-                         theme_.packed(draw::Tone::kPanel, kBehindText), 3.0F);
-    list_->AddText(ImVec2(x, y), theme_.packed(tone), text.c_str());
-  }
-  void line(ImVec2 from, ImVec2 to, draw::Tone tone, float alpha = 1.0F) const {
-    list_->AddLine(from, to, theme_.packed(tone, alpha), 1.0F);
-  }
-  [[nodiscard]] const draw::Theme& theme() const { return theme_; }
-  [[nodiscard]] ImDrawList* list() const { return list_; }
-  [[nodiscard]] const ViewArea& area() const { return area_; }
-
- private:
-  static float kept(float from, float edge, float room) {
-    return std::clamp(from, edge + kEdge, std::max(edge + kEdge, edge + room - kEdge));
-  }
-  const draw::Theme& theme_;
-  const WallCamera& camera_;
-  const ViewArea& area_;
-  ImDrawList* list_;
-  ImVec2 covered_{1e6F, 1e6F};
-};
-
 // Draws the ruler of one axis, with as many marks as fit.
-void draw_ruler(const Pen& pen, const WallCamera& camera, Axis axis, bool two_axes) {
+void draw_ruler(LabelPen& pen, const WallCamera& camera, Axis axis, bool two_axes) {
   const AxisExtent extent = axis == Axis::kX ? camera.space().x : *camera.space().y;
   const double step_m = grid_step_m(extent.length_m());
   const float aside =
@@ -85,14 +41,15 @@ void draw_ruler(const Pen& pen, const WallCamera& camera, Axis axis, bool two_ax
   for (int mark = first; mark < end; ++mark) {
     const ImVec2 place = place_of(mark * step_m);
     if (!pen.within(ImVec2(place.x, place.y + 1.5F * line))) continue;
-    if (pen.is_covered(ImVec2(place.x + 2.0F * line, place.y + line))) continue;
-    pen.line(ImVec2(place.x, place.y - 3.0F), ImVec2(place.x, place.y + 3.0F), draw::Tone::kMuted);
+    const draw::PixelBox tick{ImVec2(place.x, place.y - kTickHalf),
+                              ImVec2(place.x, place.y + kTickHalf)};
+    if (!pen.is_free(tick)) continue;
+    pen.line(tick.from, tick.to, draw::Tone::kMuted);
     const std::string text = fmt::format("{:g} mm", mark * step_m * kMillimetresPerMetre);
     if (std::abs(place.x - last.x) < ImGui::CalcTextSize(text.c_str()).x + line &&
         std::abs(place.y - last.y) < 1.2F * line)
       continue;
-    pen.write(ImVec2(place.x, place.y + 0.9F * line), draw::Tone::kMuted, text);
-    last = place;
+    if (pen.write({ImVec2(place.x, place.y + 0.9F * line), draw::Tone::kMuted, text})) last = place;
   }
 }
 
@@ -104,9 +61,9 @@ struct Name {
 };
 bool is_left_of(const Name& a, const Name& b) { return a.thing.x < b.thing.x; }
 
-// Names above the walls, from left to right. Close names are pushed apart, with lines to their
-// walls.
-void draw_wall_names(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
+// Names above the walls, from left to right. Close names are pushed apart, and to the right of the
+// readout, with lines to their walls.
+void draw_wall_names(LabelPen& pen, const WallPicture& picture, const WallCamera& camera) {
   const float line = ImGui::GetFontSize();
   const float top = WallMeasures::wall_top(picture);
   std::vector<Name> names;
@@ -131,13 +88,13 @@ void draw_wall_names(const Pen& pen, const WallPicture& picture, const WallCamer
     const float x = picture.two_axes ? name.thing.x : std::max(name.thing.x, free_from + half);
     free_from = x + half + 0.7F * line;
     const ImVec2 text(x, std::max(name.thing.y - 1.2F * line, pen.area().corner.y + 0.7F * line));
-    pen.line(name.thing, ImVec2(x, text.y + 0.5F * line), name.tone, 0.6F);
-    pen.write(text, name.tone, name.text);
+    pen.write({text, name.tone, name.text, name.thing, ImVec2(x, text.y + 0.5F * line)},
+              {{}, ImVec2(half, 0.0F), ImVec2(2.0F * half, 0.0F)});
   }
 }
 
 // Names below their objects, pushed apart where they would overlap.
-void draw_names_below(const Pen& pen, std::vector<Name> names, float level) {
+void draw_names_below(LabelPen& pen, std::vector<Name> names, float level) {
   const float gap = ImGui::GetFontSize();
   std::sort(names.begin(), names.end(), is_left_of);
   float free_from = -1e6F;
@@ -147,25 +104,25 @@ void draw_names_below(const Pen& pen, std::vector<Name> names, float level) {
     const ImVec2 text(std::max(name.thing.x, free_from + half),
                       std::max(level, name.thing.y + 0.5F * gap));
     free_from = text.x + half + gap;
-    pen.line(name.thing, ImVec2(text.x, text.y - 0.1F * gap), name.tone, 0.8F);
-    pen.write(ImVec2(text.x, text.y + 0.5F * gap), name.tone, name.text);
+    pen.write({ImVec2(text.x, text.y + 0.5F * gap), name.tone, name.text, name.thing,
+               ImVec2(text.x, text.y - 0.1F * gap)});
   }
 }
 
 // `side`: -1 left, 1 right of the object.
-void draw_name_beside(const Pen& pen, const Name& name, float side) {
+void draw_name_beside(LabelPen& pen, const Name& name, float side) {
   if (!pen.within(name.thing)) return;
   const float gap = 1.2F * ImGui::GetFontSize();
   const float half = 0.5F * ImGui::CalcTextSize(name.text.c_str()).x;
-  pen.line(name.thing, ImVec2(name.thing.x + side * gap, name.thing.y), name.tone, 0.8F);
-  pen.write(ImVec2(name.thing.x + side * (gap + half + 3.0F), name.thing.y), name.tone, name.text);
+  pen.write({ImVec2(name.thing.x + side * (gap + half + 3.0F), name.thing.y), name.tone, name.text,
+             name.thing, ImVec2(name.thing.x + side * gap, name.thing.y)});
 }
 
 std::string handle_name(const std::string& rhythm) {
   return rhythm.empty() ? "handle" : "handle · " + rhythm;
 }
 
-void draw_things_on_axis(const Pen& pen, const WallPicture& picture, const WallCamera& camera,
+void draw_things_on_axis(LabelPen& pen, const WallPicture& picture, const WallCamera& camera,
                          const std::string& rhythm) {
   constexpr float kRadius = WallMeasures::kHandleRadius;
   constexpr float kNeckHalf = 0.62F * kRadius;
@@ -189,7 +146,7 @@ void draw_things_on_axis(const Pen& pen, const WallPicture& picture, const WallC
                    pen.screen(handle - glm::vec3(0.0F, 2.0F * kRadius, 0.0F)).y);
 }
 
-void draw_things_on_plane(const Pen& pen, const WallPicture& picture, const WallCamera& camera,
+void draw_things_on_plane(LabelPen& pen, const WallPicture& picture, const WallCamera& camera,
                           const std::string& rhythm) {
   constexpr float kRadius = WallMeasures::kHandleRadius;
   const glm::vec3 rod = rod_direction(true);
@@ -221,131 +178,44 @@ std::string force_text(const WallPicture& picture, const SweptForce& force) {
                      picture.saturated ? "  limit" : "");
 }
 
-void draw_force(const Pen& pen, const WallPicture& picture, const WallCamera& camera) {
+void draw_force(LabelPen& pen, const WallPicture& picture, const WallCamera& camera) {
   const SweptForce force = swept_force(picture);
   const glm::vec2 arrow = arrow_of(picture, force.most_n);
   if (glm::length(arrow) < kMinArrow) return;
   const glm::dvec2 place_m = swept_place(picture).to_m;
   const glm::vec3 from = picture.two_axes ? ball_centre(true, camera, place_m)
                                           : camera.point_of(place_m, WallMeasures::kArrowHeight);
-  // Above the middle of the arrow. With two axes beyond its tip, because the arrow may point
-  // towards the viewer.
+  // Above the middle of the arrow, else below it. With two axes beyond its tip, because the arrow
+  // may point towards the viewer.
   const glm::vec3 along(arrow.x, 0.0F, -arrow.y);
   const glm::vec3 beside = picture.two_axes ? from + (1.0F + 0.8F / glm::length(along)) * along
                                             : from + 0.5F * along + glm::vec3(0.0F, 0.3F, 0.0F);
   ImVec2 place = pen.screen(beside);
-  if (!picture.two_axes) place.y -= 0.5F * ImGui::GetFontSize();
-  pen.write(place, picture.saturated ? draw::Tone::kBad : draw::Tone::kForce,
-            force_text(picture, force));
-}
-
-// The colour bar of stiffness, with the displayed stiffness.
-class StiffnessBar {
- public:
-  StiffnessBar(const Pen& pen, const WallPicture& picture)
-      : pen_(pen), scale_(stiffness_scale(picture)), line_(ImGui::GetFontSize()) {
-    const ViewArea& area = pen.area();
-    length_ = std::min(0.45F * area.size.y, 7.0F * line_);
-    right_ = area.corner.x + area.size.x - 0.8F * line_;
-    left_ = right_ - 0.6F * line_;
-    bottom_ = area.corner.y + area.size.y - 1.2F * line_;
-    from_ = ImVec2(left_ - 5.6F * line_, bottom_ - length_ - 2.2F * line_);
-  }
-  [[nodiscard]] ImVec2 from() const { return from_; }
-  [[nodiscard]] bool has_room() const { return length_ > 3.0F * line_; }
-
-  void draw_colours() const {
-    constexpr int kSteps = 16;
-    const float part = length_ / kSteps;
-    const ImU32 behind = pen_.theme().packed(draw::Tone::kPanel, 0.85F);
-    pen_.list()->AddRectFilled(from_, ImVec2(right_ + 0.4F * line_, bottom_ + 0.8F * line_), behind,
-                               4.0F);
-    const char* title = "stiffness";
-    pen_.list()->AddText(
-        ImVec2(right_ - ImGui::CalcTextSize(title).x, bottom_ - length_ - 1.9F * line_),
-        pen_.theme().packed(draw::Tone::kMuted), title);
-    const auto shade = [&](int step) {
-      const float share = static_cast<float>(step) / kSteps;
-      return ImGui::ColorConvertFloat4ToU32(stiffness_colour(pen_.theme(), share));
-    };
-    for (int step = 0; step < kSteps; ++step) {
-      const float lower = bottom_ - part * static_cast<float>(step);
-      pen_.list()->AddRectFilledMultiColor(ImVec2(left_, lower - part), ImVec2(right_, lower),
-                                           shade(step + 1), shade(step + 1), shade(step),
-                                           shade(step));
-    }
-  }
-  void mark(double n_per_m) const {
-    const float y = level(n_per_m);
-    pen_.list()->AddTriangleFilled(
-        ImVec2(left_ - 0.1F * line_, y), ImVec2(left_ - 0.55F * line_, y - 0.3F * line_),
-        ImVec2(left_ - 0.55F * line_, y + 0.3F * line_), pen_.theme().packed(draw::Tone::kText));
-  }
-  // Writes left of the bar, unless another text is there.
-  void write(double n_per_m, draw::Tone tone, const std::string& text) {
-    const float y = level(n_per_m);
-    for (const float other : taken_)
-      if (std::abs(other - y) < 1.1F * line_) return;
-    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
-    pen_.list()->AddText(ImVec2(left_ - 0.8F * line_ - extent.x, y - 0.5F * extent.y),
-                         pen_.theme().packed(tone), text.c_str());
-    taken_.push_back(y);
-  }
-
- private:
-  [[nodiscard]] float level(double n_per_m) const {
-    return bottom_ - length_ * scale_.share(n_per_m);
-  }
-  const Pen& pen_;
-  StiffnessScale scale_;
-  float line_;
-  float length_ = 0.0F;
-  float left_ = 0.0F;
-  float right_ = 0.0F;
-  float bottom_ = 0.0F;
-  ImVec2 from_;
-  std::vector<float> taken_;
-};
-
-void draw_stiffness_bar(StiffnessBar& bar, const WallPicture& picture) {
-  bar.draw_colours();
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const ShownStiffness& shown = picture.shown.at(axis);
-    if (shown.strength <= 0.0) continue;
-    const char* name = axis == 0 ? "x " : "y ";
-    bar.mark(shown.n_per_m);
-    bar.write(shown.n_per_m, draw::Tone::kText,
-              (picture.two_axes ? name : "") + stiffness_text(shown.n_per_m));
-  }
-  const StiffnessScale scale = stiffness_scale(picture);
-  for (const double end : {scale.softest_n_per_m(), scale.stiffest_n_per_m})
-    bar.write(end, draw::Tone::kMuted, stiffness_text(end));
+  const float line = ImGui::GetFontSize();
+  if (!picture.two_axes) place.y -= 0.5F * line;
+  const draw::Tone tone = picture.saturated ? draw::Tone::kBad : draw::Tone::kForce;
+  pen.write({place, tone, force_text(picture, force)}, {{}, ImVec2(0.0F, kBelowArrow * line)});
 }
 
 }  // namespace
 
-std::string stiffness_text(double n_per_m) {
-  if (n_per_m >= kNewtonsPerKilonewton)
-    return fmt::format("{:.3g} kN/m", n_per_m / kNewtonsPerKilonewton);
-  return fmt::format("{:.3g} N/m", n_per_m);
-}
-
 void draw_wall_labels(const draw::Theme& theme, const WallPicture& picture,
-                      const WallCamera& camera, const ViewArea& area, const std::string& rhythm) {
-  Pen pen(theme, camera, area);
+                      const WallCamera& camera, const ViewArea& area,
+                      std::span<const draw::PixelBox> taken, const std::string& rhythm) {
+  LabelPen pen(theme, camera, area, taken);
   StiffnessBar bar(pen, picture);
-  const bool with_bar = !picture.walls.empty() && bar.has_room();
-  if (with_bar) pen.cover_from(bar.from());
-  draw_ruler(pen, camera, Axis::kX, picture.two_axes);
-  if (camera.space().y) draw_ruler(pen, camera, Axis::kY, picture.two_axes);
+  const bool with_bar = !picture.walls.empty() && bar.has_room() && pen.is_free(bar.area());
+  if (with_bar) pen.take(bar.area());
+  draw_force(pen, picture, camera);
   draw_wall_names(pen, picture, camera);
   if (picture.two_axes) {
     draw_things_on_plane(pen, picture, camera, rhythm);
   } else {
     draw_things_on_axis(pen, picture, camera, rhythm);
   }
-  draw_force(pen, picture, camera);
-  if (with_bar) draw_stiffness_bar(bar, picture);
+  draw_ruler(pen, camera, Axis::kX, picture.two_axes);
+  if (camera.space().y) draw_ruler(pen, camera, Axis::kY, picture.two_axes);
+  if (with_bar) bar.draw();
 }
 
 }  // namespace hapticwall::ui

@@ -6,9 +6,12 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/draw/plot/dashes.h"
+#include "app/draw/plot/plot_labels.h"
+#include "app/ui/wall/label_pen.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -170,40 +173,59 @@ void draw_measured(const Brush& brush) {
                                 ImVec2(x, upper), colour);
 }
 
-// Names a thing beyond an edge of the strip, at that edge.
-void draw_beyond(const Brush& brush, double position_m, const std::string& text, draw::Tone tone,
-                 float y) {
-  const Strip& strip = brush.strip;
-  if (strip.shows(position_m)) return;
-  const bool right = position_m > strip.middle_m;
-  const std::string words = right ? text + " →" : "← " + text;
-  const float width = ImGui::CalcTextSize(words.c_str()).x;
-  const float x = right ? strip.to.x - width - 0.5F * brush.line : strip.from.x + 0.5F * brush.line;
-  brush.text(ImVec2(x, y), tone, words);
+// At the top of the strip, in the first row that is free there.
+void draw_at_top(const Brush& brush, draw::PlotInk& ink, float x, draw::Tone tone,
+                 const std::string& words) {
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  const float top = brush.strip.from.y + 0.25F * brush.line;
+  const std::array corners{ImVec2(x, top), ImVec2(x, top + 1.1F * brush.line)};
+  const auto place = take_free_place(ink, {brush.strip.from, brush.strip.to}, size, corners);
+  if (!place) return;
+  brush.list->AddRectFilled(*place, ImVec2(place->x + size.x, place->y + size.y),
+                            brush.theme.packed(draw::Tone::kPanel, kBehindText), 3.0F);
+  brush.text(*place, tone, words);
 }
 
-// The same at the top, with the distance from the face.
-void draw_thing_beyond(const Brush& brush, const char* name, double position_m, draw::Tone tone,
-                       float row) {
+// The name of a thing beyond an edge of the strip, and where it begins at that edge.
+struct Beyond {
+  float x;
+  std::string words;
+};
+Beyond beyond(const Brush& brush, double position_m, const std::string& text) {
+  const Strip& strip = brush.strip;
+  const float edge = 0.5F * brush.line;
+  if (position_m <= strip.middle_m) return {strip.from.x + edge, "← " + text};
+  std::string words = text + " →";
+  const float x = strip.to.x - ImGui::CalcTextSize(words.c_str()).x - edge;
+  return {x, std::move(words)};
+}
+
+// With the distance from the face.
+void draw_thing_beyond(const Brush& brush, draw::PlotInk& ink, const char* name, double position_m,
+                       draw::Tone tone) {
+  if (brush.strip.shows(position_m)) return;
   const double depth_m = position_m - brush.content.face_m;
-  draw_beyond(brush, position_m,
-              fmt::format("{} {:.2f} mm {}", name, std::abs(depth_m) * kMillimetresPerMetre,
-                          depth_m >= 0.0 ? "inside" : "outside"),
-              tone, brush.strip.from.y + (0.25F + 1.1F * row) * brush.line);
+  const Beyond label =
+      beyond(brush, position_m,
+             fmt::format("{} {:.2f} mm {}", name, std::abs(depth_m) * kMillimetresPerMetre,
+                         depth_m >= 0.0 ? "inside" : "outside"));
+  draw_at_top(brush, ink, label.x, tone, label.words);
 }
 
 void draw_face_beyond(const Brush& brush) {
   const double face_m = brush.content.face_m;
-  draw_beyond(brush, face_m, "face " + length_text(std::abs(brush.strip.middle_m - face_m)),
-              draw::Tone::kWall, brush.strip.trail_from() - 1.2F * brush.line);
+  if (brush.strip.shows(face_m)) return;
+  const Beyond label =
+      beyond(brush, face_m, "face " + length_text(std::abs(brush.strip.middle_m - face_m)));
+  brush.text(ImVec2(label.x, brush.strip.trail_from() - 1.2F * brush.line), draw::Tone::kWall,
+             label.words);
 }
 
-void draw_true_depth(const Brush& brush) {
+void draw_true_depth(const Brush& brush, draw::PlotInk& ink) {
   const double depth_m = brush.content.picture->handle_m.x - brush.content.face_m;
   if (depth_m <= 0.0 || !brush.strip.shows(brush.content.picture->handle_m.x)) return;
-  brush.text(
-      ImVec2(brush.strip.from.x + 0.5F * brush.line, brush.strip.from.y + 0.25F * brush.line),
-      draw::Tone::kText, fmt::format("true depth {:.4f} mm", depth_m * kMillimetresPerMetre));
+  draw_at_top(brush, ink, brush.strip.from.x + 0.5F * brush.line, draw::Tone::kText,
+              fmt::format("true depth {:.4f} mm", depth_m * kMillimetresPerMetre));
 }
 
 void draw_scale_bar(const Brush& brush) {
@@ -283,12 +305,10 @@ void draw_strip(const draw::Theme& theme, const Strip& strip, const StripContent
     brush.upright_line(strip.x_of(picture.hand_m->x), strip.from.y, strip.to.y,
                        theme.packed(draw::Tone::kHand), 1.5F);
   }
-  draw_true_depth(brush);
-  draw_thing_beyond(brush, "handle", picture.handle_m.x, draw::Tone::kText, 0.0F);
-  const bool both_right = !strip.shows(picture.handle_m.x) && picture.handle_m.x > strip.middle_m;
-  if (picture.hand_m)
-    draw_thing_beyond(brush, "hand", picture.hand_m->x, draw::Tone::kHand,
-                      both_right || picture.hand_m->x < strip.middle_m ? 1.0F : 0.0F);
+  draw::PlotInk ink;
+  draw_true_depth(brush, ink);
+  draw_thing_beyond(brush, ink, "handle", picture.handle_m.x, draw::Tone::kText);
+  if (picture.hand_m) draw_thing_beyond(brush, ink, "hand", picture.hand_m->x, draw::Tone::kHand);
   draw_face_beyond(brush);
   draw_scale_bar(brush);
 }

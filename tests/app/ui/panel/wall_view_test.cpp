@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "tests/app/ui/gui_test.h"
@@ -36,6 +38,35 @@ TEST_F(WallViewTest, TheRightButtonTurnsAndNeverLeadsTheHand) {
   const ui::WallOrbit turned = orbit();
   move_to(ImVec2(rect("wall view").centre().x + 50.0F, rect("wall view").centre().y));
   EXPECT_EQ(orbit(), turned) << "only while the button is down";
+}
+
+// Which two of the texts within the area meet; empty: none.
+std::string meeting_texts(const ItemRect& area) {
+  Items texts = drawn_items();
+  std::erase_if(texts, [&](const auto& each) {
+    const ItemRect& place = each.second;
+    const bool line = place.to.y - place.from.y < 2.0F * ImGui::GetFontSize();  // no window
+    return place.id != 0 || !line || !area.holds(place.centre());
+  });
+  for (auto a = texts.begin(); a != texts.end(); ++a) {
+    for (auto b = std::next(a); b != texts.end(); ++b)
+      if (a->second.meets(b->second)) return a->first + " and " + b->first;
+  }
+  return {};
+}
+
+TEST_F(WallViewTest, NoLabelLiesOnAnother) {
+  open("tap");
+  for (const ImVec2 size : {ImVec2(1280.0F, 800.0F), ImVec2(1024.0F, 680.0F),
+                            ImVec2(1000.0F, 640.0F), ImVec2(700.0F, 500.0F)}) {
+    ImGui::GetIO().DisplaySize = size;
+    for (int i = 0; i < 20; ++i) {
+      live(100);
+      EXPECT_EQ(meeting_texts(rect("wall view")), "") << size.x << " wide, frame " << i;
+      EXPECT_EQ(meeting_texts(rect("magnifier")), "") << size.x << " wide, frame " << i;
+    }
+    EXPECT_TRUE(sees("position   ")) << "the readout is never left out";
+  }
 }
 
 TEST_F(WallViewTest, TheMiddleButtonMovesWhatIsSeenWithThePointer) {
