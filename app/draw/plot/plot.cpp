@@ -308,7 +308,7 @@ std::string hand_outside(const PlotSurface& surface, const PlotDescription& plot
   const double highest =
       surface.history->extremes(&PlantTruth::hand_path_m, range).maximum * plot.left.scale;
   if (highest <= axis_maximum) return {};
-  return fmt::format("hand to {:.4g} {} ↑", highest, plot.left.unit);
+  return fmt::format("hand to {:.1f} {} ↑", highest, plot.left.unit);
 }
 
 PlotArea draw_plot(PlotSurface& surface, const PlotDescription& general, const std::string& mark,

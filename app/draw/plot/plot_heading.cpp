@@ -111,21 +111,24 @@ class LegendRows {
   ImVec2 place_;
 };
 
-// Begins at `left`; flush right if one row is enough, else in as many rows as needed. Returns the
-// bottom.
-float draw_legend(PlotSurface& surface, const PlotDescription& plot, float left, ImVec2 corner,
-                  float width) {
+// Begins at `left`; flush right if one row is enough, else in as many rows as needed. `hand`: the
+// entry of the hand, if it is not its name. Returns the bottom.
+float draw_legend(PlotSurface& surface, const PlotDescription& plot, const std::string& hand,
+                  float left, ImVec2 corner, float width) {
   const float gap = ems(kEntryGapEms);
+  const auto text_of = [&](const PlotLine& line) {
+    return line.tone == Tone::kHand && !hand.empty() ? hand : entry_text(plot, line);
+  };
   float total = -gap;
   for (const PlotLine& line : plot.lines) {
-    if (is_chosen(surface, plot, line)) total += entry_width(entry_text(plot, line)) + gap;
+    if (is_chosen(surface, plot, line)) total += entry_width(text_of(line)) + gap;
   }
   const float right = corner.x + width;
   total += extra_legend_width(surface, plot);
   LegendRows rows(corner, std::max(left, right - total), right);
   for (const PlotLine& line : plot.lines) {
     if (!is_chosen(surface, plot, line)) continue;
-    const std::string text = entry_text(plot, line);
+    const std::string text = text_of(line);
     draw_legend_entry(surface, plot, line, text, rows.next(entry_width(text)));
   }
   for (const ExtraTrace& trace : surface.extra_traces) {
@@ -183,21 +186,16 @@ bool is_drawn(const PlotSurface& surface, const PlotDescription& plot, const Plo
 }
 
 void draw_plot_heading(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
-                       const std::string& note, float width) {
-  const Theme& theme = *surface.theme;
+                       const std::string& hand, float width) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  strong_text(theme, mark + plot.title);
+  strong_text(*surface.theme, mark + plot.title);
   ImGui::SameLine();
   ImGui::TextDisabled("%s", plot.left.unit);
   if (surface.interactive) draw_signals_button(surface, plot);
   const FontScope font(nullptr, kSmallFontSize);
-  if (!note.empty()) {
-    ImGui::SameLine(0.0F, ImGui::GetFontSize());
-    ImGui::TextColored(theme.colour(Tone::kHand), "%s", note.c_str());
-  }
   const float left = ImGui::GetItemRectMax().x + ImGui::GetFontSize();
   const float below = ImGui::GetCursorScreenPos().y;
-  const float bottom = draw_legend(surface, plot, left, corner, width);
+  const float bottom = draw_legend(surface, plot, hand, left, corner, width);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, std::max(below, bottom)));
 }
 

@@ -13,9 +13,9 @@ namespace hapticwall::draw {
 [[nodiscard]] bool is_drawn(const PlotSurface& surface, const PlotDescription& plot,
                             const PlotLine& line);
 
-// Draws the heading over `width` pixels and leaves the cursor below it. `note` stands beside the
-// title in the tone of the hand; may be empty.
+// Draws the heading over `width` pixels and leaves the cursor below it. `hand`: the entry of the
+// hand in the legend, if it is not its name.
 void draw_plot_heading(PlotSurface& surface, const PlotDescription& plot, const std::string& mark,
-                       const std::string& note, float width);
+                       const std::string& hand, float width);
 
 }  // namespace hapticwall::draw

@@ -45,6 +45,14 @@ class PlotsPanelTest : public GuiTest {
   }
 };
 
+TEST_F(PlotsPanelTest, TheLegendOfPositionTakesOneRowInTheUsualWindow) {
+  open("tap");
+  live(5000);
+  for (const char* other : {"legend handle", "legend true position", "signals Position"})
+    EXPECT_NEAR(rect("legend hand").from.y, rect(other).from.y, 6.0F) << other;
+  EXPECT_TRUE(sees("hand to 65.3 mm ↑")) << "its name, and where it is";
+}
+
 TEST_F(PlotsPanelTest, ThePlotsFollowTheNewestSamplesUntilTheWheelZoomsTime) {
   const auto expect_newest = [&] {
     EXPECT_TRUE(state().transient.follow);
