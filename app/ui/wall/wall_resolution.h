@@ -10,11 +10,11 @@ inline constexpr double kSlowFrameS = 0.033;
 
 class WallResolution {
  public:
-  static constexpr float kMinShare = 0.25F;
+  static constexpr float kMinShare = 0.5F;
   static constexpr double kMinHoldS = 1.0;
   static constexpr double kMaxHoldS = 60.0;
 
-  // Of width and height: 1, 1/2 or 1/4.
+  // Of width and height: 1 or 1/2. At 1/4 the edges are blocks.
   [[nodiscard]] float share() const { return share_; }
 
   // A frame that took `frame_s` ends at `now_s`, on any monotonic clock. Slow frames halve the
