@@ -232,6 +232,8 @@ constexpr std::array kControls{Control{draw_arrangement, kArrangementEms},
                                Control{draw_derived_button, kDerivedEms}};
 
 void draw_exports(const PanelContext& context, const draw::SampleHistory& history) {
+  const float width = 2.0F * ems(kExportEms) + ImGui::GetStyle().ItemSpacing.x;
+  draw::align_right(width);
   const bool busy = context.state.plots.transient.exporting.running();
   if (button(busy ? "…###export csv" : "CSV###export csv",
              "Writes the samples of the visible range like a recording: CSV and sidecar",

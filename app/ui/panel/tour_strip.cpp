@@ -61,7 +61,8 @@ void draw_step(const PanelContext& context, std::size_t step) {
   const TourStep& now = steps[step - 1];
   const bool done = is_done(context, now);
   ImGui::AlignTextToFramePadding();
-  draw::strong_text(context.theme, fmt::format("{} of {} · {}", step, steps.size(), now.lesson));
+  draw::strong_text(context.theme,
+                    fmt::format("step {} of {} · {}", step, steps.size(), now.lesson));
   ImGui::SameLine();
   ImGui::TextColored(context.theme.colour(done ? draw::Tone::kGood : draw::Tone::kMuted), "%s",
                      done ? "· seen" : "· not seen yet");

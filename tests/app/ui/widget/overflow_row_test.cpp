@@ -92,6 +92,7 @@ TEST_F(OverflowRowTest, ALowWindowHidesThePlotsWithoutAnError) {
     ++*static_cast<int*>(count);
   };
   ImGui::GetCurrentContext()->ErrorCallbackUserData = &errors;
+  state().transient.forced_scale = 2.0F;
   ImGui::GetIO().DisplaySize = ImVec2(500.0F, 320.0F);
   frames(3);
   EXPECT_EQ(errors, 0);

@@ -170,6 +170,30 @@ TEST_F(KeysTest, TheArrowsReachTheControls) {
   EXPECT_EQ(fake_->steps, 0) << "the arrows navigate";
 }
 
+TEST_F(KeysTest, TheRightArrowGoesFromASlotToItsButton) {
+  click("slot A");
+  ImGui::SetNavCursorVisible(true);  // as Alt does
+  press(ImGuiKey_DownArrow);
+  EXPECT_EQ(ImGui::GetCurrentContext()->NavId, rect("slot B").id);
+  press(ImGuiKey_RightArrow);
+  EXPECT_EQ(ImGui::GetCurrentContext()->NavId, rect("take B").id);
+}
+
+TEST_F(KeysTest, TheRightArrowGoesFromTheCursorsToTheExports) {
+  live(100);  // there is something to export
+  for (const float width : {1024.0F, 1280.0F, 1920.0F, 2560.0F}) {
+    ImGui::GetIO().DisplaySize.x = width;
+    frames(3);
+    click("cursors");
+    ImGui::SetNavCursorVisible(true);  // as Alt does
+    // The first press shows where the keyboard is.
+    for (const char* next : {"cursors", "export csv", "export png"}) {
+      press(ImGuiKey_RightArrow);
+      EXPECT_EQ(ImGui::GetCurrentContext()->NavId, rect(next).id) << next << " at " << width;
+    }
+  }
+}
+
 TEST_F(KeysTest, SpacePressesNothingWhereTheKeyboardIs) {
   press(ImGuiKey_DownArrow);
   ASSERT_TRUE(ImGui::GetIO().NavVisible);
