@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/ui/panel/layout_choice.h"
 #include "app/ui/state/appearance.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/window/keys.h"
@@ -127,6 +128,15 @@ void go_to_mark(Person& person, const Act& press, double from_s, const file::Mar
   EXPECT_EQ(tick(person), mark.tick);
 }
 
+void next_layout(Person& person, const Act& press) {
+  const std::string& now = person.state().persisted.layout;
+  for (const ui::BuiltinLayout& each : ui::builtin_layouts()) {
+    EXPECT_EQ(now, each.name);
+    press();
+  }
+  EXPECT_EQ(now, ui::builtin_layouts().front().name);
+}
+
 std::vector<KeyRow> key_rows() {
   std::vector<KeyRow> rows{
       {"pause, or run on", pause_and_run},
@@ -148,6 +158,7 @@ std::vector<KeyRow> key_rows() {
       key_flips("this help", [](Person& p) { return p.state().transient.help_shown ? 1.0 : 0.0; }),
       key_flips("dark or light",
                 [](Person& p) { return static_cast<double>(p.state().persisted.look); }),
+      {"next layout of the windows", next_layout},
       {"everything larger", [](Person& p, const Act& press) { scale(p, press, 1); }},
       {"everything smaller", [](Person& p, const Act& press) { scale(p, press, -1); }},
       {"as large as the screen says", scale_as_screen},

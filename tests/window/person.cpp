@@ -18,8 +18,9 @@ constexpr std::chrono::seconds kPatience{60};
 }  // namespace
 
 std::string kind_of(const std::string& item) {
-  for (const char* kind : {"ghost of", "spectrum of ", "under ", "map choice ", "map under ",
-                           "study column ", "derived of ", "derived minus "}) {
+  for (const char* kind :
+       {"ghost of", "spectrum of ", "under ", "map choice ", "map under ", "study column ",
+        "derived of ", "derived minus ", "layout of ", "window "}) {
     if (item.starts_with(kind)) return kind;
   }
   for (const char* kind : {"toast ", "recent ", "slow motion "}) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/ui/panel/layout_choice.h"
 #include "app/ui/state/appearance.h"
 #include "app/ui/state/tour.h"
 #include "app/ui/window/keys.h"
@@ -13,6 +14,12 @@ namespace hapticwall::test {
 namespace {
 
 void open_settings(Person& person) { person.click("settings"); }
+
+void show(Person& person, const ui::DockLayout& layout) {
+  person.state().transient.dock.chosen = layout;
+  person.state().transient.dock.rebuild = true;
+  person.put_everything_away();
+}
 
 double look(Person& person) { return static_cast<double>(person.state().persisted.look); }
 double scale_percent(Person& person) { return ui::scale_percent_in_force(person.state()); }
@@ -52,23 +59,57 @@ void choose_folder(Person& person, const std::string& folder) {
 }
 
 void reset_layout(Person& person) {
-  ui::PersistedState& persisted = person.state().persisted;
-  const ui::PersistedState usual;
-  const double view_share = persisted.view_share;
-  const double picture_share = persisted.picture_share;
-  person.drag("panel splitter", ImVec2(40.0F, 0.0F));
-  EXPECT_NE(persisted.panel_ems, usual.panel_ems);
+  const ui::PersistedState& persisted = person.state().persisted;
+  const ui::DockLayout before = *person.state().transient.dock.chosen;
   open_settings(person);
   person.click("reset layout");
-  EXPECT_EQ(persisted.panel_ems, usual.panel_ems);
-  EXPECT_EQ(persisted.view_share, usual.view_share);
-  EXPECT_EQ(persisted.picture_share, usual.picture_share);
-  persisted.view_share = view_share;
-  persisted.picture_share = picture_share;
+  EXPECT_EQ(persisted.docked, "");
   EXPECT_FALSE(persisted.more);
   person.put_everything_away();
   person.click("more");
   EXPECT_TRUE(persisted.more);
+  show(person, before);
+}
+
+void choose_layouts(Person& person) {
+  const ui::PersistedState& persisted = person.state().persisted;
+  const ui::DockLayout before = *person.state().transient.dock.chosen;
+  for (const ui::BuiltinLayout& each : ui::builtin_layouts()) {
+    person.click("layout");
+    person.click(std::string("layout of ") + each.name);
+    EXPECT_EQ(persisted.layout, each.name);
+  }
+  person.click("layout");
+  person.type("layout name", "mine");
+  EXPECT_EQ(persisted.layout, "mine");
+  person.put_everything_away();
+  person.click("layout");
+  person.click("layout of bench");
+  person.click("layout");
+  person.click("layout of mine");
+  EXPECT_EQ(persisted.layout, "mine");
+  person.click("layout");
+  person.click("forget layout");
+  EXPECT_TRUE(persisted.own_layouts.empty());
+  show(person, before);
+}
+
+void open_and_close_windows(Person& person) {
+  const ui::DockState& dock = person.state().transient.dock;
+  const ui::DockLayout before = *dock.chosen;
+  for (const ui::DockWindow& window : dock.windows) {
+    const std::string item = std::string("window ") + window.name;
+    const std::size_t count = windows_of(*dock.chosen).size();
+    if (!person.sees(item)) person.click("layout");
+    person.click(item);
+    EXPECT_EQ(windows_of(*dock.chosen).size(), count - 1) << item;
+    if (!person.sees(item)) person.click("layout");
+    person.click(item);
+    EXPECT_EQ(windows_of(*dock.chosen).size(), count) << item;
+    person.put_everything_away();
+    person.hover(std::string("page ") + window.name);  // its tab, beside the plots
+  }
+  show(person, before);
 }
 
 // What has no room in the row of the session.
@@ -181,7 +222,9 @@ Table head_rows(const std::string& folder) {
           sets("dark", look, number_of(draw::Look::kScreen), open_settings),
           {"larger", scale_up_and_down},
           {"recording folder", [folder](Person& person) { choose_folder(person, folder); }},
-          {"reset layout", reset_layout}};
+          {"reset layout", reset_layout},
+          {"layout", choose_layouts},
+          {"window ", open_and_close_windows}};
 }
 
 Table toolbar_rows() {

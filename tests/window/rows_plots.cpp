@@ -65,15 +65,17 @@ void magnify(Person& person) {
   EXPECT_EQ(kept(), 0);
 }
 
-Row splits(const char* item, ImVec2 way, double ui::PersistedState::*share) {
-  return {item, [=](Person& person) {
-            const auto now = [&] { return person.state().persisted.*share; };
-            const double before = now();
-            person.drag(item, way);
-            EXPECT_GT(now(), before);
-            person.double_click(item);
-            EXPECT_EQ(now(), ui::PersistedState{}.*share);
-            person.state().persisted.*share = before;
+Row moves(const char* gap, ImVec2 way) {
+  return {gap, [=](Person& person) {
+            const ui::DockLayout before = *person.state().transient.dock.chosen;
+            const ImVec2 place = find_item(gap)->from;
+            person.drag(gap, way);
+            EXPECT_NEAR(find_item(gap)->from.x, place.x + way.x, 2.0F);
+            EXPECT_NEAR(find_item(gap)->from.y, place.y + way.y, 2.0F);
+            EXPECT_NE(*person.state().transient.dock.chosen, before);
+            person.state().transient.dock.chosen = before;
+            person.state().transient.dock.rebuild = true;
+            person.wait_a_frame();
           }};
 }
 
@@ -289,9 +291,9 @@ void use_spectrum(Person& person) {
 Table view_rows() {
   return {{"wall view", turn_and_reset_view},
           {"magnify more", magnify},
-          splits("panel splitter", ImVec2(30.0F, 0.0F), &ui::PersistedState::panel_ems),
-          splits("view splitter", ImVec2(0.0F, 30.0F), &ui::PersistedState::view_share),
-          splits("picture splitter", ImVec2(30.0F, 0.0F), &ui::PersistedState::picture_share)};
+          moves("gap 0", ImVec2(30.0F, 0.0F)),
+          moves("gap 1", ImVec2(0.0F, 30.0F)),
+          moves("gap 2", ImVec2(30.0F, 0.0F))};
 }
 
 Table plot_control_rows() {

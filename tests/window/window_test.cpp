@@ -27,8 +27,8 @@ namespace {
 // A small window with small pictures, because painting is slow without a graphics card.
 constexpr int kWidth = 1120;
 constexpr int kHeight = 720;
-constexpr double kViewShare = 0.22;
-constexpr double kPictureShare = 0.4;
+constexpr const char* kDocked =
+    "X21.5em(Controls;Y22%(X40%(Wall;Contact);Plots*,Timing,Blind test,Map,All at once))";
 
 // The test engine for one script, in the current ImGui context.
 class Engine {
@@ -143,8 +143,7 @@ Home::Home() {
                                 {"window.more", true},
                                 {"window.tour_offered", false},
                                 {"plots.arrangement", std::string("all")},
-                                {"window.view_share", kViewShare},
-                                {"window.picture_share", kPictureShare}};
+                                {"window.docked", std::string(kDocked)}};
   EXPECT_FALSE(file::make_folder_of(settings_path()));
   EXPECT_FALSE(file::write_file(settings_path(), file::settings_text(settings)));
 }

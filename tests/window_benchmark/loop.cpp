@@ -236,7 +236,7 @@ void compare_map(ui::Application& application, Stage& stage, double seconds, dou
   for (std::size_t i = 0; i < algorithms().size(); ++i)
     ui::choose_algorithm_in_map(state.map.choice, i, true);
   alternate(seconds, block_s, [&](bool map) {
-    state.persisted.lower_page = map ? ui::LowerPage::kMap : ui::LowerPage::kTiming;
+    ui::show_page(state, map ? "Map" : "Timing");
     run_block(application, stage, true, block_s, map ? with : without);
   });
   print_table(without, with);

@@ -85,6 +85,16 @@ void set_colours(const Theme& theme, Look look) {
   colours[ImGuiCol_SeparatorHovered] = with_alpha(accent, 0.60F);
   colours[ImGuiCol_SeparatorActive] = accent;
   colours[ImGuiCol_ResizeGrip] = with_alpha(text, 0.0F);
+  colours[ImGuiCol_ResizeGripHovered] = with_alpha(accent, 0.60F);
+  colours[ImGuiCol_ResizeGripActive] = accent;
+  for (const ImGuiCol title : {ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TitleBgCollapsed,
+                               ImGuiCol_Tab, ImGuiCol_TabDimmed, ImGuiCol_DockingEmptyBg})
+    colours[title] = theme.colour(Tone::kBackground);
+  for (const ImGuiCol tab : {ImGuiCol_TabSelected, ImGuiCol_TabDimmedSelected})
+    colours[tab] = mixed(theme.colour(Tone::kPanel), accent, 0.22F);
+  colours[ImGuiCol_TabHovered] = mixed(theme.colour(Tone::kPanel), accent, 0.32F);
+  colours[ImGuiCol_TabSelectedOverline] = colours[ImGuiCol_TabDimmedSelectedOverline] = accent;
+  colours[ImGuiCol_DockingPreview] = with_alpha(accent, 0.40F);
   colours[ImGuiCol_NavCursor] = accent;
   colours[ImGuiCol_TextSelectedBg] = with_alpha(accent, 0.35F);
 }
@@ -106,6 +116,10 @@ void set_spacing(float scale) {
   style.WindowBorderSize = 0.0F;
   style.ChildBorderSize = 1.0F;
   style.DisabledAlpha = 0.45F;
+  style.WindowMenuButtonPosition = ImGuiDir_None;
+  style.TabMinWidthShrink = 40.0F;
+  style.DockingNodeHasCloseButton = false;  // every tab has one
+  style.DockingSeparatorSize = 6.0F;
   style.ScaleAllSizes(scale);
   // Without a border a part of the window has no padding either.
   style.ChildBorderSize = std::max(style.ChildBorderSize, 1.0F);

@@ -211,11 +211,6 @@ Magnified look_at_contact(const WallPicture& picture, double least_m, double mos
 
 void draw_magnifier(const PanelContext& context, const draw::SampleHistory& history,
                     double view_pixels_per_m) {
-  if (context.shows.hides_force) {
-    draw_heading(context, false);
-    ImGui::TextDisabled("Hidden during the blind test.");
-    return;
-  }
   const Scene scene = shown_scene(context);
   const Sample& sample = shown_sample(context);
   WallPicture picture = wall_picture(scene, sample);

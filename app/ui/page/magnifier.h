@@ -6,7 +6,7 @@
 
 namespace hapticwall::ui {
 
-// Fills the current child window. `view_pixels_per_m`: the scale of the wall view at the contact,
+// Fills the current window. `view_pixels_per_m`: the scale of the wall view at the contact,
 // to which the magnification refers.
 void draw_magnifier(const PanelContext& context, const draw::SampleHistory& history,
                     double view_pixels_per_m);

@@ -7,6 +7,7 @@
 #include <string>
 #include <system_error>
 
+#include "app/ui/panel/layout_choice.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/appearance.h"
 #include "app/ui/state/changes.h"
@@ -93,13 +94,11 @@ void draw_folder(const PanelContext& context) {
   if (folder) set_recording_folder(context.state, *folder);
 }
 
-void reset_layout(PersistedState& kept) {
+void reset_layout(UiState& state) {
   const PersistedState usual;
-  kept.panel_ems = usual.panel_ems;
-  kept.view_share = usual.view_share;
-  kept.picture_share = usual.picture_share;
-  kept.more = usual.more;
-  kept.arrangement = usual.arrangement;
+  choose_layout(state, usual.layout);
+  state.persisted.more = usual.more;
+  state.persisted.arrangement = usual.arrangement;
 }
 
 void draw_settings(const PanelContext& context, ImVec2 below) {
@@ -110,10 +109,11 @@ void draw_settings(const PanelContext& context, ImVec2 below) {
   draw_scale(context);
   draw_folder(context);
   field_label(context, "layout", "", "");
+  draw_layout_choice(context);
+  field_label(context, "", "", "");
   if (button("as at first###reset layout",
-             "Restores what is shown at first, and the sizes of panel, views and plots. Drag the "
-             "gaps between them to change them."))
-    reset_layout(context.state.persisted);
+             "Restores what is shown at first, and the layout 'bench'. Layouts of your own stay."))
+    reset_layout(context.state);
   const std::string& path = context.state.transient.settings_path;
   muted_text(context, path.empty() ? "Nothing of this is kept." : "Kept in " + path);
   ImGui::EndPopup();

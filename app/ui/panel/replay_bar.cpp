@@ -121,7 +121,7 @@ void draw_replay_repeat(const PanelContext& context, ReplaySession& replay) {
     replay.set_loop(!loops);
 }
 
-void draw_way_back(const PanelContext& context) {
+void draw_replay_end(const PanelContext& context) {
   if (button("Back to the scene###back to the scene",
              "Ends the replay and starts the scene that ran before, at rest.",
              {.width = ems(kBackEms)}))
@@ -233,7 +233,7 @@ void draw_replay_bar(const PanelContext& context, ReplaySession& replay) {
        {replay_time_width(context, replay), 1, [&] { draw_time(context, replay); }},
        {speed, 3, [&] { draw_speed(context, replay); }, kSpeedField},
        {ems(kButtonEms), 6, [&] { draw_replay_repeat(context, replay); }},
-       {ems(kBackEms), 2, [&] { draw_way_back(context); }},
+       {ems(kBackEms), 2, [&] { draw_replay_end(context); }},
        {ems(kFileNameEms), 7, [&] { draw_file_name(context, replay); }}}};
   draw_overflow_row(context, "replay", controls);
   draw_slider(context, replay);

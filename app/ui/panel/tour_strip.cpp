@@ -13,7 +13,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr float kTourButtonEms = 4.5F;
-constexpr int kButtons = 3;
+constexpr int kTourButtons = 3;
 
 // Also notes that it is done: the sight may be over before the text is read.
 bool is_done(const PanelContext& context, const TourStep& step) {
@@ -45,7 +45,7 @@ void draw_step_buttons(const PanelContext& context, std::size_t step, std::size_
   UiState& state = context.state;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SameLine();
-  draw::align_right(kButtons * (ems(kTourButtonEms) + gap) - gap);
+  draw::align_right(kTourButtons * (ems(kTourButtonEms) + gap) - gap);
   if (button("Back###tour back", "", {.width = ems(kTourButtonEms), .enabled = step > 1}))
     go_to_step(state, step - 1);
   ImGui::SameLine();

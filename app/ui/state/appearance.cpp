@@ -8,20 +8,38 @@ namespace {
 
 constexpr float kFullScalePercent = 100.0F;
 constexpr int kStepPercent = 10;
+// The layout 'lecture' fills this window at scale 1, px. Larger windows enlarge it in steps of 0.1.
+constexpr float kRoomyWidth = 1000.0F;
+constexpr float kRoomyHeight = 680.0F;
+constexpr float kMaxLectureScale = 1.5F;
+constexpr float kStepsOfOne = 10.0F;
 
-}  // namespace
-
-float scale_in_force(const UiState& state) {
+// Without what the layout adds.
+float chosen_scale(const UiState& state) {
   const TransientState& transient = state.transient;
   const float chosen = static_cast<float>(state.persisted.scale_percent) / kFullScalePercent;
-  const float scale =
-      transient.forced_scale.value_or(chosen > 0.0F ? chosen : transient.screen_scale);
+  return transient.forced_scale.value_or(chosen > 0.0F ? chosen : transient.screen_scale);
+}
+
+float allowed(float scale) {
   return std::clamp(scale, runtime::kMinScalePercent / kFullScalePercent,
                     runtime::kMaxScalePercent / kFullScalePercent);
 }
 
+}  // namespace
+
+float scale_in_force(const UiState& state) {
+  const PersistedState& kept = state.persisted;
+  const float chosen = allowed(chosen_scale(state));
+  if (!kept.more || kept.layout != kLectureLayout) return chosen;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float room = std::min(window.x / kRoomyWidth, window.y / kRoomyHeight) / chosen;
+  const float steps = std::floor(std::clamp(room, 1.0F, kMaxLectureScale) * kStepsOfOne);
+  return allowed(chosen * steps / kStepsOfOne);
+}
+
 int scale_percent_in_force(const UiState& state) {
-  return static_cast<int>(std::lround(scale_in_force(state) * kFullScalePercent));
+  return static_cast<int>(std::lround(allowed(chosen_scale(state)) * kFullScalePercent));
 }
 
 void set_scale(UiState& state, int percent) {

@@ -7,6 +7,7 @@ namespace hapticwall::ui {
 
 // Scale of everything, relative to the designed size.
 [[nodiscard]] float scale_in_force(const UiState& state);
+// The chosen one, %, without what the layout 'lecture' adds.
 [[nodiscard]] int scale_percent_in_force(const UiState& state);
 
 // 0 follows the screen; any other value is clamped to the allowed range.

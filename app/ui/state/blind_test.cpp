@@ -74,7 +74,7 @@ void start_blind_test(const PanelContext& context) {
   compare.transient.test = BlindTest{std::move(*trials), compare::describe(slots.of(Slot::kA)),
                                      compare::describe(slots.of(Slot::kB)), slots.active};
   compare.transient.setting_up = false;
-  state.persisted.lower_page = LowerPage::kBlindTest;
+  show_page(state, kBlindTestPage);
 }
 
 void feel(const PanelContext& context, Presentation presentation) {

@@ -1,6 +1,7 @@
 // The keys of the settings file and where their values live.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -20,10 +21,8 @@ using file::Settings;
 using file::SettingValue;
 
 constexpr const char* kRecent = "recent.file_";
+constexpr const char* kOwnLayout = "layouts.own_";
 constexpr double kMaxPixels = 16384.0;
-constexpr double kMaxPanelEms = 60.0;
-constexpr double kMinPanelEms = 14.0;
-constexpr double kMinShare = 0.1;
 constexpr double kMaxShare = 0.9;
 
 struct Key {
@@ -138,12 +137,6 @@ constexpr std::array kArrangementWords{
     Word<PlotArrangement>{"all", PlotArrangement::kAll},
     Word<PlotArrangement>{"figure-4", PlotArrangement::kFigure4},
     Word<PlotArrangement>{"figures-5-6", PlotArrangement::kFigure5And6}};
-constexpr std::array kLowerPages{Word<LowerPage>{"plots", LowerPage::kPlots},
-                                 Word<LowerPage>{"timing", LowerPage::kTiming},
-                                 Word<LowerPage>{"blind-test", LowerPage::kBlindTest},
-                                 Word<LowerPage>{"map", LowerPage::kMap},
-                                 Word<LowerPage>{"all", LowerPage::kAll},
-                                 Word<LowerPage>{"study", LowerPage::kStudy}};
 constexpr std::array kTriggers{Word<draw::TriggerMode>{"off", draw::TriggerMode::kOff},
                                Word<draw::TriggerMode>{"auto", draw::TriggerMode::kAuto},
                                Word<draw::TriggerMode>{"normal", draw::TriggerMode::kNormal},
@@ -191,6 +184,18 @@ std::optional<std::string> take_spectrum_signal(UiState& state, const SettingVal
   return std::nullopt;
 }
 
+Key docked() {
+  Key key = text("window.docked", &PersistedState::docked);
+  key.set = [set = key.set](UiState& state, const SettingValue& value) {
+    const auto* arranged = std::get_if<std::string>(&value);
+    const bool damaged = arranged != nullptr && !arranged->empty() && !parse_layout(*arranged);
+    return damaged
+               ? std::optional<std::string>("is damaged: the windows are as the layout has them")
+               : set(state, value);
+  };
+  return key;
+}
+
 std::vector<Key> plain_keys() {
   using Compare = CompareState::Persisted;
   using Plots = PlotsState::Persisted;
@@ -201,12 +206,10 @@ std::vector<Key> plain_keys() {
       number("window.width", &PersistedState::window_width, 0.0, kMaxPixels),
       number("window.height", &PersistedState::window_height, 0.0, kMaxPixels),
       flag("window.maximised", &PersistedState::window_maximised),
-      number("window.panel_ems", &PersistedState::panel_ems, kMinPanelEms, kMaxPanelEms),
-      number("window.view_share", &PersistedState::view_share, kMinShare, kMaxShare),
-      number("window.picture_share", &PersistedState::picture_share, kMinShare, kMaxShare),
       flag("window.more", &PersistedState::more),
       flag("window.tour_offered", &PersistedState::tour_offered),
-      word("window.lower_page", kLowerPages, &PersistedState::lower_page),
+      text("window.layout", &PersistedState::layout),
+      docked(),
       number("hand.withdraw_mm_per_s", &PersistedState::withdraw_mm_per_s, 1.0, kMaxWithdrawMmPerS),
       text("recording.folder", &PersistedState::recording_folder),
       number("plots.time_window_s", &PersistedState::time_window_s, kTimeWindowsS.front(),
@@ -306,6 +309,35 @@ void apply_recent(const Settings& settings, std::vector<std::string>& recent) {
   }
 }
 
+// "NAME: TEXT". A name may hold ": ", a text does not.
+constexpr std::string_view kAfterName = ": ";
+
+std::optional<OwnLayout> own_layout(std::string_view kept) {
+  const std::size_t end = kept.rfind(kAfterName);
+  if (end == 0 || end == std::string_view::npos) return std::nullopt;
+  const std::string_view text = kept.substr(end + kAfterName.size());
+  const std::optional<DockLayout> layout = parse_layout(text);
+  if (!layout) return std::nullopt;
+  return OwnLayout{std::string(kept.substr(0, end)), *layout};
+}
+
+void apply_own_layouts(const Settings& settings, std::vector<OwnLayout>& own,
+                       std::vector<std::string>& problems) {
+  own.clear();
+  for (auto found = settings.lower_bound(kOwnLayout);
+       found != settings.end() && found->first.starts_with(kOwnLayout); ++found) {
+    const auto* kept = std::get_if<std::string>(&found->second);
+    const auto layout = kept != nullptr ? own_layout(*kept) : std::nullopt;
+    const bool twice =
+        layout && std::ranges::find(own, layout->name, &OwnLayout::name) != own.end();
+    if (layout && !twice) {
+      own.push_back(*layout);
+    } else {
+      problems.push_back(found->first + " is damaged: this layout is left out");
+    }
+  }
+}
+
 }  // namespace
 
 Settings settings_of(const UiState& state) {
@@ -314,6 +346,10 @@ Settings settings_of(const UiState& state) {
   const std::vector<std::string>& recent = state.persisted.recent;
   for (std::size_t i = 0; i < recent.size(); ++i)
     settings.insert_or_assign(fmt::format("{}{}", kRecent, i + 1), recent[i]);
+  const std::vector<OwnLayout>& own = state.persisted.own_layouts;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    settings.insert_or_assign(fmt::format("{}{:02}", kOwnLayout, i + 1),
+                              own[i].name + std::string(kAfterName) + layout_text(own[i].layout));
   return settings;
 }
 
@@ -327,6 +363,7 @@ std::vector<std::string> apply_settings(const Settings& settings, UiState& state
       problems.push_back(fmt::format("{} {}", key.name, *problem));
   }
   apply_recent(settings, state.persisted.recent);
+  apply_own_layouts(settings, state.persisted.own_layouts, problems);
   return problems;
 }
 

@@ -54,6 +54,7 @@ struct TimingState {
   runtime::Quantiles compute_time;
   FrameTimes frames;
   bool clear_asked = false;  // from the next frame on
+  bool page_seen = false;    // in the last frame
 
   [[nodiscard]] bool since_start() const { return cleared.histograms.wake_latency.total() == 0; }
 };

@@ -27,6 +27,7 @@
 #include "app/ui/state/all_runs.h"
 #include "app/ui/state/background.h"
 #include "app/ui/state/compare_state.h"
+#include "app/ui/state/dock_layout.h"
 #include "app/ui/state/export.h"
 #include "app/ui/state/hand_lead.h"
 #include "app/ui/state/live_map.h"
@@ -68,6 +69,7 @@ struct WallState {
     WallResolution resolution;
     bool view_refined = true;  // false: the picture still improves in the next frames
     int magnification = 0;     // in force; 0: none yet
+    ImVec2 view_size;          // of the newest view, px
     Magnified magnified;
     draw::Trace trail;  // recent motion of the handle
   };
@@ -125,8 +127,13 @@ struct ReplayState {
 // Which plots are shown: two, all, or the panels (a), (b), (c) of the paper's figures.
 enum class PlotArrangement : std::uint8_t { kTwo, kAll, kFigure4, kFigure5And6 };
 
-// The page below the views.
-enum class LowerPage : std::uint8_t { kPlots, kTiming, kBlindTest, kMap, kAll, kStudy };
+// An arrangement of windows that the user has named.
+struct OwnLayout {
+  std::string name;
+  DockLayout layout;
+
+  [[nodiscard]] bool operator==(const OwnLayout&) const = default;
+};
 
 inline constexpr double kMaxWithdrawMmPerS = 1000.0;
 
@@ -136,14 +143,13 @@ struct PersistedState {
   bool tour_offered = true;
   double time_window_s = 6.0;
   PlotArrangement arrangement = PlotArrangement::kTwo;
-  LowerPage lower_page = LowerPage::kPlots;
+  std::string layout = "bench";
+  std::string docked;  // layout_text() of the windows as they are; empty: as the layout has them
+  std::vector<OwnLayout> own_layouts;
   draw::HiddenLines hidden_lines = 0;
   double withdraw_mm_per_s = 100.0;  // speed of the hand, see withdraw_hand()
   draw::Look look = draw::Look::kScreen;
   int scale_percent = 0;            // 0: follow the screen
-  double panel_ems = 21.5;          // width of the control panel, in sizes of the text
-  double view_share = 0.40;         // height of the views, share of the right side
-  double picture_share = 0.62;      // width of the wall's picture, share of the views
   std::string recording_folder;     // empty: the current one
   std::vector<std::string> recent;  // scene files and recordings, the newest first
   int window_width = 0;             // in pixels at scale 1; 0: as fits the screen
@@ -200,8 +206,30 @@ struct Refusal {
   std::string why;
 };
 
+// A window that can be docked.
+struct DockWindow {
+  const char* name;
+  const char* meaning;
+};
+
+enum class DockSituation : std::uint8_t { kNone, kFirstMinute, kBlindTest, kChosen };
+
+// Lives as long as the window.
+struct DockState {
+  std::vector<DockWindow> windows;   // all of them, for the choice
+  std::optional<DockLayout> chosen;  // as the user has arranged it; nullopt at the start
+  DockLayout shown;                  // the same, or that of the first minute or of a blind test
+  DockLayout measured;               // as read after the sizes of `shown` were set
+  DockSituation situation = DockSituation::kNone;
+  bool rebuild = true;
+  int settling = 0;  // frames until all sizes are known
+  ImVec2 size;       // px
+  float scale = 0.0F;
+};
+
 // Lives as long as the window.
 struct TransientState {
+  DockState dock;
   Toasts toasts;
   UndoHistory undo;
   bool help_shown = false;
@@ -284,6 +312,13 @@ struct PanelContext {
 // The time axes of the plots.
 [[nodiscard]] inline draw::TimeWindow time_window(const UiState& state) {
   return {state.transient.time_from_s, state.transient.time_to_s};
+}
+
+// From the next frame on. During a blind test only its own windows are shown.
+inline void show_page(UiState& state, const char* page) {
+  DockState& dock = state.transient.dock;
+  if (dock.chosen) bring_to_front(*dock.chosen, page);
+  dock.rebuild = true;
 }
 
 // Call it when a field is to get the keyboard, which takes Dear ImGui two frames.

@@ -49,10 +49,10 @@ void draw_bar(const PanelContext& context, const Toast& toast) {
 
 // Begins a window over everything else; end it with end_overlay().
 void begin_overlay(const PanelContext& context, const std::string& name, ImVec2 lower_right) {
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
-                                      ImGuiWindowFlags_AlwaysAutoResize;
+  constexpr ImGuiWindowFlags kFlags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoDocking |
+      ImGuiWindowFlags_AlwaysAutoResize;
   ImGui::SetNextWindowPos(lower_right, ImGuiCond_Always, ImVec2(1.0F, 1.0F));
   begin_raised(context.theme);
   ImGui::Begin(name.c_str(), nullptr, kFlags);

@@ -52,7 +52,9 @@ Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> render
       now_s_(options.now_s),
       incoming_(kTicksAtATime),
       sound_(sessions_.open_card ? sessions_.open_card : sound::open_usual_card) {
-  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  ImGuiIO& io = ImGui::GetIO();
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_DockingEnable;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;  // the views and plots are dragged, too
   TransientState& transient = state_.transient;
   transient.settings_path = options.settings_path;
   transient.forced_scale = options.forced_scale;
@@ -109,7 +111,7 @@ void Application::frame() {
   runtime::Snapshot snapshot = session().snapshot();
   if (!session().knows_truth()) draw_where_measured(snapshot.newest);
   // At rest only its own page shows it, so that the window need not be painted again.
-  if (!snapshot.paused || state_.persisted.lower_page == LowerPage::kTiming)
+  if (!snapshot.paused || state_.timing.page_seen)
     note_timing(state_.timing, live_.get(), snapshot.timing);
   look_at_moment(snapshot);
   const PanelContext context{session(), snapshot, theme_, state_, visibility(snapshot.generation)};

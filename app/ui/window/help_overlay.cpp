@@ -94,7 +94,7 @@ void draw_help(const PanelContext& context) {
   if (!context.state.transient.help_shown) return;
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoCollapse;
+                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoDocking;
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const ImVec2 most(viewport->WorkSize.x - ems(kMarginEms), viewport->WorkSize.y - ems(kMarginEms));
   ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Always, ImVec2(0.5F, 0.5F));

@@ -9,6 +9,7 @@
 #include "app/ui/page/plot_controls.h"
 #include "app/ui/panel/arming_strip.h"
 #include "app/ui/panel/hand_drag.h"
+#include "app/ui/panel/layout_choice.h"
 #include "app/ui/panel/replay_bar.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/panel/toolbar.h"
@@ -92,9 +93,14 @@ void larger(const PanelContext& context) { step_scale(context.state, 1); }
 void smaller(const PanelContext& context) { step_scale(context.state, -1); }
 void as_the_screen(const PanelContext& context) { set_scale(context.state, 0); }
 
+void next_layout(const PanelContext& context) {
+  if (!context.shows.hides_algorithm) choose_next_layout(context);
+}
+
 std::vector<KeyBinding> window_keys() {
   return {{KeyGroup::kWindow, "this help", {ImGuiKey_F1}, toggle_help, {}, U'?'},
           {KeyGroup::kWindow, "dark or light", {ImGuiKey_F2}, toggle_look},
+          {KeyGroup::kWindow, "next layout of the windows", {ImGuiKey_F3}, next_layout},
           repeating({KeyGroup::kWindow,
                      "everything larger",
                      {ctrl(ImGuiKey_Equal)},

@@ -1,5 +1,5 @@
-// Layout of the window: control panel on the left, views and plots on the right, status below,
-// messages and help on top.
+// Layout of the window: session and verdict above, the dock area, status below, messages and help
+// on top.
 #pragma once
 
 #include "app/draw/plot/sample_history.h"

@@ -28,7 +28,7 @@
 namespace hapticwall::test {
 
 inline constexpr int kScreenWidth = 1280;
-inline constexpr int kScreenHeight = 1160;  // the whole control panel, with a section open
+inline constexpr int kScreenHeight = 1250;  // the whole control panel, with a section open
 
 class GuiTest : public FolderTest {
  protected:

@@ -62,7 +62,7 @@ std::string name_of(std::string_view label) {
   return std::string(label);
 }
 
-// "Haptic Wall/right_1234ABCD/cursor table_5678CDEF" is "cursor table".
+// "Plots###page Plots/cursor table_5678CDEF" is "cursor table".
 std::string name_of(const ImGuiWindow& window) {
   std::string name = window.Name;
   if (const std::size_t slash = name.rfind('/'); slash != std::string::npos) {
@@ -103,12 +103,12 @@ void add_plots(Items& items) {
   }
 }
 
-// The code of the splitters makes its own items, which report no label.
-void add_splitters(Items& items) {
+// The gaps between docked windows report no label. "gap 0" is that of the whole dock area.
+void add_gaps(Items& items) {
+  int count = 0;
   for (const DrawnItem& item : drawn_log.items) {
-    for (const char* name : {"panel splitter", "view splitter", "picture splitter"}) {
-      if (item.is_called(name)) items.insert_or_assign(name, item.place());
-    }
+    if (item.is_called("##Splitter"))
+      items.insert_or_assign("gap " + std::to_string(count++), item.place());
   }
 }
 
@@ -134,7 +134,7 @@ Items drawn_items() {
       items.insert_or_assign(name->second, item.place());
   }
   add_plots(items);
-  add_splitters(items);
+  add_gaps(items);
   return items;
 }
 

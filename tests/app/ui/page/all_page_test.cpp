@@ -63,7 +63,7 @@ TEST_F(AllPageTest, AnotherPageAndABlindTestStopAndHideIt) {
   EXPECT_FALSE(all().running());
   click("blind start");
   ASSERT_TRUE(ui::blind_test_runs(state()));
-  state().persisted.lower_page = ui::LowerPage::kAll;
+  show_page(state(), "All at once");
   frames(3);
   EXPECT_FALSE(all().running());
   EXPECT_FALSE(sees("all none"));

@@ -213,7 +213,7 @@ TEST_F(MapPageTest, ABlindTestHidesAndStopsIt) {
   click("page Blind test");
   click("blind start");
   EXPECT_TRUE(ui::blind_test_runs(state()));
-  state().persisted.lower_page = ui::LowerPage::kMap;
+  show_page(state(), "Map");
   frames(3);
   EXPECT_FALSE(sees("map cells 0"));
   EXPECT_FALSE(live().running());

@@ -186,7 +186,6 @@ TEST_F(StudyPageTest, AnotherPageAndABlindTestEndIt) {
   EXPECT_FALSE(application_->moving());
   click("blind start");
   ASSERT_TRUE(ui::blind_test_runs(state()));
-  state().persisted.lower_page = ui::LowerPage::kStudy;
   frames(3);
   EXPECT_FALSE(sees("study compute"));
 }

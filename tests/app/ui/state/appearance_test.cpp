@@ -166,19 +166,6 @@ TEST_F(AppearanceTest, EverythingFitsFromHalfToOneAndAHalf) {
   }
 }
 
-TEST_F(AppearanceTest, AGapFollowsThePointerAndNoPartIsDraggedOutOfSight) {
-  const double panel = kept().panel_ems;
-  drag_by("panel splitter", ImVec2(60.0F, 0.0F));
-  EXPECT_NEAR(kept().panel_ems, panel + 60.0 / ImGui::GetStyle().FontSizeBase, 0.2);
-  drag_by("panel splitter", ImVec2(3000.0F, 0.0F));
-  drag_by("view splitter", ImVec2(0.0F, -3000.0F));
-  for (const char* item : {"panel splitter", "view splitter", "picture splitter", "pause"}) {
-    EXPECT_GT(rect(item).from.x, 0.0F) << item;
-    EXPECT_LT(rect(item).to.x, static_cast<float>(kScreenWidth)) << item;
-  }
-  EXPECT_GE(kept().view_share, 0.15);
-}
-
 TEST_F(AppearanceTest, TheCommandLinesScaleIsInForceAndNotKept) {
   options.forced_scale = 1.5F;
   open("press");

@@ -23,9 +23,10 @@ using ui::UiState;
 void change_all(UiState& state) {
   state.persisted.look = draw::Look::kLight;
   state.persisted.scale_percent = 150;
-  state.persisted.panel_ems = 30.5;
-  state.persisted.view_share = 0.3;
-  state.persisted.picture_share = 0.7;
+  state.persisted.layout = "evening";
+  state.persisted.docked = "X21.50em(Controls;Plots)";
+  state.persisted.own_layouts = {{"evening", *ui::parse_layout("Wall")},
+                                 {"a: b", *ui::parse_layout("Y25%(Wall;Map*,Plots)")}};
   state.persisted.recording_folder = "/tmp/recordings of mine";
   state.persisted.recent = {"/a/b.toml", "/c \"d\".csv"};
   state.persisted.window_width = 1234;
@@ -45,7 +46,6 @@ void change_all(UiState& state) {
   state.plots.persisted.spectrum = {true, &Sample::force_n};
   state.plots.persisted.show_bounds = false;
   state.wall.persisted.magnification = 50;
-  state.persisted.lower_page = ui::LowerPage::kBlindTest;
   state.compare.persisted = {false, "Which is steadier?", 12, 0.9, false};
   state.persisted.sound_volume = 0.8;
 }
@@ -66,6 +66,7 @@ TEST(Settings, EverythingThatIsKeptComesBack) {
   EXPECT_EQ(fresh.persisted.hidden_lines, state.persisted.hidden_lines);
   EXPECT_EQ(fresh.plots.persisted.lines, state.plots.persisted.lines);
   EXPECT_EQ(fresh.persisted.recent, state.persisted.recent);
+  EXPECT_EQ(fresh.persisted.own_layouts, state.persisted.own_layouts);
   // Every key differs from its default, so that the comparison above is meaningful.
   const UiState at_start;
   const file::Settings usual = settings_of(at_start);
@@ -98,13 +99,13 @@ TEST_F(SettingsTest, AChangeIsWrittenOnceItRests) {
   settings.load(state);
   constexpr double kFrameS = 1.0 / 60.0;
   for (int frame = 0; frame < 300; ++frame) {  // a drag of five seconds
-    state.persisted.panel_ems = 20.0 + 0.01 * frame;
+    state.persisted.sound_volume = 0.003 * frame;
     settings.pass(state, kFrameS);
     EXPECT_FALSE(fs::exists(file()));
   }
   for (int frame = 0; frame < 120; ++frame) settings.pass(state, kFrameS);
   ASSERT_TRUE(fs::exists(file()));
-  EXPECT_THAT(content("settings.toml"), HasSubstr("panel_ems = 22.99"));
+  EXPECT_THAT(content("settings.toml"), HasSubstr("volume = 0.897"));
   fs::remove(file());
   for (int frame = 0; frame < 600; ++frame) settings.pass(state, kFrameS);
   EXPECT_FALSE(fs::exists(file())) << "unchanged settings are not written again";
@@ -131,18 +132,18 @@ TEST_F(SettingsTest, ABrokenFileIsToldKeptAsideAndReplaced) {
 
 TEST_F(SettingsTest, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
   put("settings.toml",
-      "[window]\ntheme = \"pink\"\nscale_percent = 1e9\nview_share = true\n"
-      "panel_ems = 25\nfrom_the_future = 1\n[other]\nx = 2\n[recent]\nfile_1 = 3\n"
+      "[window]\ntheme = \"pink\"\nscale_percent = 1e9\nmore = 3\n"
+      "width = 1250\nfrom_the_future = 1\n[other]\nx = 2\n[recent]\nfile_1 = 3\n"
       "[plots]\nloop = 1\n");
   UiState state;
   SettingsFile(file()).load(state);
-  EXPECT_DOUBLE_EQ(state.persisted.panel_ems, 25.0);
+  EXPECT_EQ(state.persisted.window_width, 1250);
   EXPECT_EQ(state.persisted.look, draw::Look::kScreen);
   EXPECT_EQ(state.persisted.scale_percent, 0);
   const std::string told = state.transient.toasts.newest().text;
   EXPECT_THAT(told, HasSubstr("window.theme must be one of: dark, light"));
   EXPECT_THAT(told, HasSubstr("window.scale_percent must be a number from 0 to 300"));
-  EXPECT_THAT(told, HasSubstr("window.view_share must be a number"));
+  EXPECT_THAT(told, HasSubstr("window.more must be true or false"));
   EXPECT_THAT(told, HasSubstr("plots.loop must be true or false"));
   EXPECT_THAT(told, ::testing::Not(HasSubstr("future")));
   EXPECT_TRUE(fs::exists(file() + ".broken"));
@@ -166,14 +167,33 @@ TEST_F(SettingsTest, ADerivedSignalOfAnUnknownSignalIsToldAndTheOthersAreTaken) 
 }
 
 TEST_F(SettingsTest, UnknownKeysAreNoProblemAndAreNotKept) {
-  put("settings.toml", "[window]\npanel_ems = 25\nfrom_the_future = 1\n");
+  put("settings.toml",
+      "[window]\nlower_page = \"map\"\npanel_ems = 25\nview_share = 0.3\npicture_share = 0.7\n"
+      "from_the_future = 1\n");
   UiState state;
   SettingsFile settings(file());
   settings.load(state);
   EXPECT_TRUE(state.transient.toasts.list().empty());
-  state.persisted.panel_ems = 26.0;
+  state.persisted.window_width = 1260;
   settings.save(state);
-  EXPECT_THAT(content("settings.toml"), ::testing::Not(HasSubstr("future")));
+  for (const char* key : {"future", "lower_page", "panel_ems", "view_share", "picture_share"})
+    EXPECT_THAT(content("settings.toml"), ::testing::Not(HasSubstr(key)));
+}
+
+TEST_F(SettingsTest, ADamagedLayoutIsToldAndLeftOut) {
+  put("settings.toml",
+      "[window]\nlayout = \"evening\"\ndocked = \"X21.5em(Controls\"\n[layouts]\n"
+      "own_01 = \"evening: Wall\"\nown_02 = \"night: Y400%(Wall;Map)\"\nown_03 = 3\n"
+      "own_04 = \"evening: Map\"\nown_05 = \": Map\"\n");
+  UiState state;
+  SettingsFile(file()).load(state);
+  EXPECT_EQ(state.persisted.docked, "");
+  ASSERT_EQ(state.persisted.own_layouts.size(), 1U);
+  EXPECT_EQ(ui::layout_text(state.persisted.own_layouts.front().layout), "Wall");
+  const std::string told = state.transient.toasts.newest().text;
+  EXPECT_THAT(told, HasSubstr("window.docked is damaged"));
+  for (const char* key : {"layouts.own_02 is", "layouts.own_03 is", "own_04 is", "own_05 is"})
+    EXPECT_THAT(told, HasSubstr(key));
 }
 
 // The window opens with valid values, whatever the file contains.
@@ -191,8 +211,7 @@ TEST_F(SettingsTest, NoFileIsFatal) {
     put("settings.toml", text);
     UiState state;
     SettingsFile(file()).load(state);
-    EXPECT_GE(state.persisted.view_share, 0.1);
-    EXPECT_LE(state.persisted.view_share, 0.9);
+    EXPECT_TRUE(ui::parse_layout(state.persisted.docked) || state.persisted.docked.empty());
     EXPECT_GE(state.persisted.scale_percent, 0);
     EXPECT_LE(state.persisted.scale_percent, 300);
     EXPECT_GE(state.persisted.time_window_s, ui::kTimeWindowsS.front());
@@ -208,11 +227,11 @@ TEST_F(SettingsTest, AFailedWriteIsReportedOnce) {
   UiState state;
   SettingsFile settings(path("a/settings.toml"));
   settings.load(state);
-  state.persisted.panel_ems = 25.0;
+  state.persisted.window_width = 1250;
   settings.save(state);
   ASSERT_EQ(state.transient.toasts.list().size(), 1U);
   EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("settings are not kept"));
-  state.persisted.panel_ems = 26.0;
+  state.persisted.window_width = 1260;
   settings.save(state);
   EXPECT_EQ(state.transient.toasts.list().size(), 1U);
   EXPECT_EQ(state.transient.toasts.newest().text, state.transient.toasts.list()[0].message.text);
@@ -223,7 +242,7 @@ TEST(Settings, WithoutAPathNothingIsReadOrWritten) {
   UiState state;
   SettingsFile settings("");
   settings.load(state);
-  state.persisted.panel_ems = 25.0;
+  state.persisted.window_width = 1250;
   for (int i = 0; i < 100; ++i) settings.pass(state, 1.0);
   settings.save(state);
   EXPECT_TRUE(state.transient.toasts.list().empty());

@@ -158,12 +158,19 @@ TEST_F(KeysTest, TheArrowsReachTheControls) {
     click(row);
     ImGui::SetNavCursorVisible(true);  // as Alt does
     for (int i = 0; i < 10; ++i) step(ImGuiKey_RightArrow);
+    for (int i = 0; i < 14; ++i) step(ImGuiKey_LeftArrow);
+    for (int i = 0; i < 14; ++i) step(ImGuiKey_UpArrow);
+    for (int i = 0; i < 12; ++i) step(ImGuiKey_RightArrow);
+  }
+  press(ImGuiMod_Alt | ImGuiKey_LeftAlt);  // to the tabs
+  for (const ImGuiKey along : {ImGuiKey_RightArrow, ImGuiKey_LeftArrow}) {
+    for (int i = 0; i < 8; ++i) step(along);
   }
   const std::set<std::string> disabled{"undo", "redo", "step", "automatic axes"};
   const std::set<std::string> for_the_pointer{"wall view", "magnifier"};
   for (const auto& [name, item] : usual) {
     const bool pointed = name.starts_with("legend ") || name.ends_with("-slider") ||
-                         name.ends_with("splitter") || for_the_pointer.contains(name);
+                         name.starts_with("gap ") || for_the_pointer.contains(name);
     if (item.id == 0 || pointed || disabled.contains(name)) continue;
     EXPECT_TRUE(reached.contains(item.id)) << name;
   }

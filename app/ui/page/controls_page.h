@@ -1,0 +1,10 @@
+// The panel with the parameters.
+#pragma once
+
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+void draw_controls_page(const PanelContext& context);
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,30 @@
+// The windows that can be docked, one row each.
+#pragma once
+
+#include <imgui.h>
+
+#include <span>
+
+#include "app/draw/plot/sample_history.h"
+#include "app/ui/state/ui_state.h"
+#include "app/ui/wall/wall_renderer.h"
+
+namespace hapticwall::ui {
+
+// What pages draw from.
+struct PageParts {
+  const PanelContext& context;
+  const draw::SampleHistory& history;
+  WallRenderer& renderer;
+};
+
+struct Page {
+  DockWindow window;
+  void (*draw)(const PageParts& parts);  // only while it is seen: not behind another tab
+  bool hidden_by_blind_test = false;     // it would reveal the order
+  void (*notice)(UiState& state, bool seen) = nullptr;  // once a frame, seen or not
+  ImGuiWindowFlags flags = 0;
+};
+[[nodiscard]] std::span<const Page> pages();
+
+}  // namespace hapticwall::ui

@@ -1,0 +1,204 @@
+#include "app/ui/panel/layout_choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "app/file/text/text.h"
+#include "app/ui/widget/widgets.h"
+#include "core/text.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr const char* kRefusalKey = "layout name";
+constexpr float kNameEms = 11.0F;
+
+constexpr std::array kBuiltins{
+    BuiltinLayout{"bench", "Everything: parameters, wall, contact, and the pages behind tabs",
+                  "X21.5em(Controls;Y40%(X62%(Wall;Contact);Plots*,Timing,Blind test,Map,All at "
+                  "once,Study))",
+                  PlotArrangement::kAll},
+    BuiltinLayout{
+        kLectureLayout,
+        "For a room: wall and two plots, and everything larger, by half where there is room",
+        "Y50%(Wall;Plots)", PlotArrangement::kTwo},
+    BuiltinLayout{"figure 4", "The three plots of Figure 4 of the paper, parameters, a small wall",
+                  "X21.5em(Controls;Y22%(Wall;Plots))", PlotArrangement::kFigure4},
+    BuiltinLayout{"figures 5 and 6",
+                  "The three plots of Figures 5 and 6 of the paper, parameters, a small wall",
+                  "X21.5em(Controls;Y22%(Wall;Plots))", PlotArrangement::kFigure5And6},
+    BuiltinLayout{"experiment", "The blind test, the wall and the parameters",
+                  "X21.5em(Controls;Y45%(Wall;Blind test))", std::nullopt}};
+
+const BuiltinLayout* builtin_called(std::string_view name) {
+  const auto* found = std::ranges::find(
+      kBuiltins, name, [](const BuiltinLayout& each) { return std::string_view(each.name); });
+  return found == kBuiltins.end() ? nullptr : found;
+}
+
+std::optional<DockLayout> layout_called(const UiState& state, const std::string& name) {
+  if (const BuiltinLayout* builtin = builtin_called(name)) return parse_layout(builtin->text);
+  const auto& own = state.persisted.own_layouts;
+  const auto found = std::ranges::find(own, name, &OwnLayout::name);
+  return found == own.end() ? std::nullopt : std::optional(found->layout);
+}
+
+std::vector<std::string> layout_names(const UiState& state) {
+  std::vector<std::string> names;
+  for (const BuiltinLayout& each : kBuiltins) names.emplace_back(each.name);
+  for (const OwnLayout& each : state.persisted.own_layouts) names.push_back(each.name);
+  return names;
+}
+
+bool has_control(std::string_view text) {
+  for (; !text.empty(); text.remove_prefix(utf8_length(text))) {
+    if (starts_with_control(text)) return true;
+  }
+  return false;
+}
+
+// What is wrong with it, or nullopt.
+std::optional<std::string> problem_with_name(const UiState& state, std::string_view name) {
+  const auto& own = state.persisted.own_layouts;
+  if (name.empty()) return "a layout needs a name";
+  if (!is_utf8(name) || has_control(name)) return "a name has no control characters";
+  if (name.size() > kMaxLayoutNameBytes)
+    return fmt::format("a name has at most {} bytes", kMaxLayoutNameBytes);
+  if (builtin_called(name) != nullptr) return fmt::format("'{}' is built in: take another", name);
+  const bool is_new = std::ranges::find(own, name, &OwnLayout::name) == own.end();
+  if (is_new && own.size() >= kMaxOwnLayouts)
+    return fmt::format("there are {} layouts: delete one", kMaxOwnLayouts);
+  return std::nullopt;
+}
+
+void show_layout(UiState& state, DockLayout layout) {
+  state.transient.dock.chosen = std::move(layout);
+  state.transient.dock.rebuild = true;
+}
+
+void draw_names(const PanelContext& context) {
+  for (const std::string& name : layout_names(context.state)) {
+    const BuiltinLayout* builtin = builtin_called(name);
+    if (list_choice(fmt::format("{0}###layout of {0}", name),
+                    context.state.persisted.layout == name,
+                    builtin != nullptr ? builtin->meaning : "A layout of your own"))
+      choose_layout(context.state, name);
+  }
+}
+
+void draw_keep(const PanelContext& context) {
+  UiState& state = context.state;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("keep as");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(ems(kNameEms));
+  if (const auto name = text_field(context, "##layout name", "a name of your own", "")) {
+    if (auto problem = keep_layout(state, std::string(file::trimmed(*name))))
+      refuse(context, kRefusalKey, *std::move(problem));
+  }
+  explain("Keeps the windows as they are now, in the settings file.");
+  draw_refusal(context, kRefusalKey);
+  const std::string now = state.persisted.layout;
+  if (builtin_called(now) == nullptr &&
+      button(fmt::format("Delete '{}'###forget layout", now), "The windows stay where they are."))
+    forget_layout(state, now);
+}
+
+void open_or_close(UiState& state, const std::string& window, bool open) {
+  DockLayout layout = *state.transient.dock.chosen;
+  if (open) {
+    bring_to_front(layout, window);
+  } else {
+    layout = without(layout, std::array{window});
+  }
+  show_layout(state, std::move(layout));
+}
+
+void draw_windows(const PanelContext& context) {
+  UiState& state = context.state;
+  if (!state.persisted.more || !state.transient.dock.chosen) return;
+  const std::vector<std::string> shown = windows_of(*state.transient.dock.chosen);
+  ImGui::Separator();
+  ImGui::TextDisabled("windows");
+  for (const DockWindow& window : state.transient.dock.windows) {
+    bool open = std::ranges::find(shown, window.name) != shown.end();
+    if (ImGui::Checkbox(fmt::format("{0}###window {0}", window.name).c_str(), &open))
+      open_or_close(state, window.name, open);
+    explain(window.meaning);
+  }
+}
+
+}  // namespace
+
+std::span<const BuiltinLayout> builtin_layouts() { return kBuiltins; }
+
+void restore_layout(UiState& state) {
+  PersistedState& kept = state.persisted;
+  if (!layout_called(state, kept.layout)) {
+    tell(state, MessageKind::kProblem,
+         fmt::format("there is no layout '{}' any more: this is '{}'", kept.layout, kUsualLayout));
+    kept.layout = kUsualLayout;
+    kept.docked.clear();
+  }
+  const std::optional<DockLayout> kept_as = parse_layout(kept.docked);
+  show_layout(state,
+              kept.docked.empty() || !kept_as ? *layout_called(state, kept.layout) : *kept_as);
+}
+
+void choose_layout(UiState& state, const std::string& name) {
+  PersistedState& kept = state.persisted;
+  kept.more = true;
+  kept.layout = name;
+  kept.docked.clear();
+  show_layout(state, *layout_called(state, name));
+  const BuiltinLayout* builtin = builtin_called(name);
+  if (builtin != nullptr && builtin->arrangement) kept.arrangement = *builtin->arrangement;
+}
+
+void choose_next_layout(const PanelContext& context) {
+  const std::vector<std::string> names = layout_names(context.state);
+  const auto now = std::ranges::find(names, context.state.persisted.layout);
+  const bool last = now == names.end() || std::next(now) == names.end();
+  choose_layout(context.state, last ? names.front() : *std::next(now));
+}
+
+std::optional<std::string> keep_layout(UiState& state, const std::string& name) {
+  if (auto problem = problem_with_name(state, name)) return problem;
+  auto& own = state.persisted.own_layouts;
+  auto place = std::ranges::find(own, name, &OwnLayout::name);
+  if (place == own.end()) place = own.insert(own.end(), {name, {}});
+  place->layout = state.transient.dock.chosen.value_or(DockLayout{});
+  state.persisted.layout = name;
+  state.persisted.docked.clear();
+  return std::nullopt;
+}
+
+void forget_layout(UiState& state, const std::string& name) {
+  std::erase_if(state.persisted.own_layouts,
+                [&](const OwnLayout& each) { return each.name == name; });
+  if (state.persisted.layout != name) return;
+  state.persisted.layout = kUsualLayout;
+  state.persisted.docked = layout_text(*state.transient.dock.chosen);
+}
+
+void draw_layout_choice(const PanelContext& context) {
+  if (context.shows.hides_algorithm) return;
+  const PersistedState& kept = context.state.persisted;
+  const bool open = ImGui::BeginCombo("##layout", kept.more ? kept.layout.c_str() : "first minute",
+                                      ImGuiComboFlags_HeightLargest);
+  if (!open) {
+    explain("Layout of the windows (key F3). Drag a tab to move its window, a gap to resize two.");
+    return;
+  }
+  draw_names(context);
+  ImGui::Separator();
+  draw_keep(context);
+  draw_windows(context);
+  ImGui::EndCombo();
+}
+
+}  // namespace hapticwall::ui

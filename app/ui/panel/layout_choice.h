@@ -1,0 +1,42 @@
+// Named arrangements of the windows, and the list that chooses one.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+inline constexpr const char* kUsualLayout = "bench";
+inline constexpr std::size_t kMaxLayoutNameBytes = 40;
+inline constexpr std::size_t kMaxOwnLayouts = 20;
+// Of the first minute, which has no name.
+inline constexpr const char* kFirstMinute = "X21.5em(Controls;Y40%(Wall;Plots))";
+
+struct BuiltinLayout {
+  const char* name;
+  const char* meaning;
+  const char* text;  // of parse_layout()
+  std::optional<PlotArrangement> arrangement;
+};
+[[nodiscard]] std::span<const BuiltinLayout> builtin_layouts();
+
+// At the start: the arrangement of the settings file. What is not there any more is told.
+void restore_layout(UiState& state);
+// Shows the windows as the layout of this name has them. Precondition: there is one.
+void choose_layout(UiState& state, const std::string& name);
+// The next one of the list.
+void choose_next_layout(const PanelContext& context);
+
+// Keeps the present arrangement under a name; replaces one of that name. Returns what is wrong with
+// the name, or nullopt.
+[[nodiscard]] std::optional<std::string> keep_layout(UiState& state, const std::string& name);
+// The windows stay where they are.
+void forget_layout(UiState& state, const std::string& name);
+
+// A list: layouts, "keep as", and which windows are open. Nothing during a blind test.
+void draw_layout_choice(const PanelContext& context);
+
+}  // namespace hapticwall::ui

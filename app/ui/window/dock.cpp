@@ -1,0 +1,151 @@
+#include "app/ui/window/dock.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/ui/panel/layout_choice.h"
+#include "app/ui/widget/widgets.h"
+#include "app/ui/window/dock_nodes.h"
+
+namespace hapticwall::ui {
+namespace {
+
+constexpr int kSettlingFrames = 3;  // a window has its size in the second frame
+constexpr ImVec2 kMinPartEms(10.0F, 5.0F);
+constexpr ImVec2 kFloatingEms(36.0F, 24.0F);  // of a window that never floated before
+
+DockSituation situation_of(const PanelContext& context) {
+  if (context.shows.hides_force) return DockSituation::kBlindTest;
+  return context.state.persisted.more ? DockSituation::kChosen : DockSituation::kFirstMinute;
+}
+
+// Without the windows that would reveal the order, and with that of the test.
+DockLayout blind_layout(const DockLayout& chosen) {
+  std::vector<std::string> hidden;
+  for (const Page& page : pages()) {
+    if (page.hidden_by_blind_test) hidden.emplace_back(page.window.name);
+  }
+  DockLayout layout = without(chosen, hidden);
+  bring_to_front(layout, kBlindTestPage);
+  return layout;
+}
+
+DockLayout layout_of(DockSituation situation, const DockLayout& chosen) {
+  if (situation == DockSituation::kBlindTest) return blind_layout(chosen);
+  return situation == DockSituation::kChosen ? chosen : *parse_layout(kFirstMinute);
+}
+
+// Before DockSpace().
+void arrange(const PanelContext& context, ImGuiID id, ImVec2 size) {
+  DockState& dock = context.state.transient.dock;
+  if (!dock.chosen) restore_layout(context.state);
+  const DockSituation situation = situation_of(context);
+  const bool rebuild = std::exchange(dock.rebuild, false) || situation != dock.situation;
+  const float scale = ImGui::GetStyle().FontScaleMain;
+  if (!rebuild && size.x == dock.size.x && size.y == dock.size.y && scale == dock.scale) return;
+  dock.size = size;
+  dock.scale = scale;
+  dock.settling = kSettlingFrames;
+  if (rebuild) {
+    dock.situation = situation;
+    dock.shown = layout_of(situation, *dock.chosen);
+    build_dock(id, dock.shown, size);
+  } else {
+    fit_dock(id, dock.shown, size);
+  }
+}
+
+void submit_dock_space(DockSituation situation, ImGuiID id, ImVec2 size) {
+  ImGuiDockNodeFlags flags = ImGuiDockNodeFlags_AutoHideTabBar;
+  if (situation != DockSituation::kChosen)
+    flags |= static_cast<ImGuiDockNodeFlags>(ImGuiDockNodeFlags_NoTabBar) |
+             ImGuiDockNodeFlags_NoUndocking;
+  const ImVec2 least(ems(kMinPartEms.x), ems(kMinPartEms.y));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, least);
+  ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32_BLACK_TRANS);  // the gaps look like the ground
+  flatten_next();
+  ImGui::DockSpace(id, size, flags);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+// Returns whether it is seen.
+bool draw_page(const PageParts& parts, const Page& page, bool closable) {
+  const PanelContext& context = parts.context;
+  const std::string name = page.window.name;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const bool covered = (page.flags & ImGuiWindowFlags_NoBackground) != 0;
+  bool open = true;
+  flatten_docked(name);
+  ImGui::SetNextWindowSize(ImVec2(ems(kFloatingEms.x), ems(kFloatingEms.y)),
+                           ImGuiCond_FirstUseEver);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, style.ChildBorderSize);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      covered ? ImVec2(1.0F, 1.0F) : style.WindowPadding);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.colour(draw::Tone::kPanel));
+  const bool seen =
+      ImGui::Begin(dock_window(name).c_str(), closable ? &open : nullptr,
+                   page.flags | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+  explain(page.window.meaning);  // of the tab
+  if (seen) page.draw(parts);
+  ImGui::End();
+  DockState& dock = context.state.transient.dock;
+  if (!open) {
+    dock.chosen = without(*dock.chosen, std::array{name});
+    dock.rebuild = true;
+  }
+  return seen;
+}
+
+void draw_pages(const PageParts& parts) {
+  const DockState& dock = parts.context.state.transient.dock;
+  const std::vector<std::string> shown = windows_of(dock.shown);
+  for (const Page& page : pages()) {
+    const bool open = std::ranges::find(shown, page.window.name) != shown.end();
+    const bool seen = open && draw_page(parts, page, dock.situation == DockSituation::kChosen);
+    if (page.notice != nullptr) page.notice(parts.context.state, seen);
+  }
+}
+
+// What the user has moved since the sizes were set.
+void note_moved(UiState& state, ImGuiID id) {
+  DockState& dock = state.transient.dock;
+  DockLayout now = read_dock(id);
+  const bool settling = dock.settling > 0;
+  if (settling) --dock.settling;
+  if (now == dock.measured) return;
+  dock.measured = now;
+  if (settling || dock.rebuild) return;
+  dock.shown = std::move(now);
+  if (dock.situation != DockSituation::kChosen) return;
+  dock.chosen = dock.shown;
+  state.persisted.docked = layout_text(dock.shown);
+}
+
+}  // namespace
+
+void draw_dock(const PageParts& parts, ImVec2 size) {
+  UiState& state = parts.context.state;
+  DockState& dock = state.transient.dock;
+  if (dock.windows.empty()) {
+    for (const Page& page : pages()) dock.windows.push_back(page.window);
+  }
+  const ImGuiID id = ImGui::GetID("dock");
+  arrange(parts.context, id, size);
+  submit_dock_space(dock.situation, id, size);
+  share_arrows(true);  // also those that were docked now
+  draw_pages(parts);
+  share_arrows(false);
+  keep_floating_inside();
+  note_moved(state, id);
+}
+
+}  // namespace hapticwall::ui
