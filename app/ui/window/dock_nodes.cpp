@@ -32,9 +32,8 @@ bool is_dock_window(const ImGuiWindow& window) {
   return std::string_view(window.Name).find("###page ") != std::string_view::npos;
 }
 
-ImGuiAxis axis_of(DockSplit split) {
-  return split == DockSplit::kColumns ? ImGuiAxis_X : ImGuiAxis_Y;
-}
+// Index of a coordinate of ImVec2.
+std::size_t axis_of(DockSplit split) { return split == DockSplit::kColumns ? 0 : 1; }
 
 void dock_tab(const std::string& page, ImGuiID node, std::size_t index) {
   const std::string name = dock_window(page);
@@ -74,7 +73,7 @@ float first_length(const DockPart& part, float free) {
 
 void fit_part(const DockPart& part, ImGuiDockNode& node, ImVec2 size) {
   if (part.split == DockSplit::kNone || !node.IsSplitNode()) return;
-  const ImGuiAxis axis = axis_of(part.split);
+  const std::size_t axis = axis_of(part.split);
   const float free = std::max(size[axis] - ImGui::GetStyle().DockingSeparatorSize, 2.0F);
   const float first = std::floor(first_length(part, free));
   for (std::size_t i = 0; i < part.parts.size(); ++i) {
@@ -128,8 +127,8 @@ DockPart read_part(const ImGuiDockNode& node) {
   if (second.empty()) return first;
   part.split = node.SplitAxis == ImGuiAxis_X ? DockSplit::kColumns : DockSplit::kRows;
   part.parts = {std::move(first), std::move(second)};
-  read_size(part, node.ChildNodes[0]->Size[node.SplitAxis],
-            node.ChildNodes[1]->Size[node.SplitAxis]);
+  const std::size_t axis = axis_of(part.split);
+  read_size(part, node.ChildNodes[0]->Size[axis], node.ChildNodes[1]->Size[axis]);
   return part;
 }
 
