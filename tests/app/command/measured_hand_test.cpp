@@ -137,7 +137,7 @@ TEST_F(RecordedHand, ComparesAsReplayReRunsIt) {
 
 TEST_F(RecordedHand, IsComparedAlsoWhereParametersChanged) {
   put("a.toml", content("a.toml") +
-                    "[[recording.change]]\ntick = 1000\n[[recording.change.wall]]\n"
+                    "[[recording.change]]\ntick = 1\n[[recording.change.wall]]\n"
                     "position_m = 0.05\nstiffness_n_per_m = 900.0\n");
   const Answer answer =
       hapticwall({"compare", "a.csv", "--algorithms", "half-sample,passivity-control", "--sort",
