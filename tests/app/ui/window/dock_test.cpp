@@ -37,9 +37,7 @@ std::vector<std::string> fronts_of(const ui::DockLayout& layout) {
   return fronts;
 }
 
-float text_size() {
-  return ImGui::GetStyle().FontSizeBase * ImGui::GetStyle().FontScaleMain;
-}
+float text_size() { return ImGui::GetStyle().FontSizeBase * ImGui::GetStyle().FontScaleMain; }
 
 const ImGuiWindow* window_of(const std::string& page) {
   return ImGui::FindWindowByName(ui::dock_window(page).c_str());
@@ -236,6 +234,13 @@ TEST_F(DockTest, APageBehindATabDoesNotRun) {
   EXPECT_FALSE(state().map.live.running());
   show("Wall");
   EXPECT_FALSE(state().timing.page_seen);
+  show("Plots*,Wall");
+  const std::uint64_t drawn = application_->renderer().times_drawn();
+  live(500);
+  EXPECT_EQ(application_->renderer().times_drawn(), drawn) << "the wall is behind the plots";
+  click("page Wall");
+  live(500);
+  EXPECT_GT(application_->renderer().times_drawn(), drawn);
 }
 
 TEST_F(DockTest, ABlindTestHidesWhateverTheLayoutAndItComesBack) {
