@@ -15,7 +15,7 @@
 namespace hapticwall::command::test {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 const std::vector<std::string> kMapAxes{"--x", "wall.stiffness_n_per_m=1000:35000:2", "--y",
                                         "device.damping_n_s_per_m=0.5:1:2"};
@@ -47,19 +47,19 @@ TEST_F(MeasuredHand, OfAMinuteRunsInEveryCommand) {
   const std::vector<std::string> whole{"--duration", "60", "--quiet", "--json", "-"};
   const Answer run = on_hand({"run"}, whole);
   ASSERT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(json::parse(run.out)["ticks"], 60'000);
+  EXPECT_EQ(Json::parse(run.out)["ticks"], 60'000);
   const Answer compared = on_hand({"compare"}, whole);
   ASSERT_EQ(compared.status, 0) << compared.err;
-  for (const json& row : json::parse(compared.out)) {
+  for (const Json& row : Json::parse(compared.out)) {
     if (row["algorithm"] != "energy-bounding") continue;
-    EXPECT_EQ(row["energy_scv_j"], json::parse(run.out)["energy_scv_j"]);
+    EXPECT_EQ(row["energy_scv_j"], Json::parse(run.out)["energy_scv_j"]);
   }
   std::vector<std::string> map = kMapAxes;
   map.insert(map.end(), whole.begin(), whole.end());
   map.insert(map.end(), {"--algorithms", "energy-bounding", "--csv", "m.csv"});
   const Answer mapped = on_hand({"map"}, map);
   ASSERT_EQ(mapped.status, 0) << mapped.err;
-  EXPECT_EQ(json::parse(mapped.out)["cells"], 4);
+  EXPECT_EQ(Json::parse(mapped.out)["cells"], 4);
   EXPECT_THAT(content("m.toml"), HasSubstr("path_file = \"hand.csv\"\npath_sha256 = "));
   EXPECT_EQ(on_hand({"accuracy"}, {"--duration", "1", "--substeps", "2", "--quiet"}).status, 0);
 }
@@ -111,11 +111,11 @@ class RecordedHand : public ProgramTest {
     replace_in("a.toml", "repeatable = true",
                "repeatable = false\nnot_repeatable_because = \"the pointer led the hand\"");
   }
-  [[nodiscard]] json rerun(const std::string& algorithm) const {
+  [[nodiscard]] Json rerun(const std::string& algorithm) const {
     const Answer answer =
         hapticwall({"replay", "a.csv", "--algorithm", algorithm, "--quiet", "--json", "-"});
     EXPECT_EQ(answer.status, 0) << answer.err;
-    return json::parse(answer.out);
+    return Json::parse(answer.out);
   }
 };
 
@@ -124,7 +124,7 @@ TEST_F(RecordedHand, ComparesAsReplayReRunsIt) {
   ASSERT_EQ(answer.status, 0) << answer.err;
   EXPECT_THAT(answer.err, HasSubstr("note: a.csv: its recorded hand is re-run\n"));
   std::size_t same = 0;
-  for (const json& row : json::parse(answer.out)) {
+  for (const Json& row : Json::parse(answer.out)) {
     const std::string label = row["algorithm"];
     if (label.find(' ') != std::string::npos) continue;  // another form
     EXPECT_EQ(row, rerun(label)) << label;
@@ -143,7 +143,7 @@ TEST_F(RecordedHand, IsComparedAlsoWhereParametersChanged) {
       hapticwall({"compare", "a.csv", "--algorithms", "half-sample,passivity-control", "--sort",
                   "none", "--quiet", "--json", "-"});
   ASSERT_EQ(answer.status, 0) << answer.err;
-  const json rows = json::parse(answer.out);
+  const Json rows = Json::parse(answer.out);
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0], rerun("half-sample"));
   EXPECT_EQ(rows[1], rerun("passivity-control"));
@@ -159,7 +159,7 @@ TEST_F(RecordedHand, IsThatOfEveryCellOfAMap) {
   ASSERT_EQ(answer.status, 0) << answer.err;
   EXPECT_THAT(answer.err, HasSubstr("note: a.csv: its recorded hand is re-run\n"));
   for (const std::string algorithm : {"none", "energy-bounding"}) {
-    const json recorded = rerun(algorithm);
+    const Json recorded = rerun(algorithm);
     const std::string row = "\n" + algorithm + ",35000,1," + std::string(recorded["verdict"]) + ",";
     const std::size_t found = content("m.csv").find(row);
     ASSERT_NE(found, std::string::npos) << content("m.csv");
@@ -177,12 +177,12 @@ TEST_F(RecordedHand, IsStudiedAndMeasured) {
   const std::string work = rerun("energy-bounding")["tail_peak_to_peak_m"].dump();
   Answer answer = hapticwall({"accuracy", "a.csv", "--substeps", "50", "--json", "-", "--quiet"});
   ASSERT_EQ(answer.status, 0) << answer.err;
-  EXPECT_EQ(json::parse(answer.out)["rows"][0]["tail_peak_to_peak_m"].dump(), work);
+  EXPECT_EQ(Json::parse(answer.out)["rows"][0]["tail_peak_to_peak_m"].dump(), work);
   answer = hapticwall(
       {"compare", "a.csv", "--study", "--algorithms", "energy-bounding", "--json", "-", "--quiet"});
   ASSERT_EQ(answer.status, 0) << answer.err;
-  EXPECT_EQ(json::parse(answer.out)["duration_s"], 3.0);
-  EXPECT_TRUE(json::parse(answer.out)["rows"][0]["rate_hardness_n_per_m"].is_number());
+  EXPECT_EQ(Json::parse(answer.out)["duration_s"], 3.0);
+  EXPECT_TRUE(Json::parse(answer.out)["rows"][0]["rate_hardness_n_per_m"].is_number());
 }
 
 }  // namespace

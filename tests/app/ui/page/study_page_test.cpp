@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr int kUntilStill = 60;  // frames, until the wall is refined
+constexpr int kFramesToRest = 60;  // frames, until the wall is refined
 
 class StudyPageTest : public GuiTest {
  protected:
@@ -177,12 +177,12 @@ TEST_F(StudyPageTest, AChangeOfTheSceneMarksTheTable) {
 TEST_F(StudyPageTest, AnotherPageAndABlindTestEndIt) {
   change([](Scene& endless) { endless.duration_s = 1e4; });
   click("study compute");
-  frames(kUntilStill);
+  frames(kFramesToRest);
   ASSERT_TRUE(shown().running());
   EXPECT_TRUE(application_->moving()) << "a paused window takes the result";
   click("page Blind test");
   EXPECT_FALSE(shown().running());
-  frames(kUntilStill);
+  frames(kFramesToRest);
   EXPECT_FALSE(application_->moving());
   click("blind start");
   ASSERT_TRUE(ui::blind_test_runs(state()));
