@@ -28,7 +28,7 @@ namespace {
 constexpr int kWidth = 1120;
 constexpr int kHeight = 720;
 constexpr const char* kDocked =
-    "X21.5em(Controls;Y22%(X40%(Wall;Contact);Plots*,Timing,Blind test,Map,All at once))";
+    "X21.5em(Controls;Y22%(X40%(Wall;Contact);Plots*,Timing,Blind test,Map,All at once,Study))";
 
 // The test engine for one script, in the current ImGui context.
 class Engine {

@@ -45,8 +45,9 @@ struct Pen {
 class Stroke {
  public:
   Stroke(ImDrawList* list, ImU32 colour, float weight)
-      : list_(list), colour_(colour), half_(0.5F * weight + 1.0F) {
-    const ImVec4 edges = list->_Data->TexUvLines[static_cast<int>(weight)];
+      : list_(list), colour_(colour), half_(0.5F * std::max(weight, 1.0F) + 1.0F) {
+    const float row = std::clamp(weight, 1.0F, static_cast<float>(IM_DRAWLIST_TEX_LINES_WIDTH_MAX));
+    const ImVec4 edges = list->_Data->TexUvLines[static_cast<int>(row)];
     upper_ = {edges.x, edges.y};
     lower_ = {edges.z, edges.w};
   }

@@ -77,10 +77,6 @@ ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exch
   exchange_.snapshots.publish(snapshot_);
 }
 
-bool ServoLoop::rests() const {
-  return snapshot_.paused && steps_left_ == 0 && axes_.front().device.info().is_simulated;
-}
-
 // After a cycle this late a real device has dropped the force (docs/hid-protocol.md). It must not
 // return abruptly, so the loop disarms.
 void ServoLoop::cycle(const Wake& wake, Clock& clock) {
@@ -99,6 +95,10 @@ void ServoLoop::cycle(const Wake& wake, Clock& clock) {
   }
   show_arming();
   snapshot_.link = axes_.front().device.link();
+  rest_periods_ = 0;
+  if (snapshot_.paused && steps_left_ == 0 && axes_.front().device.info().is_simulated)
+    rest_periods_ = static_cast<std::uint64_t>(kRestS / axes_.front().servo.settings().period_s());
+  snapshot_.timing.rested_periods += rest_periods_;
   count(wake, clock.now_ns(), ticks);
   exchange_.snapshots.publish(snapshot_);
 }
@@ -333,7 +333,7 @@ void run_servo_loop(ServoLoop& loop, Exchange& exchange, double rate_hz, Clock& 
     while (!exchange.stop.load(std::memory_order_relaxed) && !must_end_force()) {
       clock.sleep_until_ns(scheduler.deadline_ns());
       loop.cycle(scheduler.wake(clock.now_ns()), clock);
-      if (loop.rests()) scheduler.skip(static_cast<std::uint64_t>(kRestS * rate_hz));
+      scheduler.skip(loop.rest_periods());
     }
     by_itself = must_end_force();
   } catch (...) {

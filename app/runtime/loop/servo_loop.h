@@ -44,8 +44,9 @@ class ServoLoop {
   // One cycle: takes commands and parameters, ticks unless paused, and publishes the results. Reads
   // `clock` once, after the tick. Throws only what the device throws. Realtime-safe: yes.
   void cycle(const Wake& wake, Clock& clock);
-  // True while a simulator is paused: nothing moves, and a look now and then is enough.
-  [[nodiscard]] bool rests() const;
+  // Periods to be left out before the next cycle, kRestS of them while a simulator is paused:
+  // nothing moves then.
+  [[nodiscard]] std::uint64_t rest_periods() const { return rest_periods_; }
 
   // Zero force, closes the devices and informs the owner. Realtime-safe: no.
   void shut_down(bool by_itself) noexcept;
@@ -78,6 +79,7 @@ class ServoLoop {
   bool recording_ = false;
   bool echo_due_ = true;  // the next tick is the first of a reset or of new parameters
   bool at_start_ = true;  // the next tick is tick 0
+  std::uint64_t rest_periods_ = 0;
 };
 
 // Between two looks of a paused simulator at its commands.

@@ -23,7 +23,8 @@ struct QueueCapacities {
 struct TimingStatistics {
   std::uint64_t ticks = 0;
   std::uint64_t missed_ticks = 0;
-  double wake_latency_s = 0.0;  // of the newest tick
+  std::uint64_t rested_periods = 0;  // left out while a simulator was paused
+  double wake_latency_s = 0.0;       // of the newest tick
   double maximum_wake_latency_s = 0.0;
   double compute_time_s = 0.0;  // of the newest tick
   double maximum_compute_time_s = 0.0;

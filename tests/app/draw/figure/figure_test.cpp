@@ -68,7 +68,7 @@ TEST(Figure, ShowsTheLinesOfAllFourPlotsWithoutADisplay) {
   constexpr int kTitle = 90;
   constexpr int kPlot = (1200 - kTitle) / 4;
   constexpr int kLegend = 40;
-  constexpr int kEnoughPixels = 100;
+  constexpr int kEnoughPixels = 80;
   const auto count = [&](Tone tone, int row) {
     const ImVec4 colour = theme_colours(Look::kPrint)[static_cast<std::size_t>(tone)];
     const int top = kTitle + row * kPlot;
