@@ -1,10 +1,10 @@
 # Fails when an #include line goes against the arrows of the house:
 #   core <- device <- app/runtime <- app/ui, app/command; app/file stands on core alone;
 #   core <- app/compare; core, app/file <- app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/draw <- app/command;
-#   core <- app/sound/signal <- app/command; app/sound/signal, app/runtime <- app/sound/live <- app/ui;
+#   core <- app/sound/signal <- app/command; app/sound/signal, app/runtime, device <- app/sound/live <- app/ui;
 #   core, app/file, app/table <- app/command/report <- app/command.
 # Within a layer the rooms have arrows, too:
-#   device <- device/hid <- device/emulator; app/runtime: loop <- session;
+#   device <- device/hid <- device/emulator, device <- device/evdev; app/runtime: loop <- session;
 #   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay;
 #   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen, Highway and itself;
@@ -22,7 +22,7 @@ set(may_include_app/compare core app/compare)
 set(may_include_app/table core app/file app/table)
 set(may_include_app/draw core app/file app/draw)
 set(may_include_app/sound/signal core app/sound/signal)
-set(may_include_app/sound/live core app/runtime app/sound/signal app/sound/live)
+set(may_include_app/sound/live core device app/runtime app/sound/signal app/sound/live)
 set(may_include_app/ui core device app/file app/runtime app/compare app/table app/draw app/sound/live app/ui)
 set(may_include_app/command/report core app/file app/table app/command/report)
 set(may_include_app/command core device app/file app/runtime app/table app/draw app/sound/signal app/command/report app/command)
@@ -42,8 +42,9 @@ set(may_include_app/ui/page app/ui/wall app/ui/state app/ui/widget app/ui/panel 
 set(may_include_app/ui/window app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/window)
 
 # A folder after its rooms stands for the files beside them.
-list(APPEND rooms device/hid device/emulator device app/runtime/loop app/runtime/session)
+list(APPEND rooms device/hid device/evdev device/emulator device app/runtime/loop app/runtime/session)
 set(may_include_device/hid device/hid)
+set(may_include_device/evdev device/evdev)
 set(may_include_device/emulator device/hid device/emulator)
 set(may_include_app/runtime/loop app/runtime/loop)
 set(may_include_app/runtime/session app/runtime/loop app/runtime/session)

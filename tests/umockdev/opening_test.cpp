@@ -12,28 +12,14 @@
 #endif
 
 #include "tests/umockdev/hidraw_test.h"
+#include "tests/umockdev/nobodys_rights.h"
 
 namespace hapticwall::device::hid::testing {
 namespace {
 
+using hapticwall::test::NobodysRights;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-constexpr uid_t kNobody = 65534;
-
-// Root may open anything: for its life the process is somebody else.
-class NobodysRights {
- public:
-  NobodysRights() : changed_(::geteuid() == 0 && ::setresuid(kNobody, kNobody, 0) == 0) {}
-  NobodysRights(const NobodysRights&) = delete;
-  NobodysRights& operator=(const NobodysRights&) = delete;
-  ~NobodysRights() {
-    if (changed_) EXPECT_EQ(::setresuid(0, 0, 0), 0);
-  }
-
- private:
-  bool changed_;
-};
 
 // libhidapi-hidraw 0.13 forgets the text of one of its errors.
 class LibrarysOwnLeak {

@@ -1,0 +1,56 @@
+// The kernel's input devices, /dev/input/eventN. Linux. Realtime-safe: no, none of it.
+#pragma once
+
+#include <linux/input.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace hapticwall::device::evdev {
+
+// A node and what its device can do, from sysfs: the node is not opened, because that may wake the
+// device and needs permission.
+class NodeListing {
+ public:
+  explicit NodeListing(std::string event) : event_(std::move(event)) {}  // "event7"
+
+  [[nodiscard]] std::string path() const { return "/dev/input/" + event_; }
+  // As the device tells it; empty if it tells none.
+  [[nodiscard]] std::string name() const;
+  // `type` is "key", "abs", "ff" …; has("ff", FF_RUMBLE) asks for rumble. False if it is gone.
+  [[nodiscard]] bool has(const std::string& type, unsigned code) const;
+
+ private:
+  [[nodiscard]] std::string first_line(const std::string& file) const;
+
+  std::string event_;
+};
+
+// All nodes, in the order of their numbers.
+[[nodiscard]] std::vector<NodeListing> list_nodes();
+
+// An open node. Its errors are the system's words, without the name of the node.
+class EventNode {
+ public:
+  // For reading and writing, without waiting. Fails with ErrorKind::kDevice.
+  [[nodiscard]] static Result<EventNode> open(const std::string& path);
+  EventNode(EventNode&& other) noexcept;
+  EventNode& operator=(EventNode&&) = delete;
+  // The kernel stops and erases the effects of this node.
+  ~EventNode();
+
+  // Makes an effect if its id is -1, and sets the id; else changes it. May sleep.
+  [[nodiscard]] Failure upload(ff_effect& effect) const;
+  // EV_FF: `code` is an effect, and `value` how often it plays, 0 to stop; or FF_GAIN, 0 to 0xFFFF.
+  [[nodiscard]] Failure write(std::uint16_t type, std::uint16_t code, std::int32_t value) const;
+
+ private:
+  explicit EventNode(int descriptor) : descriptor_(descriptor) {}
+
+  int descriptor_;
+};
+
+}  // namespace hapticwall::device::evdev
