@@ -3,15 +3,17 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 #include "app/runtime/loop/realtime_setup.h"
+#include "app/sound/live/sound_outputs.h"
 
 namespace hapticwall::sound {
 namespace {
 
 constexpr std::chrono::duration<double> kPeriod{kPumpPeriodS};
+// Without a card nothing is heard late, and a processor sleeps longer.
+constexpr std::chrono::duration<double> kPeriodWithoutCard{0.005};
 constexpr std::chrono::milliseconds kEndWait{200};
 // A card that asks for nothing in so many periods is stuck.
 constexpr int kStuckPeriods = 1000;
@@ -19,97 +21,137 @@ constexpr int kStuckPeriods = 1000;
 }  // namespace
 
 struct SoundPlayer::Shared {
-  explicit Shared(OpenCard open_card) : open(std::move(open_card)) {}
+  Shared(OpenCard card, device::evdev::OpenGamepad gamepad)
+      : open_card(std::move(card)), open_gamepad(std::move(gamepad)) {}
 
   // With the lock, all of these.
-  [[nodiscard]] bool plays() const { return on && !end; }
+  [[nodiscard]] bool heeded() const {
+    return !end && !source_is_new && on == card_tried && rumbles == gamepad_tried;
+  }
   void listen(bool wanted) const {
     if (source.feed) source.feed->wanted.store(wanted, std::memory_order_relaxed);
   }
-  void take_source(std::optional<SoundPump>& pump, const CardFacts& facts);
-  void watch(const std::optional<SoundPump>& pump);
-  // Return when the sound is switched off or ends.
-  void use_card(std::unique_lock<std::mutex>& lock);
-  void pump_ticks(std::unique_lock<std::mutex>& lock, const CardFacts& facts);
+  void watch(const SoundOutputs& outputs);
+  void note_gamepad(const SoundOutputs& outputs, const Failure& problem);
+  // Give the lock up while they wait for card or gamepad.
+  void heed_card(std::unique_lock<std::mutex>& lock, SoundOutputs& outputs);
+  void heed_gamepad(std::unique_lock<std::mutex>& lock, SoundOutputs& outputs);
+  void take_source(std::unique_lock<std::mutex>& lock, SoundOutputs& outputs);
+  void step(std::unique_lock<std::mutex>& lock, SoundOutputs& outputs);
+  // Returns when the owner changed something, or after a period while there is an output.
+  void wait(std::unique_lock<std::mutex>& lock, const SoundOutputs& outputs);
 
-  const OpenCard open;
+  const OpenCard open_card;
+  const device::evdev::OpenGamepad open_gamepad;
   const std::shared_ptr<SoundRing> ring = std::make_shared<SoundRing>();
-  std::mutex mutex;  // of the following; not held while the card is asked for anything
+  std::mutex mutex;  // of the following; not held while card or gamepad are asked for anything
   std::condition_variable changed;
   SoundSource source;
   bool source_is_new = false;
   SoundMix mix;
   bool on = false;
+  bool card_tried = false;  // follows `on`, also where the card did not open
+  bool rumbles = false;
+  bool gamepad_tried = false;
   bool end = false;
   bool ended = false;
   SoundStatus status;
+  RumbleStatus rumble_status;
   std::uint64_t calls = 0;  // of the card, at the last look
   int silent_periods = 0;
 };
 
-void SoundPlayer::Shared::take_source(std::optional<SoundPump>& pump, const CardFacts& facts) {
-  pump.reset();
-  source_is_new = false;
-  if (!source.feed) return;
-  pump.emplace(source, facts, *ring);
-  listen(true);
-}
-
-void SoundPlayer::Shared::watch(const std::optional<SoundPump>& pump) {
+void SoundPlayer::Shared::watch(const SoundOutputs& outputs) {
+  if (outputs.card() == nullptr) return;
   silent_periods = ring->calls() == calls ? silent_periods + 1 : 0;
   calls = ring->calls();
   status.state = silent_periods < kStuckPeriods ? SoundState::kPlaying : SoundState::kStuck;
-  if (pump) status.latency_s = pump->latency_s();
+  status.latency_s = outputs.latency_s();
 }
 
-void SoundPlayer::Shared::pump_ticks(std::unique_lock<std::mutex>& lock, const CardFacts& facts) {
-  std::optional<SoundPump> pump;
-  source_is_new = true;
-  silent_periods = 0;
-  status = {SoundState::kPlaying, facts.name, "", 0.0};
-  while (plays()) {
-    if (source_is_new) take_source(pump, facts);
-    const SoundMix now = mix;
-    lock.unlock();
-    if (pump) pump->step(now);
-    lock.lock();
-    watch(pump);
-    changed.wait_for(lock, kPeriod, [this] { return !plays() || source_is_new; });
-  }
-  listen(false);
+void SoundPlayer::Shared::note_gamepad(const SoundOutputs& outputs, const Failure& problem) {
+  rumble_status = {};
+  if (outputs.gamepad() != nullptr)
+    rumble_status = {RumbleState::kOn, outputs.gamepad()->name(), ""};
+  if (problem) rumble_status = {RumbleState::kNoGamepad, "", problem->message};
 }
 
-void SoundPlayer::Shared::use_card(std::unique_lock<std::mutex>& lock) {
-  status = {SoundState::kOpening, "", "", 0.0};
+void SoundPlayer::Shared::heed_card(std::unique_lock<std::mutex>& lock, SoundOutputs& outputs) {
+  if (on == card_tried) return;
+  card_tried = on;
+  status = {on ? SoundState::kOpening : SoundState::kOff, "", "", 0.0};
   lock.unlock();
-  Result<std::unique_ptr<Card>> card =
-      open([ring = ring](std::span<float> samples) { ring->fill(samples); });
+  outputs.close_card();
+  const Failure problem = card_tried ? outputs.open_card(open_card) : std::nullopt;
   lock.lock();
-  if (!card) {
-    status = {SoundState::kNoCard, "", card.error().message, 0.0};
-    changed.wait(lock, [this] { return !plays(); });
+  if (outputs.card() != nullptr)
+    status = {SoundState::kPlaying, outputs.card()->facts().name, "", 0.0};
+  if (problem) status = {SoundState::kNoCard, "", problem->message, 0.0};
+  silent_periods = 0;
+  source_is_new = true;
+}
+
+void SoundPlayer::Shared::heed_gamepad(std::unique_lock<std::mutex>& lock, SoundOutputs& outputs) {
+  if (rumbles == gamepad_tried) return;
+  gamepad_tried = rumbles;
+  lock.unlock();
+  outputs.close_gamepad();
+  const Failure problem = gamepad_tried ? outputs.open_gamepad(open_gamepad) : std::nullopt;
+  lock.lock();
+  note_gamepad(outputs, problem);
+  source_is_new = true;
+}
+
+void SoundPlayer::Shared::take_source(std::unique_lock<std::mutex>& lock, SoundOutputs& outputs) {
+  if (!source_is_new) return;
+  source_is_new = false;
+  listen(outputs.any() && !end);
+  const SoundSource taken = source;
+  lock.unlock();
+  outputs.follow(taken);
+  lock.lock();
+}
+
+void SoundPlayer::Shared::step(std::unique_lock<std::mutex>& lock, SoundOutputs& outputs) {
+  const SoundMix now = mix;
+  lock.unlock();
+  const Failure lost = outputs.step(now);
+  lock.lock();
+  watch(outputs);
+  if (!lost) return;
+  note_gamepad(outputs, lost);
+  source_is_new = true;
+}
+
+void SoundPlayer::Shared::wait(std::unique_lock<std::mutex>& lock, const SoundOutputs& outputs) {
+  const auto has_work = [this] { return !heeded(); };
+  if (outputs.any()) {
+    changed.wait_for(lock, outputs.card() != nullptr ? kPeriod : kPeriodWithoutCard, has_work);
   } else {
-    pump_ticks(lock, (*card)->facts());
-    lock.unlock();
-    card->reset();
-    lock.lock();
+    changed.wait(lock, has_work);
   }
-  status = {};
 }
 
 void SoundPlayer::work(const std::shared_ptr<Shared>& shared) {
   runtime::set_up_recorder_thread();
+  auto outputs = std::make_unique<SoundOutputs>(shared->ring);
   std::unique_lock lock(shared->mutex);
   while (!shared->end) {
-    shared->changed.wait(lock, [&] { return shared->end || shared->on; });
-    if (!shared->end) shared->use_card(lock);
+    shared->heed_card(lock, *outputs);
+    shared->heed_gamepad(lock, *outputs);
+    shared->take_source(lock, *outputs);
+    shared->step(lock, *outputs);
+    shared->wait(lock, *outputs);
   }
+  lock.unlock();
+  outputs.reset();
+  lock.lock();
   shared->ended = true;
   shared->changed.notify_all();
 }
 
-SoundPlayer::SoundPlayer(OpenCard open_card)
-    : shared_(std::make_shared<Shared>(std::move(open_card))) {}
+SoundPlayer::SoundPlayer(OpenCard open_card, device::evdev::OpenGamepad open_gamepad)
+    : shared_(std::make_shared<Shared>(std::move(open_card), std::move(open_gamepad))) {}
 
 SoundPlayer::~SoundPlayer() {
   if (!thread_.joinable()) return;
@@ -126,10 +168,14 @@ SoundPlayer::~SoundPlayer() {
   }
 }
 
-void SoundPlayer::play(bool on) {
+void SoundPlayer::play(bool on) { change(&Shared::on, on); }
+
+void SoundPlayer::rumble(bool on) { change(&Shared::rumbles, on); }
+
+void SoundPlayer::change(bool Shared::*wish, bool on) {
   const std::scoped_lock lock(shared_->mutex);
-  if (on == shared_->on) return;
-  shared_->on = on;
+  if (on == (*shared_).*wish) return;
+  (*shared_).*wish = on;
   shared_->changed.notify_all();
   if (!thread_.joinable()) thread_ = std::thread(work, shared_);
 }
@@ -151,6 +197,11 @@ void SoundPlayer::follow(const SoundSource& source) {
 SoundStatus SoundPlayer::status() const {
   const std::scoped_lock lock(shared_->mutex);
   return shared_->status;
+}
+
+RumbleStatus SoundPlayer::rumble_status() const {
+  const std::scoped_lock lock(shared_->mutex);
+  return shared_->rumble_status;
 }
 
 }  // namespace hapticwall::sound

@@ -62,4 +62,10 @@ double HandleSound::click(const Sample& sample) {
   return value;
 }
 
+double TickSound::next(const Tick& tick) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < tick.count; ++i) sum += axes_[i].next(tick.axes[i]);
+  return sum;
+}
+
 }  // namespace hapticwall::sound

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "core/sample.h"
 
@@ -51,6 +52,19 @@ class HandleSound {
   double free_s_ = kFreeBeforeClickS;  // out of contact
   double click_m_per_s2_ = 0.0;        // envelope
   double click_phase_ = 0.0;
+};
+
+// The sum of a tick's axes. Realtime-safe: as HandleSound.
+class TickSound {
+ public:
+  TickSound(double rate_hz, bool knows_truth)
+      : axes_(kMaxAxes, HandleSound(rate_hz, knows_truth)) {}
+
+  // In m/s².
+  [[nodiscard]] double next(const Tick& tick);
+
+ private:
+  std::vector<HandleSound> axes_;
 };
 
 }  // namespace hapticwall::sound

@@ -12,15 +12,9 @@ double soft_limited(double value) {
 }
 
 SoundStream::SoundStream(double loop_hz, double card_hz, bool knows_truth)
-    : loop_hz_(loop_hz),
-      axes_(kMaxAxes, HandleSound(loop_hz, knows_truth)),
-      resampler_(loop_hz, card_hz) {}
+    : loop_hz_(loop_hz), sound_(loop_hz, knows_truth), resampler_(loop_hz, card_hz) {}
 
-void SoundStream::take(const Tick& tick, std::vector<float>& out) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < tick.count; ++i) sum += axes_[i].next(tick.axes[i]);
-  push(sum, out);
-}
+void SoundStream::take(const Tick& tick, std::vector<float>& out) { push(sound_.next(tick), out); }
 
 void SoundStream::finish(std::vector<float>& out) {
   const double inputs = std::ceil(delay_s() * loop_hz_);

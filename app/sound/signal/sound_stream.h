@@ -34,7 +34,7 @@ class SoundStream {
   void push(double acceleration, std::vector<float>& out);
 
   double loop_hz_;
-  std::vector<HandleSound> axes_;
+  TickSound sound_;
   Resampler resampler_;
 };
 

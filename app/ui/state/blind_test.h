@@ -20,6 +20,11 @@ namespace hapticwall::ui {
   return test.has_value() && test->running;
 }
 
+// The wall is neither heard nor felt by a gamepad's rumble.
+[[nodiscard]] inline bool masks_sound(const UiState& state) {
+  return blind_test_runs(state) && state.compare.persisted.masking_noise;
+}
+
 // Uses the question, trials and seed that are set. Tells the user when a slot is not valid.
 void start_blind_test(const PanelContext& context);
 // Puts the presentation in force. No effect unless a test runs, like the next two.

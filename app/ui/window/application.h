@@ -37,7 +37,8 @@ class Application {
     // Makes the recording to show first, with the scene to go back to. Empty: a session of the
     // scene.
     std::function<std::unique_ptr<runtime::ReplaySession>()> replay;
-    sound::OpenCard open_card;  // empty: the usual sound card
+    sound::OpenCard open_card;                // empty: the usual sound card
+    device::evdev::OpenGamepad open_gamepad;  // empty: the first one
   };
 
   // Options besides the scene.
@@ -107,6 +108,7 @@ class Application {
 
   void keep_appearance();
   void heed_sound(const runtime::Snapshot& snapshot);
+  void note_sound();
   [[nodiscard]] Visibility visibility(std::uint32_t echoed_generation);
   void look_at_moment(runtime::Snapshot& snapshot);
   void repeat(const runtime::Snapshot& snapshot);

@@ -18,6 +18,7 @@
 #include "app/ui/window/application.h"
 #include "tests/app/runtime/support.h"
 #include "tests/app/sound/live/busy_card.h"
+#include "tests/app/sound/live/fake_gamepad.h"
 #include "tests/app/ui/fake_session.h"
 #include "tests/app/ui/items.h"
 #include "tests/app/ui/offscreen_gui.h"
@@ -56,6 +57,7 @@ class GuiTest : public FolderTest {
     starters.simulate = start;
     starters.open_recording = open_recording;
     starters.open_card = open_card;
+    starters.open_gamepad = open_gamepad;
     if (with_device) {
       starters.start_on_device = [this, start](const Scene& scene) {
         EXPECT_EQ(devices_open, 0) << "there is one device only";
@@ -262,6 +264,7 @@ class GuiTest : public FolderTest {
   ui::Application::Options options;  // of the next open()
   ui::Application::RecordingOpener open_recording;
   sound::OpenCard open_card = sound::test::no_card;
+  device::evdev::OpenGamepad open_gamepad = sound::test::no_gamepad;
   int sessions = 0;
   bool with_device = false;  // the next open() has a real device
   bool shows_everything = true;

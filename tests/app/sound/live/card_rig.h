@@ -17,7 +17,10 @@ inline CardFacts fake_card() { return {"fake", 48000.0, 128, 2.0 * 128.0 / 48000
 
 struct CardRig {
   explicit CardRig(double loop_hz = 1000.0, const CardFacts& card_facts = fake_card())
-      : rate_hz(loop_hz), card(card_facts), pump({feed, loop_hz, true}, card, ring) {}
+      : rate_hz(loop_hz),
+        card(card_facts),
+        taker({feed, loop_hz, true}),
+        pump({feed, loop_hz, true}, card, ring) {}
 
   // `velocity(tick)`: of the handle. `loop_error`: how much faster the loop's clock is.
   void run(double until_s, const std::function<double(std::uint64_t)>& velocity) {
@@ -25,7 +28,7 @@ struct CardRig {
       if (tick_s <= pump_s && tick_s <= call_s) {
         push_tick(velocity);
       } else if (pump_s <= call_s) {
-        pump.step(mix);
+        step();
         pump_s += kPumpPeriodS;
       } else {
         call();
@@ -33,6 +36,8 @@ struct CardRig {
     }
   }
   [[nodiscard]] double now_s() const { return std::min({tick_s, pump_s, call_s}); }
+
+  void step() { pump.step(taker.take(), mix); }
 
   void push_tick(const std::function<double(std::uint64_t)>& velocity) {
     Tick tick;
@@ -61,6 +66,7 @@ struct CardRig {
   CardFacts card;
   std::shared_ptr<runtime::SoundFeed> feed = std::make_shared<runtime::SoundFeed>(2048);
   SoundRing ring;
+  TickTaker taker;
   SoundPump pump;
   SoundMix mix{1.0, false};
   double loop_error = 0.0;

@@ -112,11 +112,11 @@ TEST(SoundPump, WithoutTicksThereIsSilence) {
 TEST(SoundPump, DropsTicksThatWaitedTooLong) {
   CardRig rig;
   for (int i = 0; i < 500; ++i) rig.push_tick(humming);
-  rig.pump.step(rig.mix);
+  rig.step();
   EXPECT_EQ(rig.feed->ticks.size(), 0U);
   EXPECT_EQ(rig.ring.size(), 0U);
   for (int i = 0; i < 30; ++i) rig.push_tick(humming);
-  rig.pump.step(rig.mix);
+  rig.step();
   EXPECT_GT(rig.ring.size(), 15U * 48U);
   EXPECT_LE(rig.ring.size(), 30U * 48U);
 }
