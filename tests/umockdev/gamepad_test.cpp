@@ -177,6 +177,7 @@ TEST_F(MockedGamepads, OthersAreLeftAlone) {
   plug(1, "Keyboard", kKeyboardKeys, "0");
   plug(2, "Pad without motors", kGamepadKeys, "0");
   plug(3, "Wheel", kKeyboardKeys, kConstantOnly);
+  plug(4, "Mouse with a motor", kKeyboardKeys, kRumble);
   const Result<std::unique_ptr<Gamepad>> gamepad = open_first_gamepad();
   ASSERT_FALSE(gamepad);
   EXPECT_EQ(gamepad.error().message, "no gamepad with rumble motors");
