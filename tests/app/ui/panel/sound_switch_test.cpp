@@ -163,7 +163,7 @@ TEST_F(SoundSwitchTest, ABlindTestDoesNotRumbleAndSaysWhy) {
   open_with_gamepad();
   click("rumble");
   swing_until([&] { return felt_->rumbles(); });
-  state().persisted.lower_page = ui::LowerPage::kBlindTest;
+  click("page Blind test");
   frames(3);
   click("blind start");
   ASSERT_TRUE(ui::blind_test_runs(state()));
