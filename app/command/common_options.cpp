@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/command/device_choice.h"
-#include "app/command/replay/replay_rerun.h"
+#include "app/command/recorded_hand.h"
 #include "app/command/report/terminal.h"
 #include "app/command/usage.h"
 #include "app/file/recording/recording_reader.h"

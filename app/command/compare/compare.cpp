@@ -14,7 +14,7 @@
 #include "app/command/compare/compare_study.h"
 #include "app/command/device_choice.h"
 #include "app/command/output_file.h"
-#include "app/command/replay/replay_rerun.h"
+#include "app/command/recorded_hand.h"
 #include "app/command/report/expectation.h"
 #include "app/command/report/summary_fields.h"
 #include "app/command/report/summary_table.h"

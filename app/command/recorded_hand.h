@@ -1,0 +1,34 @@
+// A recording as the SCENE of a command on the simulator: its recorded hand is re-run.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/command/common_options.h"
+#include "app/command/report/progress.h"
+#include "app/file/recording/recording_reader.h"
+#include "app/runtime/session/hand_rerun.h"
+#include "core/result.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::command {
+
+struct OpenedRecording {
+  std::unique_ptr<file::RecordingReader> reader;
+  file::LoadedScene loaded;  // of runtime::rerun_scene()
+};
+
+// Opens options.scene. `talks`: says on standard error that its hand is re-run. Fails where
+// rerun_scene() does, and with --duration.
+[[nodiscard]] Result<OpenedRecording> open_for_rerun(const SceneOptions& options, bool talks);
+
+// One row of a comparison: rerun_hand() with this algorithm; nullopt if a signal ended it.
+[[nodiscard]] Result<std::optional<Summary>> rerun_row(
+    OpenedRecording& recording, const ComparedAlgorithm& row,
+    const std::function<void(const Tick&)>& on_tick, Progress& progress);
+
+// Says on standard error what the re-run leaves out.
+void tell_limits(const file::RecordingInfo& recording);
+
+}  // namespace hapticwall::command
