@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
@@ -32,6 +34,7 @@ class SceneStudyTest : public command::test::ProgramTest {
  protected:
   static void wait_for_result(SceneStudy& study, const Scene& scene) {
     EXPECT_TRUE(runtime::test::eventually([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));  // it has the lowest priority
       study.take(scene, 0.0);
       return !study.running();
     }));
@@ -99,6 +102,7 @@ TEST_F(SceneStudyTest, TheAccuracyIsCoarseFirst) {
   study.start(scene, 10.0);
   EXPECT_TRUE(study.coarse());
   EXPECT_TRUE(runtime::test::eventually([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
     study.take(scene, 12.5);
     return study.result() != nullptr;
   }));
