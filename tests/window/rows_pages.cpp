@@ -234,9 +234,11 @@ void move_in_time(Person& person) {
     person.click(speed);
     EXPECT_EQ(fmt::format("speed {}x", replayed(person).speed()), speed);
   }
-  person.click("more of replay");
-  EXPECT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
-  person.put_everything_away();
+  if (person.sees("more of replay")) {  // in a narrow window
+    person.click("more of replay");
+    EXPECT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+    person.put_everything_away();
+  }
   for (const bool loops : {true, false}) {
     person.click("repeat");
     EXPECT_EQ(replayed(person).loops(), loops);
