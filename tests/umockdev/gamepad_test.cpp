@@ -33,25 +33,41 @@ constexpr const char* kKeyboardKeys = "402000000 3803078f800d001 feffffdfffeffff
 constexpr const char* kRumble = "107030000 0";
 constexpr const char* kConstantOnly = "120000000 0";  // gain and a constant force
 
-// What the kernel knows of the effects of one node.
-struct Kernel {
-  std::mutex mutex;
-  std::vector<ff_effect> uploads;  // as asked for
-  std::vector<std::string> writes;
-  int error = 0;  // errno of everything from now on
-
+// What the kernel knows of the effects of one node. umockdev's thread calls, the test reads.
+class Kernel {
+ public:
   int upload(ff_effect& effect) {
-    const std::scoped_lock lock(mutex);
-    uploads.push_back(effect);
+    const std::scoped_lock lock(mutex_);
+    uploads_.push_back(effect);
     if (effect.id < 0) effect.id = 5;
-    return error;
+    return error_;
   }
   int write(const input_event& event) {
-    const std::scoped_lock lock(mutex);
-    writes.push_back(std::to_string(event.type) + "/" + std::to_string(event.code) + "=" +
-                     std::to_string(event.value));
-    return error;
+    const std::scoped_lock lock(mutex_);
+    writes_.push_back(std::to_string(event.type) + "/" + std::to_string(event.code) + "=" +
+                      std::to_string(event.value));
+    return error_;
   }
+  // As asked for.
+  std::vector<ff_effect> uploads() {
+    const std::scoped_lock lock(mutex_);
+    return uploads_;
+  }
+  std::vector<std::string> writes() {
+    const std::scoped_lock lock(mutex_);
+    return writes_;
+  }
+  // The errno of everything from now on.
+  void fail_with(int error) {
+    const std::scoped_lock lock(mutex_);
+    error_ = error;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<ff_effect> uploads_;
+  std::vector<std::string> writes_;
+  int error_ = 0;
 };
 
 UMockdevIoctlData* memory_of(UMockdevIoctlClient* client, std::size_t size) {
@@ -153,24 +169,24 @@ TEST_F(MockedGamepads, OneEffectIsUsedAgainAndEndsByItself) {
   Result<std::unique_ptr<Gamepad>> gamepad = open_first_gamepad();
   ASSERT_TRUE(gamepad) << gamepad.error().message;
   EXPECT_EQ((*gamepad)->name(), "Pad (/dev/input/event3)");
-  EXPECT_THAT(kernel_.writes, ElementsAre("21/96=65535")) << "the gain";
-  ASSERT_EQ(kernel_.uploads.size(), 1U);
-  EXPECT_EQ(kernel_.uploads[0].id, -1);
+  EXPECT_THAT(kernel_.writes(), ElementsAre("21/96=65535")) << "the gain";
+  ASSERT_EQ(kernel_.uploads().size(), 1U);
+  EXPECT_EQ(kernel_.uploads()[0].id, -1);
   EXPECT_FALSE((*gamepad)->rumble({65535, 100}));
   EXPECT_FALSE((*gamepad)->rumble({0, 7}));
   EXPECT_FALSE((*gamepad)->rumble({}));
-  EXPECT_THAT(kernel_.writes, ElementsAre("21/96=65535", "21/5=1", "21/5=1", "21/5=0"));
-  ASSERT_EQ(kernel_.uploads.size(), 3U);
-  for (const ff_effect& effect : kernel_.uploads) {
+  EXPECT_THAT(kernel_.writes(), ElementsAre("21/96=65535", "21/5=1", "21/5=1", "21/5=0"));
+  ASSERT_EQ(kernel_.uploads().size(), 3U);
+  for (const ff_effect& effect : kernel_.uploads()) {
     EXPECT_EQ(effect.type, FF_RUMBLE);
     EXPECT_EQ(effect.replay.length, 100);
   }
-  EXPECT_EQ(kernel_.uploads[1].id, 5);
-  EXPECT_EQ(kernel_.uploads[1].u.rumble.strong_magnitude, 65535);
-  EXPECT_EQ(kernel_.uploads[1].u.rumble.weak_magnitude, 100);
-  EXPECT_EQ(kernel_.uploads[2].id, 5);
-  EXPECT_EQ(kernel_.uploads[2].u.rumble.strong_magnitude, 0);
-  EXPECT_EQ(kernel_.uploads[2].u.rumble.weak_magnitude, 7);
+  EXPECT_EQ(kernel_.uploads()[1].id, 5);
+  EXPECT_EQ(kernel_.uploads()[1].u.rumble.strong_magnitude, 65535);
+  EXPECT_EQ(kernel_.uploads()[1].u.rumble.weak_magnitude, 100);
+  EXPECT_EQ(kernel_.uploads()[2].id, 5);
+  EXPECT_EQ(kernel_.uploads()[2].u.rumble.strong_magnitude, 0);
+  EXPECT_EQ(kernel_.uploads()[2].u.rumble.weak_magnitude, 7);
 }
 
 TEST_F(MockedGamepads, OthersAreLeftAlone) {
@@ -181,7 +197,7 @@ TEST_F(MockedGamepads, OthersAreLeftAlone) {
   const Result<std::unique_ptr<Gamepad>> gamepad = open_first_gamepad();
   ASSERT_FALSE(gamepad);
   EXPECT_EQ(gamepad.error().message, "no gamepad with rumble motors");
-  EXPECT_TRUE(kernel_.uploads.empty());
+  EXPECT_TRUE(kernel_.uploads().empty());
 }
 
 TEST_F(MockedGamepads, TheFirstThatMayBeOpenedIsTaken) {
@@ -211,7 +227,7 @@ TEST_F(MockedGamepads, AnUnpluggedOneIsAnErrorThatNamesIt) {
   plug_gamepad(3, "Pad");
   Result<std::unique_ptr<Gamepad>> gamepad = open_first_gamepad();
   ASSERT_TRUE(gamepad);
-  kernel_.error = ENODEV;
+  kernel_.fail_with(ENODEV);
   for (const RumbleLevels levels : {RumbleLevels{1, 1}, RumbleLevels{}}) {
     const Failure failure = (*gamepad)->rumble(levels);
     ASSERT_TRUE(failure);
@@ -222,7 +238,7 @@ TEST_F(MockedGamepads, AnUnpluggedOneIsAnErrorThatNamesIt) {
 // ENOSPC: others have used all effects.
 TEST_F(MockedGamepads, OneThatTakesNoEffectIsRefused) {
   plug_gamepad(3, "Pad");
-  kernel_.error = ENOSPC;
+  kernel_.fail_with(ENOSPC);
   const Result<std::unique_ptr<Gamepad>> gamepad = open_first_gamepad();
   ASSERT_FALSE(gamepad);
   EXPECT_THAT(gamepad.error().message, EndsWith(": No space left on device"));
