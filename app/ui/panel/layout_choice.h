@@ -23,7 +23,8 @@ struct BuiltinLayout {
 };
 [[nodiscard]] std::span<const BuiltinLayout> builtin_layouts();
 
-// At the start: the arrangement of the settings file. What is not there any more is told.
+// At the start: the arrangement of the settings file. If that names a layout that is gone, a
+// message says so, and the usual one is shown.
 void restore_layout(UiState& state);
 // Shows the windows as the layout of this name has them. Precondition: there is one.
 void choose_layout(UiState& state, const std::string& name);

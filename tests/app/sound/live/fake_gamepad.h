@@ -1,4 +1,4 @@
-// A gamepad that notes what it is told.
+// A gamepad that writes down every call.
 #pragma once
 
 #include <atomic>
