@@ -6,7 +6,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr float kLabelEdge = 4.0F;        // pixels that are kept free
+constexpr float kLabelEdge = 4.0F;   // pixels that are kept free
 constexpr float kBesideText = 2.0F;  // pixels of background
 constexpr float kLineAlpha = 0.7F;
 

@@ -16,7 +16,7 @@ constexpr float kOverflowEms = 2.0F;
 
 // Returns the left end of the control that refuses, if one does.
 std::optional<float> draw_staying(const PanelContext& context, std::span<const RowControl> controls,
-                                 const std::vector<bool>& stays, ImVec2 place) {
+                                  const std::vector<bool>& stays, ImVec2 place) {
   std::optional<float> refused;
   for (std::size_t i = 0; i < controls.size(); ++i) {
     if (!stays[i]) continue;
@@ -30,7 +30,7 @@ std::optional<float> draw_staying(const PanelContext& context, std::span<const R
 
 // The rest of the controls, below the right end of the row.
 void draw_overflowing(const PanelContext& context, const char* name,
-                   std::span<const RowControl> controls, const std::vector<bool>& stays) {
+                      std::span<const RowControl> controls, const std::vector<bool>& stays) {
   const ImVec2 corner(ImGui::GetItemRectMax().x,
                       ImGui::GetItemRectMax().y + ImGui::GetStyle().ItemInnerSpacing.y);
   ImGui::SetNextWindowPos(corner, ImGuiCond_Always, ImVec2(1.0F, 0.0F));

@@ -307,7 +307,8 @@ TEST(Edge, AMillionTicksAreSound) {
   scene.x().walls.front().stiffness_n_per_m = 20e3;  // chatters
   scene.x().hand->path.edit().resize(1);
   for (int second = 1; second < static_cast<int>(scene.duration_s); ++second) {
-    scene.x().hand->path.edit().push_back({static_cast<double>(second), second % 2 == 1 ? 0.06 : 0.04});
+    scene.x().hand->path.edit().push_back(
+        {static_cast<double>(second), second % 2 == 1 ? 0.06 : 0.04});
   }
   EXPECT_LE(expect_sound(scene), 1e-12);
   EXPECT_GT(simulate(scene).summary.contacts, 10000U);

@@ -153,7 +153,8 @@ TEST(CornerSession, NamesAChangeOfEitherAxisThatNeedsANewSession) {
   };
   EXPECT_EQ(key_of([](Scene& s) { s.axes[1].device.mass_kg = 1.0; }), "");
   EXPECT_EQ(key_of([](Scene& s) { s.axes[1].device.start_m = 0.04; }), "device.y.start_m");
-  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand->path.edit()[0].position_m = 0.04; }), "hand.y.path");
+  EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand->path.edit()[0].position_m = 0.04; }),
+            "hand.y.path");
   EXPECT_EQ(key_of([](Scene& s) { s.axes[1].hand.reset(); }), "hand.y");
   EXPECT_EQ(key_of([](Scene& s) { s.axes.resize(1); }), "device.y");
   Scene walls = scene;

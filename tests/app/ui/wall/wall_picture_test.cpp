@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "app/ui/wall/wall_floor.h"
 #include "app/ui/wall/stiffness_bar.h"
+#include "app/ui/wall/wall_floor.h"
 #include "app/ui/wall/wall_renderer.h"
 #include "app/ui/wall/wall_solids.h"
 
