@@ -79,6 +79,17 @@ void append_columns(std::string& text, CsvColumns columns, Wanted&& wanted, cons
   });
 }
 
+template <typename Wanted>
+void append_members(std::string& text, CsvColumns columns, Wanted&& wanted, std::string_view prefix,
+                    const Sample& sample) {
+  for_each_column(sample, [&](const SampleColumn& column, const auto& value) {
+    if (!wanted(column, columns)) return;
+    text.append(1, '"').append(prefix).append(column.name).append("\":");
+    append_value(text, value);
+    text += ',';
+  });
+}
+
 // The reason why a row is wrong. Slow.
 std::string problem_of(std::string_view line, CsvColumns columns) {
   const std::string header = csv_header(columns);
@@ -146,6 +157,18 @@ void append_csv_row(std::string& text, const Tick& tick, CsvColumns columns) {
   append_columns(text, columns, kOfTick, tick.x());
   for (const Sample& sample : tick.in_use()) append_columns(text, columns, kOfAxis, sample);
   text.back() = '\n';
+}
+
+void append_json_object(std::string& text, const Tick& tick, CsvColumns columns,
+                        std::uint64_t lost) {
+  text += '{';
+  append_members(text, columns, kOfTick, "", tick.x());
+  for (std::size_t axis = 0; axis < tick.count; ++axis) {
+    append_members(text, columns, kOfAxis, axis > 0 ? kSecondAxisPrefix : "", tick.axes[axis]);
+  }
+  text += "\"lost\":";
+  append_value(text, lost);
+  text += "}\n";
 }
 
 std::optional<std::string> parse_csv_row(std::string_view line, CsvColumns columns, Tick& tick) {

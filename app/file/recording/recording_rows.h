@@ -45,4 +45,9 @@ void append_csv_row(std::string& text, const Tick& tick, CsvColumns columns);
 [[nodiscard]] std::optional<std::string> parse_csv_row(std::string_view line, CsvColumns columns,
                                                        Tick& tick);
 
+// Appends the row as a line with one JSON object: the names and numbers of the CSV, then `lost`.
+// Precondition: is_finite(tick).
+void append_json_object(std::string& text, const Tick& tick, CsvColumns columns,
+                        std::uint64_t lost);
+
 }  // namespace hapticwall::file

@@ -1,0 +1,171 @@
+#include "app/file/recording/sample_stream.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "app/file/disk/atomic_file.h"
+#include "app/file/text/text.h"
+
+namespace hapticwall::file {
+namespace {
+
+constexpr mode_t kStreamFileMode = 0644;
+constexpr int kPipeBytes = 1 << 20;  // the limit for ordinary users
+constexpr std::size_t kMaxLineBytes = 8192;
+
+std::string reason(int code) { return std::generic_category().message(code); }
+
+// Opened anew, because O_NONBLOCK on an inherited descriptor would reach the programs that share
+// it.
+int open_pipe(const OutputPlace& place) {
+  const std::string path =
+      place.descriptor ? fmt::format("/proc/self/fd/{}", *place.descriptor) : place.path;
+  const int descriptor =
+      ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_APPEND | O_NOCTTY | O_CLOEXEC);
+  if (descriptor >= 0) static_cast<void>(fcntl(descriptor, F_SETPIPE_SZ, kPipeBytes));
+  return descriptor;
+}
+
+int open_new(const OutputPlace& place) {
+  return ::open(place.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kStreamFileMode);
+}
+
+Error cannot_stream(const std::string& path, int code) {
+  const std::string option = "--stream " + in_quotes(path) + ": ";
+  if (code == EEXIST) return usage_error(option + "it exists; choose another name");
+  if (code == ENXIO) return usage_error(option + "nobody reads it; start the reader first");
+  return file_error(fmt::format("{}: cannot be written: {}", shown(path), reason(code)));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<SampleStream>> SampleStream::open(const std::string& path,
+                                                         StreamOptions options) {
+  const Result<OutputPlace> place = output_place(path == "-" ? "/proc/self/fd/1" : path);
+  if (!place) return place.error();
+  const bool is_new = place->kind == PlaceKind::kFile;
+  const int descriptor = is_new ? open_new(*place) : open_pipe(*place);
+  if (descriptor < 0) return cannot_stream(path, errno);
+  std::shared_ptr<SampleStream> stream(new SampleStream(path, descriptor, std::move(options)));
+  stream->on_standard_output_ = place->descriptor == STDOUT_FILENO;
+  if (is_new) stream->new_file_ = place->path;
+  return stream;
+}
+
+// take() never allocates: a line is whole or absent.
+SampleStream::SampleStream(std::string path, int descriptor, StreamOptions options)
+    : path_(std::move(path)), options_(std::move(options)), descriptor_(descriptor) {
+  pending_.reserve(kMaxPendingBytes + kMaxLineBytes);
+}
+
+StreamFeed SampleStream::begin(CsvColumns columns) {
+  const std::scoped_lock lock(mutex_);
+  return {columns, ++feeds_};
+}
+
+// The number of samples among these ticks.
+std::uint64_t SampleStream::due(std::uint64_t first_tick, std::uint64_t end_tick) const {
+  const auto up_to = [&](std::uint64_t tick) {
+    return (tick + options_.every - 1) / options_.every;
+  };
+  return up_to(end_tick) - up_to(first_tick);
+}
+
+void SampleStream::take(StreamFeed& feed, const Tick& tick) {
+  const std::uint64_t number = tick.x().tick;
+  const std::scoped_lock lock(mutex_);
+  if (descriptor_ < 0 || feed.number != feeds_) return;
+  const std::uint64_t expected = std::min(feed.next_tick.value_or(number), number);
+  lost_ += due(expected, number);
+  feed.next_tick = number + 1;
+  if (due(number, number + 1) == 0 || !is_finite(tick)) return;
+  if (pending_.size() >= kFlushBytes) write_pending(patience());
+  if (pending_.size() >= kMaxPendingBytes) {
+    ++lost_;
+    return;
+  }
+  append_json_object(pending_, tick, feed.columns, lost_);
+  ++samples_;
+}
+
+std::chrono::milliseconds SampleStream::patience() const {
+  return options_.waits && !stuck_ ? kPatience : std::chrono::milliseconds(0);
+}
+
+void SampleStream::flush() {
+  const std::scoped_lock lock(mutex_);
+  write_pending(patience());
+}
+
+void SampleStream::write_pending(std::chrono::milliseconds patience) {
+  while (descriptor_ >= 0 && written_bytes_ < pending_.size()) {
+    if (write_some()) continue;
+    pollfd reader{descriptor_, POLLOUT, 0};
+    if (patience.count() == 0 || descriptor_ < 0) break;
+    stuck_ = poll(&reader, 1, static_cast<int>(patience.count())) <= 0;
+    if (stuck_) break;
+  }
+  pending_.erase(0, written_bytes_);
+  written_bytes_ = 0;
+}
+
+// Whether the reader took some bytes.
+bool SampleStream::write_some() {
+  const ssize_t bytes =
+      write(descriptor_, pending_.data() + written_bytes_, pending_.size() - written_bytes_);
+  if (bytes < 0 && errno != EAGAIN && errno != EINTR) end(errno);
+  if (bytes <= 0) return false;
+  written_bytes_ += static_cast<std::size_t>(bytes);
+  stuck_ = false;
+  return true;
+}
+
+void SampleStream::end(int code) {
+  close_file();
+  if (code == EPIPE) {
+    tell("the reader has closed it; the stream ends");
+    return;
+  }
+  failure_ = file_error(fmt::format("--stream {}: {}", in_quotes(path_), reason(code)));
+  tell(reason(code) + "; the stream ends");
+}
+
+void SampleStream::finish() {
+  const std::scoped_lock lock(mutex_);
+  if (descriptor_ < 0) return;
+  if (samples_ == 0 && !new_file_.empty()) unlink(new_file_.c_str());
+  // A stream that no session began has no end either.
+  if (feeds_ > 0)
+    pending_ += fmt::format("{{\"end\":true,\"samples\":{},\"lost\":{}}}\n", samples_, lost_);
+  write_pending(kPatience);
+  const auto unread = static_cast<std::uint64_t>(std::ranges::count(pending_, '\n'));
+  const std::uint64_t lost = lost_ + (unread > 0 ? unread - 1 : 0);
+  const std::uint64_t all = samples_ + lost_;
+  if (descriptor_ >= 0 && lost > 0) {
+    tell(fmt::format("{} of {} samples were lost: the reader is too slow", lost, all));
+  }
+  close_file();
+}
+
+void SampleStream::close_file() {
+  if (descriptor_ >= 0) close(descriptor_);
+  descriptor_ = -1;
+}
+
+void SampleStream::tell(const std::string& line) const {
+  if (options_.tell) options_.tell("--stream " + in_quotes(path_) + ": " + line);
+}
+
+Failure SampleStream::failure() const {
+  const std::scoped_lock lock(mutex_);
+  return failure_;
+}
+
+}  // namespace hapticwall::file

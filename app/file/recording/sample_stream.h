@@ -1,0 +1,89 @@
+// Samples for other programs while a session runs: newline-delimited JSON (docs/streams.md).
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "app/file/recording/recording_rows.h"
+#include "core/result.h"
+#include "core/sample.h"
+
+namespace hapticwall::file {
+
+struct StreamOptions {
+  std::uint64_t every = 1;  // ticks per object, at least 1
+  // For a slow reader, up to SampleStream::kPatience. Otherwise its samples are lost at once.
+  bool waits = false;
+  std::function<void(const std::string& line)> tell;  // on the thread that streams; may be empty
+};
+
+// The ticks of one session on their way into a stream.
+struct StreamFeed {
+  CsvColumns columns;
+  std::uint32_t number = 0;
+  std::optional<std::uint64_t> next_tick{};  // nullopt before the first one
+};
+
+// Writes whole lines, in order, and never more than the reader takes. Precondition: SIGPIPE is
+// ignored. Realtime-safe: no; used by any thread but the loop's.
+class SampleStream {
+ public:
+  static constexpr std::size_t kFlushBytes = std::size_t{64} << 10U;
+  static constexpr std::size_t kMaxPendingBytes = std::size_t{1} << 20U;  // for a slow reader
+  static constexpr std::chrono::milliseconds kPatience{1000};
+
+  // `path`: a new file, a pipe, a FIFO that somebody reads, or "-" for standard output. Fails
+  // (exit status 2) for a file that exists and for a FIFO without a reader.
+  [[nodiscard]] static Result<std::shared_ptr<SampleStream>> open(const std::string& path,
+                                                                  StreamOptions options);
+  SampleStream(const SampleStream&) = delete;
+  SampleStream& operator=(const SampleStream&) = delete;
+  ~SampleStream() { finish(); }  // removes a file without a sample
+
+  [[nodiscard]] bool on_standard_output() const { return on_standard_output_; }
+
+  // A new session. Ticks of an older feed are ignored from now on.
+  [[nodiscard]] StreamFeed begin(CsvColumns columns);
+  // Buffers every n-th tick. Ticks that are missing since the last one count as lost; a tick that
+  // is not finite does not.
+  void take(StreamFeed& feed, const Tick& tick);
+  void flush();
+  // Writes the line at the end, waiting kPatience at most for a reader that takes nothing, and
+  // closes. Tells how many samples were lost.
+  void finish();
+  // Of the disk; a reader that closes is none.
+  [[nodiscard]] Failure failure() const;
+
+ private:
+  SampleStream(std::string path, int descriptor, StreamOptions options);
+  void write_pending(std::chrono::milliseconds patience);
+  [[nodiscard]] bool write_some();
+  [[nodiscard]] std::chrono::milliseconds patience() const;
+  [[nodiscard]] std::uint64_t due(std::uint64_t first_tick, std::uint64_t end_tick) const;
+  void end(int code);
+  void close_file();
+  void tell(const std::string& line) const;
+
+  const std::string path_;
+  const StreamOptions options_;
+  bool on_standard_output_ = false;
+  std::string new_file_;  // to remove if it stays empty
+
+  mutable std::mutex mutex_;
+  int descriptor_;  // -1 after the end
+  std::uint32_t feeds_ = 0;
+  std::string pending_;
+  std::size_t written_bytes_ = 0;  // of pending_
+  std::uint64_t samples_ = 0;
+  std::uint64_t lost_ = 0;
+  bool stuck_ = false;  // the reader has used up its patience and taken nothing since
+  Failure failure_;
+};
+
+}  // namespace hapticwall::file

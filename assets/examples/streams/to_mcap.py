@@ -1,0 +1,28 @@
+#!/usr/bin/env python3
+"""Writes a stream of Haptic Wall to an MCAP file, for Foxglove and other readers of MCAP.
+
+    hapticwall run tap --stream - | ./to_mcap.py FILE.mcap
+
+Messages are JSON on the topic /hapticwall, at the session's time. Needs: pip install mcap
+"""
+import json
+import sys
+
+from mcap.writer import Writer
+
+with open(sys.argv[1], "xb") as file:
+    writer = Writer(file)
+    writer.start()
+    channel = None
+    for line in sys.stdin:
+        sample = json.loads(line)
+        if "end" in sample:
+            break
+        if channel is None:
+            columns = {name: {"type": "number"} for name in sample}
+            shape = json.dumps({"type": "object", "properties": columns}).encode()
+            schema = writer.register_schema("hapticwall.Sample", "jsonschema", shape)
+            channel = writer.register_channel("/hapticwall", "json", schema)
+        time_ns = round(sample["time_s"] * 1e9)
+        writer.add_message(channel, time_ns, line.encode(), time_ns)
+    writer.finish()
