@@ -1,7 +1,7 @@
 // A live session: the real-time loop on a device, seen from the window or from `run --realtime`.
 //
-// The loop runs on its own thread. Only start, destruction, stop_recording() and a reset() that
-// finishes a recording wait for it.
+// The loop runs on its own thread. Only start, destruction, stop_recording(), a reset() that
+// finishes a recording, and start_recording() beside a stream wait for it.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/file/recording/sample_stream.h"
 #include "app/runtime/loop/led_hand.h"
 #include "app/runtime/session/sample_source.h"
 #include "core/result.h"
@@ -40,6 +41,8 @@ struct SessionOptions {
   // Clock of the loop; must outlive the session. Null: the clock of the machine. Another clock lets
   // hours of simulation pass in seconds.
   Clock* clock = nullptr;
+  // Gets every tick, from the recorder's thread. Null: none.
+  std::shared_ptr<file::SampleStream> stream{};
 };
 
 class LiveSession : public SampleSource {
@@ -83,7 +86,8 @@ class LiveSession : public SampleSource {
   // Samples that take_ticks() lost because the owner was too slow.
   [[nodiscard]] virtual std::uint64_t dropped_plot_samples() const = 0;
 
-  // Records every tick from the next one on. Fails while another recording runs.
+  // Records every tick from the next one on. Fails while another recording runs. A stream loses the
+  // ticks of a cycle or two, at the end of a recording as well, and counts them.
   [[nodiscard]] virtual Failure start_recording(const std::string& csv_path) = 0;
   // Writes the rest and gives the files their names. Fails (exit status 4) where the disk failed,
   // and where rows were dropped: then the files exist, marked as incomplete. Harmless when idle.

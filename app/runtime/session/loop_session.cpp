@@ -83,6 +83,11 @@ LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, c
       recorder_(exchange_.recorder),
       clock_(options.clock != nullptr ? *options.clock : monotonic_clock_,
              spin_ns(options.spin_s, scene.sampling.rate_hz)) {
+  if (options.stream) {  // before the loop, so that tick 0 is in it
+    recorder_.stream_into(options.stream,
+                          file::csv_columns(device_info_.is_simulated, devices_.size()));
+    start_recorder(nullptr);
+  }
   std::promise<RealtimeOutcome> set_up;
   std::future<RealtimeOutcome> outcome = set_up.get_future();
   const int core = options.affinity_core;
@@ -238,17 +243,32 @@ void LoopSession::record_into(std::unique_ptr<file::RecordingWriter> writer) {
   recording_failure_.reset();
   first_mark_ = marks_.size();
   dropped_rows_before_ = exchange_.dropped_rows.load(std::memory_order_relaxed);
+  if (recorder_.streams()) {
+    stop_recorder();
+    recorder_.drain_and_join();
+  }
+  start_recorder(std::move(writer));
+}
+
+void LoopSession::start_recorder(std::unique_ptr<file::RecordingWriter> writer) {
   recorder_.start(std::move(writer));
   ++recording_switches_sent_;
   send({CommandKind::kStartRecording, 0});
 }
 
-Failure LoopSession::stop_recording() {
-  if (!recorder_.running()) return std::nullopt;
+// Returns when no more rows come.
+void LoopSession::stop_recorder() {
   ++recording_switches_sent_;
   send({CommandKind::kStopRecording, 0});
   wait_for_recording_switch();
-  return finish_recording();
+}
+
+Failure LoopSession::stop_recording() {
+  if (!recorder_.running()) return std::nullopt;
+  stop_recorder();
+  Failure failed = finish_recording();
+  if (recorder_.streams()) start_recorder(nullptr);
+  return failed;
 }
 
 // Waits until the loop has pushed the last row or has ended.

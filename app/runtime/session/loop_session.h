@@ -72,6 +72,9 @@ class LoopSession final : public LiveSession {
   void send(const Command& command);
   void drop_hand_moves();
   void exchange_news();
+  // Writer null: for the stream alone.
+  void start_recorder(std::unique_ptr<file::RecordingWriter> writer);
+  void stop_recorder();
   void wait_for_recording_switch();
   [[nodiscard]] Failure finish_recording();
   // Metadata of the recording, with the changes before `end_tick`.

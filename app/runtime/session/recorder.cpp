@@ -22,15 +22,18 @@ Failure guarded(Work&& work) {
 
 Recorder::~Recorder() { drain_and_join(); }
 
+void Recorder::stream_into(std::shared_ptr<file::SampleStream> stream, file::CsvColumns columns) {
+  stream_ = std::move(stream);
+  feed_ = stream_->begin(columns);
+}
+
 void Recorder::start(std::unique_ptr<file::RecordingWriter> writer) {
   Tick left_over;
   while (queue_.try_pop(left_over)) {
   }
   writer_ = std::move(writer);
-  rows_ = 0;
-  first_tick_ = 0;
-  end_tick_ = 0;
-  writable_ = true;
+  writable_ = writer_ != nullptr;
+  if (writable_) rows_ = first_tick_ = end_tick_ = 0;
   end_ = false;
   failure_.reset();
   note_.reset();
@@ -39,10 +42,11 @@ void Recorder::start(std::unique_ptr<file::RecordingWriter> writer) {
 }
 
 void Recorder::work() {
+  const auto interval = streams() ? kStreamInterval : kDrainInterval;
   set_up_recorder_thread();
   std::unique_lock lock(mutex_);
   while (!end_) {
-    wake_.wait_for(lock, kDrainInterval, [this] { return end_; });
+    wake_.wait_for(lock, interval, [this] { return end_; });
     lock.unlock();
     write_note();  // first: a row on the disk needs its sidecar
     move_ticks();
@@ -81,7 +85,9 @@ void Recorder::move_ticks() {
   Tick tick;
   while (queue_.try_pop(tick)) {
     if (writable_) write(tick);
+    if (stream_) stream_->take(feed_, tick);
   }
+  if (stream_) stream_->flush();
 }
 
 void Recorder::write(const Tick& tick) {
@@ -105,7 +111,7 @@ Failure Recorder::failure() const {
 }
 
 void Recorder::drain_and_join() {
-  if (!running()) return;
+  if (!thread_.joinable()) return;
   {
     const std::scoped_lock lock(mutex_);
     end_ = true;

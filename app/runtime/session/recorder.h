@@ -1,4 +1,4 @@
-// The thread between recorder queue and disk.
+// The thread between recorder queue, disk and stream.
 #pragma once
 
 #include <atomic>
@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/file/recording/recording_writer.h"
+#include "app/file/recording/sample_stream.h"
 #include "app/runtime/loop/spsc_queue.h"
 #include "core/result.h"
 #include "core/sample.h"
@@ -26,6 +27,7 @@ class Recorder {
  public:
   // How long ticks may wait in the queue, and rows in our own buffers.
   static constexpr std::chrono::milliseconds kDrainInterval{50};
+  static constexpr std::chrono::milliseconds kStreamInterval{10};  // both, with a stream
   static constexpr std::chrono::milliseconds kFlushInterval{250};
   // Together with kDrainInterval: rows older than a second are on the disk, also after a power cut.
   static constexpr std::chrono::milliseconds kSyncInterval{750};
@@ -37,10 +39,16 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder();  // keeps the partial file without finish()
 
-  [[nodiscard]] bool running() const { return thread_.joinable(); }
+  // Precondition: before the first start().
+  void stream_into(std::shared_ptr<file::SampleStream> stream, file::CsvColumns columns);
+  [[nodiscard]] bool streams() const { return stream_ != nullptr; }
 
-  // Begins to move ticks from the queue into `writer`. Drops what an earlier recording left in the
-  // queue. Precondition: not running, and nothing pushes into the queue yet.
+  // Whether a recording runs.
+  [[nodiscard]] bool running() const { return writer_ != nullptr && thread_.joinable(); }
+
+  // Begins to move ticks from the queue into `writer` and the stream; a null writer: into the
+  // stream alone. Drops what an earlier recording left in the queue. Precondition: the thread does
+  // not run, and nothing pushes into the queue yet.
   void start(std::unique_ptr<file::RecordingWriter> writer);
 
   // Passes the present facts about the recording to the writer's note(), before the ticks that wait
@@ -48,7 +56,7 @@ class Recorder {
   void note(const Scene& scene, file::RecordingMetadata metadata);
 
   // Drains the queue and joins the thread; the writer stays open for finish(). Does nothing when
-  // not running. Precondition: nothing pushes into the queue any more.
+  // the thread does not run. Precondition: nothing pushes into the queue any more.
   void drain_and_join();
 
   // Gives the files their names; sets `metadata.first_tick` to the first row. Precondition:
@@ -77,6 +85,8 @@ class Recorder {
   std::chrono::steady_clock::time_point last_flush_;
   std::chrono::steady_clock::time_point last_sync_;
   std::unique_ptr<file::RecordingWriter> writer_;
+  std::shared_ptr<file::SampleStream> stream_;
+  file::StreamFeed feed_;
   std::thread thread_;
 
   std::atomic<std::uint64_t> rows_{0};

@@ -301,9 +301,10 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
   const draw::Theme theme =
       apply_theme(draw::Look::kScreen, 1.0F);  // the application applies the settings
   Application::Sessions sessions;
-  sessions.simulate = [spin_s = options.spin_s](const Scene& scene) {
+  sessions.simulate = [&options](const Scene& scene) {
     runtime::SessionOptions session;
-    session.spin_s = spin_s;
+    session.spin_s = options.spin_s;
+    session.stream = options.stream;
     return runtime::LiveSession::start(scene, session);
   };
   sessions.start_on_device = options.start_on_device;
