@@ -120,6 +120,29 @@ void add_plot_option(CLI::App& app, OutputOptions& options, const std::string& d
   app.add_option("--plot", options.plot, description + "; needs no display")->type_name("FILE.png");
 }
 
+void add_stream_options(CLI::App& app, StreamChoice& choice) {
+  app.add_option(
+         "--stream", choice.path,
+         "Write every tick as a line of JSON to a pipe, a FIFO or a new file while it runs; "
+         "- is standard output")
+      ->type_name("FILE");
+  app.add_option("--stream-every", choice.every, "Stream every N-th tick only (default: 1)")
+      ->type_name("N");
+}
+
+Result<std::shared_ptr<file::SampleStream>> open_stream(const StreamChoice& choice, bool waits) {
+  constexpr std::uint64_t kMaxEvery = 1'000'000;
+  const std::string every = choice.every.empty() ? "1" : choice.every;
+  const std::uint64_t ticks = file::parsed<std::uint64_t>(every).value_or(0);
+  if (ticks < 1 || ticks > kMaxEvery) {
+    return usage_error(fmt::format("--stream-every {}: it takes a whole number, 1 to {}",
+                                   file::in_quotes(every), kMaxEvery));
+  }
+  if (!choice.path.empty()) return file::SampleStream::open(choice.path, {ticks, waits, tell});
+  if (choice.every.empty()) return std::shared_ptr<file::SampleStream>();
+  return usage_error("--stream-every: it needs --stream FILE");
+}
+
 void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_option("--json", options.json, "Write the summary as JSON; - is standard output")
       ->type_name("FILE");
@@ -222,7 +245,8 @@ Failure check_outputs(const OutputOptions& options, std::initializer_list<std::s
   std::vector<std::pair<std::string_view, std::string>> files{{"--csv", options.csv},
                                                               {"--json", options.json},
                                                               {"--plot", options.plot},
-                                                              {"--wav", options.wav}};
+                                                              {"--wav", options.wav},
+                                                              {"--stream", options.stream.path}};
   if (!options.csv.empty())
     files.emplace_back("the sidecar of --csv", file::sidecar_path_of(options.csv));
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -3,11 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/command/output_file.h"
+#include "app/file/recording/sample_stream.h"
 #include "app/file/scene/scene_file.h"
 #include "core/result.h"
 
@@ -42,6 +44,11 @@ void add_headless_options(CLI::App& app, SceneOptions& options);
 // --csv and --plot. The description of --csv says what a line is.
 void add_csv_option(CLI::App& app, OutputOptions& options, const std::string& description);
 void add_plot_option(CLI::App& app, OutputOptions& options, const std::string& description);
+// --stream and --stream-every.
+void add_stream_options(CLI::App& app, StreamChoice& choice);
+// The stream, or null without one. `waits` as in file::StreamOptions.
+[[nodiscard]] Result<std::shared_ptr<file::SampleStream>> open_stream(const StreamChoice& choice,
+                                                                      bool waits);
 // --json, --expect, --quiet.
 void add_output_options(CLI::App& app, OutputOptions& options);
 

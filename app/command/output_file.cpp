@@ -81,6 +81,12 @@ Result<OutputFiles> OutputFiles::open(const OutputOptions& options) {
   return files;
 }
 
+Failure OutputFiles::leave_standard_output() {
+  quiet_ = true;
+  if (!prints_json_) return {};
+  return usage_error("--json and --stream: both are standard output; give one a file");
+}
+
 Failure OutputFiles::write_figure(const std::function<Result<file::Picture>()>& draw) {
   constexpr std::chrono::milliseconds kPollInterval{10};
   std::packaged_task<Result<std::string>()> task([&] { return encoded(draw); });

@@ -19,12 +19,19 @@ namespace hapticwall::command {
 // The path that means standard output.
 inline constexpr std::string_view kStandardOutput = "-";
 
+// --stream and --stream-every.
+struct StreamChoice {
+  std::string path;
+  std::string every;
+};
+
 // The outputs of a command.
 struct OutputOptions {
   std::string csv;
   std::string json;
   std::string plot;
   std::string wav;
+  StreamChoice stream;
   std::vector<std::string> expectations;
   bool quiet = false;
 };
@@ -62,6 +69,8 @@ class OutputFiles {
  public:
   // Opens them before anything runs.
   [[nodiscard]] static Result<OutputFiles> open(const OutputOptions& options);
+  // Something else uses it: no table. Fails for --json on it.
+  [[nodiscard]] Failure leave_standard_output();
   [[nodiscard]] bool wants_plot() const { return plot_.is_open(); }
   // Writes the open files, then the table, or the JSON for `--json -`, to standard output. Returns
   // the first failure; the others are written all the same. Calls `draw` only for --plot, on a

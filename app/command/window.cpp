@@ -25,12 +25,9 @@ namespace {
 
 // Starts the window's sessions on the chosen device.
 std::function<Result<std::unique_ptr<runtime::LiveSession>>(const Scene&)> session_starter(
-    const DeviceChoice& device, bool allow_no_realtime, double spin_s) {
+    const DeviceChoice& device, const runtime::SessionOptions& options) {
   if (!device.hardware) return {};
-  return [hardware = *device.hardware, allow_no_realtime, spin_s](const Scene& scene) {
-    runtime::SessionOptions options;
-    options.allow_no_realtime = allow_no_realtime;
-    options.spin_s = spin_s;
+  return [hardware = *device.hardware, options](const Scene& scene) {
     return runtime::LiveSession::start_on(make_device(hardware, scene), scene, options);
   };
 }
@@ -40,6 +37,7 @@ constexpr float kFullScalePercent = 100.0F;
 // Of the window alone.
 struct LookOptions {
   double scale = 0.0;  // 0: not given
+  StreamChoice stream;
 };
 
 // The path of a scene file, for the list of recent files.
@@ -61,6 +59,10 @@ Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
         "--algorithm and --set",
         file::shown(options.scene)));
   }
+  if (!look.stream.path.empty() || !look.stream.every.empty()) {
+    return usage_error(fmt::format("--stream: {} is a recording; 'hapticwall replay' streams it",
+                                   file::shown(options.scene)));
+  }
   auto recording = file::RecordingReader::open(options.scene);
   if (!recording) return recording.error();
   ReplayWindow window;
@@ -78,9 +80,16 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   Result<file::LoadedScene> loaded = load(options);
   if (!loaded) return loaded.error();
   if (!device->hardware) tell_difference(*loaded);
+  const auto stream = open_stream(look.stream, false);
+  if (!stream) return stream.error();
+  runtime::SessionOptions session;
+  session.allow_no_realtime = options.allow_no_realtime;
+  session.spin_s = *spin_s;
+  session.stream = *stream;
   runtime::WindowOptions window;
   window.scene = loaded->scene;
-  window.start_on_device = session_starter(*device, options.allow_no_realtime, *spin_s);
+  window.start_on_device = session_starter(*device, session);
+  window.stream = *stream;
   window.spin_s = *spin_s;
   window.repeats = repeats;
   window.settings_path = file::settings_path(file::process_environment);
@@ -102,6 +111,7 @@ Action add_window(CLI::App& program, runtime::OpenWindow open) {
   add_algorithm_option(program, *options);
   add_scene_options(program, *options);
   add_device_options(program, *options);
+  add_stream_options(program, look->stream);
   constexpr float kMin = runtime::kMinScalePercent / kFullScalePercent;
   constexpr float kMax = runtime::kMaxScalePercent / kFullScalePercent;
   program

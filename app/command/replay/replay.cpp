@@ -38,6 +38,7 @@ struct ReplayCommand {
   [[nodiscard]] bool reruns() const { return !algorithm.empty() || !settings.empty(); }
   [[nodiscard]] bool shows_no_window() const {
     return !output.csv.empty() || !output.json.empty() || !output.plot.empty() ||
+           !output.stream.path.empty() || !output.stream.every.empty() ||
            !output.expectations.empty() || output.quiet;
   }
 };
@@ -51,7 +52,8 @@ Failure check(const ReplayCommand& command) {
   }
   if (command.speed && command.shows_no_window()) {
     return usage_error(
-        "--speed: it is for the window; leave out --csv, --json, --plot, --expect and --quiet");
+        "--speed: it is for the window; leave out --csv, --json, --plot, --stream, --expect "
+        "and --quiet");
   }
   return check_outputs(command.output,
                        {command.recording, file::sidecar_path_of(command.recording)});
@@ -143,7 +145,10 @@ Result<int> run_headless(const ReplayCommand& command) {
   const Result<file::LoadedScene> loaded = scene_of(command, (*recording)->info());
   if (!loaded) return loaded.error();
   if (Failure failed = check_hand_files(command.output, loaded->scene)) return *failed;
-  Result<RunOutputs> outputs = RunOutputs::open(command.output, *loaded, {.session_records = true});
+  const file::CsvColumns columns =
+      command.reruns() ? file::csv_columns(true) : (*recording)->info().scanned.columns;
+  Result<RunOutputs> outputs =
+      RunOutputs::open(command.output, *loaded, {.session_records = true, .columns = columns});
   if (!outputs) return outputs.error();
 
   const Result<Outcome> outcome = command.reruns() ? rerun(command, **recording, *loaded, *outputs)
@@ -199,6 +204,7 @@ Command add_replay(CLI::App& program, runtime::OpenWindow open) {
       ->check(is_number_within(runtime::kMinReplaySpeed, runtime::kMaxReplaySpeed));
   add_csv_option(*app, command->output, "Record the re-run, without a window");
   add_plot_option(*app, command->output, "Draw the figure, without a window");
+  add_stream_options(*app, command->output.stream);
   add_output_options(*app, command->output);
   return {app, [command, open = std::move(open)] { return replay(*command, open); }};
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "app/file/recording/sample_stream.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
@@ -22,6 +23,7 @@ struct RealtimeRun {
   bool allow_no_realtime = false;
   double spin_s = 0.0;  // as in SessionOptions
   bool show_progress = false;
+  std::shared_ptr<file::SampleStream> stream{};  // gets every tick; null: none
 };
 
 struct RealtimeOutcome {

@@ -71,7 +71,8 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
                     .arm = options.arm,
                     .allow_no_realtime = options.scene.allow_no_realtime,
                     .spin_s = options.scene.spin_us / kMicrosecondsPerSecond,
-                    .show_progress = !options.output.quiet});
+                    .show_progress = !options.output.quiet,
+                    .stream = outputs.stream()});
   if (!result) return result.error();
   outputs.keep_failure(result->recording_failure);
   return RunOutcome{result->summary, result->stopped_early, result->status, result->trouble};
@@ -143,7 +144,9 @@ Result<int> run(const RunOptions& options) {
   }
   Result<RunOutputs> outputs = RunOutputs::open(
       options.output, *loaded,
-      {.session_records = in_real_time, .knows_truth = !device->hardware.has_value()});
+      {.session_records = in_real_time,
+       .in_real_time = in_real_time,
+       .columns = file::csv_columns(!device->hardware, loaded->scene.axes.size())});
   if (!outputs) return outputs.error();
   if (!options.output.quiet) tell_edits(options.scene.scene, *loaded);
   if (!options.output.quiet && !device->hardware) tell_difference(*loaded);
@@ -184,6 +187,7 @@ Command add_run(CLI::App& program) {
   app->add_option("--wav", options->output.wav,
                   "Write the sound of the run: the handle's acceleration, one channel at 48 kHz")
       ->type_name("FILE.wav");
+  add_stream_options(*app, options->output.stream);
   add_output_options(*app, options->output);
   return {app, [options] { return run(*options); }};
 }

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "app/command/common_options.h"
 #include "app/command/report/summary_fields.h"
 #include "app/draw/figure/figure.h"
 #include "app/sound/signal/wav.h"
@@ -55,11 +56,11 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
   outputs.files_ = std::move(*files);
   if (!options.wav.empty()) {
     if (Failure failed = outputs.wav_.open(options.wav)) return *failed;
-    outputs.sound_.emplace(loaded.scene.sampling.rate_hz, sound::kFileRateHz, origin.knows_truth);
+    outputs.sound_.emplace(loaded.scene.sampling.rate_hz, sound::kFileRateHz,
+                           origin.columns.of_simulator());
   }
   if (!options.csv.empty() && !origin.session_records) {
-    auto recording = file::RecordingWriter::create(
-        options.csv, file::csv_columns(true, loaded.scene.axes.size()));
+    auto recording = file::RecordingWriter::create(options.csv, origin.columns);
     if (!recording) return recording.error();
     if (Failure failed =
             (*recording)->note(loaded.scene, metadata_of(loaded, loaded.scene.tick_count()))) {
@@ -67,12 +68,27 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
     }
     outputs.recording_ = std::move(*recording);
   }
+  if (Failure failed = outputs.open_stream(options, origin)) return *failed;
   return outputs;
+}
+
+// Last, because it cannot be undone where somebody reads.
+Failure RunOutputs::open_stream(const OutputOptions& options, const TickOrigin& origin) {
+  Result<std::shared_ptr<file::SampleStream>> stream =
+      command::open_stream(options.stream, !origin.in_real_time);
+  if (!stream) return stream.error();
+  stream_ = std::move(*stream);
+  if (stream_ && stream_->on_standard_output()) {
+    if (Failure failed = files_.leave_standard_output()) return failed;
+  }
+  if (stream_ && !origin.in_real_time) feed_ = stream_->begin(origin.columns);
+  return {};
 }
 
 void RunOutputs::take(const Tick& tick) {
   if (tick.x().tick < first_recorded_tick_) return;
   if (recording_ && !failure_) failure_ = recording_->append(tick);
+  if (feed_) stream_->take(*feed_, tick);
   if (sound_) sound_->take(tick, heard_);
   if (!files_.wants_plot() || !is_finite(tick)) return;
   for (std::size_t axis = 0; axis < tick.count; ++axis) {
@@ -109,6 +125,8 @@ Failure RunOutputs::write_sound() {
 }
 
 Failure RunOutputs::finish(const Scene& scene, const RunSummary& summary, std::string table) {
+  if (stream_) stream_->finish();
+  if (stream_ && !failure_) failure_ = stream_->failure();
   Failure failed =
       files_.write({"", summary_json(summary), std::move(table)}, [&] { return draw(scene); });
   Failure unheard = write_sound();

@@ -12,6 +12,7 @@
 #include "app/command/output_file.h"
 #include "app/file/picture.h"
 #include "app/file/recording/recording_writer.h"
+#include "app/file/recording/sample_stream.h"
 #include "app/file/scene/scene_file.h"
 #include "app/sound/signal/sound_stream.h"
 #include "core/simulation/simulate.h"
@@ -28,7 +29,8 @@ inline constexpr double kMaxSoundS = 600.0;
 // Where the ticks of a run come from.
 struct TickOrigin {
   bool session_records = false;  // a session writes the CSV
-  bool knows_truth = true;       // a simulator
+  bool in_real_time = false;     // a session streams
+  file::CsvColumns columns;
 };
 
 class RunOutputs {
@@ -38,8 +40,13 @@ class RunOutputs {
                                                const file::LoadedScene& loaded,
                                                const TickOrigin& origin);
 
+  // Null without --stream.
+  [[nodiscard]] const std::shared_ptr<file::SampleStream>& stream() const { return stream_; }
+
   // Whether take() must be called with every tick.
-  [[nodiscard]] bool wants_ticks() const { return recording_ || files_.wants_plot() || sound_; }
+  [[nodiscard]] bool wants_ticks() const {
+    return recording_ || files_.wants_plot() || sound_ || feed_;
+  }
   void take(const Tick& tick);
   // Of the recording. The run continues for its other outputs, and finish() fails.
   [[nodiscard]] const Failure& failure() const { return failure_; }
@@ -48,17 +55,20 @@ class RunOutputs {
   // Finishes the recording, also of a run that ended early.
   void finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks,
                         const RunSummary& summary);
-  // Writes JSON, figure and sound, and prints JSON or `table`. Fails with the first failure, that
-  // of the recording included.
+  // Ends the stream, writes JSON, figure and sound, and prints JSON or `table`. Fails with the
+  // first failure, that of the recording included.
   [[nodiscard]] Failure finish(const Scene& scene, const RunSummary& summary, std::string table);
 
  private:
   [[nodiscard]] Result<file::Picture> draw(const Scene& scene) const;
+  [[nodiscard]] Failure open_stream(const OutputOptions& options, const TickOrigin& origin);
   [[nodiscard]] Failure write_sound();
 
   std::unique_ptr<file::RecordingWriter> recording_;
   std::uint64_t first_recorded_tick_ = 0;
   OutputFiles files_;
+  std::shared_ptr<file::SampleStream> stream_;
+  std::optional<file::StreamFeed> feed_;               // of a run that is not in real time
   std::array<std::vector<Sample>, kMaxAxes> samples_;  // of the figure, by axis
   std::optional<sound::SoundStream> sound_;
   std::vector<float> heard_;

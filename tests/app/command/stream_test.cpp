@@ -1,0 +1,209 @@
+// hapticwall --stream: the samples on their way out of the program, and its three bridges.
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/file/text/text.h"
+#include "tests/app/command/binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+class StreamTest : public ProgramTest {
+ protected:
+  static std::vector<std::string> lines(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> all;
+    for (std::string line; std::getline(stream, line);) all.push_back(line);
+    return all;
+  }
+  // Each row of the CSV is an object, and the line at the end counts them.
+  void expect_rows(const std::string& csv, const std::string& stream) const {
+    const auto rows = lines(content(csv));
+    const auto objects = lines(stream);
+    ASSERT_EQ(objects.size(), rows.size());
+    const auto names = file::split(rows.front(), ',');
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      const nlohmann::json object = nlohmann::json::parse(objects[i - 1]);
+      const auto values = file::split(rows[i], ',');
+      ASSERT_EQ(object.size(), names.size() + 1);
+      ASSERT_EQ(object.at("lost"), 0);
+      for (std::size_t column = 0; column < names.size(); ++column) {
+        ASSERT_EQ(object.at(names[column]).get<double>(), file::parsed<double>(values[column]));
+      }
+    }
+    EXPECT_EQ(nlohmann::json::parse(objects.back()),
+              (nlohmann::json{{"end", true}, {"samples", rows.size() - 1}, {"lost", 0}}));
+  }
+};
+
+TEST_F(StreamTest, StandardOutputHasTheRowsOfTheCsvAndNothingElse) {
+  for (const std::string how : {"", " --realtime"}) {
+    const Answer answer = shell("$P run corner --duration 0.3 --csv a.csv --stream -" + how);
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_THAT(answer.err, IsEmpty());
+    expect_rows("a.csv", answer.out);
+  }
+}
+
+TEST_F(StreamTest, ANewFileGetsThemBesideTheSummary) {
+  const Answer answer = shell("$P run press --csv a.csv --stream a.jsonl");
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("press under"));
+  expect_rows("a.csv", content("a.jsonl"));
+}
+
+TEST_F(StreamTest, AReplayStreamsItsRowsAndAReRunItsOwn) {
+  ASSERT_EQ(shell("$P run press --csv a.csv --quiet").status, 0);
+  expect_rows("a.csv", shell("$P replay a.csv --stream -").out);
+  expect_rows("b.csv", shell("$P replay a.csv --algorithm none --csv b.csv --stream -").out);
+}
+
+// Not in real time, the run can wait.
+TEST_F(StreamTest, ARunAsFastAsItCanWaitsForASlowReader) {
+  const Answer answer = shell("$P run press --csv a.csv --stream - | (sleep 0.3; cat)");
+  EXPECT_THAT(answer.err, IsEmpty());
+  expect_rows("a.csv", answer.out);
+}
+
+TEST_F(StreamTest, AReaderThatClosesEndsTheStreamWithOneLineAndNotTheRun) {
+  for (const std::string how : {"", " --realtime --duration 1"}) {
+    const Answer answer =
+        shell("{ $P run press --csv a.csv --stream -" + how + "; echo $? >status; } | head -n 1");
+    EXPECT_EQ(answer.err, "--stream '-': the reader has closed it; the stream ends\n");
+    EXPECT_EQ(content("status"), "0\n");
+    EXPECT_EQ(lines(content("a.csv")).size(), how.empty() ? 6001U : 1001U);
+  }
+}
+
+TEST_F(StreamTest, AFifoIsWrittenAndOneWithoutAReaderIsRefused) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  const Answer refused = hapticwall({"run", "press", "--stream", "pipe", "--csv", "a.csv"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.err, "error: --stream 'pipe': nobody reads it; start the reader first\n");
+  EXPECT_THAT(files(), ElementsAre("pipe"));
+  // `3<>` keeps it open until the program has it.
+  const Answer answer = shell(
+      "exec 3<>pipe; cat <pipe 3>&- & $P run press --csv a.csv --quiet --stream pipe; exec 3>&-; "
+      "wait");
+  expect_rows("a.csv", answer.out);
+}
+
+TEST_F(StreamTest, AFullDiskFailsTheRunAndKeepsTheRecording) {
+  const Answer answer = hapticwall({"run", "press", "--csv", "a.csv", "--stream", "/dev/full"});
+  EXPECT_EQ(answer.status, 4);
+  EXPECT_THAT(answer.err, HasSubstr("--stream '/dev/full': No space left on device"));
+  EXPECT_EQ(lines(content("a.csv")).size(), 6001U);
+}
+
+// The bridges of assets/examples/streams, with HAPTICWALL_PYTHON if it is set.
+class StreamBridgeTest : public StreamTest {
+ protected:
+  static std::string bridge(const std::string& name) {
+    const std::string folder = hapticwall::test::data_folder() + "/../assets/examples/streams/";
+    return "'" + python() + "' '" + folder + name + "'";
+  }
+  static std::string python() {
+    const char* chosen = std::getenv("HAPTICWALL_PYTHON");
+    return chosen != nullptr ? chosen : "python3";
+  }
+  [[nodiscard]] bool can_import(const std::string& module) const {
+    return shell("'" + python() + "' -c 'import " + module + "'").status == 0;
+  }
+};
+
+constexpr const char* kNoPackage =
+    "this package is missing; './dev test' installs it, or set HAPTICWALL_PYTHON";
+
+TEST_F(StreamBridgeTest, PlotJugglerGetsADatagramASample) {
+  if (!can_import("socket")) GTEST_SKIP() << "no Python";
+  const int port = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof address;
+  ASSERT_EQ(bind(port, reinterpret_cast<sockaddr*>(&address), length), 0);
+  ASSERT_EQ(getsockname(port, reinterpret_cast<sockaddr*>(&address), &length), 0);
+  const Answer answer =
+      shell("$P run press --csv a.csv --stream - --stream-every 100 | " +
+            bridge("to_plotjuggler.py") + " 127.0.0.1 " + std::to_string(ntohs(address.sin_port)));
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  const auto rows = lines(content("a.csv"));
+  std::size_t row = 1;
+  std::array<char, 65536> bytes{};
+  for (ssize_t size = 0; (size = recv(port, bytes.data(), bytes.size(), 0)) > 0; row += 100) {
+    const nlohmann::json sample =
+        nlohmann::json::parse(std::string_view(bytes.data(), static_cast<std::size_t>(size)));
+    const auto values = file::split(rows.at(row), ',');
+    EXPECT_EQ(sample.at("tick").get<double>(), file::parsed<double>(values[0]));
+    EXPECT_EQ(sample.at("position_m").get<double>(), file::parsed<double>(values[2]));
+    EXPECT_EQ(sample.at("force_n").get<double>(), file::parsed<double>(values[6]));
+  }
+  EXPECT_EQ(row, 6001U);
+  close(port);
+}
+
+TEST_F(StreamBridgeTest, AnMcapFileHasEverySample) {
+  if (!can_import("mcap.reader")) GTEST_SKIP() << "mcap: " << kNoPackage;
+  const Answer answer = shell("$P run press --csv a.csv --stream - --stream-every 100 | " +
+                              bridge("to_mcap.py") + " a.mcap");
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  put("read.py",
+      "from mcap.reader import make_reader\n"
+      "for _, channel, message in make_reader(open('a.mcap', 'rb')).iter_messages():\n"
+      "    print(channel.topic, message.log_time, message.data.decode().strip())\n");
+  const auto read = lines(shell("'" + python() + "' read.py").out);
+  const auto rows = lines(content("a.csv"));
+  ASSERT_EQ(read.size(), 60U);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const std::string begin = "/hapticwall " + std::to_string(i * 100'000'000) + " ";
+    ASSERT_THAT(read[i], StartsWith(begin));
+    const nlohmann::json sample = nlohmann::json::parse(read[i].substr(begin.size()));
+    EXPECT_EQ(sample.at("position_m").get<double>(),
+              file::parsed<double>(file::split(rows.at(i * 100 + 1), ',')[2]));
+  }
+}
+
+// The inlet compares by itself: liblsl gives it float64 as they were.
+TEST_F(StreamBridgeTest, AnLslInletGetsEverySample) {
+  if (!can_import("pylsl")) GTEST_SKIP() << "pylsl: " << kNoPackage;
+  put("inlet.py",
+      "import pylsl\n"
+      "found = pylsl.resolve_byprop('source_id', 'test-' + open('id').read(), timeout=60)\n"
+      "inlet = pylsl.StreamInlet(found[0])\n"
+      "info = inlet.info(timeout=60)\n"
+      "channel = info.desc().child('channels').child('channel')\n"
+      "names = []\n"
+      "while not channel.empty():\n"
+      "    names.append(channel.child_value('label'))\n"
+      "    channel = channel.next_sibling()\n"
+      "for _ in range(60):\n"
+      "    values, _ = inlet.pull_sample(timeout=60)\n"
+      "    print(*[repr(values[names.index(n)]) for n in ('tick', 'position_m', 'force_n')])\n");
+  const Answer answer =
+      shell("printf %s $$ >id; '" + python() +
+            "' inlet.py & $P run press --csv a.csv --quiet --stream - " + "--stream-every 100 | " +
+            bridge("to_lsl.py") + " test-$(cat id); wait");
+  const auto read = lines(answer.out);
+  const auto rows = lines(content("a.csv"));
+  ASSERT_EQ(read.size(), 60U) << answer.err;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const auto wanted = file::split(rows.at(i * 100 + 1), ',');
+    const auto values = file::split(read[i], ' ');
+    EXPECT_EQ(file::parsed<double>(values.at(0)), file::parsed<double>(wanted[0]));
+    EXPECT_EQ(file::parsed<double>(values.at(1)), file::parsed<double>(wanted[2]));
+    EXPECT_EQ(file::parsed<double>(values.at(2)), file::parsed<double>(wanted[6]));
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test
