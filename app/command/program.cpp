@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/command/commands.h"
+#include "app/command/pages.h"
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
 #include "app/command/usage.h"
@@ -88,6 +89,11 @@ Failure check_place(const CLI::App& program, const CLI::App& command) {
   return std::nullopt;
 }
 
+std::string is_page(const std::string& text) {
+  if (text == "man" || text == "bash") return "";
+  return file::in_quotes(text) + " is no page; it takes man or bash";
+}
+
 // Prints help or the version; anything else is an error.
 Result<int> answer(const CLI::App& program, const CLI::ParseError& outcome) {
   std::optional<std::string> text;
@@ -104,6 +110,10 @@ Result<int> answer(const CLI::App& program, const CLI::ParseError& outcome) {
 Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindow& open) {
   CLI::App program(kDescription, "hapticwall");
   program.set_version_flag("--version", std::string(kVersion), "Print the version and exit");
+  std::string page;
+  program.add_option("--generate", page, "Print man, the manual page, or bash, the completion")
+      ->type_name("PAGE")
+      ->check(is_page);
   program.get_formatter()->column_width(kHelpColumn);
   program.get_formatter()->label("SUBCOMMAND", "COMMAND");
   program.get_formatter()->label("REQUIRED", "(required)");
@@ -128,6 +138,9 @@ Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindo
     if (!command.app->parsed()) continue;
     if (const auto error = check_place(program, *command.app)) return *error;
     return command.action();
+  }
+  if (!page.empty()) {
+    return status_of(write_output(page == "man" ? manual_page(program) : bash_completion(program)));
   }
   return window();
 }

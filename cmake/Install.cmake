@@ -1,0 +1,35 @@
+# An installed program: `cmake --install build/release --prefix DIR`.
+
+include(GNUInstallDirs)
+set(pages ${CMAKE_BINARY_DIR}/generated/pages)
+file(MAKE_DIRECTORY ${pages})
+
+install(CODE "set(CMAKE_INSTALL_DO_STRIP TRUE)" CONFIGURATIONS Release)
+install(TARGETS hapticwall hapticwall-emulator RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# The program embeds its files. Only the udev rule must be in a folder that udev reads.
+install(FILES assets/70-hapticwall.rules DESTINATION lib/udev/rules.d)
+
+# Pages that the program and the build's libraries give, made when it is installed.
+install(
+  CODE "execute_process(COMMAND \"$<TARGET_FILE:hapticwall>\" --generate man
+                        OUTPUT_FILE \"${pages}/hapticwall.1\" COMMAND_ERROR_IS_FATAL ANY)
+        execute_process(COMMAND \"$<TARGET_FILE:hapticwall>\" --generate bash
+                        OUTPUT_FILE \"${pages}/hapticwall\" COMMAND_ERROR_IS_FATAL ANY)
+        execute_process(COMMAND \"${CMAKE_COMMAND}\" -DROOT=${PROJECT_SOURCE_DIR}
+                                -DGUI=${HAPTICWALL_GUI_SOURCES} -DOUTPUT=${pages}/copyright
+                                -P ${PROJECT_SOURCE_DIR}/cmake/write_copyright.cmake
+                        COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${pages}/hapticwall.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${pages}/hapticwall DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+
+set(documents ${CMAKE_INSTALL_DATADIR}/doc/hapticwall)
+install(FILES ${pages}/copyright README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE
+        DESTINATION ${documents})
+install(DIRECTORY docs DESTINATION ${documents})
+install(DIRECTORY assets/fonts DESTINATION ${documents}/assets)
+
+install(FILES assets/desktop/hapticwall.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES assets/desktop/hapticwall.svg
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES assets/desktop/hapticwall.metainfo.xml
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)

@@ -1,0 +1,92 @@
+# Installs the build to a folder of its own and fails when a file is missing or wrong.
+# Usage: cmake -DBUILD=DIR -DROOT=DIR -DWORK=DIR -DVERSION=X -DCONFIG=NAME -DREADELF=FILE -P check_install.cmake
+cmake_minimum_required(VERSION 3.25)
+
+function(run out)
+  execute_process(
+    COMMAND ${ARGN}
+    WORKING_DIRECTORY ${WORK}
+    OUTPUT_VARIABLE text
+    ERROR_VARIABLE text
+    RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: ${status}\n${text}")
+  endif()
+  set(${out} "${text}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+run(ignored ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WORK}/root)
+
+file(GLOB_RECURSE found RELATIVE ${WORK}/root ${WORK}/root/*)
+list(FILTER found EXCLUDE REGEX "/docs/")
+list(SORT found)
+set(expected
+    bin/hapticwall
+    bin/hapticwall-emulator
+    lib/udev/rules.d/70-hapticwall.rules
+    share/applications/hapticwall.desktop
+    share/bash-completion/completions/hapticwall
+    share/doc/hapticwall/CHANGELOG.md
+    share/doc/hapticwall/CITATION.cff
+    share/doc/hapticwall/CONTRIBUTING.md
+    share/doc/hapticwall/LICENSE
+    share/doc/hapticwall/README.md
+    share/doc/hapticwall/assets/fonts/OFL.txt
+    share/doc/hapticwall/copyright
+    share/icons/hicolor/scalable/apps/hapticwall.svg
+    share/man/man1/hapticwall.1
+    share/metainfo/hapticwall.metainfo.xml)
+if(NOT found STREQUAL expected)
+  message(SEND_ERROR "installed:\n${found}\nexpected:\n${expected}")
+endif()
+
+function(expect file text)
+  file(READ ${WORK}/root/${file} content)
+  string(FIND "${content}" "${text}" at)
+  if(at EQUAL -1)
+    message(SEND_ERROR "${file} does not contain '${text}'")
+  endif()
+endfunction()
+
+# Every part of the program with its licence text.
+file(READ ${ROOT}/docs/dependencies.md page)
+string(REGEX REPLACE "\n## Building.*" "" page "${page}")
+string(REGEX MATCHALL "\n\\| \\[[^]]+\\]" parts "${page}")
+list(LENGTH parts count)
+if(count LESS 20)
+  message(SEND_ERROR "docs/dependencies.md lists only ${count} parts")
+endif()
+foreach(part IN LISTS parts)
+  string(REGEX REPLACE ".*\\[(.+)\\]" "\\1, http" part "${part}")
+  expect(share/doc/hapticwall/copyright "\n${part}")
+endforeach()
+foreach(owner "The Haptic Wall developers" "Omar Cornut" "Evan Pezent")
+  expect(share/doc/hapticwall/copyright "${owner}")
+endforeach()
+
+expect(share/doc/hapticwall/CITATION.cff "\nversion: ${VERSION}\n")
+expect(share/man/man1/hapticwall.1 ".TH HAPTICWALL 1")
+expect(share/bash-completion/completions/hapticwall "complete -o default -F _hapticwall hapticwall\n")
+
+set(installed ${WORK}/root/bin/hapticwall)
+run(ignored ${installed} run press --duration 0.1 --csv a.csv)
+run(ignored ${installed}-emulator --help)
+if(CONFIG STREQUAL "Release" AND READELF)
+  run(sections ${READELF} -WS ${installed})
+  if(NOT sections MATCHES "\\.dynsym" OR sections MATCHES "\\.symtab")
+    message(SEND_ERROR "${installed} is not stripped")
+  endif()
+endif()
+
+# The judgement of the desktop's own tools. The project has no domain for a name of its own.
+find_program(DESKTOP_FILE_VALIDATE desktop-file-validate)
+if(DESKTOP_FILE_VALIDATE)
+  run(ignored ${DESKTOP_FILE_VALIDATE} ${WORK}/root/share/applications/hapticwall.desktop)
+endif()
+find_program(APPSTREAMCLI appstreamcli)
+if(APPSTREAMCLI)
+  run(ignored ${APPSTREAMCLI} validate --no-net --override=cid-desktopapp-is-not-rdns=info
+      ${WORK}/root/share/metainfo/hapticwall.metainfo.xml)
+endif()
