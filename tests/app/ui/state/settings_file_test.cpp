@@ -7,6 +7,7 @@
 #include <random>
 
 #include "app/file/scene/settings_text.h"
+#include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::test {
@@ -76,6 +77,20 @@ TEST(Settings, EverythingThatIsKeptComesBack) {
     if (at_first == usual.end() || at_first->second != value) ++changed;
   }
   EXPECT_GE(changed, 26U);
+}
+
+TEST_F(SettingsTest, ThePageShowsAWholeFileWithoutAnUnknownKeyOrInvalidValue) {
+  const std::string page = text_of(data_folder() + "/../docs/window.md");
+  const std::string fence = "```toml settings\n";
+  const std::size_t begin = page.find(fence) + fence.size();
+  ASSERT_GT(begin, fence.size());
+  const auto shown = file::parse_settings(page.substr(begin, page.find("```", begin) - begin), "");
+  ASSERT_TRUE(shown) << shown.error().message;
+  EXPECT_GT(shown->size(), 10U);
+  UiState state;
+  EXPECT_THAT(apply_settings(*shown, state), ::testing::IsEmpty());
+  const file::Settings taken = settings_of(state);
+  for (const auto& [key, value] : *shown) EXPECT_TRUE(taken.contains(key)) << key;
 }
 
 TEST_F(SettingsTest, AFileIsWrittenIntoANewFolderAndReadBack) {
