@@ -32,6 +32,20 @@ Failure check_duration(const std::string& text) {
                                  number_text(key.range.maximum)));
 }
 
+// Another ending promises a format that is not written.
+Failure check_ending(std::string_view option, const std::string& path, const char* wanted) {
+  const std::string ending = std::filesystem::path(path).extension();
+  if (ending.empty() || CLI::detail::to_lower(ending) == wanted) return {};
+  return usage_error(fmt::format("{} {}: {} is not written; end the name in {}", option,
+                                 file::in_quotes(path), file::in_quotes(ending), wanted));
+}
+
+Failure check_endings(const OutputOptions& options) {
+  if (Failure failed = check_ending("--csv", options.csv, ".csv")) return failed;
+  if (Failure failed = check_ending("--plot", options.plot, ".png")) return failed;
+  return check_ending("--wav", options.wav, ".wav");
+}
+
 Failure check_changes(const std::string& command, const SceneOptions& options,
                       const file::LoadedScene& loaded) {
   if (loaded.changes.empty()) return {};
@@ -263,7 +277,7 @@ Failure check_outputs(const OutputOptions& options, std::initializer_list<std::s
                                      files[j].first, file::in_quotes(path)));
     }
   }
-  return {};
+  return check_endings(options);
 }
 
 }  // namespace hapticwall::command

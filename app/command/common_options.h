@@ -68,7 +68,7 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 [[nodiscard]] std::string sidecar_read_with(const std::string& scene);
 
 // Refuses two outputs to one file, an output to a file of `read`, and --csv, --plot or --wav to
-// standard output.
+// standard output or to a name with the ending of another format.
 [[nodiscard]] Failure check_outputs(const OutputOptions& options,
                                     std::initializer_list<std::string> read);
 
