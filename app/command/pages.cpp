@@ -21,8 +21,7 @@ namespace {
 std::string as_troff(const std::string& text) {
   std::string shown;
   for (const char c : text) {
-    const bool begins_line = shown.empty() || shown.back() == '\n';
-    if (begins_line && (c == '.' || c == '\'')) shown += "\\&";
+    if (c == '.' && (shown.empty() || shown.back() == '\n')) shown += "\\&";
     if (c == '\\')
       shown += "\\e";
     else if (c == '-')

@@ -1,4 +1,6 @@
 // The pages of an installed program, judged by man and bash themselves.
+#include "app/command/pages.h"
+
 #include <fmt/format.h>
 
 #include <regex>
@@ -74,6 +76,11 @@ TEST_F(PagesTest, TheManualHasEveryCommandOptionAndScene) {
   }
   for (const file::BuiltinScene& scene : file::builtin_scenes())
     EXPECT_THAT(manual, HasSubstr(escaped(scene.name) + "\\fR\n" + escaped(scene.description)));
+}
+
+TEST_F(PagesTest, TheManualShowsWhatTroffWouldTakeForARequest) {
+  CLI::App app("A name\n.br is shown,\n'br too, \\n as well");
+  EXPECT_THAT(manual_page(app), HasSubstr("\n\\&.br is shown,\n\\(aqbr too, \\en as well\n"));
 }
 
 TEST_F(PagesTest, ManReadsTheManualWithoutAWarning) {
