@@ -121,7 +121,7 @@ def main():
                 problems.append(f"{page.relative_to(root)}: {' '.join(words)} {problem}\n{text}")
     if ran < 10:
         problems.append(f"only {ran} blocks ran")
-    sys.exit("\n".join(problems))
+    sys.exit("\n".join(problems) or 0)
 
 
 if __name__ == "__main__":
