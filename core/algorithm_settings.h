@@ -47,7 +47,7 @@ struct ParameterDescription {
   return {key, ParameterKind::kChoice, "", 0.0, last, choices, choices.front(), meaning};
 }
 
-inline constexpr std::size_t kMaxAlgorithmParameters = 24;
+inline constexpr std::size_t kMaxAlgorithmParameters = 40;  // with those of plug-ins
 
 // Index of the algorithm in the closed list (stabiliser.h) and a value (or nothing) for every key
 // of algorithm_parameters(), in its order. A boolean is 0 or 1, a choice is its index.

@@ -80,6 +80,18 @@ void set_path_speed(Scene& scene, double speed) {
   for (PathPoint& point : scene.x().hand->path.edit()) point.time_s *= factor;
 }
 
+// From this algorithm_parameters() on.
+std::vector<AlgorithmNumberKey> number_keys_from(std::size_t first) {
+  std::vector<AlgorithmNumberKey> keys;
+  const std::span<const ParameterDescription> parameters = algorithm_parameters();
+  for (std::size_t i = first; i < parameters.size(); ++i) {
+    const ParameterDescription& parameter = parameters[i];
+    if (parameter.kind != ParameterKind::kNumber) continue;
+    keys.push_back({i, parameter.key, parameter.unit, {parameter.minimum, parameter.maximum}});
+  }
+  return keys;
+}
+
 }  // namespace
 
 template <typename Owner>
@@ -93,17 +105,14 @@ template std::span<const NumberKey<HandSettings>> number_keys();
 template std::span<const NumberKey<WallSettings>> number_keys();
 
 std::span<const AlgorithmNumberKey> algorithm_number_keys() {
-  static const std::vector<AlgorithmNumberKey> kKeys = [] {
-    std::vector<AlgorithmNumberKey> keys;
-    const std::span<const ParameterDescription> parameters = algorithm_parameters();
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      const ParameterDescription& parameter = parameters[i];
-      if (parameter.kind != ParameterKind::kNumber) continue;
-      keys.push_back({i, parameter.key, parameter.unit, {parameter.minimum, parameter.maximum}});
-    }
-    return keys;
-  }();
-  return kKeys;
+  static std::vector<AlgorithmNumberKey> keys = number_keys_from(0);
+  // A plug-in appended keys, before other threads started.
+  static std::size_t known = algorithm_parameters().size();
+  if (algorithm_parameters().size() != known) {
+    for (const AlgorithmNumberKey& key : number_keys_from(known)) keys.push_back(key);
+    known = algorithm_parameters().size();
+  }
+  return keys;
 }
 
 std::string number_text(double value) {

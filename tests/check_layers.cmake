@@ -92,7 +92,7 @@ function(objection file layer header out)
       return()  # it shares scenes out
     elseif(header MATCHES "${impure}")
       set(${out} "has a clock, files or threads, and core is pure" PARENT_SCOPE)
-    elseif(NOT header MATCHES "^((unsupported/)?Eigen/.*|hwy/.*|[a-z_0-9]+)$"
+    elseif(NOT header MATCHES "^((unsupported/)?Eigen/.*|hwy/.*|[a-z_0-9]+|stdint\\.h)$"
            AND NOT (file MATCHES "^core/batch/" AND header MATCHES "^oneapi/tbb/"))
       set(${out} "is neither the standard library, Eigen, Highway nor core" PARENT_SCOPE)
     endif()

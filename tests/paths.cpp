@@ -19,4 +19,9 @@ const std::string& emulator_program() {
   return kPath;
 }
 
+const std::string& plugin_folder() {
+  static const std::string kPath = HAPTICWALL_TEST_PLUGINS_DIR;
+  return kPath;
+}
+
 }  // namespace hapticwall::test

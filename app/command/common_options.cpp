@@ -11,12 +11,14 @@
 #include "app/command/recorded_hand.h"
 #include "app/command/report/terminal.h"
 #include "app/command/usage.h"
+#include "app/file/plugin/plugin_file.h"
 #include "app/file/recording/recording_reader.h"
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
 #include "app/runtime/loop/spinning_clock.h"
 #include "app/runtime/session/hand_rerun.h"
 #include "core/scene_keys.h"
+#include "core/stabiliser/plugin/plugin_list.h"
 #include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 
@@ -96,6 +98,8 @@ void add_device_options(CLI::App& app, SceneOptions& options) {
       ->type_name("NAME");
   app.add_flag("--allow-no-realtime", options.allow_no_realtime,
                "Drive a device also without real-time priority; its force may be late");
+  app.add_flag("--allow-plugin", options.allow_plugin,
+               "Let a plug-in drive a device: a crash of its code ends the program");
   add_spin_option(app, options.spin_us);
 }
 
@@ -114,9 +118,34 @@ Result<double> spin_seconds(double spin_us) {
                                  runtime::kMaxSpinS * kMicrosecondsPerSecond));
 }
 
+CLI::Validator loads_plugin() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        if (!file::names_plugin(text)) return "";
+        const Result<std::size_t> index = file::load_plugin(text);
+        if (!index) return index.error().message;
+        text = algorithms()[*index].name;
+        return "";
+      },
+      "");
+}
+
 void add_algorithm_option(CLI::App& app, SceneOptions& options) {
-  app.add_option("--algorithm", options.algorithm, "Stabilising algorithm, instead of the scene's")
-      ->type_name("NAME");
+  app.add_option("--algorithm", options.algorithm,
+                 "Stabilising algorithm, instead of the scene's; or a plug-in, ./MINE.so")
+      ->type_name("NAME")
+      ->transform(loads_plugin());
+}
+
+Failure check_plugin(const SceneOptions& options) {
+  if (options.allow_plugin || options.device == kSimulator ||
+      algorithms().size() == first_plugin()) {
+    return {};
+  }
+  return usage_error(
+      fmt::format("--device {}: a plug-in drives a device only with --allow-plugin; try it on the "
+                  "simulator first",
+                  file::in_quotes(options.device)));
 }
 
 void add_headless_options(CLI::App& app, SceneOptions& options) {
@@ -169,9 +198,11 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
 }
 
 void add_algorithms_option(CLI::App& app, std::vector<std::string>& names) {
-  app.add_option("--algorithms,--algorithm", names, "These algorithms only, separated by commas")
+  app.add_option("--algorithms,--algorithm", names,
+                 "These algorithms only, separated by commas; or plug-ins, ./MINE.so")
       ->type_name("A,B,...")
       ->delimiter(',')
+      ->transform(loads_plugin())
       ->allow_extra_args(false);
 }
 

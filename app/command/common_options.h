@@ -26,6 +26,7 @@ struct SceneOptions {
   std::vector<std::string> settings;  // of --set
   std::string device = "sim";
   bool allow_no_realtime = false;
+  bool allow_plugin = false;
   double spin_us = 0.0;
 };
 
@@ -33,12 +34,16 @@ struct SceneOptions {
 void add_scene_options(CLI::App& app, SceneOptions& options);
 // --device, of commands that run on the simulator only.
 void add_simulator_option(CLI::App& app, SceneOptions& options);
-// --device, --allow-no-realtime and --spin.
+// --device, --allow-no-realtime, --allow-plugin and --spin.
 void add_device_options(CLI::App& app, SceneOptions& options);
 // --spin, and its value in seconds.
 void add_spin_option(CLI::App& app, double& spin_us);
 [[nodiscard]] Result<double> spin_seconds(double spin_us);
+// Of an option that takes algorithms: loads a plug-in and puts its name in the place of its path.
+[[nodiscard]] CLI::Validator loads_plugin();
 void add_algorithm_option(CLI::App& app, SceneOptions& options);
+// Refuses a plug-in on a device without --allow-plugin.
+[[nodiscard]] Failure check_plugin(const SceneOptions& options);
 // The required SCENE of a command, and --duration.
 void add_headless_options(CLI::App& app, SceneOptions& options);
 // --csv and --plot. The description of --csv says what a line is.

@@ -14,9 +14,11 @@
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
 #include "app/command/usage.h"
+#include "app/file/plugin/plugin_file.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
 #include "core/result.h"
+#include "core/stabiliser/plugin/plugin_list.h"
 #include "core/stabiliser/stabiliser.h"
 #include "hapticwall_version.h"
 
@@ -107,6 +109,18 @@ Result<int> answer(const CLI::App& program, const CLI::ParseError& outcome) {
   return status_of(write_output(*text));
 }
 
+// A plug-in that threw gave no force from then on.
+Result<int> after(const Action& action) {
+  Result<int> outcome = action();
+  for (std::size_t i = first_plugin(); i < algorithms().size(); ++i) {
+    if (!plugin_has_thrown(i)) continue;
+    tell(fmt::format(
+        "note: {}: the plug-in {} threw an exception, and its force was zero from then on",
+        file::shown(file::plugin_file(i)->path), algorithms()[i].name));
+  }
+  return outcome;
+}
+
 Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindow& open) {
   CLI::App program(kDescription, "hapticwall");
   program.set_version_flag("--version", std::string(kVersion), "Print the version and exit");
@@ -137,12 +151,12 @@ Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindo
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
     if (const auto error = check_place(program, *command.app)) return *error;
-    return command.action();
+    return after(command.action);
   }
   if (!page.empty()) {
     return status_of(write_output(page == "man" ? manual_page(program) : bash_completion(program)));
   }
-  return window();
+  return after(window);
 }
 
 }  // namespace

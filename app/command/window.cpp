@@ -75,6 +75,7 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   if (file::is_recording(options.scene)) return open_recording(options, look, open);
   const Result<DeviceChoice> device = parse_device_choice(options.device);
   if (!device) return device.error();
+  if (Failure failed = check_plugin(options)) return *failed;
   const Result<double> spin_s = spin_seconds(options.spin_us);
   if (!spin_s) return spin_s.error();
   Result<file::LoadedScene> loaded = load(options);

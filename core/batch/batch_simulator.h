@@ -3,8 +3,8 @@
 //
 // Every metric has the bits of simulate() on the same scene, on every processor and for any number
 // of threads and order of scenes. Scenes without lanes (friction, a hand that grips, delay and lag,
-// an algorithm with a follower, other integrators than the exact one, several walls) run one by one
-// through simulate().
+// plug-ins, an algorithm with a follower, other integrators than the exact one, several walls) run
+// one by one through simulate().
 #pragma once
 
 #include <cstddef>

@@ -7,6 +7,7 @@
 #include "core/encoder.h"
 #include "core/loop/servo_step.h"
 #include "core/plant/plant_model.h"
+#include "core/stabiliser/plugin/plugin_list.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::batch {
@@ -82,10 +83,11 @@ void reset_state(std::size_t lane, LaneState& state) {
 std::optional<LaneKind> lane_kind(const Scene& scene) {
   const DeviceSettings& device = scene.x().device;
   const bool fits =
-      !has_follower(scene.algorithm) && scene.simulator.integrator == Integrator::kExact &&
-      scene.x().walls.size() <= 1 && !names(device.friction_n) &&
-      !names(device.amplifier_time_constant_s) && !names(device.force_resolution_n) &&
-      !names(device.max_force_rate_n_per_s) && device.delay_ticks.value_or(0) == 0 &&
+      !has_follower(scene.algorithm) && scene.algorithm.index < first_plugin() &&
+      scene.simulator.integrator == Integrator::kExact && scene.x().walls.size() <= 1 &&
+      !names(device.friction_n) && !names(device.amplifier_time_constant_s) &&
+      !names(device.force_resolution_n) && !names(device.max_force_rate_n_per_s) &&
+      device.delay_ticks.value_or(0) == 0 &&
       !(scene.x().hand && (scene.x().hand->has_grip() || scene.x().hand->follows_mouse));
   if (!fits) return std::nullopt;
   const bool damped = !scene.x().walls.empty() && scene.x().walls.front().damping_n_s_per_m != 0.0;

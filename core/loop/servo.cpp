@@ -19,8 +19,9 @@ ServoSettings servo_settings(const Scene& scene) {
 }
 
 StabiliserContext stabiliser_context(const ServoSettings& settings) {
-  return {settings.period_s(), settings.device_damping_n_s_per_m, settings.encoder_m,
-          settings.walls, &settings.algorithm};
+  return {settings.period_s(), settings.device_damping_n_s_per_m,
+          settings.encoder_m,  settings.walls,
+          &settings.algorithm, settings.force_limit_n};
 }
 
 Servo::Servo(const ServoSettings& settings) : settings_(settings) {

@@ -21,8 +21,8 @@ struct TruthKeeper {
   }
 };
 
-// Owns the algorithm and the state of the loop. Trivial to move at set-up, never allocates.
-// Realtime-safe: yes, all of it (constructor included).
+// Owns the algorithm and the state of the loop. Realtime-safe: yes, all of it (the constructor
+// unless there are plug-ins, whose state it allocates).
 class Servo {
  public:
   explicit Servo(const ServoSettings& settings);

@@ -1,6 +1,6 @@
 // The loops of a headless run. Each algorithm has its own, with its law inlined, for every exact
 // plant (one object file per algorithm, core/CMakeLists.txt); one more set calls any algorithm
-// through pointers, for all other plants and for an algorithm with a follower.
+// through pointers, for all other plants, for an algorithm with a follower and for plug-ins.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "core/encoder.h"
@@ -142,8 +143,9 @@ class LoopCalls : public FollowedStabiliser {
  public:
   static constexpr bool kLean = false;
 
-  LoopCalls(Servo& servo, const WallSet& /*walls*/) : FollowedStabiliser(servo.stabiliser()) {}
-  void give_back(Servo& servo) const { servo.stabiliser() = *this; }
+  LoopCalls(Servo& servo, const WallSet& /*walls*/)
+      : FollowedStabiliser(std::move(servo.stabiliser())) {}
+  void give_back(Servo& servo) { servo.stabiliser() = std::move(*this); }
 };
 
 // Ticks up to `end`. Works on copies and gives them back at the end, so that the loop's state can

@@ -7,6 +7,7 @@
 
 #include "core/simulation/simulation.h"
 #include "core/stabiliser/algorithm_list.h"
+#include "core/stabiliser/plugin/plugin_list.h"
 
 namespace hapticwall {
 
@@ -23,13 +24,13 @@ static_assert(kChunkTicks == kAxesApartTicks);
 constexpr std::array kLawLoops{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_ADDRESS)};
 #undef HAPTICWALL_ADDRESS
 
-// Laws have inlined loops for the exact plants. Other plants and algorithms with a follower call
-// the law through a pointer.
+// Laws have inlined loops for the exact plants. Other plants, algorithms with a follower and
+// plug-ins call the law through a pointer.
 template <typename Plant>
 void run_chunk_of(HeadlessRun& run, Plant& plant, std::uint64_t end) {
   if constexpr (LawLoopTable::kHas<Plant>) {
     FollowedStabiliser& stabiliser = run.servo.stabiliser();
-    if (!stabiliser.followed()) {
+    if (!stabiliser.followed() && stabiliser.first().algorithm() < first_plugin()) {
       return std::get<HeadlessLoop<Plant>>(*kLawLoops[stabiliser.first().algorithm()])(run, plant,
                                                                                        end);
     }

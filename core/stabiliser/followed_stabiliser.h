@@ -12,7 +12,7 @@ namespace hapticwall {
 // Both algorithms get the force really commanded as F_d(k-1). With the same-sample observer and
 // without cap and floor, the whole control law is then passive (Eq. 6 never below zero), whatever
 // the algorithm does. An algorithm's bound on the change of force in a tick does not hold any more,
-// because α v is added. Source: derived. Copied freely. Realtime-safe: yes, all of it.
+// because α v is added. Source: derived. Realtime-safe: as Stabiliser.
 class FollowedStabiliser {
  public:
   // As Stabiliser::configure(). The follower also starts anew when it is put behind an algorithm.

@@ -1,4 +1,4 @@
-// The contract of a stabilising algorithm and the closed list of them.
+// The contract of a stabilising algorithm and the list of them.
 //
 // An algorithm is a file of this folder and a line in core/CMakeLists.txt. Its file holds one
 // struct (law.h has the vocabulary, none.h is the shortest example):
@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,6 +29,7 @@
 #include <vector>
 
 #include "core/algorithm_settings.h"
+#include "core/stabiliser/plugin/plugin_law.h"
 #include "core/wall.h"
 
 namespace hapticwall {
@@ -39,6 +41,7 @@ struct StabiliserContext {
   double encoder_m = 0.0;  // 0: none
   WallSet walls;
   const AlgorithmSettings* settings = nullptr;
+  double force_limit_n = std::numeric_limits<double>::max();
 
   // The value of a key if the scene names it. Realtime-safe: yes.
   [[nodiscard]] std::optional<double> value(std::string_view key) const;
@@ -91,9 +94,11 @@ inline constexpr ParameterDescription kThenParameter =
 // Realtime-safe: yes.
 [[nodiscard]] bool has_follower(const AlgorithmSettings& settings);
 
-// ---- the closed list, as data ----
+// ---- the list, as data: the closed list of built-in algorithms, then plug-ins ----
 
 [[nodiscard]] std::span<const AlgorithmDescription> algorithms();
+// For add_plugin() alone: its index.
+std::size_t add_algorithm(const AlgorithmDescription& algorithm);
 // Index in algorithms() of a name, present or old. Realtime-safe: yes.
 [[nodiscard]] std::optional<std::size_t> find_algorithm(std::string_view name);
 // Of the only follower. Realtime-safe: yes.
@@ -123,30 +128,32 @@ struct ComparedAlgorithm {
 inline constexpr std::size_t kMaxLawNumbers = 8;
 using LawNumbers = std::array<double, kMaxLawNumbers>;
 
-// One algorithm on one axis. Copied freely, never allocates. Realtime-safe: yes, all of it.
+// One algorithm on one axis. Realtime-safe: yes, except the constructor with plug-ins (PluginLaw).
 class Stabiliser {
  public:
   // New settings or a new scene. A change of algorithm resets the state; nothing else does.
   void configure(std::size_t algorithm, const StabiliserContext& context);
-  void reset() { state_ = {}; }
-  [[nodiscard]] double step(const StabiliserInput& input) {
-    return step_(parameters_, state_, walls_, input);
+  void reset() {
+    state_ = {};
+    plugin_.reset();
   }
+  [[nodiscard]] double step(const StabiliserInput& input) { return step_(*this, input); }
 
   [[nodiscard]] std::size_t algorithm() const { return algorithm_; }
   [[nodiscard]] const WallSet& walls() const { return walls_; }
   [[nodiscard]] const LawNumbers& parameters() const { return parameters_; }
   [[nodiscard]] LawNumbers& state() { return state_; }
+  [[nodiscard]] PluginLaw& plugin() { return plugin_; }
 
  private:
-  using Step = double (*)(const LawNumbers& parameters, LawNumbers& state, const WallSet& walls,
-                          const StabiliserInput& input);
+  using Step = double (*)(Stabiliser& stabiliser, const StabiliserInput& input);
 
   std::size_t algorithm_ = 0;
   Step step_ = nullptr;
   LawNumbers parameters_{};
   LawNumbers state_{};
   WallSet walls_;
+  PluginLaw plugin_;
 };
 
 }  // namespace hapticwall

@@ -1,4 +1,4 @@
-// The closed list of algorithms: the only file, beside the loops of each, that reads their laws.
+// The list of algorithms: the only file, beside the loops of each, that reads the built-in laws.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -8,6 +8,7 @@
 #include "core/stabiliser/algorithm_files.h"
 #include "core/stabiliser/algorithm_list.h"
 #include "core/stabiliser/law_numbers.h"
+#include "core/stabiliser/plugin/plugin_list.h"
 #include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
@@ -23,18 +24,20 @@ LawNumbers parameters_of(const StabiliserContext& context) {
 }
 
 template <class Law>
-double step_of(const LawNumbers& parameters, LawNumbers& state, const WallSet& walls,
-               const StabiliserInput& input) {
-  InlinedLaw<Law> law(parameters, state, walls);
+double step_of(Stabiliser& stabiliser, const StabiliserInput& input) {
+  InlinedLaw<Law> law(stabiliser.parameters(), stabiliser.state(), stabiliser.walls());
   const double force_n = law.step(input);
-  state = law.state();
+  stabiliser.state() = law.state();
   return force_n;
+}
+
+double step_of_plugin(Stabiliser& stabiliser, const StabiliserInput& input) {
+  return stabiliser.plugin().step(input);
 }
 
 struct LawFunctions {
   LawNumbers (*parameters)(const StabiliserContext& context);
-  double (*step)(const LawNumbers& parameters, LawNumbers& state, const WallSet& walls,
-                 const StabiliserInput& input);
+  double (*step)(Stabiliser& stabiliser, const StabiliserInput& input);
 };
 #define HAPTICWALL_FUNCTIONS(Law) LawFunctions{parameters_of<scalar::Law>, step_of<scalar::Law>},
 constexpr std::array kFunctions{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_FUNCTIONS)};
@@ -62,21 +65,44 @@ constexpr ParameterUnion unite_parameters() {
 }
 constexpr ParameterUnion kParameterUnion = unite_parameters();
 
+// Changes only while plug-ins are loaded, before other threads start.
+struct AlgorithmList {
+  std::vector<AlgorithmDescription> algorithms{kAlgorithms.begin(), kAlgorithms.end()};
+  std::vector<ParameterDescription> parameters{
+      kParameterUnion.parameters.begin(),
+      kParameterUnion.parameters.begin() + static_cast<std::ptrdiff_t>(kParameterUnion.count)};
+};
+
+AlgorithmList& algorithm_list() {
+  static AlgorithmList list;
+  return list;
+}
+
 }  // namespace
 
-std::span<const AlgorithmDescription> algorithms() { return kAlgorithms; }
+std::span<const AlgorithmDescription> algorithms() { return algorithm_list().algorithms; }
+
+std::size_t first_plugin() { return kAlgorithms.size(); }
+
+std::size_t add_algorithm(const AlgorithmDescription& algorithm) {
+  AlgorithmList& list = algorithm_list();
+  for (const ParameterDescription& parameter : algorithm.parameters) {
+    if (!find_algorithm_parameter(parameter.key)) list.parameters.push_back(parameter);
+  }
+  list.algorithms.push_back(algorithm);
+  return list.algorithms.size() - 1;
+}
 
 std::optional<std::size_t> find_algorithm(std::string_view name) {
-  const auto found = std::ranges::find_if(kAlgorithms, [&](const auto& algorithm) {
+  const auto all = algorithms();
+  const auto found = std::ranges::find_if(all, [&](const auto& algorithm) {
     return !name.empty() && (algorithm.name == name || algorithm.old_name == name);
   });
-  if (found == kAlgorithms.end()) return std::nullopt;
-  return static_cast<std::size_t>(std::distance(kAlgorithms.begin(), found));
+  if (found == all.end()) return std::nullopt;
+  return static_cast<std::size_t>(std::distance(all.begin(), found));
 }
 
-std::span<const ParameterDescription> algorithm_parameters() {
-  return {kParameterUnion.parameters.data(), kParameterUnion.count};
-}
+std::span<const ParameterDescription> algorithm_parameters() { return algorithm_list().parameters; }
 
 std::optional<std::size_t> find_algorithm_parameter(std::string_view key) {
   const auto all = algorithm_parameters();
@@ -104,7 +130,7 @@ bool has_follower(const AlgorithmSettings& settings) {
 }
 
 std::string algorithm_label(const AlgorithmSettings& settings) {
-  std::string label(kAlgorithms.at(settings.index).name);
+  std::string label(algorithms()[settings.index].name);
   if (has_follower(settings)) label += " then " + std::string(kFollowers.back());
   return label;
 }
@@ -114,7 +140,7 @@ std::vector<ComparedAlgorithm> compared_algorithms(AlgorithmSettings settings,
   std::vector<ComparedAlgorithm> rows;
   for (const std::size_t index : indices) {
     settings.index = index;
-    const auto key = find_algorithm_parameter(kAlgorithms.at(index).forms_key);
+    const auto key = find_algorithm_parameter(algorithms()[index].forms_key);
     if (!key) {
       rows.push_back({settings, algorithm_label(settings)});
       continue;
@@ -133,11 +159,13 @@ std::vector<ComparedAlgorithm> compared_algorithms(AlgorithmSettings settings,
 }
 
 void Stabiliser::configure(std::size_t algorithm, const StabiliserContext& context) {
-  if (algorithm >= kFunctions.size()) algorithm = 0;
+  const hw_plugin* const plugin = plugin_at(algorithm);
+  if (plugin == nullptr && algorithm >= kFunctions.size()) algorithm = 0;
   if (algorithm != algorithm_) reset();
   algorithm_ = algorithm;
-  step_ = kFunctions[algorithm].step;
-  parameters_ = kFunctions[algorithm].parameters(context);
+  plugin_.configure(plugin, context);
+  step_ = plugin != nullptr ? step_of_plugin : kFunctions[algorithm].step;
+  parameters_ = plugin != nullptr ? LawNumbers{} : kFunctions[algorithm].parameters(context);
   walls_ = context.walls;
 }
 
@@ -147,8 +175,8 @@ bool reads(const AlgorithmSettings& settings, std::string_view key) {
       return parameter.key == key;
     });
   };
-  return key == kThenParameter.key || has_key(kAlgorithms.at(settings.index)) ||
-         (has_follower(settings) && has_key(kAlgorithms[follower_index()]));
+  return key == kThenParameter.key || has_key(algorithms()[settings.index]) ||
+         (has_follower(settings) && has_key(algorithms()[follower_index()]));
 }
 
 std::string value_text(const ParameterDescription& parameter, double value) {

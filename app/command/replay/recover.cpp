@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/command/commands.h"
+#include "app/command/common_options.h"
 #include "app/command/report/terminal.h"
 #include "app/file/recording/recovery.h"
 #include "app/file/text/text.h"
@@ -33,7 +34,11 @@ Command add_recover(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "recover", "Finish a recording that was cut off by a crash or a full disk");
   app->add_option("RECORDING", *path, "NAME.csv, or NAME.csv.partial")->required();
-  return {app, [path] { return recover(*path); }};
+  const auto plugin = std::make_shared<std::string>();  // is in the list of algorithms
+  app->add_option("--algorithm", *plugin, "The plug-in of the recording, ./MINE.so")
+      ->type_name("FILE")
+      ->transform(loads_plugin());
+  return {app, [path, plugin] { return recover(*path); }};
 }
 
 }  // namespace hapticwall::command

@@ -192,8 +192,10 @@ Command add_replay(CLI::App& program, runtime::OpenWindow open) {
       ->type_name("")
       ->required();
   app->add_option("--algorithm", command->algorithm,
-                  "Re-run the recorded hand under this algorithm, over the recording")
-      ->type_name("NAME");
+                  "Re-run the recorded hand under this algorithm, or plug-in ./MINE.so, over the "
+                  "recording")
+      ->type_name("NAME")
+      ->transform(loads_plugin());
   app->add_option("--set", command->settings,
                   "Re-run it with a changed key of the scene, e.g. wall.stiffness_n_per_m=5000 "
                   "(repeatable)")

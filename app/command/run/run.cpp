@@ -133,6 +133,7 @@ Result<int> run(const RunOptions& options) {
   const Result<DeviceChoice> device = parse_device_choice(options.scene.device);
   if (!device) return device.error();
   if (Failure failed = check_arming(options, *device)) return *failed;
+  if (Failure failed = check_plugin(options.scene)) return *failed;
   const bool in_real_time = options.realtime || device->hardware.has_value();
   if (Failure failed = check_spin(options, in_real_time)) return *failed;
   const Result<file::LoadedScene> loaded =

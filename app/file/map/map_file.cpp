@@ -12,6 +12,7 @@
 
 #include "app/file/disk/small_file.h"
 #include "app/file/map/map_rows.h"
+#include "app/file/plugin/plugin_file.h"
 #include "app/file/recording/sidecar.h"
 #include "app/file/scene/hand_file.h"
 #include "app/file/scene/scene_file.h"
@@ -32,6 +33,17 @@ std::string algorithms_text(const StabilityMap& map) {
   std::vector<std::string_view> names;
   for (const std::size_t index : map.algorithms) names.push_back(algorithms()[index].name);
   return fmt::format("{}", fmt::join(names, ","));
+}
+
+// Another file of the same name must not resume the map.
+std::string plugins_text(const StabilityMap& map) {
+  std::string text;
+  for (const std::size_t index : map.algorithms) {
+    const PluginFile* const plugin = plugin_file(index);
+    if (plugin == nullptr) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", plugin->path, plugin->sha256);
+  }
+  return text;
 }
 
 // Empty if there is no such file.
@@ -113,6 +125,8 @@ std::string map_sidecar(const StabilityMap& map, const MapPart& part, const std:
   out.string("x", axis_text(map.x));
   out.string("y", axis_text(map.y));
   out.string("algorithms", algorithms_text(map));
+  if (const std::string plugins = plugins_text(map); !plugins.empty())
+    out.string("plugins", plugins);
   out.integer("first_cell", part.begin);
   out.integer("cells", part.end - part.begin);
   return scene_to_toml(beside(map.scene, path)) + out.text();

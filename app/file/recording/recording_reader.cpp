@@ -105,6 +105,9 @@ void RecordingReader::read_sidecar() {
   info_.realtime = recorded(root, "realtime");
   info_.start_time = recorded(root, "start_time");
   if (info_.loaded.edited) notes.emplace_back(kEditedSidecar);
+  if (!info_.loaded.changed_plugin.empty())
+    notes.push_back(fmt::format("its plug-in {} was changed since (SHA-256 differs)",
+                                shown(info_.loaded.changed_plugin)));
   tolerance_.holes = partial || !root["recording"]["complete"].value_or(true);
 }
 

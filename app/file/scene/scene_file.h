@@ -41,6 +41,7 @@ struct LoadedScene {
   std::vector<ScheduledChange> changes;
   std::uint64_t first_recorded_tick = 0;
   std::string not_repeatable_because;  // empty: a repetition gives the same rows
+  std::string changed_plugin;          // its path; empty: as recorded, or another algorithm
   std::vector<Mark> marks;             // in order
   std::string csv_sha256;              // of the rows; empty: not known
   bool edited = false;                 // the sidecar was changed since it was written

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 
+#include "app/file/plugin/plugin_file.h"
 #include "app/file/scene/scene_tables.h"
 #include "app/file/scene/table_reader.h"
 #include "app/file/text/text.h"
@@ -55,7 +56,8 @@ Scene read_tables(TableReader& reader, const std::string& origin) {
 // Checks the table of a map; its values are for people.
 void check_map(const toml::table& table, const std::string& origin) {
   TableReader reader(table, "map.", origin);
-  for (const std::string_view key : {"program", "version", "build", "x", "y", "algorithms"}) {
+  for (const std::string_view key :
+       {"program", "version", "build", "x", "y", "algorithms", "plugins"}) {
     static_cast<void>(reader.string(key));
   }
   for (const std::string_view key : {"first_cell", "cells"}) static_cast<void>(reader.count(key));
@@ -73,6 +75,22 @@ std::string changed_hand_file(const toml::table& root, const Scene& scene) {
   return "";
 }
 
+// The plug-in's file that has other bytes than the scene says, or "". Another algorithm may have
+// taken the plug-in's place.
+std::string changed_plugin(toml::node_view<const toml::node> algorithm, const Scene& scene) {
+  const PluginFile* const plugin = plugin_file(scene.algorithm.index);
+  const auto recorded = algorithm["plugin_sha256"].value<std::string_view>();
+  return plugin != nullptr && recorded && *recorded != plugin->sha256 ? plugin->path : "";
+}
+
+// Of the scene or of one of its changes.
+std::string changed_plugin(const toml::table& root, const LoadedScene& loaded) {
+  std::string path = changed_plugin(root["algorithm"], loaded.scene);
+  for (std::size_t i = 0; path.empty() && i < loaded.changes.size(); ++i)
+    path = changed_plugin(root["recording"]["change"][i]["algorithm"], loaded.changes[i].scene);
+  return path;
+}
+
 }  // namespace
 
 LoadedScene read_scene(const toml::table& root, const std::string& origin) {
@@ -84,7 +102,9 @@ LoadedScene read_scene(const toml::table& root, const std::string& origin) {
   reader.finish();
   check(loaded.scene, root, "", origin);
   if (recording != nullptr) read_recording(*recording, root, origin, loaded);
-  const std::string file = changed_hand_file(root, loaded.scene);
+  loaded.changed_plugin = changed_plugin(root, loaded);
+  std::string file = changed_hand_file(root, loaded.scene);
+  if (file.empty()) file = loaded.changed_plugin;
   if (!file.empty()) {
     loaded.not_repeatable_because = shown(file) + " was changed since (SHA-256 differs)";
   }

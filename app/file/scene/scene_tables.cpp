@@ -6,6 +6,7 @@
 #include <climits>
 #include <filesystem>
 
+#include "app/file/plugin/plugin_file.h"
 #include "app/file/scene/hand_file.h"
 #include "app/file/text/text.h"
 #include "core/stabiliser/stabiliser.h"
@@ -123,18 +124,35 @@ void read_walls(TableReader& parent, const std::string& prefix, Scene& scene) {
   }
 }
 
+// A scene loads no library: its plug-in must be in the list by --algorithm.
+[[noreturn]] void refuse_algorithm(TableReader& reader, const toml::node& node,
+                                   const std::string& name, const std::string& plugin) {
+  if (!plugin.empty()) {
+    reader.fail(node, "name",
+                fmt::format("{} is of the plug-in {}, which a scene does not load; --algorithm "
+                            "{} does",
+                            in_quotes(name), in_quotes(plugin), shown(plugin)));
+  }
+  if (names_plugin(name)) {
+    reader.fail(node, "name",
+                fmt::format("{} is a file, which a scene does not load; --algorithm {} does",
+                            in_quotes(name), shown(name)));
+  }
+  const auto names = names_of(algorithms(), &AlgorithmDescription::name);
+  reader.fail(node, "name",
+              fmt::format("no algorithm is called {}{}; known: {}", in_quotes(name),
+                          suggestion(name, names), joined(names)));
+}
+
 AlgorithmSettings read_algorithm(const toml::table& table, const std::string& prefix,
                                  const std::string& origin) {
   TableReader reader(table, prefix + "algorithm.", origin);
   AlgorithmSettings settings;
+  const std::string plugin = reader.string("plugin_file").value_or("");
+  static_cast<void>(reader.string("plugin_sha256"));  // read_scene() compares it
   if (const std::optional<std::string> name = reader.string("name")) {
     const std::optional<std::size_t> index = find_algorithm(*name);
-    if (!index) {
-      const auto names = names_of(algorithms(), &AlgorithmDescription::name);
-      reader.fail(*table.get("name"), "name",
-                  fmt::format("no algorithm is called {}{}; known: {}", in_quotes(*name),
-                              suggestion(*name, names), joined(names)));
-    }
+    if (!index) refuse_algorithm(reader, *table.get("name"), *name, plugin);
     settings.index = *index;
   }
   const std::span<const ParameterDescription> parameters = algorithm_parameters();

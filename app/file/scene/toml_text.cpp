@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/file/plugin/plugin_file.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
 #include "core/stabiliser/stabiliser.h"
@@ -71,6 +72,10 @@ void TomlText::path(std::string_view key, const std::vector<PathPoint>& points) 
 void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSettings& algorithm) {
   out.table(fmt::format("{}algorithm", prefix));
   out.string("name", algorithms()[algorithm.index].name);
+  if (const PluginFile* plugin = plugin_file(algorithm.index)) {
+    out.string("plugin_file", plugin->path);
+    out.string("plugin_sha256", plugin->sha256);
+  }
   const std::span<const ParameterDescription> parameters = algorithm_parameters();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::optional<double>& value = algorithm.values.at(i);

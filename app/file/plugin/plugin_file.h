@@ -1,0 +1,28 @@
+// Algorithms from shared libraries, by the interface of hapticwall/plugin.h.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace hapticwall::file {
+
+struct PluginFile {
+  std::string path;    // as the user gave it
+  std::string sha256;  // of the bytes that were loaded
+};
+
+// A plug-in has a slash, "./mine.so"; an algorithm's name has none.
+[[nodiscard]] bool names_plugin(std::string_view text);
+
+// Loads a plug-in and gives its index in algorithms(); the same path again gives the same index.
+// Runs code of the library. Later changes of the file have no effect. Call it before other threads
+// start. Realtime-safe: no.
+[[nodiscard]] Result<std::size_t> load_plugin(const std::string& path);
+
+// nullptr if the algorithm is no plug-in.
+[[nodiscard]] const PluginFile* plugin_file(std::size_t algorithm);
+
+}  // namespace hapticwall::file

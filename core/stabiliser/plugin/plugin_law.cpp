@@ -1,0 +1,88 @@
+#include "core/stabiliser/plugin/plugin_law.h"
+
+#include <array>
+#include <cstring>
+#include <limits>
+
+#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
+#include "core/stabiliser/plugin/plugin_list.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall {
+namespace {
+
+constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
+
+std::array<double, kMaxPluginParameters> plugin_values(const hw_plugin& plugin,
+                                                       const StabiliserContext& context) {
+  std::array<double, kMaxPluginParameters> values{};
+  for (std::size_t i = 0; i < plugin.parameter_count; ++i) {
+    values.at(i) = context.value_or(plugin.parameters[i].key, plugin.parameters[i].fallback);
+  }
+  return values;
+}
+
+}  // namespace
+
+PluginLaw::PluginLaw() : bytes_(largest_plugin_state()) {
+  constexpr std::size_t kUnit = sizeof(std::max_align_t);
+  if (bytes_ > 0) state_ = std::make_unique<std::max_align_t[]>((bytes_ + kUnit - 1) / kUnit);
+}
+
+// A library's exception ends here: it must not unwind the loop.
+template <class Call>
+void PluginLaw::guarded(const Call& call) {
+  if (failed_) return;
+  try {
+    call();
+  } catch (...) {
+    failed_ = true;
+    note_plugin_exception(*plugin_);
+  }
+}
+
+void PluginLaw::start(const hw_plugin* plugin) {
+  plugin_ = plugin;
+  tick_ = 0;
+  if (plugin == nullptr) return;
+  failed_ = plugin->state_bytes > bytes_;  // loaded after the construction of this
+  if (!failed_ && plugin->state_bytes > 0) std::memset(state_.get(), 0, plugin->state_bytes);
+}
+
+void PluginLaw::configure(const hw_plugin* plugin, const StabiliserContext& context) {
+  const bool starts = plugin != plugin_;
+  if (starts) start(plugin);
+  if (plugin == nullptr) return;
+  const auto values = plugin_values(*plugin, context);
+  std::array<hw_wall, kMaxWalls> walls{};
+  std::uint32_t count = 0;
+  for (const WallSettings& wall : context.walls.walls())
+    walls.at(count++) = {wall.position_m, wall.stiffness_n_per_m, wall.damping_n_s_per_m};
+  const hw_context scene{sizeof(hw_context),
+                         context.period_s,
+                         context.device_damping_n_s_per_m,
+                         context.encoder_m,
+                         context.force_limit_n,
+                         values.data(),
+                         walls.data(),
+                         count};
+  guarded([&] { plugin->configure(state_.get(), &scene); });
+  if (starts) reset();
+}
+
+void PluginLaw::reset() {
+  if (plugin_ == nullptr) return;
+  tick_ = 0;
+  guarded([&] { plugin_->reset(state_.get()); });
+}
+
+double PluginLaw::step(const StabiliserInput& in) {
+  const hw_input input{sizeof(hw_input),    in.in_contact ? 1U : 0U, tick_++,
+                       in.wall_force_n,     in.position_m,           in.displacement_m,
+                       in.velocity_m_per_s, in.penetration_m,        in.previous_force_n};
+  double force_n = kNoForce;
+  guarded([&] { force_n = plugin_->step(state_.get(), &input); });
+  return force_n;
+}
+
+}  // namespace hapticwall

@@ -1,0 +1,43 @@
+// The law of a plug-in on one axis, with its state.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+struct hw_plugin;  // hapticwall/plugin.h
+
+namespace hapticwall {
+
+struct StabiliserContext;
+template <class N, class F>
+struct BasicStabiliserInput;
+
+inline constexpr std::size_t kMaxPluginStateBytes = std::size_t{1} << 18U;
+inline constexpr std::size_t kMaxPluginParameters = 16;
+
+// Moved only, so that the state keeps its address. Realtime-safe: yes, except the constructor.
+class PluginLaw {
+ public:
+  // Allocates as many bytes as the loaded plug-ins need at most; nothing if there is none.
+  PluginLaw();
+
+  // nullptr: no plug-in is in force. Another plug-in than before starts with a state of zeros.
+  void configure(const hw_plugin* plugin, const StabiliserContext& context);
+  void reset();
+  // After an exception NaN, until another plug-in starts.
+  [[nodiscard]] double step(const BasicStabiliserInput<double, bool>& input);
+
+ private:
+  void start(const hw_plugin* plugin);
+  template <class Call>
+  void guarded(const Call& call);
+
+  std::size_t bytes_ = 0;
+  std::unique_ptr<std::max_align_t[]> state_;
+  const hw_plugin* plugin_ = nullptr;
+  std::uint64_t tick_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace hapticwall

@@ -1,0 +1,114 @@
+// What the program refuses of a plug-in.
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "core/scene_keys.h"
+#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
+#include "core/stabiliser/plugin/plugin_law.h"
+#include "core/stabiliser/plugin/plugin_list.h"
+#include "core/stabiliser/stabiliser.h"
+#include "core/text.h"
+
+namespace hapticwall {
+namespace {
+
+constexpr std::size_t kMaxTextBytes = 200;
+constexpr std::string_view kLettersAndDigits = "abcdefghijklmnopqrstuvwxyz0123456789";
+
+bool is_word(const char* text, char joint) {
+  const std::string_view word = text == nullptr ? "" : text;
+  return !word.empty() && word.size() <= kMaxTextBytes &&
+         word.find_first_not_of(std::string(kLettersAndDigits) + joint) == std::string_view::npos;
+}
+
+bool is_line(const char* text) {
+  if (text == nullptr) return false;
+  const std::string_view line = text;
+  if (line.size() > kMaxTextBytes || !is_utf8(line)) return false;
+  for (std::size_t i = 0; i < line.size(); i += utf8_length(line.substr(i))) {
+    if (starts_with_control(line.substr(i))) return false;
+  }
+  return true;
+}
+
+std::string texts_problem(const hw_plugin& plugin) {
+  if (!is_word(plugin.name, '-')) return "its name is not a word of a-z, 0-9 and -";
+  if (find_algorithm(plugin.name))
+    return "an algorithm is called \"" + std::string(plugin.name) + "\" already";
+  if (!is_line(plugin.title) || !is_line(plugin.idea) || !is_line(plugin.equation))
+    return "title, idea and equation must be one line of UTF-8 each, of at most 200 bytes";
+  return "";
+}
+
+std::string range_problem(const hw_parameter& parameter) {
+  const ValueRange range{parameter.minimum, parameter.maximum};
+  if (!std::isfinite(range.minimum) || !std::isfinite(range.maximum) ||
+      range.minimum >= range.maximum) {
+    return "minimum and maximum must be finite, and minimum the smaller one";
+  }
+  if (std::isnan(parameter.fallback) || range.contains(parameter.fallback)) return "";
+  return "fallback " + number_text(parameter.fallback) + " is outside " +
+         number_text(range.minimum) + " to " + number_text(range.maximum);
+}
+
+std::string parameter_problem(const hw_parameter& parameter, std::size_t& new_keys) {
+  if (!is_line(parameter.unit) || !is_line(parameter.meaning))
+    return "unit and meaning must be one line of UTF-8 each, of at most 200 bytes";
+  if (std::string problem = range_problem(parameter); !problem.empty()) return problem;
+  const auto known = find_algorithm_parameter(parameter.key);
+  if (!known) ++new_keys;
+  if (algorithm_parameters().size() + new_keys > kMaxAlgorithmParameters)
+    return "the algorithms together have more than " + std::to_string(kMaxAlgorithmParameters) +
+           " keys";
+  if (!known) return "";
+  const ParameterDescription& other = algorithm_parameters()[*known];
+  const bool same = other.kind == ParameterKind::kNumber && other.unit == parameter.unit &&
+                    other.minimum == parameter.minimum && other.maximum == parameter.maximum;
+  return same ? "" : "another algorithm has this key with another unit, minimum or maximum";
+}
+
+bool has_key_twice(const hw_plugin& plugin, std::size_t index) {
+  for (std::size_t i = 0; i < index; ++i) {
+    if (plugin.parameters[i].key == std::string_view(plugin.parameters[index].key)) return true;
+  }
+  return false;
+}
+
+std::string parameters_problem(const hw_plugin& plugin) {
+  if (plugin.parameter_count > kMaxPluginParameters)
+    return std::to_string(plugin.parameter_count) + " parameters; at most " +
+           std::to_string(kMaxPluginParameters) + " are taken";
+  if (plugin.parameter_count > 0 && plugin.parameters == nullptr) return "parameters is NULL";
+  std::size_t new_keys = 0;
+  for (std::size_t i = 0; i < plugin.parameter_count; ++i) {
+    const char* const key = plugin.parameters[i].key;
+    if (!is_word(key, '_'))
+      return "the key of parameter " + std::to_string(i) + " is not a word of a-z, 0-9 and _";
+    std::string problem = has_key_twice(plugin, i)
+                              ? "the plug-in has this key twice"
+                              : parameter_problem(plugin.parameters[i], new_keys);
+    if (!problem.empty()) return "parameter " + std::string(key) + ": " + problem;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string plugin_problem(const hw_plugin& plugin) {
+  if (plugin.abi != HAPTICWALL_PLUGIN_ABI)
+    return "it was built for ABI " + std::to_string(plugin.abi) + ", this program has ABI " +
+           std::to_string(HAPTICWALL_PLUGIN_ABI);
+  if (plugin.size != sizeof(hw_plugin))
+    return "its hw_plugin has " + std::to_string(plugin.size) + " bytes, this program's has " +
+           std::to_string(sizeof(hw_plugin));
+  if (plugin.configure == nullptr || plugin.reset == nullptr || plugin.step == nullptr)
+    return "configure, reset or step is NULL";
+  if (plugin.state_bytes > kMaxPluginStateBytes)
+    return "a state of " + std::to_string(plugin.state_bytes) + " bytes; at most " +
+           std::to_string(kMaxPluginStateBytes) + " are taken";
+  std::string problem = texts_problem(plugin);
+  return problem.empty() ? parameters_problem(plugin) : problem;
+}
+
+}  // namespace hapticwall

@@ -1,0 +1,51 @@
+// One plug-in for each fault, and `sound` and `memory` without any; FAULT names it.
+#include <limits>
+#include <stdexcept>
+
+#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
+
+#define HAPTICWALL_TEXT(text) #text
+#define HAPTICWALL_NAME(fault) "test-" HAPTICWALL_TEXT(fault)
+
+namespace {
+
+enum class Fault { sound, memory, nan, throws, abi, size, range, shared };
+constexpr Fault kFault = Fault::FAULT;
+
+struct State {
+  double force_n;
+};
+
+// A first-order filter: its force depends on all forces before.
+double filtered(State& state, const hw_input& in) {
+  state.force_n += 0.5 * (in.wall_force_n - state.force_n);
+  return state.force_n;
+}
+
+double step(void* state, const hw_input* in) {
+  const bool late = in->tick >= 500;
+  if (kFault == Fault::nan && late) return std::numeric_limits<double>::quiet_NaN();
+  if (kFault == Fault::throws && late) throw std::runtime_error("a fault");
+  return kFault == Fault::memory ? filtered(*static_cast<State*>(state), *in) : in->wall_force_n;
+}
+
+constexpr double kMaximum = kFault == Fault::range ? -1.0 : 1.0;
+constexpr hw_parameter kParameters[] = {{kFault == Fault::shared ? "damping_n_s_per_m" : "unused",
+                                         "", 0.0, kMaximum, 0.0, "no effect"}};
+
+}  // namespace
+
+const hw_plugin hapticwall_plugin = {
+    kFault == Fault::abi ? 7U : HAPTICWALL_PLUGIN_ABI,
+    kFault == Fault::size ? 8U : sizeof(hw_plugin),
+    sizeof(State),
+    1,
+    kParameters,
+    HAPTICWALL_NAME(FAULT),
+    "Test",
+    "for tests",
+    "",
+    [](void* /*state*/, const hw_context* /*context*/) {},
+    [](void* state) { static_cast<State*>(state)->force_n = 0.0; },
+    step,
+};
