@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/file/plugin/plugin_file.h"
 #include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/benchmark/bare_loop.h"
@@ -52,6 +53,7 @@ void register_all() {
   const Scene friction = builtin("golden-soft-fric");
   add_scene("golden-soft-fric, full ledger", friction);
   add_friction_kernel("golden-soft-fric, full ledger", friction);
+  if (!file::load_plugin(HAPTICWALL_BENCHMARK_PLUGIN)) std::abort();
   for (const AlgorithmDescription& algorithm : algorithms()) {
     const std::string name(algorithm.name);
     add_scene("press, " + name, under(name.c_str(), builtin("press")));
