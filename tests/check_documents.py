@@ -96,11 +96,13 @@ def problem_of(words, text, work, root):
     return ""
 
 
-def prepared(work, program):
-    """A new folder with the program and a recording."""
+def prepared(work, program, root):
+    """A new folder with the program, the sources and a recording."""
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     (work / "hapticwall").symlink_to(program)
+    for folder in ("assets", "core"):
+        (work / folder).symlink_to(root / folder)
     problem = run(work, "hapticwall run press --csv NAME.csv --duration 0.5")
     if problem:
         sys.exit(problem)
@@ -111,7 +113,7 @@ def main():
     pages = [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").rglob("*.md"))]
     ran, problems = 0, []
     for page in pages:
-        prepared(work, program)
+        prepared(work, program, root)
         # Scenes name files that the page shows further down.
         found = sorted(blocks(page.read_text(encoding="utf-8")), key=lambda block: block[0][:1] != ["csv"])
         for words, text in found:

@@ -25,6 +25,7 @@ list(SORT found)
 set(expected
     bin/hapticwall
     bin/hapticwall-emulator
+    include/hapticwall/plugin.h
     lib/udev/rules.d/70-hapticwall.rules
     share/applications/hapticwall.desktop
     share/bash-completion/completions/hapticwall
