@@ -1,10 +1,13 @@
-// hidapi behind the port. Three defects of hidapi shape this file:
+// hidapi behind the port. Four defects of hidapi shape this file:
 // * Reading and writing one handle from two threads frees its error text twice after an unplug. On
 //   hidraw each open() gives a new handle; on libusb only one is possible, so a mutex guards it.
 // * List, open and close use global state without a lock: one thread and one port at a time.
 // * A path that was not listed can crash it.
+// * A hidraw node that does not answer as one is read after it was freed (0.13).
 #include <fcntl.h>
 #include <hidapi.h>
+#include <linux/hidraw.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,9 +34,6 @@ static_assert(kIsLibusb || kTransport == "hidraw", "HAPTICWALL_HIDAPI is hidraw 
 
 // Poll interval of a reader that shares its handle with a writer.
 constexpr std::chrono::microseconds kSharedPoll{250};
-
-// hidapi's error text if it knows of no error.
-constexpr std::string_view kNoReason = "Success";
 
 struct CloseDevice {
   void operator()(hid_device* device) const { hid_close(device); }
@@ -116,6 +116,16 @@ Obstacle obstacle_at(const std::string& path) {
   return errno == EACCES || errno == EPERM ? Obstacle::kPermission : Obstacle::kGone;
 }
 
+// The first question that hidapi asks of an open node.
+bool answers_as_hid(const std::string& path) {
+  if constexpr (kIsLibusb) return true;
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+  int size = 0;
+  const bool answers = descriptor >= 0 && ::ioctl(descriptor, HIDIOCGRDESCSIZE, &size) == 0;
+  if (descriptor >= 0) ::close(descriptor);
+  return answers;
+}
+
 Listing listing_of(const hid_device_info& info) {
   Listing listing;
   listing.path = info.path;
@@ -167,8 +177,9 @@ class HidapiPort : public Port {
     if (!lock) return lock.error();
     auto shared = std::make_shared<SharedDevice>();
     shared->lock = *lock;
+    if (!answers_as_hid(path)) return not_opened(path, "it does not answer as a HID device");
     shared->device.reset(hid_open_path(path.c_str()));
-    if (!shared->device) return not_opened(path);
+    if (!shared->device) return not_opened(path, to_utf8(hid_error(nullptr)));
     open_[path] = shared;
     return handle_on(std::move(shared));
   }
@@ -198,15 +209,11 @@ class HidapiPort : public Port {
     return shared && !shared->closing ? shared : nullptr;
   }
 
-  static Error not_opened(const std::string& path) {
+  static Error not_opened(const std::string& path, const std::string& reason) {
     const Obstacle now = obstacle_at(path);
     if (now != Obstacle::kNone) return device_error(obstacle_text(path, now));
     if (kIsLibusb) return device_error(obstacle_text(path, Obstacle::kBusy));
-    // The system call may have succeeded on something else than a HID device.
-    const std::string reason = to_utf8(hid_error(nullptr));
-    const bool told = !reason.empty() && reason != kNoReason;
-    return device_error(
-        path + " cannot be opened: " + (told ? reason : "it does not answer as a HID device"));
+    return device_error(path + " cannot be opened: " + reason);
   }
 
   std::set<std::string> listed_;
