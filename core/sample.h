@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -35,6 +36,15 @@ struct PlantTruth {
   double kinetic_j = 0.0;
 };
 
+// Numbers that an algorithm shows of itself, in the order of algorithm_signals() (stabiliser.h).
+inline constexpr std::size_t kMaxSignals = 16;  // of all algorithms, with plug-ins
+using Signals = std::array<double, kMaxSignals>;
+[[nodiscard]] constexpr Signals no_signals() {
+  Signals none{};
+  for (double& value : none) value = std::numeric_limits<double>::quiet_NaN();
+  return none;
+}
+
 struct Sample {
   std::uint64_t tick = 0;   // since the last reset
   double time_s = 0.0;      // tick / rate
@@ -54,7 +64,8 @@ struct Sample {
   double read_age_s = 0.0;     // age of the position when the loop used it
   double applied_force_n = 0.0;  // that the device says it applies from the latch on
   std::uint32_t flags = 0;
-  std::uint32_t generation = 0;  // of the parameters in force (live sessions; 0 in headless runs)
+  std::uint32_t generation = 0;    // of the parameters in force (live sessions; 0 in headless runs)
+  Signals signals = no_signals();  // finite, or NaN: the algorithm in force has none here
 };
 
 // Which columns a recording has: kTick once, kAxis for every axis, and of every axis kTruth (from a
@@ -71,7 +82,8 @@ struct SampleColumn {
 };
 
 // In the order of a recording (docs/recording.md). A new field needs a line here; writer,
-// reader, history and every comparison read this table. `generation` is not recorded.
+// reader, history and every comparison read this table. `generation` is not recorded; `signals`
+// have columns of their own.
 inline constexpr std::array<SampleColumn, 24> kSampleColumns{
     {{"tick", &Sample::tick, ColumnGroup::kTick},
      {"time_s", &Sample::time_s, ColumnGroup::kTick},

@@ -19,6 +19,7 @@ inline std::vector<Sample> samples_of(
   std::vector<Sample> samples;
   SimulationOptions options;
   options.changes = changes;
+  options.signals = true;
   options.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
   static_cast<void>(run(scene, options));
   return samples;

@@ -163,6 +163,11 @@ void add_plot_option(CLI::App& app, OutputOptions& options, const std::string& d
   app.add_option("--plot", options.plot, description + "; needs no display")->type_name("FILE.png");
 }
 
+void add_signals_option(CLI::App& app, bool& signals, const std::string& outputs) {
+  app.add_flag("--signals", signals,
+               "The algorithm's own signals in " + outputs + ", such as its energy or its bound");
+}
+
 void add_stream_options(CLI::App& app, StreamChoice& choice) {
   app.add_option(
          "--stream", choice.path,

@@ -51,6 +51,8 @@ void add_csv_option(CLI::App& app, OutputOptions& options, const std::string& de
 void add_plot_option(CLI::App& app, OutputOptions& options, const std::string& description);
 // --stream and --stream-every.
 void add_stream_options(CLI::App& app, StreamChoice& choice);
+// --signals, of the algorithms in `outputs`: "recordings and the stream".
+void add_signals_option(CLI::App& app, bool& signals, const std::string& outputs);
 // The stream, or null without one. `waits` as in file::StreamOptions.
 [[nodiscard]] Result<std::shared_ptr<file::SampleStream>> open_stream(const StreamChoice& choice,
                                                                       bool waits);

@@ -33,6 +33,7 @@ struct OutputOptions {
   std::string wav;
   StreamChoice stream;
   std::vector<std::string> expectations;
+  bool signals = false;  // of algorithms, in --csv, --stream and --plot
   bool quiet = false;
 };
 

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
@@ -38,7 +40,15 @@ constexpr float kFullScalePercent = 100.0F;
 struct LookOptions {
   double scale = 0.0;  // 0: not given
   StreamChoice stream;
+  bool signals = false;
 };
+
+// Of every algorithm that the window's menu has.
+std::vector<file::SignalColumn> all_signals() {
+  std::vector<std::size_t> indices(algorithms().size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return file::signal_columns(indices);
+}
 
 // The path of a scene file, for the list of recent files.
 std::string opened_file(const std::string& scene) {
@@ -58,6 +68,10 @@ Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
         "{}: a recording takes no such option; 'hapticwall replay' re-runs its hand with "
         "--algorithm and --set",
         file::shown(options.scene)));
+  }
+  if (look.signals) {
+    return usage_error(fmt::format("--signals: {} is a recording, which shows those that it has",
+                                   file::shown(options.scene)));
   }
   if (!look.stream.path.empty() || !look.stream.every.empty()) {
     return usage_error(fmt::format("--stream: {} is a recording; 'hapticwall replay' streams it",
@@ -87,10 +101,12 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   session.allow_no_realtime = options.allow_no_realtime;
   session.spin_s = *spin_s;
   session.stream = *stream;
+  if (look.signals) session.signals = all_signals();
   runtime::WindowOptions window;
   window.scene = loaded->scene;
   window.start_on_device = session_starter(*device, session);
   window.stream = *stream;
+  window.signals = session.signals;
   window.spin_s = *spin_s;
   window.repeats = repeats;
   window.settings_path = file::settings_path(file::process_environment);
@@ -113,6 +129,7 @@ Action add_window(CLI::App& program, runtime::OpenWindow open) {
   add_scene_options(program, *options);
   add_device_options(program, *options);
   add_stream_options(program, look->stream);
+  add_signals_option(program, look->signals, "recordings and the stream");
   constexpr float kMin = runtime::kMinScalePercent / kFullScalePercent;
   constexpr float kMax = runtime::kMaxScalePercent / kFullScalePercent;
   program

@@ -45,7 +45,8 @@ class Servo {
     // The truth belongs to the instant of the reading: a simulator's write() passes the tick.
     Sample sample;
     TruthKeeper<Device> keeper{device, sample};
-    const TickOutcome outcome = servo_step(settings_, state_, stabiliser_, keeper);
+    ShownStabiliser<true, FollowedStabiliser> shown{stabiliser_, &sample.signals};
+    const TickOutcome outcome = servo_step(settings_, state_, shown, keeper);
     write_sample(settings_, state_.ledger, outcome, sample);
     return sample;
   }

@@ -152,6 +152,19 @@ struct StepKnowledge {
   bool one_undamped_wall = false;
 };
 
+// A stabiliser that shows its signals; null: it does not.
+template <bool kShows, typename Stabiliser>
+struct ShownStabiliser {
+  Stabiliser& stabiliser;
+  Signals* signals;
+
+  [[nodiscard]] double step(const StabiliserInput& input) {
+    const double force_n = stabiliser.step(input);
+    if (kShows && signals != nullptr) stabiliser.show(input, force_n, *signals);
+    return force_n;
+  }
+};
+
 // Realtime-safe: yes, these two.
 [[nodiscard]] inline bool is_steady(const ServoSettings& settings, const ServoState& state) {
   return state.position_known && state.transition.ticks_left == 0 && state.force_gain == 1.0 &&

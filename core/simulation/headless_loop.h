@@ -32,6 +32,7 @@ namespace hapticwall {
 // The state of a headless run except its plant.
 struct HeadlessRun {
   const std::function<void(const Sample&)>& on_sample;
+  bool shows_signals = false;
   Servo servo;
   OutputStage output;
   TickMetrics metrics;
@@ -134,8 +135,16 @@ class LoopLaw : public InlinedLaw<Law> {
 
   LoopLaw(Servo& servo, const WallSet& walls)
       : InlinedLaw<Law>(servo.stabiliser().first().parameters(), servo.stabiliser().first().state(),
-                        walls) {}
+                        walls),
+        algorithm_(servo.stabiliser().first().algorithm()) {}
+  void show(const StabiliserInput& input, double force_n, Signals& signals) const {
+    show_signals(algorithm_, {this->parameters(), this->state(), this->walls(), input, force_n},
+                 signals);
+  }
   void give_back(Servo& servo) const { servo.stabiliser().first().state() = this->state(); }
+
+ private:
+  std::size_t algorithm_;
 };
 
 // Any algorithm and its follower.
@@ -159,13 +168,15 @@ HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint6
   HeadlessDevice<Plant, kParts> device(plant, run.output, settings.encoder_m);
   std::optional<std::uint64_t> diverged_at_tick;
   Sample sample;
+  ShownStabiliser<kParts.maybe_log, Stabiliser> shown{
+      stabiliser, run.shows_signals ? &sample.signals : nullptr};
   while (state.tick < end) {
     const double true_position_m = device.true_position_m();
     if (!device.in_reach()) [[unlikely]] {
       diverged_at_tick = state.tick;
       break;
     }
-    const TickOutcome outcome = servo_step<kParts.known>(settings, state, stabiliser, device);
+    const TickOutcome outcome = servo_step<kParts.known>(settings, state, shown, device);
     if (state.failed) [[unlikely]] {
       diverged_at_tick = outcome.tick;
       break;

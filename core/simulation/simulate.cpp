@@ -45,9 +45,8 @@ void run_chunk(HeadlessRun& run, PlantVariant& variant, std::uint64_t end) {
 // One axis of several. Its samples wait until the others reach their tick.
 class WaitingAxis {
  public:
-  WaitingAxis(const Scene& scene, std::vector<ScheduledChange> changes, bool wants_samples)
-      : changes_(std::move(changes)),
-        simulation_(scene, options(wants_samples), make_plant, run_chunk) {}
+  WaitingAxis(const Scene& scene, std::vector<ScheduledChange> changes, const AxesOptions& all)
+      : changes_(std::move(changes)), simulation_(scene, options(all), make_plant, run_chunk) {}
   WaitingAxis(const WaitingAxis&) = delete;
   WaitingAxis& operator=(const WaitingAxis&) = delete;
 
@@ -55,9 +54,10 @@ class WaitingAxis {
   std::vector<Sample>& waiting() { return waiting_; }
 
  private:
-  const SimulationOptions& options(bool wants_samples) {
+  const SimulationOptions& options(const AxesOptions& all) {
     options_.changes = changes_;
-    if (wants_samples) {
+    options_.signals = all.signals;
+    if (all.on_tick) {
       waiting_.reserve(kChunkTicks);
       options_.on_sample = [this](const Sample& sample) { waiting_.push_back(sample); };
     }
@@ -116,7 +116,7 @@ AxesResult simulate_axes(const Scene& scene, const AxesOptions& options) {
   for (std::size_t i = 0; i < scene.axes.size(); ++i) {
     const Scene axis = axis_scene(scene, i);
     refuse_pointer(axis);
-    axes.emplace_back(axis, changes_of(options.changes, i), wants_samples);
+    axes.emplace_back(axis, changes_of(options.changes, i), options);
   }
   AxesResult result;
   const auto is_over = [](WaitingAxis& axis) { return axis.simulation().over(); };

@@ -30,6 +30,7 @@ struct SimulationOptions {
   std::function<bool()> should_stop;
   // Sorted by tick.
   std::span<const ScheduledChange> changes;
+  bool signals = false;  // whether the samples have the algorithm's
 };
 
 struct SimulationResult {
@@ -50,6 +51,7 @@ struct AxesOptions {
   std::function<void(const Tick&)> on_tick;
   std::function<bool()> should_stop;         // as in SimulationOptions
   std::span<const ScheduledChange> changes;  // of scenes with as many axes, sorted by tick
+  bool signals = false;                      // as in SimulationOptions
 };
 
 struct AxesResult {

@@ -30,7 +30,8 @@ class Simulation {
         make_plant_(make),
         run_loop_(loop),
         plant_(make(scene)),
-        run_{options.on_sample, Servo(servo_settings(scene)), OutputStage(scene.x().device),
+        run_{options.on_sample, options.signals, Servo(servo_settings(scene)),
+             OutputStage(scene.x().device),
              TickMetrics(tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz))} {}
 
   SimulationResult run() {

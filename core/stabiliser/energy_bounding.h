@@ -20,10 +20,16 @@ struct EnergyBounding {
           "b times 0.0075 m/s with an encoder, no limit without",
           "α_max: the largest change of force in a tick without measured motion; press "
           "is quiet from 0.0053 to 0.024 N")};
+  static constexpr std::array<SignalDescription, 1> kSignals{
+      {{"step_bound_n",
+        "b|v|, or α_max without motion: the largest change of force in this tick"}}};
   static constexpr AlgorithmDescription kDescription{
-      "energy-bounding", "Energy bounding",
+      "energy-bounding",
+      "Energy bounding",
       "limits the change of force in a tick to what the device's damping can dissipate",
-      kParameters, "F_d(k) = F_d(k-1) + (F_e - F_d(k-1)) within ±b|v|, within ±α_max where v = 0"};
+      kParameters,
+      "F_d(k) = F_d(k-1) + (F_e - F_d(k-1)) within ±b|v|, within ±α_max where v = 0",
+      kSignals};
   static constexpr bool kOnlyPushes = false;
 
   template <class N>
@@ -48,13 +54,27 @@ struct EnergyBounding {
 
   static Number step(const Parameters<Number>& p, State<Number>& /*s*/, const Walls& /*walls*/,
                      const LawInput& in) {
-    const Number bound_n =
-        select(differs(in.velocity_m_per_s, number(0.0)),
-               p.damping_n_s_per_m * abs_of(in.velocity_m_per_s), p.rest_force_step_n);
+    const Number bound_n = step_bound(p, in);
     const Number wanted_step_n = in.wall_force_n - in.previous_force_n;
     // Within the bound F_d is F_e itself, not F_e up to rounding.
     return select(at_most(abs_of(wanted_step_n), bound_n), in.wall_force_n,
                   in.previous_force_n + with_sign(bound_n, wanted_step_n));
+  }
+
+  // Without an encoder rest has no bound.
+  static std::array<Number, 1> signals(const Parameters<Number>& p, const State<Number>& /*s*/,
+                                       const Walls& /*walls*/, const LawInput& in,
+                                       Number /*force_n*/) {
+    const Number bound_n = step_bound(p, in);
+    const Number no_bound_n = number(std::numeric_limits<double>::max());
+    return {select(at_most(no_bound_n, bound_n), number(std::numeric_limits<double>::infinity()),
+                   bound_n)};
+  }
+
+ private:
+  static Number step_bound(const Parameters<Number>& p, const LawInput& in) {
+    return select(differs(in.velocity_m_per_s, number(0.0)),
+                  p.damping_n_s_per_m * abs_of(in.velocity_m_per_s), p.rest_force_step_n);
   }
 };
 

@@ -48,6 +48,9 @@ struct EnergyBounding2010 {
                             number_text(max_storage) + " N/m"};
   }
 
+  static constexpr std::array<SignalDescription, 2> kSignals{
+      {{"step_bound_n", "c₁|Δx|: the largest change of force in this tick"},
+       {"store_j", "F_d²/(2c₂): the energy in the control law's store"}}};
   static constexpr AlgorithmDescription kDescription{
       "energy-bounding-2010",
       "Energy bounding (2010)",
@@ -55,6 +58,7 @@ struct EnergyBounding2010 {
       kParameters,
       "F_d(k) = F_d(k-1) + β Δx,  β = (F_e - F_d(k-1))/Δx within [max(-c₁, γ-), min(c₁, γ+)],\n"
       "c₁ = b/T,  γ± = c₂ - r ± √(c₂² + r²),  r = F_d(k-1)/Δx;  held where Δx = 0",
+      kSignals,
       problem};
   static constexpr bool kOnlyPushes = false;
 
@@ -87,6 +91,12 @@ struct EnergyBounding2010 {
     // Within the bounds F_d is F_e itself. Rounding may let the bounds pass each other.
     const Number force_n = sign * smaller(larger(sign * in.wall_force_n, min_n), max_n);
     return select(moves, force_n, in.previous_force_n);
+  }
+
+  static std::array<Number, 2> signals(const Parameters<Number>& p, const State<Number>& /*s*/,
+                                       const Walls& /*walls*/, const LawInput& in, Number force_n) {
+    return {p.hold_n_per_m * abs_of(in.displacement_m),
+            force_n * force_n / (number(2.0) * p.storage_n_per_m)};
   }
 
  private:

@@ -25,6 +25,10 @@ HAPTICWALL_LAW_BEGIN
 // Robotics 21(4), 2005 (paper, ref. 17); their controller is another one.
 struct EnergyLimitedSpring {
   static constexpr std::array<ParameterDescription, 1> kParameters{kBelievedDampingParameter};
+  // Those of force-bounding.
+  static constexpr std::array<SignalDescription, 2> kSignals{
+      {{"gathered_energy_j", "the energy that the contact has gathered"},
+       {"force_bound_n", "the largest force that it allows"}}};
   static constexpr AlgorithmDescription kDescription{
       "energy-limited-spring",
       "Energy-limited spring",
@@ -32,6 +36,7 @@ struct EnergyLimitedSpring {
       kParameters,
       "H(k) = H(k-1) + F_d(k-1) Δx,  0 out of contact,\n"
       "F_d(k) = min(F_e, max((2b/T) p, √(2 K max(H, 0))))",
+      kSignals,
       nullptr,
       "energy-bookkeeping"};
   static constexpr bool kOnlyPushes = true;
@@ -52,9 +57,19 @@ struct EnergyLimitedSpring {
   static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& walls,
                      const LawInput& in) {
     s.energy_j = or_zero(in.in_contact, s.energy_j + in.previous_force_n * in.displacement_m);
+    return smaller(in.wall_force_n, bound(p, s, walls, in));
+  }
+
+  static std::array<Number, 2> signals(const Parameters<Number>& p, const State<Number>& s,
+                                       const Walls& walls, const LawInput& in, Number /*force_n*/) {
+    return {s.energy_j, bound(p, s, walls, in)};
+  }
+
+ private:
+  static Number bound(const Parameters<Number>& p, const State<Number>& s, const Walls& walls,
+                      const LawInput& in) {
     const Number spring_n = spring_force(walls, larger(s.energy_j, number(0.0)));
-    const Number allowed_n = larger(p.passive_n_per_m * in.penetration_m, spring_n);
-    return smaller(in.wall_force_n, allowed_n);
+    return larger(p.passive_n_per_m * in.penetration_m, spring_n);
   }
 };
 

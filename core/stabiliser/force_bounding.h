@@ -17,11 +17,17 @@ HAPTICWALL_LAW_BEGIN
 // public implementation for several degrees of freedom (docs/algorithms/force-bounding.md).
 struct ForceBounding {
   static constexpr std::array<ParameterDescription, 1> kParameters{kBelievedDampingParameter};
+  static constexpr std::array<SignalDescription, 2> kSignals{
+      {{"gathered_energy_j", "the energy that the contact has gathered"},
+       {"force_bound_n", "the largest force that it allows"}}};
   static constexpr AlgorithmDescription kDescription{
-      "force-bounding", "Force bounding",
-      "gives no more force than what was gathered can pay, whatever the next move is", kParameters,
+      "force-bounding",
+      "Force bounding",
+      "gives no more force than what was gathered can pay, whatever the next move is",
+      kParameters,
       "E(k) = E(k-1) + (b/T) Δx² + F_d(k-1) Δx,  E(k-1) = 0 where F_d(k-1) = 0,\n"
-      "F_d(k) = sgn(F_e) min(|F_e|, √(4 (b/T) E))"};
+      "F_d(k) = sgn(F_e) min(|F_e|, √(4 (b/T) E))",
+      kSignals};
   static constexpr bool kOnlyPushes = true;
 
   template <class N>
@@ -42,9 +48,19 @@ struct ForceBounding {
     s.energy_j = or_zero(differs(in.previous_force_n, number(0.0)), s.energy_j);
     s.energy_j = s.energy_j + p.damping_n_per_m * (in.displacement_m * in.displacement_m) +
                  in.previous_force_n * in.displacement_m;
-    // E is negative only by rounding, or after a change of b during a contact.
-    const Number bound_n = root(number(4.0) * p.damping_n_per_m * larger(s.energy_j, number(0.0)));
-    return smaller(in.wall_force_n, bound_n);  // F_e ≥ 0: a wall never pulls
+    return smaller(in.wall_force_n, bound(p, s));  // F_e ≥ 0: a wall never pulls
+  }
+
+  static std::array<Number, 2> signals(const Parameters<Number>& p, const State<Number>& s,
+                                       const Walls& /*walls*/, const LawInput& /*in*/,
+                                       Number /*force_n*/) {
+    return {s.energy_j, bound(p, s)};
+  }
+
+ private:
+  // E is negative only by rounding, or after a change of b during a contact.
+  static Number bound(const Parameters<Number>& p, const State<Number>& s) {
+    return root(number(4.0) * p.damping_n_per_m * larger(s.energy_j, number(0.0)));
   }
 };
 

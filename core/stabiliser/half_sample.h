@@ -13,12 +13,15 @@ HAPTICWALL_LAW_BEGIN
 // Source: Gillespie & Cutkosky, "Stable user-specific haptic rendering of the virtual wall", ASME
 // IMECE 1996, in its simplest form; reconstructed.
 struct HalfSample {
+  static constexpr std::array<SignalDescription, 1> kSignals{
+      {{"ahead_penetration_m", "p + v T/2: the penetration half a tick ahead"}}};
   static constexpr AlgorithmDescription kDescription{
       "half-sample",
       "Half-sample prediction",
       "evaluates the wall half a tick ahead, which offsets the delay of the hold",
       {},
-      "F_d(k) = K (p + v T/2) + B v  where p + v T/2 > 0, else 0; never negative"};
+      "F_d(k) = K (p + v T/2) + B v  where p + v T/2 > 0, else 0; never negative",
+      kSignals};
   static constexpr bool kOnlyPushes = true;
 
   template <class N>
@@ -33,6 +36,12 @@ struct HalfSample {
     // Δx/2 in place of v T/2 saves the rounding of a quotient and a product.
     const Number ahead_m = in.position_m + number(0.5) * in.displacement_m;
     return wall_force(walls, ahead_m, in.velocity_m_per_s);
+  }
+
+  static std::array<Number, 1> signals(const Parameters<Number>& /*p*/, const State<Number>& /*s*/,
+                                       const Walls& /*walls*/, const LawInput& in,
+                                       Number /*force_n*/) {
+    return {in.penetration_m + number(0.5) * in.displacement_m};
   }
 };
 

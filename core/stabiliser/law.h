@@ -7,6 +7,7 @@
 // alike and agree on the sign of zero, so that a lane gives the bits of simulate().
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 

@@ -43,6 +43,8 @@ class InlinedLaw {
   [[nodiscard]] double step(const StabiliserInput& input) {
     return Law::step(parameters_, state_, walls_, input);
   }
+  [[nodiscard]] const WallSet& walls() const { return walls_; }
+  [[nodiscard]] LawNumbers parameters() const { return to_numbers(parameters_); }
   [[nodiscard]] LawNumbers state() const { return to_numbers(state_); }
 
  private:

@@ -35,12 +35,17 @@ struct PassivityControl {
                        "α_max: the largest damper that the controller may inject"),
       number_parameter("velocity_floor_m_per_s", "m/s", 0.0, 1e3, "0",
                        "no action at or below this measured speed")};
+  static constexpr std::array<SignalDescription, 3> kSignals{
+      {{"observed_energy_j", "W: the energy that went into the wall, by the observer"},
+       {"credit_j", "b T Σ v²: how far W may be below zero"},
+       {"injected_damping_n_s_per_m", "α: the damper of this tick"}}};
   static constexpr AlgorithmDescription kDescription{
       "passivity-control",
       "Passivity control",
       "watches the energy that the wall returns and damps the handle when it is too much",
       kParameters,
       "W = E(k-1) + F_e Δx;  F_d = F_e + α v where W < 0,  α = min(-W/(T v²), α_max)",
+      kSignals,
       nullptr,
       "",
       "observer"};
@@ -76,7 +81,6 @@ struct PassivityControl {
                      const LawInput& in) {
     const Number zero = number(0.0);
     const Flags observes_hold = differs(p.observer, zero);
-    const Flags adds_this_force = differs(p.observer, number(1.0));
     // A damper α takes α T v² in a tick; T v = Δx.
     const Number energy_per_damping = abs_of(in.velocity_m_per_s * in.displacement_m);
     // The force really applied is known one tick later: both pairings take it from there.
@@ -90,9 +94,7 @@ struct PassivityControl {
     s.credit_j = or_zero(remembers, s.credit_j);
     s.pending_displacement_m = or_zero(remembers, s.pending_displacement_m);
 
-    const Number energy_j =
-        select(adds_this_force, s.observed_j + in.wall_force_n * in.displacement_m, s.observed_j);
-    const Number deficit_j = minus(s.credit_j) - energy_j;
+    const Number deficit_j = minus(s.credit_j) - energy(p, s, in);
     const Flags acts = both(greater(deficit_j, zero),
                             greater(abs_of(in.velocity_m_per_s), p.velocity_floor_m_per_s));
     if (none(acts)) return in.wall_force_n;
@@ -100,6 +102,20 @@ struct PassivityControl {
     const Number damping_n = select(capped, p.max_damping_n_s_per_m * in.velocity_m_per_s,
                                     deficit_j / in.displacement_m);
     return select(acts, in.wall_force_n + damping_n, in.wall_force_n);
+  }
+
+  static std::array<Number, 3> signals(const Parameters<Number>& p, const State<Number>& s,
+                                       const Walls& /*walls*/, const LawInput& in, Number force_n) {
+    const Number damping = (force_n - in.wall_force_n) / in.velocity_m_per_s;
+    return {energy(p, s, in), s.credit_j,
+            or_zero(differs(in.velocity_m_per_s, number(0.0)), damping)};
+  }
+
+ private:
+  // W.
+  static Number energy(const Parameters<Number>& p, const State<Number>& s, const LawInput& in) {
+    return select(differs(p.observer, number(1.0)),
+                  s.observed_j + in.wall_force_n * in.displacement_m, s.observed_j);
   }
 };
 

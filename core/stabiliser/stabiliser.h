@@ -13,10 +13,15 @@
 //     // F_d(k), newtons.
 //     static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& walls,
 //                        const LawInput& in);
+//     // Only with kDescription.signals, and in their order: what step() has come to. Optional
+//     // numbers for people, computed only where somebody looks.
+//     static std::array<Number, n> signals(const Parameters<Number>& p, const State<Number>& s,
+//                                          const Walls& walls, const LawInput& in,
+//                                          Number force_n);
 //   };
 //
-// Both functions are realtime-safe: O(1), no allocation, no lock, no system call. step() may return
-// any number; the servo step makes it finite and clamps it.
+// The functions are realtime-safe: O(1), no allocation, no lock, no system call. step() may return
+// any number; the servo step makes it finite and clamps it. What is not finite is no signal.
 #pragma once
 
 #include <array>
@@ -29,6 +34,7 @@
 #include <vector>
 
 #include "core/algorithm_settings.h"
+#include "core/sample.h"
 #include "core/stabiliser/plugin/plugin_law.h"
 #include "core/wall.h"
 
@@ -64,12 +70,19 @@ struct BasicStabiliserInput {
 };
 using StabiliserInput = BasicStabiliserInput<double, bool>;
 
+// Algorithms may share a signal.
+struct SignalDescription {
+  std::string_view name;  // ends with its unit: "bound_n"
+  std::string_view meaning;
+};
+
 struct AlgorithmDescription {
   std::string_view name;   // the word in the file, the menu, the command line and the CSV metadata
   std::string_view title;  // for people
   std::string_view idea;   // one line
   std::span<const ParameterDescription> parameters;
   std::string_view equation;  // for people: the force in one to three lines
+  std::span<const SignalDescription> signals = {};
   // The first contradiction between the algorithm's keys, which are in range each. Checked in every
   // scene, whichever algorithm it names. nullptr: none is possible.
   std::optional<SceneProblem> (*problem)(const StabiliserContext& context) = nullptr;
@@ -106,6 +119,14 @@ std::size_t add_algorithm(const AlgorithmDescription& algorithm);
 // Union of all algorithms' keys, each once; AlgorithmSettings::values has this order.
 [[nodiscard]] std::span<const ParameterDescription> algorithm_parameters();
 [[nodiscard]] std::optional<std::size_t> find_algorithm_parameter(std::string_view key);
+// Union of all algorithms' signals, each once; Sample::signals has this order. Realtime-safe: yes,
+// both.
+[[nodiscard]] std::span<const SignalDescription> algorithm_signals();
+[[nodiscard]] std::optional<std::size_t> find_algorithm_signal(std::string_view name);
+// Names by place in Sample::signals; empty: no such signal.
+using SignalNames = std::array<std::string, kMaxSignals>;
+// Of algorithm_signals(). Realtime-safe: no.
+[[nodiscard]] SignalNames signal_names();
 // "energy-bounding", "energy-bounding then passivity-control". Realtime-safe: no.
 [[nodiscard]] std::string algorithm_label(const AlgorithmSettings& settings);
 // A row of a comparison of algorithms.
@@ -128,6 +149,16 @@ struct ComparedAlgorithm {
 inline constexpr std::size_t kMaxLawNumbers = 8;
 using LawNumbers = std::array<double, kMaxLawNumbers>;
 
+// Puts the signals of a built-in law after a step() into their places. Realtime-safe: yes.
+struct LawAfterStep {
+  const LawNumbers& parameters;
+  const LawNumbers& state;
+  const WallSet& walls;
+  const StabiliserInput& input;
+  double force_n;
+};
+void show_signals(std::size_t algorithm, const LawAfterStep& law, Signals& signals);
+
 // One algorithm on one axis. Realtime-safe: yes, except the constructor with plug-ins (PluginLaw).
 class Stabiliser {
  public:
@@ -138,6 +169,11 @@ class Stabiliser {
     plugin_.reset();
   }
   [[nodiscard]] double step(const StabiliserInput& input) { return step_(*this, input); }
+  // Of the last step(), with its input and its force.
+  void show(const StabiliserInput& input, double force_n, Signals& signals) const {
+    plugin_.show(signals);
+    show_signals(algorithm_, {parameters_, state_, walls_, input, force_n}, signals);
+  }
 
   [[nodiscard]] std::size_t algorithm() const { return algorithm_; }
   [[nodiscard]] const WallSet& walls() const { return walls_; }

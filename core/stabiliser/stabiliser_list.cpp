@@ -1,6 +1,7 @@
 // The list of algorithms: the only file, beside the loops of each, that reads the built-in laws.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -35,42 +36,88 @@ double step_of_plugin(Stabiliser& stabiliser, const StabiliserInput& input) {
   return stabiliser.plugin().step(input);
 }
 
+// The values of a law's signals.
+template <class Law>
+void signals_of(const LawAfterStep& law, std::span<double> values) {
+  if constexpr (!Law::kDescription.signals.empty()) {
+    const auto signals =
+        Law::signals(from_numbers<typename Law::template Parameters<double>>(law.parameters),
+                     from_numbers<typename Law::template State<double>>(law.state), law.walls,
+                     law.input, law.force_n);
+    static_assert(signals.size() == Law::kDescription.signals.size());
+    std::ranges::copy(signals, values.begin());
+  }
+}
+
 struct LawFunctions {
   LawNumbers (*parameters)(const StabiliserContext& context);
   double (*step)(Stabiliser& stabiliser, const StabiliserInput& input);
+  void (*signals)(const LawAfterStep& law, std::span<double> values);
 };
-#define HAPTICWALL_FUNCTIONS(Law) LawFunctions{parameters_of<scalar::Law>, step_of<scalar::Law>},
+#define HAPTICWALL_FUNCTIONS(Law) \
+  LawFunctions{parameters_of<scalar::Law>, step_of<scalar::Law>, signals_of<scalar::Law>},
 constexpr std::array kFunctions{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_FUNCTIONS)};
 #undef HAPTICWALL_FUNCTIONS
 
-struct ParameterUnion {
-  std::array<ParameterDescription, kMaxAlgorithmParameters> parameters{};
+// Descriptions, each name once.
+template <class Description, std::size_t kMax>
+struct Union {
+  std::array<Description, kMax> members{};
   std::size_t count = 0;
+
+  [[nodiscard]] constexpr std::span<const Description> in_use() const {
+    return std::span(members).first(count);
+  }
+  constexpr void add(const Description& wanted, std::string_view Description::*name) {
+    for (const Description& member : in_use()) {
+      if (member.*name == wanted.*name) return;
+    }
+    members.at(count++) = wanted;  // too many: does not compile
+  }
 };
 
-constexpr ParameterUnion unite_parameters() {
-  ParameterUnion all;
-  all.parameters.at(all.count++) = kThenParameter;
+constexpr auto unite_parameters() {
+  Union<ParameterDescription, kMaxAlgorithmParameters> all;
+  all.add(kThenParameter, &ParameterDescription::key);
   for (const AlgorithmDescription& algorithm : kAlgorithms) {
-    for (const ParameterDescription& parameter : algorithm.parameters) {
-      const auto begin = all.parameters.begin();
-      const auto end = begin + static_cast<std::ptrdiff_t>(all.count);
-      const bool known = std::any_of(begin, end, [&](const ParameterDescription& other) {
-        return other.key == parameter.key;
-      });
-      if (!known) all.parameters.at(all.count++) = parameter;  // too many: does not compile
-    }
+    for (const ParameterDescription& parameter : algorithm.parameters)
+      all.add(parameter, &ParameterDescription::key);
   }
   return all;
 }
-constexpr ParameterUnion kParameterUnion = unite_parameters();
+constexpr auto kParameterUnion = unite_parameters();
+
+constexpr auto unite_signals() {
+  Union<SignalDescription, kMaxSignals> all;
+  for (const AlgorithmDescription& algorithm : kAlgorithms) {
+    for (const SignalDescription& signal : algorithm.signals)
+      all.add(signal, &SignalDescription::name);
+  }
+  return all;
+}
+constexpr auto kSignalUnion = unite_signals();
+
+// By algorithm, in the order of its signals.
+using SignalPlaces = std::array<std::size_t, kMaxSignals>;
+constexpr auto find_signal_places() {
+  std::array<SignalPlaces, kAlgorithms.size()> places{};
+  for (std::size_t law = 0; law < kAlgorithms.size(); ++law) {
+    for (std::size_t i = 0; i < kAlgorithms[law].signals.size(); ++i) {
+      while (kSignalUnion.members[places[law][i]].name != kAlgorithms[law].signals[i].name)
+        ++places[law][i];
+    }
+  }
+  return places;
+}
+constexpr auto kSignalPlaces = find_signal_places();
 
 // Changes only while plug-ins are loaded, before other threads start.
 struct AlgorithmList {
   std::vector<AlgorithmDescription> algorithms{kAlgorithms.begin(), kAlgorithms.end()};
-  std::vector<ParameterDescription> parameters{
-      kParameterUnion.parameters.begin(),
-      kParameterUnion.parameters.begin() + static_cast<std::ptrdiff_t>(kParameterUnion.count)};
+  std::vector<ParameterDescription> parameters{kParameterUnion.in_use().begin(),
+                                               kParameterUnion.in_use().end()};
+  std::vector<SignalDescription> signals{kSignalUnion.in_use().begin(),
+                                         kSignalUnion.in_use().end()};
 };
 
 AlgorithmList& algorithm_list() {
@@ -88,6 +135,9 @@ std::size_t add_algorithm(const AlgorithmDescription& algorithm) {
   AlgorithmList& list = algorithm_list();
   for (const ParameterDescription& parameter : algorithm.parameters) {
     if (!find_algorithm_parameter(parameter.key)) list.parameters.push_back(parameter);
+  }
+  for (const SignalDescription& signal : algorithm.signals) {
+    if (!find_algorithm_signal(signal.name)) list.signals.push_back(signal);
   }
   list.algorithms.push_back(algorithm);
   return list.algorithms.size() - 1;
@@ -110,6 +160,22 @@ std::optional<std::size_t> find_algorithm_parameter(std::string_view key) {
                                   [&](const auto& parameter) { return parameter.key == key; });
   if (found == all.end()) return std::nullopt;
   return static_cast<std::size_t>(std::distance(all.begin(), found));
+}
+
+std::span<const SignalDescription> algorithm_signals() { return algorithm_list().signals; }
+
+std::optional<std::size_t> find_algorithm_signal(std::string_view name) {
+  const auto all = algorithm_signals();
+  const auto found = std::ranges::find(all, name, &SignalDescription::name);
+  if (found == all.end()) return std::nullopt;
+  return static_cast<std::size_t>(std::distance(all.begin(), found));
+}
+
+SignalNames signal_names() {
+  SignalNames names;
+  std::ranges::transform(algorithm_signals(), names.begin(),
+                         [](const SignalDescription& signal) { return std::string(signal.name); });
+  return names;
 }
 
 std::optional<double> StabiliserContext::value(std::string_view key) const {
@@ -156,6 +222,15 @@ std::vector<ComparedAlgorithm> compared_algorithms(AlgorithmSettings settings,
     }
   }
   return rows;
+}
+
+void show_signals(std::size_t algorithm, const LawAfterStep& law, Signals& signals) {
+  if (algorithm >= kAlgorithms.size()) return;
+  Signals values{};
+  kFunctions[algorithm].signals(law, values);
+  for (std::size_t i = 0; i < kAlgorithms[algorithm].signals.size(); ++i) {
+    if (std::isfinite(values[i])) signals[kSignalPlaces[algorithm][i]] = values[i];
+  }
 }
 
 void Stabiliser::configure(std::size_t algorithm, const StabiliserContext& context) {

@@ -43,12 +43,15 @@ struct VirtualCoupling {
             number_text(max_damping) + " N·s/m unless coupling_stiffness_n_per_m is given"};
   }
 
+  static constexpr std::array<SignalDescription, 1> kSignals{
+      {{"proxy_penetration_m", "q: the penetration of the first wall's proxy"}}};
   static constexpr AlgorithmDescription kDescription{
       "virtual-coupling",
       "Virtual coupling",
       "a spring between handle and wall, as soft as the device's damping requires",
       kParameters,
       "F_d = p K K_c/(K + K_c);  K_c = 2(b - B_c)/T, shared by the contacts",
+      kSignals,
       problem};
   static constexpr bool kOnlyPushes = true;
 
@@ -84,6 +87,12 @@ struct VirtualCoupling {
       force_n = i == 0 ? of_wall_n : force_n + of_wall_n;
     }
     return force_n;
+  }
+
+  static std::array<Number, 1> signals(const Parameters<Number>& /*p*/, const State<Number>& s,
+                                       const Walls& /*walls*/, const LawInput& /*in*/,
+                                       Number /*force_n*/) {
+    return {s.proxies_m[0]};
   }
 
  private:

@@ -22,8 +22,9 @@ double filtered(State& state, const hw_input& in) {
   return state.force_n;
 }
 
-double step(void* state, const hw_input* in) {
+double step(void* state, const hw_input* in, double* signals) {
   const bool late = in->tick >= 500;
+  signals[0] = static_cast<double>(in->tick);
   if (kFault == Fault::nan && late) return std::numeric_limits<double>::quiet_NaN();
   if (kFault == Fault::throws && late) throw std::runtime_error("a fault");
   return kFault == Fault::memory ? filtered(*static_cast<State*>(state), *in) : in->wall_force_n;
@@ -33,6 +34,8 @@ constexpr double kMaximum = kFault == Fault::range ? -1.0 : 1.0;
 constexpr hw_parameter kParameters[] = {{kFault == Fault::shared ? "damping_n_s_per_m" : "unused",
                                          "", 0.0, kMaximum, 0.0, "no effect"}};
 
+constexpr hw_signal kSignals[] = {{"ticks", "since the start"}};
+
 }  // namespace
 
 const hw_plugin hapticwall_plugin = {
@@ -40,7 +43,9 @@ const hw_plugin hapticwall_plugin = {
     kFault == Fault::size ? 8U : sizeof(hw_plugin),
     sizeof(State),
     1,
+    1,
     kParameters,
+    kSignals,
     HAPTICWALL_NAME(FAULT),
     "Test",
     "for tests",

@@ -133,6 +133,17 @@ std::string table_of(const Scene& scene, const Outcome& outcome) {
   return summary_lines(outcome.summary, {"", hand_moves}) + outcome.comparison;
 }
 
+// A re-run has signals if its recording has some: those of its own algorithm.
+file::CsvColumns columns_of(const ReplayCommand& command, const file::RecordingInfo& info,
+                            const file::LoadedScene& loaded) {
+  file::CsvColumns columns = info.scanned.columns;
+  if (!command.reruns()) return columns;
+  columns.axes = 1;
+  if (!columns.signals.empty())
+    columns.signals = file::signal_columns(loaded.scene, loaded.changes);
+  return columns;
+}
+
 // With --json, --plot, ... and without a window.
 Result<int> run_headless(const ReplayCommand& command) {
   const auto expectations = parse_expectations(command.output.expectations);
@@ -145,10 +156,9 @@ Result<int> run_headless(const ReplayCommand& command) {
   const Result<file::LoadedScene> loaded = scene_of(command, (*recording)->info());
   if (!loaded) return loaded.error();
   if (Failure failed = check_hand_files(command.output, loaded->scene)) return *failed;
-  const file::CsvColumns columns =
-      command.reruns() ? file::csv_columns(true) : (*recording)->info().scanned.columns;
-  Result<RunOutputs> outputs =
-      RunOutputs::open(command.output, *loaded, {.session_records = true, .columns = columns});
+  Result<RunOutputs> outputs = RunOutputs::open(
+      command.output, *loaded,
+      {.session_records = true, .columns = columns_of(command, (*recording)->info(), *loaded)});
   if (!outputs) return outputs.error();
 
   const Result<Outcome> outcome = command.reruns() ? rerun(command, **recording, *loaded, *outputs)

@@ -44,7 +44,7 @@ file::RecordingMetadata metadata_of(const RecordedRerun& rerun,
 Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutputs& outputs) {
   std::unique_ptr<file::RecordingWriter> writer;
   if (!rerun.csv.empty()) {
-    auto created = file::RecordingWriter::create(rerun.csv, file::CsvColumns{});
+    auto created = file::RecordingWriter::create(rerun.csv, outputs.columns());
     if (!created) return created.error();
     writer = std::move(*created);
   }

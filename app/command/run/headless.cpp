@@ -23,8 +23,10 @@ HeadlessResult simulate_timed(const HeadlessRun& run) {
     return stop_signal() != 0 || (run.should_stop && run.should_stop());
   };
   const auto start = std::chrono::steady_clock::now();
-  const AxesResult axes = simulate_axes(
-      run.scene, {.on_tick = run.on_tick, .should_stop = should_stop, .changes = run.changes});
+  const AxesResult axes = simulate_axes(run.scene, {.on_tick = run.on_tick,
+                                                    .should_stop = should_stop,
+                                                    .changes = run.changes,
+                                                    .signals = run.signals});
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   HeadlessResult result{{}, axes.stopped_early};
   for (const SimulationResult& axis : axes.axes) result.summary.push_back(axis.summary);

@@ -73,6 +73,7 @@ Result<std::unique_ptr<runtime::LiveSession>> start_session(RealtimeRun& run) {
   options.allow_no_realtime = run.allow_no_realtime;
   options.spin_s = run.spin_s;
   options.stream = run.stream;
+  options.signals = run.signals;
   if (!run.device) return runtime::LiveSession::start(run.scene, options);
   return runtime::LiveSession::start_on(std::move(run.device), run.scene, options);
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/file/recording/sample_stream.h"
 #include "core/result.h"
@@ -24,6 +25,7 @@ struct RealtimeRun {
   double spin_s = 0.0;  // as in SessionOptions
   bool show_progress = false;
   std::shared_ptr<file::SampleStream> stream{};  // gets every tick; null: none
+  std::vector<file::SignalColumn> signals{};     // as in SessionOptions
 };
 
 struct RealtimeOutcome {

@@ -72,7 +72,8 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
                     .allow_no_realtime = options.scene.allow_no_realtime,
                     .spin_s = options.scene.spin_us / kMicrosecondsPerSecond,
                     .show_progress = !options.output.quiet,
-                    .stream = outputs.stream()});
+                    .stream = outputs.stream(),
+                    .signals = outputs.columns().signals});
   if (!result) return result.error();
   outputs.keep_failure(result->recording_failure);
   return RunOutcome{result->summary, result->stopped_early, result->status, result->trouble};
@@ -83,6 +84,7 @@ RunOutcome run_headless(const RunOptions& options, const file::LoadedScene& load
   const HeadlessResult result = simulate_timed({.scene = loaded.scene,
                                                 .changes = loaded.changes,
                                                 .on_tick = tick_sink(outputs),
+                                                .signals = options.output.signals,
                                                 .should_stop = {},
                                                 .progress_label = loaded.scene.name,
                                                 .show_progress = !options.output.quiet});
@@ -143,11 +145,13 @@ Result<int> run(const RunOptions& options) {
   if (in_real_time) {
     if (Failure failed = check_realtime(options.scene, *loaded)) return *failed;
   }
-  Result<RunOutputs> outputs = RunOutputs::open(
-      options.output, *loaded,
-      {.session_records = in_real_time,
-       .in_real_time = in_real_time,
-       .columns = file::csv_columns(!device->hardware, loaded->scene.axes.size())});
+  file::CsvColumns columns = file::csv_columns(!device->hardware, loaded->scene.axes.size());
+  if (options.output.signals)
+    columns.signals = file::signal_columns(loaded->scene, loaded->changes);
+  Result<RunOutputs> outputs = RunOutputs::open(options.output, *loaded,
+                                                {.session_records = in_real_time,
+                                                 .in_real_time = in_real_time,
+                                                 .columns = std::move(columns)});
   if (!outputs) return outputs.error();
   if (!options.output.quiet) tell_edits(options.scene.scene, *loaded);
   if (!options.output.quiet && !device->hardware) tell_difference(*loaded);
@@ -189,6 +193,7 @@ Command add_run(CLI::App& program) {
                   "Write the sound of the run: the handle's acceleration, one channel at 48 kHz")
       ->type_name("FILE.wav");
   add_stream_options(*app, options->output.stream);
+  add_signals_option(*app, options->output.signals, "--csv, --stream and --plot");
   add_output_options(*app, options->output);
   return {app, [options] { return run(*options); }};
 }

@@ -48,6 +48,7 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
                                     const TickOrigin& origin) {
   if (Failure failed = check_lengths(options, loaded.scene)) return *failed;
   RunOutputs outputs;
+  outputs.columns_ = origin.columns;
   outputs.first_recorded_tick_ = loaded.first_recorded_tick;
   OutputOptions without_csv = options;
   without_csv.csv.clear();
@@ -110,7 +111,8 @@ Result<file::Picture> RunOutputs::draw(const Scene& scene) const {
   for (std::size_t i = 0; i < scene.axes.size(); ++i) {
     Scene axis = axis_scene(scene, i);
     if (i > 0) axis.name += ", axis y";
-    Result<file::Picture> picture = draw::draw_figure(axis, samples_.at(i));
+    Result<file::Picture> picture =
+        draw::draw_figure(axis, samples_.at(i), {}, file::signal_names(columns_));
     if (!picture) return picture;
     all = i == 0 ? std::move(*picture) : file::beside(all, *picture);
   }

@@ -43,6 +43,8 @@ class RunOutputs {
   // Null without --stream.
   [[nodiscard]] const std::shared_ptr<file::SampleStream>& stream() const { return stream_; }
 
+  [[nodiscard]] const file::CsvColumns& columns() const { return columns_; }
+
   // Whether take() must be called with every tick.
   [[nodiscard]] bool wants_ticks() const {
     return recording_ || files_.wants_plot() || sound_ || feed_;
@@ -64,6 +66,7 @@ class RunOutputs {
   [[nodiscard]] Failure open_stream(const OutputOptions& options, const TickOrigin& origin);
   [[nodiscard]] Failure write_sound();
 
+  file::CsvColumns columns_;
   std::unique_ptr<file::RecordingWriter> recording_;
   std::uint64_t first_recorded_tick_ = 0;
   OutputFiles files_;

@@ -39,7 +39,7 @@ void draw_plots(PlotSurface& surface, std::span<const PlotId> plots, ImVec2 free
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   const auto count = static_cast<float>(plots.size());
   const ImVec2 each(free.x, (free.y - (count - 1.0F) * gap) / count);
-  const PlotTable table(surface.history->derived());
+  const PlotTable table(surface.history->derived(), surface.history->signals());
   ImPlot::BeginAlignedPlots("plots");  // one left and one right margin
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const std::string mark = fmt::format("({}) ", static_cast<char>('a' + i));
@@ -89,13 +89,15 @@ std::string describe(const Scene& scene) {
 }
 
 Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
-                                  FigureSize size) {
+                                  FigureSize size, const SignalNames& signals) {
   SampleHistory history(samples.size(), scene.x().device.encoder_m);
+  history.name_signals(signals);
   history.push(samples);
   const double from_s = history.oldest_time_s();
   FigureView view;
   view.window = {from_s, std::max(history.newest_time_s(), from_s + scene.sampling.period_s())};
   view.plots = kAllPlots;
+  view.lines = lines_with(signals);
   return draw_figure(scene, history, view, size);
 }
 

@@ -21,9 +21,10 @@ struct FigureSize {
   int height = 1200;
 };
 
-// Fails (ErrorKind::kFile) without off-screen OpenGL 3.3.
+// With these signals of algorithms. Fails (ErrorKind::kFile) without off-screen OpenGL 3.3.
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
-                                                FigureSize size = {});
+                                                FigureSize size = {},
+                                                const SignalNames& signals = {});
 
 // The values of the scene in one line, for the readers of a figure.
 [[nodiscard]] std::string describe(const Scene& scene);

@@ -1,5 +1,7 @@
 #include "app/draw/plot/plot_lines.h"
 
+#include <algorithm>
+
 #include "app/draw/plot/derived_signals.h"
 
 namespace hapticwall::draw {
@@ -57,30 +59,67 @@ constexpr std::array kPassivityLines{
     PlotLine{&PlantTruth::kinetic_j, "kinetic", "½ m v² of the handle", Tone::kObserver, kSimulator,
              Dash::kDotted}};
 
-const std::array<PlotDescription, kPlotCount> kPlots{
-    PlotDescription{PlotId::kPosition,
-                    "Position",
-                    {"mm", 1e3, 0.5},
-                    {},
-                    {"mm/s", 1e3, 1.0},
-                    {"m/s²", 1.0, 1.0},
-                    kPositionLines},
-    PlotDescription{
-        PlotId::kForce, "Force", {"N", 1.0, 1.0}, {}, {"N/s", 1.0, 10.0}, {}, kForceLines},
-    PlotDescription{PlotId::kStiffness,
-                    "Stiffness",
-                    {"kN/m", 1e-3, 1.0},
-                    {},
-                    {"kN/m/s", 1e-3, 10.0},
-                    {},
-                    kStiffnessLines},
-    PlotDescription{PlotId::kPassivity,
-                    "Passivity",
-                    {"mJ", 1e3, 0.1},
-                    {"J", 1.0, 0.1},
-                    {"mW", 1e3, 1.0},
-                    {},
-                    kPassivityLines}};
+const std::array<PlotDescription, kPlotCount> kPlots{PlotDescription{PlotId::kPosition,
+                                                                     "Position",
+                                                                     {"mm", 1e3, 0.5},
+                                                                     {},
+                                                                     {"mm/s", 1e3, 1.0},
+                                                                     {"m/s²", 1.0, 1.0},
+                                                                     kPositionLines},
+                                                     PlotDescription{PlotId::kForce,
+                                                                     "Force",
+                                                                     {"N", 1.0, 1.0},
+                                                                     {},
+                                                                     {"N/s", 1.0, 10.0},
+                                                                     {"N·s/m", 1.0, 0.1},
+                                                                     kForceLines},
+                                                     PlotDescription{PlotId::kStiffness,
+                                                                     "Stiffness",
+                                                                     {"kN/m", 1e-3, 1.0},
+                                                                     {},
+                                                                     {"kN/m/s", 1e-3, 10.0},
+                                                                     {},
+                                                                     kStiffnessLines},
+                                                     PlotDescription{PlotId::kPassivity,
+                                                                     "Passivity",
+                                                                     {"mJ", 1e3, 0.1},
+                                                                     {"J", 1.0, 0.1},
+                                                                     {"mW", 1e3, 1.0},
+                                                                     {},
+                                                                     kPassivityLines}};
+
+// Where a signal is drawn, by the unit at the end of its name.
+struct UnitPlace {
+  std::string_view ending;
+  PlotId plot;
+  Side side;
+};
+constexpr std::array kUnitPlaces{UnitPlace{"_m", PlotId::kPosition, Side::kLeft},
+                                 UnitPlace{"_m_per_s", PlotId::kPosition, Side::kRight},
+                                 UnitPlace{"_m_per_s2", PlotId::kPosition, Side::kFarRight},
+                                 UnitPlace{"_n", PlotId::kForce, Side::kLeft},
+                                 UnitPlace{"_n_per_s", PlotId::kForce, Side::kRight},
+                                 UnitPlace{"_n_s_per_m", PlotId::kForce, Side::kFarRight},
+                                 UnitPlace{"_n_per_m", PlotId::kStiffness, Side::kLeft},
+                                 UnitPlace{"_j", PlotId::kPassivity, Side::kLeft},
+                                 UnitPlace{"_w", PlotId::kPassivity, Side::kRight}};
+
+// The longest ending that fits; null: none does.
+const UnitPlace* unit_place(std::string_view signal) {
+  const UnitPlace* found = nullptr;
+  for (const UnitPlace& place : kUnitPlaces) {
+    if (!signal.ends_with(place.ending)) continue;
+    if (found == nullptr || place.ending.size() > found->ending.size()) found = &place;
+  }
+  return found;
+}
+
+// "law: step bound" of "step_bound_n".
+std::string signal_label(std::string_view signal, const UnitPlace& place) {
+  std::string label(signal.substr(0, signal.size() - place.ending.size()));
+  std::ranges::replace(label, '_', ' ');
+  return "law: " + label;
+}
 
 ChosenLines find_usual_lines() {
   ChosenLines usual{};
@@ -96,9 +135,10 @@ ChosenLines find_usual_lines() {
 
 const PlotDescription& plot_description(PlotId id) { return usual_plots()[id]; }
 
-PlotTable::PlotTable(const DerivedSignals& derived) : plots_(kPlots) {
+PlotTable::PlotTable(const DerivedSignals& derived, const SignalNames& signals) : plots_(kPlots) {
   for (std::size_t i = 0; i < kPlotCount; ++i)
     lines_[i].assign(kPlots[i].lines.begin(), kPlots[i].lines.end());
+  for (std::size_t place = 0; place < signals.size(); ++place) add(place, signals[place]);
   for (std::size_t place = 0; place < derived.size(); ++place) {
     if (derived[place]) add(place, *derived[place]);
   }
@@ -119,6 +159,24 @@ void PlotTable::add(std::size_t place, const DerivedSignal& signal) {
   if (signal.kind == DerivedKind::kDerivative)
     line.side = line.side == Side::kLeft ? Side::kRight : Side::kFarRight;
   lines_[static_cast<std::size_t>(a.plot->id)].push_back(line);
+}
+
+void PlotTable::add(std::size_t place, std::string_view signal) {
+  // Alternately, because the signals of one law follow each other.
+  constexpr std::array kTones{Tone::kText, Tone::kStiffness, Tone::kHand, Tone::kPosition};
+  const UnitPlace* const unit = unit_place(signal);
+  if (unit == nullptr) return;
+  const auto known = find_algorithm_signal(signal);
+  signals_[place] = signal_label(signal, *unit);
+  meanings_[place] = known ? algorithm_signals()[*known].meaning : "a signal of the algorithm";
+  PlotLine line{Quantity::signal(place),
+                signals_[place].c_str(),
+                meanings_[place].c_str(),
+                kTones[place % kTones.size()],
+                kExtra,
+                Dash::kDashDot,
+                unit->side};
+  lines_[static_cast<std::size_t>(unit->plot)].push_back(line);
 }
 
 template <typename Wanted>
@@ -147,6 +205,16 @@ const PlotTable& usual_plots() {
 const ChosenLines& usual_lines() {
   static const ChosenLines kUsualLines = find_usual_lines();
   return kUsualLines;
+}
+
+ChosenLines lines_with(const SignalNames& signals) {
+  ChosenLines lines = usual_lines();
+  const PlotTable table({}, signals);
+  for (std::size_t place = 0; place < signals.size(); ++place) {
+    const auto found = table.find(Quantity::signal(place));
+    if (found) lines[static_cast<std::size_t>(found->plot->id)] |= line_bit(found->line->quantity);
+  }
+  return lines;
 }
 
 }  // namespace hapticwall::draw

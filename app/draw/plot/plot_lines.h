@@ -23,9 +23,9 @@ inline constexpr std::array kAllPlots{PlotId::kPosition, PlotId::kForce, PlotId:
                                       PlotId::kPassivity};
 
 // A set of lines, one bit per Quantity.
-using LineSet = std::uint32_t;
+using LineSet = std::uint64_t;
 using HiddenLines = LineSet;
-static_assert(kQuantityCount <= 32);
+static_assert(kQuantityCount <= 64);
 [[nodiscard]] constexpr LineSet line_bit(Quantity quantity) {
   return LineSet{1} << quantity.index();
 }
@@ -94,11 +94,11 @@ struct PlottedLine {
   [[nodiscard]] const ValueScale& scale() const { return plot->scale_of(*line); }
 };
 
-// The plots with all their lines: behind those that are always there, those of derived signals,
-// each in the plot that has its unit.
+// The plots with all their lines: behind those that are always there, those of algorithms' signals
+// and of derived signals, each in the plot that has its unit. A signal of another unit has no line.
 class PlotTable {
  public:
-  explicit PlotTable(const DerivedSignals& derived = {});
+  explicit PlotTable(const DerivedSignals& derived = {}, const SignalNames& signals = {});
   PlotTable(const PlotTable&) = delete;
   PlotTable& operator=(const PlotTable&) = delete;
 
@@ -113,16 +113,21 @@ class PlotTable {
   template <typename Wanted>
   [[nodiscard]] std::optional<PlottedLine> find_line(Wanted&& wanted) const;
   void add(std::size_t place, const DerivedSignal& signal);
+  void add(std::size_t place, std::string_view signal);
 
   std::array<PlotDescription, kPlotCount> plots_;
   std::array<std::vector<PlotLine>, kPlotCount> lines_;
   std::array<std::string, kMaxDerivedSignals> names_;  // of the derived lines
+  std::array<std::string, kMaxSignals> signals_;       // the same of the algorithms' signals
+  std::array<std::string, kMaxSignals> meanings_;
 };
-// Without derived signals.
+// Without derived signals and those of algorithms.
 [[nodiscard]] const PlotTable& usual_plots();
 
 // By PlotId.
 using ChosenLines = std::array<LineSet, kPlotCount>;
 [[nodiscard]] const ChosenLines& usual_lines();
+// The usual lines, and those of these signals.
+[[nodiscard]] ChosenLines lines_with(const SignalNames& signals);
 
 }  // namespace hapticwall::draw

@@ -69,7 +69,8 @@ void SampleHistory::push(const Sample& sample) {
   for_each_column(sample, [&](const SampleColumn& /*column*/, const auto& value) {
     (next++)->push_back(static_cast<double>(value));
   });
-  next->push_back(stiffness_.push(sample, count_m_));
+  (next++)->push_back(stiffness_.push(sample, count_m_));
+  for (const double signal : sample.signals) (next++)->push_back(signal);
   newest_tick_ = sample.tick;
   for (DerivedColumn& column : derived_) stack(column, columns_.front().end() - 1);
   if (size() >= capacity_ + BlockArray<double>::kBlock) {
@@ -125,6 +126,8 @@ Sample SampleHistory::sample(std::size_t index) const {
   for_each_column(sample, [&]<typename Value>(const SampleColumn& /*column*/, Value& value) {
     value = static_cast<Value>((*next++)[oldest() + index]);
   });
+  for (std::size_t place = 0; place < kMaxSignals; ++place)
+    sample.signals[place] = columns_[kFirstSignal + place][oldest() + index];
   return sample;
 }
 
@@ -223,6 +226,10 @@ void TickHistory::set_counts(const Scene& scene) {
 
 void TickHistory::derive(const DerivedSignals& signals, double rate_hz) {
   for (SampleHistory& axis : axes_) axis.derive(signals, rate_hz);
+}
+
+void TickHistory::name_signals(const SignalNames& names) {
+  for (SampleHistory& axis : axes_) axis.name_signals(names);
 }
 
 void TickHistory::clear() {

@@ -14,13 +14,16 @@
 #include "app/draw/plot/sample_pyramid.h"
 #include "core/sample.h"
 #include "core/scene.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::draw {
 
 // Columns that the history computes from those of the sample, behind them.
 enum class Derived : std::uint8_t { kStiffness };  // see DisplayedStiffness
 inline constexpr std::size_t kDerivedCount = 1;
-inline constexpr std::size_t kStoredCount = kSampleColumns.size() + kDerivedCount;
+// Then the signals of algorithms, by place.
+inline constexpr std::size_t kFirstSignal = kSampleColumns.size() + kDerivedCount;
+inline constexpr std::size_t kStoredCount = kFirstSignal + kMaxSignals;
 
 // Columns that the user derives from two of these, behind them: DerivedSignals has the places.
 inline constexpr std::size_t kMaxDerivedSignals = 4;
@@ -32,6 +35,10 @@ class Quantity {
   // The derived signal at this place of DerivedSignals.
   [[nodiscard]] static constexpr Quantity derived_signal(std::size_t place) {
     return {kStoredCount, place};
+  }
+  // The signal of an algorithm at this place of Sample::signals.
+  [[nodiscard]] static constexpr Quantity signal(std::size_t place) {
+    return {kFirstSignal, place};
   }
   consteval Quantity(Derived derived)  // NOLINT(google-explicit-constructor)
       : index_(
@@ -138,6 +145,10 @@ class SampleHistory {
   void derive(const DerivedSignals& signals, double rate_hz);
   [[nodiscard]] DerivedSignals derived() const;
 
+  // Names of the signals of algorithms; those of algorithm_signals() until others are set.
+  void name_signals(const SignalNames& names) { signals_ = names; }
+  [[nodiscard]] SignalNames signals() const { return signals_.value_or(signal_names()); }
+
   void push(const Sample& sample);
   void push(std::span<const Sample> samples);
   void clear();
@@ -228,6 +239,7 @@ class SampleHistory {
   std::array<SamplePyramid, kStoredCount> columns_;
   double rate_hz_ = 0.0;  // of the derived signals
   std::array<DerivedColumn, kMaxDerivedSignals> derived_;
+  std::optional<SignalNames> signals_;
 };
 
 inline double SampleHistory::value(Quantity quantity, std::size_t index) const {
@@ -241,6 +253,7 @@ class TickHistory {
   void clear();
   void set_counts(const Scene& scene);  // see SampleHistory::set_count()
   void derive(const DerivedSignals& signals, double rate_hz);
+  void name_signals(const SignalNames& names);
   [[nodiscard]] const SampleHistory& axis(std::size_t index) const { return axes_.at(index); }
 
  private:

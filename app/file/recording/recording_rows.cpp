@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <concepts>
 #include <limits>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "app/file/text/text.h"
@@ -16,6 +18,9 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::string_view kSecondAxisPrefix = "y_";
+constexpr std::string_view kSignalPrefix = "signal.";
+
+std::string_view axis_prefix(std::size_t axis) { return axis > 0 ? kSecondAxisPrefix : ""; }
 
 void append_value(std::string& text, double value) { append_number(text, value); }
 void append_value(std::string& text, std::unsigned_integral auto value) {
@@ -25,10 +30,10 @@ void append_value(std::string& text, std::unsigned_integral auto value) {
 }
 
 // Lambdas, so that each use is compiled for its columns alone.
-constexpr auto kOfTick = [](const SampleColumn& column, CsvColumns /*columns*/) {
+constexpr auto kOfTick = [](const SampleColumn& column, const CsvColumns& /*columns*/) {
   return column.group == ColumnGroup::kTick;
 };
-constexpr auto kOfAxis = [](const SampleColumn& column, CsvColumns columns) {
+constexpr auto kOfAxis = [](const SampleColumn& column, const CsvColumns& columns) {
   return column.group == ColumnGroup::kAxis || column.group == columns.source ||
          (column.group == ColumnGroup::kApplied && columns.applied);
 };
@@ -54,6 +59,14 @@ class Fields {
     ++at_;
     return true;
   }
+  // NaN for an empty field.
+  bool take_signal(double& value) {
+    if (at_ != end_ && *at_ != ',') return take(value);
+    value = std::numeric_limits<double>::quiet_NaN();
+    ended_ = at_ == end_;
+    if (!ended_) ++at_;
+    return true;
+  }
   // True after the last field, if no comma follows it.
   [[nodiscard]] bool at_end() const { return ended_; }
 
@@ -64,14 +77,21 @@ class Fields {
 };
 
 template <typename Wanted>
-bool take_columns(Fields& fields, CsvColumns columns, Wanted&& wanted, Sample& sample) {
+bool take_columns(Fields& fields, const CsvColumns& columns, Wanted&& wanted, Sample& sample) {
   return all_columns(sample, [&](const SampleColumn& column, auto& value) {
     return !wanted(column, columns) || fields.take(value);
   });
 }
 
+bool take_signals(Fields& fields, const CsvColumns& columns, Sample& sample) {
+  return std::ranges::all_of(columns.signals, [&](const SignalColumn& column) {
+    return !fields.at_end() && fields.take_signal(sample.signals[column.place]);
+  });
+}
+
 template <typename Wanted>
-void append_columns(std::string& text, CsvColumns columns, Wanted&& wanted, const Sample& sample) {
+void append_columns(std::string& text, const CsvColumns& columns, Wanted&& wanted,
+                    const Sample& sample) {
   for_each_column(sample, [&](const SampleColumn& column, const auto& value) {
     if (!wanted(column, columns)) return;
     append_value(text, value);
@@ -79,9 +99,45 @@ void append_columns(std::string& text, CsvColumns columns, Wanted&& wanted, cons
   });
 }
 
+void append_signals(std::string& text, const CsvColumns& columns, const Sample& sample) {
+  for (const SignalColumn& column : columns.signals) {
+    const double value = sample.signals[column.place];
+    if (!std::isnan(value)) append_value(text, value);
+    text += ',';
+  }
+}
+
+void append_signal_members(std::string& text, const CsvColumns& columns, std::string_view prefix,
+                           const Sample& sample) {
+  for (const SignalColumn& column : columns.signals) {
+    const double value = sample.signals[column.place];
+    text.append(1, '"').append(prefix).append(kSignalPrefix).append(column.name).append("\":");
+    std::isnan(value) ? text.append("null") : (append_value(text, value), text);
+    text += ',';
+  }
+}
+
+// The names of the signals of axis x that a header line has.
+Result<std::vector<SignalColumn>> signals_in(std::string_view header) {
+  std::vector<SignalColumn> found;
+  std::size_t free = algorithm_signals().size();
+  for (std::string_view name : split(header, ',')) {
+    if (!name.starts_with(kSignalPrefix)) continue;
+    name.remove_prefix(kSignalPrefix.size());
+    const std::size_t place = find_algorithm_signal(name).value_or(free);
+    if (place == free) ++free;
+    if (place >= kMaxSignals)
+      return usage_error(fmt::format("more than {} signals of algorithms", kMaxSignals));
+    if (name.empty() || std::ranges::find(found, name, &SignalColumn::name) != found.end())
+      return usage_error(fmt::format("the signal {} has no name of its own", in_quotes(name)));
+    found.push_back({std::string(name), place});
+  }
+  return found;
+}
+
 template <typename Wanted>
-void append_members(std::string& text, CsvColumns columns, Wanted&& wanted, std::string_view prefix,
-                    const Sample& sample) {
+void append_members(std::string& text, const CsvColumns& columns, Wanted&& wanted,
+                    std::string_view prefix, const Sample& sample) {
   for_each_column(sample, [&](const SampleColumn& column, const auto& value) {
     if (!wanted(column, columns)) return;
     text.append(1, '"').append(prefix).append(column.name).append("\":");
@@ -91,7 +147,7 @@ void append_members(std::string& text, CsvColumns columns, Wanted&& wanted, std:
 }
 
 // The reason why a row is wrong. Slow.
-std::string problem_of(std::string_view line, CsvColumns columns) {
+std::string problem_of(std::string_view line, const CsvColumns& columns) {
   const std::string header = csv_header(columns);
   const std::vector<std::string_view> names = split(header, ',');
   const std::vector<std::string_view> fields = split(line, ',');
@@ -103,7 +159,8 @@ std::string problem_of(std::string_view line, CsvColumns columns) {
     if (name.ends_with("flags") && !parsed<std::uint32_t>(fields[i])) {
       return fmt::format("{}: {} is no whole number", name, in_quotes(fields[i]));
     }
-    if (!parsed<double>(fields[i])) {
+    const bool may_be_empty = name.find(kSignalPrefix) != std::string_view::npos;
+    if (!parsed<double>(fields[i]) && !(may_be_empty && fields[i].empty())) {
       return fmt::format("{}: {} is no finite number", name, in_quotes(fields[i]));
     }
   }
@@ -112,7 +169,7 @@ std::string problem_of(std::string_view line, CsvColumns columns) {
 
 }  // namespace
 
-std::string csv_header(CsvColumns columns) {
+std::string csv_header(const CsvColumns& columns) {
   std::string header;
   const auto add = [&](auto&& wanted, std::string_view prefix) {
     for (const SampleColumn& column : kSampleColumns) {
@@ -123,22 +180,57 @@ std::string csv_header(CsvColumns columns) {
   };
   add(kOfTick, "");
   for (std::size_t axis = 0; axis < columns.axes; ++axis) {
-    add(kOfAxis, axis > 0 ? kSecondAxisPrefix : "");
+    add(kOfAxis, axis_prefix(axis));
+    for (const SignalColumn& column : columns.signals)
+      header.append(1, ',').append(axis_prefix(axis)).append(kSignalPrefix).append(column.name);
   }
   return header;
 }
 
+SignalNames signal_names(const CsvColumns& columns) {
+  SignalNames names;
+  for (const SignalColumn& column : columns.signals) names.at(column.place) = column.name;
+  return names;
+}
+
+std::vector<SignalColumn> signal_columns(std::span<const std::size_t> indices) {
+  std::vector<SignalColumn> columns;
+  for (const std::size_t index : indices) {
+    for (const SignalDescription& signal : algorithms()[index].signals) {
+      const SignalColumn column{std::string(signal.name), *find_algorithm_signal(signal.name)};
+      if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
+    }
+  }
+  return columns;
+}
+
+std::vector<SignalColumn> signal_columns(const Scene& scene,
+                                         std::span<const ScheduledChange> changes) {
+  std::vector<std::size_t> indices;
+  const auto add = [&](const AlgorithmSettings& algorithm) {
+    indices.push_back(algorithm.index);
+    if (has_follower(algorithm)) indices.push_back(follower_index());
+  };
+  add(scene.algorithm);
+  for (const ScheduledChange& change : changes) add(change.scene.algorithm);
+  return signal_columns(indices);
+}
+
 Result<CsvColumns> parse_csv_header(std::string_view line) {
+  Result<std::vector<SignalColumn>> signals = signals_in(line.substr(0, kMaxCsvLineBytes));
+  if (!signals) return signals.error();
   for (const bool simulated : {true, false}) {
     for (std::size_t axes = 1; axes <= kMaxAxes; ++axes) {
       CsvColumns columns = csv_columns(simulated, axes);
+      columns.signals = *signals;
       if (line == csv_header(columns)) return columns;
       columns.applied = false;
       if (line == csv_header(columns)) return columns;
     }
   }
-  const CsvColumns meant = csv_columns(line.find("device_time_s") == std::string_view::npos,
-                                       line.find(",y_") == std::string_view::npos ? 1 : 2);
+  CsvColumns meant = csv_columns(line.find("device_time_s") == std::string_view::npos,
+                                 line.find(",y_") == std::string_view::npos ? 1 : 2);
+  meant.signals = std::move(*signals);
   const std::string header = csv_header(meant);
   const std::vector<std::string_view> wanted = split(header, ',');
   const std::vector<std::string_view> found = split(line.substr(0, kMaxCsvLineBytes), ',');
@@ -153,25 +245,30 @@ Result<CsvColumns> parse_csv_header(std::string_view line) {
                                  in_quotes(found[wanted.size()])));
 }
 
-void append_csv_row(std::string& text, const Tick& tick, CsvColumns columns) {
+void append_csv_row(std::string& text, const Tick& tick, const CsvColumns& columns) {
   append_columns(text, columns, kOfTick, tick.x());
-  for (const Sample& sample : tick.in_use()) append_columns(text, columns, kOfAxis, sample);
+  for (const Sample& sample : tick.in_use()) {
+    append_columns(text, columns, kOfAxis, sample);
+    append_signals(text, columns, sample);
+  }
   text.back() = '\n';
 }
 
-void append_json_object(std::string& text, const Tick& tick, CsvColumns columns,
+void append_json_object(std::string& text, const Tick& tick, const CsvColumns& columns,
                         std::uint64_t lost) {
   text += '{';
   append_members(text, columns, kOfTick, "", tick.x());
   for (std::size_t axis = 0; axis < tick.count; ++axis) {
-    append_members(text, columns, kOfAxis, axis > 0 ? kSecondAxisPrefix : "", tick.axes[axis]);
+    append_members(text, columns, kOfAxis, axis_prefix(axis), tick.axes[axis]);
+    append_signal_members(text, columns, axis_prefix(axis), tick.axes[axis]);
   }
   text += "\"lost\":";
   append_value(text, lost);
   text += "}\n";
 }
 
-std::optional<std::string> parse_csv_row(std::string_view line, CsvColumns columns, Tick& tick) {
+std::optional<std::string> parse_csv_row(std::string_view line, const CsvColumns& columns,
+                                         Tick& tick) {
   tick = Tick{};
   tick.count = columns.axes;
   Fields fields(line);
@@ -180,7 +277,8 @@ std::optional<std::string> parse_csv_row(std::string_view line, CsvColumns colum
   for (Sample& sample : tick.in_use()) {
     sample.tick = x.tick;
     sample.time_s = x.time_s;
-    whole = whole && take_columns(fields, columns, kOfAxis, sample);
+    whole = whole && take_columns(fields, columns, kOfAxis, sample) &&
+            take_signals(fields, columns, sample);
   }
   if (whole && fields.at_end()) return std::nullopt;
   return problem_of(line, columns);

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/file/recording/sample_stream.h"
 #include "app/runtime/loop/led_hand.h"
@@ -43,6 +44,8 @@ struct SessionOptions {
   Clock* clock = nullptr;
   // Gets every tick, from the recorder's thread. Null: none.
   std::shared_ptr<file::SampleStream> stream{};
+  // Of algorithms, in recordings and in the stream.
+  std::vector<file::SignalColumn> signals{};
 };
 
 class LiveSession : public SampleSource {

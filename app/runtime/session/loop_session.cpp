@@ -54,6 +54,13 @@ std::vector<device::Device*> pointers_to(
   return pointers;
 }
 
+file::CsvColumns columns_of(const device::DeviceInfo& device, std::size_t axes,
+                            const SessionOptions& options) {
+  file::CsvColumns columns = file::csv_columns(device.is_simulated, axes);
+  columns.signals = options.signals;
+  return columns;
+}
+
 // The move for the axes that have a hand; nullopt where it is no motion.
 std::optional<HandMove> hand_move(const Scene& scene, HandMove move) {
   bool any = false;
@@ -77,6 +84,7 @@ LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, c
     : plants_(plant_keepers(scene)),
       devices_(std::move(devices)),
       device_info_(devices_.front()->info()),
+      columns_(columns_of(device_info_, devices_.size(), options)),
       history_(scene),
       exchange_(options.queues, parameters_of(history_)),
       loop_(pointers_to(devices_), exchange_, parameters_of(history_), options.start_paused),
@@ -84,8 +92,7 @@ LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, c
       clock_(options.clock != nullptr ? *options.clock : monotonic_clock_,
              spin_ns(options.spin_s, scene.sampling.rate_hz)) {
   if (options.stream) {  // before the loop, so that tick 0 is in it
-    recorder_.stream_into(options.stream,
-                          file::csv_columns(device_info_.is_simulated, devices_.size()));
+    recorder_.stream_into(options.stream, columns_);
     start_recorder(nullptr);
   }
   std::promise<RealtimeOutcome> set_up;
@@ -224,8 +231,7 @@ Failure LoopSession::start_recording(const std::string& csv_path) {
     return Error{ErrorKind::kUsage,
                  "a recording to " + recording_path_ + " is running: stop it first"};
   }
-  auto writer = file::RecordingWriter::create(
-      csv_path, file::csv_columns(device_info_.is_simulated, devices_.size()));
+  auto writer = file::RecordingWriter::create(csv_path, columns_);
   if (!writer) return writer.error();
   recording_start_time_ = utc_now();
   first_mark_ = marks_.size();

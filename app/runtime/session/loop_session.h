@@ -88,6 +88,7 @@ class LoopSession final : public LiveSession {
   std::deque<PlantKeeper> plants_;  // of the axes; outlive the devices
   std::vector<std::unique_ptr<device::Device>> devices_;
   const device::DeviceInfo device_info_;
+  const file::CsvColumns columns_;  // of recordings
   ParameterHistory history_;
   Exchange exchange_;
   ServoLoop loop_;

@@ -75,6 +75,9 @@ class ReplaySession final : public SampleSource {
 
   // Scene at the present time, including changes.
   [[nodiscard]] const Scene& scene() const override;
+  [[nodiscard]] SignalNames signals() const override {
+    return file::signal_names(recording().scanned.columns);
+  }
   // Resuming at the end starts again. Pauses by itself at the end, unless it loops.
   void pause(bool paused) override;
   void step(std::uint32_t ticks) override;

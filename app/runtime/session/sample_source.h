@@ -45,6 +45,8 @@ class SampleSource {
   [[nodiscard]] virtual std::string device_trouble() const = 0;
   // Whether Sample::truth is filled: only a simulator knows the true state.
   [[nodiscard]] virtual bool knows_truth() const = 0;
+  // Names of Sample::signals. Live: of every algorithm.
+  [[nodiscard]] virtual SignalNames signals() const { return signal_names(); }
 };
 
 }  // namespace hapticwall::runtime

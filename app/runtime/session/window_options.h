@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
@@ -29,6 +30,7 @@ struct WindowOptions {
   std::optional<float> forced_scale;           // empty: from the settings or the screen
   double spin_s = 0.0;                         // as SessionOptions::spin_s, on the simulator
   std::shared_ptr<file::SampleStream> stream;  // as SessionOptions::stream, on the simulator
+  std::vector<file::SignalColumn> signals;     // as SessionOptions::signals, on the simulator
   bool repeats = false;     // a simulated scene begins anew at its end, until another one is chosen
   std::string opened_file;  // the scene's file; empty: a built-in scene
 };

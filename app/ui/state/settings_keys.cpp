@@ -170,14 +170,14 @@ std::optional<std::string> take_derived(UiState& state, const SettingValue& valu
 }
 
 std::string spectrum_signal(const UiState& state) {
-  const draw::PlotTable table(state.plots.persisted.derived);
+  const draw::PlotTable table(state.plots.persisted.derived, signal_names());
   const auto found = table.find(state.plots.persisted.spectrum.quantity);
   return found ? found->line->name : "";
 }
 
 std::optional<std::string> take_spectrum_signal(UiState& state, const SettingValue& value) {
   const auto* name = std::get_if<std::string>(&value);
-  const draw::PlotTable table(state.plots.persisted.derived);
+  const draw::PlotTable table(state.plots.persisted.derived, signal_names());
   const auto found = name != nullptr ? table.find(*name) : std::nullopt;
   if (!found) return "must be the name of a signal";
   state.plots.persisted.spectrum.quantity = found->line->quantity;
@@ -235,7 +235,7 @@ std::vector<Key> plain_keys() {
 
 // Lines are stored by name, because bit positions change between versions.
 std::string names_of(const UiState& state, draw::PlotId id, draw::LineSet set) {
-  const draw::PlotTable table(state.plots.persisted.derived);
+  const draw::PlotTable table(state.plots.persisted.derived, signal_names());
   std::string names;
   for (const draw::PlotLine& line : table[id].lines) {
     if ((set & line_bit(line.quantity)) == 0) continue;
@@ -245,7 +245,7 @@ std::string names_of(const UiState& state, draw::PlotId id, draw::LineSet set) {
 }
 
 draw::LineSet lines_called(const UiState& state, draw::PlotId id, std::string_view names) {
-  const draw::PlotTable table(state.plots.persisted.derived);
+  const draw::PlotTable table(state.plots.persisted.derived, signal_names());
   draw::LineSet set = 0;
   for (const draw::PlotLine& line : table[id].lines) {
     std::string_view rest = names;

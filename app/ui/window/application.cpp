@@ -94,6 +94,7 @@ void Application::take_ticks() {
   samples_came_ = false;
   notice_jumps();
   history_.set_counts(session().scene());
+  history_.name_signals(session().signals());
   history_.derive(state_.plots.persisted.derived, session().scene().sampling.rate_hz);
   for (int batch = 0; batch < kMaxBatches; ++batch) {
     const std::span<Tick> ticks = std::span(incoming_).first(session().take_ticks(incoming_));

@@ -305,6 +305,7 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
     runtime::SessionOptions session;
     session.spin_s = options.spin_s;
     session.stream = options.stream;
+    session.signals = options.signals;
     return runtime::LiveSession::start(scene, session);
   };
   sessions.start_on_device = options.start_on_device;

@@ -1,6 +1,7 @@
 #include "core/stabiliser/plugin/plugin_law.h"
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -11,7 +12,7 @@
 namespace hapticwall {
 namespace {
 
-constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 std::array<double, kMaxPluginParameters> plugin_values(const hw_plugin& plugin,
                                                        const StabiliserContext& context) {
@@ -45,8 +46,15 @@ void PluginLaw::start(const hw_plugin* plugin) {
   plugin_ = plugin;
   tick_ = 0;
   if (plugin == nullptr) return;
+  find_places();
   failed_ = plugin->state_bytes > bytes_;  // loaded after the construction of this
   if (!failed_ && plugin->state_bytes > 0) std::memset(state_.get(), 0, plugin->state_bytes);
+}
+
+void PluginLaw::find_places() {
+  signals_.fill(kNoNumber);
+  for (std::size_t i = 0; i < plugin_->signal_count; ++i)
+    places_.at(i) = find_algorithm_signal(plugin_->signals[i].name).value_or(kMaxSignals);
 }
 
 void PluginLaw::configure(const hw_plugin* plugin, const StabiliserContext& context) {
@@ -80,9 +88,17 @@ double PluginLaw::step(const StabiliserInput& in) {
   const hw_input input{sizeof(hw_input),    in.in_contact ? 1U : 0U, tick_++,
                        in.wall_force_n,     in.position_m,           in.displacement_m,
                        in.velocity_m_per_s, in.penetration_m,        in.previous_force_n};
-  double force_n = kNoForce;
-  guarded([&] { force_n = plugin_->step(state_.get(), &input); });
+  double force_n = kNoNumber;
+  signals_.fill(kNoNumber);
+  guarded([&] { force_n = plugin_->step(state_.get(), &input, signals_.data()); });
   return force_n;
+}
+
+void PluginLaw::show(Signals& signals) const {
+  if (plugin_ == nullptr) return;
+  for (std::size_t i = 0; i < plugin_->signal_count; ++i) {
+    if (places_[i] < kMaxSignals && std::isfinite(signals_[i])) signals[places_[i]] = signals_[i];
+  }
 }
 
 }  // namespace hapticwall

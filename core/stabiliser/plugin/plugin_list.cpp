@@ -18,6 +18,7 @@ struct LoadedPlugin {
   // Views of the list of algorithms point into these.
   std::deque<std::string> defaults{};
   std::vector<ParameterDescription> parameters{};
+  std::vector<SignalDescription> signals{};
   std::atomic<bool> thrown = false;
 };
 
@@ -40,8 +41,10 @@ std::size_t add_plugin(const hw_plugin& plugin) {
   loaded.plugin = &plugin;
   for (std::size_t i = 0; i < plugin.parameter_count; ++i)
     loaded.parameters.push_back(described(plugin.parameters[i], loaded.defaults));
+  for (std::size_t i = 0; i < plugin.signal_count; ++i)
+    loaded.signals.push_back({plugin.signals[i].name, plugin.signals[i].meaning});
   return add_algorithm(
-      {plugin.name, plugin.title, plugin.idea, loaded.parameters, plugin.equation});
+      {plugin.name, plugin.title, plugin.idea, loaded.parameters, plugin.equation, loaded.signals});
 }
 
 const hw_plugin* plugin_at(std::size_t algorithm) {

@@ -68,6 +68,34 @@ std::string parameter_problem(const hw_parameter& parameter, std::size_t& new_ke
   return same ? "" : "another algorithm has this key with another unit, minimum or maximum";
 }
 
+std::string signal_problem(const hw_plugin& plugin, std::size_t index) {
+  const std::string_view name = plugin.signals[index].name;
+  if (!is_line(plugin.signals[index].meaning))
+    return "meaning must be one line of UTF-8, of at most 200 bytes";
+  for (std::size_t i = 0; i < index; ++i) {
+    if (plugin.signals[i].name == name) return "the plug-in has this signal twice";
+  }
+  return "";
+}
+
+std::string signals_problem(const hw_plugin& plugin) {
+  if (plugin.signal_count > kMaxPluginSignals)
+    return std::to_string(plugin.signal_count) + " signals; at most " +
+           std::to_string(kMaxPluginSignals) + " are taken";
+  if (plugin.signal_count > 0 && plugin.signals == nullptr) return "signals is NULL";
+  std::size_t all = algorithm_signals().size();
+  for (std::size_t i = 0; i < plugin.signal_count; ++i) {
+    const char* const name = plugin.signals[i].name;
+    if (!is_word(name, '_'))
+      return "the name of signal " + std::to_string(i) + " is not a word of a-z, 0-9 and _";
+    const std::string problem = signal_problem(plugin, i);
+    if (!problem.empty()) return "signal " + std::string(name) + ": " + problem;
+    if (!find_algorithm_signal(name)) ++all;
+  }
+  if (all <= kMaxSignals) return "";
+  return "the algorithms together have more than " + std::to_string(kMaxSignals) + " signals";
+}
+
 bool has_key_twice(const hw_plugin& plugin, std::size_t index) {
   for (std::size_t i = 0; i < index; ++i) {
     if (plugin.parameters[i].key == std::string_view(plugin.parameters[index].key)) return true;
@@ -108,7 +136,8 @@ std::string plugin_problem(const hw_plugin& plugin) {
     return "a state of " + std::to_string(plugin.state_bytes) + " bytes; at most " +
            std::to_string(kMaxPluginStateBytes) + " are taken";
   std::string problem = texts_problem(plugin);
-  return problem.empty() ? parameters_problem(plugin) : problem;
+  if (problem.empty()) problem = parameters_problem(plugin);
+  return problem.empty() ? signals_problem(plugin) : problem;
 }
 
 }  // namespace hapticwall

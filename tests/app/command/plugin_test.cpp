@@ -43,6 +43,19 @@ class PluginTest : public ProgramTest {
     }
     return rows;
   }
+  // The tables of a.csv and b.csv without names and times.
+  void expect_same_accuracy() const {
+    const std::set<std::string> differs{"algorithm", "ns_per_tick", "ratio_to_exact", "set_up_ns"};
+    const auto a = table("a-accuracy.csv");
+    const auto b = table("b-accuracy.csv");
+    ASSERT_EQ(a.size(), b.size());
+    ASSERT_GT(a.size(), 2U);
+    for (std::size_t row = 0; row < a.size(); ++row) {
+      for (std::size_t i = 0; i < a[row].size(); ++i) {
+        if (!differs.contains(a[0][i])) EXPECT_EQ(a[row][i], b[row].at(i)) << a[0][i];
+      }
+    }
+  }
   // Exit status 2, one line, and no file.
   void expect_refused(const std::string& path, const std::string& reason) const {
     const Answer answer =
@@ -64,9 +77,10 @@ INSTANTIATE_TEST_SUITE_P(Languages, PluginExampleTest, ::testing::Values("c", "c
 
 TEST_P(PluginExampleTest, RunsWithTheBitsOfTheBuiltInLaw) {
   for (const std::string scene : {"press", "corner", "golden-soft-fric"}) {
-    done({"run", scene, "--algorithm", kBuiltIn, "--csv", "a.csv"});
-    done({"run", scene, "--algorithm", example(), "--csv", "b.csv"});
+    done({"run", scene, "--algorithm", kBuiltIn, "--signals", "--csv", "a.csv"});
+    done({"run", scene, "--algorithm", example(), "--signals", "--csv", "b.csv"});
     EXPECT_GT(size("a.csv"), 1000U);
+    EXPECT_THAT(table("a.csv").front().back(), HasSubstr("signal.step_bound_n"));
     EXPECT_EQ(content("a.csv"), content("b.csv")) << scene;
   }
 }
@@ -103,18 +117,45 @@ TEST_P(PluginExampleTest, IsARowOfAComparisonAndOfAMap) {
 }
 
 TEST_P(PluginExampleTest, IsMeasuredAndStudied) {
-  done({"compare", "tap", "--study", "--algorithms", example(), "--duration", "1"});
-  done({"accuracy", "golden-soft", "--algorithm", example(), "--duration", "0.2", "--quiet"});
+  const std::string name = "bounding-" + language();
+  for (const std::string& algorithm : {std::string(kBuiltIn), example()}) {
+    const std::string file = algorithm == kBuiltIn ? "a" : "b";
+    done({"compare", "tap", "--study", "--algorithms", algorithm, "--duration", "1", "--csv",
+          file + "-study.csv"});
+    done({"accuracy", "golden-soft", "--algorithm", algorithm, "--duration", "0.2", "--quiet",
+          "--csv", file + "-accuracy.csv"});
+  }
+  EXPECT_EQ(content("a-study.csv"), replaced(content("b-study.csv"), name, kBuiltIn));
+  EXPECT_GT(size("a-study.csv"), 100U);
+  expect_same_accuracy();
 }
 
 TEST_P(PluginExampleTest, RerunsARecordedHandBitForBit) {
-  done({"run", "press", "--algorithm", example(), "--csv", "a.csv"});
+  done({"run", "press", "--algorithm", example(), "--signals", "--csv", "a.csv"});
   const Answer rerun = done({"replay", "a.csv", "--algorithm", example(), "--csv", "b.csv"});
   EXPECT_THAT(rerun.out, HasSubstr("equal to the recording, bit for bit"));
-  done({"run", "a.toml", "--algorithm", example(), "--csv", "c.csv"});
+  done({"run", "a.toml", "--algorithm", example(), "--signals", "--csv", "c.csv"});
   EXPECT_EQ(content("a.csv"), content("b.csv"));
   EXPECT_EQ(content("a.csv"), content("c.csv"));
   EXPECT_THAT(content("a.toml"), HasSubstr("plugin_sha256 = \""));
+}
+
+// The follower's signals stand beside those of the plug-in.
+TEST_F(PluginTest, HasColumnsForItsOwnSignals) {
+  done({"run", "tap", "--algorithm", library("plugin_sound"), "--set",
+        "algorithm.then=passivity-control", "--duration", "0.01", "--signals", "--csv", "a.csv",
+        "--stream", "a.jsonl"});
+  const std::vector<std::vector<std::string>> rows = table("a.csv");
+  ASSERT_EQ(rows.size(), 11U);
+  const std::size_t ticks = rows.front().size() - 4;
+  EXPECT_EQ(rows.front()[ticks], "signal.ticks");
+  EXPECT_EQ(rows.front()[ticks + 1], "signal.observed_energy_j");
+  for (std::size_t row = 1; row < rows.size(); ++row)
+    EXPECT_EQ(rows[row][ticks], std::to_string(row - 1));
+  EXPECT_THAT(content("a.jsonl"), HasSubstr("\"signal.ticks\":9,\"signal.observed_energy_j\":0,"));
+  // Without the plug-in its signals keep their names.
+  done({"replay", "a.csv", "--stream", "b.jsonl"});
+  EXPECT_EQ(content("a.jsonl"), content("b.jsonl"));
 }
 
 TEST_F(PluginTest, RefusesInASentenceWhatIsNoPlugin) {

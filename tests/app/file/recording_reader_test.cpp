@@ -40,8 +40,13 @@ Sample random_sample(std::uint64_t tick, std::mt19937_64& random) {
     }
   });
   sample.flags = static_cast<std::uint32_t>(random() % 64);
+  for (double& value : sample.signals) {
+    if (random() % 2 == 0) value = number();
+  }
   return sample;
 }
+
+std::size_t bound_place() { return find_algorithm_signal("step_bound_n").value(); }
 
 std::string row_of(const Sample& sample, CsvColumns columns = {}) {
   std::string text;
@@ -98,14 +103,57 @@ void expect_equal(const Sample& read, const Sample& written, CsvColumns columns)
             std::bit_cast<std::uint64_t>(written.force_n));
 }
 
+// Both axes have them; an empty field is NaN, also the last one.
+TEST(SignalColumns, StandLastInEachAxis) {
+  CsvColumns columns = csv_columns(true, 2);
+  columns.signals = {{"step_bound_n", bound_place()}, {"other", kMaxSignals - 1}};
+  const std::string header = csv_header(columns);
+  EXPECT_THAT(header, HasSubstr(",kinetic_j,signal.step_bound_n,signal.other,y_position_m,"));
+  EXPECT_THAT(header, testing::EndsWith(",y_kinetic_j,y_signal.step_bound_n,y_signal.other"));
+  Tick tick;
+  tick.count = 2;
+  tick.axes[1].signals[bound_place()] = 0.5;
+  std::string row;
+  append_csv_row(row, tick, columns);
+  EXPECT_THAT(row, HasSubstr(",0,,,0,"));
+  EXPECT_THAT(row, testing::EndsWith(",0.5,\n"));
+  row.pop_back();
+  Tick read;
+  read.axes[0].signals.fill(1.0);
+  EXPECT_EQ(parse_csv_row(row, columns, read), std::nullopt);
+  EXPECT_EQ(read.axes[1].signals[bound_place()], 0.5);
+  EXPECT_TRUE(std::isnan(read.axes[0].signals[bound_place()]));
+  EXPECT_TRUE(std::isnan(read.axes[1].signals[kMaxSignals - 1]));
+  EXPECT_NE(parse_csv_row(row.substr(0, row.size() - 1), columns, read), std::nullopt);
+  EXPECT_NE(parse_csv_row(row + ",", columns, read), std::nullopt);
+  row.insert(row.rfind(",0.5"), "x");
+  EXPECT_NE(parse_csv_row(row, columns, read), std::nullopt);
+}
+
+TEST(SignalColumns, AreRefusedInWordsWhereTheyCannotBeRead) {
+  const std::string plain = csv_header(csv_columns(true));
+  EXPECT_THAT(parse_csv_header(plain + ",signal.a,signal.a").error().message,
+              HasSubstr("the signal 'a' has no name of its own"));
+  EXPECT_THAT(parse_csv_header(plain + ",signal.").error().message,
+              HasSubstr("no name of its own"));
+  std::string many = plain;
+  for (std::size_t i = algorithm_signals().size(); i < kMaxSignals; ++i)
+    many += ",signal.own_" + std::to_string(i);
+  EXPECT_TRUE(parse_csv_header(many).ok());
+  EXPECT_THAT(parse_csv_header(many + ",signal.one_more").error().message,
+              HasSubstr("more than 16 signals"));
+}
+
 TEST_F(RecordingReading, GivesBackEveryDigit) {
   CsvColumns older = csv_columns(false);
   older.applied = false;
-  for (const CsvColumns columns : {csv_columns(true), csv_columns(false), older}) {
+  CsvColumns signals = csv_columns(true);
+  signals.signals = {{"of_a_plugin", algorithm_signals().size()}, {"step_bound_n", bound_place()}};
+  for (const CsvColumns& columns : {csv_columns(true), csv_columns(false), older, signals}) {
     record(7, 3000, columns);
     const auto reader = opened();
     ASSERT_EQ(reader->rows(), 3000U);
-    EXPECT_EQ(reader->info().of_simulator(), columns.of_simulator());
+    EXPECT_EQ(reader->info().scanned.columns, columns);
     std::vector<Tick> read(4000);
     ASSERT_EQ(*reader->read(0, read), 3000U);
     for (std::size_t i = 0; i < samples_.size(); ++i)
@@ -219,7 +267,7 @@ TEST_F(RecordingReading, APartialFileIsReadUpToItsLastWholeLine) {
 
 TEST_F(RecordingReading, RefusesAHeaderLongerThanAnyRecordingHas) {
   put("a.csv", std::string(5000, 'x'));
-  EXPECT_THAT(refusal(), HasSubstr("a.csv:1: longer than 1024 bytes"));
+  EXPECT_THAT(refusal(), HasSubstr("a.csv:1: longer than 2048 bytes"));
 }
 
 TEST_F(RecordingReading, AFileThatShrinksIsFoundOut) {

@@ -7,6 +7,7 @@
 
 #include "core/stabiliser/plugin/include/hapticwall/plugin.h"
 #include "core/stabiliser/plugin/plugin_list.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {
@@ -20,18 +21,23 @@ class PluginProblem : public ::testing::Test {
   std::array<hw_parameter, 17> parameters_{
       {{"gain", "N", 0.0, 1.0, 0.5, "a gain"},
        {"damping_n_s_per_m", "N·s/m", 0.0, 1e6, kPluginNan, "of a built-in law, too"}}};
-  hw_plugin plugin_{HAPTICWALL_PLUGIN_ABI,
-                    sizeof(hw_plugin),
-                    0,
-                    2,
-                    parameters_.data(),
-                    "mine",
-                    "Mine",
-                    "an idea",
-                    "F_d = F_e",
-                    [](void* /*state*/, const hw_context* /*context*/) {},
-                    [](void* /*state*/) {},
-                    [](void* /*state*/, const hw_input* in) { return in->wall_force_n; }};
+  std::array<hw_signal, 9> signals_{
+      {{"gain_n", "of its own"}, {"step_bound_n", "of a built-in law, too"}}};
+  hw_plugin plugin_{
+      HAPTICWALL_PLUGIN_ABI,
+      sizeof(hw_plugin),
+      0,
+      2,
+      2,
+      parameters_.data(),
+      signals_.data(),
+      "mine",
+      "Mine",
+      "an idea",
+      "F_d = F_e",
+      [](void* /*state*/, const hw_context* /*context*/) {},
+      [](void* /*state*/) {},
+      [](void* /*state*/, const hw_input* in, double* /*signals*/) { return in->wall_force_n; }};
 };
 
 TEST_F(PluginProblem, NoneInASoundPlugin) { EXPECT_EQ(plugin_problem(plugin_), ""); }
@@ -96,6 +102,32 @@ TEST_F(PluginProblem, KeysThatAreWrongTwiceOrTooMany) {
   plugin_.parameter_count = 1;
   plugin_.parameters = nullptr;
   EXPECT_THAT(plugin_problem(plugin_), HasSubstr("parameters is NULL"));
+}
+
+TEST_F(PluginProblem, ASignalThatCouldNotBeAColumn) {
+  signals_[1].meaning = "two\nlines";
+  EXPECT_THAT(plugin_problem(plugin_), HasSubstr("signal step_bound_n: meaning must be one line"));
+  signals_[1] = signals_[0];
+  EXPECT_THAT(plugin_problem(plugin_), HasSubstr("signal gain_n: the plug-in has this signal"));
+  for (const char* name : {static_cast<const char*>(nullptr), "", "a,b", "Gain"}) {
+    signals_[1].name = name;
+    EXPECT_THAT(plugin_problem(plugin_), HasSubstr("the name of signal 1 is not a word"));
+  }
+  plugin_.signal_count = 9;
+  EXPECT_THAT(plugin_problem(plugin_), HasSubstr("9 signals; at most 8"));
+  plugin_.signal_count = 1;
+  plugin_.signals = nullptr;
+  EXPECT_THAT(plugin_problem(plugin_), HasSubstr("signals is NULL"));
+}
+
+// The built-in laws have nine.
+TEST_F(PluginProblem, MoreSignalsThanASampleHolds) {
+  const std::array<const char*, 8> names{"a", "b", "c", "d", "e", "f", "g", "h"};
+  for (std::size_t i = 0; i < names.size(); ++i) signals_.at(i) = {names[i], ""};
+  plugin_.signal_count = static_cast<std::uint32_t>(kMaxSignals - algorithm_signals().size());
+  EXPECT_EQ(plugin_problem(plugin_), "");
+  ++plugin_.signal_count;
+  EXPECT_THAT(plugin_problem(plugin_), HasSubstr("have more than 16 signals"));
 }
 
 }  // namespace

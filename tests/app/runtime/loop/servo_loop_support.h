@@ -52,7 +52,8 @@ inline std::vector<Sample> headless(Scene scene, std::size_t ticks,
 
 // Every field, bit for bit, except the generation, which only a live session has.
 inline void expect_same(const std::vector<Sample>& live, const std::vector<Sample>& reference) {
-  static_assert(sizeof(Sample) == 24 * sizeof(double), "no padding: bytes can be compared");
+  static_assert(sizeof(Sample) == (24 + kMaxSignals) * sizeof(double),
+                "no padding: bytes can be compared");
   ASSERT_EQ(live.size(), reference.size());
   for (std::size_t i = 0; i < live.size(); ++i) {
     Sample sample = live[i];

@@ -26,6 +26,14 @@ typedef struct hw_parameter {
   const char *meaning;
 } hw_parameter;
 
+/* A number of each tick that step() shows beside the force: a column of recordings, a line of
+ * plots. Its name ends with the unit, which chooses the plot: "store_j". Laws may share a signal.
+ */
+typedef struct hw_signal {
+  const char *name; /* a-z, 0-9 and _ */
+  const char *meaning;
+} hw_signal;
+
 typedef struct hw_wall {
   double position_m, stiffness_n_per_m, damping_n_s_per_m;
 } hw_wall;
@@ -66,7 +74,9 @@ typedef struct hw_plugin {
   uint32_t size;                  /* sizeof(hw_plugin) */
   uint32_t state_bytes;           /* 0 to 262144 */
   uint32_t parameter_count;       /* 0 to 16 */
+  uint32_t signal_count;          /* 0 to 8 */
   const hw_parameter *parameters; /* NULL if there are none */
+  const hw_signal *signals;       /* the same */
   const char *name;     /* of menus and files: a-z, 0-9 and -; not that of another algorithm */
   const char *title;    /* for people */
   const char *idea;     /* one line */
@@ -75,8 +85,9 @@ typedef struct hw_plugin {
   void (*configure)(void *state, const hw_context *context);
   /* After the first configure(), and for a new start: forget the past, keep the configuration. */
   void (*reset)(void *state);
-  /* F_d(k) in newtons. NaN and infinity end the run with zero force. */
-  double (*step)(void *state, const hw_input *input);
+  /* F_d(k) in newtons. NaN and infinity end the run with zero force. `signals`: signal_count
+   * numbers to write, NaN before the call; one that is not finite is none. */
+  double (*step)(void *state, const hw_input *input, double *signals);
 } hw_plugin;
 
 #if defined(__GNUC__)
