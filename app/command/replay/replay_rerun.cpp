@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -16,31 +15,6 @@
 #include "core/units.h"
 
 namespace hapticwall::command {
-namespace {
-
-file::RecordingMetadata metadata_of(const RecordedRerun& rerun,
-                                    const runtime::RerunOutcome& outcome) {
-  const std::string name =
-      std::filesystem::path(rerun.recording.info().csv_path).filename().string();
-  file::RecordingMetadata metadata;
-  metadata.device = "simulator";
-  metadata.realtime_status = "not in real time: the hand of " + file::shown(name) + ", re-run";
-  metadata.first_tick = rerun.loaded.first_recorded_tick;
-  metadata.session_ticks = outcome.ticks;
-  metadata.diverged_at_tick = divergence_of({outcome.summary});
-  if (outcome.pointer_led) {
-    metadata.repeatable = false;
-    metadata.not_repeatable_because =
-        "the pointer led the hand in " + file::shown(name) + "; `hapticwall replay` repeats it";
-  }
-  for (const ScheduledChange& change : rerun.loaded.changes) {
-    if (change.tick < outcome.ticks) metadata.changes.push_back(change);
-  }
-  return metadata;
-}
-
-}  // namespace
-
 Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutputs& outputs) {
   std::unique_ptr<file::RecordingWriter> writer;
   if (!rerun.csv.empty()) {
@@ -62,7 +36,9 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
   };
   auto outcome = runtime::rerun_hand(rerun.recording, rerun.loaded, options);
   if (!outcome) return outcome;
-  if (writer && !failed) failed = writer->finish(rerun.loaded.scene, metadata_of(rerun, *outcome));
+  if (writer && !failed)
+    failed = writer->finish(rerun.loaded.scene, runtime::rerun_metadata(rerun.recording.info(),
+                                                                        rerun.loaded, *outcome));
   outputs.keep_failure(std::move(failed));
   return outcome;
 }

@@ -13,16 +13,6 @@
 namespace hapticwall::command {
 namespace {
 
-file::RecordingMetadata metadata_of(const file::LoadedScene& loaded, std::uint64_t ticks) {
-  file::RecordingMetadata metadata;
-  metadata.device = "simulator";
-  metadata.realtime_status = "not in real time: as fast as the machine can";
-  metadata.first_tick = loaded.first_recorded_tick;
-  metadata.session_ticks = ticks;
-  metadata.changes = loaded.changes;
-  return metadata;
-}
-
 Failure check_lengths(const OutputOptions& options, const Scene& scene) {
   if (!options.plot.empty() && scene.tick_count() > kMaxPlottedTicks) {
     return usage_error(fmt::format(
@@ -37,12 +27,6 @@ Failure check_lengths(const OutputOptions& options, const Scene& scene) {
 }
 
 }  // namespace
-
-std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(const RunSummary& summary) {
-  std::array<std::optional<std::uint64_t>, kMaxAxes> ticks;
-  for (std::size_t i = 0; i < summary.size(); ++i) ticks.at(i) = summary[i].diverged_at_tick;
-  return ticks;
-}
 
 Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::LoadedScene& loaded,
                                     const TickOrigin& origin) {
@@ -63,8 +47,9 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
   if (!options.csv.empty() && !origin.session_records) {
     auto recording = file::RecordingWriter::create(options.csv, origin.columns);
     if (!recording) return recording.error();
-    if (Failure failed =
-            (*recording)->note(loaded.scene, metadata_of(loaded, loaded.scene.tick_count()))) {
+    if (Failure failed = (*recording)
+                             ->note(loaded.scene, file::headless_metadata(
+                                                      loaded, loaded.scene.tick_count(), {}))) {
       return *failed;
     }
     outputs.recording_ = std::move(*recording);
@@ -100,9 +85,7 @@ void RunOutputs::take(const Tick& tick) {
 void RunOutputs::finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks,
                                   const RunSummary& summary) {
   if (failure_ || !recording_) return;
-  file::RecordingMetadata metadata = metadata_of(loaded, ticks);
-  metadata.diverged_at_tick = divergence_of(summary);
-  failure_ = recording_->finish(loaded.scene, metadata);
+  failure_ = recording_->finish(loaded.scene, file::headless_metadata(loaded, ticks, summary));
 }
 
 // The axes side by side, x on the left.

@@ -19,10 +19,6 @@
 
 namespace hapticwall::command {
 
-// When each axis diverged, for the sidecar.
-[[nodiscard]] std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(
-    const RunSummary& summary);
-
 // Of a sound file, whose samples are kept in memory.
 inline constexpr double kMaxSoundS = 600.0;
 

@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <deque>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <system_error>
 
@@ -23,9 +23,9 @@ namespace {
 constexpr std::size_t kMaxPluginBytes = std::size_t{1} << 28U;
 constexpr const char* kExport = "hapticwall_plugin";
 
-// In the order of algorithms() from first_plugin() on.
-std::deque<PluginFile>& plugin_files() {
-  static std::deque<PluginFile> files;
+// By their index in algorithms(). A plug-in of another program that uses this code has no file.
+std::map<std::size_t, PluginFile>& plugin_files() {
+  static std::map<std::size_t, PluginFile> files;
   return files;
 }
 
@@ -87,13 +87,13 @@ Result<std::size_t> load_bytes(const std::string& path, std::string_view bytes) 
 bool names_plugin(std::string_view text) { return text.find('/') != std::string_view::npos; }
 
 const PluginFile* plugin_file(std::size_t algorithm) {
-  if (plugin_at(algorithm) == nullptr) return nullptr;
-  return &plugin_files().at(algorithm - first_plugin());
+  const auto found = plugin_files().find(algorithm);
+  return found == plugin_files().end() ? nullptr : &found->second;
 }
 
 Result<std::size_t> load_plugin(const std::string& path) {
-  for (std::size_t i = 0; i < plugin_files().size(); ++i) {
-    if (plugin_files()[i].path == path) return first_plugin() + i;
+  for (const auto& [algorithm, plugin] : plugin_files()) {
+    if (plugin.path == path) return algorithm;
   }
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
@@ -103,7 +103,7 @@ Result<std::size_t> load_plugin(const std::string& path) {
   Sha256 digest;
   digest.update(*bytes);
   Result<std::size_t> index = load_bytes(path, *bytes);
-  if (index) plugin_files().push_back({path, digest.finish()});
+  if (index) plugin_files().insert({*index, {path, digest.finish()}});
   return index;
 }
 

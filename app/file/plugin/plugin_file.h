@@ -22,7 +22,7 @@ struct PluginFile {
 // start. Realtime-safe: no.
 [[nodiscard]] Result<std::size_t> load_plugin(const std::string& path);
 
-// nullptr if the algorithm is no plug-in.
+// nullptr if the algorithm is no plug-in of a file.
 [[nodiscard]] const PluginFile* plugin_file(std::size_t algorithm);
 
 }  // namespace hapticwall::file

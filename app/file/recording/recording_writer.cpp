@@ -129,6 +129,24 @@ class CsvRecordingWriter final : public RecordingWriter {
 
 }  // namespace
 
+std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(const RunSummary& summary) {
+  std::array<std::optional<std::uint64_t>, kMaxAxes> ticks;
+  for (std::size_t i = 0; i < summary.size(); ++i) ticks.at(i) = summary[i].diverged_at_tick;
+  return ticks;
+}
+
+RecordingMetadata headless_metadata(const LoadedScene& loaded, std::uint64_t ticks,
+                                    const RunSummary& summary) {
+  RecordingMetadata metadata;
+  metadata.device = "simulator";
+  metadata.realtime_status = "not in real time: as fast as the machine can";
+  metadata.first_tick = loaded.first_recorded_tick;
+  metadata.session_ticks = ticks;
+  metadata.diverged_at_tick = divergence_of(summary);
+  metadata.changes = loaded.changes;
+  return metadata;
+}
+
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& path,
                                                                  CsvColumns columns) {
   const Result<std::string> place = replaceable_path(path);

@@ -13,6 +13,7 @@
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
+#include "core/summary.h"
 
 namespace hapticwall::file {
 
@@ -33,6 +34,14 @@ struct RecordingMetadata {
   std::vector<ScheduledChange> changes;                                 // since tick 0, in order
   std::vector<Mark> marks;  // in order, at most kMaxMarks
 };
+
+// When each axis diverged, for the sidecar.
+[[nodiscard]] std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(
+    const RunSummary& summary);
+
+// Of a run on the simulator that was not in real time. `summary`: empty before its end.
+[[nodiscard]] RecordingMetadata headless_metadata(const LoadedScene& loaded, std::uint64_t ticks,
+                                                  const RunSummary& summary);
 
 // Writes NAME.csv.partial; finish() gives CSV and sidecar NAME.toml their names. Without finish()
 // the partial files stay if they have rows, and recover_recording() finishes them. Realtime-safe:

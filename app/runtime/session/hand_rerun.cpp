@@ -346,6 +346,24 @@ Result<RerunOutcome> rerun_hand(file::RecordingReader& recording, const file::Lo
   return Rerun(recording, scene, options, std::move(*positions_m)).run();
 }
 
+file::RecordingMetadata rerun_metadata(const file::RecordingInfo& recording,
+                                       const file::LoadedScene& scene,
+                                       const RerunOutcome& outcome) {
+  const std::string name =
+      file::shown(std::filesystem::path(recording.csv_path).filename().string());
+  file::RecordingMetadata metadata =
+      file::headless_metadata(scene, outcome.ticks, {outcome.summary});
+  metadata.realtime_status = "not in real time: the hand of " + name + ", re-run";
+  std::erase_if(metadata.changes,
+                [&](const ScheduledChange& change) { return change.tick >= outcome.ticks; });
+  if (outcome.pointer_led) {
+    metadata.repeatable = false;
+    metadata.not_repeatable_because =
+        "the pointer led the hand in " + name + "; `hapticwall replay` repeats it";
+  }
+  return metadata;
+}
+
 Result<Scene> recorded_scene(file::RecordingReader& recording, const file::LoadedScene& wanted) {
   const file::RecordingInfo& info = recording.info();
   const std::uint64_t end_tick = info.scanned.last_tick + 1;

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "app/file/recording/recording_reader.h"
+#include "app/file/recording/recording_writer.h"
 #include "app/file/scene/scene_file.h"
 #include "app/runtime/session/replay_session.h"
 #include "core/plant/hand_path.h"
@@ -71,6 +72,11 @@ struct RerunOutcome {
 [[nodiscard]] Result<RerunOutcome> rerun_hand(file::RecordingReader& recording,
                                               const file::LoadedScene& scene,
                                               const RerunOptions& options = {});
+
+// The sidecar's content for a recording of the re-run.
+[[nodiscard]] file::RecordingMetadata rerun_metadata(const file::RecordingInfo& recording,
+                                                     const file::LoadedScene& scene,
+                                                     const RerunOutcome& outcome);
 
 // The scene for studies, which run it any number of times: axis x of `wanted`, from rerun_scene(),
 // for as long as the rows last. Its hand moves as rerun_hand() moves it, bit for bit. Precondition:
