@@ -6,12 +6,16 @@ find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)  # core: matrix exponential at set-up
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)  # core/batch: lanes, cores
 find_package(TBB REQUIRED)
-pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-${HAPTICWALL_HIDAPI})  # device
 find_package(tomlplusplus REQUIRED)  # app/file
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
 find_package(PNG REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+if(NOT HAPTICWALL_PROGRAM)
+  return()
+endif()
+
+pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-${HAPTICWALL_HIDAPI})  # device
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)  # app/sound
 pkg_check_modules(RTAUDIO REQUIRED IMPORTED_TARGET rtaudio)
 find_package(CLI11 REQUIRED)  # app/command

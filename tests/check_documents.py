@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""check_documents.py PROGRAM ROOT WORK: runs the blocks of code of README, CONTRIBUTING and docs/.
+"""check_documents.py PROGRAM ROOT WORK [PYTHON MODULES]: runs the blocks of code of README, CONTRIBUTING
+and docs/.
 
 The words behind a fence say what a block is:
   sh               commands that end with status 0, in a folder that has the recording NAME.csv
   toml             a scene, or tables in the place of those of the scene `press`
+  python           a script that goes on where the one before it on the page ended; without PYTHON, which
+                   finds the module in the folder MODULES, text
   csv FILE         a file for the scenes of this page
   LANGUAGE WORD    WORD is a key of ELSEWHERE, or for another language the name that its own test uses
 A block without words is text; one that looks like a command or like TOML is refused.
@@ -58,13 +61,21 @@ def complete(scene, root):
     return "".join(part for part in parts if part.split("\n")[0] not in scene) + scene
 
 
-def run(work, script):
+def run(work, script, shell=("sh", "-ec")):
     """The problem, or ""."""
     environment = {**os.environ, "PATH": f"{work}:{os.environ['PATH']}"}
     done = subprocess.run(
-        ["sh", "-ec", script], cwd=work, env=environment, capture_output=True, text=True, timeout=TIMEOUT_S
+        [*shell, script], cwd=work, env=environment, capture_output=True, text=True, timeout=TIMEOUT_S
     )
     return "" if done.returncode == 0 else f"status {done.returncode}: {done.stderr}"
+
+
+def run_python(work, text, python, modules):
+    """The problem of all scripts of the page so far, or ""."""
+    page = work / "page.py"
+    with page.open("a", encoding="utf-8") as script:
+        script.write(text)
+    return run(work, str(page), ("env", f"PYTHONPATH={modules}", str(python)))
 
 
 def leave_partial(work):
@@ -75,18 +86,20 @@ def leave_partial(work):
         rows.write("500,0.5,0.0")
 
 
-def problem_of(words, text, work, root):
+def problem_of(words, text, work, root, python):
     if not words:
         looks_like_code = re.search(r"(?m)^ *((\./)?(hapticwall|dev) |\[\w+\]|\$ )", text)
         return "it looks like code; name its language" if looks_like_code else ""
     if words[0] == "csv":
         (work / words[1]).write_text(text, encoding="utf-8")
     elif len(words) > 1:
-        known = words[0] not in ("sh", "toml") or words[1] in ELSEWHERE
+        known = words[0] not in ("sh", "toml", "python") or words[1] in ELSEWHERE
         return "" if known else f"no reason is known for '{words[1]}'"
     elif words[0] == "toml":
         (work / "page.toml").write_text(complete(text, root), encoding="utf-8")
         return run(work, "hapticwall run page.toml --duration 0.01")
+    elif words[0] == "python":
+        return run_python(work, text, *python) if python else ""
     elif words[0] == "sh":
         if "hapticwall recover" in text:
             leave_partial(work)
@@ -109,7 +122,8 @@ def prepared(work, program, root):
 
 
 def main():
-    program, root, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+    # Not resolved: the Python of a virtual environment is a link.
+    program, root, work, *python = (pathlib.Path(argument).absolute() for argument in sys.argv[1:])
     pages = [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").rglob("*.md"))]
     ran, problems = 0, []
     for page in pages:
@@ -117,8 +131,8 @@ def main():
         # Scenes name files that the page shows further down.
         found = sorted(blocks(page.read_text(encoding="utf-8")), key=lambda block: block[0][:1] != ["csv"])
         for words, text in found:
-            ran += words in (["sh"], ["toml"])
-            problem = problem_of(words, text, work, root)
+            ran += words in (["sh"], ["toml"], ["python"])
+            problem = problem_of(words, text, work, root, python)
             if problem:
                 problems.append(f"{page.relative_to(root)}: {' '.join(words)} {problem}\n{text}")
     if ran < 10:

@@ -2,7 +2,7 @@
 #   core <- device <- app/runtime <- app/ui, app/command; app/file stands on core alone;
 #   core <- app/compare; core, app/file <- app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/draw <- app/command;
 #   core <- app/sound/signal <- app/command; app/sound/signal, app/runtime, device <- app/sound/live <- app/ui;
-#   core, app/file, app/table <- app/command/report <- app/command.
+#   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/runtime <- app/python.
 # Within a layer the rooms have arrows, too:
 #   device <- device/hid <- device/emulator, device <- device/evdev; app/runtime: loop <- session;
 #   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay;
@@ -12,7 +12,7 @@
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(layers core device app/file app/runtime app/compare app/table app/draw app/sound/signal app/sound/live app/ui app/command/report app/command app/emulator app
+set(layers core device app/file app/runtime app/compare app/table app/draw app/sound/signal app/sound/live app/ui app/command/report app/command app/emulator app/python app
     tests)
 set(may_include_core core)
 set(may_include_device core device)
@@ -27,6 +27,7 @@ set(may_include_app/ui core device app/file app/runtime app/compare app/table ap
 set(may_include_app/command/report core app/file app/table app/command/report)
 set(may_include_app/command core device app/file app/runtime app/table app/draw app/sound/signal app/command/report app/command)
 set(may_include_app/emulator core device app/file app/runtime app/command/report app/command app/emulator)
+set(may_include_app/python core app/file app/runtime app/python)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
 

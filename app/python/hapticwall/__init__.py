@@ -1,0 +1,32 @@
+"""Haptic Wall: virtual walls on the simulator, under any stabilising algorithm.
+
+SI units throughout. docs/python.md shows every function at work.
+"""
+
+from hapticwall._law import Algorithm, Context, Input, LawError, Parameter, Wall, algorithm, algorithms
+from hapticwall._run import Recording, Run, batch, compare, read, rerun, run
+from hapticwall._scene import Scene, Value, load
+from hapticwall._study import Map, map  # noqa: A004
+
+__all__ = [
+    "Algorithm",
+    "Context",
+    "Input",
+    "LawError",
+    "Map",
+    "Parameter",
+    "Recording",
+    "Run",
+    "Scene",
+    "Value",
+    "Wall",
+    "algorithm",
+    "algorithms",
+    "batch",
+    "compare",
+    "load",
+    "map",
+    "read",
+    "rerun",
+    "run",
+]

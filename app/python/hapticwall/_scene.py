@@ -1,0 +1,91 @@
+"""Scenes: values with the keys of a scene file."""
+
+from __future__ import annotations
+
+import numbers
+import re
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from hapticwall import _core
+
+# What a key takes: a number, true or false, a word, or the points of a path.
+Value: TypeAlias = float | str | bool | Sequence[Sequence[float]]
+
+
+def setting(value: object) -> float | str:
+    """A number, or the text that --set takes."""
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, numbers.Real):
+        return float(value)
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (Sequence, np.ndarray)):
+        return repr([[float(number) for number in point] for point in value])
+    raise TypeError(f"a key takes a number, a text or [[time_s, position_m], ...], not {value!r}")
+
+
+def _parts(key: str) -> Iterator[str | int]:
+    for word, index in re.findall(r"([^.\[\]]+)(?:\[(\d+)\])?", key):
+        yield word
+        if index:
+            yield int(index)
+
+
+class Scene:
+    """A scene. Its keys are those of a scene file and of --set, such as "hand.mass_kg".
+
+    A key that the scene omits has the value None. Every change is checked at once: ValueError for a
+    wrong value, KeyError for an unknown key, with the nearest name.
+    """
+
+    def __init__(self, core: _core.Scene) -> None:
+        self._core = core
+
+    def __getitem__(self, key: str) -> Any:
+        known, number = self._core.number(key)
+        return number if known else self._look_up(key)
+
+    def __setitem__(self, key: str, value: Value) -> None:
+        self._core = self._core.replaced([(key, setting(value))])
+
+    def replace(self, values: Mapping[str, Value]) -> Scene:
+        """The scene with other values, which are checked together; this one stays as it is."""
+        return Scene(self._core.replaced([(key, setting(value)) for key, value in values.items()]))
+
+    def keys(self) -> list[str]:
+        """The keys of all numbers of this scene."""
+        return self._core.number_keys()
+
+    def __str__(self) -> str:
+        """The scene as a scene file."""
+        return self._core.toml()
+
+    def __repr__(self) -> str:
+        return f"<hapticwall.Scene {self['name']!r} under {self['algorithm.name']!r}>"
+
+    def _look_up(self, key: str) -> Any:
+        value: Any = tomllib.loads(self._core.toml())
+        try:
+            for part in _parts(key):
+                value = value[0][part] if isinstance(value, list) and isinstance(part, str) else value[part]
+        except (KeyError, IndexError, TypeError):
+            self._core.check_key(key)
+            return None
+        return value
+
+
+def load(name_or_path: str) -> Scene:
+    """A built-in scene by its name, a scene file, or the sidecar of a recording.
+
+    ValueError says what is wrong with it, OSError that it cannot be read.
+    """
+    return Scene(_core.Scene.load(name_or_path))
+
+
+def scene_of(scene: Scene | str) -> Scene:
+    return load(scene) if isinstance(scene, str) else scene

@@ -1,0 +1,65 @@
+"""Maps: a scene over a grid of two of its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from hapticwall import _core
+from hapticwall._law import Algorithm, algorithms as all_algorithms, heard, indices_of, told
+from hapticwall._scene import Scene, scene_of
+
+# In the order of the module's index, from good to bad.
+_VERDICTS = np.array(["settled", "buzzing", "oscillating", "diverged"])
+
+Values = Sequence[float] | npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Map:
+    """A map. Its arrays have the axes algorithm, y, x."""
+
+    x: npt.NDArray[np.float64]
+    y: npt.NDArray[np.float64]
+    algorithms: list[str]
+    columns: dict[str, npt.NDArray[np.float64]]
+
+    def __getitem__(self, key: str) -> npt.NDArray[np.float64]:
+        """A number of the summary for every cell, such as "tail_peak_to_peak_m"; NaN for none."""
+        return self.columns[key].reshape(len(self.algorithms), self.y.size, self.x.size)
+
+    @property
+    def verdict(self) -> npt.NDArray[np.str_]:
+        """ "settled", "buzzing", "oscillating" or "diverged"."""
+        names: npt.NDArray[np.str_] = _VERDICTS[self["verdict"].astype(int)]
+        return names
+
+    @property
+    def settled(self) -> npt.NDArray[np.bool_]:
+        return np.equal(self["verdict"], 0.0)
+
+
+def _values(values: Values) -> npt.NDArray[np.float64]:
+    return np.asarray(values, dtype=np.float64).ravel()
+
+
+def map(  # noqa: A001
+    scene: Scene | str,
+    *,
+    x: tuple[str, Values],
+    y: tuple[str, Values],
+    algorithms: Sequence[Algorithm | str] | None = None,
+) -> Map:
+    """Runs axis x of a scene for every x, y and algorithm, on all cores. All built-in algorithms by default.
+
+    A key is a number of axis x, of the loop or of an algorithm, or "hand.path_speed_m_per_s".
+    """
+    xs, ys = _values(x[1]), _values(y[1])
+    indices = indices_of(algorithms)
+    with heard() as raised:
+        columns = _core.map(scene_of(scene)._core, (x[0], xs.tolist()), (y[0], ys.tolist()), indices)
+    names = all_algorithms()
+    return told(raised, Map(xs, ys, [names[index] for index in indices], columns))

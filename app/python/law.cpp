@@ -1,0 +1,204 @@
+#include "app/python/law.h"
+
+#include <fmt/format.h>
+#include <nanobind/nanobind.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "app/file/plugin/plugin_file.h"
+#include "app/file/text/text.h"
+#include "app/python/interruptible.h"
+#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
+#include "core/stabiliser/plugin/plugin_list.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::python {
+namespace {
+
+enum class Calling : std::uint8_t { kNothing, kLaw, kLawThatRaised };
+
+// Of this thread. The fast model of thread-local storage: one load a tick.
+#if defined(__GNUC__)
+__attribute__((tls_model("initial-exec")))
+#endif
+constinit thread_local Calling calling = Calling::kNothing;
+
+// Ends in PluginLaw, which takes NaN for the force.
+struct LawRaised : std::exception {};
+
+// Calls a function of the law. ctypes and numba print an exception and return 0; note_raised()
+// hears of it.
+template <typename Call>
+auto heard(const Call& call) {
+  calling = Calling::kLaw;
+  const auto result = call();
+  if (std::exchange(calling, Calling::kNothing) == Calling::kLawThatRaised) throw LawRaised();
+  return result;
+}
+
+// A law in the list of algorithms, which points to its texts for ever.
+struct Slot {
+  Law law;
+  std::size_t algorithm = 0;
+  std::vector<hw_parameter> parameters;
+  hw_plugin plugin{};
+};
+
+struct Slots {
+  std::array<std::unique_ptr<Slot>, kMaxLaws> all;
+  std::size_t count = 0;
+};
+Slots& slots() {
+  static Slots kept;
+  return kept;
+}
+
+// What the list calls, for each slot: a law's functions do not know which law they are of. Plain
+// pointers, so that a tick reads one.
+struct Functions {
+  double (*step)(void*, const hw_input*) = nullptr;
+  void (*configure)(void*, const hw_context*) = nullptr;
+  void (*reset)(void*) = nullptr;
+};
+constinit std::array<Functions, kMaxLaws> functions{};
+
+template <std::size_t kSlot>
+double step_of(void* state, const hw_input* input) {
+  return heard([&] { return functions[kSlot].step(state, input); });
+}
+template <std::size_t kSlot>
+void configure_of(void* state, const hw_context* context) {
+  if (functions[kSlot].configure == nullptr) return;
+  heard([&] {
+    functions[kSlot].configure(state, context);
+    return true;
+  });
+}
+template <std::size_t kSlot>
+void reset_of(void* state) {
+  if (functions[kSlot].reset == nullptr) return;
+  heard([&] {
+    functions[kSlot].reset(state);
+    return true;
+  });
+}
+
+template <std::size_t... kSlot>
+constexpr auto calls_of(std::index_sequence<kSlot...>) {
+  return std::array{Functions{step_of<kSlot>, configure_of<kSlot>, reset_of<kSlot>}...};
+}
+constexpr auto kCalls = calls_of(std::make_index_sequence<kMaxLaws>());
+
+// NOLINTBEGIN(performance-no-int-to-ptr): a Python integer is an address
+Functions functions_of(const Law& law) {
+  return {reinterpret_cast<double (*)(void*, const hw_input*)>(law.step),
+          reinterpret_cast<void (*)(void*, const hw_context*)>(law.configure),
+          reinterpret_cast<void (*)(void*)>(law.reset)};
+}
+// NOLINTEND(performance-no-int-to-ptr)
+
+std::unique_ptr<Slot> slot_of(const Law& law, const Functions& calls) {
+  auto slot = std::make_unique<Slot>();
+  slot->law = law;
+  for (const LawParameter& parameter : slot->law.parameters) {
+    slot->parameters.push_back({parameter.key.c_str(), parameter.unit.c_str(), parameter.minimum,
+                                parameter.maximum, parameter.fallback, parameter.meaning.c_str()});
+  }
+  slot->plugin = {HAPTICWALL_PLUGIN_ABI,
+                  sizeof(hw_plugin),
+                  law.state_bytes,
+                  static_cast<std::uint32_t>(slot->parameters.size()),
+                  slot->parameters.data(),
+                  slot->law.name.c_str(),
+                  slot->law.title.c_str(),
+                  slot->law.idea.c_str(),
+                  slot->law.equation.c_str(),
+                  calls.configure,
+                  calls.reset,
+                  calls.step};
+  return slot;
+}
+
+[[noreturn]] void refuse(const Law& law, std::string_view problem) {
+  raise(usage_error(fmt::format("algorithm {}: {}", file::in_quotes(law.name), problem)));
+}
+
+void refuse_while_running() {
+  if (RunningMark::count() > 0)
+    throw std::runtime_error("a run is in progress; register algorithms before or after it");
+}
+
+void check_state(const Law& law) {
+  if (law.state_bytes > kMaxPluginStateBytes)
+    refuse(law, fmt::format("a state of {} bytes; it takes at most {}", law.state_bytes,
+                            kMaxPluginStateBytes));
+}
+
+std::size_t replace(std::size_t index, const Law& law) {
+  Slot& slot = *slots().all.at(index);
+  if (slot.law.parameters != law.parameters)
+    refuse(law, "it is there already, with other parameters; choose another name");
+  check_state(law);
+  slot.plugin.state_bytes = law.state_bytes;
+  slot.law.takes_lock = law.takes_lock;
+  functions.at(index) = functions_of(law);
+  return slot.algorithm;
+}
+
+}  // namespace
+
+bool operator==(const LawParameter& a, const LawParameter& b) {
+  const bool same_fallback =
+      a.fallback == b.fallback || (std::isnan(a.fallback) && std::isnan(b.fallback));
+  return a.key == b.key && a.unit == b.unit && a.minimum == b.minimum && a.maximum == b.maximum &&
+         a.meaning == b.meaning && same_fallback;
+}
+
+std::size_t add_law(const Law& law) {
+  refuse_while_running();
+  Slots& kept = slots();
+  if (law.step == 0) refuse(law, "step has the address 0");
+  for (std::size_t i = 0; i < kept.count; ++i) {
+    if (kept.all.at(i)->law.name == law.name) return replace(i, law);
+  }
+  if (kept.count == kMaxLaws)
+    refuse(law, fmt::format("a process takes at most {} names", kMaxLaws));
+  auto slot = slot_of(law, kCalls.at(kept.count));
+  const std::string problem = plugin_problem(slot->plugin);
+  if (!problem.empty()) refuse(law, problem);
+  functions.at(kept.count) = functions_of(law);
+  slot->algorithm = add_plugin(slot->plugin);
+  return (kept.all.at(kept.count++) = std::move(slot))->algorithm;
+}
+
+std::size_t algorithm_index(const std::string& name_or_path) {
+  if (file::names_plugin(name_or_path)) {
+    refuse_while_running();
+    return value_or_raise(file::load_plugin(name_or_path));
+  }
+  if (const auto index = find_algorithm(name_or_path)) return *index;
+  const auto names = file::names_of(algorithms(), &AlgorithmDescription::name);
+  raise(usage_error(fmt::format("no algorithm is called {}{}; known: {}",
+                                file::in_quotes(name_or_path),
+                                file::suggestion(name_or_path, names), file::joined(names))));
+}
+
+bool takes_lock(std::size_t algorithm) {
+  const Slots& kept = slots();
+  for (std::size_t i = 0; i < kept.count; ++i) {
+    if (kept.all.at(i)->algorithm == algorithm) return kept.all.at(i)->law.takes_lock;
+  }
+  return false;
+}
+
+bool note_raised() {
+  if (calling == Calling::kNothing) return false;
+  calling = Calling::kLawThatRaised;
+  return true;
+}
+
+}  // namespace hapticwall::python

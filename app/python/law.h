@@ -1,0 +1,54 @@
+// Algorithms that Python brings: functions by their address, and plug-ins by their file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hapticwall::python {
+
+// As hw_parameter; NaN as fallback lets configure() choose.
+struct LawParameter {
+  std::string key;
+  std::string unit;
+  double minimum = 0.0;
+  double maximum = 0.0;
+  double fallback = 0.0;
+  std::string meaning;
+
+  friend bool operator==(const LawParameter& a, const LawParameter& b);
+};
+
+// Of hw_plugin. Functions are addresses; 0: none.
+struct Law {
+  std::string name;
+  std::string title;
+  std::string idea;
+  std::string equation;
+  std::uint32_t state_bytes = 0;
+  std::vector<LawParameter> parameters;
+  std::uintptr_t step = 0;
+  std::uintptr_t configure = 0;
+  std::uintptr_t reset = 0;
+  bool takes_lock = false;  // step() is Python: more threads would wait for each other
+};
+
+// Of different names in a process. A law under the name of an earlier one takes its place.
+inline constexpr std::size_t kMaxLaws = 64;
+
+// Puts a law into the list of algorithms and gives its index. Raises ValueError for what a plug-in
+// must not be, for another law's name with other parameters, and RuntimeError during a run.
+std::size_t add_law(const Law& law);
+
+// The index of a name or of a plug-in's path. Raises ValueError or OSError.
+[[nodiscard]] std::size_t algorithm_index(const std::string& name_or_path);
+
+// True if the algorithm's step() takes the interpreter's lock.
+[[nodiscard]] bool takes_lock(std::size_t algorithm);
+
+// Called where Python tells of an exception that nobody can catch: true if a law of this thread
+// raised it. The law's force is then NaN, and the law is not called again in this run.
+[[nodiscard]] bool note_raised();
+
+}  // namespace hapticwall::python

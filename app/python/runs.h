@@ -1,0 +1,51 @@
+// Runs of scenes and recordings, and their results as Python reads them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/file/recording/recording_reader.h"
+#include "app/file/recording/recording_writer.h"
+#include "app/python/results.h"
+#include "app/python/scene.h"
+#include "core/summary.h"
+
+namespace hapticwall::python {
+
+struct RunBox {
+  SceneBox scene;
+  RunSummary summary;
+  Rows rows;
+  file::RecordingMetadata metadata;
+  std::optional<std::uint64_t> first_different_tick;  // of a re-run
+
+  // Writes the recording and its sidecar. Raises OSError.
+  void save(const std::string& path) const;
+};
+
+class RecordingBox {
+ public:
+  // Raises ValueError or OSError, and KeyboardInterrupt.
+  explicit RecordingBox(const std::string& path);
+
+  [[nodiscard]] const file::RecordingInfo& info() const { return reader_->info(); }
+  // Reads all rows the first time.
+  [[nodiscard]] const Rows& rows();
+  // The scene whose hand moves as it was recorded, for any number of runs. Raises ValueError where
+  // a re-run would.
+  [[nodiscard]] SceneBox scene();
+  [[nodiscard]] RunBox rerun(const std::string& algorithm,
+                             const std::vector<std::string>& overrides);
+
+ private:
+  std::unique_ptr<file::RecordingReader> reader_;
+  std::optional<Rows> rows_;
+};
+
+// Raises ValueError, RuntimeError for a scene that cannot be run, and KeyboardInterrupt.
+[[nodiscard]] RunBox run(const SceneBox& scene);
+
+}  // namespace hapticwall::python

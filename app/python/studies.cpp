@@ -1,0 +1,155 @@
+#include "app/python/studies.h"
+
+#include <fmt/format.h>
+#include <nanobind/nanobind.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "app/file/text/text.h"
+#include "app/python/interruptible.h"
+#include "app/python/law.h"
+#include "app/python/results.h"
+#include "core/batch/batch_simulator.h"
+#include "core/scene_keys.h"
+#include "core/simulation/simulate.h"
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall::python {
+namespace {
+
+// simulate() runs one axis.
+std::vector<Summary> run_scenes(const std::vector<Scene>& scenes, bool takes_lock,
+                                const StopQuestion& should_stop) {
+  try {
+    return simulate_all(
+        scenes, {.threads = takes_lock ? 1 : 0, .should_stop = should_stop, .progress = {}});
+  } catch (const SceneRefused& refused) {
+    throw SimulationRefused(fmt::format("scene {}: {}", refused.scene, refused.what()));
+  }
+}
+
+std::vector<RunSummary> run_axes(const std::vector<Scene>& scenes) {
+  std::vector<Scene> of_one_axis;
+  for (const Scene& scene : scenes) {
+    if (!scene.two_axes()) of_one_axis.push_back(scene);
+  }
+  const bool locks = std::ranges::any_of(
+      scenes, [](const Scene& scene) { return takes_lock(scene.algorithm.index); });
+  return interruptibly([&](const StopQuestion& should_stop) {
+    std::vector<Summary> summaries = run_scenes(of_one_axis, locks, should_stop);
+    std::vector<RunSummary> runs;
+    auto next = summaries.begin();
+    for (const Scene& scene : scenes) {
+      if (should_stop()) return runs;
+      runs.push_back(scene.two_axes()
+                         ? summaries_of(simulate_axes(
+                               scene, {.on_tick = {}, .should_stop = should_stop, .changes = {}}))
+                         : RunSummary{std::move(*next++)});
+    }
+    return runs;
+  });
+}
+
+SceneNumber mapped_number(const Scene& scene, const std::string& key) {
+  if (auto number = find_scene_number(scene, key)) return *number;
+  const std::vector<SceneNumber> numbers = scene_numbers(scene);
+  const auto paths = file::names_of(numbers, &SceneNumber::path);
+  PyErr_SetString(PyExc_KeyError, fmt::format("no number of this scene is called {}{}",
+                                              file::in_quotes(key), file::suggestion(key, paths))
+                                      .c_str());
+  throw nanobind::python_error();
+}
+
+struct MappedNumber {
+  SceneNumber number;
+  const std::vector<double>& values;
+
+  void set(Scene& scene, std::size_t index) const {
+    const double value = values[index];
+    if (number.whole && value != std::round(value)) {
+      raise(usage_error(fmt::format("{}: {} where a whole number belongs", number.path,
+                                    file::shortest_number(value))));
+    }
+    number.set(scene, value);
+  }
+};
+
+// A grid of scenes: x varies fastest, then y, then the algorithm.
+struct Grid {
+  const Scene& scene;
+  MappedNumber x;
+  MappedNumber y;
+  const std::vector<std::size_t>& algorithms;
+
+  [[nodiscard]] std::size_t size() const {
+    return x.values.size() * y.values.size() * algorithms.size();
+  }
+  [[nodiscard]] Scene at(std::size_t cell) const {
+    Scene one = scene;
+    x.set(one, cell % x.values.size());
+    y.set(one, cell / x.values.size() % y.values.size());
+    one.algorithm.index = algorithms[cell / (x.values.size() * y.values.size())];
+    return one;
+  }
+  [[nodiscard]] std::vector<Scene> stretch(std::size_t begin) const {
+    constexpr std::size_t kStretch = 8192;  // bounds the memory
+    std::vector<Scene> scenes;
+    for (std::size_t i = begin; i < std::min(begin + kStretch, size()); ++i)
+      scenes.push_back(at(i));
+    return scenes;
+  }
+};
+
+// Another algorithm makes no other problem of a number.
+void check(const Grid& grid) {
+  if (grid.size() == 0) raise(usage_error("a map takes at least one value of each key"));
+  for (std::size_t i = 0; i < grid.size() / grid.algorithms.size(); ++i) {
+    if (const auto problem = validate(grid.at(i)))
+      raise(usage_error(problem->key + ": " + problem->message));
+  }
+}
+
+}  // namespace
+
+std::vector<RunSummary> run_batch(const std::vector<SceneBox>& boxes) {
+  std::vector<Scene> scenes;
+  scenes.reserve(boxes.size());
+  for (const SceneBox& box : boxes) scenes.push_back(scene_of_study(box));
+  return run_axes(scenes);
+}
+
+std::vector<RunSummary> compare(const SceneBox& scene, const std::vector<std::size_t>& algorithms) {
+  const Scene& compared = scene_of_study(scene);
+  const std::vector<ComparedAlgorithm> rows = compared_algorithms(compared.algorithm, algorithms);
+  std::vector<Scene> scenes(rows.size(), compared);
+  for (std::size_t i = 0; i < rows.size(); ++i) scenes[i].algorithm = rows[i].settings;
+  std::vector<RunSummary> runs = run_axes(scenes);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (Summary& axis : runs[i]) axis.algorithm = rows[i].label;
+  }
+  return runs;
+}
+
+std::vector<Summary> map(const SceneBox& scene, const MapValues& x, const MapValues& y,
+                         const std::vector<std::size_t>& algorithms) {
+  const Scene& mapped = scene_of_study(scene);
+  const Grid grid{mapped,
+                  {mapped_number(mapped, x.first), x.second},
+                  {mapped_number(mapped, y.first), y.second},
+                  algorithms};
+  check(grid);
+  const bool locks = std::ranges::any_of(algorithms, takes_lock);
+  return interruptibly([&](const StopQuestion& should_stop) {
+    std::vector<Summary> cells;
+    cells.reserve(grid.size());
+    while (cells.size() < grid.size() && !should_stop()) {
+      std::vector<Summary> more = run_scenes(grid.stretch(cells.size()), locks, should_stop);
+      std::ranges::move(more, std::back_inserter(cells));
+    }
+    return cells;
+  });
+}
+
+}  // namespace hapticwall::python

@@ -1,0 +1,15 @@
+"""A script of a user, for mypy --strict."""
+
+import numpy as np
+
+import hapticwall as hw
+
+scene: hw.Scene = hw.load("tap")
+scene["hand.mass_kg"] = 0.3
+run: hw.Run = hw.run(scene.replace({"hand.path": [[0.0, 0.03], [1.0, 0.06]]}), algorithm="energy-bounding")
+peak: float = run.samples["force_n"].max()
+verdict: str = run.summary["verdict"]
+grid = hw.map(scene, x=("wall.stiffness_n_per_m", np.geomspace(300, 1e5, 3)), y=("device.mass_kg", [0.1]))
+share: float = float(grid.settled.mean())
+mine: hw.Algorithm = hw.algorithm(lambda state, tick: 0.0, name="mine")
+names: list[str] = [row["algorithm"] for row in hw.compare(scene, ["none", mine])]
