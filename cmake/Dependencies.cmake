@@ -10,6 +10,7 @@ find_package(tomlplusplus REQUIRED)  # app/file
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
 find_package(PNG REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft cairo-svg cairo-pdf freetype2)  # app/draw
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 if(NOT HAPTICWALL_PROGRAM)
   return()

@@ -1,9 +1,13 @@
 #include "app/command/common_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -35,17 +39,20 @@ Failure check_duration(const std::string& text) {
 }
 
 // Another ending promises a format that is not written.
-Failure check_ending(std::string_view option, const std::string& path, const char* wanted) {
+Failure check_ending(std::string_view option, const std::string& path,
+                     std::initializer_list<std::string_view> written) {
   const std::string ending = std::filesystem::path(path).extension();
-  if (ending.empty() || CLI::detail::to_lower(ending) == wanted) return {};
+  if (ending.empty() || std::ranges::count(written, CLI::detail::to_lower(ending)) > 0) return {};
   return usage_error(fmt::format("{} {}: {} is not written; end the name in {}", option,
-                                 file::in_quotes(path), file::in_quotes(ending), wanted));
+                                 file::in_quotes(path), file::in_quotes(ending),
+                                 fmt::join(written, " or ")));
 }
 
 Failure check_endings(const OutputOptions& options) {
-  if (Failure failed = check_ending("--csv", options.csv, ".csv")) return failed;
-  if (Failure failed = check_ending("--plot", options.plot, ".png")) return failed;
-  return check_ending("--wav", options.wav, ".wav");
+  if (Failure failed = check_ending("--csv", options.csv, {".csv"})) return failed;
+  if (Failure failed = check_ending("--plot", options.plot, {".png", ".svg", ".pdf"}))
+    return failed;
+  return check_ending("--wav", options.wav, {".wav"});
 }
 
 Failure check_changes(const std::string& command, const SceneOptions& options,
@@ -160,7 +167,8 @@ void add_csv_option(CLI::App& app, OutputOptions& options, const std::string& de
 }
 
 void add_plot_option(CLI::App& app, OutputOptions& options, const std::string& description) {
-  app.add_option("--plot", options.plot, description + "; needs no display")->type_name("FILE.png");
+  app.add_option("--plot", options.plot, description + "; .png, .svg or .pdf; needs no display")
+      ->type_name("FILE");
 }
 
 void add_signals_option(CLI::App& app, bool& signals, const std::string& outputs) {

@@ -14,6 +14,7 @@
 
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
+#include "app/draw/figure/figure_file.h"
 #include "app/file/text/text.h"
 
 namespace hapticwall::command {
@@ -35,10 +36,10 @@ std::FILE* open_stream(const file::OutputPlace& place) {
 }
 
 // Draws and encodes; the thread may outlive the wait.
-Result<std::string> encoded(const std::function<Result<file::Picture>()>& draw) {
-  const Result<file::Picture> figure = draw();
+Result<std::string> encoded(const DrawResult& draw, const std::string& path) {
+  const Result<file::Picture> figure = draw(draw::ink_of(path));
   if (!figure) return figure.error();
-  return file::encode_png(*figure);
+  return draw::encode_figure(*figure, path);
 }
 
 }  // namespace
@@ -78,6 +79,7 @@ Result<OutputFiles> OutputFiles::open(const OutputOptions& options) {
   if (Failure failed = files.csv_.open(options.csv)) return *failed;
   if (Failure failed = files.json_.open(*prints_json ? "" : options.json)) return *failed;
   if (Failure failed = files.plot_.open(options.plot)) return *failed;
+  files.plot_path_ = options.plot;
   return files;
 }
 
@@ -87,9 +89,9 @@ Failure OutputFiles::leave_standard_output() {
   return usage_error("--json and --stream: both are standard output; give one a file");
 }
 
-Failure OutputFiles::write_figure(const std::function<Result<file::Picture>()>& draw) {
+Failure OutputFiles::write_figure(const DrawResult& draw) {
   constexpr std::chrono::milliseconds kPollInterval{10};
-  std::packaged_task<Result<std::string>()> task([&] { return encoded(draw); });
+  std::packaged_task<Result<std::string>()> task([&] { return encoded(draw, plot_path_); });
   std::future<Result<std::string>> drawn = task.get_future();
   std::thread painter(std::move(task));
   while (drawn.wait_for(kPollInterval) != std::future_status::ready) {
@@ -102,8 +104,7 @@ Failure OutputFiles::write_figure(const std::function<Result<file::Picture>()>& 
   return bytes ? plot_.write_whole(*bytes) : bytes.error();
 }
 
-Failure OutputFiles::write(const ResultTexts& texts,
-                           const std::function<Result<file::Picture>()>& draw) {
+Failure OutputFiles::write(const ResultTexts& texts, const DrawResult& draw) {
   Failure first = csv_.write_whole(texts.csv);
   const auto keep = [&](Failure failed) {
     if (!first) first = std::move(failed);

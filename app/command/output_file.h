@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/draw/figure/figure.h"
 #include "app/file/disk/atomic_file.h"
 #include "app/file/picture.h"
 #include "core/result.h"
@@ -65,6 +66,8 @@ struct ResultTexts {
   std::string table;  // for people
 };
 
+using DrawResult = std::function<Result<file::Picture>(draw::Ink ink)>;
+
 // The files of --csv, --json and --plot. They get their names when the command has succeeded.
 class OutputFiles {
  public:
@@ -76,15 +79,15 @@ class OutputFiles {
   // Writes the open files, then the table, or the JSON for `--json -`, to standard output. Returns
   // the first failure; the others are written all the same. Calls `draw` only for --plot, on a
   // thread of its own: a stop signal ends the program at once.
-  [[nodiscard]] Failure write(const ResultTexts& texts,
-                              const std::function<Result<file::Picture>()>& draw = {});
+  [[nodiscard]] Failure write(const ResultTexts& texts, const DrawResult& draw = {});
 
  private:
-  [[nodiscard]] Failure write_figure(const std::function<Result<file::Picture>()>& draw);
+  [[nodiscard]] Failure write_figure(const DrawResult& draw);
 
   OutputFile csv_;
   OutputFile json_;
   OutputFile plot_;
+  std::string plot_path_;  // its ending chooses the format
   bool prints_json_ = false;
   bool quiet_ = false;
 };

@@ -13,7 +13,10 @@ namespace hapticwall::file {
 Picture beside(const Picture& left, const Picture& right) {
   constexpr std::size_t kBytesPerPixel = 4;
   constexpr std::uint8_t kWhite = 255;
-  Picture both{left.width + right.width, std::max(left.height, right.height), {}};
+  Picture both{left.width + right.width, std::max(left.height, right.height), {}, left.shapes};
+  for (const PlacedShapes& part : right.shapes)
+    both.shapes.push_back({part.shapes, left.width + part.left});
+  if (!both.shapes.empty()) return both;
   const std::size_t row = static_cast<std::size_t>(both.width) * kBytesPerPixel;
   both.rgba.assign(row * static_cast<std::size_t>(both.height), kWhite);
   const auto copy = [&](const Picture& from, std::size_t offset) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,21 @@
 
 namespace hapticwall::file {
 
-// 8-bit RGBA, rows from top to bottom, no padding.
+// What is drawn in the place of pixels (app/draw/figure/shapes.h).
+struct Shapes;
+
+// A part of a vector file, `left` pixels from its left edge.
+struct PlacedShapes {
+  std::shared_ptr<const Shapes> shapes;
+  int left = 0;
+};
+
+// 8-bit RGBA, rows from top to bottom, no padding; or shapes and no pixels.
 struct Picture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
+  std::vector<PlacedShapes> shapes{};
 };
 
 // Two pictures side by side; the space below a lower one is white. Realtime-safe: no.

@@ -89,7 +89,10 @@ Result<int> accuracy(const CommandOptions& options) {
   if (study.stopped_early) return ended_early();
   return status_of(files->write({table::accuracy_csv(study), table::accuracy_json(study),
                                  table::sheet_text(table::accuracy_sheet(study))},
-                                [&] { return draw::draw_work_precision(scene, study); }));
+                                [&](draw::Ink ink) {
+                                  return draw::draw_work_precision(
+                                      scene, study, draw::kWorkPrecisionSize.in(ink));
+                                }));
 }
 
 }  // namespace

@@ -25,9 +25,9 @@ Result<int> run_normalised(const MapOptions& options, const Scene& scene) {
       return ended_early();
     }
   }
-  return status_of(
-      files->write({normalised_csv(chart), normalised_json(chart), normalised_table(chart)},
-                   [&] { return draw::draw_normalised(chart); }));
+  return status_of(files->write(
+      {normalised_csv(chart), normalised_json(chart), normalised_table(chart)},
+      [&](draw::Ink ink) { return draw::draw_normalised(chart, draw::kNormalisedSize.in(ink)); }));
 }
 
 }  // namespace hapticwall::command

@@ -89,13 +89,13 @@ void RunOutputs::finish_recording(const file::LoadedScene& loaded, std::uint64_t
 }
 
 // The axes side by side, x on the left.
-Result<file::Picture> RunOutputs::draw(const Scene& scene) const {
+Result<file::Picture> RunOutputs::draw(const Scene& scene, draw::Ink ink) const {
   file::Picture all;
   for (std::size_t i = 0; i < scene.axes.size(); ++i) {
     Scene axis = axis_scene(scene, i);
     if (i > 0) axis.name += ", axis y";
-    Result<file::Picture> picture =
-        draw::draw_figure(axis, samples_.at(i), {}, file::signal_names(columns_));
+    Result<file::Picture> picture = draw::draw_figure(axis, samples_.at(i), {.ink = ink},
+                                                      file::signal_names(columns_));
     if (!picture) return picture;
     all = i == 0 ? std::move(*picture) : file::beside(all, *picture);
   }
@@ -112,8 +112,8 @@ Failure RunOutputs::write_sound() {
 Failure RunOutputs::finish(const Scene& scene, const RunSummary& summary, std::string table) {
   if (stream_) stream_->finish();
   if (stream_ && !failure_) failure_ = stream_->failure();
-  Failure failed =
-      files_.write({"", summary_json(summary), std::move(table)}, [&] { return draw(scene); });
+  Failure failed = files_.write({"", summary_json(summary), std::move(table)},
+                                [&](draw::Ink ink) { return draw(scene, ink); });
   Failure unheard = write_sound();
   if (!failed) failed = std::move(unheard);
   return failure_ ? failure_ : failed;

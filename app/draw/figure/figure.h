@@ -2,6 +2,7 @@
 // passivity.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,12 +17,19 @@
 
 namespace hapticwall::draw {
 
+// Shapes are for vector files, and need no OpenGL.
+enum class Ink : std::uint8_t { kPixels, kShapes };
+
 struct FigureSize {
   int width = 1600;
   int height = 1200;
+  Ink ink = Ink::kPixels;
+
+  [[nodiscard]] constexpr FigureSize in(Ink other) const { return {width, height, other}; }
 };
 
-// With these signals of algorithms. Fails (ErrorKind::kFile) without off-screen OpenGL 3.3.
+// With these signals of algorithms. Fails (ErrorKind::kFile) if pixels are wanted and there is no
+// off-screen OpenGL 3.3.
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
                                                 FigureSize size = {},
                                                 const SignalNames& signals = {});

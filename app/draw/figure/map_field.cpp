@@ -49,9 +49,11 @@ ImVec2 pixels_of(const StabilityMap& map, double x, double y) {
   return ImPlot::PlotToPixels(value_at(map.x, x), value_at(map.y, y));
 }
 
-// Neighbours in x of one colour become one rectangle.
+// Neighbours in x of one colour become one rectangle. It reaches under those drawn later, so that
+// no gap shows between them in a vector file.
 void draw_cells(const StabilityMap& map, std::span<const MapMetrics> figures) {
   constexpr double kHalf = 0.5;
+  constexpr float kUnder = 1.0F;  // pixels
   ImDrawList& list = *ImPlot::GetPlotDrawList();
   for (std::size_t y = 0; y < map.y.count; ++y) {
     const std::size_t row = y * map.x.count;
@@ -60,8 +62,9 @@ void draw_cells(const StabilityMap& map, std::span<const MapMetrics> figures) {
       std::size_t to = from + 1;
       while (to < map.x.count && colour_of(figures[row + to]) == colour) ++to;
       const auto foot = static_cast<double>(y) - kHalf;
-      list.AddRectFilled(pixels_of(map, static_cast<double>(from) - kHalf, foot + 1.0),
-                         pixels_of(map, static_cast<double>(to) - kHalf, foot), colour);
+      const ImVec2 head = pixels_of(map, static_cast<double>(from) - kHalf, foot + 1.0);
+      const ImVec2 end = pixels_of(map, static_cast<double>(to) - kHalf, foot);
+      list.AddRectFilled({head.x, head.y - kUnder}, {end.x + kUnder, end.y}, colour);
       from = to;
     }
   }

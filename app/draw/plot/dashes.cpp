@@ -42,10 +42,17 @@ struct Pen {
 };
 
 // A stroke of two triangles, smoothed by the texture of the font's atlas; AddLine takes six.
+// Without anti-aliasing it has exact edges.
 class Stroke {
  public:
   Stroke(ImDrawList* list, ImU32 colour, float weight)
-      : list_(list), colour_(colour), half_(0.5F * std::max(weight, 1.0F) + 1.0F) {
+      : list_(list),
+        colour_(colour),
+        half_(0.5F * std::max(weight, 1.0F)),
+        upper_(list->_Data->TexUvWhitePixel),
+        lower_(upper_) {
+    if ((list->Flags & ImDrawListFlags_AntiAliasedLines) == 0) return;
+    half_ += 1.0F;
     const float row = std::clamp(weight, 1.0F, static_cast<float>(IM_DRAWLIST_TEX_LINES_WIDTH_MAX));
     const ImVec4 edges = list->_Data->TexUvLines[static_cast<int>(row)];
     upper_ = {edges.x, edges.y};

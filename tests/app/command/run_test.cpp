@@ -214,6 +214,21 @@ TEST_F(Program, PlotWritesAPicture) {
   EXPECT_THAT(files(), ElementsAre("a.png"));
 }
 
+TEST_F(Program, TheEndingOfPlotIsItsFormat) {
+  for (const auto& [name, start] :
+       {std::pair{"a.svg", "<?xml"}, {"b.SVG", "<?xml"}, {"c.pdf", "%PDF-"}, {"d", "\x89PNG"}}) {
+    const Answer answer = hapticwall({"run", "press", "--plot", name, "--quiet"});
+    ASSERT_EQ(answer.status, 0) << answer.err;
+    EXPECT_THAT(content(name), StartsWith(start)) << name;
+  }
+  EXPECT_THAT(files(), ElementsAre("a.svg", "b.SVG", "c.pdf", "d"));
+  for (const char* name : {"a.svg", "c.pdf"}) {
+    const std::string before = content(name);
+    ASSERT_EQ(hapticwall({"run", "press", "--plot", name, "--quiet"}).status, 0);
+    EXPECT_TRUE(content(name) == before) << name;
+  }
+}
+
 TEST_F(Program, CtrlCEndsItWithItsFilesWhole) {
   for (const auto& [signal, in_real_time] :
        {std::pair{SIGINT, false}, {SIGTERM, false}, {SIGINT, true}, {SIGTERM, true}}) {

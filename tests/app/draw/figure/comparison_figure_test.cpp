@@ -9,6 +9,7 @@
 #include "app/file/scene/scene_file.h"
 #include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 
 namespace hapticwall::draw {
@@ -170,6 +171,13 @@ TEST(ComparisonFigure, GrowsWithItsColumns) {
 
 TEST(ComparisonFigure, RefusesASizeThatIsNone) {
   EXPECT_FALSE(draw_comparison(press(), {}, {0, 600}).ok());
+}
+
+TEST(ComparisonFigure, IsTheSameInVectorFiles) {
+  std::vector<ComparedRun> runs;
+  for (const char* name : {"energy-bounding", "none"}) runs.push_back(run(press(), name));
+  test::expect_same_in_vector_files(
+      [&](Ink ink) { return draw_comparison(press(), runs, kSmall.in(ink)); });
 }
 
 }  // namespace

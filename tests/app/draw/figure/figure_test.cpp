@@ -12,6 +12,7 @@
 #include "app/file/scene/scene_file.h"
 #include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 #include "tests/samples.h"
 
@@ -56,14 +57,10 @@ class NoDisplay {
 
 // The page has the four plots below each other; each line's colour is in its own plot, beyond the
 // few pixels of the legend.
-TEST(Figure, ShowsTheLinesOfAllFourPlotsWithoutADisplay) {
-  const NoDisplay no_display;
-  const PressRun run = run_press("none");
-  const Result<file::Picture> figure = draw_figure(run.scene, run.samples);
-  ASSERT_TRUE(figure.ok()) << figure.error().message;
-  ASSERT_EQ(figure->width, 1600);
-  ASSERT_EQ(figure->height, 1200);
-  ASSERT_EQ(figure->rgba.size(), 4U * 1600U * 1200U);
+void expect_lines_of_four_plots(const file::Picture& figure) {
+  ASSERT_EQ(figure.width, 1600);
+  ASSERT_EQ(figure.height, 1200);
+  ASSERT_EQ(figure.rgba.size(), 4U * 1600U * 1200U);
 
   constexpr int kTitle = 90;
   constexpr int kPlot = (1200 - kTitle) / 4;
@@ -72,8 +69,7 @@ TEST(Figure, ShowsTheLinesOfAllFourPlotsWithoutADisplay) {
   const auto count = [&](Tone tone, int row) {
     const ImVec4 colour = theme_colours(Look::kPrint)[static_cast<std::size_t>(tone)];
     const int top = kTitle + row * kPlot;
-    return test::count_pixels(*figure, test::colour_of(colour), 0, top + kLegend, 1600,
-                              top + kPlot);
+    return test::count_pixels(figure, test::colour_of(colour), 0, top + kLegend, 1600, top + kPlot);
   };
   EXPECT_GT(count(Tone::kPosition, 0), kEnoughPixels);
   EXPECT_GT(count(Tone::kHand, 0), kEnoughPixels);
@@ -86,6 +82,22 @@ TEST(Figure, ShowsTheLinesOfAllFourPlotsWithoutADisplay) {
   EXPECT_GT(count(Tone::kScv, 3), kEnoughPixels);
   EXPECT_GT(count(Tone::kBudget, 3), kEnoughPixels);
   EXPECT_LT(count(Tone::kHold, 0), kEnoughPixels);  // the colours do tell the plots apart
+}
+
+TEST(Figure, ShowsTheLinesOfAllFourPlotsWithoutADisplay) {
+  const NoDisplay no_display;
+  const PressRun run = run_press("none");
+  const Result<file::Picture> figure = draw_figure(run.scene, run.samples);
+  ASSERT_TRUE(figure.ok()) << figure.error().message;
+  expect_lines_of_four_plots(*figure);
+}
+
+TEST(Figure, ShowsTheLinesOfAllFourPlotsInVectorFiles) {
+  if (!test::can_draw_vector_files()) GTEST_SKIP() << test::kNoPrograms;
+  const PressRun run = run_press("none");
+  const auto draw = [&](Ink ink) { return draw_figure(run.scene, run.samples, {.ink = ink}); };
+  for (const char* ending : {".svg", ".pdf"})
+    expect_lines_of_four_plots(test::FigureFile(draw, ending).drawn());
 }
 
 TEST(Figure, IsTheSameEveryTimeAndDependsOnTheRun) {
@@ -128,6 +140,48 @@ TEST(Figure, GoesIntoAPngOfItsSize) {
   EXPECT_EQ(image.height, 700U);
   png_image_free(&image);
   std::filesystem::remove(path);
+}
+
+TEST(Figure, IsTheSameInVectorFiles) {
+  const PressRun run = run_press("energy-bounding");
+  test::expect_same_in_vector_files(
+      [&](Ink ink) { return draw_figure(run.scene, run.samples, {.ink = ink}); });
+}
+
+// Both axes of a scene stand in one file.
+TEST(Figure, TwoOfThemStandBesideEachOtherInVectorFiles) {
+  const PressRun none = run_press("none");
+  const PressRun bounded = run_press("energy-bounding");
+  test::expect_same_in_vector_files([&](Ink ink) -> Result<file::Picture> {
+    const FigureSize size{640, 480, ink};
+    const auto left = draw_figure(none.scene, none.samples, size);
+    const auto right = draw_figure(bounded.scene, bounded.samples, size);
+    if (!left || !right) return left ? right : left;
+    return file::beside(*left, *right);
+  });
+}
+
+TEST(Figure, VectorFilesAreSmallAndHoldNoPixels) {
+  constexpr std::size_t kMaxBytes = 500'000;
+  const PressRun run = run_press("none");
+  for (const char* ending : {".svg", ".pdf"}) {
+    const test::FigureFile figure(
+        [&](Ink ink) { return draw_figure(run.scene, run.samples, {.ink = ink}); }, ending);
+    EXPECT_LT(figure.bytes().size(), kMaxBytes) << ending;
+    EXPECT_EQ(figure.bytes().find("<image"), std::string::npos) << ending;
+    EXPECT_EQ(figure.bytes().find("/CreationDate"), std::string::npos) << ending;
+    EXPECT_EQ(figure.bytes().find("/Subtype /Image"), std::string::npos) << ending;
+  }
+}
+
+TEST(Figure, ItsTextStaysTextInAPdf) {
+  if (std::system("command -v pdftotext >/dev/null") != 0) GTEST_SKIP() << "there is no pdftotext";
+  const PressRun run = run_press("none");
+  const test::FigureFile pdf(
+      [&](Ink ink) { return draw_figure(run.scene, run.samples, {.ink = ink}); }, ".pdf");
+  const std::string text = pdf.passed_through("f() { pdftotext \"$1\" -; }; f");
+  for (const char* words : {"handle 50 g, 1 N·s/m", "(b) Force", "force / penetration"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
 }  // namespace

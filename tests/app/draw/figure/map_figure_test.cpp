@@ -11,6 +11,7 @@
 #include "app/draw/figure/map_colours.h"
 #include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
+#include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 
 namespace hapticwall::draw {
@@ -122,6 +123,25 @@ TEST(MapFigure, ColoursTellHowFarItSwings) {
   figures.verdict = Verdict::kBuzzing;
   EXPECT_NE(colour_of(figures), settled_colour());
   EXPECT_NE(colour_of(figures), oscillating_colour(1e-4));
+}
+
+TEST(MapFigure, IsTheSameInVectorFiles) {
+  const StabilityMap map = map_of(2);
+  std::vector<MapMetrics> cells = half_and_half(map);
+  cells.insert(cells.end(), cells.rbegin(), cells.rend());
+  test::expect_same_in_vector_files([&](Ink ink) { return draw_map(map, cells, {.ink = ink}); });
+}
+
+TEST(MapFigure, CellsTouchEachOtherInVectorFiles) {
+  if (!test::can_draw_vector_files()) GTEST_SKIP() << test::kNoPrograms;
+  const StabilityMap map = map_of(1);
+  const auto draw = [&](Ink ink) { return draw_map(map, half_and_half(map), {.ink = ink}); };
+  const auto pixels = static_cast<double>(extent_of(*draw(Ink::kPixels), settled_colour()).count);
+  for (const char* ending : {".svg", ".pdf"}) {
+    const file::Picture drawn = test::FigureFile(draw, ending).drawn();
+    const auto count = static_cast<double>(extent_of(drawn, settled_colour()).count);
+    EXPECT_NEAR(count / pixels, 1.0, 0.01) << ending;
+  }
 }
 
 }  // namespace

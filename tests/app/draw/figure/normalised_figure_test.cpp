@@ -7,6 +7,7 @@
 #include <array>
 
 #include "app/draw/plot/theme.h"
+#include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 
 namespace hapticwall::draw {
@@ -99,6 +100,12 @@ TEST(NormalisedFigure, APointThatNothingSettlesAtIsLeftOut) {
   const int all = count(drawn(chart), kDelayTones[0]);
   for (SimulatedPoint& point : chart.delays[0].points) point.settled.reset();
   EXPECT_GT(count(drawn(chart), kDelayTones[0]), all + 40);
+}
+
+TEST(NormalisedFigure, IsTheSameInVectorFiles) {
+  const NormalisedChart chart = simulated_on_the_limit();
+  test::expect_same_in_vector_files(
+      [&](Ink ink) { return draw_normalised(chart, kNormalisedSize.in(ink)); });
 }
 
 }  // namespace

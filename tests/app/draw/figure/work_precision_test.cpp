@@ -4,6 +4,7 @@
 
 #include "app/draw/plot/theme.h"
 #include "app/file/scene/scene_file.h"
+#include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 
 namespace hapticwall::draw {
@@ -152,6 +153,12 @@ TEST(WorkPrecision, RefusesASizeThatIsNone) {
     ASSERT_FALSE(figure.ok());
     EXPECT_NE(figure.error().message.find("pixels"), std::string::npos);
   }
+}
+
+TEST(WorkPrecision, IsTheSameInVectorFiles) {
+  test::expect_same_in_vector_files([](Ink ink) {
+    return draw_work_precision(scene(), made_up_study(), kWorkPrecisionSize.in(ink));
+  });
 }
 
 }  // namespace

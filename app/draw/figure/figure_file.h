@@ -1,0 +1,20 @@
+// The bytes of a figure's file: PNG, SVG or PDF.
+#pragma once
+
+#include <string>
+
+#include "app/draw/figure/figure.h"
+#include "app/file/picture.h"
+#include "core/result.h"
+
+namespace hapticwall::draw {
+
+// What the file `path` is written with, by its ending: shapes for .svg and .pdf, else pixels.
+[[nodiscard]] Ink ink_of(const std::string& path);
+
+// Precondition: `figure` was drawn with ink_of(path). A pixel is half a point of the page. The
+// first figure of a process always has the same bytes. Realtime-safe: no.
+[[nodiscard]] Result<std::string> encode_figure(const file::Picture& figure,
+                                                const std::string& path);
+
+}  // namespace hapticwall::draw

@@ -1,0 +1,59 @@
+// Text of a frame of Dear ImGui: from the quads of its glyphs back to characters of a font.
+#pragma once
+
+#include <cairo.h>
+#include <imgui.h>
+
+#include <glm/glm.hpp>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hapticwall::draw {
+
+void set_colour(cairo_t* page, ImU32 colour);
+
+// The glyphs of one line of text in one font, size and colour become one piece of text.
+class TextRuns {
+ public:
+  // `page` gets the text. The fonts are those of the current context of Dear ImGui.
+  explicit TextRuns(cairo_t* page);
+  TextRuns(const TextRuns&) = delete;
+  TextRuns& operator=(const TextRuns&) = delete;
+  ~TextRuns();
+
+  // `quad`: from the upper left corner along the line, then down. False if it is no glyph.
+  [[nodiscard]] bool add(std::span<const ImDrawVert> quad);
+  void flush();
+
+ private:
+  struct Source {
+    const ImFontBaked* font;
+    const ImFontGlyph* glyph;
+  };
+  // The last glyph.
+  struct Place {
+    const ImFontBaked* font = nullptr;
+    ImU32 colour = 0;
+    float size = 0.0F;      // pixels a line
+    glm::vec2 along{0.0F};  // of length 1
+    glm::vec2 pen{0.0F};    // on the baseline, before the glyph
+    float advance = 0.0F;
+  };
+
+  [[nodiscard]] static Place place_of(const Source& source, std::span<const ImDrawVert> quad);
+  [[nodiscard]] bool goes_on(const Place& next) const;
+  [[nodiscard]] cairo_font_face_t* face_of(const ImFont& font);
+
+  cairo_t* page_;
+  std::map<std::pair<float, float>, Source> sources_;  // by the glyph's corner in the texture
+  std::map<const ImFont*, cairo_font_face_t*> faces_;
+  Place last_;
+  std::string text_;
+  std::vector<cairo_glyph_t> glyphs_;
+  std::vector<cairo_text_cluster_t> clusters_;
+};
+
+}  // namespace hapticwall::draw
