@@ -81,4 +81,30 @@ std::string csv_field(std::string_view text) {
   return quoted + '"';
 }
 
+std::optional<std::vector<std::string>> csv_fields(std::string_view line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  bool closed = false;  // after the last quote of a field only a comma may follow
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quoted) {
+      const bool doubled = c == '"' && line.substr(i + 1).starts_with('"');
+      quoted = c != '"' || doubled;
+      closed = !quoted;
+      if (quoted) fields.back() += c;
+      if (doubled) ++i;
+    } else if (c == ',') {
+      fields.emplace_back();
+      closed = false;
+    } else if (closed || (c == '"' && !fields.back().empty())) {
+      return std::nullopt;
+    } else if (c == '"') {
+      quoted = true;
+    } else {
+      fields.back() += c;
+    }
+  }
+  return quoted ? std::nullopt : std::optional(std::move(fields));
+}
+
 }  // namespace hapticwall

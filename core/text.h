@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hapticwall {
 
@@ -23,5 +25,8 @@ namespace hapticwall {
 
 // A field of CSV as in RFC 4180, quoted if necessary.
 [[nodiscard]] std::string csv_field(std::string_view text);
+// The fields of a line of CSV without its end; nullopt if its quotes do not match. A field with a
+// line break cannot be read.
+[[nodiscard]] std::optional<std::vector<std::string>> csv_fields(std::string_view line);
 
 }  // namespace hapticwall

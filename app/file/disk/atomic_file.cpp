@@ -84,15 +84,14 @@ Error cannot_write(const std::string& path, std::string_view why) {
   return file_error(fmt::format("{}: cannot be written: {}", shown(path), why));
 }
 
-// Syncs the folder, to make a rename durable. Best effort: some file systems cannot.
+}  // namespace
+
 void sync_folder(const std::string& path) {
   const int descriptor = open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
   fsync(descriptor);
   close(descriptor);
 }
-
-}  // namespace
 
 Result<OutputPlace> output_place(const std::string& path) {
   OutputPlace place{path, PlaceKind::kFile, std::nullopt};

@@ -79,6 +79,9 @@ class AtomicFile {
   bool keep_partial_ = false;
 };
 
+// Syncs the folder of a file, so that its name is durable. Best effort: some file systems cannot.
+void sync_folder(const std::string& path);
+
 // Renames a file, and replaces an existing one.
 [[nodiscard]] Failure rename_file(const std::string& from, const std::string& to);
 

@@ -39,6 +39,9 @@ template <typename Number>
   return read.ec == std::errc{} && read.ptr == end ? std::optional(value) : std::nullopt;
 }
 
+// The date and time now: "2026-11-23T20:25:38Z".
+[[nodiscard]] std::string utc_now();
+
 // The parts of `text` between separators; one part if there is none.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <future>
 #include <limits>
 #include <utility>
 
 #include "app/file/recording/sidecar.h"
+#include "app/file/text/text.h"
 #include "app/runtime/session/scene_change.h"
 
 namespace hapticwall::runtime {
@@ -16,15 +16,6 @@ namespace {
 
 // Polling interval of the owner while it waits for the loop.
 constexpr std::chrono::microseconds kAnswerPollInterval{200};
-
-std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[sizeof "9999-12-31T23:59:59Z"] = {};
-  const std::size_t length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return {text, length};
-}
 
 // Each axis of a scene as a scene of one axis.
 std::vector<Scene> axes_of(const Scene& scene) {
@@ -233,7 +224,7 @@ Failure LoopSession::start_recording(const std::string& csv_path) {
   }
   auto writer = file::RecordingWriter::create(csv_path, columns_);
   if (!writer) return writer.error();
-  recording_start_time_ = utc_now();
+  recording_start_time_ = file::utc_now();
   first_mark_ = marks_.size();
   exchange_news();
   if (Failure failed = (*writer)->note(history_.scene_at_start(), metadata(kEndless)))
@@ -244,7 +235,7 @@ Failure LoopSession::start_recording(const std::string& csv_path) {
 
 void LoopSession::record_into(std::unique_ptr<file::RecordingWriter> writer) {
   recording_path_ = writer->csv_path();
-  recording_start_time_ = utc_now();
+  recording_start_time_ = file::utc_now();
   noted_ = {history_.revision(), marks_revision_, hand_was_led()};
   recording_failure_.reset();
   first_mark_ = marks_.size();

@@ -1,0 +1,60 @@
+// A trial list: the trials of an experiment in a CSV file (docs/experiments.md).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace hapticwall::file {
+
+// The two walls of a trial.
+enum class Slot : std::uint8_t { kA, kB };
+
+[[nodiscard]] constexpr Slot other(Slot slot) { return slot == Slot::kA ? Slot::kB : Slot::kA; }
+[[nodiscard]] constexpr std::string_view slot_name(Slot slot) {
+  return slot == Slot::kA ? "A" : "B";
+}
+
+enum class TrialKind : std::uint8_t { kPractice, kTest, kCatch, kBreak };
+// In a trial list, in the order of TrialKind.
+inline constexpr std::array<std::string_view, 4> kTrialKinds{"practice", "test", "catch", "break"};
+[[nodiscard]] constexpr std::string_view kind_name(TrialKind kind) {
+  return kTrialKinds.at(static_cast<std::size_t>(kind));
+}
+[[nodiscard]] std::optional<TrialKind> find_trial_kind(std::string_view name);
+
+inline constexpr std::size_t kMaxTrials = 1000;     // of a list, with its breaks
+inline constexpr std::size_t kMaxTrialBytes = 200;  // of a question or a block, UTF-8
+inline constexpr const char* kUsualQuestion = "Which wall is stiffer?";
+
+// A row of the list.
+struct TrialSpec {
+  std::uint64_t number = 0;  // unique in its list
+  std::string block;
+  TrialKind kind = TrialKind::kTest;
+  std::array<std::string, 2> slots;       // of A and B; see slot_overrides()
+  std::string question = kUsualQuestion;  // of a break: its text
+  std::optional<Slot> correct;            // the right answer, if there is one
+  std::size_t line = 0;                   // of the file, from 1
+};
+
+struct TrialList {
+  std::vector<TrialSpec> trials;
+  std::string sha256;  // of the file
+};
+
+// "KEY=VALUE; KEY=VALUE" as texts of --set. `algorithm=NAME` stands for `algorithm.name=NAME`.
+[[nodiscard]] std::vector<std::string> slot_overrides(std::string_view slot);
+
+// Checks everything but the overrides, which need a scene. `origin` names the list in messages
+// ("list.csv:7: kind ...").
+[[nodiscard]] Result<TrialList> parse_trial_list(std::string_view text, const std::string& origin);
+[[nodiscard]] Result<TrialList> read_trial_list(const std::string& path);
+
+}  // namespace hapticwall::file
