@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -22,13 +23,15 @@ constexpr std::size_t kMaxLineBytes = 8192;
 
 std::string reason(int code) { return std::generic_category().message(code); }
 
+std::string path_of(const OutputPlace& place) {
+  return place.descriptor ? fmt::format("/proc/self/fd/{}", *place.descriptor) : place.path;
+}
+
 // Opened anew, because O_NONBLOCK on an inherited descriptor would reach the programs that share
 // it.
 int open_pipe(const OutputPlace& place) {
-  const std::string path =
-      place.descriptor ? fmt::format("/proc/self/fd/{}", *place.descriptor) : place.path;
   const int descriptor =
-      ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_APPEND | O_NOCTTY | O_CLOEXEC);
+      ::open(path_of(place).c_str(), O_WRONLY | O_NONBLOCK | O_APPEND | O_NOCTTY | O_CLOEXEC);
   if (descriptor >= 0) static_cast<void>(fcntl(descriptor, F_SETPIPE_SZ, kPipeBytes));
   return descriptor;
 }
@@ -37,9 +40,12 @@ int open_new(const OutputPlace& place) {
   return ::open(place.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kStreamFileMode);
 }
 
-Error cannot_stream(const std::string& path, int code) {
+Error cannot_stream(const std::string& path, const OutputPlace& place, int code) {
+  std::error_code ignored;
   const std::string option = "--stream " + in_quotes(path) + ": ";
   if (code == EEXIST) return usage_error(option + "it exists; choose another name");
+  if (code == ENXIO && std::filesystem::is_socket(path_of(place), ignored))
+    return usage_error(option + "it is a socket; use a pipe");
   if (code == ENXIO) return usage_error(option + "nobody reads it; start the reader first");
   return file_error(fmt::format("{}: cannot be written: {}", shown(path), reason(code)));
 }
@@ -52,7 +58,7 @@ Result<std::shared_ptr<SampleStream>> SampleStream::open(const std::string& path
   if (!place) return place.error();
   const bool is_new = place->kind == PlaceKind::kFile;
   const int descriptor = is_new ? open_new(*place) : open_pipe(*place);
-  if (descriptor < 0) return cannot_stream(path, errno);
+  if (descriptor < 0) return cannot_stream(path, *place, errno);
   std::shared_ptr<SampleStream> stream(new SampleStream(path, descriptor, std::move(options)));
   stream->on_standard_output_ = place->descriptor == STDOUT_FILENO;
   if (is_new) stream->new_file_ = place->path;

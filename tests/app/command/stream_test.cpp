@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdlib>
@@ -96,6 +98,18 @@ TEST_F(StreamTest, AFifoIsWrittenAndOneWithoutAReaderIsRefused) {
       "exec 3<>pipe; cat <pipe 3>&- & $P run press --csv a.csv --quiet --stream pipe; exec 3>&-; "
       "wait");
   expect_rows("a.csv", answer.out);
+}
+
+TEST_F(StreamTest, ASocketIsRefusedInItsOwnWords) {
+  const int descriptor = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path("here").copy(address.sun_path, sizeof address.sun_path - 1);
+  ASSERT_EQ(bind(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  const Answer answer = hapticwall({"run", "press", "--stream", "here"});
+  close(descriptor);
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_EQ(answer.err, "error: --stream 'here': it is a socket; use a pipe\n");
 }
 
 TEST_F(StreamTest, AFullDiskFailsTheRunAndKeepsTheRecording) {
