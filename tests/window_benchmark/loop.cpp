@@ -18,9 +18,9 @@
 #include "app/file/scene/scene_file.h"
 #include "app/ui/window/application.h"
 #include "core/stabiliser/stabiliser.h"
-#include "core/units.h"
 #include "tests/app/runtime/support.h"
 #include "tests/app/ui/show_everything.h"
+#include "tests/window_benchmark/blocks.h"
 #include "tests/window_benchmark/measurements.h"
 #include "tests/window_benchmark/stage.h"
 
@@ -66,17 +66,6 @@ class Hogs {
   std::vector<pid_t> children_;
 };
 
-// All blocks of a kind.
-struct Blocks {
-  const char* name;
-  runtime::TimingHistograms timing;
-  std::uint64_t missed_ticks = 0;
-  std::uint64_t frames = 0;
-  double seconds = 0.0;
-  double stolen_s = 0.0;
-  std::vector<std::int64_t> p99_ns;  // of the wake-ups of each block
-};
-
 // Seconds, of all cores together, that a virtual machine's host gave to somebody else since it
 // started; 0 where the kernel does not say.
 double stolen_s() {
@@ -119,43 +108,6 @@ void run_block(ui::Application& application, Stage& stage, bool drawn, double se
   blocks.p99_ns.push_back(runtime::quantiles(latencies).p99_ns);
   blocks.timing.compute_time += after.compute_time.since(before.compute_time);
   blocks.missed_ticks += application.session().snapshot().timing.missed_ticks - missed;
-}
-
-void print_row(const Blocks& blocks, const char* what, const runtime::LatencyCounts& counts) {
-  const runtime::Quantiles row = runtime::quantiles(counts);
-  const auto us = [](std::int64_t time_ns) {
-    return static_cast<double>(time_ns) / kNanosecondsPerMicrosecond;
-  };
-  std::printf("%-16s%-10s %10zu %9.1f %9.1f %9.1f %9.1f %8llu\n", blocks.name, what, row.count,
-              us(row.median_ns), us(row.p99_ns), us(row.p999_ns), us(row.maximum_ns),
-              static_cast<unsigned long long>(blocks.missed_ticks));
-}
-
-// The p99 of the blocks at so many quarters of them, in order: 2 is the median.
-std::int64_t p99_at(const Blocks& blocks, std::size_t quarters) {
-  std::vector<std::int64_t> sorted = blocks.p99_ns;
-  std::sort(sorted.begin(), sorted.end());
-  return sorted[quarters * (sorted.size() - 1) / 4];
-}
-
-// How far the rest of the machine, and its host, make one block differ from the other.
-void print_spread(const Blocks& blocks) {
-  const auto at = [&](std::size_t quarters) {
-    return static_cast<double>(p99_at(blocks, quarters)) / kNanosecondsPerMicrosecond;
-  };
-  std::printf(
-      "%-16sp99 of each of %zu blocks: %.1f to %.1f, quartiles %.1f %.1f %.1f us; %.1f s stolen by "
-      "the host\n",
-      blocks.name, blocks.p99_ns.size(), at(0), at(4), at(1), at(2), at(3), blocks.stolen_s);
-}
-
-double ratio(std::int64_t with_ns, std::int64_t without_ns) {
-  return static_cast<double>(with_ns) / static_cast<double>(without_ns);
-}
-
-void print_heading() {
-  std::printf("\n%-26s %10s %9s %9s %9s %9s %8s\n", "us", "cycles", "median", "p99", "p99.9",
-              "most", "missed");
 }
 
 void print_table(const Blocks& without, const Blocks& with) {

@@ -1,5 +1,5 @@
-// Measures the window: `frames`, `map`, `loop [SECONDS [BLOCK_SECONDS]]`, `map-loop` with the same,
-// or `record [SECONDS [RATE_HZ]]`.
+// Measures the window: `frames`, `map`, `loop [SECONDS [BLOCK_SECONDS]]`, `map-loop` and `stream`
+// with the same, or `record [SECONDS [RATE_HZ]]`.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -15,7 +15,8 @@ constexpr double kRecordedRateHz = 10'000.0;
 int usage() {
   std::fputs(
       "usage: hapticwall_window_benchmark frames | map | loop [SECONDS [BLOCK_SECONDS]] | "
-      "map-loop [SECONDS [BLOCK_SECONDS]] | record [SECONDS [RATE_HZ]]\n",
+      "map-loop [SECONDS [BLOCK_SECONDS]] | stream [SECONDS [BLOCK_SECONDS]] | record [SECONDS "
+      "[RATE_HZ]]\n",
       stderr);
   return EXIT_FAILURE;
 }
@@ -27,12 +28,13 @@ int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "frames") return measure_frames();
   if (what == "map") return measure_map();
-  if (what != "loop" && what != "map-loop" && what != "record") return usage();
+  if (what != "loop" && what != "map-loop" && what != "stream" && what != "record") return usage();
   const double seconds = argc > 2 ? std::atof(argv[2]) : kSeconds;
   const double more = argc > 3           ? std::atof(argv[3])
                       : what == "record" ? kRecordedRateHz
                                          : kBlockSeconds;
   if (!(seconds > 0.0 && more > 0.0)) return usage();
   if (what == "record") return measure_recording(seconds, more);
+  if (what == "stream") return measure_stream(seconds, more);
   return what == "loop" ? measure_loop(seconds, more) : measure_map_loop(seconds, more);
 }

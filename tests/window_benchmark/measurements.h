@@ -16,6 +16,10 @@ int measure_loop(double seconds, double block_s);
 // throughout, and nothing else keeps the cores busy.
 int measure_map_loop(double seconds, double block_s);
 
+// The same without a stream, with one that is read, and with one whose reader has stalled. There is
+// no window; a recording runs.
+int measure_stream(double seconds, double block_s);
+
 // When the first picture of a map of `press` stands, and when all of its cells do. Returns the exit
 // status of the program.
 int measure_map();
