@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -40,6 +41,7 @@ constexpr float kFullScalePercent = 100.0F;
 struct LookOptions {
   double scale = 0.0;  // 0: not given
   StreamChoice stream;
+  runtime::ExperimentChoice trials;
   bool signals = false;
 };
 
@@ -48,6 +50,53 @@ std::vector<file::SignalColumn> all_signals() {
   std::vector<std::size_t> indices(algorithms().size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   return file::signal_columns(indices);
+}
+
+void add_trial_options(CLI::App& program, runtime::ExperimentChoice& choice) {
+  program
+      .add_option("--trials", choice.list,
+                  "Run the trials of this list as a blind experiment; needs --participant")
+      ->type_name("LIST.csv");
+  program.add_option("--participant", choice.participant, "Participant of the experiment")
+      ->type_name("P");
+  program.add_option("--session", choice.session, "Session of the participant (default: 1)")
+      ->type_name("S");
+  program
+      .add_option("--answers", choice.answers,
+                  "Answers of the experiment (default: LIST-P-S.csv); an interrupted list resumes")
+      ->type_name("FILE.csv");
+}
+
+// Its own algorithm wins over --algorithm.
+runtime::SceneWith scene_with(SceneOptions options) {
+  if (!options.algorithm.empty())
+    options.settings.push_back("algorithm.name=" + std::exchange(options.algorithm, ""));
+  return [options](std::span<const std::string> overrides) -> Result<Scene> {
+    SceneOptions all = options;
+    all.settings.insert(all.settings.end(), overrides.begin(), overrides.end());
+    Result<file::LoadedScene> loaded = load(all);
+    if (!loaded) return loaded.error();
+    return std::move(loaded->scene);
+  };
+}
+
+// Null without --trials.
+Result<std::shared_ptr<runtime::Experiment>> open_trials(runtime::ExperimentChoice choice,
+                                                         const SceneOptions& options) {
+  if (choice.list.empty()) {
+    for (const auto& [name, value] : {std::pair("--participant", choice.participant),
+                                      {"--session", choice.session},
+                                      {"--answers", choice.answers}}) {
+      if (!value.empty()) return usage_error(fmt::format("{}: it needs --trials LIST.csv", name));
+    }
+    return std::shared_ptr<runtime::Experiment>();
+  }
+  if (choice.participant.empty())
+    return usage_error("--trials: it needs --participant P, whose answers are stored");
+  if (choice.answers == kStandardOutput) return usage_error("--answers -: it takes a file name");
+  if (choice.session.empty()) choice.session = "1";
+  choice.on_device = options.device != kSimulator;
+  return runtime::open_experiment(choice, scene_with(options));
 }
 
 // The path of a scene file, for the list of recent files.
@@ -73,6 +122,10 @@ Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
     return usage_error(fmt::format("--signals: {} is a recording, which shows those that it has",
                                    file::shown(options.scene)));
   }
+  if (!look.trials.list.empty()) {
+    return usage_error(
+        fmt::format("--trials: {} is a recording; it takes a scene", file::shown(options.scene)));
+  }
   if (!look.stream.path.empty() || !look.stream.every.empty()) {
     return usage_error(fmt::format("--stream: {} is a recording; 'hapticwall replay' streams it",
                                    file::shown(options.scene)));
@@ -95,6 +148,8 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   Result<file::LoadedScene> loaded = load(options);
   if (!loaded) return loaded.error();
   if (!device->hardware) tell_difference(*loaded);
+  const auto experiment = open_trials(look.trials, options);
+  if (!experiment) return experiment.error();
   const auto stream = open_stream(look.stream, false);
   if (!stream) return stream.error();
   runtime::SessionOptions session;
@@ -109,6 +164,7 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   window.signals = session.signals;
   window.spin_s = *spin_s;
   window.repeats = repeats;
+  window.experiment = *experiment;
   window.settings_path = file::settings_path(file::process_environment);
   window.opened_file = opened_file(options.scene);
   window.forced_scale = forced_scale(look);
@@ -130,6 +186,7 @@ Action add_window(CLI::App& program, runtime::OpenWindow open) {
   add_device_options(program, *options);
   add_stream_options(program, look->stream);
   add_signals_option(program, look->signals, "recordings and the stream");
+  add_trial_options(program, look->trials);
   constexpr float kMin = runtime::kMinScalePercent / kFullScalePercent;
   constexpr float kMax = runtime::kMaxScalePercent / kFullScalePercent;
   program

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
 #include <utility>
-
-#include "core/scene_keys.h"
-#include "core/text.h"
 
 namespace hapticwall::compare {
 namespace {
@@ -39,8 +40,7 @@ class Random {
 
 // Shuffled, with equally many trials that begin with A and B; for an odd number the last one is
 // random.
-std::vector<Slot> balanced_order(std::size_t trials, std::uint64_t seed) {
-  Random random(seed);
+std::vector<Slot> balanced_order(std::size_t trials, Random& random) {
   std::vector<Slot> order(trials);
   for (std::size_t i = 0; i < trials; ++i) order[i] = i % 2 == 0 ? Slot::kA : Slot::kB;
   if (trials % 2 == 1 && random.below(2) == 1) order.back() = Slot::kB;
@@ -50,11 +50,46 @@ std::vector<Slot> balanced_order(std::size_t trials, std::uint64_t seed) {
   return order;
 }
 
+// Balanced for each pair of slots by itself, in practice and in the test.
+std::vector<Slot> first_slots(const TrialPlan& plan) {
+  std::map<std::tuple<file::TrialKind, std::string, std::string>, std::vector<std::size_t>> pairs;
+  for (std::size_t i = 0; i < plan.trials.size(); ++i) {
+    const file::TrialSpec& trial = plan.trials[i];
+    pairs[{trial.kind, trial.slots[0], trial.slots[1]}].push_back(i);
+  }
+  Random random(plan.seed);
+  std::vector<Slot> first(plan.trials.size());
+  for (const auto& [pair, places] : pairs) {
+    const std::vector<Slot> order = balanced_order(places.size(), random);
+    for (std::size_t i = 0; i < places.size(); ++i) first[places[i]] = order[i];
+  }
+  return first;
+}
+
+std::size_t count_trials(const TrialPlan& plan) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      plan.trials,
+      [](const file::TrialSpec& trial) { return trial.kind != file::TrialKind::kBreak; }));
+}
+
 }  // namespace
 
+std::vector<file::TrialSpec> equal_trials(std::size_t count, const std::string& question,
+                                          const std::string& a, const std::string& b) {
+  std::vector<file::TrialSpec> trials(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    trials[i].number = i + 1;
+    trials[i].slots = {a, b};
+    trials[i].question = question;
+  }
+  return trials;
+}
+
 Result<BlindTrials> BlindTrials::create(const TrialPlan& plan) {
-  if (plan.trials < 1 || plan.trials > kMaxTrials) {
-    return usage_error(fmt::format("{} trials: it takes 1 to {}", plan.trials, kMaxTrials));
+  const std::size_t trials = count_trials(plan);
+  if (trials < 1 || plan.trials.size() > kMaxTrials) {
+    return usage_error(fmt::format("{} trials: it takes 1 to {}",
+                                   std::max(trials, plan.trials.size()), kMaxTrials));
   }
   if (!(plan.confidence > 0.0 && plan.confidence < 1.0)) {
     return usage_error(
@@ -64,13 +99,15 @@ Result<BlindTrials> BlindTrials::create(const TrialPlan& plan) {
 }
 
 BlindTrials::BlindTrials(const TrialPlan& plan)
-    : plan_(plan), first_(balanced_order(plan.trials, plan.seed)) {
-  done_.reserve(plan.trials);
-}
+    : plan_(plan), first_(first_slots(plan)), planned_(count_trials(plan)) {}
 
 Slot BlindTrials::slot_of(Presentation presentation) const {
-  const Slot first = first_[done_.size()];
+  const Slot first = first_[place_];
   return presentation == Presentation::kFirst ? first : other(first);
+}
+
+void BlindTrials::go_on() {
+  if (at_break()) ++place_;
 }
 
 Slot BlindTrials::present(Presentation presentation, double now_s) {
@@ -79,50 +116,32 @@ Slot BlindTrials::present(Presentation presentation, double now_s) {
   return slot_of(presentation);
 }
 
-Failure BlindTrials::choose(Presentation presentation, double now_s) {
+Result<file::Answer> BlindTrials::answer(Presentation presentation, double now_s) const {
   if (finished()) return usage_error("all trials were answered");
   if (!felt_first_ || !felt_second_) return usage_error("feel both before choosing one");
-  done_.push_back(
-      {first_[done_.size()], slot_of(presentation), std::exchange(looks_, 0), now_s - began_s_});
+  file::Answer answer;
+  answer.trial = spec().number;
+  answer.block = spec().block;
+  answer.kind = spec().kind;
+  answer.question = spec().question;
+  answer.a = spec().slots[0];
+  answer.b = spec().slots[1];
+  answer.first = first_[place_];
+  answer.chosen = slot_of(presentation);
+  if (spec().correct) answer.correct = answer.chosen == *spec().correct;
+  answer.looks = looks_;
+  answer.seconds = now_s - began_s_;
+  answer.seed = plan_.seed;
+  return answer;
+}
+
+void BlindTrials::take() {
+  while (at_break()) ++place_;  // of a session before
+  ++place_;
+  ++trial_;
+  looks_ = 0;
   felt_first_ = false;
   felt_second_ = false;
-  judge();
-  return std::nullopt;
-}
-
-void BlindTrials::judge() {
-  result_ = {};
-  for (const Trial& trial : done_) {
-    ++result_.trials;
-    result_.chose_a += trial.chosen == Slot::kA ? 1U : 0U;
-    result_.chose_first += trial.chosen == trial.first ? 1U : 0U;
-  }
-  result_.a = clopper_pearson(result_.chose_a, result_.trials, plan_.confidence);
-  result_.p_value = binomial_two_sided(result_.chose_a, result_.trials);
-}
-
-std::string BlindTrials::trials_csv(std::string_view a, std::string_view b) const {
-  std::string text =
-      "trial,question,seed,a,b,first,second,chosen,chosen_presentation,looks,seconds\n";
-  for (std::size_t i = 0; i < done_.size(); ++i) {
-    const Trial& trial = done_[i];
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", i + 1, csv_field(plan_.question),
-                    plan_.seed, csv_field(a), csv_field(b), slot_name(trial.first),
-                    slot_name(other(trial.first)), slot_name(trial.chosen),
-                    trial.chosen == trial.first ? 1 : 2, trial.looks, number_text(trial.seconds));
-  }
-  return text;
-}
-
-std::string BlindTrials::result_csv(std::string_view a, std::string_view b) const {
-  return fmt::format(
-      "question,seed,a,b,planned_trials,trials,chose_a,chose_first,share_a,confidence,share_a_low,"
-      "share_a_high,p_value\n{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-      csv_field(plan_.question), plan_.seed, csv_field(a), csv_field(b), plan_.trials,
-      result_.trials, result_.chose_a, result_.chose_first, number_text(result_.a.share),
-      number_text(plan_.confidence), number_text(result_.a.low), number_text(result_.a.high),
-      number_text(result_.p_value));
 }
 
 }  // namespace hapticwall::compare

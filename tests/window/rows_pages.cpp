@@ -196,7 +196,7 @@ void take_blind_test(Person& person) {
   answer(person, "choose second");
   EXPECT_FALSE(ui::blind_test_runs(person.state()));
   ASSERT_TRUE(person.state().compare.transient.test.has_value());
-  EXPECT_EQ(person.state().compare.transient.test->trials.result().trials, 2U);
+  EXPECT_EQ(person.state().compare.transient.test->results.tests.trials, 2U);
   for (const char* item : {"answered", "chose A", "share of A", "p-value", "chose the first",
                            "trial", "order", "chosen", "looks", "time"}) {
     person.hover(item);
@@ -212,6 +212,23 @@ void take_blind_test(Person& person) {
   person.click("stop and show");
   EXPECT_FALSE(ui::blind_test_runs(person.state()));
   go_to_page(person, "Plots");
+}
+
+void play_trial_list(Person& person) {
+  const ui::BlindTest& test = *person.state().compare.transient.test;
+  EXPECT_TRUE(ui::waits(test));
+  for (const char* choice : {"choose first", "choose second"}) {
+    const std::size_t answered = test.answers.size();
+    person.click("go on");
+    EXPECT_FALSE(ui::waits(test));
+    answer(person, choice);
+    EXPECT_EQ(test.answers.size(), answered + 1);
+  }
+  EXPECT_FALSE(test.running);
+  for (const char* item :
+       {"answered", "correct", "catch trials", "practice", "kind", "A", "B", "chose A", "interval"})
+    person.hover(item);
+  person.click("new blind test");
 }
 
 void type_a_mark(Person& person) {
@@ -300,6 +317,8 @@ Table compare_rows() {
       {"page Plots", see_a_ghost},
       {"blind start", take_blind_test}};
 }
+
+Table experiment_rows() { return {{"go on", play_trial_list}}; }
 
 Table recording_rows() {
   return {does("mark", [](Person& p, const Act& click) { set_marks(p, click); }),

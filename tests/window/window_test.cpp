@@ -115,7 +115,8 @@ void use_headless(const runtime::WindowOptions& options, const Script& script, I
                                options.recording_folder,
                                options.forced_scale,
                                options.opened_file,
-                               {}},
+                               {},
+                               options.experiment},
                               draw::apply_theme(draw::Look::kScreen, 1.0F), sessions);
   ASSERT_TRUE(created.ok()) << created.error().message;
   ui::Application& application = **created;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/runtime/session/experiment.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
 #include "core/result.h"
@@ -33,6 +34,7 @@ struct WindowOptions {
   std::vector<file::SignalColumn> signals;     // as SessionOptions::signals, on the simulator
   bool repeats = false;     // a simulated scene begins anew at its end, until another one is chosen
   std::string opened_file;  // the scene's file; empty: a built-in scene
+  std::shared_ptr<Experiment> experiment;  // that runs at once; null: none
 };
 
 // Opens a window and returns when it is closed.

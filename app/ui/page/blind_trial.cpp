@@ -1,4 +1,4 @@
-// A trial of the blind test: two walls to feel, and the choice.
+// A trial of the blind test: two walls to feel, and the choice. Between trials, a break.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 
 #include "app/ui/page/blind_test_page.h"
 #include "app/ui/state/blind_test.h"
-#include "app/ui/state/changes.h"
 #include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
@@ -21,6 +20,7 @@ constexpr float kChooseEms = 2.4F;    // height of the buttons below
 constexpr float kMinFeelEms = 4.0F;   // height of the big buttons, at least
 constexpr float kMaxFeelEms = 16.0F;  // and at most
 constexpr float kMaxPageEms = 62.0F;  // of the page
+constexpr float kWaitEms = 16.0F;     // width of the button in a break
 
 struct Words {
   Presentation presentation;
@@ -58,10 +58,11 @@ void draw_feel_button(const PanelContext& context, const BlindTest& test, const 
   const ImVec2 middle(corner.x + 0.5F * size.x, corner.y + 0.5F * size.y);
   draw_centred(ImVec2(middle.x, middle.y - ems(0.6F)), theme.fonts.strong, kBigFontSize,
                theme.packed(draw::Tone::kText), words.wall);
-  const std::string below = std::string(now && asked_for(context).algorithm ? "asked for"
-                                        : now                               ? "felt now"
-                                        : felt                              ? "felt"
-                                                                            : "not felt yet") +
+  // Not what the loop has echoed: equal walls change nothing, which would tell that they are equal.
+  const std::string below = std::string(now && context.snapshot.paused ? "paused"
+                                        : now                          ? "felt now"
+                                        : felt                         ? "felt"
+                                                                       : "not felt yet") +
                             "   " + words.key;
   draw_centred(ImVec2(middle.x, middle.y + ems(1.1F)), theme.fonts.text, draw::kSmallFontSize,
                theme.packed(now ? draw::Tone::kAccent : draw::Tone::kMuted), below.c_str());
@@ -92,15 +93,29 @@ void draw_question(const PanelContext& context, const std::string& question, flo
   if (fits) ImGui::SameLine();
 }
 
+std::string title_of(const BlindTest& test) {
+  if (test.begun) return test.trials.spec().question;
+  const file::Answer& identity = test.experiment->answers.identity();
+  return fmt::format("{}, participant {}, session {}", test.experiment->name, identity.participant,
+                     identity.session);
+}
+
+std::string progress_of(const BlindTest& test) {
+  const compare::BlindTrials& trials = test.trials;
+  if (waits(test)) return fmt::format("{} of {} answered", trials.trial(), trials.planned());
+  return fmt::format("{}trial {} of {}",
+                     trials.spec().kind == file::TrialKind::kPractice ? "practice, " : "",
+                     trials.trial() + 1, trials.planned());
+}
+
 void draw_head(const PanelContext& context, const BlindTest& test, float width) {
   const float left = ImGui::GetCursorPosX();
   constexpr const char* kStop = "Stop and show###stop and show";
   const float stop_width = button_width(kStop);
-  const std::string progress =
-      fmt::format("trial {} of {}", test.trials.trial() + 1, test.trials.plan().trials);
+  const std::string progress = progress_of(test);
   const float gap = ImGui::GetFontSize();
   const float progress_at = width - stop_width - gap - ImGui::CalcTextSize(progress.c_str()).x;
-  draw_question(context, test.trials.plan().question, progress_at - gap);
+  draw_question(context, title_of(test), progress_at - gap);
   ImGui::SetCursorPosX(left + progress_at);
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", progress.c_str());
@@ -111,8 +126,8 @@ void draw_head(const PanelContext& context, const BlindTest& test, float width) 
 
 void draw_progress(const PanelContext& context, const BlindTest& test, float width) {
   const float height = kProgressEms * ImGui::GetFontSize();
-  const float share = static_cast<float>(test.trials.trial()) /
-                      static_cast<float>(std::max<std::size_t>(1, test.trials.plan().trials));
+  const float share =
+      static_cast<float>(test.trials.trial()) / static_cast<float>(test.trials.planned());
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(from, ImVec2(from.x + width, from.y + height),
@@ -122,6 +137,18 @@ void draw_progress(const PanelContext& context, const BlindTest& test, float wid
                         context.theme.packed(draw::Tone::kAccent), 0.5F * height);
   }
   ImGui::Dummy(ImVec2(width, height + ImGui::GetStyle().ItemSpacing.y));
+}
+
+// At the beginning of a list, and in its breaks.
+void draw_wait(const PanelContext& context, const BlindTest& test, float width) {
+  ImGui::Dummy(ImVec2(width, ems(kChooseEms)));
+  const bool begins = !test.begun && test.answers.empty();
+  const char* label = begins ? "Begin###go on" : "Go on###go on";
+  const float button_ems = std::min(width, ems(kWaitEms));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (width - button_ems));
+  if (ImGui::Button(label, ImVec2(button_ems, ems(kChooseEms)))) go_on(context);
+  explain("On to the next trial");
+  ImGui::Dummy(ImVec2(width, ems(kChooseEms)));
 }
 
 void draw_buttons(const PanelContext& context, float width) {
@@ -155,10 +182,19 @@ void draw_blind_trial(const PanelContext& context) {
   draw_head(context, test, width);
   draw_progress(context, test, width);
   // The head may just have ended the test; a finished test has no trial.
-  if (blind_test_runs(context.state)) draw_buttons(context, width);
+  const bool waiting = waits(test);
+  if (!blind_test_runs(context.state)) {
+    // Nothing: the next frame shows the result.
+  } else if (waiting) {
+    draw_wait(context, test, width);
+  } else {
+    draw_buttons(context, width);
+  }
   muted_text(context,
-             "Feel each as often as you like, in any order. To begin from rest, leave the wall "
-             "before you switch, or reset (R).");
+             waiting
+                 ? "Every answer is stored. After an end of the program, the same command resumes."
+                 : "Feel each as often as you like, in any order. To begin from "
+                   "rest, leave the wall before you switch, or reset (R).");
   ImGui::EndChild();
 }
 

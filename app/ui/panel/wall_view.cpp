@@ -7,6 +7,7 @@
 
 #include "app/ui/panel/energy_lamp_view.h"
 #include "app/ui/panel/hand_drag.h"
+#include "app/ui/state/blind_test.h"
 #include "app/ui/wall/wall_labels.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
@@ -195,10 +196,11 @@ WallCamera wall_view_camera(const Scene& scene, ImVec2 size) {
 }
 
 WallPicture shown_picture(const PanelContext& context) {
-  WallPicture picture = wall_picture(context.session.scene(), context.snapshot.newest);
+  WallPicture picture = wall_picture(scene_to_show(context), context.snapshot.newest);
   WallState::Transient& transient = context.state.wall.transient;
   if (context.shows.hides_force) {
     // Both walls look the same: the handle is where a rigid wall would hold the hand.
+    picture.hides_stiffness = true;
     picture.handle_m = held_by_walls(picture, picture.hand_m.value_or(glm::dvec2(0.0)));
     picture.force_n = {};
     picture.saturated = false;
@@ -226,7 +228,7 @@ void draw_wall_view(const PanelContext& context, WallRenderer& renderer) {
   const ImVec2 available = ImGui::GetContentRegionAvail();
   const ViewArea area{ImGui::GetCursorScreenPos(),
                       ImVec2(std::max(available.x, 1.0F), std::max(available.y, 1.0F))};
-  const WallCamera camera(wall_space(context.session.scene()), context.state.wall.persisted.orbit,
+  const WallCamera camera(wall_space(scene_to_show(context)), context.state.wall.persisted.orbit,
                           area.size.x, area.size.y);
   const WallPicture picture = shown_picture(context);
   draw_picture(context, renderer, picture, camera, area);

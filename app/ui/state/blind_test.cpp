@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "app/file/disk/atomic_file.h"
+#include "app/file/text/text.h"
+#include "app/ui/state/changes.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/export.h"
 
@@ -24,73 +26,129 @@ std::uint64_t seed_by_chance() {
   return chance();
 }
 
-std::optional<SceneProblem> problem_with(const Scene& scene, const AlgorithmSettings& settings) {
-  Scene candidate = scene;
-  candidate.algorithm = settings;
-  return validate(candidate);
-}
-
 // The outcome of the switch must not reveal the slot.
-bool put_blindly(const PanelContext& context, Slot slot) {
-  if (!put_in_force(context, slot)) return true;
+bool put_blindly(const PanelContext& context, const Scene& scene) {
+  if (!ask_for(context, scene)) return true;
   end_blind_test(context);
   tell(context.state, MessageKind::kProblem,
-       "the blind test ended: the session has refused one of the two algorithms");
+       "the blind test ended: the session has refused one of the two walls");
   return false;
+}
+
+const Scene& scene_of(const BlindTest& test, Slot slot) {
+  const runtime::SlotScenes& slots =
+      test.experiment ? test.experiment->scenes[test.trials.place()] : test.slots;
+  return slots[static_cast<std::size_t>(slot)];
 }
 
 // Both files are on the disk before either gets its name.
 Failure write_both(const BlindTest& test, const std::string& base) {
+  std::string answers = file::answers_header();
+  for (const file::Answer& answer : test.answers) answers += file::answer_line(answer);
   auto trials = file::AtomicFile::create(base + kTrialsEnding);
   if (!trials) return trials.error();
   auto result = file::AtomicFile::create(base + kResultEnding);
   if (!result) return result.error();
-  if (Failure failure = trials->write(test.trials.trials_csv(test.a, test.b))) return failure;
-  if (Failure failure = result->write(test.trials.result_csv(test.a, test.b))) return failure;
+  if (Failure failure = trials->write(answers)) return failure;
+  if (Failure failure = result->write(compare::result_csv(test.trials, test.results)))
+    return failure;
   if (Failure failure = trials->sync()) return failure;
   if (Failure failure = result->sync()) return failure;
   if (Failure failure = trials->commit()) return failure;
   return result->commit();
 }
 
+// On the disk before it counts.
+Failure keep_answer(BlindTest& test, file::Answer answer) {
+  answer.time_utc = file::utc_now();
+  if (test.experiment) {
+    const file::Answer& identity = test.experiment->answers.identity();
+    answer.participant = identity.participant;
+    answer.session = identity.session;
+    answer.program = identity.program;
+    answer.scene_sha256 = identity.scene_sha256;
+    answer.list_sha256 = identity.list_sha256;
+    if (Failure failure = test.experiment->answers.append(answer)) return failure;
+  }
+  test.answers.push_back(std::move(answer));
+  return std::nullopt;
+}
+
 }  // namespace
+
+void finish(BlindTest& test) {
+  test.running = false;
+  test.results = compare::results_of(test.answers, test.trials.plan().confidence);
+}
 
 void start_blind_test(const PanelContext& context) {
   UiState& state = context.state;
   CompareState& compare = state.compare;
-  keep_slots(state, context.session.scene());
+  const Scene& running = context.session.scene();
+  keep_slots(state, running);
   const CompareSlots slots = slots_of(state);
+  runtime::SlotScenes scenes{running, running};
   for (const Slot slot : {Slot::kA, Slot::kB}) {
-    if (const auto problem = problem_with(context.session.scene(), slots.of(slot)))
-      return tell(state, *problem);
+    Scene& scene = scenes[static_cast<std::size_t>(slot)];
+    scene.algorithm = slots.of(slot);
+    if (const auto problem = validate(scene)) return tell(state, *problem);
   }
   compare::TrialPlan plan;
   plan.seed = compare.transient.seed ? *compare.transient.seed : seed_by_chance();
-  plan.trials = compare.persisted.trials;
-  plan.question = compare.persisted.question;
+  plan.trials = compare::equal_trials(compare.persisted.trials, compare.persisted.question,
+                                      compare::describe(slots.of(Slot::kA)),
+                                      compare::describe(slots.of(Slot::kB)));
   plan.confidence = compare.persisted.confidence;
   Result<BlindTrials> trials = BlindTrials::create(plan);
   if (!trials) return tell(state, trials.error());
-  compare.transient.test = BlindTest{std::move(*trials), compare::describe(slots.of(Slot::kA)),
-                                     compare::describe(slots.of(Slot::kB)), slots.active};
+  compare.transient.test = BlindTest{std::move(*trials), std::move(scenes), running};
   compare.transient.setting_up = false;
   show_page(state, kBlindTestPage);
+}
+
+Failure start_experiment(UiState& state, const Scene& running,
+                         std::shared_ptr<runtime::Experiment> experiment) {
+  const file::AnswersFile& answers = experiment->answers;
+  Result<BlindTrials> trials = BlindTrials::create(
+      {answers.identity().seed, experiment->trials, state.compare.persisted.confidence});
+  if (!trials) return trials.error();
+  if (answers.dropped()) {
+    tell(state, MessageKind::kNote,
+         answers.path() + ": its last line was torn and is dropped; the trial is repeated");
+  }
+  BlindTest test{std::move(*trials), {}, running, experiment, false};
+  test.answers.assign(answers.found().begin(), answers.found().end());
+  for (std::size_t i = 0; i < test.answers.size(); ++i) test.trials.take();
+  if (test.trials.finished()) finish(test);
+  state.compare.transient.test = std::move(test);
+  show_page(state, kBlindTestPage);
+  return std::nullopt;
+}
+
+bool waits(const BlindTest& test) { return !test.begun || test.trials.at_break(); }
+
+void go_on(const PanelContext& context) {
+  if (!blind_test_runs(context.state)) return;
+  BlindTest& test = *context.state.compare.transient.test;
+  if (!std::exchange(test.begun, true)) return;
+  test.trials.go_on();
 }
 
 void feel(const PanelContext& context, Presentation presentation) {
   if (!blind_test_runs(context.state)) return;
   BlindTest& test = *context.state.compare.transient.test;
-  if (put_blindly(context, test.trials.present(presentation, ImGui::GetTime())))
-    test.felt = presentation;
+  if (waits(test)) return;
+  const Slot slot = test.trials.present(presentation, ImGui::GetTime());
+  if (put_blindly(context, scene_of(test, slot))) test.felt = presentation;
 }
 
 void choose(const PanelContext& context, Presentation presentation) {
   if (!blind_test_runs(context.state)) return;
   BlindTest& test = *context.state.compare.transient.test;
-  if (const Failure failure = test.trials.choose(presentation, ImGui::GetTime())) {
-    tell(context.state, MessageKind::kNote, failure->message);
-    return;
-  }
+  const Result<file::Answer> answer = test.trials.answer(presentation, ImGui::GetTime());
+  if (!answer) return tell(context.state, MessageKind::kNote, answer.error().message);
+  if (const Failure failure = keep_answer(test, *answer)) return tell(context.state, *failure);
+  test.trials.take();
   test.felt.reset();
   if (test.trials.finished()) end_blind_test(context);
 }
@@ -98,14 +156,20 @@ void choose(const PanelContext& context, Presentation presentation) {
 void end_blind_test(const PanelContext& context) {
   if (!blind_test_runs(context.state)) return;
   BlindTest& test = *context.state.compare.transient.test;
-  test.running = false;
-  if (const auto problem = put_in_force(context, test.slot_before)) tell(context.state, *problem);
+  finish(test);
+  // The wall of an experiment stays: somebody may press into it, and the scene's may be stiffer.
+  if (!test.experiment) {
+    if (const auto problem = ask_for(context, test.before)) tell(context.state, *problem);
+  }
+  // The contacts of the test are no ghosts.
+  begin_comparison(context.state, context.session.scene(), slots_of(context.state));
+  show_page(context.state, kBlindTestPage);
 }
 
 void save_blind_test(const PanelContext& context) {
   UiState& state = context.state;
   auto& test = state.compare.transient.test;
-  if (!test || test->running) return;
+  if (!test || test->running || test->experiment) return;
   const std::string partial = ".partial";
   const std::string base =
       unused_base(state.transient.recording_folder,

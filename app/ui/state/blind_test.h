@@ -1,12 +1,14 @@
-// A blind test: which of two walls? Nobody sees their order before the end.
+// A blind test: which of two walls? Nobody sees their order before the end. The walls are A and B
+// of Compare, or those of a trial list (docs/experiments.md).
 //
-// A presentation puts its slot in force at once, wherever the handle is. The loop blends the force
-// over 50 ms, as for every change. Nothing is reset: a reset would end a recording and disarm a
-// device. To begin from rest, leave the wall before the switch, or reset (R).
+// A presentation puts the scene of its slot in force at once, wherever the handle is. The loop
+// blends the force over 50 ms, as for every change. Nothing is reset: a reset would end a recording
+// and disarm a device. To begin from rest, leave the wall before the switch, or reset (R).
 //
 // While the test runs, everything that could reveal the order is hidden or inert (Visibility).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "app/ui/state/key_binding.h"
@@ -25,17 +27,37 @@ namespace hapticwall::ui {
   return blind_test_runs(state) && state.compare.persisted.masking_noise;
 }
 
+// The scene for pictures: that of before the test while one runs, because a wall may have its place
+// from its slot.
+[[nodiscard]] inline const Scene& scene_to_show(const PanelContext& context) {
+  return context.shows.hides_force ? context.state.compare.transient.test->before
+                                   : context.session.scene();
+}
+
 // Uses the question, trials and seed that are set. Tells the user when a slot is not valid.
 void start_blind_test(const PanelContext& context);
-// Puts the presentation in force. No effect unless a test runs, like the next two.
+// Starts the test of a trial list, or shows its result if all trials were answered. It waits for
+// go_on(). `running`: the session's scene.
+[[nodiscard]] Failure start_experiment(UiState& state, const Scene& running,
+                                       std::shared_ptr<runtime::Experiment> experiment);
+// Whether nothing can be felt before go_on(): at the beginning of a list, and at its breaks.
+[[nodiscard]] bool waits(const BlindTest& test);
+// No effect unless a test runs, like the next three.
+void go_on(const PanelContext& context);
+// Puts the presentation in force.
 void feel(const PanelContext& context, compare::Presentation presentation);
-// Answers this trial. The test ends after the last trial.
+// Answers this trial, and stores the answer to a trial of a list first; an answer that cannot be
+// stored does not count. The test ends after the last trial.
 void choose(const PanelContext& context, compare::Presentation presentation);
-// Ends the test with the trials answered so far, and restores the slot of before the test.
+// The test runs no more, and has its results.
+void finish(BlindTest& test);
+// Ends the test with the trials answered so far. Restores the scene of before a test of A and B; the
+// last wall of a trial list stays in force, and undo goes back.
 void end_blind_test(const PanelContext& context);
 
 // Writes SCENE-blind-test-trials.csv and …-result.csv into the recording folder and tells the user.
-// Adds a number when a file exists. No effect unless a test has ended.
+// Adds a number when a file exists. No effect unless a test has ended, and for a
+// trial list, whose answers are stored already.
 void save_blind_test(const PanelContext& context);
 
 // 1 and ← feel the first, 2 and → the second; with Ctrl they choose.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/runtime/session/scene_change.h"
+#include "app/ui/state/blind_test.h"
 #include "app/ui/state/comparing.h"
 
 namespace hapticwall::ui {
@@ -69,6 +70,7 @@ void redo_change(const PanelContext& context) {
 }
 
 void notice_changes(UiState& state, const Scene& scene) {
+  if (blind_test_runs(state)) return;  // its walls are no changes of the user
   const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left) && ImGui::IsAnyItemActive();
   keep_slots(state, scene);
   state.transient.undo.observe(scene, state.transient.loaded_scene, dragging, slots_of(state));

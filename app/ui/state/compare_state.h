@@ -4,11 +4,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/compare/blind_trials.h"
 #include "app/compare/contact_traces.h"
+#include "app/compare/trial_results.h"
+#include "app/runtime/session/experiment.h"
 #include "core/algorithm_settings.h"
 #include "core/study/energy_story.h"
 
@@ -27,12 +31,16 @@ struct CompareSlots {
 // A running blind test, or the result of the last one.
 struct BlindTest {
   compare::BlindTrials trials;
-  std::string a;  // what the slots held, in words
-  std::string b;
-  compare::Slot slot_before = compare::Slot::kA;             // restored after the test
+  runtime::SlotScenes slots;  // of every trial; not of an experiment, whose trials have their own
+  Scene before;               // the session's before the test
+  // Of a trial list; null for the test of A and B of Compare.
+  std::shared_ptr<runtime::Experiment> experiment = nullptr;
+  bool begun = true;                                         // false: waits for "Begin"
   std::optional<compare::Presentation> felt = std::nullopt;  // the presentation in force
   bool running = true;
-  std::string saved_as = {};  // empty: not yet
+  std::vector<file::Answer> answers = {};
+  compare::TrialResults results = {};  // at the end
+  std::string saved_as = {};           // empty: not yet
 };
 
 // Identifies the ghost in the plots.
@@ -54,8 +62,8 @@ struct CompareState {
   struct Persisted {
     bool ghost_shown = true;
     // Of the next blind test.
-    std::string question = compare::TrialPlan{}.question;
-    std::size_t trials = compare::TrialPlan{}.trials;
+    std::string question = file::kUsualQuestion;
+    std::size_t trials = 20;
     double confidence = compare::TrialPlan{}.confidence;
     bool masking_noise = true;  // in the place of the sound
   } persisted;

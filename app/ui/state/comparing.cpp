@@ -52,7 +52,7 @@ CompareSlots slots_after(const UiState& state, const WantedScene& wanted) {
 void begin_comparison(UiState& state, const Scene& scene, const CompareSlots& slots) {
   CompareState::Transient& compare = state.compare.transient;
   if (blind_test_runs(state)) {
-    compare.test->running = false;
+    finish(*compare.test);
     tell(state, MessageKind::kNote, "the blind test ended: another session has begun");
   }
   compare.comparison.emplace(slots.of(Slot::kA), slots.of(Slot::kB), scene.sampling.rate_hz);
@@ -85,19 +85,14 @@ void keep_slots(UiState& state, const Scene& scene) {
   if (comparison) comparison->set_settings(comparison->active(), scene.algorithm);
 }
 
-std::optional<SceneProblem> put_in_force(const PanelContext& context, Slot slot) {
-  auto& comparison = context.state.compare.transient.comparison;
-  if (!comparison) return std::nullopt;
-  if (auto problem = ask_for_algorithm(context, comparison->settings(slot))) return problem;
-  comparison->activate(slot);
-  return std::nullopt;
-}
-
 void choose_slot(const PanelContext& context, Slot slot) {
-  if (context.shows.live == nullptr) return;
+  auto& comparison = context.state.compare.transient.comparison;
+  if (context.shows.live == nullptr || !comparison) return;
   // An edit of this frame belongs to the slot in which it was made.
   keep_slots(context.state, context.session.scene());
-  if (const auto problem = put_in_force(context, slot)) tell(context.state, *problem);
+  if (const auto problem = ask_for_algorithm(context, comparison->settings(slot)))
+    return tell(context.state, *problem);
+  comparison->activate(slot);
 }
 
 void toggle_slot(const PanelContext& context) {

@@ -76,8 +76,9 @@ void draw_wall_names(LabelPen& pen, const WallPicture& picture, const WallCamera
     const char* axis = on_x ? "x " : "y ";
     names.push_back(
         {foot, draw::Tone::kWall,
-         fmt::format("{}{:.4g} mm · {}", picture.two_axes ? axis : "",
-                     wall.face_m * kMillimetresPerMetre, stiffness_text(wall.stiffness_n_per_m))});
+         fmt::format("{}{:.4g} mm", picture.two_axes ? axis : "",
+                     wall.face_m * kMillimetresPerMetre) +
+             (picture.hides_stiffness ? "" : " · " + stiffness_text(wall.stiffness_n_per_m))});
   }
   std::sort(names.begin(), names.end(), is_left_of);
   float free_from = -1e6F;
@@ -204,7 +205,8 @@ void draw_wall_labels(const draw::Theme& theme, const WallPicture& picture,
                       std::span<const draw::PixelBox> taken, const std::string& rhythm) {
   LabelPen pen(theme, camera, area, taken);
   StiffnessBar bar(pen, picture);
-  const bool with_bar = !picture.walls.empty() && bar.has_room() && pen.is_free(bar.area());
+  const bool with_bar = !picture.hides_stiffness && !picture.walls.empty() && bar.has_room() &&
+                        pen.is_free(bar.area());
   if (with_bar) pen.take(bar.area());
   draw_force(pen, picture, camera);
   draw_wall_names(pen, picture, camera);

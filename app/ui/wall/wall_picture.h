@@ -55,6 +55,7 @@ struct WallPicture {
   Reach handle_reach_m;
   std::optional<glm::dvec2> hand_m;
   std::vector<PictureWall> walls;  // on each axis the outermost first
+  bool hides_stiffness = false;    // no number and no bar of it
   glm::dvec2 force_n{0.0};         // F_d; positive pushes out of the wall
   Reach force_reach_n;
   double full_scale_n = 10.0;  // the force with the longest arrow

@@ -40,6 +40,11 @@ Result<std::unique_ptr<Application>> Application::create(const Scene& scene, con
   std::unique_ptr<Application> application(
       new Application(std::move(sessions), std::move(*renderer), theme, options));
   if (Failure failure = application->start_first(scene)) return *std::move(failure);
+  if (options.experiment) {
+    if (Failure failure =
+            start_experiment(application->state_, application->live_->scene(), options.experiment))
+      return *std::move(failure);
+  }
   return application;
 }
 

@@ -48,6 +48,7 @@ class Application {
     std::optional<float> forced_scale;  // empty: the settings, or the screen
     std::string opened_file;            // file of the scene; empty: built in
     std::function<double()> now_s;      // clock of pointer events; empty: that of Dear ImGui
+    std::shared_ptr<runtime::Experiment> experiment = nullptr;  // begins at once; null: none
   };
 
   // Needs current contexts of OpenGL 3.3, ImGui and ImPlot for its whole life. Starts a session, on

@@ -21,8 +21,12 @@ constexpr ImVec2 kMinPartEms(10.0F, 5.0F);
 constexpr ImVec2 kFloatingEms(36.0F, 24.0F);  // of a window that never floated before
 
 DockSituation situation_of(const PanelContext& context) {
-  if (context.shows.hides_force) return DockSituation::kBlindTest;
-  return context.state.persisted.more ? DockSituation::kChosen : DockSituation::kFirstMinute;
+  const CompareState::Transient& compare = context.state.compare.transient;
+  const bool more = context.state.persisted.more;
+  // The first minute has no page for the result of an experiment.
+  const bool result = !more && compare.test && compare.test->experiment && !compare.setting_up;
+  if (context.shows.hides_force || result) return DockSituation::kBlindTest;
+  return more ? DockSituation::kChosen : DockSituation::kFirstMinute;
 }
 
 // Without the windows that would reveal the order, and with that of the test.
@@ -44,7 +48,10 @@ DockLayout layout_of(DockSituation situation, const DockLayout& chosen) {
 // Before DockSpace().
 void arrange(const PanelContext& context, ImGuiID id, ImVec2 size) {
   DockState& dock = context.state.transient.dock;
-  if (!dock.chosen) restore_layout(context.state);
+  if (!dock.chosen) {
+    restore_layout(context.state);
+    if (context.state.compare.transient.test) bring_to_front(*dock.chosen, kBlindTestPage);
+  }
   const DockSituation situation = situation_of(context);
   const bool rebuild = std::exchange(dock.rebuild, false) || situation != dock.situation;
   const float scale = ImGui::GetStyle().FontScaleMain;

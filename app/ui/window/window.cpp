@@ -313,7 +313,7 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
   const auto application =
       Application::create(options.scene,
                           {options.settings_path, options.recording_folder, options.forced_scale,
-                           options.opened_file, glfwGetTime},
+                           options.opened_file, glfwGetTime, options.experiment},
                           theme, sessions);
   if (!application) return application.error();
   (*application)->state().transient.repeats = options.repeats;

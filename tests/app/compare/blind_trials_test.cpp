@@ -8,27 +8,47 @@
 #include <cmath>
 #include <string>
 
+#include "app/compare/trial_results.h"
+
 namespace hapticwall::compare {
 namespace {
 
 using ::testing::HasSubstr;
 
-BlindTrials trials_of(std::size_t count, std::uint64_t seed = 1) {
-  auto trials = BlindTrials::create({.seed = seed, .trials = count});
+TrialPlan plan_of(std::size_t count, std::uint64_t seed = 1) {
+  return {seed, equal_trials(count, "Which?", "a", "b")};
+}
+
+BlindTrials trials_of(const TrialPlan& plan) {
+  auto trials = BlindTrials::create(plan);
   if (!trials) throw std::runtime_error(trials.error().message);
   return *trials;
 }
 
+// Feels both, and answers by `choice` of the slot that is first.
+template <typename Choice>
+std::vector<file::Answer> answers_of(const TrialPlan& plan, const Choice& choice) {
+  BlindTrials trials = trials_of(plan);
+  std::vector<file::Answer> answers;
+  while (!trials.finished()) {
+    trials.go_on();
+    const Slot first = trials.present(Presentation::kFirst, 0.0);
+    EXPECT_EQ(trials.present(Presentation::kSecond, 1.0), other(first));
+    const Slot wanted = choice(first, trials.spec(), answers.size());
+    answers.push_back(
+        *trials.answer(first == wanted ? Presentation::kFirst : Presentation::kSecond, 2.0));
+    EXPECT_EQ(answers.back().chosen, wanted);
+    trials.take();
+  }
+  return answers;
+}
+
 // The slot of the first presentation of every trial.
 std::string order_of(std::size_t count, std::uint64_t seed) {
-  BlindTrials trials = trials_of(count, seed);
   std::string order;
-  while (!trials.finished()) {
-    const Slot first = trials.present(Presentation::kFirst, 0.0);
-    EXPECT_EQ(trials.present(Presentation::kSecond, 0.0), other(first));
-    order += slot_name(first);
-    EXPECT_FALSE(trials.choose(Presentation::kFirst, 1.0));
-  }
+  const auto first_one = [](Slot first, const auto& /*spec*/, std::size_t /*i*/) { return first; };
+  for (const file::Answer& answer : answers_of(plan_of(count, seed), first_one))
+    order += slot_name(answer.first);
   return order;
 }
 
@@ -61,60 +81,142 @@ TEST(BlindTrials, NoPlaceInTheOrderKnowsMoreThanAnother) {
 }
 
 TEST(BlindTrials, BothAreFeltBeforeOneIsChosen) {
-  BlindTrials trials = trials_of(2);
-  EXPECT_THAT(trials.choose(Presentation::kFirst, 0.0)->message, HasSubstr("feel both"));
+  BlindTrials trials = trials_of(plan_of(2));
+  EXPECT_THAT(trials.answer(Presentation::kFirst, 0.0).error().message, HasSubstr("feel both"));
   static_cast<void>(trials.present(Presentation::kFirst, 1.0));
-  EXPECT_TRUE(trials.choose(Presentation::kFirst, 1.5));
+  EXPECT_FALSE(trials.answer(Presentation::kFirst, 1.5));
   static_cast<void>(trials.present(Presentation::kSecond, 2.0));
   static_cast<void>(trials.present(Presentation::kFirst, 3.0));
-  EXPECT_FALSE(trials.choose(Presentation::kSecond, 4.5));
+  const auto answer = trials.answer(Presentation::kSecond, 4.5);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(trials.trial(), 0U) << "it does not count before it is stored";
+  trials.take();
   EXPECT_EQ(trials.trial(), 1U);
-  EXPECT_EQ(trials.trials().front().looks, 3U);
-  EXPECT_EQ(trials.trials().front().seconds, 3.5);
-  EXPECT_TRUE(trials.choose(Presentation::kFirst, 5.0));  // the next trial's were not felt yet
+  EXPECT_EQ(answer->looks, 3U);
+  EXPECT_EQ(answer->seconds, 3.5);
+  EXPECT_FALSE(trials.answer(Presentation::kFirst, 5.0)) << "the next trial's were not felt yet";
 }
 
-TEST(BlindTrials, ChoicesAreCounted) {
-  BlindTrials trials = trials_of(20, 3);
-  for (int i = 0; i < 20; ++i) {
-    const Slot first = trials.present(Presentation::kFirst, 0.0);
-    static_cast<void>(trials.present(Presentation::kSecond, 1.0));
-    const bool want_a = i < 15;
-    const bool take_first = (first == Slot::kA) == want_a;
-    EXPECT_FALSE(trials.choose(take_first ? Presentation::kFirst : Presentation::kSecond, 2.0));
-  }
+file::TrialSpec spec_of(std::uint64_t number, file::TrialKind kind, const std::string& b,
+                        std::optional<Slot> correct = std::nullopt) {
+  file::TrialSpec spec;
+  spec.number = number;
+  spec.kind = kind;
+  spec.slots = {"k=1000", b};
+  spec.correct = correct;
+  return spec;
+}
+
+TEST(BlindTrials, ABreakWaitsAndIsNoTrial) {
+  using file::TrialKind;
+  const TrialPlan plan{1,
+                       {spec_of(1, TrialKind::kBreak, ""), spec_of(2, TrialKind::kTest, "k=1100"),
+                        spec_of(3, TrialKind::kBreak, ""), spec_of(4, TrialKind::kTest, "k=1100"),
+                        spec_of(5, TrialKind::kBreak, "")}};
+  BlindTrials trials = trials_of(plan);
+  EXPECT_EQ(trials.planned(), 2U);
+  EXPECT_TRUE(trials.at_break());
+  trials.go_on();
+  EXPECT_FALSE(trials.at_break());
+  trials.go_on();
+  EXPECT_EQ(trials.spec().number, 2U) << "a trial is not skipped";
+  trials.take();
+  EXPECT_TRUE(trials.at_break());
+  trials.go_on();
+  EXPECT_EQ(trials.spec().number, 4U);
+  trials.take();
   EXPECT_TRUE(trials.finished());
-  EXPECT_TRUE(trials.choose(Presentation::kFirst, 3.0));
-  const TrialResult& result = trials.result();
+  EXPECT_FALSE(trials.at_break());
+  BlindTrials resumed = trials_of(plan);
+  resumed.take();
+  EXPECT_TRUE(resumed.at_break()) << "the break after the last answer comes again";
+}
+
+TEST(BlindTrials, EachPairIsBalancedByItself) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    TrialPlan plan{seed, {}};
+    for (std::uint64_t i = 0; i < 30; ++i)
+      plan.trials.push_back(
+          spec_of(i + 1, file::TrialKind::kTest, i % 3 == 0 ? "k=1100" : "k=900"));
+    int a_first_of_1100 = 0;
+    int a_first_of_900 = 0;
+    const auto first_one = [](Slot first, const auto& /*spec*/, std::size_t /*i*/) {
+      return first;
+    };
+    for (const file::Answer& answer : answers_of(plan, first_one))
+      (answer.b == "k=1100" ? a_first_of_1100 : a_first_of_900) += answer.first == Slot::kA ? 1 : 0;
+    EXPECT_EQ(a_first_of_1100, 5);
+    EXPECT_EQ(a_first_of_900, 10);
+  }
+}
+
+TEST(TrialResults, ChoicesAreCounted) {
+  const auto answers =
+      answers_of(plan_of(20, 3), [](Slot /*first*/, const auto& /*spec*/, std::size_t i) {
+        return i < 15 ? Slot::kA : Slot::kB;
+      });
+  const TrialResults results = results_of(answers, 0.95);
+  const TrialResult& result = results.tests;
   EXPECT_EQ(result.trials, 20U);
   EXPECT_EQ(result.chose_a, 15U);
   EXPECT_EQ(result.a.share, 0.75);
   EXPECT_NEAR(result.a.low, 0.5089541, 1e-7);
   EXPECT_NEAR(result.a.high, 0.9134285, 1e-7);
   EXPECT_NEAR(result.p_value, 0.04138947, 1e-8);
+  ASSERT_EQ(results.pairs.size(), 1U);
+  EXPECT_EQ(results.pairs.front().result.chose_a, 15U);
 }
 
-TEST(BlindTrials, EverythingIsInTheTables) {
-  auto trials = BlindTrials::create(
-      {.seed = 1, .trials = 2, .question = "Which is stiffer, \"harder\"?", .confidence = 0.9});
-  ASSERT_TRUE(trials);
-  const Slot first = trials->present(Presentation::kFirst, 10.0);
-  EXPECT_EQ(first, Slot::kA);
-  static_cast<void>(trials->present(Presentation::kSecond, 11.0));
-  EXPECT_FALSE(trials->choose(Presentation::kSecond, 12.25));
-  EXPECT_EQ(trials->trials_csv("none", "x (k = 1, l = 2)"),
-            "trial,question,seed,a,b,first,second,chosen,chosen_presentation,looks,seconds\n"
-            "1,\"Which is stiffer, \"\"harder\"\"?\",1,none,\"x (k = 1, l = 2)\",A,B,B,2,2,2.25\n");
-  EXPECT_THAT(trials->result_csv("none", "b"),
-              HasSubstr("p_value\n\"Which is stiffer, \"\"harder\"\"?\",1,none,b,2,1,0,0,0,0.9,0,"
-                        "0.95"));
+TEST(TrialResults, PracticeIsNotCountedAndCatchTrialsStandApart) {
+  using file::TrialKind;
+  const TrialPlan plan{
+      1,
+      {spec_of(1, TrialKind::kPractice, "k=2000", Slot::kB),
+       spec_of(2, TrialKind::kTest, "k=1100", Slot::kB),
+       spec_of(3, TrialKind::kTest, "k=1100", Slot::kB),
+       spec_of(4, TrialKind::kTest, "k=900", Slot::kA),
+       spec_of(5, TrialKind::kCatch, "k=3000", Slot::kB), spec_of(6, TrialKind::kCatch, "k=1000")}};
+  const auto answers =
+      answers_of(plan, [](Slot /*first*/, const file::TrialSpec& spec, std::size_t) {
+        return spec.number == 3 ? Slot::kA : Slot::kB;
+      });
+  EXPECT_EQ(answers.front().correct, true);
+  EXPECT_EQ(answers.back().correct, std::nullopt);
+  const TrialResults results = results_of(answers, 0.95);
+  EXPECT_EQ(results.practice, 1U);
+  EXPECT_EQ(results.tests.judged, 3U);
+  EXPECT_EQ(results.tests.correct, 1U);
+  EXPECT_EQ(results.catches.trials, 2U);
+  EXPECT_EQ(results.catches.judged, 1U);
+  EXPECT_EQ(results.catches.correct, 1U);
+  ASSERT_EQ(results.pairs.size(), 4U);
+  EXPECT_EQ(results.pairs[0].b, "k=1100");
+  EXPECT_EQ(results.pairs[0].result.trials, 2U);
+  EXPECT_EQ(results.pairs[0].result.chose_a, 1U);
+}
+
+TEST(TrialResults, EveryPairIsALineOfTheTable) {
+  TrialPlan plan{1, equal_trials(2, "Which is stiffer, \"harder\"?", "none", "x (k = 1, l = 2)"),
+                 0.9};
+  const BlindTrials trials = trials_of(plan);
+  auto answers =
+      answers_of(plan, [](Slot first, const auto& /*spec*/, std::size_t) { return other(first); });
+  answers.resize(1);
+  EXPECT_EQ(answers.front().first, Slot::kA);
+  EXPECT_THAT(result_csv(trials, results_of(answers, plan.confidence)),
+              HasSubstr("p_value\n\"Which is stiffer, \"\"harder\"\"?\",1,none,\"x (k = 1, l = "
+                        "2)\",2,1,0,0,0,0.9,0,0.95"));
 }
 
 TEST(BlindTrials, PlansOutOfRangeAreRefused) {
-  EXPECT_FALSE(BlindTrials::create({.trials = 0}));
-  EXPECT_FALSE(BlindTrials::create({.trials = kMaxTrials + 1}));
-  EXPECT_FALSE(BlindTrials::create({.confidence = 1.0}));
-  EXPECT_FALSE(BlindTrials::create({.confidence = std::nan("")}));
+  TrialPlan plan = plan_of(2);
+  EXPECT_FALSE(BlindTrials::create(plan_of(0)));
+  EXPECT_FALSE(BlindTrials::create(plan_of(kMaxTrials + 1)));
+  EXPECT_TRUE(BlindTrials::create(plan));
+  plan.confidence = 1.0;
+  EXPECT_FALSE(BlindTrials::create(plan));
+  plan.confidence = std::nan("");
+  EXPECT_FALSE(BlindTrials::create(plan));
 }
 
 TEST(ClopperPearson, KnownIntervals) {

@@ -53,11 +53,9 @@ class BlindTestTest : public GuiTest {
   [[nodiscard]] ui::CompareSlots slots() const { return ui::slots_of(state()); }
   [[nodiscard]] bool runs(Slot slot) const { return scene().algorithm == slots().of(slot); }
   [[nodiscard]] static BlindTrials by_hand(std::uint64_t seed, std::size_t trials) {
-    compare::TrialPlan plan;
-    plan.seed = seed;
-    plan.trials = trials;
-    return *BlindTrials::create(plan);
+    return *BlindTrials::create({seed, compare::equal_trials(trials, "", "", "")});
   }
+  std::vector<file::Answer> by_hand_;
   // A seed whose first wall is this slot.
   [[nodiscard]] static std::uint64_t seed_with_first(Slot slot) {
     std::uint64_t seed = 1;
@@ -85,22 +83,22 @@ TEST_F(BlindTestTest, ClicksAndKeysGiveTheResultOfTheTrialsByHand) {
     } else {
       press(ImGuiMod_Ctrl | (first ? ImGuiKey_1 : ImGuiKey_2));
     }
-    ASSERT_FALSE(
-        expected.choose(first ? Presentation::kFirst : Presentation::kSecond, 1.0).has_value());
+    by_hand_.push_back(*expected.answer(first ? Presentation::kFirst : Presentation::kSecond, 1.0));
+    expected.take();
   }
   EXPECT_FALSE(test().running) << "it ends by itself";
   EXPECT_EQ(scene().algorithm, before);
-  const auto& trials = test().trials.trials();
-  ASSERT_EQ(trials.size(), expected.trials().size());
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    EXPECT_EQ(trials[i].first, expected.trials()[i].first);
-    EXPECT_EQ(trials[i].chosen, expected.trials()[i].chosen);
-    EXPECT_EQ(trials[i].looks, expected.trials()[i].looks);
-    EXPECT_GT(trials[i].seconds, 0.0);
+  const std::vector<file::Answer>& answers = test().answers;
+  ASSERT_EQ(answers.size(), by_hand_.size());
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    EXPECT_EQ(answers[i].first, by_hand_[i].first);
+    EXPECT_EQ(answers[i].chosen, by_hand_[i].chosen);
+    EXPECT_EQ(answers[i].looks, by_hand_[i].looks);
+    EXPECT_GT(answers[i].seconds, 0.0);
+    EXPECT_EQ(answers[i].a, compare::describe(slots().of(Slot::kA)));
+    EXPECT_EQ(answers[i].b, compare::describe(slots().of(Slot::kB)));
   }
-  const std::string a = compare::describe(slots().of(Slot::kA));
-  const std::string b = compare::describe(slots().of(Slot::kB));
-  EXPECT_EQ(test().trials.result_csv(a, b), expected.result_csv(a, b));
+  EXPECT_EQ(test().results.tests.chose_a, compare::results_of(by_hand_, 0.95).tests.chose_a);
   EXPECT_EQ(state().transient.undo.size(), 1U) << "a blind test adds no step to the undo list";
 }
 
@@ -220,10 +218,10 @@ TEST_F(BlindTestTest, IsSavedOnceAndNothingIsOverwritten) {
     start(kSeed, 1);
     answer(ImGuiKey_2);
     click("blind save");
-    const std::string a = test().a;
-    const std::string b = test().b;
-    EXPECT_EQ(content(std::string(name) + "-trials.csv"), test().trials.trials_csv(a, b));
-    EXPECT_EQ(content(std::string(name) + "-result.csv"), test().trials.result_csv(a, b));
+    EXPECT_EQ(content(std::string(name) + "-trials.csv"),
+              file::answers_header() + file::answer_line(test().answers.front()));
+    EXPECT_EQ(content(std::string(name) + "-result.csv"),
+              compare::result_csv(test().trials, test().results));
     EXPECT_THAT(message().text, HasSubstr(std::string(name) + "-trials.csv"));
     click("blind save");  // it is saved
     click("new blind test");
@@ -246,7 +244,7 @@ TEST_F(BlindTestTest, StopShowsWhatWasAnswered) {
   press(ImGuiKey_1);
   click("stop and show");
   EXPECT_FALSE(ui::blind_test_runs(state()));
-  EXPECT_EQ(test().trials.result().trials, 1U);
+  EXPECT_EQ(test().results.tests.trials, 1U);
   EXPECT_TRUE(sees("p-value"));
   EXPECT_TRUE(runs(Slot::kA));
   click("new blind test");
