@@ -1,5 +1,6 @@
 // A device that lies by a random script, on the whole link and the loop of a session: the force
 // stays within limit, rate and ramp, it is zero while disarmed, and every disarming has a reason.
+// So it is while a blind trial switches its walls.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -68,11 +69,14 @@ class Promises {
   void check() {
     const Snapshot now = rig_.snapshot();
     off_ = now.arming.state == ArmingState::kOff;
-    if (off_ && before_.state != ArmingState::kOff) check_disarming(now.arming.note);
+    const bool disarmed = off_ && before_.state != ArmingState::kOff;
+    if (disarmed) check_disarming(now.arming.note);
+    // A wall over the handle: zero replaces the force of this tick, and the sample has that force.
+    const bool replaced = disarmed && now.arming.note == ArmingNote::kWallMoved;
     if (off_ && now.arming.asked != before_.asked) RC_ASSERT(now.arming.note != ArmingNote::kNone);
     if (!off_) max_gain_ = std::max(max_gain_, now.arming.gain);
     before_ = now.arming;
-    check_commanded(now.newest.x().force_n);
+    check_commanded(replaced ? 0.0 : now.newest.x().force_n);
     check_applied(std::abs(rig_.rig.force_n()));
   }
   [[nodiscard]] int disarmings() const { return disarmings_; }
@@ -116,18 +120,29 @@ class Promises {
   int disarmings_ = 0;
 };
 
+// Two walls of a blind trial: the stiffer one is unstable, the nearer one may be over the handle.
+WallSettings random_wall() {
+  return {kLieWallM - 1e-3 * *rc::gen::inRange(0, 8),
+          kLieStiffness * *rc::gen::inRange(0, 50) / 10.0, 0.0};
+}
+
 void run_script() {
   const double force_rate_n_per_s = random_force_rate();
   LieRig rig(random_lies(), *rc::gen::arbitrary<bool>(), rising_at(force_rate_n_per_s));
   rig.tick();
   Promises promises(rig, force_rate_n_per_s);
   rig.on_tick = [&] { promises.check(); };
+  const bool switches = *rc::gen::arbitrary<bool>();
+  const std::array walls{random_wall(), random_wall()};
   while (rig.now_us() < 1000 * kLieRunMs) {
     if (rig.now_us() % 100'000 < 1000 || *rc::gen::inRange(0, 40) == 0) rig.arm();
+    if (switches && *rc::gen::inRange(0, 5) == 0)
+      rig.change_wall(walls.at(*rc::gen::inRange<std::size_t>(0, walls.size())));
     for (int i = 0; i < 10; ++i) rig.tick();
   }
   RC_CLASSIFY(promises.disarmings() == 0, "never disarmed");
   RC_CLASSIFY(promises.disarmings() > 1, "disarmed again");
+  RC_CLASSIFY(switches, "walls switch");
 }
 
 // 4000 scripts, or 40 times the max_success of RC_PARAMS.

@@ -75,6 +75,14 @@ class LieRig {
   }
 
   void arm() { EXPECT_TRUE(exchange_.commands.try_push({CommandKind::kArm, 0})); }
+  // As a blind trial puts the other of two walls in force.
+  void change_wall(const WallSettings& wall) {
+    Scene changed = scene_on(scene(), device_.info());
+    changed.x().walls = {wall};
+    LoopParameters parameters = parameters_of(changed);
+    parameters.generation = ++generation_;
+    exchange_.parameters.publish(parameters);
+  }
   void tick() { rig.host.tick(); }
   void until_ms(std::uint64_t time_ms) { rig.tick_until_ms(time_ms); }
   [[nodiscard]] std::uint64_t now_us() const { return rig.host.now_us(); }
@@ -105,6 +113,7 @@ class LieRig {
   Exchange exchange_;
   std::optional<ServoLoop> loop_;
   FakeClock clock_;
+  std::uint32_t generation_ = 1;
 };
 
 }  // namespace hapticwall::runtime::test
