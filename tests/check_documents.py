@@ -23,7 +23,7 @@ import sys
 ELSEWHERE = {
     "sources": "builds the program",
     "root": "needs another user's rights; ./dev test --hid-guest drives the emulator",
-    "display": "opens the window; tests/app/ui/page/experiment_test.cpp plays the lists of docs/experiments.md",
+    "display": "opens the window; tests/app/ui/page/experiment_test.cpp plays these lists",
     "cluster": "takes 64 machines; tests/app/command/map_test.cpp joins parts of a map",
     "commands": "./dev test --adding-an-algorithm",
     "settings": "tests/app/ui/state/settings_file_test.cpp",

@@ -62,7 +62,5 @@ void unfold(Person& person, const std::string& section, const std::string& somet
 
 // Of a real device.
 [[nodiscard]] Table link_rows();
-// Of an experiment with two trials and a break between them.
-[[nodiscard]] Table experiment_rows();
 
 }  // namespace hapticwall::test
