@@ -102,7 +102,8 @@ def test_a_failing_configure_is_told():
 def test_a_map_with_a_failing_law_keeps_its_cells():
     law = hw.algorithm(fails, name="fails")
     with pytest.raises(hw.LawError) as told:
-        hw.map("press", x=("wall.stiffness_n_per_m", [300.0]), y=("device.damping_n_s_per_m", [1.0]), algorithms=["none", law])
+        one = {"x": ("wall.stiffness_n_per_m", [300.0]), "y": ("device.damping_n_s_per_m", [1.0])}
+        hw.map("press", **one, algorithms=["none", law])
     assert told.value.result.verdict[1, 0, 0] == "diverged" != told.value.result.verdict[0, 0, 0]
 
 
