@@ -234,7 +234,8 @@ void show_signals(std::size_t algorithm, const LawAfterStep& law, Signals& signa
 }
 
 void Stabiliser::configure(std::size_t algorithm, const StabiliserContext& context) {
-  const hw_plugin* const plugin = plugin_at(algorithm);
+  const std::uint32_t revision = context.settings == nullptr ? 0 : context.settings->revision;
+  const hw_plugin* const plugin = plugin_at(algorithm, revision);
   if (plugin == nullptr && algorithm >= kFunctions.size()) algorithm = 0;
   if (algorithm != algorithm_) reset();
   algorithm_ = algorithm;

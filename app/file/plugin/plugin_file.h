@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -22,7 +23,13 @@ struct PluginFile {
 // start. Realtime-safe: no.
 [[nodiscard]] Result<std::size_t> load_plugin(const std::string& path);
 
-// nullptr if the algorithm is no plug-in of a file.
-[[nodiscard]] const PluginFile* plugin_file(std::size_t algorithm);
+// Loads the file of a plug-in again, as its newest revision, if it has other bytes; false if it has
+// the same. Running loops keep theirs until they are told of the new one. Fails, and changes
+// nothing, for a file that is not whole or not a replacement (replacement_problem()). One thread
+// calls it. Realtime-safe: no.
+[[nodiscard]] Result<bool> reload_plugin(std::size_t algorithm);
+
+// nullptr if the algorithm is no plug-in of a file. `revision` as in AlgorithmSettings.
+[[nodiscard]] const PluginFile* plugin_file(std::size_t algorithm, std::uint32_t revision = 0);
 
 }  // namespace hapticwall::file

@@ -72,7 +72,7 @@ void TomlText::path(std::string_view key, const std::vector<PathPoint>& points) 
 void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSettings& algorithm) {
   out.table(fmt::format("{}algorithm", prefix));
   out.string("name", algorithms()[algorithm.index].name);
-  if (const PluginFile* plugin = plugin_file(algorithm.index)) {
+  if (const PluginFile* plugin = plugin_file(algorithm.index, algorithm.revision)) {
     out.string("plugin_file", plugin->path);
     out.string("plugin_sha256", plugin->sha256);
   }

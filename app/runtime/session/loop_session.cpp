@@ -10,6 +10,7 @@
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
 #include "app/runtime/session/scene_change.h"
+#include "core/stabiliser/plugin/plugin_list.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -45,6 +46,13 @@ std::vector<device::Device*> pointers_to(
   return pointers;
 }
 
+// With the revision of a plug-in that is the newest one now, so that the history tells which one
+// was in force.
+Scene with_revision(Scene scene) {
+  scene.algorithm.revision = plugin_revision(scene.algorithm.index);
+  return scene;
+}
+
 file::CsvColumns columns_of(const device::DeviceInfo& device, std::size_t axes,
                             const SessionOptions& options) {
   file::CsvColumns columns = file::csv_columns(device.is_simulated, axes);
@@ -76,7 +84,7 @@ LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, c
       devices_(std::move(devices)),
       device_info_(devices_.front()->info()),
       columns_(columns_of(device_info_, devices_.size(), options)),
-      history_(scene),
+      history_(with_revision(scene)),
       exchange_(options.queues, parameters_of(history_)),
       loop_(pointers_to(devices_), exchange_, parameters_of(history_), options.start_paused),
       recorder_(exchange_.recorder),
@@ -107,7 +115,7 @@ LoopSession::~LoopSession() {
 // Withdraws parameters that the loop has not read, so that the owner knows which plant the loop
 // uses when it reads the new ones.
 std::optional<SceneProblem> LoopSession::change_scene(const Scene& asked) {
-  const Scene wanted = scene_on(asked, device_info_);
+  const Scene wanted = with_revision(scene_on(asked, device_info_));
   if (std::optional<SceneProblem> problem = needs_new_session(scene(), wanted)) return problem;
   if (same_parameters(wanted, scene())) return std::nullopt;
   if (std::optional<SceneProblem> problem = validate(wanted)) return problem;

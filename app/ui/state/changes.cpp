@@ -69,8 +69,11 @@ void redo_change(const PanelContext& context) {
   go_to(context, context.state.transient.undo.redo());
 }
 
-void notice_changes(UiState& state, const Scene& scene) {
+// A plug-in that was built again is no change that could be undone.
+void notice_changes(UiState& state, const Scene& present) {
   if (blind_test_runs(state)) return;  // its walls are no changes of the user
+  Scene scene = present;
+  scene.algorithm.revision = 0;
   const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left) && ImGui::IsAnyItemActive();
   keep_slots(state, scene);
   state.transient.undo.observe(scene, state.transient.loaded_scene, dragging, slots_of(state));

@@ -115,6 +115,7 @@ void Application::frame() {
   state_.transient.now_s = now_s_ ? now_s_() : ImGui::GetTime();
   keep_appearance();
   take_ticks();
+  heed_plugins();
   runtime::Snapshot snapshot = session().snapshot();
   if (!session().knows_truth()) draw_where_measured(snapshot.newest);
   // At rest only its own page shows it, so that the window need not be painted again.
@@ -135,6 +136,16 @@ void Application::frame() {
   state_.transient.pointer_events.clear();
   if (ImGui::GetCurrentContext()->InputEventsQueue.empty()) state_.transient.key_presses.clear();
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
+}
+
+// The session takes the newest revision of its plug-in, and blends the force into it.
+void Application::heed_plugins() {
+  for (const file::PluginNews& news : plugins_.look(state_.transient.now_s)) {
+    tell(state_, news.loaded ? MessageKind::kNote : MessageKind::kProblem, news.text);
+    if (!live_ || !news.loaded) continue;
+    const Scene scene = live_->scene();
+    static_cast<void>(live_->change_scene(scene));
+  }
 }
 
 // Slow motion would be chopped.

@@ -12,6 +12,7 @@
 
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/theme.h"
+#include "app/file/plugin/plugin_watch.h"
 #include "app/file/recording/recording_reader.h"
 #include "app/runtime/session/live_session.h"
 #include "app/sound/live/sound_player.h"
@@ -108,6 +109,7 @@ class Application {
   [[nodiscard]] Failure start_session(const Scene& scene);
 
   void keep_appearance();
+  void heed_plugins();
   void heed_sound(const runtime::Snapshot& snapshot);
   void note_sound();
   [[nodiscard]] Visibility visibility(std::uint32_t echoed_generation);
@@ -133,6 +135,7 @@ class Application {
   draw::Look look_ = draw::Look::kScreen;  // in force, like the scale
   float scale_ = 0.0F;
   SettingsFile settings_;
+  file::PluginWatch plugins_;
   std::function<double()> now_s_;
   // The scene before a replay, and the one to which its values can be reset.
   struct Before {

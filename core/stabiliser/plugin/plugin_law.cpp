@@ -25,9 +25,10 @@ std::array<double, kMaxPluginParameters> plugin_values(const hw_plugin& plugin,
 
 }  // namespace
 
-PluginLaw::PluginLaw() : bytes_(largest_plugin_state()) {
+PluginLaw::PluginLaw() : bytes_(plugin_state_capacity()) {
   constexpr std::size_t kUnit = sizeof(std::max_align_t);
-  if (bytes_ > 0) state_ = std::make_unique<std::max_align_t[]>((bytes_ + kUnit - 1) / kUnit);
+  if (bytes_ > 0)  // start() sets to zero as much as a plug-in needs
+    state_ = std::make_unique_for_overwrite<std::max_align_t[]>((bytes_ + kUnit - 1) / kUnit);
 }
 
 // A library's exception ends here: it must not unwind the loop.

@@ -23,7 +23,7 @@ inline constexpr std::size_t kMaxPluginSignals = 8;
 // Moved only, so that the state keeps its address. Realtime-safe: yes, except the constructor.
 class PluginLaw {
  public:
-  // Allocates as many bytes as the loaded plug-ins need at most; nothing if there is none.
+  // Allocates plugin_state_capacity().
   PluginLaw();
 
   // nullptr: no plug-in is in force. Another plug-in than before starts with a state of zeros.

@@ -1,6 +1,7 @@
 #include "core/stabiliser/plugin/plugin_list.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <deque>
@@ -14,7 +15,9 @@ namespace hapticwall {
 namespace {
 
 struct LoadedPlugin {
-  const hw_plugin* plugin = nullptr;
+  // All but the first `count` are null.
+  std::array<std::atomic<const hw_plugin*>, kMaxPluginRevisions> revisions{};
+  std::atomic<std::uint32_t> count = 0;
   // Views of the list of algorithms point into these.
   std::deque<std::string> defaults{};
   std::vector<ParameterDescription> parameters{};
@@ -25,6 +28,18 @@ struct LoadedPlugin {
 std::deque<LoadedPlugin>& loaded_plugins() {
   static std::deque<LoadedPlugin> plugins;
   return plugins;
+}
+
+void add_revision(LoadedPlugin& loaded, const hw_plugin& plugin) {
+  const std::uint32_t count = loaded.count.load(std::memory_order_relaxed);
+  loaded.revisions.at(count).store(&plugin, std::memory_order_relaxed);
+  loaded.count.store(count + 1, std::memory_order_release);
+}
+
+// Null if the algorithm is no plug-in.
+LoadedPlugin* loaded_plugin(std::size_t algorithm) {
+  if (algorithm < first_plugin() || algorithm >= algorithms().size()) return nullptr;
+  return &loaded_plugins()[algorithm - first_plugin()];
 }
 
 ParameterDescription described(const hw_parameter& parameter, std::deque<std::string>& defaults) {
@@ -38,7 +53,7 @@ ParameterDescription described(const hw_parameter& parameter, std::deque<std::st
 
 std::size_t add_plugin(const hw_plugin& plugin) {
   LoadedPlugin& loaded = loaded_plugins().emplace_back();
-  loaded.plugin = &plugin;
+  add_revision(loaded, plugin);
   for (std::size_t i = 0; i < plugin.parameter_count; ++i)
     loaded.parameters.push_back(described(plugin.parameters[i], loaded.defaults));
   for (std::size_t i = 0; i < plugin.signal_count; ++i)
@@ -47,26 +62,42 @@ std::size_t add_plugin(const hw_plugin& plugin) {
       {plugin.name, plugin.title, plugin.idea, loaded.parameters, plugin.equation, loaded.signals});
 }
 
-const hw_plugin* plugin_at(std::size_t algorithm) {
-  if (algorithm < first_plugin() || algorithm >= algorithms().size()) return nullptr;
-  return loaded_plugins()[algorithm - first_plugin()].plugin;
+void replace_plugin(std::size_t algorithm, const hw_plugin& newer) {
+  add_revision(*loaded_plugin(algorithm), newer);
 }
 
-std::size_t largest_plugin_state() {
+const hw_plugin* plugin_at(std::size_t algorithm, std::uint32_t revision) {
+  const LoadedPlugin* const loaded = loaded_plugin(algorithm);
+  if (loaded == nullptr) return nullptr;
+  const std::uint32_t newest = loaded->count.load(std::memory_order_acquire);
+  const std::uint32_t wanted = revision == 0 ? newest : std::min(revision, newest);
+  return loaded->revisions.at(wanted - 1).load(std::memory_order_relaxed);
+}
+
+std::uint32_t plugin_revision(std::size_t algorithm) {
+  const LoadedPlugin* const loaded = loaded_plugin(algorithm);
+  return loaded == nullptr ? 0 : loaded->count.load(std::memory_order_acquire);
+}
+
+std::size_t plugin_state_capacity() {
+  constexpr std::size_t kMinBytes = 4096;
   std::size_t largest = 0;
   for (const LoadedPlugin& loaded : loaded_plugins())
-    largest = std::max<std::size_t>(largest, loaded.plugin->state_bytes);
-  return largest;
+    largest = std::max<std::size_t>(largest, loaded.revisions.front().load()->state_bytes);
+  return loaded_plugins().empty() ? 0 : std::max(2 * largest, kMinBytes);
 }
 
 void note_plugin_exception(const hw_plugin& plugin) {
   for (LoadedPlugin& loaded : loaded_plugins()) {
-    if (loaded.plugin == &plugin) loaded.thrown = true;
+    const auto first = loaded.revisions.begin();
+    const auto last = first + loaded.count.load(std::memory_order_acquire);
+    if (std::find(first, last, &plugin) != last) loaded.thrown = true;
   }
 }
 
 bool plugin_has_thrown(std::size_t algorithm) {
-  return plugin_at(algorithm) != nullptr && loaded_plugins()[algorithm - first_plugin()].thrown;
+  const LoadedPlugin* const loaded = loaded_plugin(algorithm);
+  return loaded != nullptr && loaded->thrown;
 }
 
 }  // namespace hapticwall

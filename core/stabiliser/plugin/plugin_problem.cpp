@@ -1,4 +1,5 @@
 // What the program refuses of a plug-in.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -121,9 +122,7 @@ std::string parameters_problem(const hw_plugin& plugin) {
   return "";
 }
 
-}  // namespace
-
-std::string plugin_problem(const hw_plugin& plugin) {
+std::string interface_problem(const hw_plugin& plugin) {
   if (plugin.abi != HAPTICWALL_PLUGIN_ABI)
     return "it was built for ABI " + std::to_string(plugin.abi) + ", this program has ABI " +
            std::to_string(HAPTICWALL_PLUGIN_ABI);
@@ -135,7 +134,48 @@ std::string plugin_problem(const hw_plugin& plugin) {
   if (plugin.state_bytes > kMaxPluginStateBytes)
     return "a state of " + std::to_string(plugin.state_bytes) + " bytes; at most " +
            std::to_string(kMaxPluginStateBytes) + " are taken";
-  std::string problem = texts_problem(plugin);
+  return "";
+}
+
+bool same_parameters(const hw_plugin& a, const hw_plugin& b) {
+  if (a.parameter_count != b.parameter_count || (a.parameter_count > 0 && a.parameters == nullptr))
+    return false;
+  return std::equal(a.parameters, a.parameters + a.parameter_count, b.parameters,
+                    [](const hw_parameter& x, const hw_parameter& y) {
+                      return is_word(x.key, '_') && std::string_view(x.key) == y.key &&
+                             is_line(x.unit) && std::string_view(x.unit) == y.unit &&
+                             x.minimum == y.minimum && x.maximum == y.maximum &&
+                             range_problem(x).empty();
+                    });
+}
+
+bool same_signals(const hw_plugin& a, const hw_plugin& b) {
+  if (a.signal_count != b.signal_count || (a.signal_count > 0 && a.signals == nullptr))
+    return false;
+  return std::equal(a.signals, a.signals + a.signal_count, b.signals,
+                    [](const hw_signal& x, const hw_signal& y) {
+                      return is_word(x.name, '_') && std::string_view(x.name) == y.name;
+                    });
+}
+
+}  // namespace
+
+std::string replacement_problem(const hw_plugin& newer, std::size_t algorithm) {
+  const hw_plugin& older = *plugin_at(algorithm);
+  if (std::string problem = interface_problem(newer); !problem.empty()) return problem;
+  if (!is_word(newer.name, '-') || std::string_view(newer.name) != older.name)
+    return "its name is not \"" + std::string(older.name) + "\" any more";
+  if (!same_parameters(newer, older)) return "its parameters are not the same any more";
+  if (!same_signals(newer, older)) return "its signals are not the same any more";
+  if (newer.state_bytes > plugin_state_capacity())
+    return "a state of " + std::to_string(newer.state_bytes) +
+           " bytes; this program has room for " + std::to_string(plugin_state_capacity());
+  return "";
+}
+
+std::string plugin_problem(const hw_plugin& plugin) {
+  std::string problem = interface_problem(plugin);
+  if (problem.empty()) problem = texts_problem(plugin);
   if (problem.empty()) problem = parameters_problem(plugin);
   return problem.empty() ? signals_problem(plugin) : problem;
 }
