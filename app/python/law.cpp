@@ -60,15 +60,15 @@ Slots& slots() {
 // What the list calls, for each slot: a law's functions do not know which law they are of. Plain
 // pointers, so that a tick reads one.
 struct Functions {
-  double (*step)(void*, const hw_input*) = nullptr;
+  double (*step)(void*, const hw_input*, double*) = nullptr;
   void (*configure)(void*, const hw_context*) = nullptr;
   void (*reset)(void*) = nullptr;
 };
 constinit std::array<Functions, kMaxLaws> functions{};
 
 template <std::size_t kSlot>
-double step_of(void* state, const hw_input* input) {
-  return heard([&] { return functions[kSlot].step(state, input); });
+double step_of(void* state, const hw_input* input, double* signals) {
+  return heard([&] { return functions[kSlot].step(state, input, signals); });
 }
 template <std::size_t kSlot>
 void configure_of(void* state, const hw_context* context) {
@@ -93,9 +93,10 @@ constexpr auto calls_of(std::index_sequence<kSlot...>) {
 }
 constexpr auto kCalls = calls_of(std::make_index_sequence<kMaxLaws>());
 
+// A step without signals does not look at its third argument.
 // NOLINTBEGIN(performance-no-int-to-ptr): a Python integer is an address
 Functions functions_of(const Law& law) {
-  return {reinterpret_cast<double (*)(void*, const hw_input*)>(law.step),
+  return {reinterpret_cast<double (*)(void*, const hw_input*, double*)>(law.step),
           reinterpret_cast<void (*)(void*, const hw_context*)>(law.configure),
           reinterpret_cast<void (*)(void*)>(law.reset)};
 }
@@ -112,7 +113,9 @@ std::unique_ptr<Slot> slot_of(const Law& law, const Functions& calls) {
                   sizeof(hw_plugin),
                   law.state_bytes,
                   static_cast<std::uint32_t>(slot->parameters.size()),
+                  0,
                   slot->parameters.data(),
+                  nullptr,
                   slot->law.name.c_str(),
                   slot->law.title.c_str(),
                   slot->law.idea.c_str(),

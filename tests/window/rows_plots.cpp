@@ -206,13 +206,19 @@ draw::LineSet chosen(Person& person, PlotId id) {
   return person.state().plots.persisted.lines[static_cast<std::size_t>(id)];
 }
 
+// Those of every algorithm too.
+const draw::PlotTable& all_lines() {
+  static const draw::PlotTable table({}, signal_names());
+  return table;
+}
+
 void open_signals(Person& person, PlotId id) {
   person.click(std::string("signals ") + draw::plot_description(id).title);
 }
 
 void choose_every_signal(Person& person, PlotId id) {
   open_signals(person, id);
-  for (const draw::PlotLine& line : draw::plot_description(id).lines) {
+  for (const draw::PlotLine& line : all_lines()[id].lines) {
     flip_item(person, std::string("signal ") + line.name,
               [id](Person& p) { return static_cast<double>(chosen(p, id)); });
   }
@@ -220,7 +226,7 @@ void choose_every_signal(Person& person, PlotId id) {
 
 void show_all_signals(Person& person, PlotId id) {
   open_signals(person, id);
-  for (const draw::PlotLine& line : draw::plot_description(id).lines) {
+  for (const draw::PlotLine& line : all_lines()[id].lines) {
     if ((chosen(person, id) & draw::line_bit(line.quantity)) == 0)
       person.click(std::string("signal ") + line.name);
   }
@@ -229,7 +235,7 @@ void show_all_signals(Person& person, PlotId id) {
 
 void hide_every_line(Person& person, PlotId id) {
   show_all_signals(person, id);
-  for (const draw::PlotLine& line : draw::plot_description(id).lines) {
+  for (const draw::PlotLine& line : all_lines()[id].lines) {
     flip_item(person, std::string("legend ") + line.name, [&line](Person& p) {
       return static_cast<double>(p.state().persisted.hidden_lines & draw::line_bit(line.quantity));
     });

@@ -16,7 +16,7 @@ constexpr float kSignalEms = 9.0F;
 void draw_signal_choice(const PlotSurface& surface, const PlotTable& table,
                         SpectrumSettings& settings, const char* chosen) {
   ImGui::SetNextItemWidth(ems(kSignalEms));
-  if (!ImGui::BeginCombo("##spectrum signal", chosen)) return;
+  if (!ImGui::BeginCombo("##spectrum signal", chosen, ImGuiComboFlags_HeightLargest)) return;
   for (const PlotId id : kAllPlots) {
     for (const PlotLine& line : table[id].lines) {
       if (line.is_truth() && !surface.simulated) continue;
