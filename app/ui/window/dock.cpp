@@ -89,7 +89,7 @@ bool draw_page(const PageParts& parts, const Page& page, bool closable) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const bool covered = (page.flags & ImGuiWindowFlags_NoBackground) != 0;
   bool open = true;
-  flatten_docked(name);
+  prepare_docked(name);
   ImGui::SetNextWindowSize(ImVec2(ems(kFloatingEms.x), ems(kFloatingEms.y)),
                            ImGuiCond_FirstUseEver);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, style.ChildBorderSize);

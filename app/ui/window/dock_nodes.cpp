@@ -253,9 +253,11 @@ void share_arrows(bool shared) {
   }
 }
 
-void flatten_docked(const std::string& page) {
+void prepare_docked(const std::string& page) {
   const ImGuiWindow* window = window_of(page);
-  if (window != nullptr && (window->ChildFlags & ImGuiChildFlags_NavFlattened) != 0) flatten_next();
+  if (window == nullptr || (window->ChildFlags & ImGuiChildFlags_NavFlattened) == 0) return;
+  flatten_next();
+  ImGui::SetNextWindowBgAlpha(0.0F);  // the ground of the program's window has its colour
 }
 
 }  // namespace hapticwall::ui

@@ -27,7 +27,7 @@ void keep_floating_inside();
 // between two frames: Dear ImGui cannot undock a window that shares them.
 void share_arrows(bool shared);
 // Call it before ImGui::Begin() of this page.
-void flatten_docked(const std::string& page);
+void prepare_docked(const std::string& page);
 // The next child window shares the arrow keys with its parent.
 void flatten_next();
 
