@@ -29,8 +29,6 @@
 #include "app/file/recording/recording_writer.h"
 #include "app/file/scene/scene_file.h"
 #include "app/runtime/session/replay_session.h"
-#include "core/plant/hand_path.h"
-#include "core/plant/plant_model.h"
 #include "core/result.h"
 #include "core/summary.h"
 
@@ -94,33 +92,5 @@ inline constexpr std::uint64_t kMaxOverlaidTicks = 1'000'000;
                                                const std::string& algorithm,
                                                const std::vector<std::string>& settings,
                                                const std::function<bool(double)>& keep_going = {});
-
-// Moves the hand of a plant through recorded positions.
-class RecordedHand {
- public:
-  // `positions_m`: at the ticks from `first_tick` on; at least one.
-  RecordedHand(const Scene& scene, std::uint64_t first_tick, std::vector<double> positions_m);
-
-  // Call one of them at every tick from 0 on, when the plant or its path is at that tick.
-  void lead(PlantModel& plant);
-  // True if the path follows recorded positions during this tick, and no script.
-  bool lead(HandPath& path);
-  [[nodiscard]] bool has_led() const { return has_led_; }
-
- private:
-  [[nodiscard]] std::optional<double> position_m(std::uint64_t tick) const;
-  [[nodiscard]] double reached_m(double from_m, double target_m) const;
-  [[nodiscard]] double target_m(double from_m, double to_m) const;
-  [[nodiscard]] std::optional<double> next_target_m(double from_m);
-
-  HandPath script_;  // one tick ahead of the plant
-  double reach_m_;   // of a pointer, in a tick
-  std::uint64_t first_tick_;
-  std::vector<double> positions_m_;
-  std::optional<double> start_m_;  // set when the motion to the first position is not the script
-  std::uint64_t tick_ = 0;
-  bool leads_ = false;
-  bool has_led_ = false;
-};
 
 }  // namespace hapticwall::runtime
