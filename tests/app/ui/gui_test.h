@@ -106,7 +106,8 @@ class GuiTest : public FolderTest {
   file::Picture screen() {
     frames(1);
     target_->bind();
-    glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+    const ImVec4 ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+    glClearColor(ground.x, ground.y, ground.z, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     target_->resolve();
