@@ -241,11 +241,9 @@ void ServoLoop::tick() {
   tick.count = static_cast<std::uint8_t>(axes_.size());
   for (std::size_t i = 0; i < axes_.size(); ++i) tick.axes[i] = tick_axis(axes_[i]);
   if (arming_.after_tick(facts(tick))) {
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      axes_[i].device.enable(false);
-      axes_[i].device.write(0.0);
-      axes_[i].servo.state().previous_force_n = 0.0;
-      tick.axes[i].force_n = 0.0;  // in the place of what the tick had commanded
+    for (LoopAxis& axis : axes_) {
+      axis.device.enable(false);
+      axis.device.write(0.0);
     }
   }
   at_start_ = false;
