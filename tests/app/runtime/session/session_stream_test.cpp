@@ -2,9 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "tests/app/file/stream_support.h"
@@ -31,6 +33,10 @@ class SessionStream : public testing::Test {
     SessionOptions options;
     options.start_paused = true;
     options.clock = &clock_;
+    // The loop's priority is above the recorder's: without a rest it may keep every core.
+    clock_.after_sleep = [cycles = 0](test::FakeClock&) mutable {
+      if (++cycles % 32 == 0) std::this_thread::sleep_for(std::chrono::microseconds(20));
+    };
     options.stream = opened_stream(reader_.path());
     session_ = test::started(contact_scene(), options);
   }
