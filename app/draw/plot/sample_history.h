@@ -95,8 +95,8 @@ class DerivedSamples {
   std::uint64_t mean_ticks_;
 };
 
-// The window keeps an hour at 1 kHz. At most about 270 bytes a sample, less while quantities do not
-// change.
+// The window keeps an hour at 1 kHz. About 11 bytes a sample for each quantity; quantities that
+// do not change take none.
 inline constexpr std::size_t kHistoryCapacity = 3'600'000;
 
 // Samples [first, last) by age: 0 is the oldest that is still kept.

@@ -20,8 +20,8 @@ class PluginWatch {
  public:
   static constexpr double kIntervalS = 0.25;
 
-  // Looks at the files once in kIntervalS. A file is loaded when two looks in a row find it the
-  // same, because a linker may still be writing it; a problem is told once. `now_s`: of any clock.
+  // Looks at the files once in kIntervalS. Loads a file that is the same at two looks in a row: a
+  // linker may still be writing it. Tells a problem once. `now_s`: the time on any clock.
   [[nodiscard]] std::vector<PluginNews> look(double now_s);
 
  private:

@@ -220,7 +220,15 @@ Failure AnswersFile::check(const Answer& answer) const {
   return std::nullopt;
 }
 
-Failure AnswersFile::append(const Answer& answer) { return write_durably(answer_line(answer)); }
+Failure AnswersFile::append(Answer answer) {
+  answer.participant = identity_.participant;
+  answer.session = identity_.session;
+  answer.seed = identity_.seed;
+  answer.program = identity_.program;
+  answer.scene_sha256 = identity_.scene_sha256;
+  answer.list_sha256 = identity_.list_sha256;
+  return write_durably(answer_line(answer));
+}
 
 Failure AnswersFile::write_durably(std::string_view text) {
   const ssize_t written = ::write(descriptor_, text.data(), text.size());

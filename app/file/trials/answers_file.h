@@ -59,9 +59,9 @@ class AnswersFile {
   AnswersFile& operator=(const AnswersFile&) = delete;
   ~AnswersFile();
 
-  // One line, then fsync. After a failure (exit status 4) the file is as before, where the disk
-  // allows it.
-  [[nodiscard]] Failure append(const Answer& answer);
+  // One line with the fields that all answers share, then fsync. After a failure (exit status 4)
+  // the file is as before, where the disk allows it.
+  [[nodiscard]] Failure append(Answer answer);
 
   // Those that open() found.
   [[nodiscard]] std::span<const Answer> found() const { return found_; }

@@ -81,7 +81,7 @@ class SlotLoader {
   bool on_device_;
 };
 
-// The seed of the order is the participant's own, and the same after a restart.
+// Each participant has an order of their own, the same after a restart.
 file::Answer identity_of(const ExperimentChoice& choice, const file::TrialList& list,
                          const Scene& base) {
   constexpr int kHexadecimal = 16;

@@ -20,7 +20,7 @@ struct RumbleShares {
   double weak = 0.0;
 };
 
-// Realtime-safe: yes, but for the constructor.
+// Realtime-safe: yes, except the constructor.
 class RumbleStream {
  public:
   RumbleStream(double loop_hz, bool knows_truth);

@@ -62,12 +62,6 @@ Failure write_both(const BlindTest& test, const std::string& base) {
 Failure keep_answer(BlindTest& test, file::Answer answer) {
   answer.time_utc = file::utc_now();
   if (test.experiment) {
-    const file::Answer& identity = test.experiment->answers.identity();
-    answer.participant = identity.participant;
-    answer.session = identity.session;
-    answer.program = identity.program;
-    answer.scene_sha256 = identity.scene_sha256;
-    answer.list_sha256 = identity.list_sha256;
     if (Failure failure = test.experiment->answers.append(answer)) return failure;
   }
   test.answers.push_back(std::move(answer));

@@ -37,7 +37,7 @@ void note_ticks(UiState& state, const Scene& scene, std::span<const Tick> ticks)
 // Once a frame, after all panels: copies the session's algorithm into the active slot.
 void keep_slots(UiState& state, const Scene& scene);
 
-// Asks the session to run a slot. A problem changes nothing, and the user is told.
+// Asks the session to run a slot. After a problem the wall stays, and the user is told.
 void choose_slot(const PanelContext& context, compare::Slot slot);
 void toggle_slot(const PanelContext& context);
 // Copies the session's algorithm into a slot.

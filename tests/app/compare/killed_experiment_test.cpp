@@ -54,12 +54,7 @@ class KilledExperiment : public hapticwall::test::FolderTest {
       trials.go_on();
       static_cast<void>(trials.present(Presentation::kFirst, 0.0));
       static_cast<void>(trials.present(Presentation::kSecond, 1.0));
-      file::Answer answer = *trials.answer(Presentation::kFirst, 2.0);
-      const file::Answer& identity = (*experiment)->answers.identity();
-      answer.participant = identity.participant;
-      answer.session = identity.session;
-      answer.scene_sha256 = identity.scene_sha256;
-      answer.list_sha256 = identity.list_sha256;
+      const file::Answer answer = *trials.answer(Presentation::kFirst, 2.0);
       if ((*experiment)->answers.append(answer)) _exit(2);
       if (write(told, &answer.trial, sizeof answer.trial) < 0) _exit(3);
       trials.take();
