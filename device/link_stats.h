@@ -75,6 +75,9 @@ struct LinkStats {
   bool connected = false;
   bool calibrated = false;
   bool enabled = false;              // reported: the amplifiers follow a command
+  // It tells which commands it received, when, and its force. A wheel of the kernel tells nothing:
+  // its delay_s is a measurement of earlier, from a device file.
+  bool acknowledges = true;
   std::uint64_t states = 0;          // valid ones, without repetitions
   std::uint64_t missing_states = 0;  // gaps in the sequence of the device's ticks
   std::uint64_t void_reports = 0;    // wrong length, id, CRC, major version or value

@@ -43,7 +43,8 @@ enum class ArmingNote : std::uint8_t {
   kNotEnabled,
   kNoForce,
   kRejected,
-  kOtherForce
+  kOtherForce,
+  kGivesWay
 };
 
 // A clause for people, in the order of ArmingNote.
@@ -65,8 +66,9 @@ inline constexpr auto kArmingNoteTexts = std::to_array<std::string_view>({
     "the device says that it gives no force",
     "the device rejects commands",
     "the device says that it gives another force than the commanded one",
+    "the handle moves against the full force: the device takes no commands, or has another sign",
 });
-static_assert(kArmingNoteTexts.size() == static_cast<std::size_t>(ArmingNote::kOtherForce) + 1);
+static_assert(kArmingNoteTexts.size() == static_cast<std::size_t>(ArmingNote::kGivesWay) + 1);
 
 // Empty for kNone.
 [[nodiscard]] constexpr std::string_view arming_note_text(ArmingNote note) {

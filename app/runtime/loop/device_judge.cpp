@@ -9,13 +9,23 @@
 namespace hapticwall::runtime {
 
 ArmingNote DeviceJudge::judge(const DeviceReading& reading, const device::LinkStats& link,
-                              double elapsed_s) {
-  const ArmingNote answered = answer(link);
+                              double elapsed_s, int full_force) {
+  ArmingNote answered = answer(link);
   if (reading.state != DeviceState::kOk) {  // says so itself
     forget();
     return ArmingNote::kNone;
   }
+  if (!link.acknowledges && gives_way(reading.position_m, full_force)) {
+    answered = ArmingNote::kGivesWay;
+  }
   return is_plausible(reading, elapsed_s) ? answered : ArmingNote::kImplausible;
+}
+
+// A force out of the wall pushes to smaller positions.
+bool DeviceJudge::gives_way(double position_m, int full_force) {
+  if (std::exchange(pushed_, full_force) != full_force || full_force == 0) held_m_ = position_m;
+  held_m_ = full_force > 0 ? std::min(held_m_, position_m) : std::max(held_m_, position_m);
+  return full_force != 0 && (position_m - held_m_) * full_force > kMaxGivenWayM;
 }
 
 // By the device's clock, else by the host's. No report is trusted to be older than a position may
@@ -37,8 +47,12 @@ bool DeviceJudge::is_plausible(const DeviceReading& reading, double elapsed_s) {
 
 ArmingNote DeviceJudge::answer(const device::LinkStats& link) {
   const std::uint64_t before = std::exchange(rejected_, link.rejected_commands);
-  waits_for_answer_ = link.connected && link.force_word == device::ForceWord::kNone;
+  waits_for_answer_ =
+      link.connected && link.acknowledges && link.force_word == device::ForceWord::kNone;
   if (!link.connected) return ArmingNote::kNone;
+  if (!link.acknowledges) {
+    return link.delay_s > kMaxCommandAgeS ? ArmingNote::kSlowAnswer : ArmingNote::kNone;
+  }
   if (link.rejected_commands > before) return ArmingNote::kRejected;
   if (link.command_age_s > kMaxCommandAgeS) {
     // A slow device still acknowledges one command after the other.

@@ -14,6 +14,9 @@ namespace hapticwall::runtime {
 inline constexpr double kMaxCommandAgeS = 0.02;
 // A force that is not the commanded one may be told in so many states.
 inline constexpr std::uint32_t kMaxOtherWords = 3;
+// A handle may be pushed so far against the full force of a device that acknowledges nothing: its
+// position alone can show that it does not push, or pushes the other way.
+inline constexpr double kMaxGivenWayM = 0.03;
 
 class DeviceJudge {
  public:
@@ -22,8 +25,9 @@ class DeviceJudge {
 
   // What is wrong at this tick; kNone without objection. `elapsed_s`: since the previous call, by
   // the host's clock, for a device without a clock.
+  // `full_force`: the last command was the force limit, 1 out of the wall, -1 into it; else 0.
   [[nodiscard]] ArmingNote judge(const DeviceReading& reading, const device::LinkStats& link,
-                                 double elapsed_s);
+                                 double elapsed_s, int full_force = 0);
   // Motion until the next reading is unobserved.
   void forget() { known_ = false; }
   // No command of this link was acknowledged yet: its delay is unknown.
@@ -32,6 +36,7 @@ class DeviceJudge {
  private:
   [[nodiscard]] bool is_plausible(const DeviceReading& reading, double elapsed_s);
   [[nodiscard]] ArmingNote answer(const device::LinkStats& link);
+  [[nodiscard]] bool gives_way(double position_m, int full_force);
 
   device::MotionLimits motion_;
   double encoder_m_;
@@ -41,6 +46,8 @@ class DeviceJudge {
   double since_s_ = 0.0;  // since the last report, by the host's clock
   std::uint64_t rejected_ = 0;
   bool waits_for_answer_ = false;
+  int pushed_ = 0;       // the last full_force
+  double held_m_ = 0.0;  // the farthest that the present full force has pushed
 };
 
 }  // namespace hapticwall::runtime

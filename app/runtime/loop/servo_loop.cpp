@@ -18,6 +18,9 @@ std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
   return a > kMax - b ? kMax : a + b;
 }
 
+// A force that a filter holds just below the limit is at the limit, too.
+constexpr double kFullForceMargin = 1.01;
+
 // Gives the servo step a reading that was taken before.
 struct ReadDevice {
   device::Device& device;
@@ -50,9 +53,15 @@ Sample LoopAxis::at_rest() {
   return sample;
 }
 
+int LoopAxis::full_force() const {
+  const double share =
+      servo.state().previous_force_n / servo.settings().force_limit_n * kFullForceMargin;
+  return share >= 1.0 ? 1 : share <= -1.0 ? -1 : 0;
+}
+
 Sample LoopAxis::judged_tick(double elapsed_s) {
   ReadDevice read{device, device.read()};
-  judged = judge->judge(read.reading, device.link(), elapsed_s);
+  judged = judge->judge(read.reading, device.link(), elapsed_s, full_force());
   if (judged == ArmingNote::kImplausible) read.reading.state = DeviceState::kFault;
   if (judged != ArmingNote::kNone) {
     servo.state().force_gain = 0.0;

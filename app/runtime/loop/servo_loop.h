@@ -29,6 +29,8 @@ struct LoopAxis {
   void reset();
   // The sample before tick 0: the device's rest position, no force, no energies.
   [[nodiscard]] Sample at_rest();
+  // Whether the last force was the limit: 1 out of the wall, -1 into it; else 0.
+  [[nodiscard]] int full_force() const;
   // Judges the device and ticks. What is forbidden gives no force in the same tick.
   [[nodiscard]] Sample judged_tick(double elapsed_s);
 };

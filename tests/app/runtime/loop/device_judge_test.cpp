@@ -94,6 +94,63 @@ TEST_F(Judged, UnknownIsUnknown) {
   EXPECT_EQ(at(0.0), ArmingNote::kSlowAnswer);
 }
 
+// A wheel of the kernel: the delay is unknown or from a file, and nothing is waited for.
+TEST_F(Judged, WhatAcknowledgesNothingIsNotWaitedFor) {
+  link.connected = true;
+  link.acknowledges = false;
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  EXPECT_FALSE(judge.waits_for_answer());
+  link.delay_s = 0.02;
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  link.delay_s = 0.0201;
+  EXPECT_EQ(at(0.0), ArmingNote::kSlowAnswer);
+}
+
+TEST_F(Judged, AHandleThatGivesWayToTheFullForceShowsThatItDoesNotPush) {
+  for (const int side : {1, -1}) {
+    const auto pushed_to = [&](double along_m, int full_force) {
+      reading.position_m = side * along_m;
+      reading.device_time_s += 0.1;
+      return judge.judge(reading, link, 0.1, side * full_force);
+    };
+    judge.forget();
+    link.acknowledges = true;
+    EXPECT_EQ(pushed_to(0.0, 1), ArmingNote::kNone);
+    EXPECT_EQ(pushed_to(0.035, 1), ArmingNote::kNone) << "it would say so itself";
+    link.acknowledges = false;
+    EXPECT_EQ(pushed_to(0.0, 0), ArmingNote::kNone);
+    EXPECT_EQ(pushed_to(0.03, 0), ArmingNote::kNone) << "no full force yet";
+    EXPECT_EQ(pushed_to(0.01, 1), ArmingNote::kNone);
+    EXPECT_EQ(pushed_to(0.04, 1), ArmingNote::kNone) << "the force pushed it to 10 mm";
+    EXPECT_EQ(pushed_to(0.0, 1), ArmingNote::kNone);
+    EXPECT_EQ(pushed_to(0.0301, 1), ArmingNote::kGivesWay);
+    EXPECT_EQ(pushed_to(0.0301, 0), ArmingNote::kNone);
+  }
+}
+
+// Its position follows the hand, whatever the program commands.
+TEST(JudgedLoop, AWheelThatTakesNoOutputIsDisarmed) {
+  Scene scene;
+  scene.x().walls = {{0.05, 1000.0, 0.0}};
+  scene.x().device.force_limit_n = 5.0;
+  scene.algorithm.index = find_algorithm("none").value();
+  test::LoopBench<test::FakeDevice> bench(scene);
+  bench.device.position_m = 0.049;
+  bench.device.figures.connected = true;
+  bench.device.figures.acknowledges = false;
+  bench.command(CommandKind::kArm);
+  bench.cycles(600);
+  ASSERT_EQ(bench.snapshot().arming.state, ArmingState::kOn);
+  const auto push_to = [&](double to_m) {
+    for (; bench.device.position_m < to_m; bench.device.position_m += 1e-4) bench.cycles(1);
+  };
+  push_to(0.0845);
+  EXPECT_EQ(bench.snapshot().newest.x().force_n, 5.0) << "a strong hand may do that";
+  push_to(0.0855);
+  EXPECT_EQ(bench.snapshot().newest.x().force_n, 0.0);
+  EXPECT_EQ(bench.snapshot().arming.note, ArmingNote::kGivesWay);
+}
+
 // Not even one command with force leaves in the tick of an objection, and the arming asks for an
 // answer first.
 TEST(JudgedLoop, AnObjectionGivesNoForceInTheSameTick) {

@@ -1,0 +1,43 @@
+// Levels through a kernel and hid-pidff, each with the time of its command: tests/wheel_guest runs
+// it in a guest and finds each level in the log of the wheel.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+
+#include "device/evdev/wheel.h"
+#include "device/os_threads.h"
+
+namespace hapticwall::device::evdev::test {
+namespace {
+
+TEST(KernelWheel, LevelsReachItOneByOne) {
+  const char* log = std::getenv("HAPTICWALL_WHEEL_SENT");  // NOLINT(concurrency-mt-unsafe)
+  if (log == nullptr) GTEST_SKIP() << "only in the guest of tests/wheel_guest";
+  WheelOptions options;
+  options.wheel.torque_nm = 0.13;  // 1 N at full level
+  options.wheel.force_limit_n = 1.0;
+  const auto wheel = make_wheel(options);
+  const Failure failed = wheel->open();
+  ASSERT_FALSE(failed) << failed->message;
+  static_cast<void>(wheel->read());
+  wheel->enable(true);
+  std::ofstream sent(log);
+  sent << "time_us,level\n";
+  const WheelScale scale(options.wheel, {-kFullLevel, kFullLevel});
+  std::int64_t next_ns = monotonic_ns();
+  for (int tick = 0; tick < 1000; ++tick) {
+    next_ns += 1'000'000;
+    std::this_thread::sleep_for(std::chrono::nanoseconds(next_ns - monotonic_ns()));
+    static_cast<void>(wheel->read());
+    const double force_n = (tick + 1.5) / 32767.0;
+    sent << monotonic_ns() / 1000 << ',' << scale.level(force_n) << '\n';
+    wheel->write(force_n);
+  }
+  EXPECT_EQ(wheel->link().trouble, Trouble::kNone);
+}
+
+}  // namespace
+}  // namespace hapticwall::device::evdev::test

@@ -1,0 +1,238 @@
+// What a wheel is told, in virtual time.
+#include "device/evdev/wheel_drive.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "device/hid/link_loop.h"
+#include "tests/device/evdev/fake_wheel.h"
+
+namespace hapticwall::device::evdev::test {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+constexpr double kRateHz = 900.0;
+
+// 5 N m at 0.13 m: 38.46 N at full level.
+WheelDescription wheel_of_5_nm() {
+  WheelDescription wheel;
+  wheel.torque_nm = 5.0;
+  return wheel;
+}
+
+TEST(WheelScale, MetresAtTheHand) {
+  const WheelScale scale(wheel_of_5_nm(), {0, 65535});
+  EXPECT_NEAR(scale.travel_m(), 2.0420, 1e-4) << "900 degrees at 0.13 m";
+  EXPECT_NEAR(scale.encoder_m(), 31.16e-6, 1e-8);
+  EXPECT_NEAR(scale.position_m(65535), scale.travel_m() / 2.0, 1e-9);
+  EXPECT_NEAR(scale.position_m(0), -scale.travel_m() / 2.0, 1e-9);
+}
+
+TEST(WheelScale, NewtonsAreLevelsWithinTheLimit) {
+  const WheelScale scale(wheel_of_5_nm(), kFakeAxis);
+  EXPECT_EQ(scale.limit_n(), 5.0);
+  EXPECT_EQ(scale.level(1.0), 851);  // 1 / 38.46 of 32767
+  EXPECT_EQ(scale.level(-1.0), -851);
+  EXPECT_EQ(scale.level(5.0), 4259);
+  EXPECT_EQ(scale.level(1e9), 4259);
+  EXPECT_EQ(scale.level(-1e9), -4259);
+  EXPECT_EQ(scale.level(std::numeric_limits<double>::infinity()), 0);
+  EXPECT_EQ(scale.level(std::nan("")), 0);
+}
+
+TEST(WheelScale, TheSignIsInTheLevel) {
+  WheelDescription wheel = wheel_of_5_nm();
+  wheel.sign = -1.0;
+  EXPECT_EQ(WheelScale(wheel, kFakeAxis).level(1.0), -851);
+}
+
+TEST(WheelScale, AWeakWheelLimitsItself) {
+  WheelDescription wheel = wheel_of_5_nm();
+  wheel.torque_nm = 0.26;
+  const WheelScale scale(wheel, kFakeAxis);
+  EXPECT_DOUBLE_EQ(scale.limit_n(), 2.0);
+  EXPECT_EQ(scale.level(5.0), kFullLevel);
+}
+
+// Loop, writer and wheel, stepped by hand.
+class Driven {
+ public:
+  explicit Driven(double rate_hz = kRateHz) : writer(wheel, scale, exchange, 1, rate_hz, now_ns) {
+    exchange.status = {1, Trouble::kNone};
+    publish();
+    static_cast<void>(loop.read());
+  }
+  void publish() {
+    LinkView view;
+    view.session = 1;
+    view.received_ns = now_ns;
+    view.limit_n[0] = scale.limit_n();
+    exchange.views.publish(view);
+  }
+  // A tick of the loop.
+  void command(double force_n) {
+    publish();
+    static_cast<void>(loop.read());
+    loop.write({force_n, 0.0});
+  }
+  // The writer's thread for so long, with the reports that the bus takes.
+  void pass(std::int64_t length_ns) {
+    const std::int64_t end_ns = now_ns + length_ns;
+    while (now_ns < end_ns) {
+      const auto next = writer.step(clock);
+      now_ns = std::max(now_ns + 1, std::min(end_ns, next.at_ns));
+    }
+  }
+  void tick(double force_n) {
+    command(force_n);
+    pass(kMs);
+  }
+  [[nodiscard]] double motor_n() const { return wheel.motor() / 32767.0 * 5.0 / 0.13; }
+
+  std::int64_t now_ns = 1'000'000'000;
+  HostClock clock = [this] { return now_ns; };
+  FakeWheel wheel{clock};
+  WheelScale scale{wheel_of_5_nm(), kFakeAxis};
+  LinkExchange exchange;
+  LinkLoop loop{exchange, clock};
+  WheelWriter writer;
+};
+
+TEST(WheelWriter, IsSilentFor10MsAfterTheForceWasMade) {
+  Driven driven;
+  driven.loop.enable(true);
+  for (int ms = 0; ms < 10; ++ms) driven.tick(2.0);
+  EXPECT_EQ(driven.wheel.reports, 0U);
+  for (int ms = 0; ms < 5; ++ms) driven.tick(2.0);
+  EXPECT_NEAR(driven.motor_n(), 2.0, 1.2e-3);
+}
+
+TEST(WheelWriter, NoForceUnlessEnabled) {
+  Driven driven;
+  for (int ms = 0; ms < 50; ++ms) driven.tick(2.0);
+  EXPECT_EQ(driven.wheel.reports, 0U);
+}
+
+TEST(WheelWriter, TheForceStandsAsLongAsCommandsCome) {
+  Driven driven;
+  driven.loop.enable(true);
+  for (int ms = 0; ms < 15; ++ms) driven.tick(2.0);
+  const std::uint64_t before = driven.wheel.reports;
+  for (int ms = 0; ms < 500; ++ms) {
+    driven.tick(2.0);
+    ASSERT_NEAR(driven.motor_n(), 2.0, 1.2e-3) << ms;
+  }
+  EXPECT_EQ(driven.wheel.reports - before, 20U) << "played again every 25 ms";
+}
+
+TEST(WheelWriter, DisablingTakesLevelPlayAndGain) {
+  Driven driven;
+  driven.loop.enable(true);
+  for (int ms = 0; ms < 15; ++ms) driven.tick(2.0);
+  driven.loop.enable(false);
+  driven.tick(2.0);
+  driven.pass(kMs);
+  EXPECT_EQ(driven.wheel.motor(), 0);
+  driven.pass(10 * kMs);
+  const std::uint64_t reports = driven.wheel.reports;
+  for (int ms = 0; ms < 100; ++ms) driven.tick(2.0);
+  EXPECT_EQ(driven.wheel.reports, reports) << "three reports, then none";
+}
+
+TEST(WheelWriter, AnOldCommandIsNoForce) {
+  Driven driven;
+  driven.loop.enable(true);
+  for (int ms = 0; ms < 15; ++ms) driven.tick(2.0);
+  driven.pass(19 * kMs);
+  EXPECT_NE(driven.wheel.motor(), 0);
+  driven.pass(10 * kMs);
+  EXPECT_EQ(driven.wheel.motor(), 0);
+}
+
+TEST(WheelWriter, AProcessThatStandsStillLeavesTheEndToTheWheel) {
+  Driven driven;
+  driven.loop.enable(true);
+  for (int ms = 0; ms < 15; ++ms) driven.tick(2.0);
+  driven.now_ns += 99 * kMs;
+  EXPECT_EQ(driven.wheel.motor(), 0);
+}
+
+TEST(WheelWriter, SendsNoMoreThanTheBusTakesAndTheNewestOnly) {
+  for (const double rate_hz : {112.5, 400.0, 900.0}) {
+    Driven driven(rate_hz);
+    driven.loop.enable(true);
+    for (int ms = 0; ms < 1000; ++ms) driven.tick(ms % 2 == 0 ? 1.0 : 2.0);
+    EXPECT_LE(static_cast<double>(driven.wheel.reports), rate_hz + 1.0);
+    EXPECT_GT(static_cast<double>(driven.wheel.reports), 0.8 * rate_hz);
+    driven.tick(3.0);
+    driven.pass(10 * kMs);
+    EXPECT_NEAR(driven.motor_n(), 3.0, 1.2e-3);
+  }
+}
+
+TEST(WheelWriter, StopsWithoutForceAndEndsWhenTheWheelIsGone) {
+  Driven driven;
+  driven.loop.enable(true);
+  for (int ms = 0; ms < 15; ++ms) driven.tick(2.0);
+  driven.writer.stop();
+  driven.pass(10 * kMs);
+  EXPECT_TRUE(driven.writer.over());
+  EXPECT_EQ(driven.wheel.motor(), 0);
+
+  Driven unplugged;
+  unplugged.loop.enable(true);
+  for (int ms = 0; ms < 15; ++ms) unplugged.tick(2.0);
+  unplugged.wheel.gone = true;
+  unplugged.tick(1.0);
+  EXPECT_TRUE(unplugged.writer.over());
+}
+
+// Commands, faults and stalls in any order: never more than the limit, no force before arming, none
+// after the time that taking it away needs.
+TEST(WheelWriter, NoScriptOf2000GivesAForbiddenForce) {
+  constexpr std::int64_t kSlack = 34 * kMs;  // a write of 30 ms, two intervals and a tick
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    std::mt19937 random(seed);
+    const auto draw = [&](int below) {
+      return static_cast<int>(random() % static_cast<unsigned>(below));
+    };
+    Driven driven;
+    bool armed = false;
+    std::int64_t allowed_until_ns = driven.now_ns;
+    for (int tick = 0; tick < 150; ++tick) {
+      const double wishes[] = {0.0, 3.0, -3.0, 50.0, -1e12, std::nan(""), INFINITY};
+      switch (draw(12)) {
+        case 0:
+          armed = !armed;
+          driven.loop.enable(armed);
+          break;
+        case 1:  // the loop stands still
+          driven.pass(draw(60) * kMs);
+          break;
+        case 2:  // a write that takes long
+          driven.wheel.on_report = [&driven, length = draw(30) * kMs] {
+            driven.now_ns += length;
+            driven.wheel.on_report = {};
+          };
+          break;
+        default:
+          break;
+      }
+      driven.command(wishes[draw(7)]);
+      if (armed) allowed_until_ns = driven.now_ns + kLinkLostNs + kSlack;
+      if (!armed) allowed_until_ns = std::min(allowed_until_ns, driven.now_ns + kSlack);
+      for (int part = 0; part < 4; ++part) {
+        driven.pass(kMs / 4);
+        ASSERT_LE(std::abs(driven.motor_n()), 5.0) << seed;
+        if (driven.now_ns > allowed_until_ns) ASSERT_EQ(driven.wheel.motor(), 0) << seed;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hapticwall::device::evdev::test
