@@ -100,8 +100,8 @@ void add_simulator_option(CLI::App& app, SceneOptions& options) {
 
 void add_device_options(CLI::App& app, SceneOptions& options) {
   app.add_option("--device", options.device,
-                 "sim: the simulator; ie2000: a connected device; ie2000:PATH: the device at this "
-                 "path, or of this device file")
+                 "sim: the simulator; ie2000: a connected device; ff: a force-feedback wheel; with "
+                 ":PATH the one at this path, or of this device file")
       ->type_name("NAME");
   app.add_flag("--allow-no-realtime", options.allow_no_realtime,
                "Drive a device also without real-time priority; its force may be late");

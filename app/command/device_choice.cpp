@@ -13,6 +13,7 @@ namespace hapticwall::command {
 namespace {
 
 constexpr std::string_view kHardware = "ie2000";
+constexpr std::string_view kWheel = "ff";
 constexpr std::string_view kFileEnding = ".toml";
 
 bool names_a_device_file(const std::string& path) {
@@ -29,38 +30,76 @@ device::AxisDescription description_of(const file::AxisDescription& axis) {
           axis.max_force_rate_n_per_s};
 }
 
-device::ImpulseEngineOptions described_by(const file::DeviceDescription& description) {
+device::ImpulseEngineOptions engine_of(const std::string& path,
+                                       const std::optional<file::DeviceDescription>& description) {
   device::ImpulseEngineOptions options;
-  options.vendor_id = description.vendor_id;
-  options.product_id = description.product_id;
-  options.serial = description.serial;
-  options.name = description.name;
-  options.axes[0] = description_of(description.x);
-  if (description.y) options.axes[1] = description_of(*description.y);
+  options.path = path;
+  if (!description) return options;
+  options.path.clear();
+  options.vendor_id = description->vendor_id;
+  options.product_id = description->product_id;
+  options.serial = description->serial;
+  options.name = description->name;
+  options.axes[0] = description_of(description->x);
+  if (description->y) options.axes[1] = description_of(*description->y);
   return options;
+}
+
+device::WheelOptions wheel_of(const std::string& path,
+                              const std::optional<file::DeviceDescription>& description) {
+  device::WheelOptions options;
+  options.path = path;
+  if (!description) return options;
+  options.path.clear();
+  options.vendor_id = description->vendor_id;
+  options.product_id = description->product_id;
+  options.serial = description->serial;
+  options.name = description->name;
+  const file::FfDescription& ff = *description->ff;
+  options.wheel = {ff.radius_m,
+                   ff.travel_deg,
+                   ff.torque_nm,
+                   ff.sign,
+                   ff.rate_hz,
+                   ff.delay_s,
+                   description->x.force_limit_n,
+                   description->x.max_speed_m_per_s,
+                   description->x.max_force_rate_n_per_s};
+  return options;
+}
+
+Failure check_kind(const std::string& text, const std::string& kind,
+                   const file::DeviceDescription& description) {
+  if (description.ff.has_value() == (kind == kWheel)) return std::nullopt;
+  return device_error(
+      fmt::format("--device {}: '{}' describes a device of the other kind: with "
+                  "[ff] it is ff:NAME, without ie2000:NAME",
+                  file::in_quotes(text), description.name));
 }
 
 }  // namespace
 
 Result<DeviceChoice> parse_device_choice(const std::string& text) {
   if (text == kSimulator) return DeviceChoice{};
-  if (text == kHardware) return DeviceChoice{device::ImpulseEngineOptions{}};
-  const std::string prefix = std::string(kHardware) + ":";
-  if (!text.starts_with(prefix) || text.size() == prefix.size()) {
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  const bool is_whole = colon == std::string::npos || colon + 1 < text.size();
+  if (!is_whole || (kind != kHardware && kind != kWheel)) {
     return device_error(
-        fmt::format("--device {}: it takes sim, ie2000 or ie2000:PATH; 'hapticwall "
+        fmt::format("--device {}: it takes sim, ie2000, ie2000:PATH, ff or ff:PATH; 'hapticwall "
                     "devices' lists the connected devices",
                     file::in_quotes(text)));
   }
-  const std::string path = text.substr(prefix.size());
-  device::ImpulseEngineOptions options;
-  options.path = path;
+  const std::string path = colon == std::string::npos ? "" : text.substr(colon + 1);
+  std::optional<file::DeviceDescription> description;
   if (names_a_device_file(path)) {
-    const Result<file::DeviceDescription> description = file::load_device(path);
-    if (!description) return description.error();
-    options = described_by(*description);
+    const Result<file::DeviceDescription> loaded = file::load_device(path);
+    if (!loaded) return loaded.error();
+    description = *loaded;
+    if (Failure failed = check_kind(text, kind, *loaded)) return *failed;
   }
-  return DeviceChoice{options};
+  if (kind == kWheel) return DeviceChoice{wheel_of(path, description)};
+  return DeviceChoice{engine_of(path, description)};
 }
 
 Failure check_simulator(const std::string& command, const std::string& device) {
@@ -73,9 +112,13 @@ Failure check_simulator(const std::string& command, const std::string& device) {
                   file::in_quotes(device), command));
 }
 
-std::unique_ptr<device::Device> make_device(const device::ImpulseEngineOptions& hardware,
-                                            const Scene& scene) {
-  device::ImpulseEngineOptions options = hardware;
+std::unique_ptr<device::Device> make_device(const HardwareOptions& hardware, const Scene& scene) {
+  if (const auto* wheel = std::get_if<device::WheelOptions>(&hardware)) {
+    device::WheelOptions options = *wheel;
+    options.prepare_thread = runtime::set_up_device_thread;
+    return device::make_wheel(options);
+  }
+  auto options = std::get<device::ImpulseEngineOptions>(hardware);
   options.start_m.fill(scene.x().device.start_m);
   options.prepare_thread = runtime::set_up_device_thread;
   return device::make_impulse_engine(options);

@@ -71,13 +71,38 @@ std::string rule_text() {
   return text;
 }
 
+std::string wheel_text(const device::evdev::WheelListing& wheel) {
+  const std::string use =
+      wheel.refusal.empty()
+          ? fmt::format(
+                "usable: at most {:.0f} updates a second{}; its torque, travel and delay are "
+                "unknown: a device file states them",
+                wheel.max_rate_hz, wheel.rate_is_known ? "" : " (a guess)")
+          : "not usable: " + wheel.refusal;
+  return fmt::format("ff:{}  {:04x}:{:04x}  {}\n  {}\n", wheel.node.path(), wheel.vendor_id,
+                     wheel.product_id, file::shown(wheel.name), use);
+}
+
+table::Json wheel_object(const device::evdev::WheelListing& wheel, const std::string& advice) {
+  return {{"device", "ff:" + wheel.node.path()},
+          {"vendor_id", wheel.vendor_id},
+          {"product_id", wheel.product_id},
+          {"product", wheel.name},
+          {"usable", wheel.refusal.empty()},
+          {"problem", wheel.refusal.empty() ? table::Json() : table::Json(wheel.refusal)},
+          {"max_rate_hz", wheel.max_rate_hz},
+          {"kernel_advice", advice.empty() ? table::Json() : table::Json(advice)}};
+}
+
 Result<int> list_devices(const OutputOptions& options) {
   Result<OutputFiles> files = OutputFiles::open(options);
   if (!files) return files.error();
   const auto port = device::hid::open_system_port();
   if (!port) return port.error();
-  const Result<DeviceList> list = look_at_devices(**port);
+  Result<DeviceList> list = look_at_devices(**port);
   if (!list) return list.error();
+  list->wheels = device::evdev::list_wheels();
+  list->kernel_advice = device::evdev::kernel_advice(device::evdev::kernel_release());
   return status_of(files->write({"", device_list_json(*list), device_list_text(*list)}));
 }
 
@@ -107,7 +132,9 @@ std::string device_list_text(const DeviceList& list) {
                                 : "not usable: " + file::shown(device.problem, 400)) +
             "\n";
   }
-  if (list.haptic.empty()) text += "no haptic device is connected\n";
+  for (const auto& wheel : list.wheels) text += wheel_text(wheel);
+  if (!list.wheels.empty() && !list.kernel_advice.empty()) text += list.kernel_advice + "\n";
+  if (list.haptic.empty() && list.wheels.empty()) text += "no haptic device is connected\n";
   if (list.others > 0) {
     text += fmt::format("{} other HID device{} ignored (transport: {})\n", list.others,
                         list.others == 1 ? "" : "s", device::hid::transport_name());
@@ -138,6 +165,7 @@ std::string device_list_json(const DeviceList& list) {
     object["axes"] = axes;
     array.push_back(object);
   }
+  for (const auto& wheel : list.wheels) array.push_back(wheel_object(wheel, list.kernel_advice));
   return table::json_text(array);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "device/evdev/wheel_node.h"
 #include "device/hid/description.h"
 #include "device/hid/port.h"
 
@@ -21,6 +22,8 @@ struct ListedDevice {
 struct DeviceList {
   std::vector<ListedDevice> haptic;  // that speak the protocol, or may
   std::size_t others = 0;            // HID devices of other kinds
+  std::vector<device::evdev::WheelListing> wheels{};
+  std::string kernel_advice{};  // about wheels; empty: none
 };
 
 // Opens each possible haptic device, reads its description and closes it. Leaves the amplifiers

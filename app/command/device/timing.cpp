@@ -102,7 +102,7 @@ Command add_timing(CLI::App& program) {
       ->check(is_number());
   add_spin_option(*app, options->spin_us);
   app->add_option("--device", options->device,
-                  "Measure a device, too: ie2000, or ie2000:PATH; its force stays off")
+                  "Measure a device, too: ie2000, ff, or one with :PATH; its force stays off")
       ->type_name("NAME");
   app->add_option("--json", options->output.json,
                   "Write the measurements as JSON; - is standard output")

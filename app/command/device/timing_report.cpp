@@ -49,6 +49,12 @@ double stiffness_left(const TimingPlan& plan, double delay_s) {
 void judge_delay(const TimingPlan& plan, const device::LinkStats& link,
                  TimingJudgement& judgement) {
   const std::string advice = "give the device a USB port of its own";
+  if (link.delay_s <= 0.0 && !link.acknowledges) {
+    judge(Measure{1.0, 0.0, 1.0, "the delay is unknown: a wheel acknowledges nothing",
+                  "state a measured one in its device file (docs/wheels.md)"},
+          judgement);
+    return;
+  }
   if (link.delay_s <= 0.0) {
     judge(Measure{1.0, 0.0, 0.0,
                   "the delay is unknown: the device acknowledged no command; the force cannot be "
@@ -133,7 +139,18 @@ std::string histogram(const std::vector<std::int64_t>& values_ns) {
   return text;
 }
 
+std::string wheel_text(const device::LinkStats& link) {
+  const std::string delay = link.delay_s > 0.0 ? fmt::format("{:.0f} us, by its device file",
+                                                             link.delay_s * kMicrosecondsPerSecond)
+                                               : "unknown";
+  return fmt::format(
+      "\n{} changes of position; a wheel acknowledges nothing: reports that are missing, and "
+      "commands, are unknown; link lost {} times\nfrom a position to its force, t_d: {}\n",
+      link.states, link.losses, delay);
+}
+
 std::string link_text(const device::LinkStats& link) {
+  if (!link.acknowledges) return wheel_text(link);
   std::string text = fmt::format(
       "\n{} states, {} missing, {} void, {} repeated; {} commands rejected; link lost {} times\n",
       link.states, link.missing_states, link.void_reports, link.repeated_states,
@@ -166,14 +183,17 @@ table::Json quantiles_object(const std::vector<std::int64_t>& values_ns) {
 
 table::Json device_object(const TimingRecord& record, const std::string& device_name) {
   const device::LinkStats& link = record.link;
+  const auto told = [&](auto value) {
+    return link.acknowledges ? table::Json(value) : table::Json();
+  };
   return {{"name", device_name},
           {"states", link.states},
-          {"missing_states", link.missing_states},
-          {"void_reports", link.void_reports},
-          {"repeated_states", link.repeated_states},
-          {"rejected_commands", link.rejected_commands},
+          {"missing_states", told(link.missing_states)},
+          {"void_reports", told(link.void_reports)},
+          {"repeated_states", told(link.repeated_states)},
+          {"rejected_commands", told(link.rejected_commands)},
           {"losses", link.losses},
-          {"device_period_s", link.device_period_s},
+          {"device_period_s", told(link.device_period_s)},
           {"delay_s", link.delay_s > 0.0 ? table::Json(link.delay_s) : table::Json()},
           {"age", quantiles_object(record.age_ns)},
           {"round_trip", quantiles_object(record.round_trip_ns)},

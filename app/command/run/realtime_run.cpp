@@ -31,6 +31,11 @@ std::string link_text(const runtime::LiveSession& session, const device::LinkSta
   const std::string delay = link.delay_s > 0.0
                                 ? fmt::format("{:.0f} us", link.delay_s * kMicrosecondsPerSecond)
                                 : "unknown";
+  if (!link.acknowledges) {
+    return fmt::format("; {}: {} changes of position, at most {:.0f} us old, delay {}",
+                       session.device_info().name, link.states,
+                       link.maximum_age_s * kMicrosecondsPerSecond, delay);
+  }
   return fmt::format("; {}: {} states, {} missing, {} void, at most {:.0f} us old, delay {}",
                      session.device_info().name, link.states, link.missing_states,
                      link.void_reports, link.maximum_age_s * kMicrosecondsPerSecond, delay);
@@ -152,11 +157,13 @@ void add_session(const runtime::LiveSession& session, const runtime::Snapshot& s
   summary.missed_ticks = snapshot.timing.missed_ticks;
   if (session.device_info().is_simulated) return;
   const device::LinkStats& link = snapshot.link;
-  summary.missing_states = link.missing_states;
-  summary.void_reports = link.void_reports;
-  summary.applied_commands = link.applied_commands;
-  summary.lost_commands = link.lost_commands;
-  summary.rejected_commands = link.rejected_commands;
+  if (link.acknowledges) {
+    summary.missing_states = link.missing_states;
+    summary.void_reports = link.void_reports;
+    summary.applied_commands = link.applied_commands;
+    summary.lost_commands = link.lost_commands;
+    summary.rejected_commands = link.rejected_commands;
+  }
   if (link.delay_s > 0.0) summary.delay_s = link.delay_s;
   if (!armed || !was_disarmed(snapshot.arming)) return;
   summary.disarmed_at_s = snapshot.arming.since_s;

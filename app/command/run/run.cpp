@@ -39,7 +39,7 @@ struct RunOutcome {
 
 Failure check_arming(const RunOptions& options, const DeviceChoice& device) {
   if (!options.arm || device.hardware) return {};
-  return usage_error("--arm: the simulator needs no arming; it is for --device ie2000");
+  return usage_error("--arm: the simulator needs no arming; it is for --device ie2000 or ff");
 }
 
 Failure check_spin(const RunOptions& options, bool in_real_time) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <span>
@@ -43,6 +44,25 @@ constexpr std::array<NumberKey<AxisDescription>, 6> kAxisKeys{
     NumberKey<AxisDescription>{"max_speed_m_per_s", "m/s", kSpeedLimit, false,
                                &AxisDescription::max_speed_m_per_s}};
 
+constexpr std::array<NumberKey<AxisDescription>, 3> kWheelAxisKeys{
+    NumberKey<AxisDescription>{"force_limit_n", "N", kForceLimit, false,
+                               &AxisDescription::force_limit_n},
+    kAxisKeys[4], kAxisKeys[5]};
+
+constexpr ValueRange kRadius{0.01, 1.0};
+constexpr ValueRange kTravel{1.0, 3600.0};
+constexpr ValueRange kTorque{0.01, 100.0};
+constexpr ValueRange kSign{-1.0, 1.0};
+constexpr ValueRange kUpdateRate{10.0, 1e3};
+constexpr ValueRange kDelay{0.0, 1.0};
+constexpr std::array<NumberKey<FfDescription>, 6> kFfKeys{
+    NumberKey<FfDescription>{"radius_m", "m", kRadius, false, &FfDescription::radius_m},
+    NumberKey<FfDescription>{"travel_deg", "degrees", kTravel, false, &FfDescription::travel_deg},
+    NumberKey<FfDescription>{"torque_nm", "N m", kTorque, true, &FfDescription::torque_nm},
+    NumberKey<FfDescription>{"sign", "", kSign, false, &FfDescription::sign},
+    NumberKey<FfDescription>{"rate_hz", "Hz", kUpdateRate, false, &FfDescription::rate_hz},
+    NumberKey<FfDescription>{"delay_s", "s", kDelay, false, &FfDescription::delay_s}};
+
 template <typename Owner>
 void read_numbers(TableReader& reader, const toml::table& table,
                   std::span<const NumberKey<Owner>> keys, Owner& owner) {
@@ -56,12 +76,33 @@ void read_numbers(TableReader& reader, const toml::table& table,
 }
 
 AxisDescription read_axis(const toml::table& table, const std::string& name,
-                          const std::string& origin) {
+                          const std::string& origin,
+                          std::span<const NumberKey<AxisDescription>> keys = kAxisKeys) {
   TableReader reader(table, name + ".", origin);
   AxisDescription axis;
-  read_numbers<AxisDescription>(reader, table, kAxisKeys, axis);
+  axis.force_limit_n = kWheelLimitN;
+  read_numbers<AxisDescription>(reader, table, keys, axis);
   reader.finish();
   return axis;
+}
+
+FfDescription read_ff(const toml::table& table, const std::string& origin) {
+  TableReader reader(table, "ff.", origin);
+  FfDescription ff;
+  read_numbers<FfDescription>(reader, table, kFfKeys, ff);
+  if (std::abs(ff.sign) != 1.0) reader.fail(*table.get("sign"), "sign", "it takes 1 or -1");
+  reader.finish();
+  return ff;
+}
+
+// Of a wheel: [ff], and [x] where a limit is not the default.
+void read_wheel(const toml::table& ff, TableReader& reader, const std::string& origin,
+                DeviceDescription& device) {
+  device.ff = read_ff(ff, origin);
+  device.x.force_limit_n = kWheelLimitN;
+  if (const toml::table* x = reader.table("x")) {
+    device.x = read_axis(*x, "x", origin, kWheelAxisKeys);
+  }
 }
 
 std::uint16_t read_id(TableReader& reader, std::string_view key) {
@@ -96,6 +137,11 @@ DeviceDescription read_description(const toml::table& root, const std::string& o
   const toml::table* usb = reader.table("usb");
   if (usb == nullptr) reader.fail_missing("usb", "a table [usb]");
   read_usb(*usb, origin, device);
+  if (const toml::table* ff = reader.table("ff")) {
+    read_wheel(*ff, reader, origin, device);
+    reader.finish();
+    return device;
+  }
   const toml::table* x = reader.table("x");
   if (x == nullptr) reader.fail_missing("x", "a table [x], the first axis");
   device.x = read_axis(*x, "x", origin);

@@ -23,6 +23,19 @@ struct AxisDescription {
   friend bool operator==(const AxisDescription&, const AxisDescription&) = default;
 };
 
+// A wheel or stick of the kernel (docs/wheels.md).
+struct FfDescription {
+  double radius_m = 0.13;     // of the hand's place, 0.01 to 1
+  double travel_deg = 900.0;  // from stop to stop, 1 to 3600
+  double torque_nm = 0.0;     // the largest one of the wheel, 0.01 to 100
+  double sign = 1.0;          // 1 or -1: positive levels turn it to the right
+  double rate_hz = 0.0;       // of updates at most, 10 to 1000; 0: not given
+  double delay_s = 0.0;       // from a position to its force, 0 to 1; 0: not known
+
+  friend bool operator==(const FfDescription&, const FfDescription&) = default;
+};
+inline constexpr double kWheelLimitN = 5.0;  // of a file that gives none
+
 struct DeviceDescription {
   std::string name;
   std::string source;  // where the numbers come from
@@ -30,8 +43,9 @@ struct DeviceDescription {
   std::uint16_t vendor_id = 0;
   std::uint16_t product_id = 0;
   std::string serial;  // empty: any
-  AxisDescription x;
+  AxisDescription x;   // with `ff`: encoder and workspace follow from the wheel
   std::optional<AxisDescription> y;
+  std::optional<FfDescription> ff;  // not a device of docs/hid-protocol.md
 
   friend bool operator==(const DeviceDescription&, const DeviceDescription&) = default;
 };

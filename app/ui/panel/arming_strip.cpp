@@ -85,6 +85,10 @@ void draw_arming_strip(const PanelContext& context) {
   ImGui::AlignTextToFramePadding();
   draw::strong_text(context.theme, arming_text(context.snapshot), draw::kTitleFontSize);
   explain(context.session.device_trouble());
+  if (!context.snapshot.link.acknowledges) {
+    ImGui::SameLine(0.0F, em);
+    muted_text(context, "never tried on this model: hands off the spokes");
+  }
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y + ImGui::GetStyle().ItemSpacing.y));
   ImGui::Dummy(ImVec2(size.x, 0.0F));
 }

@@ -65,6 +65,15 @@ void draw_rows(const PanelContext& context, std::span<const ParameterText> rows)
   }
 }
 
+// A wheel of the kernel tells when it moved, and nothing else.
+void draw_wheel(const PanelContext& context, const device::LinkStats& link) {
+  figure_row(context, "changes", fmt::format("{}", link.states), draw::Tone::kText,
+             "Positions heard since the start. The kernel tells of changes only: silence is rest.");
+  figure_row(context, "tried", "never on this model", draw::Tone::kWarning,
+             "Nobody has felt this program's force on a wheel. Keep your hands off the spokes, and "
+             "an emergency stop within reach.");
+}
+
 void draw_times(const PanelContext& context, const device::LinkStats& link) {
   figure_row(
       context, "age", microseconds(link.age_s, link.maximum_age_s), draw::Tone::kText,
@@ -86,6 +95,12 @@ void draw_times(const PanelContext& context, const device::LinkStats& link) {
       "the stable stiffness: see the wall.");
 }
 
+void draw_losses(const PanelContext& context, const device::LinkStats& link) {
+  figure_row(context, "link lost", fmt::format("{} times", link.losses),
+             link.losses > 0 ? draw::Tone::kWarning : draw::Tone::kText,
+             "Each loss switched the force off and started a search for the device.");
+}
+
 void draw_counts(const PanelContext& context, const device::LinkStats& link) {
   const bool lossy = link.missing_states + link.void_reports > 0;
   figure_row(
@@ -93,9 +108,7 @@ void draw_counts(const PanelContext& context, const device::LinkStats& link) {
       fmt::format("{}, {} missing, {} void", link.states, link.missing_states, link.void_reports),
       lossy ? draw::Tone::kWarning : draw::Tone::kText,
       "Valid positions since the start; missing ones, by their number; and invalid reports.");
-  figure_row(context, "link lost", fmt::format("{} times", link.losses),
-             link.losses > 0 ? draw::Tone::kWarning : draw::Tone::kText,
-             "Each loss switched the force off and started a search for the device.");
+  draw_losses(context, link);
   const bool moved = !link.calibrated && link.connected;
   figure_row(context, "count 0", moved ? "where it began" : "calibrated",
              moved ? draw::Tone::kWarning : draw::Tone::kText,
@@ -113,7 +126,12 @@ void draw_device_section(const PanelContext& context) {
   }
   section(context, "Device");
   draw_times(context, context.snapshot.link);
-  draw_counts(context, context.snapshot.link);
+  if (context.snapshot.link.acknowledges) {
+    draw_counts(context, context.snapshot.link);
+  } else {
+    draw_wheel(context, context.snapshot.link);
+    draw_losses(context, context.snapshot.link);
+  }
   if (folding_section(context, "Believed of it", title, asked_for(context).device)) {
     draw_rows(context, std::span(kRows).first(kBelievedRows));
   }

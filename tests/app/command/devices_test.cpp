@@ -110,6 +110,35 @@ TEST(DeviceList, JsonHasEveryDeviceWithItsAxes) {
   EXPECT_EQ(json[1]["axes"].size(), 0U);
 }
 
+device::evdev::WheelListing wheel(std::string refusal) {
+  return {device::evdev::NodeListing("event7"),
+          "A wheel",
+          0x1209,
+          0xFFB0,
+          900.0,
+          true,
+          std::move(refusal)};
+}
+
+TEST(DeviceList, AWheelIsListedWithWhatIsKnown) {
+  DeviceList list;
+  list.wheels = {wheel(""), wheel("it queues")};
+  list.kernel_advice = "an old kernel";
+  EXPECT_EQ(device_list_text(list),
+            "sim  the simulator\n  usable\n"
+            "ff:/dev/input/event7  1209:ffb0  A wheel\n"
+            "  usable: at most 900 updates a second; its torque, travel and delay are unknown: a "
+            "device file states them\n"
+            "ff:/dev/input/event7  1209:ffb0  A wheel\n  not usable: it queues\n"
+            "an old kernel\n");
+  const auto json = nlohmann::json::parse(device_list_json(list));
+  ASSERT_EQ(json.size(), 2U);
+  EXPECT_EQ(json[0]["device"], "ff:/dev/input/event7");
+  EXPECT_EQ(json[0]["usable"], true);
+  EXPECT_EQ(json[0]["kernel_advice"], "an old kernel");
+  EXPECT_EQ(json[1]["problem"], "it queues");
+}
+
 // It answers on any machine, and leaves no files.
 TEST_F(ProgramTest, DevicesAnswersOnAnyMachine) {
   const Answer answer = hapticwall({"devices"});

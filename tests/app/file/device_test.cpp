@@ -57,8 +57,33 @@ TEST(DeviceFile, OptionalKeysMayBeAbsent) {
   EXPECT_FALSE(device->y);
 }
 
+constexpr const char* kWheel =
+    "source = \"s\"\n[usb]\nvendor_id = 1\nproduct_id = 2\n[ff]\ntorque_nm = 2.1\n";
+
+TEST(DeviceFile, AWheelHasSafeDefaults) {
+  const Result<DeviceDescription> device = parse_device(kWheel, "w.toml");
+  ASSERT_TRUE(device) << device.error().message;
+  EXPECT_EQ(device->ff, (FfDescription{0.13, 900.0, 2.1, 1.0, 0.0, 0.0}));
+  EXPECT_EQ(device->x.force_limit_n, 5.0);
+}
+
+TEST(DeviceFile, AWheelHasKeysOfItsOwn) {
+  const Result<DeviceDescription> device = parse_device(
+      std::string(kWheel) +
+          "radius_m = 0.1\ntravel_deg = 40\nsign = -1\nrate_hz = 400\ndelay_s = 0.003\n"
+          "[x]\nforce_limit_n = 2\nmax_speed_m_per_s = 3\nmax_force_rate_n_per_s = 100\n",
+      "w.toml");
+  ASSERT_TRUE(device) << device.error().message;
+  EXPECT_EQ(device->ff, (FfDescription{0.1, 40.0, 2.1, -1.0, 400.0, 0.003}));
+  EXPECT_EQ(device->x, (AxisDescription{0.0, 2.0, -1.0, 1.0, 100.0, 3.0}));
+  for (const char* wrong : {"sign = 0.5", "sign = 0", "rate_hz = 5", "torque = 1", "delay_s = -1",
+                            "[x]\nencoder_m = 1e-5", "[y]\nforce_limit_n = 1"}) {
+    EXPECT_FALSE(parse_device(std::string(kWheel) + wrong + "\n", "w.toml")) << wrong;
+  }
+}
+
 TEST(BuiltinDevice, EachCanBeReadAndSaysWhereItsNumbersComeFrom) {
-  ASSERT_EQ(builtin_devices().size(), 3U);
+  ASSERT_EQ(builtin_devices().size(), 4U);
   for (const BuiltinDevice& builtin : builtin_devices()) {
     const Result<DeviceDescription> device = load_device(builtin.name);
     ASSERT_TRUE(device) << device.error().message;
@@ -96,7 +121,8 @@ TEST(LoadDevice, SaysWhatItDoesNotFind) {
   };
   EXPECT_EQ(line("impulse-engine-200"),
             "'impulse-engine-200' is neither a file nor a built-in device; did you mean "
-            "'impulse-engine-2000'?; built in: home-made-paddle, impulse-engine-2000, "
+            "'impulse-engine-2000'?; built in: force-feedback-wheel, home-made-paddle, "
+            "impulse-engine-2000, "
             "impulse-engine-2000-fine");
   EXPECT_THAT(line("./no-such.toml"), HasSubstr("./no-such.toml: cannot be read: "));
   EXPECT_EQ(line("/dev/null"), "/dev/null: not a device description: empty");
