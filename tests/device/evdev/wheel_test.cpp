@@ -29,7 +29,7 @@ class Table {
             [this](const WheelListing&) -> Result<std::shared_ptr<WheelNode>> {
               const std::scoped_lock lock(mutex_);
               wheel = std::make_shared<FakeWheel>(monotonic_ns);
-              wheel->value = value;
+              wheel->value = value.load();
               return std::shared_ptr<WheelNode>(wheel);
             }};
   }
