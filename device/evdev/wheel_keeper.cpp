@@ -147,6 +147,7 @@ void WheelKeeper::publish(const Open& wheel, const evdev::WheelNews& news) {
   view_.session = session_;
   view_.received_ns = news.events > 0 ? std::clamp(news.latch_ns, looked_ns_, now_ns) : now_ns;
   looked_ns_ = now_ns;
+  view_.position_m[0] = wheel.scale.position_m(news.value);
   view_.limit_n[0] = wheel.scale.limit_n();
   view_.stats.acknowledges = false;
   view_.stats.calibrated = true;
