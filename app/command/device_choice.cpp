@@ -68,8 +68,14 @@ device::WheelOptions wheel_of(const std::string& path,
   return options;
 }
 
-Failure check_kind(const std::string& text, const std::string& kind,
-                   const file::DeviceDescription& description) {
+Failure check_description(const std::string& text, const std::string& kind,
+                          const file::DeviceDescription& description) {
+  if (description.vendor_id == 0) {
+    return device_error(fmt::format(
+        "--device {}: the file has no table [usb], so it names no device to open; a scene can "
+        "name it (device = ...)",
+        file::in_quotes(text)));
+  }
   if (description.ff.has_value() == (kind == kWheel)) return std::nullopt;
   return device_error(
       fmt::format("--device {}: '{}' describes a device of the other kind: with "
@@ -93,13 +99,13 @@ Result<DeviceChoice> parse_device_choice(const std::string& text) {
   const std::string path = colon == std::string::npos ? "" : text.substr(colon + 1);
   std::optional<file::DeviceDescription> description;
   if (names_a_device_file(path)) {
-    const Result<file::DeviceDescription> loaded = file::load_device(path);
+    Result<file::DeviceDescription> loaded = file::load_device(path);
     if (!loaded) return loaded.error();
-    description = *loaded;
-    if (Failure failed = check_kind(text, kind, *loaded)) return *failed;
+    description = std::move(*loaded);
+    if (Failure failed = check_description(text, kind, *description)) return *failed;
   }
-  if (kind == kWheel) return DeviceChoice{wheel_of(path, description)};
-  return DeviceChoice{engine_of(path, description)};
+  if (kind == kWheel) return DeviceChoice{wheel_of(path, description), description};
+  return DeviceChoice{engine_of(path, description), description};
 }
 
 Failure check_simulator(const std::string& command, const std::string& device) {

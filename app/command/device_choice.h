@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "app/file/scene/device_file.h"
 #include "core/result.h"
 #include "core/scene.h"
 #include "device/evdev/wheel.h"
@@ -18,7 +19,8 @@ inline constexpr const char* kSimulator = "sim";
 using HardwareOptions = std::variant<device::ImpulseEngineOptions, device::WheelOptions>;
 
 struct DeviceChoice {
-  std::optional<HardwareOptions> hardware;  // nullopt: the simulator
+  std::optional<HardwareOptions> hardware{};             // nullopt: the simulator
+  std::optional<file::DeviceDescription> description{};  // of a device file
 };
 
 // "sim", "ie2000", "ff", or one of these two with ":PATH", a path that 'hapticwall devices' lists,

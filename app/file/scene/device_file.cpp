@@ -11,6 +11,7 @@
 
 #include "app/file/disk/small_file.h"
 #include "app/file/scene/table_reader.h"
+#include "app/file/scene/toml_text.h"
 #include "app/file/text/text.h"
 #include "core/scene_keys.h"
 #include "embedded_devices.h"
@@ -33,7 +34,10 @@ constexpr ValueRange kWorkspaceBegin{-10.0, 0.0};
 constexpr ValueRange kWorkspaceEnd{0.0, 10.0};
 constexpr ValueRange kForceRate{0.0, 1e6, true};
 constexpr ValueRange kSpeedLimit{0.0, 100.0, true};
-constexpr std::array<NumberKey<AxisDescription>, 6> kAxisKeys{
+constexpr ValueRange kMass{1e-6, 1e3};
+constexpr ValueRange kDamping{0.0, 1e6};
+constexpr ValueRange kFriction{0.0, 1e6};
+constexpr std::array<NumberKey<AxisDescription>, 9> kAxisKeys{
     NumberKey<AxisDescription>{"encoder_m", "m", kEncoder, true, &AxisDescription::encoder_m},
     NumberKey<AxisDescription>{"force_limit_n", "N", kForceLimit, true,
                                &AxisDescription::force_limit_n},
@@ -42,12 +46,16 @@ constexpr std::array<NumberKey<AxisDescription>, 6> kAxisKeys{
     NumberKey<AxisDescription>{"max_force_rate_n_per_s", "N/s", kForceRate, false,
                                &AxisDescription::max_force_rate_n_per_s},
     NumberKey<AxisDescription>{"max_speed_m_per_s", "m/s", kSpeedLimit, false,
-                               &AxisDescription::max_speed_m_per_s}};
+                               &AxisDescription::max_speed_m_per_s},
+    NumberKey<AxisDescription>{"mass_kg", "kg", kMass, false, &AxisDescription::mass_kg},
+    NumberKey<AxisDescription>{"damping_n_s_per_m", "N·s/m", kDamping, false,
+                               &AxisDescription::damping_n_s_per_m},
+    NumberKey<AxisDescription>{"friction_n", "N", kFriction, false, &AxisDescription::friction_n}};
 
-constexpr std::array<NumberKey<AxisDescription>, 3> kWheelAxisKeys{
+constexpr std::array<NumberKey<AxisDescription>, 6> kWheelAxisKeys{
     NumberKey<AxisDescription>{"force_limit_n", "N", kForceLimit, false,
                                &AxisDescription::force_limit_n},
-    kAxisKeys[4], kAxisKeys[5]};
+    kAxisKeys[4], kAxisKeys[5], kAxisKeys[6], kAxisKeys[7], kAxisKeys[8]};
 
 constexpr ValueRange kRadius{0.01, 1.0};
 constexpr ValueRange kTravel{1.0, 3600.0};
@@ -69,9 +77,8 @@ void read_numbers(TableReader& reader, const toml::table& table,
   reader.numbers(owner, keys);
   for (const NumberKey<Owner>& key : keys) {
     const toml::node* node = table.get(key.key);
-    const double value = *key.get(owner);
-    if (node == nullptr || key.range.contains(value)) continue;
-    reader.fail(*node, key.key, out_of_range_text(value, key.range, key.unit));
+    if (node == nullptr || key.range.contains(*key.get(owner))) continue;
+    reader.fail(*node, key.key, out_of_range_text(*key.get(owner), key.range, key.unit));
   }
 }
 
@@ -133,10 +140,9 @@ DeviceDescription read_description(const toml::table& root, const std::string& o
   if (device.source.empty()) {
     reader.fail_missing("source", "a line that says where the numbers come from");
   }
+  device.identified = reader.line("identified", kMaxSourceBytes);
   read_numbers<DeviceDescription>(reader, root, kDeviceKeys, device);
-  const toml::table* usb = reader.table("usb");
-  if (usb == nullptr) reader.fail_missing("usb", "a table [usb]");
-  read_usb(*usb, origin, device);
+  if (const toml::table* usb = reader.table("usb")) read_usb(*usb, origin, device);
   if (const toml::table* ff = reader.table("ff")) {
     read_wheel(*ff, reader, origin, device);
     reader.finish();
@@ -150,7 +156,40 @@ DeviceDescription read_description(const toml::table& root, const std::string& o
   return device;
 }
 
+template <typename Owner>
+void write_numbers(TomlText& out, std::string_view table, const Owner& owner,
+                   std::span<const NumberKey<Owner>> keys) {
+  out.table(table);
+  for (const NumberKey<Owner>& key : keys) {
+    if (const std::optional<double> value = key.get(owner); value && key.range.contains(*value)) {
+      out.number(key.key, *value);
+    }
+  }
+}
+
 }  // namespace
+
+std::string device_to_toml(const DeviceDescription& device) {
+  TomlText out;
+  out.string("name", device.name);
+  out.string("source", device.source);
+  if (!device.identified.empty()) out.string("identified", device.identified);
+  out.number("rate_hz", device.rate_hz);
+  if (device.vendor_id != 0) {
+    out.table("usb");
+    out.integer("vendor_id", device.vendor_id);
+    out.integer("product_id", device.product_id);
+    if (!device.serial.empty()) out.string("serial", device.serial);
+  }
+  if (device.ff) {
+    write_numbers<FfDescription>(out, "ff", *device.ff, kFfKeys);
+    write_numbers<AxisDescription>(out, "x", device.x, kWheelAxisKeys);
+    return out.text();
+  }
+  write_numbers<AxisDescription>(out, "x", device.x, kAxisKeys);
+  if (device.y) write_numbers<AxisDescription>(out, "y", *device.y, kAxisKeys);
+  return out.text();
+}
 
 Result<DeviceDescription> parse_device(std::string_view toml_text, const std::string& origin) {
   try {

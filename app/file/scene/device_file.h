@@ -19,6 +19,10 @@ struct AxisDescription {
   double max_m = 1.0;                   // 0 to 10
   double max_force_rate_n_per_s = 0.0;  // more than 0, at most 1e6; 0: not given
   double max_speed_m_per_s = 10.0;      // of the handle, more than 0, at most 100
+  // As in a scene, for sessions on the simulator.
+  std::optional<double> mass_kg{};
+  std::optional<double> damping_n_s_per_m{};
+  std::optional<double> friction_n{};
 
   friend bool operator==(const AxisDescription&, const AxisDescription&) = default;
 };
@@ -40,12 +44,13 @@ struct DeviceDescription {
   std::string name;
   std::string source;  // where the numbers come from
   double rate_hz = 1000.0;
-  std::uint16_t vendor_id = 0;
+  std::uint16_t vendor_id = 0;  // 0: the file has no [usb], and cannot open a device
   std::uint16_t product_id = 0;
   std::string serial;  // empty: any
   AxisDescription x;   // with `ff`: encoder and workspace follow from the wheel
   std::optional<AxisDescription> y;
   std::optional<FfDescription> ff;  // not a device of docs/hid-protocol.md
+  std::string identified{};  // what `hapticwall identify` found, when and how well; may be empty
 
   friend bool operator==(const DeviceDescription&, const DeviceDescription&) = default;
 };
@@ -56,6 +61,9 @@ struct DeviceDescription {
 
 // `name_or_path`: a built-in description or a file. Realtime-safe: no.
 [[nodiscard]] Result<DeviceDescription> load_device(const std::string& name_or_path);
+
+// The text of a file that parse_device() reads back the same.
+[[nodiscard]] std::string device_to_toml(const DeviceDescription& device);
 
 struct BuiltinDevice {
   std::string name;  // of the file, without ".toml"

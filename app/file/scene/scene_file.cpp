@@ -69,7 +69,13 @@ Result<LoadedScene> parse_scene(std::string_view toml_text, const std::string& o
                                 std::span<const std::string> overrides) {
   try {
     toml::table root = parse_toml(toml_text, origin);
-    for (const std::string& text : overrides) apply_override(root, text);
+    resolve_device(root, {}, origin);
+    for (const std::string& text : overrides) {
+      const toml::table* device = root["device"].as_table();
+      const toml::table before = device != nullptr ? *device : toml::table();
+      apply_override(root, text);
+      resolve_device(root, before, origin);
+    }
     LoadedScene loaded = read_scene(root, origin);
     loaded.edited = is_broken_seal(toml_text);
     return loaded;

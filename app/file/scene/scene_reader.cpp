@@ -12,7 +12,7 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kMaxSceneNameBytes = 100;
-constexpr std::size_t kMaxSceneDescriptionBytes = 1000;
+constexpr std::size_t kMaxSceneDescriptionBytes = 3000;  // with what a device file says
 
 void read_axes(TableReader& reader, const std::string& origin, Scene& scene) {
   const toml::table* devices = reader.table("device");

@@ -1,0 +1,117 @@
+// A scene that names a device file.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "app/file/scene/device_file.h"
+#include "app/file/scene/scene_file.h"
+#include "tests/temporary_folder.h"
+
+namespace hapticwall::file {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kPaddle = R"(name = "Paddle"
+source = "a scale"
+identified = "2026-01-02T03:04:05Z, 95 % intervals: m 0.06 to 0.07 kg"
+[x]
+encoder_m = 2e-5
+force_limit_n = 4
+mass_kg = 0.065
+damping_n_s_per_m = 0.7
+friction_n = 0.11
+)";
+
+class SceneDevice : public hapticwall::test::FolderTest {
+ protected:
+  void SetUp() override { put("paddle.toml", kPaddle); }
+
+  [[nodiscard]] Result<LoadedScene> scene(const std::string& text,
+                                          const std::vector<std::string>& overrides = {}) {
+    put("scene.toml", "duration_s = 1\n" + text);
+    return load_scene(path("scene.toml"), overrides);
+  }
+  void expect_refused(const std::string& text, const std::string& message) {
+    const auto loaded = scene(text);
+    ASSERT_FALSE(loaded);
+    EXPECT_THAT(loaded.error().message, HasSubstr(message));
+  }
+};
+
+TEST_F(SceneDevice, TheNameGivesTheNumbers) {
+  for (const char* name : {"paddle", "paddle.toml"}) {
+    const auto loaded = scene(std::string("device = \"") + name + "\"\n");
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const DeviceSettings& device = loaded->scene.x().device;
+    EXPECT_EQ(device.mass_kg, 0.065);
+    EXPECT_EQ(device.damping_n_s_per_m, 0.7);
+    EXPECT_EQ(device.friction_n, 0.11);
+    EXPECT_EQ(device.encoder_m, 2e-5);
+    EXPECT_EQ(device.force_limit_n, 4.0);
+    EXPECT_EQ(loaded->scene.description,
+              "device Paddle: 2026-01-02T03:04:05Z, 95 % intervals: m 0.06 to 0.07 kg");
+  }
+}
+
+TEST_F(SceneDevice, ATableKeepsItsOwnNumbers) {
+  const auto loaded = scene("[device]\nfile = \"paddle\"\nmass_kg = 0.5\nstart_m = 0.01\n");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->scene.x().device.mass_kg, 0.5);
+  EXPECT_EQ(loaded->scene.x().device.damping_n_s_per_m, 0.7);
+  EXPECT_EQ(loaded->scene.x().device.start_m, 0.01);
+}
+
+TEST_F(SceneDevice, SetReplacesTheNumbersAndKeepsTheRest) {
+  const std::string own =
+      "[device]\nmass_kg = 0.5\ndamping_n_s_per_m = 3\nstart_m = 0.02\ndelay_ticks = 2\n";
+  const auto loaded = scene(own, {"device=" + path("paddle.toml"), "device.friction_n=0.3"});
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  const DeviceSettings& device = loaded->scene.x().device;
+  EXPECT_EQ(device.mass_kg, 0.065);
+  EXPECT_EQ(device.start_m, 0.02);
+  EXPECT_EQ(device.delay_ticks, 2);
+  EXPECT_EQ(device.friction_n, 0.3);
+}
+
+TEST_F(SceneDevice, TheNoteSurvivesTheSidecar) {
+  const auto loaded = scene("device = \"paddle\"\n");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  const auto again = parse_scene(scene_to_toml(loaded->scene), "again.toml");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->scene, loaded->scene);
+}
+
+TEST_F(SceneDevice, ADeviceWithoutMassNeedsOneFromTheScene) {
+  const std::string builtin = "device = \"home-made-paddle\"\n";
+  expect_refused(builtin, "device.mass_kg is missing");
+  const auto loaded =
+      scene("[device]\nfile = \"home-made-paddle\"\nmass_kg = 0.1\ndamping_n_s_per_m = 1\n");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->scene.x().device.encoder_m, 1.466e-5);
+  EXPECT_THAT(loaded->scene.description, HasSubstr("calculated from the parts"));
+}
+
+TEST_F(SceneDevice, MistakesNameTheirPlace) {
+  expect_refused("device = \"nothing\"\n", "scene.toml:2: device: ");
+  expect_refused("[device]\nfile = 3\n", "scene.toml:3: device.file: ");
+  put("bad.toml", std::string(kPaddle) + "spin = 1\n");
+  expect_refused("device = \"bad\"\n", "bad.toml:10: x.spin: unknown key");
+  expect_refused("device = \"/dev/zero\"\n", "device: ");
+}
+
+TEST_F(SceneDevice, AFileOfADeviceReadsBackTheSame) {
+  const auto device = load_device(path("paddle.toml"));
+  ASSERT_TRUE(device) << device.error().message;
+  const auto again = parse_device(device_to_toml(*device), "paddle.toml");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(*again, *device);
+  const auto builtin = load_device("home-made-paddle");
+  ASSERT_TRUE(builtin);
+  EXPECT_EQ(*parse_device(device_to_toml(*builtin), "x.toml"), *builtin);
+}
+
+}  // namespace
+}  // namespace hapticwall::file
