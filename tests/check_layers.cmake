@@ -5,7 +5,7 @@
 #   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/runtime <- app/python.
 # Within a layer the rooms have arrows, too:
 #   device <- device/hid <- device/emulator, device/evdev; app/runtime: loop <- session;
-#   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay;
+#   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay, identify;
 #   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen, Highway and itself;
 # core/batch alone spreads scenes over the cores.
@@ -49,13 +49,14 @@ set(may_include_device/evdev device/hid device/evdev)
 set(may_include_device/emulator device/hid device/emulator)
 set(may_include_app/runtime/loop app/runtime/loop)
 set(may_include_app/runtime/session app/runtime/loop app/runtime/session)
-foreach(room run compare map accuracy replay device)
+foreach(room run compare map accuracy replay device identify)
   list(APPEND rooms app/command/${room})
   set(may_include_app/command/${room} app/command/${room})
 endforeach()
 list(APPEND rooms app/command)
 list(APPEND may_include_app/command/compare app/command/run)
 list(APPEND may_include_app/command/replay app/command/run)
+list(APPEND may_include_app/command/identify app/command/run)
 
 set(graphics "^(imgui|implot|backends/imgui_|GLFW/|epoxy/|GL/|GLES|EGL/|KHR/|glm/)")
 set(may_draw app/draw app/ui)

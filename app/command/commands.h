@@ -26,6 +26,7 @@ struct Command {
 [[nodiscard]] Command add_replay(CLI::App& program, runtime::OpenWindow open);
 [[nodiscard]] Command add_recover(CLI::App& program);
 [[nodiscard]] Command add_timing(CLI::App& program);
+[[nodiscard]] Command add_identify(CLI::App& program);
 [[nodiscard]] Command add_devices(CLI::App& program);
 [[nodiscard]] Command add_scenes(CLI::App& program);
 

@@ -43,6 +43,7 @@ Examples:
   hapticwall accuracy golden-hard --plot a.png    cost and error of a tick
   hapticwall replay a.csv --algorithm none        the recorded hand under another algorithm
   hapticwall timing --seconds 60                  the timing of this machine
+  hapticwall identify --device ie2000             mass, damping, friction and delay of a device
   hapticwall run press --device ie2000 --arm      the same on a haptic device ('devices' lists them)
 
 Exit status:
@@ -134,9 +135,9 @@ Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindo
   program.footer(footer());
   const Action window = add_window(program, open);
   const std::vector<Command> commands{
-      add_run(program),      add_compare(program),      add_map(program),
-      add_accuracy(program), add_replay(program, open), add_recover(program),
-      add_timing(program),   add_devices(program),      add_scenes(program)};
+      add_run(program),          add_compare(program), add_map(program),    add_accuracy(program),
+      add_replay(program, open), add_recover(program), add_timing(program), add_identify(program),
+      add_devices(program),      add_scenes(program)};
   refuse_empty_values(program);
   for (const Command& command : commands) {
     command.app->group("Commands")->footer("");

@@ -105,7 +105,8 @@ double Experiment::step(double position_m) {
   }
   if (facts_.first_stroke_tick > 0) watch_strokes();
   ++facts_.ticks;
-  return facts_.state == ExperimentState::kRunning ? force() : 0.0;
+  if (facts_.state != ExperimentState::kRunning) return 0.0;
+  return settings_.force_step_n * std::round(force() / settings_.force_step_n);
 }
 
 double Experiment::force() const {

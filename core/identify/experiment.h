@@ -21,6 +21,7 @@ struct ExperimentSettings {
   double encoder_m = 0.0;      // 0: unknown
   double peak_m = 0.018;       // of a stroke, from the start
   double duration_s = 25.0;    // of the strokes
+  double force_step_n = 1e-3;  // a device would round other forces than multiples of this
   std::uint32_t seed = 1;      // of the random strokes
 };
 

@@ -15,7 +15,7 @@
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
 #include "app/file/text/text.h"
-#include "app/runtime/session/live_session.h"
+#include "app/runtime/session/loop_session.h"
 #include "core/sample.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
@@ -79,8 +79,8 @@ Result<std::unique_ptr<runtime::LiveSession>> start_session(RealtimeRun& run) {
   options.spin_s = run.spin_s;
   options.stream = run.stream;
   options.signals = run.signals;
-  if (!run.device) return runtime::LiveSession::start(run.scene, options);
-  return runtime::LiveSession::start_on(std::move(run.device), run.scene, options);
+  options.clock = run.clock;
+  return runtime::start_under(run.law, std::move(run.device), run.scene, options);
 }
 
 Failure device_trouble(const runtime::LiveSession& session, double since_s, std::string_view why) {
@@ -222,14 +222,16 @@ Result<RealtimeOutcome> run_realtime(RealtimeRun run) {
   RecordingWatch recording;
   runtime::Snapshot snapshot;
   std::uint64_t done = 0;
-  while (done < ticks && stop_signal() == 0 && !outcome.trouble) {
+  bool ends = false;
+  while (done < ticks && stop_signal() == 0 && !outcome.trouble && !ends) {
     done += taker.take(session, run);
     snapshot = session.snapshot();
     request.look(session, snapshot.arming);
+    ends = run.ends && run.ends(snapshot);
     outcome.trouble = trouble_in(session, snapshot, run);
     recording.look(session);
     progress.show(static_cast<double>(done) / static_cast<double>(ticks));
-    if (done < ticks && !outcome.trouble) std::this_thread::sleep_for(kPollInterval);
+    if (done < ticks && !outcome.trouble && !ends) std::this_thread::sleep_for(kPollInterval);
   }
   if (outcome.trouble && outcome.trouble->kind == ErrorKind::kUsage) return *outcome.trouble;
   session.arm(false);

@@ -7,11 +7,19 @@
 #include <vector>
 
 #include "app/file/recording/sample_stream.h"
+#include "app/runtime/loop/snapshot.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
 #include "core/summary.h"
 #include "device/device.h"
+
+namespace hapticwall {
+class TickLaw;
+}
+namespace hapticwall::runtime {
+class Clock;
+}
 
 namespace hapticwall::command {
 
@@ -26,6 +34,10 @@ struct RealtimeRun {
   bool show_progress = false;
   std::shared_ptr<file::SampleStream> stream{};  // gets every tick; null: none
   std::vector<file::SignalColumn> signals{};     // as in SessionOptions
+  TickLaw* law = nullptr;                        // as in runtime::start_under()
+  runtime::Clock* clock = nullptr;               // as in SessionOptions
+  // Looks at the newest state every few milliseconds; true ends the run.
+  std::function<bool(const runtime::Snapshot&)> ends{};
 };
 
 struct RealtimeOutcome {

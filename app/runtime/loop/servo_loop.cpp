@@ -30,6 +30,18 @@ struct ReadDevice {
   void write(double force_n) { device.write(force_n); }
 };
 
+// The tick of Servo, by the axis's own law if there is one.
+template <typename Device>
+Sample tick_on(LoopAxis& axis, Device& device) {
+  if (axis.law == nullptr) return axis.servo.tick(device);
+  Sample sample;
+  TruthKeeper<Device> keeper{device, sample};
+  ServoState& state = axis.servo.state();
+  const TickOutcome outcome = servo_step(axis.servo.settings(), state, *axis.law, keeper);
+  write_sample(axis.servo.settings(), state.ledger, outcome, sample);
+  return sample;
+}
+
 }  // namespace
 
 void LoopAxis::apply(const ServoSettings& settings, PlantModel* new_plant) {
@@ -67,11 +79,11 @@ Sample LoopAxis::judged_tick(double elapsed_s) {
     servo.state().force_gain = 0.0;
     device.enable(false);
   }
-  return servo.tick(read);
+  return tick_on(*this, read);
 }
 
 ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
-                     const LoopParameters& initial, bool start_paused)
+                     const LoopParameters& initial, bool start_paused, TickLaw* law)
     : exchange_(exchange),
       arming_(!devices.front()->info().is_simulated, initial.axes.front().servo.rate_hz) {
   for (device::Device* device : devices) {
@@ -79,6 +91,7 @@ ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exch
         axes_.emplace_back(LoopAxis{*device, Servo(initial.axes.at(axes_.size()).servo)});
     if (!device->info().is_simulated) axis.judge.emplace(device->info());
   }
+  axes_.front().law = law;
   snapshot_.newest.count = static_cast<std::uint8_t>(axes_.size());
   snapshot_.generation = initial.generation;
   snapshot_.paused = start_paused;
@@ -238,7 +251,7 @@ ArmingFacts ServoLoop::facts(const Tick& tick) const {
 Sample ServoLoop::tick_axis(LoopAxis& axis) {
   axis.servo.state().force_gain = arming_.gain();
   axis.device.enable(arming_.enabled());
-  Sample sample = axis.judge ? axis.judged_tick(elapsed_s_) : axis.servo.tick(axis.device);
+  Sample sample = axis.judge ? axis.judged_tick(elapsed_s_) : tick_on(axis, axis.device);
   sample.generation = snapshot_.generation;
   return sample;
 }

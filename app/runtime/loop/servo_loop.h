@@ -12,6 +12,7 @@
 #include "app/runtime/loop/device_judge.h"
 #include "app/runtime/loop/exchange.h"
 #include "core/loop/servo.h"
+#include "core/loop/tick_law.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {
@@ -21,6 +22,7 @@ struct LoopAxis {
   device::Device& device;
   Servo servo;
   PlantModel* plant = nullptr;         // in use; nullptr: the device's own
+  TickLaw* law = nullptr;              // instead of the algorithm; nullptr: the algorithm
   std::optional<DeviceJudge> judge{};  // nullopt: a simulator
   ArmingNote judged = ArmingNote::kNone;
 
@@ -38,10 +40,11 @@ struct LoopAxis {
 // The loop's state. The devices are open; they and the exchange outlive the loop.
 class ServoLoop {
  public:
-  // One device for each axis, x first; all axes tick together. Precondition: 1 to kMaxAxes devices.
+  // One device for each axis, x first; all axes tick together. `law`: instead of the algorithm of
+  // axis x, or nullptr. Precondition: 1 to kMaxAxes devices.
   // Realtime-safe: no.
   ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
-            const LoopParameters& initial, bool start_paused);
+            const LoopParameters& initial, bool start_paused, TickLaw* law = nullptr);
 
   // One cycle: takes commands and parameters, ticks unless paused, and publishes the results. Reads
   // `clock` once, after the tick. Throws only what the device throws. Realtime-safe: yes.

@@ -31,17 +31,13 @@ Failure check(const Scene& scene, ErrorKind kind, const std::string& whose) {
 
 }  // namespace
 
-Result<std::unique_ptr<LiveSession>> LiveSession::start(const Scene& scene,
-                                                        const SessionOptions& options) {
+Result<std::unique_ptr<LiveSession>> start_under(TickLaw* law,
+                                                 std::unique_ptr<device::Device> device,
+                                                 const Scene& scene,
+                                                 const SessionOptions& options) {
   // Before the plant is built: it relies on a valid scene.
   if (Failure failure = check(scene, ErrorKind::kUsage, "")) return *std::move(failure);
-  return start_on(std::make_unique<device::SimulatedDevice>(scene), scene, options);
-}
-
-Result<std::unique_ptr<LiveSession>> LiveSession::start_on(std::unique_ptr<device::Device> device,
-                                                           const Scene& scene,
-                                                           const SessionOptions& options) {
-  if (Failure failure = check(scene, ErrorKind::kUsage, "")) return *std::move(failure);
+  if (!device) device = std::make_unique<device::SimulatedDevice>(scene);
   if (scene.two_axes() && !device->info().is_simulated) {
     return Error{ErrorKind::kUsage,
                  "the scene has a second axis, which sessions on a device do not drive yet; "
@@ -53,7 +49,7 @@ Result<std::unique_ptr<LiveSession>> LiveSession::start_on(std::unique_ptr<devic
     return *std::move(failure);
   try {
     auto session = std::make_unique<LoopSession>(devices_of(scene_here, std::move(device)),
-                                                 scene_here, options);
+                                                 scene_here, options, law);
     if (Failure refused = refuse_without_realtime(
             session->device_info(), session->realtime_status(), options.allow_no_realtime)) {
       return *std::move(refused);
@@ -62,6 +58,17 @@ Result<std::unique_ptr<LiveSession>> LiveSession::start_on(std::unique_ptr<devic
   } catch (const std::exception& problem) {  // no memory for the queues, no thread to be had
     return Error{ErrorKind::kDevice, std::string("the loop did not start: ") + problem.what()};
   }
+}
+
+Result<std::unique_ptr<LiveSession>> LiveSession::start(const Scene& scene,
+                                                        const SessionOptions& options) {
+  return start_under(nullptr, nullptr, scene, options);
+}
+
+Result<std::unique_ptr<LiveSession>> LiveSession::start_on(std::unique_ptr<device::Device> device,
+                                                           const Scene& scene,
+                                                           const SessionOptions& options) {
+  return start_under(nullptr, std::move(device), scene, options);
 }
 
 std::optional<SceneProblem> LiveSession::set_algorithm(const AlgorithmSettings& algorithm) {

@@ -79,14 +79,14 @@ constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
 }  // namespace
 
 LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, const Scene& scene,
-                         const SessionOptions& options)
+                         const SessionOptions& options, TickLaw* law)
     : plants_(plant_keepers(scene)),
       devices_(std::move(devices)),
       device_info_(devices_.front()->info()),
       columns_(columns_of(device_info_, devices_.size(), options)),
       history_(with_revision(scene)),
       exchange_(options.queues, parameters_of(history_)),
-      loop_(pointers_to(devices_), exchange_, parameters_of(history_), options.start_paused),
+      loop_(pointers_to(devices_), exchange_, parameters_of(history_), options.start_paused, law),
       recorder_(exchange_.recorder),
       clock_(options.clock != nullptr ? *options.clock : monotonic_clock_,
              spin_ns(options.spin_s, scene.sampling.rate_hz)) {

@@ -26,12 +26,18 @@
 
 namespace hapticwall::runtime {
 
+// LiveSession::start_on() with a law in the place of the algorithm of axis x; it must outlive the
+// session. `device` null: the simulator of the scene. `law` null: the algorithm.
+[[nodiscard]] Result<std::unique_ptr<LiveSession>> start_under(
+    TickLaw* law, std::unique_ptr<device::Device> device, const Scene& scene,
+    const SessionOptions& options);
+
 class LoopSession final : public LiveSession {
  public:
   // Preconditions: the scene is valid and fits the devices (scene_on()), one for each axis, x
-  // first; the devices are open. Returns when the loop is set up.
+  // first; the devices are open. `law`: as in ServoLoop. Returns when the loop is set up.
   LoopSession(std::vector<std::unique_ptr<device::Device>> devices, const Scene& scene,
-              const SessionOptions& options);
+              const SessionOptions& options, TickLaw* law = nullptr);
   ~LoopSession() override;
 
   [[nodiscard]] const Scene& scene() const override { return history_.newest(); }

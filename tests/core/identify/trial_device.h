@@ -49,7 +49,7 @@ class TrialSimulator {
     plant_.path_velocity = [](Real) { return Real{0}; };
     output_.delay = device.delay_ticks;
     const double wanted = device.lag_s > 0.0 ? std::ceil(4.0 * kPeriodS / device.lag_s) : 0.0;
-    steps_ = static_cast<int>(std::clamp(wanted, split ? 100.0 : 20.0, 200.0));
+    steps_ = static_cast<int>(std::clamp(wanted, split ? 100.0 : 20.0, 4000.0));
     const double start_m = 0.03 + share() * device.encoder_m;  // between two counts
     plant_.x = static_cast<Real>(start_m);
     load_m_ = start_m;

@@ -59,12 +59,16 @@ class LieRig {
  public:
   LieRig(device::hid::FaultScript script, bool in_contact,
          const device::ImpulseEngineOptions& options = {})
-      : rig(std::move(script), options, held_device(in_contact)),
+      : LieRig(std::move(script), held_device(in_contact), options, scene(), nullptr) {}
+  // `law`: as in ServoLoop.
+  LieRig(device::hid::FaultScript script, const device::hid::EmulatorSettings& settings,
+         const device::ImpulseEngineOptions& options, const Scene& scene, TickLaw* law)
+      : rig(std::move(script), options, settings),
         device_(rig.host),
-        exchange_(kQueues, parameters_of(scene())) {
+        exchange_(kQueues, parameters_of(scene)) {
     EXPECT_TRUE(rig.host.come_up());
     loop_.emplace(std::vector<device::Device*>{&device_}, exchange_,
-                  parameters_of(scene_on(scene(), device_.info())), false);
+                  parameters_of(scene_on(scene, device_.info())), false, law);
     rig.host.whole_loop = [this] { loop_->cycle({clock_.now_ns(), 0, 0}, clock_); };
     rig.host.after_tick = [this] {
       const double force_n = std::abs(rig.force_n());
@@ -83,6 +87,7 @@ class LieRig {
     parameters.generation = ++generation_;
     exchange_.parameters.publish(parameters);
   }
+  void disarm() { EXPECT_TRUE(exchange_.commands.try_push({CommandKind::kDisarm, 0})); }
   void tick() { rig.host.tick(); }
   void until_ms(std::uint64_t time_ms) { rig.tick_until_ms(time_ms); }
   [[nodiscard]] std::uint64_t now_us() const { return rig.host.now_us(); }

@@ -1,0 +1,101 @@
+// hapticwall identify on the simulator: numbers, device file, figure, a scene that names it,
+// Ctrl-C.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "app/file/scene/device_file.h"
+#include "app/file/scene/scene_file.h"
+#include "tests/app/command/binary.h"
+
+namespace hapticwall::command::test {
+namespace {
+
+class IdentifyTest : public ProgramTest {
+ protected:
+  // A device that differs from that of `tap` in every number.
+  [[nodiscard]] Answer identify(std::vector<std::string> more) const {
+    std::vector<std::string> arguments{"identify",
+                                       "--seconds",
+                                       "9",
+                                       "--set",
+                                       "device.mass_kg=0.12",
+                                       "--set",
+                                       "device.damping_n_s_per_m=1.7",
+                                       "--set",
+                                       "device.friction_n=0.2",
+                                       "--set",
+                                       "device.delay_ticks=2"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return hapticwall(std::move(arguments));
+  }
+};
+
+TEST_F(IdentifyTest, FindsTheSimulatedDevice) {
+  const Answer answer = identify({"--json", "-"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr("let go of the handle"));
+  const nlohmann::json found = nlohmann::json::parse(answer.out);
+  EXPECT_TRUE(found["fits"]);
+  EXPECT_NEAR(found["mass_kg"]["value"], 0.12, 0.002);
+  EXPECT_NEAR(found["damping_n_s_per_m"]["value"], 1.7, 0.05);
+  EXPECT_NEAR(found["friction_n"]["value"], 0.2, 0.005);
+  EXPECT_NEAR(found["delay_s"]["value"], 2e-3, 0.3e-3);
+  EXPECT_LE(found["mass_kg"]["low"], found["mass_kg"]["value"]);
+  EXPECT_LE(found["force_limit_n"], 2.0);
+  EXPECT_THAT(found["date"].get<std::string>(), EndsWith("Z"));
+}
+
+TEST_F(IdentifyTest, TheDeviceFileMakesTheDeviceOfAScene) {
+  ASSERT_EQ(identify({"--device-file", "mine.toml", "--quiet"}).status, 0);
+  const auto device = file::parse_device(content("mine.toml"), "mine.toml");
+  ASSERT_TRUE(device) << device.error().message;
+  EXPECT_NEAR(*device->x.mass_kg, 0.12, 0.002);
+  EXPECT_THAT(device->identified, HasSubstr("95 % intervals"));
+
+  const Answer run = hapticwall(
+      {"run", "press", "--set", "device=mine", "--duration", "0.2", "--csv", "a.csv", "--quiet"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto loaded = file::parse_scene(content("a.toml"), "a.toml");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->scene.x().device.mass_kg, *device->x.mass_kg);
+  EXPECT_EQ(loaded->scene.x().device.damping_n_s_per_m, *device->x.damping_n_s_per_m);
+  EXPECT_THAT(loaded->scene.description,
+              EndsWith("device " + device->name + ": " + device->identified));
+}
+
+TEST_F(IdentifyTest, DrawsAFigure) {
+  ASSERT_EQ(identify({"--plot", "a.png", "--quiet"}).status, 0);
+  EXPECT_GT(size("a.png"), 10'000U);
+}
+
+TEST_F(IdentifyTest, ADeviceThatCannotMoveIsOneSentence) {
+  const Answer answer =
+      identify({"--set", "device.friction_n=5", "--device-file", "a.toml", "--quiet"});
+  EXPECT_EQ(answer.status, 3);
+  EXPECT_THAT(answer.err, HasSubstr("the handle did not move"));
+  EXPECT_EQ(answer.error_lines(), 1);
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(IdentifyTest, ALimitBeyondTheDeviceIsRefused) {
+  const Answer answer = identify({"--limit", "20", "--quiet"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_THAT(answer.err, HasSubstr("the device gives at most"));
+}
+
+// An experiment of 300 s and its fit take much longer than the signal.
+TEST_F(IdentifyTest, CtrlCEndsItAndLeavesNoFile) {
+  const pid_t child = start({program(), "identify", "--seconds", "300", "--device-file", "a.toml"});
+  wait_until_written(child, "stderr");
+  kill(child, SIGINT);
+  const Answer answer = wait_for(child);
+  EXPECT_EQ(answer.status, 130) << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr("ended early by Ctrl-C"));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace hapticwall::command::test
