@@ -25,7 +25,7 @@ install(FILES ${pages}/hapticwall DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-comp
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/hapticwall)
 install(FILES ${pages}/copyright README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE
         DESTINATION ${documents})
-install(DIRECTORY core/stabiliser/plugin/include/hapticwall
+install(DIRECTORY core/stabiliser/plugin/include/hapticwall device/plugin/include/hapticwall
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY docs DESTINATION ${documents})
 install(DIRECTORY assets/fonts DESTINATION ${documents}/assets)

@@ -28,6 +28,7 @@ ELSEWHERE = {
     "commands": "./dev test --adding-an-algorithm",
     "device-file": "tests/app/file/scene_device_test.cpp",
     "settings": "tests/app/ui/state/settings_file_test.cpp",
+    "device-file": "tests/app/file/dialect_file_test.cpp reads it",
 }
 TIMEOUT_S = 240
 LARGEST_GRID = 8
@@ -116,7 +117,7 @@ def prepared(work, program, root):
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     (work / "hapticwall").symlink_to(program)
-    for folder in ("assets", "core"):
+    for folder in ("assets", "core", "device"):
         (work / folder).symlink_to(root / folder)
     problem = run(work, "hapticwall run press --csv NAME.csv --duration 0.5")
     if problem:

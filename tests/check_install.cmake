@@ -25,6 +25,7 @@ list(SORT found)
 set(expected
     bin/hapticwall
     bin/hapticwall-emulator
+    include/hapticwall/device_plugin.h
     include/hapticwall/plugin.h
     lib/udev/rules.d/70-hapticwall.rules
     share/applications/hapticwall.desktop

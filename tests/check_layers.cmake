@@ -4,7 +4,7 @@
 #   core <- app/sound/signal <- app/command; app/sound/signal, app/runtime, device <- app/sound/live <- app/ui;
 #   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/runtime <- app/python.
 # Within a layer the rooms have arrows, too:
-#   device <- device/hid <- device/emulator, device/evdev; app/runtime: loop <- session;
+#   device <- device/hid <- device/emulator, device/evdev, device/plugin; app/runtime: loop <- session;
 #   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay, identify;
 #   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen, Highway and itself;
@@ -43,10 +43,11 @@ set(may_include_app/ui/page app/ui/wall app/ui/state app/ui/widget app/ui/panel 
 set(may_include_app/ui/window app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/window)
 
 # A folder after its rooms stands for the files beside them.
-list(APPEND rooms device/hid device/evdev device/emulator device app/runtime/loop app/runtime/session)
+list(APPEND rooms device/hid device/evdev device/emulator device/plugin device app/runtime/loop app/runtime/session)
 set(may_include_device/hid device/hid)
 set(may_include_device/evdev device/hid device/evdev)
 set(may_include_device/emulator device/hid device/emulator)
+set(may_include_device/plugin device/hid device/plugin)
 set(may_include_app/runtime/loop app/runtime/loop)
 set(may_include_app/runtime/session app/runtime/loop app/runtime/session)
 foreach(room run compare map accuracy replay device identify)

@@ -99,9 +99,11 @@ void add_simulator_option(CLI::App& app, SceneOptions& options) {
 }
 
 void add_device_options(CLI::App& app, SceneOptions& options) {
-  app.add_option("--device", options.device,
-                 "sim: the simulator; ie2000: a connected device; ff: a force-feedback wheel; with "
-                 ":PATH the one at this path, or of this device file")
+  app.add_option(
+         "--device", options.device,
+         "sim: the simulator; ie2000: a connected device; ff: a force-feedback wheel; with "
+         ":PATH the one at this path, or of this device file; plugin:FILE.so: the device of "
+         "this library")
       ->type_name("NAME");
   app.add_flag("--allow-no-realtime", options.allow_no_realtime,
                "Drive a device also without real-time priority; its force may be late");
@@ -145,10 +147,8 @@ void add_algorithm_option(CLI::App& app, SceneOptions& options) {
 }
 
 Failure check_plugin(const SceneOptions& options) {
-  if (options.allow_plugin || options.device == kSimulator ||
-      algorithms().size() == first_plugin()) {
-    return {};
-  }
+  const bool any = algorithms().size() != first_plugin() || names_device_plugin(options.device);
+  if (options.allow_plugin || options.device == kSimulator || !any) return {};
   return usage_error(
       fmt::format("--device {}: a plug-in drives a device only with --allow-plugin; try it on the "
                   "simulator first",

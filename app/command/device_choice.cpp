@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <string_view>
 
-#include "app/file/scene/device_file.h"
+#include "app/file/plugin/plugin_library.h"
 #include "app/file/text/text.h"
 #include "app/runtime/loop/realtime_setup.h"
+#include "device/os_threads.h"
 
 namespace hapticwall::command {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 constexpr std::string_view kHardware = "ie2000";
 constexpr std::string_view kWheel = "ff";
 constexpr std::string_view kFileEnding = ".toml";
+constexpr std::string_view kPlugin = "plugin:";
+constexpr std::size_t kShownDigits = 12;  // of a SHA-256, in the name of a device
 
 bool names_a_device_file(const std::string& path) {
   const auto& builtin = file::builtin_devices();
@@ -30,18 +33,9 @@ device::AxisDescription description_of(const file::AxisDescription& axis) {
           axis.max_force_rate_n_per_s};
 }
 
-device::ImpulseEngineOptions engine_of(const std::string& path,
-                                       const std::optional<file::DeviceDescription>& description) {
+device::ImpulseEngineOptions engine_at(const std::string& path) {
   device::ImpulseEngineOptions options;
   options.path = path;
-  if (!description) return options;
-  options.path.clear();
-  options.vendor_id = description->vendor_id;
-  options.product_id = description->product_id;
-  options.serial = description->serial;
-  options.name = description->name;
-  options.axes[0] = description_of(description->x);
-  if (description->y) options.axes[1] = description_of(*description->y);
   return options;
 }
 
@@ -83,18 +77,79 @@ Failure check_description(const std::string& text, const std::string& kind,
                   file::in_quotes(text), description.name));
 }
 
+Result<DeviceChoice> load_device_plugin(const std::string& path) {
+  const auto plugin_of = [](const void* symbol) -> const hw_device_plugin& {
+    return *static_cast<const hw_device_plugin*>(symbol);
+  };
+  const Result<file::LibraryBytes> library = file::read_library(path);
+  if (!library) return library.error();
+  const Result<const void*> symbol = file::load_library(
+      *library, "hapticwall_device",
+      [&](const void* found) { return device::device_plugin_problem(plugin_of(found)); });
+  if (!symbol) return symbol.error();
+  Result<device::PluginDevice> plugin = device::describe_plugin(plugin_of(*symbol), path);
+  if (!plugin) return plugin.error();
+  plugin->name += fmt::format(" [{}]", library->sha256.substr(0, kShownDigits));
+  return DeviceChoice{*plugin, {}};
+}
+
+// With the threads that every session prepares.
+struct DeviceMaker {
+  const Scene& scene;
+
+  std::unique_ptr<device::Device> operator()(device::WheelOptions options) const {
+    options.prepare_thread = runtime::set_up_device_thread;
+    return device::make_wheel(options);
+  }
+  std::unique_ptr<device::Device> operator()(const device::ImpulseEngineOptions& options) const {
+    return device::make_impulse_engine(prepared(options));
+  }
+  std::unique_ptr<device::Device> operator()(const device::PluginDevice& plugin) const {
+    return device::make_impulse_engine(
+        prepared(device::options_of(plugin)),
+        std::make_unique<device::PluginPort>(plugin, device::monotonic_ns), device::monotonic_ns);
+  }
+
+  [[nodiscard]] device::ImpulseEngineOptions prepared(device::ImpulseEngineOptions options) const {
+    options.start_m.fill(scene.x().device.start_m);
+    options.prepare_thread = runtime::set_up_device_thread;
+    return options;
+  }
+};
+
 }  // namespace
+
+device::ImpulseEngineOptions described_by(const file::DeviceDescription& description) {
+  device::ImpulseEngineOptions options;
+  options.vendor_id = description.vendor_id;
+  options.product_id = description.product_id;
+  options.serial = description.serial;
+  options.name = description.name;
+  options.axes[0] = description_of(description.x);
+  if (description.y) options.axes[1] = description_of(*description.y);
+  options.dialect = description.dialect;
+  options.rate_hz = description.rate_hz;
+  if (!options.dialect) return options;
+  options.keep_alive_ns = options.dialect->keep_alive_ms * device::kMillisecondNs;
+  options.delay_is_known = false;
+  return options;
+}
+
+bool names_device_plugin(std::string_view text) {
+  return text.starts_with(kPlugin) && text.size() > kPlugin.size();
+}
 
 Result<DeviceChoice> parse_device_choice(const std::string& text) {
   if (text == kSimulator) return DeviceChoice{};
+  if (names_device_plugin(text)) return load_device_plugin(text.substr(kPlugin.size()));
   const std::size_t colon = text.find(':');
   const std::string kind = text.substr(0, colon);
   const bool is_whole = colon == std::string::npos || colon + 1 < text.size();
   if (!is_whole || (kind != kHardware && kind != kWheel)) {
-    return device_error(
-        fmt::format("--device {}: it takes sim, ie2000, ie2000:PATH, ff or ff:PATH; 'hapticwall "
-                    "devices' lists the connected devices",
-                    file::in_quotes(text)));
+    return device_error(fmt::format(
+        "--device {}: it takes sim, ie2000, ie2000:PATH, ff, ff:PATH or plugin:FILE.so; "
+        "'hapticwall devices' lists the connected devices",
+        file::in_quotes(text)));
   }
   const std::string path = colon == std::string::npos ? "" : text.substr(colon + 1);
   std::optional<file::DeviceDescription> description;
@@ -105,7 +160,7 @@ Result<DeviceChoice> parse_device_choice(const std::string& text) {
     if (Failure failed = check_description(text, kind, *description)) return *failed;
   }
   if (kind == kWheel) return DeviceChoice{wheel_of(path, description), description};
-  return DeviceChoice{engine_of(path, description), description};
+  return DeviceChoice{description ? described_by(*description) : engine_at(path), description};
 }
 
 Failure check_simulator(const std::string& command, const std::string& device) {
@@ -119,15 +174,7 @@ Failure check_simulator(const std::string& command, const std::string& device) {
 }
 
 std::unique_ptr<device::Device> make_device(const HardwareOptions& hardware, const Scene& scene) {
-  if (const auto* wheel = std::get_if<device::WheelOptions>(&hardware)) {
-    device::WheelOptions options = *wheel;
-    options.prepare_thread = runtime::set_up_device_thread;
-    return device::make_wheel(options);
-  }
-  auto options = std::get<device::ImpulseEngineOptions>(hardware);
-  options.start_m.fill(scene.x().device.start_m);
-  options.prepare_thread = runtime::set_up_device_thread;
-  return device::make_impulse_engine(options);
+  return std::visit(DeviceMaker{scene}, hardware);
 }
 
 }  // namespace hapticwall::command

@@ -1,9 +1,11 @@
-// --device: the simulator, a device that speaks docs/hid-protocol.md, or a force-feedback wheel.
+// --device: the simulator, a device that speaks docs/hid-protocol.md or a dialect, a force-feedback
+// wheel, or a device behind a shared library.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "app/file/scene/device_file.h"
@@ -11,21 +13,30 @@
 #include "core/scene.h"
 #include "device/evdev/wheel.h"
 #include "device/hid/impulse_engine.h"
+#include "device/plugin/plugin_port.h"
 
 namespace hapticwall::command {
 
 inline constexpr const char* kSimulator = "sim";
 
-using HardwareOptions = std::variant<device::ImpulseEngineOptions, device::WheelOptions>;
+using HardwareOptions =
+    std::variant<device::ImpulseEngineOptions, device::WheelOptions, device::PluginDevice>;
 
 struct DeviceChoice {
   std::optional<HardwareOptions> hardware{};             // nullopt: the simulator
   std::optional<file::DeviceDescription> description{};  // of a device file
 };
 
+// Whether `text` is a device behind a library: "plugin:FILE.so".
+[[nodiscard]] bool names_device_plugin(std::string_view text);
+
 // "sim", "ie2000", "ff", or one of these two with ":PATH", a path that 'hapticwall devices' lists,
-// or a device file: a built-in name or NAME.toml. Realtime-safe: no.
+// or a device file: a built-in name or NAME.toml; or "plugin:FILE.so", which is loaded and runs
+// code of the library. Realtime-safe: no.
 [[nodiscard]] Result<DeviceChoice> parse_device_choice(const std::string& text);
+
+// The options of a device file without [ff].
+[[nodiscard]] device::ImpulseEngineOptions described_by(const file::DeviceDescription& description);
 
 // Refuses a device for commands that run on the simulator only (exit status 3).
 [[nodiscard]] Failure check_simulator(const std::string& command, const std::string& device);

@@ -30,8 +30,8 @@ namespace {
 std::function<Result<std::unique_ptr<runtime::LiveSession>>(const Scene&)> session_starter(
     const DeviceChoice& device, const runtime::SessionOptions& options) {
   if (!device.hardware) return {};
-  return [hardware = *device.hardware, options](const Scene& scene) {
-    return runtime::LiveSession::start_on(make_device(hardware, scene), scene, options);
+  return [device, options](const Scene& scene) {
+    return runtime::LiveSession::start_on(make_device(*device.hardware, scene), scene, options);
   };
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "device/hid/dialect_port.h"
 #include "device/hid/link_machine.h"
 #include "device/os_threads.h"
 
@@ -9,7 +10,9 @@ namespace hapticwall::device {
 
 ImpulseEngine::ImpulseEngine(ImpulseEngineOptions options, hid::PortOpener open_port,
                              HostClock now_ns)
-    : options_(std::move(options)), open_port_(std::move(open_port)), now_ns_(std::move(now_ns)) {}
+    : options_(std::move(options)),
+      open_port_(hid::translated(options_, std::move(open_port), now_ns)),
+      now_ns_(std::move(now_ns)) {}
 
 ImpulseEngine::~ImpulseEngine() { ImpulseEngine::close(); }
 

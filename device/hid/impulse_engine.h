@@ -1,5 +1,5 @@
-// A real device that speaks docs/hid-protocol.md: the Impulse Engine 2000 behind its adapter, or
-// any other device of one or two axes.
+// A real device of one or two axes that speaks docs/hid-protocol.md, as the Impulse Engine 2000
+// behind its adapter, or a dialect (docs/dialects.md).
 //
 // Three threads serve it. The owner lists, opens and closes; after a loss it retries every 50 ms,
 // doubled up to 1 s. The reader waits for reports and keeps the newest. The writer sends the newest

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "core/dialect.h"
 #include "core/loop/triple_buffer.h"
 #include "device/device.h"
 #include "device/hid/link_listening.h"
@@ -17,6 +18,8 @@
 #include "device/os_threads.h"
 
 namespace hapticwall::device {
+
+inline constexpr std::int64_t kMillisecondNs = 1'000'000;
 
 // One axis in a device file. It overrides what the device reports, except that the smaller force
 // limit holds.
@@ -40,6 +43,13 @@ struct ImpulseEngineOptions {
   std::string serial;  // empty: any
   std::string name;    // of the device file; empty: the device's own name
   std::array<std::optional<AxisDescription>, hid::kMaxAxes> axes;  // of the device file
+  std::optional<Dialect> dialect;  // of the device file; nullopt: it speaks docs/hid-protocol.md
+  double rate_hz = 1000.0;         // of its reports, by the device file; for a dialect
+  // The newest command is repeated after so long without another, and removes the force once it is
+  // too old; 0: the device has a time to live.
+  std::int64_t keep_alive_ns = 0;
+  bool delay_is_known = true;   // false: the device itself acknowledges no command
+  bool reads_may_hang = false;  // a read that does not return is a silent device
   // Assumed position of the handle at link-up, metres. A calibrated device reports its own.
   AxisValues start_m{};
   // Runs first on the threads that read and write, for example to set their priority.

@@ -16,6 +16,8 @@ inline constexpr std::int64_t kMaxDeafNs = 10'000'000;
 // All times are the host's, in nanoseconds.
 class Listening {
  public:
+  // Before the link begins: as of ImpulseEngineOptions.
+  void let_reads_hang(bool may_hang) { reads_may_hang_ = may_hang; }
   // Reader: a link begins.
   void begin(std::int64_t now_ns) {
     heard(now_ns, false);
@@ -34,7 +36,8 @@ class Listening {
   // Why no valid state came for kLinkLostNs. Any thread.
   [[nodiscard]] Trouble cause(std::int64_t now_ns) const {
     if (failed_) return Trouble::kUnplugged;
-    if (was_deaf(now_ns) || now_ns - since_ns_ <= kLinkLostNs) return Trouble::kHeldUp;
+    const bool held_up = was_deaf(now_ns) || now_ns - since_ns_ <= kLinkLostNs;
+    if (held_up && !reads_may_hang_) return Trouble::kHeldUp;
     return now_ns - void_ns_ <= kMaxDeafNs ? Trouble::kVoid : Trouble::kSilent;
   }
 
@@ -47,6 +50,7 @@ class Listening {
   std::atomic<std::int64_t> since_ns_{0};     // since when without a pause
   std::atomic<std::int64_t> void_ns_{0};      // the newest void report
   std::atomic<bool> failed_{false};           // the newest read
+  bool reads_may_hang_ = false;
 };
 
 }  // namespace hapticwall::device

@@ -21,6 +21,11 @@ constexpr milliseconds kAfterFailure{1};
 constexpr milliseconds kReaderRest{1000};
 constexpr milliseconds kWriterRest{100};
 
+// A millisecond finds the time for a repeated command well enough.
+milliseconds rest_of(const WriteSession& session) {
+  return session.keep_alive_ns() > 0 ? milliseconds{1} : kWriterRest;
+}
+
 }  // namespace
 
 LinkMachine::LinkMachine(const ImpulseEngineOptions& options, hid::PortOpener open_port,
@@ -118,7 +123,7 @@ void LinkMachine::write(WriteSession& session) {
       session.handle().write(*bytes);
       session.finish(now_ns_());
     } else {
-      exchange_.command_signal.wait(kWriterRest);
+      exchange_.command_signal.wait(rest_of(session));
     }
   }
 }

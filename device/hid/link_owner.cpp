@@ -40,7 +40,9 @@ LinkOwner::LinkOwner(LinkExchange& exchange, LinkReader& reader, ImpulseEngineOp
       open_port_(std::move(open_port)),
       now_ns_(now_ns),
       start_writer_(std::move(start_writer)),
-      next_attempt_ns_(now_ns()) {}
+      next_attempt_ns_(now_ns()) {
+  exchange_.listening.let_reads_hang(options_.reads_may_hang);
+}
 
 std::string LinkOwner::words() const {
   const std::lock_guard lock(mutex_);
@@ -157,12 +159,12 @@ void LinkOwner::start(const hid::Listing& listing, const hid::DeviceDescription&
   ++session_number_;
   const auto sent = std::make_shared<SentCommands>();
   Writer writer;
-  writer.session =
-      std::make_shared<WriteSession>(session_number_, std::move(to_write), sent, exchange_);
+  writer.session = std::make_shared<WriteSession>(session_number_, std::move(to_write), sent,
+                                                  exchange_, options_.keep_alive_ns);
   writer.join = start_writer_(writer.session);
   write_ = std::move(writer);
   read_ = std::make_shared<ReadSession>();
-  read_->link = {session_number_, description, options_.start_m, sent};
+  read_->link = {session_number_, description, options_.start_m, sent, options_.delay_is_known};
   read_->handle = std::move(to_read);
   exchange_.status = {session_number_, reason_};
   reader_.give(read_);

@@ -21,7 +21,6 @@
 namespace hapticwall::device {
 
 // Times of the owner.
-inline constexpr std::int64_t kMillisecondNs = 1'000'000;
 inline constexpr std::int64_t kFirstBackOffNs = 50 * kMillisecondNs;
 inline constexpr std::int64_t kMaxBackOffNs = 1000 * kMillisecondNs;
 // Time limit of an opened device for its first valid state.

@@ -218,7 +218,7 @@ ForceWord StateTracker::force_word(const hid::StateReport& state) const {
 // Measures by the device's clock.
 void StateTracker::measure(const hid::StateReport& state, bool next_tick) {
   const auto latch_us = latch_behind(state);
-  if (!latch_us) return;
+  if (!latch_us || !session_.delay_is_known) return;
   LinkStats& stats = view_.stats;
   stats.round_trip_s = seconds(hid::clock_step_us(*latch_us, state.acknowledged_time_us));
   stats.maximum_round_trip_s = std::max(stats.maximum_round_trip_s, stats.round_trip_s);

@@ -21,6 +21,7 @@ struct LinkSession {
   hid::DeviceDescription device;
   AxisValues start_m{};  // position of an uncalibrated handle at the first state
   std::shared_ptr<const SentCommands> sent;
+  bool delay_is_known = true;  // as of ImpulseEngineOptions
 };
 
 // Realtime-safe: yes, except begin().

@@ -6,18 +6,24 @@
 namespace hapticwall::device {
 
 WriteSession::WriteSession(std::uint32_t number, std::unique_ptr<hid::Handle> handle,
-                           std::shared_ptr<SentCommands> sent, LinkExchange& exchange)
-    : number_(number), handle_(std::move(handle)), sent_(std::move(sent)), exchange_(exchange) {}
+                           std::shared_ptr<SentCommands> sent, LinkExchange& exchange,
+                           std::int64_t keep_alive_ns)
+    : number_(number),
+      handle_(std::move(handle)),
+      sent_(std::move(sent)),
+      exchange_(exchange),
+      keep_alive_ns_(keep_alive_ns) {}
 
 // The first and the last command remove the force; those between come from the exchange. A command
 // of the previous session is ignored.
-bool WriteSession::next_command(LinkCommand& command) {
+bool WriteSession::next_command(LinkCommand& command, std::int64_t now_ns) {
   const bool news = exchange_.commands.update();
   const LinkCommand& found = exchange_.commands.current();
   const bool ours = found.session == number_;
   if (ours) newest_ = found;
   command = newest_;
-  if (begun_ && !last_) return news && ours;
+  const bool repeats = keep_alive_ns_ > 0 && now_ns - began_ns_ >= keep_alive_ns_;
+  if (begun_ && !last_) return (news && ours) || repeats;
   command.enable = false;
   command.clear_faults = false;
   return true;
@@ -27,7 +33,7 @@ std::optional<hid::ReportBytes> WriteSession::begin(std::int64_t now_ns) {
   if (last_ || !move(State::kIdle, State::kTaking)) return std::nullopt;
   last_ = stop_.load(std::memory_order_acquire);
   LinkCommand command;
-  if (!next_command(command)) {
+  if (!next_command(command, now_ns)) {
     state_.store(State::kIdle, std::memory_order_release);
     return std::nullopt;
   }

@@ -17,15 +17,19 @@ namespace hapticwall::device {
 
 class WriteSession {
  public:
-  // `exchange` must outlive every call before abandon() or done().
+  // `exchange` must outlive every call before abandon() or done(). `keep_alive_ns`: as of
+  // ImpulseEngineOptions.
   WriteSession(std::uint32_t number, std::unique_ptr<hid::Handle> handle,
-               std::shared_ptr<SentCommands> sent, LinkExchange& exchange);
+               std::shared_ptr<SentCommands> sent, LinkExchange& exchange,
+               std::int64_t keep_alive_ns = 0);
 
   // Writer: the report to write now, if any; call finish() after writing it. The first and the last
   // report do not enable the force.
   [[nodiscard]] std::optional<hid::ReportBytes> begin(std::int64_t now_ns);
   void finish(std::int64_t now_ns);
   [[nodiscard]] hid::Handle& handle() { return *handle_; }
+  // Without a new command the writer may rest so long, nanoseconds; 0: until there is one.
+  [[nodiscard]] std::int64_t keep_alive_ns() const { return keep_alive_ns_; }
   // The writer has nothing more to do.
   [[nodiscard]] bool over() const { return state() == State::kDone; }
 
@@ -50,12 +54,13 @@ class WriteSession {
   [[nodiscard]] bool move(State from, State to) {
     return state_.compare_exchange_strong(from, to, std::memory_order_acq_rel);
   }
-  [[nodiscard]] bool next_command(LinkCommand& command);
+  [[nodiscard]] bool next_command(LinkCommand& command, std::int64_t now_ns);
 
   const std::uint32_t number_;
   std::unique_ptr<hid::Handle> handle_;
   std::shared_ptr<SentCommands> sent_;
   LinkExchange& exchange_;
+  const std::int64_t keep_alive_ns_;
   std::atomic<State> state_{State::kIdle};
   std::atomic<bool> stop_{false};
 

@@ -53,8 +53,9 @@ class Handle {
   // The oldest queued report, or the next one within `wait_ms` (0: no wait). Longer reports are cut
   // to `bytes`: pass more than a report.
   virtual ReadOutcome read(std::span<std::uint8_t> bytes, int wait_ms) = 0;
-  // An output report. May block: five seconds were seen. False on failure.
-  virtual bool write(const ReportBytes& bytes) = 0;
+  // An output report with its id, 0 if the reports have none. May block: five seconds were seen.
+  // False on failure.
+  virtual bool write(std::span<const std::uint8_t> bytes) = 0;
   // Reads a feature report into `bytes`, of which the first becomes the id. Returns the number of
   // bytes; 0 on failure.
   virtual std::size_t get_feature(std::uint8_t id, std::span<std::uint8_t> bytes) = 0;

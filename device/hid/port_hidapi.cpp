@@ -71,7 +71,7 @@ class HidapiHandle : public Handle {
     }
   }
 
-  bool write(const ReportBytes& bytes) override {
+  bool write(std::span<const std::uint8_t> bytes) override {
     const std::lock_guard lock(shared_->mutex);
     return hid_write(shared_->device.get(), bytes.data(), bytes.size()) ==
            static_cast<int>(bytes.size());

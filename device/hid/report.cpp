@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <limits>
-#include <type_traits>
+
+#include "device/hid/little_endian.h"
 
 namespace hapticwall::device::hid {
 namespace {
@@ -23,39 +23,10 @@ constexpr std::size_t kStateReserved = 44;
 constexpr std::size_t kForceReserved = 12;
 constexpr std::size_t kInfoReserved = 24;
 
-// Rounded and clamped to the range of the type; 0 for NaN.
-template <std::integral T>
-T saturated(double value) {
-  if (std::isnan(value)) return 0;
-  constexpr auto kMin = static_cast<double>(std::numeric_limits<T>::min());
-  constexpr auto kMax = static_cast<double>(std::numeric_limits<T>::max());
-  return static_cast<T>(std::clamp(std::round(value), kMin, kMax));
-}
-
 // Clamped symmetrically. A force that is not finite becomes 0: it is a mistake, not a strong force.
 std::int16_t millinewtons(double force_n) {
   if (!std::isfinite(force_n)) return 0;
   return saturated<std::int16_t>(std::clamp(force_n, -kMaxForceN, kMaxForceN) * kStepsPerNewton);
-}
-
-// Little endian on every machine.
-template <std::integral T>
-void put(ReportBytes& bytes, std::size_t at, T value) {
-  using Bits = std::make_unsigned_t<T>;
-  const auto bits = static_cast<std::uint32_t>(static_cast<Bits>(value));
-  for (std::size_t i = 0; i < sizeof(T); ++i) {
-    bytes[at + i] = static_cast<std::uint8_t>(bits >> (8 * i));
-  }
-}
-
-// Precondition: `bytes` has kReportBytes.
-template <std::integral T>
-T get(std::span<const std::uint8_t> bytes, std::size_t at) {
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < sizeof(T); ++i) {
-    bits |= static_cast<std::uint32_t>(bytes[at + i]) << (8 * i);
-  }
-  return static_cast<T>(static_cast<std::make_unsigned_t<T>>(bits));
 }
 
 // Writes fields into the bytes of a report.

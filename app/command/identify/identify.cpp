@@ -120,7 +120,9 @@ file::DeviceDescription described(const IdentifyOptions& options, const DeviceCh
 Result<int> report(const IdentifyOptions& options, const IdentifiedBy& by,
                    const identify::Identification& found, const identify::Record& record,
                    OutputFiles& files, OutputFile& device_file, file::DeviceDescription device) {
-  const auto draw = [&] { return draw::draw_identification(record, found); };
+  const auto draw = [&](draw::Ink ink) {
+    return draw::draw_identification(record, found, draw::kIdentificationSize.in(ink));
+  };
   if (Failure failed =
           files.write({"", identify_json(by, found), identify_text(by, found)}, draw)) {
     return *failed;

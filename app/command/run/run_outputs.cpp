@@ -94,8 +94,8 @@ Result<file::Picture> RunOutputs::draw(const Scene& scene, draw::Ink ink) const 
   for (std::size_t i = 0; i < scene.axes.size(); ++i) {
     Scene axis = axis_scene(scene, i);
     if (i > 0) axis.name += ", axis y";
-    Result<file::Picture> picture = draw::draw_figure(axis, samples_.at(i), {.ink = ink},
-                                                      file::signal_names(columns_));
+    Result<file::Picture> picture =
+        draw::draw_figure(axis, samples_.at(i), {.ink = ink}, file::signal_names(columns_));
     if (!picture) return picture;
     all = i == 0 ? std::move(*picture) : file::beside(all, *picture);
   }

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "app/file/disk/small_file.h"
+#include "app/file/scene/dialect_table.h"
 #include "app/file/scene/table_reader.h"
 #include "app/file/scene/toml_text.h"
 #include "app/file/text/text.h"
@@ -152,6 +153,7 @@ DeviceDescription read_description(const toml::table& root, const std::string& o
   if (x == nullptr) reader.fail_missing("x", "a table [x], the first axis");
   device.x = read_axis(*x, "x", origin);
   if (const toml::table* y = reader.table("y")) device.y = read_axis(*y, "y", origin);
+  device.dialect = read_dialect(reader, origin, device.y.has_value());
   reader.finish();
   return device;
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/dialect.h"
 #include "core/result.h"
 
 namespace hapticwall::file {
@@ -48,9 +49,10 @@ struct DeviceDescription {
   std::uint16_t product_id = 0;
   std::string serial;  // empty: any
   AxisDescription x;   // with `ff`: encoder and workspace follow from the wheel
-  std::optional<AxisDescription> y;
-  std::optional<FfDescription> ff;  // not a device of docs/hid-protocol.md
+  std::optional<AxisDescription> y{};
+  std::optional<FfDescription> ff{};  // not a device of docs/hid-protocol.md
   std::string identified{};  // what `hapticwall identify` found, when and how well; may be empty
+  std::optional<Dialect> dialect{};  // nullopt: it speaks docs/hid-protocol.md
 
   friend bool operator==(const DeviceDescription&, const DeviceDescription&) = default;
 };

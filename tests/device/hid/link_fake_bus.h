@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "device/emulator/firmware_emulator.h"
+#include "device/hid/link.h"
 #include "device/hid/port.h"
+#include "tests/device/hid/foreign_board.h"
 
 namespace hapticwall::device::hid::testing {
 
@@ -34,9 +36,32 @@ struct Plug {
   bool feature_is_missing = false;
   bool writes_hang = false;  // no write to it returns, unplugged or not
   int listed_times = 1;
-  std::vector<FakeHandle*> handles;  // open ones
+  std::vector<FakeHandle*> handles;       // open ones
+  std::unique_ptr<ForeignBoard> foreign;  // in the place of the device that speaks the protocol
 
   [[nodiscard]] bool is_there() const { return !hidden && (bridged || device.is_plugged()); }
+  [[nodiscard]] bool accepts_output() const {
+    return foreign ? !foreign->blocks : device.accepts_output();
+  }
+  bool write_output(std::span<const std::uint8_t> bytes) {
+    return foreign ? foreign->take(bytes) : device.write_output(bytes);
+  }
+  // To this instant; the reports that come out of it.
+  std::vector<InputReport> move_to(std::uint64_t time_us) {
+    std::vector<InputReport> reports;
+    const std::uint64_t before_ms = device.now_us() / 1000;
+    device.step(time_us - device.now_us());
+    while (const auto report = device.take_input()) reports.push_back(*report);
+    if (!foreign) return reports;
+    reports.clear();
+    for (std::uint64_t ms = before_ms; ms < time_us / 1000; ++ms) {
+      for (const Bytes& bytes : foreign->tick()) {
+        InputReport& report = reports.emplace_back(InputReport{time_us, bytes.size(), {}});
+        std::copy(bytes.begin(), bytes.end(), report.bytes.begin());
+      }
+    }
+    return reports;
+  }
 };
 
 inline Listing usual_listing(const std::string& path = "/dev/hidraw0",
@@ -49,6 +74,16 @@ inline Listing usual_listing(const std::string& path = "/dev/hidraw0",
   listing.product = "Emulated device";
   listing.usage_page = kUsagePage;
   listing.usage = kUsage;
+  return listing;
+}
+
+// A device of another usage page.
+inline Listing foreign_listing(const ImpulseEngineOptions& options) {
+  Listing listing = usual_listing();
+  listing.vendor_id = options.vendor_id;
+  listing.product_id = options.product_id;
+  listing.usage_page = 0xFFAB;
+  listing.usage = 0x0200;
   return listing;
 }
 
@@ -75,10 +110,10 @@ class FakeHandle : public Handle {
 
   // Whether a write would return at once.
   [[nodiscard]] bool write_returns() const {
-    return !plug_.writes_hang && (!alive_ || plug_.device.accepts_output());
+    return !plug_.writes_hang && (!alive_ || plug_.accepts_output());
   }
-  bool write(const ReportBytes& bytes) override {
-    return alive_ && plug_.device.write_output(bytes);
+  bool write(std::span<const std::uint8_t> bytes) override {
+    return alive_ && plug_.write_output(bytes);
   }
 
   std::size_t get_feature(std::uint8_t id, std::span<std::uint8_t> bytes) override {
@@ -118,10 +153,9 @@ class FakeBus {
   // Every device to the same instant; reports go to whoever has it open.
   void move_to(std::uint64_t time_us) {
     for (const auto& plug : plugs_) {
-      plug->device.step(time_us - plug->device.now_us());
-      while (const auto report = plug->device.take_input()) {
+      for (const InputReport& report : plug->move_to(time_us)) {
         for (FakeHandle* handle : plug->handles) {
-          if (handle->is_alive()) handle->push(*report);
+          if (handle->is_alive()) handle->push(report);
         }
       }
       if (plug->is_there()) continue;

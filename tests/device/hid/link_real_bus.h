@@ -82,7 +82,7 @@ class RealBus {
     if (found) report = *newest_, seen = number_;
     return life == life_;
   }
-  bool write(int life, const ReportBytes& bytes) {
+  bool write(int life, std::span<const std::uint8_t> bytes) {
     std::unique_lock lock(mutex_);
     ++blocked_writes_;
     changed_.wait(lock, [this] { return !blocked_; });
@@ -143,7 +143,7 @@ class RealHandle : public Handle {
       std::this_thread::sleep_for(kPoll);
     }
   }
-  bool write(const ReportBytes& bytes) override { return bus_->write(life_, bytes); }
+  bool write(std::span<const std::uint8_t> bytes) override { return bus_->write(life_, bytes); }
   std::size_t get_feature(std::uint8_t /*id*/, std::span<std::uint8_t> bytes) override {
     const auto info = bus_->info();
     if (!info) return 0;

@@ -18,6 +18,16 @@ class Rig {
                const hid::EmulatorSettings& settings = hid::testing::one_axis())
       : plug(bus.add(hid::testing::usual_listing(), settings, std::move(script))),
         host(bus, options) {
+    prepare();
+  }
+  // A device that speaks a dialect.
+  Rig(const ImpulseEngineOptions& options, std::unique_ptr<hid::testing::ForeignBoard> board)
+      : plug(bus.add(hid::testing::foreign_listing(options), hid::testing::one_axis())),
+        host(bus, options) {
+    plug.foreign = std::move(board);
+    prepare();
+  }
+  void prepare() {
     host.behaviour.force_n = {kPushN, 0.0};
     host.after_tick = [this] {
       if (force_n() != 0.0) last_force_us = host.now_us();
@@ -25,7 +35,9 @@ class Rig {
   }
 
   // At the amplifiers: pushing out of the wall is towards smaller counts.
-  [[nodiscard]] double force_n() const { return plug.device.amplifier_force_n()[0]; }
+  [[nodiscard]] double force_n() const {
+    return plug.foreign ? plug.foreign->force_n() : plug.device.amplifier_force_n()[0];
+  }
   [[nodiscard]] bool pushes() const { return force_n() == -kPushN; }
   void tick_until_ms(std::uint64_t time_ms) {
     while (host.now_us() < time_ms * kMillisecondUs) host.tick();

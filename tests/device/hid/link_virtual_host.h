@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "device/hid/dialect_port.h"
 #include "device/hid/link_loop.h"
 #include "device/hid/link_owner.h"
 #include "device/hid/link_reader.h"
@@ -38,12 +39,15 @@ class VirtualHost {
       : bus(its_bus),
         port(std::make_shared<hid::testing::FakePort>(its_bus)),
         reader(exchange, clock),
-        owner(
-            exchange, reader, options,
-            [this]() -> Result<std::shared_ptr<hid::Port>> {
-              return std::shared_ptr<hid::Port>(port);
-            },
-            clock, [this](const std::shared_ptr<WriteSession>& session) { return start(session); }),
+        owner(exchange, reader, options,
+              hid::translated(
+                  options,
+                  [this]() -> Result<std::shared_ptr<hid::Port>> {
+                    return other_port ? other_port : std::shared_ptr<hid::Port>(port);
+                  },
+                  clock),
+              clock,
+              [this](const std::shared_ptr<WriteSession>& session) { return start(session); }),
         loop(exchange, clock) {}
 
   // One millisecond of everything, or of the devices alone.
@@ -96,6 +100,7 @@ class VirtualHost {
  public:
   hid::testing::FakeBus& bus;
   std::shared_ptr<hid::testing::FakePort> port;
+  std::shared_ptr<hid::Port> other_port;  // in its place
   HostClock clock = [this] { return now_ns(); };
   LinkExchange exchange;
   LinkReader reader;
@@ -161,8 +166,11 @@ class VirtualHost {
       if (!writing.bytes) return;
       if (on_report) on_report(*writing.bytes);
     }
-    auto& handle = dynamic_cast<hid::testing::FakeHandle&>(writing.session->handle());
-    if (!handle.write_returns() && now_us_ - writing.since_us < kMaxWriteUs) return;
+    hid::Handle& handle = writing.session->handle();
+    const auto* fake = dynamic_cast<hid::testing::FakeHandle*>(&handle);
+    const bool returns =
+        fake != nullptr ? fake->write_returns() : bus.plugs().front()->accepts_output();
+    if (!returns && now_us_ - writing.since_us < kMaxWriteUs) return;
     handle.write(*writing.bytes);
     writing.bytes.reset();
     writing.session->finish(now_ns());

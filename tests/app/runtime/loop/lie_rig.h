@@ -66,16 +66,19 @@ class LieRig {
       : rig(std::move(script), options, settings),
         device_(rig.host),
         exchange_(kQueues, parameters_of(scene)) {
-    EXPECT_TRUE(rig.host.come_up());
-    loop_.emplace(std::vector<device::Device*>{&device_}, exchange_,
-                  parameters_of(scene_on(scene, device_.info())), false, law);
-    rig.host.whole_loop = [this] { loop_->cycle({clock_.now_ns(), 0, 0}, clock_); };
-    rig.host.after_tick = [this] {
-      const double force_n = std::abs(rig.force_n());
-      if (force_n != 0.0) last_force_us = rig.host.now_us();
-      peak_n = std::max(peak_n, force_n);
-      if (on_tick) on_tick();
-    };
+    prepare(scene, law);
+  }
+  // On a board that speaks the dialect of `options`.
+  LieRig(const device::ImpulseEngineOptions& options,
+         std::unique_ptr<device::hid::testing::ForeignBoard> board,
+         std::shared_ptr<device::hid::Port> port = nullptr,
+         const std::function<void(device::testing::VirtualHost&)>& before = {})
+      : rig(options, std::move(board)),
+        device_(rig.host),
+        exchange_(kQueues, parameters_of(scene())) {
+    rig.host.other_port = std::move(port);
+    if (before) before(rig.host);
+    prepare(scene(), nullptr);
   }
 
   void arm() { EXPECT_TRUE(exchange_.commands.try_push({CommandKind::kArm, 0})); }
@@ -112,6 +115,19 @@ class LieRig {
     scene.x().walls = {{kLieWallM, kLieStiffness, 0.0}};
     scene.algorithm.index = find_algorithm("none").value();
     return scene;
+  }
+
+  void prepare(const Scene& scene, TickLaw* law) {
+    EXPECT_TRUE(rig.host.come_up());
+    loop_.emplace(std::vector<device::Device*>{&device_}, exchange_,
+                  parameters_of(scene_on(scene, device_.info())), false, law);
+    rig.host.whole_loop = [this] { loop_->cycle({clock_.now_ns(), 0, 0}, clock_); };
+    rig.host.after_tick = [this] {
+      const double force_n = std::abs(rig.force_n());
+      if (force_n != 0.0) last_force_us = rig.host.now_us();
+      peak_n = std::max(peak_n, force_n);
+      if (on_tick) on_tick();
+    };
   }
 
   LinkDevice device_;

@@ -1,0 +1,61 @@
+// The raw reports of a device that does not speak docs/hid-protocol.md, as a table: where a
+// position stands, and where a force goes. Numbers alone; device/hid reads and writes the bytes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace hapticwall {
+
+// A number in a report, little endian.
+enum class FieldType : std::uint8_t { kI8, kU8, kI16, kU16, kI32, kU32, kF32 };
+
+struct FieldTypeText {
+  std::string_view name;  // in a device file
+  std::size_t bytes;
+};
+// In the order of FieldType.
+inline constexpr std::array<FieldTypeText, 7> kFieldTypes{
+    {{"i8", 1}, {"u8", 1}, {"i16", 2}, {"u16", 2}, {"i32", 4}, {"u32", 4}, {"f32", 4}}};
+
+[[nodiscard]] constexpr std::size_t bytes_of(FieldType type) {
+  return kFieldTypes.at(static_cast<std::size_t>(type)).bytes;
+}
+
+struct ReportField {
+  std::size_t offset = 0;  // behind the id of the report
+  FieldType type = FieldType::kI16;
+  // What one unit is: metres, or newtons towards growing positions. Not 0; a negative one turns the
+  // axis around.
+  double per_unit = 1.0;
+  double clamp = 0.0;  // of a force, units; 0: what the type holds
+
+  friend bool operator==(const ReportField&, const ReportField&) = default;
+};
+
+inline constexpr std::size_t kMaxDialectAxes = 2;
+
+struct ReportLayout {
+  std::uint8_t id = 0;    // 0: the reports have none
+  std::size_t bytes = 0;  // without the id, 1 to kMaxDialectBytes
+  std::array<std::optional<ReportField>, kMaxDialectAxes> axes;
+
+  friend bool operator==(const ReportLayout&, const ReportLayout&) = default;
+};
+
+inline constexpr std::size_t kMaxDialectBytes = 64;
+
+struct Dialect {
+  std::uint16_t usage_page = 0;    // of the interface; 0: any
+  ReportLayout in;                 // from the device
+  ReportLayout out;                // to the device
+  bool reports_on_change = false;  // silence means that the handle rests
+  int keep_alive_ms = 10;          // the largest time between two commands, 1 to 20
+
+  friend bool operator==(const Dialect&, const Dialect&) = default;
+};
+
+}  // namespace hapticwall
