@@ -71,10 +71,10 @@ Failure check_description(const std::string& text, const std::string& kind,
         file::in_quotes(text)));
   }
   if (description.ff.has_value() == (kind == kWheel)) return std::nullopt;
-  return device_error(
-      fmt::format("--device {}: '{}' describes a device of the other kind: with "
-                  "[ff] it is ff:NAME, without ie2000:NAME",
-                  file::in_quotes(text), description.name));
+  return device_error(fmt::format(
+      "--device {}: {}", file::in_quotes(text),
+      description.ff ? "the file has a table [ff], so it is a wheel; write ff:NAME"
+                     : "the file has no table [ff], so it is no wheel; write ie2000:NAME"));
 }
 
 Result<DeviceChoice> load_device_plugin(const std::string& path) {

@@ -83,7 +83,7 @@ TEST(DeviceFile, AWheelHasKeysOfItsOwn) {
 }
 
 TEST(BuiltinDevice, EachCanBeReadAndSaysWhereItsNumbersComeFrom) {
-  ASSERT_EQ(builtin_devices().size(), 4U);
+  ASSERT_EQ(builtin_devices().size(), 5U);
   for (const BuiltinDevice& builtin : builtin_devices()) {
     const Result<DeviceDescription> device = load_device(builtin.name);
     ASSERT_TRUE(device) << device.error().message;
