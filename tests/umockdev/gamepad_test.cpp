@@ -31,7 +31,7 @@ using ::testing::HasSubstr;
 constexpr const char* kGamepadKeys = "7cdb000000000000 0 0 0 0";
 constexpr const char* kKeyboardKeys = "402000000 3803078f800d001 feffffdfffefffff fffffffffffffffe";
 constexpr const char* kRumble = "107030000 0";
-constexpr const char* kConstantOnly = "120000000 0";  // gain and a constant force
+constexpr const char* kConstantOnly = "100040000 0";  // gain and a constant force
 
 // What the kernel knows of the effects of one node. umockdev's thread calls, the test reads.
 class Kernel {
