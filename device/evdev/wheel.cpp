@@ -50,6 +50,7 @@ DeviceReading Wheel::read() {
   if (!keeper_) return reading;
   const AxesReading axes = keeper_->loop().read();
   reading.position_m = axes.position_m[0];
+  reading.applied_force_n = keeper_->taken_n();
   reading.age_s = axes.age_s;
   reading.state = axes.state;
   return reading;

@@ -35,7 +35,9 @@ WheelWriter::WheelWriter(evdev::WheelNode& node, const WheelScale& scale, LinkEx
       exchange_(exchange),
       session_(session),
       interval_ns_(static_cast<std::int64_t>(kNanosecondsPerSecond / rate_hz)),
-      free_ns_(now_ns + kSilenceNs) {}
+      free_ns_(now_ns + kSilenceNs) {
+  exchange_.taken_n = 0.0;
+}
 
 // A force rests on a position that is younger than kLinkLostNs.
 std::int16_t WheelWriter::wanted(std::int64_t now_ns, bool& pushes) {
@@ -63,35 +65,48 @@ WheelWriter::Next WheelWriter::step(const HostClock& now_ns) {
   return {free_ns_, false};
 }
 
-// The level is never in the wheel before the rest: a play starts at the level of the last one.
+// Before each play the level is sent again, because a full queue of the kernel drops reports and
+// says that it took them. The driver sends no level twice, so it is the one beside, nearer to 0.
 bool WheelWriter::send(std::int16_t level, bool pushes, std::int64_t now_ns) {
   if (!pushes) return take_away();
-  if (!has_gain_) return has_gain_ = sent(node_.set_gain(true));
-  if (!plays_ || now_ns >= replay_ns_) {
-    replay_ns_ = now_ns + kReplayNs;
-    return plays_ = sent(node_.play(true));
+  if (!has_gain_) return set_gain(true);
+  const bool plays = !plays_ || now_ns >= replay_ns_;
+  if (plays && !is_fresh_) {
+    is_fresh_ = true;
+    return set_level(static_cast<std::int16_t>(level > 0 ? level - 1 : level + 1));
   }
-  if (level == level_) return false;
+  if (plays) {
+    replay_ns_ = now_ns + kReplayNs;
+    return play(true);
+  }
+  return level != level_ && set_level(level);
+}
+
+bool WheelWriter::take_away() {
+  if (level_ != 0) return set_level(0);
+  if (plays_) return play(false);
+  return has_gain_ && set_gain(false);
+}
+
+bool WheelWriter::set_level(std::int16_t level) {
   level_ = level;
   return sent(node_.set_level(level));
 }
 
-bool WheelWriter::take_away() {
-  if (level_ != 0) {
-    level_ = 0;
-    return sent(node_.set_level(0));
-  }
-  if (plays_) {
-    plays_ = false;
-    return sent(node_.play(false));
-  }
-  if (!has_gain_) return false;
-  has_gain_ = false;
-  return sent(node_.set_gain(false));
+bool WheelWriter::play(bool starts) {
+  plays_ = starts;
+  is_fresh_ = false;
+  return sent(node_.play(starts));
+}
+
+bool WheelWriter::set_gain(bool full) {
+  has_gain_ = full;
+  return sent(node_.set_gain(full));
 }
 
 bool WheelWriter::sent(bool taken) {
   if (!taken) over_.store(true, std::memory_order_release);
+  exchange_.taken_n = taken && plays_ && has_gain_ ? scale_.force_n(level_) : 0.0;
   return true;
 }
 

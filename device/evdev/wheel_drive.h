@@ -51,6 +51,10 @@ class WheelScale {
   }
   // 0 for a force that is not finite; clamped to the limit. `force_n` pushes to smaller positions.
   [[nodiscard]] std::int16_t level(double force_n) const;
+  // The inverse of level().
+  [[nodiscard]] double force_n(std::int16_t level) const {
+    return level * full_n_ / evdev::kFullLevel;
+  }
   [[nodiscard]] double encoder_m() const { return encoder_m_; }
   [[nodiscard]] double limit_n() const { return limit_n_; }
   [[nodiscard]] double travel_m() const { return travel_m_; }
@@ -95,6 +99,9 @@ class WheelWriter {
   // Sends the most urgent report; false if there is none.
   [[nodiscard]] bool send(std::int16_t level, bool pushes, std::int64_t now_ns);
   [[nodiscard]] bool take_away();
+  bool play(bool starts);
+  bool set_level(std::int16_t level);
+  bool set_gain(bool full);
   bool sent(bool taken);
 
   evdev::WheelNode& node_;
@@ -110,6 +117,7 @@ class WheelWriter {
   std::int64_t replay_ns_ = 0;
   std::int16_t level_ = 0;  // in the wheel, as are these two
   bool plays_ = false;
+  bool is_fresh_ = false;  // the level was sent again since the last play
   bool has_gain_ = false;
 };
 

@@ -14,7 +14,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-constexpr int kListenMs = 5;
+// The age of a resting position counts from the last look.
+constexpr int kListenMs = 1;
 constexpr milliseconds kWriterRest{5};
 constexpr milliseconds kBetweenLooks{200};
 constexpr milliseconds kMaxOpening{5000};
@@ -148,7 +149,6 @@ void WheelKeeper::publish(const Open& wheel, const evdev::WheelNews& news) {
   view_.received_ns = news.events > 0 ? std::clamp(news.latch_ns, looked_ns_, now_ns) : now_ns;
   looked_ns_ = now_ns;
   view_.position_m[0] = wheel.scale.position_m(news.value);
-  view_.limit_n[0] = wheel.scale.limit_n();
   view_.stats.acknowledges = false;
   view_.stats.calibrated = true;
   view_.stats.delay_s = options_.wheel.delay_s;

@@ -41,6 +41,8 @@ class WheelKeeper {
   void stop();
 
   [[nodiscard]] LinkLoop& loop() { return loop_; }
+  // The force that the kernel took last. Realtime-safe: yes.
+  [[nodiscard]] double taken_n() const { return exchange_.taken_n; }
   [[nodiscard]] std::string words() const;
   // Of the newest link that came up.
   [[nodiscard]] std::optional<DeviceInfo> info() const;

@@ -105,6 +105,8 @@ struct LinkExchange {
   std::atomic<std::int64_t> write_ns{0};         // writer -> loop: duration of the newest write
   std::atomic<std::int64_t> longest_write_ns{0};
   std::atomic<std::uint64_t> losses{0};  // owner -> loop
+  // Writer -> loop, of a wheel, which tells no force: the one that the kernel took last.
+  std::atomic<double> taken_n{0.0};
 };
 
 }  // namespace hapticwall::device

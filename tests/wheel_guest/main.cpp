@@ -1,17 +1,21 @@
 // hapticwall-wheel: an emulated force-feedback wheel on the virtual USB bus, for the guest.
 //
-//   hapticwall-wheel log=FILE [scene=NAME] [rate=HZ] [interval=MS] [full=N] [autocentre=1]
-//                    [deaf=S] [unplug=S] [stop=S] [set=KEY=VALUE ...]
+//   hapticwall-wheel log=FILE [scene=NAME] [rate=HZ] [interval=MS] [takes=HZ] [full=N]
+//                    [autocentre=1] [deaf=S] [stall=S] [unplug=S] [stop=S] [set=KEY=VALUE ...]
 //   hapticwall-wheel push=/dev/input/event0 [level=LEVEL]   another program's force, for a second
+//   hapticwall-wheel axis=/dev/input/event0                 prints fuzz and flat
+//   hapticwall-wheel signal=NUMBER pid=PROCESS              sends it, prints the time in us
 //
-// Times count from the first tick of the hand. The log has one row a millisecond, with the clock
-// that all programs of the machine share.
+// The wheel sends positions at rate=, and takes reports at takes=: all that the endpoint's interval
+// permits if it is not given. stall= takes none for 400 ms. Times count from the first tick of the
+// hand. The log has one row a millisecond, with the clock that all programs of the machine share.
 #include <fcntl.h>
 #include <linux/input.h>
 #include <sched.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -63,6 +67,8 @@ class Wheel {
   Wheel(const Arguments& arguments, const Scene& scene, std::FILE* log)
       : firmware_(scene, settings_of(arguments)),
         interval_(static_cast<unsigned>(arguments.number("interval", 1))),
+        takes_per_tick_(arguments.number("takes", 1e3 / interval_) / 1e3),
+        stall_s_(arguments.number("stall", 1e9)),
         unplug_s_(arguments.number("unplug", 1e9)),
         stop_s_(arguments.number("stop", 1e9)),
         log_(log) {
@@ -71,6 +77,7 @@ class Wheel {
 
   int run() {
     if (!bus_.there()) return 1;
+    hurry_bus(kPriority);
     std::int64_t next_ns = device::monotonic_ns();
     while (stopped == 0 && hand_ms_ < 1e3 * stop_s_) {
       next_ns += kTickNs;
@@ -93,8 +100,8 @@ class Wheel {
 
   void tick() {
     bus_.take_all([this](const Transfer& transfer) { return answer(transfer); });
+    take_output();
     if (++ticks_ % interval_ == 0) {
-      if (const auto report = bus_.receive()) firmware_.take(*report);
       if (!pending_) pending_ = firmware_.news();
       if (pending_ && bus_.send(*pending_)) pending_.reset();
     }
@@ -104,6 +111,15 @@ class Wheel {
     std::fprintf(log_, "%lld,%.7f,%.4f,%d,%u\n",
                  static_cast<long long>(device::monotonic_ns() / 1000), firmware_.position_m(),
                  firmware_.force_n(), firmware_.level(), firmware_.taken());
+  }
+
+  void take_output() {
+    constexpr double kStallMs = 400.0;
+    may_take_ = std::min(may_take_ + takes_per_tick_, 1.0);
+    const bool stalls = hand_ms_ >= 1e3 * stall_s_ && hand_ms_ < 1e3 * stall_s_ + kStallMs;
+    if (may_take_ < 1.0 || stalls) return;
+    may_take_ -= 1.0;
+    if (const auto report = bus_.receive()) firmware_.take(*report);
   }
 
   using Answer = std::optional<std::vector<std::uint8_t>>;
@@ -141,6 +157,9 @@ class Wheel {
   Firmware firmware_;
   UsbBus bus_;
   unsigned interval_;
+  double takes_per_tick_;
+  double may_take_ = 0.0;
+  double stall_s_;
   double unplug_s_;
   double stop_s_;
   std::FILE* log_;
@@ -169,7 +188,27 @@ int push(const std::string& node, double level) {
   return done ? 0 : 1;
 }
 
+int print_axis(const std::string& node) {
+  const int descriptor = ::open(node.c_str(), O_RDONLY | O_CLOEXEC);
+  input_absinfo axis{};
+  if (::ioctl(descriptor, EVIOCGABS(ABS_X), &axis) < 0) return 1;
+  ::close(descriptor);
+  std::printf("%d %d\n", axis.fuzz, axis.flat);
+  return 0;
+}
+
+int send_signal(const Arguments& arguments) {
+  const auto process = static_cast<pid_t>(arguments.number("pid", 0.0));
+  const std::int64_t now_ns = device::monotonic_ns();
+  if (process <= 0 || ::kill(process, static_cast<int>(arguments.number("signal", 0.0))) != 0)
+    return 1;
+  std::printf("%lld\n", static_cast<long long>(now_ns / 1000));
+  return 0;
+}
+
 int run(const Arguments& arguments) {
+  if (arguments.values.count("axis") != 0) return print_axis(arguments.text("axis", ""));
+  if (arguments.values.count("signal") != 0) return send_signal(arguments);
   if (arguments.values.count("push") != 0) {
     return push(arguments.text("push", ""), arguments.number("level", 3000));
   }

@@ -2,12 +2,16 @@
 
 #include <arpa/inet.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <string>
+#include <system_error>
 
 namespace hapticwall::wheel {
 namespace {
@@ -42,6 +46,17 @@ UsbBus::UsbBus() {
 void UsbBus::unplug() {
   if (socket_ >= 0) ::close(socket_);
   socket_ = -1;
+}
+
+void hurry_bus(int priority) {
+  std::error_code none;
+  const sched_param fifo{priority};
+  for (const auto& process : std::filesystem::directory_iterator("/proc", none)) {
+    std::string name;
+    std::getline(std::ifstream(process.path() / "comm") >> std::ws, name);
+    if (!name.starts_with("vhci_")) continue;
+    ::sched_setscheduler(std::stoi(process.path().filename()), SCHED_FIFO, &fifo);
+  }
 }
 
 bool UsbBus::read_all(std::span<std::uint8_t> bytes) {

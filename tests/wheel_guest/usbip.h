@@ -53,4 +53,8 @@ class UsbBus {
   std::deque<Transfer> out_;
 };
 
+// Gives the kernel's threads of the virtual bus this real-time priority: a real bus waits for no
+// program.
+void hurry_bus(int priority);
+
 }  // namespace hapticwall::wheel

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <thread>
+#include <utility>
 
 #include "device/evdev/wheel_node.h"
 
@@ -25,8 +26,9 @@ class FakeWheel : public WheelNode {
     const bool moved = std::exchange(told_, now) != now;
     return {gone, moved ? 1U : 0U, moved ? now_ns_() : 0, now};
   }
+  // As hid-pidff, which sends no level twice.
   bool set_level(std::int16_t level) override {
-    if (take()) level_ = level;
+    if (std::exchange(uploaded_, level) != level && take()) level_ = level;
     return !gone;
   }
   bool play(bool starts) override {
@@ -40,6 +42,8 @@ class FakeWheel : public WheelNode {
 
   // What the motor gives now, in levels.
   [[nodiscard]] int motor() const { return now_ns_() < ends_ns_ ? level_ * gain_ : 0; }
+  // All that could make one.
+  [[nodiscard]] bool is_quiet() const { return level_ == 0 && ends_ns_ == 0 && gain_ == 0; }
 
   std::atomic<std::int32_t> value{0};
   std::atomic<bool> gone{false};
@@ -56,6 +60,7 @@ class FakeWheel : public WheelNode {
 
   std::function<std::int64_t()> now_ns_;
   std::int32_t told_ = 0;
+  std::int16_t uploaded_ = 0;
   std::atomic<int> level_{0};
   std::atomic<int> gain_{0};
   std::atomic<std::int64_t> ends_ns_{0};

@@ -19,6 +19,8 @@ TEST(KernelWheel, LevelsReachItOneByOne) {
   WheelOptions options;
   options.wheel.torque_nm = 0.13;  // 1 N at full level
   options.wheel.force_limit_n = 1.0;
+  const char* rate_hz = std::getenv("HAPTICWALL_WHEEL_RATE_HZ");  // NOLINT(concurrency-mt-unsafe)
+  if (rate_hz != nullptr) options.wheel.rate_hz = std::strtod(rate_hz, nullptr);
   const auto wheel = make_wheel(options);
   const Failure failed = wheel->open();
   ASSERT_FALSE(failed) << failed->message;
@@ -28,11 +30,11 @@ TEST(KernelWheel, LevelsReachItOneByOne) {
   sent << "time_us,level\n";
   const WheelScale scale(options.wheel, {-kFullLevel, kFullLevel});
   std::int64_t next_ns = monotonic_ns();
-  for (int tick = 0; tick < 1000; ++tick) {
+  for (int tick = 0; tick < 3000; ++tick) {
     next_ns += 1'000'000;
     std::this_thread::sleep_for(std::chrono::nanoseconds(next_ns - monotonic_ns()));
     static_cast<void>(wheel->read());
-    const double force_n = (tick + 1.5) / 32767.0;
+    const double force_n = (2 * tick + 2.5) / 32767.0;  // even: the writer adds odd levels
     sent << monotonic_ns() / 1000 << ',' << scale.level(force_n) << '\n';
     wheel->write(force_n);
   }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
 constexpr double kRateHz = 900.0;
+constexpr double kTwoLevelsN = 2.4e-3;  // of 38.46 N
 
 // 5 N m at 0.13 m: 38.46 N at full level.
 WheelDescription wheel_of_5_nm() {
@@ -108,7 +109,7 @@ TEST(WheelWriter, IsSilentFor10MsAfterTheForceWasMade) {
   for (int ms = 0; ms < 10; ++ms) driven.tick(2.0);
   EXPECT_EQ(driven.wheel.reports, 0U);
   for (int ms = 0; ms < 5; ++ms) driven.tick(2.0);
-  EXPECT_NEAR(driven.motor_n(), 2.0, 1.2e-3);
+  EXPECT_NEAR(driven.motor_n(), 2.0, kTwoLevelsN);
 }
 
 TEST(WheelWriter, NoForceUnlessEnabled) {
@@ -124,9 +125,9 @@ TEST(WheelWriter, TheForceStandsAsLongAsCommandsCome) {
   const std::uint64_t before = driven.wheel.reports;
   for (int ms = 0; ms < 500; ++ms) {
     driven.tick(2.0);
-    ASSERT_NEAR(driven.motor_n(), 2.0, 1.2e-3) << ms;
+    ASSERT_NEAR(driven.motor_n(), 2.0, kTwoLevelsN) << ms;
   }
-  EXPECT_EQ(driven.wheel.reports - before, 20U) << "played again every 25 ms";
+  EXPECT_EQ(driven.wheel.reports - before, 54U) << "18 plays, and twice the level beside";
 }
 
 TEST(WheelWriter, DisablingTakesLevelPlayAndGain) {
@@ -138,9 +139,46 @@ TEST(WheelWriter, DisablingTakesLevelPlayAndGain) {
   driven.pass(kMs);
   EXPECT_EQ(driven.wheel.motor(), 0);
   driven.pass(10 * kMs);
+  EXPECT_TRUE(driven.wheel.is_quiet()) << "level, play and gain";
   const std::uint64_t reports = driven.wheel.reports;
   for (int ms = 0; ms < 100; ++ms) driven.tick(2.0);
   EXPECT_EQ(driven.wheel.reports, reports) << "three reports, then none";
+}
+
+// A full queue drops reports, and the kernel says that it took them.
+TEST(WheelWriter, ALevelThatWasDroppedIsSentAgain) {
+  for (const double force_n : {3.0, 0.0, -3.0}) {
+    Driven driven;
+    driven.loop.enable(true);
+    for (int ms = 0; ms < 30; ++ms) driven.tick(2.0);
+    driven.wheel.deaf = true;
+    for (int ms = 0; ms < 3; ++ms) driven.tick(force_n);
+    driven.wheel.deaf = false;
+    EXPECT_NEAR(driven.motor_n(), 2.0, kTwoLevelsN);
+    for (int ms = 0; ms < 30; ++ms) driven.tick(force_n);
+    EXPECT_NEAR(driven.motor_n(), force_n, kTwoLevelsN);
+  }
+}
+
+TEST(WheelWriter, TellsTheForceThatTheKernelTook) {
+  Driven driven;
+  for (int ms = 0; ms < 30; ++ms) driven.tick(2.0);
+  EXPECT_EQ(driven.exchange.taken_n, 0.0) << "not enabled";
+  driven.loop.enable(true);
+  for (int ms = 0; ms < 30; ++ms) {
+    driven.tick(2.0);
+    ASSERT_NEAR(driven.exchange.taken_n, driven.motor_n(), 1e-9) << ms;
+  }
+  EXPECT_NEAR(driven.exchange.taken_n, 2.0, kTwoLevelsN);
+  driven.loop.enable(false);
+  driven.tick(2.0);
+  driven.pass(10 * kMs);
+  EXPECT_EQ(driven.exchange.taken_n, 0.0);
+  driven.loop.enable(true);
+  for (int ms = 0; ms < 30; ++ms) driven.tick(2.0);
+  driven.wheel.gone = true;
+  driven.tick(1.0);
+  EXPECT_EQ(driven.exchange.taken_n, 0.0) << "unplugged";
 }
 
 TEST(WheelWriter, AnOldCommandIsNoForce) {
@@ -170,7 +208,7 @@ TEST(WheelWriter, SendsNoMoreThanTheBusTakesAndTheNewestOnly) {
     EXPECT_GT(static_cast<double>(driven.wheel.reports), 0.8 * rate_hz);
     driven.tick(3.0);
     driven.pass(10 * kMs);
-    EXPECT_NEAR(driven.motor_n(), 3.0, 1.2e-3);
+    EXPECT_NEAR(driven.motor_n(), 3.0, kTwoLevelsN);
   }
 }
 
@@ -189,6 +227,18 @@ TEST(WheelWriter, StopsWithoutForceAndEndsWhenTheWheelIsGone) {
   unplugged.wheel.gone = true;
   unplugged.tick(1.0);
   EXPECT_TRUE(unplugged.writer.over());
+}
+
+TEST(WheelWriter, ACommandForAnEarlierLinkIsNoForce) {
+  Driven driven;
+  driven.loop.enable(true);
+  driven.command(2.0);
+  WheelWriter next(driven.wheel, driven.scale, driven.exchange, 2, kRateHz, driven.now_ns);
+  for (int ms = 0; ms < 19; ++ms) {
+    driven.now_ns += kMs;
+    static_cast<void>(next.step(driven.clock));
+  }
+  EXPECT_EQ(driven.wheel.reports, 0U);
 }
 
 // Commands, faults and stalls in any order: never more than the limit, no force before arming, none

@@ -90,9 +90,27 @@ TEST(Wheel, PushesOnlyWhenEnabledAndStopsWhenItIsClosed) {
       wheel, 2.0, [](const DeviceReading& reading) { return reading.state == DeviceState::kOk; }));
   EXPECT_EQ(node->motor(), 0);
   wheel.enable(true);
-  EXPECT_TRUE(ticks_until(wheel, 2.0, [&](const DeviceReading&) { return node->motor() == 1703; }));
+  EXPECT_TRUE(ticks_until(wheel, 2.0, [&](const DeviceReading& reading) {
+    return node->motor() == 1703 && std::abs(reading.applied_force_n - 2.0) < 2e-3;
+  }));
   wheel.close();
   EXPECT_EQ(node->motor(), 0);
+}
+
+// A lower bound of time: a busy machine only makes it longer.
+TEST(Wheel, ItsFileCannotAskForMoreThanItTakes) {
+  Table table;
+  table.listed[0].max_rate_hz = 100.0;
+  WheelOptions options;
+  options.wheel.rate_hz = 1000.0;
+  Wheel wheel(options, table.port(), monotonic_ns);
+  ASSERT_FALSE(wheel.open());
+  const auto node = table.now();
+  static_cast<void>(wheel.read());
+  wheel.enable(true);
+  const std::int64_t began_ns = monotonic_ns();
+  EXPECT_TRUE(ticks_until(wheel, 2.0, [&](const DeviceReading&) { return node->reports >= 6; }));
+  EXPECT_GE(monotonic_ns() - began_ns, 50'000'000) << "five intervals";
 }
 
 TEST(Wheel, SilenceIsRest) {
