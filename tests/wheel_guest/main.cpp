@@ -115,7 +115,7 @@ class Wheel {
 
   void take_output() {
     constexpr double kStallMs = 400.0;
-    may_take_ = std::min(may_take_ + takes_per_tick_, 1.0);
+    may_take_ = std::min(may_take_ + takes_per_tick_, 0.999 + takes_per_tick_);
     const bool stalls = hand_ms_ >= 1e3 * stall_s_ && hand_ms_ < 1e3 * stall_s_ + kStallMs;
     if (may_take_ < 1.0 || stalls) return;
     may_take_ -= 1.0;
