@@ -76,10 +76,10 @@ void draw_rows(const PanelContext& context) {
 
 void draw_bound(const PanelContext& context, std::string_view name,
                 const std::optional<double>& bound_n_per_m, double stiffness_n_per_m,
-                const std::string& tooltip) {
+                const std::string& tooltip, const char* without = "none") {
   // The row stays when a part is switched off, so that nothing moves.
   const bool over = bound_n_per_m && stiffness_n_per_m > *bound_n_per_m;
-  figure_row(context, name, bound_n_per_m ? fmt::format("{:.0f} N/m", *bound_n_per_m) : "none",
+  figure_row(context, name, bound_n_per_m ? fmt::format("{:.0f} N/m", *bound_n_per_m) : without,
              over ? draw::Tone::kWarning : draw::Tone::kText,
              tooltip +
                  "\n\nOf the bare wall, without an algorithm. In this colour where the wall "
@@ -89,6 +89,10 @@ void draw_bound(const PanelContext& context, std::string_view name,
 // What the limit contains, and the rule of thumb for it.
 std::string stable_text(const PanelContext& context, const WallSettings& wall,
                         const StabilityBounds& bounds) {
+  const std::optional<LoopDelay> delay = shown_delay(context);
+  if (!delay) {
+    return "Stable below it, in N/m. It depends on the delay of the device, and that is unknown.";
+  }
   const bool simulated = context.session.device_info().is_simulated;
   const Scene scene = shown_scene(context);
   return fmt::format(
@@ -97,8 +101,7 @@ std::string stable_text(const PanelContext& context, const WallSettings& wall,
       "because B is too large.\n\nThe rule K < (b + B) / (T/2 + t_d) gives {:.0f} N/m. It is for B "
       "T/m below "
       "{:g}, here {:.2g}, and for a hand that only adds mass.",
-      simulated && scene.x().hand ? "hand, " : "",
-      shown_delay(context).total_s() * kMicrosecondsPerSecond,
+      simulated && scene.x().hand ? "hand, " : "", delay->total_s() * kMicrosecondsPerSecond,
       simulated ? "as simulated" : "as measured", bounds.rule_n_per_m.value_or(0.0),
       kMaxRuleDamping,
       wall.damping_n_s_per_m * scene.sampling.period_s() / scene.x().device.mass_kg);
@@ -111,7 +114,7 @@ void draw_bounds(const PanelContext& context, const WallSettings& wall) {
              "K < 2 (b - B) / T, in N/m (Eq. 18): creates no energy for any motion, except through "
              "the encoder.");
   draw_bound(context, "bound, stable", bounds.stable_n_per_m, stiffness,
-             stable_text(context, wall, bounds));
+             stable_text(context, wall, bounds), shown_delay(context) ? "none" : "unknown");
   draw_bound(context, "bound, friction", bounds.friction_n_per_m, stiffness,
              "K < 2 f_c / Δ, in N/m: friction can hold the handle between two counts.");
   draw_bound(context, "bound, resolution", bounds.resolution_n_per_m, stiffness,

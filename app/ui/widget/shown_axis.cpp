@@ -39,15 +39,22 @@ const Sample& shown_sample(const PanelContext& context) {
   return context.snapshot.newest.axes[shown_index(context)];
 }
 
-LoopDelay shown_delay(const PanelContext& context) {
+std::optional<LoopDelay> shown_delay(const PanelContext& context) {
   if (context.session.device_info().is_simulated) return delay_of(shown_scene(context));
-  return {.transport_s = context.snapshot.link.delay_s, .time_constant_s = 0.0};
+  const double delay_s = context.snapshot.link.delay_s;
+  if (delay_s <= 0.0) return std::nullopt;
+  return LoopDelay{.transport_s = delay_s, .time_constant_s = 0.0};
 }
 
 StabilityBounds shown_bounds(const PanelContext& context, const WallSettings& wall) {
   Scene scene = shown_scene(context);
   if (!context.session.device_info().is_simulated) scene.x().hand.reset();
-  return stability_bounds(scene, wall, shown_delay(context));
+  const std::optional<LoopDelay> delay = shown_delay(context);
+  StabilityBounds bounds = stability_bounds(scene, wall, delay.value_or(LoopDelay{}));
+  if (delay) return bounds;
+  bounds.stable_n_per_m.reset();
+  bounds.rule_n_per_m.reset();
+  return bounds;
 }
 
 std::optional<SceneProblem> set_shown_walls(const PanelContext& context,

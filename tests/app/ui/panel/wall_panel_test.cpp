@@ -47,5 +47,16 @@ TEST_F(WallPanel, OnADeviceTheLimitHasTheMeasuredDelayAndNoHand) {
   EXPECT_THAT(text(), Not(HasSubstr("handle, hand")));
 }
 
+TEST_F(WallPanel, AnUnknownDelayIsNotNone) {
+  fake_->info = {"wheel", false};
+  frames(2);
+  Scene scene = file::load_scene("press")->scene;
+  scene.x().hand.reset();
+  EXPECT_THAT(text(), Not(HasSubstr(limit_text(scene, {}))));
+  point_at_limit();
+  EXPECT_THAT(text(), HasSubstr("unknown"));
+  EXPECT_THAT(text(), HasSubstr("It depends on the delay of the device"));
+}
+
 }  // namespace
 }  // namespace hapticwall::test
