@@ -58,7 +58,8 @@ device::WheelOptions wheel_of(const std::string& path,
                    ff.delay_s,
                    description->x.force_limit_n,
                    description->x.max_speed_m_per_s,
-                   description->x.max_force_rate_n_per_s};
+                   description->x.max_force_rate_n_per_s,
+                   ff.delay_date};
   return options;
 }
 

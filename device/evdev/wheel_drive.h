@@ -24,6 +24,7 @@ struct WheelDescription {
   double force_limit_n = 5.0;  // at the radius
   double max_speed_m_per_s = 10.0;
   double max_force_rate_n_per_s = 0.0;  // 0: the whole limit within kForceRiseS
+  std::string delay_date{};             // of delay_s
 
   friend bool operator==(const WheelDescription&, const WheelDescription&) = default;
 };

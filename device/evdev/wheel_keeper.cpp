@@ -41,6 +41,7 @@ DeviceInfo info_of(const WheelOptions& options, const evdev::WheelListing& listi
   info.max_force_rate_n_per_s = options.wheel.max_force_rate_n_per_s > 0.0
                                     ? options.wheel.max_force_rate_n_per_s
                                     : scale.limit_n() / hid::kForceRiseS;
+  info.delay_date = options.wheel.delay_date;
   return info;
 }
 

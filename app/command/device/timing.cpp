@@ -73,11 +73,12 @@ Result<int> measure(const TimingOptions& options) {
   const std::string name = device ? device->info().name : "";
   runtime::MonotonicClock clock;
   Progress progress("timing", !options.output.quiet);
-  const runtime::TimingRecord record =
+  runtime::TimingRecord record =
       runtime::probe_timing(*plan, device.get(), clock, [&](std::uint64_t done) {
         progress.show(static_cast<double>(done) / static_cast<double>(plan->ticks));
         return stop_signal() != 0;
       });
+  if (device) record.delay_date = device->info().delay_date;
   if (device) device->close();
   if (Failure failed =
           files->write({"", timing_json(*plan, record, name), timing_text(*plan, record, name)})) {

@@ -139,18 +139,21 @@ std::string histogram(const std::vector<std::int64_t>& values_ns) {
   return text;
 }
 
-std::string wheel_text(const device::LinkStats& link) {
-  const std::string delay = link.delay_s > 0.0 ? fmt::format("{:.0f} us, by its device file",
-                                                             link.delay_s * kMicrosecondsPerSecond)
-                                               : "unknown";
+std::string wheel_text(const TimingRecord& record) {
+  const device::LinkStats& link = record.link;
+  const std::string delay =
+      link.delay_s > 0.0 ? fmt::format("{:.0f} us, measured {} (its device file)",
+                                       link.delay_s * kMicrosecondsPerSecond, record.delay_date)
+                         : "unknown";
   return fmt::format(
       "\n{} changes of position; a wheel acknowledges nothing: reports that are missing, and "
       "commands, are unknown; link lost {} times\nfrom a position to its force, t_d: {}\n",
       link.states, link.losses, delay);
 }
 
-std::string link_text(const device::LinkStats& link) {
-  if (!link.acknowledges) return wheel_text(link);
+std::string link_text(const TimingRecord& record) {
+  const device::LinkStats& link = record.link;
+  if (!link.acknowledges) return wheel_text(record);
   std::string text = fmt::format(
       "\n{} states, {} missing, {} void, {} repeated; {} commands rejected; link lost {} times\n",
       link.states, link.missing_states, link.void_reports, link.repeated_states,
@@ -186,6 +189,8 @@ table::Json device_object(const TimingRecord& record, const std::string& device_
   const auto told = [&](auto value) {
     return link.acknowledges ? table::Json(value) : table::Json();
   };
+  const table::Json date =
+      record.delay_date.empty() ? table::Json() : table::Json(record.delay_date);
   return {{"name", device_name},
           {"states", link.states},
           {"missing_states", told(link.missing_states)},
@@ -195,6 +200,7 @@ table::Json device_object(const TimingRecord& record, const std::string& device_
           {"losses", link.losses},
           {"device_period_s", told(link.device_period_s)},
           {"delay_s", link.delay_s > 0.0 ? table::Json(link.delay_s) : table::Json()},
+          {"delay_date", date},
           {"age", quantiles_object(record.age_ns)},
           {"round_trip", quantiles_object(record.round_trip_ns)},
           {"write", quantiles_object(record.write_ns)}};
@@ -231,7 +237,7 @@ std::string timing_text(const TimingPlan& plan, const TimingRecord& record,
     text += quantile_row("position's age", record.age_ns);
     text += quantile_row("round trip", record.round_trip_ns);
     text += quantile_row("write", record.write_ns);
-    text += link_text(record.link);
+    text += link_text(record);
   }
   text += histogram(record.latency_ns);
   const TimingJudgement judgement = judge_timing(plan, record, !device_name.empty());

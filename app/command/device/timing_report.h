@@ -14,7 +14,7 @@ using runtime::TimingVerdict;
 // Judges the loop by runtime::judge(), and a device. Good: no report missing, p99 of the age of
 // positions up to 1.5 periods, p99 of the write time up to half a period, mean delay up to 2
 // periods. Usable: one report in 1000 missing, 3 periods, 1 period and 5 periods. An unknown delay
-// is poor.
+// is poor, of a wheel usable.
 [[nodiscard]] TimingJudgement judge_timing(const runtime::TimingPlan& plan,
                                            const runtime::TimingRecord& record, bool has_device);
 

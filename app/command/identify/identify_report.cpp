@@ -100,6 +100,10 @@ file::DeviceDescription identified_device(file::DeviceDescription device, const 
   device.x.mass_kg = rounded(found.mass_kg);
   device.x.damping_n_s_per_m = rounded(found.damping_n_s_per_m);
   device.x.friction_n = rounded(found.friction_n);
+  if (device.ff) {
+    device.ff->delay_s = rounded(found.delay_s);
+    device.ff->delay_date = by.date.substr(0, by.date.find('T'));
+  }
   return device;
 }
 

@@ -56,7 +56,11 @@ constexpr std::array<NumberKey<AxisDescription>, 9> kAxisKeys{
 constexpr std::array<NumberKey<AxisDescription>, 6> kWheelAxisKeys{
     NumberKey<AxisDescription>{"force_limit_n", "N", kForceLimit, false,
                                &AxisDescription::force_limit_n},
-    kAxisKeys[4], kAxisKeys[5], kAxisKeys[6], kAxisKeys[7], kAxisKeys[8]};
+    kAxisKeys[4],
+    kAxisKeys[5],
+    kAxisKeys[6],
+    kAxisKeys[7],
+    kAxisKeys[8]};
 
 constexpr ValueRange kRadius{0.01, 1.0};
 constexpr ValueRange kTravel{1.0, 3600.0};
@@ -99,6 +103,10 @@ FfDescription read_ff(const toml::table& table, const std::string& origin) {
   FfDescription ff;
   read_numbers<FfDescription>(reader, table, kFfKeys, ff);
   if (std::abs(ff.sign) != 1.0) reader.fail(*table.get("sign"), "sign", "it takes 1 or -1");
+  ff.delay_date = reader.line("delay_date", kMaxNameBytes);
+  if (ff.delay_s > 0.0 && ff.delay_date.empty()) {
+    reader.fail_missing("delay_date", "the day on which delay_s was measured, as in \"2026-01-31\"");
+  }
   reader.finish();
   return ff;
 }
@@ -185,6 +193,7 @@ std::string device_to_toml(const DeviceDescription& device) {
   }
   if (device.ff) {
     write_numbers<FfDescription>(out, "ff", *device.ff, kFfKeys);
+    if (!device.ff->delay_date.empty()) out.string("delay_date", device.ff->delay_date);
     write_numbers<AxisDescription>(out, "x", device.x, kWheelAxisKeys);
     return out.text();
   }

@@ -36,6 +36,7 @@ struct FfDescription {
   double sign = 1.0;          // 1 or -1: positive levels turn it to the right
   double rate_hz = 0.0;       // of updates at most, 10 to 1000; 0: not given
   double delay_s = 0.0;       // from a position to its force, 0 to 1; 0: not known
+  std::string delay_date{};   // on which it was measured; empty: delay_s is not known
 
   friend bool operator==(const FfDescription&, const FfDescription&) = default;
 };

@@ -23,6 +23,7 @@ struct TimingRecord {
   std::vector<std::int64_t> round_trip_ns;
   std::vector<std::int64_t> write_ns;
   device::LinkStats link;  // at the end
+  std::string delay_date;  // as of DeviceInfo; the caller adds it
 };
 
 struct TimingPlan {

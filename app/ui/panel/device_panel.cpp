@@ -87,9 +87,11 @@ void draw_times(const PanelContext& context, const device::LinkStats& link) {
       draw::Tone::kText,
       "From the latch of a position to the arrival of the command that it led to, by the "
       "device's own clock.");
+  const std::string date = context.session.device_info().delay_date;
   figure_row(
       context, "delay",
-      answered(link.delay_s, fmt::format("{:5.0f} µs", link.delay_s * kMicrosecondsPerSecond)),
+      answered(link.delay_s, fmt::format("{:5.0f} µs{}", link.delay_s * kMicrosecondsPerSecond,
+                                         date.empty() ? "" : ", measured " + date)),
       draw::Tone::kText,
       "t_d, from the latch of a position to the tick at which its force acted. It reduces "
       "the stable stiffness: see the wall.");

@@ -122,6 +122,27 @@ TEST(TimingVerdictTest, TheDelayIsJudgedAndUnknownIsNotZero) {
   EXPECT_TRUE(json["device"]["delay_s"].is_null());
 }
 
+// A wheel of the kernel at rest, heard every millisecond.
+TEST(TimingVerdictTest, AWheelTellsNoDelayAndItsFileDoesWithADate) {
+  TimingRecord record = quiet_device();
+  record.link = {};
+  record.link.connected = true;
+  record.link.acknowledges = false;
+  EXPECT_EQ(judge_timing(usual_plan(), record, true).verdict, TimingVerdict::kUsable);
+  EXPECT_THAT(timing_text(usual_plan(), record, "wheel"), HasSubstr("t_d: unknown"));
+  EXPECT_TRUE(
+      nlohmann::json::parse(timing_json(usual_plan(), record, "wheel"))["device"]["delay_date"]
+          .is_null());
+  record.link.delay_s = 1.5e-3;
+  record.delay_date = "2026-01-31";
+  EXPECT_EQ(judge_timing(usual_plan(), record, true).verdict, TimingVerdict::kGood);
+  EXPECT_THAT(timing_text(usual_plan(), record, "wheel"),
+              HasSubstr("t_d: 1500 us, measured 2026-01-31"));
+  EXPECT_EQ(
+      nlohmann::json::parse(timing_json(usual_plan(), record, "wheel"))["device"]["delay_date"],
+      "2026-01-31");
+}
+
 TEST(TimingReport, TextHasTableHistogramAndVerdict) {
   TimingRecord record = quiet_device();
   record.latency_ns[0] = 1500 * kMicrosecondNs;

@@ -63,7 +63,7 @@ constexpr const char* kWheel =
 TEST(DeviceFile, AWheelHasSafeDefaults) {
   const Result<DeviceDescription> device = parse_device(kWheel, "w.toml");
   ASSERT_TRUE(device) << device.error().message;
-  EXPECT_EQ(device->ff, (FfDescription{0.13, 900.0, 2.1, 1.0, 0.0, 0.0}));
+  EXPECT_EQ(device->ff, (FfDescription{0.13, 900.0, 2.1, 1.0, 0.0, 0.0, ""}));
   EXPECT_EQ(device->x.force_limit_n, 5.0);
 }
 
@@ -71,13 +71,14 @@ TEST(DeviceFile, AWheelHasKeysOfItsOwn) {
   const Result<DeviceDescription> device = parse_device(
       std::string(kWheel) +
           "radius_m = 0.1\ntravel_deg = 40\nsign = -1\nrate_hz = 400\ndelay_s = 0.003\n"
+          "delay_date = \"2026-01-31\"\n"
           "[x]\nforce_limit_n = 2\nmax_speed_m_per_s = 3\nmax_force_rate_n_per_s = 100\n",
       "w.toml");
   ASSERT_TRUE(device) << device.error().message;
-  EXPECT_EQ(device->ff, (FfDescription{0.1, 40.0, 2.1, -1.0, 400.0, 0.003}));
+  EXPECT_EQ(device->ff, (FfDescription{0.1, 40.0, 2.1, -1.0, 400.0, 0.003, "2026-01-31"}));
   EXPECT_EQ(device->x, (AxisDescription{0.0, 2.0, -1.0, 1.0, 100.0, 3.0}));
   for (const char* wrong : {"sign = 0.5", "sign = 0", "rate_hz = 5", "torque = 1", "delay_s = -1",
-                            "[x]\nencoder_m = 1e-5", "[y]\nforce_limit_n = 1"}) {
+                            "delay_s = 0.003", "[x]\nencoder_m = 1e-5", "[y]\nforce_limit_n = 1"}) {
     EXPECT_FALSE(parse_device(std::string(kWheel) + wrong + "\n", "w.toml")) << wrong;
   }
 }
