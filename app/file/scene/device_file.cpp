@@ -199,6 +199,7 @@ std::string device_to_toml(const DeviceDescription& device) {
   }
   write_numbers<AxisDescription>(out, "x", device.x, kAxisKeys);
   if (device.y) write_numbers<AxisDescription>(out, "y", *device.y, kAxisKeys);
+  if (device.dialect) write_dialect(out, *device.dialect);
   return out.text();
 }
 

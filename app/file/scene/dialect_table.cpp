@@ -18,11 +18,15 @@ constexpr ValueRange kClamp{0.0, 1e9, true};
 
 // Of one direction.
 struct Direction {
-  std::string prefix;      // "in."
-  std::string_view scale;  // "m_per_unit"
-  std::string_view unit;   // "m"
-  bool is_force = false;
+  std::string_view name;
+  std::string_view scale;
+  std::string_view unit;
+  bool is_force;
 };
+constexpr Direction kFromDevice{"in", "m_per_unit", "m", false};
+constexpr Direction kToDevice{"out", "n_per_unit", "N", true};
+
+constexpr std::array<std::string_view, kMaxDialectAxes> kFieldNames{"x", "y"};
 
 std::uint64_t read_count(TableReader& reader, std::string_view key, std::uint64_t min,
                          std::uint64_t max) {
@@ -73,9 +77,9 @@ double read_clamp(TableReader& reader) {
   reader.fail(*reader.node("clamp"), "clamp", out_of_range_text(*clamp, kClamp, "units"));
 }
 
-ReportField read_field(const toml::table& table, const std::string& name, const std::string& origin,
+ReportField read_field(const toml::table& table, std::string_view name, const std::string& origin,
                        const Direction& direction, std::size_t bytes) {
-  TableReader reader(table, direction.prefix + name + ".", origin);
+  TableReader reader(table, fmt::format("{}.{}.", direction.name, name), origin);
   ReportField field;
   field.type = read_type(reader, direction.is_force);
   const std::size_t size = bytes_of(field.type);
@@ -95,16 +99,33 @@ ReportLayout read_layout(TableReader& reader, const std::string& origin, const D
   ReportLayout layout;
   layout.id = static_cast<std::uint8_t>(count_or(reader, "report_id", 0, 0, kMaxId));
   layout.bytes = read_count(reader, "bytes", 1, kMaxDialectBytes);
-  constexpr std::array<std::string_view, kMaxDialectAxes> kNames{"x", "y"};
   for (std::size_t axis = 0; axis < (has_y ? 2U : 1U); ++axis) {
-    const std::string_view name = kNames.at(axis);  // the reader keeps it
+    const std::string_view name = kFieldNames.at(axis);  // the reader keeps it
     const toml::table* field = reader.table(name);
     if (field == nullptr) {
       reader.fail_missing(name, fmt::format("{{ offset, type, {} }}", direction.scale));
     }
-    layout.axes.at(axis) = read_field(*field, std::string(name), origin, direction, layout.bytes);
+    layout.axes.at(axis) = read_field(*field, name, origin, direction, layout.bytes);
   }
   return layout;
+}
+
+void write_report(TomlText& out, const Direction& direction, const ReportLayout& layout) {
+  out.table(direction.name);
+  if (layout.id != 0) out.integer("report_id", layout.id);
+  out.integer("bytes", layout.bytes);
+}
+
+void write_fields(TomlText& out, const Direction& direction, const ReportLayout& layout) {
+  for (std::size_t axis = 0; axis < kMaxDialectAxes; ++axis) {
+    const std::optional<ReportField>& field = layout.axes.at(axis);
+    if (!field) continue;
+    out.table(fmt::format("{}.{}", direction.name, kFieldNames.at(axis)));
+    out.integer("offset", field->offset);
+    out.string("type", kFieldTypes.at(static_cast<std::size_t>(field->type)).name);
+    out.number(direction.scale, field->per_unit);
+    if (field->clamp > 0.0) out.number("clamp", field->clamp);
+  }
 }
 
 }  // namespace
@@ -117,17 +138,27 @@ std::optional<Dialect> read_dialect(TableReader& root, const std::string& origin
   if (out == nullptr) root.fail_missing("out", "a table [out] beside [in]");
   Dialect dialect;
   TableReader from(*in, "in.", origin);
-  dialect.in = read_layout(from, origin, {"in.", "m_per_unit", "m", false}, has_y);
+  dialect.in = read_layout(from, origin, kFromDevice, has_y);
   dialect.reports_on_change = from.boolean("reports_on_change").value_or(false);
   dialect.usage_page = static_cast<std::uint16_t>(count_or(from, "usage_page", 0, 1, 0xFFFF));
   from.finish();
   TableReader to(*out, "out.", origin);
-  dialect.out = read_layout(to, origin, {"out.", "n_per_unit", "N", true}, has_y);
+  dialect.out = read_layout(to, origin, kToDevice, has_y);
   const auto fallback_ms = static_cast<std::uint64_t>(dialect.keep_alive_ms);
   dialect.keep_alive_ms =
       static_cast<int>(count_or(to, "keep_alive_ms", fallback_ms, 1, kMaxKeepAliveMs));
   to.finish();
   return dialect;
+}
+
+void write_dialect(TomlText& out, const Dialect& dialect) {
+  write_report(out, kFromDevice, dialect.in);
+  if (dialect.reports_on_change) out.boolean("reports_on_change", true);
+  if (dialect.usage_page != 0) out.integer("usage_page", dialect.usage_page);
+  write_fields(out, kFromDevice, dialect.in);
+  write_report(out, kToDevice, dialect.out);
+  out.integer("keep_alive_ms", static_cast<std::uint64_t>(dialect.keep_alive_ms));
+  write_fields(out, kToDevice, dialect.out);
 }
 
 }  // namespace hapticwall::file

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/file/scene/table_reader.h"
+#include "app/file/scene/toml_text.h"
 #include "core/dialect.h"
 
 namespace hapticwall::file {
@@ -14,5 +15,8 @@ namespace hapticwall::file {
 // Realtime-safe: no.
 [[nodiscard]] std::optional<Dialect> read_dialect(TableReader& root, const std::string& origin,
                                                   bool has_y);
+
+// The tables that read_dialect() reads back the same. Realtime-safe: no.
+void write_dialect(TomlText& out, const Dialect& dialect);
 
 }  // namespace hapticwall::file

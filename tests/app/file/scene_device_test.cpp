@@ -102,15 +102,65 @@ TEST_F(SceneDevice, MistakesNameTheirPlace) {
   expect_refused("device = \"/dev/zero\"\n", "device: ");
 }
 
-TEST_F(SceneDevice, AFileOfADeviceReadsBackTheSame) {
-  const auto device = load_device(path("paddle.toml"));
-  ASSERT_TRUE(device) << device.error().message;
-  const auto again = parse_device(device_to_toml(*device), "paddle.toml");
-  ASSERT_TRUE(again) << again.error().message;
-  EXPECT_EQ(*again, *device);
-  const auto builtin = load_device("home-made-paddle");
-  ASSERT_TRUE(builtin);
-  EXPECT_EQ(*parse_device(device_to_toml(*builtin), "x.toml"), *builtin);
+// All keys of a dialect, and a wheel with every number.
+constexpr const char* kKnob = R"(source = "s"
+identified = "today"
+[usb]
+vendor_id = 1
+product_id = 2
+serial = "a \"b\""
+[x]
+encoder_m = 1e-5
+force_limit_n = 5
+mass_kg = 0.1
+max_force_rate_n_per_s = 100
+[y]
+encoder_m = 2e-5
+force_limit_n = 3
+friction_n = 0
+[in]
+bytes = 14
+report_id = 3
+usage_page = 0xFFAB
+reports_on_change = true
+x = { offset = 2, type = "i16", m_per_unit = 1e-5 }
+y = { offset = 10, type = "u32", m_per_unit = -2e-5 }
+[out]
+bytes = 8
+report_id = 4
+keep_alive_ms = 20
+x = { offset = 0, type = "f32", n_per_unit = -2 }
+y = { offset = 7, type = "i8", n_per_unit = 0.1, clamp = 50 }
+)";
+constexpr const char* kWheel = R"(source = "s"
+[usb]
+vendor_id = 1
+product_id = 2
+[ff]
+radius_m = 0.15
+travel_deg = 540
+torque_nm = 2
+sign = -1
+rate_hz = 400
+delay_s = 0.004
+[x]
+force_limit_n = 3
+damping_n_s_per_m = 0.3
+)";
+
+TEST_F(SceneDevice, EveryFileOfADeviceReadsBackTheSame) {
+  put("knob.toml", kKnob);
+  put("wheel.toml", kWheel);
+  std::vector<std::string> files{path("paddle.toml"), path("knob.toml"), path("wheel.toml")};
+  for (const BuiltinDevice& device : builtin_devices()) files.push_back(device.name);
+  for (const std::string& file : files) {
+    SCOPED_TRACE(file);
+    const auto device = load_device(file);
+    ASSERT_TRUE(device) << device.error().message;
+    const auto again = parse_device(device_to_toml(*device), "again.toml");
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(*again, *device);
+  }
 }
 
 }  // namespace
