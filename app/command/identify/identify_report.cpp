@@ -19,7 +19,7 @@ std::string row(std::string_view name, const Estimate& estimate, double scale,
 }
 
 std::string span(const Estimate& estimate) {
-  return fmt::format("{:.4g} to {:.4g}", estimate.low, estimate.high);
+  return fmt::format("{:.6g} to {:.6g}", estimate.low, estimate.high);
 }
 
 table::Json estimate_object(const Estimate& estimate) {

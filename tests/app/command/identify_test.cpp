@@ -45,7 +45,7 @@ TEST_F(IdentifyTest, FindsTheSimulatedDevice) {
   EXPECT_NEAR(found["friction_n"]["value"], 0.2, 0.005);
   EXPECT_NEAR(found["delay_s"]["value"], 2e-3, 0.3e-3);
   EXPECT_LE(found["mass_kg"]["low"], found["mass_kg"]["value"]);
-  EXPECT_LE(found["force_limit_n"], 2.0);
+  EXPECT_EQ(found["force_limit_n"], 0.2 * 8.9) << "of the device's";
   EXPECT_THAT(found["date"].get<std::string>(), EndsWith("Z"));
 }
 
@@ -76,6 +76,48 @@ TEST(IdentifiedDevice, AWheelGetsItsDelayWithTheDate) {
   EXPECT_NEAR(wheel.ff->delay_s, 0.0023, 1e-6);
   EXPECT_EQ(wheel.ff->delay_date, "2026-01-31");
   EXPECT_EQ(file::parse_device(file::device_to_toml(wheel), "wheel.toml")->ff, wheel.ff);
+}
+
+TEST_F(IdentifyTest, TheAlgorithmOfASceneUsesTheDampingOfItsDevice) {
+  put("mine.toml",
+      "source = \"s\"\n[x]\nencoder_m = 3e-5\nforce_limit_n = 6\nmass_kg = 0.09\n"
+      "damping_n_s_per_m = 0.4\nfriction_n = 0.1\n");
+  const auto rows = [&](const std::string& name, const std::vector<std::string>& settings) {
+    std::vector<std::string> arguments{"run",   "press", "--algorithm", "energy-bounding",
+                                       "--csv", name,    "--quiet"};
+    for (const std::string& setting : settings) {
+      arguments.insert(arguments.end(), {"--set", setting});
+    }
+    const Answer answer = hapticwall(std::move(arguments));
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    return content(name);
+  };
+  const std::string named = rows("named.csv", {"device=mine"});
+  EXPECT_EQ(named, rows("same.csv",
+                        {"device.encoder_m=3e-5", "device.force_limit_n=6", "device.mass_kg=0.09",
+                         "device.damping_n_s_per_m=0.4", "device.friction_n=0.1"}));
+  EXPECT_NE(named, rows("other.csv", {"device=mine", "device.damping_n_s_per_m=0.5"}));
+}
+
+TEST_F(IdentifyTest, WithoutALimitAStrongDeviceGetsTwoNewtons) {
+  const Answer answer = identify({"--set", "device.force_limit_n=30", "--json", "-", "--quiet"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  EXPECT_EQ(nlohmann::json::parse(answer.out)["force_limit_n"], 2.0);
+}
+
+// Forces in steps of 0.1 N are not those of the model.
+TEST_F(IdentifyTest, AModelThatDoesNotFitGivesNoNumberAndNoDeviceFile) {
+  const Answer answer = identify({"--set", "device.force_resolution_n=0.1", "--json", "-",
+                                  "--device-file", "a.toml", "--quiet"});
+  EXPECT_EQ(answer.status, 3);
+  EXPECT_THAT(answer.err, HasSubstr("this model does not fit"));
+  EXPECT_EQ(answer.error_lines(), 1);
+  const nlohmann::json found = nlohmann::json::parse(answer.out);
+  EXPECT_FALSE(found["fits"]);
+  for (const char* number : {"mass_kg", "damping_n_s_per_m", "friction_n", "delay_s"}) {
+    EXPECT_TRUE(found[number].is_null()) << number;
+  }
+  EXPECT_THAT(files(), IsEmpty());
 }
 
 TEST_F(IdentifyTest, DrawsAFigure) {
