@@ -52,6 +52,10 @@ Failure check_endings(const OutputOptions& options) {
   if (Failure failed = check_ending("--csv", options.csv, {".csv"})) return failed;
   if (Failure failed = check_ending("--plot", options.plot, {".png", ".svg", ".pdf"}))
     return failed;
+  if (!options.device_file.empty() && !options.device_file.ends_with(".toml")) {
+    return usage_error(fmt::format("--device-file {}: end the name in .toml: a scene names it so",
+                                   file::in_quotes(options.device_file)));
+  }
   return check_ending("--wav", options.wav, {".wav"});
 }
 
@@ -300,11 +304,13 @@ Failure check_outputs(const OutputOptions& options, std::initializer_list<std::s
   if (options.csv == kStandardOutput) return usage_error("--csv -: it takes a file name");
   if (options.plot == kStandardOutput) return usage_error("--plot -: it takes a file name");
   if (options.wav == kStandardOutput) return usage_error("--wav -: it takes a file name");
-  std::vector<std::pair<std::string_view, std::string>> files{{"--csv", options.csv},
-                                                              {"--json", options.json},
-                                                              {"--plot", options.plot},
-                                                              {"--wav", options.wav},
-                                                              {"--stream", options.stream.path}};
+  std::vector<std::pair<std::string_view, std::string>> files{
+      {"--csv", options.csv},
+      {"--json", options.json},
+      {"--plot", options.plot},
+      {"--wav", options.wav},
+      {"--stream", options.stream.path},
+      {"--device-file", options.device_file}};
   if (!options.csv.empty())
     files.emplace_back("the sidecar of --csv", file::sidecar_path_of(options.csv));
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -33,6 +33,7 @@ struct OutputOptions {
   std::string plot;
   std::string wav;
   StreamChoice stream;
+  std::string device_file;  // of identify
   std::vector<std::string> expectations;
   bool signals = false;  // of algorithms, in --csv, --stream and --plot
   bool quiet = false;

@@ -30,7 +30,6 @@ constexpr std::chrono::seconds kTimeToLetGo{3};
 struct IdentifyOptions {
   SceneOptions scene;
   OutputOptions output;
-  std::string device_file;
   double limit_n = 0.0;  // 0: the default
   double travel_m = 0.018;
   double seconds = 25.0;
@@ -76,7 +75,6 @@ Scene scene_for(const Scene& loaded, const identify::ExperimentSettings& experim
   scene.simulator = loaded.simulator;
   scene.x().device = loaded.x().device;
   scene.x().device.force_limit_n = experiment.force_limit_n;
-  scene.x().device.max_force_rate_n_per_s.reset();
   scene.x().walls.clear();
   scene.algorithm.index = *find_algorithm("none");
   return scene;
@@ -128,7 +126,6 @@ Result<int> report(const IdentifyOptions& options, const IdentifiedBy& by,
     return *failed;
   }
   if (!found.fits) {
-    device_file.discard();
     return device_error(fmt::format(
         "{}: this model does not fit, so there are no numbers; let go of the handle, clear its "
         "way, and look for play",
@@ -139,9 +136,10 @@ Result<int> report(const IdentifyOptions& options, const IdentifiedBy& by,
           device_to_toml(identified_device(std::move(device), by, found)))) {
     return *failed;
   }
-  if (!options.device_file.empty() && !options.output.quiet) {
+  if (!options.output.device_file.empty() && !options.output.quiet) {
     tell(fmt::format("{}: written; a scene names it with device = \"{}\"",
-                     file::shown(options.device_file), file::shown(options.device_file)));
+                     file::shown(options.output.device_file),
+                     file::shown(options.output.device_file)));
   }
   return 0;
 }
@@ -156,7 +154,7 @@ Result<int> identify_device(const IdentifyOptions& options) {
   Result<OutputFiles> files = OutputFiles::open(options.output);
   if (!files) return files.error();
   OutputFile device_file;
-  if (Failure failed = device_file.open(options.device_file)) return *failed;
+  if (Failure failed = device_file.open(options.output.device_file)) return *failed;
   const Result<Facts> facts = facts_of(*choice, loaded->scene);
   if (!facts) return facts.error();
   const Result<double> limit_n = limit_of(options, *facts);
@@ -210,7 +208,7 @@ Command add_identify(CLI::App& program) {
   app->add_option("--seconds", options->seconds, "Duration of the strokes (default: 25)")
       ->type_name("S")
       ->check(is_number_within(8.0, 300.0));
-  app->add_option("--device-file", options->device_file,
+  app->add_option("--device-file", options->output.device_file,
                   "Write a device file that scenes name: NAME.toml")
       ->type_name("FILE");
   add_plot_option(*app, options->output, "Draw the record, the model and the residuals as PNG");

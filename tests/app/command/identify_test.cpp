@@ -17,10 +17,11 @@ namespace {
 class IdentifyTest : public ProgramTest {
  protected:
   // A device that differs from that of `tap` in every number.
-  [[nodiscard]] Answer identify(std::vector<std::string> more) const {
+  [[nodiscard]] Answer identify(std::vector<std::string> more,
+                                const std::string& seconds = "9") const {
     std::vector<std::string> arguments{"identify",
                                        "--seconds",
-                                       "9",
+                                       seconds,
                                        "--set",
                                        "device.mass_kg=0.12",
                                        "--set",
@@ -50,11 +51,15 @@ TEST_F(IdentifyTest, FindsTheSimulatedDevice) {
 }
 
 TEST_F(IdentifyTest, TheDeviceFileMakesTheDeviceOfAScene) {
-  ASSERT_EQ(identify({"--device-file", "mine.toml", "--quiet"}).status, 0);
+  ASSERT_EQ(
+      identify({"--device-file", "mine.toml", "--quiet", "--set", "sampling.rate_hz=2000"}).status,
+      0);
   const auto device = file::parse_device(content("mine.toml"), "mine.toml");
   ASSERT_TRUE(device) << device.error().message;
   EXPECT_NEAR(*device->x.mass_kg, 0.12, 0.002);
   EXPECT_THAT(device->identified, HasSubstr("95 % intervals"));
+  EXPECT_NEAR(*device->x.friction_n, 0.2, 0.005);
+  EXPECT_EQ(device->rate_hz, 2000.0);
 
   const Answer run = hapticwall(
       {"run", "press", "--set", "device=mine", "--duration", "0.2", "--csv", "a.csv", "--quiet"});
@@ -97,6 +102,21 @@ TEST_F(IdentifyTest, TheAlgorithmOfASceneUsesTheDampingOfItsDevice) {
                         {"device.encoder_m=3e-5", "device.force_limit_n=6", "device.mass_kg=0.09",
                          "device.damping_n_s_per_m=0.4", "device.friction_n=0.1"}));
   EXPECT_NE(named, rows("other.csv", {"device=mine", "device.damping_n_s_per_m=0.5"}));
+}
+
+TEST_F(IdentifyTest, TheExperimentObeysLimitTravelSecondsAndRate) {
+  const auto found = [&](std::vector<std::string> more, const std::string& seconds = "9") {
+    more.insert(more.end(), {"--json", "-", "--quiet"});
+    const Answer answer = identify(std::move(more), seconds);
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    return nlohmann::json::parse(answer.out);
+  };
+  const nlohmann::json usual = found({});
+  const int turns = usual["turns"];
+  EXPECT_GT(found({"--travel", "0.008"})["turns"], turns * 5 / 4);
+  EXPECT_GT(found({}, "18")["turns"], turns * 3 / 2);
+  EXPECT_NE(found({"--set", "device.max_force_rate_n_per_s=20"})["mass_kg"], usual["mass_kg"]);
+  EXPECT_THAT(identify({"--limit", "0.15"}).err, HasSubstr("the handle did not move"));
 }
 
 TEST_F(IdentifyTest, WithoutALimitAStrongDeviceGetsTwoNewtons) {

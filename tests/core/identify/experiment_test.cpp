@@ -119,13 +119,16 @@ TEST(Experiment, AHandleThatRunsAwayInARampEndsIt) {
   EXPECT_EQ(ended.facts.first_stroke_tick, 0U);
 }
 
+// At rest, and in a stroke.
 TEST(Experiment, AJumpEndsItInTheSameTick) {
-  for (const double jump_m : {0.01, -0.01, std::nan("")}) {
-    const Ended ended = run_until_end(TrialDevice{}, [&](std::uint64_t tick, double truth_m) {
-      return tick >= 5000 ? truth_m + jump_m : truth_m;
-    });
-    EXPECT_EQ(ended.facts.state, ExperimentState::kJumped);
-    EXPECT_EQ(ended.lie_ticks, 1U);
+  for (const std::uint64_t first : {100U, 5000U}) {
+    for (const double jump_m : {0.01, -0.01, std::nan("")}) {
+      const Ended ended = run_until_end(TrialDevice{}, [&](std::uint64_t tick, double truth_m) {
+        return tick >= first ? truth_m + jump_m : truth_m;
+      });
+      EXPECT_EQ(ended.facts.state, ExperimentState::kJumped);
+      EXPECT_EQ(ended.lie_ticks, 1U);
+    }
   }
 }
 

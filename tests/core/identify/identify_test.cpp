@@ -1,5 +1,6 @@
 #include "core/identify/identify.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +12,8 @@
 namespace hapticwall::identify {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::IsSupersetOf;
 using testing::random_device;
 using testing::run_trial;
 using testing::TrialDevice;
@@ -50,6 +53,23 @@ TEST(Identify, FindsTheFrictionOfBothDirections) {
   ASSERT_TRUE(found && found->fits);
   EXPECT_NEAR(found->friction_up_n.value, 0.12, 1e-3);
   EXPECT_NEAR(found->friction_down_n.value, 0.08, 1e-3);
+  EXPECT_NEAR(found->friction_n.value, 0.1, 1e-3);
+}
+
+TEST(Identify, TellsTheDelaysThatTheRecordDoesNotExclude) {
+  const TrialRun clear = run_trial(TrialDevice{}, 12.0);
+  const auto one = identify(clear.record, clear.facts);
+  ASSERT_TRUE(one && one->fits);
+  EXPECT_THAT(one->possible_delays, ElementsAre(1U));
+
+  const TrialDevice coarse = random_device(21);  // 4 ticks, 246 µm
+  const TrialRun run = run_trial(coarse);
+  const auto two = identify(run.record, run.facts);
+  ASSERT_TRUE(two && two->fits);
+  EXPECT_THAT(two->possible_delays, IsSupersetOf({3U, 4U}));
+  EXPECT_TRUE(covers(two->delay_s, 4e-3 + coarse.lag_s));
+  const double width_s = two->lag_s.high - two->lag_s.low;
+  EXPECT_GT(two->delay_s.high - two->delay_s.low, 1.05 * width_s) << "it spans them all";
 }
 
 TEST(Identify, SaysThatTheModelDoesNotFit) {
@@ -67,14 +87,48 @@ TEST(Identify, SaysThatTheModelDoesNotFit) {
   }
 }
 
-TEST(Identify, NoiseAtRestIsNoMisfit) {
+TEST(Identify, NoiseAtRestIsNoMisfitAndWidensTheIntervals) {
   TrialDevice device;
-  device.noise_m = device.encoder_m;
+  device.noise_m = 4.0 * device.encoder_m;
   const TrialRun run = run_trial(device, 12.0);
   const auto found = identify(run.record, run.facts);
   ASSERT_TRUE(found && found->fits);
   EXPECT_NEAR(found->noise_m, device.noise_m, 0.2 * device.noise_m);
   EXPECT_NEAR(found->mass_kg.value, device.mass_kg, 0.01 * device.mass_kg);
+  EXPECT_TRUE(covers(found->mass_kg, device.mass_kg));
+  EXPECT_TRUE(covers(found->damping_n_s_per_m, device.damping_n_s_per_m));
+  EXPECT_TRUE(covers(found->friction_n, device.friction_n));
+}
+
+TEST(Identify, ADeviceWithoutFrictionLagAndDelayIsAtTheBounds) {
+  TrialDevice device;
+  device.friction_n = 0.0;
+  device.lag_s = 0.0;
+  device.delay_ticks = 0;
+  const TrialRun run = run_trial(device, 12.0);
+  const auto found = identify(run.record, run.facts);
+  ASSERT_TRUE(found && found->fits);
+  EXPECT_GE(found->friction_up_n.value, 0.0);
+  EXPECT_GE(found->friction_down_n.value, 0.0);
+  EXPECT_LT(found->friction_n.value, 1e-3);
+  EXPECT_GE(found->lag_s.value, 0.0);
+  EXPECT_LT(found->delay_s.value, 50e-6);
+}
+
+// Its handle rests between two of them.
+TEST(Identify, TwoCountsAtRestAreNoNoise) {
+  const TrialDevice device;
+  TrialRun run = run_trial(device, 8.0);
+  run.facts.rest_range_m = device.encoder_m;
+  run.facts.rest_variance_m2 = device.encoder_m * device.encoder_m / 4.0;
+  const auto found = identify(run.record, run.facts);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->noise_m, 0.0);
+}
+
+TEST(Identify, AShortRecordHasNoResult) {
+  const TrialRun run = run_trial(TrialDevice{}, 4.0);
+  EXPECT_FALSE(identify(run.record, run.facts));
 }
 
 TEST(Identify, ARecordWithoutStrokesHasNoResult) {
