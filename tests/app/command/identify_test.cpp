@@ -58,7 +58,7 @@ TEST_F(IdentifyTest, TheDeviceFileMakesTheDeviceOfAScene) {
   ASSERT_TRUE(device) << device.error().message;
   EXPECT_NEAR(*device->x.mass_kg, 0.12, 0.002);
   EXPECT_THAT(device->identified, HasSubstr("95 % intervals"));
-  EXPECT_NEAR(*device->x.friction_n, 0.2, 0.005);
+  EXPECT_NEAR(device->x.friction_n.value_or(0.0), 0.2, 0.005);
   EXPECT_EQ(device->rate_hz, 2000.0);
 
   const Answer run = hapticwall(
