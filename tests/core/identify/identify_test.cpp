@@ -56,6 +56,14 @@ TEST(Identify, FindsTheFrictionOfBothDirections) {
   EXPECT_NEAR(found->friction_n.value, 0.1, 1e-3);
 }
 
+// One segment of this record begins far from its best start.
+TEST(Identify, ASegmentThatFitsBadlyIsFoundAgain) {
+  const TrialRun run = run_trial(random_device(140));
+  const auto found = identify(run.record, run.facts);
+  ASSERT_TRUE(found && found->fits);
+  EXPECT_LT(found->residual_ratio, 1.0);
+}
+
 TEST(Identify, TellsTheDelaysThatTheRecordDoesNotExclude) {
   const TrialRun clear = run_trial(TrialDevice{}, 12.0);
   const auto one = identify(clear.record, clear.facts);
