@@ -61,8 +61,9 @@ class UhidBus final : public VirtualBus {
     uhid_create2_req& device = event.u.create2;
     copy_text(device.name, identity_.name);
     copy_text(device.uniq, identity_.serial);
-    std::memcpy(device.rd_data, kReportDescriptor.data(), kReportDescriptor.size());
-    device.rd_size = kReportDescriptor.size();
+    device.rd_size =
+        static_cast<std::uint16_t>(std::min(identity_.descriptor.size(), sizeof device.rd_data));
+    std::memcpy(device.rd_data, identity_.descriptor.data(), device.rd_size);
     device.bus = BUS_USB;
     device.vendor = identity_.vendor_id;
     device.product = identity_.product_id;

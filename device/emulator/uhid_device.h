@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "core/result.h"
@@ -21,6 +22,7 @@ struct HidIdentity {
   std::uint16_t product_id = kTestProductId;
   std::string serial = "emulated";                   // at most kMaxUhidSerialBytes bytes
   std::string name = "Haptic Wall emulated device";  // at most kMaxUhidNameBytes bytes
+  std::span<const std::uint8_t> descriptor = kReportDescriptor;  // at most 4096 bytes
 };
 
 // Returns a bus with the device unplugged; destruction unplugs it. Fails with ErrorKind::kDevice.

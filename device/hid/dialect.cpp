@@ -56,7 +56,7 @@ double clamped_units(const ReportField& field, double force_n) {
   if (!std::isfinite(units)) return 0.0;
   constexpr double kMost = std::numeric_limits<float>::max();
   const double max = field.clamp > 0.0 ? field.clamp : kMost;
-  return std::clamp(units, -max, max);
+  return std::clamp(units, -max, max) + 0.0;  // no force is +0 also by a negative scale
 }
 
 }  // namespace

@@ -190,9 +190,10 @@ void LinkOwner::watch_start(std::int64_t now_ns) {
   }
   if (now_ns - since_ns_ <= kFirstStateNs) return;
   const bool speaks = read_->packets.load(std::memory_order_relaxed) != 0;
-  take_down(Trouble::kRefused,
-            tried_->path + (speaks ? " sends reports, but none is a STATE of the protocol"
-                                   : " was opened, but sends nothing"),
+  const char* const others = options_.dialect
+                                 ? " sends reports, but none has the length and id of its file"
+                                 : " sends reports, but none is a STATE of the protocol";
+  take_down(Trouble::kRefused, tried_->path + (speaks ? others : " was opened, but sends nothing"),
             now_ns);
   if (opening() == Opening::kPending && attempts_ >= kAttemptsToOpen) {
     opening_.store(Opening::kFailed, std::memory_order_release);

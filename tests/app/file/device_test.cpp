@@ -123,7 +123,7 @@ TEST(LoadDevice, SaysWhatItDoesNotFind) {
   EXPECT_EQ(line("impulse-engine-200"),
             "'impulse-engine-200' is neither a file nor a built-in device; did you mean "
             "'impulse-engine-2000'?; built in: force-feedback-wheel, home-made-paddle, "
-            "impulse-engine-2000, impulse-engine-2000-fine, polhem-v1");
+            "impulse-engine-2000, impulse-engine-2000-fine, polhem-v1, woodenhaptics");
   EXPECT_THAT(line("./no-such.toml"), HasSubstr("./no-such.toml: cannot be read: "));
   EXPECT_EQ(line("/dev/null"), "/dev/null: not a device description: empty");
   EXPECT_EQ(line("/dev/zero"), "/dev/zero: not a device description: larger than 65536 bytes");

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "app/file/scene/device_file.h"
@@ -99,19 +100,32 @@ TEST(DialectFile, TheExampleOfTheDocumentIsReadAndItsFieldsAreThoseOfTheText) {
 }
 
 // From the dimensions in its comment.
-TEST(DialectFile, TheFiguresOfPolhemFollowFromItsMechanics) {
-  const Result<DeviceDescription> device = load_device("polhem-v1");
+struct Mechanics {
+  const char* name;
+  double body_m;
+  double arm_m;
+  double nm_per_ampere;
+  double sign;  // of the encoder
+};
+class ShippedDialect : public ::testing::TestWithParam<Mechanics> {};
+
+TEST_P(ShippedDialect, FollowsFromItsMechanics) {
+  const Mechanics& mechanics = GetParam();
+  const Result<DeviceDescription> device = load_device(mechanics.name);
   ASSERT_TRUE(device && device->dialect);
   constexpr double kTwoPi = 6.283185307179586;
-  constexpr double kArmM = 0.14;
-  const double count_m = kTwoPi / 2000.0 * (10.0 / 180.0) * kArmM;
+  const double gear = mechanics.body_m / 0.010;
+  const double count_m = kTwoPi / 2000.0 / gear * mechanics.arm_m;
   const ReportField in = *device->dialect->in.axes[0];
   const ReportField out = *device->dialect->out.axes[0];
-  EXPECT_NEAR(in.per_unit, count_m, 1e-3 * count_m);
-  EXPECT_EQ(device->x.encoder_m, in.per_unit);
-  EXPECT_NEAR(out.per_unit, 1e-3 * 0.0538 * (180.0 / 10.0) / kArmM, 1e-6);
+  EXPECT_NEAR(in.per_unit, mechanics.sign * count_m, 1e-3 * count_m);
+  EXPECT_EQ(device->x.encoder_m, std::abs(in.per_unit));
+  EXPECT_NEAR(out.per_unit, 1e-3 * mechanics.nm_per_ampere * gear / mechanics.arm_m, 1e-6);
   EXPECT_LT(device->x.force_limit_n, out.clamp * out.per_unit);
 }
+INSTANTIATE_TEST_SUITE_P(Boards, ShippedDialect,
+                         ::testing::Values(Mechanics{"polhem-v1", 0.180, 0.14, 0.0538, 1.0},
+                                           Mechanics{"woodenhaptics", 0.160, 0.22, 0.0259, -1.0}));
 
 }  // namespace
 }  // namespace hapticwall::file

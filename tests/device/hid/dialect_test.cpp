@@ -78,6 +78,7 @@ TEST(Dialect, AForceIsClampedAndZeroWithoutEnable) {
   EXPECT_EQ(encoded(one_field(FieldType::kI8, 0.01, 50.0), 5.0)[2], 50);
   EXPECT_EQ(encoded(one_field(FieldType::kI8, 0.01, 50.0), -5.0)[2], 256 - 50);
   EXPECT_EQ(encoded(one_field(FieldType::kF32, 1.0), 5.0, false), Raw(7));
+  EXPECT_EQ(encoded(one_field(FieldType::kF32, -1.0), 0.0), Raw(7));
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(encoded(one_field(FieldType::kI8, 0.01), bad), Raw(7));
     EXPECT_EQ(encoded(one_field(FieldType::kF32, 0.01), bad), Raw(7));

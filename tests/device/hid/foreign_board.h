@@ -56,30 +56,52 @@ class ForeignBoard {
   virtual void obey(std::span<const std::uint8_t> bytes) = 0;
 };
 
-// Polhem v1 on its mbed: encoders out, milliamperes in, a report for each command, half a second of
+// An mbed LPC1768 between encoders and motor controllers: milliamperes in, half a second of
 // watchdog.
-class PolhemBoard : public ForeignBoard {
+class MbedBoard : public ForeignBoard {
  public:
-  static constexpr double kCountM = 24.43e-6;
-  static constexpr double kNewtonsPerAmpere = 6.917;
   static constexpr std::uint64_t kWatchdogMs = 500;
   static constexpr double kMaxAmpere = 3.0;
 
-  // `report_bytes`: 14 of the mbed; 64 of a board whose packets are always full.
-  explicit PolhemBoard(const Scene& scene, std::size_t report_bytes = 14)
-      : ForeignBoard(scene), report_bytes_(report_bytes) {}
+  MbedBoard(const Scene& scene, double count_m, double newtons_per_ampere)
+      : ForeignBoard(scene), count_m_(count_m), newtons_per_ampere_(newtons_per_ampere) {}
 
   [[nodiscard]] double force_n() const override {
     const bool alive = heard_ms_ && now_ms - *heard_ms_ < kWatchdogMs;
-    return alive ? ampere_ * kNewtonsPerAmpere : 0.0;
+    return alive ? ampere_ * newtons_per_ampere_ : 0.0;
   }
+
+ protected:
+  [[nodiscard]] std::int16_t counts() const {
+    const double counts = position_m() / count_m_;
+    return static_cast<std::int16_t>(counts < 0.0 ? counts - 0.5 : counts + 0.5);
+  }
+  void hear() { heard_ms_ = now_ms; }
+  void drive(std::int16_t milliamperes) {
+    ampere_ = milliamperes * 1e-3;
+    if (ampere_ > kMaxAmpere) ampere_ = kMaxAmpere;
+    if (ampere_ < -kMaxAmpere) ampere_ = -kMaxAmpere;
+  }
+
+ private:
+  double count_m_;
+  double newtons_per_ampere_;
+  std::optional<std::uint64_t> heard_ms_;
+  double ampere_ = 0.0;
+};
+
+// Polhem v1: a report for each command.
+class PolhemBoard : public MbedBoard {
+ public:
+  // `report_bytes`: 14 of the mbed; 64 of a board whose packets are always full.
+  explicit PolhemBoard(const Scene& scene, std::size_t report_bytes = 14)
+      : MbedBoard(scene, 24.43e-6, 6.917), report_bytes_(report_bytes) {}
 
  protected:
   std::vector<Bytes> reports() override {
     if (due_ == 0) return {};
     due_ = 0;
-    const double counts = position_m() / kCountM;
-    const auto word = static_cast<std::int16_t>(counts < 0.0 ? counts - 0.5 : counts + 0.5);
+    const std::int16_t word = counts();
     Bytes report(report_bytes_);
     for (const std::size_t encoder : {0U, 1U, 2U}) std::memcpy(&report[2 * encoder], &word, 2);
     report[3] ^= 0x15;  // the others are elsewhere
@@ -90,18 +112,39 @@ class PolhemBoard : public ForeignBoard {
     std::array<std::int16_t, 4> words{};
     std::memcpy(words.data(), &bytes[1], sizeof words);
     ++due_;
-    heard_ms_ = now_ms;
-    if (words[3] != 0) return;  // a command that sets the encoders
-    ampere_ = words[0] * 1e-3;
-    if (ampere_ > kMaxAmpere) ampere_ = kMaxAmpere;
-    if (ampere_ < -kMaxAmpere) ampere_ = -kMaxAmpere;
+    hear();
+    if (words[3] == 0) drive(words[0]);  // else a command that sets the encoders
   }
 
  private:
   std::size_t report_bytes_;
   int due_ = 1;  // the first one comes by itself
-  std::optional<std::uint64_t> heard_ms_;
-  double ampere_ = 0.0;
+};
+
+// WoodenHaptics: a report every millisecond, also without commands. Its encoder a counts backwards.
+class WoodenBoard : public MbedBoard {
+ public:
+  static constexpr std::size_t kBytes = 8;
+
+  explicit WoodenBoard(const Scene& scene) : MbedBoard(scene, -43.20e-6, 1.8836) {}
+
+ protected:
+  std::vector<Bytes> reports() override {
+    const std::array<std::int16_t, 4> words{counts(), 77, -77, ++reports_};
+    Bytes report(kBytes);
+    std::memcpy(report.data(), words.data(), kBytes);
+    return {report};
+  }
+  void obey(std::span<const std::uint8_t> bytes) override {
+    if (bytes.size() != kBytes + 1 || bytes[0] != 0) return;
+    std::int16_t milliamperes = 0;
+    std::memcpy(&milliamperes, &bytes[1], sizeof milliamperes);
+    hear();
+    drive(milliamperes);
+  }
+
+ private:
+  std::int16_t reports_ = 0;
 };
 
 // A knob of 0.1 m that reports radians as floats: after the first write, and when it moved.
@@ -110,6 +153,25 @@ class FloatKnob : public ForeignBoard {
  public:
   static constexpr double kRadiusM = 0.1;
   static constexpr std::size_t kBytes = 16;
+  static constexpr const char* kFile = R"(name = "Knob"
+source = "a test"
+[usb]
+vendor_id = 0x1209
+product_id = 0x0002
+[in]
+report_id = 1
+bytes = 16
+x = { offset = 8, type = "f32", m_per_unit = 0.1 }
+reports_on_change = true
+[out]
+report_id = 2
+bytes = 16
+x = { offset = 4, type = "f32", n_per_unit = -10 }
+keep_alive_ms = 5
+[x]
+encoder_m = 7.67e-5
+force_limit_n = 5
+)";
 
   using ForeignBoard::ForeignBoard;
 

@@ -1,6 +1,7 @@
 // Devices that speak a dialect, under the loop of a session and in virtual time: the shipped file
 // of Polhem, and a knob that reports floats when it moves. They tell no force and acknowledge
 // nothing.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -16,30 +17,10 @@ namespace {
 using device::Trouble;
 using device::hid::testing::FloatKnob;
 using device::hid::testing::PolhemBoard;
+using device::hid::testing::WoodenBoard;
 
 constexpr std::uint64_t kBoardArmMs = 150;
 constexpr std::uint64_t kBoardLieMs = 1500;
-
-constexpr const char* kFloatKnob = R"(
-name = "Knob"
-source = "a test"
-[usb]
-vendor_id = 0x1209
-product_id = 0x0002
-[in]
-report_id = 1
-bytes = 16
-x = { offset = 8, type = "f32", m_per_unit = 0.1 }
-reports_on_change = true
-[out]
-report_id = 2
-bytes = 16
-x = { offset = 4, type = "f32", n_per_unit = -10 }
-keep_alive_ms = 5
-[x]
-encoder_m = 7.67e-5
-force_limit_n = 5
-)";
 
 device::ImpulseEngineOptions options_of(const file::DeviceDescription& description) {
   device::ImpulseEngineOptions options = command::described_by(description);
@@ -48,8 +29,9 @@ device::ImpulseEngineOptions options_of(const file::DeviceDescription& descripti
 }
 
 device::ImpulseEngineOptions polhem() { return options_of(*file::load_device("polhem-v1")); }
+device::ImpulseEngineOptions wooden() { return options_of(*file::load_device("woodenhaptics")); }
 device::ImpulseEngineOptions knob() {
-  const auto description = file::parse_device(kFloatKnob, "knob.toml");
+  const auto description = file::parse_device(FloatKnob::kFile, "knob.toml");
   EXPECT_TRUE(description) << description.error().message;
   return options_of(*description);
 }
@@ -198,6 +180,25 @@ TEST(PolhemDialect, AnUnpluggedBoardComesBackWithoutForce) {
   rig.until_ms(kBoardLieMs + 1500);
   EXPECT_EQ(rig.snapshot().link.trouble, Trouble::kNone);
   EXPECT_EQ(rig.rig.force_n(), 0.0);
+}
+
+TEST(WoodenDialect, PushesOutOfTheWallThoughItsEncoderCountsBackwards) {
+  BoardRig<WoodenBoard> rig(wooden(), true);
+  rig.arm_and_wait();
+  EXPECT_NEAR(rig.rig.force_n(), -kHandPushesN, 0.1);
+  EXPECT_NEAR(rig.snapshot().newest.x().position_m, rig.board.plant.truth().position_m,
+              device::hid::testing::kEncoderM);
+}
+
+// It has the same numbers on the bus as Polhem.
+TEST(WoodenDialect, NeverPushesByTheFileOfAnotherBoard) {
+  device::testing::Rig rig(polhem(), std::make_unique<WoodenBoard>(held_device(true).axes[0]));
+  EXPECT_FALSE(rig.host.come_up());
+  rig.host.arm();
+  rig.tick_until_ms(kBoardLieMs);
+  EXPECT_EQ(rig.last_force_us, 0U);
+  EXPECT_TRUE(rig.saw(Trouble::kRefused));
+  EXPECT_THAT(rig.host.owner.words(), ::testing::HasSubstr("none has the length and id"));
 }
 
 TEST(KnobDialect, RestsWithoutAReportAndPushesBackwards) {
