@@ -39,7 +39,7 @@ constexpr ValueRange kMass{1e-6, 1e3};
 constexpr ValueRange kDamping{0.0, 1e6};
 constexpr ValueRange kFriction{0.0, 1e6};
 constexpr std::array<NumberKey<AxisDescription>, 9> kAxisKeys{
-    NumberKey<AxisDescription>{"encoder_m", "m", kEncoder, true, &AxisDescription::encoder_m},
+    NumberKey<AxisDescription>{"encoder_m", "m", kEncoder, false, &AxisDescription::encoder_m},
     NumberKey<AxisDescription>{"force_limit_n", "N", kForceLimit, true,
                                &AxisDescription::force_limit_n},
     NumberKey<AxisDescription>{"min_m", "m", kWorkspaceBegin, false, &AxisDescription::min_m},
@@ -88,12 +88,13 @@ void read_numbers(TableReader& reader, const toml::table& table,
 }
 
 AxisDescription read_axis(const toml::table& table, const std::string& name,
-                          const std::string& origin,
+                          const std::string& origin, bool needs_encoder,
                           std::span<const NumberKey<AxisDescription>> keys = kAxisKeys) {
   TableReader reader(table, name + ".", origin);
   AxisDescription axis;
   axis.force_limit_n = kWheelLimitN;
   read_numbers<AxisDescription>(reader, table, keys, axis);
+  if (needs_encoder && axis.encoder_m == 0.0) reader.fail_missing("encoder_m", number_in("m"));
   reader.finish();
   return axis;
 }
@@ -105,7 +106,8 @@ FfDescription read_ff(const toml::table& table, const std::string& origin) {
   if (std::abs(ff.sign) != 1.0) reader.fail(*table.get("sign"), "sign", "it takes 1 or -1");
   ff.delay_date = reader.line("delay_date", kMaxNameBytes);
   if (ff.delay_s > 0.0 && ff.delay_date.empty()) {
-    reader.fail_missing("delay_date", "the day on which delay_s was measured, as in \"2026-01-31\"");
+    reader.fail_missing("delay_date",
+                        "the day on which delay_s was measured, as in \"2026-01-31\"");
   }
   reader.finish();
   return ff;
@@ -117,7 +119,7 @@ void read_wheel(const toml::table& ff, TableReader& reader, const std::string& o
   device.ff = read_ff(ff, origin);
   device.x.force_limit_n = kWheelLimitN;
   if (const toml::table* x = reader.table("x")) {
-    device.x = read_axis(*x, "x", origin, kWheelAxisKeys);
+    device.x = read_axis(*x, "x", origin, false, kWheelAxisKeys);
   }
 }
 
@@ -159,8 +161,9 @@ DeviceDescription read_description(const toml::table& root, const std::string& o
   }
   const toml::table* x = reader.table("x");
   if (x == nullptr) reader.fail_missing("x", "a table [x], the first axis");
-  device.x = read_axis(*x, "x", origin);
-  if (const toml::table* y = reader.table("y")) device.y = read_axis(*y, "y", origin);
+  const bool opens = device.vendor_id != 0;
+  device.x = read_axis(*x, "x", origin, opens);
+  if (const toml::table* y = reader.table("y")) device.y = read_axis(*y, "y", origin, opens);
   device.dialect = read_dialect(reader, origin, device.y.has_value());
   reader.finish();
   return device;

@@ -14,7 +14,7 @@
 namespace hapticwall::file {
 
 struct AxisDescription {
-  double encoder_m = 0.0;               // travel of the hand per count, 1e-9 to 0.01
+  double encoder_m = 0.0;               // travel of the hand per count, 1e-9 to 0.01; 0: not given
   double force_limit_n = 0.0;           // more than 0, at most 32.767
   double min_m = -1.0;                  // workspace, -10 to 0
   double max_m = 1.0;                   // 0 to 10
@@ -46,7 +46,8 @@ struct DeviceDescription {
   std::string name;
   std::string source;  // where the numbers come from
   double rate_hz = 1000.0;
-  std::uint16_t vendor_id = 0;  // 0: the file has no [usb], and cannot open a device
+  // 0: the file has no [usb]. It opens no device, and may lack the encoder: scenes name it.
+  std::uint16_t vendor_id = 0;
   std::uint16_t product_id = 0;
   std::string serial;  // empty: any
   AxisDescription x;   // with `ff`: encoder and workspace follow from the wheel

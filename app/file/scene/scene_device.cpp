@@ -38,7 +38,7 @@ void add_numbers(const DeviceDescription& device, bool wins, toml::table& table)
   add("mass_kg", device.x.mass_kg);
   add("damping_n_s_per_m", device.x.damping_n_s_per_m);
   add("friction_n", device.x.friction_n);
-  add("encoder_m", device.x.encoder_m);
+  if (device.x.encoder_m > 0.0) add("encoder_m", device.x.encoder_m);
   add("force_limit_n", device.x.force_limit_n);
 }
 

@@ -84,7 +84,7 @@ TEST(DeviceFile, AWheelHasKeysOfItsOwn) {
 }
 
 TEST(BuiltinDevice, EachCanBeReadAndSaysWhereItsNumbersComeFrom) {
-  ASSERT_EQ(builtin_devices().size(), 5U);
+  ASSERT_EQ(builtin_devices().size(), 12U);
   for (const BuiltinDevice& builtin : builtin_devices()) {
     const Result<DeviceDescription> device = load_device(builtin.name);
     ASSERT_TRUE(device) << device.error().message;
@@ -120,10 +120,12 @@ TEST(LoadDevice, SaysWhatItDoesNotFind) {
     const Result<DeviceDescription> device = load_device(name);
     return device ? "(no error)" : device.error().message;
   };
-  EXPECT_EQ(line("impulse-engine-200"),
-            "'impulse-engine-200' is neither a file nor a built-in device; did you mean "
-            "'impulse-engine-2000'?; built in: force-feedback-wheel, home-made-paddle, "
-            "impulse-engine-2000, impulse-engine-2000-fine, polhem-v1, woodenhaptics");
+  EXPECT_EQ(
+      line("impulse-engine-200"),
+      "'impulse-engine-200' is neither a file nor a built-in device; did you mean "
+      "'impulse-engine-2000'?; built in: falcon, force-feedback-wheel, hapkit, home-made-paddle, "
+      "impulse-engine-2000, impulse-engine-2000-fine, omega-3, phantom-premium-1.5, polhem-v1, "
+      "touch, touch-x, woodenhaptics");
   EXPECT_THAT(line("./no-such.toml"), HasSubstr("./no-such.toml: cannot be read: "));
   EXPECT_EQ(line("/dev/null"), "/dev/null: not a device description: empty");
   EXPECT_EQ(line("/dev/zero"), "/dev/zero: not a device description: larger than 65536 bytes");

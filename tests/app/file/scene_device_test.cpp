@@ -56,6 +56,33 @@ TEST_F(SceneDevice, TheNameGivesTheNumbers) {
   }
 }
 
+// What a file does not give stays the scene's own.
+TEST_F(SceneDevice, APresetReplacesTheNumbersThatItHas) {
+  const auto device = [](const std::string& name) {
+    const std::vector<std::string> overrides{"device=" + name};
+    const auto loaded = load_scene("press", overrides);
+    EXPECT_TRUE(loaded) << loaded.error().message;
+    return loaded->scene.x().device;
+  };
+  const DeviceSettings before = load_scene("press", {})->scene.x().device;
+  for (const char* preset : {"falcon", "hapkit", "omega-3", "touch", "touch-x"}) {
+    SCOPED_TRACE(preset);
+    DeviceSettings expected = before;
+    const AxisDescription& x = load_device(preset)->x;
+    if (x.encoder_m > 0.0) expected.encoder_m = x.encoder_m;
+    expected.force_limit_n = x.force_limit_n;
+    EXPECT_EQ(device(preset), expected);
+    EXPECT_NE(device(preset), before);
+  }
+  EXPECT_EQ(device("omega-3").encoder_m, before.encoder_m);
+  const DeviceSettings phantom = device("phantom-premium-1.5");
+  EXPECT_EQ(phantom.mass_kg, 0.0953);
+  EXPECT_EQ(phantom.damping_n_s_per_m, 0.0114);
+  EXPECT_EQ(phantom.friction_n, 0.0477);
+  EXPECT_EQ(phantom.encoder_m, 24.17e-6);
+  EXPECT_EQ(phantom.force_limit_n, 8.19);
+}
+
 TEST_F(SceneDevice, ATableKeepsItsOwnNumbers) {
   const auto loaded = scene("[device]\nfile = \"paddle\"\nmass_kg = 0.5\nstart_m = 0.01\n");
   ASSERT_TRUE(loaded) << loaded.error().message;
@@ -143,6 +170,7 @@ torque_nm = 2
 sign = -1
 rate_hz = 400
 delay_s = 0.004
+delay_date = "2026-01-31"
 [x]
 force_limit_n = 3
 damping_n_s_per_m = 0.3

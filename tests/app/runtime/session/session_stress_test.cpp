@@ -18,6 +18,7 @@ using test::plant_changes;
 using test::TemporaryFolder;
 
 constexpr std::uint64_t kStressTicks = 6000;
+constexpr std::uint64_t kMinRounds = 50;
 
 TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
   const TemporaryFolder folder;
@@ -33,7 +34,8 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
   std::uint64_t cycles = 0;
   std::uint64_t went_back = 0;
   std::uint64_t previous = 0;
-  while (session.snapshot().timing.ticks < kStressTicks) {
+  // Enough rounds to have recorded, also where the loop takes most of the machine.
+  while (session.snapshot().timing.ticks < kStressTicks || round <= kMinRounds) {
     ++round;
     AlgorithmSettings algorithm;
     algorithm.index = round % algorithms().size();
@@ -82,7 +84,6 @@ TEST(SessionStress, TheOwnerDoesEverythingAtOnce) {
   EXPECT_EQ(went_back, 0U);
   EXPECT_EQ(session.dropped_plot_samples(), 0U);
   EXPECT_FALSE(session.snapshot().ended_by_fault);
-  EXPECT_GT(round, 50U) << "too few rounds to have recorded";
 }
 
 }  // namespace
