@@ -74,7 +74,7 @@ struct LinkStats {
   Trouble trouble = Trouble::kNone;
   bool connected = false;
   bool calibrated = false;
-  bool enabled = false;              // reported: the amplifiers follow a command
+  bool enabled = false;  // reported: the amplifiers follow a command
   // It tells which commands it received, when, and its force. A wheel of the kernel tells nothing:
   // its delay_s is a measurement of earlier, from a device file.
   bool acknowledges = true;
