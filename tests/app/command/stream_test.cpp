@@ -206,7 +206,7 @@ TEST_F(StreamBridgeTest, AnLslInletGetsEverySample) {
   const Answer answer =
       shell("printf %s $$ >id; '" + python() +
             "' inlet.py & $P run press --csv a.csv --quiet --stream - " + "--stream-every 100 | " +
-            bridge("to_lsl.py") + " test-$(cat id); wait");
+            bridge("to_lsl.py") + " test-$(cat id) 60; wait");
   const auto read = lines(answer.out);
   const auto rows = lines(content("a.csv"));
   ASSERT_EQ(read.size(), 60U) << answer.err;
