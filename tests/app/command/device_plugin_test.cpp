@@ -68,7 +68,7 @@ TEST_F(DevicePluginTest, NeedsPermissionToPush) {
 TEST_F(DevicePluginTest, TheExamplePressesIntoAWallAndIsRecorded) {
   put("soft.toml", kSoftWall);
   Answer answer;
-  for (int i = 0; i < 6 && answer.status != 0; ++i) {
+  for (int i = 0; i < 12 && answer.status != 0; ++i) {
     answer = hapticwall({"run", "soft.toml", "--device", device_library("handle_c"), "--arm",
                          "--allow-plugin", "--allow-no-realtime", "--csv", "a.csv", "--expect",
                          "peak_force_n>2", "--expect", "peak_force_n<=8", "--quiet"});

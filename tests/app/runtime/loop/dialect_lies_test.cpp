@@ -204,9 +204,10 @@ TEST(WoodenDialect, NeverPushesByTheFileOfAnotherBoard) {
 TEST(KnobDialect, RestsWithoutAReportAndPushesBackwards) {
   KnobRig rig(false);
   rig.arm_and_wait();
-  rig.board.written.clear();
+  const std::uint64_t before = rig.snapshot().link.states;
   rig.until_ms(kBoardLieMs + 2000);  // no report since the hand holds it
   EXPECT_EQ(rig.arming().state, ArmingState::kOn);
+  EXPECT_NEAR(static_cast<double>(rig.snapshot().link.states - before), 400.0, 40.0);  // 5 ms
   EXPECT_LE(rig.snapshot().link.maximum_age_s, 0.01);
   KnobRig pushing;
   pushing.arm_and_wait();
