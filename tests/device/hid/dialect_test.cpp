@@ -124,6 +124,7 @@ TEST_F(StandInTest, APositionThatIsNoNumberIsAFaultAndMovesNothing) {
   }
   EXPECT_EQ(told(0.0123, 3000).status & kStatusFaults, 0);
   EXPECT_EQ(told(0.0123, 3000, {.fault = true}).fault, kFirstOwnFault);
+  EXPECT_EQ(told(0.0123, 3000, {.calibrated = true}).status, kStatusCalibrated);
 }
 
 TEST_F(StandInTest, AcknowledgesWhatWasTaken) {
