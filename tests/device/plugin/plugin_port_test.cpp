@@ -222,6 +222,7 @@ TEST_F(PluginPortTest, WithAnswersOnlyTheDevicesWordCounts) {
   open(HW_DEVICE_ANSWERS);
   EXPECT_TRUE(write(-1.5));
   EXPECT_EQ(state().acknowledged_sequence, 0);
+  EXPECT_EQ(state().acknowledged_time_us, 0U);
   EXPECT_EQ(state().status & hid::kStatusEnabled, 0);
   its_.reading.command = 7;
   its_.reading.flags = HW_READING_ENABLED;

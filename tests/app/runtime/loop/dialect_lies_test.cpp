@@ -252,6 +252,14 @@ TEST(KnobDialect, AnUnplugIsNoRest) {
   EXPECT_EQ(rig.arming().state, ArmingState::kOff);
 }
 
+TEST(Dialects, AFileSaysHowOftenItReportsAndIsWrittenTo) {
+  auto description = *file::parse_device(FloatKnob::kFile, "knob.toml");
+  description.rate_hz = 250.0;
+  const device::ImpulseEngineOptions options = options_of(description);
+  EXPECT_EQ(options.rate_hz, 250.0);
+  EXPECT_EQ(options.keep_alive_ns, 5'000'000);
+}
+
 TEST(Dialects, AnotherInterfaceOfTheSameBoardIsNotTaken) {
   device::ImpulseEngineOptions options = polhem();
   options.dialect->usage_page = 0xFFC9;
