@@ -66,6 +66,8 @@ TEST(DialectFile, EveryMistakeIsOneLine) {
   EXPECT_THAT(with(kIn, ""), HasSubstr("in is missing"));
   EXPECT_EQ(with("bytes = 14", "bytes = 65"),
             "d.toml:9: in.bytes: 65 is out of range; it takes 1 to 64");
+  EXPECT_THAT(with("bytes = 14", "bytes = 14\nreport_id = 256"),
+              HasSubstr("in.report_id: 256 is out of range; it takes 0 to 255"));
   EXPECT_EQ(with("offset = 2", "offset = 13"),
             "d.toml:10: in.x.offset: 13 is out of range; it takes 0 to 12");
   EXPECT_EQ(with("bytes = 14", "bytes = 1"),
