@@ -25,6 +25,29 @@ bool is_axis(const AxisDescription& axis) {
          axis.max_speed_m_per_s > 0.0 && axis.max_speed_m_per_s <= 100.0;
 }
 
+bool is_wheel(const DeviceDescription& device) {
+  return is_within(device.ff->radius_m, 0.01, 1.0) &&
+         is_within(device.ff->torque_nm, 0.01, 100.0) && std::abs(device.ff->sign) == 1.0 &&
+         device.x.force_limit_n > 0.0 && device.x.force_limit_n <= 32.767;
+}
+
+// A field is inside its report, and each axis has one.
+bool is_layout(const ReportLayout& layout, bool has_y) {
+  const auto fits = [&](const std::optional<ReportField>& field) {
+    return field->offset + bytes_of(field->type) <= layout.bytes && field->per_unit != 0.0 &&
+           std::isfinite(field->per_unit) && is_within(field->clamp, 0.0, 1e9);
+  };
+  return layout.bytes >= 1 && layout.bytes <= kMaxDialectBytes && layout.axes[0] &&
+         fits(layout.axes[0]) && layout.axes[1].has_value() == has_y &&
+         (!has_y || fits(layout.axes[1]));
+}
+
+bool is_dialect(const DeviceDescription& device) {
+  const bool has_y = device.y.has_value();
+  return is_layout(device.dialect->in, has_y) && is_layout(device.dialect->out, has_y) &&
+         device.dialect->keep_alive_ms >= 1 && device.dialect->keep_alive_ms <= 20;
+}
+
 void require_texts(const DeviceDescription& device) {
   require(!device.name.empty() && device.name.size() <= kMaxNameBytes, "a device has a name");
   require(!device.source.empty() && device.source.size() <= kMaxSourceBytes,
@@ -43,8 +66,13 @@ Outcome fuzz_one(Bytes input) {
   }
   require_texts(*device);
   require(is_within(device->rate_hz, 10.0, 10e3), "a rate is in its range");
-  require(device->vendor_id > 0 && device->product_id > 0, "a device has numbers on the bus");
-  require(is_axis(device->x) && (!device->y || is_axis(*device->y)), "an axis is in its ranges");
+  require((device->vendor_id > 0) == (device->product_id > 0), "a device has both numbers or none");
+  require(!device->dialect || is_dialect(*device), "a dialect has its fields inside its reports");
+  require(
+      device->ff ? is_wheel(*device) : is_axis(device->x) && (!device->y || is_axis(*device->y)),
+      "an axis is in its ranges");
+  const Result<DeviceDescription> again = file::parse_device(device_to_toml(*device), origin);
+  require(again && *again == *device, "a written description reads back the same");
   return Outcome::kTaken;
 }
 

@@ -101,7 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{
             "device_wrong_info", 3,
             "info(): force_limit_n: 50 is out of range; it takes more than 0, at most 32.767 N"},
-        Refusal{"device_fails_to_open", 3, "open() failed: no handle?is ?[1mconnected"}));
+        Refusal{"device_fails_to_open", 3, "open() failed: no handle?is ?[1mconnected"}),
+    [](const auto& refusal) { return std::string(refusal.param.library); });
 
 }  // namespace
 }  // namespace hapticwall::command::test
