@@ -44,7 +44,7 @@ bool can_be_finished(const std::string& csv_path) {
 
 class CsvRecordingWriter final : public RecordingWriter {
  public:
-  CsvRecordingWriter(AtomicFile csv, CsvColumns columns)
+  CsvRecordingWriter(AtomicFile csv, const CsvColumns& columns)
       : csv_(std::move(csv)), sidecar_path_(sidecar_path_of(csv_.path())), columns_(columns) {
     buffer_.reserve(kBufferBytes + kMaxCsvLineBytes + 1);
     buffer_ = csv_header(columns_) + '\n';

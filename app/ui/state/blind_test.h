@@ -51,8 +51,8 @@ void feel(const PanelContext& context, compare::Presentation presentation);
 void choose(const PanelContext& context, compare::Presentation presentation);
 // The test runs no more, and has its results.
 void finish(BlindTest& test);
-// Ends the test with the trials answered so far. Restores the scene of before a test of A and B; the
-// last wall of a trial list stays in force, and undo goes back.
+// Ends the test with the trials answered so far. Restores the scene of before a test of A and B;
+// the last wall of a trial list stays in force, and undo goes back.
 void end_blind_test(const PanelContext& context);
 
 // Writes SCENE-blind-test-trials.csv and …-result.csv into the recording folder and tells the user.

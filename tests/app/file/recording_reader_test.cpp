@@ -48,7 +48,7 @@ Sample random_sample(std::uint64_t tick, std::mt19937_64& random) {
 
 std::size_t bound_place() { return find_algorithm_signal("step_bound_n").value(); }
 
-std::string row_of(const Sample& sample, CsvColumns columns = {}) {
+std::string row_of(const Sample& sample, const CsvColumns& columns = {}) {
   std::string text;
   append_csv_row(text, {{sample}}, columns);
   return text;
@@ -97,7 +97,7 @@ class RecordingReading : public hapticwall::test::FolderTest {
  private:
 };
 
-void expect_equal(const Sample& read, const Sample& written, CsvColumns columns) {
+void expect_equal(const Sample& read, const Sample& written, const CsvColumns& columns) {
   EXPECT_EQ(row_of(read, columns), row_of(written, columns));
   EXPECT_EQ(std::bit_cast<std::uint64_t>(read.force_n),
             std::bit_cast<std::uint64_t>(written.force_n));
