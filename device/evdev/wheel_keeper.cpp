@@ -121,7 +121,7 @@ void WheelKeeper::come_up(const evdev::WheelListing& listing, const WheelScale& 
   options_.serial = listing.node.serial();
   const std::lock_guard lock(mutex_);
   info_ = info_of(options_, listing, scale);
-  words_.clear();
+  words_ = "turn the wheel a little: it tells its position when it moves, and has told none yet";
 }
 
 bool WheelKeeper::listen(Open& wheel) {
@@ -129,14 +129,16 @@ bool WheelKeeper::listen(Open& wheel) {
   exchange_.listening.begin(looked_ns_);
   bool is_up = false;
   while (!stop_ && !wheel.writer.over() && exchange_.lost.load().session != session_) {
-    const evdev::WheelNews news = wheel.node->listen(is_up ? kListenMs : 0);
+    const evdev::WheelNews news = wheel.node->listen(kListenMs);
     exchange_.listening.heard(now_ns_(), news.gone);
     if (news.gone) return true;
+    if (!news.value) continue;
     publish(wheel, news);
     if (is_up) continue;
     is_up = true;
     exchange_.status = {session_, Trouble::kNone};
     const std::lock_guard lock(mutex_);
+    words_.clear();
     changed_.notify_all();
   }
   return wheel.writer.over() && !stop_;
@@ -149,7 +151,7 @@ void WheelKeeper::publish(const Open& wheel, const evdev::WheelNews& news) {
   view_.session = session_;
   view_.received_ns = news.events > 0 ? std::clamp(news.latch_ns, looked_ns_, now_ns) : now_ns;
   looked_ns_ = now_ns;
-  view_.position_m[0] = wheel.scale.position_m(news.value);
+  view_.position_m[0] = wheel.scale.position_m(*news.value);
   view_.stats.acknowledges = false;
   view_.stats.calibrated = true;
   view_.stats.delay_s = options_.wheel.delay_s;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -19,7 +20,8 @@ constexpr std::uint16_t kLeft = 0x4000;
 constexpr std::int32_t kFullGain = 0xFFFF;
 // Of the rate of the endpoint: at all of it, a queue of the kernel stays full, and is a delay.
 constexpr double kShareOfEndpoint = 0.9;
-constexpr int kFirstPositionMs = 50;
+// Of an axis whose wheel has told nothing since it was opened.
+constexpr std::int32_t kUntold = std::numeric_limits<std::int32_t>::min();
 // Of a wheel of which neither endpoint nor model is known: the slowest one known.
 constexpr double kUnknownRateHz = 125.0;
 
@@ -83,7 +85,7 @@ class EventWheel final : public WheelNode {
   ~EventWheel() override {
     input_absinfo axis{};
     if (!fuzzy_ || node_.get_axis(ABS_X, axis)) return;
-    fuzzy_->value = axis.value;
+    if (axis.value != kUntold) fuzzy_->value = axis.value;
     static_cast<void>(node_.set_axis(ABS_X, *fuzzy_));
   }
 
@@ -109,7 +111,7 @@ class EventWheel final : public WheelNode {
     if (news.gone) return news;
     news.events = events->count;
     news.latch_ns = events->last_ns;
-    news.value = axis.value;
+    if (axis.value != kUntold) news.value = axis.value;
     return news;
   }
 
@@ -126,13 +128,13 @@ class EventWheel final : public WheelNode {
 
  private:
   // The kernel gives joysticks a fuzz of a 256th of their range: small motions would not be heard.
-  // Setting it sets the value, too: a position that came in between would be lost, and a wheel at
-  // rest tells it once only. The first one comes soon after the node was opened.
+  // Its value is 0 or old: usbhid throws away what a wheel tells while it is opened, and one at
+  // rest may not tell it again.
   [[nodiscard]] Failure sharpen() {
-    static_cast<void>(node_.drain(kFirstPositionMs, ABS_X));
     input_absinfo axis{};
     if (Failure failed = node_.get_axis(ABS_X, axis)) return failed;
     fuzzy_ = axis;
+    axis.value = kUntold;
     axis.fuzz = 0;
     axis.flat = 0;
     return node_.set_axis(ABS_X, axis);

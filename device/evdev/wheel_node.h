@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,8 @@ struct WheelNews {
   bool gone = false;
   std::uint64_t events = 0;
   std::int64_t latch_ns = 0;  // of the newest one, by the monotonic clock; 0 without one
-  std::int32_t value = 0;     // of the axis now
+  // Of the axis now; empty until the wheel has told it.
+  std::optional<std::int32_t> value;
 };
 
 // An open wheel with one constant force, of level 0 and not playing. One thread listens, another

@@ -106,6 +106,14 @@ void Firmware::tick() {
     plant_.write(force_n_);
   }
   position_m_ = plant_.read().position_m;
+  if (ticks_ == 0 && settings_.is_held) position_m_ += tremble_m();
+}
+
+// A count, 50 times a second.
+double Firmware::tremble_m() {
+  constexpr unsigned kPeriodMs = 20;
+  const double count_m = settings_.travel_m / (2.0 * kLevelMax);
+  return ++held_ms_ / (kPeriodMs / 2) % 2 == 0 ? 0.0 : count_m;
 }
 
 std::optional<std::array<std::uint8_t, 3>> Firmware::news() {

@@ -17,6 +17,7 @@ struct Settings {
   double travel_m = 2.0420;    // of the rim from stop to stop: 900 degrees at 0.13 m
   double report_hz = 1000.0;   // of positions; only changes are sent
   bool autocentres = false;    // a spring of its own, until FF_AUTOCENTER 0
+  bool is_held = true;         // by a hand that trembles, until the first effect
   double deaf_after_s = 1e9;   // takes output reports and does not act on them
 };
 
@@ -59,6 +60,7 @@ class Firmware {
   void operate(std::span<const std::uint8_t> report);
   void control(std::uint8_t what);
   [[nodiscard]] double motor_n() const;
+  [[nodiscard]] double tremble_m();
 
   device::SimulatedDevice plant_;
   Settings settings_;
@@ -68,6 +70,7 @@ class Firmware {
   bool enabled_ = false;
   std::uint8_t gain_ = kFull;
   std::uint64_t ticks_ = 0;
+  unsigned held_ms_ = 0;
   unsigned taken_ = 0;
   double position_m_ = 0.0;
   double force_n_ = 0.0;

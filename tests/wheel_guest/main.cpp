@@ -1,14 +1,17 @@
 // hapticwall-wheel: an emulated force-feedback wheel on the virtual USB bus, for the guest.
 //
 //   hapticwall-wheel log=FILE [scene=NAME] [rate=HZ] [interval=MS] [takes=HZ] [full=N]
-//                    [autocentre=1] [deaf=S] [stall=S] [unplug=S] [stop=S] [set=KEY=VALUE ...]
+//                    [autocentre=1] [held=0] [deaf=S] [stall=S] [unplug=S] [stop=S]
+//                    [set=KEY=VALUE ...]
 //   hapticwall-wheel push=/dev/input/event0 [level=LEVEL]   another program's force, for a second
 //   hapticwall-wheel axis=/dev/input/event0                 prints fuzz and flat
 //   hapticwall-wheel signal=NUMBER pid=PROCESS              sends it, prints the time in us
 //
 // The wheel sends positions at rate=, and takes reports at takes=: all that the endpoint's interval
-// permits if it is not given. stall= takes none for 400 ms. Times count from the first tick of the
-// hand. The log has one row a millisecond, with the clock that all programs of the machine share.
+// permits if it is not given. Until the first effect it trembles by a count; held=0: it does not,
+// and the kernel hears nothing of it. stall= takes none for 400 ms. Times count from the first tick
+// of the hand. The log has one row a millisecond, with the clock that all programs of the machine
+// share.
 #include <fcntl.h>
 #include <linux/input.h>
 #include <sched.h>
@@ -94,6 +97,7 @@ class Wheel {
     settings.full_force_n = arguments.number("full", settings.full_force_n);
     settings.report_hz = arguments.number("rate", settings.report_hz);
     settings.autocentres = arguments.number("autocentre", 0.0) != 0.0;
+    settings.is_held = arguments.number("held", 1.0) != 0.0;
     settings.deaf_after_s = arguments.number("deaf", settings.deaf_after_s);
     return settings;
   }

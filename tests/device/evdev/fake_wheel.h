@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -24,7 +25,8 @@ class FakeWheel : public WheelNode {
     std::this_thread::sleep_for(std::chrono::milliseconds(std::min(wait_ms, 1)));
     const std::int32_t now = value;
     const bool moved = std::exchange(told_, now) != now;
-    return {gone, moved ? 1U : 0U, moved ? now_ns_() : 0, now};
+    return {gone, moved ? 1U : 0U, moved ? now_ns_() : 0,
+            tells ? std::optional<std::int32_t>(now) : std::nullopt};
   }
   // As hid-pidff, which sends no level twice.
   bool set_level(std::int16_t level) override {
@@ -46,6 +48,7 @@ class FakeWheel : public WheelNode {
   [[nodiscard]] bool is_quiet() const { return level_ == 0 && ends_ns_ == 0 && gain_ == 0; }
 
   std::atomic<std::int32_t> value{0};
+  std::atomic<bool> tells{true};
   std::atomic<bool> gone{false};
   std::atomic<bool> deaf{false};  // takes reports and does nothing
   std::atomic<std::uint64_t> reports{0};

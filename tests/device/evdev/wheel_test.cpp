@@ -30,6 +30,7 @@ class Table {
               const std::scoped_lock lock(mutex_);
               wheel = std::make_shared<FakeWheel>(monotonic_ns);
               wheel->value = value.load();
+              wheel->tells = tells.load();
               return std::shared_ptr<WheelNode>(wheel);
             }};
   }
@@ -43,6 +44,7 @@ class Table {
   }
 
   std::atomic<std::int32_t> value{0};  // of a wheel that is opened
+  std::atomic<bool> tells{true};
   std::vector<WheelListing> listed{fake_listing()};
   std::shared_ptr<FakeWheel> wheel;
 
@@ -125,6 +127,33 @@ TEST(Wheel, SilenceIsRest) {
   }));
   EXPECT_LT(faults, 100) << "some, on a busy machine";
   EXPECT_EQ(wheel.link().states, 0U);
+}
+
+// One at rest has told nothing since it was opened: what the kernel has is old, or 0.
+TEST(Wheel, APositionThatWasNotToldIsNone) {
+  Table table;
+  table.tells = false;
+  Wheel wheel({}, table.port(), monotonic_ns);
+  const Failure failed = wheel.open();
+  ASSERT_TRUE(failed);
+  EXPECT_THAT(failed->message, HasSubstr("turn the wheel a little"));
+}
+
+TEST(Wheel, AnUnpluggedOneThatComesBackSaysThatItMustBeTurned) {
+  Table table;
+  Wheel wheel({}, table.port(), monotonic_ns);
+  ASSERT_FALSE(wheel.open());
+  const auto first = table.now();
+  table.tells = false;
+  first->gone = true;
+  EXPECT_TRUE(ticks_until(wheel, 2.0, [&](const DeviceReading& reading) {
+    return reading.state != DeviceState::kOk &&
+           wheel.trouble_details().find("turn the wheel a little") != std::string::npos;
+  }));
+  table.now()->tells = true;
+  EXPECT_TRUE(ticks_until(wheel, 2.0, [&](const DeviceReading& reading) {
+    return reading.state == DeviceState::kOk && wheel.trouble_details().empty();
+  }));
 }
 
 TEST(Wheel, AnUnpluggedOneIsAFaultAndComesBackWithoutForce) {
