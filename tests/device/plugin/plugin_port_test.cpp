@@ -73,10 +73,11 @@ TEST(DevicePluginProblem, EveryMemberIsChecked) {
   EXPECT_EQ(device_plugin_problem(sound()), "");
   EXPECT_THAT(with([](auto& p) { p.abi = 2; }), HasSubstr("ABI 2, this program has ABI 1"));
   EXPECT_THAT(with([](auto& p) { p.size -= 8; }), HasSubstr("its hw_device_plugin has 56 bytes"));
-  for (const auto& change : std::vector<std::function<void(hw_device_plugin&)>>{
-           [](auto& p) { p.info = nullptr; }, [](auto& p) { p.open = nullptr; },
-           [](auto& p) { p.read = nullptr; }, [](auto& p) { p.write = nullptr; },
-           [](auto& p) { p.close = nullptr; }, [](auto& p) { p.last_error = nullptr; }}) {
+  const std::vector<std::function<void(hw_device_plugin&)>> changes{
+      [](auto& p) { p.info = nullptr; },  [](auto& p) { p.open = nullptr; },
+      [](auto& p) { p.read = nullptr; },  [](auto& p) { p.write = nullptr; },
+      [](auto& p) { p.close = nullptr; }, [](auto& p) { p.last_error = nullptr; }};
+  for (const auto& change : changes) {
     EXPECT_THAT(with(change), HasSubstr("is NULL"));
   }
   static const std::string kLong(101, 'a');
