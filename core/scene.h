@@ -39,6 +39,10 @@ struct DeviceSettings {
   std::optional<int> delay_ticks;
   std::optional<double> amplifier_time_constant_s;
   double start_m = 0.03;
+  // The stiffest and the most damped wall that CHAI3D's source sets for this device. No run changes
+  // with them.
+  std::optional<double> chai3d_stiffness_n_per_m;
+  std::optional<double> chai3d_damping_n_s_per_m;
 
   friend bool operator==(const DeviceSettings&, const DeviceSettings&) = default;
 };

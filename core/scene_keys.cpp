@@ -12,6 +12,8 @@ namespace {
 constexpr ValueRange kMass{1e-6, 1e3};
 constexpr ValueRange kStiffness{0.0, 1e9};
 constexpr ValueRange kDamping{0.0, 1e4};
+constexpr ValueRange kChaiStiffness{0.0, 1e9, true};
+constexpr ValueRange kChaiDamping{0.0, 1e4, true};
 constexpr ValueRange kFriction{0.0, 1e3};
 constexpr ValueRange kEncoder{0.0, 0.01};
 constexpr ValueRange kForceLimit{0.0, 1e6};
@@ -46,7 +48,11 @@ constexpr auto kKeys<DeviceSettings> = std::to_array<NumberKey<DeviceSettings>>(
      {"delay_ticks", "ticks", kDelay, false, &DeviceSettings::delay_ticks},
      {"amplifier_time_constant_s", "s", kTimeConstant, false,
       &DeviceSettings::amplifier_time_constant_s},
-     {"start_m", "m", kPositionRange, false, &DeviceSettings::start_m}});
+     {"start_m", "m", kPositionRange, false, &DeviceSettings::start_m},
+     {"chai3d_stiffness_n_per_m", "N/m", kChaiStiffness, false,
+      &DeviceSettings::chai3d_stiffness_n_per_m},
+     {"chai3d_damping_n_s_per_m", "N·s/m", kChaiDamping, false,
+      &DeviceSettings::chai3d_damping_n_s_per_m}});
 
 template <>
 constexpr auto kKeys<HandSettings> = std::to_array<NumberKey<HandSettings>>(
@@ -174,6 +180,7 @@ std::vector<SceneNumber> scene_numbers(const Scene& scene) {
   visit_scene_numbers(
       scene,
       [&](const NumberPath& path, const auto& key, const auto&) {
+        if (key.key.starts_with("chai3d_")) return;  // no run changes with it
         numbers.push_back({path.text(), std::string(key.unit), key.range, key.whole()});
       },
       1);

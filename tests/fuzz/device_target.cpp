@@ -18,8 +18,10 @@ constexpr std::size_t kMaxSerialBytes = 126;
 
 bool is_within(double value, double least, double most) { return value >= least && value <= most; }
 
-bool is_axis(const AxisDescription& axis) {
-  return is_within(axis.encoder_m, 1e-9, 0.01) && axis.force_limit_n > 0.0 &&
+// A file that opens no device of docs/hid-protocol.md may lack the encoder.
+bool is_axis(const AxisDescription& axis, bool opens) {
+  const bool lacks_encoder = !opens && axis.encoder_m == 0.0;
+  return (lacks_encoder || is_within(axis.encoder_m, 1e-9, 0.01)) && axis.force_limit_n > 0.0 &&
          axis.force_limit_n <= 32.767 && is_within(axis.min_m, -10.0, 0.0) &&
          is_within(axis.max_m, 0.0, 10.0) && is_within(axis.max_force_rate_n_per_s, 0.0, 1e6) &&
          axis.max_speed_m_per_s > 0.0 && axis.max_speed_m_per_s <= 100.0;
@@ -68,9 +70,13 @@ Outcome fuzz_one(Bytes input) {
   require(is_within(device->rate_hz, 10.0, 10e3), "a rate is in its range");
   require((device->vendor_id > 0) == (device->product_id > 0), "a device has both numbers or none");
   require(!device->dialect || is_dialect(*device), "a dialect has its fields inside its reports");
-  require(
-      device->ff ? is_wheel(*device) : is_axis(device->x) && (!device->y || is_axis(*device->y)),
-      "an axis is in its ranges");
+  const bool opens = device->vendor_id > 0;
+  require(device->ff ? is_wheel(*device)
+                     : is_axis(device->x, opens) && (!device->y || is_axis(*device->y, opens)),
+          "an axis is in its ranges");
+  require(!device->chai3d || (is_within(device->chai3d->max_stiffness_n_per_m, 1e-300, 1e9) &&
+                              is_within(device->chai3d->max_damping_n_s_per_m, 1e-300, 1e4)),
+          "limits of CHAI3D are in their ranges");
   const Result<DeviceDescription> again = file::parse_device(device_to_toml(*device), origin);
   require(again && *again == *device, "a written description reads back the same");
   return Outcome::kTaken;

@@ -76,6 +76,14 @@ constexpr std::array<NumberKey<FfDescription>, 6> kFfKeys{
     NumberKey<FfDescription>{"rate_hz", "Hz", kUpdateRate, false, &FfDescription::rate_hz},
     NumberKey<FfDescription>{"delay_s", "s", kDelay, false, &FfDescription::delay_s}};
 
+constexpr ValueRange kChaiStiffness{0.0, 1e9, true};
+constexpr ValueRange kChaiDamping{0.0, 1e4, true};
+constexpr std::array<NumberKey<ChaiLimits>, 2> kChaiKeys{
+    NumberKey<ChaiLimits>{"max_stiffness_n_per_m", "N/m", kChaiStiffness, true,
+                          &ChaiLimits::max_stiffness_n_per_m},
+    NumberKey<ChaiLimits>{"max_damping_n_s_per_m", "N·s/m", kChaiDamping, true,
+                          &ChaiLimits::max_damping_n_s_per_m}};
+
 template <typename Owner>
 void read_numbers(TableReader& reader, const toml::table& table,
                   std::span<const NumberKey<Owner>> keys, Owner& owner) {
@@ -97,6 +105,14 @@ AxisDescription read_axis(const toml::table& table, const std::string& name,
   if (needs_encoder && axis.encoder_m == 0.0) reader.fail_missing("encoder_m", number_in("m"));
   reader.finish();
   return axis;
+}
+
+ChaiLimits read_chai3d(const toml::table& table, const std::string& origin) {
+  TableReader reader(table, "chai3d.", origin);
+  ChaiLimits limits;
+  read_numbers<ChaiLimits>(reader, table, kChaiKeys, limits);
+  reader.finish();
+  return limits;
 }
 
 FfDescription read_ff(const toml::table& table, const std::string& origin) {
@@ -164,6 +180,9 @@ DeviceDescription read_description(const toml::table& root, const std::string& o
   const bool opens = device.vendor_id != 0;
   device.x = read_axis(*x, "x", origin, opens);
   if (const toml::table* y = reader.table("y")) device.y = read_axis(*y, "y", origin, opens);
+  if (const toml::table* chai3d = reader.table("chai3d")) {
+    device.chai3d = read_chai3d(*chai3d, origin);
+  }
   device.dialect = read_dialect(reader, origin, device.y.has_value());
   reader.finish();
   return device;
@@ -202,6 +221,7 @@ std::string device_to_toml(const DeviceDescription& device) {
   }
   write_numbers<AxisDescription>(out, "x", device.x, kAxisKeys);
   if (device.y) write_numbers<AxisDescription>(out, "y", *device.y, kAxisKeys);
+  if (device.chai3d) write_numbers<ChaiLimits>(out, "chai3d", *device.chai3d, kChaiKeys);
   if (device.dialect) write_dialect(out, *device.dialect);
   return out.text();
 }

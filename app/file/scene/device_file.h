@@ -42,6 +42,14 @@ struct FfDescription {
 };
 inline constexpr double kWheelLimitN = 5.0;  // of a file that gives none
 
+// The stiffest and the most damped wall that CHAI3D's source sets for the device.
+struct ChaiLimits {
+  double max_stiffness_n_per_m = 0.0;  // more than 0, at most 1e9
+  double max_damping_n_s_per_m = 0.0;  // more than 0, at most 1e4
+
+  friend bool operator==(const ChaiLimits&, const ChaiLimits&) = default;
+};
+
 struct DeviceDescription {
   std::string name;
   std::string source;  // where the numbers come from
@@ -54,6 +62,7 @@ struct DeviceDescription {
   std::optional<AxisDescription> y{};
   std::optional<FfDescription> ff{};  // not a device of docs/hid-protocol.md
   std::string identified{};  // what `hapticwall identify` found, when and how well; may be empty
+  std::optional<ChaiLimits> chai3d{};
   std::optional<Dialect> dialect{};  // nullopt: it speaks docs/hid-protocol.md
 
   friend bool operator==(const DeviceDescription&, const DeviceDescription&) = default;

@@ -40,6 +40,11 @@ void add_numbers(const DeviceDescription& device, bool wins, toml::table& table)
   add("friction_n", device.x.friction_n);
   if (device.x.encoder_m > 0.0) add("encoder_m", device.x.encoder_m);
   add("force_limit_n", device.x.force_limit_n);
+  if (!wins) table.erase("chai3d_stiffness_n_per_m");
+  if (!wins) table.erase("chai3d_damping_n_s_per_m");
+  if (!device.chai3d) return;
+  add("chai3d_stiffness_n_per_m", device.chai3d->max_stiffness_n_per_m);
+  add("chai3d_damping_n_s_per_m", device.chai3d->max_damping_n_s_per_m);
 }
 
 }  // namespace

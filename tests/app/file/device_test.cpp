@@ -115,6 +115,18 @@ TEST(BuiltinDevice, ThePaddlesNumbersFollowFromItsParts) {
   EXPECT_FALSE(paddle->y);
 }
 
+TEST(BuiltinDevice, SomeHaveTheLimitsOfChai3d) {
+  const auto limits = [](const char* name) { return load_device(name)->chai3d; };
+  EXPECT_EQ(limits("phantom-premium-1.5"), (ChaiLimits{800.0, 5.0}));
+  EXPECT_EQ(limits("touch"), (ChaiLimits{400.0, 4.0}));
+  EXPECT_EQ(limits("touch-x"), (ChaiLimits{1000.0, 5.0}));
+  EXPECT_EQ(limits("omega-3"), (ChaiLimits{5000.0, 30.0}));
+  EXPECT_EQ(limits("falcon"), (ChaiLimits{3000.0, 20.0}));
+  EXPECT_EQ(limits("hapkit"), std::nullopt);
+  const auto falcon = load_device("falcon");
+  EXPECT_EQ(*parse_device(device_to_toml(*falcon), "falcon.toml"), *falcon);
+}
+
 TEST(LoadDevice, SaysWhatItDoesNotFind) {
   const auto line = [](const std::string& name) {
     const Result<DeviceDescription> device = load_device(name);

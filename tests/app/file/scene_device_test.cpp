@@ -71,6 +71,10 @@ TEST_F(SceneDevice, APresetReplacesTheNumbersThatItHas) {
     const AxisDescription& x = load_device(preset)->x;
     if (x.encoder_m > 0.0) expected.encoder_m = x.encoder_m;
     expected.force_limit_n = x.force_limit_n;
+    if (const auto chai3d = load_device(preset)->chai3d) {
+      expected.chai3d_stiffness_n_per_m = chai3d->max_stiffness_n_per_m;
+      expected.chai3d_damping_n_s_per_m = chai3d->max_damping_n_s_per_m;
+    }
     EXPECT_EQ(device(preset), expected);
     EXPECT_NE(device(preset), before);
   }
@@ -81,6 +85,21 @@ TEST_F(SceneDevice, APresetReplacesTheNumbersThatItHas) {
   EXPECT_EQ(phantom.friction_n, 0.0477);
   EXPECT_EQ(phantom.encoder_m, 24.17e-6);
   EXPECT_EQ(phantom.force_limit_n, 8.19);
+}
+
+// In the scene's text, too, as a recording keeps it, and gone with the next device.
+TEST_F(SceneDevice, WhatChai3dAllowsIsOfOneDevice) {
+  const auto omega = load_scene("press", std::vector<std::string>{"device=omega-3"});
+  ASSERT_TRUE(omega) << omega.error().message;
+  EXPECT_EQ(omega->scene.x().device.chai3d_stiffness_n_per_m, 5000.0);
+  EXPECT_EQ(omega->scene.x().device.chai3d_damping_n_s_per_m, 30.0);
+  const std::string text = scene_to_toml(omega->scene);
+  EXPECT_EQ(parse_scene(text, "again.toml")->scene, omega->scene);
+  const std::vector<std::string> next{"device=hapkit"};
+  const auto hapkit = parse_scene(text, "again.toml", next);
+  ASSERT_TRUE(hapkit) << hapkit.error().message;
+  EXPECT_EQ(hapkit->scene.x().device.chai3d_stiffness_n_per_m, std::nullopt);
+  EXPECT_EQ(hapkit->scene.x().device.chai3d_damping_n_s_per_m, std::nullopt);
 }
 
 TEST_F(SceneDevice, ATableKeepsItsOwnNumbers) {
