@@ -71,7 +71,7 @@ std::string study_heading(const ContactStudyPlan& plan, const std::vector<Contac
     if (!speed) speed = row.approach_speed_m_per_s;
   }
   const MapAxis axis = plan.stiffnesses();
-  return fmt::format(
+  const std::string text = fmt::format(
       "{}{}: wall of {} kN/m, met at {} m/s, {:g} s\n"
       "limits: {} stiffnesses of the wall from {} to {} N/m in steps of {:.2g} %, refined to "
       "{:g}\n",
@@ -80,6 +80,11 @@ std::string study_heading(const ContactStudyPlan& plan, const std::vector<Contac
       plan.scene.duration_s, axis.count, file::shortest_number(axis.low),
       file::shortest_number(axis.high), kPercent * (axis.value(1) / axis.value(0) - 1.0),
       plan.tolerance);
+  const DeviceSettings& device = plan.scene.x().device;
+  if (!device.chai3d_stiffness_n_per_m || !device.chai3d_damping_n_s_per_m) return text;
+  return text + fmt::format("CHAI3D allows on this device: a wall of at most {} kN/m, {:g} N s/m\n",
+                            kilonewtons_per_metre(device.chai3d_stiffness_n_per_m),
+                            *device.chai3d_damping_n_s_per_m);
 }
 
 std::string study_marks(const std::vector<ContactMetrics>& rows) {

@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// N/m.
-struct Stiffnesses {
+// In the unit of a number of the wall.
+struct WallAndBound {
   double wall = kNone;
   double bound = kNone;
 
-  // Negative if the wall is softer than the bound.
+  // Negative if the wall is below the bound.
   [[nodiscard]] double excess() const { return wall - bound; }
   // Linear along a logarithmic axis if both are powers of its key.
   [[nodiscard]] double log_excess() const {
@@ -25,11 +25,11 @@ struct Stiffnesses {
 
 struct Corner {
   MapPoint at;
-  Stiffnesses found;
+  WallAndBound found;
 };
 
-// Fraction of the way from `a` to `b` at which the stiffness equals the bound.
-double part_of_edge(const Stiffnesses& a, const Stiffnesses& b, bool logarithmic) {
+// Fraction of the way from `a` to `b` at which the wall equals the bound.
+double part_of_edge(const WallAndBound& a, const WallAndBound& b, bool logarithmic) {
   const double part = a.log_excess() / (a.log_excess() - b.log_excess());
   if (logarithmic && std::isfinite(part)) return part;
   return a.excess() / (a.excess() - b.excess());
@@ -57,6 +57,23 @@ void append_square(std::vector<BoundSegment>& lines, const StabilityMap& map,
   }
 }
 
+// `found`: the WallAndBound of a cell.
+template <typename Found>
+void append_lines(std::vector<BoundSegment>& lines, const StabilityMap& map,
+                  std::span<const CellBounds> cells, const Found& found) {
+  if (cells.empty()) return;
+  const auto corner = [&](std::size_t x, std::size_t y) {
+    return Corner{{static_cast<double>(x), static_cast<double>(y)},
+                  found(cells[y * map.x.count + x])};
+  };
+  for (std::size_t y = 0; y + 1 < map.y.count; ++y) {
+    for (std::size_t x = 0; x + 1 < map.x.count; ++x) {
+      append_square(lines, map,
+                    {corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<CellBounds> cell_bounds(const StabilityMap& map) {
@@ -68,12 +85,13 @@ std::vector<CellBounds> cell_bounds(const StabilityMap& map) {
     Scene scene = map.scene_at(i);
     WallSettings& wall = scene.x().walls.front();
     // No bound depends on the stiffness, which most maps vary along x.
-    const double wall_n_per_m = std::exchange(wall.stiffness_n_per_m, 0.0);
+    const WallSettings own = wall;
+    wall.stiffness_n_per_m = 0.0;
     if (cells.empty() || scene != last) {
-      cells.push_back({wall_n_per_m, stability_bounds(scene, wall, delay_of(scene))});
+      cells.push_back({own, stability_bounds(scene, wall, delay_of(scene))});
       last = std::move(scene);
     } else {
-      cells.push_back({wall_n_per_m, cells.back().bounds});
+      cells.push_back({own, cells.back().bounds});
     }
   }
   return cells;
@@ -82,18 +100,24 @@ std::vector<CellBounds> cell_bounds(const StabilityMap& map) {
 std::vector<BoundSegment> bound_lines(const StabilityMap& map, std::span<const CellBounds> cells,
                                       BoundMember bound) {
   std::vector<BoundSegment> lines;
-  if (cells.empty()) return lines;
-  const auto corner = [&](std::size_t x, std::size_t y) {
-    const CellBounds& cell = cells[y * map.x.count + x];
-    return Corner{{static_cast<double>(x), static_cast<double>(y)},
-                  {cell.wall_n_per_m, (cell.bounds.*bound).value_or(kNone)}};
-  };
-  for (std::size_t y = 0; y + 1 < map.y.count; ++y) {
-    for (std::size_t x = 0; x + 1 < map.x.count; ++x) {
-      append_square(lines, map,
-                    {corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)});
-    }
-  }
+  append_lines(lines, map, cells, [&](const CellBounds& cell) {
+    return WallAndBound{cell.wall.stiffness_n_per_m, (cell.bounds.*bound).value_or(kNone)};
+  });
+  return lines;
+}
+
+std::vector<BoundSegment> chai3d_lines(const StabilityMap& map, std::span<const CellBounds> cells) {
+  const double most_n_per_m = map.scene.x().device.chai3d_stiffness_n_per_m.value_or(kNone);
+  const double most_n_s_per_m = map.scene.x().device.chai3d_damping_n_s_per_m.value_or(kNone);
+  std::vector<BoundSegment> lines;
+  append_lines(lines, map, cells, [&](const CellBounds& cell) {
+    const bool allowed = cell.wall.damping_n_s_per_m <= most_n_s_per_m;
+    return WallAndBound{cell.wall.stiffness_n_per_m, allowed ? most_n_per_m : kNone};
+  });
+  append_lines(lines, map, cells, [&](const CellBounds& cell) {
+    const bool allowed = cell.wall.stiffness_n_per_m <= most_n_per_m;
+    return WallAndBound{cell.wall.damping_n_s_per_m, allowed ? most_n_s_per_m : kNone};
+  });
   return lines;
 }
 

@@ -1,4 +1,4 @@
-// Lines on a map where the stiffness of the first wall equals a bound of stability_bounds().
+// Lines on a map where the first wall equals a bound of stability_bounds(), or what CHAI3D allows.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ struct BoundSegment {
 using BoundMember = std::optional<double> StabilityBounds::*;
 
 struct CellBounds {
-  double wall_n_per_m = 0.0;  // stiffness of the first wall
+  WallSettings wall;  // the first one
   StabilityBounds bounds;
 };
 
@@ -42,5 +42,10 @@ struct CellBounds {
 [[nodiscard]] std::vector<BoundSegment> bound_lines(const StabilityMap& map,
                                                     std::span<const CellBounds> cells,
                                                     BoundMember bound);
+
+// The same for what CHAI3D allows on the device: its stiffness where the damping is allowed, and
+// its damping where the stiffness is. Empty unless the scene has both numbers.
+[[nodiscard]] std::vector<BoundSegment> chai3d_lines(const StabilityMap& map,
+                                                     std::span<const CellBounds> cells);
 
 }  // namespace hapticwall

@@ -22,21 +22,22 @@ constexpr float kMapLineWeight = 2.0F;
 constexpr float kThinLineWeight = 0.8F;
 constexpr float kBelowPlotEms = 4.0F;  // labels and title of the axis across
 
-// A bound of theory, as it is drawn.
+// A bound of theory, or what CHAI3D allows, as it is drawn.
 struct BoundStyle {
   const char* name;
-  BoundMember bound;
+  BoundMember bound;  // nullptr: of CHAI3D
   ImU32 colour;
   float weight = kMapLineWeight;
 };
-constexpr std::array<BoundStyle, 5> kBounds{
+constexpr std::array<BoundStyle, 6> kBounds{
     {{"K = 2 (b - B) / T, passive", &StabilityBounds::passive_n_per_m, IM_COL32(20, 60, 140, 255)},
      {"stable below, with this hand", &StabilityBounds::stable_n_per_m,
       IM_COL32(120, 40, 150, 255)},
      {"K = (b + B) / (T/2 + t_d), rule for B T/m < 0.1 without a hand",
       &StabilityBounds::rule_n_per_m, IM_COL32(165, 90, 190, 255), kThinLineWeight},
      {"K = 2 f_c / Δ", &StabilityBounds::friction_n_per_m, IM_COL32(0, 120, 90, 255)},
-     {"K = F_max / Δ", &StabilityBounds::resolution_n_per_m, IM_COL32(60, 60, 60, 255)}}};
+     {"K = F_max / Δ", &StabilityBounds::resolution_n_per_m, IM_COL32(60, 60, 60, 255)},
+     {"largest K and B that CHAI3D allows on this device", nullptr, IM_COL32(0, 110, 255, 255)}}};
 
 // A place on the axis, in steps of it, as a value.
 double value_at(const MapAxis& axis, double steps) {
@@ -183,7 +184,9 @@ std::vector<BoundLines> map_bounds(const StabilityMap& map) {
   std::vector<BoundLines> all;
   const std::vector<CellBounds> cells = cell_bounds(map);
   for (std::size_t i = 0; i < kBounds.size(); ++i) {
-    std::vector<BoundSegment> lines = bound_lines(map, cells, kBounds.at(i).bound);
+    const BoundMember bound = kBounds.at(i).bound;
+    std::vector<BoundSegment> lines =
+        bound != nullptr ? bound_lines(map, cells, bound) : chai3d_lines(map, cells);
     // Without a delay and a damped wall the rule is the first one.
     const bool drawn =
         std::ranges::any_of(all, [&](const BoundLines& other) { return other.lines == lines; });
@@ -210,8 +213,9 @@ void draw_map_legend(std::span<const BoundLines> bounds, float scale) {
     const BoundStyle& style = kBounds.at(bound.bound);
     draw_key(style.colour, style.name, style.weight * scale);
   }
-  const char* note = bounds.empty() ? "no bound of theory crosses this map"
-                                    : "bounds of the bare wall, without an algorithm";
+  const bool theory = !bounds.empty() && kBounds.at(bounds.front().bound).bound != nullptr;
+  const char* note = theory ? "bounds of the bare wall, without an algorithm"
+                            : "no bound of theory crosses this map";
   begin_key(ImGui::CalcTextSize(note).x);
   ImGui::PushTextWrapPos();
   ImGui::TextDisabled("%s", note);

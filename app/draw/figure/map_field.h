@@ -15,12 +15,12 @@
 
 namespace hapticwall::draw {
 
-// A bound of theory that crosses the map. `bound`: its number in the legend.
+// A bound of theory, or of CHAI3D, that crosses the map. `bound`: its number in the legend.
 struct BoundLines {
   std::size_t bound = 0;
   std::vector<BoundSegment> lines;
 };
-// The same for every algorithm: they are bounds of the bare wall.
+// Bounds of theory first. The same for every algorithm: they are bounds of the bare wall.
 [[nodiscard]] std::vector<BoundLines> map_bounds(const StabilityMap& map);
 
 struct MapContents {

@@ -45,6 +45,16 @@ TEST(StudyReport, AFigureThatDoesNotApplyIsADashAndNull) {
   EXPECT_THAT(study_csv(made_up_plan(), rows), HasSubstr("\n\"a, \"\"b\"\"\xff\",6,1000,35000,"));
 }
 
+TEST(StudyReport, SaysWhatChai3dAllowsOnTheDevice) {
+  ContactStudyPlan plan = made_up_plan();
+  const std::vector<ContactMetrics> rows{made_up_row()};
+  plan.scene.x().device.chai3d_stiffness_n_per_m = 800.0;
+  EXPECT_THAT(sheet_text(study_sheet(plan, rows)), Not(HasSubstr("CHAI3D")));
+  plan.scene.x().device.chai3d_damping_n_s_per_m = 5.0;
+  EXPECT_THAT(sheet_text(study_sheet(plan, rows)),
+              HasSubstr("\nCHAI3D allows on this device: a wall of at most 0.80 kN/m, 5 N s/m\n"));
+}
+
 TEST(StudyReport, MarksAreExplainedWhereTheyOccur) {
   ContactMetrics row = made_up_row();
   row.limits = {0, {}, {100.0, 142'000.0}, {7279.0, 1e6}, 3, Summary{}};

@@ -148,6 +148,39 @@ TEST(BoundLines, StandWhereTheWallIsAsStiffAsTheBound) {
   EXPECT_TRUE(bound_lines(map, cell_bounds(map), &StabilityBounds::passive_n_per_m).empty());
 }
 
+// Where both numbers of the wall are allowed: no line goes on beyond the other limit.
+TEST(Chai3dLines, EncloseWhatIsAllowed) {
+  StabilityMap map = small_map();
+  map.x = axis(map.scene, "wall.stiffness_n_per_m", 500.0, 2500.0, 401);
+  map.y = axis(map.scene, "wall.damping_n_s_per_m", 0.0, 0.5, 11);
+  const auto lines = [&] { return chai3d_lines(map, cell_bounds(map)); };
+  EXPECT_TRUE(lines().empty());
+  map.scene.x().device.chai3d_stiffness_n_per_m = 803.0;
+  EXPECT_TRUE(lines().empty()) << "one number alone";
+  map.scene.x().device.chai3d_damping_n_s_per_m = 0.12;
+  std::size_t stiffest = 0;
+  for (const BoundSegment& line : lines()) {
+    for (const MapPoint& point : {line.from, line.to}) {
+      const double stiffness = 500.0 + 5.0 * point.x;
+      const double damping = 0.05 * point.y;
+      EXPECT_LE(stiffness, 803.0 + 1e-9);
+      EXPECT_LE(damping, 0.12 + 1e-9);
+      EXPECT_NEAR(std::max(stiffness / 803.0, damping / 0.12), 1.0, 1e-9);
+      if (std::abs(stiffness - 803.0) < 1e-9) ++stiffest;
+    }
+  }
+  EXPECT_EQ(stiffest, 2U * 2U) << "from 0 to 0.1 N s/m";
+  EXPECT_EQ(lines().size(), 2U + 60U) << "and from 500 to 800 N/m";
+  map.y = axis(map.scene, "device.damping_n_s_per_m", 0.1, 1.0, 11);
+  map.scene.x().walls.front().damping_n_s_per_m = 0.12;
+  EXPECT_EQ(lines().size(), 10U) << "as damped as it may be";
+  map.scene.x().walls.front().damping_n_s_per_m = 0.13;
+  EXPECT_TRUE(lines().empty()) << "no stiffness is allowed";
+  map.scene.x().walls.front().damping_n_s_per_m = 0.0;
+  map.scene.x().device.chai3d_stiffness_n_per_m = 3000.0;
+  EXPECT_TRUE(lines().empty()) << "beyond the axis";
+}
+
 // K = 2 b f on two logarithmic axes is a straight line, and exact however few the values are.
 TEST(BoundLines, AreExactOnLogarithmicAxes) {
   StabilityMap map = small_map();

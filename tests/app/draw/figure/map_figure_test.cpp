@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/draw/figure/map_colours.h"
+#include "app/draw/figure/map_field.h"
 #include "app/file/scene/scene_file.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/app/draw/figure/vector_files.h"
@@ -88,6 +89,25 @@ TEST(MapFigure, EveryAlgorithmHasAField) {
   // Second field of the lower row.
   EXPECT_GT(diverged.left, 1600 / 4);
   EXPECT_LT(diverged.right, 1600 / 2);
+}
+
+TEST(MapFigure, DrawsWhatChai3dAllows) {
+  constexpr ImU32 kChai3d = IM_COL32(0, 110, 255, 255);
+  StabilityMap map = map_of(1);
+  const std::vector<MapMetrics> cells(map.cell_count());
+  EXPECT_EQ(extent_of(*draw_map(map, cells), kChai3d).count, 0U);
+  map.scene.x().device.chai3d_stiffness_n_per_m = 1e4;
+  map.scene.x().device.chai3d_damping_n_s_per_m = 5.0;
+  const auto picture = draw_map(map, cells);
+  ASSERT_TRUE(picture.ok()) << picture.error().message;
+  const Extent field = extent_of(*picture, settled_colour());
+  const int middle = (field.left + field.right) / 2;  // of 1e3 to 1e5
+  const test::Colour blue{0, 110, 255};
+  EXPECT_GT(test::count_pixels(*picture, blue, middle - 6, 200, middle + 6, 1000), 300);
+  EXPECT_GT(test::count_pixels(*picture, blue, 0, 60, 1600, 110), 10) << "in the legend";
+  const std::size_t theory = map_bounds(map).size();
+  map.scene.x().device.chai3d_stiffness_n_per_m = 1e6;
+  EXPECT_EQ(map_bounds(map).size(), theory - 1) << "beyond the axis";
 }
 
 // With virtual damping the rule lies above the limit, so it is the only thing to the right of it.
