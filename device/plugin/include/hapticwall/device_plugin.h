@@ -3,8 +3,8 @@
  *
  * C99, no dependency, SI units, one axis, one device a library. The library exports one constant:
  *
- *   const hw_device_plugin hapticwall_device = {HAPTICWALL_DEVICE_ABI, sizeof(hw_device_plugin),
- * ...};
+ *   const hw_device_plugin hapticwall_device = {
+ *       HAPTICWALL_DEVICE_ABI, sizeof(hw_device_plugin), ...};
  *
  * Threads. The real-time loop calls nothing of the library. One thread calls open() and close(), a
  * second one read(), a third one write(). read() and write() run at the same time, and neither runs
@@ -24,6 +24,7 @@
 
 #include <stdint.h>
 
+/* NOLINTBEGIN(readability-identifier-naming): names of C */
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -98,5 +99,6 @@ extern const hw_device_plugin hapticwall_device;
 #ifdef __cplusplus
 }
 #endif
+/* NOLINTEND(readability-identifier-naming) */
 
 #endif
