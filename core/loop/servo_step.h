@@ -176,14 +176,13 @@ struct ShownStabiliser {
   return walls.size() == 1 && walls.front().damping_n_s_per_m == 0.0;
 }
 
-// One tick. `device` has `DeviceReading read()` and `void write(double)`. Realtime-safe: yes, if
-// the device is.
-template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stabiliser>
-[[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
-                                                     ServoState& state, Stabiliser& stabiliser,
-                                                     Device& device) {
-  TickOutcome out;
-  const DeviceReading reading = device.read();
+namespace detail {
+
+// The parts of a tick, in order. Realtime-safe: yes.
+template <StepKnowledge kKnown>
+[[gnu::always_inline]] inline void take_reading(const ServoSettings& settings,
+                                                const ServoState& state,
+                                                const DeviceReading& reading, TickOutcome& out) {
   out.tick = state.tick;
   if constexpr (!kKnown.sound_device) {
     out.stale = !(reading.age_s <= settings.maximum_age_s);
@@ -193,49 +192,48 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
     out.applied_force_n = reading.applied_force_n;
   }
   out.position_m = out.fault ? state.previous_position_m : reading.position_m;
-
   const bool known = kKnown.steady || state.position_known;
   out.displacement_m = known ? out.position_m - state.previous_position_m : 0.0;
   out.velocity_m_per_s = out.displacement_m * settings.rate_hz;
   out.contact = kKnown.one_undamped_wall
                     ? evaluate_undamped_wall(settings.walls.walls().front(), out.position_m)
                     : evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
+}
 
-  const StabiliserInput input{out.contact.force_n,       out.position_m,
-                              out.displacement_m,        out.velocity_m_per_s,
-                              out.contact.penetration_m, state.previous_force_n,
-                              out.contact.in_contact};
-  double wanted_n = stabiliser.step(input);
-  out.intervened = wanted_n != out.contact.force_n;
+// What the stabiliser wants becomes out.force_n: blended, armed, limited.
+template <StepKnowledge kKnown>
+[[gnu::always_inline]] inline void make_safe(const ServoSettings& settings, ServoState& state,
+                                             double wanted_n, TickOutcome& out) {
   double limit_n = settings.force_limit_n;
   if constexpr (!kKnown.steady) {
     if (state.transition.ticks_left > 0) [[unlikely]] {
       out.saturated = std::abs(wanted_n) > limit_n;
-      wanted_n = state.transition.blend(detail::within(wanted_n, limit_n),
-                                        detail::previous_full_force(state, limit_n));
+      wanted_n =
+          state.transition.blend(within(wanted_n, limit_n), previous_full_force(state, limit_n));
     }
     if (state.force_gain < 1.0) [[unlikely]] {
-      wanted_n = detail::scale_force(wanted_n, state.force_gain);
-      limit_n *=
-          state.force_gain;  // a stiff wall reaches its limit at once, so the limit rises too
+      wanted_n = scale_force(wanted_n, state.force_gain);
+      // A stiff wall reaches its limit at once, so the limit rises too.
+      limit_n *= state.force_gain;
     }
   }
   out.force_n = wanted_n;
   if (out.stale || out.fault || (!kKnown.steady && state.failed) ||
       !(std::abs(wanted_n) <= limit_n)) [[unlikely]] {
     out.saturated = out.saturated || std::abs(wanted_n) > limit_n;
-    out.force_n = detail::restrict_force(wanted_n, limit_n, !out.stale && !out.fault, state);
+    out.force_n = restrict_force(wanted_n, limit_n, !out.stale && !out.fault, state);
   }
   if constexpr (!kKnown.steady) {
     if (std::isfinite(settings.max_rise_n)) [[unlikely]] {
-      const double risen_n =
-          detail::limit_rise(out.force_n, state.previous_force_n, settings.max_rise_n);
+      const double risen_n = limit_rise(out.force_n, state.previous_force_n, settings.max_rise_n);
       out.rate_limited = risen_n != out.force_n;
       out.force_n = risen_n;
     }
   }
-  device.write(out.force_n);
+}
 
+template <StepKnowledge kKnown>
+[[gnu::always_inline]] inline void remember(ServoState& state, TickOutcome& out) {
   state.ledger.add(out.force_n, state.previous_force_n, out.displacement_m, state.budget_n_per_m);
   state.previous_position_m = out.position_m;
   state.previous_force_n = out.force_n;
@@ -247,6 +245,27 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
     state.parameters_changed = false;
   }
   ++state.tick;
+}
+
+}  // namespace detail
+
+// One tick. `device` has `DeviceReading read()` and `void write(double)`. Realtime-safe: yes, if
+// the device is.
+template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stabiliser>
+[[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
+                                                     ServoState& state, Stabiliser& stabiliser,
+                                                     Device& device) {
+  TickOutcome out;
+  detail::take_reading<kKnown>(settings, state, device.read(), out);
+  const StabiliserInput input{out.contact.force_n,       out.position_m,
+                              out.displacement_m,        out.velocity_m_per_s,
+                              out.contact.penetration_m, state.previous_force_n,
+                              out.contact.in_contact};
+  const double wanted_n = stabiliser.step(input);
+  out.intervened = wanted_n != out.contact.force_n;
+  detail::make_safe<kKnown>(settings, state, wanted_n, out);
+  device.write(out.force_n);
+  detail::remember<kKnown>(state, out);
   return out;
 }
 

@@ -90,8 +90,8 @@ std::string axis_title(const Scene& scene, const MapAxis& axis, const MapAxis& o
   if (!axis.number.unit.empty()) title += ", " + axis.number.unit;
   if (!fits(title)) return axis.number.unit;
   if (const auto number = dimensionless(scene, axis, other)) {
-    const std::string whole = fmt::format("{}   ({}: {:.3g} to {:.3g})", title, number->symbol,
-                                          axis.low * number->factor, axis.high * number->factor);
+    std::string whole = fmt::format("{}   ({}: {:.3g} to {:.3g})", title, number->symbol,
+                                    axis.low * number->factor, axis.high * number->factor);
     if (fits(whole)) return whole;
   }
   return title;
