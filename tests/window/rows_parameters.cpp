@@ -132,8 +132,11 @@ Table device_rows() {
                }}};
   auto keys = parameter_rows("Device", "device.", number_keys<DeviceSettings>(),
                              [](const Scene& scene) { return scene.x().device; });
-  // The start of the handle has no row: it needs a new session.
-  std::erase_if(keys, [](const Row& row) { return row.item == "device.start_m"; });
+  // The start of the handle has no row: it needs a new session. Nor has what CHAI3D allows: no run
+  // changes with it.
+  std::erase_if(keys, [](const Row& row) {
+    return row.item == "device.start_m" || row.item.starts_with("device.chai3d_");
+  });
   table.insert(table.end(), keys.begin(), keys.end());
   return table;
 }
