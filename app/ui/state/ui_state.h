@@ -316,9 +316,11 @@ struct PanelContext {
   return {state.transient.time_from_s, state.transient.time_to_s};
 }
 
-// From the next frame on. During a blind test only its own windows are shown.
+// From the next frame on. During a blind test only its own windows are shown. The page gets the
+// focus: else a window that is new takes it from a part that leaves, and comes to the front.
 inline void show_page(UiState& state, const char* page) {
   DockState& dock = state.transient.dock;
+  ImGui::SetWindowFocus((std::string("###page ") + page).c_str());
   if (dock.chosen) bring_to_front(*dock.chosen, page);
   dock.rebuild = true;
 }
