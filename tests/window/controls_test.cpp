@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 #include <set>
+#include <span>
 #include <string>
 
+#include "app/file/scene/scene_file.h"
+#include "app/runtime/session/experiment.h"
 #include "tests/window/rows.h"
 #include "tests/window/window_test.h"
 
@@ -39,6 +43,22 @@ class ControlsTest : public WindowTest {
     });
   }
 
+  void use_experiment() {
+    const std::string list = home_.folder() / "list.csv";
+    const std::string answers = home_.folder() / "answers.csv";
+    std::ofstream(list) << "kind,a,b\ntest,,wall.stiffness_n_per_m=1000\nbreak,,\n"
+                           "catch,wall.position_m=0.04,wall.position_m=0.04\n";
+    const auto experiment = runtime::open_experiment(
+        {list, "P1", "1", answers}, [](std::span<const std::string> overrides) -> Result<Scene> {
+          return file::load_scene("press", overrides)->scene;
+        });
+    ASSERT_TRUE(experiment.ok()) << experiment.error().message;
+    options_.experiment = *experiment;
+    use([&](Person& person) { use_all(person, "experiment", experiment_rows()); });
+    EXPECT_EQ(lines_of(answers).size(), 3U);
+    options_.experiment.reset();
+  }
+
   void use_device() {
     connect_device();
     use([&](Person& person) {
@@ -57,6 +77,7 @@ class ControlsTest : public WindowTest {
 
 TEST_P(ControlsTest, EveryOneIsUsed) {
   use_simulator();
+  use_experiment();
   use_device();
   // These exist only while a task runs.
   for (const char* passing : {"cancel re-run", "cancel opening"}) log_.used.insert(passing);

@@ -62,5 +62,7 @@ void unfold(Person& person, const std::string& section, const std::string& somet
 
 // Of a real device.
 [[nodiscard]] Table link_rows();
+// Of a list with two trials and a break between them.
+[[nodiscard]] Table experiment_rows();
 
 }  // namespace hapticwall::test

@@ -214,6 +214,22 @@ void take_blind_test(Person& person) {
   go_to_page(person, "Plots");
 }
 
+void play_trial_list(Person& person) {
+  const ui::BlindTest& test = *person.state().compare.transient.test;
+  EXPECT_TRUE(ui::waits(test));
+  for (const char* choice : {"choose first", "choose second"}) {
+    const std::size_t answered = test.answers.size();
+    person.click("go on");
+    EXPECT_FALSE(ui::waits(test));
+    answer(person, choice);
+    EXPECT_EQ(test.answers.size(), answered + 1);
+  }
+  EXPECT_FALSE(test.running);
+  for (const char* item :
+       {"answered", "correct", "catch trials", "kind", "A", "B", "chose A", "interval"})
+    person.hover(item);
+}
+
 void type_a_mark(Person& person) {
   const auto type = [&] { person.type("mark text", "here"); };  // Enter sets it
   set_marks(person, type);
@@ -300,6 +316,8 @@ Table compare_rows() {
       {"page Plots", see_a_ghost},
       {"blind start", take_blind_test}};
 }
+
+Table experiment_rows() { return {{"go on", play_trial_list}}; }
 
 Table recording_rows() {
   return {does("mark", [](Person& p, const Act& click) { set_marks(p, click); }),
