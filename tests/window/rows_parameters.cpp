@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 
+#include "app/file/scene/device_file.h"
+#include "app/file/scene/scene_file.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "core/scene_keys.h"
 #include "tests/window/rows.h"
@@ -101,6 +103,38 @@ double end_time_s(Person& person) { return person.scene().x().hand->path.back().
 
 double withdraw_mm_per_s(Person& person) { return person.state().persisted.withdraw_mm_per_s; }
 
+// Every preset, and a name in the field; one step of Undo each.
+void take_devices(Person& person) {
+  unfold(person, "Device", "device numbers");
+  const Scene before = person.scene();
+  const auto expect_taken = [&](const std::string& name) {
+    EXPECT_EQ(person.scene().x().device, file::with_device(before, name)->x().device) << name;
+    EXPECT_NE(person.scene().x().device, before.x().device) << name;
+    person.click("undo");
+    EXPECT_EQ(person.scene(), before);
+  };
+  for (const file::BuiltinDevice& builtin : file::builtin_devices()) {
+    person.click("device numbers");
+    const std::string item = "take device " + builtin.name;
+    EXPECT_EQ(person.sees(item), file::load_device(builtin.name)->vendor_id == 0) << item;
+    if (!person.sees(item)) {
+      person.put_everything_away();
+      continue;
+    }
+    EXPECT_TRUE(person.has_tooltip(item));
+    person.click(item);
+    expect_taken(builtin.name);
+  }
+  person.click("device numbers");
+  person.type("device file", "woodenhaptics");
+  expect_taken("woodenhaptics");
+  person.click("device numbers");
+  person.type("device file", "nowhere");
+  EXPECT_EQ(person.message().text,
+            "nowhere: device: nowhere.toml: cannot be read: No such file or directory");
+  EXPECT_EQ(person.scene(), before);
+}
+
 void unfold_hand(Person& person) { unfold(person, "Hand", "withdraw hand"); }
 
 }  // namespace
@@ -126,10 +160,12 @@ Table hand_rows() {
 }
 
 Table device_rows() {
-  Table table{{"section Device", [](Person& person) {
+  Table table{{"section Device",
+               [](Person& person) {
                  person.click("section Device");
                  EXPECT_TRUE(person.sees("device.mass_kg"));
-               }}};
+               }},
+              {"device numbers", take_devices}};
   auto keys = parameter_rows("Device", "device.", number_keys<DeviceSettings>(),
                              [](const Scene& scene) { return scene.x().device; });
   // The start of the handle has no row: it needs a new session. Nor has what CHAI3D allows: no run

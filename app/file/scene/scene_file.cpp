@@ -47,6 +47,22 @@ std::vector<BuiltinScene> read_builtin_scenes() {
 
 }  // namespace
 
+Result<Scene> with_device(Scene scene, const std::string& name) {
+  Scene alone;
+  alone.sampling = scene.sampling;
+  alone.x().device = scene.x().device;
+  try {
+    toml::table root = parse_toml(scene_to_toml(alone), "");
+    const toml::table before = *root["device"].as_table();
+    root.insert_or_assign("device", name);
+    resolve_device(root, before, name);
+    scene.x().device = read_scene(root, name).scene.x().device;
+    return scene;
+  } catch (const ReadFailure& failure) {
+    return usage_error(failure.what());
+  }
+}
+
 // shown() may exceed its limit by 3 bytes of a last character and by three dots.
 std::string mark_text(std::string_view typed) {
   constexpr std::size_t kEndBytes = 3 + 3;

@@ -58,6 +58,10 @@ struct LoadedScene {
 [[nodiscard]] Result<LoadedScene> load_scene(const std::string& name_or_path,
                                              std::span<const std::string> overrides = {});
 
+// The scene with the numbers of a device file on axis x, as by --set device=NAME; its description
+// stays. A name without a built-in device is a file in the current folder.
+[[nodiscard]] Result<Scene> with_device(Scene scene, const std::string& name);
+
 // The table that makes a file the sidecar of a recording or of a map.
 inline constexpr std::string_view kRecordingTable = "recording";
 inline constexpr std::string_view kMapTable = "map";

@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 
+#include "app/file/scene/device_file.h"
+#include "app/file/scene/scene_file.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/parameter_rows.h"
@@ -53,7 +55,45 @@ std::string answered(double value_s, const std::string& text) {
   return value_s > 0.0 ? text : "unknown";
 }
 
+void take_device(const PanelContext& context, const std::string& name) {
+  const Result<Scene> wanted = file::with_device(context.session.scene(), name);
+  if (!wanted) return tell(context.state, wanted.error());
+  if (const auto problem = ask_for(context, *wanted)) tell(context.state, *problem);
+}
+
+// The presets; and a field, which takes every name that --set device=NAME takes.
+void draw_device_choices(const PanelContext& context) {
+  for (const file::BuiltinDevice& builtin : file::builtin_devices()) {
+    const auto device = file::load_device(builtin.name);
+    if (!device || device->vendor_id != 0) continue;
+    if (list_choice(fmt::format("{}###take device {}", device->name, builtin.name), false,
+                    device->source))
+      take_device(context, builtin.name);
+  }
+  ImGui::Separator();
+  ImGui::SetNextItemWidth(-1.0F);
+  const auto path = text_field(context, "##device file", "name or path", "");
+  explain("Takes the numbers of this device file, such as 'identify' writes");
+  if (!path || path->empty()) return;
+  take_device(context, *path);
+  ImGui::CloseCurrentPopup();
+}
+
+// Numbers that the file of the device does not have stay, so that no device is "chosen".
+void draw_device_list(const PanelContext& context) {
+  constexpr const char* kMeaning =
+      "Replaces the numbers below by those of a device file, as --set device=NAME does. A number "
+      "that the file does not have stays. The tooltips name the sources.";
+  field_label(context, "numbers of", kMeaning, "");
+  if (ImGui::BeginCombo("##device numbers", "a device ...")) {
+    draw_device_choices(context);
+    ImGui::EndCombo();
+  }
+  explain(kMeaning);
+}
+
 void draw_rows(const PanelContext& context, std::span<const ParameterText> rows) {
+  draw_device_list(context);
   for (const ParameterText& text : rows) {
     const auto& key = key_called<DeviceSettings>(text.key);
     const ParameterRow row = parameter_row("device.", key, text, context.session.scene().x().device,

@@ -56,6 +56,27 @@ TEST_F(SceneDevice, TheNameGivesTheNumbers) {
   }
 }
 
+// As --set device=NAME on the command line, but for the description.
+TEST_F(SceneDevice, AScenesDeviceBecomesThatOfAFile) {
+  for (const std::string& name : {std::string("phantom-premium-1.5"), path("paddle.toml")}) {
+    const std::vector<std::string> overrides{"device=" + name};
+    const Scene before = load_scene("corner")->scene;
+    Scene expected = load_scene("corner", overrides)->scene;
+    expected.description = before.description;
+    const auto changed = with_device(before, name);
+    ASSERT_TRUE(changed) << changed.error().message;
+    EXPECT_EQ(*changed, expected);
+    EXPECT_NE(*changed, before);
+  }
+  for (const char* nothing : {"nothere", "", "a\nb"}) {
+    const auto refused = with_device(load_scene("press")->scene, nothing);
+    ASSERT_FALSE(refused) << nothing;
+    EXPECT_THAT(refused.error().message, ::testing::Not(HasSubstr("\n")));
+  }
+  EXPECT_THAT(with_device(load_scene("press")->scene, "nothere").error().message,
+              HasSubstr("nothere.toml: cannot be read"));
+}
+
 // What a file does not give stays the scene's own.
 TEST_F(SceneDevice, APresetReplacesTheNumbersThatItHas) {
   const auto device = [](const std::string& name) {
