@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -21,17 +20,18 @@
 #include "app/file/disk/user_folders.h"
 #include "app/file/recording/recording_reader.h"
 #include "app/file/text/text.h"
+#include "app/runtime/session/loop_session.h"
 #include "core/result.h"
 
 namespace hapticwall::command {
 namespace {
 
 // Starts the window's sessions on the chosen device.
-std::function<Result<std::unique_ptr<runtime::LiveSession>>(const Scene&)> session_starter(
-    const DeviceChoice& device, const runtime::SessionOptions& options) {
+runtime::StartSession session_starter(const DeviceChoice& device,
+                                      const runtime::SessionOptions& options) {
   if (!device.hardware) return {};
-  return [device, options](const Scene& scene) {
-    return runtime::LiveSession::start_on(make_device(*device.hardware, scene), scene, options);
+  return [device, options](const Scene& scene, TickLaw* law) {
+    return runtime::start_under(law, make_device(*device.hardware, scene), scene, options);
   };
 }
 
@@ -160,6 +160,8 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   runtime::WindowOptions window;
   window.scene = loaded->scene;
   window.start_on_device = session_starter(*device, session);
+  window.device = options.device;
+  window.description = device->description;
   window.stream = *stream;
   window.signals = session.signals;
   window.spin_s = *spin_s;

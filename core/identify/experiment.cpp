@@ -6,7 +6,6 @@
 namespace hapticwall::identify {
 namespace {
 
-constexpr double kStillS = 0.5;
 constexpr double kRestSlackM = 1e-3;
 constexpr double kMotionM = 0.4e-3;
 constexpr double kMotionCounts = 3.0;
@@ -39,7 +38,7 @@ constexpr std::array<std::string_view, 9> kTroubles{
     "a positive force moved the handle towards larger positions; exchange the sign of the force in "
     "the firmware",
     "the handle did not move at 95 % of the force; its friction exceeds the force, or the position "
-    "is frozen; check the device, or raise --limit",
+    "is frozen; check the device, or raise the limit",
     "the position jumped farther than the handle can move; check the encoder",
     "the position stayed while the force was on; check the encoder and the amplifier, and keep "
     "hands off",

@@ -25,6 +25,9 @@ struct ExperimentSettings {
   std::uint32_t seed = 1;      // of the random strokes
 };
 
+// Without force, before the ramps.
+inline constexpr double kStillS = 0.5;
+
 enum class ExperimentState : std::uint8_t {
   kRunning,
   kDone,

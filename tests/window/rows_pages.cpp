@@ -108,6 +108,34 @@ void compute_studies(Person& person) {
   go_to_page(person, "Plots");
 }
 
+// Ends one experiment, and saves the numbers of another one.
+void identify_the_device(Person& person) {
+  go_to_page(person, "Identify");
+  const ui::IdentifyState& identify = person.state().identify;
+  const Scene before = person.scene();
+  person.type("identify limit", "1.5");
+  EXPECT_EQ(identify.choice.limit_n, 1.5);
+  person.type("identify travel", "15");
+  EXPECT_EQ(identify.choice.travel_m, 0.015);
+  person.type("identify seconds", "8");
+  EXPECT_EQ(identify.choice.seconds, 8.0);
+  person.click("identify start");
+  EXPECT_TRUE(identify.experiment);
+  person.click("identify end");
+  person.wait_until([&] { return !identify.experiment; }, "the end");
+  EXPECT_EQ(identify.problem, "the experiment ended with the force off: switched off");
+  person.click("identify start");
+  person.wait_until([&] { return identify.result.has_value(); }, "the numbers");
+  EXPECT_EQ(person.scene(), before);
+  person.wait_a_frame();
+  person.type("identify name", "mine");
+  person.click("identify save");
+  EXPECT_TRUE(std::filesystem::exists(person.state().transient.recording_folder + "/mine.toml"))
+      << person.message().text;
+  person.put_everything_away();
+  go_to_page(person, "Plots");
+}
+
 void click_all_at_once(Person& person) {
   go_to_page(person, "All at once");
   const ui::AllRuns& all = person.state().all_runs;
@@ -304,6 +332,7 @@ Table page_rows() {
   return {page("Timing", "timing clear"),     page("Blind test", "blind start"),
           page("Map", "map algorithms"),      page("All at once", "all none"),
           page("Study", "study compute"),     {"study compute", compute_studies},
+          page("Identify", "identify start"), {"identify start", identify_the_device},
           page("Plots", "plot Force"),        {"timing clear", hover_timing},
           {"map algorithms", choose_the_map}, {"map cells 0", click_the_map},
           {"all none", click_all_at_once},    shown("penetration")};

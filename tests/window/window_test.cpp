@@ -18,6 +18,7 @@
 #include "app/file/disk/user_folders.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/scene/settings_text.h"
+#include "app/runtime/session/loop_session.h"
 #include "tests/app/ui/items.h"
 #include "tests/app/ui/offscreen_gui.h"
 
@@ -28,7 +29,8 @@ namespace {
 constexpr int kWidth = 1120;
 constexpr int kHeight = 720;
 constexpr const char* kDocked =
-    "X21.5em(Controls;Y22%(X40%(Wall;Contact);Plots*,Timing,Blind test,Map,All at once,Study))";
+    "X21.5em(Controls;Y22%(X40%(Wall;Contact);Plots*,Timing,Blind test,Map,All at "
+    "once,Study,Identify))";
 
 // The test engine for one script, in the current ImGui context.
 class Engine {
@@ -107,7 +109,9 @@ void use_real_window(const runtime::WindowOptions& options, const Script& script
 void use_headless(const runtime::WindowOptions& options, const Script& script, ItemLog& log) {
   const OffscreenGui gui(ImVec2(kWidth, kHeight));
   ui::Application::Sessions sessions;
-  sessions.simulate = [](const Scene& scene) { return runtime::LiveSession::start(scene); };
+  sessions.simulate = [](const Scene& scene, TickLaw* law) {
+    return runtime::start_under(law, nullptr, scene, {});
+  };
   sessions.start_on_device = options.start_on_device;
   const auto created =
       ui::Application::create(options.scene,
@@ -202,7 +206,8 @@ void WindowTest::use(const Script& script) {
 
 void WindowTest::connect_device() {
   options_.start_on_device =
-      [this](const Scene& scene) -> Result<std::unique_ptr<runtime::LiveSession>> {
+      [this](const Scene& scene,
+             TickLaw* /*law*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
     auto session = std::make_unique<FakeSession>(scene);
     session->info = {"paddle", false};
     session->arming.state = runtime::ArmingState::kOff;

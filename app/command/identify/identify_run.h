@@ -4,27 +4,22 @@
 #include <memory>
 
 #include "app/command/run/realtime_run.h"
-#include "core/identify/identify.h"
+#include "app/runtime/session/identify_experiment.h"
 
 namespace hapticwall::command {
 
 struct IdentifyRun {
   const Scene& scene;                        // one axis without hand and walls
-  identify::ExperimentSettings experiment;   // its rate, limit and encoder are those of the scene
+  runtime::IdentifyExperiment& experiment;   // its rate, limit and encoder are those of the scene
   std::unique_ptr<device::Device> device{};  // as in RealtimeRun
   bool allow_no_realtime = false;
   bool show_progress = false;
 };
 
 struct IdentifyOutcome {
-  identify::Record record;  // from the experiment's first tick on
-  identify::ExperimentFacts facts;
   std::uint64_t missed_ticks = 0;
   bool stopped_early = false;
 };
-
-// The time that the session may take: the experiment and all before it.
-[[nodiscard]] double longest_session_s(const identify::ExperimentSettings& experiment);
 
 // Arms the device, waits for its whole force and runs the experiment. A device that is lost or
 // disarmed, and an experiment that stopped by itself, are an error (ErrorKind::kDevice). The force

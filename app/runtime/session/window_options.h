@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "app/file/scene/device_file.h"
 #include "app/runtime/session/experiment.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
+#include "core/loop/tick_law.h"
 #include "core/result.h"
 #include "core/scene.h"
 
@@ -19,10 +21,15 @@ namespace hapticwall::runtime {
 inline constexpr int kMinScalePercent = 50;
 inline constexpr int kMaxScalePercent = 300;
 
+// Starts a session, with `law` as in start_under().
+using StartSession =
+    std::function<Result<std::unique_ptr<LiveSession>>(const Scene& scene, TickLaw* law)>;
+
 struct WindowOptions {
   Scene scene;
-  // Starts a session on a device; empty: the simulator.
-  std::function<Result<std::unique_ptr<LiveSession>>(const Scene&)> start_on_device;
+  StartSession start_on_device;                          // empty: the simulator
+  std::string device = "sim";                            // --device
+  std::optional<file::DeviceDescription> description{};  // of the device's file
   // Makes the recording to show first; empty: a session of the scene is shown.
   std::function<std::unique_ptr<ReplaySession>()> replay;
   // Folder for recordings; empty: from the settings, or the current folder.

@@ -42,7 +42,7 @@ void draw_controls_page(const PanelContext& context) {
   runtime::ReplaySession* replay = context.shows.replay;
   if (replay != nullptr) draw_replay_section(context, *replay);
   ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, kLockedAlpha);
-  ImGui::BeginDisabled(replay != nullptr);
+  ImGui::BeginDisabled(replay != nullptr || context.state.identify.experiment);
   draw_dimmed(context, asked_for(context).algorithm, draw_algorithm_section);
   if (context.state.persisted.more) {
     draw_more_sections(context);

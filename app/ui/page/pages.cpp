@@ -5,6 +5,7 @@
 #include "app/ui/page/all_page.h"
 #include "app/ui/page/blind_test_page.h"
 #include "app/ui/page/controls_page.h"
+#include "app/ui/page/identify_page.h"
 #include "app/ui/page/magnifier.h"
 #include "app/ui/page/map_page.h"
 #include "app/ui/page/plots_panel.h"
@@ -53,6 +54,7 @@ void draw_blind_test(const PageParts& parts) { draw_blind_test_page(parts.contex
 void draw_map(const PageParts& parts) { draw_map_page(parts.context); }
 void draw_all(const PageParts& parts) { draw_all_page(parts.context); }
 void draw_study(const PageParts& parts) { draw_study_page(parts.context); }
+void draw_identify(const PageParts& parts) { draw_identify_page(parts.context); }
 
 void notice_timing(UiState& state, bool seen) { state.timing.page_seen = seen; }
 void notice_map(UiState& state, bool seen) {
@@ -90,7 +92,12 @@ constexpr std::array kPages{
     Page{{"Study", "Tables of the present scene: the algorithms ranked, the integrators measured"},
          draw_study,
          true,
-         notice_study}};
+         notice_study},
+    Page{
+        {"Identify", "Mass, damping, friction and delay of the device; the handle moves by itself"},
+        draw_identify,
+        true,
+        notice_identify_page}};
 
 }  // namespace
 

@@ -99,9 +99,11 @@ void ask_to_arm(const PanelContext& context) {
 }
 
 void disarm(const PanelContext& context) {
+  const auto& experiment = context.state.identify.experiment;
+  if (experiment) experiment->stop("switched off");
   if (context.shows.live != nullptr) context.shows.live->arm(false);
   // In a text, Space is a blank as well.
-  if (!ImGui::GetIO().WantTextInput)
+  if (!ImGui::GetIO().WantTextInput && !experiment)
     tell_without_device(context, "Space takes the force of a device away");
 }
 

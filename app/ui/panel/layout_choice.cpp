@@ -20,7 +20,7 @@ constexpr float kNameEms = 11.0F;
 constexpr std::array kBuiltins{
     BuiltinLayout{"bench", "Everything: parameters, wall, contact, and the pages behind tabs",
                   "X21.5em(Controls;Y40%(X62%(Wall;Contact);Plots*,Timing,Blind test,Map,All at "
-                  "once,Study))",
+                  "once,Study,Identify))",
                   PlotArrangement::kAll},
     BuiltinLayout{
         kLectureLayout,

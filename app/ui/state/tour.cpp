@@ -28,6 +28,7 @@ bool settles(const Sight& sight, double least_n_per_m, double most_n_per_m) {
 }
 
 bool quiet_and_stiff(const Sight& sight) {
+  if (sight.scene.x().walls.empty()) return false;
   const double wall_n_per_m = sight.scene.x().walls.front().stiffness_n_per_m;
   return under(sight, "energy-bounding") && settles(sight, kStiffNPerM, wall_n_per_m);
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/draw/figure/identify_figure.h"
 #include "app/draw/plot/extra_traces.h"
 #include "app/draw/plot/phase_plot.h"
 #include "app/draw/plot/plot.h"
@@ -20,10 +21,12 @@
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/spectrum_plot.h"
 #include "app/draw/plot/theme.h"
+#include "app/runtime/session/identify_experiment.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
 #include "app/runtime/session/window_options.h"
 #include "app/sound/live/sound_status.h"
+#include "app/table/identify_report.h"
 #include "app/ui/state/all_runs.h"
 #include "app/ui/state/background.h"
 #include "app/ui/state/compare_state.h"
@@ -276,6 +279,26 @@ struct MapState {
   LiveMap live;
 };
 
+struct Identified {
+  table::IdentifiedBy by;
+  identify::Identification found;
+  file::DeviceDescription device;  // with the numbers, if the model fits
+  std::vector<draw::FigurePanel> panels;
+};
+
+// `hapticwall identify` in the window. Lives as long as the window.
+struct IdentifyState {
+  runtime::IdentifyChoice choice;
+  std::string device = "sim";                               // as in runtime::WindowOptions
+  std::optional<file::DeviceDescription> description{};     // the same
+  bool wanted = false;                                      // its session begins after this frame
+  std::shared_ptr<runtime::IdentifyExperiment> experiment;  // of the session; null: none
+  Background<Identified> fit;
+  std::optional<Identified> result;
+  std::string problem;  // why there is no result
+  std::string name;     // of the device file; empty: that of the device
+};
+
 struct UiState {
   PersistedState persisted;
   TransientState transient;
@@ -287,6 +310,7 @@ struct UiState {
   MapState map;
   AllRuns all_runs;
   Studies studies;
+  IdentifyState identify;
   Tails tails;
 };
 

@@ -86,11 +86,12 @@ Failure Application::start_first(const Scene& scene) {
 }
 
 // On the device, if there is one. A failure changes nothing.
-Failure Application::start_session(const Scene& scene) {
-  auto started =
-      sessions_.start_on_device ? sessions_.start_on_device(scene) : sessions_.simulate(scene);
+Failure Application::start_session(const Scene& scene, std::shared_ptr<TickLaw> law) {
+  auto started = sessions_.start_on_device ? sessions_.start_on_device(scene, law.get())
+                                           : sessions_.simulate(scene, law.get());
   if (!started) return started.error();
-  live_ = std::move(*started);
+  live_ = std::move(*started);  // ends the loop before
+  law_ = std::move(law);
   return std::nullopt;
 }
 
@@ -104,6 +105,9 @@ void Application::take_ticks() {
   for (int batch = 0; batch < kMaxBatches; ++batch) {
     const std::span<Tick> ticks = std::span(incoming_).first(session().take_ticks(incoming_));
     if (measured) std::ranges::for_each(ticks, draw_where_measured);
+    if (state_.identify.experiment) {
+      for (const Tick& tick : ticks) state_.identify.experiment->add(tick);
+    }
     history_.push(ticks);
     note_ticks(state_, session().scene(), ticks);
     samples_came_ = samples_came_ || !ticks.empty();
@@ -126,12 +130,13 @@ void Application::frame() {
   handle_keys(context, bindings_in_force(context.shows));
   draw_window(context, history_.axis(context.shows.axis == Axis::kY ? 1 : 0), *renderer_);
   // Last, because the panels hold references to the session that this replaces.
+  heed_identify(snapshot);
   go_back();
   repeat(snapshot);
   start_wanted_scene();
   open_wanted_recording();
   take_opened_recording();
-  if (live_) notice_changes(state_, live_->scene());
+  if (live_ && !state_.identify.experiment) notice_changes(state_, live_->scene());
   heed_sound(snapshot);
   state_.transient.pointer_events.clear();
   if (ImGui::GetCurrentContext()->InputEventsQueue.empty()) state_.transient.key_presses.clear();
@@ -223,7 +228,8 @@ void Application::note_frame(double frame_s, double now_s) {
 bool Application::moving() const {
   return samples_came_ || state_.transient.toasts.moving() || !state_.wall.transient.view_refined ||
          state_.replay.opening.running() || state_.replay.rerun.running() ||
-         state_.map.live.running() || state_.all_runs.running() || state_.studies.running();
+         state_.map.live.running() || state_.all_runs.running() || state_.studies.running() ||
+         state_.identify.fit.running();
 }
 
 void Application::drop(std::span<const std::string> paths) {
@@ -275,10 +281,10 @@ void Application::forget_session() {
 // A replay holds no device, so that it stays when the scene does not start. There is one device, so
 // that its session ends before the next one starts; if that fails, the simulator takes over, with a
 // message. Returns false when the old session or replay stays.
-bool Application::start_anew(const Scene& scene) {
+bool Application::start_anew(const Scene& scene, const std::shared_ptr<TickLaw>& law) {
   const bool on_device = live_ && !live_->device_info().is_simulated;
   if (on_device) live_.reset();
-  Failure failure = start_session(scene);
+  Failure failure = start_session(scene, law);
   if (on_device && failure) {
     sessions_.start_on_device = nullptr;
     tell(state_, MessageKind::kProblem,

@@ -27,7 +27,7 @@ namespace hapticwall::ui {
 
 class Application {
  public:
-  using SessionStarter = std::function<Result<std::unique_ptr<runtime::LiveSession>>(const Scene&)>;
+  using SessionStarter = runtime::StartSession;
   // Called on its own thread, because a large recording takes long to read.
   using RecordingOpener = std::function<Result<std::unique_ptr<runtime::ReplaySession>>(
       const std::string& csv_path, const file::ReadProgress& progress)>;
@@ -106,7 +106,7 @@ class Application {
               const Options& options);
 
   [[nodiscard]] Failure start_first(const Scene& scene);
-  [[nodiscard]] Failure start_session(const Scene& scene);
+  [[nodiscard]] Failure start_session(const Scene& scene, std::shared_ptr<TickLaw> law = nullptr);
 
   void keep_appearance();
   void heed_plugins();
@@ -116,8 +116,15 @@ class Application {
   void look_at_moment(runtime::Snapshot& snapshot);
   void repeat(const runtime::Snapshot& snapshot);
   void start_wanted_scene();
-  [[nodiscard]] bool start_anew(const Scene& scene);
+  [[nodiscard]] bool start_anew(const Scene& scene, const std::shared_ptr<TickLaw>& law = nullptr);
   void forget_session();
+
+  // application_identify.cpp
+  void heed_identify(const runtime::Snapshot& snapshot);
+  [[nodiscard]] std::string interruption(const runtime::Snapshot& snapshot) const;
+  void begin_identify();
+  void end_identify(const runtime::Snapshot& snapshot);
+  void take_identified();
 
   // application_recordings.cpp
   void open_wanted_recording();
@@ -128,6 +135,7 @@ class Application {
   void notice_jumps();
 
   Sessions sessions_;
+  std::shared_ptr<TickLaw> law_;                    // in the loop of live_; outlives it
   std::unique_ptr<runtime::LiveSession> live_;      // this one,
   std::unique_ptr<runtime::ReplaySession> replay_;  // or that
   std::unique_ptr<WallRenderer> renderer_;
@@ -143,6 +151,13 @@ class Application {
     Scene loaded;
   };
   std::optional<Before> before_;
+  // The session before an identification, and the identification's own scene.
+  struct BeforeIdentify {
+    Scene scene;
+    bool repeats = false;
+    bool paused = false;
+    std::uint32_t generation = 0;
+  } before_identify_;
   Scene in_force_;                         // the newest one that the loop has echoed,
   std::uint32_t in_force_generation_ = 0;  // and its number; 0: none of this session
   std::uint32_t jumps_ = 0;                // jumps of the replay that were handled

@@ -19,6 +19,8 @@
 
 #include "app/draw/plot/theme.h"
 #include "app/runtime/loop/crash_stop.h"
+#include "app/runtime/session/loop_session.h"
+#include "app/ui/page/identify_page.h"
 #include "app/ui/state/settings_file.h"
 #include "app/ui/window/application.h"
 #include "app/ui/window/display_end.h"
@@ -261,6 +263,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
     glfwPollEvents();
     if (!is_seen(window)) {
       application.take_ticks();
+      notice_identify_page(application.state(), false);
       glfwWaitEventsTimeout(kUnseenFrameS);
       continue;
     }
@@ -301,12 +304,12 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
   const draw::Theme theme =
       apply_theme(draw::Look::kScreen, 1.0F);  // the application applies the settings
   Application::Sessions sessions;
-  sessions.simulate = [&options](const Scene& scene) {
+  sessions.simulate = [&options](const Scene& scene, TickLaw* law) {
     runtime::SessionOptions session;
     session.spin_s = options.spin_s;
     session.stream = options.stream;
     session.signals = options.signals;
-    return runtime::LiveSession::start(scene, session);
+    return runtime::start_under(law, nullptr, scene, session);
   };
   sessions.start_on_device = options.start_on_device;
   sessions.replay = options.replay;
@@ -317,6 +320,8 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
                           theme, sessions);
   if (!application) return application.error();
   (*application)->state().transient.repeats = options.repeats;
+  (*application)->state().identify.device = options.device;
+  (*application)->state().identify.description = options.description;
   const InputTarget input(window.get(), **application);
   const DisplayEnd display_end(**application);
   run_loop(window.get(), **application, hooks);

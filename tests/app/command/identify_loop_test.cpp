@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/command/identify/experiment_law.h"
 #include "app/emulator/emulator_options.h"
+#include "app/runtime/session/identify_experiment.h"
 #include "core/identify/identify.h"
 #include "tests/app/runtime/loop/lie_rig.h"
 
@@ -15,6 +15,8 @@ namespace {
 
 using identify::ExperimentState;
 using runtime::ArmingState;
+using runtime::IdentifyExperiment;
+using runtime::IdentifyStage;
 using runtime::test::LieRig;
 
 constexpr double kEncoderM = 30e-6;
@@ -42,7 +44,7 @@ Scene free_scene() {
   return scene;
 }
 
-identify::ExperimentSettings experiment() {
+identify::ExperimentSettings experiment_for_it() {
   identify::ExperimentSettings settings;
   settings.force_limit_n = kLimitN;
   settings.encoder_m = kEncoderM;
@@ -50,34 +52,31 @@ identify::ExperimentSettings experiment() {
   return settings;
 }
 
+// As the owner of a session does it, every tick.
 class IdentifyRig {
  public:
   explicit IdentifyRig(const std::string& lie = "")
-      : law(experiment()), rig(script(lie), free_device(), {}, free_scene(), &law) {
+      : experiment(experiment_for_it()),
+        rig(script(lie), free_device(), {}, free_scene(), &experiment.law()) {
     rig.on_tick = [this] {
-      const Sample& sample = newest = rig.snapshot().newest.x();
-      if (law.facts().ticks <= record.position_m.size()) return;
-      record.position_m.push_back(sample.position_m);
-      record.force_n.push_back(sample.force_n);
+      experiment.add(rig.snapshot().newest);
+      over = experiment.look(rig.snapshot());
     };
-    record.encoder_m = kEncoderM;
     rig.until_ms(50);
     rig.arm();
-    while (rig.arming().state != ArmingState::kOn) {
+    while (!experiment.law().begun()) {
       rig.tick();
       EXPECT_EQ(rig.last_force_us, 0U) << "no force before the whole gain";
     }
-    law.begin();
+    EXPECT_EQ(rig.arming().state, ArmingState::kOn);
   }
   void until_over() {
-    for (int i = 0; i < 30'000 && !over(); ++i) rig.tick();
-    EXPECT_TRUE(over());
+    for (int i = 0; i < 30'000 && !over; ++i) rig.tick();
+    EXPECT_TRUE(over);
   }
-  [[nodiscard]] bool over() { return law.ended() || rig.arming().state == ArmingState::kOff; }
 
-  ExperimentLaw law;
-  Sample newest;
-  identify::Record record;
+  IdentifyExperiment experiment;
+  bool over = false;
   LieRig rig;
 
  private:
@@ -92,9 +91,12 @@ class IdentifyRig {
 TEST(IdentifyLoop, FindsTheNumbersOfTheEmulatedDevice) {
   IdentifyRig rig;
   rig.until_over();
-  ASSERT_EQ(rig.law.facts().state, ExperimentState::kDone);
+  ASSERT_EQ(rig.experiment.facts().state, ExperimentState::kDone);
   EXPECT_LE(rig.rig.peak_n, kLimitN);
-  const auto found = identify::identify(rig.record, rig.law.facts());
+  EXPECT_FALSE(rig.experiment.trouble());
+  const identify::Record record = rig.experiment.record();
+  EXPECT_EQ(record.position_m.size(), rig.experiment.facts().ticks);
+  const auto found = identify::identify(record, rig.experiment.facts());
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->fits) << found->residual_ratio;
   EXPECT_NEAR(found->mass_kg.value, kMassKg, 0.01 * kMassKg);
@@ -112,7 +114,7 @@ TEST(IdentifyLoop, ALieEndsTheForce) {
     SCOPED_TRACE(kind);
     IdentifyRig rig(std::string(kind) + "@" + std::to_string(1e-3 * kLieMs) + "+3");
     rig.rig.until_ms(kLieMs - 1);
-    EXPECT_FALSE(rig.over());
+    EXPECT_FALSE(rig.over);
     EXPECT_GT(rig.rig.last_force_us, 1000 * (kLieMs - 500)) << "it pushes before the lie";
     rig.until_over();
     const std::uint64_t end_us = rig.rig.now_us();
@@ -120,10 +122,16 @@ TEST(IdentifyLoop, ALieEndsTheForce) {
     rig.rig.until_ms(end_us / 1000 + 4000);
     EXPECT_LT(rig.rig.last_force_us, end_us + 22'000) << "and the force stays off";
     EXPECT_LE(rig.rig.peak_n, kLimitN + 1e-9);
-    const bool told = !identify::experiment_trouble(rig.law.facts().state).empty() ||
-                      !arming_note_text(rig.rig.arming().note).empty();
-    EXPECT_TRUE(told);
+    const Failure told = rig.experiment.trouble();
+    ASSERT_TRUE(told);
+    EXPECT_TRUE(told->message.starts_with("the experiment ended with the force off: "));
+    EXPECT_FALSE(told->message.ends_with(": "));
   }
+}
+
+void expect_no_force_after(IdentifyRig& rig, std::uint64_t end_us) {
+  rig.rig.until_ms(end_us / 1000 + 3000);
+  EXPECT_LE(rig.rig.last_force_us, end_us + 1000);
 }
 
 TEST(IdentifyLoop, DisarmingEndsTheForceInTheNextTick) {
@@ -132,9 +140,70 @@ TEST(IdentifyLoop, DisarmingEndsTheForceInTheNextTick) {
   ASSERT_GT(rig.rig.last_force_us, 1000 * (kLieMs - 500));
   rig.rig.disarm();
   rig.rig.tick();
-  const std::uint64_t asked_us = rig.rig.now_us();
-  rig.rig.until_ms(kLieMs + 3000);
-  EXPECT_LE(rig.rig.last_force_us, asked_us + 1000);
+  EXPECT_TRUE(rig.over);
+  EXPECT_EQ(rig.experiment.trouble()->message,
+            "the experiment ended with the force off: switched off");
+  expect_no_force_after(rig, rig.rig.now_us());
+}
+
+// Whoever ends it does not wait for the device to be disarmed.
+TEST(IdentifyLoop, StoppingEndsTheForceInTheNextTick) {
+  IdentifyRig rig;
+  rig.rig.until_ms(kLieMs);
+  rig.experiment.stop("a reason");
+  rig.rig.tick();
+  EXPECT_TRUE(rig.over);
+  EXPECT_EQ(rig.rig.arming().state, ArmingState::kOn);
+  EXPECT_EQ(rig.experiment.trouble()->message, "the experiment ended with the force off: a reason");
+  expect_no_force_after(rig, rig.rig.now_us());
+}
+
+// An owner that looks too late.
+TEST(IdentifyLoop, ArmingAgainDoesNotBringTheForceBack) {
+  IdentifyRig rig;
+  rig.rig.until_ms(kLieMs);
+  rig.rig.on_tick = {};
+  rig.rig.disarm();
+  rig.rig.until_ms(kLieMs + 100);
+  const std::uint64_t off_us = rig.rig.now_us();
+  rig.rig.arm();
+  expect_no_force_after(rig, off_us);
+  EXPECT_EQ(rig.rig.arming().state, ArmingState::kOn);
+  EXPECT_TRUE(rig.experiment.look(rig.rig.snapshot()));
+  EXPECT_EQ(rig.experiment.trouble()->message,
+            "the experiment ended with the force off: the force was taken away");
+}
+
+TEST(IdentifyLoop, MissingTicksEndIt) {
+  IdentifyRig rig;
+  rig.rig.until_ms(kLieMs);
+  rig.rig.on_tick = {};
+  rig.rig.tick();
+  rig.experiment.add(rig.rig.snapshot().newest);
+  EXPECT_FALSE(rig.experiment.look(rig.rig.snapshot()));
+  rig.rig.tick();
+  rig.rig.tick();
+  rig.experiment.add(rig.rig.snapshot().newest);
+  EXPECT_TRUE(rig.experiment.look(rig.rig.snapshot()));
+  expect_no_force_after(rig, rig.rig.now_us());
+}
+
+TEST(IdentifyLoop, ShowsItsProgress) {
+  IdentifyRig rig;
+  EXPECT_EQ(rig.experiment.progress().stage, IdentifyStage::kWaits);
+  rig.rig.tick();
+  EXPECT_EQ(rig.experiment.progress().stage, IdentifyStage::kRest);
+  rig.rig.until_ms(rig.rig.now_us() / 1000 + 600);
+  EXPECT_EQ(rig.experiment.progress().stage, IdentifyStage::kRamps);
+  rig.rig.until_ms(kLieMs);
+  const runtime::IdentifyProgress shown = rig.experiment.progress();
+  EXPECT_EQ(shown.stage, IdentifyStage::kStrokes);
+  EXPECT_GT(shown.strokes_s, 1.0);
+  EXPECT_LT(shown.strokes_s, 1e-3 * static_cast<double>(kLieMs));
+  EXPECT_LT(shown.lowest_m, -5e-3);
+  EXPECT_GT(shown.highest_m, 5e-3);
+  rig.until_over();
+  EXPECT_EQ(rig.experiment.progress().stage, IdentifyStage::kOver);
 }
 
 }  // namespace

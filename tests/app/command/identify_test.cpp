@@ -6,9 +6,9 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
-#include "app/command/identify/identify_report.h"
 #include "app/file/scene/device_file.h"
 #include "app/file/scene/scene_file.h"
+#include "app/table/identify_report.h"
 #include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {
@@ -77,7 +77,7 @@ TEST(IdentifiedDevice, AWheelGetsItsDelayWithTheDate) {
   found.mass_kg = {0.1, 0.1, 0.1};
   found.delay_s = {0.0023, 0.002, 0.0026};
   file::DeviceDescription wheel = *file::load_device("force-feedback-wheel");
-  wheel = identified_device(wheel, {"wheel", "2026-01-31T10:00:00Z"}, found);
+  wheel = table::identified_device(wheel, {"wheel", "2026-01-31T10:00:00Z"}, found);
   EXPECT_NEAR(wheel.ff->delay_s, 0.0023, 1e-6);
   EXPECT_EQ(wheel.ff->delay_date, "2026-01-31");
   EXPECT_EQ(file::parse_device(file::device_to_toml(wheel), "wheel.toml")->ff, wheel.ff);

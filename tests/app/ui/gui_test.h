@@ -46,7 +46,9 @@ class GuiTest : public FolderTest {
   }
 
   void open(const std::string& scene_name) {
-    const auto start = [this](const Scene& scene) -> Result<std::unique_ptr<runtime::LiveSession>> {
+    const auto start = [this](const Scene& scene,
+                              TickLaw* law) -> Result<std::unique_ptr<runtime::LiveSession>> {
+      if (law != nullptr) return start_experiment(scene, law);
       if (!refuse_session.empty()) return Error{ErrorKind::kDevice, refuse_session};
       auto session = std::make_unique<FakeSession>(scene);
       fake_ = session.get();
@@ -59,14 +61,14 @@ class GuiTest : public FolderTest {
     starters.open_card = open_card;
     starters.open_gamepad = open_gamepad;
     if (with_device) {
-      starters.start_on_device = [this, start](const Scene& scene) {
+      starters.start_on_device = [this, start](const Scene& scene, TickLaw* law) {
         EXPECT_EQ(devices_open, 0) << "there is one device only";
         if (!refuse_device.empty()) {
           return Result<std::unique_ptr<runtime::LiveSession>>(
               Error{ErrorKind::kDevice, refuse_device});
         }
-        auto session = start(scene);
-        if (session) {
+        auto session = start(scene, law);
+        if (session && law == nullptr) {
           fake_->info = {"paddle", false};
           fake_->arming.state = runtime::ArmingState::kOff;
           ++devices_open;
@@ -264,6 +266,7 @@ class GuiTest : public FolderTest {
   std::string refuse_device;         // the same for sessions on the device
   ui::Application::Options options;  // of the next open()
   ui::Application::RecordingOpener open_recording;
+  runtime::StartSession start_experiment;  // of sessions under a law
   sound::OpenCard open_card = sound::test::no_card;
   device::evdev::OpenGamepad open_gamepad = sound::test::no_gamepad;
   int sessions = 0;

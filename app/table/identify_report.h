@@ -6,7 +6,7 @@
 #include "app/file/scene/device_file.h"
 #include "core/identify/identify.h"
 
-namespace hapticwall::command {
+namespace hapticwall::table {
 
 // The experiment behind a result.
 struct IdentifiedBy {
@@ -22,6 +22,10 @@ struct IdentifiedBy {
                                         const identify::Identification& found);
 [[nodiscard]] std::string identify_json(const IdentifiedBy& by,
                                         const identify::Identification& found);
+// Why there is no device file of a model that does not fit.
+[[nodiscard]] std::string misfit_text(const IdentifiedBy& by);
+// Of a device file that was written.
+[[nodiscard]] std::string written_text(const std::string& path);
 // One line with date and intervals, for a device file.
 [[nodiscard]] std::string identified_line(const IdentifiedBy& by,
                                           const identify::Identification& found);
@@ -30,4 +34,4 @@ struct IdentifiedBy {
                                                         const IdentifiedBy& by,
                                                         const identify::Identification& found);
 
-}  // namespace hapticwall::command
+}  // namespace hapticwall::table

@@ -1,12 +1,13 @@
-#include "app/command/identify/identify_report.h"
+#include "app/table/identify_report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/file/text/text.h"
 #include "app/table/json_report.h"
 #include "core/units.h"
 
-namespace hapticwall::command {
+namespace hapticwall::table {
 namespace {
 
 using identify::Estimate;
@@ -22,7 +23,7 @@ std::string span(const Estimate& estimate) {
   return fmt::format("{:.6g} to {:.6g}", estimate.low, estimate.high);
 }
 
-table::Json estimate_object(const Estimate& estimate) {
+Json estimate_object(const Estimate& estimate) {
   return {{"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
 }
 
@@ -61,18 +62,18 @@ std::string identify_text(const IdentifiedBy& by, const Identification& found) {
 }
 
 std::string identify_json(const IdentifiedBy& by, const Identification& found) {
-  table::Json object = {{"device", by.device},
-                        {"date", by.date},
-                        {"force_limit_n", by.force_limit_n},
-                        {"seconds", by.seconds},
-                        {"turns", by.turns},
-                        {"missed_ticks", by.missed_ticks},
-                        {"fits", found.fits},
-                        {"residual_ratio", found.residual_ratio},
-                        {"encoder_m", found.encoder_m},
-                        {"noise_m", found.noise_m}};
+  Json object = {{"device", by.device},
+                 {"date", by.date},
+                 {"force_limit_n", by.force_limit_n},
+                 {"seconds", by.seconds},
+                 {"turns", by.turns},
+                 {"missed_ticks", by.missed_ticks},
+                 {"fits", found.fits},
+                 {"residual_ratio", found.residual_ratio},
+                 {"encoder_m", found.encoder_m},
+                 {"noise_m", found.noise_m}};
   const auto add = [&](const char* name, const Estimate& estimate) {
-    object[name] = found.fits ? estimate_object(estimate) : table::Json();
+    object[name] = found.fits ? estimate_object(estimate) : Json();
   };
   add("mass_kg", found.mass_kg);
   add("damping_n_s_per_m", found.damping_n_s_per_m);
@@ -81,9 +82,20 @@ std::string identify_json(const IdentifiedBy& by, const Identification& found) {
   add("friction_down_n", found.friction_down_n);
   add("delay_s", found.delay_s);
   add("lag_s", found.lag_s);
-  object["delay_ticks"] = found.fits ? table::Json(found.delay_ticks) : table::Json();
-  object["possible_delays"] = found.fits ? table::Json(found.possible_delays) : table::Json();
+  object["delay_ticks"] = found.fits ? Json(found.delay_ticks) : Json();
+  object["possible_delays"] = found.fits ? Json(found.possible_delays) : Json();
   return object.dump(2) + "\n";
+}
+
+std::string misfit_text(const IdentifiedBy& by) {
+  return fmt::format(
+      "{}: this model does not fit, so there are no numbers; let go of the handle, clear its way, "
+      "and look for play",
+      by.device);
+}
+
+std::string written_text(const std::string& path) {
+  return fmt::format("{0}: written; a scene names it with device = \"{0}\"", file::shown(path));
 }
 
 std::string identified_line(const IdentifiedBy& by, const Identification& found) {
@@ -97,6 +109,7 @@ std::string identified_line(const IdentifiedBy& by, const Identification& found)
 file::DeviceDescription identified_device(file::DeviceDescription device, const IdentifiedBy& by,
                                           const Identification& found) {
   device.identified = identified_line(by, found);
+  if (device.x.encoder_m <= 0.0) device.x.encoder_m = found.encoder_m;
   device.x.mass_kg = rounded(found.mass_kg);
   device.x.damping_n_s_per_m = rounded(found.damping_n_s_per_m);
   device.x.friction_n = rounded(found.friction_n);
@@ -107,4 +120,4 @@ file::DeviceDescription identified_device(file::DeviceDescription device, const 
   return device;
 }
 
-}  // namespace hapticwall::command
+}  // namespace hapticwall::table

@@ -1,0 +1,13 @@
+// The page "Identify": mass, damping, friction and delay of the session's device.
+#pragma once
+
+#include "app/ui/state/ui_state.h"
+
+namespace hapticwall::ui {
+
+void draw_identify_page(const PanelContext& context);
+
+// A page that is not seen ends its experiment, with zero force at the next tick.
+void notice_identify_page(UiState& state, bool seen);
+
+}  // namespace hapticwall::ui
