@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,13 +43,6 @@ struct LookOptions {
   runtime::ExperimentChoice trials;
   bool signals = false;
 };
-
-// Of every algorithm that the window's menu has.
-std::vector<file::SignalColumn> all_signals() {
-  std::vector<std::size_t> indices(algorithms().size());
-  std::iota(indices.begin(), indices.end(), std::size_t{0});
-  return file::signal_columns(indices);
-}
 
 void add_trial_options(CLI::App& program, runtime::ExperimentChoice& choice) {
   program
@@ -156,7 +148,7 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   session.allow_no_realtime = options.allow_no_realtime;
   session.spin_s = *spin_s;
   session.stream = *stream;
-  if (look.signals) session.signals = all_signals();
+  if (look.signals) session.signals = file::all_signal_columns();
   runtime::WindowOptions window;
   window.scene = loaded->scene;
   window.start_on_device = session_starter(*device, session);

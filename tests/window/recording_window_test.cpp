@@ -30,6 +30,23 @@ class RecordingWindowTest : public WindowTest {
     EXPECT_EQ(person.recording().dropped_rows, 0U);
   }
 
+  static std::string record(Person& person) {
+    start(person);
+    const std::string path = person.recording().path;
+    person.wait_for_ticks(20);
+    stop(person);
+    return path;
+  }
+  static std::vector<file::SignalColumn> signals_of(const std::string& path) {
+    const auto reader = read(path);
+    return reader ? reader->info().scanned.columns.signals : std::vector<file::SignalColumn>{};
+  }
+  static void tick_signals(Person& person) {
+    person.click("settings");
+    person.click("record signals");
+    person.put_everything_away();
+  }
+
   static void expect_whole(const file::RecordingReader& reader) {
     const file::ScannedRows& scanned = reader.info().scanned;
     EXPECT_EQ(scanned.missing_rows, 0U);
@@ -99,6 +116,29 @@ TEST_P(RecordingWindowTest, EndsWithTheSceneAndNeverReplacesAFile) {
     ASSERT_NE(reader, nullptr);
     expect_whole(*reader);
   }
+}
+
+TEST_P(RecordingWindowTest, HasTheSignalsOfAlgorithmsIfTheyAreTicked) {
+  const auto record_thrice = [](Person& person) {
+    EXPECT_TRUE(signals_of(record(person)).empty());
+    tick_signals(person);
+    EXPECT_EQ(signals_of(record(person)), file::all_signal_columns());
+    tick_signals(person);
+    EXPECT_TRUE(signals_of(record(person)).empty());
+    tick_signals(person);
+  };
+  use(record_thrice);
+  use([](Person& person) { EXPECT_EQ(signals_of(record(person)), file::all_signal_columns()); });
+}
+
+TEST_P(RecordingWindowTest, HasTheSignalsOfTheCommandLineForThisStart) {
+  options_.signals = file::all_signal_columns();
+  use([](Person& person) {
+    EXPECT_EQ(signals_of(record(person)), file::all_signal_columns());
+    EXPECT_FALSE(person.state().persisted.records_signals);
+    tick_signals(person);
+    EXPECT_TRUE(signals_of(record(person)).empty());
+  });
 }
 
 HAPTICWALL_ON_BOTH_SCREENS(RecordingWindowTest);

@@ -234,6 +234,10 @@ Table head_rows(const std::string& folder) {
           sets("dark", look, number_of(draw::Look::kScreen), open_settings),
           {"larger", scale_up_and_down},
           {"recording folder", [folder](Person& person) { choose_folder(person, folder); }},
+          flips(
+              "record signals",
+              [](Person& person) { return person.state().persisted.records_signals ? 1.0 : 0.0; },
+              open_settings),
           {"reset layout", reset_layout},
           {"layout", choose_layouts},
           {"window ", open_and_close_windows}};

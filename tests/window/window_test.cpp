@@ -120,7 +120,8 @@ void use_headless(const runtime::WindowOptions& options, const Script& script, I
                                options.forced_scale,
                                options.opened_file,
                                {},
-                               options.experiment},
+                               options.experiment,
+                               !options.signals.empty()},
                               draw::apply_theme(draw::Look::kScreen, 1.0F), sessions);
   ASSERT_TRUE(created.ok()) << created.error().message;
   ui::Application& application = **created;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <numeric>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -202,6 +203,12 @@ std::vector<SignalColumn> signal_columns(std::span<const std::size_t> indices) {
     }
   }
   return columns;
+}
+
+std::vector<SignalColumn> all_signal_columns() {
+  std::vector<std::size_t> indices(algorithms().size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  return signal_columns(indices);
 }
 
 std::vector<SignalColumn> signal_columns(const Scene& scene,

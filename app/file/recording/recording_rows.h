@@ -42,6 +42,8 @@ struct CsvColumns {
 }
 // The signals of these algorithms, indices in algorithms(), each once.
 [[nodiscard]] std::vector<SignalColumn> signal_columns(std::span<const std::size_t> indices);
+// The same of every algorithm.
+[[nodiscard]] std::vector<SignalColumn> all_signal_columns();
 // The same of every algorithm that the settings name, with followers.
 [[nodiscard]] std::vector<SignalColumn> signal_columns(const Scene& scene,
                                                        std::span<const ScheduledChange> changes);

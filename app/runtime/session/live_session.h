@@ -44,7 +44,7 @@ struct SessionOptions {
   Clock* clock = nullptr;
   // Gets every tick, from the recorder's thread. Null: none.
   std::shared_ptr<file::SampleStream> stream{};
-  // Of algorithms, in recordings and in the stream.
+  // Of algorithms, in the stream, and in recordings until record_signals().
   std::vector<file::SignalColumn> signals{};
 };
 
@@ -89,6 +89,8 @@ class LiveSession : public SampleSource {
   // Samples that take_ticks() lost because the owner was too slow.
   [[nodiscard]] virtual std::uint64_t dropped_plot_samples() const = 0;
 
+  // Whether recordings have the signals of all algorithms, from the next recording on.
+  virtual void record_signals(bool wanted) = 0;
   // Records every tick from the next one on. Fails while another recording runs. A stream loses the
   // ticks of a cycle or two, at the end of a recording as well, and counts them.
   [[nodiscard]] virtual Failure start_recording(const std::string& csv_path) = 0;

@@ -223,6 +223,10 @@ std::uint64_t LoopSession::dropped_rows() const {
   return exchange_.dropped_rows.load(std::memory_order_relaxed) - dropped_rows_before_;
 }
 
+void LoopSession::record_signals(bool wanted) {
+  columns_.signals = wanted ? file::all_signal_columns() : std::vector<file::SignalColumn>{};
+}
+
 Failure LoopSession::start_recording(const std::string& csv_path) {
   // A failed recording does not block a new one.
   if (recorder_.running() && recorder_.failure()) static_cast<void>(stop_recording());

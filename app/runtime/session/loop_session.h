@@ -54,6 +54,7 @@ class LoopSession final : public LiveSession {
   void read_timing(TimingHistograms& timing) const override;
   std::size_t take_ticks(std::span<Tick> out) override;
   [[nodiscard]] std::uint64_t dropped_plot_samples() const override;
+  void record_signals(bool wanted) override;
   [[nodiscard]] Failure start_recording(const std::string& csv_path) override;
   [[nodiscard]] Failure stop_recording() override;
   [[nodiscard]] RecordingStatus recording_status() const override;
@@ -94,7 +95,7 @@ class LoopSession final : public LiveSession {
   std::deque<PlantKeeper> plants_;  // of the axes; outlive the devices
   std::vector<std::unique_ptr<device::Device>> devices_;
   const device::DeviceInfo device_info_;
-  const file::CsvColumns columns_;  // of recordings
+  file::CsvColumns columns_;  // of recordings
   ParameterHistory history_;
   Exchange exchange_;
   ServoLoop loop_;

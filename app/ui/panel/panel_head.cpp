@@ -94,6 +94,16 @@ void draw_folder(const PanelContext& context) {
   if (folder) set_recording_folder(context.state, *folder);
 }
 
+void draw_signals(const PanelContext& context) {
+  field_label(context, "", "", "");
+  bool& records = context.state.transient.records_signals;
+  if (ImGui::Checkbox("signals of algorithms###record signals", &records))
+    context.state.persisted.records_signals = records;
+  explain(
+      "Recordings have the algorithms' own signals, such as energy and bound, as columns "
+      "signal.NAME. From the next recording on; as --signals.");
+}
+
 void reset_layout(UiState& state) {
   const PersistedState usual;
   choose_layout(state, usual.layout);
@@ -108,6 +118,7 @@ void draw_settings(const PanelContext& context, ImVec2 below) {
   draw_look(context);
   draw_scale(context);
   draw_folder(context);
+  draw_signals(context);
   field_label(context, "layout", "", "");
   draw_layout_choice(context);
   field_label(context, "", "", "");
@@ -129,7 +140,7 @@ void draw_panel_head(const PanelContext& context) {
              "Takes back (Ctrl+Z):\n" + undo.undo_text(), undo_change},
       Button{"Redo", "redo", undo.can_redo() && changeable,
              "Does again (Ctrl+Y):\n" + undo.redo_text(), redo_change},
-      Button{"Settings", "settings", true, "Colours, size, folder of recordings", open_settings},
+      Button{"Settings", "settings", true, "Colours, size, recordings", open_settings},
       Button{"?", "help", true, "All keys (F1)", toggle_help}};
   draw::strong_text(context.theme, "Haptic Wall", draw::kTitleFontSize);
   ImGui::PushFont(nullptr, draw::kSmallFontSize);

@@ -274,6 +274,7 @@ void toggle_recording(const PanelContext& context) {
   const std::string& typed = state.transient.recording_name;
   const std::string path = unused_recording_path(state.transient.recording_folder,
                                                  typed.empty() ? automatic_name(context) : typed);
+  live.record_signals(state.transient.records_signals);
   tell(state, live.start_recording(path), "recording to " + path);
 }
 

@@ -212,6 +212,7 @@ std::vector<Key> plain_keys() {
       docked(),
       number("hand.withdraw_mm_per_s", &PersistedState::withdraw_mm_per_s, 1.0, kMaxWithdrawMmPerS),
       text("recording.folder", &PersistedState::recording_folder),
+      flag("recording.signals", &PersistedState::records_signals),
       number("plots.time_window_s", &PersistedState::time_window_s, kTimeWindowsS.front(),
              kTimeWindowsS.back()),
       word("plots.arrangement", kArrangementWords, &PersistedState::arrangement),

@@ -154,6 +154,7 @@ struct PersistedState {
   draw::Look look = draw::Look::kScreen;
   int scale_percent = 0;            // 0: follow the screen
   std::string recording_folder;     // empty: the current one
+  bool records_signals = false;     // of algorithms
   std::vector<std::string> recent;  // scene files and recordings, the newest first
   int window_width = 0;             // in pixels at scale 1; 0: as fits the screen
   int window_height = 0;
@@ -247,6 +248,7 @@ struct TransientState {
   // Values of the parts that are switched off, by key.
   std::map<std::string, double, std::less<>> switched_off;
   std::string recording_folder;               // from the command line; empty: the persisted one
+  bool records_signals = false;               // from the command line, or the persisted one
   std::string recording_name;                 // empty: named after scene and algorithm
   std::string mark_text;                      // of the next mark
   bool focus_mark = false;                    // the mark's field gets the keyboard

@@ -65,6 +65,7 @@ Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> render
   transient.settings_path = options.settings_path;
   transient.forced_scale = options.forced_scale;
   settings_.load(state_);
+  transient.records_signals = options.records_signals || state_.persisted.records_signals;
   transient.recording_folder = options.recording_folder.empty() ? state_.persisted.recording_folder
                                                                 : options.recording_folder;
   if (!options.opened_file.empty()) remember_recent(state_.persisted.recent, options.opened_file);

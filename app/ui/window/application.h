@@ -50,6 +50,7 @@ class Application {
     std::string opened_file;            // file of the scene; empty: built in
     std::function<double()> now_s;      // clock of pointer events; empty: that of Dear ImGui
     std::shared_ptr<runtime::Experiment> experiment = nullptr;  // begins at once; null: none
+    bool records_signals = false;  // also if the settings do not say so
   };
 
   // Needs current contexts of OpenGL 3.3, ImGui and ImPlot for its whole life. Starts a session, on

@@ -313,11 +313,11 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
   };
   sessions.start_on_device = options.start_on_device;
   sessions.replay = options.replay;
-  const auto application =
-      Application::create(options.scene,
-                          {options.settings_path, options.recording_folder, options.forced_scale,
-                           options.opened_file, glfwGetTime, options.experiment},
-                          theme, sessions);
+  const auto application = Application::create(
+      options.scene,
+      {options.settings_path, options.recording_folder, options.forced_scale, options.opened_file,
+       glfwGetTime, options.experiment, !options.signals.empty()},
+      theme, sessions);
   if (!application) return application.error();
   (*application)->state().transient.repeats = options.repeats;
   (*application)->state().identify.device = options.device;

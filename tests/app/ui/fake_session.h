@@ -99,6 +99,7 @@ class FakeSession final : public runtime::LiveSession {
     return count;
   }
   [[nodiscard]] std::uint64_t dropped_plot_samples() const override { return 0; }
+  void record_signals(bool /*wanted*/) override {}
   [[nodiscard]] Failure start_recording(const std::string& csv_path) override {
     if (!refuse_recording.empty()) return Error{ErrorKind::kFile, refuse_recording};
     recording_ = {runtime::RecordingState::kRecording, 0, 0, csv_path, {}};

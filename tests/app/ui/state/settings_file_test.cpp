@@ -29,6 +29,7 @@ void change_all(UiState& state) {
   state.persisted.own_layouts = {{"evening", *ui::parse_layout("Wall")},
                                  {"a: b", *ui::parse_layout("Y25%(Wall;Map*,Plots)")}};
   state.persisted.recording_folder = "/tmp/recordings of mine";
+  state.persisted.records_signals = true;
   state.persisted.recent = {"/a/b.toml", "/c \"d\".csv"};
   state.persisted.window_width = 1234;
   state.persisted.window_height = 800;
