@@ -4,7 +4,6 @@
 #include <chrono>
 #include <memory>
 #include <thread>
-#include <variant>
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
@@ -73,12 +72,8 @@ Result<int> report(const IdentifyOptions& options, const table::IdentifiedBy& by
 Result<int> identify_device(const IdentifyOptions& options) {
   const Result<DeviceChoice> choice = parse_device_choice(options.scene.device);
   if (!choice) return choice.error();
-  if (choice->hardware && !choice->description &&
-      std::holds_alternative<device::WheelOptions>(*choice->hardware)) {
-    return usage_error(
-        "--device ff: the torque of the wheel is unknown, and all numbers would be wrong with it; "
-        "name a device file, docs/wheels.md: --device ff:mine.toml");
-  }
+  const std::string why = runtime::why_not_identified(options.scene.device, choice->description);
+  if (!why.empty()) return usage_error(why);
   const Result<file::LoadedScene> loaded = load(options.scene);
   if (!loaded) return loaded.error();
   if (Failure failed = check_outputs(options.output, {options.scene.scene})) return *failed;

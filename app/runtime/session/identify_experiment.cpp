@@ -32,6 +32,13 @@ bool has_whole_force(const ArmingStatus& arming) {
 
 }  // namespace
 
+std::string why_not_identified(const std::string& option,
+                               const std::optional<file::DeviceDescription>& own) {
+  if (own || (option != "ff" && !option.starts_with("ff:"))) return "";
+  return "--device ff: the torque of the wheel is unknown, and all numbers would be wrong with it; "
+         "name a device file, docs/wheels.md: --device ff:mine.toml";
+}
+
 device::DeviceInfo info_on(device::DeviceInfo device, const Scene& scene) {
   if (!device.is_simulated) return device;
   device.encoder_m = scene.x().device.encoder_m.value_or(0.0);

@@ -34,6 +34,11 @@ inline constexpr ValueRange kIdentifySeconds{8.0, 300.0};
 inline constexpr std::string_view kTooFewStrokes =
     "the handle made too few strokes; repeat with more seconds";
 
+// Why no experiment finds the numbers of a device, which --device `option` opens and `own`
+// describes; empty: one may.
+[[nodiscard]] std::string why_not_identified(const std::string& option,
+                                             const std::optional<file::DeviceDescription>& own);
+
 // What the device says of itself; of a simulator, what its scene says.
 [[nodiscard]] device::DeviceInfo info_on(device::DeviceInfo device, const Scene& scene);
 

@@ -33,7 +33,8 @@ std::string why_not(const PanelContext& context) {
            "scene.";
   if (context.shows.live->recording_status().state == runtime::RecordingState::kRecording)
     return "Stop the recording first: the experiment needs a session of its own.";
-  return "";
+  const IdentifyState& identify = context.state.identify;
+  return runtime::why_not_identified(identify.device, identify.description);
 }
 
 // `scale`: shown units per unit of the value.

@@ -302,6 +302,17 @@ TEST_F(IdentifyPageTest, RefusesWhatCannotBe) {
   EXPECT_THAT(text(), HasSubstr("Stop the recording first"));
 }
 
+TEST_F(IdentifyPageTest, AWheelWithoutAFileIsNotMoved) {
+  state().identify.device = "ff";
+  frames(2);
+  EXPECT_THAT(text(), HasSubstr("the torque of the wheel is unknown"));
+  click("identify start");
+  EXPECT_FALSE(runs());
+  state().identify.description = *file::load_device("force-feedback-wheel");
+  click("identify start");
+  EXPECT_TRUE(runs());
+}
+
 // Forces in steps of 0.1 N are not those of the model.
 TEST_F(IdentifyPageTest, AModelThatDoesNotFitHasNoFile) {
   Scene coarse = scene();
