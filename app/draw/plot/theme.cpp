@@ -117,7 +117,7 @@ void set_spacing(float scale) {
   style.ChildBorderSize = 1.0F;
   style.DisabledAlpha = 0.45F;
   style.WindowMenuButtonPosition = ImGuiDir_None;
-  style.TabMinWidthShrink = 40.0F;
+  style.TabMinWidthShrink = 38.0F;
   style.DockingNodeHasCloseButton = false;  // every tab has one
   style.DockingSeparatorSize = 6.0F;
   style.ScaleAllSizes(scale);

@@ -89,15 +89,15 @@ constexpr std::array kPages{
          draw_all,
          true,
          notice_all},
-    Page{{"Study", "Tables of the present scene: the algorithms ranked, the integrators measured"},
-         draw_study,
-         true,
-         notice_study},
     Page{
         {"Identify", "Mass, damping, friction and delay of the device; the handle moves by itself"},
         draw_identify,
         true,
-        notice_identify_page}};
+        notice_identify_page},
+    Page{{"Study", "Tables of the present scene: the algorithms ranked, the integrators measured"},
+         draw_study,
+         true,
+         notice_study}};
 
 }  // namespace
 
