@@ -20,7 +20,8 @@ struct PushingWindow {
   explicit PushingWindow(Shared& shared) : heard(shared) {
     options.scene = runtime::test::contact_scene();
     options.start_on_device =
-        [this](const Scene& /*scene*/, TickLaw* /*law*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
+        [this](const Scene& /*scene*/,
+               TickLaw* /*law*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
       auto device = std::make_unique<SharedDevice>(*heard);
       device->on_words = in_a_panel;
       device->on_read = in_a_tick;
