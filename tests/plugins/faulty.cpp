@@ -59,7 +59,7 @@ constexpr hw_signal kSignals[] = {
 const hw_plugin hapticwall_plugin = {
     kFault == Fault::abi ? 7U : HAPTICWALL_PLUGIN_ABI,
     kFault == Fault::size ? 8U : sizeof(hw_plugin),
-    kFault == Fault::large ? 4097U : sizeof(State),
+    kFault == Fault::large ? 6001U : sizeof(State),
     1,
     1,
     kParameters,

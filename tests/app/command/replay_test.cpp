@@ -162,6 +162,20 @@ TEST_F(ReplayCommand, UnderAnotherAlgorithmItIsWhatRunGives) {
   EXPECT_EQ(nlohmann::json::parse(content("b.json"))["algorithm"], "none");
 }
 
+TEST_F(ReplayCommand, ARerunHasTheSignalsOfItsOwnAlgorithmIfTheRecordingHasSome) {
+  const auto names_of_rerun = [&](const std::vector<std::string>& more) {
+    record(more);
+    EXPECT_EQ(
+        hapticwall({"replay", "a.csv", "--algorithm", "force-bounding", "--csv", "b.csv"}).status,
+        0);
+    const std::string rows = content("b.csv");
+    return rows.substr(0, rows.find('\n'));
+  };
+  EXPECT_THAT(names_of_rerun({}), ::testing::Not(HasSubstr("signal.")));
+  EXPECT_THAT(names_of_rerun({"--signals"}),
+              ::testing::EndsWith(",signal.gathered_energy_j,signal.force_bound_n"));
+}
+
 TEST_F(ReplayCommand, OtherKeysToo) {
   record();
   const Answer answer = hapticwall({"replay", "a.csv", "--algorithm", "none", "--set",

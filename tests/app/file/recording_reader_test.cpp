@@ -128,6 +128,31 @@ TEST(SignalColumns, StandLastInEachAxis) {
   EXPECT_NE(parse_csv_row(row + ",", columns, read), std::nullopt);
   row.insert(row.rfind(",0.5"), "x");
   EXPECT_NE(parse_csv_row(row, columns, read), std::nullopt);
+  std::string object;
+  append_json_object(object, tick, columns, 0);
+  EXPECT_THAT(object, HasSubstr("\"y_signal.step_bound_n\":0.5,\"y_signal.other\":null,"));
+}
+
+TEST(SignalColumns, AreThoseOfEachAlgorithmOfARunOnce) {
+  Scene scene;
+  scene.algorithm.index = find_algorithm("energy-bounding").value();
+  ScheduledChange change{5, scene};
+  change.scene.algorithm.index = find_algorithm("energy-bounding-2010").value();
+  const SignalColumn bound{"step_bound_n", bound_place()};
+  EXPECT_THAT(signal_columns(scene, {}), ElementsAre(bound));
+  EXPECT_THAT(signal_columns(scene, std::span(&change, 1)),
+              ElementsAre(bound, SignalColumn{"store_j", *find_algorithm_signal("store_j")}));
+}
+
+TEST(SignalColumns, AloneMayBeEmpty) {
+  CsvColumns columns = csv_columns(true);
+  columns.signals = {{"step_bound_n", bound_place()}};
+  std::string row = row_of(Sample(), columns);
+  row.pop_back();
+  Tick read;
+  ASSERT_EQ(parse_csv_row(row, columns, read), std::nullopt);
+  row.replace(row.find("0,0,") + 2, 1, "");
+  EXPECT_EQ(parse_csv_row(row, columns, read), "time_s: '' is no finite number");
 }
 
 TEST(SignalColumns, AreRefusedInWordsWhereTheyCannotBeRead) {

@@ -128,6 +128,8 @@ TEST_F(PluginProblem, MoreSignalsThanASampleHolds) {
   EXPECT_EQ(plugin_problem(plugin_), "");
   ++plugin_.signal_count;
   EXPECT_THAT(plugin_problem(plugin_), HasSubstr("have more than 16 signals"));
+  signals_.at(plugin_.signal_count - 1).name = "step_bound_n";
+  EXPECT_EQ(plugin_problem(plugin_), "") << "a shared one has a place";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ double hooked_step(void* /*state*/, const hw_input* in, double* /*signals*/) {
 
 const hw_plugin kHooked{HAPTICWALL_PLUGIN_ABI,
                         sizeof(hw_plugin),
-                        0,
+                        3000,  // the largest state: there is room for twice as much
                         0,
                         0,
                         nullptr,

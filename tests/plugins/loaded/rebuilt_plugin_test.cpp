@@ -11,6 +11,7 @@
 
 #include "app/file/plugin/plugin_file.h"
 #include "app/file/plugin/plugin_watch.h"
+#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
 #include "core/stabiliser/plugin/plugin_list.h"
 #include "tests/app/runtime/session/session_support.h"
 #include "tests/plugins/loaded/loaded_plugins.h"
@@ -131,7 +132,42 @@ TEST_F(RebuiltPlugin, ThatIsAnotherOneIsRefusedInASentence) {
   rebuild("shown");
   expect_refused("its signals are not the same any more");
   rebuild("large");
-  expect_refused("a state of 4097 bytes; this program has room for 4096");
+  expect_refused("a state of 6001 bytes; this program has room for 6000");
+}
+
+TEST_F(RebuiltPlugin, WithAnotherParameterIsRefused) {
+  const hw_plugin& older = *plugin_at(rebuilt_plugin());
+  const auto problem_of = [&](const hw_parameter& parameter) {
+    hw_plugin newer = older;
+    newer.parameters = &parameter;
+    return replacement_problem(newer, rebuilt_plugin());
+  };
+  hw_parameter parameter = older.parameters[0];
+  EXPECT_EQ(problem_of(parameter), "");
+  parameter.fallback = parameter.maximum + 1.0;
+  EXPECT_NE(problem_of(parameter), "");
+  parameter = older.parameters[0];
+  parameter.minimum -= 1.0;
+  EXPECT_NE(problem_of(parameter), "");
+  parameter = older.parameters[0];
+  parameter.unit = "N";
+  EXPECT_NE(problem_of(parameter), "");
+}
+
+// The file is looked at a few times a second, not in each frame.
+TEST_F(RebuiltPlugin, IsNotSeenBetweenTwoLooks) {
+  rebuild("half");
+  static_cast<void>(watch_.look(now_s_ += PluginWatch::kIntervalS));
+  EXPECT_THAT(watch_.look(now_s_ += 0.5 * PluginWatch::kIntervalS), IsEmpty());
+  EXPECT_THAT(watch_.look(now_s_ += PluginWatch::kIntervalS), SizeIs(1));
+}
+
+TEST_F(RebuiltPlugin, ThatThrowsIsNoted) {
+  rebuild("half");
+  expect_loaded();
+  note_plugin_exception(*plugin_at(rebuilt_plugin()));
+  EXPECT_TRUE(plugin_has_thrown(rebuilt_plugin()));
+  EXPECT_FALSE(plugin_has_thrown(hapticwall::test::hooked_plugin()));
 }
 
 // ---- in a session ----
@@ -208,6 +244,23 @@ TEST_F(RebuiltInSession, TheRecordingTellsWhichFileWasInForceFromWhichTick) {
   EXPECT_EQ(loaded->changed_plugin, rebuilt_path()) << "a re-run starts with another file";
   ASSERT_THAT(loaded->changes, SizeIs(1));
   EXPECT_GE(loaded->changes.front().tick, 500U);
+}
+
+// The scene at the start names no plug-in.
+TEST_F(RebuiltInSession, ARecordingThatChangedToAnOlderFileIsNotRepeatable) {
+  Scene scene = pressed_scene();
+  scene.algorithm.index = 0;
+  session_ = test::started_paused(scene);
+  const test::TemporaryFolder folder;
+  ASSERT_FALSE(session_->start_recording(folder.file("a.csv")));
+  pass(100);
+  ASSERT_FALSE(session_->change_scene(pressed_scene()));
+  pass(100);
+  ASSERT_FALSE(session_->stop_recording());
+  EXPECT_EQ(file::load_scene(folder.file("a.toml"))->changed_plugin, "");
+  rebuild("half");
+  expect_loaded();
+  EXPECT_EQ(file::load_scene(folder.file("a.toml"))->changed_plugin, rebuilt_path());
 }
 
 // The first build goes on where it is in force.
