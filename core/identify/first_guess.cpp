@@ -141,7 +141,8 @@ std::vector<Guess> first_guesses(const Record& record, std::size_t first_tick,
   const std::vector<Window> all = windows(record, first_tick);
   if (all.size() < kMinWindows) return {};
   std::vector<Guess> guesses;
-  for (double delay = 0.0; delay <= max_delay_ticks; delay += kDelayStep) {
+  for (int step = 0; step * kDelayStep <= max_delay_ticks; ++step) {
+    const double delay = step * kDelayStep;
     guesses.push_back(solve(record, equations(record, all, delay), delay));
   }
   std::sort(guesses.begin(), guesses.end(),

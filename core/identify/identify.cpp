@@ -17,6 +17,9 @@ constexpr std::size_t kGuesses = 3;
 constexpr int kFirstIterations = 6;
 constexpr int kIterations = 12;
 constexpr int kProfileIterations = 8;
+constexpr std::size_t kMaxReportTicks = 24;  // from a command to its report
+constexpr double kSameForce = 0.01;          // of the largest force
+constexpr double kMaxOtherForces = 0.05;     // of the ticks: beyond, the device tells nothing
 // Of the cost, in variances of a count: a delay that costs more is not possible.
 constexpr double kPossible = 15.0;
 
@@ -143,6 +146,16 @@ double noise_variance(const ExperimentFacts& facts, double encoder_m) {
   return std::max(0.0, facts.rest_variance_m2 - encoder_m * encoder_m / 12.0);
 }
 
+// Ticks at which the report of `lag` ticks later tells another force.
+std::size_t other_forces(const std::vector<double>& force_n, const std::vector<double>& applied_n,
+                         std::size_t lag, double same_n) {
+  std::size_t others = 0;
+  for (std::size_t k = 0; k + lag < applied_n.size(); ++k) {
+    others += std::abs(applied_n[k + lag] - force_n[k]) > same_n ? 1 : 0;
+  }
+  return others;
+}
+
 }  // namespace
 
 double smallest_step(const std::vector<double>& position_m) {
@@ -152,6 +165,26 @@ double smallest_step(const std::vector<double>& position_m) {
     if (step_m > 0.0 && (smallest_m == 0.0 || step_m < smallest_m)) smallest_m = step_m;
   }
   return smallest_m;
+}
+
+std::vector<double> taken_forces(const std::vector<double>& force_n,
+                                 const std::vector<double>& applied_n) {
+  double largest_n = 0.0;
+  for (const double force : force_n) largest_n = std::max(largest_n, std::abs(force));
+  std::size_t best_lag = 0;
+  std::size_t fewest = force_n.size();
+  for (std::size_t lag = 0; lag < std::min(kMaxReportTicks, force_n.size()); ++lag) {
+    const std::size_t others = other_forces(force_n, applied_n, lag, kSameForce * largest_n);
+    if (others >= fewest) continue;
+    best_lag = lag;
+    fewest = others;
+  }
+  std::vector<double> taken_n = force_n;
+  if (static_cast<double>(fewest) > kMaxOtherForces * static_cast<double>(force_n.size()))
+    return taken_n;
+  std::copy(applied_n.begin() + static_cast<std::ptrdiff_t>(best_lag), applied_n.end(),
+            taken_n.begin());
+  return taken_n;
 }
 
 std::optional<Identification> identify(const Record& record, const ExperimentFacts& facts) {

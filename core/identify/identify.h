@@ -40,6 +40,12 @@ inline constexpr double kMaxResidualRatio = 1.05;
 // The resolution of a record whose device states none: its smallest step. 0 if nothing moved.
 [[nodiscard]] double smallest_step(const std::vector<double>& position_m);
 
+// The forces that held from each tick on, in `force_n` (commanded) or later by late reports, as
+// `applied_n` (of as many ticks, before each) tells. The lag at which both agree best stays out: it
+// belongs to the delay. `force_n` itself, if they agree nowhere: the device tells nothing.
+[[nodiscard]] std::vector<double> taken_forces(const std::vector<double>& force_n,
+                                               const std::vector<double>& applied_n);
+
 // Takes some tenths of a second to some seconds. nullopt if the record has too few strokes.
 // Precondition: record.encoder_m > 0; the experiment's ticks are those of the record.
 [[nodiscard]] std::optional<Identification> identify(const Record& record,

@@ -46,7 +46,7 @@ ParameterMatrix requantised(const Record& record, const Fit& fit,
 
 // Cornish and Fisher's expansion.
 double student_quantile(double degrees) {
-  constexpr double z = 1.959964;
+  const double z = 1.959964;
   const double z3 = z * z * z;
   const double z5 = z3 * z * z;
   return z + (z3 + z) / (4.0 * degrees) +

@@ -126,6 +126,7 @@ void IdentifyExperiment::add(const Tick& tick) {
     }
     position_m_.push_back(sample.position_m);
     force_n_.push_back(sample.force_n);
+    applied_n_.push_back(sample.applied_force_n);
     lowest_m_ = std::min(lowest_m_, sample.position_m);
     highest_m_ = std::max(highest_m_, sample.position_m);
     next_tick_ = sample.tick + 1;
@@ -196,7 +197,7 @@ identify::Record IdentifyExperiment::record() const {
                                values.begin() + static_cast<std::ptrdiff_t>(end));
   };
   record.position_m = cut(position_m_);
-  record.force_n = cut(force_n_);
+  record.force_n = identify::taken_forces(cut(force_n_), cut(applied_n_));
   record.encoder_m = settings_.encoder_m;
   if (record.encoder_m <= 0.0) {
     record.encoder_m = std::max(identify::smallest_step(record.position_m), kFinestEncoderM);

@@ -138,6 +138,7 @@ class IdentifyExperiment {
   ExperimentLaw law_;
   std::vector<double> position_m_;
   std::vector<double> force_n_;
+  std::vector<double> applied_n_;
   std::uint64_t ticks_ = 0;      // of the session
   std::uint64_t kept_from_ = 0;  // the first one in the record
   std::uint64_t next_tick_ = 0;  // that continues the record

@@ -42,6 +42,7 @@ std::deque<PlantKeeper> plant_keepers(const Scene& scene) {
 std::vector<device::Device*> pointers_to(
     const std::vector<std::unique_ptr<device::Device>>& devices) {
   std::vector<device::Device*> pointers;
+  pointers.reserve(devices.size());
   for (const auto& device : devices) pointers.push_back(device.get());
   return pointers;
 }

@@ -24,7 +24,7 @@ Recorder::~Recorder() { drain_and_join(); }
 
 void Recorder::stream_into(std::shared_ptr<file::SampleStream> stream, file::CsvColumns columns) {
   stream_ = std::move(stream);
-  feed_ = stream_->begin(columns);
+  feed_ = stream_->begin(std::move(columns));
 }
 
 void Recorder::start(std::unique_ptr<file::RecordingWriter> writer) {

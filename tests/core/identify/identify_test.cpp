@@ -154,6 +154,36 @@ TEST(Identify, TheResolutionIsTheSmallestStep) {
   EXPECT_EQ(smallest_step({0.1, 0.1}), 0.0);
 }
 
+TEST(Identify, ALateReportIsLateInTheRecord) {
+  const std::vector<double> force_n{0.0, 0.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0,
+                                    0.5, 0.5, 0.5, 0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5};
+  std::vector<double> applied_n{0.0, 0.0};  // two ticks later
+  applied_n.insert(applied_n.end(), force_n.begin(), force_n.end() - 2);
+  EXPECT_EQ(taken_forces(force_n, applied_n), force_n);
+  applied_n[8] = 1.0;  // one is late by a tick
+  std::vector<double> late_n = force_n;
+  late_n[6] = 1.0;
+  EXPECT_EQ(taken_forces(force_n, applied_n), late_n);
+  EXPECT_EQ(taken_forces(force_n, std::vector<double>(20, 0.0)), force_n) << "it tells nothing";
+  EXPECT_EQ(taken_forces({}, {}), std::vector<double>{});
+}
+
+// A wheel's reports wait for each other: every tenth change of the force comes a tick late.
+TEST(Identify, FitsADeviceThatTellsWhichForcesWereLate) {
+  TrialDevice device;
+  device.encoder_m = 31e-6;
+  device.late_change = 0.1;
+  TrialRun run = run_trial(device, 12.0);
+  const auto blind = identify(run.record, run.facts);
+  ASSERT_TRUE(blind);
+  EXPECT_FALSE(blind->fits) << blind->residual_ratio;
+  run.record.force_n = taken_forces(run.record.force_n, run.applied_n);
+  const auto found = identify(run.record, run.facts);
+  ASSERT_TRUE(found && found->fits) << found->residual_ratio;
+  EXPECT_NEAR(found->mass_kg.value, device.mass_kg, 1e-3 * device.mass_kg);
+  EXPECT_NEAR(found->damping_n_s_per_m.value, device.damping_n_s_per_m, 1e-2);
+}
+
 TEST(Identify, TheFirstGuessIsNear) {
   const TrialDevice device;
   const TrialRun run = run_trial(device, 8.0);

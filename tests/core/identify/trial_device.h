@@ -29,6 +29,7 @@ struct TrialDevice {
   double hand_stiffness_n_per_m = 0.0, hand_damping_n_s_per_m = 0.0;
   double noise_m = 0.0;                         // standard deviation, before the encoder
   double jitter_s = 0.0;                        // a tick is late by up to this
+  double late_change = 0.0;                     // share of changes of the force, late by a tick
   double ripple = 0.0, ripple_pitch_m = 10e-3;  // share of the force, over the position
   std::uint32_t seed = 1;
 };
@@ -72,13 +73,19 @@ class TrialSimulator {
     return device_.encoder_m * std::round(x / device_.encoder_m);
   }
   void advance(double force_n) {
-    const Real force = output_.pass(static_cast<Real>(force_n));
+    const bool is_late = device_.late_change > 0.0 && force_n != wanted_n_ &&
+                         taken_n_ == wanted_n_ && share() < device_.late_change;
+    wanted_n_ = force_n;
+    if (!is_late) taken_n_ = force_n;
+    const Real force = output_.pass(static_cast<Real>(taken_n_));
     const int late = static_cast<int>(share() * device_.jitter_s / kPeriodS * steps_);
     const int steps = steps_ + late - late_;
     late_ = late;
     if (!special()) return plant_.advance(force, step() * static_cast<Real>(steps), steps);
     for (int i = 0; i < steps; ++i) special_step(force);
   }
+  // Of the last tick.
+  [[nodiscard]] double taken_n() const { return taken_n_; }
 
  private:
   [[nodiscard]] double share() { return std::uniform_real_distribution<>()(random_); }
@@ -122,6 +129,7 @@ class TrialSimulator {
   BruteForceOutput output_;
   int steps_ = 20;
   int late_ = 0;
+  double wanted_n_ = 0.0, taken_n_ = 0.0;
   Real more_n_ = 0, begin_m_ = 0;
   double load_mass_ = 0.0, load_m_ = 0.0, load_m_per_s_ = 0.0;
 };
@@ -129,6 +137,7 @@ class TrialSimulator {
 struct TrialRun {
   identify::Record record;
   identify::ExperimentFacts facts;
+  std::vector<double> applied_n;  // that the device tells at each tick
 };
 
 // A whole experiment.
@@ -145,6 +154,7 @@ inline TrialRun run_trial(const TrialDevice& device, double duration_s = 25.0) {
   run.record.encoder_m = device.encoder_m;
   while (experiment.facts().state == identify::ExperimentState::kRunning) {
     run.record.position_m.push_back(simulator.position_m());
+    run.applied_n.push_back(simulator.taken_n());
     run.record.force_n.push_back(experiment.step(run.record.position_m.back()));
     simulator.advance(run.record.force_n.back());
   }
