@@ -14,7 +14,11 @@ import shlex
 import subprocess
 import sys
 
-OURS_ONLY = ["--quiet", "--extra-arg=-Wno-unknown-warning-option"]
+OURS_ONLY = [
+    "--quiet",
+    "--extra-arg=-Wno-unknown-warning-option",
+    "--extra-arg=-Wno-ignored-optimization-argument",
+]
 
 
 def compile_commands(build):

@@ -71,7 +71,7 @@ std::string study_heading(const ContactStudyPlan& plan, const std::vector<Contac
     if (!speed) speed = row.approach_speed_m_per_s;
   }
   const MapAxis axis = plan.stiffnesses();
-  const std::string text = fmt::format(
+  std::string text = fmt::format(
       "{}{}: wall of {} kN/m, met at {} m/s, {:g} s\n"
       "limits: {} stiffnesses of the wall from {} to {} N/m in steps of {:.2g} %, refined to "
       "{:g}\n",

@@ -33,7 +33,7 @@ bool same(const Result<ScannedRows>& a, const Result<ScannedRows>& b) {
 }
 
 // What was taken is written as rows that are taken for the same.
-void require_repeatable(std::string_view line, file::CsvColumns columns) {
+void require_repeatable(std::string_view line, const file::CsvColumns& columns) {
   Tick tick;
   require(!file::parse_csv_row(line, columns, tick), "a row that was taken is taken again");
   require(is_finite(tick), "a row that was taken is finite");

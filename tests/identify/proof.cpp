@@ -23,7 +23,7 @@ struct Kind {
 };
 
 const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all{
+  static const std::vector<Kind> kAll{
       {"the model", [](TrialDevice&) {}},
       {"unequal friction", [](TrialDevice& d) { d.friction_difference_n = 0.4 * d.friction_n; }},
       {"backlash 0.2 mm", [](TrialDevice& d) { d.backlash_m = 0.2e-3; }},
@@ -40,7 +40,7 @@ const std::vector<Kind>& kinds() {
       {"jitter 200 us", [](TrialDevice& d) { d.jitter_s = 200e-6; }},
       {"ripple 0.5 %", [](TrialDevice& d) { d.ripple = 0.005; }},
       {"ripple 2 %", [](TrialDevice& d) { d.ripple = 0.02; }}};
-  return all;
+  return kAll;
 }
 
 class Errors {

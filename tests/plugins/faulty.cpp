@@ -10,6 +10,7 @@
 
 namespace {
 
+// NOLINTBEGIN(readability-identifier-naming): FAULT names them.
 enum class Fault {
   sound,
   memory,
@@ -25,6 +26,7 @@ enum class Fault {
   shown,
   large
 };
+// NOLINTEND(readability-identifier-naming)
 constexpr Fault kFault = Fault::FAULT;
 constexpr const char* kName = kFault >= Fault::full ? "test-rebuilt" : HAPTICWALL_NAME(FAULT);
 

@@ -32,7 +32,7 @@ class RecordingWindowTest : public WindowTest {
 
   static std::string record(Person& person) {
     start(person);
-    const std::string path = person.recording().path;
+    std::string path = person.recording().path;
     person.wait_for_ticks(20);
     stop(person);
     return path;

@@ -208,8 +208,8 @@ draw::LineSet chosen(Person& person, PlotId id) {
 
 // Those of every algorithm too.
 const draw::PlotTable& all_lines() {
-  static const draw::PlotTable table({}, signal_names());
-  return table;
+  static const draw::PlotTable kTable({}, signal_names());
+  return kTable;
 }
 
 void open_signals(Person& person, PlotId id) {

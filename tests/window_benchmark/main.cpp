@@ -24,17 +24,18 @@ int usage() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace hapticwall::window_benchmark;
+  namespace measures = hapticwall::window_benchmark;
   const std::string what = argc > 1 ? argv[1] : "";
-  if (what == "frames") return measure_frames();
-  if (what == "map") return measure_map();
+  if (what == "frames") return measures::measure_frames();
+  if (what == "map") return measures::measure_map();
   if (what != "loop" && what != "map-loop" && what != "stream" && what != "record") return usage();
   const double seconds = argc > 2 ? std::atof(argv[2]) : kSeconds;
   const double more = argc > 3           ? std::atof(argv[3])
                       : what == "record" ? kRecordedRateHz
                                          : kBlockSeconds;
   if (!(seconds > 0.0 && more > 0.0)) return usage();
-  if (what == "record") return measure_recording(seconds, more);
-  if (what == "stream") return measure_stream(seconds, more);
-  return what == "loop" ? measure_loop(seconds, more) : measure_map_loop(seconds, more);
+  if (what == "record") return measures::measure_recording(seconds, more);
+  if (what == "stream") return measures::measure_stream(seconds, more);
+  if (what == "loop") return measures::measure_loop(seconds, more);
+  return measures::measure_map_loop(seconds, more);
 }

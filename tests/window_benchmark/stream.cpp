@@ -86,7 +86,7 @@ void print(const std::vector<Kind>& kinds) {
         "%-16sthe usual block's p99 %.2fx of that without a stream; %llu of %llu rows lost\n",
         kind.blocks.name, ratio(p99_at(kind.blocks, 2), p99_at(kinds.front().blocks, 2)),
         static_cast<unsigned long long>(kind.lost_rows),
-        static_cast<unsigned long long>(kind.rows + kind.lost_rows));
+        static_cast<unsigned long long>(kind.rows) + kind.lost_rows);
     print_spread(kind.blocks);
   }
 }

@@ -18,11 +18,11 @@ std::optional<ImVec2> label_place(PlotInk& ink, const PixelBox& area, float y, I
   constexpr int kTries = 16;
   const float gap = 0.3F * ImGui::GetFontSize();
   const float step = (area.to.x - area.from.x - size.x - 2.0F * gap) / (kTries - 1);
-  std::array<ImVec2, 2 * kTries> corners;
+  std::array<ImVec2, std::size_t{2} * kTries> corners;
   for (int i = 0; i < kTries; ++i) {
     const float x = area.to.x - gap - size.x - static_cast<float>(i) * step;
-    corners[static_cast<std::size_t>(2 * i)] = {x, y - gap - size.y};
-    corners[static_cast<std::size_t>(2 * i + 1)] = {x, y + gap};
+    corners[2 * static_cast<std::size_t>(i)] = {x, y - gap - size.y};
+    corners[2 * static_cast<std::size_t>(i) + 1] = {x, y + gap};
   }
   return take_free_place(ink, area, size, corners);
 }

@@ -43,7 +43,7 @@ int copied_to_memory(std::string_view bytes) {
 
 // dlerror() names the copy; the reason stands behind it.
 std::string loader_problem() {
-  const char* const text = dlerror();
+  const char* const text = dlerror();  // NOLINT(concurrency-mt-unsafe): each thread has its own
   const std::string problem = text == nullptr ? "it cannot be loaded" : text;
   const std::size_t colon = problem.starts_with("/proc/") ? problem.find(": ") : std::string::npos;
   return shown(colon == std::string::npos ? problem : problem.substr(colon + 2));

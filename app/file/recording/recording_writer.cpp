@@ -44,8 +44,10 @@ bool can_be_finished(const std::string& csv_path) {
 
 class CsvRecordingWriter final : public RecordingWriter {
  public:
-  CsvRecordingWriter(AtomicFile csv, const CsvColumns& columns)
-      : csv_(std::move(csv)), sidecar_path_(sidecar_path_of(csv_.path())), columns_(columns) {
+  CsvRecordingWriter(AtomicFile csv, CsvColumns columns)
+      : csv_(std::move(csv)),
+        sidecar_path_(sidecar_path_of(csv_.path())),
+        columns_(std::move(columns)) {
     buffer_.reserve(kBufferBytes + kMaxCsvLineBytes + 1);
     buffer_ = csv_header(columns_) + '\n';
   }
@@ -166,7 +168,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::stri
     if (Failure failed = csv->keep_only(0)) return *failed;
   }
   return std::unique_ptr<RecordingWriter>(
-      std::make_unique<CsvRecordingWriter>(std::move(*csv), columns));
+      std::make_unique<CsvRecordingWriter>(std::move(*csv), std::move(columns)));
 }
 
 }  // namespace hapticwall::file

@@ -73,7 +73,7 @@ SampleStream::SampleStream(std::string path, int descriptor, StreamOptions optio
 
 StreamFeed SampleStream::begin(CsvColumns columns) {
   const std::scoped_lock lock(mutex_);
-  return {columns, ++feeds_};
+  return {std::move(columns), ++feeds_};
 }
 
 // The number of samples among these ticks.

@@ -184,7 +184,7 @@ Failure AnswersFile::read() {
         fmt::format("{}: not a file of answers; choose another name for them", shown(path_)));
   }
   size_ = begins ? (text == header ? text.size() : 0) : text.rfind('\n') + 1;
-  if (const Failure failure = read_lines(std::string_view(text).substr(0, size_))) return failure;
+  if (Failure failure = read_lines(std::string_view(text).substr(0, size_))) return failure;
   dropped_ = size_ < text.size();
   if (dropped_ && ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) return failure();
   return size_ == 0 ? write_durably(header) : std::nullopt;

@@ -55,10 +55,10 @@ double Resampler::kernel(double inputs) const {
 double Resampler::output() const {
   const double last = std::min(std::floor(half_ - next_), static_cast<double>(ring_.size() - 1));
   double sum = 0.0;
-  for (double age = std::max(0.0, std::ceil(-half_ - next_)); age <= last; age += 1.0) {
-    const auto back = static_cast<std::size_t>(age);
+  auto back = static_cast<std::size_t>(std::max(0.0, std::ceil(-half_ - next_)));
+  for (; static_cast<double>(back) <= last; ++back) {
     const std::size_t place = newest_ >= back ? newest_ - back : newest_ + ring_.size() - back;
-    sum += ring_[place] * kernel(age + next_);
+    sum += ring_[place] * kernel(static_cast<double>(back) + next_);
   }
   return sum;
 }

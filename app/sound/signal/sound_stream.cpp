@@ -17,8 +17,8 @@ SoundStream::SoundStream(double loop_hz, double card_hz, bool knows_truth)
 void SoundStream::take(const Tick& tick, std::vector<float>& out) { push(sound_.next(tick), out); }
 
 void SoundStream::finish(std::vector<float>& out) {
-  const double inputs = std::ceil(delay_s() * loop_hz_);
-  for (double i = 0.0; i < inputs; i += 1.0) push(0.0, out);
+  const auto inputs = static_cast<int>(std::ceil(delay_s() * loop_hz_));
+  for (int i = 0; i < inputs; ++i) push(0.0, out);
 }
 
 void SoundStream::push(double acceleration, std::vector<float>& out) {

@@ -101,8 +101,9 @@ void draw_runs(const PanelContext& context, std::span<const AlgorithmRun> runs) 
   const draw::Extremes span = span_mm(runs);
   const ImVec2 corner = ImGui::GetCursorPos();
   for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::size_t row = i / columns;
     ImGui::SetCursorPos(ImVec2(corner.x + static_cast<float>(i % columns) * (each.x + gap),
-                               corner.y + static_cast<float>(i / columns) * each.y));
+                               corner.y + static_cast<float>(row) * each.y));
     ImGui::PushID(static_cast<int>(i));
     ImGui::BeginGroup();
     draw_run(context, runs[i], span, each);

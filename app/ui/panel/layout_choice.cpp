@@ -49,6 +49,7 @@ std::optional<DockLayout> layout_called(const UiState& state, const std::string&
 
 std::vector<std::string> layout_names(const UiState& state) {
   std::vector<std::string> names;
+  names.reserve(std::size(kBuiltins) + state.persisted.own_layouts.size());
   for (const BuiltinLayout& each : kBuiltins) names.emplace_back(each.name);
   for (const OwnLayout& each : state.persisted.own_layouts) names.push_back(each.name);
   return names;

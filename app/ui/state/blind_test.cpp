@@ -110,7 +110,7 @@ Failure start_experiment(UiState& state, const Scene& running,
     tell(state, MessageKind::kNote,
          answers.path() + ": its last line was torn and is dropped; the trial is repeated");
   }
-  BlindTest test{std::move(*trials), {}, running, experiment, false};
+  BlindTest test{std::move(*trials), {}, running, std::move(experiment), false};
   test.answers.assign(answers.found().begin(), answers.found().end());
   for (std::size_t i = 0; i < test.answers.size(); ++i) test.trials.take();
   if (test.trials.finished()) finish(test);

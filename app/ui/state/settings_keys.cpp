@@ -80,8 +80,8 @@ Key flag(const char* name, bool Part::*member) {
           }};
 }
 
-Key text(const char* name, std::function<std::string(const UiState&)> get,
-         std::function<void(UiState&, const std::string&)> set) {
+Key text(const char* name, const std::function<std::string(const UiState&)>& get,
+         const std::function<void(UiState&, const std::string&)>& set) {
   return {name, [get](const UiState& state) { return SettingValue(get(state)); },
           [set](UiState& state, const SettingValue& value) -> std::optional<std::string> {
             const auto* found = std::get_if<std::string>(&value);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,8 @@ struct Refusal {
   const char* library;
   int status;
   const char* words;
+
+  friend void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.library; }
 };
 class DevicePluginRefusal : public DevicePluginTest,
                             public ::testing::WithParamInterface<Refusal> {};

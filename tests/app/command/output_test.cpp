@@ -107,8 +107,9 @@ TEST_F(OutputTest, AMapNeedsNoThreads) {
     for (const std::string command :
          {"map press --x wall.stiffness_n_per_m=1e3:1e4:5 --y wall.damping_n_s_per_m=0:1:3 --csv ",
           "compare tap --study --csv "}) {
-      const Answer answer = shell(limit + "$P " + command + (limit.empty() ? "a" : "b") +
-                                  std::to_string(command.size()) + ".csv --quiet");
+      const Answer answer =
+          shell(std::string(limit).append("$P ").append(command).append(limit.empty() ? "a" : "b") +
+                std::to_string(command.size()) + ".csv --quiet");
       EXPECT_EQ(answer.status, 0) << answer.err;
     }
   }
@@ -139,7 +140,7 @@ TEST_F(OutputTest, ASidecarOfAMillionChangesTakesLittleMemory) {
   put("a.csv", "");
   const std::string limit = "ulimit -d " + std::to_string(4 * text.size() / 1024);
   for (const std::string command : {"run a.toml", "replay a.csv --quiet"}) {
-    const Answer answer = shell(limit + "; exec $P " + command);
+    const Answer answer = shell(std::string(limit).append("; exec $P ").append(command));
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.error_lines(), 1);
   }

@@ -29,7 +29,7 @@ std::string replaced(std::string text, const std::string& piece, const std::stri
 class PluginTest : public ProgramTest {
  protected:
   Answer done(std::vector<std::string> arguments) const {
-    const Answer answer = hapticwall(std::move(arguments));
+    Answer answer = hapticwall(std::move(arguments));
     EXPECT_EQ(answer.status, 0) << answer.err;
     return answer;
   }

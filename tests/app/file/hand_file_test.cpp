@@ -88,7 +88,7 @@ TEST_F(HandFile, WithOtherBytesTheSessionCannotBeRepeated) {
 // A window may edit the points.
 TEST_F(HandFile, EditedPointsAreNoFilesAnyMore) {
   Scene scene = load("scenes/a.toml").scene;
-  const Scene copy = scene;
+  const Scene copy = scene;  // NOLINT(performance-unnecessary-copy-initialization)
   scene.x().hand->path.edit().back().position_m = 0.07;
   EXPECT_EQ(copy.x().hand->path.back().position_m, 0.06);
   EXPECT_THAT(scene_to_toml(scene), HasSubstr("path = [[0.0, 0.03], [0.5, 0.07]]"));

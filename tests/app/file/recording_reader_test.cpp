@@ -60,7 +60,7 @@ class RecordingReading : public hapticwall::test::FolderTest {
   void record(std::uint64_t first_tick, std::uint64_t rows, CsvColumns columns,
               RecordingMetadata metadata = {}) {
     std::mt19937_64 random(1);
-    auto writer = RecordingWriter::create(path("a.csv"), columns);
+    auto writer = RecordingWriter::create(path("a.csv"), std::move(columns));
     ASSERT_TRUE(writer) << writer.error().message;
     samples_.clear();
     for (std::uint64_t i = 0; i < rows; ++i) {

@@ -61,7 +61,7 @@ class StreamReader {
 
 // What the stream tells goes to `told`, which may be null.
 inline std::shared_ptr<SampleStream> opened_stream(
-    const std::string& path, std::shared_ptr<std::vector<std::string>> told = nullptr,
+    const std::string& path, const std::shared_ptr<std::vector<std::string>>& told = nullptr,
     std::uint64_t every = 1) {
   auto stream = SampleStream::open(path, {every, false, [told](const std::string& line) {
                                             if (told) told->push_back(line);

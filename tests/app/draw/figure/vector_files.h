@@ -77,11 +77,12 @@ inline std::vector<double> coarse(const file::Picture& picture) {
   const int columns = picture.width / kSide;
   std::vector<double> means(static_cast<std::size_t>(columns * (picture.height / kSide) * 4));
   for (int y = 0; y < picture.height / kSide * kSide; ++y) {
+    const std::size_t row =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) * 4;
     for (int i = 0; i < columns * kSide * 4; ++i) {
       const int square = (y / kSide * columns + i / 4 / kSide) * 4 + i % 4;
       means[static_cast<std::size_t>(square)] +=
-          picture.rgba[static_cast<std::size_t>(y * picture.width * 4 + i)] /
-          static_cast<double>(kSide * kSide);
+          picture.rgba[row + static_cast<std::size_t>(i)] / static_cast<double>(kSide * kSide);
     }
   }
   return means;

@@ -54,7 +54,8 @@ TEST(KeepBendsTest, NoDroppedPointIsFarFromTheLine) {
     const float size = std::pow(10.0F, static_cast<float>(line % 5) - 3.0F);
     std::vector<ImVec2> points{{0, 0}};
     for (int i = 1; i < 400; ++i)
-      points.emplace_back(0.7F * static_cast<float>(i / 2), points.back().y + size * step(random));
+      points.emplace_back(0.7F * std::floor(static_cast<float>(i) / 2.0F),
+                          points.back().y + size * step(random));
     const std::vector<ImVec2> kept = bends(points);
     ASSERT_EQ(kept.front().y, points.front().y);
     ASSERT_EQ(kept.back().y, points.back().y);

@@ -157,7 +157,7 @@ TEST(SignalShape, IsScaledAndHasGapsWhereNothingIsKnown) {
 }
 
 TEST(SignalShape, OfFewSamplesHasThemAll) {
-  for (const std::uint64_t count : {1, 2, 3, 5}) {
+  for (const std::uint64_t count : {1U, 2U, 3U, 5U}) {
     const SignalShape shape = shape_of(history_of([](double tick) { return tick; }, count));
     EXPECT_EQ(shape.line.value.size(), count);
     EXPECT_TRUE(shape.band.empty());

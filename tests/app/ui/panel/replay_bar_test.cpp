@@ -13,7 +13,6 @@
 namespace hapticwall::test {
 namespace {
 
-using draw::Quantity;
 using ::testing::HasSubstr;
 
 class ReplayBarTest : public ReplayGuiTest {

@@ -41,7 +41,7 @@ TEST(DockLayout, AnArrangementIsReadBackFromItsText) {
 
 TEST(DockLayout, ADamagedTextIsRefused) {
   std::string deep = "Wall";
-  for (int i = 0; i < 9; ++i) deep = "Y50%(" + std::to_string(i) + ";" + deep + ")";
+  for (int i = 0; i < 9; ++i) deep.insert(0, "Y50%(" + std::to_string(i) + ";").append(")");
   for (const std::string& text :
        {std::string("X50%(Wall"),       std::string("X50%(Wall;)"),
         std::string("X50%(;Wall)"),     std::string("X50%(Wall;Map;Plots)"),

@@ -28,7 +28,7 @@ class ExportTest : public test::FolderTest {
   }
 
   [[nodiscard]] std::string expected_csv(std::size_t first, std::size_t last,
-                                         file::CsvColumns columns) const {
+                                         const file::CsvColumns& columns) const {
     std::string text = file::csv_header(columns) + "\n";
     for (std::size_t i = first; i < last; ++i) file::append_csv_row(text, {{samples_[i]}}, columns);
     return text;

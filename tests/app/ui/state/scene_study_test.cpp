@@ -19,6 +19,7 @@
 namespace hapticwall::test {
 namespace {
 
+using ::testing::HasSubstr;
 using ui::SceneStudy;
 using ui::StudyResult;
 
