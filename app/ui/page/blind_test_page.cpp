@@ -94,10 +94,12 @@ void draw_fields(const PanelContext& context) {
   draw_masking(context);
   ImGui::Spacing();
   const bool replaying = context.shows.replay != nullptr;
-  const char* tooltip = replaying ? "A recording cannot be felt: go back to the scene first."
-                                  : "Hides everything that could reveal the order, until the last "
-                                    "trial or \"Stop and show\".";
-  if (button("Start the blind test###blind start", tooltip, {.enabled = !replaying}))
+  const bool identifies = context.state.identify.experiment != nullptr;
+  const char* tooltip = replaying    ? "A recording cannot be felt: go back to the scene first."
+                        : identifies ? "The device is being identified: wait, or end that first."
+                                     : "Hides everything that could reveal the order, until the "
+                                       "last trial or \"Stop and show\".";
+  if (button("Start the blind test###blind start", tooltip, {.enabled = !replaying && !identifies}))
     start_blind_test(context);
   if (!context.state.compare.transient.test) return;
   ImGui::SameLine();
