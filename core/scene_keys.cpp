@@ -12,8 +12,6 @@ namespace {
 constexpr ValueRange kMass{1e-6, 1e3};
 constexpr ValueRange kStiffness{0.0, 1e9};
 constexpr ValueRange kDamping{0.0, 1e4};
-constexpr ValueRange kChaiStiffness{0.0, 1e9, true};
-constexpr ValueRange kChaiDamping{0.0, 1e4, true};
 constexpr ValueRange kFriction{0.0, 1e3};
 constexpr ValueRange kEncoder{0.0, 0.01};
 constexpr ValueRange kForceLimit{0.0, 1e6};

@@ -76,8 +76,6 @@ constexpr std::array<NumberKey<FfDescription>, 6> kFfKeys{
     NumberKey<FfDescription>{"rate_hz", "Hz", kUpdateRate, false, &FfDescription::rate_hz},
     NumberKey<FfDescription>{"delay_s", "s", kDelay, false, &FfDescription::delay_s}};
 
-constexpr ValueRange kChaiStiffness{0.0, 1e9, true};
-constexpr ValueRange kChaiDamping{0.0, 1e4, true};
 constexpr std::array<NumberKey<ChaiLimits>, 2> kChaiKeys{
     NumberKey<ChaiLimits>{"max_stiffness_n_per_m", "N/m", kChaiStiffness, true,
                           &ChaiLimits::max_stiffness_n_per_m},
