@@ -83,7 +83,9 @@ struct Refusal {
   int status;
   const char* words;
 
-  friend void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.library; }
+  friend std::ostream& operator<<(std::ostream& out, const Refusal& refusal) {
+    return out << refusal.library;
+  }
 };
 class DevicePluginRefusal : public DevicePluginTest,
                             public ::testing::WithParamInterface<Refusal> {};
