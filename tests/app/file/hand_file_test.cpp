@@ -102,7 +102,7 @@ TEST_F(HandFile, HasAsManyPointsAsItLikes) {
   const Scene scene = load("scenes/a.toml").scene;
   ASSERT_EQ(scene.x().hand->path.size(), 60'000U);
   EXPECT_EQ(scene.x().hand->path.back(), (PathPoint{59.999, 0.05}));
-  const Scene copy = scene;
+  const Scene copy = scene;  // NOLINT(performance-unnecessary-copy-initialization)
   EXPECT_EQ(&copy.x().hand->path.front(), &scene.x().hand->path.front()) << "copies share them";
 }
 
