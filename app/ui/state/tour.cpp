@@ -51,10 +51,11 @@ constexpr std::array kTourSteps{
         "Press 2, then R: virtual coupling from rest. The wall is quiet, but soft: settled, "
         "1.9 kN/m.",
         [](const Sight& s) { return under(s, "virtual-coupling") && settles(s, 0.0, kSoftNPerM); }},
-    TourStep{"Quiet and stiff",
-             "Press 4, then R: energy bounding from rest. The wall is quiet and stiff: settled, "
-             "30 kN/m.",
-             quiet_and_stiff},
+    TourStep{
+        "Quiet and stiff",
+        "Press 4, then R: energy bounding from rest. For this hand, on a handle with 0.14 N of "
+        "friction, the wall is quiet and stiff: settled, 30 kN/m.",
+        quiet_and_stiff},
     TourStep{"Two attractors",
              "Press 1 until the wall chatters, then 4. The force does not jump, but the contact "
              "falls into a cycle: oscillating, 15 mm.",
