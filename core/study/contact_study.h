@@ -31,9 +31,8 @@ struct ContactStudyPlan {
 
 struct ContactMetrics {
   // Along the stiffness of the first wall. `limits.failed.first` is the first failure.
-  // `limits.at_settled` is the run just below it if the softest wall settles; its displayed
-  // stiffness is that of the Z-width (Colgate & Brown 1994, cited from memory) for this hand and
-  // contact, not for the worst hand.
+  // `limits.at_settled` is the run just below it if the softest wall settles. Its displayed
+  // stiffness is that of this hand and contact, and no bound for other hands.
   Boundary limits;
   // Nullopt if the softest wall of the scan does not settle.
   [[nodiscard]] std::optional<Summary> stiffest() const {

@@ -1,5 +1,6 @@
-// Stability maps (Z-width): one scene over a grid of two of its numbers, under several algorithms.
-// A map is a plan. Its cells have indices from 0 and run in any order, also on different machines.
+// Stability maps: one scene over a grid of two of its numbers, under several algorithms. A cell is
+// the verdict for the hand of the scene, and no bound for other hands. A map is a plan. Its cells
+// have indices from 0 and run in any order, also on different machines.
 #pragma once
 
 #include <cstddef>

@@ -253,7 +253,7 @@ Failure invalid_cell(const std::optional<SceneProblem>& problem) {
 Command add_map(CLI::App& program) {
   const auto options = std::make_shared<MapOptions>();
   CLI::App* app = program.add_subcommand(
-      "map", "Compute a stability map (Z-width): a scene over a grid of two of its numbers");
+      "map", "Compute the stability map of this hand: a scene over a grid of two of its numbers");
   add_headless_options(*app, options->scene);
   const auto add = [&](const char* name, std::string& value, const char* what, const char* type) {
     app->add_option(name, value, what)->type_name(type);
