@@ -120,8 +120,10 @@ inline double reference_passivity_control(const ReferenceScene& s, ReferenceStat
 }
 
 inline double reference_energy_bounding(const ReferenceScene& s, ReferenceState& m, double x) {
-  const double v = reference_step(m, x) * s.rate;
-  const double bound = v != 0.0 ? s.b * std::abs(v) : s.alpha_rest;
+  const double dx = reference_step(m, x);
+  const double v = dx * s.rate;
+  const bool moves = std::abs(dx) > 1e-15;  // metres
+  const double bound = moves ? s.b * std::abs(v) : s.alpha_rest;
   const double wall = reference_wall_force(s, x, v);
   double force = wall;
   if (wall - m.force > bound) force = m.force + bound;

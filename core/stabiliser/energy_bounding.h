@@ -5,14 +5,18 @@
 
 HAPTICWALL_LAW_BEGIN
 
-// F_d(k) = F_d(k-1) + clamp(F_e - F_d(k-1), ±b|v_k|)   where v_k ≠ 0,
+// F_d(k) = F_d(k-1) + clamp(F_e - F_d(k-1), ±b|v_k|)   where |Δx_k| > kMaxRestM,
 //          F_d(k-1) + clamp(F_e - F_d(k-1), ±α_max)    where the encoder shows no motion.
 //
 // Source: paper, Eq. 20-22, without the published division by v_k, which overflows for a tiny
-// velocity. Invariant: energy_hold ≥ energy_budget at every row, because each row adds
-// (F_d(k-1) - F_d(k)) Δx_k ≥ -b|v_k||Δx_k| = -T b v_k². It bounds the hold only: the lag of F_d
-// behind F_e can make the control law itself active (docs/physics.md).
+// velocity. Invariant: energy_hold ≥ energy_budget at every row, because each row in motion adds
+// (F_d(k-1) - F_d(k)) Δx_k ≥ -b|v_k||Δx_k| = -T b v_k², and a row at rest at most 1e-15 J per
+// newton. It bounds the hold only: the lag of F_d behind F_e can make the control law itself active
+// (docs/physics.md).
 struct EnergyBounding {
+  // The last digits of a position within ±1 m, where a session ends: 4.5 units of 2.2e-16 m. A
+  // thousandth of the smallest encoder count that a scene may have.
+  static constexpr double kMaxRestM = 1e-15;
   static constexpr std::array<ParameterDescription, 2> kParameters{
       kBelievedDampingParameter,
       number_parameter(
@@ -28,7 +32,7 @@ struct EnergyBounding {
       "Energy bounding",
       "limits the change of force in a tick to what the device's damping can dissipate",
       kParameters,
-      "F_d(k) = F_d(k-1) + (F_e - F_d(k-1)) within ±b|v|, within ±α_max where v = 0",
+      "F_d(k) = F_d(k-1) + (F_e - F_d(k-1)) within ±b|v|, within ±α_max at rest",
       kSignals};
   static constexpr bool kOnlyPushes = false;
 
@@ -42,8 +46,8 @@ struct EnergyBounding {
 
   // A count hides a motion of Δ per rest, not per tick: b Δ/T in each of n quiet ticks exceeds the
   // budget n times. The default allows the force of a slow hidden motion. 0.0075 m/s is a choice of
-  // ours, by a sweep (docs/algorithms/energy-bounding.md). Without an encoder v_k = 0 means rest,
-  // and the paper needs no bound.
+  // ours, by a sweep (docs/algorithms/energy-bounding.md). Without an encoder rest is rest, and the
+  // paper needs no bound.
   static Parameters<double> parameters(const StabiliserContext& context) {
     constexpr double kHiddenMPerS = 0.0075;
     const double damping = believed_damping(context);
@@ -73,7 +77,7 @@ struct EnergyBounding {
 
  private:
   static Number step_bound(const Parameters<Number>& p, const LawInput& in) {
-    return select(differs(in.velocity_m_per_s, number(0.0)),
+    return select(greater(abs_of(in.displacement_m), number(kMaxRestM)),
                   p.damping_n_s_per_m * abs_of(in.velocity_m_per_s), p.rest_force_step_n);
   }
 };

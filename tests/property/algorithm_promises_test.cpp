@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/simulation/simulate.h"
@@ -114,9 +115,11 @@ std::vector<double> wanted_by_energy_bounding(const Trial& trial) {
   Stabiliser first;
   first.configure(trial.settings.algorithm.index, stabiliser_context(trial.settings));
   double before_n = 0.0;
+  double before_m = trial.rows.front().position_m;
   for (const Sample& row : trial.rows) {
     StabiliserInput input;
     input.wall_force_n = row.wall_force_n;
+    input.displacement_m = row.position_m - std::exchange(before_m, row.position_m);
     input.velocity_m_per_s = row.velocity_m_per_s;
     input.previous_force_n = before_n;
     wanted_n.push_back(first.step(input));

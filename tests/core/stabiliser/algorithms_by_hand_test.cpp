@@ -39,6 +39,21 @@ TEST(EnergyBounding, ReachesTheWallForceInThePapersTenTicks) {
   EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 1.0, kNear);
 }
 
+// A handle that rests is not always at rest in the last digit of its position.
+TEST(EnergyBounding, RoundingOfAPositionIsNoMotion) {
+  for (const double step_n : {1e6, 0.01}) {
+    ServoSettings settings = wall_at_zero("energy-bounding", 35e3);
+    set_parameter(settings.algorithm, "rest_force_step_n", step_n);
+    PositionBench still(settings);
+    PositionBench dithered(settings);
+    double dither_m = 1e-18;
+    for (const double at_m : {0.0, 1e-4, 1e-4, 1e-4, 1e-4}) {
+      dither_m = -dither_m;
+      EXPECT_NEAR(dithered.move_to(at_m + dither_m).force_n, still.move_to(at_m).force_n, kNear);
+    }
+  }
+}
+
 TEST(EnergyBounding, StaysFiniteForTheSmallestVelocity) {
   ServoSettings settings = wall_at_zero("energy-bounding", 1e9);
   set_parameter(settings.algorithm, "rest_force_step_n", 0.0);

@@ -48,6 +48,8 @@ class Sequence {
     if (chance(0.05)) true_m_ = wall_m + uniform(-1e-3, 4e-3);
     if (chance(0.02)) true_m_ = wall_m;
     if (std::abs(true_m_ - wall_m) > 0.02) true_m_ = wall_m;
+    // The last digits of a handle at rest.
+    if (chance(0.05)) true_m_ += uniform(-1.0, 1.0) * std::pow(10.0, uniform(-18.0, -14.0));
     const double count_m = settings_.encoder_m;
     return count_m > 0.0 ? count_m * std::rint(true_m_ / count_m) : true_m_;
   }
