@@ -23,6 +23,10 @@ std::string span(const Estimate& estimate) {
   return fmt::format("{:.6g} to {:.6g}", estimate.low, estimate.high);
 }
 
+// The motion stays the same if force, m, b and f_c have a common factor.
+constexpr std::string_view kForceScaleNote =
+    "An error of the device's force scale goes unseen into m, b and f_c.";
+
 Json estimate_object(const Estimate& estimate) {
   return {{"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
 }
@@ -57,8 +61,9 @@ std::string identify_text(const IdentifiedBy& by, const Identification& found) {
   text +=
       fmt::format("{:<28}{:>11.5g} um, noise {:.3g} um\n", "encoder count",
                   found.encoder_m * kMicrosecondsPerSecond, found.noise_m * kMicrosecondsPerSecond);
-  return text + fmt::format("{:<28}{:>11.4f} of the encoder's counts and noise\n", "residuals",
-                            found.residual_ratio);
+  text += fmt::format("{:<28}{:>11.4f} of the encoder's counts and noise\n", "residuals",
+                      found.residual_ratio);
+  return text + fmt::format("{}\n", kForceScaleNote);
 }
 
 std::string identify_json(const IdentifiedBy& by, const Identification& found) {
@@ -84,6 +89,7 @@ std::string identify_json(const IdentifiedBy& by, const Identification& found) {
   add("lag_s", found.lag_s);
   object["delay_ticks"] = found.fits ? Json(found.delay_ticks) : Json();
   object["possible_delays"] = found.fits ? Json(found.possible_delays) : Json();
+  object["note"] = found.fits ? Json(kForceScaleNote) : Json();
   return object.dump(2) + "\n";
 }
 
@@ -100,8 +106,9 @@ std::string written_text(const std::string& path) {
 
 std::string identified_line(const IdentifiedBy& by, const Identification& found) {
   return fmt::format(
-      "{}, 95 % intervals: m {} kg, b {} N s/m, f_c {} N, delay and lag {} s; residuals {:.3f} of "
-      "the encoder's, up to {:.3g} N",
+      "{}, 95 % intervals if the force scale is right: m {} kg, b {} N s/m, f_c {} N, delay and "
+      "lag "
+      "{} s; residuals {:.3f} of the encoder's, up to {:.3g} N",
       by.date, span(found.mass_kg), span(found.damping_n_s_per_m), span(found.friction_n),
       span(found.delay_s), found.residual_ratio, by.force_limit_n);
 }

@@ -70,7 +70,7 @@ std::string numbers(const identify::Identification& found) {
   }
   return fmt::format(
       "m = {:.4g} kg, b = {:.4g} N·s/m, f_c = {:.4g} N, delay and lag {:.4g} ms; residuals {:.3f} "
-      "times the encoder's",
+      "times the encoder's; m, b, f_c if the force scale is right",
       found.mass_kg.value, found.damping_n_s_per_m.value, found.friction_n.value,
       found.delay_s.value * kMillisecondsPerSecond, found.residual_ratio);
 }

@@ -50,6 +50,21 @@ TEST_F(IdentifyTest, FindsTheSimulatedDevice) {
   EXPECT_THAT(found["date"].get<std::string>(), EndsWith("Z"));
 }
 
+// The intervals contain no error of the device's force.
+TEST(Identified, TextJsonAndDeviceFileNameTheForceScaleBesideTheIntervals) {
+  identify::Identification found;
+  found.fits = true;
+  const table::IdentifiedBy by{"paddle", "2026-01-31T10:00:00Z"};
+  const std::string note = "An error of the device's force scale goes unseen into m, b and f_c.";
+  EXPECT_THAT(table::identify_text(by, found), HasSubstr("\n" + note + "\n"));
+  EXPECT_EQ(nlohmann::json::parse(table::identify_json(by, found))["note"], note);
+  EXPECT_THAT(table::identified_line(by, found),
+              HasSubstr("95 % intervals if the force scale is right: m "));
+  found.fits = false;
+  EXPECT_THAT(table::identify_text(by, found), Not(HasSubstr(note))) << "without numbers";
+  EXPECT_TRUE(nlohmann::json::parse(table::identify_json(by, found))["note"].is_null());
+}
+
 TEST_F(IdentifyTest, TheDeviceFileMakesTheDeviceOfAScene) {
   ASSERT_EQ(
       identify({"--device-file", "mine.toml", "--quiet", "--set", "sampling.rate_hz=2000"}).status,
