@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/file/text/text.h"
@@ -17,6 +18,11 @@ namespace hapticwall::table {
 namespace {
 
 constexpr std::string_view kWrongVerdictMark = " !";
+constexpr std::string_view kReference = "exact integrator in extended precision";
+constexpr std::string_view kReferenceNote =
+    "the reference is the code of 'exact' in extended precision: the errors are those of steps "
+    "and\n"
+    "rounding, and an error of the common equations does not show (docs/accuracy.md)\n";
 
 template <typename T>
 Json value_or_null(const std::optional<T>& value) {
@@ -109,14 +115,17 @@ std::string accuracy_heading(const Summary& reference) {
 Sheet accuracy_sheet(const AccuracyStudy& study) {
   Sheet sheet = sheet_of(kAccuracyColumns, study.rows);
   sheet.heading = accuracy_heading(study.reference);
+  sheet.marks = kReferenceNote;
   if (!std::ranges::all_of(study.rows, &AccuracyRow::verdict_agrees)) {
-    sheet.marks = "! the verdict differs from the reference's\n";
+    sheet.marks += "! the verdict differs from the reference's\n";
   }
   return sheet;
 }
 
 std::string accuracy_json(const AccuracyStudy& study) {
-  return study_json_text(reference_object(study.reference), row_objects(study));
+  Json object = reference_object(study.reference);
+  object["reference"] = kReference;
+  return study_json_text(std::move(object), row_objects(study));
 }
 
 std::string accuracy_csv(const AccuracyStudy& study) {

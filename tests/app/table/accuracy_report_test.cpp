@@ -69,6 +69,14 @@ TEST(AccuracyReport, TheTableSaysWhoIsWrong) {
   EXPECT_THAT(sheet_text(accuracy_sheet(agreeing)), Not(HasSubstr("!")));
 }
 
+// The row `exact` does not test the equations that it shares with the reference.
+TEST(AccuracyReport, TheTableAndTheJsonSayThatTheReferenceSharesTheCode) {
+  EXPECT_THAT(sheet_text(accuracy_sheet(made_up())),
+              HasSubstr("an error of the common equations does not show"));
+  EXPECT_EQ(nlohmann::json::parse(accuracy_json(made_up())).at("reference"),
+            "exact integrator in extended precision");
+}
+
 TEST(AccuracyReport, TheTableOfADivergedReferenceSaysSo) {
   AccuracyStudy study = made_up();
   study.reference.verdict = Verdict::kDiverged;
