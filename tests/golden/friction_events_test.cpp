@@ -45,12 +45,12 @@ Scene swinging(bool grip) {
 
 double force_n(int tick) { return tick % 3 == 0 ? 2.0 : tick % 3 == 1 ? -1.7 : 0.4; }
 
-struct Row {
+struct CourseRow {
   double position_m, actuator_work_j, dissipation_j, hand_work_j;
 };
 
 struct Course {
-  std::vector<Row> rows;
+  std::vector<CourseRow> rows;
   std::uint64_t events = 0;
 };
 
@@ -91,8 +91,8 @@ std::pair<double, double> difference(const Course& a, const Course& b) {
   double position_m = 0.0;
   double energy_j = 0.0;
   for (std::size_t k = 0; k < a.rows.size(); ++k) {
-    const Row& p = a.rows[k];
-    const Row& q = b.rows[k];
+    const CourseRow& p = a.rows[k];
+    const CourseRow& q = b.rows[k];
     position_m = std::max(position_m, std::abs(p.position_m - q.position_m));
     energy_j = std::max({energy_j, std::abs(p.actuator_work_j - q.actuator_work_j),
                          std::abs(p.dissipation_j - q.dissipation_j),
