@@ -20,6 +20,7 @@
 #include "core/result.h"
 #include "core/stabiliser/plugin/plugin_list.h"
 #include "core/stabiliser/stabiliser.h"
+#include "device/plugin/plugin_port.h"
 #include "hapticwall_version.h"
 
 namespace hapticwall::command {
@@ -110,15 +111,18 @@ Result<int> answer(const CLI::App& program, const CLI::ParseError& outcome) {
   return status_of(write_output(*text));
 }
 
-// A plug-in that threw gave no force from then on.
+// A plug-in with a fault gave no force from then on.
 Result<int> after(const Action& action) {
   Result<int> outcome = action();
   for (std::size_t i = first_plugin(); i < algorithms().size(); ++i) {
-    if (!plugin_has_thrown(i)) continue;
-    tell(fmt::format(
-        "note: {}: the plug-in {} threw an exception, and its force was zero from then on",
-        file::shown(file::plugin_file(i)->path), algorithms()[i].name));
+    const LibraryFault fault = plugin_fault(i);
+    if (fault == LibraryFault::kNone) continue;
+    tell(fmt::format("note: {}: the plug-in {} {}, and its force was zero from then on",
+                     file::shown(file::plugin_file(i)->path), algorithms()[i].name,
+                     library_fault_text(fault)));
   }
+  const std::string device_fault = device::device_plugin_fault();
+  if (!device_fault.empty()) tell("note: the device plug-in: " + device_fault);
   return outcome;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/scene_keys.h"
+#include "core/stabiliser/plugin/library_call.h"
 #include "core/text.h"
 #include "device/hid/node_lock.h"
 #include "device/hid/stand_in.h"
@@ -36,14 +37,22 @@ std::string line_of(const char* text, std::size_t max_bytes) {
   return clean;
 }
 
-// A library's exception ends here: it must not unwind a thread of the host.
+std::atomic<const char*> g_faulty_function{nullptr};
+std::atomic<LibraryFault> g_fault{LibraryFault::kNone};
+
+// A library's fault ends here, as a failed call.
 template <class Call>
-int guarded(const Call& call) {
-  try {
-    return call();
-  } catch (...) {
-    return HW_READ_FAILED;
-  }
+int guarded(const LibraryCall& where, const Call& call) {
+  int result = HW_READ_FAILED;
+  const LibraryFault fault = call_library(where, [&] { result = call(); });
+  if (fault == LibraryFault::kNone) return result;
+  g_faulty_function = where.function;
+  g_fault = fault;
+  return HW_READ_FAILED;
+}
+
+LibraryCall call_of(const PluginDevice& device, const char* function) {
+  return {.library = device.path.c_str(), .function = function, .kind = ErrorKind::kDevice};
 }
 
 // The ranges of a device file.
@@ -71,7 +80,7 @@ std::string info_problem(const hw_device_info& info) {
 // "PATH: WHAT: the library's own words".
 Error plugin_error(const PluginDevice& device, const std::string& what) {
   std::string words;
-  static_cast<void>(guarded([&] {
+  static_cast<void>(guarded(call_of(device, "last_error()"), [&] {
     words = line_of(device.plugin->last_error(), kMaxWordsBytes);
     return 0;
   }));
@@ -99,11 +108,18 @@ std::string device_plugin_problem(const hw_device_plugin& plugin) {
 Result<PluginDevice> describe_plugin(const hw_device_plugin& plugin, const std::string& path) {
   PluginDevice device{&plugin, path, {}, plugin.title};
   device.info.size = sizeof(hw_device_info);
-  if (guarded([&] { return plugin.info(&device.info); }) != 0)
+  if (guarded(call_of(device, "info()"), [&] { return plugin.info(&device.info); }) != 0)
     return plugin_error(device, "info() failed");
   const std::string problem = info_problem(device.info);
   if (!problem.empty()) return device_error(path + ": info(): " + problem);
   return device;
+}
+
+std::string device_plugin_fault() {
+  const char* const function = g_faulty_function;
+  if (function == nullptr) return "";
+  return std::string(function) + " " + std::string(library_fault_text(g_fault)) +
+         ", which is a failed call";
 }
 
 ImpulseEngineOptions options_of(const PluginDevice& device) {
@@ -124,8 +140,9 @@ ImpulseEngineOptions options_of(const PluginDevice& device) {
 // From open() to close() of the library, for both handles.
 class PluginPort::Connection {
  public:
-  Connection(const PluginDevice& device, std::shared_ptr<hid::NodeLock> lock)
-      : plugin(*device.plugin),
+  Connection(PluginDevice described, std::shared_ptr<hid::NodeLock> lock)
+      : device(std::move(described)),
+        plugin(*device.plugin),
         answers((device.info.flags & HW_DEVICE_ANSWERS) != 0),
         calibrated((device.info.flags & HW_DEVICE_CALIBRATED) != 0),
         stand_in({device.info.encoder_m, 0.0}, kPaceNs),
@@ -133,12 +150,13 @@ class PluginPort::Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
   ~Connection() {
-    static_cast<void>(guarded([this] {
+    static_cast<void>(guarded(call_of(device, "close()"), [this] {
       plugin.close();
       return 0;
     }));
   }
 
+  const PluginDevice device;
   const hw_device_plugin& plugin;
   const bool answers;
   const bool calibrated;
@@ -162,7 +180,8 @@ class PluginPort::PluginHandle : public hid::Handle {
     if (early_ns > 0) std::this_thread::sleep_for(std::chrono::nanoseconds(early_ns));
     hw_device_reading reading{};
     reading.size = sizeof reading;
-    const int result = guarded([&] { return connection_->plugin.read(&reading); });
+    const int result = guarded(call_of(connection_->device, "read()"),
+                               [&] { return connection_->plugin.read(&reading); });
     returned_ns_ = now_ns_();
     if (result == HW_READ_NOTHING) return {};
     if (result != HW_READ_POSITION) return {hid::ReadKind::kFailed, 0};
@@ -180,7 +199,12 @@ class PluginPort::PluginHandle : public hid::Handle {
     const double force_n = report.enable ? 0.0 - report.force_n[0] : 0.0;
     const hw_device_command command{sizeof command, report.sequence, report.enable ? 1U : 0U,
                                     force_n};
-    if (guarded([&] { return connection_->plugin.write(&command); }) != 0) {
+    LastCommand last{connection_->plugin,
+                     {sizeof command, (command.number + 1U) & 0xFFFFU, 0U, 0.0}};
+    LibraryCall here = call_of(connection_->device, "write()");
+    here.remove_force = LastCommand::write;
+    here.owner = &last;
+    if (guarded(here, [&] { return connection_->plugin.write(&command); }) != 0) {
       connection_->stand_in.refused();
       return false;
     }
@@ -193,6 +217,17 @@ class PluginPort::PluginHandle : public hid::Handle {
   }
 
  private:
+  // Follows a write() that ends the process: no other thread may write meanwhile.
+  struct LastCommand {
+    const hw_device_plugin& plugin;
+    hw_device_command command;
+
+    static void write(void* self) noexcept {
+      const auto& last = *static_cast<LastCommand*>(self);
+      static_cast<void>(last.plugin.write(&last.command));
+    }
+  };
+
   [[nodiscard]] hid::Told told(const hw_device_reading& reading) const {
     hid::Told told{.fault = (reading.flags & HW_READING_FAULT) != 0,
                    .calibrated = connection_->calibrated};
@@ -228,7 +263,10 @@ Result<std::unique_ptr<hid::Handle>> PluginPort::open(const std::string& path) {
   if (!connection) {
     auto lock = hid::NodeLock::take(device_.path, path);
     if (!lock) return lock.error();
-    if (guarded([this] { return device_.plugin->open(); }) != 0)
+    pulse_.begin();
+    LibraryCall here = call_of(device_, "open()");
+    here.pulse = &pulse_;
+    if (guarded(here, [this] { return device_.plugin->open(); }) != 0)
       return plugin_error(device_, "open() failed");
     open_ = connection = std::make_shared<Connection>(device_, std::move(*lock));
   }

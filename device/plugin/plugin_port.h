@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 
+#include "core/loop/pulse.h"
 #include "core/result.h"
 #include "device/hid/link.h"
 #include "device/hid/port.h"
@@ -31,6 +32,10 @@ struct PluginDevice {
 [[nodiscard]] Result<PluginDevice> describe_plugin(const hw_device_plugin& plugin,
                                                    const std::string& path);
 
+// The newest fault of the library, in words: "read() threw an exception, which is a failed call";
+// "" for none. Any thread.
+[[nodiscard]] std::string device_plugin_fault();
+
 // For the link of such a device.
 [[nodiscard]] ImpulseEngineOptions options_of(const PluginDevice& device);
 
@@ -52,6 +57,7 @@ class PluginPort : public hid::Port {
   const PluginDevice device_;
   const HostClock now_ns_;
   std::weak_ptr<Connection> open_;
+  Pulse pulse_;  // of open(): nobody waits for the other calls
 };
 
 }  // namespace hapticwall::device

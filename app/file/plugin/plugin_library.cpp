@@ -15,6 +15,7 @@
 #include "app/file/disk/sha256.h"
 #include "app/file/disk/small_file.h"
 #include "app/file/text/text.h"
+#include "core/stabiliser/plugin/library_call.h"
 
 namespace hapticwall::file {
 namespace {
@@ -102,7 +103,13 @@ Result<const void*> load_library(const LibraryBytes& file, const char* symbol,
   const int descriptor = copied_to_memory(file.bytes);
   if (descriptor < 0) return cannot_be_read(file.path, errno);
   const std::string copy = fmt::format("/proc/self/fd/{}", descriptor);
-  void* const library = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* library = nullptr;
+  // Its constructors run here. -ffast-math links one that switches denormals off.
+  const LibraryFault fault =
+      call_library({.library = file.path.c_str(), .function = "constructor"},
+                   [&] { library = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL); });
+  if (fault == LibraryFault::kThrew)
+    return not_a_plugin(file.path, "its constructor threw an exception");
   const std::string problem = problem_in(library, symbol, problem_of);
   if (problem.empty()) return static_cast<const void*>(dlsym(library, symbol));
   if (library != nullptr) dlclose(library);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/stabiliser/plugin/include/hapticwall/plugin.h"
+#include "core/stabiliser/plugin/library_call.h"
 #include "core/stabiliser/plugin/plugin_list.h"
 #include "core/stabiliser/stabiliser.h"
 
@@ -31,22 +32,21 @@ PluginLaw::PluginLaw() : bytes_(plugin_state_capacity()) {
     state_ = std::make_unique_for_overwrite<std::max_align_t[]>((bytes_ + kUnit - 1) / kUnit);
 }
 
-// A library's exception ends here: it must not unwind the loop.
 template <class Call>
-void PluginLaw::guarded(const Call& call) {
+void PluginLaw::guarded(const char* function, const Call& call) {
   if (failed_) return;
-  try {
-    call();
-  } catch (...) {
-    failed_ = true;
-    note_plugin_exception(*plugin_);
-  }
+  const LibraryCall here{.library = plugin_->name, .function = function, .pulse = &pulse_};
+  const LibraryFault fault = call_library(here, call);
+  if (fault == LibraryFault::kNone) return;
+  failed_ = true;
+  note_plugin_fault(*plugin_, fault);
 }
 
 void PluginLaw::start(const hw_plugin* plugin) {
   plugin_ = plugin;
   tick_ = 0;
   if (plugin == nullptr) return;
+  pulse_.begin();
   find_places();
   failed_ = plugin->state_bytes > bytes_;  // loaded after the construction of this
   if (!failed_ && plugin->state_bytes > 0) std::memset(state_.get(), 0, plugin->state_bytes);
@@ -75,14 +75,14 @@ void PluginLaw::configure(const hw_plugin* plugin, const StabiliserContext& cont
                          values.data(),
                          walls.data(),
                          count};
-  guarded([&] { plugin->configure(state_.get(), &scene); });
+  guarded("configure()", [&] { plugin->configure(state_.get(), &scene); });
   if (starts) reset();
 }
 
 void PluginLaw::reset() {
   if (plugin_ == nullptr) return;
   tick_ = 0;
-  guarded([&] { plugin_->reset(state_.get()); });
+  guarded("reset()", [&] { plugin_->reset(state_.get()); });
 }
 
 double PluginLaw::step(const StabiliserInput& in) {
@@ -91,8 +91,8 @@ double PluginLaw::step(const StabiliserInput& in) {
                        in.velocity_m_per_s, in.penetration_m,        in.previous_force_n};
   double force_n = kNoNumber;
   signals_.fill(kNoNumber);
-  guarded([&] { force_n = plugin_->step(state_.get(), &input, signals_.data()); });
-  return force_n;
+  guarded("step()", [&] { force_n = plugin_->step(state_.get(), &input, signals_.data()); });
+  return failed_ ? kNoNumber : force_n;
 }
 
 void PluginLaw::show(Signals& signals) const {

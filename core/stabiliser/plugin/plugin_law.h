@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/loop/pulse.h"
 #include "core/sample.h"
 
 struct hw_plugin;  // hapticwall/plugin.h
@@ -29,7 +30,7 @@ class PluginLaw {
   // nullptr: no plug-in is in force. Another plug-in than before starts with a state of zeros.
   void configure(const hw_plugin* plugin, const StabiliserContext& context);
   void reset();
-  // After an exception NaN, until another plug-in starts.
+  // After a fault (LibraryFault) NaN, until another plug-in starts.
   [[nodiscard]] double step(const BasicStabiliserInput<double, bool>& input);
   // Puts the signals of the last step() into their places.
   void show(Signals& signals) const;
@@ -38,7 +39,7 @@ class PluginLaw {
   void start(const hw_plugin* plugin);
   void find_places();
   template <class Call>
-  void guarded(const Call& call);
+  void guarded(const char* function, const Call& call);
 
   std::size_t bytes_ = 0;
   std::unique_ptr<std::max_align_t[]> state_;
@@ -47,6 +48,7 @@ class PluginLaw {
   std::array<double, kMaxPluginSignals> signals_{};
   std::array<std::size_t, kMaxPluginSignals> places_{};  // in Signals
   bool failed_ = false;
+  Pulse pulse_;
 };
 
 }  // namespace hapticwall

@@ -22,7 +22,7 @@ struct LoadedPlugin {
   std::deque<std::string> defaults{};
   std::vector<ParameterDescription> parameters{};
   std::vector<SignalDescription> signals{};
-  std::atomic<bool> thrown = false;
+  std::atomic<LibraryFault> fault = LibraryFault::kNone;
 };
 
 std::deque<LoadedPlugin>& loaded_plugins() {
@@ -87,17 +87,17 @@ std::size_t plugin_state_capacity() {
   return loaded_plugins().empty() ? 0 : std::max(2 * largest, kMinBytes);
 }
 
-void note_plugin_exception(const hw_plugin& plugin) {
+void note_plugin_fault(const hw_plugin& plugin, LibraryFault fault) {
   for (LoadedPlugin& loaded : loaded_plugins()) {
     const auto first = loaded.revisions.begin();
     const auto last = first + loaded.count.load(std::memory_order_acquire);
-    if (std::find(first, last, &plugin) != last) loaded.thrown = true;
+    if (std::find(first, last, &plugin) != last) loaded.fault = fault;
   }
 }
 
-bool plugin_has_thrown(std::size_t algorithm) {
+LibraryFault plugin_fault(std::size_t algorithm) {
   const LoadedPlugin* const loaded = loaded_plugin(algorithm);
-  return loaded != nullptr && loaded->thrown;
+  return loaded == nullptr ? LibraryFault::kNone : loaded->fault.load();
 }
 
 }  // namespace hapticwall

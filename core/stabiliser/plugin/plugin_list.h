@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "core/stabiliser/plugin/library_call.h"
+
 struct hw_plugin;  // hapticwall/plugin.h
 
 namespace hapticwall {
@@ -37,8 +39,8 @@ void replace_plugin(std::size_t algorithm, const hw_plugin& newer);
 // Bytes for the state of any plug-in, with room for a rebuilt one; 0 without plug-ins.
 [[nodiscard]] std::size_t plugin_state_capacity();
 
-// Notes that a function of the plug-in threw an exception, and whether any did.
-void note_plugin_exception(const hw_plugin& plugin);
-[[nodiscard]] bool plugin_has_thrown(std::size_t algorithm);
+// Notes a fault of a function of the plug-in, and gives the newest one.
+void note_plugin_fault(const hw_plugin& plugin, LibraryFault fault);
+[[nodiscard]] LibraryFault plugin_fault(std::size_t algorithm);
 
 }  // namespace hapticwall

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -103,6 +104,21 @@ TEST_F(PluginLawTest, IsNotCalledAfterAnExceptionUntilItsRebuild) {
   EXPECT_EQ(calls, 1);
   configure(plugin_);
   EXPECT_EQ(step(), 111.0);
+}
+
+// A force that was computed with another rounding mode is no result.
+TEST_F(PluginLawTest, IsNotCalledAfterItChangedTheRoundingModeWhichIsRestored) {
+  static int calls = 0;
+  hw_plugin rounds = plugin_;
+  rounds.step = [](void* /*state*/, const hw_input* /*in*/, double* /*signals*/) {
+    ++calls;
+    std::fesetround(FE_DOWNWARD);
+    return 1.0;
+  };
+  configure(rounds);
+  for (int tick = 0; tick < 3; ++tick) EXPECT_TRUE(std::isnan(step()));
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
 }  // namespace

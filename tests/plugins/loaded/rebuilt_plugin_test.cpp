@@ -165,9 +165,9 @@ TEST_F(RebuiltPlugin, IsNotSeenBetweenTwoLooks) {
 TEST_F(RebuiltPlugin, ThatThrowsIsNoted) {
   rebuild("half");
   expect_loaded();
-  note_plugin_exception(*plugin_at(rebuilt_plugin()));
-  EXPECT_TRUE(plugin_has_thrown(rebuilt_plugin()));
-  EXPECT_FALSE(plugin_has_thrown(hapticwall::test::hooked_plugin()));
+  note_plugin_fault(*plugin_at(rebuilt_plugin()), LibraryFault::kThrew);
+  EXPECT_EQ(plugin_fault(rebuilt_plugin()), LibraryFault::kThrew);
+  EXPECT_EQ(plugin_fault(hapticwall::test::hooked_plugin()), LibraryFault::kNone);
 }
 
 // ---- in a session ----

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -221,6 +222,15 @@ TEST_F(LibraryLies, AnExceptionIsAFailure) {
   start();
   lie = [](hw_device_reading&) -> int { throw std::runtime_error("a fault"); };
   expect_zero("the device was unplugged", 22);
+  lie = {};
+}
+
+TEST_F(LibraryLies, AnotherRoundingModeIsAFailureAndNeverLeavesTheCall) {
+  start();
+  lie = [](hw_device_reading&) { return std::fesetround(FE_UPWARD), HW_READ_POSITION; };
+  expect_zero("the device was unplugged", 22);
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+  EXPECT_THAT(device::device_plugin_fault(), HasSubstr("read() changed the rounding mode"));
   lie = {};
 }
 

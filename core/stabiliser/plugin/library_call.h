@@ -1,0 +1,62 @@
+// The host's side of a call into a library of the user: it stops exceptions, restores the settings
+// of floating-point arithmetic, and says which call a thread is in.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/loop/pulse.h"
+#include "core/result.h"
+#include "core/stabiliser/plugin/float_settings.h"
+
+namespace hapticwall {
+
+enum class LibraryFault : std::uint8_t { kNone, kThrew, kChangedFloat };
+
+// A clause for people: "threw an exception".
+[[nodiscard]] constexpr std::string_view library_fault_text(LibraryFault fault) {
+  if (fault == LibraryFault::kThrew) return "threw an exception";
+  return fault == LibraryFault::kChangedFloat
+             ? "changed the rounding mode or another setting of floating-point arithmetic"
+             : "";
+}
+
+// All pointers live until the call returns.
+struct LibraryCall {
+  const char* library = "";   // its name or path
+  const char* function = "";  // "step()"
+  ErrorKind kind = ErrorKind::kUsage;
+  Pulse* pulse = nullptr;  // beats during the call; nullptr: a call that hangs holds nobody
+  // Removes the force if the call ends the process; nullptr: others do. Called on this thread.
+  void (*remove_force)(void* owner) noexcept = nullptr;
+  void* owner = nullptr;
+};
+
+namespace detail {
+inline constinit thread_local const LibraryCall* present_call = nullptr;
+}
+
+// The call that this thread is in; nullptr: none. A signal handler may ask. Realtime-safe: yes.
+[[nodiscard]] inline const LibraryCall* present_library_call() { return detail::present_call; }
+
+// Calls `function()`. Neither an exception nor other settings of floating-point arithmetic leave
+// it. Realtime-safe: yes.
+template <class Function>
+LibraryFault call_library(const LibraryCall& call, const Function& function) {
+  const FloatSettings before = float_settings();
+  LibraryFault fault = LibraryFault::kNone;
+  if (call.pulse != nullptr) call.pulse->beat();
+  detail::present_call = &call;
+  try {
+    function();
+  } catch (...) {
+    fault = LibraryFault::kThrew;
+  }
+  detail::present_call = nullptr;
+  if (call.pulse != nullptr) call.pulse->rest();
+  if (float_settings() == before) return fault;
+  restore(before);
+  return fault == LibraryFault::kNone ? LibraryFault::kChangedFloat : fault;
+}
+
+}  // namespace hapticwall
