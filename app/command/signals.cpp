@@ -3,26 +3,17 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <atomic>
 #include <csignal>
 #include <exception>
 #include <new>
 #include <system_error>
 
 #include "app/command/report/terminal.h"
-#include "app/runtime/loop/crash_stop.h"
+#include "app/runtime/loop/early_exit.h"
 #include "core/simulation/simulate.h"
 
 namespace hapticwall::command {
 namespace {
-
-// A global, because signal handlers take no data.
-std::atomic<int> g_stop_signal{0};
-static_assert(std::atomic<int>::is_always_lock_free);
-
-extern "C" void hapticwall_on_stop_signal(int signal) {
-  if (g_stop_signal.exchange(signal) == signal) runtime::end_by(signal);
-}
 
 // Also the threads have a stack of this size.
 Failure check_stack() {
@@ -40,6 +31,7 @@ Failure check_stack() {
 int run_guarded(const std::function<Result<int>()>& program) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  const runtime::EarlyExitIsAnError until_it_returns;
   try {
     if (Failure failed = check_stack()) return report(*failed);
     const Result<int> status = program();
@@ -58,23 +50,15 @@ int run_guarded(const std::function<Result<int>()>& program) {
   }
 }
 
-void catch_stop_signals() {
-  for (const int signal : {SIGINT, SIGTERM}) {
-    struct sigaction before {};
-    sigaction(signal, nullptr, &before);
-    if (before.sa_handler == SIG_IGN) continue;  // a background job ignores Ctrl-C
-    struct sigaction stop {};
-    stop.sa_handler = hapticwall_on_stop_signal;
-    sigaction(signal, &stop, nullptr);
-  }
-}
-
-int stop_signal() { return g_stop_signal.load(); }
-
 int ended_early(std::string_view rest) {
   constexpr int kOfShells = 128;
   tell(fmt::format("ended early by {}{}", stop_signal() == SIGINT ? "Ctrl-C" : "SIGTERM", rest));
   return kOfShells + stop_signal();
+}
+
+Result<int> status_after_window(const Failure& failed) {
+  if (failed) return *failed;
+  return stop_signal() == 0 ? 0 : ended_early("");
 }
 
 }  // namespace hapticwall::command

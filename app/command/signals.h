@@ -4,6 +4,7 @@
 #include <functional>
 #include <string_view>
 
+#include "app/runtime/loop/stop_signals.h"
 #include "core/result.h"
 
 namespace hapticwall::command {
@@ -12,14 +13,13 @@ namespace hapticwall::command {
 // closed pipe become errors of write() instead of signals.
 [[nodiscard]] int run_guarded(const std::function<Result<int>()>& program);
 
-// From now on SIGINT and SIGTERM only ask the program to end. A second one of the same kind ends
-// the force of every loop, then the program.
-void catch_stop_signals();
-
-// The signal that asked the program to end; 0 if none has. Realtime-safe: yes.
-[[nodiscard]] int stop_signal();
+using runtime::catch_stop_signals;
+using runtime::stop_signal;
 
 // Says "ended early by Ctrl-C" and `rest` on standard error; returns the exit status, 128 + signal.
 [[nodiscard]] int ended_early(std::string_view rest = "; nothing was written");
+
+// The exit status of a window that has closed: its error, or the signal that closed it.
+[[nodiscard]] Result<int> status_after_window(const Failure& failed);
 
 }  // namespace hapticwall::command

@@ -14,7 +14,7 @@
 #include "app/command/common_options.h"
 #include "app/command/device_choice.h"
 #include "app/command/replay_window.h"
-#include "app/command/report/terminal.h"
+#include "app/command/signals.h"
 #include "app/command/usage.h"
 #include "app/file/disk/user_folders.h"
 #include "app/file/recording/recording_reader.h"
@@ -126,7 +126,7 @@ Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
   if (!recording) return recording.error();
   ReplayWindow window;
   window.scale = forced_scale(look);
-  return status_of(run_replay_window(std::move(*recording), std::move(window), open));
+  return status_after_window(run_replay_window(std::move(*recording), std::move(window), open));
 }
 
 Result<int> open_window(const SceneOptions& options, const LookOptions& look, bool repeats,
@@ -162,7 +162,7 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   window.settings_path = file::settings_path(file::process_environment);
   window.opened_file = opened_file(options.scene);
   window.forced_scale = forced_scale(look);
-  return status_of(open(window));
+  return status_after_window(open(window));
 }
 
 }  // namespace

@@ -184,7 +184,7 @@ Result<int> open_window(const ReplayCommand& command, const runtime::OpenWindow&
     window.overlay = std::move(*laid_over);
   }
   window.speed = command.speed.value_or(window.speed);
-  return status_of(run_replay_window(std::move(*recording), std::move(window), open));
+  return status_after_window(run_replay_window(std::move(*recording), std::move(window), open));
 }
 
 Result<int> replay(const ReplayCommand& command, const runtime::OpenWindow& open) {

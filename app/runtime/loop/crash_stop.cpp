@@ -8,10 +8,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
-#include <cstdlib>
 #include <ctime>
 #include <memory>
 #include <mutex>
+#include <utility>
+
+#include "app/runtime/loop/early_exit.h"
+#include "core/stabiliser/plugin/library_call.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -21,12 +24,20 @@ constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::array kSignals{SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT,
                               SIGHUP,  SIGQUIT, SIGINT, SIGTERM, SIGXCPU};
 constexpr std::int64_t kWaitStepNs = 200'000;
+// Of a library that is called inside a call that ends the process: it may wait for a mutex of its.
+constexpr unsigned kMaxReentryS = 1;
 // Larger than any signal frame; the handler itself needs little.
 constexpr std::size_t kMinStackBytes = std::size_t{64} * 1024;
 
 // The only data that the signal handler uses.
 std::atomic<bool> g_must_end{false};
 std::atomic<int> g_loops_with_force{0};
+// Of this thread's loop, if it has one.
+struct OwnLoop {
+  void (*remove_force)(void* loop) noexcept = nullptr;
+  void* loop = nullptr;
+};
+constinit thread_local OwnLoop t_own_loop;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 // The previous handler of each caught signal. Written before the signal is caught.
@@ -124,9 +135,8 @@ class SignalStack {
 }  // namespace
 
 CrashStop::CrashStop() {
-  // A library may call exit(), as Xlib does.
-  static const bool kAtExit = std::atexit(end_all_force) == 0;
-  static_cast<void>(kAtExit);
+  static const bool kWatched = (watch_exit(), true);
+  static_cast<void>(kWatched);
   thread_local const SignalStack kStack;
   static_cast<void>(kStack);
   const std::lock_guard lock(g_mutex);
@@ -138,16 +148,28 @@ CrashStop::~CrashStop() {
   if (--g_crash_stops == 0) release_signals();
 }
 
-LoopWithForce::LoopWithForce() noexcept {
+LoopWithForce::LoopWithForce(void (*remove_force)(void* loop) noexcept, void* loop) noexcept {
+  t_own_loop = {remove_force, loop};
   g_loops_with_force.fetch_add(1, std::memory_order_relaxed);
 }
 
-LoopWithForce::~LoopWithForce() { g_loops_with_force.fetch_sub(1, std::memory_order_release); }
+LoopWithForce::~LoopWithForce() {
+  t_own_loop = {};
+  g_loops_with_force.fetch_sub(1, std::memory_order_release);
+}
 
 bool must_end_force() noexcept { return g_must_end.load(std::memory_order_relaxed); }
 
 void end_all_force() noexcept {
   g_must_end.store(true, std::memory_order_release);
+  // Before the wait, because the link's threads need it to send the zero.
+  const OwnLoop own = std::exchange(t_own_loop, {});
+  if (own.remove_force != nullptr) own.remove_force(own.loop);
+  const LibraryCall* const call = present_library_call();
+  if (call != nullptr && call->remove_force != nullptr) {
+    alarm(kMaxReentryS);
+    call->remove_force(call->owner);
+  }
   constexpr auto kSteps = static_cast<int>(kMaxLastWaitNs / kWaitStepNs);
   for (int i = 0; i < kSteps && g_loops_with_force.load(std::memory_order_acquire) > 0; ++i) {
     const timespec pause{0, static_cast<decltype(timespec::tv_nsec)>(kWaitStepNs)};

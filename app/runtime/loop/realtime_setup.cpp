@@ -61,6 +61,15 @@ int set_fifo_priority(int priority) {
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
 }
 
+// Of the process, for each of its real-time threads. Smaller limits stay.
+void limit_processor_time() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_RTTIME, &limit) != 0) return;
+  limit.rlim_max = std::min<rlim_t>(limit.rlim_max, kMaxAwakeKilledUs);
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, kMaxAwakeUs);
+  static_cast<void>(setrlimit(RLIMIT_RTTIME, &limit));
+}
+
 bool may_lock_without_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) return true;
@@ -156,6 +165,7 @@ RealtimeOutcome set_up_realtime_thread(int affinity_core) {
   keep_small_pages();
   outcome.lock_error = lock_memory();
   touch_stack();
+  limit_processor_time();
   outcome.priority = permitted_priority();
   outcome.priority_error = set_fifo_priority(outcome.priority);
   return outcome;

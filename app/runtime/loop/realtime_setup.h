@@ -14,6 +14,12 @@ namespace hapticwall::runtime {
 // SCHED_FIFO priority of the loop: above a desktop's threads, below the kernel's watchdogs.
 inline constexpr int kLoopPriority = 80;
 
+// Processor time without a sleep, after which the kernel ends a process with a real-time thread
+// that hangs: by SIGXCPU, which crash_stop.h catches, and by SIGKILL if that does not act. The
+// set-up asks for it.
+inline constexpr std::uint64_t kMaxAwakeUs = 2'000'000;
+inline constexpr std::uint64_t kMaxAwakeKilledUs = 4'000'000;
+
 // Result of each part of the set-up: 0, or errno of the system call.
 struct RealtimeOutcome {
   int priority = 0;  // requested

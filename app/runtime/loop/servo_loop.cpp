@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/runtime/loop/crash_stop.h"
+#include "core/loop/pulse.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -122,6 +123,7 @@ void ServoLoop::cycle(const Wake& wake, Clock& clock) {
     rest_periods_ = static_cast<std::uint64_t>(kRestS / axes_.front().servo.settings().period_s());
   snapshot_.timing.rested_periods += rest_periods_;
   count(wake, clock.now_ns(), ticks);
+  ++snapshot_.cycles;
   exchange_.snapshots.publish(snapshot_);
 }
 
@@ -323,6 +325,16 @@ void ServoLoop::count(const Wake& wake, std::int64_t done_ns, bool ticked) {
   timing.maximum_cost_s = seconds(cost.maximum_ns);
 }
 
+void ServoLoop::remove_force() noexcept {
+  for (LoopAxis& axis : axes_) {
+    try {
+      axis.device.enable(false);
+      axis.device.write(0.0);
+    } catch (...) {  // the other axes, too
+    }
+  }
+}
+
 void ServoLoop::shut_down(bool by_itself) noexcept {
   // If a device throws here too, the others must still be closed and the owner informed.
   for (LoopAxis& axis : axes_) {
@@ -348,11 +360,15 @@ void ServoLoop::shut_down(bool by_itself) noexcept {
 }
 
 void run_servo_loop(ServoLoop& loop, Exchange& exchange, double rate_hz, Clock& clock) noexcept {
-  const LoopWithForce until_shut_down;
+  const LoopWithForce until_shut_down(
+      [](void* ended) noexcept { static_cast<ServoLoop*>(ended)->remove_force(); }, &loop);
+  Pulse pulse;
+  pulse.begin();
   bool by_itself = false;
   try {
     CycleScheduler scheduler(rate_hz, clock.now_ns());
     while (!exchange.stop.load(std::memory_order_relaxed) && !must_end_force()) {
+      pulse.beat();
       clock.sleep_until_ns(scheduler.deadline_ns());
       loop.cycle(scheduler.wake(clock.now_ns()), clock);
       scheduler.skip(loop.rest_periods());
@@ -361,6 +377,7 @@ void run_servo_loop(ServoLoop& loop, Exchange& exchange, double rate_hz, Clock& 
   } catch (...) {
     by_itself = true;
   }
+  pulse.rest();  // closing a device has its own time limit
   loop.shut_down(by_itself);
 }
 

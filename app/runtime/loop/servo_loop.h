@@ -53,6 +53,8 @@ class ServoLoop {
   // nothing moves then.
   [[nodiscard]] std::uint64_t rest_periods() const { return rest_periods_; }
 
+  // Commands zero force and nothing else, for a process that ends inside a cycle.
+  void remove_force() noexcept;
   // Zero force, closes the devices and informs the owner. Realtime-safe: no.
   void shut_down(bool by_itself) noexcept;
 

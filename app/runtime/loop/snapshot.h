@@ -55,6 +55,7 @@ struct Snapshot {
   TimingStatistics timing;
   ArmingStatus arming;
   device::LinkStats link;              // of a real device
+  std::uint64_t cycles = 0;            // since the start of the session, also without a tick
   std::uint32_t generation = 0;        // of the parameters in force
   std::uint32_t resets = 0;            // how often the session went back to tick 0
   std::uint32_t periods_per_tick = 1;  // slow motion of a simulator

@@ -13,6 +13,10 @@ namespace hapticwall::runtime {
 // Part of a period: the kernel throttles real-time threads that leave no time to others.
 inline constexpr double kMaxSpinOfPeriod = 0.9;
 inline constexpr double kMaxSpinS = 0.1;
+// A loop whose ticks and spins fill its periods still sleeps once in so long, for an instant: the
+// kernel takes a real-time thread that never sleeps for one that hangs (realtime_setup.h).
+inline constexpr std::int64_t kMaxAwakeNs = 500'000'000;
+inline constexpr std::int64_t kInstantNs = 20'000;
 
 // `spin_s` (0 to kMaxSpinS), limited for this rate. Realtime-safe: yes.
 [[nodiscard]] inline std::int64_t spin_ns(double spin_s, double rate_hz) {
@@ -26,7 +30,16 @@ class SpinningClock : public Clock {
 
   [[nodiscard]] std::int64_t now_ns() override { return clock_.now_ns(); }
   void sleep_until_ns(std::int64_t deadline_ns) override {
-    clock_.sleep_until_ns(deadline_ns - spin_ns_);
+    const std::int64_t wake_ns = deadline_ns - spin_ns_;
+    const std::int64_t now_ns = clock_.now_ns();
+    if (slept_ns_ == 0) slept_ns_ = now_ns;
+    if (now_ns < wake_ns) {
+      clock_.sleep_until_ns(wake_ns);
+      slept_ns_ = wake_ns;
+    } else if (now_ns - slept_ns_ > kMaxAwakeNs) {
+      clock_.sleep_until_ns(now_ns + kInstantNs);
+      slept_ns_ = now_ns;
+    }
     while (clock_.now_ns() < deadline_ns) {
     }
   }
@@ -34,6 +47,7 @@ class SpinningClock : public Clock {
  private:
   Clock& clock_;
   std::int64_t spin_ns_;
+  std::int64_t slept_ns_ = 0;  // the newest sleep; 0: no call yet
 };
 
 }  // namespace hapticwall::runtime

@@ -10,15 +10,12 @@
 #include <implot.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
-#include <csignal>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/draw/plot/theme.h"
-#include "app/runtime/loop/crash_stop.h"
+#include "app/runtime/loop/stop_signals.h"
 #include "app/runtime/session/loop_session.h"
 #include "app/ui/page/identify_page.h"
 #include "app/ui/state/settings_file.h"
@@ -34,38 +31,6 @@ constexpr int kMinWidth = 1000;
 constexpr int kMinHeight = 640;
 constexpr double kUnseenFrameS = 0.1;  // sampling interval while minimised
 constexpr int kPaintedInAHurry = 10;   // one frame of this many
-
-// The only state that the signal handler touches: the signal that asked for the end, or 0.
-std::atomic<int> end_requested{0};
-static_assert(std::atomic<int>::is_always_lock_free);
-
-void request_end(int signal) {
-  if (end_requested.exchange(signal) == signal) runtime::end_by(signal);
-}
-
-// While this lives, SIGINT and SIGTERM ask for an orderly end. A repeated signal ends the program
-// at once, force first.
-class EndSignals {
- public:
-  EndSignals() {
-    end_requested.store(0, std::memory_order_relaxed);
-    struct sigaction action {};
-    action.sa_handler = request_end;
-    sigemptyset(&action.sa_mask);
-    for (std::size_t i = 0; i < kSignals.size(); ++i)
-      sigaction(kSignals[i], &action, &previous_[i]);
-  }
-  EndSignals(const EndSignals&) = delete;
-  EndSignals& operator=(const EndSignals&) = delete;
-  ~EndSignals() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i)
-      sigaction(kSignals[i], &previous_[i], nullptr);
-  }
-
- private:
-  static constexpr std::array kSignals{SIGINT, SIGTERM};
-  std::array<struct sigaction, kSignals.size()> previous_{};
-};
 
 std::string glfw_message() {
   const char* text = nullptr;
@@ -258,8 +223,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
   Idleness idleness;
   int unpainted = 0;
   if (hooks.opened) hooks.opened(application);
-  while (glfwWindowShouldClose(window) == GLFW_FALSE &&
-         end_requested.load(std::memory_order_relaxed) == 0) {
+  while (glfwWindowShouldClose(window) == GLFW_FALSE && runtime::stop_signal() == 0) {
     glfwPollEvents();
     if (!is_seen(window)) {
       application.take_ticks();
@@ -291,7 +255,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
 }  // namespace
 
 Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hooks) {
-  const EndSignals signals;
+  const runtime::StopSignals signals;
   const Glfw glfw;
   if (!glfw.ready()) {
     return Error{ErrorKind::kDevice,

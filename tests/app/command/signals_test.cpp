@@ -4,7 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <thread>
+#include <utility>
 
+#include "core/stabiliser/plugin/library_call.h"
 #include "tests/app/runtime/loop/child_support.h"
 
 namespace hapticwall::command {
@@ -14,6 +19,7 @@ using runtime::test::eventually;
 using runtime::test::expect_killed_by;
 using runtime::test::pushing_session;
 using runtime::test::Shared;
+using runtime::test::SharedDevice;
 using runtime::test::start_child;
 using runtime::test::status_of;
 
@@ -62,6 +68,126 @@ TEST_P(StopSignal, ASecondOneEndsWhatHangsWithZeroForce) {
   EXPECT_EQ(heard->newest_n, 0.0);
   EXPECT_FALSE(heard->enabled);
   EXPECT_TRUE(heard->closed);
+}
+
+// The loop hangs: nobody else waits for a second signal.
+TEST_P(StopSignal, TheFirstOneEndsALoopThatHangs) {
+  const Shared heard;
+  const pid_t child = start_child([&] {
+    catch_stop_signals();
+    auto device = std::make_unique<SharedDevice>(*heard);
+    device->on_read = [&] {
+      while (heard->pushed()) heard->note = 1;
+    };
+    const auto session = pushing_session(*heard, std::move(device));
+    while (true) pause();
+  });
+  ASSERT_TRUE(eventually([&] { return heard->note == 1; }));
+  ASSERT_EQ(kill(child, GetParam()), 0);
+  expect_killed_by(GetParam(), status_of(child));
+}
+
+// The loop is sound when the signal comes, and hangs while the program ends.
+TEST_P(StopSignal, TheFirstOneEndsALoopThatHangsAfterIt) {
+  const Shared heard;
+  const pid_t child = start_child([&] {
+    catch_stop_signals();
+    auto device = std::make_unique<SharedDevice>(*heard);
+    device->on_read = [&] {
+      while (heard->note == 1 && stop_signal() != 0) {
+      }
+    };
+    const auto session = pushing_session(*heard, std::move(device));
+    heard->go_on = true;
+    if (!eventually([] { return stop_signal() != 0; })) return;
+    heard->note = 1;
+  });
+  ASSERT_TRUE(eventually([&] { return heard->go_on.load(); }));
+  ASSERT_EQ(kill(child, GetParam()), 0);
+  expect_killed_by(GetParam(), status_of(child));
+}
+
+// Without a loop, as in a headless run.
+TEST_P(StopSignal, TheFirstOneEndsACallThatHangs) {
+  const Shared heard;
+  const pid_t child = start_child([&] {
+    catch_stop_signals();
+    Pulse pulse;
+    pulse.begin();
+    const LibraryCall call{.library = "mine", .function = "step()", .pulse = &pulse};
+    static_cast<void>(call_library(call, [&] {
+      while (true) heard->note = 1;
+    }));
+  });
+  ASSERT_TRUE(eventually([&] { return heard->note == 1; }));
+  ASSERT_EQ(kill(child, GetParam()), 0);
+  expect_killed_by(GetParam(), status_of(child));
+}
+
+// A program may take its time if nothing hangs.
+TEST_P(StopSignal, DoesNotEndWhatIsAliveAndSlow) {
+  const Shared heard;
+  const pid_t child = start_child([&] {
+    catch_stop_signals();
+    const auto session = pushing_session(*heard);
+    heard->go_on = true;
+    if (!eventually([] { return stop_signal() != 0; })) return;
+    const auto enough = heard->writes + 2500;  // two and a half seconds
+    if (!eventually([&] { return heard->writes > enough; })) return;
+    _exit(7);
+  });
+  ASSERT_TRUE(eventually([&] { return heard->go_on.load(); }));
+  ASSERT_EQ(kill(child, GetParam()), 0);
+  const int status = status_of(child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+}
+
+// ---- an end that main does not know of
+
+TEST(EarlyExit, IsAnErrorWithTheStatusOfItsLibrary) {
+  struct Case {
+    LibraryCall call;
+    int status;
+  };
+  for (const Case& one :
+       {Case{{.library = "mine", .function = "step()"}, 2},
+        Case{{.library = "mine", .function = "read()", .kind = ErrorKind::kDevice}, 3}}) {
+    const pid_t child = start_child([&] {
+      static_cast<void>(run_guarded([&]() -> Result<int> {
+        static_cast<void>(call_library(one.call, [] { std::exit(0); }));
+        return 0;
+      }));
+    });
+    const int status = status_of(child);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), one.status);
+  }
+}
+
+TEST(EarlyExit, OfAnotherThreadOrByQuickExitIsAnErrorToo) {
+  for (void (*end)() : {+[] { std::exit(0); }, +[] { std::quick_exit(0); },
+                        +[] { std::thread([] { std::exit(0); }).join(); }}) {
+    const pid_t child = start_child([&] {
+      static_cast<void>(run_guarded([&]() -> Result<int> {
+        end();
+        return 0;
+      }));
+    });
+    const int status = status_of(child);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+  }
+}
+
+TEST(EarlyExit, AfterMainHasReturnedIsNone) {
+  const pid_t child = start_child([&] {
+    static_cast<void>(run_guarded([]() -> Result<int> { return 0; }));
+    std::exit(9);
+  });
+  const int status = status_of(child);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, StopSignal, ::testing::Values(SIGINT, SIGTERM));

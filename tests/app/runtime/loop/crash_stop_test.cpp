@@ -152,6 +152,37 @@ TEST(CrashStop, AnExitOfALibraryEndsTheForceFirst) {
   EXPECT_TRUE(heard->closed);
 }
 
+// The thread that should write the zero is the one that ends the process.
+TEST(CrashStop, AnEndByTheLoopsOwnThreadEndsTheForceFirst) {
+  struct Way {
+    void (*end)();
+    int status;
+  };
+  for (const Way& way : {Way{[] { std::exit(7); }, W_EXITCODE(7, 0)},
+                         Way{[] { std::quick_exit(7); }, W_EXITCODE(7, 0)},
+                         Way{[] { std::abort(); }, W_EXITCODE(0, SIGABRT)}}) {
+    const Shared heard;
+    const pid_t child = start_child([&] {
+      auto device = std::make_unique<SharedDevice>(*heard);
+      device->on_read = [&] {
+        if (heard->pushed()) way.end();
+      };
+      const auto session = pushing_session(*heard, std::move(device));
+      while (true) pause();
+    });
+    const int status = status_of(child);
+    if (WIFEXITED(way.status)) {
+      ASSERT_TRUE(WIFEXITED(status));
+      EXPECT_EQ(WEXITSTATUS(status), WEXITSTATUS(way.status));
+    } else {
+      expect_killed_by(WTERMSIG(way.status), status);
+    }
+    EXPECT_TRUE(heard->pushed());
+    EXPECT_EQ(heard->newest_n, 0.0);
+    EXPECT_FALSE(heard->enabled);
+  }
+}
+
 // After a fault on the loop's thread the device ends the force, 20 ms after the last command. The
 // process must still end.
 TEST(CrashStop, AFaultOfTheLoopsOwnThreadEndsTheProcess) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <sched.h>
+#include <sys/resource.h>
 
 #include <cerrno>
 #include <cfenv>
@@ -86,6 +87,15 @@ TEST(RealtimeSetup, AffinityIsSetOrRefused) {
     EXPECT_NE(set_up_realtime_thread(CPU_SETSIZE - 1).affinity_error, 0);
     EXPECT_NE(set_up_realtime_thread(1'000'000).affinity_error, 0);
   }).join();
+}
+
+TEST(RealtimeSetup, BoundsTheProcessorTimeOfAThreadThatNeverSleeps) {
+  std::thread([] { set_up_realtime_thread(-1); }).join();
+  rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_RTTIME, &limit), 0);
+  EXPECT_LE(limit.rlim_cur, kMaxAwakeUs) << "SIGXCPU, which ends the force first";
+  EXPECT_LE(limit.rlim_max, kMaxAwakeKilledUs);
+  EXPECT_LT(limit.rlim_cur, limit.rlim_max);
 }
 
 TEST(RealtimeSetup, SignalsStayWithTheMainThread) {

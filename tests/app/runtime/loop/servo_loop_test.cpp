@@ -113,6 +113,7 @@ TEST(ServoLoop, SlowMotionKeepsTheCadenceAndTheSamples) {
   harness.cycles(1000);
   EXPECT_EQ(harness.snapshot().periods_per_tick, 10U);
   EXPECT_EQ(harness.snapshot().timing.ticks, 200U);
+  EXPECT_EQ(harness.snapshot().cycles, 1100U) << "the loop answers in every period";
   harness.command(CommandKind::kPause);
   harness.command(CommandKind::kStep, 3);
   harness.cycles(3);
@@ -132,6 +133,7 @@ TEST(ServoLoop, PausedItKeepsItsCadenceButDoesNotTick) {
   EXPECT_TRUE(paused.paused);
   EXPECT_EQ(paused.newest.x().tick, 4U);
   EXPECT_EQ(paused.timing.ticks, 5U);
+  EXPECT_EQ(paused.cycles, 6U);
   EXPECT_EQ(paused.timing.missed_ticks, 3U);
   EXPECT_EQ(paused.timing.wake_latency_s, 1e-6);
   EXPECT_EQ(harness.samples().size(), 5U);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/runtime/loop/cycle_scheduler.h"
+#include "app/runtime/loop/realtime_setup.h"
 #include "tests/app/runtime/support.h"
 
 namespace hapticwall::runtime {
@@ -12,16 +14,17 @@ namespace {
 
 using test::FakeClock;
 
-// Every look at it takes 3 ns.
 class TickingClock : public Clock {
  public:
-  [[nodiscard]] std::int64_t now_ns() override { return now_ns_ += 3; }
+  [[nodiscard]] std::int64_t now_ns() override { return now_ns_ += look_ns; }
   void sleep_until_ns(std::int64_t deadline_ns) override {
     slept_until.push_back(deadline_ns);
     now_ns_ = std::max(now_ns_, deadline_ns + overslept_ns);
   }
   std::vector<std::int64_t> slept_until;
+  void work_ns(std::int64_t duration_ns) { now_ns_ += duration_ns; }
   std::int64_t overslept_ns = 0;
+  std::int64_t look_ns = 3;  // duration of every look at it
 
  private:
   std::int64_t now_ns_ = 0;
@@ -51,6 +54,27 @@ TEST(SpinningClock, WithoutSpinningItIsTheOtherClock) {
   const std::int64_t deadline = inner.now_ns() + 5000;
   clock.sleep_until_ns(deadline);
   EXPECT_EQ(clock.now_ns(), deadline);
+}
+
+// Ticks that leave less than the spin, and ticks that are longer than a period.
+TEST(SpinningClock, SleepsAnInstantTwiceASecondIfItsPeriodsAreFull) {
+  constexpr std::int64_t kPeriodNs = 1'000'000;
+  for (const std::int64_t tick_ns : {150'000, 1'700'000}) {
+    TickingClock inner;
+    inner.look_ns = 1000;
+    SpinningClock clock(inner, 900'000);
+    CycleScheduler scheduler(1000.0, 0);
+    std::int64_t now_ns = 0;
+    while (now_ns < 2'200'000'000) {
+      clock.sleep_until_ns(scheduler.deadline_ns());
+      now_ns = clock.now_ns();
+      static_cast<void>(scheduler.wake(now_ns));
+      inner.work_ns(tick_ns);
+    }
+    EXPECT_GE(inner.slept_until.size(), 4U) << tick_ns;
+    EXPECT_LE(inner.slept_until.size(), 5U) << tick_ns;
+    static_assert(kMaxAwakeNs + 2 * kPeriodNs < 1000 * static_cast<std::int64_t>(kMaxAwakeUs));
+  }
 }
 
 TEST(SpinningClock, LeavesATenthOfThePeriodToOthers) {
