@@ -139,9 +139,11 @@ void draw_counters(const PanelContext& context) {
 
 void draw_realtime(const PanelContext& context) {
   const runtime::RealtimeStatus& status = context.session.realtime_status();
-  draw::wrapped_text(
-      context.theme.colour(status.fifo_priority ? draw::Tone::kGood : draw::Tone::kWarning),
-      status.text);
+  const std::string silence = silence_text(context.state.timing.answer);
+  const draw::Tone tone = !silence.empty()       ? draw::Tone::kBad
+                          : status.fifo_priority ? draw::Tone::kGood
+                                                 : draw::Tone::kWarning;
+  draw::wrapped_text(context.theme.colour(tone), silence.empty() ? status.text : silence);
   explain("Priority, memory lock and core of the loop's thread");
   const runtime::TimingJudgement judgement =
       judgement_of(context.state.timing, context.session.scene().sampling.rate_hz, status.advice);

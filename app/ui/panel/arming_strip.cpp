@@ -83,7 +83,9 @@ void draw_arming_strip(const PanelContext& context) {
   draw_button(context);
   ImGui::SameLine(0.0F, em);
   ImGui::AlignTextToFramePadding();
-  draw::strong_text(context.theme, arming_text(context.snapshot), draw::kTitleFontSize);
+  const std::string silence = silence_text(context.state.timing.answer);
+  draw::strong_text(context.theme, silence.empty() ? arming_text(context.snapshot) : silence,
+                    draw::kTitleFontSize);
   explain(context.session.device_trouble());
   if (!context.snapshot.link.acknowledges) {
     ImGui::SameLine(0.0F, em);

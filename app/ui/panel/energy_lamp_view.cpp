@@ -143,7 +143,12 @@ std::string lamp_tooltip(const EnergyStory& story, double since_s) {
 
 void draw_energy_lamp(const PanelContext& context) {
   const auto& lamp = context.state.compare.transient.lamp;
-  if (context.shows.hides_force) {
+  const std::string silence = silence_text(context.state.timing.answer);
+  if (!silence.empty()) {
+    draw_light(context, draw::Tone::kBad, true);
+    draw_words(context, {draw::Tone::kBad, silence, {}, silence, silence},
+               ImGui::GetContentRegionAvail().x);
+  } else if (context.shows.hides_force) {
     ImGui::BeginGroup();
     draw_light(context, draw::Tone::kFaint, false);
     ImGui::AlignTextToFramePadding();

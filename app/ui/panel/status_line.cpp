@@ -27,6 +27,13 @@ struct StatusValue {
   const char* widest = "";  // of the texts that are usual
 };
 
+// Of the real-time loop.
+struct StatusText {
+  draw::Tone tone;
+  std::string text;
+  std::string advice;
+};
+
 RowControl control_of(const PanelContext& context, int rank, StatusValue value) {
   const float name = ImGui::CalcTextSize(value.name).x + ems(kStatusNameGapEms);
   const draw::FontScope font(context.theme.fonts.digits, draw::kSmallFontSize);
@@ -73,24 +80,34 @@ void draw_device_state(const PanelContext& context) {
   }
 }
 
-// Fills the rest of the row; the tooltip has the whole text.
-void draw_realtime_state(const PanelContext& context) {
+// The set-up of the loop, unless the loop is silent.
+StatusText realtime_text(const PanelContext& context) {
   const runtime::RealtimeStatus& status = context.session.realtime_status();
-  const bool replaying = context.shows.replay != nullptr;
-  const draw::Tone tone = replaying              ? draw::Tone::kMuted
-                          : status.fifo_priority ? draw::Tone::kGood
-                                                 : draw::Tone::kWarning;
-  dot(context, tone);
+  const std::string silence = silence_text(context.state.timing.answer);
+  if (!silence.empty()) {
+    return {draw::Tone::kBad, silence,
+            "The loop hangs, or the machine gives it no time: other real-time processes, a step "
+            "of a plug-in. A device drops its force 20 ms after the last command."};
+  }
+  const draw::Tone tone = context.shows.replay != nullptr ? draw::Tone::kMuted
+                          : status.fifo_priority          ? draw::Tone::kGood
+                                                          : draw::Tone::kWarning;
+  return {tone, status.text, status.advice};
+}
+
+// Fills the rest of the row; the tooltip has the whole text.
+void draw_realtime_state(const PanelContext& context, const StatusText& shown) {
+  dot(context, shown.tone);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::PushClipRect(corner, ImVec2(corner.x + width, corner.y + 2.0F * ImGui::GetFontSize()),
                       true);
-  ImGui::TextColored(context.theme.colour(tone), "%s", status.text.c_str());
+  ImGui::TextColored(context.theme.colour(shown.tone), "%s", shown.text.c_str());
   ImGui::PopClipRect();
   const bool cut = ImGui::GetItemRectSize().x > width;
-  std::string tooltip = status.text;
-  if (!status.advice.empty()) tooltip += "\n\n" + status.advice;
-  if (cut || !status.advice.empty()) explain(tooltip);
+  std::string tooltip = shown.text;
+  if (!shown.advice.empty()) tooltip += "\n\n" + shown.advice;
+  if (cut || !shown.advice.empty()) explain(tooltip);
 }
 
 std::string p99_text(const runtime::Quantiles& quantiles) {
@@ -172,13 +189,15 @@ void draw_status_row(const PanelContext& context) {
   controls.push_back(control_of(context, 6,
                                 {"frame", frame_text(context), draw::Tone::kText,
                                  "Time between two frames of this window", "999.9 ms"}));
+  const StatusText realtime = realtime_text(context);
+  const float whole = ImGui::CalcTextSize(realtime.text.c_str()).x + ems(2.0F * kStatusGapEms);
+  const float kept = realtime.tone == draw::Tone::kBad ? whole : ems(kMinRealtimeEms);
   ImGui::BeginGroup();
-  draw_overflow_row(
-      context, "status", controls,
-      {.room = ImGui::GetContentRegionAvail().x - ems(kMinRealtimeEms), .small = true});
+  draw_overflow_row(context, "status", controls,
+                    {.room = ImGui::GetContentRegionAvail().x - kept, .small = true});
   ImGui::EndGroup();
   ImGui::SameLine(0.0F, ems(kStatusGapEms));
-  draw_realtime_state(context);
+  draw_realtime_state(context, realtime);
 }
 
 }  // namespace hapticwall::ui

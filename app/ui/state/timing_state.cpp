@@ -1,5 +1,7 @@
 #include "app/ui/state/timing_state.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -57,6 +59,22 @@ void note_timing(TimingState& state, const runtime::LiveSession* live,
   state.shown.plot_drops = now.plot_drops - cleared.plot_drops;
   state.wake_latency = runtime::quantiles(state.shown.histograms.wake_latency);
   state.compute_time = runtime::quantiles(state.shown.histograms.compute_time);
+}
+
+void note_answer(LoopAnswer& answer, const runtime::Snapshot* snapshot, double period_s,
+                 double now_s) {
+  constexpr double kPeriods = 3.0;
+  if (snapshot == nullptr || snapshot->cycles != answer.cycles) {
+    answer = {snapshot == nullptr ? 0 : snapshot->cycles, now_s, 0.0};
+    return;
+  }
+  const double silent_s = now_s - answer.newest_s;
+  answer.silent_s = silent_s > std::max(kMaxLoopSilenceS, kPeriods * period_s) ? silent_s : 0.0;
+}
+
+std::string silence_text(const LoopAnswer& answer) {
+  if (answer.silent_s <= 0.0) return "";
+  return fmt::format("the loop has not answered for {:.1f} s", answer.silent_s);
 }
 
 }  // namespace hapticwall::ui

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "app/runtime/loop/latency_histogram.h"
 #include "app/runtime/session/live_session.h"
@@ -45,8 +46,18 @@ struct TimingCounters {
   std::uint64_t plot_drops = 0;
 };
 
+// When the loop last answered, by the window's clock.
+struct LoopAnswer {
+  std::uint64_t cycles = 0;
+  double newest_s = 0.0;
+  double silent_s = 0.0;  // 0: it answers
+};
+// Without a new cycle for so long, or for three periods, the loop is silent.
+inline constexpr double kMaxLoopSilenceS = 0.1;
+
 // Lives as long as the window.
 struct TimingState {
+  LoopAnswer answer;
   TimingCounters cleared;  // when the user last cleared the page; zeros: never
   // In this frame, counted since `cleared`.
   TimingCounters shown;
@@ -63,5 +74,11 @@ struct TimingState {
 // where there is no loop, and all counts are 0.
 void note_timing(TimingState& state, const runtime::LiveSession* live,
                  const runtime::TimingStatistics& timing);
+
+// The same, before it. `snapshot` of a loop that runs, or nullptr.
+void note_answer(LoopAnswer& answer, const runtime::Snapshot* snapshot, double period_s,
+                 double now_s);
+// "the loop has not answered for 1.2 s"; empty if it answers.
+[[nodiscard]] std::string silence_text(const LoopAnswer& answer);
 
 }  // namespace hapticwall::ui

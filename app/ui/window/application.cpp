@@ -123,6 +123,7 @@ void Application::frame() {
   heed_plugins();
   runtime::Snapshot snapshot = session().snapshot();
   if (!session().knows_truth()) draw_where_measured(snapshot.newest);
+  note_loop(snapshot);
   // At rest only its own page shows it, so that the window need not be painted again.
   if (!snapshot.paused || state_.timing.page_seen)
     note_timing(state_.timing, live_.get(), snapshot.timing);
@@ -142,6 +143,13 @@ void Application::frame() {
   state_.transient.pointer_events.clear();
   if (ImGui::GetCurrentContext()->InputEventsQueue.empty()) state_.transient.key_presses.clear();
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
+}
+
+// A loop that gave up says so itself.
+void Application::note_loop(const runtime::Snapshot& snapshot) {
+  const bool runs = live_ && !snapshot.ended_by_fault;
+  note_answer(state_.timing.answer, runs ? &snapshot : nullptr,
+              session().scene().sampling.period_s(), state_.transient.now_s);
 }
 
 // The session takes the newest revision of its plug-in, and blends the force into it.
@@ -227,10 +235,10 @@ void Application::note_frame(double frame_s, double now_s) {
 }
 
 bool Application::moving() const {
-  return samples_came_ || state_.transient.toasts.moving() || !state_.wall.transient.view_refined ||
-         state_.replay.opening.running() || state_.replay.rerun.running() ||
-         state_.map.live.running() || state_.all_runs.running() || state_.studies.running() ||
-         state_.identify.fit.running();
+  return samples_came_ || state_.timing.answer.silent_s > 0.0 || state_.transient.toasts.moving() ||
+         !state_.wall.transient.view_refined || state_.replay.opening.running() ||
+         state_.replay.rerun.running() || state_.map.live.running() || state_.all_runs.running() ||
+         state_.studies.running() || state_.identify.fit.running();
 }
 
 void Application::drop(std::span<const std::string> paths) {
@@ -268,6 +276,7 @@ void Application::repeat(const runtime::Snapshot& snapshot) {
 void Application::forget_session() {
   state_.transient.repeats = false;
   state_.timing.cleared = {};
+  state_.timing.answer = {};
   in_force_generation_ = 0;
   history_.clear();
   state_.transient.refusal.reset();

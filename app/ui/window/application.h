@@ -111,6 +111,7 @@ class Application {
 
   void keep_appearance();
   void heed_plugins();
+  void note_loop(const runtime::Snapshot& snapshot);
   void heed_sound(const runtime::Snapshot& snapshot);
   void note_sound();
   [[nodiscard]] Visibility visibility(std::uint32_t echoed_generation);

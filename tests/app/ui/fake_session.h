@@ -81,6 +81,8 @@ class FakeSession final : public runtime::LiveSession {
   [[nodiscard]] runtime::Snapshot snapshot() override {
     runtime::Snapshot snapshot;
     snapshot.newest = newest_;
+    if (!stalled) ++cycles_;
+    snapshot.cycles = cycles_;
     snapshot.timing = timing;
     snapshot.arming = arming;
     snapshot.link = link;
@@ -141,7 +143,8 @@ class FakeSession final : public runtime::LiveSession {
   runtime::TimingHistograms histograms;
   std::uint32_t periods_per_tick = 1;
   bool is_paused = false;
-  bool echoes = true;  // the next snapshot confirms the newest parameters
+  bool stalled = false;  // its loop gives no sign
+  bool echoes = true;    // the next snapshot confirms the newest parameters
   int steps = 0;
   int resets = 0;
   std::vector<runtime::HandMove> moves;  // asked for
@@ -179,6 +182,7 @@ class FakeSession final : public runtime::LiveSession {
   Scene scene_;
   std::vector<std::unique_ptr<PlantModel>> plants_;
   std::deque<AxisLoop> axes_;
+  std::uint64_t cycles_ = 0;
   Tick newest_;
   std::uint32_t generation_ = 1;
   std::uint32_t echoed_ = 1;
