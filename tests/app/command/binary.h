@@ -18,10 +18,12 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "tests/app/runtime/support.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
@@ -149,12 +151,38 @@ class ProgramTest : public hapticwall::test::FolderTest {
     return wait_for(child);
   }
 
+  // One SIGTERM, or another signal, once the program catches it and is `ready`. A program that does
+  // not end fails the test.
+  [[nodiscard]] Answer terminated(
+      std::vector<std::string> arguments, const std::function<bool()>& ready = [] { return true; },
+      int signal = SIGTERM) const {
+    arguments.insert(arguments.begin(), program());
+    const pid_t child = start(std::move(arguments));
+    EXPECT_TRUE(runtime::test::eventually(
+        [&] { return !is_running(child) || (catches(child, signal) && ready()); }));
+    kill(child, signal);
+    if (!runtime::test::eventually([&] { return !is_running(child); })) {
+      ADD_FAILURE() << "the program does not end";
+      kill(child, SIGKILL);
+    }
+    return wait_for(child);
+  }
+
   // A line for a shell, in which $P is the program.
   [[nodiscard]] Answer shell(const std::string& line) const {
     return wait_for(start({"/bin/sh", "-c", "P='" + program() + "'; " + line}));
   }
 
  private:
+  [[nodiscard]] static bool catches(pid_t child, int signal) {
+    constexpr std::string_view kKey = "SigCgt:";
+    const std::string status =
+        hapticwall::test::text_of("/proc/" + std::to_string(child) + "/status");
+    const std::size_t at = status.find(kKey);
+    return at != std::string::npos &&
+           (std::stoull(status.substr(at + kKey.size()), nullptr, 16) >> (signal - 1) & 1U) != 0;
+  }
+
   static constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
 };
 
