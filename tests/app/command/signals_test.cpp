@@ -77,7 +77,10 @@ TEST_P(StopSignal, TheFirstOneEndsALoopThatHangs) {
     catch_stop_signals();
     auto device = std::make_unique<SharedDevice>(*heard);
     device->on_read = [&] {
-      while (heard->pushed()) heard->note = 1;
+      while (heard->pushed()) {
+        heard->note = 1;
+        pause();  // a loop that spins would meet RLIMIT_RTTIME, too
+      }
     };
     const auto session = pushing_session(*heard, std::move(device));
     while (true) pause();
@@ -94,8 +97,7 @@ TEST_P(StopSignal, TheFirstOneEndsALoopThatHangsAfterIt) {
     catch_stop_signals();
     auto device = std::make_unique<SharedDevice>(*heard);
     device->on_read = [&] {
-      while (heard->note == 1 && stop_signal() != 0) {
-      }
+      while (heard->note == 1 && stop_signal() != 0) pause();
     };
     const auto session = pushing_session(*heard, std::move(device));
     heard->go_on = true;
