@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -17,8 +19,8 @@
 namespace hapticwall::file {
 namespace {
 
-// Without the umask. Only its owner may write a file on which results rest.
-constexpr mode_t kNewFileMode = 0644;
+constexpr mode_t kNewFileMode = 0666;  // without the umask
+constexpr mode_t kWriteOfOthers = S_IWGRP | S_IWOTH;
 constexpr int kMaxLinks = 40;  // as the kernel
 
 Error system_error_of(const std::string& path, std::string_view what, int code) {
@@ -39,32 +41,45 @@ bool is_still_named(int descriptor, const std::string& path) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-// Why a partial file must not be written, or an empty text. A folder from elsewhere could hold one
-// that leads out of the folder, or whose rows somebody else may still change.
-std::string_view strangeness(const struct stat& status) {
+// Read from /proc, because umask() would set it for the other threads, too.
+mode_t file_mask() {
+  constexpr mode_t kUsual = 0022;
+  constexpr std::string_view kKey = "Umask:";
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(kKey)) {
+      return static_cast<mode_t>(std::strtoul(line.c_str() + kKey.size(), nullptr, 8));
+    }
+  }
+  return kUsual;
+}
+
+// Why an older file must not be written, or an empty text. A folder from elsewhere could hold one
+// that leads out of the folder, or whose rows somebody else may still change. `mode` is that of a
+// new file.
+std::string_view strangeness(const struct stat& status, mode_t mode) {
   if (S_ISLNK(status.st_mode)) return "is a symbolic link";
   if (!S_ISREG(status.st_mode)) return "is not a regular file";
   if (status.st_nlink > 1) return "has a second name";
   if (status.st_uid != geteuid()) return "belongs to another user";
-  return (status.st_mode & (S_IWGRP | S_IWOTH)) != 0 ? "can be written by others" : "";
+  const mode_t given = mode & ~file_mask();
+  return (status.st_mode & kWriteOfOthers & ~given) != 0 ? "can be written by others" : "";
 }
 
-// Creates PATH.partial or opens an older one; on failure returns -1, and `status` of a strange
-// file.
-int open_partial(const std::string& partial_path, struct stat& status) {
-  constexpr int kFlags = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  const char* path = partial_path.c_str();
-  const int created = open(path, kFlags | O_CREAT | O_EXCL, kNewFileMode);
+// Creates the file or opens an older one; on failure returns -1, and why the file is strange.
+int open_checked(const char* path, int flags, mode_t mode, std::string_view& strange) {
+  flags |= O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  const int created = open(path, flags | O_CREAT | O_EXCL, mode);
   // Some file systems give a new file other permissions or another owner: only an older one is
   // checked.
   if (created >= 0 || errno != EEXIST) return created;
-  const int descriptor = open(path, kFlags);
+  const int descriptor = open(path, flags);
   const int code = errno;
+  struct stat status {};
   const int known = descriptor < 0 ? lstat(path, &status) : fstat(descriptor, &status);
-  const bool strange = known == 0 && !strangeness(status).empty();
-  if (descriptor >= 0 && !strange) return descriptor;
+  if (known == 0) strange = strangeness(status, mode);
+  if (descriptor >= 0 && strange.empty()) return descriptor;
   if (descriptor >= 0) close(descriptor);
-  if (!strange) status = {};
   errno = code;
   return -1;
 }
@@ -125,6 +140,21 @@ Result<std::string> replaceable_path(const std::string& path) {
   return cannot_write(path, "it exists and is not a regular file");
 }
 
+Result<int> open_own(const std::string& path, const OwnFile& how) {
+  std::string_view strange;
+  const int descriptor = open_checked(path.c_str(), how.flags, how.mode, strange);
+  if (descriptor < 0 && !strange.empty()) {
+    return cannot_write(how.name, path == how.name
+                                      ? fmt::format("it {}; choose another name", strange)
+                                      : fmt::format("{} {}; remove it", shown(path), strange));
+  }
+  if (descriptor < 0) return system_error_of(how.name, "cannot be written", errno);
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_still_named(descriptor, path))
+    return descriptor;
+  close(descriptor);
+  return cannot_write(how.name, "another process is writing it");
+}
+
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
   Result<AtomicFile> file = resume(path);
   if (!file || file->size() == 0) return file;
@@ -136,18 +166,9 @@ Result<AtomicFile> AtomicFile::resume(const std::string& path) {
   const Result<std::string> place = replaceable_path(path);
   if (!place) return place.error();
   const std::string partial_path = partial_of(*place);
-  struct stat found {};
-  const int descriptor = open_partial(partial_path, found);
-  if (descriptor < 0 && found.st_mode != 0) {
-    return cannot_write(*place,
-                        fmt::format("{} {}; remove it", shown(partial_path), strangeness(found)));
-  }
-  if (descriptor < 0) return system_error_of(*place, "cannot be written", errno);
-  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 || !is_still_named(descriptor, partial_path)) {
-    close(descriptor);
-    return cannot_write(*place, "another process is writing it");
-  }
-  return AtomicFile(*place, partial_path, descriptor);
+  const Result<int> descriptor = open_own(partial_path, {O_WRONLY, kNewFileMode, *place});
+  if (!descriptor) return descriptor.error();
+  return AtomicFile(*place, partial_path, *descriptor);
 }
 
 AtomicFile::AtomicFile(std::string path, std::string partial_path, int descriptor)

@@ -1,6 +1,8 @@
 // A file that gets its name only when it is complete.
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,14 +34,24 @@ struct OutputPlace {
 // The path of the place; fails for a folder or a stream.
 [[nodiscard]] Result<std::string> replaceable_path(const std::string& path);
 
+struct OwnFile {
+  int flags = 0;     // O_WRONLY, O_RDWR, O_APPEND
+  mode_t mode = 0;   // of a new file, without the umask
+  std::string name;  // in messages
+};
+
+// Creates a file, or opens one of this user, and locks it as long as the descriptor is open.
+// Refuses a file that another process holds, and an older one that is a link, a pipe or a file with
+// another name, belongs to another user or can be written by more users than a new one.
+// Realtime-safe: no.
+[[nodiscard]] Result<int> open_own(const std::string& path, const OwnFile& how);
+
 // Writes to PATH.partial, which it locks. commit() syncs the file and renames it, which replaces an
 // older file atomically. A link keeps its name: its target is the PATH. Errors are ErrorKind::kFile
 // and name the file. Realtime-safe: no.
 class AtomicFile {
  public:
-  // Refuses what replaceable_path() refuses, a PATH.partial that another process holds, and one
-  // that is a link, a pipe or a file with another name, belongs to another user or can be written
-  // by others.
+  // Refuses what replaceable_path() refuses, and a PATH.partial that open_own() refuses.
   [[nodiscard]] static Result<AtomicFile> create(const std::string& path);
   // The same, but keeps the content of PATH.partial; writing continues after keep_only().
   [[nodiscard]] static Result<AtomicFile> resume(const std::string& path);

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,7 +19,7 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kMaxAnswersBytes = std::size_t{1} << 24U;
-constexpr mode_t kAnswersMode = 0644;
+constexpr mode_t kAnswersMode = 0600;  // they tell of a person
 
 std::string field_text(const std::string& value) { return value; }
 std::string field_text(std::uint64_t value) { return fmt::format("{}", value); }
@@ -124,16 +123,13 @@ std::optional<Answer> parse_answer(std::string_view line) {
 }
 
 Result<AnswersFile> AnswersFile::open(const std::string& path, const Answer& identity) {
-  const Result<std::string> place = replaceable_path(path);
+  const Result<int> descriptor = open_own(path, {O_RDWR | O_APPEND, kAnswersMode, path});
+  if (!descriptor) return descriptor.error();
+  AnswersFile file(path, identity, *descriptor);
+  const Result<std::string> place = replaceable_path(path);  // not read-only, also for root
   if (!place) return place.error();
-  const int descriptor =
-      ::open(place->c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, kAnswersMode);
-  AnswersFile file(path, identity, descriptor);
-  if (descriptor < 0) return file.failure();
-  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0)
-    return file_error(fmt::format("{}: another program is writing it", shown(path)));
   if (const Failure failure = file.read()) return *failure;
-  sync_folder(*place);
+  sync_folder(path);
   return file;
 }
 

@@ -3,8 +3,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <string>
 
 #include "tests/app/file/faulty_disk.h"
@@ -134,10 +137,46 @@ TEST_F(AnswersFileTest, AFileOfSomethingElseIsRefusedAndUntouched) {
   }
 }
 
+// Somebody could read and change later what is written into a file that was prepared.
+TEST_F(AnswersFileTest, APreparedFileIsRefusedAndUntouched) {
+  namespace fs = std::filesystem;
+  const auto expect_refused = [&](const std::string& reason) {
+    EXPECT_EQ(refusal(identity_of_p1()),
+              path("p1.csv") + ": cannot be written: it " + reason + "; choose another name");
+    fs::remove(path("p1.csv"));
+  };
+  put("theirs", "");
+  fs::create_symlink(path("theirs"), path("p1.csv"));
+  expect_refused("is a symbolic link");
+  fs::create_hard_link(path("theirs"), path("p1.csv"));
+  expect_refused("has a second name");
+  ASSERT_EQ(mkfifo(path("p1.csv").c_str(), 0600), 0);
+  expect_refused("is not a regular file");
+  for (const mode_t mode : {mode_t{0666}, mode_t{0620}}) {
+    put("p1.csv", "");
+    ASSERT_EQ(chmod(path("p1.csv").c_str(), mode), 0);
+    expect_refused("can be written by others");
+  }
+  EXPECT_EQ(content("theirs"), "");
+  if (geteuid() != 0) GTEST_SKIP() << "needs root, to make a file of another user";
+  constexpr uid_t kNobody = 65534;
+  put("p1.csv", "");
+  ASSERT_EQ(chown(path("p1.csv").c_str(), kNobody, kNobody), 0);
+  expect_refused("belongs to another user");
+}
+
+TEST_F(AnswersFileTest, OnlyItsOwnerReadsAndWritesANewFile) {
+  const mode_t before = umask(0);
+  write(1);
+  umask(before);
+  EXPECT_EQ(std::filesystem::status(path("p1.csv")).permissions(),
+            static_cast<std::filesystem::perms>(0600));
+}
+
 TEST_F(AnswersFileTest, OneProgramWritesAtATime) {
   const auto first = AnswersFile::open(path("p1.csv"), identity_of_p1());
   ASSERT_TRUE(first);
-  EXPECT_THAT(refusal(identity_of_p1()), HasSubstr("another program is writing it"));
+  EXPECT_THAT(refusal(identity_of_p1()), HasSubstr("another process is writing it"));
 }
 
 TEST_F(AnswersFileTest, AFullOrFailingDiskLeavesWholeLines) {

@@ -174,11 +174,27 @@ TEST_F(AtomicFileTest, AReadOnlyFileIsNotReplacedNotEvenByRoot) {
   EXPECT_THAT(files(), ::testing::ElementsAre("a", "a.csv", "b.toml", "link"));
 }
 
-TEST_F(AtomicFileTest, OnlyItsOwnerMayWriteANewFile) {
-  const mode_t before = umask(0);
-  EXPECT_EQ(refusal("a"), "");
+TEST_F(AtomicFileTest, ANewFileFollowsTheUmaskAndIsResumedWithIt) {
+  for (const mode_t mask : {0U, 0002U, 0022U, 0077U}) {
+    const mode_t before = umask(mask);
+    const std::string name = "a" + std::to_string(mask);
+    {
+      auto file = AtomicFile::create(path(name));
+      ASSERT_TRUE(file);
+      file->keep_partial();
+    }
+    EXPECT_EQ(refusal(name), "");
+    umask(before);
+    EXPECT_EQ(fs::status(path(name)).permissions(), static_cast<fs::perms>(0666U & ~mask));
+  }
+}
+
+TEST_F(AtomicFileTest, AnOlderFileHasNoMoreWritersThanANewOne) {
+  const mode_t before = umask(0002);
+  put("a.partial", "");
+  chmod(path("a.partial").c_str(), 0666);
+  EXPECT_EQ(refusal("a"), "a: cannot be written: a.partial can be written by others; remove it");
   umask(before);
-  EXPECT_EQ(fs::status(path("a")).permissions(), static_cast<fs::perms>(0644));
 }
 
 TEST_F(AtomicFileTest, ARecordingAndItsSidecarFollowNoLinkEither) {
