@@ -2,6 +2,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,11 +19,8 @@ namespace {
 
 constexpr std::size_t kFirstBytes = std::size_t{1} << 16U;
 
-// Reads at most one byte more than `max_bytes`.
-Result<std::string> read_beginning(const std::string& path, std::size_t max_bytes) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return cannot_be_read(path, errno);
-  std::string text;
+// Reads at most one byte more than `max_bytes`. Returns 0, or errno.
+int read_beginning(int descriptor, std::size_t max_bytes, std::string& text) {
   std::size_t size = 0;
   while (size <= max_bytes) {
     // Grows with the file: most are far smaller than the limit.
@@ -29,18 +29,25 @@ Result<std::string> read_beginning(const std::string& path, std::size_t max_byte
     }
     const ssize_t count = read(descriptor, text.data() + size, text.size() - size);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      const int code = errno;
-      close(descriptor);
-      return cannot_be_read(path, code);
-    }
+    if (count < 0) return errno;
     if (count == 0) break;
     size += static_cast<std::size_t>(count);
   }
-  close(descriptor);
   text.resize(size);
-  return text;
+  return 0;
 }
+
+// The descriptor, closed with the object.
+class OpenFile {
+ public:
+  explicit OpenFile(const char* path) : descriptor(open(path, O_RDONLY | O_NOCTTY | O_CLOEXEC)) {}
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (descriptor >= 0) close(descriptor);
+  }
+  const int descriptor;
+};
 
 }  // namespace
 
@@ -50,15 +57,32 @@ Error cannot_be_read(const std::string& path, int code) {
 }
 
 Result<std::string> read_small_file(const std::string& path, std::string_view kind,
-                                    std::size_t max_bytes) {
-  Result<std::string> text = read_beginning(path, max_bytes);
-  if (!text) return text;
-  if (text->size() > max_bytes) {
-    return usage_error(
-        fmt::format("{}: not a {}: larger than {} bytes", shown(path), kind, max_bytes));
+                                    std::size_t max_bytes, const ProblemOfFile& problem_of) {
+  const auto refused = [&](std::string_view problem) {
+    return usage_error(fmt::format("{}: not a {}: {}", shown(path), kind, problem));
+  };
+  struct stat status {};
+  if (problem_of && stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    return refused("not a file");
+  const OpenFile file(path.c_str());
+  if (file.descriptor < 0) return cannot_be_read(path, errno);
+  if (problem_of) {
+    const std::string problem = problem_of(file.descriptor);
+    if (!problem.empty()) return refused(problem);
   }
-  if (text->empty()) return usage_error(fmt::format("{}: not a {}: empty", shown(path), kind));
+  std::string text;
+  if (const int code = read_beginning(file.descriptor, max_bytes, text); code != 0)
+    return cannot_be_read(path, code);
+  if (text.size() > max_bytes) return refused(fmt::format("larger than {} bytes", max_bytes));
+  if (text.empty()) return refused("empty");
   return text;
+}
+
+std::string problem_of_named(int descriptor) {
+  struct statfs system {};
+  if (fstatfs(descriptor, &system) != 0) return std::generic_category().message(errno);
+  const bool of_kernel = system.f_type == PROC_SUPER_MAGIC || system.f_type == SYSFS_MAGIC;
+  return of_kernel ? "a file of the kernel" : "";
 }
 
 Result<std::optional<std::size_t>> find_builtin(const std::string& name_or_path,

@@ -242,7 +242,7 @@ Result<DeviceDescription> load_device(const std::string& name_or_path) {
     return parse_device(device.toml_text, device.name + " (built in)");
   }
   const Result<std::string> text =
-      read_small_file(name_or_path, "device description", kMaxFileBytes);
+      read_small_file(name_or_path, "device description", kMaxFileBytes, problem_of_named);
   if (!text) return text.error();
   return parse_device(*text, name_or_path);
 }

@@ -29,7 +29,7 @@ std::string_view take_line(std::string_view& text) {
 Result<double> hand_number(std::string_view field, const ValueRange& range, std::string_view name,
                            std::string_view unit) {
   const std::optional<double> value = parsed<double>(trimmed(field));
-  if (!value) return usage_error(fmt::format("{}: {} is no finite number", name, in_quotes(field)));
+  if (!value) return usage_error(fmt::format("{}: no finite number", name));
   if (range.contains(*value)) return *value;
   return usage_error(fmt::format("{}: {}", name, out_of_range_text(*value, range, unit)));
 }
@@ -57,7 +57,9 @@ bool is_hand_header(std::string_view line) {
 
 }  // namespace
 
+// A message tells no text of the file: whoever wrote the scene chose it, /etc/shadow for example.
 Result<std::vector<PathPoint>> parse_hand(std::string_view text, const std::string& origin) {
+  text = without_byte_order_mark(text);
   const std::string_view header = take_line(text);
   if (header.starts_with("tick,time_s,")) {
     return usage_error(shown(origin) +
@@ -65,8 +67,8 @@ Result<std::vector<PathPoint>> parse_hand(std::string_view text, const std::stri
                        "their SCENE");
   }
   if (!is_hand_header(header)) {
-    return usage_error(fmt::format("{}:1: the header is {}; it takes {}", shown(origin),
-                                   in_quotes(header), kHandHeader));
+    return usage_error(
+        fmt::format("{}:1: not the header of a hand; it takes {}", shown(origin), kHandHeader));
   }
   std::vector<PathPoint> points;
   while (!text.empty()) {
@@ -82,19 +84,14 @@ Result<std::vector<PathPoint>> parse_hand(std::string_view text, const std::stri
 }
 
 Result<SharedPath> read_hand_file(const std::string& path) {
-  std::error_code failed;
-  const fs::file_status status = fs::status(path, failed);
-  // Opening a pipe would wait for its writer.
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    return usage_error(shown(path) + ": not a hand: not a file");
-  }
-  const Result<std::string> text = read_small_file(path, "hand", kMaxHandBytes);
+  const Result<std::string> text = read_small_file(path, "hand", kMaxHandBytes, problem_of_named);
   if (!text) return text.error();
   Result<std::vector<PathPoint>> points = parse_hand(*text, path);
   if (!points) return points.error();
   Sha256 digest;
   digest.update(*text);
   SharedPath hand(std::move(*points));
+  std::error_code failed;
   hand.file = fs::absolute(path, failed).lexically_normal().string();
   hand.sha256 = digest.finish();
   return hand;

@@ -45,6 +45,13 @@ template <typename Number>
 // The parts of `text` between separators; one part if there is none.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
+// Spreadsheets begin a file in UTF-8 with this mark.
+[[nodiscard]] constexpr std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  return text;
+}
+
 // Without spaces and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 

@@ -16,7 +16,6 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kMaxListBytes = std::size_t{1} << 20U;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr const char* kUsualBreak = "Rest as long as you like.";
 
 // A reader takes one field and returns its problem, or "".
@@ -226,7 +225,7 @@ std::vector<std::string> slot_overrides(std::string_view slot) {
 Result<TrialList> parse_trial_list(std::string_view text, const std::string& origin) {
   Sha256 digest;
   digest.update(text);
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text = without_byte_order_mark(text);
   ListReader reader;
   for (const std::string_view line : split(text, '\n')) {
     if (const Failure failure = reader.add_line(line)) {

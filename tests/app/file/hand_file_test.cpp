@@ -106,6 +106,34 @@ TEST_F(HandFile, HasAsManyPointsAsItLikes) {
   EXPECT_EQ(&copy.x().hand->path.front(), &scene.x().hand->path.front()) << "copies share them";
 }
 
+TEST_F(HandFile, MayBeginWithAByteOrderMark) {
+  put("scenes/hands/hand.csv", std::string("\xEF\xBB\xBF") + kHand);
+  EXPECT_EQ(load("scenes/a.toml").scene.x().hand->path, (SharedPath{{0.0, 0.03}, {0.5, 0.06}}));
+}
+
+// The writer of a scene could name a file of its reader, and see its lines in a report of the
+// error.
+TEST_F(HandFile, AMessageTellsNoTextOfTheFile) {
+  const std::string secret = "root:$y$j9T$secret";
+  for (const std::string& text :
+       {secret + ":1\n", "time_s,position_m\n" + secret + "\n",
+        "time_s,position_m\n" + secret + ",1\n", "time_s,position_m\n1," + secret + "\n"}) {
+    const Result<std::vector<PathPoint>> hand = parse_hand(text, "hand.csv");
+    ASSERT_FALSE(hand) << text;
+    EXPECT_THAT(hand.error().message, Not(HasSubstr("secret")));
+    EXPECT_THAT(hand.error().message, Not(HasSubstr("root")));
+  }
+}
+
+TEST_F(HandFile, OfTheKernelIsRefused) {
+  for (const std::string file : {"/proc/self/status", "/sys/kernel/mm/ksm/run"}) {
+    if (!std::filesystem::exists(file)) continue;
+    const Result<SharedPath> hand = read_hand_file(file);
+    ASSERT_FALSE(hand);
+    EXPECT_EQ(hand.error().message, file + ": not a hand: a file of the kernel");
+  }
+}
+
 TEST_F(HandFile, TooLargeIsRefused) {
   std::filesystem::resize_file(path("scenes/hands/hand.csv"), kMaxHandBytes + 1);
   const Result<SharedPath> hand = read_hand_file(path("scenes/hands/hand.csv"));
