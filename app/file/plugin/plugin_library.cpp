@@ -4,6 +4,7 @@
 #include <elf.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -73,6 +74,30 @@ bool is_cut_off(std::string_view bytes) {
   return false;
 }
 
+// Whether another user than this one and root may change the file, or the names in the folder.
+bool others_can_write(const struct stat& status) {
+  const uid_t user = geteuid();
+  if (status.st_uid != user && status.st_uid != 0) return true;
+  if (S_ISDIR(status.st_mode) && (status.st_mode & S_ISVTX) != 0) return false;
+  // The group of an ordinary user is often its own.
+  const bool counts = user == 0 && status.st_gid != 0;
+  return (status.st_mode & (counts ? S_IWGRP | S_IWOTH : S_IWOTH)) != 0;
+}
+
+// Why this user must not run the code of the open file, or "".
+std::string trust_problem(int descriptor) {
+  struct stat file {};
+  struct stat folder {};
+  std::error_code failed;
+  const auto path =
+      std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", descriptor), failed);
+  if (fstat(descriptor, &file) != 0 || failed || stat(path.parent_path().c_str(), &folder) != 0)
+    return "nobody knows who can write it";
+  if (others_can_write(file)) return "another user can write it; copy it to a folder of yours";
+  if (!others_can_write(folder)) return "";
+  return "another user can write its folder; copy it to a folder of yours";
+}
+
 // Why the library is none, or "".
 std::string problem_in(void* library, const char* symbol, const ProblemOf& problem_of) {
   if (library == nullptr) return loader_problem();
@@ -87,10 +112,7 @@ Error not_a_plugin(const std::string& path, std::string_view problem) {
 }
 
 Result<LibraryBytes> read_library(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
-    return not_a_plugin(path, "not a file");
-  Result<std::string> bytes = read_small_file(path, "plug-in", kMaxPluginBytes);
+  Result<std::string> bytes = read_small_file(path, "plug-in", kMaxPluginBytes, trust_problem);
   if (!bytes) return bytes.error();
   Sha256 digest;
   digest.update(*bytes);

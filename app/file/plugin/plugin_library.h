@@ -15,7 +15,9 @@ struct LibraryBytes {
   std::string sha256;
 };
 
-// Fails for what is no file. Realtime-safe: no.
+// Fails for what is no file, and for a file that another user than this one and root can write, or
+// that is in a folder where another user can put one: its code would run with the rights of this
+// user. Realtime-safe: no.
 [[nodiscard]] Result<LibraryBytes> read_library(const std::string& path);
 
 // Why the program cannot take what `symbol` points to, or "".

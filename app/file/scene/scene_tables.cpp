@@ -128,14 +128,16 @@ void read_walls(TableReader& parent, const std::string& prefix, Scene& scene) {
 [[noreturn]] void refuse_algorithm(TableReader& reader, const toml::node& node,
                                    const std::string& name, const std::string& plugin) {
   if (!plugin.empty()) {
-    reader.fail(node, "name",
-                fmt::format("{} is of the plug-in {}, which a scene does not load; --algorithm "
-                            "{} does",
-                            in_quotes(name), in_quotes(plugin), shown(plugin)));
+    reader.fail(
+        node, "name",
+        fmt::format("{} is of the plug-in {}, which a scene does not load; if you trust it, "
+                    "--algorithm {} does",
+                    in_quotes(name), in_quotes(plugin), shown(plugin)));
   }
   if (names_plugin(name)) {
     reader.fail(node, "name",
-                fmt::format("{} is a file, which a scene does not load; --algorithm {} does",
+                fmt::format("{} is a file, which a scene does not load; if you trust it, "
+                            "--algorithm {} does",
                             in_quotes(name), shown(name)));
   }
   const auto names = names_of(algorithms(), &AlgorithmDescription::name);
