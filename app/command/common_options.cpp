@@ -286,12 +286,12 @@ std::string sidecar_read_with(const std::string& scene) {
   return file::is_recording(scene) ? file::find_sidecar(scene) : std::string();
 }
 
-Failure check_hand_files(const OutputOptions& options, const Scene& scene) {
-  for (const AxisSettings& axis : scene.axes) {
-    if (!axis.hand || axis.hand->path.file.empty()) continue;
-    if (Failure failed = check_outputs(options, {axis.hand->path.file})) return failed;
+Failure check_scene_files(const OutputOptions& options, const file::LoadedScene& loaded) {
+  std::vector<std::string> read = loaded.device_files;
+  for (const AxisSettings& axis : loaded.scene.axes) {
+    if (axis.hand) read.push_back(axis.hand->path.file);
   }
-  return {};
+  return check_outputs(options, std::move(read));
 }
 
 void tell_difference(const file::LoadedScene& loaded) {
@@ -300,7 +300,10 @@ void tell_difference(const file::LoadedScene& loaded) {
                    file::shown(loaded.not_repeatable_because)));
 }
 
-Failure check_outputs(const OutputOptions& options, std::initializer_list<std::string> read) {
+Failure check_outputs(const OutputOptions& options, std::vector<std::string> read) {
+  for (std::size_t i = first_plugin(); i < algorithms().size(); ++i) {
+    if (const file::PluginFile* plugin = file::plugin_file(i)) read.push_back(plugin->path);
+  }
   if (options.csv == kStandardOutput) return usage_error("--csv -: it takes a file name");
   if (options.plot == kStandardOutput) return usage_error("--plot -: it takes a file name");
   if (options.wav == kStandardOutput) return usage_error("--wav -: it takes a file name");

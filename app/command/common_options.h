@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -74,13 +73,13 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 // The sidecar that is read with a recording; "" for a scene.
 [[nodiscard]] std::string sidecar_read_with(const std::string& scene);
 
-// Refuses two outputs to one file, an output to a file of `read`, and --csv, --plot or --wav to
-// standard output or to a name with the ending of another format.
-[[nodiscard]] Failure check_outputs(const OutputOptions& options,
-                                    std::initializer_list<std::string> read);
+// Refuses two outputs to one file, an output to a file of `read` or to a plug-in, and --csv, --plot
+// or --wav to standard output or to a name with the ending of another format.
+[[nodiscard]] Failure check_outputs(const OutputOptions& options, std::vector<std::string> read);
 
-// Refuses an output to the file of a hand (`path_file`).
-[[nodiscard]] Failure check_hand_files(const OutputOptions& options, const Scene& scene);
+// Refuses an output to a file that the scene names: of its device, or of a hand (`path_file`).
+[[nodiscard]] Failure check_scene_files(const OutputOptions& options,
+                                        const file::LoadedScene& loaded);
 
 // Tells that a session of this scene will not be the recorded one, if that is so.
 void tell_difference(const file::LoadedScene& loaded);

@@ -136,6 +136,11 @@ device::ImpulseEngineOptions described_by(const file::DeviceDescription& descrip
   return options;
 }
 
+std::string file_of_device(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  return colon == std::string::npos ? "" : text.substr(colon + 1);
+}
+
 bool names_device_plugin(std::string_view text) {
   return text.starts_with(kPlugin) && text.size() > kPlugin.size();
 }

@@ -30,6 +30,9 @@ struct DeviceChoice {
 // Whether `text` is a device behind a library: "plugin:FILE.so".
 [[nodiscard]] bool names_device_plugin(std::string_view text);
 
+// The library, device file or node that `text` names; "" without one.
+[[nodiscard]] std::string file_of_device(const std::string& text);
+
 // "sim", "ie2000", "ff", or one of these two with ":PATH", a path that 'hapticwall devices' lists,
 // or a device file: a built-in name or NAME.toml; or "plugin:FILE.so", which is loaded and runs
 // code of the library. Realtime-safe: no.

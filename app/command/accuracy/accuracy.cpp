@@ -76,7 +76,7 @@ Result<int> accuracy(const CommandOptions& options) {
       load_for_study("accuracy", options.scene, options.output.quiet);
   if (!loaded) return loaded.error();
   const Scene& scene = loaded->scene;
-  if (Failure failed = check_hand_files(options.output, scene)) return *failed;
+  if (Failure failed = check_scene_files(options.output, *loaded)) return *failed;
   if (scene.tick_count() > kMaxAccuracyTicks) {
     return usage_error(fmt::format(
         "accuracy: it takes at most {} ticks, this scene has {}; --duration shortens it",

@@ -160,7 +160,7 @@ Result<int> compare(const CompareOptions& options) {
   const Scene& scene = from->loaded.scene;
   const auto compared = compared_algorithms(scene.algorithm, *indices);
   if (Failure failed = check_plot(options.output, scene, compared.size())) return *failed;
-  if (Failure failed = check_hand_files(options.output, scene)) return *failed;
+  if (Failure failed = check_scene_files(options.output, from->loaded)) return *failed;
   catch_stop_signals();
   Result<OutputFiles> files = OutputFiles::open(options.output);
   if (!files) return files.error();

@@ -31,11 +31,13 @@ Failure check_study_options(const SceneOptions& scene, const OutputOptions& outp
 }
 
 Result<ContactStudyPlan> plan_study(const SceneOptions& scene,
-                                    const std::vector<std::string>& names, bool quiet) {
+                                    const std::vector<std::string>& names,
+                                    const OutputOptions& output) {
   Result<std::vector<std::size_t>> algorithms = chosen_algorithms(names);
   if (!algorithms) return algorithms.error();
-  Result<file::LoadedScene> loaded = load_for_study("compare", scene, quiet);
+  Result<file::LoadedScene> loaded = load_for_study("compare", scene, output.quiet);
   if (!loaded) return loaded.error();
+  if (Failure failed = check_scene_files(output, *loaded)) return *failed;
   ContactStudyPlan plan;
   plan.scene = std::move(loaded->scene);
   plan.algorithms = std::move(*algorithms);
@@ -56,9 +58,8 @@ std::vector<ContactMetrics> study(const ContactStudyPlan& plan, bool quiet) {
 Result<int> compare_study(const SceneOptions& scene, const OutputOptions& output,
                           const std::vector<std::string>& algorithms) {
   if (Failure failed = check_study_options(scene, output)) return *failed;
-  const Result<ContactStudyPlan> plan = plan_study(scene, algorithms, output.quiet);
+  const Result<ContactStudyPlan> plan = plan_study(scene, algorithms, output);
   if (!plan) return plan.error();
-  if (Failure failed = check_hand_files(output, plan->scene)) return *failed;
   catch_stop_signals();
   Result<OutputFiles> files = OutputFiles::open(output);
   if (!files) return files.error();

@@ -62,6 +62,8 @@ Result<int> measure(const TimingOptions& options) {
   if (!plan) return plan.error();
   const Result<DeviceChoice> choice = parse_device_choice(options.device);
   if (!choice) return choice.error();
+  if (Failure failed = check_outputs(options.output, {file_of_device(options.device)}))
+    return *failed;
   catch_stop_signals();
   Result<OutputFiles> files = OutputFiles::open(options.output);
   if (!files) return files.error();

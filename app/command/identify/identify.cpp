@@ -69,6 +69,11 @@ Result<int> report(const IdentifyOptions& options, const table::IdentifiedBy& by
   return 0;
 }
 
+// A device file may be replaced: by what is found with it.
+std::string library_of(const IdentifyOptions& options) {
+  return names_device_plugin(options.scene.device) ? file_of_device(options.scene.device) : "";
+}
+
 Result<int> identify_device(const IdentifyOptions& options) {
   const Result<DeviceChoice> choice = parse_device_choice(options.scene.device);
   if (!choice) return choice.error();
@@ -76,7 +81,9 @@ Result<int> identify_device(const IdentifyOptions& options) {
   if (!why.empty()) return usage_error(why);
   const Result<file::LoadedScene> loaded = load(options.scene);
   if (!loaded) return loaded.error();
-  if (Failure failed = check_outputs(options.output, {options.scene.scene})) return *failed;
+  if (Failure failed = check_outputs(options.output, {options.scene.scene, library_of(options)}))
+    return *failed;
+  if (Failure failed = check_scene_files(options.output, *loaded)) return *failed;
   catch_stop_signals();
   Result<OutputFiles> files = OutputFiles::open(options.output);
   if (!files) return files.error();

@@ -237,7 +237,7 @@ Result<int> map(const MapOptions& options) {
   Result<file::LoadedScene> loaded =
       load_for_study("map", options.scene, options.output.quiet || options.normalised);
   if (!loaded) return loaded.error();
-  if (Failure failed = check_hand_files(options.output, loaded->scene)) return *failed;
+  if (Failure failed = check_scene_files(options.output, *loaded)) return *failed;
   if (options.normalised) return run_normalised(options, loaded->scene);
   return options.boundary.empty() ? run_map(options, std::move(loaded->scene))
                                   : run_boundary(options, std::move(loaded->scene));

@@ -155,7 +155,7 @@ Result<int> run_headless(const ReplayCommand& command) {
   tell_notes(command, (*recording)->info());
   const Result<file::LoadedScene> loaded = scene_of(command, (*recording)->info());
   if (!loaded) return loaded.error();
-  if (Failure failed = check_hand_files(command.output, loaded->scene)) return *failed;
+  if (Failure failed = check_scene_files(command.output, *loaded)) return *failed;
   Result<RunOutputs> outputs = RunOutputs::open(
       command.output, *loaded,
       {.session_records = true, .columns = columns_of(command, (*recording)->info(), *loaded)});

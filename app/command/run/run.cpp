@@ -131,7 +131,9 @@ Result<int> run(const RunOptions& options) {
   const Result<std::vector<Expectation>> expectations =
       parse_expectations(options.output.expectations);
   if (!expectations) return expectations.error();
-  if (Failure failed = check_outputs(options.output, {options.scene.scene})) return *failed;
+  if (Failure failed = check_outputs(options.output,
+                                     {options.scene.scene, file_of_device(options.scene.device)}))
+    return *failed;
   const Result<DeviceChoice> device = parse_device_choice(options.scene.device);
   if (!device) return device.error();
   if (Failure failed = check_arming(options, *device)) return *failed;
@@ -141,7 +143,7 @@ Result<int> run(const RunOptions& options) {
   const Result<file::LoadedScene> loaded =
       device->hardware ? load(options.scene) : load_headless(options.scene);
   if (!loaded) return loaded.error();
-  if (Failure failed = check_hand_files(options.output, loaded->scene)) return *failed;
+  if (Failure failed = check_scene_files(options.output, *loaded)) return *failed;
   if (in_real_time) {
     if (Failure failed = check_realtime(options.scene, *loaded)) return *failed;
   }

@@ -22,9 +22,9 @@ std::string file_of(const toml::node& node, std::string name, const std::string&
   return (std::filesystem::path(of_scene ? origin : "").parent_path() / name).string();
 }
 
-DeviceDescription read_file(const toml::node& node, const std::string& origin) {
-  const Result<DeviceDescription> device =
-      load_device(file_of(node, node.value_or(std::string()), origin));
+DeviceDescription read_file(const std::string& file, const toml::node& node,
+                            const std::string& origin) {
+  const Result<DeviceDescription> device = load_device(file);
   if (device) return *device;
   throw ReadFailure(place_of(node, origin) + ": device: " + device.error().message);
 }
@@ -49,18 +49,20 @@ void add_numbers(const DeviceDescription& device, bool wins, toml::table& table)
 
 }  // namespace
 
-void resolve_device(toml::table& root, const toml::table& before, const std::string& origin) {
+std::string resolve_device(toml::table& root, const toml::table& before,
+                           const std::string& origin) {
   const toml::node* node = root.get("device");
-  if (node == nullptr) return;
+  if (node == nullptr) return "";
   const bool whole = node->is_string();
   if (!whole) {
-    if (!node->is_table() || !node->as_table()->contains("file")) return;
+    if (!node->is_table() || !node->as_table()->contains("file")) return "";
     node = node->as_table()->get("file");
     if (!node->is_string()) {
       throw ReadFailure(place_of(*node, origin) + ": device.file: not the name of a device file");
     }
   }
-  const DeviceDescription device = read_file(*node, origin);
+  const std::string file = file_of(*node, node->value_or(std::string()), origin);
+  const DeviceDescription device = read_file(file, *node, origin);
   toml::table table = whole ? before : *root.get("device")->as_table();
   table.erase("file");
   add_numbers(device, !whole, table);
@@ -70,6 +72,7 @@ void resolve_device(toml::table& root, const toml::table& before, const std::str
       device.identified.empty() ? device.source : device.identified;
   root.insert_or_assign("description", own + (own.empty() ? "" : "; ") + "device " + device.name +
                                            ": " + origin_of_numbers);
+  return file;
 }
 
 }  // namespace hapticwall::file

@@ -85,14 +85,15 @@ Result<LoadedScene> parse_scene(std::string_view toml_text, const std::string& o
                                 std::span<const std::string> overrides) {
   try {
     toml::table root = parse_toml(toml_text, origin);
-    resolve_device(root, {}, origin);
+    std::vector<std::string> device_files{resolve_device(root, {}, origin)};
     for (const std::string& text : overrides) {
       const toml::table* device = root["device"].as_table();
       const toml::table before = device != nullptr ? *device : toml::table();
       apply_override(root, text);
-      resolve_device(root, before, origin);
+      device_files.push_back(resolve_device(root, before, origin));
     }
     LoadedScene loaded = read_scene(root, origin);
+    loaded.device_files = std::move(device_files);
     loaded.edited = is_broken_seal(toml_text);
     return loaded;
   } catch (const ReadFailure& failure) {

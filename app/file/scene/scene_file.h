@@ -40,11 +40,12 @@ struct LoadedScene {
   Scene scene;
   std::vector<ScheduledChange> changes;
   std::uint64_t first_recorded_tick = 0;
-  std::string not_repeatable_because;  // empty: a repetition gives the same rows
-  std::string changed_plugin;          // its path; empty: as recorded, or another algorithm
-  std::vector<Mark> marks;             // in order
-  std::string csv_sha256;              // of the rows; empty: not known
-  bool edited = false;                 // the sidecar was changed since it was written
+  std::string not_repeatable_because;     // empty: a repetition gives the same rows
+  std::string changed_plugin;             // its path; empty: as recorded, or another algorithm
+  std::vector<std::string> device_files;  // that were read; also built-in names and ""
+  std::vector<Mark> marks;                // in order
+  std::string csv_sha256;                 // of the rows; empty: not known
+  bool edited = false;                    // the sidecar was changed since it was written
   // By axis, where the recorded run diverged: the rows do not show it.
   std::array<std::optional<std::uint64_t>, kMaxAxes> diverged_at_tick;
 };

@@ -14,8 +14,8 @@ void apply_override(toml::table& root, const std::string& override_text);
 
 // Puts the numbers of a device file in the place of its name, and adds to the description where
 // they come from. `before`: the table [device] that the name replaces; it keeps its other keys.
-// Throws ReadFailure.
-void resolve_device(toml::table& root, const toml::table& before, const std::string& origin);
+// Returns the name or the file's path, "" where the table names none. Throws ReadFailure.
+std::string resolve_device(toml::table& root, const toml::table& before, const std::string& origin);
 
 // Reads and validates. Throws ReadFailure.
 [[nodiscard]] LoadedScene read_scene(const toml::table& root, const std::string& origin);

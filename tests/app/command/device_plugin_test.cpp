@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -63,6 +64,20 @@ TEST_F(DevicePluginTest, NeedsPermissionToPush) {
   EXPECT_EQ(answer.status, 2);
   EXPECT_THAT(answer.err, HasSubstr("drives a device only with --allow-plugin"));
   EXPECT_EQ(answer.error_lines(), 1);
+}
+
+TEST_F(DevicePluginTest, IsNotReplacedByAnOutput) {
+  std::filesystem::copy(device_library("handle_c").substr(std::string("plugin:").size()),
+                        path("mine.so"));
+  const std::string before = content("mine.so");
+  for (const std::string command : {"run tap --allow-plugin", "timing", "identify"}) {
+    const Answer answer =
+        shell("$P " + command + " --device plugin:./mine.so --json mine.so --quiet");
+    EXPECT_EQ(answer.status, 2) << command;
+    EXPECT_EQ(answer.err,
+              "error: --json 'mine.so': it would replace an input file; choose another name\n");
+    EXPECT_TRUE(content("mine.so") == before);
+  }
 }
 
 // In real time, on a machine that may be busy: an attempt that was held up does not count.

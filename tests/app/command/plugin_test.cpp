@@ -1,6 +1,8 @@
 // Algorithms from shared libraries, by the whole program.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -161,7 +163,7 @@ TEST_F(PluginTest, HasColumnsForItsOwnSignals) {
 TEST_F(PluginTest, RefusesInASentenceWhatIsNoPlugin) {
   put("notes.so", "this is a text\n");
   expect_refused("./notes.so", "./notes.so: no plug-in: ");
-  expect_refused("./", "./: no plug-in: not a file");
+  expect_refused("./", "./: not a plug-in: not a file");
   expect_refused("./absent.so", "./absent.so: cannot be read");
   expect_refused(library("plugin_missing"), "it exports no hapticwall_plugin");
   expect_refused(library("plugin_abi"), "built for ABI 7, this program has ABI 1");
@@ -241,13 +243,51 @@ TEST_F(PluginTest, ASceneLoadsNoLibrary) {
   done({"run", "press", "--algorithm", "./mine.so", "--csv", "a.csv"});
   const Answer again = hapticwall({"run", "a.toml"});
   EXPECT_EQ(again.status, 2);
-  EXPECT_THAT(again.err, HasSubstr("which a scene does not load; --algorithm ./mine.so does"));
+  EXPECT_THAT(
+      again.err,
+      HasSubstr("which a scene does not load; if you trust it, --algorithm ./mine.so does"));
   done({"run", "a.toml", "--algorithm", "none"});
   // The rows are shown without it.
   EXPECT_EQ(hapticwall({"replay", "a.csv", "--json", "-"}).status, 0);
   replace_in("a.toml", "name = \"bounding-c\"", "name = \"./mine.so\"");
   replace_in("a.toml", "plugin_file = \"./mine.so\"", "");
-  EXPECT_THAT(hapticwall({"run", "a.toml"}).err, HasSubstr("is a file, which a scene does not"));
+  EXPECT_THAT(hapticwall({"run", "a.toml"}).err,
+              HasSubstr("is a file, which a scene does not load; if you trust it, --algorithm"));
+}
+
+// Code that another user can change would run with the rights of this one.
+TEST_F(PluginTest, OfAnotherUserIsNotRun) {
+  const std::string of_others = "another user can write it; copy it to a folder of yours";
+  std::filesystem::copy(library("bounding_c"), path("mine.so"));
+  const auto set_mode = [&](const std::string& name, mode_t mode) {
+    ASSERT_EQ(chmod(path(name).c_str(), mode), 0);
+  };
+  set_mode("mine.so", 0757);
+  expect_refused("./mine.so", of_others);
+  set_mode("mine.so", 0755);
+  set_mode("", 0777);
+  expect_refused("./mine.so", "another user can write its folder");
+  set_mode("", 01777);
+  done({"run", "tap", "--algorithm", "./mine.so"});
+  if (geteuid() != 0) GTEST_SKIP() << "needs root, to make a file of another user";
+  constexpr uid_t kNobody = 65534;
+  ASSERT_EQ(chown(path("mine.so").c_str(), kNobody, 0), 0);
+  expect_refused("./mine.so", of_others);
+  ASSERT_EQ(chown(path("mine.so").c_str(), 0, kNobody), 0);
+  done({"run", "tap", "--algorithm", "./mine.so"});
+  set_mode("mine.so", 0775);
+  expect_refused("./mine.so", of_others);
+}
+
+TEST_F(PluginTest, IsNotReplacedByAnOutput) {
+  std::filesystem::copy(library("bounding_c"), path("mine.so"));
+  const std::string before = content("mine.so");
+  const Answer answer =
+      hapticwall({"run", "tap", "--algorithm", "./mine.so", "--json", "mine.so", "--quiet"});
+  EXPECT_EQ(answer.status, 2);
+  EXPECT_EQ(answer.err,
+            "error: --json 'mine.so': it would replace an input file; choose another name\n");
+  EXPECT_TRUE(content("mine.so") == before);
 }
 
 TEST_F(PluginTest, DrivesADeviceOnlyOnRequest) {
