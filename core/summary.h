@@ -71,7 +71,8 @@ struct Summary {
   std::optional<double> energy_balance_error_j;
   std::optional<double> energy_balance_relative;  // to turnover_j(); nullopt if nothing moved
   std::optional<double> passivity_margin_j;
-  // Of a session in real time, filled by its caller; all but the first of a real device only.
+  // Of a session in real time, filled by its caller; all but the first and the last of a real
+  // device only.
   std::optional<std::uint64_t> missed_ticks;
   std::optional<std::uint64_t> missing_states;
   std::optional<std::uint64_t> void_reports;
@@ -81,6 +82,7 @@ struct Summary {
   std::optional<double> delay_s;        // nullopt: unknown
   std::optional<double> disarmed_at_s;  // of the session's time; nullopt: it was not disarmed
   std::optional<std::string> disarm_reason;
+  std::optional<std::uint64_t> lost_stream_samples;  // nullopt without --stream
 
   // False for a run that ended before its tail without diverging.
   [[nodiscard]] bool has_verdict() const {
@@ -103,9 +105,11 @@ struct SummaryKey {
   bool of_session = false;  // absent unless the run was a session in real time
 };
 
+inline constexpr std::string_view kLostStreamSamples = "lost_stream_samples";
+
 // In the order of JSON and CSV (docs/command-line.md). A new field needs a line here and one in
 // summarise(); every output and every comparison of summaries reads this table.
-inline constexpr std::array<SummaryKey, 39> kSummaryKeys{
+inline constexpr std::array<SummaryKey, 40> kSummaryKeys{
     {{"scene", &Summary::scene, true},
      {"algorithm", &Summary::algorithm, true},
      {"verdict", &Summary::verdict},
@@ -144,6 +148,7 @@ inline constexpr std::array<SummaryKey, 39> kSummaryKeys{
      {"rejected_commands", &Summary::rejected_commands, true, true},
      {"delay_s", &Summary::delay_s, true, true},
      {"disarmed_at_s", &Summary::disarmed_at_s, true, true},
-     {"disarm_reason", &Summary::disarm_reason, true, true}}};
+     {"disarm_reason", &Summary::disarm_reason, true, true},
+     {kLostStreamSamples, &Summary::lost_stream_samples, true, true}}};
 
 }  // namespace hapticwall

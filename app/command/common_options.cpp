@@ -14,6 +14,7 @@
 #include "app/command/device_choice.h"
 #include "app/command/recorded_hand.h"
 #include "app/command/report/terminal.h"
+#include "app/command/signals.h"
 #include "app/command/usage.h"
 #include "app/file/plugin/plugin_file.h"
 #include "app/file/recording/recording_reader.h"
@@ -190,7 +191,8 @@ void add_stream_options(CLI::App& app, StreamChoice& choice) {
       ->type_name("N");
 }
 
-Result<std::shared_ptr<file::SampleStream>> open_stream(const StreamChoice& choice, bool waits) {
+Result<std::shared_ptr<file::SampleStream>> open_stream(const StreamChoice& choice,
+                                                        file::StreamOptions options) {
   constexpr std::uint64_t kMaxEvery = 1'000'000;
   const std::string every = choice.every.empty() ? "1" : choice.every;
   const std::uint64_t ticks = file::parsed<std::uint64_t>(every).value_or(0);
@@ -198,7 +200,10 @@ Result<std::shared_ptr<file::SampleStream>> open_stream(const StreamChoice& choi
     return usage_error(fmt::format("--stream-every {}: it takes a whole number, 1 to {}",
                                    file::in_quotes(every), kMaxEvery));
   }
-  if (!choice.path.empty()) return file::SampleStream::open(choice.path, {ticks, waits, tell});
+  options.every = ticks;
+  options.tell = tell;
+  options.stopped = [] { return stop_signal() != 0; };
+  if (!choice.path.empty()) return file::SampleStream::open(choice.path, std::move(options));
   if (choice.every.empty()) return std::shared_ptr<file::SampleStream>();
   return usage_error("--stream-every: it needs --stream FILE");
 }

@@ -52,9 +52,9 @@ void add_plot_option(CLI::App& app, OutputOptions& options, const std::string& d
 void add_stream_options(CLI::App& app, StreamChoice& choice);
 // --signals, of the algorithms in `outputs`: "recordings and the stream".
 void add_signals_option(CLI::App& app, bool& signals, const std::string& outputs);
-// The stream, or null without one. `waits` as in file::StreamOptions.
+// The stream, or null without one. `options` without those of the choice.
 [[nodiscard]] Result<std::shared_ptr<file::SampleStream>> open_stream(const StreamChoice& choice,
-                                                                      bool waits);
+                                                                      file::StreamOptions options);
 // --json, --expect, --quiet.
 void add_output_options(CLI::App& app, OutputOptions& options);
 

@@ -20,14 +20,6 @@
 namespace hapticwall::command {
 namespace {
 
-// "-", /dev/stdout and whatever else names the descriptor.
-Result<bool> is_standard_output(const std::string& path) {
-  if (path == kStandardOutput) return true;
-  const Result<file::OutputPlace> place = file::output_place(path);
-  if (!place) return place.error();
-  return place->descriptor == STDOUT_FILENO;
-}
-
 // Appends: a stream that is a file after all may have content.
 std::FILE* open_stream(const file::OutputPlace& place) {
   if (!place.descriptor) return std::fopen(place.path.c_str(), "ae");
@@ -43,6 +35,13 @@ Result<std::string> encoded(const DrawResult& draw, const std::string& path) {
 }
 
 }  // namespace
+
+Result<bool> is_standard_output(const std::string& path) {
+  if (path == kStandardOutput) return true;
+  const Result<file::OutputPlace> place = file::output_place(path);
+  if (!place) return place.error();
+  return place->descriptor == STDOUT_FILENO;
+}
 
 Failure OutputFile::open(const std::string& path) {
   if (path.empty() || path == kStandardOutput) return {};

@@ -42,6 +42,9 @@ struct OutputOptions {
 // Of a figure, whose samples are kept in memory.
 inline constexpr std::uint64_t kMaxPlottedTicks = 1'000'000;
 
+// Whether the path is "-", /dev/stdout or another name of this descriptor.
+[[nodiscard]] Result<bool> is_standard_output(const std::string& path);
+
 // A file or a stream (a pipe, a device, /dev/stderr) that an option names, or none.
 class OutputFile {
  public:

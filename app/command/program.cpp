@@ -51,7 +51,7 @@ Exit status:
   0  success                           4  a file could not be written
   1  an --expect does not hold         5  the display server died
   2  usage or scene error              130, 143  ended early by Ctrl-C, SIGTERM
-  3  device
+  3  device                            141  the reader of --stream has left
 )";
 
 std::string footer() {

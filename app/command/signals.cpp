@@ -51,9 +51,8 @@ int run_guarded(const std::function<Result<int>()>& program) {
 }
 
 int ended_early(std::string_view rest) {
-  constexpr int kOfShells = 128;
   tell(fmt::format("ended early by {}{}", stop_signal() == SIGINT ? "Ctrl-C" : "SIGTERM", rest));
-  return kOfShells + stop_signal();
+  return status_of_signal(stop_signal());
 }
 
 Result<int> status_after_window(const Failure& failed) {

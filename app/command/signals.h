@@ -1,6 +1,7 @@
 // Signals, and the frame of a program around them.
 #pragma once
 
+#include <csignal>
 #include <functional>
 #include <string_view>
 
@@ -15,6 +16,11 @@ namespace hapticwall::command {
 
 using runtime::catch_stop_signals;
 using runtime::stop_signal;
+
+// The exit status that shells give a program that a signal ended.
+[[nodiscard]] constexpr int status_of_signal(int signal) { return 128 + signal; }
+// Of a run whose only reader has left.
+inline constexpr int kReaderLeft = status_of_signal(SIGPIPE);
 
 // Says "ended early by Ctrl-C" and `rest` on standard error; returns the exit status, 128 + signal.
 [[nodiscard]] int ended_early(std::string_view rest = "; nothing was written");

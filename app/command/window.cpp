@@ -142,7 +142,7 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   if (!device->hardware) tell_difference(*loaded);
   const auto experiment = open_trials(look.trials, options);
   if (!experiment) return experiment.error();
-  const auto stream = open_stream(look.stream, false);
+  const auto stream = open_stream(look.stream, {});
   if (!stream) return stream.error();
   runtime::SessionOptions session;
   session.allow_no_realtime = options.allow_no_realtime;

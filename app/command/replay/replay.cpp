@@ -91,7 +91,8 @@ Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs)
   const std::uint64_t planned = diverged ? info.loaded.scene.tick_count() : recording.rows();
   AxesMetrics metrics(info.loaded.scene, planned, info.of_simulator());
   std::vector<Tick> rows(file::kRowsPerBlock);
-  for (std::uint64_t row = 0; row < recording.rows() && stop_signal() == 0;) {
+  bool stopped = false;
+  for (std::uint64_t row = 0; row < recording.rows() && !stopped;) {
     const Result<std::size_t> count = recording.read(row, rows);
     if (!count) return count.error();
     for (const Tick& tick : std::span(rows).first(*count)) {
@@ -99,11 +100,12 @@ Result<Outcome> summarise(file::RecordingReader& recording, RunOutputs& outputs)
       if (outputs.wants_ticks()) outputs.take(tick);
     }
     row += *count;
+    stopped = stop_signal() != 0 || outputs.reader_left();
   }
   metrics.diverge(diverged_at_tick);
   const double end_s =
       static_cast<double>(info.scanned.last_tick + 1) / info.loaded.scene.sampling.rate_hz;
-  Outcome outcome{metrics.finish(), end_s, "", stop_signal() != 0};
+  Outcome outcome{metrics.finish(), end_s, "", stopped};
   if (!info.has_sidecar) outcome.summary.front().algorithm = "unknown";
   return outcome;
 }
@@ -165,12 +167,14 @@ Result<int> run_headless(const ReplayCommand& command) {
                                                    : summarise(**recording, *outputs);
   if (!outcome) return outcome.error();
   if (outcome->stopped_early && outputs->failure()) return *outputs->failure();
+  if (outcome->stopped_early && stop_signal() == 0) return kReaderLeft;
   if (outcome->stopped_early) return ended_early("");
   if (Failure failed =
           outputs->finish(loaded->scene, outcome->summary, table_of(loaded->scene, *outcome))) {
     return *failed;
   }
-  return judge(*expectations, {&outcome->summary, 1});
+  const int status = judge(*expectations, {&outcome->summary, 1});
+  return outputs->reader_left() ? kReaderLeft : status;
 }
 
 Result<int> open_window(const ReplayCommand& command, const runtime::OpenWindow& open) {

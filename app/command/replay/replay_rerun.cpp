@@ -28,7 +28,7 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
   runtime::RerunOptions options;
   options.keep_going = [&](double fraction) {
     progress.show(fraction);
-    return stop_signal() == 0;
+    return stop_signal() == 0 && !outputs.reader_left();
   };
   options.on_sample = [&](const Sample& sample) {
     if (writer && !failed) failed = writer->append({{sample}});

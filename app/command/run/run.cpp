@@ -1,6 +1,7 @@
 // hapticwall run SCENE: one session without a window.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -73,7 +74,8 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
                     .spin_s = options.scene.spin_us / kMicrosecondsPerSecond,
                     .show_progress = !options.output.quiet,
                     .stream = outputs.stream(),
-                    .signals = outputs.columns().signals});
+                    .signals = outputs.columns().signals,
+                    .ends = [&](const runtime::Snapshot&) { return outputs.reader_left(); }});
   if (!result) return result.error();
   outputs.keep_failure(result->recording_failure);
   return RunOutcome{result->summary, result->stopped_early, result->status, result->trouble};
@@ -81,17 +83,26 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
 
 RunOutcome run_headless(const RunOptions& options, const file::LoadedScene& loaded,
                         RunOutputs& outputs) {
-  const HeadlessResult result = simulate_timed({.scene = loaded.scene,
-                                                .changes = loaded.changes,
-                                                .on_tick = tick_sink(outputs),
-                                                .signals = options.output.signals,
-                                                .should_stop = {},
-                                                .progress_label = loaded.scene.name,
-                                                .show_progress = !options.output.quiet});
+  const HeadlessResult result =
+      simulate_timed({.scene = loaded.scene,
+                      .changes = loaded.changes,
+                      .on_tick = tick_sink(outputs),
+                      .signals = options.output.signals,
+                      .should_stop = [&] { return outputs.reader_left(); },
+                      .progress_label = loaded.scene.name,
+                      .show_progress = !options.output.quiet});
   const std::uint64_t ticks =
       result.stopped_early ? result.summary.front().ticks : loaded.scene.tick_count();
   outputs.finish_recording(loaded, ticks, result.summary);
   return RunOutcome{result.summary, result.stopped_early, "", {}};
+}
+
+// A run that expects something expects its whole stream, too.
+void expect_whole_stream(const OutputOptions& options, std::vector<Expectation>& expectations) {
+  if (expectations.empty() || options.stream.path.empty()) return;
+  if (std::ranges::count(expectations, kLostStreamSamples, &Expectation::key) > 0) return;
+  const std::string key(kLostStreamSamples);
+  expectations.push_back({key + "=0", key, "=", 0.0});
 }
 
 // Whether the sidecar or its rows were changed since the recording.
@@ -128,8 +139,7 @@ std::string table_of(const Scene& scene, const RunOutcome& outcome) {
 }
 
 Result<int> run(const RunOptions& options) {
-  const Result<std::vector<Expectation>> expectations =
-      parse_expectations(options.output.expectations);
+  Result<std::vector<Expectation>> expectations = parse_expectations(options.output.expectations);
   if (!expectations) return expectations.error();
   if (Failure failed = check_outputs(options.output,
                                      {options.scene.scene, file_of_device(options.scene.device)}))
@@ -146,6 +156,7 @@ Result<int> run(const RunOptions& options) {
   if (Failure failed = check_scene_files(options.output, *loaded)) return *failed;
   if (in_real_time) {
     if (Failure failed = check_realtime(options.scene, *loaded)) return *failed;
+    expect_whole_stream(options.output, *expectations);
   }
   file::CsvColumns columns = file::csv_columns(!device->hardware, loaded->scene.axes.size());
   if (options.output.signals)
@@ -159,19 +170,21 @@ Result<int> run(const RunOptions& options) {
   if (!options.output.quiet && !device->hardware) tell_difference(*loaded);
 
   catch_stop_signals();
-  const Result<RunOutcome> outcome =
-      in_real_time ? run_in_real_time(options, *device, loaded->scene, *outputs)
-                   : Result(run_headless(options, *loaded, *outputs));
+  Result<RunOutcome> outcome = in_real_time
+                                   ? run_in_real_time(options, *device, loaded->scene, *outputs)
+                                   : Result(run_headless(options, *loaded, *outputs));
   if (!outcome) return outcome.error();
+  if (in_real_time) outcome->summary.front().lost_stream_samples = outputs->end_stream();
   const bool interrupted = outcome->stopped_early && !outcome->trouble;
   if (interrupted && outputs->failure()) return *outputs->failure();
+  if (interrupted && stop_signal() == 0) return kReaderLeft;
   if (interrupted) return end_early(*outcome, loaded->scene, options.output.csv);
   const Failure failed =
       outputs->finish(loaded->scene, outcome->summary, table_of(loaded->scene, *outcome));
   const int status = judge(*expectations, {&outcome->summary, 1});
   if (outcome->trouble) return *outcome->trouble;
   if (failed) return *failed;
-  return status;
+  return outputs->reader_left() ? kReaderLeft : status;
 }
 
 }  // namespace

@@ -26,6 +26,15 @@ Failure check_lengths(const OutputOptions& options, const Scene& scene) {
                   kMaxSoundS, scene.duration_s));
 }
 
+// Without an output that is of use when the stream's reader has left.
+Result<bool> only_streams(const OutputOptions& options) {
+  if (!options.csv.empty() || !options.json.empty() || !options.plot.empty() ||
+      !options.wav.empty() || !options.expectations.empty()) {
+    return false;
+  }
+  return options.quiet ? true : is_standard_output(options.stream.path);
+}
+
 }  // namespace
 
 Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::LoadedScene& loaded,
@@ -60,8 +69,14 @@ Result<RunOutputs> RunOutputs::open(const OutputOptions& options, const file::Lo
 
 // Last, because it cannot be undone where somebody reads.
 Failure RunOutputs::open_stream(const OutputOptions& options, const TickOrigin& origin) {
+  const Result<bool> only = only_streams(options);
+  if (!only) return only.error();
+  only_streams_ = *only;
+  file::StreamOptions how;
+  how.waits = !origin.in_real_time;
+  how.tells_leaving = !only_streams_;
   Result<std::shared_ptr<file::SampleStream>> stream =
-      command::open_stream(options.stream, !origin.in_real_time);
+      command::open_stream(options.stream, std::move(how));
   if (!stream) return stream.error();
   stream_ = std::move(*stream);
   if (stream_ && stream_->on_standard_output()) {
@@ -80,6 +95,12 @@ void RunOutputs::take(const Tick& tick) {
   for (std::size_t axis = 0; axis < tick.count; ++axis) {
     samples_[axis].push_back(tick.axes[axis]);
   }
+}
+
+bool RunOutputs::reader_left() const {
+  if (!stream_) return false;
+  stream_->flush();
+  return only_streams_ && stream_->reader_left();
 }
 
 void RunOutputs::finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks,
@@ -109,9 +130,15 @@ Failure RunOutputs::write_sound() {
   return bytes ? wav_.write_whole(*bytes) : bytes.error();
 }
 
+std::optional<std::uint64_t> RunOutputs::end_stream() {
+  if (!stream_) return std::nullopt;
+  stream_->finish();
+  if (!failure_) failure_ = stream_->failure();
+  return stream_->lost();
+}
+
 Failure RunOutputs::finish(const Scene& scene, const RunSummary& summary, std::string table) {
-  if (stream_) stream_->finish();
-  if (stream_ && !failure_) failure_ = stream_->failure();
+  static_cast<void>(end_stream());
   Failure failed = files_.write({"", summary_json(summary), std::move(table)},
                                 [&](draw::Ink ink) { return draw(scene, ink); });
   Failure unheard = write_sound();

@@ -50,11 +50,17 @@ class RunOutputs {
   [[nodiscard]] const Failure& failure() const { return failure_; }
   void keep_failure(Failure failure) { failure_ = std::move(failure); }
 
+  // Passes on what is streamed so far. True if only the stream was asked for, and its reader has
+  // left: the run may end.
+  [[nodiscard]] bool reader_left() const;
+
   // Finishes the recording, also of a run that ended early.
   void finish_recording(const file::LoadedScene& loaded, std::uint64_t ticks,
                         const RunSummary& summary);
-  // Ends the stream, writes JSON, figure and sound, and prints JSON or `table`. Fails with the
-  // first failure, that of the recording included.
+  // Ends the stream; returns the samples that were lost, nullopt without --stream.
+  [[nodiscard]] std::optional<std::uint64_t> end_stream();
+  // end_stream(), writes JSON, figure and sound, and prints JSON or `table`. Fails with the first
+  // failure, that of the recording included.
   [[nodiscard]] Failure finish(const Scene& scene, const RunSummary& summary, std::string table);
 
  private:
@@ -67,6 +73,7 @@ class RunOutputs {
   std::uint64_t first_recorded_tick_ = 0;
   OutputFiles files_;
   std::shared_ptr<file::SampleStream> stream_;
+  bool only_streams_ = false;                          // nothing but the stream was asked for
   std::optional<file::StreamFeed> feed_;               // of a run that is not in real time
   std::array<std::vector<Sample>, kMaxAxes> samples_;  // of the figure, by axis
   std::optional<sound::SoundStream> sound_;

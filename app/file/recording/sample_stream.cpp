@@ -3,11 +3,14 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -17,9 +20,12 @@
 namespace hapticwall::file {
 namespace {
 
-constexpr mode_t kStreamFileMode = 0644;
-constexpr int kPipeBytes = 1 << 20;  // the limit for ordinary users
+constexpr mode_t kStreamFileMode = 0666;  // without the umask
+constexpr int kPipeBytes = 1 << 20;       // the limit for ordinary users
 constexpr std::size_t kMaxLineBytes = 8192;
+// A kill interrupts write() between the pages of a file only.
+constexpr std::size_t kPageBytes = 4096;
+constexpr std::chrono::milliseconds kWaitInterval{50};
 
 std::string reason(int code) { return std::generic_category().message(code); }
 
@@ -62,13 +68,16 @@ Result<std::shared_ptr<SampleStream>> SampleStream::open(const std::string& path
   std::shared_ptr<SampleStream> stream(new SampleStream(path, descriptor, std::move(options)));
   stream->on_standard_output_ = place->descriptor == STDOUT_FILENO;
   if (is_new) stream->new_file_ = place->path;
+  struct stat status {};
+  stream->in_file_ = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  if (stream->in_file_) stream->offset_ = static_cast<std::uint64_t>(status.st_size);
   return stream;
 }
 
 // take() never allocates: a line is whole or absent.
 SampleStream::SampleStream(std::string path, int descriptor, StreamOptions options)
     : path_(std::move(path)), options_(std::move(options)), descriptor_(descriptor) {
-  pending_.reserve(kMaxPendingBytes + kMaxLineBytes);
+  pending_.reserve(kMaxPendingBytes + kMaxLineBytes + kPageBytes);
 }
 
 StreamFeed SampleStream::begin(CsvColumns columns) {
@@ -92,51 +101,85 @@ void SampleStream::take(StreamFeed& feed, const Tick& tick) {
   lost_ += due(expected, number);
   feed.next_tick = number + 1;
   if (due(number, number + 1) == 0 || !is_finite(tick)) return;
-  if (pending_.size() >= kFlushBytes) write_pending(patience());
+  if (pending_.size() >= kFlushBytes) write_pending();
   if (pending_.size() >= kMaxPendingBytes) {
     ++lost_;
     return;
   }
+  const std::size_t line = pending_.size();
   append_json_object(pending_, tick, feed.columns, lost_);
+  if (in_file_) keep_in_page(line);
   ++samples_;
 }
 
-std::chrono::milliseconds SampleStream::patience() const {
-  return options_.waits && !stuck_ ? kPatience : std::chrono::milliseconds(0);
+// Begins the newest line, at `line` of pending_, on a page of its own if it does not fit: spaces
+// before the end of the line before fill the page.
+void SampleStream::keep_in_page(std::size_t line) {
+  const std::size_t room = kPageBytes - (offset_ + line) % kPageBytes;
+  if (line == 0 || room == kPageBytes || pending_.size() - line <= room) return;
+  pending_.insert(line - 1, room, ' ');
 }
 
 void SampleStream::flush() {
   const std::scoped_lock lock(mutex_);
-  write_pending(patience());
+  write_pending();
+  pollfd reader{descriptor_, 0, 0};
+  if (descriptor_ >= 0 && poll(&reader, 1, 0) > 0 && (reader.revents & POLLERR) != 0) end(EPIPE);
 }
 
-void SampleStream::write_pending(std::chrono::milliseconds patience) {
-  while (descriptor_ >= 0 && written_bytes_ < pending_.size()) {
-    if (write_some()) continue;
+// How often to wait for a reader that takes nothing.
+std::uint32_t SampleStream::max_waits() const {
+  const bool asked = stopped();
+  if (options_.waits && !asked) return std::numeric_limits<std::uint32_t>::max();
+  if (!ending_) return 0;
+  return static_cast<std::uint32_t>((asked ? kLastPatience : kPatience) / kWaitInterval);
+}
+
+void SampleStream::write_pending() {
+  for (std::uint32_t waits = 0; descriptor_ >= 0 && next_bytes() > 0;) {
+    if (write_some()) {
+      if (!stopped()) waits = 0;
+      continue;
+    }
+    if (descriptor_ < 0 || waits++ >= max_waits()) break;
     pollfd reader{descriptor_, POLLOUT, 0};
-    if (patience.count() == 0 || descriptor_ < 0) break;
-    stuck_ = poll(&reader, 1, static_cast<int>(patience.count())) <= 0;
-    if (stuck_) break;
+    static_cast<void>(poll(&reader, 1, static_cast<int>(kWaitInterval.count())));
   }
   pending_.erase(0, written_bytes_);
   written_bytes_ = 0;
 }
 
+// Of one write(): the whole lines that a pipe takes at once, or a full page of a file and at last
+// its rest.
+std::size_t SampleStream::next_bytes() const {
+  const std::string_view rest = std::string_view(pending_).substr(written_bytes_);
+  if (in_file_) {
+    const std::size_t room = kPageBytes - offset_ % kPageBytes;
+    return rest.size() >= room ? room : ending_ ? rest.size() : 0;
+  }
+  if (rest.size() <= PIPE_BUF) return rest.size();
+  const std::size_t end = rest.rfind('\n', PIPE_BUF - 1);
+  return (end == std::string_view::npos ? rest.find('\n') : end) + 1;
+}
+
 // Whether the reader took some bytes.
 bool SampleStream::write_some() {
-  const ssize_t bytes =
-      write(descriptor_, pending_.data() + written_bytes_, pending_.size() - written_bytes_);
+  const ssize_t bytes = write(descriptor_, pending_.data() + written_bytes_, next_bytes());
   if (bytes < 0 && errno != EAGAIN && errno != EINTR) end(errno);
   if (bytes <= 0) return false;
   written_bytes_ += static_cast<std::size_t>(bytes);
-  stuck_ = false;
+  offset_ += static_cast<std::uint64_t>(bytes);
   return true;
 }
 
 void SampleStream::end(int code) {
+  // A full disk may have taken a part of a page.
+  const auto whole = static_cast<off_t>(offset_ - offset_ % kPageBytes);
+  [[maybe_unused]] const int ignored = new_file_.empty() ? 0 : ftruncate(descriptor_, whole);
   close_file();
   if (code == EPIPE) {
-    tell("the reader has closed it; the stream ends");
+    reader_left_ = true;
+    if (options_.tells_leaving) tell("the reader has closed it; the stream ends");
     return;
   }
   failure_ = file_error(fmt::format("--stream {}: {}", in_quotes(path_), reason(code)));
@@ -148,16 +191,29 @@ void SampleStream::finish() {
   if (descriptor_ < 0) return;
   if (samples_ == 0 && !new_file_.empty()) unlink(new_file_.c_str());
   // A stream that no session began has no end either.
+  const std::size_t line = pending_.size();
   if (feeds_ > 0)
     pending_ += fmt::format("{{\"end\":true,\"samples\":{},\"lost\":{}}}\n", samples_, lost_);
-  write_pending(kPatience);
+  if (in_file_) keep_in_page(line);
+  ending_ = true;
+  write_pending();
   const auto unread = static_cast<std::uint64_t>(std::ranges::count(pending_, '\n'));
-  const std::uint64_t lost = lost_ + (unread > 0 ? unread - 1 : 0);
   const std::uint64_t all = samples_ + lost_;
-  if (descriptor_ >= 0 && lost > 0) {
-    tell(fmt::format("{} of {} samples were lost: the reader is too slow", lost, all));
-  }
+  if (descriptor_ < 0) return;
+  lost_ += unread > 0 ? unread - 1 : 0;
+  if (lost_ > 0)
+    tell(fmt::format("{} of {} samples were lost: the reader is too slow", lost_, all));
   close_file();
+}
+
+bool SampleStream::reader_left() const {
+  const std::scoped_lock lock(mutex_);
+  return reader_left_;
+}
+
+std::uint64_t SampleStream::lost() const {
+  const std::scoped_lock lock(mutex_);
+  return lost_;
 }
 
 void SampleStream::close_file() {

@@ -18,9 +18,11 @@ namespace hapticwall::file {
 
 struct StreamOptions {
   std::uint64_t every = 1;  // ticks per object, at least 1
-  // For a slow reader, up to SampleStream::kPatience. Otherwise its samples are lost at once.
+  // For a slow reader, as long as it takes. Otherwise its samples are lost at once.
   bool waits = false;
+  bool tells_leaving = true;                          // that the reader has closed it
   std::function<void(const std::string& line)> tell;  // on the thread that streams; may be empty
+  std::function<bool()> stopped;  // whether the program was asked to end; may be empty
 };
 
 // The ticks of one session on their way into a stream.
@@ -30,13 +32,16 @@ struct StreamFeed {
   std::optional<std::uint64_t> next_tick{};  // nullopt before the first one
 };
 
-// Writes whole lines, in order, and never more than the reader takes. Precondition: SIGPIPE is
-// ignored. Realtime-safe: no; used by any thread but the loop's.
+// Writes in order, and never more than the reader takes. Every write is whole lines, which a pipe
+// takes at once and a file keeps in one page: a kill leaves whole lines. Only a line of more than
+// PIPE_BUF bytes can be torn. Precondition: SIGPIPE is ignored. Realtime-safe: no; used by any
+// thread but the loop's.
 class SampleStream {
  public:
   static constexpr std::size_t kFlushBytes = std::size_t{64} << 10U;
   static constexpr std::size_t kMaxPendingBytes = std::size_t{1} << 20U;  // for a slow reader
-  static constexpr std::chrono::milliseconds kPatience{1000};
+  static constexpr std::chrono::milliseconds kPatience{1000};             // at the end
+  static constexpr std::chrono::milliseconds kLastPatience{100};  // at the end that was asked for
 
   // `path`: a new file, a pipe, a FIFO that somebody reads, or "-" for standard output. Fails
   // (exit status 2) for a file that exists and for a FIFO without a reader.
@@ -53,18 +58,25 @@ class SampleStream {
   // Buffers every n-th tick. Ticks that are missing since the last one count as lost; a tick that
   // is not finite does not.
   void take(StreamFeed& feed, const Tick& tick);
+  // Writes what is buffered, and finds out whether the reader has left.
   void flush();
-  // Writes the line at the end, waiting kPatience at most for a reader that takes nothing, and
-  // closes. Tells how many samples were lost.
+  // Writes the line at the end and closes. Where the stream does not wait, a reader that takes
+  // nothing for kPatience loses the rest. Tells how many samples were lost.
   void finish();
+  [[nodiscard]] bool reader_left() const;
+  // Samples; after finish() also those that the reader left in the buffer.
+  [[nodiscard]] std::uint64_t lost() const;
   // Of the disk; a reader that closes is none.
   [[nodiscard]] Failure failure() const;
 
  private:
   SampleStream(std::string path, int descriptor, StreamOptions options);
-  void write_pending(std::chrono::milliseconds patience);
+  void write_pending();
   [[nodiscard]] bool write_some();
-  [[nodiscard]] std::chrono::milliseconds patience() const;
+  [[nodiscard]] std::size_t next_bytes() const;
+  [[nodiscard]] bool stopped() const { return options_.stopped && options_.stopped(); }
+  [[nodiscard]] std::uint32_t max_waits() const;
+  void keep_in_page(std::size_t line);
   [[nodiscard]] std::uint64_t due(std::uint64_t first_tick, std::uint64_t end_tick) const;
   void end(int code);
   void close_file();
@@ -74,15 +86,18 @@ class SampleStream {
   const StreamOptions options_;
   bool on_standard_output_ = false;
   std::string new_file_;  // to remove if it stays empty
+  bool in_file_ = false;
 
   mutable std::mutex mutex_;
   int descriptor_;  // -1 after the end
   std::uint32_t feeds_ = 0;
   std::string pending_;
   std::size_t written_bytes_ = 0;  // of pending_
+  std::uint64_t offset_ = 0;       // of the next byte in a file
+  bool ending_ = false;
+  bool reader_left_ = false;
   std::uint64_t samples_ = 0;
   std::uint64_t lost_ = 0;
-  bool stuck_ = false;  // the reader has used up its patience and taken nothing since
   Failure failure_;
 };
 

@@ -1,13 +1,17 @@
 // hapticwall --stream: the samples on their way out of the program, and its three bridges.
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -72,7 +76,7 @@ TEST_F(StreamTest, AReplayStreamsItsRowsAndAReRunItsOwn) {
 
 // Not in real time, the run can wait.
 TEST_F(StreamTest, ARunAsFastAsItCanWaitsForASlowReader) {
-  const Answer answer = shell("$P run press --csv a.csv --stream - | (sleep 0.3; cat)");
+  const Answer answer = shell("$P run press --csv a.csv --stream - | (sleep 1.5; cat)");
   EXPECT_THAT(answer.err, IsEmpty());
   expect_rows("a.csv", answer.out);
 }
@@ -85,6 +89,113 @@ TEST_F(StreamTest, AReaderThatClosesEndsTheStreamWithOneLineAndNotTheRun) {
     EXPECT_EQ(content("status"), "0\n");
     EXPECT_EQ(lines(content("a.csv")).size(), how.empty() ? 6001U : 1001U);
   }
+}
+
+// As for every tool in a pipe: the end is that of SIGPIPE, without a line. `timeout` ends a program
+// that goes on; it would go on for days.
+TEST_F(StreamTest, AReaderThatClosesEndsARunThatHasNoOtherOutput) {
+  ASSERT_EQ(shell("$P run press --csv a.csv --quiet").status, 0);
+  for (const std::string command :
+       {"run press --duration 1e6", "run press --duration 1e6 --stream-every 1000000",
+        "run tap --realtime --duration 1000", "replay a.csv", "replay a.csv --algorithm none"}) {
+    const Answer answer = shell("{ timeout 60 $P " + command +
+                                " --stream -; echo $? >status; } | head -n 3 | cut -c 1-9");
+    EXPECT_EQ(answer.err, "") << command;
+    EXPECT_EQ(content("status"), "141\n") << command;
+    EXPECT_THAT(answer.out, StartsWith("{\"tick\":0")) << command;
+    EXPECT_EQ(lines(answer.out).size(), 3U) << command;
+  }
+}
+
+// The reader of a test: it reads when the test does.
+class StreamReaderTest : public StreamTest {
+ protected:
+  StreamReaderTest() {
+    EXPECT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    reader_ = open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  }
+  ~StreamReaderTest() override { close(reader_); }
+
+  // Returns when so many bytes wait in the pipe, or the program ends.
+  void wait_for_bytes(pid_t child, int bytes) const {
+    int waiting = 0;
+    while (is_running(child) && waiting < bytes) {
+      poll(nullptr, 0, 1);
+      ASSERT_EQ(ioctl(reader_, FIONREAD, &waiting), 0);
+    }
+  }
+  // All that is in the pipe.
+  std::string drained() const {
+    std::string text;
+    std::array<char, 65536> bytes{};
+    for (ssize_t count = 0; (count = read(reader_, bytes.data(), bytes.size())) > 0;)
+      text.append(bytes.data(), static_cast<std::size_t>(count));
+    return text;
+  }
+  [[nodiscard]] pid_t start_stream(const std::string& target) const {
+    return start({program(), "run", "press", "--duration", "1e6", "--stream", target, "--quiet"});
+  }
+
+  int reader_ = -1;
+};
+
+TEST_F(StreamReaderTest, ASignalEndsARunThatWaitsForItsReader) {
+  constexpr int kAlmostFull = 800'000;  // bytes, of 1 MiB with some room in each page
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = start_stream("pipe");
+    wait_for_bytes(child, kAlmostFull);
+    kill(child, signal);
+    const Answer answer = wait_for(child);
+    EXPECT_EQ(answer.status, 128 + signal);
+    EXPECT_THAT(answer.err, HasSubstr("ended early by"));
+    const std::string text = drained();
+    EXPECT_GT(text.size(), static_cast<std::size_t>(kAlmostFull));
+    EXPECT_EQ(text.back(), '\n');
+  }
+}
+
+// HAPTICWALL_KILLS kills as often, at more moments.
+TEST_F(StreamReaderTest, AKillLeavesWholeLines) {
+  const char* chosen = std::getenv("HAPTICWALL_KILLS");
+  const std::uint64_t kills = file::parsed<std::uint64_t>(chosen ? chosen : "").value_or(10);
+  for (std::uint64_t i = 0; i < kills; ++i) {
+    const std::uintmax_t bytes = 1 + i * 104'729 % 900'000;
+    pid_t child = start_stream("pipe");
+    wait_for_bytes(child, static_cast<int>(bytes));
+    kill(child, SIGKILL);
+    ASSERT_EQ(wait_for(child).status, 128 + SIGKILL);
+    ASSERT_EQ(drained().back(), '\n') << i;
+    child = start_stream("a.jsonl");
+    wait_until_written(child, "a.jsonl", bytes);
+    kill(child, SIGKILL);
+    ASSERT_EQ(wait_for(child).status, 128 + SIGKILL);
+    ASSERT_EQ(content("a.jsonl").back(), '\n') << i;
+    remove_files();
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    close(reader_);
+    reader_ = open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  }
+}
+
+// Real time waits for nobody: buffer and pipe are full after a fraction of a second.
+TEST_F(StreamReaderTest, ALossInRealTimeIsInTheSummaryAndFailsAnExpectation) {
+  const std::string run =
+      "$P run tap --realtime --set sampling.rate_hz=10000 --duration 1 --stream pipe --quiet "
+      "--json a.json";
+  const std::string loss = "samples were lost: the reader is too slow\n";
+  Answer answer = shell(run);
+  EXPECT_EQ(answer.status, 0) << answer.err;
+  EXPECT_THAT(answer.err, EndsWith(loss));
+  drained();
+  answer = shell(run + " --expect peak_force_n'>'=0");
+  EXPECT_EQ(answer.status, 1);
+  EXPECT_THAT(answer.err,
+              HasSubstr("expected lost_stream_samples=0, found lost_stream_samples = "));
+  const auto lost = nlohmann::json::parse(content("a.json")).at("lost_stream_samples");
+  EXPECT_GT(lost, 1000);
+  EXPECT_THAT(answer.err, HasSubstr(lost.dump() + " of 10000 " + loss));
+  drained();
+  EXPECT_EQ(shell(run + " --expect lost_stream_samples'>'1000").status, 0);
 }
 
 TEST_F(StreamTest, AFifoIsWrittenAndOneWithoutAReaderIsRefused) {

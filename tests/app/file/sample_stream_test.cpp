@@ -4,11 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
+#include <sstream>
 
 #include "app/file/text/text.h"
+#include "tests/app/file/faulty_disk.h"
 #include "tests/app/file/recording_support.h"
 #include "tests/app/file/stream_support.h"
 
@@ -29,7 +33,19 @@ class SampleStreamTest : public hapticwall::test::FolderTest {
     stream_->flush();
   }
   void open(std::uint64_t every = 1) {
-    stream_ = opened_stream(reader_.path(), told_, every);
+    StreamOptions options;
+    options.every = every;
+    open_at(reader_.path(), std::move(options));
+  }
+  // It waits for its reader until `stopped`.
+  void open_waiting(std::function<bool()> stopped) {
+    StreamOptions options;
+    options.waits = true;
+    options.stopped = std::move(stopped);
+    open_at(reader_.path(), std::move(options));
+  }
+  void open_at(const std::string& file, StreamOptions options = {}) {
+    stream_ = opened_stream(file, told_, std::move(options));
     feed_ = stream_->begin(csv_columns(true));
   }
 
@@ -85,6 +101,87 @@ TEST_F(SampleStreamTest, AReaderThatNeverReadsLosesACountedNumber) {
   ASSERT_EQ(told_->size(), 1U);
   EXPECT_THAT(told_->front(), HasSubstr(std::to_string(kTooMany - read) + " of " +
                                         std::to_string(kTooMany) + " samples were lost"));
+}
+
+// A reader that takes nothing for 1.2 s, then everything.
+TEST_F(SampleStreamTest, AStreamThatWaitsLosesNothing) {
+  int asked = 0;
+  open_waiting([&] {
+    if (++asked > 24) reader_.drained();
+    return false;
+  });
+  take(0, kTooMany);
+  stream_->finish();
+  const auto objects = reader_.objects();
+  EXPECT_EQ(ticks_in(objects).size(), kTooMany);
+  EXPECT_EQ(objects.back()["lost"], 0);
+  EXPECT_GT(asked, 24);
+  EXPECT_THAT(*told_, IsEmpty());
+}
+
+TEST_F(SampleStreamTest, AStreamThatWaitsEndsWhenItIsAsked) {
+  bool stopped = false;
+  int asked = 0;
+  open_waiting([&] { return stopped = ++asked > 3; });
+  take(0, kTooMany);
+  stream_->finish();
+  EXPECT_TRUE(stopped);
+  const std::uint64_t read = ticks_in(reader_.objects()).size();
+  EXPECT_EQ(stream_->lost(), kTooMany - read);
+  EXPECT_EQ(told_->size(), 1U);
+}
+
+// A kill at any moment leaves what was written until then.
+TEST_F(SampleStreamTest, AFullPipeEndsWithALine) {
+  open();
+  take(0, kTooMany);
+  for (int i = 0; i < 50; ++i) {
+    for (int blocks = 0; blocks < 3; ++blocks) reader_.read_some();
+    stream_->flush();
+    if (i % 10 > 0) continue;
+    ASSERT_EQ(reader_.drained().back(), '\n') << i;
+  }
+}
+
+TEST_F(SampleStreamTest, AFileHasWholeLinesOnEveryPage) {
+  constexpr std::size_t kPage = 4096;
+  open_at(path("a.jsonl"));
+  std::size_t checked = 0;
+  for (std::uint64_t tick = 0; tick < 500; ++tick) {
+    take(tick, tick + 1);
+    const std::string text = content("a.jsonl");
+    ASSERT_EQ(text.size() % kPage, 0U) << "a write is a page";
+    if (text.size() == checked) continue;
+    checked = text.size();
+    ASSERT_EQ(text.back(), '\n');
+  }
+  stream_->finish();
+  std::istringstream text(content("a.jsonl"));
+  std::uint64_t tick = 0;
+  for (std::string line; std::getline(text, line); ++tick) {
+    const auto object = nlohmann::json::parse(line);
+    EXPECT_EQ(object.value("tick", tick), tick);
+  }
+  EXPECT_EQ(tick, 501U) << "and the line at the end";
+}
+
+TEST_F(SampleStreamTest, AFullDiskLeavesWholeLines) {
+  open_at(path("a.jsonl"));
+  FaultyDisk disk;
+  disk.fail_after(10'000, ENOSPC);
+  take(0, 100);
+  ASSERT_TRUE(stream_->failure());
+  EXPECT_EQ(content("a.jsonl").size(), 8192U);
+  EXPECT_EQ(content("a.jsonl").back(), '\n');
+}
+
+TEST_F(SampleStreamTest, AReaderThatHasLeftIsNoticedWithoutASample) {
+  open(1000);
+  reader_.close_early();
+  EXPECT_FALSE(stream_->reader_left());
+  stream_->flush();
+  EXPECT_TRUE(stream_->reader_left());
+  EXPECT_THAT(*told_, ElementsAre(HasSubstr("the reader has closed it")));
 }
 
 TEST_F(SampleStreamTest, AReaderThatComesBackIsToldTheLoss) {

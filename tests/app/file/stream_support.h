@@ -42,10 +42,15 @@ class StreamReader {
     if (count > 0) text_.append(bytes.data(), static_cast<std::size_t>(count));
     return count > 0;
   }
-  // The whole lines so far, as objects. Throws for a line that is no JSON.
-  [[nodiscard]] std::vector<nlohmann::json> objects() {
+  // Everything that was read so far, with what is in the pipe.
+  const std::string& drained() {
     while (read_some()) {
     }
+    return text_;
+  }
+  // The whole lines so far, as objects. Throws for a line that is no JSON.
+  [[nodiscard]] std::vector<nlohmann::json> objects() {
+    drained();
     std::vector<nlohmann::json> lines;
     std::istringstream text(text_.substr(0, text_.rfind('\n') + 1));
     for (std::string line; std::getline(text, line);) lines.push_back(nlohmann::json::parse(line));
@@ -62,10 +67,11 @@ class StreamReader {
 // What the stream tells goes to `told`, which may be null.
 inline std::shared_ptr<SampleStream> opened_stream(
     const std::string& path, const std::shared_ptr<std::vector<std::string>>& told = nullptr,
-    std::uint64_t every = 1) {
-  auto stream = SampleStream::open(path, {every, false, [told](const std::string& line) {
-                                            if (told) told->push_back(line);
-                                          }});
+    StreamOptions options = {}) {
+  options.tell = [told](const std::string& line) {
+    if (told) told->push_back(line);
+  };
+  auto stream = SampleStream::open(path, std::move(options));
   if (!stream) throw std::runtime_error(stream.error().message);
   return *stream;
 }
