@@ -1,6 +1,7 @@
 // A scene that names a device file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <string>
 #include <vector>
@@ -54,6 +55,12 @@ TEST_F(SceneDevice, TheNameGivesTheNumbers) {
     EXPECT_EQ(loaded->scene.description,
               "device Paddle: 2026-01-02T03:04:05Z, 95 % intervals: m 0.06 to 0.07 kg");
   }
+}
+
+// Opening a pipe would wait for its writer.
+TEST_F(SceneDevice, APipeIsNotOpened) {
+  ASSERT_EQ(mkfifo(path("pipe.toml").c_str(), 0600), 0);
+  expect_refused("device = \"pipe\"\n", "pipe.toml: not a device description: not a file");
 }
 
 // As --set device=NAME on the command line, but for the description.
