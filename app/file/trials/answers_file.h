@@ -14,6 +14,9 @@
 
 namespace hapticwall::file {
 
+// Programs that read every number as a double, such as R, read it exactly.
+inline constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53U;
+
 // One answered trial, a line of the file.
 struct Answer {
   std::string participant;
@@ -30,7 +33,7 @@ struct Answer {
   std::optional<bool> correct;  // if the trial has a right answer
   std::uint32_t looks = 0;      // presentations felt before the choice
   double seconds = 0.0;         // from the first of them to the choice
-  std::uint64_t seed = 0;       // of the order of presentations
+  std::uint64_t seed = 0;       // of the order of presentations; at most kMaxSeed
   std::string program;          // version and build
   std::string scene_sha256;     // of the scene as TOML, without the slots
   std::string list_sha256;

@@ -85,7 +85,8 @@ class SlotLoader {
 file::Answer identity_of(const ExperimentChoice& choice, const file::TrialList& list,
                          const Scene& base) {
   constexpr int kHexadecimal = 16;
-  constexpr std::size_t kSeedDigits = 16;
+  constexpr std::size_t kSeedDigits = 13;
+  static_assert(std::uint64_t{1} << (4 * kSeedDigits) <= file::kMaxSeed);
   file::Answer identity;
   identity.participant = choice.participant;
   identity.session = choice.session;

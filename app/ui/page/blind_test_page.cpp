@@ -70,9 +70,9 @@ void draw_seed(const PanelContext& context) {
       text_field(context, "##blind seed", "by chance", seed ? fmt::format("{}", *seed) : "");
   if (!typed) return;
   const auto parsed = file::parsed<std::uint64_t>(*typed);
-  if (!parsed && !typed->empty()) {
+  if (!typed->empty() && (!parsed || *parsed > file::kMaxSeed)) {
     tell(context.state, MessageKind::kProblem,
-         fmt::format("seed: '{}' is no whole number from 0 to 2^64 - 1", *typed));
+         fmt::format("seed: '{}' is no whole number from 0 to {}", *typed, file::kMaxSeed));
     return;
   }
   seed = parsed;

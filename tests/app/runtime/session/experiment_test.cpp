@@ -75,6 +75,17 @@ TEST_F(ExperimentTest, AParticipantHasAnOrderOfTheirOwn) {
   EXPECT_NE((*open(list))->answers.identity().seed, seed);
 }
 
+TEST_F(ExperimentTest, ASeedIsExactAsADouble) {
+  constexpr int kParticipants = 50;  // with 64 random bits 1 in 2048 passes
+  for (int i = 0; i < kParticipants; ++i) {
+    participant = "P" + std::to_string(i);
+    const std::uint64_t seed = (*open("a,b\n,algorithm=none\n"))->answers.identity().seed;
+    EXPECT_EQ(static_cast<std::uint64_t>(static_cast<double>(seed)), seed);
+    EXPECT_LE(seed, file::kMaxSeed);
+    std::filesystem::remove(path("out.csv"));
+  }
+}
+
 TEST_F(ExperimentTest, AnswersOfOtherTrialsAreRefused) {
   const std::string list = "trial,a,b\n5,,wall.stiffness_n_per_m=1\n6,,wall.stiffness_n_per_m=2\n";
   const auto store = [&](std::uint64_t trial) {

@@ -351,6 +351,8 @@ TEST_F(BlindTestTest, AnotherSceneEndsItAndWrongSetUpsAreTold) {
   EXPECT_THAT(refusal()->why, HasSubstr("100 is not from"));
   type("blind seed", "many");
   EXPECT_THAT(message().text, HasSubstr("seed: 'many'"));
+  type("blind seed", "9007199254740993");  // 2^53 + 1
+  EXPECT_THAT(message().text, HasSubstr("from 0 to 9007199254740992"));
   EXPECT_EQ(state().compare.persisted.trials, 4U);
 }
 
