@@ -45,6 +45,7 @@ using Signals = std::array<double, kMaxSignals>;
   return none;
 }
 
+// Members are in the order of kSampleColumns: NumPy and HDF5 store no structure with another order.
 struct Sample {
   std::uint64_t tick = 0;   // since the last reset
   double time_s = 0.0;      // tick / rate
@@ -58,13 +59,13 @@ struct Sample {
   double energy_hold_j = 0.0;      // Eq. 9
   double energy_scv_j = 0.0;       // Eq. 10
   double energy_budget_j = 0.0;    // -T Σ b v²
+  std::uint32_t flags = 0;
+  std::uint32_t generation = 0;  // of the parameters in force (live sessions; 0 in headless runs)
   PlantTruth truth;
   // Known to a real device only; 0 from the simulator.
   double device_time_s = 0.0;  // when it latched the position, by its own clock since it was opened
   double read_age_s = 0.0;     // age of the position when the loop used it
-  double applied_force_n = 0.0;  // that the device says it applies from the latch on
-  std::uint32_t flags = 0;
-  std::uint32_t generation = 0;    // of the parameters in force (live sessions; 0 in headless runs)
+  double applied_force_n = 0.0;    // that the device says it applies from the latch on
   Signals signals = no_signals();  // finite, or NaN: the algorithm in force has none here
 };
 
