@@ -1,4 +1,5 @@
 import ctypes
+import pathlib
 import threading
 
 import numba
@@ -11,6 +12,7 @@ import laws
 
 CLOCK = {"algorithm", "ns_per_tick", "simulated_seconds_per_second"}
 WRITTEN = laws.written()
+SHORT = hw.load("press").replace({"duration_s": 0.01})
 
 
 def figures(summary):
@@ -149,6 +151,72 @@ def test_the_state_is_zero_at_first_and_of_one_run():
         np.testing.assert_allclose(run.samples["force_n"], 1e-3 * np.arange(1, 51))
 
 
+@pytest.mark.parametrize("index", [1, 5000, 100_000, -2])
+@pytest.mark.parametrize("function", ["step", "configure", "reset"])
+def test_the_state_has_an_end(function, index):
+    def write(state, *others):
+        state[index] = 1.0
+        return 0.0
+
+    functions = {"step": lambda state, tick: 0.0, function: write}
+    law = hw.algorithm(**functions, name="writes", state_bytes=8)
+    with pytest.raises(hw.LawError) as told:
+        hw.run(SHORT, law)
+    assert isinstance(told.value.__cause__, IndexError)
+
+
+@pytest.mark.parametrize("state_bytes, length", [(0, 0), (7, 0), (8, 1), (20, 2), (262144, 32768)])
+def test_the_state_has_its_length(state_bytes, length):
+    lengths = []
+    law = hw.algorithm(
+        lambda state, tick: lengths.append(len(state)) or 0.0,
+        name="measures",
+        state_bytes=state_bytes,
+        configure=lambda state, context: lengths.append(len(state)),
+        reset=lambda state: lengths.append(len(state)),
+    )
+    hw.run(SHORT, law)
+    assert set(lengths) == {length}
+
+
+def test_arrays_of_the_host_have_an_end():
+    found, wrong = [], []
+
+    def configure(state, context):
+        scene = context[0]
+        found.append((list(scene.parameters), [wall.stiffness_n_per_m for wall in scene.walls]))
+        for read in (lambda: scene.parameters[2], lambda: scene.walls[1], lambda: context[1]):
+            try:
+                wrong.append(read())
+            except IndexError:
+                pass
+        assert context.contents.period_s == scene.period_s
+
+    def step(state, tick):
+        assert tick.contents.tick == tick[0].tick
+        return tick[1].wall_force_n
+
+    parameters = [hw.Parameter("gain_a", "", 0.0, 1.0, 0.25), hw.Parameter("gain_b", "", 0.0, 1.0, 0.5)]
+    law = hw.algorithm(step, name="reads", configure=configure, parameters=parameters)
+    with pytest.raises(hw.LawError) as told:
+        hw.run(SHORT, law)
+    assert isinstance(told.value.__cause__, IndexError)
+    assert found == [([0.25, 0.5], [SHORT["wall.stiffness_n_per_m"]])] and wrong == []
+
+
+def test_what_the_types_of_a_callback_tell_is_checked():
+    three = ctypes.POINTER(ctypes.c_double * 3)
+    large = ctypes.CFUNCTYPE(ctypes.c_double, three, ctypes.POINTER(hw.Input))(lambda state, tick: state.contents[2])
+    with pytest.raises(ValueError, match="step takes a state of 24 bytes; state_bytes is 16"):
+        hw.algorithm(large, name="large", state_bytes=16)
+    hw.run(SHORT, hw.algorithm(large, name="large", state_bytes=24))
+    narrow = ctypes.CFUNCTYPE(ctypes.c_float, laws.Double, ctypes.POINTER(hw.Input))(laws.step)
+    compiled = numba.cfunc(types.float32(types.CPointer(types.float64), types.CPointer(laws.record)))(lambda s, t: 0.0)
+    for step in (narrow, compiled):
+        with pytest.raises(TypeError, match="step must return a double"):
+            hw.algorithm(step, name="narrow")
+
+
 def test_reset_follows_configure():
     calls = []
     law = hw.algorithm(
@@ -193,8 +261,10 @@ def test_no_law_is_registered_during_a_run():
 def test_unknown_algorithms_are_told(tmp_path):
     with pytest.raises(ValueError, match="did you mean 'energy-bounding'"):
         hw.run("press", "energy-bouding")
-    with pytest.raises((OSError, ValueError), match="cannot be read"):
+    with pytest.raises(FileNotFoundError, match="mine.so"):
         hw.run("press", str(tmp_path / "mine.so"))
+    path = pathlib.Path(WRITTEN["C"])
+    assert (hw.run("press", path).samples == hw.run("press", WRITTEN["C"]).samples).all()
 
 
 def test_a_recording_names_the_law(tmp_path):

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias, TypeVar
 
 from hapticwall import _core
+from hapticwall._path import Path, name_or_file
 
 
 class Wall(ctypes.Structure):
@@ -49,11 +50,7 @@ class Input(ctypes.Structure):
     ]
 
 
-_State = ctypes.POINTER(ctypes.c_double)
-_STEP = ctypes.CFUNCTYPE(ctypes.c_double, _State, ctypes.POINTER(Input))
-_CONFIGURE = ctypes.CFUNCTYPE(None, _State, ctypes.POINTER(Context))
-_RESET = ctypes.CFUNCTYPE(None, _State)
-_Callback: type = _STEP.__mro__[-2]  # of all ctypes callbacks, without a public name
+_Callback: Any = ctypes.CFUNCTYPE(None).__mro__[-2]  # of all ctypes callbacks, without a public name
 
 _Result = TypeVar("_Result")
 
@@ -93,21 +90,86 @@ class LawError(RuntimeError):
 
 
 # By the name of a law: what its addresses belong to.
-_kept: dict[str, tuple[Any, ...]] = {}
+_kept: dict[str, _Functions] = {}
 _indices: dict[str, int] = {}
 
 
-def _callback(function: Function, prototype: Any) -> tuple[int, Any, bool]:
-    """Address, what must live as long, and whether a call takes the interpreter's lock."""
-    if function is None:
-        return 0, None, False
-    if isinstance(function, int):
-        return function, None, False
-    address = getattr(function, "address", None)
-    if isinstance(address, int):
-        return address, function, False
-    callback: Any = function if isinstance(function, _Callback) else prototype(function)
-    return ctypes.cast(callback, ctypes.c_void_p).value or 0, callback, True
+def _one(kind: type) -> Any:
+    """An array of one, so that an index beyond it is an IndexError. `contents` as of a pointer."""
+    array: Any = kind
+    return type(kind.__name__, (array * 1,), {"contents": property(lambda self: self[0])})
+
+
+def _sized_context(parameters: int) -> type:
+    """hw_context whose arrays have their lengths."""
+
+    def sized(name: str, length: Callable[[Any], int]) -> property:
+        field = getattr(Context, name)
+
+        def view(self: Any) -> Any:
+            pointer = field.__get__(self)
+            return (pointer._type_ * length(self)).from_address(ctypes.addressof(pointer.contents))
+
+        return property(view)
+
+    lengths = {"parameters": lambda self: parameters, "walls": lambda self: self.wall_count}
+    return type("Context", (Context,), {name: sized(name, length) for name, length in lengths.items()})
+
+
+class _Functions:
+    """The functions of one law as addresses."""
+
+    def __init__(self, state_bytes: int, parameters: int) -> None:
+        self.kept: list[Any] = []  # what the addresses belong to
+        self.state_bytes = state_bytes
+        self.arguments = {"step": _one(Input), "configure": _one(_sized_context(parameters)), "reset": None}
+
+    def address(self, name: str, function: Function) -> int:
+        if function is None or isinstance(function, int):
+            return function or 0
+        self.kept.append(function)
+        address = getattr(function, "address", None)
+        if isinstance(address, int):
+            self._check(name, getattr(function, "ctypes", None))
+            return address
+        callback: Any = function
+        if isinstance(function, _Callback):
+            self._check(name, callback)
+        else:
+            callback = self._of_python(name, callback)
+            self.kept.append(callback)
+        return ctypes.cast(callback, ctypes.c_void_p).value or 0
+
+    def _of_python(self, name: str, function: Callable[..., Any]) -> Any:
+        doubles = self.state_bytes // ctypes.sizeof(ctypes.c_double)
+        # Without a state the host's pointer may be NULL.
+        nothing = None if doubles else (ctypes.c_double * 0)()
+        state_type = ctypes.POINTER(ctypes.c_double * max(doubles, 1))
+        argument = self.arguments[name]
+        if argument is None:
+            return ctypes.CFUNCTYPE(None, state_type)(
+                lambda state: function(state.contents if nothing is None else nothing)
+            )
+        result = ctypes.c_double if name == "step" else None
+        return ctypes.CFUNCTYPE(result, state_type, ctypes.POINTER(argument))(
+            lambda state, other: function(state.contents if nothing is None else nothing, other.contents)
+        )
+
+    def _check(self, name: str, callback: Any) -> None:
+        """What the types of a callback tell. A pointer to doubles does not tell how many."""
+        if not isinstance(callback, _Callback):
+            return
+        if name == "step" and callback.restype is not ctypes.c_double:
+            raise TypeError(f"step must return a double (ctypes.c_double), not {callback.restype}")
+        state = getattr(callback.argtypes[0], "_type_", None) if callback.argtypes else None
+        size = ctypes.sizeof(state) if isinstance(state, type) else 0
+        if size > max(self.state_bytes, ctypes.sizeof(ctypes.c_double)):
+            raise ValueError(f"{name} takes a state of {size} bytes; state_bytes is {self.state_bytes}")
+
+
+def _takes_lock(function: Function) -> bool:
+    """Whether a call takes the interpreter's lock."""
+    return not isinstance(function, int) and not isinstance(getattr(function, "address", None), int)
 
 
 def algorithm(
@@ -126,14 +188,18 @@ def algorithm(
 
     step(state, input) returns the force in newtons. configure(state, context) runs at the start and
     after each change of scene or parameters, reset(state) after it. The state has `state_bytes`
-    bytes, zero at first, for each axis of each run; Python functions get it as a pointer to doubles.
-    An algorithm of the same name and parameters is replaced.
+    bytes, zero at first, for each axis of each run; Python functions get it as an array of doubles,
+    with IndexError beyond its end. An algorithm of the same name and parameters is replaced.
     """
     described = [_core.LawParameter(p.key, p.unit, p.minimum, p.maximum, p.fallback, p.meaning) for p in parameters]
-    steps, configures, resets = _callback(step, _STEP), _callback(configure, _CONFIGURE), _callback(reset, _RESET)
+    functions = _Functions(state_bytes, len(described))
+    steps, configures, resets = (
+        functions.address(key, function)
+        for key, function in (("step", step), ("configure", configure), ("reset", reset))
+    )
     texts = (name, title or name, idea or title or name, equation)
-    _core.add_law(*texts, state_bytes, described, steps[0], configures[0], resets[0], steps[2])
-    _kept[name] = (steps[1], configures[1], resets[1])
+    _core.add_law(*texts, state_bytes, described, steps, configures, resets, _takes_lock(step))
+    _kept[name] = functions
     return Algorithm(name)
 
 
@@ -142,15 +208,15 @@ def algorithms() -> list[str]:
     return _core.algorithm_names()
 
 
-def index_of(chosen: Algorithm | str) -> int:
+def index_of(chosen: Algorithm | Path) -> int:
     """Of a name, or of a plug-in's path, "./mine.so", which is loaded once."""
-    name = chosen.name if isinstance(chosen, Algorithm) else chosen
+    name = chosen.name if isinstance(chosen, Algorithm) else name_or_file(chosen, "/")
     if name not in _indices:
         _indices[name] = _core.algorithm_index(name)
     return _indices[name]
 
 
-def indices_of(chosen: Sequence[Algorithm | str] | None) -> list[int]:
+def indices_of(chosen: Sequence[Algorithm | Path] | None) -> list[int]:
     """Of these, or of all built-in ones."""
     if chosen is None:
         return list(range(_core.first_plugin()))
