@@ -29,6 +29,11 @@ Bytes bytes_of(const Rows& rows, const nb::object& owner) {
   return Bytes(rows.samples.data(), {rows.samples.size() * sizeof(Sample)}, owner);
 }
 
+using Numbers = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+MapValues map_values(const std::pair<std::string, Numbers>& of_key) {
+  return {of_key.first, {of_key.second.data(), of_key.second.size()}};
+}
+
 using SummaryList = nb::typed<nb::list, SummaryDict>;
 SummaryList dicts_of(const std::vector<RunSummary>& runs) {
   SummaryList dicts;
@@ -53,6 +58,7 @@ void bind_scene(nb::module_& m) {
       .def("check_key", &SceneBox::check_key)
       .def("replaced", &SceneBox::with)
       .def("under", &SceneBox::under)
+      .def("with_algorithm", &SceneBox::with_algorithm)
       .def_prop_ro("not_repeatable_because",
                    [](const SceneBox& scene) { return scene.loaded().not_repeatable_because; });
 }
@@ -106,6 +112,8 @@ void bind_laws(nb::module_& m) {
 
 NB_MODULE(_core, m) {
   using namespace hapticwall::python;  // NOLINT(google-build-using-namespace)
+  // A daemon thread or another library may hold an object when the process ends.
+  nb::set_leak_warnings(false);
   bind_scene(m);
   bind_rows(m);
   bind_laws(m);
@@ -114,8 +122,9 @@ NB_MODULE(_core, m) {
   m.def("compare", [](const SceneBox& scene, const std::vector<std::size_t>& algorithms) {
     return dicts_of(compare(scene, algorithms));
   });
-  m.def("map", [](const SceneBox& scene, const MapValues& x, const MapValues& y,
-                  const std::vector<std::size_t>& algorithms) {
-    return summary_columns(map(scene, x, y, algorithms));
-  });
+  m.def("map",
+        [](const SceneBox& scene, const std::pair<std::string, Numbers>& x,
+           const std::pair<std::string, Numbers>& y, const std::vector<std::size_t>& algorithms) {
+          return python_columns(map(scene, map_values(x), map_values(y), algorithms));
+        });
 }

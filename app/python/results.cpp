@@ -43,9 +43,9 @@ double column_value(const std::optional<Value>& value) {
   return value ? column_value(*value) : kNoNumber;
 }
 
-bool is_text(const SummaryKey& key) {
-  return std::holds_alternative<std::string Summary::*>(key.member) ||
-         std::holds_alternative<std::optional<std::string> Summary::*>(key.member);
+bool is_number(const SummaryKey& key) {
+  return !key.of_session && !std::holds_alternative<std::string Summary::*>(key.member) &&
+         !std::holds_alternative<std::optional<std::string> Summary::*>(key.member);
 }
 
 nanobind::object array_of(std::vector<double> values) {
@@ -71,7 +71,7 @@ void Rows::append(const Tick& tick) {
   samples.insert(samples.end(), axes.begin(), axes.end());
 }
 
-RowLayout layout_of(file::CsvColumns columns) {
+RowLayout layout_of(const file::CsvColumns& columns) {
   constexpr std::string_view kSecondAxis = "y_";
   RowLayout layout;
   layout.row_bytes = sizeof(Sample) * columns.axes;
@@ -80,14 +80,20 @@ RowLayout layout_of(file::CsvColumns columns) {
   const std::string header = file::csv_header(columns);
   for (const std::string_view name : file::split(header, ',')) {
     const bool of_y = name.starts_with(kSecondAxis);
-    layout.names.emplace_back(name);
-    for_each_column(sample, [&](const SampleColumn& column, const auto& value) {
-      if (column.name != name.substr(of_y ? kSecondAxis.size() : 0)) return;
+    const std::string_view of_axis = name.substr(of_y ? kSecondAxis.size() : 0);
+    const auto add = [&](const auto& value) {
       const auto place = reinterpret_cast<const std::byte*>(&value) - begin;
       constexpr bool kReal = std::is_floating_point_v<std::decay_t<decltype(value)>>;
+      layout.names.emplace_back(name);
       layout.formats.push_back((kReal ? "f" : "u") + std::to_string(sizeof(value)));
       layout.offsets.push_back((of_y ? sizeof(Sample) : 0) + static_cast<std::size_t>(place));
+    };
+    for_each_column(sample, [&](const SampleColumn& column, const auto& value) {
+      if (column.name == of_axis) add(value);
     });
+    for (const file::SignalColumn& signal : columns.signals) {
+      if (of_axis.ends_with('.' + signal.name)) add(sample.signals.at(signal.place));
+    }
   }
   return layout;
 }
@@ -108,19 +114,31 @@ SummaryDict summary_dict(const RunSummary& run) {
   return dict;
 }
 
-SummaryColumns summary_columns(const std::vector<Summary>& summaries) {
-  SummaryColumns columns;
+std::vector<NumberColumn> number_columns(std::size_t rows) {
+  std::vector<NumberColumn> columns;
   for (const SummaryKey& key : kSummaryKeys) {
-    if (key.of_session || is_text(key)) continue;
-    std::vector<double> values;
-    values.reserve(summaries.size());
-    for (const Summary& summary : summaries) {
-      values.push_back(
-          std::visit([&](auto member) { return column_value(summary.*member); }, key.member));
-    }
-    columns[std::string(key.name).c_str()] = array_of(std::move(values));
+    if (is_number(key)) columns.emplace_back(key.name).values.reserve(rows);
   }
   return columns;
+}
+
+void append(std::vector<NumberColumn>& columns, std::span<const Summary> rows) {
+  auto column = columns.begin();
+  for (const SummaryKey& key : kSummaryKeys) {
+    if (!is_number(key)) continue;
+    for (const Summary& row : rows) {
+      column->values.push_back(
+          std::visit([&](auto member) { return column_value(row.*member); }, key.member));
+    }
+    ++column;
+  }
+}
+
+SummaryColumns python_columns(std::vector<NumberColumn> columns) {
+  SummaryColumns dict;
+  for (NumberColumn& column : columns)
+    dict[std::string(column.name).c_str()] = array_of(std::move(column.values));
+  return dict;
 }
 
 }  // namespace hapticwall::python

@@ -5,7 +5,9 @@
 #include <nanobind/ndarray.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/file/recording/recording_rows.h"
@@ -23,22 +25,31 @@ struct Rows {
   void append(const Tick& tick);
 };
 
-// The columns of a recording: name, NumPy format, and place in a row in bytes.
+// The columns of a recording, with ascending offsets: name, NumPy format, and place in a row in
+// bytes.
 struct RowLayout {
   std::vector<std::string> names;
   std::vector<std::string> formats;
   std::vector<std::size_t> offsets;
   std::size_t row_bytes = 0;
 };
-[[nodiscard]] RowLayout layout_of(file::CsvColumns columns);
+[[nodiscard]] RowLayout layout_of(const file::CsvColumns& columns);
 
 [[nodiscard]] RunSummary summaries_of(const AxesResult& result);
 // The keys of the command line's JSON; None for what does not apply.
 using SummaryDict = nanobind::typed<nanobind::dict, nanobind::str, nanobind::any>;
 [[nodiscard]] SummaryDict summary_dict(const RunSummary& run);
-// Columns of numbers, NaN for what does not apply, and "verdict" as an index.
+
+// A key of summaries with its numbers, NaN for what does not apply. "verdict" is an index.
+struct NumberColumn {
+  std::string_view name;
+  std::vector<double> values;
+};
+// A column for each key that has numbers, with room for this many. Needs no interpreter.
+[[nodiscard]] std::vector<NumberColumn> number_columns(std::size_t rows);
+void append(std::vector<NumberColumn>& columns, std::span<const Summary> rows);
 using Column = nanobind::ndarray<nanobind::numpy, double, nanobind::ndim<1>>;
 using SummaryColumns = nanobind::typed<nanobind::dict, nanobind::str, Column>;
-[[nodiscard]] SummaryColumns summary_columns(const std::vector<Summary>& summaries);
+[[nodiscard]] SummaryColumns python_columns(std::vector<NumberColumn> columns);
 
 }  // namespace hapticwall::python

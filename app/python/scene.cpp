@@ -129,6 +129,12 @@ SceneBox SceneBox::under(std::size_t algorithm) const {
   return changed;
 }
 
+SceneBox SceneBox::with_algorithm(std::size_t algorithm, const Settings& settings) const {
+  SceneBox changed = *this;
+  changed.loaded_.scene.algorithm = {.index = algorithm};
+  return changed.with(settings);
+}
+
 const Scene& scene_of_study(const SceneBox& scene) {
   const file::LoadedScene& loaded = scene.loaded();
   if (!loaded.changes.empty()) raise(usage_error("parameters change in this session: run() it"));

@@ -32,8 +32,10 @@ class SceneBox {
   void check_key(const std::string& key) const;
   // The scene with other values, which are checked together.
   [[nodiscard]] SceneBox with(const Settings& settings) const;
-  // The scene under another algorithm, an index in algorithms().
+  // The scene under another algorithm, an index in algorithms(). Parameters keep their values.
   [[nodiscard]] SceneBox under(std::size_t algorithm) const;
+  // The same; parameters that `settings` omits have the defaults of the algorithm.
+  [[nodiscard]] SceneBox with_algorithm(std::size_t algorithm, const Settings& settings) const;
 
  private:
   file::LoadedScene loaded_;

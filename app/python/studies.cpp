@@ -5,16 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "app/file/text/text.h"
 #include "app/python/interruptible.h"
 #include "app/python/law.h"
-#include "app/python/results.h"
 #include "core/batch/batch_simulator.h"
 #include "core/scene_keys.h"
 #include "core/simulation/simulate.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/study/stability_map.h"
 
 namespace hapticwall::python {
 namespace {
@@ -64,15 +63,15 @@ SceneNumber mapped_number(const Scene& scene, const std::string& key) {
 
 struct MappedNumber {
   SceneNumber number;
-  const std::vector<double>& values;
+  std::span<const double> values;
 
-  void set(Scene& scene, std::size_t index) const {
-    const double value = values[index];
-    if (number.whole && value != std::round(value)) {
-      raise(usage_error(fmt::format("{}: {} where a whole number belongs", number.path,
-                                    file::shortest_number(value))));
-    }
-    number.set(scene, value);
+  [[nodiscard]] Failure problem() const {
+    if (!number.whole) return std::nullopt;
+    const auto broken =
+        std::ranges::find_if(values, [](double value) { return value != std::round(value); });
+    if (broken == values.end()) return std::nullopt;
+    return usage_error(fmt::format("{}: {} where a whole number belongs", number.path,
+                                   file::shortest_number(*broken)));
   }
 };
 
@@ -88,8 +87,8 @@ struct Grid {
   }
   [[nodiscard]] Scene at(std::size_t cell) const {
     Scene one = scene;
-    x.set(one, cell % x.values.size());
-    y.set(one, cell / x.values.size() % y.values.size());
+    x.number.set(one, x.values[cell % x.values.size()]);
+    y.number.set(one, y.values[cell / x.values.size() % y.values.size()]);
     one.algorithm.index = algorithms[cell / (x.values.size() * y.values.size())];
     return one;
   }
@@ -102,13 +101,38 @@ struct Grid {
   }
 };
 
-// Another algorithm makes no other problem of a number.
 void check(const Grid& grid) {
+  constexpr std::size_t kMaxCells = kMaxMapValues * kMaxMapValues;
+  if (grid.x.number.path == grid.y.number.path)
+    raise(usage_error(fmt::format("x and y are the same key, {}", grid.x.number.path)));
   if (grid.size() == 0) raise(usage_error("a map takes at least one value of each key"));
-  for (std::size_t i = 0; i < grid.size() / grid.algorithms.size(); ++i) {
-    if (const auto problem = validate(grid.at(i)))
-      raise(usage_error(problem->key + ": " + problem->message));
+  if (grid.size() > kMaxCells) {
+    raise(
+        usage_error(fmt::format("a map of {} cells; it takes at most {}", grid.size(), kMaxCells)));
   }
+  if (const Failure problem = grid.x.problem()) raise(*problem);
+  if (const Failure problem = grid.y.problem()) raise(*problem);
+}
+
+// Of the first cell that is no scene. Another algorithm makes no other problem of a number.
+Failure cell_problem(const Grid& grid, const StopQuestion& should_stop) {
+  for (std::size_t i = 0; i < grid.size() / grid.algorithms.size() && !should_stop(); ++i) {
+    if (const auto problem = validate(grid.at(i)))
+      return usage_error(problem->key + ": " + problem->message);
+  }
+  return std::nullopt;
+}
+
+Result<std::vector<NumberColumn>> run_cells(const Grid& grid, const StopQuestion& should_stop) {
+  if (const Failure problem = cell_problem(grid, should_stop)) return *problem;
+  const bool locks = std::ranges::any_of(grid.algorithms, takes_lock);
+  std::vector<NumberColumn> columns = number_columns(grid.size());
+  for (std::size_t done = 0; done < grid.size() && !should_stop();) {
+    const std::vector<Summary> more = run_scenes(grid.stretch(done), locks, should_stop);
+    append(columns, more);
+    done += more.size();
+  }
+  return columns;
 }
 
 }  // namespace
@@ -132,24 +156,16 @@ std::vector<RunSummary> compare(const SceneBox& scene, const std::vector<std::si
   return runs;
 }
 
-std::vector<Summary> map(const SceneBox& scene, const MapValues& x, const MapValues& y,
-                         const std::vector<std::size_t>& algorithms) {
+std::vector<NumberColumn> map(const SceneBox& scene, const MapValues& x, const MapValues& y,
+                              const std::vector<std::size_t>& algorithms) {
   const Scene& mapped = scene_of_study(scene);
   const Grid grid{mapped,
                   {mapped_number(mapped, x.first), x.second},
                   {mapped_number(mapped, y.first), y.second},
                   algorithms};
   check(grid);
-  const bool locks = std::ranges::any_of(algorithms, takes_lock);
-  return interruptibly([&](const StopQuestion& should_stop) {
-    std::vector<Summary> cells;
-    cells.reserve(grid.size());
-    while (cells.size() < grid.size() && !should_stop()) {
-      std::vector<Summary> more = run_scenes(grid.stretch(cells.size()), locks, should_stop);
-      std::ranges::move(more, std::back_inserter(cells));
-    }
-    return cells;
-  });
+  return value_or_raise(
+      interruptibly([&](const StopQuestion& should_stop) { return run_cells(grid, should_stop); }));
 }
 
 }  // namespace hapticwall::python

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/python/results.h"
 #include "app/python/scene.h"
 #include "core/summary.h"
 
@@ -20,12 +22,12 @@ namespace hapticwall::python {
 [[nodiscard]] std::vector<RunSummary> compare(const SceneBox& scene,
                                               const std::vector<std::size_t>& algorithms);
 
-using MapValues = std::pair<std::string, std::vector<double>>;  // of a key
+using MapValues = std::pair<std::string, std::span<const double>>;  // of a key
 
-// The summaries of all cells; x varies fastest, then y, then the algorithm. Axis x only. Raises
-// KeyError for a key that is no number of the scene.
-[[nodiscard]] std::vector<Summary> map(const SceneBox& scene, const MapValues& x,
-                                       const MapValues& y,
-                                       const std::vector<std::size_t>& algorithms);
+// The numbers of the summaries of all cells; x varies fastest, then y, then the algorithm. Axis x
+// only. Raises KeyError for a key that is no number of the scene.
+[[nodiscard]] std::vector<NumberColumn> map(const SceneBox& scene, const MapValues& x,
+                                            const MapValues& y,
+                                            const std::vector<std::size_t>& algorithms);
 
 }  // namespace hapticwall::python

@@ -2,12 +2,16 @@ import json
 import os
 import signal
 import subprocess
+import sys
 import threading
 
+import h5py
 import numpy as np
+import pandas as pd
 import pytest
 
 import hapticwall as hw
+from hapticwall import _core
 
 PROGRAM = os.environ["HAPTICWALL"]
 SHORT = {"duration_s": 0.2}
@@ -45,6 +49,45 @@ def test_the_samples_are_the_rows_of_the_csv(name, tmp_path):
     assert run.samples.dtype.names == rows.dtype.names
     for column in rows.dtype.names:
         assert (run.samples[column] == rows[column]).all(), column
+
+
+def stored(samples, folder):
+    """Samples after a file of NumPy, of HDF5, and as a data frame."""
+    np.save(folder / "a.npy", samples)
+    yield np.load(folder / "a.npy")
+    with h5py.File(folder / "a.h5", "w") as file:
+        file["samples"] = samples
+    with h5py.File(folder / "a.h5") as file:
+        assert isinstance(file["samples"].id.get_type(), h5py.h5t.TypeCompoundID)
+        yield file["samples"][:]
+    frame = pd.DataFrame(samples)
+    yield {name: frame[name].to_numpy() for name in frame}
+
+
+@pytest.mark.parametrize("name", ["tap", "corner"])
+def test_other_programs_store_and_read_the_samples(name, tmp_path):
+    samples = hw.run(hw.load(name).replace(SHORT)).samples
+    offsets = [samples.dtype.fields[column][1] for column in samples.dtype.names]
+    assert offsets == sorted(offsets)
+    for found in stored(samples, tmp_path):
+        columns = list(found) if isinstance(found, dict) else list(found.dtype.names)
+        assert columns == list(samples.dtype.names)
+        for column in columns:
+            assert found[column].dtype == samples[column].dtype
+            np.testing.assert_array_equal(found[column], samples[column])
+
+
+def test_the_signals_of_a_recording_are_columns(tmp_path):
+    for name in ("press", "corner"):
+        hapticwall("run", name, "--algorithm", "passivity-control", "--signals", "--csv", str(tmp_path / "a.csv"))
+        samples = hw.read(tmp_path / "a.csv").samples
+        rows = pd.read_csv(tmp_path / "a.csv")
+        assert list(samples.dtype.names) == list(rows)
+        assert [column for column in rows if "signal." in column and rows[column].any()]
+        np.save(tmp_path / "a.npy", samples)
+        for column in rows:
+            np.testing.assert_array_equal(samples[column], rows[column])
+            np.testing.assert_array_equal(np.load(tmp_path / "a.npy")[column], rows[column])
 
 
 def test_samples_are_no_copy_and_outlive_the_run():
@@ -131,6 +174,17 @@ def test_a_map_tells_a_wrong_key_and_a_wrong_value():
         hw.map("press", x=("wall.stiffness_n_per_m", [1.0, -1.0]), y=good)
     with pytest.raises(ValueError, match="at least one value"):
         hw.map("press", x=("wall.stiffness_n_per_m", []), y=good)
+    with pytest.raises(ValueError, match="wall.stiffness_n_per_m: a grid of 2 dimensions; give x and y one list"):
+        hw.map("press", x=("wall.stiffness_n_per_m", [[1.0, 2.0], [3.0, 4.0]]), y=good)
+    with pytest.raises(ValueError, match="x and y are the same key, device.damping_n_s_per_m"):
+        hw.map("press", x=good, y=good)
+    with pytest.raises(ValueError, match="x and y are the same key, wall.stiffness_n_per_m"):
+        hw.map("press", x=("wall.stiffness_n_per_m", [1.0]), y=("wall[0].stiffness_n_per_m", [1.0]))
+    with pytest.raises(ValueError, match="device.delay_ticks: 0.5 where a whole number belongs"):
+        hw.map("press", x=("device.delay_ticks", [0.0, 0.5]), y=good)
+    million = np.linspace(1.0, 2.0, 1_000_000)
+    with pytest.raises(ValueError, match="a map of 1000000000000 cells; it takes at most 100000000"):
+        hw.map("press", x=("wall.stiffness_n_per_m", million), y=("device.mass_kg", million), algorithms=["none"])
 
 
 def long_work(kind):
@@ -152,6 +206,56 @@ def test_ctrl_c_ends_long_work(kind):
         long_work(kind)
     timer.join()
     assert hw.run(hw.load("press").replace(SHORT)).summary["ticks"] == 200
+
+
+def test_the_check_of_a_large_map_hears_ctrl_c(monkeypatch):
+    # The last cells are wrong: a check that heard nothing would end with a ValueError.
+    values, wrong = np.full(2000, 300.0), np.append(np.full(1999, 1.0), -1.0)
+    begins, run_map = threading.Event(), _core.map
+
+    def interrupt():
+        begins.wait()
+        os.kill(os.getpid(), signal.SIGINT)
+
+    # The thread goes on only when _core.map() gives the interpreter's lock away.
+    monkeypatch.setattr(_core, "map", lambda *arguments: (begins.set(), run_map(*arguments)))
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1000.0)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            hw.map("press", x=("wall.stiffness_n_per_m", values), y=("device.damping_n_s_per_m", wrong))
+    finally:
+        sys.setswitchinterval(interval)
+    thread.join()
+
+
+SCRIPTS = {
+    "globals": "scene = hw.load('press'); run = hw.run(scene); samples = run.samples; grid = hw.compare",
+    "a law": """
+scene = hw.load("press")
+mine = hw.algorithm(lambda state, tick: scene["hand.mass_kg"], name="mine")
+run = hw.run(scene, mine)""",
+    "a cycle": """
+class Keeps: pass
+one = Keeps(); one.run = hw.run("press"); one.itself = one; hw.kept = one""",
+    "a thread": """
+import threading
+run = hw.run("press")
+threading.Thread(target=lambda run: threading.Event().wait(), args=[run], daemon=True).start()""",
+    "another library": """
+import ctypes
+run = hw.run("press")
+ctypes.pythonapi.Py_IncRef(ctypes.py_object(run))""",
+    "an exception": "run = hw.run('press'); scene = run.scene; raise SystemExit(0)",
+}
+
+
+@pytest.mark.parametrize("script", SCRIPTS)
+def test_a_script_ends_without_a_word(script):
+    done = subprocess.run([sys.executable, "-c", "import hapticwall as hw\n" + SCRIPTS[script]], capture_output=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
 
 
 def test_many_runs_take_no_more_memory():

@@ -1,3 +1,5 @@
+import pathlib
+
 import numpy as np
 import pytest
 
@@ -82,6 +84,58 @@ def test_the_text_of_a_scene_is_a_scene_file(tmp_path):
     assert hw.load(str(path))["hand.mass_kg"] == 0.1
 
 
-def test_a_scene_that_is_not_there_is_told():
-    with pytest.raises((OSError, ValueError), match="missing.toml"):
-        hw.load("missing.toml")
+def test_a_path_is_a_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "press").write_text(str(hw.load("tap")))
+    assert hw.load(pathlib.Path("press"))["name"] == "tap"
+    assert hw.load(tmp_path / "press")["name"] == "tap"
+    assert hw.load("press")["name"] == "press"
+    assert hw.run(pathlib.Path("press")).scene["name"] == "tap"
+
+
+def test_a_file_that_is_not_there_is_told(tmp_path):
+    missing = tmp_path / "missing.toml"
+    for call in (hw.load, hw.read, hw.compare, lambda path: hw.run("press", path)):
+        for path in (missing, str(missing)):
+            with pytest.raises(FileNotFoundError, match="missing.toml"):
+                call(path)
+    with pytest.raises(ValueError, match="neither a file nor a built-in scene"):
+        hw.load("pres")
+    with pytest.raises(TypeError):
+        hw.load(3)
+
+
+def test_a_path_with_a_null_character_is_refused(tmp_path):
+    run = hw.run(hw.load("press").replace({"duration_s": 0.01}))
+    for call in (run.save, hw.read, hw.load):
+        with pytest.raises(ValueError, match="null character"):
+            call(str(tmp_path / "x\0y.csv"))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_keys_of_a_scene_are_in_it():
+    scene = hw.load("golden-soft")
+    assert list(scene) == scene.keys() and all(key in scene for key in scene)
+    assert "device.friction_n" in scene and scene["device.friction_n"] is None
+    assert "algorithm.name" in scene
+    for key in ("hand.mas_kg", "", 3, None):
+        assert key not in scene
+    with pytest.raises(TypeError, match="a key is a text such as 'hand.mass_kg', not 3"):
+        scene[3]
+
+
+def test_another_algorithm_has_its_defaults():
+    scene = hw.load("press").replace({"algorithm.rest_force_step_n": 0.5})
+    kept = scene.replace({"algorithm.name": "energy-bounding-2010"})
+    assert kept["algorithm.rest_force_step_n"] == 0.5  # as the page says
+    fresh = scene.with_algorithm("energy-bounding-2010")
+    assert fresh["algorithm.name"] == "energy-bounding-2010"
+    assert [key for key in fresh if key.startswith("algorithm.") and fresh[key] is not None] == []
+    assert scene["algorithm.rest_force_step_n"] == 0.5
+    assert scene.with_algorithm("energy-bounding", rest_force_step_n=0.25)["algorithm.rest_force_step_n"] == 0.25
+    mine = hw.algorithm(lambda state, tick: 0.0, name="of-a-scene")
+    assert scene.with_algorithm(mine)["algorithm.name"] == "of-a-scene"
+    with pytest.raises(KeyError, match="did you mean 'rest_force_step_n'"):
+        scene.with_algorithm("energy-bounding", rest_force_stp_n=0.25)
+    with pytest.raises(ValueError, match="rest_force_step_n"):
+        scene.with_algorithm("energy-bounding", rest_force_step_n=-1.0)

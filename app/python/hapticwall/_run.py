@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
@@ -13,6 +12,7 @@ import numpy.typing as npt
 
 from hapticwall import _core
 from hapticwall._law import Algorithm, heard, index_of, indices_of, told
+from hapticwall._path import Path, file_text, path_text
 from hapticwall._scene import Scene, Value, scene_of, setting
 
 # The keys of `hapticwall run --json`; None for what does not apply.
@@ -58,9 +58,9 @@ class Run:
         """Of a rerun(): the first tick that differs from the recording; None if all are equal."""
         return self._core.first_different_tick
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: Path) -> None:
         """Writes NAME.csv and its sidecar NAME.toml, as `hapticwall run --csv` does."""
-        self._core.save(os.fspath(path))
+        self._core.save(path_text(path))
 
 
 class Recording:
@@ -81,7 +81,7 @@ class Recording:
         return Scene(self._core.scene())
 
 
-def run(scene: Scene | str, algorithm: Algorithm | str | None = None) -> Run:
+def run(scene: Scene | Path, algorithm: Algorithm | Path | None = None) -> Run:
     """Runs a scene on the simulator. LawError if a law of one's own raised an exception."""
     core = scene_of(scene)._core
     if core.not_repeatable_because:
@@ -101,7 +101,7 @@ def batch(scenes: Iterable[Scene]) -> list[Summary]:
     return told(raised, summaries)
 
 
-def compare(scene: Scene | str, algorithms: Sequence[Algorithm | str] | None = None) -> list[Summary]:
+def compare(scene: Scene | Path, algorithms: Sequence[Algorithm | Path] | None = None) -> list[Summary]:
     """Summaries of a scene under these algorithms, or all built-in ones: the rows of `hapticwall compare`."""
     core, indices = scene_of(scene)._core, indices_of(algorithms)
     with heard() as raised:
@@ -109,14 +109,17 @@ def compare(scene: Scene | str, algorithms: Sequence[Algorithm | str] | None = N
     return told(raised, summaries)
 
 
-def read(path: str | os.PathLike[str]) -> Recording:
-    """Opens NAME.csv with its sidecar NAME.toml, and checks every row."""
-    return Recording(_core.Recording(os.fspath(path)))
+def read(path: Path) -> Recording:
+    """Opens NAME.csv with its sidecar NAME.toml, and checks every row.
+
+    ValueError says what is wrong with it, OSError that it cannot be read.
+    """
+    return Recording(_core.Recording(file_text(path)))
 
 
 def rerun(
     recording: Recording,
-    algorithm: Algorithm | str | None = None,
+    algorithm: Algorithm | Path | None = None,
     values: Mapping[str, Value] | None = None,
 ) -> Run:
     """Runs the recorded hand again, under another algorithm or with other values of the scene."""

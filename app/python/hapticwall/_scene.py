@@ -11,6 +11,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from hapticwall import _core
+from hapticwall._law import Algorithm, index_of
+from hapticwall._path import Path, name_or_file
 
 # What a key takes: a number, true or false, a word, or the points of a path.
 Value: TypeAlias = float | str | bool | Sequence[Sequence[float]]
@@ -40,13 +42,15 @@ class Scene:
     """A scene. Its keys are those of a scene file and of --set, such as "hand.mass_kg".
 
     A key that the scene omits has the value None. Every change is checked at once: ValueError for a
-    wrong value, KeyError for an unknown key, with the nearest name.
+    wrong value, KeyError for an unknown key, with the nearest name. Iteration gives keys().
     """
 
     def __init__(self, core: _core.Scene) -> None:
         self._core = core
 
     def __getitem__(self, key: str) -> Any:
+        if not isinstance(key, str):
+            raise TypeError(f"a key is a text such as 'hand.mass_kg', not {key!r}")
         known, number = self._core.number(key)
         return number if known else self._look_up(key)
 
@@ -56,6 +60,28 @@ class Scene:
     def replace(self, values: Mapping[str, Value]) -> Scene:
         """The scene with other values, which are checked together; this one stays as it is."""
         return Scene(self._core.replaced([(key, setting(value)) for key, value in values.items()]))
+
+    def with_algorithm(self, algorithm: Algorithm | Path, **parameters: float) -> Scene:
+        """The scene under this algorithm, with its default for every parameter that is not given.
+
+        replace({"algorithm.name": ...}) keeps the parameters instead: a key that two algorithms
+        share keeps its value.
+        """
+        settings = [(f"algorithm.{key}", setting(value)) for key, value in parameters.items()]
+        return Scene(self._core.with_algorithm(index_of(algorithm), settings))
+
+    def __contains__(self, key: object) -> bool:
+        """True for every key that a scene can have, also if this one omits it."""
+        if not isinstance(key, str):
+            return False
+        try:
+            self[key]
+        except KeyError:
+            return False
+        return True
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
 
     def keys(self) -> list[str]:
         """The keys of all numbers of this scene."""
@@ -70,8 +96,11 @@ class Scene:
 
     def _look_up(self, key: str) -> Any:
         value: Any = tomllib.loads(self._core.toml())
+        parts = list(_parts(key))
+        if not parts:
+            raise KeyError(f"{key!r}: not a key; it takes one such as 'hand.mass_kg'")
         try:
-            for part in _parts(key):
+            for part in parts:
                 value = value[0][part] if isinstance(value, list) and isinstance(part, str) else value[part]
         except (KeyError, IndexError, TypeError):
             self._core.check_key(key)
@@ -79,13 +108,13 @@ class Scene:
         return value
 
 
-def load(name_or_path: str) -> Scene:
+def load(name_or_path: Path) -> Scene:
     """A built-in scene by its name, a scene file, or the sidecar of a recording.
 
-    ValueError says what is wrong with it, OSError that it cannot be read.
+    A pathlib.Path is a file. ValueError says what is wrong with it, OSError that it cannot be read.
     """
-    return Scene(_core.Scene.load(name_or_path))
+    return Scene(_core.Scene.load(name_or_file(name_or_path, "/.")))
 
 
-def scene_of(scene: Scene | str) -> Scene:
-    return load(scene) if isinstance(scene, str) else scene
+def scene_of(scene: Scene | Path) -> Scene:
+    return scene if isinstance(scene, Scene) else load(scene)

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from hapticwall import _core
 from hapticwall._law import Algorithm, algorithms as all_algorithms, heard, indices_of, told
+from hapticwall._path import Path
 from hapticwall._scene import Scene, scene_of
 
 # In the order of the module's index, from good to bad.
@@ -42,24 +43,27 @@ class Map:
         return np.equal(self["verdict"], 0.0)
 
 
-def _values(values: Values) -> npt.NDArray[np.float64]:
-    return np.asarray(values, dtype=np.float64).ravel()
+def _values(key: str, values: Values) -> npt.NDArray[np.float64]:
+    array = np.array(values, dtype=np.float64, ndmin=1)
+    if array.ndim != 1:
+        raise ValueError(f"{key}: a grid of {array.ndim} dimensions; give x and y one list of numbers each")
+    return array
 
 
 def map(  # noqa: A001
-    scene: Scene | str,
+    scene: Scene | Path,
     *,
     x: tuple[str, Values],
     y: tuple[str, Values],
-    algorithms: Sequence[Algorithm | str] | None = None,
+    algorithms: Sequence[Algorithm | Path] | None = None,
 ) -> Map:
     """Runs axis x of a scene for every x, y and algorithm, on all cores. All built-in algorithms by default.
 
     A key is a number of axis x, of the loop or of an algorithm, or "hand.path_speed_m_per_s".
     """
-    xs, ys = _values(x[1]), _values(y[1])
+    xs, ys = _values(*x), _values(*y)
     indices = indices_of(algorithms)
     with heard() as raised:
-        columns = _core.map(scene_of(scene)._core, (x[0], xs.tolist()), (y[0], ys.tolist()), indices)
+        columns = _core.map(scene_of(scene)._core, (x[0], xs), (y[0], ys), indices)
     names = all_algorithms()
     return told(raised, Map(xs, ys, [names[index] for index in indices], columns))
