@@ -5,7 +5,9 @@ set(pages ${CMAKE_BINARY_DIR}/generated/pages)
 file(MAKE_DIRECTORY ${pages})
 
 install(CODE "set(CMAKE_INSTALL_DO_STRIP TRUE)" CONFIGURATIONS Release)
-install(TARGETS hapticwall hapticwall-emulator RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS hapticwall RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# `./dev run` does not build it.
+install(TARGETS hapticwall-emulator RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
 # The program embeds its files. Only the udev rule must be in a folder that udev reads.
 install(FILES assets/70-hapticwall.rules DESTINATION lib/udev/rules.d)
 
@@ -28,7 +30,12 @@ install(FILES ${pages}/copyright README.md CHANGELOG.md CONTRIBUTING.md CITATION
 install(DIRECTORY core/stabiliser/plugin/include/hapticwall device/plugin/include/hapticwall
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY docs DESTINATION ${documents})
-install(DIRECTORY assets/fonts DESTINATION ${documents}/assets)
+# Places of the source tree, so that links of the pages lead somewhere and the examples build.
+install(DIRECTORY assets/devices assets/examples assets/fonts assets/scenes
+        DESTINATION ${documents}/assets)
+install(FILES assets/70-hapticwall.rules DESTINATION ${documents}/assets)
+install(DIRECTORY core/stabiliser/plugin/include DESTINATION ${documents}/core/stabiliser/plugin)
+install(DIRECTORY device/plugin/include DESTINATION ${documents}/device/plugin)
 
 install(FILES assets/desktop/hapticwall.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES assets/desktop/hapticwall.svg

@@ -21,8 +21,10 @@ run(ignored ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WO
 
 file(GLOB_RECURSE found RELATIVE ${WORK}/root ${WORK}/root/*)
 list(FILTER found EXCLUDE REGEX "/docs/")
-list(SORT found)
+file(GLOB_RECURSE copied RELATIVE ${ROOT} ${ROOT}/assets/devices/* ${ROOT}/assets/examples/* ${ROOT}/assets/scenes/*)
+list(TRANSFORM copied PREPEND share/doc/hapticwall/)
 set(expected
+    ${copied}
     bin/hapticwall
     bin/hapticwall-emulator
     include/hapticwall/device_plugin.h
@@ -35,11 +37,16 @@ set(expected
     share/doc/hapticwall/CONTRIBUTING.md
     share/doc/hapticwall/LICENSE
     share/doc/hapticwall/README.md
+    share/doc/hapticwall/assets/70-hapticwall.rules
     share/doc/hapticwall/assets/fonts/OFL.txt
     share/doc/hapticwall/copyright
+    share/doc/hapticwall/core/stabiliser/plugin/include/hapticwall/plugin.h
+    share/doc/hapticwall/device/plugin/include/hapticwall/device_plugin.h
     share/icons/hicolor/scalable/apps/hapticwall.svg
     share/man/man1/hapticwall.1
     share/metainfo/hapticwall.metainfo.xml)
+list(SORT found)
+list(SORT expected)
 if(NOT found STREQUAL expected)
   message(SEND_ERROR "installed:\n${found}\nexpected:\n${expected}")
 endif()
@@ -71,6 +78,39 @@ endforeach()
 expect(share/doc/hapticwall/CITATION.cff "\nversion: ${VERSION}\n")
 expect(share/man/man1/hapticwall.1 ".TH HAPTICWALL 1")
 expect(share/bash-completion/completions/hapticwall "complete -o default -F _hapticwall hapticwall\n")
+
+# Every link of a page leads to a file.
+set(checked_links 0)
+file(GLOB_RECURSE pages ${WORK}/root/share/doc/hapticwall/*.md)
+foreach(page IN LISTS pages)
+  file(READ ${page} text)
+  cmake_path(GET page PARENT_PATH folder)
+  # A quoted change of a table is about another page.
+  string(REGEX REPLACE "\n[+ ]\\|[^\n]*" "" text "${text}")
+  # CMake splits no list inside of square brackets.
+  string(REPLACE "](" "<link>" text "${text}")
+  string(REGEX MATCHALL "<link>[^)#<[ \n]+" links "${text}")
+  list(TRANSFORM links REPLACE "^<link>" "")
+  list(FILTER links EXCLUDE REGEX "^[a-z]+:")
+  foreach(link IN LISTS links)
+    math(EXPR checked_links "${checked_links} + 1")
+    if(NOT EXISTS ${folder}/${link})
+      message(SEND_ERROR "${page}: there is no ${link}")
+    endif()
+  endforeach()
+endforeach()
+if(checked_links LESS 200)
+  message(SEND_ERROR "found only ${checked_links} links in the pages")
+endif()
+
+# Without the emulator, as after `./dev run`.
+file(READ ${BUILD}/cmake_install.cmake script)
+string(REPLACE "${BUILD}/hapticwall-emulator" "${WORK}/not-built" script "${script}")
+file(WRITE ${WORK}/install.cmake "${script}")
+run(ignored ${CMAKE_COMMAND} -DCMAKE_INSTALL_PREFIX=${WORK}/alone -P ${WORK}/install.cmake)
+if(NOT EXISTS ${WORK}/alone/bin/hapticwall OR EXISTS ${WORK}/alone/bin/hapticwall-emulator)
+  message(SEND_ERROR "without hapticwall-emulator not exactly hapticwall is installed")
+endif()
 
 set(installed ${WORK}/root/bin/hapticwall)
 run(ignored ${installed} run press --duration 0.1 --csv a.csv)
