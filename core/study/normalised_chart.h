@@ -48,7 +48,7 @@ inline constexpr std::size_t kChartPoints = 10;
 // The classical chart has none of them.
 [[nodiscard]] Scene bare_handle(const Scene& scene);
 
-// The theory alone, with the dampings at which to simulate. About 10 ms.
+// The theory alone, with the dampings at which to simulate. About 30 ms.
 [[nodiscard]] NormalisedChart chart_of_theory(const Scene& scene);
 
 struct ChartOptions {

@@ -1,269 +1,206 @@
 #include "core/study/stable_stiffness.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <optional>
 
-#include "core/plant/propagator.h"
+#include "core/study/pulse_transfer.h"
 
 namespace hapticwall {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr std::size_t kMaxStates = 5;
 
-// From the command at the amplifier to the position, as a quotient of polynomials in w = z - 1 of
-// which the low powers come first. w keeps the digits of slow motions, which lie close to z = 1.
-// Time is in ticks, force in m/T², so that stiffness and damping are K T²/m and B T/m.
-struct PulseTransfer {
-  std::size_t states = 0;
-  double delay_ticks = 0.0;  // whole
-  std::array<double, kMaxStates + 1> denominator{};
-  std::array<double, kMaxStates> numerator{};  // of the command that acts to the end of the tick
-  std::array<double, kMaxStates> earlier{};    // of the one before it, if the delay ends within it
-  // Swing of the hand's mass with the handle at rest, where the numerator is nearly 0; per tick.
-  double hand_angle = 0.0;
-  double hand_decay = 0.0;
+// A piece of the upper half of the unit circle; angles in radians.
+struct Piece {
+  double from = 0.0;
+  double to = 0.0;
+
+  [[nodiscard]] double middle() const { return 0.5 * (from + to); }
+  [[nodiscard]] double half() const { return 0.5 * (to - from); }
 };
 
-template <int kStates>
-struct Motion {
-  SetupMatrix<kStates> rates = SetupMatrix<kStates>::Zero();
-  Eigen::Matrix<long double, kStates, 1> input = Eigen::Matrix<long double, kStates, 1>::Zero();
-};
+// Faster than std::abs(), which guards against overflow.
+double magnitude(Complex value) { return std::sqrt(std::norm(value)); }
 
-// States: position and velocity of the handle; with a grip those of the hand minus the handle's;
-// with a lag the amplifier's force. A force pushes along x here.
-template <bool kGrip, bool kLag>
-auto motion_of(const PlantParameters& p, long double t) {
-  constexpr int kBodies = kGrip ? 4 : 2;
-  Motion<kBodies + (kLag ? 1 : 0)> motion;
-  auto& a = motion.rates;
-  const long double m = p.mass_kg;
-  const long double kh = static_cast<long double>(p.hand_stiffness_n_per_m) * t * t;
-  const long double bh = static_cast<long double>(p.hand_damping_n_s_per_m) * t;
-  a(0, 1) = 1.0L;
-  a(1, 1) = -static_cast<long double>(p.damping_n_s_per_m) * t / m;
-  if constexpr (kGrip) {
-    const long double mh = p.hand_mass_kg;
-    const long double kg = static_cast<long double>(p.grip_stiffness_n_per_m) * t * t;
-    const long double bg = static_cast<long double>(p.grip_damping_n_s_per_m) * t;
-    a(1, 2) = kg / m;
-    a(1, 3) = bg / m;
-    a(2, 3) = 1.0L;
-    a(3, 0) = -kh / mh;
-    a(3, 1) = -bh / mh - a(1, 1);
-    a(3, 2) = -(kh + kg) / mh - kg / m;
-    a(3, 3) = -(bh + bg) / mh - bg / m;
-  } else {
-    a(1, 0) = -kh / m;
-    a(1, 1) -= bh / m;
-  }
-  auto force = motion.input;
-  force(1) = 1.0L;
-  if constexpr (kGrip) force(3) = -1.0L;
-  if constexpr (kLag) {
-    const long double rate = t / static_cast<long double>(p.time_constant_s);
-    a.col(kBodies) = force;
-    a(kBodies, kBodies) = -rate;
-    motion.input(kBodies) = rate;
-  } else {
-    motion.input = force;
-  }
-  return motion;
-}
-
-// A tick, or the part of it after the arrival of a command.
-template <int kStates>
-Propagator<kStates, 0> step_of(const Motion<kStates>& motion, long double part) {
-  Propagator<kStates, 0> step = make_propagators<kStates>(SetupMatrix<kStates>(motion.rates * part),
-                                                          std::array<SetupMatrix<kStates>, 0>{}, 0)
-                                    .front();
-  step.integral *= part;
-  return step;
-}
-
-// By Faddeev and LeVerrier, from e^A - 1.
-template <int kStates>
-PulseTransfer transfer_of(const Motion<kStates>& motion, long double delay_ticks) {
-  constexpr auto kCount = static_cast<std::size_t>(kStates);
-  PulseTransfer transfer;
-  transfer.states = kCount;
-  // A whole number of ticks may come in seconds.
-  constexpr long double kSameTick = 1e-9L;
-  const long double whole = std::floor(delay_ticks + kSameTick);
-  const long double late = std::max(0.0L, delay_ticks - whole);
-  transfer.delay_ticks = static_cast<double>(whole);
-  const auto tick = step_of(motion, 1.0L);
-  const Eigen::Matrix<long double, kStates, 1> both = tick.integral * motion.input;
-  Eigen::Matrix<long double, kStates, 1> now = both;
-  if (late > kSameTick) now = step_of(motion, 1.0L - late).integral * motion.input;
-  SetupMatrix<kStates> adjugate = SetupMatrix<kStates>::Identity();
-  transfer.denominator[kCount] = 1.0;
-  for (std::size_t k = 1; k <= kCount; ++k) {
-    transfer.numerator[kCount - k] = static_cast<double>(adjugate.row(0).dot(now));
-    transfer.earlier[kCount - k] = static_cast<double>(adjugate.row(0).dot(both - now));
-    adjugate = (tick.increment * adjugate).eval();
-    const long double coefficient = -adjugate.trace() / static_cast<long double>(k);
-    transfer.denominator[kCount - k] = static_cast<double>(coefficient);
-    adjugate.diagonal().array() += coefficient;
-  }
-  return transfer;
-}
-
-PulseTransfer transfer_of(const SampledLoop& loop) {
-  PlantParameters p = loop.plant;
-  if (p.grip && p.grip_stiffness_n_per_m == 0.0 && p.grip_damping_n_s_per_m == 0.0) {
-    p.grip = false;  // the hand holds nothing
-    p.hand_stiffness_n_per_m = p.hand_damping_n_s_per_m = 0.0;
-  }
-  const long double t = loop.period_s;
-  const long double delay_ticks = static_cast<long double>(loop.delay_s) / t;
-  if (!p.grip) {
-    return p.has_lag() ? transfer_of(motion_of<false, true>(p, t), delay_ticks)
-                       : transfer_of(motion_of<false, false>(p, t), delay_ticks);
-  }
-  PulseTransfer transfer = p.has_lag() ? transfer_of(motion_of<true, true>(p, t), delay_ticks)
-                                       : transfer_of(motion_of<true, false>(p, t), delay_ticks);
-  constexpr double kLeastDecay = 1e-9;
-  const double natural =
-      loop.period_s *
-      std::sqrt((p.grip_stiffness_n_per_m + p.hand_stiffness_n_per_m) / p.hand_mass_kg);
-  // The same place on the circle for a swing faster than half the rate.
-  transfer.hand_angle = std::abs(std::remainder(natural, 2.0 * std::numbers::pi));
-  transfer.hand_decay = std::max(
-      kLeastDecay,
-      0.5 * loop.period_s * (p.grip_damping_n_s_per_m + p.hand_damping_n_s_per_m) / p.hand_mass_kg);
-  return transfer;
-}
-
-// The parts of the characteristic equation z^d D + (K + B (1 - 1/z)) N = 0 at z = e^{iθ}.
-struct CirclePoint {
-  double angle = 0.0;
-  Complex delayed;     // z^d D
-  Complex numerator;   // N
-  Complex difference;  // 1 - 1/z
-};
-
-template <std::size_t kSize>
-Complex polynomial(const std::array<double, kSize>& coefficients, std::size_t count, Complex w) {
-  double re = 0.0;
-  double im = 0.0;
-  for (std::size_t i = count; i-- > 0;) {
-    const double sum = re * w.real() - im * w.imag() + coefficients[i];
-    im = re * w.imag() + im * w.real();
-    re = sum;
-  }
-  return {re, im};
-}
-
-CirclePoint at_angle(const PulseTransfer& plant, double angle) {
-  const double half = std::sin(0.5 * angle);
-  const Complex w(-2.0 * half * half, std::sin(angle));
-  const Complex to_earlier(1.0 + w.real(), -w.imag());  // 1/z
-  CirclePoint point{angle, polynomial(plant.denominator, plant.states + 1, w),
-                    polynomial(plant.numerator, plant.states, w), -std::conj(w)};
-  point.numerator += to_earlier * polynomial(plant.earlier, plant.states, w);
-  if (plant.delay_ticks > 0.0) point.delayed *= std::polar(1.0, plant.delay_ticks * angle);
-  return point;
-}
-
-// The K that the equation gives, times |N|²; on the limit of stability it is real.
-struct StiffnessCurve {
-  double damping;
-
-  Complex operator()(const CirclePoint& at) const {
-    return -at.delayed * std::conj(at.numerator) -
-           damping * std::norm(at.numerator) * at.difference;
-  }
-};
-
-// The left side of the equation. It turns by π once for each zero within the circle.
-struct CharacteristicCurve {
-  double stiffness;
-  double damping;
-
-  Complex operator()(const CirclePoint& at) const {
-    return at.delayed + (stiffness + damping * at.difference) * at.numerator;
-  }
-};
-
-struct CurvePoint {
-  CirclePoint at;
-  Complex value;
-};
-
-// Goes along the upper half of the circle in pieces on which the curve turns by less than 45°.
-template <typename Curve, typename Visit>
-class Sweep {
+// A function of the angle on a piece, by Taylor's theorem: no value on the piece lies farther from
+// the one in the middle than reach().
+class Enclosure {
  public:
-  Sweep(const PulseTransfer& plant, const Curve& curve, Visit& visit)
-      : plant_(plant), curve_(curve), visit_(visit) {}
+  // Value and derivatives in the middle, and a bound of |third derivative| on the piece.
+  Enclosure(double half, Complex value, Complex slope, Complex bend, double third)
+      : half_(half),
+        value_(value),
+        slope_(slope),
+        bend_(bend),
+        max_third_(third),
+        max_bend_(magnitude(bend) + half * third),
+        max_slope_(magnitude(slope) + half * (magnitude(bend) + 0.5 * half * third)),
+        max_value_(magnitude(value) + reach()) {}
 
-  void run() {
-    constexpr double kPi = std::numbers::pi;
-    constexpr double kFirst = 1e-9;
-    constexpr double kRatio = 2.0;
-    constexpr double kShare = 0.5;
-    // A piece that turned by a full circle would pass for one that does not turn.
-    const double longest =
-        1.5 / (plant_.delay_ticks + 2.0 * static_cast<double>(plant_.states) + 1.0);
-    CurvePoint last = point(kFirst);
-    while (last.at.angle < kPi) {
-      double next = std::min({kRatio * last.at.angle, last.at.angle + longest, kPi});
-      // At the hand's own swing a turn and its reverse may follow each other closely.
-      if (plant_.hand_angle > 0.0) {
-        const double distance = std::abs(last.at.angle - plant_.hand_angle);
-        next = std::min(next, last.at.angle + kShare * (distance + plant_.hand_decay));
-      }
-      const CurvePoint to = point(next);
-      piece(last, to, 0);
-      last = to;
-    }
+  [[nodiscard]] Complex value() const { return value_; }
+  [[nodiscard]] double reach() const { return reach_of(magnitude(slope_), magnitude(bend_)); }
+  [[nodiscard]] double reach_re() const { return reach_of(slope_.real(), bend_.real()); }
+  [[nodiscard]] double reach_im() const { return reach_of(slope_.imag(), bend_.imag()); }
+  [[nodiscard]] bool im_is_monotonic() const {
+    return std::abs(slope_.imag()) > half_ * (std::abs(bend_.imag()) + 0.5 * half_ * max_third_);
+  }
+
+  [[nodiscard]] Enclosure conjugate() const {
+    return {half_, std::conj(value_), std::conj(slope_), std::conj(bend_), max_third_};
+  }
+  friend Enclosure operator+(const Enclosure& a, const Enclosure& b) {
+    return {a.half_, a.value_ + b.value_, a.slope_ + b.slope_, a.bend_ + b.bend_,
+            a.max_third_ + b.max_third_};
+  }
+  friend Enclosure operator+(double a, const Enclosure& b) {
+    return {b.half_, a + b.value_, b.slope_, b.bend_, b.max_third_};
+  }
+  friend Enclosure operator*(double a, const Enclosure& b) {
+    return {b.half_, a * b.value_, a * b.slope_, a * b.bend_, std::abs(a) * b.max_third_};
+  }
+  friend Enclosure operator*(const Enclosure& a, const Enclosure& b) {
+    return {a.half_, a.value_ * b.value_, a.slope_ * b.value_ + a.value_ * b.slope_,
+            a.bend_ * b.value_ + 2.0 * a.slope_ * b.slope_ + a.value_ * b.bend_,
+            a.max_third_ * b.max_value_ + b.max_third_ * a.max_value_ +
+                3.0 * (a.max_bend_ * b.max_slope_ + a.max_slope_ * b.max_bend_)};
   }
 
  private:
-  CurvePoint point(double angle) const {
-    const CirclePoint at = at_angle(plant_, angle);
-    return {at, curve_(at)};
-  }
-  void piece(const CurvePoint& from, const CurvePoint& to, int depth) const {
-    constexpr int kDeepest = 40;
-    const Complex turn = to.value * std::conj(from.value);
-    if (!(std::abs(turn.imag()) > turn.real()) || depth == kDeepest) return visit_(from, to);
-    const CurvePoint middle = point(0.5 * (from.at.angle + to.at.angle));
-    piece(from, middle, depth + 1);
-    piece(middle, to, depth + 1);
+  [[nodiscard]] double reach_of(double slope, double bend) const {
+    constexpr double kSixth = 1.0 / 6.0;
+    return half_ * (std::abs(slope) + half_ * (0.5 * std::abs(bend) + kSixth * half_ * max_third_));
   }
 
-  const PulseTransfer& plant_;
-  const Curve& curve_;
-  Visit& visit_;
+  double half_;
+  Complex value_;
+  Complex slope_;
+  Complex bend_;
+  double max_third_;
+  double max_bend_;
+  double max_slope_;
+  double max_value_;
 };
 
-template <typename Curve, typename Visit>
-void sweep(const PulseTransfer& plant, const Curve& curve, Visit visit) {
-  Sweep<Curve, Visit>(plant, curve, visit).run();
+// z^turns. The value comes first, because std::polar() is slow.
+Enclosure power_of_z(double half, Complex value, double turns) {
+  return {half, value, Complex(0.0, turns) * value, -turns * turns * value,
+          turns * turns * std::abs(turns)};
 }
 
-// Between two angles where the curve crosses the real axis; regula falsi (Illinois).
-double stiffness_at_crossing(const PulseTransfer& plant, const StiffnessCurve& curve,
-                             const CurvePoint& from, const CurvePoint& to) {
+// Expands the polynomial around `w`, which gives bounds that are tight at a resonance, too.
+template <std::size_t kSize>
+Enclosure polynomial(const std::array<double, kSize>& coefficients, std::size_t count, Complex w,
+                     double half) {
+  std::array<Complex, kSize> local{};
+  std::copy_n(coefficients.begin(), count, local.begin());
+  for (std::size_t done = 0; done + 1 < count; ++done) {
+    for (std::size_t i = count - 1; i-- > done;) local.at(i) += w * local.at(i + 1);
+  }
+  // Bounds of the derivatives by w, because a chord is at most as long as its arc.
+  double first = 0.0;
+  double second = 0.0;
+  double third = 0.0;
+  for (std::size_t i = count; i-- > 1;) {
+    const auto n = static_cast<double>(i);
+    const double term = n * magnitude(local.at(i));
+    first = first * half + term;
+    if (i > 1) second = second * half + (n - 1.0) * term;
+    if (i > 2) third = third * half + (n - 1.0) * (n - 2.0) * term;
+  }
+  const Complex z = 1.0 + w;
+  const Complex slope = z * local[1];
+  return {half, local[0], Complex(0.0, 1.0) * slope, -slope - 2.0 * z * z * local[2],
+          first + 3.0 * second + third};
+}
+
+// The parts of the characteristic equation z^d D + (K + B (1 - 1/z)) N = 0 at z = e^{iθ}.
+struct CirclePart {
+  Enclosure delayed;     // z^d D
+  Enclosure numerator;   // N
+  Enclosure difference;  // 1 - 1/z
+
+  // The K that the equation gives, times |N|²; on the limit of stability it is real.
+  [[nodiscard]] Enclosure stiffness(double damping) const {
+    const Enclosure conjugate = numerator.conjugate();
+    return -1.0 * (delayed + damping * (numerator * difference)) * conjugate;
+  }
+  // The left side of the equation.
+  [[nodiscard]] Enclosure characteristic(double stiffness, double damping) const {
+    return delayed + (stiffness + damping * difference) * numerator;
+  }
+};
+
+CirclePart on_piece(const PulseTransfer& plant, const Piece& piece) {
+  const double angle = piece.middle();
+  const double half = piece.half();
+  const double sine = std::sin(0.5 * angle);
+  const Complex w(-2.0 * sine * sine, std::sin(angle));
+  const Enclosure to_earlier = power_of_z(half, 1.0 + std::conj(w), -1.0);
+  Enclosure delayed = polynomial(plant.denominator, plant.states + 1, w, half);
+  if (plant.delay_ticks > 0.0) {
+    const Complex turned = std::polar(1.0, plant.delay_ticks * angle);
+    delayed = power_of_z(half, turned, plant.delay_ticks) * delayed;
+  }
+  Enclosure numerator = polynomial(plant.numerator, plant.states, w, half);
+  if (plant.has_earlier) {
+    numerator = numerator + to_earlier * polynomial(plant.earlier, plant.states, w, half);
+  }
+  const Complex turn = to_earlier.value();
+  const Enclosure difference(half, -std::conj(w), Complex(0.0, 1.0) * turn, turn, 1.0);
+  return {delayed, numerator, difference};
+}
+
+// Calls `take` for the upper half of the circle from small angles to large ones, and halves the
+// pieces that it does not take.
+template <typename Take>
+void halve(const Piece& piece, int depth, const Take& take) {
+  constexpr int kDeepest = 40;
+  if (take(piece, depth == kDeepest)) return;
+  halve({piece.from, piece.middle()}, depth + 1, take);
+  halve({piece.middle(), piece.to}, depth + 1, take);
+}
+template <typename Take>
+void visit_pieces(const Take& take) {
+  constexpr double kFirst = 1e-9;
+  constexpr double kRatio = 2.0;
+  for (double from = kFirst; from < std::numbers::pi;) {
+    const double to = std::min(kRatio * from, std::numbers::pi);
+    halve({from, to}, 0, take);
+    from = to;
+  }
+}
+
+struct CurvePoint {
+  Complex value;
+  double numerator_squared = 0.0;
+
+  [[nodiscard]] double stiffness() const { return value.real() / numerator_squared; }
+};
+
+CurvePoint point_at(const PulseTransfer& plant, double damping, double angle) {
+  const CirclePart part = on_piece(plant, {angle, angle});
+  return {part.stiffness(damping).value(), std::norm(part.numerator.value())};
+}
+
+// On a piece with at most one crossing of the real axis; regula falsi (Illinois). nullopt: none.
+std::optional<double> stiffness_at_crossing(const PulseTransfer& plant, double damping,
+                                            const Piece& piece) {
   constexpr int kMaxSteps = 60;
-  double a = from.at.angle;
-  double b = to.at.angle;
-  double at_a = from.value.imag();
-  double at_b = to.value.imag();
-  CurvePoint found = to;
+  double a = piece.from;
+  double b = piece.to;
+  double at_a = point_at(plant, damping, a).value.imag();
+  CurvePoint found = point_at(plant, damping, b);
+  double at_b = found.value.imag();
+  if ((at_a < 0.0) == (at_b < 0.0)) return std::nullopt;
   for (int i = 0; i < kMaxSteps && at_b != 0.0; ++i) {
     const double angle = b - at_b * (b - a) / (at_b - at_a);
     if (angle == a || angle == b) break;
-    const CirclePoint at = at_angle(plant, angle);
-    found = {at, curve(at)};
+    found = point_at(plant, damping, angle);
     const double here = found.value.imag();
     if ((here < 0.0) != (at_b < 0.0)) {
       a = b;
@@ -274,42 +211,55 @@ double stiffness_at_crossing(const PulseTransfer& plant, const StiffnessCurve& c
     b = angle;
     at_b = here;
   }
-  return found.value.real() / std::norm(found.at.numerator);
+  return found.stiffness();
 }
 
 // The smallest positive K for which a zero lies on the circle.
 double first_crossing(const PulseTransfer& plant, double damping) {
   double smallest = std::numeric_limits<double>::infinity();
-  const StiffnessCurve curve{damping};
   const auto take = [&](double stiffness) {
     if (stiffness > 0.0) smallest = std::min(smallest, stiffness);
   };
-  sweep(plant, curve, [&](const CurvePoint& from, const CurvePoint& to) {
-    if ((from.value.imag() < 0.0) == (to.value.imag() < 0.0)) return;
-    if (std::max(from.value.real(), to.value.real()) <= 0.0) return;
-    take(stiffness_at_crossing(plant, curve, from, to));
+  visit_pieces([&](const Piece& piece, bool deepest) {
+    const CirclePart part = on_piece(plant, piece);
+    const Enclosure curve = part.stiffness(damping);
+    if (!(std::abs(curve.value().imag()) <= curve.reach_im())) return true;  // or NaN
+    if (curve.value().real() + curve.reach_re() <= 0.0) return true;
+    if (!curve.im_is_monotonic() && !deepest) return false;
+    if (const auto found = stiffness_at_crossing(plant, damping, piece)) take(*found);
+    return true;
   });
-  const CirclePoint end = at_angle(plant, std::numbers::pi);  // z = -1, where K is always real
-  take(curve(end).real() / std::norm(end.numerator));
+  take(point_at(plant, damping, std::numbers::pi).stiffness());  // z = -1, where K is always real
   return smallest;
 }
 
+// By the argument principle: the left side of the equation turns by π for each zero within.
 bool is_stable(const PulseTransfer& plant, double stiffness, double damping) {
+  constexpr double kPi = std::numbers::pi;
+  constexpr double kNear = 0.7;  // two neighbours differ by less than a right angle
   double angle = 0.0;
-  sweep(plant, CharacteristicCurve{stiffness, damping},
-        [&](const CurvePoint& from, const CurvePoint& to) {
-          angle += std::arg(to.value * std::conj(from.value));
-        });
+  Complex last = 0.0;
+  const auto turn_to = [&](Complex value) {
+    if (last != 0.0) angle += std::arg(value * std::conj(last));
+    last = value;
+  };
+  visit_pieces([&](const Piece& piece, bool deepest) {
+    const Enclosure left = on_piece(plant, piece).characteristic(stiffness, damping);
+    if (left.reach() > kNear * magnitude(left.value()) && !deepest) return false;
+    turn_to(left.value());
+    return true;
+  });
+  turn_to(on_piece(plant, {kPi, kPi}).characteristic(stiffness, damping).value());
   // A zero on the circle that the wall does not move, such as the place where a hand without a
   // spring holds the handle, costs half a turn; one outside costs a whole turn.
-  const double whole = std::numbers::pi * (static_cast<double>(plant.states) + plant.delay_ticks);
-  return angle > whole - 0.75 * std::numbers::pi;
+  const double whole = kPi * (static_cast<double>(plant.states) + plant.delay_ticks);
+  return angle > whole - 0.75 * kPi;
 }
 
 }  // namespace
 
 double largest_stable_stiffness(const SampledLoop& loop) {
-  const PulseTransfer plant = transfer_of(loop);
+  const PulseTransfer plant = pulse_transfer(loop);
   const double mass_kg = loop.plant.mass_kg;
   const double damping = loop.wall_damping_n_s_per_m * loop.period_s / mass_kg;
   const double stiffness = first_crossing(plant, damping);

@@ -15,9 +15,12 @@ struct SampledLoop {
   double wall_damping_n_s_per_m = 0.0;  // B
 };
 
-// Every softer wall is stable, too. 0: no wall is, however soft. Error below 1e-9 of the value.
-// Walls beyond it may be stable again. About 5 µs without a grip and 20 to 35 µs with one, and 1 µs
-// more for each tick of delay. Realtime-safe: no.
+// The softest unstable wall: all softer ones are stable. 0: the softest walls are unstable,
+// although stiffer ones may be stable. Walls beyond the limit may be stable again.
+//
+// Every crossing of the unit circle is enclosed, so that none is missed. Error below 1e-6 of the
+// value, mostly below 1e-10. About 15 to 55 µs without a grip and 30 to 100 µs with one, and 4 µs
+// more for each tick of delay beyond 5. Realtime-safe: no.
 [[nodiscard]] double largest_stable_stiffness(const SampledLoop& loop);
 
 }  // namespace hapticwall

@@ -3,149 +3,41 @@
 // against runs of the simulator. docs/physics.md quotes the distances.
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <random>
 #include <string>
-#include <unsupported/Eigen/MatrixFunctions>
 #include <vector>
 
 #include "core/stabiliser/stabiliser.h"
 #include "core/study/boundary.h"
 #include "core/study/stability_bounds.h"
-#include "core/study/stable_stiffness.h"
 #include "tests/core/study/study_scenes.h"
+#include "tests/golden/loop_eigenvalues.h"
 
 namespace hapticwall {
 namespace {
-
-// ---- the second derivation ----
-
-template <typename Real>
-using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-
-// x, v and y, w of handle and hand in SI, the amplifier's force, and a command that is held.
-enum State { kX, kV, kY, kW, kForce, kCommand, kStates };
-
-// The matrix that takes the states over `duration_s`. The hand's mass, if any, is held by a grip.
-template <typename Real>
-Matrix<Real> motion(const Scene& scene, Real duration_s) {
-  const DeviceSettings& device = scene.x().device;
-  const HandSettings hand = scene.x().hand.value_or(HandSettings{});
-  Matrix<Real> rates = Matrix<Real>::Zero(kStates, kStates);
-  const Real rigid_kg = hand.has_grip() ? 0.0 : hand.mass_kg.value_or(0.0);
-  const Real mass_kg = Real(device.mass_kg) + rigid_kg;
-  rates(kX, kV) = 1;
-  rates(kV, kV) = -Real(device.damping_n_s_per_m) / mass_kg;
-  if (hand.has_grip()) {
-    const Real hand_kg = *hand.mass_kg;
-    const Real stiffness = *hand.grip_stiffness_n_per_m;
-    const Real damping = hand.grip_damping_n_s_per_m.value_or(0.0);
-    rates(kV, kX) -= stiffness / mass_kg;
-    rates(kV, kV) -= damping / mass_kg;
-    rates(kV, kY) = stiffness / mass_kg;
-    rates(kV, kW) = damping / mass_kg;
-    rates(kY, kW) = 1;
-    rates(kW, kX) = stiffness / hand_kg;
-    rates(kW, kV) = damping / hand_kg;
-    rates(kW, kY) = -(stiffness + Real(hand.stiffness_n_per_m)) / hand_kg;
-    rates(kW, kW) = -(damping + Real(hand.damping_n_s_per_m)) / hand_kg;
-  } else {
-    rates(kV, kX) -= Real(hand.stiffness_n_per_m) / mass_kg;
-    rates(kV, kV) -= Real(hand.damping_n_s_per_m) / mass_kg;
-  }
-  const std::optional<double> lag_s = device.amplifier_time_constant_s;
-  rates(kV, lag_s ? kForce : kCommand) = -1 / mass_kg;
-  if (lag_s) {
-    rates(kForce, kCommand) = 1 / Real(*lag_s);
-    rates(kForce, kForce) = -1 / Real(*lag_s);
-  }
-  return Matrix<Real>(rates * duration_s).exp();
-}
-
-// Growth in a tick: states, the previous position, and the commands on their way, newest first.
-template <typename Real>
-Real growth(const Scene& scene, double delay_s, Real stiffness) {
-  const Real period_s = 1 / Real(scene.sampling.rate_hz);
-  const Real mass_kg = scene.x().device.mass_kg;
-  const Real ticks = Real(delay_s) / period_s;
-  const int whole = static_cast<int>(std::floor(ticks + Real(1e-6)));
-  const Real late = std::max(Real(0), ticks - whole);
-  const bool split = late > Real(1e-6);
-  const int waiting = whole + (split ? 1 : 0);
-  const int plant = kCommand;  // states without the command
-  const int size = plant + 1 + waiting;
-  // The command now as a row of the loop's states.
-  const Real damping = Real(scene.x().walls[0].damping_n_s_per_m) / period_s;
-  Matrix<Real> command = Matrix<Real>::Zero(1, size);
-  command(0, kX) = stiffness + damping;
-  command(0, plant) = -damping;
-  const auto sent = [&](int ticks_ago) {
-    Matrix<Real> row = Matrix<Real>::Zero(1, size);
-    if (ticks_ago > 0) row(0, plant + ticks_ago) = 1;
-    return ticks_ago > 0 ? row : command;
-  };
-  Matrix<Real> states = Matrix<Real>::Identity(plant, size);
-  const auto hold = [&](Real duration_s, const Matrix<Real>& held) {
-    const Matrix<Real> step = motion(scene, duration_s);
-    states = (step.topLeftCorner(plant, plant) * states + step.block(0, kCommand, plant, 1) * held)
-                 .eval();
-  };
-  if (split) hold(late * period_s, sent(whole + 1));
-  hold((1 - late) * period_s, sent(whole));
-  Matrix<Real> loop = Matrix<Real>::Zero(size, size);
-  loop.topRows(plant) = states;
-  loop(plant, kX) = 1;
-  if (waiting > 0) loop.row(plant + 1) = command;
-  for (int i = 1; i < waiting; ++i) loop(plant + 1 + i, plant + i) = 1;
-  // States that a scene does not have would stay as they are.
-  const bool grip = scene.x().hand && scene.x().hand->has_grip();
-  if (!grip) loop(kY, kY) = loop(kW, kW) = 0;
-  if (!scene.x().device.amplifier_time_constant_s) loop(kForce, kForce) = 0;
-  // In ticks and m/T², because the eigenvalues of numbers of very different size lose digits.
-  Eigen::Matrix<Real, Eigen::Dynamic, 1> unit =
-      Eigen::Matrix<Real, Eigen::Dynamic, 1>::Constant(size, period_s * period_s / mass_kg);
-  unit(kX) = unit(kY) = unit(plant) = 1;
-  unit(kV) = unit(kW) = period_s;
-  loop = (unit.asDiagonal() * loop * unit.cwiseInverse().asDiagonal()).eval();
-  return loop.eigenvalues().cwiseAbs().maxCoeff();
-}
 
 // The softest unstable wall, or nullopt if walls of 1 N/m are unstable.
 std::optional<double> eigenvalue_limit(const Scene& scene, double delay_s) {
   constexpr double kScan = 1.1;
   constexpr double kStiffest = 1e8;
+  const testing::LoopEigenvalues loop(scene, delay_s);
   double found = 1.0;
-  if (growth<double>(scene, delay_s, found) > 1.0) return std::nullopt;
-  while (growth<double>(scene, delay_s, found) < 1.0 && found < kStiffest) found *= kScan;
+  if (loop.growth(found) > 1.0L) return std::nullopt;
+  while (loop.growth(found) < 1.0L && found < kStiffest) found *= kScan;
   long double low = found / kScan;
   long double high = found;
   while (high - low > 1e-12L * high) {
     const long double middle = 0.5L * (low + high);
-    (growth<long double>(scene, delay_s, middle) < 1.0L ? low : high) = middle;
+    (loop.growth(middle) < 1.0L ? low : high) = middle;
   }
   return static_cast<double>(low);
 }
 
 // ---- scenes ----
 
-class Random {
- public:
-  // The same numbers with any standard library.
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11U) / 0x1p53;
-  }
-  double ratio(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
-  int upto(int most) { return static_cast<int>(between(0.0, most + 1.0 - 1e-9)); }
-
- private:
-  std::mt19937_64 engine_{20261123};
-};
-
-std::optional<HandSettings> some_hand(Random& random, int kind) {
+std::optional<HandSettings> some_hand(testing::Random& random, int kind) {
   if (kind == 0) return std::nullopt;
   HandSettings hand;
   hand.stiffness_n_per_m = random.ratio(1.0, 1000.0);
@@ -159,7 +51,7 @@ std::optional<HandSettings> some_hand(Random& random, int kind) {
 }
 
 // Kinds of hand take turns: none, spring and damper, with a mass, with a grip.
-Scene some_scene(Random& random, int i) {
+Scene some_scene(testing::Random& random, int i) {
   Scene scene;
   scene.sampling.rate_hz = random.ratio(300.0, 10e3);
   DeviceSettings& device = scene.x().device;
@@ -179,7 +71,7 @@ double shown_limit(const Scene& scene, const LoopDelay& delay) {
 }
 
 TEST(StableLimit, IsThatOfTheEigenvaluesOfASecondDerivation) {
-  Random random;
+  testing::Random random(20261123);
   double worst = 0.0;
   int stable = 0;
   for (int i = 0; i < 60; ++i) {
@@ -300,8 +192,9 @@ TEST(StableLimit, IsTheFirstOfSeveral) {
   scene.x().walls = {{0.05, 1000.0, 0.0}};
   const LoopDelay delay = delay_of(scene);
   EXPECT_NEAR(shown_limit(scene, delay), 33.86, 0.01);
-  EXPECT_GT(growth(scene, delay.transport_s, 40.0), 1.0);
-  EXPECT_LT(growth(scene, delay.transport_s, 100.0), 1.0);
+  const testing::LoopEigenvalues loop(scene, delay.transport_s);
+  EXPECT_GT(loop.growth(40.0L), 1.0L);
+  EXPECT_LT(loop.growth(100.0L), 1.0L);
 }
 
 // ---- the simulator ----

@@ -97,10 +97,10 @@ std::string stable_text(const PanelContext& context, const WallSettings& wall,
   const Scene scene = shown_scene(context);
   return fmt::format(
       "Stable below it, in N/m, by the eigenvalues of the sampled loop of handle, {}hold, wall and "
-      "t_d = {:.0f} µs {}; without friction, encoder and force limit. 0: no wall is stable, "
-      "because B is too large.\n\nThe rule K < (b + B) / (T/2 + t_d) gives {:.0f} N/m. It is for B "
-      "T/m below "
-      "{:g}, here {:.2g}, and for a hand that only adds mass.",
+      "t_d = {:.0f} µs {}; without friction, encoder and force limit. 0: the softest walls are "
+      "unstable, because B is too large or nothing damps.\n\nThe rule K < (b + B) / (T/2 + t_d) "
+      "gives {:.0f} N/m. It is for B T/m below {:g}, here {:.2g}, and for a hand that only adds "
+      "mass.",
       simulated && scene.x().hand ? "hand, " : "", delay->total_s() * kMicrosecondsPerSecond,
       simulated ? "as simulated" : "as measured", bounds.rule_n_per_m.value_or(0.0),
       kMaxRuleDamping,
