@@ -29,6 +29,7 @@ void add_limits(const Boundary& boundary, Json& object) {
   object["first_failure"] = json_number(boundary.failed.first);
   object["last_failure"] = json_number(boundary.failed.last);
   object["changes"] = boundary.changes;
+  object["stable_below_n_per_m"] = json_number(boundary.stable_below_n_per_m);
 }
 
 std::string json_text(const Json& object) {

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 // `null` if there is no value or the value is not finite.
 [[nodiscard]] Json json_number(std::optional<double> value);
 
-// The extents of settled and failed values, and the changes of verdict.
+// The extents of settled and failed values, the changes of verdict, and the limit of theory.
 void add_limits(const Boundary& boundary, Json& object);
 
 // With a line end. Replaces invalid UTF-8, which a scene's name may contain.

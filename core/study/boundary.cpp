@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/batch/batch_simulator.h"
+#include "core/study/stability_bounds.h"
 
 namespace hapticwall {
 namespace {
@@ -142,8 +143,11 @@ bool bisect(const BoundaryPlan& plan, const std::vector<OpenChange>& open, Runne
 }
 
 // The scan's extents, with the ends at changes of verdict refined.
-Boundary result_of(Search search) {
+Boundary result_of(const BoundaryPlan& plan, Search search) {
   Boundary found = std::move(search.found);
+  if (plan.along.number.path == "wall.stiffness_n_per_m") {
+    found.stable_below_n_per_m = exact_stable_limit(search.scene);
+  }
   if (search.changes.empty()) return found;
   const Change& first = search.changes.front();
   const Change& last = search.changes.back();
@@ -196,7 +200,7 @@ std::vector<Boundary> find_boundaries(const BoundaryPlan& plan, const BoundaryOp
   }
   std::vector<Boundary> boundaries;
   boundaries.reserve(searches.size());
-  for (Search& search : searches) boundaries.push_back(result_of(std::move(search)));
+  for (Search& search : searches) boundaries.push_back(result_of(plan, std::move(search)));
   return boundaries;
 }
 

@@ -40,6 +40,8 @@ struct Boundary {
   Extent failed;                      // any other verdict
   std::size_t changes = 0;            // of verdict in the scan; more than 1: islands
   std::optional<Summary> at_settled;  // on the settled side of the first change
+  // By theory: exact_stable_limit(). nullopt unless the key is the stiffness of the only wall.
+  std::optional<double> stable_below_n_per_m;
 };
 
 struct BoundaryOptions {

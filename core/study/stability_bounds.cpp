@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/plant/plant_model.h"
+#include "core/stabiliser/stabiliser.h"
 #include "core/study/stable_stiffness.h"
 
 namespace hapticwall {
@@ -25,6 +26,18 @@ StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall,
     if (device.force_limit_n) bounds.resolution_n_per_m = *device.force_limit_n / encoder_m;
   }
   return bounds;
+}
+
+std::optional<double> exact_stable_limit(const Scene& scene) {
+  const DeviceSettings& device = scene.x().device;
+  const bool bare =
+      scene.algorithm.index == find_algorithm("none") && !has_follower(scene.algorithm);
+  const bool linear = device.friction_n.value_or(0.0) == 0.0 &&
+                      device.encoder_m.value_or(0.0) == 0.0 &&
+                      device.force_resolution_n.value_or(0.0) == 0.0;
+  const bool exact = scene.simulator.integrator == Integrator::kExact;
+  if (scene.x().walls.size() != 1 || !bare || !linear || !exact) return std::nullopt;
+  return stability_bounds(scene, scene.x().walls.front(), delay_of(scene)).stable_n_per_m;
 }
 
 LoopDelay delay_of(const Scene& scene) {

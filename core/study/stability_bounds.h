@@ -12,7 +12,8 @@ namespace hapticwall {
 struct StabilityBounds {
   // Passive for any hand: b >= K T / 2 + B (Colgate and Schenkel). 0 if B >= b.
   std::optional<double> passive_n_per_m;
-  // Stable with the scene's hand, delay and amplifier: largest_stable_stiffness(). 0: no wall is.
+  // All softer walls are stable with the scene's hand, delay and amplifier:
+  // largest_stable_stiffness(). 0: the softest walls are not.
   std::optional<double> stable_n_per_m;
   // The rule of thumb for the same, for a hand that only adds mass: K < (b + B) / (T / 2 + t_d)
   // (Gil; Hulin). Too high by at most 16 % up to kMaxRuleDamping and two ticks of delay.
@@ -37,6 +38,12 @@ struct LoopDelay {
 // hand is unknown, the scene has none. For the cost see stable_stiffness.h. Realtime-safe: no.
 [[nodiscard]] StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall,
                                                const LoopDelay& delay);
+
+// The stable limit of the loop that the scene simulates, on axis x. nullopt if the loop is not the
+// linear one of the limit: with several walls, another algorithm than "none", a follower, friction,
+// an encoder, a force resolution or another integrator than the exact one. The limits of the force
+// and of its rate act on large swings only. Realtime-safe: no.
+[[nodiscard]] std::optional<double> exact_stable_limit(const Scene& scene);
 
 // Of a simulated device.
 [[nodiscard]] LoopDelay delay_of(const Scene& scene);

@@ -58,6 +58,16 @@ TEST_F(StudyCommand, JsonOnStandardOutputIsAllThereIs) {
   EXPECT_TRUE(coupling.at("rate_hardness_n_per_m").is_number());
 }
 
+TEST_F(StudyCommand, TellsTheLimitOfTheoryOfTheBareLinearLoop) {
+  const Answer answer = hapticwall({"compare", "golden-soft", "--study", "--algorithms",
+                                    "none,energy-bounding", "--duration", "1", "--json", "-"});
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  const auto rows = nlohmann::json::parse(answer.out).at("rows");
+  // By tests/golden/loop_eigenvalues.h.
+  EXPECT_NEAR(rows.at(0).at("stable_below_n_per_m").get<double>(), 12061.811, 1e-3);
+  EXPECT_TRUE(rows.at(1).at("stable_below_n_per_m").is_null());
+}
+
 TEST_F(StudyCommand, FilesAreWritten) {
   const Answer answer = hapticwall({"compare", "light", "--study", "--csv", "a.csv", "--json",
                                     "a.json", "--quiet", "--duration", "2"});

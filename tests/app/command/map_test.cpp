@@ -140,12 +140,28 @@ TEST_F(MapCommand, ABoundaryIsFoundAndWritten) {
     const double failure = row.at("first_failure");
     EXPECT_LT(settled, failure);
     EXPECT_LE(failure - settled, 1e-3 * failure);
+    const double limit = row.at("stable_below_n_per_m");
+    EXPECT_NEAR(failure / limit, 1.0, 0.02);
   }
   EXPECT_LT(json.at("boundaries")[0].at("last_settled"),
             json.at("boundaries")[1].at("last_settled"));
   const std::string csv = content("b.csv");
   EXPECT_THAT(csv, StartsWith("algorithm,device.damping_n_s_per_m,first_settled,last_settled,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+}
+
+TEST_F(MapCommand, ABoundaryHasNoLimitOfTheoryWhereTheLoopIsAnotherOne) {
+  const auto limit_of = [&](const char* scene, const char* boundary, const char* algorithm) {
+    const Answer answer = hapticwall({"map", scene, "--boundary", boundary, "--algorithms",
+                                      algorithm, "--duration", "1", "--json", "-"});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    return nlohmann::json::parse(answer.out).at("boundaries").at(0).at("stable_below_n_per_m");
+  };
+  const char* stiffness = "wall.stiffness_n_per_m=100:1000:2";
+  EXPECT_TRUE(limit_of("golden-soft", stiffness, "none").is_number());
+  EXPECT_TRUE(limit_of("golden-soft", stiffness, "half-sample").is_null());
+  EXPECT_TRUE(limit_of("golden-soft-fric", stiffness, "none").is_null());
+  EXPECT_TRUE(limit_of("golden-soft", "device.mass_kg=0.1:0.2:2", "none").is_null());
 }
 
 // Heavily damped, so that the runs are short.

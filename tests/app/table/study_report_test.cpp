@@ -36,9 +36,9 @@ TEST(StudyReport, AFigureThatDoesNotApplyIsADashAndNull) {
   EXPECT_THAT(table, HasSubstr("met at - m/s"));
   EXPECT_THAT(table, AllOf(Not(HasSubstr("!")), Not(HasSubstr("*"))));
   const auto json = nlohmann::json::parse(study_json(made_up_plan(), rows));
-  for (const char* key :
-       {"stiffest_n_per_m", "stiffest_tail_force_std_n", "first_failure", "last_settled",
-        "rate_hardness_n_per_m", "rise_time_s", "peak_penetration_m", "tail_peak_to_peak_m"}) {
+  for (const char* key : {"stiffest_n_per_m", "stiffest_tail_force_std_n", "first_failure",
+                          "last_settled", "rate_hardness_n_per_m", "rise_time_s",
+                          "peak_penetration_m", "tail_peak_to_peak_m", "stable_below_n_per_m"}) {
     EXPECT_TRUE(json.at("rows")[0].at(key).is_null()) << key;
   }
   EXPECT_EQ(json.at("rows")[0].at("energy_to_hand_j"), 0.0);
@@ -75,6 +75,8 @@ TEST(StudyReport, MarksAreExplainedWhereTheyOccur) {
               AllOf(HasSubstr(" 44.35 + "), HasSubstr("\n+ limited by the force limit\n"),
                     Not(HasSubstr("*"))));
   row.limits.changes = 1;
+  row.limits.stable_below_n_per_m = 2006.7;
+  EXPECT_THAT(study_json(made_up_plan(), {row}), HasSubstr("\"stable_below_n_per_m\": 2006.7"));
   EXPECT_THAT(sheet_text(study_sheet(made_up_plan(), {row})), Not(HasSubstr("!")));
 }
 

@@ -52,12 +52,28 @@ TEST(Boundaries, LieBetweenAValueThatSettlesAndOneThatDoesNot) {
   EXPECT_EQ(found.at_settled->verdict, Verdict::kSettled);
 }
 
+// A swing just below the limit decays for longer than the run.
+TEST(Boundaries, TellTheLimitOfTheoryOfALinearLoop) {
+  BoundaryPlan plan = plan_of(short_press(), "wall[0].stiffness_n_per_m", 500.0, 8000.0, 9, true);
+  plan.algorithms.push_back(find_algorithm("virtual-coupling").value());
+  plan.x = MapAxis{find_scene_number(plan.scene, "device.damping_n_s_per_m").value(), 0.5, 1.0, 2,
+                   false};
+  const auto found = find_boundaries(plan);
+  ASSERT_EQ(found.size(), 4U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_TRUE(found[i].stable_below_n_per_m && found[i].failed.first);
+    EXPECT_NEAR(*found[i].failed.first / *found[i].stable_below_n_per_m, 1.0, 0.02);
+    EXPECT_FALSE(found[i + 2].stable_below_n_per_m);
+  }
+}
+
 TEST(Boundaries, OfAKeyThatStabilisesAreFoundFromBelowToo) {
   Scene scene = short_press();
   scene.x().walls[0].stiffness_n_per_m = 3000.0;
   const auto boundaries =
       find_boundaries(plan_of(scene, "device.damping_n_s_per_m", 0.5, 5.0, 10, false));
   const Boundary& found = boundaries.front();
+  EXPECT_FALSE(found.stable_below_n_per_m) << "the stiffness does not vary";
   ASSERT_TRUE(found.settled.first && found.failed.last);
   EXPECT_GT(*found.settled.first, *found.failed.last);
   EXPECT_NEAR(*found.settled.first, 1.5, 0.15) << "b = K T / 2";

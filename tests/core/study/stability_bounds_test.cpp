@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <vector>
+
+#include "core/stabiliser/stabiliser.h"
+
 namespace hapticwall {
 namespace {
 
@@ -69,7 +74,7 @@ TEST(StabilityBounds, TheStableLimitKnowsHandDelayLagAndDamping) {
   const double alone = limit(0.0);
   EXPECT_NEAR(alone, 2006.69, 0.01);
   EXPECT_GT(limit(1.0), alone);
-  EXPECT_EQ(limit(110.0), 0.0) << "no wall is stable with so much damping";
+  EXPECT_EQ(limit(110.0), 0.0) << "the softest walls are unstable with so much damping";
   scene.x().hand = HandSettings{};
   scene.x().hand->damping_n_s_per_m = 1.0;
   EXPECT_NEAR(limit(0.0), 2.0 * alone, 0.02 * alone);
@@ -79,6 +84,37 @@ TEST(StabilityBounds, TheStableLimitKnowsHandDelayLagAndDamping) {
   EXPECT_LT(with_lag, 0.6 * held);
   scene.x().device.delay_ticks = 1;
   EXPECT_LT(limit(0.0), 0.6 * with_lag);
+}
+
+// A force limit acts on large swings only. Every other part makes the loop another one.
+TEST(StabilityBounds, TheExactLimitIsThatOfALinearLoopWithOneWall) {
+  Scene linear = papers_device();
+  linear.x().walls = {{0.05, 1000.0, 0.0}};
+  linear.x().device.force_limit_n = 8.9;
+  linear.x().device.delay_ticks = 1;
+  const auto limit = exact_stable_limit(linear);
+  ASSERT_TRUE(limit);
+  EXPECT_EQ(limit, stability_bounds(linear, linear.x().walls[0], delay_of(linear)).stable_n_per_m);
+  const std::vector<std::function<void(Scene&)>> changes{
+      [](Scene& s) { s.x().walls.clear(); },
+      [](Scene& s) {
+        s.x().walls.push_back({0.06, 500.0, 0.0});
+      },
+      [](Scene& s) { s.x().device.friction_n = 0.1; },
+      [](Scene& s) { s.x().device.encoder_m = 1e-5; },
+      [](Scene& s) { s.x().device.force_resolution_n = 0.01; },
+      [](Scene& s) { s.simulator.integrator = Integrator::kRungeKutta4; },
+      [](Scene& s) { s.algorithm.values.at(*find_algorithm_parameter("then")) = 1.0; },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    Scene changed = linear;
+    changes[i](changed);
+    EXPECT_FALSE(exact_stable_limit(changed)) << i;
+  }
+  for (std::size_t i = 0; i < algorithms().size(); ++i) {
+    linear.algorithm.index = i;
+    EXPECT_EQ(exact_stable_limit(linear).has_value(), algorithms()[i].name == "none");
+  }
 }
 
 }  // namespace
