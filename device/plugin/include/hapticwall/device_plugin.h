@@ -15,6 +15,8 @@
  *   - A position older than 20 ms, or a write() that does not return within 20 ms, ends the force.
  *     The zero goes out with the next write(), so a write() that hangs leaves the last force at the
  *     device: a device needs a watchdog of its own.
+ *   - exit() is an error of the plug-in: the host ends with zero force. In write() it calls write()
+ *     once more for that. A call that changes the rounding mode has failed.
  *   - A call that hangs cannot be ended. The host leaves its thread behind, and opens the device
  *     again once the call has returned.
  *

@@ -69,7 +69,10 @@ typedef struct hw_input {
  * else between calls: axes and runs are called from several threads at once.
  *
  * A call of configure() or reset() may come between two ticks of the real-time loop, as step()
- * does: no allocation, no lock, no system call, and far less than a period of time. */
+ * does: no allocation, no lock, no system call, and far less than a period of time.
+ *
+ * Every function returns, with the rounding mode and the denormals that it found. exit() is an
+ * error of the plug-in, another rounding mode a fault like an exception. */
 typedef struct hw_plugin {
   uint32_t abi;                   /* HAPTICWALL_PLUGIN_ABI */
   uint32_t size;                  /* sizeof(hw_plugin) */
