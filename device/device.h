@@ -16,9 +16,10 @@ namespace hapticwall::device {
 
 // Motion that a handle can make. A position beyond it is a fault of the device.
 struct MotionLimits {
-  double min_m = -1.0;
-  double max_m = 1.0;
-  double max_speed_m_per_s = 10.0;
+  double min_m = -0.3;
+  double max_m = 0.3;
+  double max_speed_m_per_s = 3.0;
+  double mass_kg = 0.05;  // of the handle: a heavier one is accelerated less
 
   friend bool operator==(const MotionLimits&, const MotionLimits&) = default;
 };
@@ -32,6 +33,8 @@ struct DeviceInfo {
   MotionLimits motion{};                // of a real device
   double max_force_rate_n_per_s = 0.0;  // at which a force may rise; 0: any
   std::string delay_date{};  // of a delay that was measured in another session; else empty
+  // Share of the force limit until the handle of a real device has obeyed; 1: no trial.
+  double untried_share = 0.1;
 };
 
 // Call open() once, then read() and write() alternately once a tick from one thread, then close().

@@ -39,7 +39,7 @@ inline constexpr auto kTroubleTexts = std::to_array<std::string_view>({
     "the device sent only void reports for 20 ms",
     "this program was held up and heard no report for 20 ms",
     "the device cannot be used",
-    "the device has restarted",
+    "the device has restarted: its clock or its sequence jumped",
     "the calibration of the device has changed",
     "the watchdog of the device has expired: it received no command in time",
     "the emergency stop of the device is pressed",
@@ -66,7 +66,8 @@ enum class ForceWord : std::uint8_t {
   kSame,        // the commanded force
   kNotEnabled,  // a command enabled the amplifiers; the device says that they are off
   kNoForce,     // it says zero, and another force was commanded
-  kOther,       // it says another force, or one that was not enabled
+  kOther,       // it says another force
+  kUnasked,     // it says a force, or that it is enabled, and no command enables it
 };
 
 // All zero for a simulator. Times in seconds, counters since open(). Trivially copyable.
@@ -78,6 +79,8 @@ struct LinkStats {
   // It tells which commands it received, when, and its force. A wheel of the kernel tells nothing:
   // its delay_s is a measurement of earlier, from a device file.
   bool acknowledges = true;
+  // Its states have times by a clock of its own.
+  bool has_clock = false;
   std::uint64_t states = 0;          // valid ones, without repetitions
   std::uint64_t missing_states = 0;  // gaps in the sequence of the device's ticks
   std::uint64_t void_reports = 0;    // wrong length, id, CRC, major version or value
@@ -100,6 +103,7 @@ struct LinkStats {
   // last hundred ticks. 0: unknown.
   double delay_s = 0.0;
   double maximum_delay_s = 0.0;
+  double recent_delay_s = 0.0;  // of the newest acknowledgement
   // By the device's clock at the newest state: since it acknowledged another command, and since the
   // latch behind the command that it acknowledges. Both since the first state of the link before
   // the first acknowledgement.

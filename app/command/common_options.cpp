@@ -114,6 +114,8 @@ void add_device_options(CLI::App& app, SceneOptions& options) {
                "Drive a device also without real-time priority; its force may be late");
   app.add_flag("--allow-plugin", options.allow_plugin,
                "Let a plug-in drive a device: a crash of its code ends the program");
+  app.add_flag("--allow-slow-device", options.allow_slow_device,
+               "Arm a device also if its force acts more than 5 ticks late");
   add_spin_option(app, options.spin_us);
 }
 

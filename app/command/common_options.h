@@ -26,6 +26,7 @@ struct SceneOptions {
   std::string device = "sim";
   bool allow_no_realtime = false;
   bool allow_plugin = false;
+  bool allow_slow_device = false;
   double spin_us = 0.0;
 };
 
@@ -33,7 +34,7 @@ struct SceneOptions {
 void add_scene_options(CLI::App& app, SceneOptions& options);
 // --device, of commands that run on the simulator only.
 void add_simulator_option(CLI::App& app, SceneOptions& options);
-// --device, --allow-no-realtime, --allow-plugin and --spin.
+// --device, --allow-no-realtime, --allow-plugin, --allow-slow-device and --spin.
 void add_device_options(CLI::App& app, SceneOptions& options);
 // --spin, and its value in seconds.
 void add_spin_option(CLI::App& app, double& spin_us);

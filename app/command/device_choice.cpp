@@ -29,7 +29,8 @@ bool names_a_device_file(const std::string& path) {
 device::AxisDescription description_of(const file::AxisDescription& axis) {
   return {axis.encoder_m,
           axis.force_limit_n,
-          {axis.min_m, axis.max_m, axis.max_speed_m_per_s},
+          {axis.min_m, axis.max_m, axis.max_speed_m_per_s,
+           axis.mass_kg.value_or(device::MotionLimits{}.mass_kg)},
           axis.max_force_rate_n_per_s};
 }
 
@@ -132,7 +133,7 @@ device::ImpulseEngineOptions described_by(const file::DeviceDescription& descrip
   options.rate_hz = description.rate_hz;
   if (!options.dialect) return options;
   options.keep_alive_ns = options.dialect->keep_alive_ms * device::kMillisecondNs;
-  options.delay_is_known = false;
+  options.delay_is_known = options.has_clock = false;
   return options;
 }
 

@@ -146,6 +146,7 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   if (!stream) return stream.error();
   runtime::SessionOptions session;
   session.allow_no_realtime = options.allow_no_realtime;
+  session.allow_slow_device = options.allow_slow_device;
   session.spin_s = *spin_s;
   session.stream = *stream;
   if (look.signals) session.signals = file::all_signal_columns();

@@ -56,6 +56,11 @@ constexpr auto kKinds = std::to_array<NamedKind>({
     {"no-force", FaultKind::kNoForce},
     {"other-force", FaultKind::kOtherForce},
     {"foreign-force", FaultKind::kForeignForce},
+    {"wrong-sign", FaultKind::kWrongSign},
+    {"no-push", FaultKind::kNoPush},
+    {"clock-rate", FaultKind::kClockRate},
+    {"clock-jump", FaultKind::kClockJump},
+    {"noise", FaultKind::kNoise},
 });
 static_assert(kKinds.size() == device::hid::kFaultKinds);
 
@@ -262,7 +267,7 @@ void add_options(CLI::App& program, EmulatorOptions& options) {
           "--fault", options.faults,
           "KIND[=AMOUNT]@BEGIN+DURATION in seconds since the start; =AMOUNT: of a lie (jump m, "
           "runaway m/s, slow s, withheld-answer commands, other-force factor, "
-          "foreign-force N); /EVERY: only every N-th tick (repeatable)")
+          "foreign-force N, clock-rate factor, clock-jump s, noise m); /EVERY: only every N-th tick (repeatable)")
       ->type_name("FAULT")
       ->allow_extra_args(false);
   program

@@ -79,6 +79,11 @@ struct ServoState {
   // armed.
   double force_gain = 1.0;
   double previous_gain = 1.0;   // of the previous force
+  // Until a device has obeyed: share of the force limit, and of the force within it, above 0. The
+  // algorithm does not see the second one.
+  double limit_share = 1.0;
+  double level = 1.0;
+  double previous_level = 1.0;  // of the previous force
   bool position_known = false;  // the last reading was without fault
   bool parameters_changed = false;
   bool failed = false;  // a force that was not finite; sticky until reset
@@ -127,11 +132,18 @@ namespace detail {
   return std::isfinite(wanted_n) ? std::clamp(wanted_n, -limit_n, limit_n) : wanted_n;
 }
 
+// The previous force as the algorithm knows it. Realtime-safe: yes.
+template <bool kLevel>
+[[nodiscard]] inline double previous_force(const ServoState& state) {
+  return kLevel ? state.previous_force_n / state.previous_level : state.previous_force_n;
+}
+
 // The previous force at a gain of 1. Realtime-safe: yes.
 [[nodiscard]] inline double previous_full_force(const ServoState& state, double limit_n) {
-  if (state.previous_gain == 1.0) return state.previous_force_n;
+  const double force_n = previous_force<true>(state);
+  if (state.previous_gain == 1.0) return force_n;
   if (state.previous_gain == 0.0) return 0.0;
-  return std::clamp(state.previous_force_n / state.previous_gain, -limit_n, limit_n);
+  return std::clamp(force_n / state.previous_gain, -limit_n, limit_n);
 }
 
 // Gives no negative zero and keeps NaN and infinity. Realtime-safe: yes.
@@ -168,7 +180,8 @@ struct ShownStabiliser {
 // Realtime-safe: yes, these two.
 [[nodiscard]] inline bool is_steady(const ServoSettings& settings, const ServoState& state) {
   return state.position_known && state.transition.ticks_left == 0 && state.force_gain == 1.0 &&
-         state.previous_gain == 1.0 && !state.failed && !state.parameters_changed &&
+         state.previous_gain == 1.0 && state.limit_share == 1.0 && state.level == 1.0 &&
+         state.previous_level == 1.0 && !state.failed && !state.parameters_changed &&
          !std::isfinite(settings.max_rise_n);
 }
 [[nodiscard]] inline bool has_one_undamped_wall(const ServoSettings& settings) {
@@ -206,6 +219,7 @@ template <StepKnowledge kKnown>
                                              double wanted_n, TickOutcome& out) {
   double limit_n = settings.force_limit_n;
   if constexpr (!kKnown.steady) {
+    limit_n *= state.limit_share;
     if (state.transition.ticks_left > 0) [[unlikely]] {
       out.saturated = std::abs(wanted_n) > limit_n;
       wanted_n =
@@ -224,6 +238,7 @@ template <StepKnowledge kKnown>
     out.force_n = restrict_force(wanted_n, limit_n, !out.stale && !out.fault, state);
   }
   if constexpr (!kKnown.steady) {
+    out.force_n *= state.level;
     if (std::isfinite(settings.max_rise_n)) [[unlikely]] {
       const double risen_n = limit_rise(out.force_n, state.previous_force_n, settings.max_rise_n);
       out.rate_limited = risen_n != out.force_n;
@@ -239,6 +254,7 @@ template <StepKnowledge kKnown>
   state.previous_force_n = out.force_n;
   if constexpr (!kKnown.steady) {
     state.previous_gain = state.force_gain;
+    state.previous_level = state.level;
     // Motion during a fault is unobserved: the first reading after it has zero displacement.
     state.position_known = !out.fault;
     out.parameters_changed = state.parameters_changed;
@@ -259,7 +275,8 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
   detail::take_reading<kKnown>(settings, state, device.read(), out);
   const StabiliserInput input{out.contact.force_n,       out.position_m,
                               out.displacement_m,        out.velocity_m_per_s,
-                              out.contact.penetration_m, state.previous_force_n,
+                              out.contact.penetration_m,
+                              detail::previous_force<!kKnown.steady>(state),
                               out.contact.in_contact};
   const double wanted_n = stabiliser.step(input);
   out.intervened = wanted_n != out.contact.force_n;

@@ -45,8 +45,13 @@ enum class FaultKind : std::uint8_t {
   kNoForce,         // the amplifiers give nothing, and it says so
   kOtherForce,      // the amplifiers give `amount` times the force, and it says so
   kForeignForce,    // it tells `amount` newtons in the place of the force
+  kWrongSign,       // the amplifiers push the other way, and it tells the commanded force
+  kNoPush,          // the amplifiers give nothing, and it tells the commanded force
+  kClockRate,       // its clock runs at `amount` times the rate
+  kClockJump,       // its clock is ahead by `amount`, seconds
+  kNoise,           // every position is off by up to `amount`, metres
 };
-inline constexpr std::size_t kFaultKinds = static_cast<std::size_t>(FaultKind::kForeignForce) + 1;
+inline constexpr std::size_t kFaultKinds = static_cast<std::size_t>(FaultKind::kNoise) + 1;
 
 // What a lie amounts to where a script does not say it.
 [[nodiscard]] constexpr double usual_amount(FaultKind kind) {
@@ -63,6 +68,12 @@ inline constexpr std::size_t kFaultKinds = static_cast<std::size_t>(FaultKind::k
       return 0.5;
     case FaultKind::kForeignForce:
       return 3.0;
+    case FaultKind::kClockRate:
+      return 0.1;
+    case FaultKind::kClockJump:
+      return 0.05;
+    case FaultKind::kNoise:
+      return 1e-3;
     default:
       return 0.0;
   }

@@ -106,16 +106,38 @@ void FirmwareEmulator::receive_due() {
   }
 }
 
-// The newest state with the lies that last.
-StateReport FirmwareEmulator::as_told() const {
-  StateReport told = state_;
-  const auto amount = [&](FaultKind kind) { return script_.amount(kind, now_us_); };
-  double off_m = amount(FaultKind::kJump).value_or(0.0);
-  if (const auto speed = amount(FaultKind::kRunaway)) {
+// How far the told position is from the true one.
+double FirmwareEmulator::told_offset_m() {
+  double off_m = script_.amount(FaultKind::kJump, now_us_).value_or(0.0);
+  if (const auto speed = script_.amount(FaultKind::kRunaway, now_us_)) {
     off_m += *speed * static_cast<double>(script_.since_us(FaultKind::kRunaway, now_us_)) /
              kMicrosecondsPerSecond;
   }
-  if (off_m != 0.0) {
+  if (const auto most_m = script_.amount(FaultKind::kNoise, now_us_)) {
+    constexpr std::uint32_t kMultiplier = 1664525;
+    constexpr std::uint32_t kIncrement = 1013904223;
+    random_ = random_ * kMultiplier + kIncrement;
+    off_m += *most_m * (static_cast<double>(random_) / 0x1p31 - 1.0);
+  }
+  return off_m;
+}
+
+// Every time of a state is by the same wrong clock.
+void FirmwareEmulator::tell_time(StateReport& told) {
+  const auto rate = script_.amount(FaultKind::kClockRate, now_us_);
+  if (rate) clock_ahead_us_ += (*rate - 1.0) * static_cast<double>(tick_us_);
+  const double jump_s = script_.amount(FaultKind::kClockJump, now_us_).value_or(0.0);
+  const auto ahead_us =
+      static_cast<std::int64_t>(clock_ahead_us_ + jump_s * kMicrosecondsPerSecond);
+  told.time_us += static_cast<std::uint32_t>(ahead_us);
+  told.acknowledged_time_us += static_cast<std::uint32_t>(ahead_us);
+}
+
+// The newest state with the lies that last.
+StateReport FirmwareEmulator::as_told() {
+  StateReport told = state_;
+  const auto amount = [&](FaultKind kind) { return script_.amount(kind, now_us_); };
+  if (const double off_m = told_offset_m(); off_m != 0.0) {
     told.position_counts[0] =
         saturated_count(told.position_counts[0] + round_to_even(off_m / encoder_m_[0]));
   }
@@ -134,6 +156,7 @@ StateReport FirmwareEmulator::as_told() const {
     told.acknowledged_sequence = acknowledges->acknowledged_sequence;
     told.acknowledged_time_us = acknowledges->acknowledged_time_us;
   }
+  tell_time(told);
   return told;
 }
 
@@ -146,12 +169,15 @@ std::optional<ReportBytes> FirmwareEmulator::get_feature(std::uint8_t id) const 
 
 std::array<double, kMaxAxes> FirmwareEmulator::amplifier_force_n() const {
   if (!has_power() || lasts(FaultKind::kEmergencyStop) || lasts(FaultKind::kNotEnabled) ||
-      lasts(FaultKind::kNoForce)) {
+      lasts(FaultKind::kNoForce) || lasts(FaultKind::kNoPush)) {
     return {};
   }
   std::array<double, kMaxAxes> force_n = firmware_.force_n();
   if (const auto factor = script_.amount(FaultKind::kOtherForce, now_us_)) {
     for (double& axis_n : force_n) axis_n *= *factor;
+  }
+  if (lasts(FaultKind::kWrongSign)) {
+    for (double& axis_n : force_n) axis_n = 0.0 - axis_n;
   }
   return force_n;
 }

@@ -91,7 +91,9 @@ class FirmwareEmulator {
   void spoil(InputReport& report) const;
   void receive(std::span<const std::uint8_t> bytes, std::uint64_t at_us);
   void receive_due();
-  [[nodiscard]] StateReport as_told() const;
+  [[nodiscard]] StateReport as_told();
+  [[nodiscard]] double told_offset_m();
+  void tell_time(StateReport& told);
 
   FaultScript script_;
   EmulatorSettings settings_;
@@ -121,6 +123,8 @@ class FirmwareEmulator {
   std::deque<Late> late_;  // commands on a slow way
   // Of the newest states, for an acknowledgement that is withheld.
   std::deque<StateReport> told_;
+  double clock_ahead_us_ = 0.0;  // of a clock at a wrong rate
+  std::uint32_t random_ = 1;     // of the noise
 };
 
 }  // namespace hapticwall::device::hid

@@ -22,7 +22,7 @@ struct WheelDescription {
   double rate_hz = 0.0;        // of updates at most; 0: of the endpoint or the model
   double delay_s = 0.0;        // from a position to its force, measured once; 0: unknown
   double force_limit_n = 5.0;  // at the radius
-  double max_speed_m_per_s = 10.0;
+  double max_speed_m_per_s = 3.0;
   double max_force_rate_n_per_s = 0.0;  // 0: the whole limit within kForceRiseS
   std::string delay_date{};             // of delay_s
 

@@ -49,6 +49,7 @@ struct ImpulseEngineOptions {
   // too old; 0: the device has a time to live.
   std::int64_t keep_alive_ns = 0;
   bool delay_is_known = true;   // false: the device itself acknowledges no command
+  bool has_clock = true;        // false: the times of its states are those of their arrival
   bool reads_may_hang = false;  // a read that does not return is a silent device
   // Assumed position of the handle at link-up, metres. A calibrated device reports its own.
   AxisValues start_m{};

@@ -62,6 +62,8 @@ void StateTracker::begin(const LinkSession& session) {
   LinkStats& stats = view_.stats;
   stats.round_trip_s = 0.0;
   stats.delay_s = 0.0;
+  stats.recent_delay_s = 0.0;
+  stats.has_clock = session.has_clock;
   stats.device_period_s = 0.0;
   stats.unanswered_s = 0.0;
   stats.command_age_s = 0.0;
@@ -203,6 +205,7 @@ ForceWord StateTracker::force_word(const hid::StateReport& state) const {
   const bool enabled = (state.status & hid::kStatusEnabled) != 0;
   if (sent->enable && !enabled) return ForceWord::kNotEnabled;
   bool other = enabled && !sent->enable;
+  const ForceWord kind = sent->enable ? ForceWord::kOther : ForceWord::kUnasked;
   for (std::size_t axis = 0; axis < session_.device.axes; ++axis) {
     const double commanded_n = sent->force_mn[axis] / hid::kStepsPerNewton;
     const double told_n = state.applied_force_n[axis];
@@ -212,7 +215,7 @@ ForceWord StateTracker::force_word(const hid::StateReport& state) const {
     if (told_n == 0.0) return ForceWord::kNoForce;
     other = true;
   }
-  return other ? ForceWord::kOther : ForceWord::kSame;
+  return other ? kind : ForceWord::kSame;
 }
 
 // Measures by the device's clock.
@@ -226,6 +229,7 @@ void StateTracker::measure(const hid::StateReport& state, bool next_tick) {
   const double delay_s = seconds(hid::clock_step_us(*latch_us, state.time_us));
   stats.delay_s += (delay_s - stats.delay_s) * (stats.delay_s > 0.0 ? kDelayWeight : 1.0);
   stats.maximum_delay_s = std::max(stats.maximum_delay_s, delay_s);
+  stats.recent_delay_s = delay_s;
 }
 
 }  // namespace hapticwall::device

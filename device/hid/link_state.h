@@ -21,7 +21,8 @@ struct LinkSession {
   hid::DeviceDescription device;
   AxisValues start_m{};  // position of an uncalibrated handle at the first state
   std::shared_ptr<const SentCommands> sent;
-  bool delay_is_known = true;  // as of ImpulseEngineOptions
+  bool delay_is_known = true;  // these as of ImpulseEngineOptions
+  bool has_clock = true;
 };
 
 // Realtime-safe: yes, except begin().

@@ -133,6 +133,7 @@ ImpulseEngineOptions options_of(const PluginDevice& device) {
                                     info.max_force_rate_n_per_s};
   options.keep_alive_ns = kKeepAliveNs;
   options.delay_is_known = (info.flags & HW_DEVICE_ANSWERS) != 0;
+  options.has_clock = false;
   options.reads_may_hang = true;
   return options;
 }

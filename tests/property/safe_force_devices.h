@@ -65,7 +65,7 @@ struct Commands {
 class FaultyDevice : public device::Device {
  public:
   [[nodiscard]] DeviceInfo info() const override {
-    return {"faulty", false, 0.0, 0.0, kAnywhere, 0.0};
+    return {"faulty", false, 0.0, 0.0, kAnywhere, 0.0, "", 1.0};
   }
   [[nodiscard]] Failure open() override { return std::nullopt; }
   [[nodiscard]] DeviceReading read() override {

@@ -28,9 +28,7 @@ struct DeviceMarks {
   double delay;           // in periods
 };
 constexpr DeviceMarks kGoodMarks{1.5, 0.5, 0.0, 2.0};
-constexpr DeviceMarks kUsableMarks{3.0, 1.0, 1e-3, 5.0};
-// The device's tick and the loop's differ by parts in a thousand.
-constexpr double kDelayTolerance = 1.01;
+constexpr DeviceMarks kUsableMarks{3.0, 1.0, 1e-3, runtime::kUsableDelayTicks};
 
 double microseconds(std::int64_t nanoseconds) {
   return static_cast<double>(nanoseconds) / kNanosecondsPerMicrosecond;
@@ -69,8 +67,8 @@ void judge_delay(const TimingPlan& plan, const device::LinkStats& link,
       "each N s/m of damping",
       link.delay_s * kMicrosecondsPerSecond, stiffness_left(plan, link.delay_s));
   if (link.delay_s > runtime::kMaxCommandAgeS) reason += "; the force cannot be armed";
-  judge(Measure{link.delay_s, kDelayTolerance * kGoodMarks.delay * period_s,
-                kDelayTolerance * kUsableMarks.delay * period_s, reason, advice},
+  judge(Measure{link.delay_s, runtime::kDelayTolerance * kGoodMarks.delay * period_s,
+                runtime::kDelayTolerance * kUsableMarks.delay * period_s, reason, advice},
         judgement);
 }
 

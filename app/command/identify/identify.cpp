@@ -103,6 +103,7 @@ Result<int> identify_device(const IdentifyOptions& options) {
                       .experiment = experiment,
                       .device = choice->hardware ? make_device(*choice->hardware, scene) : nullptr,
                       .allow_no_realtime = options.scene.allow_no_realtime,
+                      .allow_slow_device = options.scene.allow_slow_device,
                       .show_progress = !options.output.quiet});
   if (!outcome) return outcome.error();
   if (outcome->stopped_early) return ended_early();

@@ -43,6 +43,7 @@ Result<IdentifyOutcome> run_experiment(IdentifyRun run) {
        .device = std::move(run.device),
        .arm = !simulated,
        .allow_no_realtime = run.allow_no_realtime,
+       .allow_slow_device = run.allow_slow_device,
        .show_progress = run.show_progress,
        .law = &experiment.law(),
        .clock = simulated ? &hasty : nullptr,

@@ -13,6 +13,7 @@ struct IdentifyRun {
   runtime::IdentifyExperiment& experiment;   // its rate, limit and encoder are those of the scene
   std::unique_ptr<device::Device> device{};  // as in RealtimeRun
   bool allow_no_realtime = false;
+  bool allow_slow_device = false;
   bool show_progress = false;
 };
 

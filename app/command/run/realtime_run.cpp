@@ -76,6 +76,7 @@ Result<std::unique_ptr<runtime::LiveSession>> start_session(RealtimeRun& run) {
   runtime::SessionOptions options;
   options.start_paused = true;  // the recording begins with tick 0
   options.allow_no_realtime = run.allow_no_realtime;
+  options.allow_slow_device = run.allow_slow_device;
   options.spin_s = run.spin_s;
   options.stream = run.stream;
   options.signals = run.signals;
@@ -90,9 +91,14 @@ Failure device_trouble(const runtime::LiveSession& session, double since_s, std:
 
 // The pause after the last tick is no trouble, and a handle inside the wall may come out.
 bool was_disarmed(const runtime::ArmingStatus& arming) {
-  return arming.asked > 0 && arming.state == runtime::ArmingState::kOff &&
+  return (arming.asked > 0 || arming.note == runtime::ArmingNote::kUnaskedForce) &&
+         arming.state == runtime::ArmingState::kOff &&
          arming.note != runtime::ArmingNote::kPaused &&
          arming.note != runtime::ArmingNote::kInsideWall;
+}
+
+bool tells_unasked_force(const runtime::Snapshot& snapshot) {
+  return snapshot.arming.note == runtime::ArmingNote::kUnaskedForce;
 }
 
 // Trouble that ends a run early.
@@ -116,7 +122,7 @@ Failure trouble_in(const runtime::LiveSession& session, const runtime::Snapshot&
     return device_trouble(session, newest.time_s,
                           details.empty() ? device::trouble_text(snapshot.link.trouble) : details);
   }
-  if (!run.arm || !was_disarmed(snapshot.arming)) return {};
+  if (!(run.arm || tells_unasked_force(snapshot)) || !was_disarmed(snapshot.arming)) return {};
   return device_trouble(session, snapshot.arming.since_s,
                         runtime::arming_note_text(snapshot.arming.note));
 }
@@ -151,6 +157,14 @@ class ArmingRequest {
   bool waits_ = false;
 };
 
+// What a whole run has shown.
+Failure trouble_at_end(const runtime::LiveSession& session, const runtime::Snapshot& snapshot,
+                       const ArmingRequest& request) {
+  if (Failure trouble = request.trouble()) return trouble;
+  if (!snapshot.arming.mostly_at_limit(session.scene().sampling.rate_hz)) return {};
+  return device_error(fmt::format("{}: {}", session.device_info().name, runtime::kAtLimitText));
+}
+
 // What the summary of a session adds to that of its ticks.
 void add_session(const runtime::LiveSession& session, const runtime::Snapshot& snapshot, bool armed,
                  Summary& summary) {
@@ -165,7 +179,7 @@ void add_session(const runtime::LiveSession& session, const runtime::Snapshot& s
     summary.rejected_commands = link.rejected_commands;
   }
   if (link.delay_s > 0.0) summary.delay_s = link.delay_s;
-  if (!armed || !was_disarmed(snapshot.arming)) return;
+  if (!(armed || tells_unasked_force(snapshot)) || !was_disarmed(snapshot.arming)) return;
   summary.disarmed_at_s = snapshot.arming.since_s;
   summary.disarm_reason = link.trouble != device::Trouble::kNone
                               ? device::trouble_text(link.trouble)
@@ -238,7 +252,8 @@ Result<RealtimeOutcome> run_realtime(RealtimeRun run) {
   leave_out_the_rest(session);
   outcome.recording_failure = session.stop_recording();
   while (const std::uint64_t taken = taker.take(session, run)) done += taken;
-  if (!outcome.trouble && done == ticks) outcome.trouble = request.trouble();
+  if (!outcome.trouble && done == ticks)
+    outcome.trouble = trouble_at_end(session, snapshot, request);
   outcome.summary = taker.summary();
   outcome.status = status_text(session, snapshot);
   outcome.stopped_early = done < ticks;

@@ -30,6 +30,7 @@ struct RealtimeRun {
   std::unique_ptr<device::Device> device{};    // not open yet; nullptr: the simulator
   bool arm = false;                            // arms the device as soon as it can
   bool allow_no_realtime = false;
+  bool allow_slow_device = false;
   double spin_s = 0.0;  // as in SessionOptions
   bool show_progress = false;
   std::shared_ptr<file::SampleStream> stream{};  // gets every tick; null: none

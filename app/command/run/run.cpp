@@ -71,6 +71,7 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
                     .device = device.hardware ? make_device(*device.hardware, scene) : nullptr,
                     .arm = options.arm,
                     .allow_no_realtime = options.scene.allow_no_realtime,
+                    .allow_slow_device = options.scene.allow_slow_device,
                     .spin_s = options.scene.spin_us / kMicrosecondsPerSecond,
                     .show_progress = !options.output.quiet,
                     .stream = outputs.stream(),

@@ -16,10 +16,10 @@ namespace hapticwall::file {
 struct AxisDescription {
   double encoder_m = 0.0;               // travel of the hand per count, 1e-9 to 0.01; 0: not given
   double force_limit_n = 0.0;           // more than 0, at most 32.767
-  double min_m = -1.0;                  // workspace, -10 to 0
-  double max_m = 1.0;                   // 0 to 10
+  double min_m = -0.3;                  // workspace, -10 to 0
+  double max_m = 0.3;                   // 0 to 10
   double max_force_rate_n_per_s = 0.0;  // more than 0, at most 1e6; 0: not given
-  double max_speed_m_per_s = 10.0;      // of the handle, more than 0, at most 100
+  double max_speed_m_per_s = 3.0;       // of the handle, more than 0, at most 100
   // As in a scene, for sessions on the simulator.
   std::optional<double> mass_kg{};
   std::optional<double> damping_n_s_per_m{};

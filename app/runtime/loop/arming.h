@@ -44,7 +44,14 @@ enum class ArmingNote : std::uint8_t {
   kNoForce,
   kRejected,
   kOtherForce,
-  kGivesWay
+  kGivesWay,
+  kWrongWay,
+  kAcceleration,
+  kClockRate,
+  kClockJump,
+  kSlowDevice,
+  kSlowerAnswer,
+  kUnaskedForce
 };
 
 // A clause for people, in the order of ArmingNote.
@@ -67,8 +74,15 @@ inline constexpr auto kArmingNoteTexts = std::to_array<std::string_view>({
     "the device rejects commands",
     "the device says that it gives another force than the commanded one",
     "the handle moves against the full force: the device takes no commands, or has another sign",
+    "the handle moves the other way than the force: exchange the sign of the force",
+    "the position changed its speed faster than a hand can: check the encoder",
+    "the clock of the device runs at another rate than the one of this machine",
+    "the clock of the device jumped",
+    "the force acts more than 5 ticks late: --allow-slow-device drives the device anyway",
+    "commands act later than when the force was armed",
+    "the device says that it gives a force while it is disarmed",
 });
-static_assert(kArmingNoteTexts.size() == static_cast<std::size_t>(ArmingNote::kGivesWay) + 1);
+static_assert(kArmingNoteTexts.size() == static_cast<std::size_t>(ArmingNote::kUnaskedForce) + 1);
 
 // Empty for kNone.
 [[nodiscard]] constexpr std::string_view arming_note_text(ArmingNote note) {
@@ -118,6 +132,7 @@ class Arming {
     was_in_contact_ = facts.in_contact;
     if (state_ == ArmingState::kOff) {
       if (asked_) answer(facts);
+      if (facts.judged == ArmingNote::kUnaskedForce && !has_objection()) note_ = facts.judged;
       return false;
     }
     if (trouble != ArmingNote::kNone) {
@@ -149,6 +164,12 @@ class Arming {
       return ArmingNote::kWallMoved;
     }
     return ArmingNote::kNone;
+  }
+
+  // The note says what is wrong, so that no other one takes its place.
+  [[nodiscard]] bool has_objection() const {
+    return note_ != ArmingNote::kNone && note_ != ArmingNote::kAsked &&
+           note_ != ArmingNote::kInsideWall && note_ != ArmingNote::kPaused;
   }
 
   void answer(const ArmingFacts& facts) {

@@ -5,6 +5,10 @@
 #include <cstdint>
 
 #include "app/runtime/loop/arming.h"
+#include "app/runtime/loop/clock_judge.h"
+#include "app/runtime/loop/given_way.h"
+#include "app/runtime/loop/motion_judge.h"
+#include "app/runtime/loop/obedience.h"
 #include "core/loop/device_reading.h"
 #include "device/device.h"
 
@@ -12,42 +16,66 @@ namespace hapticwall::runtime {
 
 // From the latch of a position to the acknowledgement of its force. A slower device gets no force.
 inline constexpr double kMaxCommandAgeS = 0.02;
+// A delay beyond so many periods is poor, and is refused. The device's tick and the loop's differ
+// by parts in a thousand.
+inline constexpr double kUsableDelayTicks = 5.0;
+inline constexpr double kDelayTolerance = 1.01;
+// The delay may grow by so many ticks after the arming, for fewer acknowledgements than these.
+inline constexpr double kMaxDelayGrowthTicks = 3.0;
+inline constexpr std::uint32_t kMaxLateAnswers = 4;
 // A force that is not the commanded one may be told in so many states.
 inline constexpr std::uint32_t kMaxOtherWords = 3;
-// A handle may be pushed so far against the full force of a device that acknowledges nothing: its
-// position alone can show that it does not push, or pushes the other way.
-inline constexpr double kMaxGivenWayM = 0.03;
+
+struct JudgeOptions {
+  double rate_hz = 1000.0;         // of the loop
+  bool allow_slow_device = false;  // arms a device with a poor delay
+};
+
+// What the host knows of a tick.
+struct JudgedTick {
+  double elapsed_s = 0.0;      // since the previous call
+  double force_n = 0.0;        // of the last command
+  double force_limit_n = 0.0;  // positive
+  bool armed = false;
+};
 
 class DeviceJudge {
  public:
-  explicit DeviceJudge(const device::DeviceInfo& info)
-      : motion_(info.motion), encoder_m_(info.encoder_m) {}
+  explicit DeviceJudge(const device::DeviceInfo& info, const JudgeOptions& options = {});
 
-  // What is wrong at this tick; kNone without objection. `elapsed_s`: since the previous call, by
-  // the host's clock, for a device without a clock.
-  // `full_force`: the last command was the force limit, 1 out of the wall, -1 into it; else 0.
+  // What is wrong at this tick; kNone without objection.
   [[nodiscard]] ArmingNote judge(const DeviceReading& reading, const device::LinkStats& link,
-                                 double elapsed_s, int full_force = 0);
+                                 const JudgedTick& tick);
   // Motion until the next reading is unobserved.
-  void forget() { known_ = false; }
-  // No command of this link was acknowledged yet: its delay is unknown.
+  void forget();
+  // Its delay or the rate of its clock is not known yet.
   [[nodiscard]] bool waits_for_answer() const { return waits_for_answer_; }
+  // Of the next force: less than full until the handle has obeyed.
+  [[nodiscard]] const Obedience& obedience() const { return obedience_; }
 
  private:
-  [[nodiscard]] bool is_plausible(const DeviceReading& reading, double elapsed_s);
   [[nodiscard]] ArmingNote answer(const device::LinkStats& link);
-  [[nodiscard]] bool gives_way(double position_m, int full_force);
+  [[nodiscard]] ArmingNote force_word(const device::LinkStats& link) const;
+  [[nodiscard]] ArmingNote clock(const DeviceReading& reading, const device::LinkStats& link);
+  [[nodiscard]] ArmingNote delay(const device::LinkStats& link);
+  [[nodiscard]] ArmingNote obeys(double position_m, double delay_s, const JudgedTick& tick);
+  void arm(bool armed, const device::LinkStats& link);
 
-  device::MotionLimits motion_;
-  double encoder_m_;
-  bool known_ = false;
-  double position_m_ = 0.0;  // of the last report
-  double device_time_s_ = 0.0;
-  double since_s_ = 0.0;  // since the last report, by the host's clock
+  JudgeOptions options_;
+  MotionJudge motion_;
+  ClockJudge clock_;
+  Obedience obedience_;
+  GivenWay given_way_;
+  double host_s_ = 0.0;  // by the host's clock, since the start
   std::uint64_t rejected_ = 0;
   bool waits_for_answer_ = false;
-  int pushed_ = 0;       // the last full_force
-  double held_m_ = 0.0;  // the farthest that the present full force has pushed
+  bool armed_ = false;
+  double armed_delay_s_ = 0.0;  // when it was armed; 0: unknown
+  std::uint64_t answers_ = 0;
+  std::uint32_t late_answers_ = 0;  // in a row
 };
+
+// Whether a force is the limit: 1 out of the wall, -1 into it; else 0. Realtime-safe: yes.
+[[nodiscard]] int full_force(double force_n, double force_limit_n);
 
 }  // namespace hapticwall::runtime

@@ -19,9 +19,6 @@ std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
   return a > kMax - b ? kMax : a + b;
 }
 
-// A force that a filter holds just below the limit is at the limit, too.
-constexpr double kFullForceMargin = 1.01;
-
 // Gives the servo step a reading that was taken before.
 struct ReadDevice {
   device::Device& device;
@@ -66,33 +63,40 @@ Sample LoopAxis::at_rest() {
   return sample;
 }
 
-int LoopAxis::full_force() const {
-  const double share =
-      servo.state().previous_force_n / servo.settings().force_limit_n * kFullForceMargin;
-  return share >= 1.0 ? 1 : share <= -1.0 ? -1 : 0;
-}
-
-Sample LoopAxis::judged_tick(double elapsed_s) {
+Sample LoopAxis::judged_tick(double elapsed_s, bool armed) {
   ReadDevice read{device, device.read()};
-  judged = judge->judge(read.reading, device.link(), elapsed_s, full_force());
-  if (judged == ArmingNote::kImplausible) read.reading.state = DeviceState::kFault;
+  ServoState& state = servo.state();
+  judged = judge->judge(
+      read.reading, device.link(),
+      {elapsed_s, state.previous_force_n, servo.settings().force_limit_n, armed});
+  const bool impossible =
+      judged == ArmingNote::kImplausible || judged == ArmingNote::kAcceleration;
+  if (impossible) read.reading.state = DeviceState::kFault;
+  state.limit_share = judge->obedience().limit_share();
+  state.level = judge->obedience().level();
   if (judged != ArmingNote::kNone) {
-    servo.state().force_gain = 0.0;
+    state.force_gain = 0.0;
     device.enable(false);
   }
   return tick_on(*this, read);
 }
 
 ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
-                     const LoopParameters& initial, bool start_paused, TickLaw* law)
+                     const LoopParameters& initial, bool start_paused, TickLaw* law,
+                     bool allow_slow_device)
     : exchange_(exchange),
       arming_(!devices.front()->info().is_simulated, initial.axes.front().servo.rate_hz) {
   for (device::Device* device : devices) {
     LoopAxis& axis =
         axes_.emplace_back(LoopAxis{*device, Servo(initial.axes.at(axes_.size()).servo)});
-    if (!device->info().is_simulated) axis.judge.emplace(device->info());
+    const JudgeOptions options{axis.servo.settings().rate_hz, allow_slow_device};
+    device::DeviceInfo info = device->info();
+    if (axes_.size() == 1 && law != nullptr) {
+      axis.law = law;
+      info.untried_share = 1.0;  // the law finds the sign by itself
+    }
+    if (!info.is_simulated) axis.judge.emplace(info, options);
   }
-  axes_.front().law = law;
   snapshot_.newest.count = static_cast<std::uint8_t>(axes_.size());
   snapshot_.generation = initial.generation;
   snapshot_.paused = start_paused;
@@ -105,7 +109,9 @@ ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exch
 void ServoLoop::cycle(const Wake& wake, Clock& clock) {
   if (seconds(wake.latency_ns) > kDefaultMaxAgeS) disarm(ArmingNote::kLate);
   take_commands();
-  elapsed_s_ = axes_.front().servo.settings().period_s() * static_cast<double>(1 + wake.missed);
+  elapsed_s_ = axes_.front().servo.settings().period_s() * static_cast<double>(1 + wake.missed) +
+               seconds(wake.latency_ns - latency_ns_);
+  latency_ns_ = wake.latency_ns;
   const bool due = ++periods_since_tick_ >= snapshot_.periods_per_tick;
   const bool ticks = steps_left_ > 0 || (due && !snapshot_.paused);
   if (ticks) {
@@ -231,6 +237,7 @@ void ServoLoop::show_arming() {
   shown.note = arming_.note();
   shown.gain = arming_.gain();
   shown.asked = arming_.answers();
+  shown.limit_share = axes_.front().servo.state().limit_share;
 }
 
 // All axes are armed together: a fault of one disarms all.
@@ -253,7 +260,8 @@ ArmingFacts ServoLoop::facts(const Tick& tick) const {
 Sample ServoLoop::tick_axis(LoopAxis& axis) {
   axis.servo.state().force_gain = arming_.gain();
   axis.device.enable(arming_.enabled());
-  Sample sample = axis.judge ? axis.judged_tick(elapsed_s_) : tick_on(axis, axis.device);
+  Sample sample = axis.judge ? axis.judged_tick(elapsed_s_, arming_.enabled())
+                             : tick_on(axis, axis.device);
   sample.generation = snapshot_.generation;
   return sample;
 }
@@ -271,7 +279,16 @@ void ServoLoop::tick() {
     }
   }
   at_start_ = false;
+  count_force(tick);
   hand_out(tick);
+}
+
+// For the note about a session that is at its limit for most of the time.
+void ServoLoop::count_force(const Tick& tick) {
+  const ServoSettings& settings = axes_.front().servo.settings();
+  if (!arming_.enabled()) return;
+  ++snapshot_.arming.armed_ticks;
+  if (full_force(tick.x().force_n, settings.force_limit_n) != 0) ++snapshot_.arming.limit_ticks;
 }
 
 void ServoLoop::hand_out(const Tick& tick) {

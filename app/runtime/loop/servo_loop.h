@@ -31,20 +31,20 @@ struct LoopAxis {
   void reset();
   // The sample before tick 0: the device's rest position, no force, no energies.
   [[nodiscard]] Sample at_rest();
-  // Whether the last force was the limit: 1 out of the wall, -1 into it; else 0.
-  [[nodiscard]] int full_force() const;
   // Judges the device and ticks. What is forbidden gives no force in the same tick.
-  [[nodiscard]] Sample judged_tick(double elapsed_s);
+  [[nodiscard]] Sample judged_tick(double elapsed_s, bool armed);
 };
 
 // The loop's state. The devices are open; they and the exchange outlive the loop.
 class ServoLoop {
  public:
   // One device for each axis, x first; all axes tick together. `law`: instead of the algorithm of
-  // axis x, or nullptr. Precondition: 1 to kMaxAxes devices.
+  // axis x, or nullptr. `allow_slow_device`: arms one with a poor delay, too. Precondition: 1 to
+  // kMaxAxes devices.
   // Realtime-safe: no.
   ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
-            const LoopParameters& initial, bool start_paused, TickLaw* law = nullptr);
+            const LoopParameters& initial, bool start_paused, TickLaw* law = nullptr,
+            bool allow_slow_device = false);
 
   // One cycle: takes commands and parameters, ticks unless paused, and publishes the results. Reads
   // `clock` once, after the tick. Throws only what the device throws. Realtime-safe: yes.
@@ -69,6 +69,7 @@ class ServoLoop {
   void tick();
   [[nodiscard]] Sample tick_axis(LoopAxis& axis);
   [[nodiscard]] ArmingFacts facts(const Tick& tick) const;
+  void count_force(const Tick& tick);
   void hand_out(const Tick& tick);
   void idle();
   void show_start();
@@ -80,7 +81,8 @@ class ServoLoop {
   Snapshot snapshot_;
   CostWindow cost_;
   LedHand hand_;
-  double elapsed_s_ = 0.0;  // since the previous cycle, as planned
+  double elapsed_s_ = 0.0;       // since the previous cycle
+  std::int64_t latency_ns_ = 0;  // of the present one
   std::uint32_t steps_left_ = 0;
   std::uint32_t periods_since_tick_ = 0;
   bool recording_ = false;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "app/runtime/loop/arming.h"
 #include "app/runtime/loop/latency_histogram.h"
@@ -40,6 +41,13 @@ struct TimingHistograms {
   LatencyCounts compute_time;
 };
 
+// Of ArmingStatus::mostly_at_limit(), and of a weak force: clauses for people.
+inline constexpr std::string_view kAtLimitText =
+    "the force was at its limit for most of the armed time: a hand that is stronger than the limit, "
+    "or a device that does not obey";
+inline constexpr std::string_view kWeakText =
+    "press into a wall for a second: the force is weak until the handle obeys";
+
 // Whether the force of a real device acts, and why not.
 struct ArmingStatus {
   ArmingState state = ArmingState::kNotNeeded;
@@ -47,6 +55,14 @@ struct ArmingStatus {
   double gain = 1.0;        // of the force, 0 to 1
   std::uint32_t asked = 0;  // answered requests to arm, granted or refused
   double since_s = 0.0;     // session's time at which `state` began
+  double limit_share = 1.0;  // of the force limit: less than 1 until the handle has obeyed
+  std::uint64_t armed_ticks = 0;  // since the start, and those of them with the full force
+  std::uint64_t limit_ticks = 0;
+
+  // Half of the armed time, and at least a second of it, at the limit. `rate_hz`: of the ticks.
+  [[nodiscard]] bool mostly_at_limit(double rate_hz) const {
+    return static_cast<double>(armed_ticks) >= rate_hz && 2 * limit_ticks > armed_ticks;
+  }
 };
 
 // The newest tick and the state of the loop. Trivially copyable.

@@ -39,6 +39,7 @@ struct SessionOptions {
   double spin_s = 0.0;     // busy waiting before every tick, 0 to kMaxSpinS (spinning_clock.h)
   bool start_paused = false;
   bool allow_no_realtime = false;  // a real device without real-time priority; simulators never ask
+  bool allow_slow_device = false;  // a real device whose delay is poor
   // Clock of the loop; must outlive the session. Null: the clock of the machine. Another clock lets
   // hours of simulation pass in seconds.
   Clock* clock = nullptr;

@@ -87,7 +87,8 @@ LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, c
       columns_(columns_of(device_info_, devices_.size(), options)),
       history_(with_revision(scene)),
       exchange_(options.queues, parameters_of(history_)),
-      loop_(pointers_to(devices_), exchange_, parameters_of(history_), options.start_paused, law),
+      loop_(pointers_to(devices_), exchange_, parameters_of(history_), options.start_paused, law,
+            options.allow_slow_device),
       recorder_(exchange_.recorder),
       clock_(options.clock != nullptr ? *options.clock : monotonic_clock_,
              spin_ns(options.spin_s, scene.sampling.rate_hz)) {

@@ -61,6 +61,8 @@ void tell_without_device(const PanelContext& context, const char* meaning) {
 
 std::string arming_text(const runtime::Snapshot& snapshot) {
   const runtime::ArmingStatus& arming = snapshot.arming;
+  if (arming.state == ArmingState::kOn && arming.limit_share < 1.0)
+    return fmt::format("FORCE WEAK: {}", runtime::kWeakText);
   if (arming.state == ArmingState::kOn) return "FORCE ON";
   if (arming.state == ArmingState::kRamping) {
     return fmt::format("FORCE RISING  {:.0f} %", kPercent * arming.gain);
@@ -87,6 +89,10 @@ void draw_arming_strip(const PanelContext& context) {
   draw::strong_text(context.theme, silence.empty() ? arming_text(context.snapshot) : silence,
                     draw::kTitleFontSize);
   explain(context.session.device_trouble());
+  if (context.snapshot.arming.mostly_at_limit(context.session.scene().sampling.rate_hz)) {
+    ImGui::SameLine(0.0F, em);
+    muted_text(context, runtime::kAtLimitText);
+  }
   if (!context.snapshot.link.acknowledges) {
     ImGui::SameLine(0.0F, em);
     muted_text(context, "never tried on this model: hands off the spokes");

@@ -157,7 +157,10 @@ class FakeClock : public Clock {
 class FakeDevice : public device::Device {
  public:
   [[nodiscard]] device::DeviceInfo info() const override {
-    return {"fake", false, encoder_m, force_limit_n, {}, max_force_rate_n_per_s};
+    device::DeviceInfo info{"fake", false, encoder_m, force_limit_n, {-1.0, 1.0, 10.0}};
+    info.max_force_rate_n_per_s = max_force_rate_n_per_s;
+    info.untried_share = untried_share;
+    return info;
   }
   [[nodiscard]] Failure open() override {
     log.emplace_back("open");
@@ -185,6 +188,7 @@ class FakeDevice : public device::Device {
   double encoder_m = 0.0;
   double force_limit_n = 0.0;
   double max_force_rate_n_per_s = 0.0;
+  double untried_share = 1.0;  // its handle never obeys
   device::LinkStats figures;
   Failure open_failure;
   int throw_at_read = 0;  // number of the read; 0: never

@@ -92,7 +92,7 @@ class SharedDevice : public device::Device {
   explicit SharedDevice(Heard& heard) : heard_(heard) {}
   [[nodiscard]] device::DeviceInfo info() const override {
     constexpr device::MotionLimits kFast{-1.0, 1.0, 1e6};  // a test moves its handle at once
-    return {"shared", false, 0.0, 0.0, kFast, 0.0};
+    return {"shared", false, 0.0, 0.0, kFast, 0.0, "", 1.0};
   }
   [[nodiscard]] Failure open() override { return std::nullopt; }
   [[nodiscard]] DeviceReading read() override {

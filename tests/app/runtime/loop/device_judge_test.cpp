@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kTickS = 1e-3;
 constexpr double kCountM = 1e-4;
+constexpr double kLimitN = 5.0;
 
 class Judged : public ::testing::Test {
  protected:
@@ -20,12 +21,12 @@ class Judged : public ::testing::Test {
   ArmingNote at(double position_m, double device_step_s = kTickS, double host_step_s = kTickS) {
     reading.position_m = position_m;
     reading.device_time_s += device_step_s;
-    return judge.judge(reading, link, host_step_s);
+    return judge.judge(reading, link, {host_step_s, 0.0, kLimitN, false});
   }
   static device::DeviceInfo paddle() {
     device::DeviceInfo info;
     info.encoder_m = kCountM;
-    info.motion = {-0.05, 0.06, 2.0};
+    info.motion = {-0.05, 0.06, 2.0, 0.1};
     return info;
   }
 
@@ -46,14 +47,15 @@ TEST_F(Judged, TheFirstPositionIsAnywhereInTheWorkspace) {
   EXPECT_EQ(at(std::numeric_limits<double>::quiet_NaN()), ArmingNote::kImplausible);
 }
 
+// 2 m/s, 5 % of the time, and three counts: 2.4 mm a tick.
 TEST_F(Judged, TheSpeedIsByTheClockOfTheDevice) {
   EXPECT_EQ(at(0.0), ArmingNote::kNone);
   EXPECT_EQ(at(0.0020), ArmingNote::kNone);
-  EXPECT_EQ(at(0.00409), ArmingNote::kNone);  // one count more than 2 m/s
-  EXPECT_EQ(at(0.0063), ArmingNote::kImplausible);
-  EXPECT_EQ(at(0.0083), ArmingNote::kNone);  // the new place counts
-  EXPECT_EQ(at(0.0123, 2e-3, kTickS), ArmingNote::kNone);
-  EXPECT_EQ(at(0.0163, kTickS, 2e-3), ArmingNote::kImplausible);
+  EXPECT_EQ(at(0.0044 - 1e-9), ArmingNote::kNone);
+  EXPECT_EQ(at(0.0069), ArmingNote::kImplausible);
+  EXPECT_EQ(at(0.0089), ArmingNote::kNone);  // the new place counts
+  EXPECT_EQ(at(0.0129, 2e-3, kTickS), ArmingNote::kNone);
+  EXPECT_EQ(at(0.0169, kTickS, 2e-3), ArmingNote::kImplausible);
 }
 
 TEST_F(Judged, WithoutAClockOfTheDeviceTheHostsCounts) {
@@ -65,9 +67,41 @@ TEST_F(Judged, WithoutAClockOfTheDeviceTheHostsCounts) {
   EXPECT_EQ(at(0.012, 0.0), ArmingNote::kImplausible);
 }
 
+// (5 + 50) N on 100 g: 0.55 m/s a tick; three counts at two ticks: 0.6 m/s.
+TEST_F(Judged, TheSpeedChangesAsAHandAndTheForceCanChangeIt) {
+  link.has_clock = true;
+  for (const double side : {1.0, -1.0}) {
+    judge.forget();
+    EXPECT_EQ(at(0.0), ArmingNote::kNone);
+    EXPECT_EQ(at(0.0), ArmingNote::kNone);
+    EXPECT_EQ(at(side * 0.00114), ArmingNote::kNone);
+    EXPECT_EQ(at(side * 0.00234), ArmingNote::kNone);
+    EXPECT_EQ(at(side * 0.00234), ArmingNote::kAcceleration);
+    EXPECT_EQ(at(side * 0.00234), ArmingNote::kNone);
+    EXPECT_EQ(at(side * 0.00364), ArmingNote::kAcceleration) << "2 m/s are no speed beyond the limit";
+  }
+}
+
+TEST_F(Judged, AMissingReportAllowsMoreAccelerationAndAJitteringOneIsNone) {
+  link.has_clock = true;
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  EXPECT_EQ(at(0.0028, 2e-3), ArmingNote::kNone);  // 1.4 m/s in 1.5 ms
+  for (int i = 0; i < 20; ++i) {
+    const double step_s = i % 2 == 0 ? 0.95e-3 : 1.05e-3;
+    EXPECT_EQ(at(0.0042 + 0.0014 * i, step_s), ArmingNote::kNone);
+  }
+}
+
+TEST_F(Judged, AJumpThatIsSlowerThanTheHandIsNoticedByItsAcceleration) {
+  link.has_clock = true;
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(at(0.01), ArmingNote::kNone);
+  EXPECT_EQ(at(0.0119), ArmingNote::kAcceleration);
+}
+
 TEST_F(Judged, AClockThatRunsAheadHidesNoJump) {
   EXPECT_EQ(at(0.0), ArmingNote::kNone);
-  EXPECT_EQ(at(0.05, 1.0), ArmingNote::kImplausible);  // 20 ms count at most: 40 mm
+  EXPECT_EQ(at(0.05, 1.0), ArmingNote::kImplausible);  // 20 ms count at most: 42 mm
   EXPECT_EQ(at(0.051, -1.0), ArmingNote::kImplausible);
 }
 
@@ -106,25 +140,49 @@ TEST_F(Judged, WhatAcknowledgesNothingIsNotWaitedFor) {
   EXPECT_EQ(at(0.0), ArmingNote::kSlowAnswer);
 }
 
+TEST_F(Judged, TheDelayMayGrowByThreeTicks) {
+  link = {.connected = true, .applied_commands = 1, .delay_s = 1e-3, .recent_delay_s = 1e-3,
+          .force_word = device::ForceWord::kSame};
+  const auto answered_after = [&](double delay_s) {
+    ++link.applied_commands;
+    link.recent_delay_s = delay_s;
+    return judge.judge(reading, link, {kTickS, 0.0, kLimitN, true});
+  };
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(answered_after(i % 2 == 0 ? 1e-3 : 3.9e-3), ArmingNote::kNone);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(answered_after(4.1e-3), ArmingNote::kNone);
+  EXPECT_EQ(answered_after(4.1e-3), ArmingNote::kSlowerAnswer);
+}
+
+TEST_F(Judged, APoorDelayIsRefusedAndAllowedOnRequest) {
+  link = {.connected = true, .delay_s = 5.04e-3, .force_word = device::ForceWord::kSame};
+  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  link.delay_s = 5.06e-3;
+  EXPECT_EQ(at(0.0), ArmingNote::kSlowDevice);
+  DeviceJudge allows(paddle(), {.allow_slow_device = true});
+  EXPECT_EQ(allows.judge(reading, link, {kTickS, 0.0, kLimitN, false}), ArmingNote::kNone);
+}
+
+// The position of a handle that moves at a constant speed says that no force slows it down.
 TEST_F(Judged, AHandleThatGivesWayToTheFullForceShowsThatItDoesNotPush) {
   for (const int side : {1, -1}) {
-    const auto pushed_to = [&](double along_m, int full_force) {
-      reading.position_m = side * along_m;
-      reading.device_time_s += 0.1;
-      return judge.judge(reading, link, 0.1, side * full_force);
+    double along_m = 0.0;
+    const auto at_full_force = [&](double speed_m_per_s, int ticks) {
+      ArmingNote first = ArmingNote::kNone;
+      for (int i = 0; i < ticks && first == ArmingNote::kNone; ++i) {
+        along_m += speed_m_per_s * kTickS;
+        reading.position_m = side * along_m;
+        reading.device_time_s += kTickS;
+        first = judge.judge(reading, link, {kTickS, side * kLimitN, kLimitN, true});
+      }
+      return first;
     };
     judge.forget();
-    link.acknowledges = true;
-    EXPECT_EQ(pushed_to(0.0, 1), ArmingNote::kNone);
-    EXPECT_EQ(pushed_to(0.035, 1), ArmingNote::kNone) << "it would say so itself";
-    link.acknowledges = false;
-    EXPECT_EQ(pushed_to(0.0, 0), ArmingNote::kNone);
-    EXPECT_EQ(pushed_to(0.03, 0), ArmingNote::kNone) << "no full force yet";
-    EXPECT_EQ(pushed_to(0.01, 1), ArmingNote::kNone);
-    EXPECT_EQ(pushed_to(0.04, 1), ArmingNote::kNone) << "the force pushed it to 10 mm";
-    EXPECT_EQ(pushed_to(0.0, 1), ArmingNote::kNone);
-    EXPECT_EQ(pushed_to(0.0301, 1), ArmingNote::kGivesWay);
-    EXPECT_EQ(pushed_to(0.0301, 0), ArmingNote::kNone);
+    EXPECT_EQ(at_full_force(0.1, 79), ArmingNote::kNone);
+    EXPECT_EQ(at_full_force(-0.1, 100), ArmingNote::kNone) << "the force moves it";
+    EXPECT_EQ(at_full_force(0.1, 70), ArmingNote::kNone);
+    EXPECT_EQ(at_full_force(0.1, 30), ArmingNote::kGivesWay);
+    EXPECT_LT(along_m, 0.0079 - 0.01 + 0.0085);
+    EXPECT_EQ(judge.judge(reading, link, {kTickS, 0.0, kLimitN, true}), ArmingNote::kNone);
   }
 }
 
@@ -144,9 +202,9 @@ TEST(JudgedLoop, AWheelThatTakesNoOutputIsDisarmed) {
   const auto push_to = [&](double to_m) {
     for (; bench.device.position_m < to_m; bench.device.position_m += 1e-4) bench.cycles(1);
   };
-  push_to(0.0845);
+  push_to(0.0625);
   EXPECT_EQ(bench.snapshot().newest.x().force_n, 5.0) << "a strong hand may do that";
-  push_to(0.0855);
+  push_to(0.0638);
   EXPECT_EQ(bench.snapshot().newest.x().force_n, 0.0);
   EXPECT_EQ(bench.snapshot().arming.note, ArmingNote::kGivesWay);
 }
