@@ -267,7 +267,8 @@ void add_options(CLI::App& program, EmulatorOptions& options) {
           "--fault", options.faults,
           "KIND[=AMOUNT]@BEGIN+DURATION in seconds since the start; =AMOUNT: of a lie (jump m, "
           "runaway m/s, slow s, withheld-answer commands, other-force factor, "
-          "foreign-force N, clock-rate factor, clock-jump s, noise m); /EVERY: only every N-th tick (repeatable)")
+          "foreign-force N, clock-rate factor, clock-jump s, noise m); /EVERY: only every N-th "
+          "tick (repeatable)")
       ->type_name("FAULT")
       ->allow_extra_args(false);
   program

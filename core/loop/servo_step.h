@@ -78,7 +78,7 @@ struct ServoState {
   // Share of the force that reaches the device, 0 to 1; less than 1 until the device is fully
   // armed.
   double force_gain = 1.0;
-  double previous_gain = 1.0;   // of the previous force
+  double previous_gain = 1.0;  // of the previous force
   // Until a device has obeyed: share of the force limit, and of the force within it, above 0. The
   // algorithm does not see the second one.
   double limit_share = 1.0;
@@ -273,11 +273,11 @@ template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stab
                                                      Device& device) {
   TickOutcome out;
   detail::take_reading<kKnown>(settings, state, device.read(), out);
-  const StabiliserInput input{out.contact.force_n,       out.position_m,
-                              out.displacement_m,        out.velocity_m_per_s,
-                              out.contact.penetration_m,
-                              detail::previous_force<!kKnown.steady>(state),
-                              out.contact.in_contact};
+  const StabiliserInput input{
+      out.contact.force_n,       out.position_m,
+      out.displacement_m,        out.velocity_m_per_s,
+      out.contact.penetration_m, detail::previous_force<!kKnown.steady>(state),
+      out.contact.in_contact};
   const double wanted_n = stabiliser.step(input);
   out.intervened = wanted_n != out.contact.force_n;
   detail::make_safe<kKnown>(settings, state, wanted_n, out);

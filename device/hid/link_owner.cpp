@@ -164,7 +164,7 @@ void LinkOwner::start(const hid::Listing& listing, const hid::DeviceDescription&
   writer.join = start_writer_(writer.session);
   write_ = std::move(writer);
   read_ = std::make_shared<ReadSession>();
-  read_->link = {session_number_, description, options_.start_m, sent,
+  read_->link = {session_number_,         description,       options_.start_m, sent,
                  options_.delay_is_known, options_.has_clock};
   read_->handle = std::move(to_read);
   exchange_.status = {session_number_, reason_};

@@ -20,7 +20,7 @@ struct HonestSettings {
   double sign = 1.0;      // -1: not honest
   double noise_counts = 1.0;
   double clock_rate = 1.0;
-  double missing_reports = 0.0;     // share
+  double missing_reports = 0.0;      // share
   std::uint32_t max_late_ticks = 2;  // of a command, more than one
   std::uint32_t seed = 1;
 };
@@ -82,7 +82,9 @@ class HonestDevice : public device::Device {
   };
 
   [[nodiscard]] double share() { return static_cast<double>(random_()) / 0x1p32; }
-  [[nodiscard]] double encoder_m() const { return settings_.scene.x().device.encoder_m.value_or(0.0); }
+  [[nodiscard]] double encoder_m() const {
+    return settings_.scene.x().device.encoder_m.value_or(0.0);
+  }
   void report() {
     const auto counts = static_cast<double>(static_cast<int>(random_() % 3) - 1);
     position_m_ = plant_.measured_position_m() + counts * settings_.noise_counts * encoder_m();

@@ -39,8 +39,9 @@ ArmingNote DeviceJudge::judge(const DeviceReading& reading, const device::LinkSt
     return ArmingNote::kNone;
   }
   for (const ArmingNote note :
-       {motion_.judge(reading, tick.elapsed_s, link.has_clock, tick.force_limit_n), answered,
-        clock(reading, link), delay(link), obeys(reading.position_m, link.delay_s, tick)}) {
+       {motion_.judge(reading, tick.elapsed_s, link.has_clock, tick.force_limit_n),
+        clock(reading, link), answered, delay(link),
+        obeys(reading.position_m, link.delay_s, tick)}) {
     if (note != ArmingNote::kNone) return note;
   }
   return ArmingNote::kNone;
@@ -55,7 +56,8 @@ void DeviceJudge::arm(bool armed, const device::LinkStats& link) {
 
 ArmingNote DeviceJudge::obeys(double position_m, double delay_s, const JudgedTick& tick) {
   const int full = tick.armed ? full_force(tick.force_n, tick.force_limit_n) : 0;
-  const bool gave_way = given_way_.gives(position_m, full, tick.force_n, tick.elapsed_s);
+  const bool gave_way =
+      given_way_.gives(position_m, tick.force_n, tick.force_limit_n, full, tick.elapsed_s);
   if (!tick.armed) return ArmingNote::kNone;
   obedience_.hear(position_m, tick.force_n, delay_s);
   if (obedience_.word() == Obedience::Word::kDisobeys) return ArmingNote::kWrongWay;

@@ -16,8 +16,8 @@ ArmingNote MotionJudge::judge(const DeviceReading& reading, double elapsed_s, bo
   const double ticked_s = reading.device_time_s - device_time_s_;
   if (known_ && moved_m == 0.0 && ticked_s == 0.0) return ArmingNote::kNone;  // the same report
   const double passed_s = std::min(ticked_s != 0.0 ? ticked_s : since_s_, kDefaultMaxAgeS);
-  const double reach_m = (1.0 + kTimeTolerance) * motion_.max_speed_m_per_s * passed_s +
-                         kNoiseCounts * encoder_m_;
+  const double reach_m =
+      (1.0 + kTimeTolerance) * motion_.max_speed_m_per_s * passed_s + kNoiseCounts * encoder_m_;
   const bool slow = !known_ || std::abs(moved_m) <= reach_m;
   const bool inside = reading.position_m >= motion_.min_m && reading.position_m <= motion_.max_m;
   position_m_ = reading.position_m;

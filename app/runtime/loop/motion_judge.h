@@ -36,7 +36,7 @@ class MotionJudge {
   bool speed_known_ = false;
   double position_m_ = 0.0;  // of the last report
   double device_time_s_ = 0.0;
-  double since_s_ = 0.0;  // since the last report, by the host's clock
+  double since_s_ = 0.0;        // since the last report, by the host's clock
   double speed_m_per_s_ = 0.0;  // between the last two reports
   double passed_s_ = 0.0;       // between them
 };

@@ -103,8 +103,8 @@ void Obedience::weigh(std::uint64_t step, std::uint64_t delay) {
   const double step_n = after_n - before_n;
   if (std::abs(step_n) < kMinStep * std::max(std::abs(before_n), std::abs(after_n))) return;
   const std::uint64_t here = step + delay;
-  const double moved_m = place(here + span_) - 3.0 * place(here) + 3.0 * place(here - span_) -
-                         place(here - 2 * span_);
+  const double moved_m =
+      place(here + span_) - 3.0 * place(here) + 3.0 * place(here - span_) - place(here - 2 * span_);
   count(moved_m, step_n);
 }
 

@@ -66,11 +66,9 @@ Sample LoopAxis::at_rest() {
 Sample LoopAxis::judged_tick(double elapsed_s, bool armed) {
   ReadDevice read{device, device.read()};
   ServoState& state = servo.state();
-  judged = judge->judge(
-      read.reading, device.link(),
-      {elapsed_s, state.previous_force_n, servo.settings().force_limit_n, armed});
-  const bool impossible =
-      judged == ArmingNote::kImplausible || judged == ArmingNote::kAcceleration;
+  judged = judge->judge(read.reading, device.link(),
+                        {elapsed_s, state.previous_force_n, servo.settings().force_limit_n, armed});
+  const bool impossible = judged == ArmingNote::kImplausible || judged == ArmingNote::kAcceleration;
   if (impossible) read.reading.state = DeviceState::kFault;
   state.limit_share = judge->obedience().limit_share();
   state.level = judge->obedience().level();
@@ -260,8 +258,8 @@ ArmingFacts ServoLoop::facts(const Tick& tick) const {
 Sample ServoLoop::tick_axis(LoopAxis& axis) {
   axis.servo.state().force_gain = arming_.gain();
   axis.device.enable(arming_.enabled());
-  Sample sample = axis.judge ? axis.judged_tick(elapsed_s_, arming_.enabled())
-                             : tick_on(axis, axis.device);
+  Sample sample =
+      axis.judge ? axis.judged_tick(elapsed_s_, arming_.enabled()) : tick_on(axis, axis.device);
   sample.generation = snapshot_.generation;
   return sample;
 }

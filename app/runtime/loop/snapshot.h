@@ -43,7 +43,8 @@ struct TimingHistograms {
 
 // Of ArmingStatus::mostly_at_limit(), and of a weak force: clauses for people.
 inline constexpr std::string_view kAtLimitText =
-    "the force was at its limit for most of the armed time: a hand that is stronger than the limit, "
+    "the force was at its limit for most of the armed time: a hand that is stronger than the "
+    "limit, "
     "or a device that does not obey";
 inline constexpr std::string_view kWeakText =
     "press into a wall for a second: the force is weak until the handle obeys";
@@ -52,10 +53,10 @@ inline constexpr std::string_view kWeakText =
 struct ArmingStatus {
   ArmingState state = ArmingState::kNotNeeded;
   ArmingNote note = ArmingNote::kNone;
-  double gain = 1.0;        // of the force, 0 to 1
-  std::uint32_t asked = 0;  // answered requests to arm, granted or refused
-  double since_s = 0.0;     // session's time at which `state` began
-  double limit_share = 1.0;  // of the force limit: less than 1 until the handle has obeyed
+  double gain = 1.0;              // of the force, 0 to 1
+  std::uint32_t asked = 0;        // answered requests to arm, granted or refused
+  double since_s = 0.0;           // session's time at which `state` began
+  double limit_share = 1.0;       // of the force limit: less than 1 until the handle has obeyed
   std::uint64_t armed_ticks = 0;  // since the start, and those of them with the full force
   std::uint64_t limit_ticks = 0;
 

@@ -74,11 +74,11 @@ TEST_F(Judged, TheSpeedChangesAsAHandAndTheForceCanChangeIt) {
     judge.forget();
     EXPECT_EQ(at(0.0), ArmingNote::kNone);
     EXPECT_EQ(at(0.0), ArmingNote::kNone);
-    EXPECT_EQ(at(side * 0.00114), ArmingNote::kNone);
-    EXPECT_EQ(at(side * 0.00234), ArmingNote::kNone);
-    EXPECT_EQ(at(side * 0.00234), ArmingNote::kAcceleration);
-    EXPECT_EQ(at(side * 0.00234), ArmingNote::kNone);
-    EXPECT_EQ(at(side * 0.00364), ArmingNote::kAcceleration) << "2 m/s are no speed beyond the limit";
+    EXPECT_EQ(at(side * 0.00115), ArmingNote::kNone);
+    EXPECT_EQ(at(side * 0.0023), ArmingNote::kNone);
+    EXPECT_EQ(at(side * 0.0022), ArmingNote::kAcceleration);
+    EXPECT_EQ(at(side * 0.0022), ArmingNote::kNone);
+    EXPECT_EQ(at(side * 0.0036), ArmingNote::kAcceleration) << "1.4 m/s are no speed too fast";
   }
 }
 
@@ -86,10 +86,10 @@ TEST_F(Judged, AMissingReportAllowsMoreAccelerationAndAJitteringOneIsNone) {
   link.has_clock = true;
   EXPECT_EQ(at(0.0), ArmingNote::kNone);
   EXPECT_EQ(at(0.0), ArmingNote::kNone);
-  EXPECT_EQ(at(0.0028, 2e-3), ArmingNote::kNone);  // 1.4 m/s in 1.5 ms
+  EXPECT_EQ(at(0.0026, 2e-3), ArmingNote::kNone);  // 1.3 m/s in 1.5 ms
   for (int i = 0; i < 20; ++i) {
     const double step_s = i % 2 == 0 ? 0.95e-3 : 1.05e-3;
-    EXPECT_EQ(at(0.0042 + 0.0014 * i, step_s), ArmingNote::kNone);
+    EXPECT_EQ(at(0.0039 + 0.0013 * i, step_s), ArmingNote::kNone);
   }
 }
 
@@ -135,20 +135,24 @@ TEST_F(Judged, WhatAcknowledgesNothingIsNotWaitedFor) {
   EXPECT_EQ(at(0.0), ArmingNote::kNone);
   EXPECT_FALSE(judge.waits_for_answer());
   link.delay_s = 0.02;
-  EXPECT_EQ(at(0.0), ArmingNote::kNone);
+  EXPECT_EQ(at(0.0), ArmingNote::kSlowDevice);
   link.delay_s = 0.0201;
   EXPECT_EQ(at(0.0), ArmingNote::kSlowAnswer);
 }
 
 TEST_F(Judged, TheDelayMayGrowByThreeTicks) {
-  link = {.connected = true, .applied_commands = 1, .delay_s = 1e-3, .recent_delay_s = 1e-3,
+  link = {.connected = true,
+          .applied_commands = 1,
+          .delay_s = 1e-3,
+          .recent_delay_s = 1e-3,
           .force_word = device::ForceWord::kSame};
   const auto answered_after = [&](double delay_s) {
     ++link.applied_commands;
     link.recent_delay_s = delay_s;
     return judge.judge(reading, link, {kTickS, 0.0, kLimitN, true});
   };
-  for (int i = 0; i < 20; ++i) EXPECT_EQ(answered_after(i % 2 == 0 ? 1e-3 : 3.9e-3), ArmingNote::kNone);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(answered_after(i % 2 == 0 ? 1e-3 : 3.9e-3), ArmingNote::kNone);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(answered_after(4.1e-3), ArmingNote::kNone);
   EXPECT_EQ(answered_after(4.1e-3), ArmingNote::kSlowerAnswer);
 }

@@ -20,7 +20,7 @@ using device::hid::testing::PolhemBoard;
 using device::hid::testing::WoodenBoard;
 
 constexpr std::uint64_t kBoardArmMs = 150;
-constexpr std::uint64_t kBoardLieMs = 1500;
+constexpr std::uint64_t kBoardLieMs = 3500;
 
 device::ImpulseEngineOptions options_of(const file::DeviceDescription& description) {
   device::ImpulseEngineOptions options = command::described_by(description);

@@ -109,7 +109,8 @@ TEST_P(ObeyingHand, AWrongSignNeverGetsMoreThanAWeakForce) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ObeyingHand, ::testing::Values("press", "tap", "tap-slow", "light"));
+INSTANTIATE_TEST_SUITE_P(Scenes, ObeyingHand,
+                         ::testing::Values("press", "tap", "tap-slow", "light"));
 
 TEST(Obedience, WithoutATrialTheWholeForceIsThereAtOnce) {
   Obedience obedience(1e-6, 1000.0, 1.0);

@@ -18,7 +18,7 @@ namespace {
 using device::Trouble;
 using ::testing::HasSubstr;
 
-constexpr std::uint64_t kLibraryLieMs = 1500;
+constexpr std::uint64_t kLibraryLieMs = 3500;
 constexpr std::uint64_t kHangMs = 50;
 
 // What is behind the library: a plant, which the bus moves.
