@@ -179,6 +179,8 @@ void add_session(const runtime::LiveSession& session, const runtime::Snapshot& s
     summary.rejected_commands = link.rejected_commands;
   }
   if (link.delay_s > 0.0) summary.delay_s = link.delay_s;
+  if (snapshot.arming.mostly_at_limit(session.scene().sampling.rate_hz))
+    summary.verdict_note = runtime::kAtLimitText;
   if (!(armed || tells_unasked_force(snapshot)) || !was_disarmed(snapshot.arming)) return;
   summary.disarmed_at_s = snapshot.arming.since_s;
   summary.disarm_reason = link.trouble != device::Trouble::kNone

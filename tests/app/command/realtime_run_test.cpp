@@ -38,6 +38,7 @@ class LedDevice : public FakeDevice {
  public:
   explicit LedDevice(std::function<void(LedDevice&)> lead) : lead_(std::move(lead)) {
     position_m = kOutsideM;
+    force_limit_n = 1.0;
     figures.connected = true;
     figures.force_word = device::ForceWord::kSame;
     figures.missing_states = 2;
@@ -151,6 +152,37 @@ TEST(RealtimeRun, ALossIsADisarmingToo) {
       kEndlessS);
   EXPECT_THAT(told(outcome), HasSubstr("the emergency stop of the device is pressed"));
   EXPECT_EQ(json_of(outcome)["disarm_reason"], "the emergency stop of the device is pressed");
+}
+
+TEST(RealtimeRun, ASessionAtItsLimitSaysSo) {
+  const RealtimeOutcome outcome = run_on(
+      [](LedDevice& device) {
+        device.position_m = device.enabled ? kInsideM : kOutsideM;
+      },
+      2.5);
+  EXPECT_THAT(told(outcome), HasSubstr("the force was at its limit for most of the armed time"));
+  EXPECT_EQ(outcome.trouble->kind, ErrorKind::kDevice);
+  EXPECT_FALSE(outcome.stopped_early);
+  EXPECT_EQ(json_of(outcome)["verdict_note"], runtime::kAtLimitText);
+  EXPECT_TRUE(json_of(outcome)["disarm_reason"].is_null());
+}
+
+TEST(RealtimeRun, AForceThatIsToldWhileDisarmedEndsTheRun) {
+  const RealtimeOutcome outcome = run_on(
+      [](LedDevice& device) {
+        device.figures.force_word = device::ForceWord::kUnasked;
+        device.figures.same_words = 10;
+      },
+      kEndlessS);
+  EXPECT_THAT(told(outcome), HasSubstr("gives a force while it is disarmed"));
+  EXPECT_EQ(json_of(outcome)["disarm_reason"],
+            "the device says that it gives a force while it is disarmed");
+}
+
+TEST(RealtimeRun, ASlowDeviceIsRefusedAndNamesItsOption) {
+  const RealtimeOutcome outcome =
+      run_on([](LedDevice& device) { device.figures.delay_s = 6e-3; }, kEndlessS);
+  EXPECT_THAT(told(outcome), HasSubstr("--allow-slow-device"));
 }
 
 TEST(RealtimeRun, TheSimulatorHasNoLink) {
