@@ -37,6 +37,24 @@ TEST(Arming, ASimulatorNeverNeedsIt) {
   EXPECT_EQ(arming.gain(), 1.0);
 }
 
+// The note of a force while disarmed does not hide the reason of a disarming.
+TEST(Arming, AForceWhileDisarmedIsNamed) {
+  const ArmingFacts unasked{.judged = ArmingNote::kUnaskedForce};
+  Arming off(true, kRateHz);
+  ticks(off, 1, unasked);
+  EXPECT_EQ(off.note(), ArmingNote::kUnaskedForce);
+  Arming late = armed();
+  ticks(late, 1, {.judged = ArmingNote::kOtherForce});
+  ticks(late, 1, unasked);
+  EXPECT_EQ(late.note(), ArmingNote::kOtherForce);
+}
+
+TEST(ArmingStatus, MostOfTheTimeIsMoreThanHalfOfASecondOrMore) {
+  EXPECT_FALSE((ArmingStatus{.armed_ticks = 999, .limit_ticks = 999}.mostly_at_limit(1000.0)));
+  EXPECT_FALSE((ArmingStatus{.armed_ticks = 1000, .limit_ticks = 500}.mostly_at_limit(1000.0)));
+  EXPECT_TRUE((ArmingStatus{.armed_ticks = 1000, .limit_ticks = 501}.mostly_at_limit(1000.0)));
+}
+
 TEST(Arming, IsOffUntilAskedFor) {
   Arming arming(true, kRateHz);
   ticks(arming, 1000);

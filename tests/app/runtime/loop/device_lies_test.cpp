@@ -1,4 +1,4 @@
-// A device that is wrong but well-formed, in virtual time: 60 lies in five states of the loop. Each
+// A device that is wrong but well-formed, in virtual time: 61 lies in five states of the loop. Each
 // has its force at the device after the lie, the time until it is zero, the way that the handle is
 // pushed, and the reason that the person reads.
 #include <gtest/gtest.h>
@@ -116,7 +116,7 @@ const Lie kLies[] = {
      5, kUnaskedForce},
     // Rule 5: the clock of the device.
     {"clock-rate", kLong, kClockRate, kClockRate, kClockRate, 200},
-    {"clock-rate=5", kLong, kSlowerAnswer, kSlowerAnswer, kClockRate, 5},
+    {"clock-rate=1.1", kLong, kClockRate, kClockRate, kNone, 200},
     {"clock-rate=0.9", kLong, kClockRate, kClockRate, kNone, 200},
     {"clock-rate=1.03", kLong, kNone, kNone, kNone},
     {"clock-jump", kLong, ArmingNote::kClockJump, ArmingNote::kClockJump, kNone},

@@ -41,6 +41,8 @@ TEST_F(ArmingStripTest, StatesTheForceAndTheReason) {
   EXPECT_EQ(text(), "FORCE RISING  42 %");
   fake_->arming = {ArmingState::kOn, ArmingNote::kNone, 1.0, 1};
   EXPECT_EQ(text(), "FORCE ON");
+  fake_->arming.limit_share = 0.1;
+  EXPECT_EQ(text(), "FORCE WEAK: " + std::string(runtime::kWeakText));
 }
 
 // Off and on differ in colour over the whole width.
