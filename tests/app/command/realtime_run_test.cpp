@@ -156,10 +156,7 @@ TEST(RealtimeRun, ALossIsADisarmingToo) {
 
 TEST(RealtimeRun, ASessionAtItsLimitSaysSo) {
   const RealtimeOutcome outcome = run_on(
-      [](LedDevice& device) {
-        device.position_m = device.enabled ? kInsideM : kOutsideM;
-      },
-      2.5);
+      [](LedDevice& device) { device.position_m = device.enabled ? kInsideM : kOutsideM; }, 2.5);
   EXPECT_THAT(told(outcome), HasSubstr("the force was at its limit for most of the armed time"));
   EXPECT_EQ(outcome.trouble->kind, ErrorKind::kDevice);
   EXPECT_FALSE(outcome.stopped_early);
