@@ -255,6 +255,21 @@ TEST_P(DeviceLie, IsForgottenWhenItIsOverAndThePersonArms) {
   EXPECT_EQ(rig.arming().note, kNone);
 }
 
+// Swapped leads of a motor: found while the force is weak.
+TEST(SwappedLeads, AreFoundByAWeakForce) {
+  LieRig rig(device::hid::FaultScript{{device::hid::FaultKind::kWrongSign, 0, 60'000'000}}, true);
+  rig.until_ms(kArmMs);
+  rig.arm();
+  rig.until_ms(kBeginMs);
+  EXPECT_EQ(arming_note_text(rig.arming().note), arming_note_text(ArmingNote::kWrongWay));
+  EXPECT_LE(rig.peak_n, kUntriedN + 1e-3);
+  EXPECT_LE(rig.last_force_us, 2'500'000U);
+  RecordProperty("last_force_us", static_cast<int>(rig.last_force_us));
+  RecordProperty("peak_mn", static_cast<int>(1e3 * rig.peak_n));
+  const double deepest_m = rig.rig.plug.device.truth(0).position_m;
+  EXPECT_LE(deepest_m, 0.07 + 0.005);  // 20 mm of the hand, 3.6 mm of the weak force
+}
+
 INSTANTIATE_TEST_SUITE_P(Table, DeviceLie, ::testing::ValuesIn(kLies));
 
 }  // namespace
