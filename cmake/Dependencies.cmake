@@ -4,8 +4,6 @@
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)  # core: matrix exponential at set-up
-pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)  # core/batch: lanes, cores
-find_package(TBB REQUIRED)
 find_package(tomlplusplus REQUIRED)  # app/file
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)

@@ -9,23 +9,11 @@
 #include <vector>
 
 #include "core/batch/batch_simulator.h"
-#include "core/batch/lane_targets.h"
 #include "core/simulation/simulate.h"
 #include "core/summary.h"
 #include "tests/summary_support.h"
 
 namespace hapticwall::testing {
-
-// Limits the lanes to one instruction set during its lifetime.
-class OnlyTarget {
- public:
-  explicit OnlyTarget(std::int64_t target) { hwy::SetSupportedTargetsForTest(target); }
-  ~OnlyTarget() { hwy::SetSupportedTargetsForTest(0); }
-  OnlyTarget(const OnlyTarget&) = delete;
-  OnlyTarget& operator=(const OnlyTarget&) = delete;
-};
-
-inline std::vector<std::int64_t> lane_targets() { return hwy::SupportedAndGeneratedTargets(); }
 
 // simulate(), one by one.
 inline std::vector<Summary> one_by_one(const std::vector<Scene>& scenes) {

@@ -2,54 +2,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <tuple>
 #include <utility>
 
-#include "core/batch/lane_group.h"
 #include "core/batch/workers.h"
 
 namespace hapticwall {
 namespace {
-
-using batch::LaneKind;
-
-// One piece of work of a thread: scenes side by side, or one scene without lanes.
-struct Work {
-  std::vector<std::size_t> scenes;
-  std::optional<LaneKind> kind;
-};
-
-// Groups scenes of one kind and about the same length, so that no lane idles long. Neighbours stay
-// together: in a map they diverge together and share their plant.
-std::vector<Work> divide(std::span<const Scene> scenes, std::size_t lanes) {
-  struct Place {
-    LaneKind kind;
-    std::uint64_t ticks;
-    std::size_t scene;
-  };
-  std::vector<Place> places;
-  std::vector<Work> all;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    if (const auto kind = batch::lane_kind(scenes[i])) {
-      places.push_back({*kind, scenes[i].tick_count(), i});
-    } else {
-      all.push_back({{i}, std::nullopt});
-    }
-  }
-  const auto order = [](const Place& place) {
-    return std::tuple(place.kind.algorithm, place.kind.encoder, place.kind.damped, place.ticks,
-                      place.scene);
-  };
-  std::sort(places.begin(), places.end(),
-            [&](const Place& a, const Place& b) { return order(a) < order(b); });
-  for (const Place& place : places) {
-    const bool full =
-        all.empty() || all.back().kind != place.kind || all.back().scenes.size() == lanes;
-    if (full) all.push_back({{}, place.kind});
-    all.back().scenes.push_back(place.scene);
-  }
-  return all;
-}
 
 // The caller's two functions without overlapping calls: a thread that finds another one in a call
 // skips its own.
@@ -99,37 +57,18 @@ class Batch {
   }
 
   BatchResult run(int threads) {
-    const std::vector<Work> all = divide(scenes_, batch::lane_count());
     const std::size_t workers =
-        std::clamp<std::size_t>(all.size(), 1, batch::worker_count(threads));
-    std::vector<batch::LaneGroup> groups(workers);
-    batch::share_out(all.size(), workers,
-                     [&](std::size_t item, std::size_t worker) { run(all[item], groups[worker]); });
+        std::clamp<std::size_t>(scenes_.size(), 1, batch::worker_count(threads));
+    batch::share_out(scenes_.size(), workers,
+                     [this](std::size_t scene, std::size_t /*worker*/) { run_one(scene); });
     reporter_.finish();
     result_.stopped_early = reporter_.stopped();
     return std::move(result_);
   }
 
  private:
-  void run(const Work& work, batch::LaneGroup& group) {
-    if (reporter_.should_stop()) return;
-    if (!work.kind) {
-      run_one(work.scenes.front());
-      return;
-    }
-    std::vector<const Scene*> scenes;
-    for (const std::size_t i : work.scenes) scenes.push_back(&scenes_[i]);
-    group.run(
-        scenes, *work.kind,
-        [&](const batch::LaneEnd& end, const batch::LaneBlock& block) {
-          const std::size_t scene = work.scenes[end.lane];
-          result_.summaries[scene] = batch::lane_summary(scenes_[scene], end, block);
-          reporter_.add_done(1);
-        },
-        [&] { return reporter_.should_stop(); });
-  }
-
   void run_one(std::size_t scene) try {
+    if (reporter_.should_stop()) return;
     SimulationOptions options;
     options.should_stop = [this] { return reporter_.should_stop(); };
     SimulationResult result = simulate(scenes_[scene], options);

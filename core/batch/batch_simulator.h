@@ -1,10 +1,7 @@
-// Many scenes at once, for stability maps and parameter studies: on all cores, with several scenes
-// side by side in the lanes of each core's vector registers.
+// Many scenes at once, for stability maps and parameter studies: simulate() on all cores.
 //
-// Every metric has the bits of simulate() on the same scene, on every processor and for any number
-// of threads and order of scenes. Scenes without lanes (friction, a hand that grips, delay and lag,
-// plug-ins, an algorithm with a follower, other integrators than the exact one, several walls) run
-// one by one through simulate().
+// Every metric has the bits of simulate() on the same scene, for any number of threads and order of
+// scenes.
 #pragma once
 
 #include <cstddef>

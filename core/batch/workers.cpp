@@ -1,7 +1,8 @@
 #include "core/batch/workers.h"
 
-#include <oneapi/tbb/global_control.h>
+#include <sched.h>
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <system_error>
@@ -13,7 +14,6 @@ namespace {
 
 using Worker = std::function<void(std::size_t worker)>;
 
-// Not oneTBB's: where the system has no more threads, one of its own throws and ends the process.
 void on_threads(std::size_t workers, const Worker& work) {
   std::vector<std::jthread> threads;
   try {
@@ -27,7 +27,11 @@ void on_threads(std::size_t workers, const Worker& work) {
 
 std::size_t worker_count(int threads) {
   if (threads > 0) return static_cast<std::size_t>(threads);
-  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  // std::thread::hardware_concurrency() ignores the affinity mask.
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
+    return static_cast<std::size_t>(std::max(CPU_COUNT(&allowed), 1));
+  return std::max(std::thread::hardware_concurrency(), 1U);  // over 1024 processors
 }
 
 void share_out(std::size_t items, std::size_t workers,

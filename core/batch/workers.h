@@ -6,8 +6,8 @@
 
 namespace hapticwall::batch {
 
-// `threads`; for 0 the limit of oneTBB: the number of threads that the processor runs at a
-// time, unless a tbb::global_control lowers it.
+// `threads`; for 0 the number of processors that the calling thread may use, as set by taskset, a
+// container or Slurm.
 [[nodiscard]] std::size_t worker_count(int threads);
 
 // Calls `work` for every item below `items` on at most `workers` threads, including the caller's,

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/batch/batch_simulator.h"
-#include "core/batch/lane_targets.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/benchmark/rows.h"
 
@@ -23,26 +22,23 @@ std::vector<Scene> varied(const Scene& scene) {
   return scenes;
 }
 
-// On one core, as every row of the table. `target`: the only instruction set; 0: the best one.
-void measure(benchmark::State& state, const std::vector<Scene>& scenes, std::int64_t target) {
+// On one core, as every row of the table.
+void measure(benchmark::State& state, const std::vector<Scene>& scenes) {
   BatchOptions options;
   options.threads = 1;
-  hwy::SetSupportedTargetsForTest(target);
   for (auto _ : state) benchmark::DoNotOptimize(simulate_batch(scenes, options));
-  hwy::SetSupportedTargetsForTest(0);
   state.counters[kTicksCounter] = static_cast<double>(kScenes * scenes.front().tick_count());
 }
 
-void add_batch_row(const std::string& name, const Scene& scene, std::int64_t target = 0) {
+void add_batch_row(const std::string& name, const Scene& scene) {
   const std::vector<Scene> scenes = varied(scene);
   Scene one_tick = scene;
   one_tick.duration_s = scene.sampling.period_s();
   const std::vector<Scene> set_ups = varied(one_tick);
-  benchmark::RegisterBenchmark(
-      name.c_str(), [scenes, target](benchmark::State& state) { measure(state, scenes, target); });
-  benchmark::RegisterBenchmark(
-      (name + kSetUpSuffix).c_str(),
-      [set_ups, target](benchmark::State& state) { measure(state, set_ups, target); });
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [scenes](benchmark::State& state) { measure(state, scenes); });
+  benchmark::RegisterBenchmark((name + kSetUpSuffix).c_str(),
+                               [set_ups](benchmark::State& state) { measure(state, set_ups); });
 }
 
 Scene with_encoder(Scene scene) {
@@ -59,10 +55,6 @@ void add_batch() {
     const std::string name = ", " + std::string(algorithm.name);
     add_batch_row("batch, summary" + name, scene);
     add_batch_row("batch, summary" + name + ", encoder", with_encoder(scene));
-  }
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    add_batch_row(std::string("batch, summary by ") + hwy::TargetName(target) + ", none", soft,
-                  target);
   }
 }
 

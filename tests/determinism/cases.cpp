@@ -1,8 +1,7 @@
 #include "tests/determinism/cases.h"
 
-#include <tbb/global_control.h>
-
 #include <array>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -100,14 +99,15 @@ MapAxis axis(const Scene& scene, const char* path, double low, double high, std:
 }
 
 void add_map(std::vector<Case>& cases, std::size_t threads) {
-  const tbb::global_control at_most(tbb::global_control::max_allowed_parallelism, threads);
   StabilityMap map;
   map.scene = loaded("press", {});
   map.algorithms = {find_algorithm("none").value(), find_algorithm("energy-bounding").value()};
   map.x = axis(map.scene, "wall.stiffness_n_per_m", 1000.0, 41000.0, 11);
   map.y = axis(map.scene, "device.damping_n_s_per_m", 0.0, 4.0, 5);
   std::string text = file::map_header(map);
-  const std::vector<MapMetrics> figures = run_cells(map, 0, map.cell_count());
+  std::vector<std::size_t> cells(map.cell_count());
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  const std::vector<MapMetrics> figures = run_cells(map, cells, static_cast<int>(threads));
   for (std::size_t cell = 0; cell < figures.size(); ++cell) {
     file::append_map_row(text, map, cell, figures[cell]);
   }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/batch/batch_simulator.h"
-#include "core/batch/lane_scene.h"
 #include "core/simulation/simulate.h"
 #include "tests/batch_support.h"
 #include "tests/position_bench.h"
@@ -109,18 +108,12 @@ RC_GTEST_PROP(Composition, IsSwitchedWhileItRunsWithoutAKick, ()) {
   RC_ASSERT(std::abs(changed[change.tick].force_n - changed[change.tick - 1].force_n) <= 1e-9);
 }
 
-// There are no lanes for it: it runs one by one, and the batch gives what simulate() gives.
 RC_GTEST_PROP(Composition, IsTheSameInABatch, ()) {
   std::vector<Scene> scenes;
   for (int i = 0; i < 12; ++i) {
     scenes.push_back(random_scene(any_algorithm()));
-    scenes.back().x().device.friction_n.reset();
-    scenes.back().x().hand->grip_stiffness_n_per_m.reset();
-    scenes.back().x().hand->grip_damping_n_s_per_m.reset();
-    RC_ASSERT(batch::lane_kind(scenes.back()).has_value());
     randomise_follower(scenes.back().algorithm);
     set_parameter(scenes.back().algorithm, "then", 1.0);
-    RC_ASSERT(!batch::lane_kind(scenes.back()).has_value());
   }
   RC_ASSERT(testing::first_difference(simulate_batch(scenes), testing::one_by_one(scenes)) == "");
 }

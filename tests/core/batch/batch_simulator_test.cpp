@@ -10,8 +10,6 @@
 #include <thread>
 #include <vector>
 
-#include "core/batch/lane_block.h"
-#include "core/batch/lane_scene.h"
 #include "core/plant/plant_model.h"
 #include "core/stabiliser/stabiliser.h"
 #include "tests/batch_support.h"
@@ -85,15 +83,6 @@ TEST(BatchSimulator, GivesTheSameInAnyOrderAndCompany) {
   EXPECT_EQ(first_difference(simulate_batch(alone), one_by_one(alone)), "");
 }
 
-TEST(BatchSimulator, GivesTheSameWithEveryInstructionSet) {
-  const std::vector<Scene> scenes = map();
-  const std::vector<Summary> wanted = one_by_one(scenes);
-  for (const std::int64_t target : testing::lane_targets()) {
-    const testing::OnlyTarget only(target);
-    EXPECT_EQ(first_difference(simulate_batch(scenes), wanted), "") << hwy::TargetName(target);
-  }
-}
-
 // A loose hand on an undamped handle, flung out of ±1 m by a stiff wall.
 Scene flung(double stiffness_n_per_m) {
   Scene scene = press(stiffness_n_per_m);
@@ -107,7 +96,7 @@ Scene flung(double stiffness_n_per_m) {
 }
 
 // Among neighbours that go on; before its last second and in it.
-TEST(BatchSimulator, ADivergedLaneEndsAtItsTickAndNoOther) {
+TEST(BatchSimulator, ADivergedSceneEndsAtItsTickAndNoOther) {
   std::vector<Scene> scenes;
   for (int i = 0; i < 70; ++i) {
     scenes.push_back(i % 3 == 0 ? flung(2e5 + 4e4 * i) : press(300.0));
@@ -139,50 +128,6 @@ TEST(BatchSimulator, FollowsAPathThatBendsWithinATick) {
   EXPECT_EQ(first_difference(simulate_batch(scenes), one_by_one(scenes)), "");
 }
 
-TEST(BatchSimulator, KnowsWhichScenesHaveLanes) {
-  const Scene plain = press(1000.0);
-  ASSERT_TRUE(batch::lane_kind(plain).has_value());
-  EXPECT_TRUE(batch::lane_kind(plain)->encoder);
-  for (const AlgorithmDescription& algorithm : algorithms()) {
-    Scene scene = plain;
-    scene.algorithm.index = index_of(algorithm.name);
-    EXPECT_TRUE(batch::lane_kind(scene).has_value()) << algorithm.name;
-    scene.algorithm.values.at(*find_algorithm_parameter("then")) = 1.0;
-    EXPECT_FALSE(batch::lane_kind(scene).has_value()) << algorithm.name;
-  }
-  const auto has_lanes_with = [&](auto change) {
-    Scene scene = plain;
-    change(scene);
-    return batch::lane_kind(scene).has_value();
-  };
-  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.x().walls.clear(); }));
-  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.x().hand.reset(); }));
-  EXPECT_TRUE(has_lanes_with([](Scene& s) { s.x().device.delay_ticks = 0; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().device.friction_n = 0.1; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().device.delay_ticks = 1; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().device.amplifier_time_constant_s = 1e-3; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().device.force_resolution_n = 0.01; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().hand->grip_stiffness_n_per_m = 1000.0; }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.x().walls.push_back({0.06, 1.0, 0.0}); }));
-  EXPECT_FALSE(has_lanes_with([](Scene& s) { s.simulator.integrator = Integrator::kRungeKutta4; }));
-}
-
-TEST(BatchSimulator, KeepsPlantsApart) {
-  batch::PlantCache plants;
-  const Scene scene = press(1000.0);
-  const PlantParameters parameters = plant_parameters(scene);
-  const double first = plants.plant(parameters, 1e-3).level(0).velocity[1];
-  EXPECT_EQ(plants.plant(parameters, 1e-3).level(0).velocity[1], first);
-  EXPECT_NE(plants.plant(parameters, 2e-3).level(0).velocity[1], first);
-  PlantParameters softer = parameters;
-  for (int i = 0; i < 3000; ++i) {  // more than it keeps
-    softer.hand_stiffness_n_per_m += 1.0;
-    EXPECT_EQ(plants.plant(softer, 1e-3).level(0).velocity[1],
-              OneBody(softer, 1e-3).level(0).velocity[1]);
-  }
-  EXPECT_EQ(plants.plant(parameters, 1e-3).level(0).velocity[1], first);
-}
-
 TEST(BatchSimulator, StopsWhenAsked) {
   const std::vector<Scene> scenes = map();
   for (const int threads : {1, 4}) {
@@ -208,10 +153,10 @@ TEST(BatchSimulator, StopsWhenAsked) {
 
 // A scene that would run for hours must not keep Ctrl-C waiting.
 TEST(BatchSimulator, StopsInTheMiddleOfALongScene) {
-  for (const bool lanes : {true, false}) {
+  for (const bool sticks : {true, false}) {
     Scene scene = press(1000.0);
     scene.duration_s = 1e6;
-    if (!lanes) scene.x().device.friction_n = 0.1;
+    if (sticks) scene.x().device.friction_n = 0.1;
     int questions = 0;
     BatchOptions options;
     options.threads = 1;

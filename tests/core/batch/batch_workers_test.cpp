@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +17,19 @@ namespace {
 TEST(Workers, AreAsManyAsAskedForOrAsTheProcessorRuns) {
   EXPECT_EQ(worker_count(3), 3U);
   EXPECT_GE(worker_count(0), 1U);
+}
+
+// The mask belongs to the thread, so the other tests keep theirs.
+TEST(Workers, AreNoMoreThanTheAffinityMaskAllows) {
+  std::size_t workers = 0;
+  std::jthread([&] {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(static_cast<std::size_t>(sched_getcpu()), &one);
+    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+    workers = worker_count(0);
+  }).join();
+  EXPECT_EQ(workers, 1U);
 }
 
 TEST(Workers, DoEveryItemOnce) {

@@ -224,10 +224,8 @@ TEST_F(HandRerun, AStudyKeepsTheRateOfTheRows) {
             "the hand was recorded at 1000 Hz, and is re-run at no other rate");
 }
 
-// Side by side in lanes, and in the order of the ticks.
 TEST_F(HandRerun, ABatchFollowsTheRecordedHandToo) {
   Scene scene = scene_of("light");
-  scene.x().device.friction_n.reset();  // lanes have none
   scene.sampling.rate_hz = 777.0;
   record(scene, 2500, person(4, 0.05, 0.02));
   const auto reader = opened(path("a.csv"));
