@@ -91,14 +91,4 @@ struct WallContact {
   return std::sqrt(force_n * force_n + 2.0 * stiffness_n_per_m * energy_j);
 }
 
-// The same as evaluate_walls() for a single wall without damping.
-[[nodiscard, gnu::always_inline]] inline WallContact evaluate_undamped_wall(
-    const WallSettings& wall, double position_m) {
-  WallContact contact;
-  contact.penetration_m = position_m - wall.position_m;
-  contact.in_contact = contact.penetration_m > 0.0;
-  if (contact.in_contact) contact.force_n = wall.stiffness_n_per_m * contact.penetration_m;
-  return contact;
-}
-
 }  // namespace hapticwall

@@ -45,8 +45,8 @@ class Servo {
     // The truth belongs to the instant of the reading: a simulator's write() passes the tick.
     Sample sample;
     TruthKeeper<Device> keeper{device, sample};
-    ShownStabiliser<true, FollowedStabiliser> shown{stabiliser_, &sample.signals};
-    const TickOutcome outcome = servo_step(settings_, state_, shown, keeper);
+    const TickOutcome outcome = servo_step(settings_, state_, stabiliser_, keeper);
+    stabiliser_.show(sample.signals);
     write_sample(settings_, state_.ledger, outcome, sample);
     return sample;
   }

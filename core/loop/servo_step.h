@@ -133,14 +133,14 @@ namespace detail {
 }
 
 // The previous force as the algorithm knows it. Realtime-safe: yes.
-template <bool kLevel>
 [[nodiscard]] inline double previous_force(const ServoState& state) {
-  return kLevel ? state.previous_force_n / state.previous_level : state.previous_force_n;
+  if (state.previous_level == 1.0) [[likely]] return state.previous_force_n;
+  return state.previous_force_n / state.previous_level;
 }
 
 // The previous force at a gain of 1. Realtime-safe: yes.
 [[nodiscard]] inline double previous_full_force(const ServoState& state, double limit_n) {
-  const double force_n = previous_force<true>(state);
+  const double force_n = previous_force(state);
   if (state.previous_gain == 1.0) return force_n;
   if (state.previous_gain == 0.0) return 0.0;
   return std::clamp(force_n / state.previous_gain, -limit_n, limit_n);
@@ -151,115 +151,60 @@ template <bool kLevel>
   return gain == 0.0 && std::isfinite(wanted_n) ? 0.0 : wanted_n * gain;
 }
 
-}  // namespace detail
-
-// Compile-time facts about a caller's ticks; they let the loop drop branches. The tick gives the
-// same bits without them.
-struct StepKnowledge {
-  bool sound_device = false;  // no reading is old or faulty
-  // The last reading was sound, no blend is running, the gain is 1, every force was finite, and
-  // none may rise slowly; see is_steady(). Stays true while state.failed is false and the device is
-  // sound.
-  bool steady = false;
-  bool one_undamped_wall = false;
-};
-
-// A stabiliser that shows its signals; null: it does not.
-template <bool kShows, typename Stabiliser>
-struct ShownStabiliser {
-  Stabiliser& stabiliser;
-  Signals* signals;
-
-  [[nodiscard]] double step(const StabiliserInput& input) {
-    const double force_n = stabiliser.step(input);
-    if (kShows && signals != nullptr) stabiliser.show(input, force_n, *signals);
-    return force_n;
-  }
-};
-
-// Realtime-safe: yes, these two.
-[[nodiscard]] inline bool is_steady(const ServoSettings& settings, const ServoState& state) {
-  return state.position_known && state.transition.ticks_left == 0 && state.force_gain == 1.0 &&
-         state.previous_gain == 1.0 && state.limit_share == 1.0 && state.level == 1.0 &&
-         state.previous_level == 1.0 && !state.failed && !state.parameters_changed &&
-         !std::isfinite(settings.max_rise_n);
-}
-[[nodiscard]] inline bool has_one_undamped_wall(const ServoSettings& settings) {
-  const auto walls = settings.walls.walls();
-  return walls.size() == 1 && walls.front().damping_n_s_per_m == 0.0;
-}
-
-namespace detail {
-
 // The parts of a tick, in order. Realtime-safe: yes.
-template <StepKnowledge kKnown>
 [[gnu::always_inline]] inline void take_reading(const ServoSettings& settings,
                                                 const ServoState& state,
                                                 const DeviceReading& reading, TickOutcome& out) {
   out.tick = state.tick;
-  if constexpr (!kKnown.sound_device) {
-    out.stale = !(reading.age_s <= settings.maximum_age_s);
-    out.fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
-    out.age_s = reading.age_s;
-    out.device_time_s = reading.device_time_s;
-    out.applied_force_n = reading.applied_force_n;
-  }
+  out.stale = !(reading.age_s <= settings.maximum_age_s);
+  out.fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
+  out.age_s = reading.age_s;
+  out.device_time_s = reading.device_time_s;
+  out.applied_force_n = reading.applied_force_n;
   out.position_m = out.fault ? state.previous_position_m : reading.position_m;
-  const bool known = kKnown.steady || state.position_known;
-  out.displacement_m = known ? out.position_m - state.previous_position_m : 0.0;
+  out.displacement_m = state.position_known ? out.position_m - state.previous_position_m : 0.0;
   out.velocity_m_per_s = out.displacement_m * settings.rate_hz;
-  out.contact = kKnown.one_undamped_wall
-                    ? evaluate_undamped_wall(settings.walls.walls().front(), out.position_m)
-                    : evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
+  out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
 }
 
 // What the stabiliser wants becomes out.force_n: blended, armed, limited.
-template <StepKnowledge kKnown>
 [[gnu::always_inline]] inline void make_safe(const ServoSettings& settings, ServoState& state,
                                              double wanted_n, TickOutcome& out) {
   double limit_n = settings.force_limit_n;
-  if constexpr (!kKnown.steady) {
-    limit_n *= state.limit_share;
-    if (state.transition.ticks_left > 0) [[unlikely]] {
-      out.saturated = std::abs(wanted_n) > limit_n;
-      wanted_n =
-          state.transition.blend(within(wanted_n, limit_n), previous_full_force(state, limit_n));
-    }
-    if (state.force_gain < 1.0) [[unlikely]] {
-      wanted_n = scale_force(wanted_n, state.force_gain);
-      // A stiff wall reaches its limit at once, so the limit rises too.
-      limit_n *= state.force_gain;
-    }
+  limit_n *= state.limit_share;
+  if (state.transition.ticks_left > 0) [[unlikely]] {
+    out.saturated = std::abs(wanted_n) > limit_n;
+    wanted_n =
+        state.transition.blend(within(wanted_n, limit_n), previous_full_force(state, limit_n));
+  }
+  if (state.force_gain < 1.0) [[unlikely]] {
+    wanted_n = scale_force(wanted_n, state.force_gain);
+    // A stiff wall reaches its limit at once, so the limit rises too.
+    limit_n *= state.force_gain;
   }
   out.force_n = wanted_n;
-  if (out.stale || out.fault || (!kKnown.steady && state.failed) ||
-      !(std::abs(wanted_n) <= limit_n)) [[unlikely]] {
+  if (out.stale || out.fault || state.failed || !(std::abs(wanted_n) <= limit_n)) [[unlikely]] {
     out.saturated = out.saturated || std::abs(wanted_n) > limit_n;
     out.force_n = restrict_force(wanted_n, limit_n, !out.stale && !out.fault, state);
   }
-  if constexpr (!kKnown.steady) {
-    out.force_n *= state.level;
-    if (std::isfinite(settings.max_rise_n)) [[unlikely]] {
-      const double risen_n = limit_rise(out.force_n, state.previous_force_n, settings.max_rise_n);
-      out.rate_limited = risen_n != out.force_n;
-      out.force_n = risen_n;
-    }
+  out.force_n *= state.level;
+  if (std::isfinite(settings.max_rise_n)) [[unlikely]] {
+    const double risen_n = limit_rise(out.force_n, state.previous_force_n, settings.max_rise_n);
+    out.rate_limited = risen_n != out.force_n;
+    out.force_n = risen_n;
   }
 }
 
-template <StepKnowledge kKnown>
 [[gnu::always_inline]] inline void remember(ServoState& state, TickOutcome& out) {
   state.ledger.add(out.force_n, state.previous_force_n, out.displacement_m, state.budget_n_per_m);
   state.previous_position_m = out.position_m;
   state.previous_force_n = out.force_n;
-  if constexpr (!kKnown.steady) {
-    state.previous_gain = state.force_gain;
-    state.previous_level = state.level;
-    // Motion during a fault is unobserved: the first reading after it has zero displacement.
-    state.position_known = !out.fault;
-    out.parameters_changed = state.parameters_changed;
-    state.parameters_changed = false;
-  }
+  state.previous_gain = state.force_gain;
+  state.previous_level = state.level;
+  // Motion during a fault is unobserved: the first reading after it has zero displacement.
+  state.position_known = !out.fault;
+  out.parameters_changed = state.parameters_changed;
+  state.parameters_changed = false;
   ++state.tick;
 }
 
@@ -267,22 +212,21 @@ template <StepKnowledge kKnown>
 
 // One tick. `device` has `DeviceReading read()` and `void write(double)`. Realtime-safe: yes, if
 // the device is.
-template <StepKnowledge kKnown = StepKnowledge{}, typename Device, typename Stabiliser>
+template <typename Device, typename Stabiliser>
 [[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
                                                      ServoState& state, Stabiliser& stabiliser,
                                                      Device& device) {
   TickOutcome out;
-  detail::take_reading<kKnown>(settings, state, device.read(), out);
-  const StabiliserInput input{
-      out.contact.force_n,       out.position_m,
-      out.displacement_m,        out.velocity_m_per_s,
-      out.contact.penetration_m, detail::previous_force<!kKnown.steady>(state),
-      out.contact.in_contact};
+  detail::take_reading(settings, state, device.read(), out);
+  const StabiliserInput input{out.contact.force_n,       out.position_m,
+                              out.displacement_m,        out.velocity_m_per_s,
+                              out.contact.penetration_m, detail::previous_force(state),
+                              out.contact.in_contact};
   const double wanted_n = stabiliser.step(input);
   out.intervened = wanted_n != out.contact.force_n;
-  detail::make_safe<kKnown>(settings, state, wanted_n, out);
+  detail::make_safe(settings, state, wanted_n, out);
   device.write(out.force_n);
-  detail::remember<kKnown>(state, out);
+  detail::remember(state, out);
   return out;
 }
 

@@ -6,40 +6,14 @@
 #include <stdexcept>
 
 #include "core/simulation/simulation.h"
-#include "core/stabiliser/algorithm_list.h"
-#include "core/stabiliser/plugin/plugin_list.h"
 
 namespace hapticwall {
-
-// Each is in the object file of its algorithm.
-#define HAPTICWALL_DECLARE(Law) extern const LawLoops k##Law##Loops;
-HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_DECLARE)
-#undef HAPTICWALL_DECLARE
-
 namespace {
 
 static_assert(kChunkTicks == kAxesApartTicks);
 
-#define HAPTICWALL_ADDRESS(Law) &k##Law##Loops,
-constexpr std::array kLawLoops{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_ADDRESS)};
-#undef HAPTICWALL_ADDRESS
-
-// Laws have inlined loops for the exact plants. Other plants, algorithms with a follower and
-// plug-ins call the law through a pointer.
-template <typename Plant>
-void run_chunk_of(HeadlessRun& run, Plant& plant, std::uint64_t end) {
-  if constexpr (LawLoopTable::kHas<Plant>) {
-    FollowedStabiliser& stabiliser = run.servo.stabiliser();
-    if (!stabiliser.followed() && stabiliser.first().algorithm() < first_plugin()) {
-      return std::get<HeadlessLoop<Plant>>(*kLawLoops[stabiliser.first().algorithm()])(run, plant,
-                                                                                       end);
-    }
-  }
-  choose_loop<LoopCalls>(run, plant, end);
-}
-
 void run_chunk(HeadlessRun& run, PlantVariant& variant, std::uint64_t end) {
-  std::visit([&](auto& plant) { run_chunk_of(run, plant, end); }, variant);
+  std::visit([&](auto& plant) { run_loop(run, plant, end); }, variant);
 }
 
 // One axis of several. Its samples wait until the others reach their tick.

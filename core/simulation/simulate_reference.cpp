@@ -5,7 +5,7 @@ namespace hapticwall {
 namespace {
 
 void run_reference_chunk(HeadlessRun& run, ReferencePlantVariant& variant, std::uint64_t end) {
-  std::visit([&](auto& plant) { choose_loop<LoopCalls>(run, plant, end); }, variant);
+  std::visit([&](auto& plant) { run_loop(run, plant, end); }, variant);
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 // The energy bounding algorithm of the paper.
+#pragma once
+
+#include <cmath>
 #include <limits>
 
-#include "core/stabiliser/law.h"
+#include "core/stabiliser/stabiliser.h"
 
-HAPTICWALL_LAW_BEGIN
+namespace hapticwall {
 
 // F_d(k) = F_d(k-1) + clamp(F_e - F_d(k-1), ±b|v_k|)   where |Δx_k| > kMaxRestM,
 //          F_d(k-1) + clamp(F_e - F_d(k-1), ±α_max)    where the encoder shows no motion.
@@ -34,52 +37,34 @@ struct EnergyBounding {
       kParameters,
       "F_d(k) = F_d(k-1) + (F_e - F_d(k-1)) within ±b|v|, within ±α_max at rest",
       kSignals};
-  static constexpr bool kOnlyPushes = false;
-
-  template <class N>
-  struct Parameters {
-    N damping_n_s_per_m;  // b
-    N rest_force_step_n;  // α_max
-  };
-  template <class N>
-  struct State {};
 
   // A count hides a motion of Δ per rest, not per tick: b Δ/T in each of n quiet ticks exceeds the
   // budget n times. The default allows the force of a slow hidden motion. 0.0075 m/s is a choice of
   // ours, by a sweep (docs/algorithms/energy-bounding.md). Without an encoder rest is rest, and the
   // paper needs no bound.
-  static Parameters<double> parameters(const StabiliserContext& context) {
+  void configure(const StabiliserContext& context) {
     constexpr double kHiddenMPerS = 0.0075;
-    const double damping = believed_damping(context);
-    const double hidden_n =
-        context.encoder_m > 0.0 ? damping * kHiddenMPerS : std::numeric_limits<double>::max();
-    return {damping, context.value_or("rest_force_step_n", hidden_n)};
+    damping_n_s_per_m_ = believed_damping(context);
+    const double hidden_n = context.encoder_m > 0.0 ? damping_n_s_per_m_ * kHiddenMPerS
+                                                    : std::numeric_limits<double>::max();
+    rest_force_step_n_ = context.value_or("rest_force_step_n", hidden_n);
   }
+  void reset() {}
 
-  static Number step(const Parameters<Number>& p, State<Number>& /*s*/, const Walls& /*walls*/,
-                     const LawInput& in) {
-    const Number bound_n = step_bound(p, in);
-    const Number wanted_step_n = in.wall_force_n - in.previous_force_n;
+  double step(const StabiliserInput& in, std::span<double> signals) {
+    const double bound_n = std::abs(in.displacement_m) > kMaxRestM
+                               ? damping_n_s_per_m_ * std::abs(in.velocity_m_per_s)
+                               : rest_force_step_n_;
+    if (bound_n < std::numeric_limits<double>::max()) signals[0] = bound_n;
+    const double wanted_step_n = in.wall_force_n - in.previous_force_n;
     // Within the bound F_d is F_e itself, not F_e up to rounding.
-    return select(at_most(abs_of(wanted_step_n), bound_n), in.wall_force_n,
-                  in.previous_force_n + with_sign(bound_n, wanted_step_n));
-  }
-
-  // Without an encoder rest has no bound.
-  static std::array<Number, 1> signals(const Parameters<Number>& p, const State<Number>& /*s*/,
-                                       const Walls& /*walls*/, const LawInput& in,
-                                       Number /*force_n*/) {
-    const Number bound_n = step_bound(p, in);
-    const Number no_bound_n = number(std::numeric_limits<double>::max());
-    return {select(at_most(no_bound_n, bound_n), number(std::numeric_limits<double>::infinity()),
-                   bound_n)};
+    if (std::abs(wanted_step_n) <= bound_n) return in.wall_force_n;
+    return in.previous_force_n + std::copysign(bound_n, wanted_step_n);
   }
 
  private:
-  static Number step_bound(const Parameters<Number>& p, const LawInput& in) {
-    return select(greater(abs_of(in.displacement_m), number(kMaxRestM)),
-                  p.damping_n_s_per_m * abs_of(in.velocity_m_per_s), p.rest_force_step_n);
-  }
+  double damping_n_s_per_m_ = 0.0;  // b
+  double rest_force_step_n_ = 0.0;  // α_max
 };
 
-HAPTICWALL_LAW_END
+}  // namespace hapticwall

@@ -1,10 +1,13 @@
 // The second energy bounding algorithm: it makes the control law passive, too.
+#pragma once
+
 #include <algorithm>
+#include <cmath>
 
 #include "core/scene_keys.h"
-#include "core/stabiliser/law.h"
+#include "core/stabiliser/stabiliser.h"
 
-HAPTICWALL_LAW_BEGIN
+namespace hapticwall {
 
 // While the encoder shows motion, the force follows F_e within two bounds:
 //
@@ -60,52 +63,46 @@ struct EnergyBounding2010 {
       "c₁ = b/T,  γ± = c₂ - r ± √(c₂² + r²),  r = F_d(k-1)/Δx;  held where Δx = 0",
       kSignals,
       problem};
-  static constexpr bool kOnlyPushes = false;
 
-  template <class N>
-  struct Parameters {
-    N hold_n_per_m;     // c₁
-    N storage_n_per_m;  // c₂
-  };
-  template <class N>
-  struct State {};
-
-  static Parameters<double> parameters(const StabiliserContext& context) {
-    const double hold = hold_stiffness(context);
-    return {hold, std::min(storage_stiffness(context), hold)};
+  void configure(const StabiliserContext& context) {
+    hold_n_per_m_ = hold_stiffness(context);
+    storage_n_per_m_ = std::min(storage_stiffness(context), hold_n_per_m_);
   }
+  void reset() {}
 
-  static Number step(const Parameters<Number>& p, State<Number>& /*s*/, const Walls& /*walls*/,
-                     const LawInput& in) {
-    const Number moved_m = abs_of(in.displacement_m);
-    const Flags moves = greater(moved_m, number(0.0));
-    if (none(moves)) return in.previous_force_n;
-    const Number sign = with_sign(number(1.0), in.displacement_m);
-    const Number before_n = sign * in.previous_force_n;  // f
-    const Number step_n = p.hold_n_per_m * moved_m;
-    const Number a_n = p.storage_n_per_m * moved_m;
-    const Number sum_n = a_n + hypotenuse(a_n, abs_of(before_n));
-    const Number lent_n = or_zero(greater(sum_n, number(0.0)), before_n * (before_n / sum_n));
-    const Number min_n = larger(before_n - step_n, minus(lent_n));
-    const Number max_n = smaller(before_n + step_n, sum_n);
-    // Within the bounds F_d is F_e itself. Rounding may let the bounds pass each other.
-    const Number force_n = sign * smaller(larger(sign * in.wall_force_n, min_n), max_n);
-    return select(moves, force_n, in.previous_force_n);
-  }
-
-  static std::array<Number, 2> signals(const Parameters<Number>& p, const State<Number>& /*s*/,
-                                       const Walls& /*walls*/, const LawInput& in, Number force_n) {
-    return {p.hold_n_per_m * abs_of(in.displacement_m),
-            force_n * force_n / (number(2.0) * p.storage_n_per_m)};
+  double step(const StabiliserInput& in, std::span<double> signals) {
+    const double moved_m = std::abs(in.displacement_m);
+    const double force_n = moved_m > 0.0 ? bounded(in, moved_m) : in.previous_force_n;
+    signals[0] = hold_n_per_m_ * moved_m;
+    signals[1] = force_n * force_n / (2.0 * storage_n_per_m_);
+    return force_n;
   }
 
  private:
-  // √(a² + b²), both ≥ 0, without overflow. Not hypot(), whose rounding depends on the library.
-  static Number hypotenuse(Number a, Number b) {
-    const Number large = larger(a, b);
-    const Number ratio = smaller(a, b) / large;
-    return or_zero(greater(large, number(0.0)), large * root(number(1.0) + ratio * ratio));
+  [[nodiscard]] double bounded(const StabiliserInput& in, double moved_m) const {
+    const double sign = std::copysign(1.0, in.displacement_m);
+    const double before_n = sign * in.previous_force_n;  // f
+    const double step_n = hold_n_per_m_ * moved_m;
+    const double a_n = storage_n_per_m_ * moved_m;
+    const double sum_n = a_n + hypotenuse(a_n, std::abs(before_n));
+    const double lent_n = sum_n > 0.0 ? before_n * (before_n / sum_n) : 0.0;
+    const double min_n = std::max(before_n - step_n, -lent_n);
+    const double max_n = std::min(before_n + step_n, sum_n);
+    // Within the bounds F_d is F_e itself. Not std::clamp(): rounding may let the bounds pass each
+    // other.
+    return sign * std::min(std::max(sign * in.wall_force_n, min_n), max_n);
   }
+
+  // √(a² + b²), both ≥ 0, without overflow. Not hypot(), whose rounding depends on the library.
+  [[nodiscard]] static double hypotenuse(double a, double b) {
+    const double large = std::max(a, b);
+    if (!(large > 0.0)) return 0.0;
+    const double ratio = std::min(a, b) / large;
+    return large * std::sqrt(1.0 + ratio * ratio);
+  }
+
+  double hold_n_per_m_ = 0.0;     // c₁
+  double storage_n_per_m_ = 0.0;  // c₂
 };
 
-HAPTICWALL_LAW_END
+}  // namespace hapticwall

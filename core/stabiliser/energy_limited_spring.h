@@ -1,7 +1,11 @@
 // Energy-limited spring: the wall gives back only what the contact has put into it.
-#include "core/stabiliser/law.h"
+#pragma once
 
-HAPTICWALL_LAW_BEGIN
+#include <algorithm>
+
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall {
 
 // H is the exact energy that the contact has put in (Eq. 10 since the contact began). The force is
 // that of the wall's springs when they hold H, and at least that of the spring that b alone keeps
@@ -39,38 +43,26 @@ struct EnergyLimitedSpring {
       kSignals,
       nullptr,
       "energy-bookkeeping"};
-  static constexpr bool kOnlyPushes = true;
 
-  template <class N>
-  struct Parameters {
-    N passive_n_per_m;  // 2b/T
-  };
-  template <class N>
-  struct State {
-    N energy_j;  // H
-  };
-
-  static Parameters<double> parameters(const StabiliserContext& context) {
-    return {2.0 * believed_damping(context) / context.period_s};
+  void configure(const StabiliserContext& context) {
+    passive_n_per_m_ = 2.0 * believed_damping(context) / context.period_s;
+    walls_ = context.walls;
   }
+  void reset() { energy_j_ = 0.0; }
 
-  static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& walls,
-                     const LawInput& in) {
-    s.energy_j = or_zero(in.in_contact, s.energy_j + in.previous_force_n * in.displacement_m);
-    return smaller(in.wall_force_n, bound(p, s, walls, in));
-  }
-
-  static std::array<Number, 2> signals(const Parameters<Number>& p, const State<Number>& s,
-                                       const Walls& walls, const LawInput& in, Number /*force_n*/) {
-    return {s.energy_j, bound(p, s, walls, in)};
+  double step(const StabiliserInput& in, std::span<double> signals) {
+    energy_j_ = in.in_contact ? energy_j_ + in.previous_force_n * in.displacement_m : 0.0;
+    const double spring_n = spring_force(walls_, std::max(energy_j_, 0.0));
+    const double bound_n = std::max(passive_n_per_m_ * in.penetration_m, spring_n);
+    signals[0] = energy_j_;
+    signals[1] = bound_n;
+    return std::min(in.wall_force_n, bound_n);
   }
 
  private:
-  static Number bound(const Parameters<Number>& p, const State<Number>& s, const Walls& walls,
-                      const LawInput& in) {
-    const Number spring_n = spring_force(walls, larger(s.energy_j, number(0.0)));
-    return larger(p.passive_n_per_m * in.penetration_m, spring_n);
-  }
+  double passive_n_per_m_ = 0.0;  // 2b/T
+  double energy_j_ = 0.0;         // H
+  WallSet walls_;
 };
 
-HAPTICWALL_LAW_END
+}  // namespace hapticwall

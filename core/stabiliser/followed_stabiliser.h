@@ -29,25 +29,21 @@ class FollowedStabiliser {
     follower_.reset();
   }
 
-  [[nodiscard]] double step(StabiliserInput input) {
+  [[nodiscard]] double step(const StabiliserInput& input) {
     if (!followed_) return first_.step(input);
-    input.wall_force_n = first_force_n_ = first_.step(input);
-    return follower_.step(input);
+    StabiliserInput of_follower = input;
+    of_follower.wall_force_n = first_.step(input);
+    return follower_.step(of_follower);
   }
   // As Stabiliser::show(), of both; the follower's signals replace others of the same name.
-  void show(StabiliserInput input, double force_n, Signals& signals) const {
-    first_.show(input, followed_ ? first_force_n_ : force_n, signals);
-    input.wall_force_n = first_force_n_;
-    if (followed_) follower_.show(input, force_n, signals);
+  void show(Signals& signals) const {
+    first_.show(signals);
+    if (followed_) follower_.show(signals);
   }
-
-  [[nodiscard]] bool followed() const { return followed_; }
-  [[nodiscard]] Stabiliser& first() { return first_; }
 
  private:
   std::size_t algorithm_ = 0;
   bool followed_ = false;
-  double first_force_n_ = 0.0;
   Stabiliser first_;
   Stabiliser follower_;
 };

@@ -1,7 +1,12 @@
 // The force bounding approach: every force is covered by the energy that the contact has gathered.
-#include "core/stabiliser/law.h"
+#pragma once
 
-HAPTICWALL_LAW_BEGIN
+#include <algorithm>
+#include <cmath>
+
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall {
 
 // E is what the handle has given to the actuator plus what the device's damping has dissipated,
 //
@@ -28,40 +33,26 @@ struct ForceBounding {
       "E(k) = E(k-1) + (b/T) Δx² + F_d(k-1) Δx,  E(k-1) = 0 where F_d(k-1) = 0,\n"
       "F_d(k) = sgn(F_e) min(|F_e|, √(4 (b/T) E))",
       kSignals};
-  static constexpr bool kOnlyPushes = true;
 
-  template <class N>
-  struct Parameters {
-    N damping_n_per_m;  // b/T
-  };
-  template <class N>
-  struct State {
-    N energy_j;  // E
-  };
-
-  static Parameters<double> parameters(const StabiliserContext& context) {
-    return {believed_damping(context) / context.period_s};
+  void configure(const StabiliserContext& context) {
+    damping_n_per_m_ = believed_damping(context) / context.period_s;
   }
+  void reset() { energy_j_ = 0.0; }
 
-  static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& /*walls*/,
-                     const LawInput& in) {
-    s.energy_j = or_zero(differs(in.previous_force_n, number(0.0)), s.energy_j);
-    s.energy_j = s.energy_j + p.damping_n_per_m * (in.displacement_m * in.displacement_m) +
-                 in.previous_force_n * in.displacement_m;
-    return smaller(in.wall_force_n, bound(p, s));  // F_e ≥ 0: a wall never pulls
-  }
-
-  static std::array<Number, 2> signals(const Parameters<Number>& p, const State<Number>& s,
-                                       const Walls& /*walls*/, const LawInput& /*in*/,
-                                       Number /*force_n*/) {
-    return {s.energy_j, bound(p, s)};
+  double step(const StabiliserInput& in, std::span<double> signals) {
+    if (in.previous_force_n == 0.0) energy_j_ = 0.0;
+    energy_j_ = energy_j_ + damping_n_per_m_ * (in.displacement_m * in.displacement_m) +
+                in.previous_force_n * in.displacement_m;
+    // E is negative only by rounding, or after a change of b during a contact.
+    const double bound_n = std::sqrt(4.0 * damping_n_per_m_ * std::max(energy_j_, 0.0));
+    signals[0] = energy_j_;
+    signals[1] = bound_n;
+    return std::min(in.wall_force_n, bound_n);  // F_e ≥ 0: a wall never pulls
   }
 
  private:
-  // E is negative only by rounding, or after a change of b during a contact.
-  static Number bound(const Parameters<Number>& p, const State<Number>& s) {
-    return root(number(4.0) * p.damping_n_per_m * larger(s.energy_j, number(0.0)));
-  }
+  double damping_n_per_m_ = 0.0;  // b/T
+  double energy_j_ = 0.0;         // E
 };
 
-HAPTICWALL_LAW_END
+}  // namespace hapticwall

@@ -1,7 +1,9 @@
 // Half-sample prediction: the wall's force at the position expected in the middle of the hold.
-#include "core/stabiliser/law.h"
+#pragma once
 
-HAPTICWALL_LAW_BEGIN
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall {
 
 // F_d(k) = F_wall(x_k + Δx_k/2, v_k): the walls evaluated half a tick ahead, at p_k + v_k T/2.
 //
@@ -22,27 +24,19 @@ struct HalfSample {
       {},
       "F_d(k) = K (p + v T/2) + B v  where p + v T/2 > 0, else 0; never negative",
       kSignals};
-  static constexpr bool kOnlyPushes = true;
 
-  template <class N>
-  struct Parameters {};
-  template <class N>
-  struct State {};
+  void configure(const StabiliserContext& context) { walls_ = context.walls; }
+  void reset() {}
 
-  static Parameters<double> parameters(const StabiliserContext& /*context*/) { return {}; }
-
-  static Number step(const Parameters<Number>& /*p*/, State<Number>& /*s*/, const Walls& walls,
-                     const LawInput& in) {
+  double step(const StabiliserInput& in, std::span<double> signals) {
     // Δx/2 in place of v T/2 saves the rounding of a quotient and a product.
-    const Number ahead_m = in.position_m + number(0.5) * in.displacement_m;
-    return wall_force(walls, ahead_m, in.velocity_m_per_s);
+    const double ahead_m = 0.5 * in.displacement_m;
+    signals[0] = in.penetration_m + ahead_m;
+    return evaluate_walls(walls_, in.position_m + ahead_m, in.velocity_m_per_s).force_n;
   }
 
-  static std::array<Number, 1> signals(const Parameters<Number>& /*p*/, const State<Number>& /*s*/,
-                                       const Walls& /*walls*/, const LawInput& in,
-                                       Number /*force_n*/) {
-    return {in.penetration_m + number(0.5) * in.displacement_m};
-  }
+ private:
+  WallSet walls_;
 };
 
-HAPTICWALL_LAW_END
+}  // namespace hapticwall

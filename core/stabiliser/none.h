@@ -1,7 +1,9 @@
 // No stabilising algorithm: the wall's force as it is, with the energy that the hold adds.
-#include "core/stabiliser/law.h"
+#pragma once
 
-HAPTICWALL_LAW_BEGIN
+#include "core/stabiliser/stabiliser.h"
+
+namespace hapticwall {
 
 // F_d = F_e. Source: paper, section 2.3 (Figure 4).
 struct NoStabiliser {
@@ -11,19 +13,10 @@ struct NoStabiliser {
       "the wall's force as computed: the zero-order hold feeds energy to the hand",
       {},
       "F_d(k) = F_e(k)"};
-  static constexpr bool kOnlyPushes = true;
 
-  template <class N>
-  struct Parameters {};
-  template <class N>
-  struct State {};
-
-  static Parameters<double> parameters(const StabiliserContext& /*context*/) { return {}; }
-
-  static Number step(const Parameters<Number>& /*p*/, State<Number>& /*s*/, const Walls& /*walls*/,
-                     const LawInput& in) {
-    return in.wall_force_n;
-  }
+  void configure(const StabiliserContext& /*context*/) {}
+  void reset() {}
+  double step(const StabiliserInput& in, std::span<double> /*signals*/) { return in.wall_force_n; }
 };
 
-HAPTICWALL_LAW_END
+}  // namespace hapticwall

@@ -1,9 +1,13 @@
 // Time-domain passivity control of Hannaford and Ryu: an observer and the damper that it drives.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
 #include <string_view>
 
-#include "core/stabiliser/law.h"
+#include "core/stabiliser/stabiliser.h"
 
-HAPTICWALL_LAW_BEGIN
+namespace hapticwall {
 
 // The observer sums the energy that went into the virtual wall. When it would fall below what is
 // tolerated, a damper takes back the missing part:
@@ -49,74 +53,64 @@ struct PassivityControl {
       nullptr,
       "",
       "observer"};
-  static constexpr bool kOnlyPushes = false;
-
-  template <class N>
-  struct Parameters {
-    N damping_n_s_per_m;                     // b
-    N max_damping_n_s_per_m;                 // α_max
-    N velocity_floor_m_per_s;                // floor
-    N observer;                              // index in kObservers
-    N damping_credit, reset_in_free_motion;  // 1 or 0
-  };
-  template <class N>
-  struct State {
-    N observed_j;              // E
-    N credit_j;                // b T Σ v²
-    N pending_displacement_m;  // Δx of the last tick, whose force is known only now
-  };
 
   // α_max defaults to b, because b ≥ K T/2 + B with K = 0 [paper, Eq. 18].
-  static Parameters<double> parameters(const StabiliserContext& context) {
-    const double damping = believed_damping(context);
-    return {damping,
-            context.value_or("max_damping_n_s_per_m", damping),
-            context.value_or("velocity_floor_m_per_s", 0.0),
-            context.value_or("observer", 0.0),
-            context.value_or("damping_credit", 0.0),
-            context.value_or("reset_in_free_motion", 0.0)};
+  void configure(const StabiliserContext& context) {
+    damping_n_s_per_m_ = believed_damping(context);
+    max_damping_n_s_per_m_ = context.value_or("max_damping_n_s_per_m", damping_n_s_per_m_);
+    velocity_floor_m_per_s_ = context.value_or("velocity_floor_m_per_s", 0.0);
+    observer_ = static_cast<Observer>(context.value_or("observer", 0.0));
+    damping_credit_ = context.value_or("damping_credit", 0.0) != 0.0;
+    reset_in_free_motion_ = context.value_or("reset_in_free_motion", 0.0) != 0.0;
   }
+  void reset() { observed_j_ = credit_j_ = pending_displacement_m_ = 0.0; }
 
-  static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& /*walls*/,
-                     const LawInput& in) {
-    const Number zero = number(0.0);
-    const Flags observes_hold = differs(p.observer, zero);
-    // A damper α takes α T v² in a tick; T v = Δx.
-    const Number energy_per_damping = abs_of(in.velocity_m_per_s * in.displacement_m);
-    // The force really applied is known one tick later: both pairings take it from there.
-    s.observed_j = s.observed_j + in.previous_force_n * select(observes_hold, in.displacement_m,
-                                                               s.pending_displacement_m);
-    s.pending_displacement_m = in.displacement_m;
-    s.credit_j = s.credit_j +
-                 or_zero(differs(p.damping_credit, zero), p.damping_n_s_per_m * energy_per_damping);
-    const Flags remembers = either(in.in_contact, equals(p.reset_in_free_motion, zero));
-    s.observed_j = or_zero(remembers, s.observed_j);
-    s.credit_j = or_zero(remembers, s.credit_j);
-    s.pending_displacement_m = or_zero(remembers, s.pending_displacement_m);
-
-    const Number deficit_j = minus(s.credit_j) - energy(p, s, in);
-    const Flags acts = both(greater(deficit_j, zero),
-                            greater(abs_of(in.velocity_m_per_s), p.velocity_floor_m_per_s));
-    if (none(acts)) return in.wall_force_n;
-    const Flags capped = at_most(p.max_damping_n_s_per_m * energy_per_damping, deficit_j);
-    const Number damping_n = select(capped, p.max_damping_n_s_per_m * in.velocity_m_per_s,
-                                    deficit_j / in.displacement_m);
-    return select(acts, in.wall_force_n + damping_n, in.wall_force_n);
-  }
-
-  static std::array<Number, 3> signals(const Parameters<Number>& p, const State<Number>& s,
-                                       const Walls& /*walls*/, const LawInput& in, Number force_n) {
-    const Number damping = (force_n - in.wall_force_n) / in.velocity_m_per_s;
-    return {energy(p, s, in), s.credit_j,
-            or_zero(differs(in.velocity_m_per_s, number(0.0)), damping)};
+  double step(const StabiliserInput& in, std::span<double> signals) {
+    observe(in);
+    const double energy_j = observer_ == Observer::kHeldForce
+                                ? observed_j_
+                                : observed_j_ + in.wall_force_n * in.displacement_m;  // W
+    const double deficit_j = -credit_j_ - energy_j;
+    double force_n = in.wall_force_n;
+    if (deficit_j > 0.0 && std::abs(in.velocity_m_per_s) > velocity_floor_m_per_s_) {
+      // A damper α takes α T v² in a tick; T v = Δx.
+      const double most_j = max_damping_n_s_per_m_ * energy_per_damping(in);
+      force_n += most_j <= deficit_j ? max_damping_n_s_per_m_ * in.velocity_m_per_s
+                                     : deficit_j / in.displacement_m;
+    }
+    signals[0] = energy_j;
+    signals[1] = credit_j_;
+    signals[2] =
+        in.velocity_m_per_s != 0.0 ? (force_n - in.wall_force_n) / in.velocity_m_per_s : 0.0;
+    return force_n;
   }
 
  private:
-  // W.
-  static Number energy(const Parameters<Number>& p, const State<Number>& s, const LawInput& in) {
-    return select(differs(p.observer, number(1.0)),
-                  s.observed_j + in.wall_force_n * in.displacement_m, s.observed_j);
+  enum class Observer : std::uint8_t { kSameSample, kHeldForce, kOneStep };  // as kObservers
+
+  [[nodiscard]] static double energy_per_damping(const StabiliserInput& in) {
+    return std::abs(in.velocity_m_per_s * in.displacement_m);
   }
+
+  void observe(const StabiliserInput& in) {
+    if (!in.in_contact && reset_in_free_motion_) return reset();
+    // The force really applied is known one tick later: both pairings take it from there.
+    observed_j_ +=
+        in.previous_force_n *
+        (observer_ == Observer::kSameSample ? pending_displacement_m_ : in.displacement_m);
+    pending_displacement_m_ = in.displacement_m;
+    if (damping_credit_) credit_j_ += damping_n_s_per_m_ * energy_per_damping(in);
+  }
+
+  double damping_n_s_per_m_ = 0.0;       // b
+  double max_damping_n_s_per_m_ = 0.0;   // α_max
+  double velocity_floor_m_per_s_ = 0.0;  // floor
+  Observer observer_ = Observer::kSameSample;
+  bool damping_credit_ = false;
+  bool reset_in_free_motion_ = false;
+  double observed_j_ = 0.0;              // E
+  double credit_j_ = 0.0;                // b T Σ v²
+  double pending_displacement_m_ = 0.0;  // Δx of the last tick, whose force is known only now
 };
 
-HAPTICWALL_LAW_END
+}  // namespace hapticwall

@@ -1,30 +1,10 @@
-// The contract of a stabilising algorithm and the list of them.
-//
-// An algorithm is a file of this folder and a line in core/CMakeLists.txt. Its file holds one
-// struct (law.h has the vocabulary, none.h is the shortest example):
-//
-//   struct Name {
-//     static constexpr AlgorithmDescription kDescription{...};
-//     static constexpr bool kOnlyPushes;               // true if no force is ever negative
-//     template <class N> struct Parameters {...};      // members of type N only
-//     template <class N> struct State {...};           // the same; all zero after a reset
-//
-//     static Parameters<double> parameters(const StabiliserContext& context);
-//     // F_d(k), newtons.
-//     static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& walls,
-//                        const LawInput& in);
-//     // Only with kDescription.signals, and in their order: what step() has come to. Optional
-//     // numbers for people, computed only where somebody looks.
-//     static std::array<Number, n> signals(const Parameters<Number>& p, const State<Number>& s,
-//                                          const Walls& walls, const LawInput& in,
-//                                          Number force_n);
-//   };
-//
-// The functions are realtime-safe: O(1), no allocation, no lock, no system call. step() may return
-// any number; the servo step makes it finite and clamps it. What is not finite is no signal.
+// A law's description, its input and its functions; the list of laws; a law at work.
+// law.h says how to write one.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -56,19 +36,17 @@ struct StabiliserContext {
   }
 };
 
-// The input of an algorithm at tick k; signs as in docs/physics.md (x grows into the wall, F_d > 0
-// pushes out of it). N and F: double and bool, or vectors of them with one scene per lane.
-template <class N, class F>
-struct BasicStabiliserInput {
-  N wall_force_n{};      // F_e(k)
-  N position_m{};        // x_k as measured
-  N displacement_m{};    // x_k - x_{k-1} as measured
-  N velocity_m_per_s{};  // displacement / period
-  N penetration_m{};     // into the outermost wall; negative in front of it
-  N previous_force_n{};  // F_d(k-1) as really commanded, after the clamp
-  F in_contact{};
+// The input of a law at tick k; signs as in docs/physics.md (x grows into the wall, F_d > 0 pushes
+// out of it).
+struct StabiliserInput {
+  double wall_force_n = 0.0;      // F_e(k)
+  double position_m = 0.0;        // x_k as measured
+  double displacement_m = 0.0;    // x_k - x_{k-1} as measured
+  double velocity_m_per_s = 0.0;  // displacement / period
+  double penetration_m = 0.0;     // into the outermost wall; negative in front of it
+  double previous_force_n = 0.0;  // F_d(k-1) as really commanded, after the clamp
+  bool in_contact = false;
 };
-using StabiliserInput = BasicStabiliserInput<double, bool>;
 
 // Algorithms may share a signal.
 struct SignalDescription {
@@ -145,50 +123,51 @@ struct ComparedAlgorithm {
 
 // ---- an algorithm at work ----
 
-// A law's parameters or its state as plain numbers, in the order of its struct's members.
-inline constexpr std::size_t kMaxLawNumbers = 8;
-using LawNumbers = std::array<double, kMaxLawNumbers>;
-
-// Puts the signals of a built-in law after a step() into their places. Realtime-safe: yes.
-struct LawAfterStep {
-  const LawNumbers& parameters;
-  const LawNumbers& state;
-  const WallSet& walls;
-  const StabiliserInput& input;
-  double force_n;
+// What the program calls of a law, built in or a plug-in, on its block of state.
+struct Law {
+  AlgorithmDescription description;
+  void (*start)(void* state);  // a new law in the block: as after reset(), without parameters
+  void (*configure)(void* state, const StabiliserContext& context);
+  void (*reset)(void* state);
+  double (*step)(void* state, const StabiliserInput& in, std::span<double> signals);
 };
-void show_signals(std::size_t algorithm, const LawAfterStep& law, Signals& signals);
+inline constexpr std::size_t kMaxLawBytes = 512;  // of a built-in law
 
 // One algorithm on one axis. Realtime-safe: yes, except the constructor with plug-ins (PluginLaw).
 class Stabiliser {
  public:
+  Stabiliser();
+
   // New settings or a new scene. A change of algorithm resets the state; nothing else does.
   void configure(std::size_t algorithm, const StabiliserContext& context);
-  void reset() {
-    state_ = {};
-    plugin_.reset();
+  void reset() { law_->reset(state()); }
+  [[nodiscard]] double step(const StabiliserInput& input) {
+    const std::span<double> values = std::span(values_).first(signals_);
+    std::ranges::fill(values, std::numeric_limits<double>::quiet_NaN());
+    return law_->step(state(), input, values);
   }
-  [[nodiscard]] double step(const StabiliserInput& input) { return step_(*this, input); }
-  // Of the last step(), with its input and its force.
-  void show(const StabiliserInput& input, double force_n, Signals& signals) const {
-    plugin_.show(signals);
-    show_signals(algorithm_, {parameters_, state_, walls_, input, force_n}, signals);
+  // The signals of the last step(), in their places.
+  void show(Signals& signals) const {
+    for (std::size_t i = 0; i < signals_; ++i) {
+      if (places_[i] < kMaxSignals && std::isfinite(values_[i])) signals[places_[i]] = values_[i];
+    }
   }
 
   [[nodiscard]] std::size_t algorithm() const { return algorithm_; }
-  [[nodiscard]] const WallSet& walls() const { return walls_; }
-  [[nodiscard]] const LawNumbers& parameters() const { return parameters_; }
-  [[nodiscard]] LawNumbers& state() { return state_; }
-  [[nodiscard]] PluginLaw& plugin() { return plugin_; }
 
  private:
-  using Step = double (*)(Stabiliser& stabiliser, const StabiliserInput& input);
+  [[nodiscard]] void* state() {
+    return is_plugin_ ? static_cast<void*>(&plugin_) : static_cast<void*>(block_.data());
+  }
+  void find_places();
 
+  const Law* law_;
   std::size_t algorithm_ = 0;
-  Step step_ = nullptr;
-  LawNumbers parameters_{};
-  LawNumbers state_{};
-  WallSet walls_;
+  bool is_plugin_ = false;
+  std::size_t signals_ = 0;
+  Signals values_{};
+  std::array<std::size_t, kMaxSignals> places_{};
+  alignas(std::max_align_t) std::array<std::byte, kMaxLawBytes> block_{};
   PluginLaw plugin_;
 };
 

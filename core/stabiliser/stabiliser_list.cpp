@@ -1,4 +1,4 @@
-// The list of algorithms: the only file, beside the loops of each, that reads the built-in laws.
+// The list of algorithms: the only file that reads the built-in laws.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,58 +6,37 @@
 #include <utility>
 
 #include "core/scene_keys.h"
-#include "core/stabiliser/algorithm_files.h"
-#include "core/stabiliser/algorithm_list.h"
-#include "core/stabiliser/law_numbers.h"
+#include "core/stabiliser/energy_bounding.h"
+#include "core/stabiliser/energy_bounding_2010.h"
+#include "core/stabiliser/energy_limited_spring.h"
+#include "core/stabiliser/force_bounding.h"
+#include "core/stabiliser/half_sample.h"
+#include "core/stabiliser/law.h"
+#include "core/stabiliser/none.h"
+#include "core/stabiliser/passivity_control.h"
 #include "core/stabiliser/plugin/plugin_list.h"
 #include "core/stabiliser/stabiliser.h"
+#include "core/stabiliser/virtual_coupling.h"
 
 namespace hapticwall {
 namespace {
 
-#define HAPTICWALL_DESCRIPTION(Law) scalar::Law::kDescription,
-constexpr std::array kAlgorithms{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_DESCRIPTION)};
-#undef HAPTICWALL_DESCRIPTION
+// In the order of menus, files and tables.
+constexpr std::array kLaws{law_of<NoStabiliser>(),       law_of<VirtualCoupling>(),
+                           law_of<PassivityControl>(),   law_of<EnergyBounding>(),
+                           law_of<EnergyBounding2010>(), law_of<ForceBounding>(),
+                           law_of<HalfSample>(),         law_of<EnergyLimitedSpring>()};
 
-template <class Law>
-LawNumbers parameters_of(const StabiliserContext& context) {
-  return to_numbers(Law::parameters(context));
-}
-
-template <class Law>
-double step_of(Stabiliser& stabiliser, const StabiliserInput& input) {
-  InlinedLaw<Law> law(stabiliser.parameters(), stabiliser.state(), stabiliser.walls());
-  const double force_n = law.step(input);
-  stabiliser.state() = law.state();
-  return force_n;
-}
-
-double step_of_plugin(Stabiliser& stabiliser, const StabiliserInput& input) {
-  return stabiliser.plugin().step(input);
-}
-
-// The values of a law's signals.
-template <class Law>
-void signals_of(const LawAfterStep& law, std::span<double> values) {
-  if constexpr (!Law::kDescription.signals.empty()) {
-    const auto signals =
-        Law::signals(from_numbers<typename Law::template Parameters<double>>(law.parameters),
-                     from_numbers<typename Law::template State<double>>(law.state), law.walls,
-                     law.input, law.force_n);
-    static_assert(signals.size() == Law::kDescription.signals.size());
-    std::ranges::copy(signals, values.begin());
-  }
-}
-
-struct LawFunctions {
-  LawNumbers (*parameters)(const StabiliserContext& context);
-  double (*step)(Stabiliser& stabiliser, const StabiliserInput& input);
-  void (*signals)(const LawAfterStep& law, std::span<double> values);
-};
-#define HAPTICWALL_FUNCTIONS(Law) \
-  LawFunctions{parameters_of<scalar::Law>, step_of<scalar::Law>, signals_of<scalar::Law>},
-constexpr std::array kFunctions{HAPTICWALL_EACH_ALGORITHM(HAPTICWALL_FUNCTIONS)};
-#undef HAPTICWALL_FUNCTIONS
+// Of all plug-ins: their block is a PluginLaw.
+constexpr Law kPluginLaw{{},
+                         [](void* /*state*/) {},
+                         [](void* state, const StabiliserContext& context) {
+                           static_cast<PluginLaw*>(state)->configure(context);
+                         },
+                         [](void* state) { static_cast<PluginLaw*>(state)->reset(); },
+                         [](void* state, const StabiliserInput& in, std::span<double> signals) {
+                           return static_cast<PluginLaw*>(state)->step(in, signals);
+                         }};
 
 // Descriptions, each name once.
 template <class Description, std::size_t kMax>
@@ -79,8 +58,8 @@ struct Union {
 constexpr auto unite_parameters() {
   Union<ParameterDescription, kMaxAlgorithmParameters> all;
   all.add(kThenParameter, &ParameterDescription::key);
-  for (const AlgorithmDescription& algorithm : kAlgorithms) {
-    for (const ParameterDescription& parameter : algorithm.parameters)
+  for (const Law& law : kLaws) {
+    for (const ParameterDescription& parameter : law.description.parameters)
       all.add(parameter, &ParameterDescription::key);
   }
   return all;
@@ -89,31 +68,23 @@ constexpr auto kParameterUnion = unite_parameters();
 
 constexpr auto unite_signals() {
   Union<SignalDescription, kMaxSignals> all;
-  for (const AlgorithmDescription& algorithm : kAlgorithms) {
-    for (const SignalDescription& signal : algorithm.signals)
+  for (const Law& law : kLaws) {
+    for (const SignalDescription& signal : law.description.signals)
       all.add(signal, &SignalDescription::name);
   }
   return all;
 }
 constexpr auto kSignalUnion = unite_signals();
 
-// By algorithm, in the order of its signals.
-using SignalPlaces = std::array<std::size_t, kMaxSignals>;
-constexpr auto find_signal_places() {
-  std::array<SignalPlaces, kAlgorithms.size()> places{};
-  for (std::size_t law = 0; law < kAlgorithms.size(); ++law) {
-    for (std::size_t i = 0; i < kAlgorithms[law].signals.size(); ++i) {
-      while (kSignalUnion.members[places[law][i]].name != kAlgorithms[law].signals[i].name)
-        ++places[law][i];
-    }
-  }
-  return places;
+std::vector<AlgorithmDescription> built_in() {
+  std::vector<AlgorithmDescription> all;
+  for (const Law& law : kLaws) all.push_back(law.description);
+  return all;
 }
-constexpr auto kSignalPlaces = find_signal_places();
 
 // Changes only while plug-ins are loaded, before other threads start.
 struct AlgorithmList {
-  std::vector<AlgorithmDescription> algorithms{kAlgorithms.begin(), kAlgorithms.end()};
+  std::vector<AlgorithmDescription> algorithms = built_in();
   std::vector<ParameterDescription> parameters{kParameterUnion.in_use().begin(),
                                                kParameterUnion.in_use().end()};
   std::vector<SignalDescription> signals{kSignalUnion.in_use().begin(),
@@ -129,7 +100,7 @@ AlgorithmList& algorithm_list() {
 
 std::span<const AlgorithmDescription> algorithms() { return algorithm_list().algorithms; }
 
-std::size_t first_plugin() { return kAlgorithms.size(); }
+std::size_t first_plugin() { return kLaws.size(); }
 
 std::size_t add_algorithm(const AlgorithmDescription& algorithm) {
   AlgorithmList& list = algorithm_list();
@@ -224,25 +195,25 @@ std::vector<ComparedAlgorithm> compared_algorithms(AlgorithmSettings settings,
   return rows;
 }
 
-void show_signals(std::size_t algorithm, const LawAfterStep& law, Signals& signals) {
-  if (algorithm >= kAlgorithms.size()) return;
-  Signals values{};
-  kFunctions[algorithm].signals(law, values);
-  for (std::size_t i = 0; i < kAlgorithms[algorithm].signals.size(); ++i) {
-    if (std::isfinite(values[i])) signals[kSignalPlaces[algorithm][i]] = values[i];
-  }
-}
+Stabiliser::Stabiliser() : law_(kLaws.data()) { law_->start(block_.data()); }
 
 void Stabiliser::configure(std::size_t algorithm, const StabiliserContext& context) {
   const std::uint32_t revision = context.settings == nullptr ? 0 : context.settings->revision;
   const hw_plugin* const plugin = plugin_at(algorithm, revision);
-  if (plugin == nullptr && algorithm >= kFunctions.size()) algorithm = 0;
-  if (algorithm != algorithm_) reset();
-  algorithm_ = algorithm;
-  plugin_.configure(plugin, context);
-  step_ = plugin != nullptr ? step_of_plugin : kFunctions[algorithm].step;
-  parameters_ = plugin != nullptr ? LawNumbers{} : kFunctions[algorithm].parameters(context);
-  walls_ = context.walls;
+  if (plugin == nullptr && algorithm >= kLaws.size()) algorithm = 0;
+  law_ = plugin != nullptr ? &kPluginLaw : &kLaws[algorithm];
+  is_plugin_ = plugin != nullptr;
+  plugin_.choose(plugin);
+  if (algorithm != std::exchange(algorithm_, algorithm)) law_->start(block_.data());
+  find_places();
+  law_->configure(state(), context);
+}
+
+void Stabiliser::find_places() {
+  const std::span<const SignalDescription> signals = algorithms()[algorithm_].signals;
+  signals_ = signals.size();
+  for (std::size_t i = 0; i < signals_; ++i)
+    places_[i] = find_algorithm_signal(signals[i].name).value_or(kMaxSignals);
 }
 
 bool reads(const AlgorithmSettings& settings, std::string_view key) {

@@ -1,10 +1,13 @@
 // The virtual coupling of Colgate, Stanley and Brown.
+#pragma once
+
 #include <algorithm>
+#include <utility>
 
 #include "core/scene_keys.h"
-#include "core/stabiliser/law.h"
+#include "core/stabiliser/stabiliser.h"
 
-HAPTICWALL_LAW_BEGIN
+namespace hapticwall {
 
 // A spring K_c and damper B_c join the handle to a massless proxy that the wall's spring K and
 // damper B carry: the displayed wall is never stiffer than the coupling. Without dampers
@@ -53,79 +56,51 @@ struct VirtualCoupling {
       "F_d = p K K_c/(K + K_c);  K_c = 2(b - B_c)/T, shared by the contacts",
       kSignals,
       problem};
-  static constexpr bool kOnlyPushes = true;
 
-  template <class N>
-  struct Parameters {
-    N spring_n_per_m;    // K_c
-    N damper_n_s_per_m;  // B_c
-    N rate_n_per_m;      // (B + B_c)/T of the only wall: the dampers' weight in the implicit step
-    N total_n_per_m;     // K + K_c + (B + B_c)/T
-    N period_s;
-  };
-  template <class N>
-  struct State {
-    std::array<N, kLawWalls> proxies_m;  // penetration of each wall's proxy
-  };
-
-  static Parameters<double> parameters(const StabiliserContext& context) {
-    const double spring = coupling_stiffness(context);
-    const double damper = coupling_damping(context);
-    const auto walls = context.walls.walls();
-    const WallSettings wall = walls.empty() ? WallSettings{} : walls.front();
-    const double rate = (wall.damping_n_s_per_m + damper) / context.period_s;
-    return {spring, damper, rate, wall.stiffness_n_per_m + spring + rate, context.period_s};
+  void configure(const StabiliserContext& context) {
+    spring_n_per_m_ = coupling_stiffness(context);
+    damper_n_s_per_m_ = coupling_damping(context);
+    period_s_ = context.period_s;
+    walls_ = context.walls;
   }
+  void reset() { proxies_m_ = {}; }
 
-  static Number step(const Parameters<Number>& p, State<Number>& s, const Walls& walls,
-                     const LawInput& in) {
-    Number force_n = number(0.0);
-    for (std::size_t i = 0; i < walls.count(); ++i) {
-      const Number of_wall_n =
-          force_of_wall(walls.count() == 1 ? p : part(p, walls[i], walls.contacts(in.position_m)),
-                        walls[i], s.proxies_m[i], in);
-      force_n = i == 0 ? of_wall_n : force_n + of_wall_n;
-    }
+  double step(const StabiliserInput& in, std::span<double> signals) {
+    // Each contact's part of the coupling. In front of all walls it is not used.
+    const double share = walls_.count() > 1 ? 1.0 / walls_.contacts(in.position_m) : 1.0;
+    double force_n = 0.0;
+    for (std::size_t i = 0; i < walls_.count(); ++i)
+      force_n += force_of_wall(share, walls_[i], proxies_m_[i], in);
+    signals[0] = proxies_m_[0];
     return force_n;
   }
 
-  static std::array<Number, 1> signals(const Parameters<Number>& /*p*/, const State<Number>& s,
-                                       const Walls& /*walls*/, const LawInput& /*in*/,
-                                       Number /*force_n*/) {
-    return {s.proxies_m[0]};
-  }
-
  private:
-  // One contact's part of the coupling.
-  static Parameters<Number> part(const Parameters<Number>& p, const Wall& wall, Number contacts) {
-    const Number share = number(1.0) / contacts;
-    const Number spring = share * p.spring_n_per_m;
-    const Number damper = share * p.damper_n_s_per_m;
-    const Number rate = (wall.damping_n_s_per_m + damper) / p.period_s;
-    return {spring, damper, rate, wall.stiffness_n_per_m + spring + rate, p.period_s};
-  }
-
   // Also moves the wall's proxy. Both are 0 out of contact.
-  static Number force_of_wall(const Parameters<Number>& p, const Wall& wall, Number& proxy_m,
-                              const LawInput& in) {
-    const Number zero = number(0.0);
-    const Number penetration_m = in.position_m - wall.position_m;
-    const Flags inside = greater(penetration_m, zero);
-    const Number before_m = proxy_m;
-    proxy_m = zero;
-    if (none(inside)) return zero;
+  [[nodiscard]] double force_of_wall(double share, const WallSettings& wall, double& proxy_m,
+                                     const StabiliserInput& in) const {
+    const double penetration_m = in.position_m - wall.position_m;
+    const double before_m = std::exchange(proxy_m, 0.0);
+    if (!(penetration_m > 0.0)) return 0.0;
+    const double spring = share * spring_n_per_m_;
+    const double damper = share * damper_n_s_per_m_;
+    const double rate = (wall.damping_n_s_per_m + damper) / period_s_;  // of the implicit step
     // Without any stiffness and damping 0/0 counts as 0.
-    const Number moved_m =
-        positive_part((p.spring_n_per_m * penetration_m + p.damper_n_s_per_m * in.velocity_m_per_s +
-                       p.rate_n_per_m * before_m) /
-                      p.total_n_per_m);
-    proxy_m = or_zero(inside, moved_m);
-    const Number proxy_velocity_m_per_s = (moved_m - before_m) / p.period_s;
+    proxy_m =
+        std::max(0.0, (spring * penetration_m + damper * in.velocity_m_per_s + rate * before_m) /
+                          (wall.stiffness_n_per_m + spring + rate));
+    const double proxy_velocity_m_per_s = (proxy_m - before_m) / period_s_;
     // The wall's side of the proxy equals the coupling's side while the proxy is on the wall. It
     // avoids the cancellation in p - q when the coupling is much stiffer than the wall.
-    return or_zero(inside, positive_part(wall.stiffness_n_per_m * moved_m +
-                                         wall.damping_n_s_per_m * proxy_velocity_m_per_s));
+    return std::max(
+        0.0, wall.stiffness_n_per_m * proxy_m + wall.damping_n_s_per_m * proxy_velocity_m_per_s);
   }
+
+  double spring_n_per_m_ = 0.0;    // K_c
+  double damper_n_s_per_m_ = 0.0;  // B_c
+  double period_s_ = 0.0;
+  WallSet walls_;
+  std::array<double, kMaxWalls> proxies_m_{};  // penetration of each wall's proxy
 };
 
-HAPTICWALL_LAW_END
+}  // namespace hapticwall

@@ -11,9 +11,9 @@
 #include "app/runtime/session/experiment.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
-#include "core/loop/tick_law.h"
 #include "core/result.h"
 #include "core/scene.h"
+#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::runtime {
 

@@ -1,7 +1,6 @@
 #include "core/stabiliser/plugin/plugin_law.h"
 
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -42,27 +41,19 @@ void PluginLaw::guarded(const char* function, const Call& call) {
   note_plugin_fault(*plugin_, fault);
 }
 
-void PluginLaw::start(const hw_plugin* plugin) {
+void PluginLaw::choose(const hw_plugin* plugin) {
+  starts_ = plugin != plugin_;
+  if (!starts_) return;
   plugin_ = plugin;
   tick_ = 0;
   if (plugin == nullptr) return;
   pulse_.begin();
-  find_places();
   failed_ = plugin->state_bytes > bytes_;  // loaded after the construction of this
   if (!failed_ && plugin->state_bytes > 0) std::memset(state_.get(), 0, plugin->state_bytes);
 }
 
-void PluginLaw::find_places() {
-  signals_.fill(kNoNumber);
-  for (std::size_t i = 0; i < plugin_->signal_count; ++i)
-    places_.at(i) = find_algorithm_signal(plugin_->signals[i].name).value_or(kMaxSignals);
-}
-
-void PluginLaw::configure(const hw_plugin* plugin, const StabiliserContext& context) {
-  const bool starts = plugin != plugin_;
-  if (starts) start(plugin);
-  if (plugin == nullptr) return;
-  const auto values = plugin_values(*plugin, context);
+void PluginLaw::configure(const StabiliserContext& context) {
+  const auto values = plugin_values(*plugin_, context);
   std::array<hw_wall, kMaxWalls> walls{};
   std::uint32_t count = 0;
   for (const WallSettings& wall : context.walls.walls())
@@ -75,31 +66,22 @@ void PluginLaw::configure(const hw_plugin* plugin, const StabiliserContext& cont
                          values.data(),
                          walls.data(),
                          count};
-  guarded("configure()", [&] { plugin->configure(state_.get(), &scene); });
-  if (starts) reset();
+  guarded("configure()", [&] { plugin_->configure(state_.get(), &scene); });
+  if (starts_) reset();
 }
 
 void PluginLaw::reset() {
-  if (plugin_ == nullptr) return;
   tick_ = 0;
   guarded("reset()", [&] { plugin_->reset(state_.get()); });
 }
 
-double PluginLaw::step(const StabiliserInput& in) {
+double PluginLaw::step(const StabiliserInput& in, std::span<double> signals) {
   const hw_input input{sizeof(hw_input),    in.in_contact ? 1U : 0U, tick_++,
                        in.wall_force_n,     in.position_m,           in.displacement_m,
                        in.velocity_m_per_s, in.penetration_m,        in.previous_force_n};
   double force_n = kNoNumber;
-  signals_.fill(kNoNumber);
-  guarded("step()", [&] { force_n = plugin_->step(state_.get(), &input, signals_.data()); });
+  guarded("step()", [&] { force_n = plugin_->step(state_.get(), &input, signals.data()); });
   return failed_ ? kNoNumber : force_n;
-}
-
-void PluginLaw::show(Signals& signals) const {
-  if (plugin_ == nullptr) return;
-  for (std::size_t i = 0; i < plugin_->signal_count; ++i) {
-    if (places_[i] < kMaxSignals && std::isfinite(signals_[i])) signals[places_[i]] = signals_[i];
-  }
 }
 
 }  // namespace hapticwall

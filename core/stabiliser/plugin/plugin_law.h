@@ -1,21 +1,19 @@
 // The law of a plug-in on one axis, with its state.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "core/loop/pulse.h"
-#include "core/sample.h"
 
 struct hw_plugin;  // hapticwall/plugin.h
 
 namespace hapticwall {
 
 struct StabiliserContext;
-template <class N, class F>
-struct BasicStabiliserInput;
+struct StabiliserInput;
 
 inline constexpr std::size_t kMaxPluginStateBytes = std::size_t{1} << 18U;
 inline constexpr std::size_t kMaxPluginParameters = 16;
@@ -28,16 +26,13 @@ class PluginLaw {
   PluginLaw();
 
   // nullptr: no plug-in is in force. Another plug-in than before starts with a state of zeros.
-  void configure(const hw_plugin* plugin, const StabiliserContext& context);
+  void choose(const hw_plugin* plugin);
+  void configure(const StabiliserContext& context);
   void reset();
-  // After a fault (LibraryFault) NaN, until another plug-in starts.
-  [[nodiscard]] double step(const BasicStabiliserInput<double, bool>& input);
-  // Puts the signals of the last step() into their places.
-  void show(Signals& signals) const;
+  // After a fault (LibraryFault) NaN, until another plug-in starts. `signals` are NaN.
+  [[nodiscard]] double step(const StabiliserInput& input, std::span<double> signals);
 
  private:
-  void start(const hw_plugin* plugin);
-  void find_places();
   template <class Call>
   void guarded(const char* function, const Call& call);
 
@@ -45,8 +40,7 @@ class PluginLaw {
   std::unique_ptr<std::max_align_t[]> state_;
   const hw_plugin* plugin_ = nullptr;
   std::uint64_t tick_ = 0;
-  std::array<double, kMaxPluginSignals> signals_{};
-  std::array<std::size_t, kMaxPluginSignals> places_{};  // in Signals
+  bool starts_ = false;
   bool failed_ = false;
   Pulse pulse_;
 };

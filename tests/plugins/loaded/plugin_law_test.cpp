@@ -49,15 +49,19 @@ hw_plugin plugin_of_calls() {
 
 class PluginLawTest : public ::testing::Test {
  protected:
-  void configure(const hw_plugin& plugin) { law_.configure(&plugin, {}); }
-  double step() { return law_.step({}); }
+  void configure(const hw_plugin& plugin) {
+    law_.choose(&plugin);
+    law_.configure({});
+  }
+  double step() {
+    signals_.fill(std::numeric_limits<double>::quiet_NaN());
+    return law_.step({}, signals_);
+  }
   [[nodiscard]] double shown() const {
-    Signals signals;
-    signals.fill(std::numeric_limits<double>::quiet_NaN());
-    law_.show(signals);
-    return signals.at(find_algorithm_signal(kShownTick.name).value());
+    return std::isfinite(signals_[0]) ? signals_[0] : std::numeric_limits<double>::quiet_NaN();
   }
 
+  Signals signals_{};
   const hw_plugin plugin_ = plugin_of_calls();
   PluginLaw law_;
 };
