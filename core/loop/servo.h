@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/loop/servo_step.h"
-#include "core/stabiliser/followed_stabiliser.h"
 
 namespace hapticwall {
 
@@ -21,8 +20,7 @@ struct TruthKeeper {
   }
 };
 
-// Owns the algorithm and the state of the loop. Realtime-safe: yes, all of it (the constructor
-// unless there are plug-ins, whose state it allocates).
+// Owns the algorithm and the state of the loop. Realtime-safe: yes, except the constructor.
 class Servo {
  public:
   explicit Servo(const ServoSettings& settings);
@@ -32,6 +30,9 @@ class Servo {
   // was (no kick) and blends into the new law's over settings.transition_s. Equal settings change
   // no bit of the run.
   void apply(const ServoSettings& settings);
+
+  // As FollowedStabiliser::borrow().
+  void borrow(const BorrowedLaw& law) { stabiliser_.borrow(law); }
 
   // Back to tick 0: forgets the state of the algorithm, the ledger and the previous force.
   void reset();

@@ -16,7 +16,7 @@
 #include "core/loop/energy_ledger.h"
 #include "core/sample.h"
 #include "core/scene.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/stabiliser/followed_stabiliser.h"
 #include "core/wall.h"
 
 namespace hapticwall {
@@ -212,9 +212,10 @@ namespace detail {
 
 // One tick. `device` has `DeviceReading read()` and `void write(double)`. Realtime-safe: yes, if
 // the device is.
-template <typename Device, typename Stabiliser>
+template <typename Device>
 [[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
-                                                     ServoState& state, Stabiliser& stabiliser,
+                                                     ServoState& state,
+                                                     FollowedStabiliser& stabiliser,
                                                      Device& device) {
   TickOutcome out;
   detail::take_reading(settings, state, device.read(), out);

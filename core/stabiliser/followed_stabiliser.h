@@ -17,12 +17,18 @@ class FollowedStabiliser {
  public:
   // As Stabiliser::configure(). The follower also starts anew when it is put behind an algorithm.
   void configure(const AlgorithmSettings& settings, const StabiliserContext& context) {
-    const bool same = settings.index == algorithm_ && has_follower(settings) == followed_;
+    const bool followed = has_follower(settings) && !first_.borrows();
+    const bool same = settings.index == algorithm_ && followed == followed_;
     algorithm_ = settings.index;
-    followed_ = has_follower(settings);
+    followed_ = followed;
     first_.configure(algorithm_, context);
     follower_.configure(follower_index(), context);
     if (!same) follower_.reset();
+  }
+  // As Stabiliser::borrow(). Nothing follows a borrowed law.
+  void borrow(const BorrowedLaw& borrowed) {
+    first_.borrow(borrowed);
+    followed_ = false;
   }
   void reset() {
     first_.reset();

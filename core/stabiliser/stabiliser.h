@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -123,23 +124,35 @@ struct ComparedAlgorithm {
 
 // ---- an algorithm at work ----
 
-// What the program calls of a law, built in or a plug-in, on its block of state.
+// What the program calls of a law on its state: built in, a plug-in, or a borrowed one.
 struct Law {
   AlgorithmDescription description;
-  void (*start)(void* state);  // a new law in the block: as after reset(), without parameters
+  void (*start)(void* state);  // a new law in a built-in one's block: without parameters and past
   void (*configure)(void* state, const StabiliserContext& context);
   void (*reset)(void* state);
   double (*step)(void* state, const StabiliserInput& in, std::span<double> signals);
 };
 inline constexpr std::size_t kMaxLawBytes = 512;  // of a built-in law
 
-// One algorithm on one axis. Realtime-safe: yes, except the constructor with plug-ins (PluginLaw).
+// A law of the program itself in the place of the scene's algorithm: an experiment on the device.
+// Law and state outlive the loop.
+struct BorrowedLaw {
+  const Law* law;
+  void* state;
+};
+
+// One algorithm on one axis. Realtime-safe: yes, except the constructor.
 class Stabiliser {
  public:
   Stabiliser();
 
   // New settings or a new scene. A change of algorithm resets the state; nothing else does.
   void configure(std::size_t algorithm, const StabiliserContext& context);
+  // From now on this law, whichever algorithm configure() names.
+  void borrow(const BorrowedLaw& borrowed);
+  [[nodiscard]] bool borrows() const {
+    return elsewhere_ != nullptr && elsewhere_ != plugin_.get();
+  }
   void reset() { law_->reset(state()); }
   [[nodiscard]] double step(const StabiliserInput& input) {
     const std::span<double> values = std::span(values_).first(signals_);
@@ -156,19 +169,17 @@ class Stabiliser {
   [[nodiscard]] std::size_t algorithm() const { return algorithm_; }
 
  private:
-  [[nodiscard]] void* state() {
-    return is_plugin_ ? static_cast<void*>(&plugin_) : static_cast<void*>(block_.data());
-  }
+  [[nodiscard]] void* state() { return elsewhere_ != nullptr ? elsewhere_ : block_.data(); }
   void find_places();
 
   const Law* law_;
   std::size_t algorithm_ = 0;
-  bool is_plugin_ = false;
+  void* elsewhere_ = nullptr;  // the state of a plug-in or a borrowed law; nullptr: in block_
   std::size_t signals_ = 0;
   Signals values_{};
   std::array<std::size_t, kMaxSignals> places_{};
   alignas(std::max_align_t) std::array<std::byte, kMaxLawBytes> block_{};
-  PluginLaw plugin_;
+  std::unique_ptr<PluginLaw> plugin_;
 };
 
 }  // namespace hapticwall

@@ -195,15 +195,24 @@ std::vector<ComparedAlgorithm> compared_algorithms(AlgorithmSettings settings,
   return rows;
 }
 
-Stabiliser::Stabiliser() : law_(kLaws.data()) { law_->start(block_.data()); }
+Stabiliser::Stabiliser() : law_(kLaws.data()), plugin_(std::make_unique<PluginLaw>()) {
+  law_->start(block_.data());
+}
+
+void Stabiliser::borrow(const BorrowedLaw& borrowed) {
+  law_ = borrowed.law;
+  elsewhere_ = borrowed.state;
+  signals_ = 0;
+}
 
 void Stabiliser::configure(std::size_t algorithm, const StabiliserContext& context) {
+  if (borrows()) return law_->configure(elsewhere_, context);
   const std::uint32_t revision = context.settings == nullptr ? 0 : context.settings->revision;
   const hw_plugin* const plugin = plugin_at(algorithm, revision);
   if (plugin == nullptr && algorithm >= kLaws.size()) algorithm = 0;
   law_ = plugin != nullptr ? &kPluginLaw : &kLaws[algorithm];
-  is_plugin_ = plugin != nullptr;
-  plugin_.choose(plugin);
+  elsewhere_ = plugin != nullptr ? plugin_.get() : nullptr;
+  plugin_->choose(plugin);
   if (algorithm != std::exchange(algorithm_, algorithm)) law_->start(block_.data());
   find_places();
   law_->configure(state(), context);

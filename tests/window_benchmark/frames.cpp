@@ -83,8 +83,9 @@ std::vector<Row> rows() {
 
 Failure open(Window& window, const Stage& stage, const Scene& scene) {
   ui::Application::Sessions sessions;
-  sessions.simulate = [&window](const Scene& wanted,
-                                TickLaw* /*law*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
+  sessions.simulate = [&window](
+                          const Scene& wanted,
+                          BorrowedLaw* /*law*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
     auto session = std::make_unique<test::FakeSession>(wanted);
     window.session = session.get();
     return std::unique_ptr<runtime::LiveSession>(std::move(session));

@@ -210,7 +210,7 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene,
   const runtime::test::TemporaryFolder folder;
   const std::string csv = folder.file("loop.csv");
   ui::Application::Sessions sessions;
-  sessions.simulate = [](const Scene& wanted, TickLaw*) {
+  sessions.simulate = [](const Scene& wanted, BorrowedLaw*) {
     return runtime::LiveSession::start(wanted);
   };
   auto created = ui::Application::create(scene, {}, stage.theme(), sessions);

@@ -28,18 +28,6 @@ struct ReadDevice {
   void write(double force_n) { device.write(force_n); }
 };
 
-// The tick of Servo, by the axis's own law if there is one.
-template <typename Device>
-Sample tick_on(LoopAxis& axis, Device& device) {
-  if (axis.law == nullptr) return axis.servo.tick(device);
-  Sample sample;
-  TruthKeeper<Device> keeper{device, sample};
-  ServoState& state = axis.servo.state();
-  const TickOutcome outcome = servo_step(axis.servo.settings(), state, *axis.law, keeper);
-  write_sample(axis.servo.settings(), state.ledger, outcome, sample);
-  return sample;
-}
-
 }  // namespace
 
 void LoopAxis::apply(const ServoSettings& settings, PlantModel* new_plant) {
@@ -76,11 +64,11 @@ Sample LoopAxis::judged_tick(double elapsed_s, bool armed) {
     state.force_gain = 0.0;
     device.enable(false);
   }
-  return tick_on(*this, read);
+  return servo.tick(read);
 }
 
 ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
-                     const LoopParameters& initial, bool start_paused, TickLaw* law,
+                     const LoopParameters& initial, bool start_paused, BorrowedLaw* law,
                      bool allow_slow_device)
     : exchange_(exchange),
       arming_(!devices.front()->info().is_simulated, initial.axes.front().servo.rate_hz) {
@@ -89,12 +77,11 @@ ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exch
         axes_.emplace_back(LoopAxis{*device, Servo(initial.axes.at(axes_.size()).servo)});
     const JudgeOptions options{axis.servo.settings().rate_hz, allow_slow_device};
     device::DeviceInfo info = device->info();
-    if (axes_.size() == 1 && law != nullptr) {
-      axis.law = law;
-      info.untried_share = 1.0;  // the law finds the sign by itself
-    }
+    // A borrowed law finds the sign by itself.
+    if (axes_.size() == 1 && law != nullptr) info.untried_share = 1.0;
     if (!info.is_simulated) axis.judge.emplace(info, options);
   }
+  if (law != nullptr) axes_.front().servo.borrow(*law);
   snapshot_.newest.count = static_cast<std::uint8_t>(axes_.size());
   snapshot_.generation = initial.generation;
   snapshot_.paused = start_paused;
@@ -258,8 +245,8 @@ ArmingFacts ServoLoop::facts(const Tick& tick) const {
 Sample ServoLoop::tick_axis(LoopAxis& axis) {
   axis.servo.state().force_gain = arming_.gain();
   axis.device.enable(arming_.enabled());
-  Sample sample =
-      axis.judge ? axis.judged_tick(elapsed_s_, arming_.enabled()) : tick_on(axis, axis.device);
+  Sample sample = axis.judge ? axis.judged_tick(elapsed_s_, arming_.enabled())
+                             : axis.servo.tick(axis.device);
   sample.generation = snapshot_.generation;
   return sample;
 }

@@ -12,7 +12,6 @@
 #include "app/runtime/loop/device_judge.h"
 #include "app/runtime/loop/exchange.h"
 #include "core/loop/servo.h"
-#include "core/loop/tick_law.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {
@@ -22,7 +21,6 @@ struct LoopAxis {
   device::Device& device;
   Servo servo;
   PlantModel* plant = nullptr;         // in use; nullptr: the device's own
-  TickLaw* law = nullptr;              // instead of the algorithm; nullptr: the algorithm
   std::optional<DeviceJudge> judge{};  // nullopt: a simulator
   ArmingNote judged = ArmingNote::kNone;
 
@@ -43,7 +41,7 @@ class ServoLoop {
   // kMaxAxes devices.
   // Realtime-safe: no.
   ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
-            const LoopParameters& initial, bool start_paused, TickLaw* law = nullptr,
+            const LoopParameters& initial, bool start_paused, BorrowedLaw* law = nullptr,
             bool allow_slow_device = false);
 
   // One cycle: takes commands and parameters, ticks unless paused, and publishes the results. Reads

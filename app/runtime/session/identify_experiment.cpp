@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
-#include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 
 namespace hapticwall::runtime {
@@ -25,6 +25,16 @@ Result<double> limit_of(const IdentifyChoice& choice, double device_limit_n) {
   return usage_error(fmt::format("a limit of {:g} N: the device gives at most {:g} N",
                                  choice.limit_n, device_limit_n));
 }
+
+// It has no parameters and begins once, so that only the step concerns it.
+constexpr Law kExperimentLaw{
+    {},
+    [](void* /*state*/) {},
+    [](void* /*state*/, const StabiliserContext& /*context*/) {},
+    [](void* /*state*/) {},
+    [](void* state, const StabiliserInput& input, std::span<double> /*signals*/) {
+      return static_cast<ExperimentLaw*>(state)->step(input);
+    }};
 
 bool has_whole_force(const ArmingStatus& arming) {
   return arming.state == ArmingState::kOn || arming.state == ArmingState::kNotNeeded;
@@ -98,6 +108,9 @@ file::DeviceDescription identified_description(const std::optional<file::DeviceD
       device.force_limit_n > 0.0 ? device.force_limit_n : *scene.x().device.force_limit_n;
   return description;
 }
+
+ExperimentLaw::ExperimentLaw(const identify::ExperimentSettings& settings)
+    : BorrowedLaw{&kExperimentLaw, this}, experiment_(settings) {}
 
 double ExperimentLaw::step(const StabiliserInput& input) {
   if (!begun()) {

@@ -12,10 +12,10 @@
 #include "app/file/scene/device_file.h"
 #include "app/runtime/loop/snapshot.h"
 #include "core/identify/identify.h"
-#include "core/loop/tick_law.h"
 #include "core/result.h"
 #include "core/scene.h"
 #include "core/scene_keys.h"
+#include "core/stabiliser/stabiliser.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {
@@ -64,13 +64,13 @@ inline constexpr std::string_view kTooFewStrokes =
 
 // The experiment in the place of an algorithm. The loop calls step(); the owner's thread calls the
 // rest.
-class ExperimentLaw final : public TickLaw {
+class ExperimentLaw final : public BorrowedLaw {
  public:
-  explicit ExperimentLaw(const identify::ExperimentSettings& settings) : experiment_(settings) {}
+  explicit ExperimentLaw(const identify::ExperimentSettings& settings);
 
   // Zero force before begin() and after the end, for good. A force that did not go out ends it:
   // arming again must not bring it back.
-  [[nodiscard]] double step(const StabiliserInput& input) override;
+  [[nodiscard]] double step(const StabiliserInput& input);
 
   void begin() { begun_.store(true, std::memory_order_relaxed); }
   // Ends it at the next tick.

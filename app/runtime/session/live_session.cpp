@@ -31,7 +31,7 @@ Failure check(const Scene& scene, ErrorKind kind, const std::string& whose) {
 
 }  // namespace
 
-Result<std::unique_ptr<LiveSession>> start_under(TickLaw* law,
+Result<std::unique_ptr<LiveSession>> start_under(BorrowedLaw* law,
                                                  std::unique_ptr<device::Device> device,
                                                  const Scene& scene,
                                                  const SessionOptions& options) {

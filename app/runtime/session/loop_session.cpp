@@ -80,7 +80,7 @@ constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
 }  // namespace
 
 LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, const Scene& scene,
-                         const SessionOptions& options, TickLaw* law)
+                         const SessionOptions& options, BorrowedLaw* law)
     : plants_(plant_keepers(scene)),
       devices_(std::move(devices)),
       device_info_(devices_.front()->info()),

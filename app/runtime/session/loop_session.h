@@ -29,7 +29,7 @@ namespace hapticwall::runtime {
 // LiveSession::start_on() with a law in the place of the algorithm of axis x; it must outlive the
 // session. `device` null: the simulator of the scene. `law` null: the algorithm.
 [[nodiscard]] Result<std::unique_ptr<LiveSession>> start_under(
-    TickLaw* law, std::unique_ptr<device::Device> device, const Scene& scene,
+    BorrowedLaw* law, std::unique_ptr<device::Device> device, const Scene& scene,
     const SessionOptions& options);
 
 class LoopSession final : public LiveSession {
@@ -37,7 +37,7 @@ class LoopSession final : public LiveSession {
   // Preconditions: the scene is valid and fits the devices (scene_on()), one for each axis, x
   // first; the devices are open. `law`: as in ServoLoop. Returns when the loop is set up.
   LoopSession(std::vector<std::unique_ptr<device::Device>> devices, const Scene& scene,
-              const SessionOptions& options, TickLaw* law = nullptr);
+              const SessionOptions& options, BorrowedLaw* law = nullptr);
   ~LoopSession() override;
 
   [[nodiscard]] const Scene& scene() const override { return history_.newest(); }

@@ -23,7 +23,7 @@ inline constexpr int kMaxScalePercent = 300;
 
 // Starts a session, with `law` as in start_under().
 using StartSession =
-    std::function<Result<std::unique_ptr<LiveSession>>(const Scene& scene, TickLaw* law)>;
+    std::function<Result<std::unique_ptr<LiveSession>>(const Scene& scene, BorrowedLaw* law)>;
 
 struct WindowOptions {
   Scene scene;

@@ -107,7 +107,8 @@ class Application {
               const Options& options);
 
   [[nodiscard]] Failure start_first(const Scene& scene);
-  [[nodiscard]] Failure start_session(const Scene& scene, std::shared_ptr<TickLaw> law = nullptr);
+  [[nodiscard]] Failure start_session(const Scene& scene,
+                                      std::shared_ptr<BorrowedLaw> law = nullptr);
 
   void keep_appearance();
   void heed_plugins();
@@ -118,7 +119,8 @@ class Application {
   void look_at_moment(runtime::Snapshot& snapshot);
   void repeat(const runtime::Snapshot& snapshot);
   void start_wanted_scene();
-  [[nodiscard]] bool start_anew(const Scene& scene, const std::shared_ptr<TickLaw>& law = nullptr);
+  [[nodiscard]] bool start_anew(const Scene& scene,
+                                const std::shared_ptr<BorrowedLaw>& law = nullptr);
   void forget_session();
 
   // application_identify.cpp
@@ -137,7 +139,7 @@ class Application {
   void notice_jumps();
 
   Sessions sessions_;
-  std::shared_ptr<TickLaw> law_;                    // in the loop of live_; outlives it
+  std::shared_ptr<BorrowedLaw> law_;                // in the loop of live_; outlives it
   std::unique_ptr<runtime::LiveSession> live_;      // this one,
   std::unique_ptr<runtime::ReplaySession> replay_;  // or that
   std::unique_ptr<WallRenderer> renderer_;

@@ -57,7 +57,7 @@ void Application::begin_identify() {
   if (!settings) return tell(state_, settings.error());
   before_identify_ = {scene, state_.transient.repeats, live_->snapshot().paused, 0};
   auto experiment = std::make_shared<runtime::IdentifyExperiment>(*settings);
-  const std::shared_ptr<TickLaw> law(experiment, &experiment->law());
+  const std::shared_ptr<BorrowedLaw> law(experiment, &experiment->law());
   if (!start_anew(runtime::identify_scene(scene, *settings), law)) return;
   forget_session();
   before_identify_.generation = live_->generation();

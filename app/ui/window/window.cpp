@@ -268,7 +268,7 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
   const draw::Theme theme =
       apply_theme(draw::Look::kScreen, 1.0F);  // the application applies the settings
   Application::Sessions sessions;
-  sessions.simulate = [&options](const Scene& scene, TickLaw* law) {
+  sessions.simulate = [&options](const Scene& scene, BorrowedLaw* law) {
     runtime::SessionOptions session;
     session.spin_s = options.spin_s;
     session.stream = options.stream;

@@ -47,7 +47,7 @@ class GuiTest : public FolderTest {
 
   void open(const std::string& scene_name) {
     const auto start = [this](const Scene& scene,
-                              TickLaw* law) -> Result<std::unique_ptr<runtime::LiveSession>> {
+                              BorrowedLaw* law) -> Result<std::unique_ptr<runtime::LiveSession>> {
       if (law != nullptr) return start_experiment(scene, law);
       if (!refuse_session.empty()) return Error{ErrorKind::kDevice, refuse_session};
       auto session = std::make_unique<FakeSession>(scene);
@@ -61,7 +61,7 @@ class GuiTest : public FolderTest {
     starters.open_card = open_card;
     starters.open_gamepad = open_gamepad;
     if (with_device) {
-      starters.start_on_device = [this, start](const Scene& scene, TickLaw* law) {
+      starters.start_on_device = [this, start](const Scene& scene, BorrowedLaw* law) {
         EXPECT_EQ(devices_open, 0) << "there is one device only";
         if (!refuse_device.empty()) {
           return Result<std::unique_ptr<runtime::LiveSession>>(

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -173,15 +174,22 @@ TEST(ServoStep, ActsOnAPositionOfTheGreatestAge) {
   EXPECT_GT(bench.force_n(), 0.0);
 }
 
-struct ConstantForce {
-  double force_n = 0.0;
-  [[nodiscard]] double step(const StabiliserInput& /*input*/) const { return force_n; }
-};
+// Borrowed: its state is the force, which a reset would set to zero.
+constexpr Law kConstantForce{
+    {},
+    [](void* /*state*/) {},
+    [](void* /*state*/, const StabiliserContext& /*context*/) {},
+    [](void* state) { *static_cast<double*>(state) = 0.0; },
+    [](void* state, const StabiliserInput& /*input*/, std::span<double> /*signals*/) {
+      return *static_cast<double*>(state);
+    }};
 
 TEST(ServoStep, ClampsAPullAsItClampsAPush) {
   for (const double wanted_n : {-100.0, -8.9, -3.0, 0.0, 3.5, 100.0}) {
     ServoState state;
-    ConstantForce stabiliser{wanted_n};
+    double borrowed_n = wanted_n;
+    FollowedStabiliser stabiliser;
+    stabiliser.borrow({&kConstantForce, &borrowed_n});
     ScriptedDevice device;
     device.next.position_m = 1e-4;  // the wall asks for 3.5 N
     const TickOutcome out = servo_step(stiff_wall(), state, stabiliser, device);
@@ -190,6 +198,25 @@ TEST(ServoStep, ClampsAPullAsItClampsAPush) {
     EXPECT_EQ(out.intervened, wanted_n != out.contact.force_n) << wanted_n;
     EXPECT_EQ(state.previous_force_n, device.forces.back());
   }
+}
+
+TEST(Servo, ABorrowedLawStaysInThePlaceOfEveryAlgorithmAndFollower) {
+  double borrowed_n = 2.0;
+  std::vector<Servo> servos;
+  servos.emplace_back(stiff_wall("force-bounding")).borrow({&kConstantForce, &borrowed_n});
+  servos.emplace_back(stiff_wall());  // moves the first one
+  ScriptedDevice device;
+  device.next.position_m = 1e-4;
+  EXPECT_EQ(servos[0].tick(device).force_n, 2.0);
+  ServoSettings followed = stiff_wall("passivity-control");
+  followed.algorithm.values.at(*find_algorithm_parameter("then")) = 1.0;
+  servos[0].apply(followed);
+  const Sample sample = servos[0].tick(device);
+  EXPECT_EQ(sample.force_n, 2.0);
+  EXPECT_TRUE(std::ranges::all_of(sample.signals, [](double value) { return std::isnan(value); }));
+  EXPECT_EQ(servos[1].tick(device).force_n, 3.5);
+  servos[0].reset();
+  EXPECT_EQ(borrowed_n, 0.0) << "the reset reaches the borrowed law";
 }
 
 TEST(ServoStep, MayLimitTheRiseOfTheMagnitude) {

@@ -62,7 +62,7 @@ class LieRig {
       : LieRig(std::move(script), held_device(in_contact), options, scene(), nullptr) {}
   // `law`: as in ServoLoop.
   LieRig(device::hid::FaultScript script, const device::hid::EmulatorSettings& settings,
-         const device::ImpulseEngineOptions& options, const Scene& scene, TickLaw* law)
+         const device::ImpulseEngineOptions& options, const Scene& scene, BorrowedLaw* law)
       : rig(std::move(script), options, settings),
         device_(rig.host),
         exchange_(kQueues, parameters_of(scene)) {
@@ -117,7 +117,7 @@ class LieRig {
     return scene;
   }
 
-  void prepare(const Scene& scene, TickLaw* law) {
+  void prepare(const Scene& scene, BorrowedLaw* law) {
     EXPECT_TRUE(rig.host.come_up());
     loop_.emplace(std::vector<device::Device*>{&device_}, exchange_,
                   parameters_of(scene_on(scene, device_.info())), false, law);

@@ -85,7 +85,7 @@ class MovingDevice final : public device::Device {
 class IdentifyPageTest : public GuiTest {
  protected:
   void SetUp() override {
-    start_experiment = [this](const Scene& scene, TickLaw* law) {
+    start_experiment = [this](const Scene& scene, BorrowedLaw* law) {
       runtime::SessionOptions session;
       session.clock = &clock_;
       session.allow_no_realtime = true;
@@ -286,8 +286,8 @@ TEST_F(IdentifyPageTest, TheEndOfTheWindowEndsIt) {
 
 TEST_F(IdentifyPageTest, ADeviceThatDoesNotComeBackIsNoExperiment) {
   open_on_device();
-  start_experiment = [this](const Scene& scene, TickLaw* law) {
-    start_experiment = [](const Scene& wanted, TickLaw* of_it) {
+  start_experiment = [this](const Scene& scene, BorrowedLaw* law) {
+    start_experiment = [](const Scene& wanted, BorrowedLaw* of_it) {
       return runtime::start_under(of_it, nullptr, wanted, {});
     };
     (void)scene;
