@@ -41,8 +41,10 @@ class FollowedStabiliser {
     of_follower.wall_force_n = first_.step(input);
     return follower_.step(of_follower);
   }
-  // As Stabiliser::show(), of both; the follower's signals replace others of the same name.
+  // The signals of both in the last step(), and no others; the follower's replace those of the same
+  // name.
   void show(Signals& signals) const {
+    signals = no_signals();
     first_.show(signals);
     if (followed_) follower_.show(signals);
   }

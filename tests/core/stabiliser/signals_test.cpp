@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -163,10 +164,14 @@ TEST(Signals, OfARunAreThoseOfItsAlgorithmInEveryTick) {
   }
 }
 
-// The loop with the law inlined against the one of live sessions.
-TEST(Signals, AreTheSameBitsInEveryLoop) {
+// The headless loop against the one of live sessions, where each tick starts without signals.
+void expect_the_same_signals_in_both_loops(std::optional<double> encoder_m) {
   for (const AlgorithmDescription& algorithm : algorithms()) {
-    const Scene scene = pressed(algorithm);
+    Scene scene = pressed(algorithm);
+    scene.x().device.encoder_m = encoder_m;
+    // From within the wall it is thrown out and comes to rest.
+    scene.x().device.start_m = 2e-3;
+    scene.x().device.friction_n = 0.5;
     const std::vector<Sample> samples = run_of(scene, true);
     PositionBench bench(servo_settings(scene));
     for (const Sample& sample : samples) {
@@ -178,6 +183,13 @@ TEST(Signals, AreTheSameBitsInEveryLoop) {
       }
     }
   }
+}
+
+TEST(Signals, AreTheSameBitsInEveryLoop) { expect_the_same_signals_in_both_loops(0.254e-3); }
+
+// Energy bounding shows no bound in a tick of rest then.
+TEST(Signals, AreTheSameBitsInEveryLoopWithoutAnEncoder) {
+  expect_the_same_signals_in_both_loops(std::nullopt);
 }
 
 TEST(Signals, ChangeNoBitOfTheRunAndAreAbsentUnasked) {
