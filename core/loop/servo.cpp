@@ -31,6 +31,7 @@ Servo::Servo(const ServoSettings& settings) : settings_(settings) {
 
 void Servo::configure() {
   const StabiliserContext context = stabiliser_context(settings_);
+  estimator_.configure(settings_.estimator, settings_.rate_hz);
   stabiliser_.configure(settings_.algorithm, context);
   state_.budget_n_per_m = believed_damping(context) * settings_.rate_hz;
 }
@@ -47,6 +48,7 @@ void Servo::apply(const ServoSettings& settings) {
 }
 
 void Servo::reset() {
+  estimator_.reset();
   stabiliser_.reset();
   const double budget_n_per_m = state_.budget_n_per_m;
   const double force_gain = state_.force_gain;

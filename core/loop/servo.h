@@ -46,13 +46,14 @@ class Servo {
     // The truth belongs to the instant of the reading: a simulator's write() passes the tick.
     Sample sample;
     TruthKeeper<Device> keeper{device, sample};
-    const TickOutcome outcome = servo_step(settings_, state_, stabiliser_, keeper);
+    const TickOutcome outcome = servo_step(settings_, state_, estimator_, stabiliser_, keeper);
     stabiliser_.show(sample.signals);
     write_sample(settings_, state_.ledger, outcome, sample);
     return sample;
   }
 
   // For a loop that calls servo_step() itself.
+  [[nodiscard]] ActiveEstimator& estimator() { return estimator_; }
   [[nodiscard]] FollowedStabiliser& stabiliser() { return stabiliser_; }
   [[nodiscard]] ServoState& state() { return state_; }
   [[nodiscard]] const ServoState& state() const { return state_; }
@@ -62,6 +63,7 @@ class Servo {
 
   ServoSettings settings_;
   ServoState state_;
+  ActiveEstimator estimator_;
   FollowedStabiliser stabiliser_;
 };
 

@@ -1,7 +1,7 @@
 // The fixed order of a tick, in one function:
 //
-//   read → age check → velocity → walls → stabiliser → finite check → magnitude clamp → write →
-//   ledger → sample
+//   read → age check → velocity (estimator) → walls → stabiliser → finite check → magnitude clamp →
+//   write → ledger → sample
 //
 // Finite before clamp, because std::clamp(NaN, …) is NaN. Any failure means zero force. The live
 // loop, the headless run and the tests call the same function with different devices.
@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/estimator/estimator.h"
 #include "core/loop/device_reading.h"
 #include "core/loop/energy_ledger.h"
 #include "core/sample.h"
@@ -38,6 +39,7 @@ struct ServoSettings {
   double maximum_age_s = kDefaultMaxAgeS;
   double transition_s = kSwitchTransitionS;
   WallSet walls;
+  const Estimator* estimator = nullptr;  // nullptr: the backward difference
   AlgorithmSettings algorithm;
 
   [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
@@ -153,7 +155,7 @@ namespace detail {
 
 // The parts of a tick, in order. Realtime-safe: yes.
 [[gnu::always_inline]] inline void take_reading(const ServoSettings& settings,
-                                                const ServoState& state,
+                                                const ServoState& state, ActiveEstimator& estimator,
                                                 const DeviceReading& reading, TickOutcome& out) {
   out.tick = state.tick;
   out.stale = !(reading.age_s <= settings.maximum_age_s);
@@ -163,7 +165,7 @@ namespace detail {
   out.applied_force_n = reading.applied_force_n;
   out.position_m = out.fault ? state.previous_position_m : reading.position_m;
   out.displacement_m = state.position_known ? out.position_m - state.previous_position_m : 0.0;
-  out.velocity_m_per_s = out.displacement_m * settings.rate_hz;
+  out.velocity_m_per_s = estimator.velocity(out.position_m, out.displacement_m);
   out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
 }
 
@@ -214,11 +216,11 @@ namespace detail {
 // the device is.
 template <typename Device>
 [[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
-                                                     ServoState& state,
+                                                     ServoState& state, ActiveEstimator& estimator,
                                                      FollowedStabiliser& stabiliser,
                                                      Device& device) {
   TickOutcome out;
-  detail::take_reading(settings, state, device.read(), out);
+  detail::take_reading(settings, state, estimator, device.read(), out);
   const StabiliserInput input{out.contact.force_n,       out.position_m,
                               out.displacement_m,        out.velocity_m_per_s,
                               out.contact.penetration_m, detail::previous_force(state),

@@ -106,6 +106,7 @@ class HeadlessDevice {
 template <typename Plant>
 HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint64_t end) {
   const ServoSettings settings = run.servo.settings();
+  ActiveEstimator& estimator = run.servo.estimator();
   FollowedStabiliser& stabiliser = run.servo.stabiliser();
   ServoState state = run.servo.state();
   TickMetrics metrics = run.metrics;
@@ -118,7 +119,7 @@ HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint6
       diverged_at_tick = state.tick;
       break;
     }
-    const TickOutcome outcome = servo_step(settings, state, stabiliser, device);
+    const TickOutcome outcome = servo_step(settings, state, estimator, stabiliser, device);
     if (state.failed) [[unlikely]] {
       diverged_at_tick = outcome.tick;
       break;

@@ -43,7 +43,7 @@ struct StabiliserInput {
   double wall_force_n = 0.0;      // F_e(k)
   double position_m = 0.0;        // x_k as measured
   double displacement_m = 0.0;    // x_k - x_{k-1} as measured
-  double velocity_m_per_s = 0.0;  // displacement / period
+  double velocity_m_per_s = 0.0;  // as estimated (core/estimator/)
   double penetration_m = 0.0;     // into the outermost wall; negative in front of it
   double previous_force_n = 0.0;  // F_d(k-1) as really commanded, after the clamp
   bool in_contact = false;

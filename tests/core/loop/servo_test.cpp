@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hapticwall {
@@ -192,7 +193,8 @@ TEST(ServoStep, ClampsAPullAsItClampsAPush) {
     stabiliser.borrow({&kConstantForce, &borrowed_n});
     ScriptedDevice device;
     device.next.position_m = 1e-4;  // the wall asks for 3.5 N
-    const TickOutcome out = servo_step(stiff_wall(), state, stabiliser, device);
+    ActiveEstimator estimator;
+    const TickOutcome out = servo_step(stiff_wall(), state, estimator, stabiliser, device);
     EXPECT_EQ(device.forces.back(), std::clamp(wanted_n, -8.9, 8.9));
     EXPECT_EQ(out.saturated, std::abs(wanted_n) > 8.9) << wanted_n;
     EXPECT_EQ(out.intervened, wanted_n != out.contact.force_n) << wanted_n;
@@ -217,6 +219,60 @@ TEST(Servo, ABorrowedLawStaysInThePlaceOfEveryAlgorithmAndFollower) {
   EXPECT_EQ(servos[1].tick(device).force_n, 3.5);
   servos[0].reset();
   EXPECT_EQ(borrowed_n, 0.0) << "the reset reaches the borrowed law";
+}
+
+// The velocity over two ticks.
+struct LongDifference {
+  static constexpr std::string_view kName = "long-difference";
+  void configure(double rate_hz) { rate_hz_ = rate_hz; }
+  void reset() { before_m_ = 0.0; }
+  double velocity(double /*position_m*/, double displacement_m) {
+    const double both_m = std::exchange(before_m_, displacement_m) + displacement_m;
+    return 0.5 * both_m * rate_hz_;
+  }
+
+ private:
+  double rate_hz_ = 0.0;
+  double before_m_ = 0.0;
+};
+constexpr Estimator kLongDifference = estimator_of<LongDifference>();
+constexpr Estimator kDifferenceByTable = estimator_of<BackwardDifference>();
+
+TEST(Estimator, OfATableGivesTheVelocityOfTheTick) {
+  ServoSettings settings = stiff_wall();
+  settings.estimator = &kLongDifference;
+  const std::array<WallSettings, 1> damper{WallSettings{0.0, 0.0, 1.0}};
+  settings.walls = WallSet(damper);
+  Bench bench(settings);
+  bench.at(1e-3);
+  EXPECT_DOUBLE_EQ(bench.at(3e-3).velocity_m_per_s, 1.0);
+  EXPECT_DOUBLE_EQ(bench.at(5e-3).velocity_m_per_s, 2.0);
+  EXPECT_DOUBLE_EQ(bench.force_n(), 2.0) << "the wall's damper takes it, too";
+  bench.servo.reset();
+  bench.at(5e-3);
+  EXPECT_DOUBLE_EQ(bench.at(7e-3).velocity_m_per_s, 1.0) << "the reset forgets the past";
+}
+
+TEST(Estimator, KeepsItsPastWhenOtherSettingsChange) {
+  ServoSettings settings = stiff_wall();
+  settings.estimator = &kLongDifference;
+  Bench bench(settings);
+  bench.at(-9e-3);
+  bench.at(-7e-3);
+  settings.force_limit_n = 3.0;
+  bench.servo.apply(settings);
+  EXPECT_DOUBLE_EQ(bench.at(-5e-3).velocity_m_per_s, 2.0);
+}
+
+TEST(Estimator, TheInlineDifferenceIsThatOfTheTable) {
+  ServoSettings settings = stiff_wall();
+  Bench inlined(settings);
+  settings.estimator = &kDifferenceByTable;
+  Bench by_table(settings);
+  for (const double position_m : {1e-3, 1.1e-3, 0.7e-3, -2e-3, 3.14159e-3}) {
+    EXPECT_EQ(inlined.at(position_m).velocity_m_per_s, by_table.at(position_m).velocity_m_per_s);
+    EXPECT_EQ(inlined.force_n(), by_table.force_n());
+  }
 }
 
 TEST(ServoStep, MayLimitTheRiseOfTheMagnitude) {
