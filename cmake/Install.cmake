@@ -27,14 +27,14 @@ install(FILES ${pages}/hapticwall DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-comp
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/hapticwall)
 install(FILES ${pages}/copyright README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE
         DESTINATION ${documents})
-install(DIRECTORY core/stabiliser/plugin/include/hapticwall device/plugin/include/hapticwall
+install(DIRECTORY core/algorithm/plugin/include/hapticwall device/plugin/include/hapticwall
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY docs DESTINATION ${documents})
 # Places of the source tree, so that links of the pages lead somewhere and the examples build.
 install(DIRECTORY assets/devices assets/examples assets/fonts assets/scenes
         DESTINATION ${documents}/assets)
 install(FILES assets/70-hapticwall.rules DESTINATION ${documents}/assets)
-install(DIRECTORY core/stabiliser/plugin/include DESTINATION ${documents}/core/stabiliser/plugin)
+install(DIRECTORY core/algorithm/plugin/include DESTINATION ${documents}/core/algorithm/plugin)
 install(DIRECTORY device/plugin/include DESTINATION ${documents}/device/plugin)
 
 install(FILES assets/desktop/hapticwall.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)

@@ -1,6 +1,6 @@
 // A scene's choice of algorithm, with the values of the algorithms' keys.
 //
-// Every algorithm declares its keys (stabiliser.h), and their union is one fixed table. The values
+// Every algorithm declares its keys (algorithm.h), and their union is one fixed table. The values
 // are therefore a trivially copyable array, shared by a scene, the window and the real-time thread.
 #pragma once
 
@@ -49,7 +49,7 @@ struct ParameterDescription {
 
 inline constexpr std::size_t kMaxAlgorithmParameters = 40;  // with those of plug-ins
 
-// Index of the algorithm in the closed list (stabiliser.h) and a value (or nothing) for every key
+// Index of the algorithm in the closed list (algorithm.h) and a value (or nothing) for every key
 // of algorithm_parameters(), in its order. A boolean is 0 or 1, a choice is its index.
 struct AlgorithmSettings {
   std::size_t index = 0;

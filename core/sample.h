@@ -21,7 +21,7 @@ enum SampleFlag : std::uint32_t {
   kFlagStaleInput = 8,
   kFlagParametersChanged = 16,  // first tick that uses new parameters
   kFlagDeviceFault = 32,
-  kFlagForceRate = 64,  // the force rose slower than the law asked
+  kFlagForceRate = 64,  // the force rose slower than the algorithm asked
 };
 
 // Known to a simulator only: at the instant of the tick, before its force acts.
@@ -36,7 +36,7 @@ struct PlantTruth {
   double kinetic_j = 0.0;
 };
 
-// Numbers that an algorithm shows of itself, in the order of algorithm_signals() (stabiliser.h).
+// Numbers that an algorithm shows of itself, in the order of algorithm_signals() (algorithm.h).
 inline constexpr std::size_t kMaxSignals = 16;  // of all algorithms, with plug-ins
 using Signals = std::array<double, kMaxSignals>;
 [[nodiscard]] constexpr Signals no_signals() {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {
@@ -159,7 +159,7 @@ Problem check_algorithm(const Scene& scene, const AxisSettings& axis) {
     }
     if (auto problem = check_range(key, *settings.values[i], range, parameter.unit)) return problem;
   }
-  StabiliserContext context;
+  AlgorithmContext context;
   context.settings = &settings;
   context.device_damping_n_s_per_m = axis.device.damping_n_s_per_m;
   context.period_s = scene.sampling.period_s();

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <utility>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 namespace {

@@ -20,7 +20,7 @@ inline void set_parameter(AlgorithmSettings& settings, std::string_view key, dou
 
 // b/T: validate() takes no more for storage_stiffness_n_per_m.
 inline double max_storage_stiffness(const ServoSettings& settings) {
-  const StabiliserContext context = stabiliser_context(settings);
+  const AlgorithmContext context = algorithm_context(settings);
   return believed_damping(context) / context.period_s;
 }
 

@@ -1,6 +1,6 @@
 // Every algorithm once more, written straight from its published or derived formula in plain
 // doubles, one function each: nothing of the program is used or imitated. A function takes the
-// measured position of a tick, and does all of it: velocity, walls, law, limit. Tests only.
+// measured position of a tick, and does all of it: velocity, walls, algorithm, limit. Tests only.
 #pragma once
 
 #include <algorithm>

@@ -22,9 +22,9 @@
 #include "app/file/text/text.h"
 #include "app/runtime/loop/spinning_clock.h"
 #include "app/runtime/session/hand_rerun.h"
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/plugin_list.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 
 namespace hapticwall::command {

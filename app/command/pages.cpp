@@ -11,7 +11,7 @@
 
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "hapticwall_version.h"
 
 namespace hapticwall::command {

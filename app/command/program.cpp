@@ -17,9 +17,9 @@
 #include "app/file/plugin/plugin_file.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/plugin_list.h"
 #include "core/result.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
 #include "device/plugin/plugin_port.h"
 #include "hapticwall_version.h"
 

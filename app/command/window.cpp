@@ -29,8 +29,8 @@ namespace {
 runtime::StartSession session_starter(const DeviceChoice& device,
                                       const runtime::SessionOptions& options) {
   if (!device.hardware) return {};
-  return [device, options](const Scene& scene, BorrowedLaw* law) {
-    return runtime::start_under(law, make_device(*device.hardware, scene), scene, options);
+  return [device, options](const Scene& scene, BorrowedAlgorithm* borrowed) {
+    return runtime::start_under(borrowed, make_device(*device.hardware, scene), scene, options);
   };
 }
 

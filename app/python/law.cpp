@@ -12,9 +12,9 @@
 #include "app/file/plugin/plugin_file.h"
 #include "app/file/text/text.h"
 #include "app/python/interruptible.h"
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/plugin_list.h"
 
 namespace hapticwall::python {
 namespace {
@@ -27,7 +27,7 @@ __attribute__((tls_model("initial-exec")))
 #endif
 constinit thread_local Calling calling = Calling::kNothing;
 
-// Ends in PluginLaw, which takes NaN for the force.
+// Ends in PluginAlgorithm, which takes NaN for the force.
 struct LawRaised : std::exception {};
 
 // Calls a function of the law. ctypes and numba print an exception and return 0; note_raised()

@@ -14,8 +14,8 @@
 #include "app/python/runs.h"
 #include "app/python/scene.h"
 #include "app/python/studies.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/plugin_list.h"
 
 namespace nb = nanobind;
 

@@ -18,7 +18,7 @@ ServoSettings servo_settings(const Scene& scene) {
   return settings;
 }
 
-StabiliserContext stabiliser_context(const ServoSettings& settings) {
+AlgorithmContext algorithm_context(const ServoSettings& settings) {
   return {settings.period_s(), settings.device_damping_n_s_per_m,
           settings.encoder_m,  settings.walls,
           &settings.algorithm, settings.force_limit_n};
@@ -30,9 +30,9 @@ Servo::Servo(const ServoSettings& settings) : settings_(settings) {
 }
 
 void Servo::configure() {
-  const StabiliserContext context = stabiliser_context(settings_);
+  const AlgorithmContext context = algorithm_context(settings_);
   estimator_.configure(settings_.estimator, settings_.rate_hz);
-  stabiliser_.configure(settings_.algorithm, context);
+  algorithm_.configure(settings_.algorithm, context);
   state_.budget_n_per_m = believed_damping(context) * settings_.rate_hz;
 }
 
@@ -49,7 +49,7 @@ void Servo::apply(const ServoSettings& settings) {
 
 void Servo::reset() {
   estimator_.reset();
-  stabiliser_.reset();
+  algorithm_.reset();
   const double budget_n_per_m = state_.budget_n_per_m;
   const double force_gain = state_.force_gain;
   state_ = ServoState{};

@@ -27,12 +27,12 @@ class Servo {
 
   // Takes new settings at a tick boundary; the rate must stay the same. A change of algorithm or
   // follower starts them anew. Any change starts a transition: the force begins exactly where it
-  // was (no kick) and blends into the new law's over settings.transition_s. Equal settings change
-  // no bit of the run.
+  // was (no kick) and blends into the new algorithm's over settings.transition_s. Equal settings
+  // change no bit of the run.
   void apply(const ServoSettings& settings);
 
-  // As FollowedStabiliser::borrow().
-  void borrow(const BorrowedLaw& law) { stabiliser_.borrow(law); }
+  // As FollowedAlgorithm::borrow().
+  void borrow(const BorrowedAlgorithm& borrowed) { algorithm_.borrow(borrowed); }
 
   // Back to tick 0: forgets the state of the algorithm, the ledger and the previous force.
   void reset();
@@ -46,15 +46,15 @@ class Servo {
     // The truth belongs to the instant of the reading: a simulator's write() passes the tick.
     Sample sample;
     TruthKeeper<Device> keeper{device, sample};
-    const TickOutcome outcome = servo_step(settings_, state_, estimator_, stabiliser_, keeper);
-    stabiliser_.show(sample.signals);
+    const TickOutcome outcome = servo_step(settings_, state_, estimator_, algorithm_, keeper);
+    algorithm_.show(sample.signals);
     write_sample(settings_, state_.ledger, outcome, sample);
     return sample;
   }
 
   // For a loop that calls servo_step() itself.
   [[nodiscard]] ActiveEstimator& estimator() { return estimator_; }
-  [[nodiscard]] FollowedStabiliser& stabiliser() { return stabiliser_; }
+  [[nodiscard]] FollowedAlgorithm& algorithm() { return algorithm_; }
   [[nodiscard]] ServoState& state() { return state_; }
   [[nodiscard]] const ServoState& state() const { return state_; }
 
@@ -64,7 +64,7 @@ class Servo {
   ServoSettings settings_;
   ServoState state_;
   ActiveEstimator estimator_;
-  FollowedStabiliser stabiliser_;
+  FollowedAlgorithm algorithm_;
 };
 
 }  // namespace hapticwall

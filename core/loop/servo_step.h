@@ -1,6 +1,6 @@
 // The fixed order of a tick, in one function:
 //
-//   read → age check → velocity (estimator) → walls → stabiliser → finite check → magnitude clamp →
+//   read → age check → velocity (estimator) → walls → algorithm → finite check → magnitude clamp →
 //   write → ledger → sample
 //
 // Finite before clamp, because std::clamp(NaN, …) is NaN. Any failure means zero force. The live
@@ -12,12 +12,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/algorithm/followed_algorithm.h"
 #include "core/estimator/estimator.h"
 #include "core/loop/device_reading.h"
 #include "core/loop/energy_ledger.h"
 #include "core/sample.h"
 #include "core/scene.h"
-#include "core/stabiliser/followed_stabiliser.h"
 #include "core/wall.h"
 
 namespace hapticwall {
@@ -48,7 +48,7 @@ struct ServoSettings {
 
 [[nodiscard]] ServoSettings servo_settings(const Scene& scene);
 // Points into `settings`, which must outlive it. Realtime-safe: yes.
-[[nodiscard]] StabiliserContext stabiliser_context(const ServoSettings& settings);
+[[nodiscard]] AlgorithmContext algorithm_context(const ServoSettings& settings);
 
 // After a switch the force starts at its last value: the difference to the new algorithm's force is
 // an offset that falls linearly to 0.
@@ -136,7 +136,8 @@ namespace detail {
 
 // The previous force as the algorithm knows it. Realtime-safe: yes.
 [[nodiscard]] inline double previous_force(const ServoState& state) {
-  if (state.previous_level == 1.0) [[likely]] return state.previous_force_n;
+  if (state.previous_level == 1.0) [[likely]]
+    return state.previous_force_n;
   return state.previous_force_n / state.previous_level;
 }
 
@@ -169,7 +170,7 @@ namespace detail {
   out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
 }
 
-// What the stabiliser wants becomes out.force_n: blended, armed, limited.
+// What the algorithm wants becomes out.force_n: blended, armed, limited.
 [[gnu::always_inline]] inline void make_safe(const ServoSettings& settings, ServoState& state,
                                              double wanted_n, TickOutcome& out) {
   double limit_n = settings.force_limit_n;
@@ -217,15 +218,14 @@ namespace detail {
 template <typename Device>
 [[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
                                                      ServoState& state, ActiveEstimator& estimator,
-                                                     FollowedStabiliser& stabiliser,
-                                                     Device& device) {
+                                                     FollowedAlgorithm& algorithm, Device& device) {
   TickOutcome out;
   detail::take_reading(settings, state, estimator, device.read(), out);
-  const StabiliserInput input{out.contact.force_n,       out.position_m,
-                              out.displacement_m,        out.velocity_m_per_s,
-                              out.contact.penetration_m, detail::previous_force(state),
-                              out.contact.in_contact};
-  const double wanted_n = stabiliser.step(input);
+  const AlgorithmInput input{out.contact.force_n,       out.position_m,
+                             out.displacement_m,        out.velocity_m_per_s,
+                             out.contact.penetration_m, detail::previous_force(state),
+                             out.contact.in_contact};
+  const double wanted_n = algorithm.step(input);
   out.intervened = wanted_n != out.contact.force_n;
   detail::make_safe(settings, state, wanted_n, out);
   device.write(out.force_n);

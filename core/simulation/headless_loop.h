@@ -1,4 +1,4 @@
-// The loop of a headless run, one for each plant. It calls laws through pointers.
+// The loop of a headless run, one for each plant. It calls algorithms through pointers.
 #pragma once
 
 #include <algorithm>
@@ -107,7 +107,7 @@ template <typename Plant>
 HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint64_t end) {
   const ServoSettings settings = run.servo.settings();
   ActiveEstimator& estimator = run.servo.estimator();
-  FollowedStabiliser& stabiliser = run.servo.stabiliser();
+  FollowedAlgorithm& algorithm = run.servo.algorithm();
   ServoState state = run.servo.state();
   TickMetrics metrics = run.metrics;
   HeadlessDevice<Plant> device(plant, run.output, settings.encoder_m);
@@ -119,14 +119,14 @@ HAPTICWALL_ONE_FUNCTION void run_loop(HeadlessRun& run, Plant& plant, std::uint6
       diverged_at_tick = state.tick;
       break;
     }
-    const TickOutcome outcome = servo_step(settings, state, estimator, stabiliser, device);
+    const TickOutcome outcome = servo_step(settings, state, estimator, algorithm, device);
     if (state.failed) [[unlikely]] {
       diverged_at_tick = outcome.tick;
       break;
     }
     if (run.on_sample) {
       write_sample(settings, state.ledger, outcome, sample);
-      if (run.shows_signals) stabiliser.show(sample.signals);
+      if (run.shows_signals) algorithm.show(sample.signals);
       device.write_truth(sample.truth);
       run.on_sample(sample);
     }

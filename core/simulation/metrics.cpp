@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 namespace {

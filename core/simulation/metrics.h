@@ -20,7 +20,7 @@ namespace hapticwall {
 
 // `settled` is a tail whose peak-to-peak and standard deviation of the force are at or below these;
 // in a `buzzing` tail the position rests and the force does not. 0.3 N is above the dither of a
-// passive law by one count on the paper's device, ½ (2b/T) Δ = 0.25 N.
+// passive algorithm by one count on the paper's device, ½ (2b/T) Δ = 0.25 N.
 inline constexpr double kSettledPeakToPeakM = 1e-4;
 inline constexpr double kSettledForceStdN = 0.3;
 // The tail of a run is its last second.

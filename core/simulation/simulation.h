@@ -7,10 +7,10 @@
 #include <utility>
 #include <variant>
 
+#include "core/algorithm/algorithm.h"
 #include "core/plant/plant_model.h"
 #include "core/simulation/headless_loop.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {

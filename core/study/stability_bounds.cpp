@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/algorithm/algorithm.h"
 #include "core/plant/plant_model.h"
-#include "core/stabiliser/stabiliser.h"
 #include "core/study/stable_stiffness.h"
 
 namespace hapticwall {

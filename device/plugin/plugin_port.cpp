@@ -7,8 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/algorithm/plugin/library_call.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/plugin/library_call.h"
 #include "core/text.h"
 #include "device/hid/node_lock.h"
 #include "device/hid/stand_in.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "core/batch/batch_simulator.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/benchmark/rows.h"
 
 namespace hapticwall::benchmark_rows {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/file/plugin/plugin_file.h"
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/benchmark/bare_loop.h"
 #include "tests/benchmark/ratio_reporter.h"
 #include "tests/benchmark/rows.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/study/stability_map.h"
 #include "tests/benchmark/rows.h"
 

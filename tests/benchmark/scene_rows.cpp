@@ -10,10 +10,10 @@
 #include <variant>
 
 #include "app/file/scene/scene_file.h"
+#include "core/algorithm/algorithm.h"
 #include "core/loop/servo.h"
 #include "core/plant/plant_model.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/benchmark/friction_loop.h"
 #include "tests/benchmark/rows.h"
 

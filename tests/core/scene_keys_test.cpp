@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/core/study/study_scenes.h"
 
 namespace hapticwall {

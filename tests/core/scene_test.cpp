@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {

@@ -11,9 +11,9 @@
 #include "app/file/map/map_rows.h"
 #include "app/file/recording/recording_writer.h"
 #include "app/file/scene/scene_file.h"
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall::determinism {

@@ -7,7 +7,7 @@
 #include "app/file/map/map_file.h"
 #include "app/file/map/map_rows.h"
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/study/stability_map.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_promises.h"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/study/boundary.h"
 #include "core/study/stability_bounds.h"
 #include "core/study/stability_map.h"

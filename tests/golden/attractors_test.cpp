@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/study/boundary.h"
 #include "tests/golden/brute_force_tap.h"
 

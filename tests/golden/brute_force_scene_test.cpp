@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/golden/brute_force_tap.h"
 
 namespace hapticwall {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/study/boundary.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "app/file/scene/scene_file.h"
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/study/boundary.h"
 #include "core/study/stability_bounds.h"
 #include "tests/core/study/study_scenes.h"

@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
 
 #define HAPTICWALL_TEXT(text) #text
 #define HAPTICWALL_NAME(fault) "test-" HAPTICWALL_TEXT(fault)

@@ -22,7 +22,7 @@ struct Trial {
   ServoSettings settings;
   std::vector<Sample> rows;
 
-  [[nodiscard]] double b() const { return believed_damping(stabiliser_context(settings)); }
+  [[nodiscard]] double b() const { return believed_damping(algorithm_context(settings)); }
   [[nodiscard]] double per_period() const { return b() * settings.rate_hz; }  // b/T
 };
 
@@ -59,7 +59,7 @@ inline void forces_are_finite_and_within_the_limit(const Trial& trial) {
 inline void energy_bounding_keeps_its_bound(const Trial& trial) {
   const double hidden_n =
       trial.settings.encoder_m > 0.0 ? trial.b() * 0.0075 : std::numeric_limits<double>::max();
-  const double rest_n = stabiliser_context(trial.settings).value_or("rest_force_step_n", hidden_n);
+  const double rest_n = algorithm_context(trial.settings).value_or("rest_force_step_n", hidden_n);
   constexpr double kMaxRestM = 1e-15;
   double at_rest_j = 0.0;
   for_each_step(trial, [&](const Step& step) {
@@ -78,7 +78,7 @@ inline void energy_bounding_keeps_its_bound(const Trial& trial) {
 // energy_cv ≥ F²/(2c₂) ≥ 0.
 inline void energy_bounding_2010_keeps_its_bounds(const Trial& trial) {
   const double c1 = trial.per_period();
-  const double c2 = stabiliser_context(trial.settings).value_or("storage_stiffness_n_per_m", c1);
+  const double c2 = algorithm_context(trial.settings).value_or("storage_stiffness_n_per_m", c1);
   for_each_step(trial, [&](const Step& step) {
     const double force_n = step.now.force_n;
     const double scale_n =

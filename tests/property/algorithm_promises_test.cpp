@@ -112,12 +112,12 @@ RC_GTEST_PROP(EnergyLimitedSpringPromise, TwoWallsInOnePlaceAreOneOfBoth, ()) {
 // What energy-bounding asked for in each row: it has no state but the last force.
 std::vector<double> wanted_by_energy_bounding(const Trial& trial) {
   std::vector<double> wanted_n;
-  Stabiliser first;
-  first.configure(trial.settings.algorithm.index, stabiliser_context(trial.settings));
+  ActiveAlgorithm first;
+  first.configure(trial.settings.algorithm.index, algorithm_context(trial.settings));
   double before_n = 0.0;
   double before_m = trial.rows.front().position_m;
   for (const Sample& row : trial.rows) {
-    StabiliserInput input;
+    AlgorithmInput input;
     input.wall_force_n = row.wall_force_n;
     input.displacement_m = row.position_m - std::exchange(before_m, row.position_m);
     input.velocity_m_per_s = row.velocity_m_per_s;

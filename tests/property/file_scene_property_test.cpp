@@ -8,8 +8,8 @@
 #include <string>
 
 #include "app/file/scene/scene_file.h"
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/property/scene_generator.h"
 
 namespace hapticwall::file {

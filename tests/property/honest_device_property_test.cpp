@@ -10,7 +10,7 @@
 
 #include "app/runtime/loop/servo_loop.h"
 #include "app/runtime/session/scene_change.h"
-#include "core/stabiliser/plugin/plugin_list.h"
+#include "core/algorithm/plugin/plugin_list.h"
 #include "tests/app/runtime/support.h"
 #include "tests/property/honest_device.h"
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "core/algorithm/algorithm.h"
 #include "core/scene.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::testing {
 

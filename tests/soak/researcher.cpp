@@ -11,7 +11,7 @@
 
 #include "app/file/recording/recording_reader.h"
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::soak {
 namespace {

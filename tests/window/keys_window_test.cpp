@@ -10,7 +10,7 @@
 #include "app/ui/state/appearance.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/window/keys.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/window/deeds.h"
 #include "tests/window/window_test.h"
 

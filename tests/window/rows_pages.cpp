@@ -8,7 +8,7 @@
 #include "app/runtime/session/replay_session.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/comparing.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/window/rows.h"
 
 namespace hapticwall::test {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/window/rows.h"
 
 namespace hapticwall::test {

@@ -109,8 +109,8 @@ void use_real_window(const runtime::WindowOptions& options, const Script& script
 void use_headless(const runtime::WindowOptions& options, const Script& script, ItemLog& log) {
   const OffscreenGui gui(ImVec2(kWidth, kHeight));
   ui::Application::Sessions sessions;
-  sessions.simulate = [](const Scene& scene, BorrowedLaw* law) {
-    return runtime::start_under(law, nullptr, scene, {});
+  sessions.simulate = [](const Scene& scene, BorrowedAlgorithm* borrowed) {
+    return runtime::start_under(borrowed, nullptr, scene, {});
   };
   sessions.start_on_device = options.start_on_device;
   const auto created =
@@ -208,7 +208,7 @@ void WindowTest::use(const Script& script) {
 void WindowTest::connect_device() {
   options_.start_on_device =
       [this](const Scene& scene,
-             BorrowedLaw* /*law*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
+             BorrowedAlgorithm* /*borrowed*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
     auto session = std::make_unique<FakeSession>(scene);
     session->info = {"paddle", false};
     session->arming.state = runtime::ArmingState::kOff;

@@ -12,7 +12,7 @@
 #include "app/draw/plot/derived_signals.h"
 #include "app/file/scene/scene_file.h"
 #include "app/ui/window/application.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/units.h"
 #include "tests/app/ui/fake_session.h"
 #include "tests/app/ui/show_everything.h"
@@ -83,9 +83,9 @@ std::vector<Row> rows() {
 
 Failure open(Window& window, const Stage& stage, const Scene& scene) {
   ui::Application::Sessions sessions;
-  sessions.simulate = [&window](
-                          const Scene& wanted,
-                          BorrowedLaw* /*law*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
+  sessions.simulate =
+      [&window](const Scene& wanted,
+                BorrowedAlgorithm* /*borrowed*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
     auto session = std::make_unique<test::FakeSession>(wanted);
     window.session = session.get();
     return std::unique_ptr<runtime::LiveSession>(std::move(session));

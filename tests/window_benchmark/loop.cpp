@@ -17,7 +17,7 @@
 #include "app/file/recording/recording_reader.h"
 #include "app/file/scene/scene_file.h"
 #include "app/ui/window/application.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/runtime/support.h"
 #include "tests/app/ui/show_everything.h"
 #include "tests/window_benchmark/blocks.h"
@@ -210,7 +210,7 @@ Result<std::uint64_t> run(Stage& stage, const Scene& scene,
   const runtime::test::TemporaryFolder folder;
   const std::string csv = folder.file("loop.csv");
   ui::Application::Sessions sessions;
-  sessions.simulate = [](const Scene& wanted, BorrowedLaw*) {
+  sessions.simulate = [](const Scene& wanted, BorrowedAlgorithm*) {
     return runtime::LiveSession::start(wanted);
   };
   auto created = ui::Application::create(scene, {}, stage.theme(), sessions);

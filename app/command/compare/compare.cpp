@@ -22,8 +22,8 @@
 #include "app/command/signals.h"
 #include "app/draw/figure/comparison_figure.h"
 #include "app/file/recording/recording_reader.h"
+#include "core/algorithm/algorithm.h"
 #include "core/result.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::command {
 namespace {

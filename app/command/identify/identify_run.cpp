@@ -45,7 +45,7 @@ Result<IdentifyOutcome> run_experiment(IdentifyRun run) {
        .allow_no_realtime = run.allow_no_realtime,
        .allow_slow_device = run.allow_slow_device,
        .show_progress = run.show_progress,
-       .law = &experiment.law(),
+       .borrowed = &experiment.algorithm(),
        .clock = simulated ? &hasty : nullptr,
        .ends = [&](const runtime::Snapshot& snapshot) { return experiment.look(snapshot); }});
   if (!result) return result.error();

@@ -9,7 +9,7 @@
 #include "app/file/text/text.h"
 #include "app/table/json_report.h"
 #include "app/table/text_table.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/units.h"
 
 namespace hapticwall::command {

@@ -9,8 +9,8 @@
 #include "app/command/run/run_outputs.h"
 #include "app/file/recording/recording_reader.h"
 #include "app/runtime/session/hand_rerun.h"
+#include "core/algorithm/algorithm.h"
 #include "core/result.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::command {
 

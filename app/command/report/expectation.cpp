@@ -10,7 +10,7 @@
 #include "app/command/report/summary_fields.h"
 #include "app/command/report/terminal.h"
 #include "app/file/text/text.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::command {
 namespace {

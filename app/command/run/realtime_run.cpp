@@ -81,7 +81,7 @@ Result<std::unique_ptr<runtime::LiveSession>> start_session(RealtimeRun& run) {
   options.stream = run.stream;
   options.signals = run.signals;
   options.clock = run.clock;
-  return runtime::start_under(run.law, std::move(run.device), run.scene, options);
+  return runtime::start_under(run.borrowed, std::move(run.device), run.scene, options);
 }
 
 Failure device_trouble(const runtime::LiveSession& session, double since_s, std::string_view why) {

@@ -15,7 +15,7 @@
 #include "device/device.h"
 
 namespace hapticwall {
-struct BorrowedLaw;
+struct BorrowedAlgorithm;
 }
 namespace hapticwall::runtime {
 class Clock;
@@ -35,7 +35,7 @@ struct RealtimeRun {
   bool show_progress = false;
   std::shared_ptr<file::SampleStream> stream{};  // gets every tick; null: none
   std::vector<file::SignalColumn> signals{};     // as in SessionOptions
-  BorrowedLaw* law = nullptr;                    // as in runtime::start_under()
+  BorrowedAlgorithm* borrowed = nullptr;         // as in runtime::start_under()
   runtime::Clock* clock = nullptr;               // as in SessionOptions
   // Looks at the newest state every few milliseconds; true ends the run.
   std::function<bool(const runtime::Snapshot&)> ends{};

@@ -14,7 +14,7 @@
 #include "app/draw/plot/plot.h"
 #include "app/draw/plot/plot_heading.h"
 #include "app/draw/plot/theme.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/units.h"
 
 namespace hapticwall::draw {

@@ -12,7 +12,7 @@
 #include "app/draw/plot/phase_plot.h"
 #include "app/draw/plot/plot.h"
 #include "app/draw/plot/theme.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::draw {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "app/draw/figure/map_colours.h"
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/metrics.h"
-#include "core/stabiliser/stabiliser.h"
 #include "core/study/dimensionless.h"
 #include "core/units.h"
 

@@ -162,7 +162,7 @@ void PlotTable::add(std::size_t place, const DerivedSignal& signal) {
 }
 
 void PlotTable::add(std::size_t place, std::string_view signal) {
-  // Alternately, because the signals of one law follow each other.
+  // Alternately, because the signals of one algorithm follow each other.
   constexpr std::array kTones{Tone::kText, Tone::kStiffness, Tone::kHand, Tone::kPosition};
   const UnitPlace* const unit = unit_place(signal);
   if (unit == nullptr) return;

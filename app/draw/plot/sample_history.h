@@ -12,9 +12,9 @@
 
 #include "app/draw/plot/displayed_stiffness.h"
 #include "app/draw/plot/sample_pyramid.h"
+#include "core/algorithm/algorithm.h"
 #include "core/sample.h"
 #include "core/scene.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::draw {
 

@@ -18,7 +18,7 @@
 #include "app/file/scene/scene_file.h"
 #include "app/file/scene/toml_text.h"
 #include "app/file/text/text.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "hapticwall_version.h"
 
 namespace hapticwall::file {

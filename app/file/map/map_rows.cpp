@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/file/text/text.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::file {
 namespace {

@@ -5,8 +5,8 @@
 #include <mutex>
 
 #include "app/file/plugin/plugin_library.h"
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
-#include "core/stabiliser/plugin/plugin_list.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/plugin_list.h"
 
 namespace hapticwall::file {
 namespace {

@@ -16,7 +16,7 @@
 #include "app/file/disk/sha256.h"
 #include "app/file/disk/small_file.h"
 #include "app/file/text/text.h"
-#include "core/stabiliser/plugin/library_call.h"
+#include "core/algorithm/plugin/library_call.h"
 
 namespace hapticwall::file {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "app/file/plugin/plugin_file.h"
 #include "app/file/text/text.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/plugin_list.h"
 
 namespace hapticwall::file {
 
@@ -42,7 +42,7 @@ std::optional<PluginNews> PluginWatch::look_at(std::size_t algorithm, Watched& w
   const Result<bool> reloaded = reload_plugin(algorithm);
   if (!reloaded) {
     return PluginNews{algorithm, false,
-                      fmt::format("{}; the law stays as it was", reloaded.error().message)};
+                      fmt::format("{}; the algorithm stays as it was", reloaded.error().message)};
   }
   if (!*reloaded) return std::nullopt;
   return PluginNews{algorithm, true, fmt::format("{}: loaded again", shown(path))};

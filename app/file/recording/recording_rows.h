@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::file {
 

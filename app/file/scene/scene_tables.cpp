@@ -9,7 +9,7 @@
 #include "app/file/plugin/plugin_file.h"
 #include "app/file/scene/hand_file.h"
 #include "app/file/text/text.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::file {
 namespace {

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "app/runtime/loop/early_exit.h"
-#include "core/stabiliser/plugin/library_call.h"
+#include "core/algorithm/plugin/library_call.h"
 
 namespace hapticwall::runtime {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "app/file/text/text.h"
 #include "app/runtime/loop/crash_stop.h"
+#include "core/algorithm/plugin/library_call.h"
 #include "core/result.h"
-#include "core/stabiliser/plugin/library_call.h"
 
 namespace hapticwall::runtime {
 namespace {

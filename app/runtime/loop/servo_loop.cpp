@@ -68,7 +68,7 @@ Sample LoopAxis::judged_tick(double elapsed_s, bool armed) {
 }
 
 ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
-                     const LoopParameters& initial, bool start_paused, BorrowedLaw* law,
+                     const LoopParameters& initial, bool start_paused, BorrowedAlgorithm* borrowed,
                      bool allow_slow_device)
     : exchange_(exchange),
       arming_(!devices.front()->info().is_simulated, initial.axes.front().servo.rate_hz) {
@@ -77,11 +77,11 @@ ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exch
         axes_.emplace_back(LoopAxis{*device, Servo(initial.axes.at(axes_.size()).servo)});
     const JudgeOptions options{axis.servo.settings().rate_hz, allow_slow_device};
     device::DeviceInfo info = device->info();
-    // A borrowed law finds the sign by itself.
-    if (axes_.size() == 1 && law != nullptr) info.untried_share = 1.0;
+    // A borrowed algorithm finds the sign by itself.
+    if (axes_.size() == 1 && borrowed != nullptr) info.untried_share = 1.0;
     if (!info.is_simulated) axis.judge.emplace(info, options);
   }
-  if (law != nullptr) axes_.front().servo.borrow(*law);
+  if (borrowed != nullptr) axes_.front().servo.borrow(*borrowed);
   snapshot_.newest.count = static_cast<std::uint8_t>(axes_.size());
   snapshot_.generation = initial.generation;
   snapshot_.paused = start_paused;
@@ -245,8 +245,8 @@ ArmingFacts ServoLoop::facts(const Tick& tick) const {
 Sample ServoLoop::tick_axis(LoopAxis& axis) {
   axis.servo.state().force_gain = arming_.gain();
   axis.device.enable(arming_.enabled());
-  Sample sample = axis.judge ? axis.judged_tick(elapsed_s_, arming_.enabled())
-                             : axis.servo.tick(axis.device);
+  Sample sample =
+      axis.judge ? axis.judged_tick(elapsed_s_, arming_.enabled()) : axis.servo.tick(axis.device);
   sample.generation = snapshot_.generation;
   return sample;
 }

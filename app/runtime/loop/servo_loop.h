@@ -36,12 +36,12 @@ struct LoopAxis {
 // The loop's state. The devices are open; they and the exchange outlive the loop.
 class ServoLoop {
  public:
-  // One device for each axis, x first; all axes tick together. `law`: instead of the algorithm of
-  // axis x, or nullptr. `allow_slow_device`: arms one with a poor delay, too. Precondition: 1 to
+  // One device for each axis, x first; all axes tick together. `borrowed`: instead of the algorithm
+  // of axis x, or nullptr. `allow_slow_device`: arms one with a poor delay, too. Precondition: 1 to
   // kMaxAxes devices.
   // Realtime-safe: no.
   ServoLoop(const std::vector<device::Device*>& devices, Exchange& exchange,
-            const LoopParameters& initial, bool start_paused, BorrowedLaw* law = nullptr,
+            const LoopParameters& initial, bool start_paused, BorrowedAlgorithm* borrowed = nullptr,
             bool allow_slow_device = false);
 
   // One cycle: takes commands and parameters, ticks unless paused, and publishes the results. Reads

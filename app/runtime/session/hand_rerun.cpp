@@ -12,10 +12,10 @@
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
 #include "app/runtime/session/recorded_hand.h"
+#include "core/algorithm/algorithm.h"
 #include "core/loop/servo.h"
 #include "core/result.h"
 #include "core/simulation/metrics.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::runtime {
 namespace {

@@ -27,13 +27,13 @@ Result<double> limit_of(const IdentifyChoice& choice, double device_limit_n) {
 }
 
 // It has no parameters and begins once, so that only the step concerns it.
-constexpr Law kExperimentLaw{
+constexpr Algorithm kExperimentAlgorithm{
     {},
     [](void* /*state*/) {},
-    [](void* /*state*/, const StabiliserContext& /*context*/) {},
+    [](void* /*state*/, const AlgorithmContext& /*context*/) {},
     [](void* /*state*/) {},
-    [](void* state, const StabiliserInput& input, std::span<double> /*signals*/) {
-      return static_cast<ExperimentLaw*>(state)->step(input);
+    [](void* state, const AlgorithmInput& input, std::span<double> /*signals*/) {
+      return static_cast<ExperimentAlgorithm*>(state)->step(input);
     }};
 
 bool has_whole_force(const ArmingStatus& arming) {
@@ -109,10 +109,10 @@ file::DeviceDescription identified_description(const std::optional<file::DeviceD
   return description;
 }
 
-ExperimentLaw::ExperimentLaw(const identify::ExperimentSettings& settings)
-    : BorrowedLaw{&kExperimentLaw, this}, experiment_(settings) {}
+ExperimentAlgorithm::ExperimentAlgorithm(const identify::ExperimentSettings& settings)
+    : BorrowedAlgorithm{&kExperimentAlgorithm, this}, experiment_(settings) {}
 
-double ExperimentLaw::step(const StabiliserInput& input) {
+double ExperimentAlgorithm::step(const AlgorithmInput& input) {
   if (!begun()) {
     ++first_tick_;
     return 0.0;
@@ -130,7 +130,7 @@ double ExperimentLaw::step(const StabiliserInput& input) {
 
 void IdentifyExperiment::add(const Tick& tick) {
   const Sample& sample = tick.x();
-  if (law_.begun() && why_.empty()) {
+  if (algorithm_.begun() && why_.empty()) {
     if (position_m_.empty()) {
       kept_from_ = ticks_;
       lowest_m_ = highest_m_ = sample.position_m;
@@ -148,14 +148,14 @@ void IdentifyExperiment::add(const Tick& tick) {
 }
 
 bool IdentifyExperiment::look(const Snapshot& snapshot) {
-  if (law_.ended() || !why_.empty()) {
+  if (algorithm_.ended() || !why_.empty()) {
     if (snapshot.arming.state == ArmingState::kOff && why_.empty() &&
         facts().state == identify::ExperimentState::kRunning)
       why_ = arming_note_text(snapshot.arming.note);
     return true;
   }
-  if (!law_.begun()) {
-    if (has_whole_force(snapshot.arming)) law_.begin();
+  if (!algorithm_.begun()) {
+    if (has_whole_force(snapshot.arming)) algorithm_.begin();
   } else if (snapshot.arming.state == ArmingState::kOff) {
     stop(std::string(arming_note_text(snapshot.arming.note)));
     return true;
@@ -165,19 +165,19 @@ bool IdentifyExperiment::look(const Snapshot& snapshot) {
 }
 
 void IdentifyExperiment::stop(std::string why) {
-  law_.stop();
+  algorithm_.stop();
   if (why_.empty()) why_ = std::move(why);
 }
 
 IdentifyProgress IdentifyExperiment::progress() const {
   IdentifyProgress shown;
   if (position_m_.empty()) return shown;
-  const std::uint64_t first_stroke = law_.first_stroke();
+  const std::uint64_t first_stroke = algorithm_.first_stroke();
   const auto seconds = [&](std::uint64_t ticks) {
     return static_cast<double>(ticks) / settings_.rate_hz;
   };
   const bool at_rest = seconds(position_m_.size()) < identify::kStillS;
-  shown.stage = law_.ended()       ? IdentifyStage::kOver
+  shown.stage = algorithm_.ended() ? IdentifyStage::kOver
                 : first_stroke > 0 ? IdentifyStage::kStrokes
                 : at_rest          ? IdentifyStage::kRest
                                    : IdentifyStage::kRamps;
@@ -193,7 +193,7 @@ Failure IdentifyExperiment::trouble() const {
     return device_error(fmt::format("the experiment ended with the force off: {}", why));
   };
   if (!why_.empty()) return off(why_);
-  if (!law_.ended()) return device_error("the experiment did not come to its end in time");
+  if (!algorithm_.ended()) return device_error("the experiment did not come to its end in time");
   if (facts().state == identify::ExperimentState::kRunning) return off("the force was taken away");
   const std::string_view trouble = identify::experiment_trouble(facts().state);
   return trouble.empty() ? Failure() : off(trouble);
@@ -203,7 +203,7 @@ identify::Record IdentifyExperiment::record() const {
   identify::Record record;
   record.period_s = 1.0 / settings_.rate_hz;
   const std::size_t first =
-      std::min<std::size_t>(law_.first_tick() - kept_from_, position_m_.size());
+      std::min<std::size_t>(algorithm_.first_tick() - kept_from_, position_m_.size());
   const std::size_t end = std::min<std::size_t>(first + facts().ticks, position_m_.size());
   const auto cut = [&](const std::vector<double>& values) {
     return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(first),

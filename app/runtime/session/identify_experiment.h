@@ -1,5 +1,5 @@
-// The experiment of `identify` in a session: its choice, its scene, its law and its record. The
-// command and the window run it alike.
+// The experiment of `identify` in a session: its choice, its scene, its algorithm and its record.
+// The command and the window run it alike.
 #pragma once
 
 #include <atomic>
@@ -11,11 +11,11 @@
 
 #include "app/file/scene/device_file.h"
 #include "app/runtime/loop/snapshot.h"
+#include "core/algorithm/algorithm.h"
 #include "core/identify/identify.h"
 #include "core/result.h"
 #include "core/scene.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {
@@ -64,13 +64,13 @@ inline constexpr std::string_view kTooFewStrokes =
 
 // The experiment in the place of an algorithm. The loop calls step(); the owner's thread calls the
 // rest.
-class ExperimentLaw final : public BorrowedLaw {
+class ExperimentAlgorithm final : public BorrowedAlgorithm {
  public:
-  explicit ExperimentLaw(const identify::ExperimentSettings& settings);
+  explicit ExperimentAlgorithm(const identify::ExperimentSettings& settings);
 
   // Zero force before begin() and after the end, for good. A force that did not go out ends it:
   // arming again must not bring it back.
-  [[nodiscard]] double step(const StabiliserInput& input);
+  [[nodiscard]] double step(const AlgorithmInput& input);
 
   void begin() { begun_.store(true, std::memory_order_relaxed); }
   // Ends it at the next tick.
@@ -106,17 +106,17 @@ struct IdentifyProgress {
 };
 
 // The owner's side: begins the experiment, keeps its record, and notices its end. The session whose
-// loop has law() must end before this does.
+// loop has algorithm() must end before this does.
 class IdentifyExperiment {
  public:
   explicit IdentifyExperiment(const identify::ExperimentSettings& settings)
-      : settings_(settings), law_(settings) {}
+      : settings_(settings), algorithm_(settings) {}
 
-  [[nodiscard]] ExperimentLaw& law() { return law_; }
+  [[nodiscard]] ExperimentAlgorithm& algorithm() { return algorithm_; }
   [[nodiscard]] const identify::ExperimentSettings& settings() const { return settings_; }
 
   // At once; for a simulator whose loop has not started.
-  void begin() { law_.begin(); }
+  void begin() { algorithm_.begin(); }
   // Every tick of the session, in order.
   void add(const Tick& tick);
   // Begins as soon as the whole force acts. True when the experiment is over; a device that was
@@ -131,11 +131,11 @@ class IdentifyExperiment {
   [[nodiscard]] Failure trouble() const;
   // The ticks of the experiment alone, with the resolution of the device.
   [[nodiscard]] identify::Record record() const;
-  [[nodiscard]] const identify::ExperimentFacts& facts() const { return law_.facts(); }
+  [[nodiscard]] const identify::ExperimentFacts& facts() const { return algorithm_.facts(); }
 
  private:
   identify::ExperimentSettings settings_;
-  ExperimentLaw law_;
+  ExperimentAlgorithm algorithm_;
   std::vector<double> position_m_;
   std::vector<double> force_n_;
   std::vector<double> applied_n_;

@@ -31,7 +31,7 @@ Failure check(const Scene& scene, ErrorKind kind, const std::string& whose) {
 
 }  // namespace
 
-Result<std::unique_ptr<LiveSession>> start_under(BorrowedLaw* law,
+Result<std::unique_ptr<LiveSession>> start_under(BorrowedAlgorithm* borrowed,
                                                  std::unique_ptr<device::Device> device,
                                                  const Scene& scene,
                                                  const SessionOptions& options) {
@@ -49,7 +49,7 @@ Result<std::unique_ptr<LiveSession>> start_under(BorrowedLaw* law,
     return *std::move(failure);
   try {
     auto session = std::make_unique<LoopSession>(devices_of(scene_here, std::move(device)),
-                                                 scene_here, options, law);
+                                                 scene_here, options, borrowed);
     if (Failure refused = refuse_without_realtime(
             session->device_info(), session->realtime_status(), options.allow_no_realtime)) {
       return *std::move(refused);

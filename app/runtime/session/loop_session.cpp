@@ -10,7 +10,7 @@
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
 #include "app/runtime/session/scene_change.h"
-#include "core/stabiliser/plugin/plugin_list.h"
+#include "core/algorithm/plugin/plugin_list.h"
 
 namespace hapticwall::runtime {
 namespace {
@@ -80,15 +80,15 @@ constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
 }  // namespace
 
 LoopSession::LoopSession(std::vector<std::unique_ptr<device::Device>> devices, const Scene& scene,
-                         const SessionOptions& options, BorrowedLaw* law)
+                         const SessionOptions& options, BorrowedAlgorithm* borrowed)
     : plants_(plant_keepers(scene)),
       devices_(std::move(devices)),
       device_info_(devices_.front()->info()),
       columns_(columns_of(device_info_, devices_.size(), options)),
       history_(with_revision(scene)),
       exchange_(options.queues, parameters_of(history_)),
-      loop_(pointers_to(devices_), exchange_, parameters_of(history_), options.start_paused, law,
-            options.allow_slow_device),
+      loop_(pointers_to(devices_), exchange_, parameters_of(history_), options.start_paused,
+            borrowed, options.allow_slow_device),
       recorder_(exchange_.recorder),
       clock_(options.clock != nullptr ? *options.clock : monotonic_clock_,
              spin_ns(options.spin_s, scene.sampling.rate_hz)) {

@@ -26,18 +26,18 @@
 
 namespace hapticwall::runtime {
 
-// LiveSession::start_on() with a law in the place of the algorithm of axis x; it must outlive the
-// session. `device` null: the simulator of the scene. `law` null: the algorithm.
+// LiveSession::start_on() with an algorithm in the place of the algorithm of axis x; it must
+// outlive the session. `device` null: the simulator of the scene. `borrowed` null: the algorithm.
 [[nodiscard]] Result<std::unique_ptr<LiveSession>> start_under(
-    BorrowedLaw* law, std::unique_ptr<device::Device> device, const Scene& scene,
+    BorrowedAlgorithm* borrowed, std::unique_ptr<device::Device> device, const Scene& scene,
     const SessionOptions& options);
 
 class LoopSession final : public LiveSession {
  public:
   // Preconditions: the scene is valid and fits the devices (scene_on()), one for each axis, x
-  // first; the devices are open. `law`: as in ServoLoop. Returns when the loop is set up.
+  // first; the devices are open. `borrowed`: as in ServoLoop. Returns when the loop is set up.
   LoopSession(std::vector<std::unique_ptr<device::Device>> devices, const Scene& scene,
-              const SessionOptions& options, BorrowedLaw* law = nullptr);
+              const SessionOptions& options, BorrowedAlgorithm* borrowed = nullptr);
   ~LoopSession() override;
 
   [[nodiscard]] const Scene& scene() const override { return history_.newest(); }

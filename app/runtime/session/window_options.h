@@ -11,9 +11,9 @@
 #include "app/runtime/session/experiment.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
+#include "core/algorithm/algorithm.h"
 #include "core/result.h"
 #include "core/scene.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::runtime {
 
@@ -21,9 +21,9 @@ namespace hapticwall::runtime {
 inline constexpr int kMinScalePercent = 50;
 inline constexpr int kMaxScalePercent = 300;
 
-// Starts a session, with `law` as in start_under().
-using StartSession =
-    std::function<Result<std::unique_ptr<LiveSession>>(const Scene& scene, BorrowedLaw* law)>;
+// Starts a session, with `borrowed` as in start_under().
+using StartSession = std::function<Result<std::unique_ptr<LiveSession>>(
+    const Scene& scene, BorrowedAlgorithm* borrowed)>;
 
 struct WindowOptions {
   Scene scene;

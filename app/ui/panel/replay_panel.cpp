@@ -10,7 +10,7 @@
 #include "app/draw/plot/extra_traces.h"
 #include "app/runtime/session/hand_rerun.h"
 #include "app/ui/widget/widgets.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {

@@ -12,7 +12,7 @@
 #include "app/ui/state/recent_files.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/widgets.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::ui {
 namespace {

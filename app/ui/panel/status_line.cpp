@@ -8,7 +8,7 @@
 #include "app/ui/panel/sections.h"
 #include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/widgets.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {

@@ -10,8 +10,8 @@
 
 #include "app/draw/plot/sample_history.h"
 #include "app/ui/state/background.h"
+#include "core/algorithm/algorithm.h"
 #include "core/scene.h"
-#include "core/stabiliser/stabiliser.h"
 #include "core/summary.h"
 
 namespace hapticwall::ui {

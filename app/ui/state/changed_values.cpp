@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "app/file/text/text.h"
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
 namespace {

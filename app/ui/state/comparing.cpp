@@ -7,7 +7,7 @@
 #include "app/draw/plot/extra_traces.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/changes.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::ui {
 namespace {

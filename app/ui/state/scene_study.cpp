@@ -11,7 +11,7 @@
 #include "app/runtime/loop/realtime_setup.h"
 #include "app/table/accuracy_report.h"
 #include "app/table/study_report.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/study/contact_study.h"
 
 namespace hapticwall::ui {

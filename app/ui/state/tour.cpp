@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::ui {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "app/runtime/session/scene_change.h"
 #include "app/ui/state/changed_values.h"
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::ui {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/ui/state/changes.h"
 #include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::ui {
 namespace {

@@ -87,12 +87,13 @@ Failure Application::start_first(const Scene& scene) {
 }
 
 // On the device, if there is one. A failure changes nothing.
-Failure Application::start_session(const Scene& scene, std::shared_ptr<BorrowedLaw> law) {
-  auto started = sessions_.start_on_device ? sessions_.start_on_device(scene, law.get())
-                                           : sessions_.simulate(scene, law.get());
+Failure Application::start_session(const Scene& scene,
+                                   std::shared_ptr<BorrowedAlgorithm> borrowed) {
+  auto started = sessions_.start_on_device ? sessions_.start_on_device(scene, borrowed.get())
+                                           : sessions_.simulate(scene, borrowed.get());
   if (!started) return started.error();
   live_ = std::move(*started);  // ends the loop before
-  law_ = std::move(law);
+  borrowed_ = std::move(borrowed);
   return std::nullopt;
 }
 
@@ -291,10 +292,11 @@ void Application::forget_session() {
 // A replay holds no device, so that it stays when the scene does not start. There is one device, so
 // that its session ends before the next one starts; if that fails, the simulator takes over, with a
 // message. Returns false when the old session or replay stays.
-bool Application::start_anew(const Scene& scene, const std::shared_ptr<BorrowedLaw>& law) {
+bool Application::start_anew(const Scene& scene,
+                             const std::shared_ptr<BorrowedAlgorithm>& borrowed) {
   const bool on_device = live_ && !live_->device_info().is_simulated;
   if (on_device) live_.reset();
-  Failure failure = start_session(scene, law);
+  Failure failure = start_session(scene, borrowed);
   if (on_device && failure) {
     sessions_.start_on_device = nullptr;
     tell(state_, MessageKind::kProblem,

@@ -108,7 +108,7 @@ class Application {
 
   [[nodiscard]] Failure start_first(const Scene& scene);
   [[nodiscard]] Failure start_session(const Scene& scene,
-                                      std::shared_ptr<BorrowedLaw> law = nullptr);
+                                      std::shared_ptr<BorrowedAlgorithm> borrowed = nullptr);
 
   void keep_appearance();
   void heed_plugins();
@@ -120,7 +120,7 @@ class Application {
   void repeat(const runtime::Snapshot& snapshot);
   void start_wanted_scene();
   [[nodiscard]] bool start_anew(const Scene& scene,
-                                const std::shared_ptr<BorrowedLaw>& law = nullptr);
+                                const std::shared_ptr<BorrowedAlgorithm>& borrowed = nullptr);
   void forget_session();
 
   // application_identify.cpp
@@ -139,7 +139,7 @@ class Application {
   void notice_jumps();
 
   Sessions sessions_;
-  std::shared_ptr<BorrowedLaw> law_;                // in the loop of live_; outlives it
+  std::shared_ptr<BorrowedAlgorithm> borrowed_;     // in the loop of live_; outlives it
   std::unique_ptr<runtime::LiveSession> live_;      // this one,
   std::unique_ptr<runtime::ReplaySession> replay_;  // or that
   std::unique_ptr<WallRenderer> renderer_;

@@ -57,8 +57,8 @@ void Application::begin_identify() {
   if (!settings) return tell(state_, settings.error());
   before_identify_ = {scene, state_.transient.repeats, live_->snapshot().paused, 0};
   auto experiment = std::make_shared<runtime::IdentifyExperiment>(*settings);
-  const std::shared_ptr<BorrowedLaw> law(experiment, &experiment->law());
-  if (!start_anew(runtime::identify_scene(scene, *settings), law)) return;
+  const std::shared_ptr<BorrowedAlgorithm> borrowed(experiment, &experiment->algorithm());
+  if (!start_anew(runtime::identify_scene(scene, *settings), borrowed)) return;
   forget_session();
   before_identify_.generation = live_->generation();
   if (live_->device_info().is_simulated != info.is_simulated)

@@ -19,7 +19,7 @@
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/ui_state.h"
 #include "app/ui/window/help_overlay.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall::ui {
 namespace {

@@ -268,12 +268,12 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
   const draw::Theme theme =
       apply_theme(draw::Look::kScreen, 1.0F);  // the application applies the settings
   Application::Sessions sessions;
-  sessions.simulate = [&options](const Scene& scene, BorrowedLaw* law) {
+  sessions.simulate = [&options](const Scene& scene, BorrowedAlgorithm* borrowed) {
     runtime::SessionOptions session;
     session.spin_s = options.spin_s;
     session.stream = options.stream;
     session.signals = options.signals;
-    return runtime::start_under(law, nullptr, scene, session);
+    return runtime::start_under(borrowed, nullptr, scene, session);
   };
   sessions.start_on_device = options.start_on_device;
   sessions.replay = options.replay;

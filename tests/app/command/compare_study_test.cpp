@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {

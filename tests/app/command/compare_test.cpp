@@ -13,8 +13,8 @@
 #include "app/command/report/summary_fields.h"
 #include "app/command/report/summary_table.h"
 #include "app/file/scene/scene_file.h"
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {

@@ -57,14 +57,14 @@ class IdentifyRig {
  public:
   explicit IdentifyRig(const std::string& lie = "")
       : experiment(experiment_for_it()),
-        rig(script(lie), free_device(), {}, free_scene(), &experiment.law()) {
+        rig(script(lie), free_device(), {}, free_scene(), &experiment.algorithm()) {
     rig.on_tick = [this] {
       experiment.add(rig.snapshot().newest);
       over = experiment.look(rig.snapshot());
     };
     rig.until_ms(50);
     rig.arm();
-    while (!experiment.law().begun()) {
+    while (!experiment.algorithm().begun()) {
       rig.tick();
       EXPECT_EQ(rig.last_force_us, 0U) << "no force before the whole gain";
     }

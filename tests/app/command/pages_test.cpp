@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {

@@ -69,7 +69,7 @@ class PluginTest : public ProgramTest {
   }
 };
 
-// The examples are the built-in law a second time.
+// The examples are the built-in algorithm a second time.
 class PluginExampleTest : public PluginTest, public ::testing::WithParamInterface<const char*> {
  protected:
   [[nodiscard]] static std::string language() { return GetParam(); }
@@ -77,7 +77,7 @@ class PluginExampleTest : public PluginTest, public ::testing::WithParamInterfac
 };
 INSTANTIATE_TEST_SUITE_P(Languages, PluginExampleTest, ::testing::Values("c", "cpp"));
 
-TEST_P(PluginExampleTest, RunsWithTheBitsOfTheBuiltInLaw) {
+TEST_P(PluginExampleTest, RunsWithTheBitsOfTheBuiltInAlgorithm) {
   for (const std::string scene : {"press", "corner", "golden-soft-fric"}) {
     done({"run", scene, "--algorithm", kBuiltIn, "--signals", "--csv", "a.csv"});
     done({"run", scene, "--algorithm", example(), "--signals", "--csv", "b.csv"});
@@ -87,7 +87,7 @@ TEST_P(PluginExampleTest, RunsWithTheBitsOfTheBuiltInLaw) {
   }
 }
 
-TEST_P(PluginExampleTest, TakesItsKeysByNameBesideTheBuiltInLaw) {
+TEST_P(PluginExampleTest, TakesItsKeysByNameBesideTheBuiltInAlgorithm) {
   const std::string key = "algorithm.rest_force_step_n=0.001";
   done({"run", "press", "--algorithm", kBuiltIn, "--set", key, "--csv", "a.csv"});
   done({"run", "press", "--algorithm", example(), "--set", key, "--csv", "b.csv"});

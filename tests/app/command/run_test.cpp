@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "hapticwall_version.h"
 #include "tests/app/command/binary.h"
 

@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/stabiliser/plugin/library_call.h"
+#include "core/algorithm/plugin/library_call.h"
 #include "tests/app/runtime/loop/child_support.h"
 
 namespace hapticwall::command {

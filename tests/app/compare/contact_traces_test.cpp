@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/algorithm/algorithm.h"
 #include "core/scene.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::compare {
 namespace {

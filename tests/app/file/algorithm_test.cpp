@@ -1,4 +1,6 @@
 // The keys of [algorithm] in files and on the command line: names and parameters.
+#include "core/algorithm/algorithm.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -6,7 +8,6 @@
 
 #include "app/file/scene/scene_file.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::file {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/file/map/map_file.h"
 #include "app/file/map/map_rows.h"
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/file/faulty_disk.h"
 #include "tests/temporary_folder.h"
 

@@ -14,9 +14,9 @@
 
 #include "app/runtime/loop/clock.h"
 #include "app/runtime/loop/exchange.h"
+#include "core/algorithm/algorithm.h"
 #include "core/sample.h"
 #include "core/scene.h"
-#include "core/stabiliser/stabiliser.h"
 #include "device/device.h"
 #include "tests/temporary_folder.h"
 

@@ -46,9 +46,10 @@ class GuiTest : public FolderTest {
   }
 
   void open(const std::string& scene_name) {
-    const auto start = [this](const Scene& scene,
-                              BorrowedLaw* law) -> Result<std::unique_ptr<runtime::LiveSession>> {
-      if (law != nullptr) return start_experiment(scene, law);
+    const auto start =
+        [this](const Scene& scene,
+               BorrowedAlgorithm* borrowed) -> Result<std::unique_ptr<runtime::LiveSession>> {
+      if (borrowed != nullptr) return start_experiment(scene, borrowed);
       if (!refuse_session.empty()) return Error{ErrorKind::kDevice, refuse_session};
       auto session = std::make_unique<FakeSession>(scene);
       fake_ = session.get();
@@ -61,14 +62,14 @@ class GuiTest : public FolderTest {
     starters.open_card = open_card;
     starters.open_gamepad = open_gamepad;
     if (with_device) {
-      starters.start_on_device = [this, start](const Scene& scene, BorrowedLaw* law) {
+      starters.start_on_device = [this, start](const Scene& scene, BorrowedAlgorithm* borrowed) {
         EXPECT_EQ(devices_open, 0) << "there is one device only";
         if (!refuse_device.empty()) {
           return Result<std::unique_ptr<runtime::LiveSession>>(
               Error{ErrorKind::kDevice, refuse_device});
         }
-        auto session = start(scene, law);
-        if (session && law == nullptr) {
+        auto session = start(scene, borrowed);
+        if (session && borrowed == nullptr) {
           fake_->info = {"paddle", false};
           fake_->arming.state = runtime::ArmingState::kOff;
           ++devices_open;
@@ -266,7 +267,7 @@ class GuiTest : public FolderTest {
   std::string refuse_device;         // the same for sessions on the device
   ui::Application::Options options;  // of the next open()
   ui::Application::RecordingOpener open_recording;
-  runtime::StartSession start_experiment;  // of sessions under a law
+  runtime::StartSession start_experiment;  // of sessions under an algorithm
   sound::OpenCard open_card = sound::test::no_card;
   device::evdev::OpenGamepad open_gamepad = sound::test::no_gamepad;
   int sessions = 0;

@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "core/plant/plant_model.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/batch_support.h"
 
 namespace hapticwall {

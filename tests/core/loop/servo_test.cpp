@@ -176,12 +176,12 @@ TEST(ServoStep, ActsOnAPositionOfTheGreatestAge) {
 }
 
 // Borrowed: its state is the force, which a reset would set to zero.
-constexpr Law kConstantForce{
+constexpr Algorithm kConstantForce{
     {},
     [](void* /*state*/) {},
-    [](void* /*state*/, const StabiliserContext& /*context*/) {},
+    [](void* /*state*/, const AlgorithmContext& /*context*/) {},
     [](void* state) { *static_cast<double*>(state) = 0.0; },
-    [](void* state, const StabiliserInput& /*input*/, std::span<double> /*signals*/) {
+    [](void* state, const AlgorithmInput& /*input*/, std::span<double> /*signals*/) {
       return *static_cast<double*>(state);
     }};
 
@@ -189,12 +189,12 @@ TEST(ServoStep, ClampsAPullAsItClampsAPush) {
   for (const double wanted_n : {-100.0, -8.9, -3.0, 0.0, 3.5, 100.0}) {
     ServoState state;
     double borrowed_n = wanted_n;
-    FollowedStabiliser stabiliser;
-    stabiliser.borrow({&kConstantForce, &borrowed_n});
+    FollowedAlgorithm algorithm;
+    algorithm.borrow({&kConstantForce, &borrowed_n});
     ScriptedDevice device;
     device.next.position_m = 1e-4;  // the wall asks for 3.5 N
     ActiveEstimator estimator;
-    const TickOutcome out = servo_step(stiff_wall(), state, estimator, stabiliser, device);
+    const TickOutcome out = servo_step(stiff_wall(), state, estimator, algorithm, device);
     EXPECT_EQ(device.forces.back(), std::clamp(wanted_n, -8.9, 8.9));
     EXPECT_EQ(out.saturated, std::abs(wanted_n) > 8.9) << wanted_n;
     EXPECT_EQ(out.intervened, wanted_n != out.contact.force_n) << wanted_n;
@@ -202,7 +202,7 @@ TEST(ServoStep, ClampsAPullAsItClampsAPush) {
   }
 }
 
-TEST(Servo, ABorrowedLawStaysInThePlaceOfEveryAlgorithmAndFollower) {
+TEST(Servo, ABorrowedAlgorithmStaysInThePlaceOfEveryOtherAndItsFollower) {
   double borrowed_n = 2.0;
   std::vector<Servo> servos;
   servos.emplace_back(stiff_wall("force-bounding")).borrow({&kConstantForce, &borrowed_n});
@@ -218,7 +218,7 @@ TEST(Servo, ABorrowedLawStaysInThePlaceOfEveryAlgorithmAndFollower) {
   EXPECT_TRUE(std::ranges::all_of(sample.signals, [](double value) { return std::isnan(value); }));
   EXPECT_EQ(servos[1].tick(device).force_n, 3.5);
   servos[0].reset();
-  EXPECT_EQ(borrowed_n, 0.0) << "the reset reaches the borrowed law";
+  EXPECT_EQ(borrowed_n, 0.0) << "the reset reaches the borrowed algorithm";
 }
 
 // The velocity over two ticks.

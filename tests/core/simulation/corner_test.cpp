@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/core/study/study_scenes.h"
 
 namespace hapticwall {

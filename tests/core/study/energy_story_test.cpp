@@ -26,13 +26,13 @@ TEST(EnergyStory, SaysOfEachLedgerHowMuchAndOfWhichTerm) {
        0.0, 0.0, 0.0},
       {"the damping has paid for it", ledger(0.01, -0.03, -0.05), EnergyState::kSpendingBudget,
        EnergyBlame::kNobody, 0.0, 0.0, 0.0},
-      {"the hold, of which the law has paid 0.1", ledger(0.1, -0.5, -0.1), kActive,
+      {"the hold, of which the algorithm has paid 0.1", ledger(0.1, -0.5, -0.1), kActive,
        EnergyBlame::kHold, 0.3, 0.4, 0.0},
       {"the control law", ledger(-1.0, -0.1, -0.3), kActive, EnergyBlame::kControlLaw, 0.8, 0.0,
        1.0},
       {"both", ledger(-0.2, -0.5, -0.1), kActive, EnergyBlame::kBoth, 0.6, 0.4, 0.2},
-      {"the hold, and the law covers it", ledger(1.0, -0.5, -0.1), kPassive, EnergyBlame::kNobody,
-       0.0, 0.4, 0.0}};
+      {"the hold, and the algorithm covers it", ledger(1.0, -0.5, -0.1), kPassive,
+       EnergyBlame::kNobody, 0.0, 0.4, 0.0}};
   for (const Case& one : cases) {
     SCOPED_TRACE(one.what);
     const EnergyStory story = tell_energy_story(one.ledger);

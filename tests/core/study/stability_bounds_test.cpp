@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 namespace {

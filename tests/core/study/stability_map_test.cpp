@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 #include "core/study/bound_lines.h"
 #include "core/study/dimensionless.h"
 #include "tests/core/study/study_scenes.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/algorithm/algorithm.h"
 #include "core/loop/servo.h"
-#include "core/stabiliser/stabiliser.h"
 #include "device/simulated_device.h"
 #include "tests/device/emulator/emulator_support.h"
 

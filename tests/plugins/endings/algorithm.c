@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
 
 #define QUOTED(name) #name
 #define TEXT(name) QUOTED(name)

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "app/file/plugin/plugin_file.h"
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
-#include "core/stabiliser/plugin/plugin_list.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/plugin_list.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
 

@@ -11,8 +11,8 @@
 
 #include "app/file/plugin/plugin_file.h"
 #include "app/file/plugin/plugin_watch.h"
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
-#include "core/stabiliser/plugin/plugin_list.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/plugin_list.h"
 #include "tests/app/runtime/session/session_support.h"
 #include "tests/plugins/loaded/loaded_plugins.h"
 
@@ -57,7 +57,7 @@ class RebuiltPlugin : public ::testing::Test {
     ASSERT_THAT(news, SizeIs(1));
     EXPECT_FALSE(news.front().loaded);
     EXPECT_THAT(news.front().text, HasSubstr(reason));
-    EXPECT_THAT(news.front().text, HasSubstr("; the law stays as it was"));
+    EXPECT_THAT(news.front().text, HasSubstr("; the algorithm stays as it was"));
     EXPECT_EQ(plugin_revision(rebuilt_plugin()), revision_);
     EXPECT_THAT(news_after_a_second(), IsEmpty()) << "told once";
   }
@@ -203,7 +203,7 @@ class RebuiltInSession : public RebuiltPlugin {
   std::vector<Sample> samples_;
 };
 
-TEST_F(RebuiltInSession, BlendsIntoTheNewLawWithinASecondOfContact) {
+TEST_F(RebuiltInSession, BlendsIntoTheNewAlgorithmWithinASecondOfContact) {
   pass(500);
   rebuild("half");
   pass_a_second();

@@ -11,7 +11,7 @@
 #include "app/draw/figure/map_colours.h"
 #include "app/draw/figure/map_field.h"
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 

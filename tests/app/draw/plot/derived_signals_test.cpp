@@ -14,7 +14,7 @@
 
 #include "app/draw/plot/spectrum.h"
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/samples.h"
 
 namespace hapticwall::draw {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall::draw {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/samples.h"
 
 namespace hapticwall::draw {

@@ -60,13 +60,14 @@ class LieRig {
   LieRig(device::hid::FaultScript script, bool in_contact,
          const device::ImpulseEngineOptions& options = {})
       : LieRig(std::move(script), held_device(in_contact), options, scene(), nullptr) {}
-  // `law`: as in ServoLoop.
+  // `borrowed`: as in ServoLoop.
   LieRig(device::hid::FaultScript script, const device::hid::EmulatorSettings& settings,
-         const device::ImpulseEngineOptions& options, const Scene& scene, BorrowedLaw* law)
+         const device::ImpulseEngineOptions& options, const Scene& scene,
+         BorrowedAlgorithm* borrowed)
       : rig(std::move(script), options, settings),
         device_(rig.host),
         exchange_(kQueues, parameters_of(scene)) {
-    prepare(scene, law);
+    prepare(scene, borrowed);
   }
   // On a board that speaks the dialect of `options`.
   LieRig(const device::ImpulseEngineOptions& options,
@@ -117,10 +118,10 @@ class LieRig {
     return scene;
   }
 
-  void prepare(const Scene& scene, BorrowedLaw* law) {
+  void prepare(const Scene& scene, BorrowedAlgorithm* borrowed) {
     EXPECT_TRUE(rig.host.come_up());
     loop_.emplace(std::vector<device::Device*>{&device_}, exchange_,
-                  parameters_of(scene_on(scene, device_.info())), false, law);
+                  parameters_of(scene_on(scene, device_.info())), false, borrowed);
     rig.host.whole_loop = [this] { loop_->cycle({clock_.now_ns(), 0, 0}, clock_); };
     rig.host.after_tick = [this] {
       const double force_n = std::abs(rig.force_n());

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::runtime {

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "app/file/scene/scene_file.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/runtime/session/replay_support.h"
 
 namespace hapticwall::runtime::test {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/app/sound/live/fake_gamepad.h"
 
 namespace hapticwall::sound::test {

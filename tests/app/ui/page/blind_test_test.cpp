@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "app/ui/state/comparing.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {

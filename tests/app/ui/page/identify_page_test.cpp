@@ -85,13 +85,13 @@ class MovingDevice final : public device::Device {
 class IdentifyPageTest : public GuiTest {
  protected:
   void SetUp() override {
-    start_experiment = [this](const Scene& scene, BorrowedLaw* law) {
+    start_experiment = [this](const Scene& scene, BorrowedAlgorithm* borrowed) {
       runtime::SessionOptions session;
       session.clock = &clock_;
       session.allow_no_realtime = true;
       std::unique_ptr<device::Device> device;
       if (with_device) device = std::make_unique<MovingDevice>(scene, moved_);
-      return runtime::start_under(law, std::move(device), scene, session);
+      return runtime::start_under(borrowed, std::move(device), scene, session);
     };
     GuiTest::SetUp();
     show();
@@ -286,12 +286,12 @@ TEST_F(IdentifyPageTest, TheEndOfTheWindowEndsIt) {
 
 TEST_F(IdentifyPageTest, ADeviceThatDoesNotComeBackIsNoExperiment) {
   open_on_device();
-  start_experiment = [this](const Scene& scene, BorrowedLaw* law) {
-    start_experiment = [](const Scene& wanted, BorrowedLaw* of_it) {
+  start_experiment = [this](const Scene& scene, BorrowedAlgorithm* borrowed) {
+    start_experiment = [](const Scene& wanted, BorrowedAlgorithm* of_it) {
       return runtime::start_under(of_it, nullptr, wanted, {});
     };
     (void)scene;
-    (void)law;
+    (void)borrowed;
     return Result<std::unique_ptr<runtime::LiveSession>>(Error{ErrorKind::kDevice, "unplugged"});
   };
   click("identify start");

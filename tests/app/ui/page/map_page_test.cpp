@@ -3,8 +3,8 @@
 
 #include "app/draw/figure/map_colours.h"
 #include "app/ui/state/blind_test.h"
+#include "core/algorithm/algorithm.h"
 #include "core/simulation/simulate.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/ui/panel/energy_lamp_view.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {

@@ -12,7 +12,7 @@
 
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/command/binary.h"
 #include "tests/app/runtime/support.h"
 

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {

@@ -11,7 +11,7 @@
 
 #include "app/ui/state/appearance.h"
 #include "app/ui/window/window_layout.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {

@@ -21,7 +21,7 @@ struct PushingWindow {
     options.scene = runtime::test::contact_scene();
     options.start_on_device =
         [this](const Scene& /*scene*/,
-               BorrowedLaw* /*law*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
+               BorrowedAlgorithm* /*borrowed*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
       auto device = std::make_unique<SharedDevice>(*heard);
       device->on_words = in_a_panel;
       device->on_read = in_a_tick;

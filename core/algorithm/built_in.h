@@ -1,16 +1,16 @@
-// What a law is to the program: its description, and three functions on a block of state.
+// What an algorithm is to the program: its description, and three functions on a block of state.
 //
-// A built-in law is a struct in a file of this folder and a line in law_list.cpp:
+// A built-in algorithm is a struct in a file of this folder and a line in law_list.cpp:
 //
 //   struct Name {
 //     static constexpr AlgorithmDescription kDescription{...};
 //
-//     void configure(const StabiliserContext& context);  // takes parameters and walls; keeps the
+//     void configure(const AlgorithmContext& context);  // takes parameters and walls; keeps the
 //     past void reset();                                      // forgets the past, keeps the
 //     parameters
 //     // F_d(k), newtons. `signals`: one number for each of kDescription.signals, NaN before the
 //     // call; what is not finite is no signal.
-//     double step(const StabiliserInput& in, std::span<double> signals);
+//     double step(const AlgorithmInput& in, std::span<double> signals);
 //   };
 //
 // All three are realtime-safe: O(1), no allocation, no lock, no system call. step() may return any
@@ -22,20 +22,21 @@
 #include <span>
 #include <type_traits>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 
 template <class Struct>
-[[nodiscard]] constexpr Law law_of() {
-  static_assert(sizeof(Struct) <= kMaxLawBytes && alignof(Struct) <= alignof(std::max_align_t));
+[[nodiscard]] constexpr Algorithm algorithm_of() {
+  static_assert(sizeof(Struct) <= kMaxAlgorithmBytes &&
+                alignof(Struct) <= alignof(std::max_align_t));
   static_assert(std::is_trivially_copyable_v<Struct> && std::is_trivially_destructible_v<Struct>);
   return {Struct::kDescription, [](void* state) { new (state) Struct{}; },
-          [](void* state, const StabiliserContext& context) {
+          [](void* state, const AlgorithmContext& context) {
             static_cast<Struct*>(state)->configure(context);
           },
           [](void* state) { static_cast<Struct*>(state)->reset(); },
-          [](void* state, const StabiliserInput& in, std::span<double> signals) {
+          [](void* state, const AlgorithmInput& in, std::span<double> signals) {
             return static_cast<Struct*>(state)->step(in, signals);
           }};
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 
@@ -55,7 +55,7 @@ struct PassivityControl {
       "observer"};
 
   // α_max defaults to b, because b ≥ K T/2 + B with K = 0 [paper, Eq. 18].
-  void configure(const StabiliserContext& context) {
+  void configure(const AlgorithmContext& context) {
     damping_n_s_per_m_ = believed_damping(context);
     max_damping_n_s_per_m_ = context.value_or("max_damping_n_s_per_m", damping_n_s_per_m_);
     velocity_floor_m_per_s_ = context.value_or("velocity_floor_m_per_s", 0.0);
@@ -65,7 +65,7 @@ struct PassivityControl {
   }
   void reset() { observed_j_ = credit_j_ = pending_displacement_m_ = 0.0; }
 
-  double step(const StabiliserInput& in, std::span<double> signals) {
+  double step(const AlgorithmInput& in, std::span<double> signals) {
     observe(in);
     const double energy_j = observer_ == Observer::kHeldForce
                                 ? observed_j_
@@ -88,11 +88,11 @@ struct PassivityControl {
  private:
   enum class Observer : std::uint8_t { kSameSample, kHeldForce, kOneStep };  // as kObservers
 
-  [[nodiscard]] static double energy_per_damping(const StabiliserInput& in) {
+  [[nodiscard]] static double energy_per_damping(const AlgorithmInput& in) {
     return std::abs(in.velocity_m_per_s * in.displacement_m);
   }
 
-  void observe(const StabiliserInput& in) {
+  void observe(const AlgorithmInput& in) {
     if (!in.in_contact && reset_in_free_motion_) return reset();
     // The force really applied is known one tick later: both pairings take it from there.
     observed_j_ +=

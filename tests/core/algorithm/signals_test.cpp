@@ -1,5 +1,5 @@
-// The numbers that the laws show of themselves, on moves that a person can follow by hand: b = 1
-// N·s/m and T = 1 ms, so that b/T = 1000 N/m, and a wall of 10 kN/m at zero.
+// The numbers that the algorithms show of themselves, on moves that a person can follow by hand: b
+// = 1 N·s/m and T = 1 ms, so that b/T = 1000 N/m, and a wall of 10 kN/m at zero.
 #include <gtest/gtest.h>
 
 #include <algorithm>

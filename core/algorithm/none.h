@@ -1,12 +1,12 @@
 // No stabilising algorithm: the wall's force as it is, with the energy that the hold adds.
 #pragma once
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 
 // F_d = F_e. Source: paper, section 2.3 (Figure 4).
-struct NoStabiliser {
+struct NoAlgorithm {
   static constexpr AlgorithmDescription kDescription{
       "none",
       "None",
@@ -14,9 +14,9 @@ struct NoStabiliser {
       {},
       "F_d(k) = F_e(k)"};
 
-  void configure(const StabiliserContext& /*context*/) {}
+  void configure(const AlgorithmContext& /*context*/) {}
   void reset() {}
-  double step(const StabiliserInput& in, std::span<double> /*signals*/) { return in.wall_force_n; }
+  double step(const AlgorithmInput& in, std::span<double> /*signals*/) { return in.wall_force_n; }
 };
 
 }  // namespace hapticwall

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 
@@ -14,14 +14,14 @@ namespace hapticwall {
 //   |F_d(k) - F_d(k-1)| ≤ c₁|Δx_k|                              c₁ = b/T: the hold, as in Eq. 20-22
 //   F_d(k) Δx_k ≥ (F_d(k)² - F_d(k-1)²)/(2c₂)                   0 < c₂ ≤ c₁: the control law
 //
-// Without motion the force is held. By the second bound the law pays what it gives out from a store
-// of F²/(2c₂). In β = (F_d(k) - F_d(k-1))/Δx_k, with r = F_d(k-1)/Δx_k, both are
+// Without motion the force is held. By the second bound the algorithm pays what it gives out from a
+// store of F²/(2c₂). In β = (F_d(k) - F_d(k-1))/Δx_k, with r = F_d(k-1)/Δx_k, both are
 //
 //   max(-c₁, γ-) ≤ β ≤ min(c₁, γ+),   γ± = c₂ - r ± √(c₂² + r²).
 //
-// The law computes forces along the motion, w = F_d(k) sgn Δx_k and f = F_d(k-1) sgn Δx_k. The
-// second bound is then a - h ≤ w ≤ a + h with a = c₂|Δx_k|, h = √(a² + f²), and
-// a - h = -f²/(a + h). This form does not divide by a displacement, cancel or overflow.
+// The algorithm computes forces along the motion, w = F_d(k) sgn Δx_k and f = F_d(k-1) sgn Δx_k.
+// The second bound is then a - h ≤ w ≤ a + h with a = c₂|Δx_k|, h = √(a² + f²), and a - h = -f²/(a
+// + h). This form does not divide by a displacement, cancel or overflow.
 //
 // Source: Kim & Ryu, "Robustly stable haptic interaction control using an energy-bounding
 // algorithm", IJRR 29(6), 2010; formula reconstructed. Displays about b/T.
@@ -35,13 +35,13 @@ struct EnergyBounding2010 {
                        "c₂: the control law's store holds F²/(2c₂)")};
 
   // c₁.
-  static double hold_stiffness(const StabiliserContext& context) {
+  static double hold_stiffness(const AlgorithmContext& context) {
     return believed_damping(context) / context.period_s;
   }
-  static double storage_stiffness(const StabiliserContext& context) {
+  static double storage_stiffness(const AlgorithmContext& context) {
     return context.value_or("storage_stiffness_n_per_m", hold_stiffness(context));
   }
-  static std::optional<SceneProblem> problem(const StabiliserContext& context) {
+  static std::optional<SceneProblem> problem(const AlgorithmContext& context) {
     const double storage = storage_stiffness(context);
     const double max_storage = hold_stiffness(context);
     if (storage <= max_storage) return std::nullopt;
@@ -64,13 +64,13 @@ struct EnergyBounding2010 {
       kSignals,
       problem};
 
-  void configure(const StabiliserContext& context) {
+  void configure(const AlgorithmContext& context) {
     hold_n_per_m_ = hold_stiffness(context);
     storage_n_per_m_ = std::min(storage_stiffness(context), hold_n_per_m_);
   }
   void reset() {}
 
-  double step(const StabiliserInput& in, std::span<double> signals) {
+  double step(const AlgorithmInput& in, std::span<double> signals) {
     const double moved_m = std::abs(in.displacement_m);
     const double force_n = moved_m > 0.0 ? bounded(in, moved_m) : in.previous_force_n;
     signals[0] = hold_n_per_m_ * moved_m;
@@ -79,7 +79,7 @@ struct EnergyBounding2010 {
   }
 
  private:
-  [[nodiscard]] double bounded(const StabiliserInput& in, double moved_m) const {
+  [[nodiscard]] double bounded(const AlgorithmInput& in, double moved_m) const {
     const double sign = std::copysign(1.0, in.displacement_m);
     const double before_n = sign * in.previous_force_n;  // f
     const double step_n = hold_n_per_m_ * moved_m;

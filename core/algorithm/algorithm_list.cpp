@@ -1,42 +1,44 @@
-// The list of algorithms: the only file that reads the built-in laws.
+// The list of algorithms: the only file that reads the built-in algorithms.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/built_in.h"
+#include "core/algorithm/energy_bounding.h"
+#include "core/algorithm/energy_bounding_2010.h"
+#include "core/algorithm/energy_limited_spring.h"
+#include "core/algorithm/force_bounding.h"
+#include "core/algorithm/half_sample.h"
+#include "core/algorithm/none.h"
+#include "core/algorithm/passivity_control.h"
+#include "core/algorithm/plugin/plugin_list.h"
+#include "core/algorithm/virtual_coupling.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/energy_bounding.h"
-#include "core/stabiliser/energy_bounding_2010.h"
-#include "core/stabiliser/energy_limited_spring.h"
-#include "core/stabiliser/force_bounding.h"
-#include "core/stabiliser/half_sample.h"
-#include "core/stabiliser/law.h"
-#include "core/stabiliser/none.h"
-#include "core/stabiliser/passivity_control.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
-#include "core/stabiliser/virtual_coupling.h"
 
 namespace hapticwall {
 namespace {
 
 // In the order of menus, files and tables.
-constexpr std::array kLaws{law_of<NoStabiliser>(),       law_of<VirtualCoupling>(),
-                           law_of<PassivityControl>(),   law_of<EnergyBounding>(),
-                           law_of<EnergyBounding2010>(), law_of<ForceBounding>(),
-                           law_of<HalfSample>(),         law_of<EnergyLimitedSpring>()};
+constexpr std::array kAlgorithms{
+    algorithm_of<NoAlgorithm>(),        algorithm_of<VirtualCoupling>(),
+    algorithm_of<PassivityControl>(),   algorithm_of<EnergyBounding>(),
+    algorithm_of<EnergyBounding2010>(), algorithm_of<ForceBounding>(),
+    algorithm_of<HalfSample>(),         algorithm_of<EnergyLimitedSpring>()};
 
-// Of all plug-ins: their block is a PluginLaw.
-constexpr Law kPluginLaw{{},
-                         [](void* /*state*/) {},
-                         [](void* state, const StabiliserContext& context) {
-                           static_cast<PluginLaw*>(state)->configure(context);
-                         },
-                         [](void* state) { static_cast<PluginLaw*>(state)->reset(); },
-                         [](void* state, const StabiliserInput& in, std::span<double> signals) {
-                           return static_cast<PluginLaw*>(state)->step(in, signals);
-                         }};
+// Of all plug-ins: their block is a PluginAlgorithm.
+constexpr Algorithm kPluginAlgorithm{
+    {},
+    [](void* /*state*/) {},
+    [](void* state, const AlgorithmContext& context) {
+      static_cast<PluginAlgorithm*>(state)->configure(context);
+    },
+    [](void* state) { static_cast<PluginAlgorithm*>(state)->reset(); },
+    [](void* state, const AlgorithmInput& in, std::span<double> signals) {
+      return static_cast<PluginAlgorithm*>(state)->step(in, signals);
+    }};
 
 // Descriptions, each name once.
 template <class Description, std::size_t kMax>
@@ -58,8 +60,8 @@ struct Union {
 constexpr auto unite_parameters() {
   Union<ParameterDescription, kMaxAlgorithmParameters> all;
   all.add(kThenParameter, &ParameterDescription::key);
-  for (const Law& law : kLaws) {
-    for (const ParameterDescription& parameter : law.description.parameters)
+  for (const Algorithm& algorithm : kAlgorithms) {
+    for (const ParameterDescription& parameter : algorithm.description.parameters)
       all.add(parameter, &ParameterDescription::key);
   }
   return all;
@@ -68,8 +70,8 @@ constexpr auto kParameterUnion = unite_parameters();
 
 constexpr auto unite_signals() {
   Union<SignalDescription, kMaxSignals> all;
-  for (const Law& law : kLaws) {
-    for (const SignalDescription& signal : law.description.signals)
+  for (const Algorithm& algorithm : kAlgorithms) {
+    for (const SignalDescription& signal : algorithm.description.signals)
       all.add(signal, &SignalDescription::name);
   }
   return all;
@@ -78,7 +80,7 @@ constexpr auto kSignalUnion = unite_signals();
 
 std::vector<AlgorithmDescription> built_in() {
   std::vector<AlgorithmDescription> all;
-  for (const Law& law : kLaws) all.push_back(law.description);
+  for (const Algorithm& algorithm : kAlgorithms) all.push_back(algorithm.description);
   return all;
 }
 
@@ -100,7 +102,7 @@ AlgorithmList& algorithm_list() {
 
 std::span<const AlgorithmDescription> algorithms() { return algorithm_list().algorithms; }
 
-std::size_t first_plugin() { return kLaws.size(); }
+std::size_t first_plugin() { return kAlgorithms.size(); }
 
 std::size_t add_algorithm(const AlgorithmDescription& algorithm) {
   AlgorithmList& list = algorithm_list();
@@ -149,20 +151,20 @@ SignalNames signal_names() {
   return names;
 }
 
-std::optional<double> StabiliserContext::value(std::string_view key) const {
+std::optional<double> AlgorithmContext::value(std::string_view key) const {
   const std::optional<std::size_t> index = find_algorithm_parameter(key);
   if (settings == nullptr || !index) return std::nullopt;
   return settings->values[*index];
 }
 
-double believed_damping(const StabiliserContext& context) {
+double believed_damping(const AlgorithmContext& context) {
   return context.value_or(kBelievedDampingParameter.key, context.device_damping_n_s_per_m);
 }
 
 std::size_t follower_index() { return *find_algorithm(kFollowers.back()); }
 
 bool has_follower(const AlgorithmSettings& settings) {
-  const StabiliserContext context{.walls = {}, .settings = &settings};
+  const AlgorithmContext context{.walls = {}, .settings = &settings};
   return context.value_or(kThenParameter.key, 0.0) != 0.0;
 }
 
@@ -195,30 +197,31 @@ std::vector<ComparedAlgorithm> compared_algorithms(AlgorithmSettings settings,
   return rows;
 }
 
-Stabiliser::Stabiliser() : law_(kLaws.data()), plugin_(std::make_unique<PluginLaw>()) {
-  law_->start(block_.data());
+ActiveAlgorithm::ActiveAlgorithm()
+    : functions_(kAlgorithms.data()), plugin_(std::make_unique<PluginAlgorithm>()) {
+  functions_->start(block_.data());
 }
 
-void Stabiliser::borrow(const BorrowedLaw& borrowed) {
-  law_ = borrowed.law;
+void ActiveAlgorithm::borrow(const BorrowedAlgorithm& borrowed) {
+  functions_ = borrowed.functions;
   elsewhere_ = borrowed.state;
   signals_ = 0;
 }
 
-void Stabiliser::configure(std::size_t algorithm, const StabiliserContext& context) {
-  if (borrows()) return law_->configure(elsewhere_, context);
+void ActiveAlgorithm::configure(std::size_t algorithm, const AlgorithmContext& context) {
+  if (borrows()) return functions_->configure(elsewhere_, context);
   const std::uint32_t revision = context.settings == nullptr ? 0 : context.settings->revision;
   const hw_plugin* const plugin = plugin_at(algorithm, revision);
-  if (plugin == nullptr && algorithm >= kLaws.size()) algorithm = 0;
-  law_ = plugin != nullptr ? &kPluginLaw : &kLaws[algorithm];
+  if (plugin == nullptr && algorithm >= kAlgorithms.size()) algorithm = 0;
+  functions_ = plugin != nullptr ? &kPluginAlgorithm : &kAlgorithms[algorithm];
   elsewhere_ = plugin != nullptr ? plugin_.get() : nullptr;
   plugin_->choose(plugin);
-  if (algorithm != std::exchange(algorithm_, algorithm)) law_->start(block_.data());
+  if (algorithm != std::exchange(algorithm_, algorithm)) functions_->start(block_.data());
   find_places();
-  law_->configure(state(), context);
+  functions_->configure(state(), context);
 }
 
-void Stabiliser::find_places() {
+void ActiveAlgorithm::find_places() {
   const std::span<const SignalDescription> signals = algorithms()[algorithm_].signals;
   signals_ = signals.size();
   for (std::size_t i = 0; i < signals_; ++i)

@@ -70,8 +70,8 @@ TEST(EnergyBounding2010, RisesByTheHoldsBoundAndFallsByTheStores) {
   EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.1, kNear);  // c₁ Δx
   EXPECT_NEAR(bench.move_to(0.1e-3).force_n, 0.1, kNear);  // held
   EXPECT_NEAR(bench.move_to(0.2e-3).force_n, 0.2, kNear);
-  // Back by 0.1 mm: what the law gives out comes from its store of F²/2000, and F = (√5 - 1)/10 N
-  // is the most for which 2000 F Δx ≥ F² - 0.2².
+  // Back by 0.1 mm: what the algorithm gives out comes from its store of F²/2000, and F = (√5 -
+  // 1)/10 N is the most for which 2000 F Δx ≥ F² - 0.2².
   EXPECT_NEAR(bench.move_to(0.1e-3).force_n, (std::sqrt(5.0) - 1.0) / 10.0, kNear);
 }
 

@@ -1,13 +1,13 @@
-#include "core/stabiliser/plugin/plugin_law.h"
+#include "core/algorithm/plugin/plugin_algorithm.h"
 
 #include <array>
 #include <cstring>
 #include <limits>
 
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
-#include "core/stabiliser/plugin/library_call.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/library_call.h"
+#include "core/algorithm/plugin/plugin_list.h"
 
 namespace hapticwall {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 std::array<double, kMaxPluginParameters> plugin_values(const hw_plugin& plugin,
-                                                       const StabiliserContext& context) {
+                                                       const AlgorithmContext& context) {
   std::array<double, kMaxPluginParameters> values{};
   for (std::size_t i = 0; i < plugin.parameter_count; ++i) {
     values.at(i) = context.value_or(plugin.parameters[i].key, plugin.parameters[i].fallback);
@@ -25,14 +25,14 @@ std::array<double, kMaxPluginParameters> plugin_values(const hw_plugin& plugin,
 
 }  // namespace
 
-PluginLaw::PluginLaw() : bytes_(plugin_state_capacity()) {
+PluginAlgorithm::PluginAlgorithm() : bytes_(plugin_state_capacity()) {
   constexpr std::size_t kUnit = sizeof(std::max_align_t);
   if (bytes_ > 0)  // start() sets to zero as much as a plug-in needs
     state_ = std::make_unique_for_overwrite<std::max_align_t[]>((bytes_ + kUnit - 1) / kUnit);
 }
 
 template <class Call>
-void PluginLaw::guarded(const char* function, const Call& call) {
+void PluginAlgorithm::guarded(const char* function, const Call& call) {
   if (failed_) return;
   const LibraryCall here{.library = plugin_->name, .function = function, .pulse = &pulse_};
   const LibraryFault fault = call_library(here, call);
@@ -41,7 +41,7 @@ void PluginLaw::guarded(const char* function, const Call& call) {
   note_plugin_fault(*plugin_, fault);
 }
 
-void PluginLaw::choose(const hw_plugin* plugin) {
+void PluginAlgorithm::choose(const hw_plugin* plugin) {
   starts_ = plugin != plugin_;
   if (!starts_) return;
   plugin_ = plugin;
@@ -52,7 +52,7 @@ void PluginLaw::choose(const hw_plugin* plugin) {
   if (!failed_ && plugin->state_bytes > 0) std::memset(state_.get(), 0, plugin->state_bytes);
 }
 
-void PluginLaw::configure(const StabiliserContext& context) {
+void PluginAlgorithm::configure(const AlgorithmContext& context) {
   const auto values = plugin_values(*plugin_, context);
   std::array<hw_wall, kMaxWalls> walls{};
   std::uint32_t count = 0;
@@ -70,12 +70,12 @@ void PluginLaw::configure(const StabiliserContext& context) {
   if (starts_) reset();
 }
 
-void PluginLaw::reset() {
+void PluginAlgorithm::reset() {
   tick_ = 0;
   guarded("reset()", [&] { plugin_->reset(state_.get()); });
 }
 
-double PluginLaw::step(const StabiliserInput& in, std::span<double> signals) {
+double PluginAlgorithm::step(const AlgorithmInput& in, std::span<double> signals) {
   const hw_input input{sizeof(hw_input),    in.in_contact ? 1U : 0U, tick_++,
                        in.wall_force_n,     in.position_m,           in.displacement_m,
                        in.velocity_m_per_s, in.penetration_m,        in.previous_force_n};

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 
@@ -34,12 +34,12 @@ struct ForceBounding {
       "F_d(k) = sgn(F_e) min(|F_e|, √(4 (b/T) E))",
       kSignals};
 
-  void configure(const StabiliserContext& context) {
+  void configure(const AlgorithmContext& context) {
     damping_n_per_m_ = believed_damping(context) / context.period_s;
   }
   void reset() { energy_j_ = 0.0; }
 
-  double step(const StabiliserInput& in, std::span<double> signals) {
+  double step(const AlgorithmInput& in, std::span<double> signals) {
     if (in.previous_force_n == 0.0) energy_j_ = 0.0;
     energy_j_ = energy_j_ + damping_n_per_m_ * (in.displacement_m * in.displacement_m) +
                 in.previous_force_n * in.displacement_m;

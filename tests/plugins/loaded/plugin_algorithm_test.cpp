@@ -1,5 +1,5 @@
-// The law of a plug-in: its state, its signals and its exceptions.
-#include "core/stabiliser/plugin/plugin_law.h"
+// The algorithm of a plug-in: its state, its signals and its exceptions.
+#include "core/algorithm/plugin/plugin_algorithm.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/plugin_list.h"
 
 namespace hapticwall {
 namespace {
@@ -47,7 +47,7 @@ hw_plugin plugin_of_calls() {
           step_of_calls};
 }
 
-class PluginLawTest : public ::testing::Test {
+class PluginAlgorithmTest : public ::testing::Test {
  protected:
   void configure(const hw_plugin& plugin) {
     law_.choose(&plugin);
@@ -63,10 +63,10 @@ class PluginLawTest : public ::testing::Test {
 
   Signals signals_{};
   const hw_plugin plugin_ = plugin_of_calls();
-  PluginLaw law_;
+  PluginAlgorithm law_;
 };
 
-TEST_F(PluginLawTest, StartsOnceWithZerosAndAReset) {
+TEST_F(PluginAlgorithmTest, StartsOnceWithZerosAndAReset) {
   configure(plugin_);
   configure(plugin_);
   EXPECT_EQ(step(), 211.0) << "configured twice, reset once";
@@ -75,7 +75,7 @@ TEST_F(PluginLawTest, StartsOnceWithZerosAndAReset) {
   EXPECT_EQ(step(), 111.0) << "knows nothing of the older one";
 }
 
-TEST_F(PluginLawTest, CountsTicksFromTheLastResetAndShowsWhatIsFinite) {
+TEST_F(PluginAlgorithmTest, CountsTicksFromTheLastResetAndShowsWhatIsFinite) {
   configure(plugin_);
   for (const double tick : {0.0, 1.0}) {
     step();
@@ -88,15 +88,15 @@ TEST_F(PluginLawTest, CountsTicksFromTheLastResetAndShowsWhatIsFinite) {
   EXPECT_EQ(shown(), 0.0);
 }
 
-// Loaded after the law was made.
-TEST_F(PluginLawTest, IsNotCalledWithoutRoomForItsState) {
+// Loaded after the algorithm was made.
+TEST_F(PluginAlgorithmTest, IsNotCalledWithoutRoomForItsState) {
   hw_plugin large = plugin_;
   large.state_bytes = static_cast<std::uint32_t>(plugin_state_capacity()) + 1;
   configure(large);
   EXPECT_TRUE(std::isnan(step()));
 }
 
-TEST_F(PluginLawTest, IsNotCalledAfterAnExceptionUntilItsRebuild) {
+TEST_F(PluginAlgorithmTest, IsNotCalledAfterAnExceptionUntilItsRebuild) {
   static int calls = 0;
   hw_plugin throws = plugin_;
   throws.step = [](void* /*state*/, const hw_input* /*in*/, double* /*signals*/) -> double {
@@ -111,7 +111,7 @@ TEST_F(PluginLawTest, IsNotCalledAfterAnExceptionUntilItsRebuild) {
 }
 
 // A force that was computed with another rounding mode is no result.
-TEST_F(PluginLawTest, IsNotCalledAfterItChangedTheRoundingModeWhichIsRestored) {
+TEST_F(PluginAlgorithmTest, IsNotCalledAfterItChangedTheRoundingModeWhichIsRestored) {
   static int calls = 0;
   hw_plugin rounds = plugin_;
   rounds.step = [](void* /*state*/, const hw_input* /*in*/, double* /*signals*/) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/stabiliser/plugin/library_call.h"
+#include "core/algorithm/plugin/library_call.h"
 
 struct hw_plugin;  // hapticwall/plugin.h
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 
@@ -42,7 +42,7 @@ struct EnergyBounding {
   // budget n times. The default allows the force of a slow hidden motion. 0.0075 m/s is a choice of
   // ours, by a sweep (docs/algorithms/energy-bounding.md). Without an encoder rest is rest, and the
   // paper needs no bound.
-  void configure(const StabiliserContext& context) {
+  void configure(const AlgorithmContext& context) {
     constexpr double kHiddenMPerS = 0.0075;
     damping_n_s_per_m_ = believed_damping(context);
     const double hidden_n = context.encoder_m > 0.0 ? damping_n_s_per_m_ * kHiddenMPerS
@@ -51,7 +51,7 @@ struct EnergyBounding {
   }
   void reset() {}
 
-  double step(const StabiliserInput& in, std::span<double> signals) {
+  double step(const AlgorithmInput& in, std::span<double> signals) {
     const double bound_n = std::abs(in.displacement_m) > kMaxRestM
                                ? damping_n_s_per_m_ * std::abs(in.velocity_m_per_s)
                                : rest_force_step_n_;

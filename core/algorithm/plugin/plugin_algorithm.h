@@ -1,4 +1,4 @@
-// The law of a plug-in on one axis, with its state.
+// The algorithm of a plug-in on one axis, with its state.
 #pragma once
 
 #include <cstddef>
@@ -12,25 +12,25 @@ struct hw_plugin;  // hapticwall/plugin.h
 
 namespace hapticwall {
 
-struct StabiliserContext;
-struct StabiliserInput;
+struct AlgorithmContext;
+struct AlgorithmInput;
 
 inline constexpr std::size_t kMaxPluginStateBytes = std::size_t{1} << 18U;
 inline constexpr std::size_t kMaxPluginParameters = 16;
 inline constexpr std::size_t kMaxPluginSignals = 8;
 
 // Moved only, so that the state keeps its address. Realtime-safe: yes, except the constructor.
-class PluginLaw {
+class PluginAlgorithm {
  public:
   // Allocates plugin_state_capacity().
-  PluginLaw();
+  PluginAlgorithm();
 
   // nullptr: no plug-in is in force. Another plug-in than before starts with a state of zeros.
   void choose(const hw_plugin* plugin);
-  void configure(const StabiliserContext& context);
+  void configure(const AlgorithmContext& context);
   void reset();
   // After a fault (LibraryFault) NaN, until another plug-in starts. `signals` are NaN.
-  [[nodiscard]] double step(const StabiliserInput& input, std::span<double> signals);
+  [[nodiscard]] double step(const AlgorithmInput& input, std::span<double> signals);
 
  private:
   template <class Call>

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 
 namespace hapticwall {
 
@@ -28,15 +28,15 @@ struct VirtualCoupling {
       number_parameter("coupling_damping_n_s_per_m", "N·s/m", 0.0, 1e6, "0",
                        "B_c: damping of the coupling between handle and proxy")};
 
-  static double coupling_damping(const StabiliserContext& context) {
+  static double coupling_damping(const AlgorithmContext& context) {
     return context.value_or("coupling_damping_n_s_per_m", 0.0);
   }
-  static double coupling_stiffness(const StabiliserContext& context) {
+  static double coupling_stiffness(const AlgorithmContext& context) {
     const double spare = believed_damping(context) - coupling_damping(context);
     return context.value_or("coupling_stiffness_n_per_m",
                             std::max(0.0, 2.0 * spare / context.period_s));
   }
-  static std::optional<SceneProblem> problem(const StabiliserContext& context) {
+  static std::optional<SceneProblem> problem(const AlgorithmContext& context) {
     const double damping = coupling_damping(context);
     const double max_damping = believed_damping(context);
     if (damping <= max_damping || context.value("coupling_stiffness_n_per_m")) return std::nullopt;
@@ -57,7 +57,7 @@ struct VirtualCoupling {
       kSignals,
       problem};
 
-  void configure(const StabiliserContext& context) {
+  void configure(const AlgorithmContext& context) {
     spring_n_per_m_ = coupling_stiffness(context);
     damper_n_s_per_m_ = coupling_damping(context);
     period_s_ = context.period_s;
@@ -65,7 +65,7 @@ struct VirtualCoupling {
   }
   void reset() { proxies_m_ = {}; }
 
-  double step(const StabiliserInput& in, std::span<double> signals) {
+  double step(const AlgorithmInput& in, std::span<double> signals) {
     // Each contact's part of the coupling. In front of all walls it is not used.
     const double share = walls_.count() > 1 ? 1.0 / walls_.contacts(in.position_m) : 1.0;
     double force_n = 0.0;
@@ -78,7 +78,7 @@ struct VirtualCoupling {
  private:
   // Also moves the wall's proxy. Both are 0 out of contact.
   [[nodiscard]] double force_of_wall(double share, const WallSettings& wall, double& proxy_m,
-                                     const StabiliserInput& in) const {
+                                     const AlgorithmInput& in) const {
     const double penetration_m = in.position_m - wall.position_m;
     const double before_m = std::exchange(proxy_m, 0.0);
     if (!(penetration_m > 0.0)) return 0.0;

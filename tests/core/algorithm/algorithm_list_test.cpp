@@ -1,5 +1,3 @@
-#include "core/stabiliser/stabiliser.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/algorithm/algorithm.h"
 #include "tests/position_bench.h"
 
 namespace hapticwall {
@@ -50,9 +49,9 @@ TEST(AlgorithmList, AComparisonShowsEachFormUnlessTheSceneChoosesOne) {
 }
 
 TEST(AlgorithmList, AnIndexOutsideItIsTheFirstAlgorithm) {
-  Stabiliser stabiliser;
-  stabiliser.configure(algorithms().size(), {.walls = {}, .settings = nullptr});
-  EXPECT_EQ(stabiliser.algorithm(), 0U);
+  ActiveAlgorithm algorithm;
+  algorithm.configure(algorithms().size(), {.walls = {}, .settings = nullptr});
+  EXPECT_EQ(algorithm.algorithm(), 0U);
 }
 
 TEST(AlgorithmList, EveryParameterIsInTheUnionOnce) {
@@ -76,9 +75,9 @@ TEST(PassivityControl, ActsAboveItsVelocityFloorOnly) {
   testing::set_parameter(settings, "max_damping_n_s_per_m", 1e3);
   for (const double floor : {0.25, std::nextafter(0.25, 0.0)}) {
     testing::set_parameter(settings, "velocity_floor_m_per_s", floor);
-    StabiliserContext context;
+    AlgorithmContext context;
     context.settings = &settings;
-    Stabiliser control;
+    ActiveAlgorithm control;
     control.configure(find_algorithm("passivity-control").value(), context);
     const double force_n = control.step({0.5, 1e-4, -0.25e-3, -0.25, 1e-4, 1.0, true});
     EXPECT_EQ(force_n != 0.5, floor < 0.25);

@@ -1,4 +1,4 @@
-#include "core/stabiliser/plugin/plugin_list.h"
+#include "core/algorithm/plugin/plugin_list.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <deque>
 #include <vector>
 
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
-#include "core/stabiliser/plugin/plugin_law.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/plugin_algorithm.h"
 
 namespace hapticwall {
 namespace {

@@ -1,7 +1,7 @@
 // An algorithm and its follower: `[algorithm] then = "passivity-control"`.
 #pragma once
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 
@@ -12,11 +12,12 @@ namespace hapticwall {
 // Both algorithms get the force really commanded as F_d(k-1). With the same-sample observer and
 // without cap and floor, the whole control law is then passive (Eq. 6 never below zero), whatever
 // the algorithm does. An algorithm's bound on the change of force in a tick does not hold any more,
-// because α v is added. Source: derived. Realtime-safe: as Stabiliser.
-class FollowedStabiliser {
+// because α v is added. Source: derived. Realtime-safe: as ActiveAlgorithm.
+class FollowedAlgorithm {
  public:
-  // As Stabiliser::configure(). The follower also starts anew when it is put behind an algorithm.
-  void configure(const AlgorithmSettings& settings, const StabiliserContext& context) {
+  // As ActiveAlgorithm::configure(). The follower also starts anew when it is put behind an
+  // algorithm.
+  void configure(const AlgorithmSettings& settings, const AlgorithmContext& context) {
     const bool followed = has_follower(settings) && !first_.borrows();
     const bool same = settings.index == algorithm_ && followed == followed_;
     algorithm_ = settings.index;
@@ -25,8 +26,8 @@ class FollowedStabiliser {
     follower_.configure(follower_index(), context);
     if (!same) follower_.reset();
   }
-  // As Stabiliser::borrow(). Nothing follows a borrowed law.
-  void borrow(const BorrowedLaw& borrowed) {
+  // As ActiveAlgorithm::borrow(). Nothing follows a borrowed algorithm.
+  void borrow(const BorrowedAlgorithm& borrowed) {
     first_.borrow(borrowed);
     followed_ = false;
   }
@@ -35,9 +36,9 @@ class FollowedStabiliser {
     follower_.reset();
   }
 
-  [[nodiscard]] double step(const StabiliserInput& input) {
+  [[nodiscard]] double step(const AlgorithmInput& input) {
     if (!followed_) return first_.step(input);
-    StabiliserInput of_follower = input;
+    AlgorithmInput of_follower = input;
     of_follower.wall_force_n = first_.step(input);
     return follower_.step(of_follower);
   }
@@ -52,8 +53,8 @@ class FollowedStabiliser {
  private:
   std::size_t algorithm_ = 0;
   bool followed_ = false;
-  Stabiliser first_;
-  Stabiliser follower_;
+  ActiveAlgorithm first_;
+  ActiveAlgorithm follower_;
 };
 
 }  // namespace hapticwall

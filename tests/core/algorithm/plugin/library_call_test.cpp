@@ -1,4 +1,4 @@
-#include "core/stabiliser/plugin/library_call.h"
+#include "core/algorithm/plugin/library_call.h"
 
 #include <gtest/gtest.h>
 

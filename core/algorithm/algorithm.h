@@ -1,5 +1,5 @@
-// A law's description, its input and its functions; the list of laws; a law at work.
-// law.h says how to write one.
+// An algorithm's description, its input and its functions; the list of algorithms; an algorithm at
+// work. law.h says how to write one.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,15 @@
 #include <string_view>
 #include <vector>
 
+#include "core/algorithm/plugin/plugin_algorithm.h"
 #include "core/algorithm_settings.h"
 #include "core/sample.h"
-#include "core/stabiliser/plugin/plugin_law.h"
 #include "core/wall.h"
 
 namespace hapticwall {
 
 // The part of a scene that an algorithm may use.
-struct StabiliserContext {
+struct AlgorithmContext {
   double period_s = 1e-3;
   double device_damping_n_s_per_m = 0.0;
   double encoder_m = 0.0;  // 0: none
@@ -37,9 +37,9 @@ struct StabiliserContext {
   }
 };
 
-// The input of a law at tick k; signs as in docs/physics.md (x grows into the wall, F_d > 0 pushes
-// out of it).
-struct StabiliserInput {
+// The input of an algorithm at tick k; signs as in docs/physics.md (x grows into the wall, F_d > 0
+// pushes out of it).
+struct AlgorithmInput {
   double wall_force_n = 0.0;      // F_e(k)
   double position_m = 0.0;        // x_k as measured
   double displacement_m = 0.0;    // x_k - x_{k-1} as measured
@@ -64,7 +64,7 @@ struct AlgorithmDescription {
   std::span<const SignalDescription> signals = {};
   // The first contradiction between the algorithm's keys, which are in range each. Checked in every
   // scene, whichever algorithm it names. nullptr: none is possible.
-  std::optional<SceneProblem> (*problem)(const StabiliserContext& context) = nullptr;
+  std::optional<SceneProblem> (*problem)(const AlgorithmContext& context) = nullptr;
   std::string_view old_name = {};   // read like the name, never written; empty: none
   std::string_view forms_key = {};  // a comparison shows each choice of this key; empty: none
 };
@@ -75,7 +75,7 @@ inline constexpr ParameterDescription kBelievedDampingParameter =
                      "b as the algorithm believes it");
 
 // b as the algorithm believes it. Realtime-safe: yes.
-[[nodiscard]] double believed_damping(const StabiliserContext& context);
+[[nodiscard]] double believed_damping(const AlgorithmContext& context);
 
 // An algorithm's force may pass through a second algorithm, the follower. The key belongs to no
 // single algorithm; it is in the union of all keys.
@@ -124,40 +124,41 @@ struct ComparedAlgorithm {
 
 // ---- an algorithm at work ----
 
-// What the program calls of a law on its state: built in, a plug-in, or a borrowed one.
-struct Law {
+// What the program calls of an algorithm on its state: built in, a plug-in, or a borrowed one.
+struct Algorithm {
   AlgorithmDescription description;
-  void (*start)(void* state);  // a new law in a built-in one's block: without parameters and past
-  void (*configure)(void* state, const StabiliserContext& context);
+  void (*start)(
+      void* state);  // a new algorithm in a built-in one's block: without parameters and past
+  void (*configure)(void* state, const AlgorithmContext& context);
   void (*reset)(void* state);
-  double (*step)(void* state, const StabiliserInput& in, std::span<double> signals);
+  double (*step)(void* state, const AlgorithmInput& in, std::span<double> signals);
 };
-inline constexpr std::size_t kMaxLawBytes = 512;  // of a built-in law
+inline constexpr std::size_t kMaxAlgorithmBytes = 512;  // of a built-in algorithm
 
-// A law of the program itself in the place of the scene's algorithm: an experiment on the device.
-// Law and state outlive the loop.
-struct BorrowedLaw {
-  const Law* law;
+// An algorithm of the program itself in the place of the scene's algorithm: an experiment on the
+// device. Algorithm and state outlive the loop.
+struct BorrowedAlgorithm {
+  const Algorithm* functions;
   void* state;
 };
 
 // One algorithm on one axis. Realtime-safe: yes, except the constructor.
-class Stabiliser {
+class ActiveAlgorithm {
  public:
-  Stabiliser();
+  ActiveAlgorithm();
 
   // New settings or a new scene. A change of algorithm resets the state; nothing else does.
-  void configure(std::size_t algorithm, const StabiliserContext& context);
-  // From now on this law, whichever algorithm configure() names.
-  void borrow(const BorrowedLaw& borrowed);
+  void configure(std::size_t algorithm, const AlgorithmContext& context);
+  // From now on this algorithm, whichever algorithm configure() names.
+  void borrow(const BorrowedAlgorithm& borrowed);
   [[nodiscard]] bool borrows() const {
     return elsewhere_ != nullptr && elsewhere_ != plugin_.get();
   }
-  void reset() { law_->reset(state()); }
-  [[nodiscard]] double step(const StabiliserInput& input) {
+  void reset() { functions_->reset(state()); }
+  [[nodiscard]] double step(const AlgorithmInput& input) {
     const std::span<double> values = std::span(values_).first(signals_);
     std::ranges::fill(values, std::numeric_limits<double>::quiet_NaN());
-    return law_->step(state(), input, values);
+    return functions_->step(state(), input, values);
   }
   // The signals of the last step(), in their places.
   void show(Signals& signals) const {
@@ -172,14 +173,14 @@ class Stabiliser {
   [[nodiscard]] void* state() { return elsewhere_ != nullptr ? elsewhere_ : block_.data(); }
   void find_places();
 
-  const Law* law_;
+  const Algorithm* functions_;
   std::size_t algorithm_ = 0;
-  void* elsewhere_ = nullptr;  // the state of a plug-in or a borrowed law; nullptr: in block_
+  void* elsewhere_ = nullptr;  // the state of a plug-in or a borrowed algorithm; nullptr: in block_
   std::size_t signals_ = 0;
   Signals values_{};
   std::array<std::size_t, kMaxSignals> places_{};
-  alignas(std::max_align_t) std::array<std::byte, kMaxLawBytes> block_{};
-  std::unique_ptr<PluginLaw> plugin_;
+  alignas(std::max_align_t) std::array<std::byte, kMaxAlgorithmBytes> block_{};
+  std::unique_ptr<PluginAlgorithm> plugin_;
 };
 
 }  // namespace hapticwall

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/algorithm/plugin/float_settings.h"
 #include "core/loop/pulse.h"
 #include "core/result.h"
-#include "core/stabiliser/plugin/float_settings.h"
 
 namespace hapticwall {
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string_view>
 
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/plugin_algorithm.h"
+#include "core/algorithm/plugin/plugin_list.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
-#include "core/stabiliser/plugin/plugin_law.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
 #include "core/text.h"
 
 namespace hapticwall {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 
 namespace hapticwall {
 
@@ -44,13 +44,13 @@ struct EnergyLimitedSpring {
       nullptr,
       "energy-bookkeeping"};
 
-  void configure(const StabiliserContext& context) {
+  void configure(const AlgorithmContext& context) {
     passive_n_per_m_ = 2.0 * believed_damping(context) / context.period_s;
     walls_ = context.walls;
   }
   void reset() { energy_j_ = 0.0; }
 
-  double step(const StabiliserInput& in, std::span<double> signals) {
+  double step(const AlgorithmInput& in, std::span<double> signals) {
     energy_j_ = in.in_contact ? energy_j_ + in.previous_force_n * in.displacement_m : 0.0;
     const double spring_n = spring_force(walls_, std::max(energy_j_, 0.0));
     const double bound_n = std::max(passive_n_per_m_ * in.penetration_m, spring_n);

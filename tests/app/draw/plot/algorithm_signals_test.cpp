@@ -22,7 +22,7 @@ struct UnitCase {
   const char* unit;
 };
 
-TEST(LawSignals, AreLinesOfThePlotThatHasTheirUnit) {
+TEST(AlgorithmSignals, AreLinesOfThePlotThatHasTheirUnit) {
   for (const UnitCase& unit : {UnitCase{"depth_m", "law: depth", PlotId::kPosition, "mm"},
                                UnitCase{"tip_m_per_s", "law: tip", PlotId::kPosition, "mm/s"},
                                UnitCase{"step_bound_n", "law: step bound", PlotId::kForce, "N"},
@@ -41,12 +41,12 @@ TEST(LawSignals, AreLinesOfThePlotThatHasTheirUnit) {
   }
 }
 
-TEST(LawSignals, OfAnUnknownUnitHaveNoLine) {
+TEST(AlgorithmSignals, OfAnUnknownUnitHaveNoLine) {
   EXPECT_FALSE(PlotTable({}, named("counter")).find(Quantity::signal(3)));
   EXPECT_EQ(lines_with(named("counter")), usual_lines());
 }
 
-TEST(LawSignals, OfEveryBuiltInLawAreDrawnOnRequestOnly) {
+TEST(AlgorithmSignals, OfEveryBuiltInAlgorithmAreDrawnOnRequestOnly) {
   const PlotTable table({}, signal_names());
   for (std::size_t place = 0; place < algorithm_signals().size(); ++place) {
     const auto found = table.find(Quantity::signal(place));
@@ -57,7 +57,7 @@ TEST(LawSignals, OfEveryBuiltInLawAreDrawnOnRequestOnly) {
   }
 }
 
-TEST(LawSignals, AreKeptByTheHistoryWithTheirGaps) {
+TEST(AlgorithmSignals, AreKeptByTheHistoryWithTheirGaps) {
   SampleHistory history(100);
   EXPECT_EQ(history.signals(), signal_names());
   Sample sample;

@@ -5,9 +5,9 @@
 #include <array>
 #include <limits>
 
-#include "core/stabiliser/plugin/include/hapticwall/plugin.h"
-#include "core/stabiliser/plugin/plugin_list.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
+#include "core/algorithm/plugin/include/hapticwall/plugin.h"
+#include "core/algorithm/plugin/plugin_list.h"
 
 namespace hapticwall {
 namespace {
@@ -20,9 +20,9 @@ class PluginProblem : public ::testing::Test {
  protected:
   std::array<hw_parameter, 17> parameters_{
       {{"gain", "N", 0.0, 1.0, 0.5, "a gain"},
-       {"damping_n_s_per_m", "N·s/m", 0.0, 1e6, kPluginNan, "of a built-in law, too"}}};
+       {"damping_n_s_per_m", "N·s/m", 0.0, 1e6, kPluginNan, "of a built-in algorithm, too"}}};
   std::array<hw_signal, 9> signals_{
-      {{"gain_n", "of its own"}, {"step_bound_n", "of a built-in law, too"}}};
+      {{"gain_n", "of its own"}, {"step_bound_n", "of a built-in algorithm, too"}}};
   hw_plugin plugin_{
       HAPTICWALL_PLUGIN_ABI,
       sizeof(hw_plugin),
@@ -120,7 +120,7 @@ TEST_F(PluginProblem, ASignalThatCouldNotBeAColumn) {
   EXPECT_THAT(plugin_problem(plugin_), HasSubstr("signals is NULL"));
 }
 
-// The built-in laws have nine.
+// The built-in algorithms have nine.
 TEST_F(PluginProblem, MoreSignalsThanASampleHolds) {
   const std::array<const char*, 8> names{"a", "b", "c", "d", "e", "f", "g", "h"};
   for (std::size_t i = 0; i < names.size(); ++i) signals_.at(i) = {names[i], ""};
