@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "core/loop/device_reading.h"
 #include "core/result.h"
 #include "core/sample.h"
+#include "core/tick/device_reading.h"
 #include "device/link_stats.h"
 
 namespace hapticwall {

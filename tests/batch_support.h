@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/batch/batch_simulator.h"
-#include "core/simulation/simulate.h"
+#include "core/run/batch_simulator.h"
+#include "core/run/simulate.h"
 #include "core/summary.h"
 #include "tests/summary_support.h"
 

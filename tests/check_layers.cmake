@@ -8,7 +8,7 @@
 #   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay, identify;
 #   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen and itself;
-# core/batch/workers.cpp alone spreads scenes over the cores.
+# core/run/workers.cpp alone spreads scenes over the cores.
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -91,7 +91,7 @@ function(objection file layer header out)
   elseif(room AND same_layer EQUAL 0 AND NOT target_room IN_LIST may_include_${room})
     set(${out} "is of ${target_room}, which ${room} must not know" PARENT_SCOPE)
   elseif(layer STREQUAL "core" AND NOT target)
-    if(header MATCHES "^(thread|sched\\.h)$" AND file STREQUAL "core/batch/workers.cpp")
+    if(header MATCHES "^(thread|sched\\.h)$" AND file STREQUAL "core/run/workers.cpp")
       return()  # it shares scenes out
     elseif(header MATCHES "${impure}")
       set(${out} "has a clock, files or threads, and core is pure" PARENT_SCOPE)

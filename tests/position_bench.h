@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/loop/servo.h"
+#include "core/tick/servo.h"
 
 namespace hapticwall::testing {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "core/run/simulate.h"
 #include "core/sample.h"
 #include "core/scene.h"
-#include "core/simulation/simulate.h"
 
 namespace hapticwall::testing {
 

@@ -10,7 +10,7 @@
 
 #include "app/command/report/terminal.h"
 #include "app/runtime/loop/early_exit.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall::command {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "app/compare/blind_trials.h"
 #include "core/algorithm_settings.h"
-#include "core/loop/energy_ledger.h"
 #include "core/sample.h"
+#include "core/tick/energy_ledger.h"
 
 namespace hapticwall::compare {
 

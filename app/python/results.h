@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "app/file/recording/recording_rows.h"
+#include "core/run/simulate.h"
 #include "core/sample.h"
-#include "core/simulation/simulate.h"
 #include "core/summary.h"
 
 namespace hapticwall::python {

@@ -8,7 +8,7 @@
 
 #include "app/python/interruptible.h"
 #include "app/runtime/session/hand_rerun.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "core/units.h"
 
 namespace hapticwall::python {

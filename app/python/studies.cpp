@@ -10,9 +10,9 @@
 #include "app/python/interruptible.h"
 #include "app/python/law.h"
 #include "core/algorithm/algorithm.h"
-#include "core/batch/batch_simulator.h"
+#include "core/run/batch_simulator.h"
+#include "core/run/simulate.h"
 #include "core/scene_keys.h"
-#include "core/simulation/simulate.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall::python {

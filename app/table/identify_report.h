@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/file/scene/device_file.h"
-#include "core/identify/identify.h"
+#include "core/study/identify/identify.h"
 
 namespace hapticwall::table {
 

@@ -16,8 +16,8 @@
 
 #include "core/algorithm/plugin/plugin_algorithm.h"
 #include "core/algorithm_settings.h"
+#include "core/environment/walls.h"
 #include "core/sample.h"
-#include "core/wall.h"
 
 namespace hapticwall {
 

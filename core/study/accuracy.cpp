@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "core/batch/batch_simulator.h"
+#include "core/run/batch_simulator.h"
 #include "core/study/stability_bounds.h"
 
 namespace hapticwall {

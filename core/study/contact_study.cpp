@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall {
 namespace {

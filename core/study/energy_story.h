@@ -24,8 +24,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/loop/energy_ledger.h"
 #include "core/sample.h"
+#include "core/tick/energy_ledger.h"
 
 namespace hapticwall {
 

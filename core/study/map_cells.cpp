@@ -2,7 +2,7 @@
 #include <numeric>
 #include <string>
 
-#include "core/batch/batch_simulator.h"
+#include "core/run/batch_simulator.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall {

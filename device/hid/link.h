@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/dialect.h"
-#include "core/loop/triple_buffer.h"
+#include "core/tick/triple_buffer.h"
 #include "device/device.h"
 #include "device/hid/link_listening.h"
 #include "device/hid/report.h"

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/loop/device_reading.h"
+#include "core/tick/device_reading.h"
 #include "device/hid/link.h"
 
 namespace hapticwall::device {

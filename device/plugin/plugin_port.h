@@ -8,8 +8,8 @@
 #include <mutex>
 #include <string>
 
-#include "core/loop/pulse.h"
 #include "core/result.h"
+#include "core/tick/pulse.h"
 #include "device/hid/link.h"
 #include "device/hid/port.h"
 #include "device/plugin/include/hapticwall/device_plugin.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/algorithm/algorithm.h"
-#include "core/batch/batch_simulator.h"
+#include "core/run/batch_simulator.h"
 #include "tests/benchmark/rows.h"
 
 namespace hapticwall::benchmark_rows {

@@ -9,7 +9,7 @@
 
 #include "app/file/plugin/plugin_file.h"
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/benchmark/bare_loop.h"
 #include "tests/benchmark/ratio_reporter.h"
 #include "tests/benchmark/rows.h"

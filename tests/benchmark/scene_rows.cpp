@@ -11,9 +11,9 @@
 
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
-#include "core/loop/servo.h"
 #include "core/plant/plant_model.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
+#include "core/tick/servo.h"
 #include "tests/benchmark/friction_loop.h"
 #include "tests/benchmark/rows.h"
 

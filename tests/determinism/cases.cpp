@@ -12,8 +12,8 @@
 #include "app/file/recording/recording_writer.h"
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
+#include "core/run/simulate.h"
 #include "core/scene_keys.h"
-#include "core/simulation/simulate.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall::determinism {

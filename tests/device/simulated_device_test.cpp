@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/loop/servo.h"
+#include "core/tick/servo.h"
 
 namespace hapticwall::device {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/plant/output_stage.h"
 #include "core/plant/plant_model.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/samples.h"
 
 namespace hapticwall {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall {
 namespace {

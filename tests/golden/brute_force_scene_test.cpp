@@ -11,7 +11,7 @@
 
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/golden/brute_force_tap.h"
 
 namespace hapticwall {

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
-#include "core/loop/servo.h"
 #include "core/plant/plant_model.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
+#include "core/tick/servo.h"
 #include "tests/paths.h"
 
 namespace hapticwall {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/core/identify/trial_device.h"
+#include "tests/core/study/identify/trial_device.h"
 
 namespace hapticwall::testing {
 namespace {

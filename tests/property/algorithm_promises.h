@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/loop/servo.h"
 #include "core/sample.h"
+#include "core/tick/servo.h"
 
 namespace hapticwall::testing {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/position_bench.h"
 #include "tests/property/scene_generator.h"
 #include "tests/samples.h"

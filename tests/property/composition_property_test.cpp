@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/batch/batch_simulator.h"
-#include "core/simulation/simulate.h"
+#include "core/run/batch_simulator.h"
+#include "core/run/simulate.h"
 #include "tests/batch_support.h"
 #include "tests/position_bench.h"
 #include "tests/property/scene_generator.h"

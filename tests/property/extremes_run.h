@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/energy_turnover.h"
 #include "tests/property/extremes_scene.h"
 

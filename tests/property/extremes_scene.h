@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/algorithm/algorithm.h"
-#include "core/loop/servo_step.h"
 #include "core/scene.h"
+#include "core/tick/servo_step.h"
 #include "tests/position_bench.h"
 
 namespace hapticwall::testing {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/simulation/metrics.h"
-#include "core/simulation/simulate.h"
+#include "core/run/metrics.h"
+#include "core/run/simulate.h"
 #include "tests/position_bench.h"
 #include "tests/property/scene_generator.h"
 #include "tests/samples.h"

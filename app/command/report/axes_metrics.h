@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/run/metrics.h"
 #include "core/sample.h"
 #include "core/scene.h"
-#include "core/simulation/metrics.h"
 
 namespace hapticwall::command {
 

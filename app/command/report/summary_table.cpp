@@ -10,7 +10,7 @@
 #include <span>
 
 #include "app/table/text_table.h"
-#include "core/simulation/metrics.h"
+#include "core/run/metrics.h"
 #include "core/units.h"
 
 namespace hapticwall::command {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall::command {
 

@@ -16,8 +16,8 @@
 #include "app/command/signals.h"
 #include "app/file/text/text.h"
 #include "app/runtime/session/loop_session.h"
+#include "core/run/simulate.h"
 #include "core/sample.h"
-#include "core/simulation/simulate.h"
 #include "core/units.h"
 
 namespace hapticwall::command {

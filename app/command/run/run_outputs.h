@@ -15,7 +15,7 @@
 #include "app/file/recording/sample_stream.h"
 #include "app/file/scene/scene_file.h"
 #include "app/sound/signal/sound_stream.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall::command {
 

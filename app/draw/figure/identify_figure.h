@@ -11,8 +11,8 @@
 #include "app/draw/figure/figure.h"
 #include "app/draw/plot/theme.h"
 #include "app/file/picture.h"
-#include "core/identify/identify.h"
 #include "core/result.h"
+#include "core/study/identify/identify.h"
 
 namespace hapticwall::draw {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/draw/plot/theme.h"
-#include "core/simulation/metrics.h"
+#include "core/run/metrics.h"
 
 namespace hapticwall::draw {
 namespace {

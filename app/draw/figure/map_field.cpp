@@ -11,7 +11,7 @@
 
 #include "app/draw/figure/map_colours.h"
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/metrics.h"
+#include "core/run/metrics.h"
 #include "core/study/dimensionless.h"
 #include "core/units.h"
 

@@ -9,7 +9,7 @@
 #include "app/runtime/loop/given_way.h"
 #include "app/runtime/loop/motion_judge.h"
 #include "app/runtime/loop/obedience.h"
-#include "core/loop/device_reading.h"
+#include "core/tick/device_reading.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {

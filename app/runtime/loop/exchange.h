@@ -13,10 +13,10 @@
 #include "app/runtime/loop/snapshot.h"
 #include "app/runtime/loop/sound_feed.h"
 #include "app/runtime/loop/spsc_queue.h"
-#include "core/loop/servo_step.h"
-#include "core/loop/triple_buffer.h"
 #include "core/plant/plant_model.h"
 #include "core/sample.h"
+#include "core/tick/servo_step.h"
+#include "core/tick/triple_buffer.h"
 
 namespace hapticwall::runtime {
 

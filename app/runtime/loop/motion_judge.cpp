@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/loop/servo_step.h"
+#include "core/tick/servo_step.h"
 
 namespace hapticwall::runtime {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/runtime/loop/arming.h"
-#include "core/loop/device_reading.h"
+#include "core/tick/device_reading.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {

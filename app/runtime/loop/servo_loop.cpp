@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "app/runtime/loop/crash_stop.h"
-#include "core/loop/pulse.h"
+#include "core/tick/pulse.h"
 
 namespace hapticwall::runtime {
 namespace {

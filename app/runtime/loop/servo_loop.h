@@ -11,7 +11,7 @@
 #include "app/runtime/loop/cycle_scheduler.h"
 #include "app/runtime/loop/device_judge.h"
 #include "app/runtime/loop/exchange.h"
-#include "core/loop/servo.h"
+#include "core/tick/servo.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {

@@ -9,7 +9,7 @@
 #include "app/runtime/loop/clock.h"
 #include "app/runtime/loop/crash_stop.h"
 #include "app/runtime/loop/early_exit.h"
-#include "core/loop/pulse.h"
+#include "core/tick/pulse.h"
 
 namespace hapticwall::runtime {
 namespace {

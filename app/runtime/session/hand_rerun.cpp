@@ -13,9 +13,9 @@
 #include "app/file/text/text.h"
 #include "app/runtime/session/recorded_hand.h"
 #include "core/algorithm/algorithm.h"
-#include "core/loop/servo.h"
 #include "core/result.h"
-#include "core/simulation/metrics.h"
+#include "core/run/metrics.h"
+#include "core/tick/servo.h"
 
 namespace hapticwall::runtime {
 namespace {

@@ -12,10 +12,10 @@
 #include "app/file/scene/device_file.h"
 #include "app/runtime/loop/snapshot.h"
 #include "core/algorithm/algorithm.h"
-#include "core/identify/identify.h"
 #include "core/result.h"
 #include "core/scene.h"
 #include "core/scene_keys.h"
+#include "core/study/identify/identify.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/runtime/loop/realtime_setup.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall::ui {
 namespace {

@@ -13,14 +13,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/batch/workers.h"
 #include "core/result.h"
+#include "core/run/workers.h"
 
 namespace hapticwall::ui {
 
 // Of a task that shares its work out: one core is left to the loop and the window.
 [[nodiscard]] inline int background_thread_count() {
-  return static_cast<int>(std::max<std::size_t>(batch::worker_count(0), 2) - 1);
+  return static_cast<int>(std::max<std::size_t>(worker_count(0), 2) - 1);
 }
 
 // One task at a time. All members are called from the owner's thread. None waits, except the

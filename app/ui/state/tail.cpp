@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/file/text/text.h"
-#include "core/simulation/metrics.h"
+#include "core/run/metrics.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {

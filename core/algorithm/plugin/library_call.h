@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/algorithm/plugin/float_settings.h"
-#include "core/loop/pulse.h"
 #include "core/result.h"
+#include "core/tick/pulse.h"
 
 namespace hapticwall {
 

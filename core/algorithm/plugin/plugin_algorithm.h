@@ -6,7 +6,7 @@
 #include <memory>
 #include <span>
 
-#include "core/loop/pulse.h"
+#include "core/tick/pulse.h"
 
 struct hw_plugin;  // hapticwall/plugin.h
 

@@ -14,7 +14,7 @@
 #include "app/command/report/summary_table.h"
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/app/command/binary.h"
 
 namespace hapticwall::command::test {

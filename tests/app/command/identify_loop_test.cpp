@@ -7,7 +7,7 @@
 
 #include "app/emulator/emulator_options.h"
 #include "app/runtime/session/identify_experiment.h"
-#include "core/identify/identify.h"
+#include "core/study/identify/identify.h"
 #include "tests/app/runtime/loop/lie_rig.h"
 
 namespace hapticwall::command {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall::file {
 namespace {

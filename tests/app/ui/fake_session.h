@@ -15,7 +15,7 @@
 #include "app/runtime/loop/sound_feed.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/scene_change.h"
-#include "core/loop/servo.h"
+#include "core/tick/servo.h"
 #include "device/simulated_device.h"
 
 namespace hapticwall::test {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/loop/servo.h"
+#include "core/tick/servo.h"
 #include "tests/position_bench.h"
 
 namespace hapticwall {

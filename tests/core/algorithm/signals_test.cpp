@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/loop/servo.h"
+#include "core/run/simulate.h"
 #include "core/scene_keys.h"
-#include "core/simulation/simulate.h"
+#include "core/tick/servo.h"
 #include "tests/position_bench.h"
 
 namespace hapticwall {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/plant/plant_model.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/core/study/study_scenes.h"
 
 namespace hapticwall {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/algorithm/algorithm.h"
-#include "core/loop/servo.h"
+#include "core/tick/servo.h"
 #include "device/simulated_device.h"
 #include "tests/device/emulator/emulator_support.h"
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "core/loop/servo.h"
+#include "core/tick/servo.h"
 #include "tests/device/hid/link_rig.h"
 
 namespace hapticwall::device {

@@ -8,7 +8,7 @@
 #include "app/draw/plot/theme.h"
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 

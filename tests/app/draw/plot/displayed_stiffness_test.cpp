@@ -9,7 +9,7 @@
 #include "app/draw/plot/sample_history.h"
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/samples.h"
 
 namespace hapticwall::draw {

@@ -13,7 +13,7 @@
 
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 
 namespace hapticwall::draw {
 namespace {

@@ -13,9 +13,9 @@
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
-#include "core/loop/servo.h"
 #include "core/plant/plant_model.h"
 #include "core/scene.h"
+#include "core/tick/servo.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {

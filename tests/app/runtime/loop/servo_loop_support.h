@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/runtime/session/plant_keeper.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "device/simulated_device.h"
 #include "tests/app/runtime/loop/loop_bench.h"
 #include "tests/samples.h"

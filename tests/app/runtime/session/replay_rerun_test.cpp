@@ -6,8 +6,8 @@
 
 #include "app/runtime/session/hand_rerun.h"
 #include "core/algorithm/algorithm.h"
-#include "core/batch/batch_simulator.h"
-#include "core/simulation/simulate.h"
+#include "core/run/batch_simulator.h"
+#include "core/run/simulate.h"
 #include "tests/app/runtime/session/replay_support.h"
 #include "tests/app/runtime/session/session_support.h"
 

@@ -12,8 +12,8 @@
 
 #include "app/file/recording/recording_reader.h"
 #include "app/file/recording/recording_writer.h"
-#include "core/loop/servo.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
+#include "core/tick/servo.h"
 #include "device/simulated_device.h"
 #include "tests/temporary_folder.h"
 

@@ -17,7 +17,7 @@
 #include "app/file/scene/scene_file.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/loop_session.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "device/simulated_device.h"
 #include "tests/app/runtime/support.h"
 

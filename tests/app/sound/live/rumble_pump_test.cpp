@@ -14,7 +14,7 @@
 
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/app/sound/live/fake_gamepad.h"
 
 namespace hapticwall::sound::test {

@@ -3,7 +3,7 @@
 
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/tail.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {

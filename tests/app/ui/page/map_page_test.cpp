@@ -4,7 +4,7 @@
 #include "app/draw/figure/map_colours.h"
 #include "app/ui/state/blind_test.h"
 #include "core/algorithm/algorithm.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {

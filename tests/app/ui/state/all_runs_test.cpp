@@ -7,7 +7,7 @@
 
 #include "app/file/scene/scene_file.h"
 #include "app/ui/state/tail.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/app/runtime/support.h"
 
 namespace hapticwall::test {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/file/scene/scene_file.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::ui {

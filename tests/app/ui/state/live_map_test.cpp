@@ -12,8 +12,8 @@
 
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
-#include "core/batch/workers.h"
-#include "core/simulation/simulate.h"
+#include "core/run/simulate.h"
+#include "core/run/workers.h"
 #include "tests/app/runtime/support.h"
 
 namespace hapticwall::test {
@@ -177,7 +177,7 @@ TEST(LiveMapTest, LeavesACoreToTheLoopAndYieldsOnTheOthers) {
   });
   EXPECT_TRUE(yield);
   EXPECT_GE(most, 1U);
-  EXPECT_LE(most, std::max(batch::worker_count(0), std::size_t{2}) - 1);
+  EXPECT_LE(most, std::max(worker_count(0), std::size_t{2}) - 1);
 }
 
 TEST(LiveMapTest, ItsEndWaitsForItsThreads) {

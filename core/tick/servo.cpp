@@ -1,0 +1,60 @@
+#include "core/tick/servo.h"
+
+#include <cmath>
+
+namespace hapticwall {
+
+ServoSettings servo_settings(const Scene& scene) {
+  ServoSettings settings;
+  settings.rate_hz = scene.sampling.rate_hz;
+  settings.device_damping_n_s_per_m = scene.x().device.damping_n_s_per_m;
+  settings.encoder_m = scene.x().device.encoder_m.value_or(0.0);
+  if (scene.x().device.force_limit_n) settings.force_limit_n = *scene.x().device.force_limit_n;
+  if (const double rate = scene.x().device.max_force_rate_n_per_s.value_or(0.0); rate > 0.0) {
+    settings.max_rise_n = rate * settings.period_s();
+  }
+  settings.walls = WallSet(scene.x().walls);
+  settings.algorithm = scene.algorithm;
+  return settings;
+}
+
+AlgorithmContext algorithm_context(const ServoSettings& settings) {
+  return {settings.period_s(), settings.device_damping_n_s_per_m,
+          settings.encoder_m,  settings.walls,
+          &settings.algorithm, settings.force_limit_n};
+}
+
+Servo::Servo(const ServoSettings& settings) : settings_(settings) {
+  configure();
+  reset();
+}
+
+void Servo::configure() {
+  const AlgorithmContext context = algorithm_context(settings_);
+  estimator_.configure(settings_.estimator, settings_.rate_hz);
+  algorithm_.configure(settings_.algorithm, context);
+  state_.budget_n_per_m = believed_damping(context) * settings_.rate_hz;
+}
+
+void Servo::apply(const ServoSettings& settings) {
+  state_.parameters_changed = true;
+  if (settings == settings_) return;
+  settings_ = settings;
+  configure();
+  if (state_.tick == 0) return;  // no force yet, no kick
+  const double ticks = std::max(1.0, std::round(settings_.transition_s * settings_.rate_hz));
+  state_.transition = {static_cast<std::uint32_t>(ticks), static_cast<std::uint32_t>(ticks), 0.0,
+                       false};
+}
+
+void Servo::reset() {
+  estimator_.reset();
+  algorithm_.reset();
+  const double budget_n_per_m = state_.budget_n_per_m;
+  const double force_gain = state_.force_gain;
+  state_ = ServoState{};
+  state_.budget_n_per_m = budget_n_per_m;
+  state_.force_gain = force_gain;
+}
+
+}  // namespace hapticwall

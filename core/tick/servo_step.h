@@ -1,0 +1,268 @@
+// The fixed order of a tick, in one function:
+//
+//   read → age check → velocity (estimator) → walls → algorithm → finite check → magnitude clamp →
+//   write → ledger → sample
+//
+// Finite before clamp, because std::clamp(NaN, …) is NaN. Any failure means zero force. The live
+// loop, the headless run and the tests call the same function with different devices.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "core/algorithm/followed_algorithm.h"
+#include "core/environment/walls.h"
+#include "core/estimator/estimator.h"
+#include "core/sample.h"
+#include "core/scene.h"
+#include "core/tick/device_reading.h"
+#include "core/tick/energy_ledger.h"
+
+namespace hapticwall {
+
+// An older position gives zero force.
+inline constexpr double kDefaultMaxAgeS = 0.02;
+// A switch of algorithm during a run blends the force over this time.
+inline constexpr double kSwitchTransitionS = 0.05;
+
+// The loop's part of a scene. Trivially copyable.
+struct ServoSettings {
+  double rate_hz = 1000.0;
+  double device_damping_n_s_per_m = 0.0;
+  double encoder_m = 0.0;  // 0: none
+  double force_limit_n =
+      std::numeric_limits<double>::max();  // finite, so that an infinite force is over it
+  // Of the force's magnitude in a tick.
+  double max_rise_n = std::numeric_limits<double>::infinity();
+  double maximum_age_s = kDefaultMaxAgeS;
+  double transition_s = kSwitchTransitionS;
+  WallSet walls;
+  const Estimator* estimator = nullptr;  // nullptr: the backward difference
+  AlgorithmSettings algorithm;
+
+  [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }
+  friend bool operator==(const ServoSettings&, const ServoSettings&) = default;
+};
+
+[[nodiscard]] ServoSettings servo_settings(const Scene& scene);
+// Points into `settings`, which must outlive it. Realtime-safe: yes.
+[[nodiscard]] AlgorithmContext algorithm_context(const ServoSettings& settings);
+
+// After a switch the force starts at its last value: the difference to the new algorithm's force is
+// an offset that falls linearly to 0.
+struct SwitchTransition {
+  std::uint32_t ticks_left = 0;
+  std::uint32_t ticks_total = 0;
+  double offset_n = 0.0;
+  bool offset_known = false;
+
+  // Realtime-safe: yes.
+  [[nodiscard]] double blend(double force_n, double previous_force_n) {
+    if (!offset_known) {
+      offset_n = previous_force_n - force_n;
+      offset_known = true;
+    }
+    const double weight = static_cast<double>(ticks_left) / static_cast<double>(ticks_total);
+    --ticks_left;
+    return force_n + weight * offset_n;
+  }
+};
+
+struct ServoState {
+  std::uint64_t tick = 0;
+  double previous_position_m = 0.0;
+  double previous_force_n = 0.0;
+  double budget_n_per_m = 0.0;  // b/T, b as the algorithm believes it
+  EnergyLedger ledger;
+  SwitchTransition transition;
+  // Share of the force that reaches the device, 0 to 1; less than 1 until the device is fully
+  // armed.
+  double force_gain = 1.0;
+  double previous_gain = 1.0;  // of the previous force
+  // Until a device has obeyed: share of the force limit, and of the force within it, above 0. The
+  // algorithm does not see the second one.
+  double limit_share = 1.0;
+  double level = 1.0;
+  double previous_level = 1.0;  // of the previous force
+  bool position_known = false;  // the last reading was without fault
+  bool parameters_changed = false;
+  bool failed = false;  // a force that was not finite; sticky until reset
+};
+
+// Result of a tick. ServoState has the ledger after it.
+struct TickOutcome {
+  std::uint64_t tick = 0;
+  double position_m = 0.0;
+  double age_s = 0.0;            // of the position
+  double device_time_s = 0.0;    // of the position, by the device's clock
+  double applied_force_n = 0.0;  // by the device's word
+  double displacement_m = 0.0;
+  double velocity_m_per_s = 0.0;
+  WallContact contact;
+  double force_n = 0.0;  // as commanded
+  bool intervened = false;
+  bool saturated = false;
+  bool stale = false;
+  bool fault = false;
+  bool parameters_changed = false;
+  bool rate_limited = false;
+};
+
+namespace detail {
+
+// From the previous force of the same sign, else from zero; the force falls at once. Realtime-safe:
+// yes.
+[[nodiscard]] inline double limit_rise(double force_n, double previous_n, double max_rise_n) {
+  const bool same_sign = (force_n > 0.0) == (previous_n > 0.0);
+  const double from_n = same_sign ? std::abs(previous_n) : 0.0;
+  return std::clamp(force_n, -from_n - max_rise_n, from_n + max_rise_n);
+}
+
+// Finite check, then clamp; zero if the input is not usable. Realtime-safe: yes.
+[[nodiscard]] inline double restrict_force(double wanted_n, double limit_n, bool usable,
+                                           ServoState& state) {
+  if (!std::isfinite(wanted_n)) state.failed = true;
+  if (state.failed || !usable) return 0.0;
+  return std::clamp(wanted_n, -limit_n, limit_n);
+}
+
+// Clamps a force before it is blended: a stiff wall's excess over the limit would stay in the
+// offset and pull in a handle that leaves. Keeps NaN and infinity. Realtime-safe: yes.
+[[nodiscard]] inline double within(double wanted_n, double limit_n) {
+  return std::isfinite(wanted_n) ? std::clamp(wanted_n, -limit_n, limit_n) : wanted_n;
+}
+
+// The previous force as the algorithm knows it. Realtime-safe: yes.
+[[nodiscard]] inline double previous_force(const ServoState& state) {
+  if (state.previous_level == 1.0) [[likely]]
+    return state.previous_force_n;
+  return state.previous_force_n / state.previous_level;
+}
+
+// The previous force at a gain of 1. Realtime-safe: yes.
+[[nodiscard]] inline double previous_full_force(const ServoState& state, double limit_n) {
+  const double force_n = previous_force(state);
+  if (state.previous_gain == 1.0) return force_n;
+  if (state.previous_gain == 0.0) return 0.0;
+  return std::clamp(force_n / state.previous_gain, -limit_n, limit_n);
+}
+
+// Gives no negative zero and keeps NaN and infinity. Realtime-safe: yes.
+[[nodiscard]] inline double scale_force(double wanted_n, double gain) {
+  return gain == 0.0 && std::isfinite(wanted_n) ? 0.0 : wanted_n * gain;
+}
+
+// The parts of a tick, in order. Realtime-safe: yes.
+[[gnu::always_inline]] inline void take_reading(const ServoSettings& settings,
+                                                const ServoState& state, ActiveEstimator& estimator,
+                                                const DeviceReading& reading, TickOutcome& out) {
+  out.tick = state.tick;
+  out.stale = !(reading.age_s <= settings.maximum_age_s);
+  out.fault = reading.state != DeviceState::kOk || !std::isfinite(reading.position_m);
+  out.age_s = reading.age_s;
+  out.device_time_s = reading.device_time_s;
+  out.applied_force_n = reading.applied_force_n;
+  out.position_m = out.fault ? state.previous_position_m : reading.position_m;
+  out.displacement_m = state.position_known ? out.position_m - state.previous_position_m : 0.0;
+  out.velocity_m_per_s = estimator.velocity(out.position_m, out.displacement_m);
+  out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
+}
+
+// What the algorithm wants becomes out.force_n: blended, armed, limited.
+[[gnu::always_inline]] inline void make_safe(const ServoSettings& settings, ServoState& state,
+                                             double wanted_n, TickOutcome& out) {
+  double limit_n = settings.force_limit_n;
+  limit_n *= state.limit_share;
+  if (state.transition.ticks_left > 0) [[unlikely]] {
+    out.saturated = std::abs(wanted_n) > limit_n;
+    wanted_n =
+        state.transition.blend(within(wanted_n, limit_n), previous_full_force(state, limit_n));
+  }
+  if (state.force_gain < 1.0) [[unlikely]] {
+    wanted_n = scale_force(wanted_n, state.force_gain);
+    // A stiff wall reaches its limit at once, so the limit rises too.
+    limit_n *= state.force_gain;
+  }
+  out.force_n = wanted_n;
+  if (out.stale || out.fault || state.failed || !(std::abs(wanted_n) <= limit_n)) [[unlikely]] {
+    out.saturated = out.saturated || std::abs(wanted_n) > limit_n;
+    out.force_n = restrict_force(wanted_n, limit_n, !out.stale && !out.fault, state);
+  }
+  out.force_n *= state.level;
+  if (std::isfinite(settings.max_rise_n)) [[unlikely]] {
+    const double risen_n = limit_rise(out.force_n, state.previous_force_n, settings.max_rise_n);
+    out.rate_limited = risen_n != out.force_n;
+    out.force_n = risen_n;
+  }
+}
+
+[[gnu::always_inline]] inline void remember(ServoState& state, TickOutcome& out) {
+  state.ledger.add(out.force_n, state.previous_force_n, out.displacement_m, state.budget_n_per_m);
+  state.previous_position_m = out.position_m;
+  state.previous_force_n = out.force_n;
+  state.previous_gain = state.force_gain;
+  state.previous_level = state.level;
+  // Motion during a fault is unobserved: the first reading after it has zero displacement.
+  state.position_known = !out.fault;
+  out.parameters_changed = state.parameters_changed;
+  state.parameters_changed = false;
+  ++state.tick;
+}
+
+}  // namespace detail
+
+// One tick. `device` has `DeviceReading read()` and `void write(double)`. Realtime-safe: yes, if
+// the device is.
+template <typename Device>
+[[gnu::always_inline]] inline TickOutcome servo_step(const ServoSettings& settings,
+                                                     ServoState& state, ActiveEstimator& estimator,
+                                                     FollowedAlgorithm& algorithm, Device& device) {
+  TickOutcome out;
+  detail::take_reading(settings, state, estimator, device.read(), out);
+  const AlgorithmInput input{out.contact.force_n,       out.position_m,
+                             out.displacement_m,        out.velocity_m_per_s,
+                             out.contact.penetration_m, detail::previous_force(state),
+                             out.contact.in_contact};
+  const double wanted_n = algorithm.step(input);
+  out.intervened = wanted_n != out.contact.force_n;
+  detail::make_safe(settings, state, wanted_n, out);
+  device.write(out.force_n);
+  detail::remember(state, out);
+  return out;
+}
+
+// The tick as plotted and recorded; the caller adds truth and generation. Realtime-safe: yes.
+inline void write_sample(const ServoSettings& settings, const EnergyLedger& ledger,
+                         const TickOutcome& out, Sample& sample) {
+  sample.tick = out.tick;
+  sample.time_s = static_cast<double>(out.tick) / settings.rate_hz;
+  sample.position_m = out.position_m;
+  sample.velocity_m_per_s = out.velocity_m_per_s;
+  sample.penetration_m = out.contact.penetration_m;
+  sample.wall_force_n = out.contact.force_n;
+  sample.force_n = out.force_n;
+  // A denormal penetration gives an infinite quotient; a recording holds finite numbers only.
+  constexpr double kMax = std::numeric_limits<double>::max();
+  sample.stiffness_n_per_m = out.contact.in_contact
+                                 ? std::clamp(out.force_n / out.contact.penetration_m, -kMax, kMax)
+                                 : 0.0;
+  sample.energy_cv_j = ledger.cv_j;
+  sample.energy_hold_j = ledger.hold_j;
+  sample.energy_scv_j = ledger.scv_j;
+  sample.energy_budget_j = ledger.budget_j;
+  sample.device_time_s = out.device_time_s;
+  sample.read_age_s = out.age_s;
+  sample.applied_force_n = out.applied_force_n;
+  const auto flag = [](bool set, SampleFlag bit) {
+    return set ? static_cast<std::uint32_t>(bit) : 0U;
+  };
+  sample.flags = flag(out.contact.in_contact, kFlagInContact) |
+                 flag(out.saturated, kFlagForceLimit) | flag(out.intervened, kFlagIntervened) |
+                 flag(out.stale, kFlagStaleInput) | flag(out.fault, kFlagDeviceFault) |
+                 flag(out.parameters_changed, kFlagParametersChanged) |
+                 flag(out.rate_limited, kFlagForceRate);
+}
+
+}  // namespace hapticwall
