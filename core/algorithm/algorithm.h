@@ -1,5 +1,5 @@
 // An algorithm's description, its input and its functions; the list of algorithms; an algorithm at
-// work. law.h says how to write one.
+// work. built_in.h shows how to write one.
 #pragma once
 
 #include <algorithm>
@@ -124,19 +124,19 @@ struct ComparedAlgorithm {
 
 // ---- an algorithm at work ----
 
-// What the program calls of an algorithm on its state: built in, a plug-in, or a borrowed one.
+// An algorithm's description and its functions, realtime-safe as built_in.h says.
+// `state` is a built-in one's block, a plug-in's PluginAlgorithm, or a borrowed object.
 struct Algorithm {
   AlgorithmDescription description;
-  void (*start)(
-      void* state);  // a new algorithm in a built-in one's block: without parameters and past
+  void (*start)(void* state);  // without parameters and past; for a built-in one, in its block
   void (*configure)(void* state, const AlgorithmContext& context);
   void (*reset)(void* state);
   double (*step)(void* state, const AlgorithmInput& in, std::span<double> signals);
 };
 inline constexpr std::size_t kMaxAlgorithmBytes = 512;  // of a built-in algorithm
 
-// An algorithm of the program itself in the place of the scene's algorithm: an experiment on the
-// device. Algorithm and state outlive the loop.
+// An algorithm of the program itself in the place of the scene's: an experiment on the device.
+// Functions and state outlive the loop.
 struct BorrowedAlgorithm {
   const Algorithm* functions;
   void* state;
@@ -149,7 +149,7 @@ class ActiveAlgorithm {
 
   // New settings or a new scene. A change of algorithm resets the state; nothing else does.
   void configure(std::size_t algorithm, const AlgorithmContext& context);
-  // From now on this algorithm, whichever algorithm configure() names.
+  // From now on this algorithm acts, whichever configure() names.
   void borrow(const BorrowedAlgorithm& borrowed);
   [[nodiscard]] bool borrows() const {
     return elsewhere_ != nullptr && elsewhere_ != plugin_.get();

@@ -26,7 +26,8 @@ constexpr std::array kAlgorithms{
     algorithm_of<NoAlgorithm>(),        algorithm_of<VirtualCoupling>(),
     algorithm_of<PassivityControl>(),   algorithm_of<EnergyBounding>(),
     algorithm_of<EnergyBounding2010>(), algorithm_of<ForceBounding>(),
-    algorithm_of<HalfSample>(),         algorithm_of<EnergyLimitedSpring>()};
+    algorithm_of<HalfSample>(),         algorithm_of<EnergyLimitedSpring>(),
+};
 
 // Of all plug-ins: their block is a PluginAlgorithm.
 constexpr Algorithm kPluginAlgorithm{

@@ -1,15 +1,14 @@
-// What an algorithm is to the program: its description, and three functions on a block of state.
-//
-// A built-in algorithm is a struct in a file of this folder and a line in law_list.cpp:
+// A built-in algorithm is a struct in a file of this folder and a line in algorithm_list.cpp:
 //
 //   struct Name {
 //     static constexpr AlgorithmDescription kDescription{...};
 //
-//     void configure(const AlgorithmContext& context);  // takes parameters and walls; keeps the
-//     past void reset();                                      // forgets the past, keeps the
-//     parameters
-//     // F_d(k), newtons. `signals`: one number for each of kDescription.signals, NaN before the
-//     // call; what is not finite is no signal.
+//     // Takes parameters and walls, and keeps the past.
+//     void configure(const AlgorithmContext& context);
+//     // Forgets the past, and keeps the parameters.
+//     void reset();
+//     // F_d(k), newtons. `signals`: a number for each of kDescription.signals. Each is NaN before
+//     // the call; one that stays so is not shown.
 //     double step(const AlgorithmInput& in, std::span<double> signals);
 //   };
 //

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/file/plugin/plugin_file.h"
-#include "core/algorithm/algorithm.h"
 #include "core/run/simulate.h"
 #include "tests/benchmark/bare_loop.h"
 #include "tests/benchmark/ratio_reporter.h"
@@ -54,13 +53,9 @@ void register_all() {
   add_scene("golden-soft-fric, full ledger", friction);
   add_friction_kernel("golden-soft-fric, full ledger", friction);
   if (!file::load_plugin(HAPTICWALL_BENCHMARK_PLUGIN)) std::abort();
-  for (const AlgorithmDescription& algorithm : algorithms()) {
-    const std::string name(algorithm.name);
-    add_scene("press, " + name, under(name.c_str(), builtin("press")));
-  }
+  add_algorithms();
   add_ladder();
   add_friction_events();
-  add_batch();
   add_maps();
 }
 

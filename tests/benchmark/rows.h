@@ -34,8 +34,8 @@ void add_ladder();
 void add_friction_kernel(const std::string& name, const Scene& scene);
 // What an event of friction costs.
 void add_friction_events();
-// Many scenes at once, on one core: by algorithm, by instruction set.
-void add_batch();
+// Each scene under each algorithm, plug-ins included, and a live tick under each.
+void add_algorithms();
 // Maps of 200 x 200 scenes of 2 s, on all cores.
 void add_maps();
 

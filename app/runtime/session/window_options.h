@@ -11,9 +11,9 @@
 #include "app/runtime/session/experiment.h"
 #include "app/runtime/session/live_session.h"
 #include "app/runtime/session/replay_session.h"
+#include "core/algorithm/algorithm.h"
 #include "core/result.h"
 #include "core/scene.h"
-#include "core/tick/tick_law.h"
 
 namespace hapticwall::runtime {
 
