@@ -1,0 +1,70 @@
+// The settings of earlier versions. A key that the window no longer knows is no problem.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "app/file/scene/settings_text.h"
+#include "app/ui/state/settings_file.h"
+#include "tests/paths.h"
+#include "tests/temporary_folder.h"
+
+namespace hapticwall::test {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(Version010, SettingsWithEveryKeyAreTakenWithoutAComplaint) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("settings.toml");
+  std::filesystem::copy_file(data_folder() + "/compatibility/0.1.0/settings.toml", path);
+  ui::UiState state;
+  ui::SettingsFile settings(path);
+  settings.load(state);
+  EXPECT_TRUE(state.transient.toasts.list().empty()) << state.transient.toasts.newest().text;
+  EXPECT_THAT(folder.names(), ElementsAre("settings.toml"));
+
+  const auto& kept = state.persisted;
+  EXPECT_EQ(kept.look, draw::Look::kLight);
+  EXPECT_EQ(kept.scale_percent, 100);
+  EXPECT_EQ(kept.window_width, 1234);
+  EXPECT_EQ(kept.window_height, 800);
+  EXPECT_TRUE(kept.more);
+  EXPECT_EQ(kept.layout, "evening");
+  EXPECT_EQ(kept.withdraw_mm_per_s, 40.0);
+  EXPECT_EQ(kept.recording_folder, "/tmp/recordings of mine");
+  EXPECT_TRUE(kept.records_signals);
+  EXPECT_EQ(kept.time_window_s, 6.0);
+  EXPECT_EQ(kept.arrangement, ui::PlotArrangement::kAll);
+  EXPECT_THAT(kept.recent, ElementsAre("/a/b.toml"));
+  EXPECT_NEAR(kept.sound_volume, 0.8, 1e-6);
+  EXPECT_EQ(state.wall.persisted.magnification, 50.0);
+  EXPECT_FALSE(state.compare.persisted.ghost_shown);
+
+  const ui::PlotsState::Persisted& plots = state.plots.persisted;
+  EXPECT_TRUE(plots.phase.shown && plots.phase.last_contact && plots.spectrum.shown);
+  EXPECT_EQ(plots.spectrum.quantity, draw::Quantity(&Sample::force_n));
+  EXPECT_FALSE(plots.show_bounds);
+  EXPECT_EQ(plots.trigger.mode, draw::TriggerMode::kNormal);
+  EXPECT_EQ(plots.trigger.pre_share, 0.5);
+  EXPECT_EQ(plots.lines.at(0), draw::line_bit(&Sample::position_m));
+  EXPECT_EQ(plots.lines.at(1),
+            draw::line_bit(&Sample::force_n) | draw::line_bit(&Sample::wall_force_n));
+}
+
+// Layouts of one's own, also one with a window that floats.
+TEST(Version010, LayoutsAreThereByTheirNames) {
+  const auto settings = file::parse_settings(
+      text_of(data_folder() + "/compatibility/0.1.0/settings.toml"), "settings.toml");
+  ASSERT_TRUE(settings) << settings.error().message;
+  ui::UiState state;
+  EXPECT_THAT(ui::apply_settings(*settings, state), ::testing::IsEmpty());
+  ASSERT_EQ(state.persisted.own_layouts.size(), 2U);
+  EXPECT_EQ(state.persisted.own_layouts[0].name, "evening");
+  EXPECT_EQ(state.persisted.own_layouts[1].name, "a: b");
+  EXPECT_EQ(state.persisted.own_layouts[1].layout.floating.size(), 1U);
+  EXPECT_FALSE(state.persisted.docked.empty());
+}
+
+}  // namespace
+}  // namespace hapticwall::test
