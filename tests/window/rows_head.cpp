@@ -144,18 +144,6 @@ void use_sound(Person& person) {
   EXPECT_FALSE(transient.sound_on);
 }
 
-// This machine may have no gamepad: then a message says so.
-void use_rumble(Person& person) {
-  const ui::TransientState& transient = person.state().transient;
-  if (!person.sees("rumble")) person.click("more of session");
-  person.click("rumble");
-  person.wait_until([&] { return !transient.rumble_on || !transient.rumble.gamepad.empty(); },
-                    "the gamepad");
-  if (!transient.rumble_on) return;
-  person.click("rumble");
-  EXPECT_FALSE(transient.rumble_on);
-}
-
 void take_the_tour(Person& person) {
   const std::size_t& step = person.state().transient.tour_step;
   person.click("help");
@@ -251,7 +239,6 @@ Table toolbar_rows() {
       does("record", record_and_stop),
       {"slow motion", use_slow_motion},
       {"sound", use_sound},
-      {"rumble", use_rumble},
       flips(
           "repeat scene",
           [](Person& person) { return person.state().transient.repeats ? 1.0 : 0.0; }, open_more),

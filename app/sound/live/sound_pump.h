@@ -15,7 +15,7 @@ namespace hapticwall::sound {
 
 struct SoundMix {
   double volume = 0.5;  // 0 to 1
-  bool masked = false;  // noise in the place of the signal, and no rumble
+  bool masked = false;  // noise in the place of the signal
 };
 
 // The time that ticks and calls of the card may be late.

@@ -23,16 +23,4 @@ std::string describe(const SoundStatus& status) {
                      status.latency_s * kMillisecondsPerSecond);
 }
 
-std::string describe(const RumbleStatus& status) {
-  switch (status.state) {
-    case RumbleState::kOff:
-      return "The rumble is off.";
-    case RumbleState::kNoGamepad:
-      return "There is no rumble: " + status.problem + ".";
-    case RumbleState::kOn:
-      break;
-  }
-  return status.gamepad + " rumbles at the volume of the sound.";
-}
-
 }  // namespace hapticwall::sound

@@ -1,4 +1,4 @@
-// How the live sound and the rumble fare, for people.
+// The state of the live sound, for people.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,7 @@ struct SoundStatus {
   double latency_s = 0.0;  // where it plays: from a tick to the plug
 };
 
-enum class RumbleState : std::uint8_t { kOff, kOn, kNoGamepad };
-
-struct RumbleStatus {
-  RumbleState state = RumbleState::kOff;
-  std::string gamepad;  // that rumbles
-  std::string problem;  // of kNoGamepad
-};
-
 // One sentence.
 [[nodiscard]] std::string describe(const SoundStatus& status);
-[[nodiscard]] std::string describe(const RumbleStatus& status);
 
 }  // namespace hapticwall::sound

@@ -10,7 +10,7 @@
 
 namespace hapticwall::sound {
 
-// A session that can be heard and felt.
+// A session that can be heard.
 struct SoundSource {
   std::shared_ptr<runtime::SoundFeed> feed;  // null: none
   double rate_hz = 1000.0;

@@ -82,8 +82,8 @@ void draw_masking(const PanelContext& context) {
   field_label(context, "sound", "", "");
   ImGui::Checkbox("masking noise###masking noise", &context.state.compare.persisted.masking_noise);
   explain(
-      "During the test the sound, if it is on, is noise that knows nothing of the wall, and no "
-      "gamepad rumbles. Switch this off if the question is about the sound.");
+      "During the test the sound, if it is on, is noise that knows nothing of the wall. "
+      "Switch this off if the question is about the sound.");
 }
 
 void draw_fields(const PanelContext& context) {

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "app/ui/state/blind_test.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
@@ -11,12 +10,6 @@ namespace {
 
 constexpr const char* kMeaning =
     "The handle's acceleration as sound: a limit cycle hums, a touch clicks.\n";
-constexpr const char* kRumbleMeaning =
-    "The handle's acceleration as the rumble of a gamepad: the strong motor has the part below 100 "
-    "Hz.\n";
-constexpr const char* kMasked =
-    "Off in this blind test, because the rumble would tell the wall: the page of the test has a "
-    "switch, masking noise";
 
 }  // namespace
 
@@ -36,16 +29,7 @@ void draw_volume(const PanelContext& context) {
   if (ImGui::SliderScalar("##volume", ImGuiDataType_Double, &percent, &kMin, &kMax, "%.0f %%",
                           ImGuiSliderFlags_AlwaysClamp))
     volume = percent / kPercent;
-  explain("Volume of sound and rumble");
-}
-
-void draw_rumble(const PanelContext& context) {
-  TransientState& transient = context.state.transient;
-  const bool masked = masks_sound(context.state);
-  if (choice_button(context, "Rumble###rumble", transient.rumble_on && !masked,
-                    masked ? kMasked : kRumbleMeaning + describe(transient.rumble),
-                    {.width = ems(kRumbleEms), .enabled = !masked}))
-    transient.rumble_on = !transient.rumble_on;
+  explain("Volume of the sound");
 }
 
 }  // namespace hapticwall::ui

@@ -1,4 +1,4 @@
-// The switches of the live sound and the rumble, and their volume.
+// The switch of the live sound, and its volume.
 #pragma once
 
 #include "app/ui/state/ui_state.h"
@@ -6,11 +6,9 @@
 namespace hapticwall::ui {
 
 inline constexpr float kSoundEms = 4.5F;
-inline constexpr float kRumbleEms = 5.0F;
 inline constexpr float kVolumeEms = 5.0F;
 
 void draw_sound_switch(const PanelContext& context);
-void draw_rumble(const PanelContext& context);
 void draw_volume(const PanelContext& context);
 
 }  // namespace hapticwall::ui

@@ -184,8 +184,7 @@ void draw_session_bar(const PanelContext& context, runtime::LiveSession& live) {
       {ems(kRecordButtonEms), 1, [&] { draw_record(context, recording); }},
       {ems(kNameEms), 6, [&] { draw_name_or_mark(context, recording); }, {}, transient.focus_mark},
       {ems(kSoundEms), 4, [&] { draw_sound_switch(context); }}};
-  controls.push_back({ems(kRumbleEms), 11, [&] { draw_rumble(context); }});
-  if (!transient.sound.card.empty() || !transient.rumble.gamepad.empty())
+  if (!transient.sound.card.empty())
     controls.push_back({ems(kVolumeEms), 8, [&] { draw_volume(context); }});
   if (live.device_info().is_simulated)
     controls.push_back({ems(kSlowEms), 9, [&] { draw_slow_motion(context, live); }});

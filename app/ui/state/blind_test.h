@@ -22,7 +22,7 @@ namespace hapticwall::ui {
   return test.has_value() && test->running;
 }
 
-// The wall is neither heard nor felt by a gamepad's rumble.
+// The wall is not heard.
 [[nodiscard]] inline bool masks_sound(const UiState& state) {
   return blind_test_runs(state) && state.compare.persisted.masking_noise;
 }

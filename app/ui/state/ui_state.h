@@ -266,8 +266,6 @@ struct TransientState {
   bool hand_led = false;  // by the pointer or a key, since the last reset
   bool sound_on = false;
   sound::SoundStatus sound;
-  bool rumble_on = false;
-  sound::RumbleStatus rumble;
   bool follow = true;                 // the plots follow the newest samples
   std::optional<double> looked_at_s;  // the moment that the views show; empty: the newest
   double time_from_s = 0.0;

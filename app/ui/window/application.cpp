@@ -56,8 +56,7 @@ Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> render
       settings_(options.settings_path),
       now_s_(options.now_s),
       incoming_(kTicksAtATime),
-      sound_(sessions_.open_card ? sessions_.open_card : sound::open_usual_card,
-             sessions_.open_gamepad ? sessions_.open_gamepad : device::evdev::open_first_gamepad) {
+      sound_(sessions_.open_card ? sessions_.open_card : sound::open_usual_card) {
   ImGuiIO& io = ImGui::GetIO();
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_DockingEnable;
   io.ConfigWindowsMoveFromTitleBarOnly = true;  // the views and plots are dragged, too
@@ -171,21 +170,16 @@ void Application::heed_sound(const runtime::Snapshot& snapshot) {
   sound_.follow(source);
   sound_.mix({state_.persisted.sound_volume, masks_sound(state_)});
   sound_.play(state_.transient.sound_on);
-  sound_.rumble(state_.transient.rumble_on);
   note_sound();
 }
 
-// Without a card or a gamepad its switch goes back, and one sentence says why.
+// Without a card the switch goes back, and one sentence says why.
 void Application::note_sound() {
   TransientState& transient = state_.transient;
   transient.sound = sound_.status();
-  transient.rumble = sound_.rumble_status();
   if (transient.sound.state == sound::SoundState::kNoCard &&
       std::exchange(transient.sound_on, false))
     tell(state_, MessageKind::kNote, describe(transient.sound));
-  if (transient.rumble.state == sound::RumbleState::kNoGamepad &&
-      std::exchange(transient.rumble_on, false))
-    tell(state_, MessageKind::kNote, describe(transient.rumble));
 }
 
 // At the newest moment, or back at that under the pointer in plots that stand still.

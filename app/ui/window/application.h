@@ -38,8 +38,7 @@ class Application {
     // Makes the recording to show first, with the scene to go back to. Empty: a session of the
     // scene.
     std::function<std::unique_ptr<runtime::ReplaySession>()> replay;
-    sound::OpenCard open_card;                // empty: the usual sound card
-    device::evdev::OpenGamepad open_gamepad;  // empty: the first one
+    sound::OpenCard open_card;  // empty: the usual sound card
   };
 
   // Options besides the scene.

@@ -18,7 +18,6 @@
 #include "app/ui/window/application.h"
 #include "tests/app/runtime/support.h"
 #include "tests/app/sound/live/busy_card.h"
-#include "tests/app/sound/live/fake_gamepad.h"
 #include "tests/app/ui/fake_session.h"
 #include "tests/app/ui/items.h"
 #include "tests/app/ui/offscreen_gui.h"
@@ -60,7 +59,6 @@ class GuiTest : public FolderTest {
     starters.simulate = start;
     starters.open_recording = open_recording;
     starters.open_card = open_card;
-    starters.open_gamepad = open_gamepad;
     if (with_device) {
       starters.start_on_device = [this, start](const Scene& scene, BorrowedAlgorithm* borrowed) {
         EXPECT_EQ(devices_open, 0) << "there is one device only";
@@ -269,7 +267,6 @@ class GuiTest : public FolderTest {
   ui::Application::RecordingOpener open_recording;
   runtime::StartSession start_experiment;  // of sessions under an algorithm
   sound::OpenCard open_card = sound::test::no_card;
-  device::evdev::OpenGamepad open_gamepad = sound::test::no_gamepad;
   int sessions = 0;
   bool with_device = false;  // the next open() has a real device
   bool shows_everything = true;

@@ -11,7 +11,6 @@
 
 #include "tests/app/runtime/support.h"
 #include "tests/app/sound/live/busy_card.h"
-#include "tests/app/sound/live/fake_gamepad.h"
 
 namespace hapticwall::sound::test {
 namespace {
@@ -36,7 +35,7 @@ class SilentCard final : public Card {
 
 TEST(SoundPlayer, PlaysTheSessionThatItFollows) {
   const auto heard = std::make_shared<Heard>();
-  SoundPlayer player(busy_card(heard), no_gamepad);
+  SoundPlayer player(busy_card(heard));
   const auto first = new_feed();
   const auto second = new_feed();
   player.follow({first, 1000.0, true});
@@ -61,12 +60,10 @@ TEST(SoundPlayer, PlaysTheSessionThatItFollows) {
 
 TEST(SoundPlayer, NoCardIsOneSentence) {
   const auto attempts = std::make_shared<std::atomic<int>>(0);
-  SoundPlayer player(
-      [attempts](const FillSound&) -> Result<std::unique_ptr<Card>> {
-        ++*attempts;
-        return Error{ErrorKind::kDevice, "no sound card"};
-      },
-      no_gamepad);
+  SoundPlayer player([attempts](const FillSound&) -> Result<std::unique_ptr<Card>> {
+    ++*attempts;
+    return Error{ErrorKind::kDevice, "no sound card"};
+  });
   const auto feed = new_feed();
   player.follow({feed, 1000.0, true});
   for (int attempt = 1; attempt <= 2; ++attempt) {
@@ -80,105 +77,11 @@ TEST(SoundPlayer, NoCardIsOneSentence) {
   }
 }
 
-// Pushes ticks of a buzzing handle until the condition holds.
-bool buzz_until(runtime::SoundFeed& feed, const std::function<bool()>& condition) {
-  std::uint64_t tick = 0;
-  return eventually([&] {
-    if (feed.ticks.size() < 10 && push(feed, tick)) ++tick;
-    return condition();
-  });
-}
-
-TEST(SoundPlayer, RumblesWithoutACard) {
-  const auto felt = std::make_shared<Felt>();
-  SoundPlayer player(no_card, fake_gamepad(felt));
-  const auto feed = new_feed();
-  player.follow({feed, 1000.0, true});
-  EXPECT_EQ(player.rumble_status().state, RumbleState::kOff);
-  player.play(true);
-  player.rumble(true);
-  EXPECT_TRUE(buzz_until(*feed, [&] { return felt->rumbles(); }));
-  EXPECT_EQ(player.status().state, SoundState::kNoCard);
-  EXPECT_EQ(player.rumble_status().state, RumbleState::kOn);
-  EXPECT_EQ(describe(player.rumble_status()), "fake pad rumbles at the volume of the sound.");
-  player.rumble(false);
-  EXPECT_TRUE(eventually([&] { return felt->open == 0; }));
-  EXPECT_FALSE(felt->rumbles());
-  EXPECT_TRUE(eventually([&] { return !feed->wanted; }));
-  EXPECT_TRUE(eventually([&] { return player.rumble_status().state == RumbleState::kOff; }));
-}
-
-TEST(SoundPlayer, SoundAndRumbleDoNotInterruptEachOther) {
-  const auto heard = std::make_shared<Heard>();
-  const auto felt = std::make_shared<Felt>();
-  SoundPlayer player(busy_card(heard), fake_gamepad(felt));
-  const auto feed = new_feed();
-  player.follow({feed, 1000.0, true});
-  player.play(true);
-  player.rumble(true);
-  EXPECT_TRUE(buzz_until(*feed, [&] { return felt->rumbles() && heard->samples > 100; }));
-  player.rumble(false);
-  EXPECT_TRUE(eventually([&] { return felt->open == 0; }));
-  const int before = heard->samples;
-  EXPECT_TRUE(buzz_until(*feed, [&] { return heard->samples > before + 1000; }));
-  EXPECT_TRUE(feed->wanted);
-  player.rumble(true);
-  player.play(false);
-  EXPECT_TRUE(eventually([&] { return player.status().state == SoundState::kOff; }));
-  EXPECT_TRUE(buzz_until(*feed, [&] { return felt->rumbles(); }));
-}
-
-TEST(SoundPlayer, AnUnpluggedGamepadIsToldAndFoundAtTheNextSwitch) {
-  const auto felt = std::make_shared<Felt>();
-  SoundPlayer player(no_card, fake_gamepad(felt));
-  const auto feed = new_feed();
-  player.follow({feed, 1000.0, true});
-  player.rumble(true);
-  EXPECT_TRUE(buzz_until(*feed, [&] { return felt->rumbles(); }));
-  felt->plugged_in = false;
-  const auto is_lost = [&] { return player.rumble_status().state == RumbleState::kNoGamepad; };
-  EXPECT_TRUE(buzz_until(*feed, is_lost));
-  EXPECT_EQ(describe(player.rumble_status()), "There is no rumble: fake pad: No such device.");
-  EXPECT_EQ(felt->open, 0);
-  EXPECT_TRUE(eventually([&] { return !feed->wanted; }));
-  player.rumble(false);
-  EXPECT_TRUE(eventually([&] { return !is_lost(); }));
-  player.rumble(true);
-  EXPECT_TRUE(eventually(is_lost));
-  EXPECT_EQ(describe(player.rumble_status()), "There is no rumble: no gamepad.");
-  player.rumble(false);
-  EXPECT_TRUE(eventually([&] { return !is_lost(); }));
-  felt->plugged_in = true;
-  player.rumble(true);
-  EXPECT_TRUE(eventually([&] { return felt->open == 1; }));
-}
-
-// The session behind the feed has ended; its motors do not go on.
-TEST(SoundPlayer, AnotherSessionAndTheEndStopTheMotors) {
-  const auto felt = std::make_shared<Felt>();
-  const auto feed = new_feed();
-  {
-    SoundPlayer player(no_card, fake_gamepad(felt));
-    player.rumble(true);
-    for (int round = 0; round < 2; ++round) {
-      player.follow({feed, 1000.0, true});
-      EXPECT_TRUE(buzz_until(*feed, [&] { return felt->rumbles(); }));
-      if (round == 1) break;
-      player.follow({});
-      EXPECT_TRUE(eventually([&] { return !felt->rumbles(); }));
-    }
-  }
-  EXPECT_FALSE(felt->rumbles());
-  EXPECT_EQ(felt->open, 0);
-}
-
 // The loop's queue is emptied all the same.
 TEST(SoundPlayer, ACardThatNeverCallsIsTold) {
-  SoundPlayer player(
-      [](const FillSound&) -> Result<std::unique_ptr<Card>> {
-        return std::unique_ptr<Card>(std::make_unique<SilentCard>());
-      },
-      no_gamepad);
+  SoundPlayer player([](const FillSound&) -> Result<std::unique_ptr<Card>> {
+    return std::unique_ptr<Card>(std::make_unique<SilentCard>());
+  });
   const auto feed = new_feed();
   player.follow({feed, 1000.0, true});
   player.play(true);
@@ -196,13 +99,11 @@ TEST(SoundPlayer, ACardThatBlocksHoldsNobodyUp) {
   const auto ended = std::make_shared<std::promise<void>>();
   const auto feed = new_feed();
   {
-    SoundPlayer player(
-        [released, ended](const FillSound&) -> Result<std::unique_ptr<Card>> {
-          released.wait();
-          ended->set_value();
-          return Error{ErrorKind::kDevice, "late"};
-        },
-        no_gamepad);
+    SoundPlayer player([released, ended](const FillSound&) -> Result<std::unique_ptr<Card>> {
+      released.wait();
+      ended->set_value();
+      return Error{ErrorKind::kDevice, "late"};
+    });
     player.follow({feed, 1000.0, true});
     player.play(true);
     EXPECT_TRUE(eventually([&] { return player.status().state == SoundState::kOpening; }));

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdint>
-#include <functional>
 #include <memory>
 
 #include "app/ui/state/blind_test.h"
@@ -13,7 +11,6 @@
 namespace hapticwall::test {
 namespace {
 
-using sound::test::Felt;
 using sound::test::Heard;
 using ::testing::HasSubstr;
 
@@ -38,26 +35,7 @@ class SoundSwitchTest : public GuiTest {
     return heard_->loudest;
   }
 
-  void open_with_gamepad() {
-    open_gamepad = sound::test::fake_gamepad(felt_);
-    open("press");
-  }
-  // A handle that swings, until the condition holds.
-  void swing_until(const std::function<bool()>& condition) {
-    frames_until([&] {
-      for (int i = 0; i < 4 && fake_->feed->ticks.size() < 10; ++i) {
-        Tick tick;
-        tick.axes[0].tick = ++swung_;
-        tick.axes[0].truth.velocity_m_per_s = swung_ % 20 < 10 ? 0.1 : -0.1;
-        static_cast<void>(fake_->feed->ticks.try_push(tick));
-      }
-      return condition();
-    });
-  }
-
   std::shared_ptr<Heard> heard_ = std::make_shared<Heard>();
-  std::shared_ptr<Felt> felt_ = std::make_shared<Felt>();
-  std::uint64_t swung_ = 0;
 };
 
 TEST_F(SoundSwitchTest, IsOffAtFirst) {
@@ -122,63 +100,6 @@ TEST_F(SoundSwitchTest, ABlindTestIsMasked) {
   EXPECT_GT(loudest_of(2000), 0.2F);
   state().compare.persisted.masking_noise = false;
   EXPECT_LT(loudest_of(2000), 0.05F);
-}
-
-TEST_F(SoundSwitchTest, RumbleIsOffAtFirstAndNeedsNoCard) {
-  open_with_gamepad();
-  EXPECT_FALSE(state().transient.rumble_on);
-  EXPECT_EQ(felt_->open, 0);
-  click("rumble");
-  swing_until([&] { return felt_->rumbles(); });
-  EXPECT_TRUE(sees("##volume"));
-  EXPECT_FALSE(state().transient.sound_on);
-  click("rumble");
-  swing_until([&] { return felt_->open == 0; });
-  EXPECT_FALSE(felt_->rumbles());
-  EXPECT_FALSE(fake_->feed->wanted);
-}
-
-TEST_F(SoundSwitchTest, WithoutAGamepadOneSentenceSaysSo) {
-  click("rumble");
-  frames_until([&] { return !state().transient.rumble_on; });
-  EXPECT_EQ(message().text, "There is no rumble: no gamepad.");
-  EXPECT_EQ(message().kind, ui::MessageKind::kNote);
-  EXPECT_EQ(state().transient.toasts.list().size(), 1U);
-}
-
-TEST_F(SoundSwitchTest, AnUnpluggedGamepadIsToldAndTheSwitchGoesBack) {
-  open_with_gamepad();
-  click("rumble");
-  swing_until([&] { return felt_->rumbles(); });
-  felt_->plugged_in = false;
-  swing_until([&] { return !state().transient.rumble_on; });
-  EXPECT_EQ(message().text, "There is no rumble: fake pad: No such device.");
-  felt_->plugged_in = true;
-  click("rumble");
-  swing_until([&] { return felt_->rumbles(); });
-}
-
-// The rumble would tell the wall.
-TEST_F(SoundSwitchTest, ABlindTestDoesNotRumbleAndSaysWhy) {
-  open_with_gamepad();
-  click("rumble");
-  swing_until([&] { return felt_->rumbles(); });
-  click("page Blind test");
-  frames(3);
-  click("blind start");
-  ASSERT_TRUE(ui::blind_test_runs(state()));
-  swing_until([&] { return !felt_->rumbles(); });
-  const std::size_t calls = felt_->calls().size();
-  const std::uint64_t until = swung_ + 500;
-  swing_until([&] { return swung_ > until; });
-  EXPECT_EQ(felt_->calls().size(), calls);
-  move_to(rect("rumble").centre());
-  frames(60);  // tooltips take their time
-  EXPECT_THAT(text(), HasSubstr("the rumble would tell the wall"));
-  click("rumble");
-  EXPECT_TRUE(state().transient.rumble_on) << "it cannot be used now";
-  state().compare.persisted.masking_noise = false;
-  swing_until([&] { return felt_->rumbles(); });
 }
 
 }  // namespace
