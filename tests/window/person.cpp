@@ -18,9 +18,8 @@ constexpr std::chrono::seconds kPatience{60};
 }  // namespace
 
 std::string kind_of(const std::string& item) {
-  for (const char* kind :
-       {"ghost of", "spectrum of ", "under ", "map choice ", "map under ", "study column ",
-        "derived of ", "derived minus ", "layout of ", "window ", "take device "}) {
+  for (const char* kind : {"ghost of", "spectrum of ", "under ", "map choice ", "map under ",
+                           "study column ", "layout of ", "window ", "take device "}) {
     if (item.starts_with(kind)) return kind;
   }
   for (const char* kind : {"toast ", "recent ", "slow motion "}) {

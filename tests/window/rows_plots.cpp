@@ -164,42 +164,6 @@ void show_cursor_table(Person& person) {
   EXPECT_FALSE(person.sees("cursor table"));
 }
 
-// ---- derived signals
-
-void open_derived(Person& person) { person.click("derived"); }
-
-void add_derived_signals(Person& person) {
-  const auto count = [&] {
-    return std::ranges::count_if(person.state().plots.persisted.derived,
-                                 [](const auto& signal) { return signal.has_value(); });
-  };
-  open_derived(person);
-  const auto choose = [&](const std::string& list, const std::string& name) {
-    person.click("derived " + list);
-    person.click("derived " + list + " " + name);
-  };
-  choose("kind", "difference");
-  choose("of", "actuator F_d");
-  choose("minus", "wall F_e");
-  person.click("add derived");
-  choose("kind", "mean");
-  person.type("derived over", "0.25");
-  person.click("add derived");
-  choose("kind", "derivative");
-  person.click("add derived");
-  EXPECT_EQ(count(), 3);
-  person.put_everything_away();
-  constexpr std::array kNames{"difference(actuator F_d - wall F_e)",
-                              "mean(actuator F_d over 0.25 s)", "derivative(actuator F_d)"};
-  for (const std::string name : kNames)
-    flip_item(person, "legend " + name,
-              [](Person& p) { return static_cast<double>(p.state().persisted.hidden_lines); });
-  open_derived(person);
-  for (const std::string name : kNames) person.click("remove " + name);
-  EXPECT_EQ(count(), 0);
-  person.put_everything_away();
-}
-
 // ---- the plots
 
 draw::LineSet chosen(Person& person, PlotId id) {
@@ -208,7 +172,7 @@ draw::LineSet chosen(Person& person, PlotId id) {
 
 // Those of every algorithm too.
 const draw::PlotTable& all_lines() {
-  static const draw::PlotTable kTable({}, signal_names());
+  static const draw::PlotTable kTable(signal_names());
   return kTable;
 }
 
@@ -319,7 +283,6 @@ Table plot_control_rows() {
                   return person.state().plots.transient.cursors.shown ? 1.0 : 0.0;
                 }),
           {"cursor table", show_cursor_table},
-          {"derived", add_derived_signals},
           {"export csv", export_both}};
 }
 

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/draw/plot/derived_signals.h"
 #include "app/file/scene/scene_file.h"
 #include "app/ui/window/application.h"
 #include "core/algorithm/algorithm.h"
@@ -54,7 +53,6 @@ struct Row {
   Window* window = nullptr;
   std::vector<double> wall_s;
   std::vector<double> processor_s;
-  draw::DerivedSignals derived = {};
 };
 
 std::vector<Row> rows() {
@@ -70,14 +68,6 @@ std::vector<Row> rows() {
                     {},
                     {}});
   }
-  const draw::DerivedSignals two{
-      draw::DerivedSignal{draw::DerivedKind::kMean, &Sample::force_n, &Sample::force_n, 0.05},
-      draw::DerivedSignal{draw::DerivedKind::kDifference, &Sample::position_m,
-                          &PlantTruth::position_m}};
-  rows.push_back(
-      {"two derived, following 6 s of an hour", kHourTicks, kFollowedS, nullptr, {}, {}, two});
-  rows.push_back(
-      {"two derived, an hour in sight", kHourTicks, kHourTicks / kRateHz, nullptr, {}, {}, two});
   return rows;
 }
 
@@ -122,19 +112,10 @@ void draw_empty_window() {
   ImGui::End();
 }
 
-void show_derived(ui::PlotsState::Persisted& plots, const draw::DerivedSignals& derived) {
-  plots.derived = {};
-  plots.lines = draw::usual_lines();
-  for (const auto& signal : derived) {
-    if (signal) add_derived(*signal, plots.derived, plots.lines);
-  }
-}
-
 FrameCost one_frame(Row& row, Stage& stage) {
   if (row.window == nullptr) return stage.frame(draw_empty_window);
   ui::Application& application = *row.window->application;
   application.state().persisted.time_window_s = row.window_s;
-  show_derived(application.state().plots.persisted, row.derived);
   row.window->session->advance(kTicksAFrame);
   return stage.frame([&] { application.frame(); });
 }

@@ -39,7 +39,7 @@ void draw_plots(PlotSurface& surface, std::span<const PlotId> plots, ImVec2 free
   const float gap = ImGui::GetStyle().ItemSpacing.y;
   const auto count = static_cast<float>(plots.size());
   const ImVec2 each(free.x, (free.y - (count - 1.0F) * gap) / count);
-  const PlotTable table(surface.history->derived(), surface.history->signals());
+  const PlotTable table(surface.history->signals());
   ImPlot::BeginAlignedPlots("plots");  // one left and one right margin
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const std::string mark = fmt::format("({}) ", static_cast<char>('a' + i));

@@ -21,7 +21,6 @@ Pattern pattern_of(Dash dash, float scale) {
   if (dash == Dash::kDashed) pattern = {7.0F, 4.0F, 7.0F, 4.0F};
   if (dash == Dash::kDotted) pattern = {2.0F, 4.0F, 2.0F, 4.0F};
   if (dash == Dash::kDashDot) pattern = {9.0F, 3.0F, 2.0F, 3.0F};
-  if (dash == Dash::kLongDashed) pattern = {16.0F, 4.0F, 16.0F, 4.0F};
   for (float& length : pattern) length *= scale;
   return pattern;
 }

@@ -9,7 +9,7 @@
 
 namespace hapticwall::draw {
 
-enum class Dash : std::uint8_t { kSolid, kDashed, kDotted, kDashDot, kLongDashed };
+enum class Dash : std::uint8_t { kSolid, kDashed, kDotted, kDashDot };
 
 // The line through the points, in pixels, `weight` pixels thick. `scale` is that of the content. A
 // point that is not a number is a gap.

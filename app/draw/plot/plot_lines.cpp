@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "app/draw/plot/derived_signals.h"
-
 namespace hapticwall::draw {
 namespace {
 
@@ -135,30 +133,11 @@ ChosenLines find_usual_lines() {
 
 const PlotDescription& plot_description(PlotId id) { return usual_plots()[id]; }
 
-PlotTable::PlotTable(const DerivedSignals& derived, const SignalNames& signals) : plots_(kPlots) {
+PlotTable::PlotTable(const SignalNames& signals) : plots_(kPlots) {
   for (std::size_t i = 0; i < kPlotCount; ++i)
     lines_[i].assign(kPlots[i].lines.begin(), kPlots[i].lines.end());
   for (std::size_t place = 0; place < signals.size(); ++place) add(place, signals[place]);
-  for (std::size_t place = 0; place < derived.size(); ++place) {
-    if (derived[place]) add(place, *derived[place]);
-  }
   for (std::size_t i = 0; i < kPlotCount; ++i) plots_[i].lines = lines_[i];
-}
-
-void PlotTable::add(std::size_t place, const DerivedSignal& signal) {
-  // Unlike those of most signals; long dashes are the derived signals' own.
-  constexpr std::array kTones{Tone::kText, Tone::kHand, Tone::kForce, Tone::kPosition};
-  const PlottedLine a = *usual_plots().find(signal.a);
-  const PlottedLine b = *usual_plots().find(signal.b);
-  names_[place] = derived_name(signal);
-  PlotLine line{Quantity::derived_signal(place), names_[place].c_str(),
-                kind_text(signal.kind).meaning, kTones[place]};
-  line.kind = a.line->is_truth() || b.line->is_truth() ? kSimulator : kExtra;
-  line.dash = Dash::kLongDashed;
-  line.side = a.line->side;
-  if (signal.kind == DerivedKind::kDerivative)
-    line.side = line.side == Side::kLeft ? Side::kRight : Side::kFarRight;
-  lines_[static_cast<std::size_t>(a.plot->id)].push_back(line);
 }
 
 void PlotTable::add(std::size_t place, std::string_view signal) {
@@ -209,7 +188,7 @@ const ChosenLines& usual_lines() {
 
 ChosenLines lines_with(const SignalNames& signals) {
   ChosenLines lines = usual_lines();
-  const PlotTable table({}, signals);
+  const PlotTable table(signals);
   for (std::size_t place = 0; place < signals.size(); ++place) {
     const auto found = table.find(Quantity::signal(place));
     if (found) lines[static_cast<std::size_t>(found->plot->id)] |= line_bit(found->line->quantity);

@@ -94,11 +94,11 @@ struct PlottedLine {
   [[nodiscard]] const ValueScale& scale() const { return plot->scale_of(*line); }
 };
 
-// The plots with all their lines: behind those that are always there, those of algorithms' signals
-// and of derived signals, each in the plot that has its unit. A signal of another unit has no line.
+// The plots with all their lines: behind those that are always there, those of algorithms'
+// signals, each in the plot that has its unit. A signal of another unit has no line.
 class PlotTable {
  public:
-  explicit PlotTable(const DerivedSignals& derived = {}, const SignalNames& signals = {});
+  explicit PlotTable(const SignalNames& signals = {});
   PlotTable(const PlotTable&) = delete;
   PlotTable& operator=(const PlotTable&) = delete;
 
@@ -112,16 +112,14 @@ class PlotTable {
  private:
   template <typename Wanted>
   [[nodiscard]] std::optional<PlottedLine> find_line(Wanted&& wanted) const;
-  void add(std::size_t place, const DerivedSignal& signal);
   void add(std::size_t place, std::string_view signal);
 
   std::array<PlotDescription, kPlotCount> plots_;
   std::array<std::vector<PlotLine>, kPlotCount> lines_;
-  std::array<std::string, kMaxDerivedSignals> names_;  // of the derived lines
-  std::array<std::string, kMaxSignals> signals_;       // the same of the algorithms' signals
+  std::array<std::string, kMaxSignals> signals_;  // names of the algorithms' signals
   std::array<std::string, kMaxSignals> meanings_;
 };
-// Without derived signals and those of algorithms.
+// Without the signals of algorithms.
 [[nodiscard]] const PlotTable& usual_plots();
 
 // By PlotId.

@@ -31,35 +31,6 @@ std::size_t decimation_group(std::size_t samples, std::size_t columns) {
   return most / unit * unit;
 }
 
-DerivedSamples::DerivedSamples(const DerivedSignal& signal, std::span<const SamplePyramid> columns,
-                               double rate_hz)
-    : kind_(signal.kind),
-      ticks_(columns[Quantity(&Sample::tick).index()]),
-      a_(columns[signal.a.index()]),
-      b_(columns[signal.b.index()]),
-      rate_hz_(rate_hz),
-      mean_ticks_(std::max<std::uint64_t>(
-          static_cast<std::uint64_t>(std::llround(signal.over_s * rate_hz)), 1)) {}
-
-bool DerivedSamples::unbroken(std::uint64_t index, std::uint64_t count) const {
-  return index - first() + 1 >= count &&
-         ticks_[index] - ticks_[index + 1 - count] == static_cast<double>(count - 1);
-}
-
-double DerivedSamples::operator[](std::uint64_t index) const {
-  switch (kind_) {
-    case DerivedKind::kDifference:
-      return a_[index] - b_[index];
-    case DerivedKind::kDerivative:
-      return unbroken(index, 2) ? (a_[index] - a_[index - 1]) * rate_hz_ : kMasked;
-    case DerivedKind::kMean:
-      break;
-  }
-  if (!unbroken(index, mean_ticks_)) return kMasked;
-  const SampleStats stats = a_.stats(index + 1 - mean_ticks_, index + 1);
-  return stats.count == static_cast<double>(mean_ticks_) ? stats.mean() : kMasked;
-}
-
 SampleHistory::SampleHistory(std::size_t capacity, std::optional<double> count_m)
     : capacity_(std::max<std::size_t>(capacity, 1)), count_m_(count_m.value_or(0.0)) {}
 
@@ -72,10 +43,8 @@ void SampleHistory::push(const Sample& sample) {
   (next++)->push_back(stiffness_.push(sample, count_m_));
   for (const double signal : sample.signals) (next++)->push_back(signal);
   newest_tick_ = sample.tick;
-  for (DerivedColumn& column : derived_) stack(column, columns_.front().end() - 1);
   if (size() >= capacity_ + BlockArray<double>::kBlock) {
     for (SamplePyramid& column : columns_) column.forget_before(column.end() - capacity_);
-    for (DerivedColumn& column : derived_) column.levels.forget_before(oldest());
   }
 }
 
@@ -86,28 +55,6 @@ void SampleHistory::push(std::span<const Sample> samples) {
 void SampleHistory::clear() {
   columns_.fill(SamplePyramid());
   stiffness_ = {};
-  for (DerivedColumn& column : derived_) column.levels = BlockLevels();
-}
-
-void SampleHistory::stack(DerivedColumn& column, std::uint64_t first) const {
-  if (!column.signal) return;
-  Pyramid<DerivedSamples, BlockLevels&> pyramid(samples_of(column), column.levels);
-  for (std::uint64_t i = first; i < pyramid.end(); ++i) pyramid.stack(pyramid[i], i + 1);
-}
-
-void SampleHistory::derive(const DerivedSignals& signals, double rate_hz) {
-  const bool known_rate = std::exchange(rate_hz_, rate_hz) == rate_hz;
-  for (std::size_t i = 0; i < derived_.size(); ++i) {
-    if (signals[i] == derived_[i].signal && known_rate) continue;
-    derived_[i] = {signals[i], BlockLevels(oldest())};
-    stack(derived_[i], oldest());
-  }
-}
-
-DerivedSignals SampleHistory::derived() const {
-  DerivedSignals signals;
-  for (std::size_t i = 0; i < signals.size(); ++i) signals[i] = derived_[i].signal;
-  return signals;
 }
 
 std::size_t SampleHistory::size() const {
@@ -168,9 +115,7 @@ std::optional<std::size_t> SampleHistory::nearest(double time_s) const {
 }
 
 SampleStats SampleHistory::stats(Quantity quantity, IndexRange range) const {
-  return in_column(quantity, [&](const auto& column) {
-    return column.stats(oldest() + range.first, oldest() + range.last);
-  });
+  return column(quantity).stats(oldest() + range.first, oldest() + range.last);
 }
 
 Extremes SampleHistory::extremes(Quantity quantity, IndexRange range) const {
@@ -180,9 +125,8 @@ Extremes SampleHistory::extremes(Quantity quantity, IndexRange range) const {
 double SampleHistory::variance(Quantity quantity, IndexRange range) const {
   const SampleStats all = stats(quantity, range);
   if (all.empty()) return 0.0;
-  return in_column(quantity, [&](const auto& column) {
-    return column.squares(oldest() + range.first, oldest() + range.last, all.mean()) / all.count;
-  });
+  return column(quantity).squares(oldest() + range.first, oldest() + range.last, all.mean()) /
+         all.count;
 }
 
 std::optional<std::size_t> SampleHistory::by_age(std::optional<std::uint64_t> index) const {
@@ -192,17 +136,14 @@ std::optional<std::size_t> SampleHistory::by_age(std::optional<std::uint64_t> in
 
 std::optional<std::size_t> SampleHistory::newest_above(Quantity quantity, IndexRange range,
                                                        double threshold) const {
-  return in_column(quantity, [&](const auto& column) {
-    return by_age(column.newest_above(oldest() + range.first, oldest() + range.last, threshold));
-  });
+  return by_age(
+      column(quantity).newest_above(oldest() + range.first, oldest() + range.last, threshold));
 }
 
 std::optional<std::size_t> SampleHistory::newest_not_above(Quantity quantity, IndexRange range,
                                                            double threshold) const {
-  return in_column(quantity, [&](const auto& column) {
-    return by_age(
-        column.newest_not_above(oldest() + range.first, oldest() + range.last, threshold));
-  });
+  return by_age(
+      column(quantity).newest_not_above(oldest() + range.first, oldest() + range.last, threshold));
 }
 
 void SampleHistory::decimate(Quantity quantity, IndexRange range, std::size_t columns, double scale,
@@ -222,10 +163,6 @@ void TickHistory::push(std::span<const Tick> ticks) {
 void TickHistory::set_counts(const Scene& scene) {
   for (std::size_t axis = 0; axis < scene.axes.size(); ++axis)
     axes_[axis].set_count(scene.axes[axis].device.encoder_m);
-}
-
-void TickHistory::derive(const DerivedSignals& signals, double rate_hz) {
-  for (SampleHistory& axis : axes_) axis.derive(signals, rate_hz);
 }
 
 void TickHistory::name_signals(const SignalNames& names) {

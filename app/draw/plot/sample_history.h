@@ -23,22 +23,15 @@ enum class Derived : std::uint8_t { kStiffness };  // see DisplayedStiffness
 inline constexpr std::size_t kDerivedCount = 1;
 // Then the signals of algorithms, by place.
 inline constexpr std::size_t kFirstSignal = kSampleColumns.size() + kDerivedCount;
-inline constexpr std::size_t kStoredCount = kFirstSignal + kMaxSignals;
-
-// Columns that the user derives from two of these, behind them: DerivedSignals has the places.
-inline constexpr std::size_t kMaxDerivedSignals = 4;
+inline constexpr std::size_t kQuantityCount = kFirstSignal + kMaxSignals;
 
 // A column of kSampleColumns, written as the member: `history.value(&Sample::force_n, i)`. A member
-// that has no column does not compile. Or a derived column.
+// that has no column does not compile. Or a computed column.
 class Quantity {
  public:
-  // The derived signal at this place of DerivedSignals.
-  [[nodiscard]] static constexpr Quantity derived_signal(std::size_t place) {
-    return {kStoredCount, place};
-  }
   // The signal of an algorithm at this place of Sample::signals.
   [[nodiscard]] static constexpr Quantity signal(std::size_t place) {
-    return {kFirstSignal, place};
+    return Quantity(kFirstSignal + place);
   }
   consteval Quantity(Derived derived)  // NOLINT(google-explicit-constructor)
       : index_(
@@ -52,47 +45,9 @@ class Quantity {
   friend constexpr bool operator==(Quantity, Quantity) = default;
 
  private:
-  constexpr Quantity(std::size_t first, std::size_t place)
-      : index_(static_cast<std::uint8_t>(first + place)) {}
+  explicit constexpr Quantity(std::size_t index) : index_(static_cast<std::uint8_t>(index)) {}
 
   std::uint8_t index_;
-};
-inline constexpr std::size_t kQuantityCount = kStoredCount + kMaxDerivedSignals;
-
-enum class DerivedKind : std::uint8_t { kDifference, kMean, kDerivative };
-
-// A signal of signals. Masked where one of its samples is, and where it would reach over a tick
-// that is missing or before the oldest one.
-struct DerivedSignal {
-  DerivedKind kind = DerivedKind::kDerivative;
-  Quantity a = &Sample::position_m;  // neither is a derived signal
-  Quantity b = a;                    // of a difference, a − b
-  double over_s = 0.1;               // of a mean: of the ticks in the time that ends at the sample
-
-  friend bool operator==(const DerivedSignal&, const DerivedSignal&) = default;
-};
-using DerivedSignals = std::array<std::optional<DerivedSignal>, kMaxDerivedSignals>;
-
-// The samples of a derived signal, computed from the columns.
-class DerivedSamples {
- public:
-  DerivedSamples(const DerivedSignal& signal, std::span<const SamplePyramid> columns,
-                 double rate_hz);
-
-  [[nodiscard]] std::uint64_t first() const { return ticks_.first(); }
-  [[nodiscard]] std::uint64_t end() const { return ticks_.end(); }
-  [[nodiscard]] double operator[](std::uint64_t index) const;
-
- private:
-  // Whether there is a sample of each of the `count` ticks up to this one.
-  [[nodiscard]] bool unbroken(std::uint64_t index, std::uint64_t count) const;
-
-  DerivedKind kind_;
-  const SamplePyramid& ticks_;
-  const SamplePyramid& a_;
-  const SamplePyramid& b_;
-  double rate_hz_;
-  std::uint64_t mean_ticks_;
 };
 
 // The window keeps an hour at 1 kHz. About 11 bytes a sample for each quantity; quantities that
@@ -140,11 +95,6 @@ class SampleHistory {
   // Of the samples that are pushed from now on.
   void set_count(std::optional<double> count_m) { count_m_ = count_m.value_or(0.0); }
 
-  // Of all samples; `rate_hz`: the rate of their ticks. Keeps blocks of the new signals, but not
-  // their samples: an hour at 1 kHz takes 10 MB and 0.04 s, a mean up to 0.7 s.
-  void derive(const DerivedSignals& signals, double rate_hz);
-  [[nodiscard]] DerivedSignals derived() const;
-
   // Names of the signals of algorithms; those of algorithm_signals() until others are set.
   void name_signals(const SignalNames& names) { signals_ = names; }
   [[nodiscard]] SignalNames signals() const { return signals_.value_or(signal_names()); }
@@ -158,7 +108,7 @@ class SampleHistory {
   [[nodiscard]] double oldest_time_s() const;  // 0 if empty
   [[nodiscard]] double newest_time_s() const;  // 0 if empty
 
-  // Precondition of both: index < size(). Of all that take a quantity: a derived signal exists.
+  // Precondition of both: index < size().
   [[nodiscard]] double value(Quantity quantity, std::size_t index) const;
   // As it was pushed, without the generation of its parameters.
   [[nodiscard]] Sample sample(std::size_t index) const;
@@ -198,36 +148,20 @@ class SampleHistory {
     const SamplePyramid& time = columns_[Quantity(&Sample::time_s).index()];
     const std::uint64_t group = decimation_group(range.count(), columns);
     const std::uint64_t end = oldest() + range.last;
-    in_column(quantity, [&](const auto& values) {
-      for (std::uint64_t first = oldest() + range.first; first < end;) {
-        const std::uint64_t whole = std::min((first / group + 1) * group, end);
-        const std::uint64_t last = whole - first <= 2 ? first + 1 : whole;
-        visit(SampleGroup{time[first + (last - first) / 2], values[first],
-                          values.stats(first, last)});
-        first = last;
-      }
-    });
+    const SamplePyramid& values = column(quantity);
+    for (std::uint64_t first = oldest() + range.first; first < end;) {
+      const std::uint64_t whole = std::min((first / group + 1) * group, end);
+      const std::uint64_t last = whole - first <= 2 ? first + 1 : whole;
+      visit(
+          SampleGroup{time[first + (last - first) / 2], values[first], values.stats(first, last)});
+      first = last;
+    }
   }
 
  private:
-  struct DerivedColumn {
-    std::optional<DerivedSignal> signal;
-    BlockLevels levels;
-  };
-
-  // Calls read(column), a SamplePyramid or the same of a derived signal.
-  template <typename Read>
-  decltype(auto) in_column(Quantity quantity, Read&& read) const {
-    if (quantity.index() < kStoredCount) return read(columns_[quantity.index()]);
-    const DerivedColumn& column = derived_[quantity.index() - kStoredCount];
-    return read(Pyramid<DerivedSamples, const BlockLevels&>(samples_of(column), column.levels));
+  [[nodiscard]] const SamplePyramid& column(Quantity quantity) const {
+    return columns_[quantity.index()];
   }
-  [[nodiscard]] DerivedSamples samples_of(const DerivedColumn& column) const {
-    return {*column.signal, columns_, rate_hz_};
-  }
-  // The levels of the samples from `first` on.
-  void stack(DerivedColumn& column, std::uint64_t first) const;
-
   [[nodiscard]] std::uint64_t oldest() const { return columns_.front().first(); }
   [[nodiscard]] std::size_t first_not_before(double time_s) const;
   [[nodiscard]] std::optional<std::size_t> by_age(std::optional<std::uint64_t> index) const;
@@ -236,14 +170,12 @@ class SampleHistory {
   double count_m_;
   std::uint64_t newest_tick_ = 0;
   DisplayedStiffness stiffness_;
-  std::array<SamplePyramid, kStoredCount> columns_;
-  double rate_hz_ = 0.0;  // of the derived signals
-  std::array<DerivedColumn, kMaxDerivedSignals> derived_;
+  std::array<SamplePyramid, kQuantityCount> columns_;
   std::optional<SignalNames> signals_;
 };
 
 inline double SampleHistory::value(Quantity quantity, std::size_t index) const {
-  return in_column(quantity, [&](const auto& column) { return column[oldest() + index]; });
+  return column(quantity)[oldest() + index];
 }
 
 // The histories of all axes of a session.
@@ -252,7 +184,6 @@ class TickHistory {
   void push(std::span<const Tick> ticks);
   void clear();
   void set_counts(const Scene& scene);  // see SampleHistory::set_count()
-  void derive(const DerivedSignals& signals, double rate_hz);
   void name_signals(const SignalNames& names);
   [[nodiscard]] const SampleHistory& axis(std::size_t index) const { return axes_.at(index); }
 

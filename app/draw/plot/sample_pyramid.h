@@ -68,8 +68,6 @@ struct BlockLevels {
     return kMinBlock << (2 * level);
   }
 
-  // Of samples from the index `first` on, a multiple of BlockArray::kBlock.
-  explicit BlockLevels(std::uint64_t first = 0);
   void forget_before(std::uint64_t first);
 
   std::array<BlockArray<SampleStats>, kLevels> stats;
@@ -78,21 +76,13 @@ struct BlockLevels {
 };
 
 // Samples under their levels. A push updates these in less than two comparisons of pairs. Indices
-// are those of BlockArray. All values must be finite or kMasked. `Samples`: has them, or computes
-// them; first(), end(), [index]. `Levels` may be a reference.
-template <typename Samples, typename Levels = BlockLevels>
-class Pyramid {
+// are those of BlockArray. All values must be finite or kMasked.
+class SamplePyramid {
  public:
-  Pyramid() = default;
-  Pyramid(Samples samples, Levels levels)
-      : samples_(std::move(samples)), levels_(std::forward<Levels>(levels)) {}
-
   void push_back(double value) {
     samples_.push_back(value);
     stack(value, samples_.end());
   }
-  // Only the levels. `value`: of the sample before `end`; they come in order.
-  void stack(double value, std::uint64_t end);
   void forget_before(std::uint64_t index) {
     samples_.forget_before(index);
     levels_.forget_before(samples_.first());
@@ -151,68 +141,22 @@ class Pyramid {
     return BlockLevels::size_of(level);
   }
 
+  // Updates the levels by the newest sample.
+  void stack(double value, std::uint64_t end);
   template <typename Wanted>
   [[nodiscard]] std::optional<std::uint64_t> newest(std::uint64_t first, std::uint64_t last,
                                                     Wanted&& wanted) const;
   [[nodiscard]] double raw_squares(std::uint64_t first, std::uint64_t last, double mean) const;
 
-  Samples samples_;
-  Levels levels_;
+  BlockArray<double> samples_;
+  BlockLevels levels_;
 };
-using SamplePyramid = Pyramid<BlockArray<double>>;
-extern template class Pyramid<BlockArray<double>>;
-
-template <typename Samples, typename Levels>
-void Pyramid<Samples, Levels>::stack(double value, std::uint64_t end) {
-  static_assert(BlockLevels::kFan == 4, "size_of() shifts by two bits a level");
-  SampleStats carried = stats_of(value);
-  for (std::size_t level = 0; level < kLevels; ++level) {
-    levels_.growing[level].include(carried);
-    if (end % size_of(level) != 0) return;
-    carried = levels_.growing[level];
-    levels_.stats[level].push_back(carried);
-    if (level == BlockLevels::kSquaresLevel)
-      levels_.squares.push_back(raw_squares(end - size_of(level), end, carried.mean()));
-    levels_.growing[level] = {};
-  }
-}
-
-template <typename Samples, typename Levels>
-double Pyramid<Samples, Levels>::raw_squares(std::uint64_t first, std::uint64_t last,
-                                             double mean) const {
-  double sum = 0.0;
-  for (std::uint64_t i = first; i < last; ++i) {
-    const double distance = samples_[i] - mean;
-    if (!std::isnan(distance)) sum += distance * distance;
-  }
-  return sum;
-}
-
-template <typename Samples, typename Levels>
-double Pyramid<Samples, Levels>::squares(std::uint64_t first, std::uint64_t last,
-                                         double mean) const {
-  constexpr std::uint64_t kSize = size_of(BlockLevels::kSquaresLevel);
-  const std::uint64_t first_block = (first + kSize - 1) / kSize;
-  const std::uint64_t last_block = last / kSize;
-  if (first_block >= last_block) return raw_squares(first, last, mean);
-  double sum =
-      raw_squares(first, first_block * kSize, mean) + raw_squares(last_block * kSize, last, mean);
-  for (std::uint64_t i = first_block; i < last_block; ++i) {
-    const SampleStats& block = levels_.stats[BlockLevels::kSquaresLevel][i];
-    if (block.empty()) continue;
-    const double distance = block.mean() - mean;
-    sum += levels_.squares[i] + block.count * distance * distance;
-  }
-  return sum;
-}
 
 // `wanted(extremes)`: whether a block may hold a wanted sample; of a sample's own extremes, whether
 // it is wanted.
-template <typename Samples, typename Levels>
 template <typename Wanted>
-std::optional<std::uint64_t> Pyramid<Samples, Levels>::newest(std::uint64_t first,
-                                                              std::uint64_t last,
-                                                              Wanted&& wanted) const {
+std::optional<std::uint64_t> SamplePyramid::newest(std::uint64_t first, std::uint64_t last,
+                                                   Wanted&& wanted) const {
   std::size_t highest = kLevels;
   while (last > first) {
     std::size_t level = 0;  // as in visit_parts(), from the other end

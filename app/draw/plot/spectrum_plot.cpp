@@ -101,7 +101,7 @@ PlotArea draw_amplitudes(const PlotSurface& surface, const SpectrumView& view,
 PlotArea draw_spectrum_plot(const PlotSurface& surface, const PlotTable& table,
                             SpectrumSettings& settings, SpectrumView& view, ImVec2 size) {
   ImGui::PushID("spectrum");
-  if (!table.find(settings.quantity)) settings = {settings.shown};  // it was derived, and removed
+  if (!table.find(settings.quantity)) settings = {settings.shown};  // its column has gone
   const PlottedLine chosen = *table.find(settings.quantity);
   view.spectrum = spectrum_of(*surface.history, chosen.line->quantity, shown_range(surface));
   view.strongest = strongest_line(view.spectrum);

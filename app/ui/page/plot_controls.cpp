@@ -6,7 +6,6 @@
 #include <array>
 #include <string>
 
-#include "app/ui/page/derived_controls.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
@@ -19,7 +18,6 @@ constexpr float kFollowEms = 4.4F;
 constexpr float kWindowEms = 5.5F;
 constexpr float kTriggerEms = 9.5F;
 constexpr float kTextButtonEms = 3.6F;
-constexpr float kDerivedEms = 5.0F;
 constexpr float kExportEms = 3.6F;
 constexpr double kMaxPrePercent = 90.0;
 
@@ -206,17 +204,6 @@ void draw_cursors_button(const PanelContext& context) {
     toggle_cursors(context.state);
 }
 
-void draw_derived_button(const PanelContext& context) {
-  if (button("Derived…###derived",
-             "Difference of two signals, running mean and derivative of one, as more lines of the "
-             "plots",
-             {.width = ems(kDerivedEms)}))
-    ImGui::OpenPopup("derived signals");
-  if (!ImGui::BeginPopup("derived signals")) return;
-  draw_derived_signals(context);
-  ImGui::EndPopup();
-}
-
 struct Control {
   void (*draw)(const PanelContext&);
   float width_ems;
@@ -228,8 +215,7 @@ constexpr std::array kControls{Control{draw_arrangement, kArrangementEms},
                                Control{draw_length, kWindowEms},
                                Control{draw_automatic, kTextButtonEms},
                                Control{draw_trigger, kTriggerEms},
-                               Control{draw_cursors_button, kFollowEms},
-                               Control{draw_derived_button, kDerivedEms}};
+                               Control{draw_cursors_button, kFollowEms}};
 
 void draw_exports(const PanelContext& context, const draw::SampleHistory& history) {
   const float width = 2.0F * ems(kExportEms) + ImGui::GetStyle().ItemSpacing.x;

@@ -151,7 +151,7 @@ void draw_plots_panel(const PanelContext& context, const draw::SampleHistory& hi
   const draw::TimeWindow before = time_window(state);
   draw::TimeWindow window = before;
   draw::PlotSurface surface = surface_of(context, history, window);
-  const draw::PlotTable table(history.derived(), history.signals());
+  const draw::PlotTable table(history.signals());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImVec2 free = ImGui::GetContentRegionAvail();
   if (side_planes(state.plots) > 0 || state.plots.transient.cursors.shown) {

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "app/draw/plot/derived_signals.h"
+#include "app/draw/plot/plot_lines.h"
 #include "app/file/text/text.h"
 #include "app/ui/state/recent_files.h"
 #include "app/ui/state/settings_file.h"
@@ -142,43 +142,18 @@ constexpr std::array kTriggers{Word<draw::TriggerMode>{"off", draw::TriggerMode:
                                Word<draw::TriggerMode>{"normal", draw::TriggerMode::kNormal},
                                Word<draw::TriggerMode>{"single", draw::TriggerMode::kSingle}};
 
-std::string derived_names(const UiState& state) {
-  std::string names;
-  for (const auto& signal : state.plots.persisted.derived) {
-    if (signal) names += (names.empty() ? "" : ", ") + derived_name(*signal);
-  }
-  return names;
-}
-
-// Takes those that can be drawn.
-std::optional<std::string> take_derived(UiState& state, const SettingValue& value) {
-  const auto* names = std::get_if<std::string>(&value);
-  if (names == nullptr) return "must be a string";
-  PlotsState::Persisted& plots = state.plots.persisted;
-  for (std::size_t place = 0; place < plots.derived.size(); ++place)
-    remove_derived(place, plots.derived, plots.lines, state.persisted.hidden_lines);
-  std::string dropped;
-  for (const std::string_view name : file::split(*names, ',')) {
-    const std::string_view trimmed = file::trimmed(name);
-    const auto signal = draw::derived_called(trimmed);
-    if (signal && add_derived(*signal, plots.derived, plots.lines)) continue;
-    if (!trimmed.empty()) dropped += " " + file::in_quotes(trimmed);
-  }
-  if (dropped.empty()) return std::nullopt;
-  return fmt::format("must be up to {} signals like derivative(handle); dropped:{}",
-                     draw::kMaxDerivedSignals, dropped);
-}
-
 std::string spectrum_signal(const UiState& state) {
-  const draw::PlotTable table(state.plots.persisted.derived, signal_names());
+  const draw::PlotTable table(signal_names());
   const auto found = table.find(state.plots.persisted.spectrum.quantity);
   return found ? found->line->name : "";
 }
 
 std::optional<std::string> take_spectrum_signal(UiState& state, const SettingValue& value) {
   const auto* name = std::get_if<std::string>(&value);
-  const draw::PlotTable table(state.plots.persisted.derived, signal_names());
+  const draw::PlotTable table(signal_names());
   const auto found = name != nullptr ? table.find(*name) : std::nullopt;
+  // A signal that version 0.1.0 derived, "derivative(handle)".
+  if (!found && name != nullptr && name->ends_with(')')) return std::nullopt;
   if (!found) return "must be the name of a signal";
   state.plots.persisted.spectrum.quantity = found->line->quantity;
   return std::nullopt;
@@ -219,7 +194,6 @@ std::vector<Key> plain_keys() {
       flag("plots.loop", &draw::PhaseSettings::shown),
       flag("plots.loop_of_last_contact", &draw::PhaseSettings::last_contact),
       flag("plots.spectrum", &draw::SpectrumSettings::shown),
-      {"plots.derived", derived_names, take_derived},  // before those that name its lines
       {"plots.spectrum_signal", spectrum_signal, take_spectrum_signal},
       flag("plots.bounds", &Plots::show_bounds),
       word("plots.trigger", kTriggers, &draw::TriggerSettings::mode),
@@ -235,8 +209,8 @@ std::vector<Key> plain_keys() {
 }
 
 // Lines are stored by name, because bit positions change between versions.
-std::string names_of(const UiState& state, draw::PlotId id, draw::LineSet set) {
-  const draw::PlotTable table(state.plots.persisted.derived, signal_names());
+std::string names_of(draw::PlotId id, draw::LineSet set) {
+  const draw::PlotTable table(signal_names());
   std::string names;
   for (const draw::PlotLine& line : table[id].lines) {
     if ((set & line_bit(line.quantity)) == 0) continue;
@@ -245,8 +219,8 @@ std::string names_of(const UiState& state, draw::PlotId id, draw::LineSet set) {
   return names;
 }
 
-draw::LineSet lines_called(const UiState& state, draw::PlotId id, std::string_view names) {
-  const draw::PlotTable table(state.plots.persisted.derived, signal_names());
+draw::LineSet lines_called(draw::PlotId id, std::string_view names) {
+  const draw::PlotTable table(signal_names());
   draw::LineSet set = 0;
   for (const draw::PlotLine& line : table[id].lines) {
     std::string_view rest = names;
@@ -263,21 +237,18 @@ Key plot_lines(draw::PlotId id, const char* name) {
   const auto index = static_cast<std::size_t>(id);
   return text(
       name,
-      [=](const UiState& state) {
-        return names_of(state, id, state.plots.persisted.lines.at(index));
-      },
+      [=](const UiState& state) { return names_of(id, state.plots.persisted.lines.at(index)); },
       [=](UiState& state, const std::string& names) {
-        state.plots.persisted.lines.at(index) = lines_called(state, id, names);
+        state.plots.persisted.lines.at(index) = lines_called(id, names);
       });
 }
 
 // One set of hidden lines serves all plots.
 Key hidden_lines(draw::PlotId id, const char* name) {
   return text(
-      name,
-      [id](const UiState& state) { return names_of(state, id, state.persisted.hidden_lines); },
+      name, [id](const UiState& state) { return names_of(id, state.persisted.hidden_lines); },
       [id](UiState& state, const std::string& names) {
-        state.persisted.hidden_lines |= lines_called(state, id, names);
+        state.persisted.hidden_lines |= lines_called(id, names);
       });
 }
 

@@ -92,7 +92,6 @@ struct PlotsState {
     draw::TriggerSettings trigger;
     draw::PhaseSettings phase;
     draw::SpectrumSettings spectrum;
-    draw::DerivedSignals derived;
     bool show_bounds = true;
   } persisted;
 
@@ -104,7 +103,6 @@ struct PlotsState {
     draw::Cursors cursors;
     draw::PhaseView phase;
     draw::SpectrumView spectrum;
-    draw::DerivedSignal next_derived;  // chosen in the popup
     draw::PlotScratch scratch;
     std::vector<draw::ExtraTrace> extra_traces;  // see replace_extra_traces()
     ExportJob exporting;

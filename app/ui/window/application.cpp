@@ -102,7 +102,6 @@ void Application::take_ticks() {
   notice_jumps();
   history_.set_counts(session().scene());
   history_.name_signals(session().signals());
-  history_.derive(state_.plots.persisted.derived, session().scene().sampling.rate_hz);
   for (int batch = 0; batch < kMaxBatches; ++batch) {
     const std::span<Tick> ticks = std::span(incoming_).first(session().take_ticks(incoming_));
     if (measured) std::ranges::for_each(ticks, draw_where_measured);

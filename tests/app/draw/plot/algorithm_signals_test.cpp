@@ -30,7 +30,7 @@ TEST(AlgorithmSignals, AreLinesOfThePlotThatHasTheirUnit) {
                                UnitCase{"k_n_per_m", "law: k", PlotId::kStiffness, "kN/m"},
                                UnitCase{"e_j", "law: e", PlotId::kPassivity, "mJ"},
                                UnitCase{"loss_w", "law: loss", PlotId::kPassivity, "mW"}}) {
-    const PlotTable table({}, named(unit.name));
+    const PlotTable table(named(unit.name));
     const auto found = table.find(Quantity::signal(3));
     ASSERT_TRUE(found) << unit.name;
     EXPECT_EQ(found->plot->id, unit.plot) << unit.name;
@@ -42,12 +42,12 @@ TEST(AlgorithmSignals, AreLinesOfThePlotThatHasTheirUnit) {
 }
 
 TEST(AlgorithmSignals, OfAnUnknownUnitHaveNoLine) {
-  EXPECT_FALSE(PlotTable({}, named("counter")).find(Quantity::signal(3)));
+  EXPECT_FALSE(PlotTable(named("counter")).find(Quantity::signal(3)));
   EXPECT_EQ(lines_with(named("counter")), usual_lines());
 }
 
 TEST(AlgorithmSignals, OfEveryBuiltInAlgorithmAreDrawnOnRequestOnly) {
-  const PlotTable table({}, signal_names());
+  const PlotTable table(signal_names());
   for (std::size_t place = 0; place < algorithm_signals().size(); ++place) {
     const auto found = table.find(Quantity::signal(place));
     ASSERT_TRUE(found) << algorithm_signals()[place].name;

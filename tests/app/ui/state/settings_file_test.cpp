@@ -42,9 +42,6 @@ void change_all(UiState& state) {
   state.plots.persisted.lines.at(0) = draw::line_bit(&Sample::position_m);
   state.plots.persisted.trigger = {draw::TriggerMode::kNormal, 0.5};
   state.plots.persisted.phase.shown = true;
-  state.plots.persisted.derived[2] = draw::DerivedSignal();
-  state.plots.persisted.derived[3] = {draw::DerivedKind::kMean, &Sample::force_n, &Sample::force_n,
-                                      0.02};
   state.plots.persisted.spectrum = {true, &Sample::force_n};
   state.plots.persisted.show_bounds = false;
   state.wall.persisted.magnification = 50;
@@ -77,7 +74,7 @@ TEST(Settings, EverythingThatIsKeptComesBack) {
     const auto at_first = usual.find(key);
     if (at_first == usual.end() || at_first->second != value) ++changed;
   }
-  EXPECT_GE(changed, 26U);
+  EXPECT_GE(changed, 25U);
 }
 
 TEST_F(SettingsTest, ThePageShowsAWholeFileWithoutAnUnknownKeyOrInvalidValue) {
@@ -165,21 +162,17 @@ TEST_F(SettingsTest, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
   EXPECT_TRUE(fs::exists(file() + ".broken"));
 }
 
-TEST_F(SettingsTest, ADerivedSignalOfAnUnknownSignalIsToldAndTheOthersAreTaken) {
+TEST_F(SettingsTest, ASpectrumOfASignalThatNoLongerExistsIsLeftOut) {
   put("settings.toml",
-      "[plots]\nderived = \"derivative(paddle), mean(handle over 0.5 s), mean(handle over 9 h)\"\n"
-      "spectrum_signal = \"paddle\"\n");
+      "[plots]\nderived = \"derivative(handle)\"\nspectrum_signal = \"derivative(handle)\"\n");
   UiState state;
   SettingsFile(file()).load(state);
-  const ui::PlotsState::Persisted& plots = state.plots.persisted;
-  const draw::DerivedSignal mean{draw::DerivedKind::kMean, &Sample::position_m, &Sample::position_m,
-                                 0.5};
-  EXPECT_EQ(plots.derived, draw::DerivedSignals{mean});
-  EXPECT_NE(plots.lines.at(0) & draw::line_bit(draw::Quantity::derived_signal(0)), 0U);
-  EXPECT_EQ(plots.spectrum.quantity, draw::Quantity(&Sample::position_m));
-  const std::string told = state.transient.toasts.newest().text;
-  EXPECT_THAT(told, HasSubstr("dropped: 'derivative(paddle)' 'mean(handle over 9 h)'"));
-  EXPECT_THAT(told, HasSubstr("plots.spectrum_signal must be the name of a signal"));
+  EXPECT_TRUE(state.transient.toasts.list().empty());
+  EXPECT_EQ(state.plots.persisted.spectrum.quantity, draw::SpectrumSettings().quantity);
+  put("settings.toml", "[plots]\nspectrum_signal = \"paddle\"\n");
+  SettingsFile(file()).load(state);
+  EXPECT_THAT(state.transient.toasts.newest().text,
+              HasSubstr("plots.spectrum_signal must be the name of a signal"));
 }
 
 TEST_F(SettingsTest, UnknownKeysAreNoProblemAndAreNotKept) {
