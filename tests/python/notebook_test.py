@@ -37,12 +37,18 @@ def test_the_figures_show_what_the_paper_says(names):
     assert names["runs"]["none"].samples["energy_cv_j"].min() >= 0.0
     shown = {name: run.summary["displayed_stiffness_n_per_m"] for name, run in names["runs"].items()}
     assert shown["energy-bounding"] > shown["virtual-coupling"]
-    assert len(names["plt"].get_fignums()) == 5
+    assert len(names["plt"].get_fignums()) == 6
 
 
 def test_the_map_has_stable_and_unstable_cells(names):
     share = names["grid"].settled.mean(axis=(1, 2))
     assert 0.0 < share[0] < share[2] <= 1.0
+
+
+def test_the_chart_agrees_with_the_eigenvalues(names):
+    for settled, radius in names["charts"].values():
+        assert np.array_equal(settled, radius < 1.0)
+        assert 0.3 < settled.mean() < 0.7
 
 
 def test_the_fit_finds_the_simulated_observer(names):

@@ -184,20 +184,6 @@ Failure refuse(const OptionTexts& given, std::string_view mode) {
   return {};
 }
 
-Failure check_normalised(const MapOptions& options) {
-  if (!options.algorithms.empty()) {
-    return usage_error("--algorithms: not with --normalised, which shows the bare wall");
-  }
-  return refuse({{"--x", &options.x},
-                 {"--y", &options.y},
-                 {"--boundary", &options.boundary},
-                 {"--tolerance", &options.tolerance},
-                 {"--shard", &options.shard},
-                 {"--read", &options.read},
-                 {"--duration", &options.scene.duration}},
-                "--normalised");
-}
-
 // Missing options, and options that exclude each other.
 Failure check_options(const MapOptions& options) {
   if (!options.output.expectations.empty()) {
@@ -209,12 +195,10 @@ Failure check_options(const MapOptions& options) {
           {options.scene.scene, sidecar_read_with(options.scene.scene), options.read})) {
     return failed;
   }
-  if (options.normalised) return check_normalised(options);
   if (options.boundary.empty()) {
     if (options.x.empty() || options.y.empty()) {
       return usage_error(
-          "map: it takes --x and --y, each KEY=LO:HI:N or KEY=LO:HI:N:log; or --boundary, "
-          "or --normalised");
+          "map: it takes --x and --y, each KEY=LO:HI:N or KEY=LO:HI:N:log; or --boundary");
     }
     if (!options.tolerance.empty()) return usage_error("--tolerance: it needs --boundary");
     if (!options.read.empty() && !options.output.csv.empty()) {
@@ -234,11 +218,9 @@ Failure check_options(const MapOptions& options) {
 
 Result<int> map(const MapOptions& options) {
   if (Failure failed = check_options(options)) return *failed;
-  Result<file::LoadedScene> loaded =
-      load_for_study("map", options.scene, options.output.quiet || options.normalised);
+  Result<file::LoadedScene> loaded = load_for_study("map", options.scene, options.output.quiet);
   if (!loaded) return loaded.error();
   if (Failure failed = check_scene_files(options.output, *loaded)) return *failed;
-  if (options.normalised) return run_normalised(options, loaded->scene);
   return options.boundary.empty() ? run_map(options, std::move(loaded->scene))
                                   : run_boundary(options, std::move(loaded->scene));
 }
@@ -267,10 +249,6 @@ Command add_map(CLI::App& program) {
       "each of its values",
       "KEY=LO:HI:N[:log]");
   add("--tolerance", options->tolerance, "Relative tolerance of --boundary; default 0.001", "R");
-  app->add_flag(
-      "--normalised", options->normalised,
-      "Instead of a map, draw K T²/m over B T/m for the scene's handle and delays of 0, 1 "
-      "and 2 ticks: the limit of stability by theory and by simulation");
   add("--shard", options->shard,
       "Compute part I of N only; the joined CSVs of all parts are the map's", "I/N");
   add("--read", options->read,
@@ -281,10 +259,10 @@ Command add_map(CLI::App& program) {
   add_csv_option(*app, options->output,
                  "Write one line per cell, and a sidecar; repeat the command to resume an "
                  "interrupted map");
-  add_plot_option(*app, options->output, "Draw the map with the bounds of theory, or the chart");
+  add_plot_option(*app, options->output, "Draw the map with the bounds of theory");
   add_output_options(*app, options->output);
   app->get_option("--json")->description(
-      "Write the counts, the boundaries or the chart as JSON; - is standard output");
+      "Write the counts or the boundaries as JSON; - is standard output");
   app->get_option("--expect")->group("");  // hidden
   return {app, [options] { return map(*options); }};
 }

@@ -1,5 +1,5 @@
-// hapticwall map SCENE: a grid over two numbers of a scene, its stability boundary along one, or
-// the normalised chart of its handle.
+// hapticwall map SCENE: a grid over two numbers of a scene, or its stability boundary along
+// one.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,6 @@ struct MapOptions {
   std::string tolerance;
   std::string shard;
   std::string read;
-  bool normalised = false;
 };
 
 // The problem of validate() as a usage error.
@@ -31,8 +30,5 @@ struct MapOptions {
 
 // --boundary: finds, writes and prints the boundaries; returns the exit status.
 [[nodiscard]] Result<int> run_boundary(const MapOptions& options, Scene scene);
-
-// --normalised: the same with the chart of K T²/m over B T/m.
-[[nodiscard]] Result<int> run_normalised(const MapOptions& options, const Scene& scene);
 
 }  // namespace hapticwall::command

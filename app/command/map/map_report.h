@@ -1,4 +1,4 @@
-// A map, its boundaries or the normalised chart as table, JSON and CSV.
+// A map or its boundaries as table, JSON and CSV.
 #pragma once
 
 #include <span>
@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/study/boundary.h"
-#include "core/study/normalised_chart.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall::command {
@@ -26,8 +25,5 @@ namespace hapticwall::command {
                                        const std::vector<Boundary>& boundaries);
 
 // One line per simulated point.
-[[nodiscard]] std::string normalised_table(const NormalisedChart& chart);
-[[nodiscard]] std::string normalised_json(const NormalisedChart& chart);
-[[nodiscard]] std::string normalised_csv(const NormalisedChart& chart);
 
 }  // namespace hapticwall::command

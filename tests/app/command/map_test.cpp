@@ -164,42 +164,5 @@ TEST_F(MapCommand, ABoundaryHasNoLimitOfTheoryWhereTheLoopIsAnotherOne) {
   EXPECT_TRUE(limit_of("golden-soft", "device.mass_kg=0.1:0.2:2", "none").is_null());
 }
 
-// Heavily damped, so that the runs are short.
-TEST_F(MapCommand, TheNormalisedChartIsSimulatedWrittenAndDrawn) {
-  const Answer answer =
-      hapticwall({"map", "press", "--normalised", "--set", "device.damping_n_s_per_m=5", "--csv",
-                  "n.csv", "--plot", "n.png", "--json", "-"});
-  ASSERT_EQ(answer.status, 0) << answer.err;
-  EXPECT_THAT(files(), ElementsAre("n.csv", "n.png"));
-  EXPECT_THAT(content("n.png"), StartsWith("\x89PNG\r\n"));
-  const auto json = nlohmann::json::parse(answer.out);
-  EXPECT_EQ(json.at("scene"), "press");
-  EXPECT_DOUBLE_EQ(json.at("normalised_device_damping"), 0.1);
-  ASSERT_EQ(json.at("delays").size(), 3U);
-  EXPECT_GT(json.at("delays")[0].at("normalised_best_limit"),
-            json.at("delays")[1].at("normalised_best_limit"));
-  ASSERT_EQ(json.at("rows").size(), 30U);
-  for (const auto& row : json.at("rows")) {
-    const double limit = row.at("normalised_limit");
-    EXPECT_NEAR(row.at("normalised_settled").get<double>() / limit, 1.0, 1e-3);
-    EXPECT_NEAR(row.at("normalised_failed").get<double>() / limit, 1.0, 1e-3);
-    EXPECT_DOUBLE_EQ(row.at("limit_n_per_m"), limit * 0.05e6);
-  }
-  const std::string csv = content("n.csv");
-  EXPECT_THAT(csv, StartsWith("scene,rate_hz,mass_kg,damping_n_s_per_m,"));
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 31);
-}
-
-TEST_F(MapCommand, TheNormalisedChartIsATable) {
-  const Answer answer =
-      hapticwall({"map", "press", "--normalised", "--set", "device.damping_n_s_per_m=5"});
-  ASSERT_EQ(answer.status, 0) << answer.err;
-  EXPECT_THAT(answer.out,
-              AllOf(StartsWith("press: handle of 0.05 kg and 5 N·s/m at 1000 Hz, b T/m = 0.1, no "
-                               "hand\ndelay 0: stiffest wall K T²/m = "),
-                    HasSubstr("no wall is stable"), HasSubstr("\ndelay "), HasSubstr("settles")));
-  EXPECT_THAT(files(), IsEmpty());
-}
-
 }  // namespace
 }  // namespace hapticwall::command::test
