@@ -52,9 +52,4 @@ Proportion clopper_pearson(std::uint32_t k, std::uint32_t n, double confidence) 
   return result;
 }
 
-double binomial_two_sided(std::uint32_t k, std::uint32_t n) {
-  constexpr double kHalf = 0.5;
-  return std::min(1.0, 2.0 * binomial_at_least(std::max(k, n - k), n, kHalf));
-}
-
 }  // namespace hapticwall::compare

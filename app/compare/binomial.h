@@ -19,7 +19,4 @@ struct Proportion {
 // confidence in (0, 1). [0, 1] without trials.
 [[nodiscard]] Proportion clopper_pearson(std::uint32_t k, std::uint32_t n, double confidence);
 
-// Exact two-sided p-value of k of n against a probability of one half; 1 without trials.
-[[nodiscard]] double binomial_two_sided(std::uint32_t k, std::uint32_t n);
-
 }  // namespace hapticwall::compare

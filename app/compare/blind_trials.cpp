@@ -74,17 +74,6 @@ std::size_t count_trials(const TrialPlan& plan) {
 
 }  // namespace
 
-std::vector<file::TrialSpec> equal_trials(std::size_t count, const std::string& question,
-                                          const std::string& a, const std::string& b) {
-  std::vector<file::TrialSpec> trials(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    trials[i].number = i + 1;
-    trials[i].slots = {a, b};
-    trials[i].question = question;
-  }
-  return trials;
-}
-
 Result<BlindTrials> BlindTrials::create(const TrialPlan& plan) {
   const std::size_t trials = count_trials(plan);
   if (trials < 1 || plan.trials.size() > kMaxTrials) {

@@ -1,5 +1,5 @@
 // Blind trials: which of two walls is stiffer? Each trial presents both slots in an order that only
-// the seed decides. The trials are those of a trial list, or equal ones of two algorithms.
+// the seed decides. The trials are those of a trial list.
 #pragma once
 
 #include <cstddef>
@@ -25,11 +25,6 @@ struct TrialPlan {
   std::vector<file::TrialSpec> trials;  // 1 to kMaxTrials, and breaks between them
   double confidence = 0.95;             // of the intervals, more than 0 and less than 1
 };
-
-// The trials of a plain blind test: all equal. `a` and `b` describe the slots.
-[[nodiscard]] std::vector<file::TrialSpec> equal_trials(std::size_t count,
-                                                        const std::string& question,
-                                                        const std::string& a, const std::string& b);
 
 // The course of the trials. Deterministic: the same plan gives the same order, in which A and B of
 // equal trials are first equally often.

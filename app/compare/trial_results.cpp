@@ -1,11 +1,6 @@
 #include "app/compare/trial_results.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
-#include "core/scene_keys.h"
-#include "core/text.h"
 
 namespace hapticwall::compare {
 namespace {
@@ -20,7 +15,6 @@ void count(TrialResult& result, const file::Answer& answer) {
 
 void judge(TrialResult& result, double confidence) {
   result.a = clopper_pearson(result.chose_a, result.trials, confidence);
-  result.p_value = binomial_two_sided(result.chose_a, result.trials);
 }
 
 PairResult& pair_of(std::vector<PairResult>& pairs, const file::Answer& answer) {
@@ -49,21 +43,6 @@ TrialResults results_of(std::span<const file::Answer> answers, double confidence
   judge(results.catches, confidence);
   for (PairResult& pair : results.pairs) judge(pair.result, confidence);
   return results;
-}
-
-std::string result_csv(const BlindTrials& trials, const TrialResults& results) {
-  std::string text =
-      "question,seed,a,b,planned_trials,trials,chose_a,chose_first,share_a,confidence,share_a_low,"
-      "share_a_high,p_value\n";
-  for (const PairResult& pair : results.pairs) {
-    const TrialResult& result = pair.result;
-    text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(pair.question), trials.plan().seed,
-        csv_field(pair.a), csv_field(pair.b), trials.planned(), result.trials, result.chose_a,
-        result.chose_first, number_text(result.a.share), number_text(trials.plan().confidence),
-        number_text(result.a.low), number_text(result.a.high), number_text(result.p_value));
-  }
-  return text;
 }
 
 }  // namespace hapticwall::compare

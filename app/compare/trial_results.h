@@ -18,7 +18,6 @@ struct TrialResult {
   std::uint32_t judged = 0;       // with a right answer
   std::uint32_t correct = 0;      // of these
   Proportion a;                   // the share of A, with its exact interval
-  double p_value = 1.0;           // two-sided, against choosing by chance
 };
 
 // A point of the psychometric function: equal trials.
@@ -38,9 +37,5 @@ struct TrialResults {
 };
 
 [[nodiscard]] TrialResults results_of(std::span<const file::Answer> answers, double confidence);
-
-// A line for each pair: question,seed,a,b,planned_trials,trials,chose_a,chose_first,share_a,
-// confidence,share_a_low,share_a_high,p_value.
-[[nodiscard]] std::string result_csv(const BlindTrials& trials, const TrialResults& results);
 
 }  // namespace hapticwall::compare

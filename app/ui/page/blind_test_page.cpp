@@ -24,7 +24,7 @@ constexpr float kPageGapEms = 2.0F;
 
 void draw_question(const PanelContext& context) {
   std::string& question = context.state.compare.persisted.question;
-  field_label(context, "question", "The question of the test, for this page and the files", "");
+  field_label(context, "question", "The question of the trial list", "");
   const auto typed = text_field(context, "##blind question", "", question);
   if (typed) question = *typed;
 }
@@ -62,22 +62,6 @@ void draw_confidence(const PanelContext& context) {
   confidence = *typed / kPercent;
 }
 
-void draw_seed(const PanelContext& context) {
-  std::optional<std::uint64_t>& seed = context.state.compare.transient.seed;
-  field_label(context, "seed",
-              "The same seed gives the same order. Empty: a random seed, stored in the files.", "");
-  const auto typed =
-      text_field(context, "##blind seed", "by chance", seed ? fmt::format("{}", *seed) : "");
-  if (!typed) return;
-  const auto parsed = file::parsed<std::uint64_t>(*typed);
-  if (!typed->empty() && (!parsed || *parsed > file::kMaxSeed)) {
-    tell(context.state, MessageKind::kProblem,
-         fmt::format("seed: '{}' is no whole number from 0 to {}", *typed, file::kMaxSeed));
-    return;
-  }
-  seed = parsed;
-}
-
 void draw_masking(const PanelContext& context) {
   field_label(context, "sound", "", "");
   ImGui::Checkbox("masking noise###masking noise", &context.state.compare.persisted.masking_noise);
@@ -90,21 +74,16 @@ void draw_fields(const PanelContext& context) {
   draw_question(context);
   draw_trials(context);
   draw_confidence(context);
-  draw_seed(context);
   draw_masking(context);
   ImGui::Spacing();
-  const bool replaying = context.shows.replay != nullptr;
-  const bool identifies = context.state.identify.experiment != nullptr;
-  const char* tooltip = replaying    ? "A recording cannot be felt: go back to the scene first."
-                        : identifies ? "The device is being identified: wait, or end that first."
-                                     : "Hides everything that could reveal the order, until the "
-                                       "last trial or \"Stop and show\".";
-  if (button("Start the blind test###blind start", tooltip, {.enabled = !replaying && !identifies}))
-    start_blind_test(context);
+  if (button(
+          "Write the trial list###blind list",
+          "Writes a CSV file of equal trials into the recording folder. The program runs it with "
+          "--trials."))
+    write_trial_list(context);
   if (!context.state.compare.transient.test) return;
   ImGui::SameLine();
-  if (button("Last result###last result",
-             "The result of the last test, until the next test starts."))
+  if (button("Last result###last result", "The result of the trial list."))
     context.state.compare.transient.setting_up = false;
 }
 
@@ -132,9 +111,10 @@ void draw_what_happens(const PanelContext& context) {
       "like, then choose. The force switches at once, blended over 50 ms. To begin from rest, "
       "leave the wall before you switch.");
   ImGui::Spacing();
-  muted_text(context,
-             "Until the end the window shows only the handle and the walls. A recording may run: "
-             "its files contain the order.");
+  muted_text(
+      context,
+      "Until the end the window shows only the handle and the walls, and every answer is "
+      "stored at once. A spreadsheet may change the list: other keys, catch trials, breaks.");
 }
 
 }  // namespace

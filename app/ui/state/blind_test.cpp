@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <random>
 #include <utility>
 
 #include "app/file/disk/atomic_file.h"
@@ -10,6 +9,8 @@
 #include "app/ui/state/changes.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/export.h"
+#include "core/stabiliser/stabiliser.h"
+#include "core/text.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -17,14 +18,6 @@ namespace {
 using compare::BlindTrials;
 using compare::Presentation;
 using compare::Slot;
-
-constexpr const char* kTrialsEnding = "-trials.csv";
-constexpr const char* kResultEnding = "-result.csv";
-
-std::uint64_t seed_by_chance() {
-  std::random_device chance;
-  return chance();
-}
 
 // The outcome of the switch must not reveal the slot.
 bool put_blindly(const PanelContext& context, const Scene& scene) {
@@ -36,34 +29,25 @@ bool put_blindly(const PanelContext& context, const Scene& scene) {
 }
 
 const Scene& scene_of(const BlindTest& test, Slot slot) {
-  const runtime::SlotScenes& slots =
-      test.experiment ? test.experiment->scenes[test.trials.place()] : test.slots;
-  return slots[static_cast<std::size_t>(slot)];
+  return test.experiment->scenes[test.trials.place()][static_cast<std::size_t>(slot)];
 }
 
-// Both files are on the disk before either gets its name.
-Failure write_both(const BlindTest& test, const std::string& base) {
-  std::string answers = file::answers_header();
-  for (const file::Answer& answer : test.answers) answers += file::answer_line(answer);
-  auto trials = file::AtomicFile::create(base + kTrialsEnding);
-  if (!trials) return trials.error();
-  auto result = file::AtomicFile::create(base + kResultEnding);
-  if (!result) return result.error();
-  if (Failure failure = trials->write(answers)) return failure;
-  if (Failure failure = result->write(compare::result_csv(test.trials, test.results)))
-    return failure;
-  if (Failure failure = trials->sync()) return failure;
-  if (Failure failure = result->sync()) return failure;
-  if (Failure failure = trials->commit()) return failure;
-  return result->commit();
+// "algorithm=NAME; algorithm.KEY=VALUE", as a trial list has it.
+std::string slot_text(const AlgorithmSettings& settings) {
+  std::string text = fmt::format("algorithm={}", algorithms()[settings.index].name);
+  const auto parameters = algorithm_parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!settings.values.at(i) || !reads(settings, parameters[i].key)) continue;
+    text += fmt::format("; algorithm.{}={}", parameters[i].key,
+                        value_text(parameters[i], *settings.values.at(i)));
+  }
+  return text;
 }
 
 // On the disk before it counts.
 Failure keep_answer(BlindTest& test, file::Answer answer) {
   answer.time_utc = file::utc_now();
-  if (test.experiment) {
-    if (Failure failure = test.experiment->answers.append(answer)) return failure;
-  }
+  if (Failure failure = test.experiment->answers.append(answer)) return failure;
   test.answers.push_back(std::move(answer));
   return std::nullopt;
 }
@@ -75,29 +59,23 @@ void finish(BlindTest& test) {
   test.results = compare::results_of(test.answers, test.trials.plan().confidence);
 }
 
-void start_blind_test(const PanelContext& context) {
+void write_trial_list(const PanelContext& context) {
   UiState& state = context.state;
-  CompareState& compare = state.compare;
-  const Scene& running = context.session.scene();
-  keep_slots(state, running);
+  const Scene& scene = context.session.scene();
+  keep_slots(state, scene);
   const CompareSlots slots = slots_of(state);
-  runtime::SlotScenes scenes{running, running};
-  for (const Slot slot : {Slot::kA, Slot::kB}) {
-    Scene& scene = scenes[static_cast<std::size_t>(slot)];
-    scene.algorithm = slots.of(slot);
-    if (const auto problem = validate(scene)) return tell(state, *problem);
-  }
-  compare::TrialPlan plan;
-  plan.seed = compare.transient.seed ? *compare.transient.seed : seed_by_chance();
-  plan.trials = compare::equal_trials(compare.persisted.trials, compare.persisted.question,
-                                      compare::describe(slots.of(Slot::kA)),
-                                      compare::describe(slots.of(Slot::kB)));
-  plan.confidence = compare.persisted.confidence;
-  Result<BlindTrials> trials = BlindTrials::create(plan);
-  if (!trials) return tell(state, trials.error());
-  compare.transient.test = BlindTest{std::move(*trials), std::move(scenes), running};
-  compare.transient.setting_up = false;
-  show_page(state, kBlindTestPage);
+  const CompareState::Persisted& wanted = state.compare.persisted;
+  const std::string trial =
+      fmt::format("{},{},{}\n", csv_field(slot_text(slots.of(Slot::kA))),
+                  csv_field(slot_text(slots.of(Slot::kB))), csv_field(wanted.question));
+  std::string list = "a,b,question\n";
+  for (std::size_t i = 0; i < wanted.trials; ++i) list += trial;
+  const std::string path = unused_path(state.transient.recording_folder,
+                                       plain_file_name(scene.name + "-blind-test"), ".csv");
+  if (const Failure failure = file::write_file(path, list)) return tell(state, *failure);
+  tell(state, MessageKind::kNote,
+       fmt::format("wrote {0}; 'hapticwall {1} --trials {0} --participant P01' runs it", path,
+                   scene.name));
 }
 
 Failure start_experiment(UiState& state, const Scene& running,
@@ -110,7 +88,7 @@ Failure start_experiment(UiState& state, const Scene& running,
     tell(state, MessageKind::kNote,
          answers.path() + ": its last line was torn and is dropped; the trial is repeated");
   }
-  BlindTest test{std::move(*trials), {}, running, std::move(experiment), false};
+  BlindTest test{std::move(*trials), running, std::move(experiment)};
   test.answers.assign(answers.found().begin(), answers.found().end());
   for (std::size_t i = 0; i < test.answers.size(); ++i) test.trials.take();
   if (test.trials.finished()) finish(test);
@@ -151,28 +129,10 @@ void end_blind_test(const PanelContext& context) {
   if (!blind_test_runs(context.state)) return;
   BlindTest& test = *context.state.compare.transient.test;
   finish(test);
-  // The wall of an experiment stays: somebody may press into it, and the scene's may be stiffer.
-  if (!test.experiment) {
-    if (const auto problem = ask_for(context, test.before)) tell(context.state, *problem);
-  }
+  // The wall stays: somebody may press into it, and the scene's may be stiffer.
   // The contacts of the test are no ghosts.
   begin_comparison(context.state, context.session.scene(), slots_of(context.state));
   show_page(context.state, kBlindTestPage);
-}
-
-void save_blind_test(const PanelContext& context) {
-  UiState& state = context.state;
-  auto& test = state.compare.transient.test;
-  if (!test || test->running || test->experiment) return;
-  const std::string partial = ".partial";
-  const std::string base =
-      unused_base(state.transient.recording_folder,
-                  plain_file_name(context.session.scene().name + "-blind-test"),
-                  {kTrialsEnding, kResultEnding, kTrialsEnding + partial, kResultEnding + partial});
-  if (const Failure failure = write_both(*test, base)) return tell(state, *failure);
-  test->saved_as = base;
-  tell(state, MessageKind::kNote,
-       fmt::format("saved {0}{1} and {0}{2}", base, kTrialsEnding, kResultEnding));
 }
 
 std::vector<KeyBinding> blind_test_keys() {

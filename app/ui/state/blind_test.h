@@ -34,8 +34,9 @@ namespace hapticwall::ui {
                                    : context.session.scene();
 }
 
-// Uses the question, trials and seed that are set. Tells the user when a slot is not valid.
-void start_blind_test(const PanelContext& context);
+// Writes SCENE-blind-test.csv into the recording folder: a list of equal trials of the slots A and
+// B of Compare, with the question and the number that are set. Tells the user how to run it.
+void write_trial_list(const PanelContext& context);
 // Starts the test of a trial list, or shows its result if all trials were answered. It waits for
 // go_on(). `running`: the session's scene.
 [[nodiscard]] Failure start_experiment(UiState& state, const Scene& running,
@@ -51,14 +52,8 @@ void feel(const PanelContext& context, compare::Presentation presentation);
 void choose(const PanelContext& context, compare::Presentation presentation);
 // The test runs no more, and has its results.
 void finish(BlindTest& test);
-// Ends the test with the trials answered so far. Restores the scene of before a test of A and B;
-// the last wall of a trial list stays in force, and undo goes back.
+// Ends the test with the trials answered so far. The last wall stays in force, and undo goes back.
 void end_blind_test(const PanelContext& context);
-
-// Writes SCENE-blind-test-trials.csv and …-result.csv into the recording folder and tells the user.
-// Adds a number when a file exists. No effect unless a test has ended, and for a
-// trial list, whose answers are stored already.
-void save_blind_test(const PanelContext& context);
 
 // 1 and ← feel the first, 2 and → the second; with Ctrl they choose.
 [[nodiscard]] std::vector<KeyBinding> blind_test_keys();

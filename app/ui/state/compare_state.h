@@ -28,19 +28,16 @@ struct CompareSlots {
   }
 };
 
-// A running blind test, or the result of the last one.
+// The running blind test of a trial list, or its result.
 struct BlindTest {
   compare::BlindTrials trials;
-  runtime::SlotScenes slots;  // of every trial; not of an experiment, whose trials have their own
-  Scene before;               // the session's before the test
-  // Of a trial list; null for the test of A and B of Compare.
-  std::shared_ptr<runtime::Experiment> experiment = nullptr;
-  bool begun = true;                                         // false: waits for "Begin"
+  Scene before;                                              // the session's before the test
+  std::shared_ptr<runtime::Experiment> experiment;           // not null
+  bool begun = false;                                        // false: waits for "Begin"
   std::optional<compare::Presentation> felt = std::nullopt;  // the presentation in force
   bool running = true;
   std::vector<file::Answer> answers = {};
   compare::TrialResults results = {};  // at the end
-  std::string saved_as = {};           // empty: not yet
 };
 
 // Identifies the ghost in the plots.
@@ -61,7 +58,7 @@ struct CompareState {
   // Stored in the settings file.
   struct Persisted {
     bool ghost_shown = true;
-    // Of the next blind test.
+    // Of the next trial list that the page writes.
     std::string question = file::kUsualQuestion;
     std::size_t trials = 20;
     double confidence = compare::TrialPlan{}.confidence;
@@ -74,7 +71,6 @@ struct CompareState {
     std::optional<EnergyLamp> lamp;                    // as well
     double lamp_encoder_m = 0.0;                       // of that lamp
     std::optional<ShownGhost> shown_ghost;
-    std::optional<std::uint64_t> seed;  // of the next blind test; nullopt: random
     std::optional<BlindTest> test;
     bool setting_up = false;  // the set-up page is open although a result exists
   } transient;

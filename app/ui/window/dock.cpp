@@ -24,7 +24,7 @@ DockSituation situation_of(const PanelContext& context) {
   const CompareState::Transient& compare = context.state.compare.transient;
   const bool more = context.state.persisted.more;
   // The first minute has no page for the result of an experiment.
-  const bool result = !more && compare.test && compare.test->experiment && !compare.setting_up;
+  const bool result = !more && compare.test && !compare.setting_up;
   if (context.shows.hides_force || result) return DockSituation::kBlindTest;
   return more ? DockSituation::kChosen : DockSituation::kFirstMinute;
 }

@@ -15,8 +15,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
+// Equal trials.
 TrialPlan plan_of(std::size_t count, std::uint64_t seed = 1) {
-  return {seed, equal_trials(count, "Which?", "a", "b")};
+  TrialPlan plan{seed, std::vector<file::TrialSpec>(count)};
+  for (std::size_t i = 0; i < count; ++i) {
+    plan.trials[i].number = i + 1;
+    plan.trials[i].slots = {"a", "b"};
+  }
+  return plan;
 }
 
 BlindTrials trials_of(const TrialPlan& plan) {
@@ -162,7 +168,6 @@ TEST(TrialResults, ChoicesAreCounted) {
   EXPECT_EQ(result.a.share, 0.75);
   EXPECT_NEAR(result.a.low, 0.5089541, 1e-7);
   EXPECT_NEAR(result.a.high, 0.9134285, 1e-7);
-  EXPECT_NEAR(result.p_value, 0.04138947, 1e-8);
   ASSERT_EQ(results.pairs.size(), 1U);
   EXPECT_EQ(results.pairs.front().result.chose_a, 15U);
 }
@@ -193,19 +198,6 @@ TEST(TrialResults, PracticeIsNotCountedAndCatchTrialsStandApart) {
   EXPECT_EQ(results.pairs[0].b, "k=1100");
   EXPECT_EQ(results.pairs[0].result.trials, 2U);
   EXPECT_EQ(results.pairs[0].result.chose_a, 1U);
-}
-
-TEST(TrialResults, EveryPairIsALineOfTheTable) {
-  TrialPlan plan{1, equal_trials(2, "Which is stiffer, \"harder\"?", "none", "x (k = 1, l = 2)"),
-                 0.9};
-  const BlindTrials trials = trials_of(plan);
-  auto answers =
-      answers_of(plan, [](Slot first, const auto& /*spec*/, std::size_t) { return other(first); });
-  answers.resize(1);
-  EXPECT_EQ(answers.front().first, Slot::kA);
-  EXPECT_THAT(result_csv(trials, results_of(answers, plan.confidence)),
-              HasSubstr("p_value\n\"Which is stiffer, \"\"harder\"\"?\",1,none,\"x (k = 1, l = "
-                        "2)\",2,1,0,0,0,0.9,0,0.95"));
 }
 
 TEST(BlindTrials, PlansOutOfRangeAreRefused) {
@@ -270,12 +262,6 @@ TEST(ClopperPearson, IsWhatItsDefinitionSays) {
 }
 
 TEST(BinomialTest, KnownValues) {
-  EXPECT_NEAR(binomial_two_sided(8, 10), 112.0 / 1024.0, 1e-15);
-  EXPECT_NEAR(binomial_two_sided(2, 10), 112.0 / 1024.0, 1e-15);
-  EXPECT_NEAR(binomial_two_sided(10, 10), 2.0 / 1024.0, 1e-17);
-  EXPECT_NEAR(binomial_two_sided(60, 100), 0.05688793, 1e-8);
-  EXPECT_EQ(binomial_two_sided(5, 10), 1.0);
-  EXPECT_EQ(binomial_two_sided(0, 0), 1.0);
   EXPECT_NEAR(binomial_at_least(3, 5, 0.25), (10.0 * 9.0 + 5.0 * 3.0 + 1.0) / 1024.0, 1e-15);
   EXPECT_EQ(binomial_at_least(1, 5, 0.0), 0.0);
   EXPECT_EQ(binomial_at_least(5, 5, 1.0), 1.0);

@@ -2,6 +2,7 @@
 // only by frames.
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
@@ -11,10 +12,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/draw/figure/gl_objects.h"
 #include "app/file/scene/scene_file.h"
+#include "app/runtime/session/experiment.h"
+#include "app/ui/state/blind_test.h"
 #include "app/ui/window/application.h"
 #include "tests/app/runtime/support.h"
 #include "tests/app/sound/live/busy_card.h"
@@ -220,6 +224,30 @@ class GuiTest : public FolderTest {
     press(ImGuiKey_Enter);
   }
 
+  // Begins equal trials of two walls, each "KEY=VALUE; KEY=VALUE"; the participant decides the
+  // order.
+  void start_trials(int count, const std::string& a = "algorithm=none",
+                    const std::string& b = "algorithm=energy-bounding",
+                    const std::string& participant = "P1") {
+    std::string list = "a,b\n";
+    for (int i = 0; i < count; ++i) list += a + "," + b + "\n";
+    put("trials.csv", list);
+    const std::string answers = path(fmt::format("answers-{}.csv", ++experiments_));
+    const std::string base = file::scene_to_toml(scene());
+    const auto experiment = runtime::open_experiment(
+        {path("trials.csv"), participant, "1", answers, false},
+        [&](std::span<const std::string> overrides) -> Result<Scene> {
+          Result<file::LoadedScene> loaded = file::parse_scene(base, "scene", overrides);
+          if (!loaded) return loaded.error();
+          return loaded->scene;
+        });
+    ASSERT_TRUE(experiment.ok()) << experiment.error().message;
+    ASSERT_FALSE(ui::start_experiment(state(), scene(), *experiment));
+    frames(3);
+    click("go on");
+    ASSERT_TRUE(ui::blind_test_runs(state()));
+  }
+
   // Every item lies between the left and the right edge of the window.
   static void expect_within(float width) {
     for (const auto& [name, item] : drawn_items()) {
@@ -266,6 +294,7 @@ class GuiTest : public FolderTest {
   ui::Application::Options options;  // of the next open()
   ui::Application::RecordingOpener open_recording;
   runtime::StartSession start_experiment;  // of sessions under an algorithm
+  int experiments_ = 0;                    // that start_trials() began
   sound::OpenCard open_card = sound::test::no_card;
   int sessions = 0;
   bool with_device = false;  // the next open() has a real device

@@ -49,4 +49,19 @@ inline int count_pixels(const file::Picture& picture, Colour wanted, int from_x,
   return count;
 }
 
+// The edge of a letter may differ by its place in the atlas; a letter on two buttons has two edges
+// of 14 pixels. A changed digit has more pixels.
+inline constexpr int kGlyphEdge = 28;
+
+inline int pixels_that_differ(const file::Picture& a, const file::Picture& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); i += 4)
+    count += std::equal(a.rgba.begin() + static_cast<std::ptrdiff_t>(i),
+                        a.rgba.begin() + static_cast<std::ptrdiff_t>(i + 4),
+                        b.rgba.begin() + static_cast<std::ptrdiff_t>(i))
+                 ? 0
+                 : 1;
+  return count;
+}
+
 }  // namespace hapticwall::test

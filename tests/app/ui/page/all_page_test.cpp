@@ -61,7 +61,7 @@ TEST_F(AllPageTest, AnotherPageAndABlindTestStopAndHideIt) {
   EXPECT_TRUE(application_->moving());
   click("page Blind test");
   EXPECT_FALSE(all().running());
-  click("blind start");
+  start_trials(4);
   ASSERT_TRUE(ui::blind_test_runs(state()));
   show_page(state(), "All at once");
   frames(3);

@@ -1,4 +1,4 @@
-// A blind test from set-up to files; nothing on the screen reveals its order.
+// A blind test of equal trials; nothing on the screen reveals its order.
 #include "app/ui/state/blind_test.h"
 
 #include <gmock/gmock.h>
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "app/file/trials/trial_list.h"
 #include "app/ui/state/comparing.h"
 #include "core/algorithm/algorithm.h"
 #include "tests/app/ui/gui_test.h"
@@ -27,21 +28,13 @@ using compare::Slot;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-constexpr std::uint64_t kSeed = 7;
-constexpr std::size_t kTrialsOfOrder = 4;
+constexpr int kTrialsOfOrder = 4;
 
 class BlindTestTest : public GuiTest {
  protected:
   void SetUp() override {
     options.recording_folder = path("");
     GuiTest::SetUp();
-  }
-  void start(std::uint64_t seed, int trials) {
-    click("page Blind test");
-    type("blind seed", std::to_string(seed));
-    type("blind trials", std::to_string(trials));
-    click("blind start");
-    ASSERT_TRUE(ui::blind_test_runs(state()));
   }
   // Feels both walls, and chooses one with this key.
   void answer(ImGuiKey choice) {
@@ -50,25 +43,26 @@ class BlindTestTest : public GuiTest {
     press(ImGuiMod_Ctrl | choice);
   }
   [[nodiscard]] const ui::BlindTest& test() const { return *state().compare.transient.test; }
-  [[nodiscard]] ui::CompareSlots slots() const { return ui::slots_of(state()); }
-  [[nodiscard]] bool runs(Slot slot) const { return scene().algorithm == slots().of(slot); }
-  [[nodiscard]] static BlindTrials by_hand(std::uint64_t seed, std::size_t trials) {
-    return *BlindTrials::create({seed, compare::equal_trials(trials, "", "", "")});
+  [[nodiscard]] bool runs(Slot slot) const {
+    const auto& scenes = test().experiment->scenes[test().trials.place()];
+    return scene().algorithm == scenes[slot == Slot::kA ? 0 : 1].algorithm;
+  }
+  // With a participant whose first wall is this slot.
+  void start_with_first(Slot slot) {
+    for (int person = 1;; ++person) {
+      start_trials(kTrialsOfOrder, "algorithm=none", "algorithm=energy-bounding",
+                   "P" + std::to_string(person));
+      BlindTrials copy = test().trials;
+      if (copy.present(Presentation::kFirst, 0.0) == slot) return;
+    }
   }
   std::vector<file::Answer> by_hand_;
-  // A seed whose first wall is this slot.
-  [[nodiscard]] static std::uint64_t seed_with_first(Slot slot) {
-    std::uint64_t seed = 1;
-    while (by_hand(seed, kTrialsOfOrder).present(Presentation::kFirst, 0.0) != slot) ++seed;
-    return seed;
-  }
 };
 
 TEST_F(BlindTestTest, ClicksAndKeysGiveTheResultOfTheTrialsByHand) {
   constexpr int kTrials = 6;
-  const AlgorithmSettings before = scene().algorithm;
-  start(kSeed, kTrials);
-  BlindTrials expected = by_hand(kSeed, kTrials);
+  start_trials(kTrials);
+  BlindTrials expected = test().trials;
   for (int trial = 0; trial < kTrials; ++trial) {
     click("feel second");
     EXPECT_TRUE(runs(expected.present(Presentation::kSecond, 0.0)));
@@ -87,7 +81,6 @@ TEST_F(BlindTestTest, ClicksAndKeysGiveTheResultOfTheTrialsByHand) {
     expected.take();
   }
   EXPECT_FALSE(test().running) << "it ends by itself";
-  EXPECT_EQ(scene().algorithm, before);
   const std::vector<file::Answer>& answers = test().answers;
   ASSERT_EQ(answers.size(), by_hand_.size());
   for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -95,26 +88,10 @@ TEST_F(BlindTestTest, ClicksAndKeysGiveTheResultOfTheTrialsByHand) {
     EXPECT_EQ(answers[i].chosen, by_hand_[i].chosen);
     EXPECT_EQ(answers[i].looks, by_hand_[i].looks);
     EXPECT_GT(answers[i].seconds, 0.0);
-    EXPECT_EQ(answers[i].a, compare::describe(slots().of(Slot::kA)));
-    EXPECT_EQ(answers[i].b, compare::describe(slots().of(Slot::kB)));
+    EXPECT_EQ(answers[i].a, "algorithm=none");
+    EXPECT_EQ(answers[i].b, "algorithm=energy-bounding");
   }
   EXPECT_EQ(test().results.tests.chose_a, compare::results_of(by_hand_, 0.95).tests.chose_a);
-  EXPECT_EQ(state().transient.undo.size(), 1U) << "a blind test adds no step to the undo list";
-}
-
-// The edge of a letter may differ by its place in the atlas; a letter on two buttons has two edges
-// of 14 pixels. A changed digit has more pixels.
-constexpr int kGlyphEdge = 28;
-
-int pixels_that_differ(const file::Picture& a, const file::Picture& b) {
-  int count = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); i += 4)
-    count += std::equal(a.rgba.begin() + static_cast<std::ptrdiff_t>(i),
-                        a.rgba.begin() + static_cast<std::ptrdiff_t>(i + 4),
-                        b.rgba.begin() + static_cast<std::ptrdiff_t>(i))
-                 ? 0
-                 : 1;
-  return count;
 }
 
 // Stronger than an observer at chance: no pixel tells. The sound is the masking noise, which is
@@ -124,10 +101,7 @@ TEST_F(BlindTestTest, NoPixelTellsAWallThatChattersFromOneThatIsQuiet) {
   constexpr int kTicksApart = 150;
   const auto pictures_of = [&](Slot slot) {
     open("press");
-    press(ImGuiKey_1);  // A: none
-    press(ImGuiKey_Tab);
-    press(ImGuiKey_4);  // B: energy bounding
-    start(seed_with_first(slot), kTrialsOfOrder);
+    start_with_first(slot);
     press(ImGuiKey_1);
     EXPECT_TRUE(runs(slot));
     move_away();
@@ -195,10 +169,7 @@ TEST_F(BlindTestTest, AnObserverOfPixelsIsAtChance) {
   constexpr int kTicksALook = 400;
   open("press");
   live(1500);
-  press(ImGuiKey_1);  // A: none
-  press(ImGuiKey_Tab);
-  press(ImGuiKey_4);  // B: energy bounding
-  start(kSeed, kTrials);
+  start_trials(kTrials);
   std::vector<Shown> looks;
   for (int trial = 0; trial < kTrials; ++trial) {
     for (const ImGuiKey wall : {ImGuiKey_1, ImGuiKey_2}) {
@@ -213,43 +184,54 @@ TEST_F(BlindTestTest, AnObserverOfPixelsIsAtChance) {
   EXPECT_NEAR(static_cast<double>(count_recognised(looks)), 50.0, 16.0);
 }
 
-TEST_F(BlindTestTest, IsSavedOnceAndNothingIsOverwritten) {
-  for (const char* name : {"press-blind-test", "press-blind-test-2"}) {
-    start(kSeed, 1);
-    answer(ImGuiKey_2);
-    click("blind save");
-    EXPECT_EQ(content(std::string(name) + "-trials.csv"),
-              file::answers_header() + file::answer_line(test().answers.front()));
-    EXPECT_EQ(content(std::string(name) + "-result.csv"),
-              compare::result_csv(test().trials, test().results));
-    EXPECT_THAT(message().text, HasSubstr(std::string(name) + "-trials.csv"));
-    click("blind save");  // it is saved
-    click("new blind test");
+TEST_F(BlindTestTest, ThePageWritesAListOfEqualTrialsAndOverwritesNothing) {
+  press(ImGuiKey_1);  // A: none
+  press(ImGuiKey_Tab);
+  press(ImGuiKey_4);  // B: energy bounding
+  click("page Blind test");
+  type("blind question", "Which is harder, or \"stiffer\"?");
+  type("blind trials", "3");
+  for (const char* name : {"press-blind-test.csv", "press-blind-test-2.csv"}) {
+    click("blind list");
+    EXPECT_THAT(message().text,
+                HasSubstr("'hapticwall press --trials " + path("") + name + " --participant P01'"));
+    const auto list = file::read_trial_list(path(name));
+    ASSERT_TRUE(list) << list.error().message;
+    ASSERT_EQ(list->trials.size(), 3U);
+    for (const file::TrialSpec& trial : list->trials) {
+      EXPECT_EQ(trial.slots[0], "algorithm=none");
+      EXPECT_EQ(trial.slots[1], "algorithm=energy-bounding; algorithm.rest_force_step_n=0.01");
+      EXPECT_EQ(trial.question, "Which is harder, or \"stiffer\"?");
+    }
   }
-  EXPECT_EQ(files().size(), 4U);
+  const auto experiment =
+      runtime::open_experiment({path("press-blind-test.csv"), "P1", "1", path("a.csv"), false},
+                               [](std::span<const std::string> overrides) -> Result<Scene> {
+                                 return file::load_scene("press", overrides)->scene;
+                               });
+  ASSERT_TRUE(experiment) << experiment.error().message;
+  EXPECT_EQ((*experiment)->scenes.front()[1].algorithm, ui::slots_of(state()).of(Slot::kB));
 }
 
 TEST_F(BlindTestTest, AFolderThatIsNotThereIsTold) {
-  start(kSeed, 1);
-  answer(ImGuiKey_1);
+  click("page Blind test");
   fs::remove_all(folder_.path());
-  click("blind save");
+  click("blind list");
   EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
-  EXPECT_TRUE(test().saved_as.empty());
 }
 
 TEST_F(BlindTestTest, StopShowsWhatWasAnswered) {
-  start(kSeed, 20);
+  start_trials(20);
   answer(ImGuiKey_2);
   press(ImGuiKey_1);
   click("stop and show");
   EXPECT_FALSE(ui::blind_test_runs(state()));
   EXPECT_EQ(test().results.tests.trials, 1U);
-  EXPECT_TRUE(sees("p-value"));
-  EXPECT_TRUE(runs(Slot::kA));
+  EXPECT_TRUE(sees("chose the first"));
   click("new blind test");
+  EXPECT_FALSE(sees("chose the first"));
   click("last result");
-  EXPECT_TRUE(sees("p-value"));
+  EXPECT_TRUE(sees("chose the first"));
 }
 
 // No item or text with information about algorithm, force or energy is drawn.
@@ -272,7 +254,7 @@ TEST_F(BlindTestTest, NothingThatCouldTellTheOrderIsDrawn) {
     return count;
   };
   EXPECT_GT(count_telling(), 20) << "the list above must name real items";
-  start(kSeed, 4);
+  start_trials(4);
   for (const ImGuiKey key : {ImGuiKey_1, ImGuiKey_2}) {
     press(key);
     live(500);
@@ -287,7 +269,7 @@ TEST_F(BlindTestTest, NothingThatCouldTellTheOrderIsDrawn) {
 
 TEST_F(BlindTestTest, KeysAndButtonsThatCouldTellAreInert) {
   click("passivity-control");
-  start(kSeed, 4);
+  start_trials(4);
   press(ImGuiKey_1);
   const AlgorithmSettings felt = scene().algorithm;
   for (const ImGuiKey key : {ImGuiKey_3, ImGuiKey_4, ImGuiKey_Tab}) {
@@ -305,7 +287,7 @@ TEST_F(BlindTestTest, KeysAndButtonsThatCouldTellAreInert) {
 }
 
 TEST_F(BlindTestTest, ARecordingIsNamedWithoutTheAlgorithm) {
-  start(kSeed, 4);
+  start_trials(4);
   press(ImGuiKey_2);
   press(ImGuiMod_Ctrl | ImGuiKey_R);
   EXPECT_THAT(fake_->recording_status().path, EndsWith("press-blind-test.csv"));
@@ -314,13 +296,8 @@ TEST_F(BlindTestTest, ARecordingIsNamedWithoutTheAlgorithm) {
 
 // In free space both algorithms feel the same, so that both must look the same.
 TEST_F(BlindTestTest, TwoOrdersLookTheSame) {
-  click("page Blind test");
   const auto picture_of = [&](Slot first) {
-    state().compare.persisted.trials = kTrialsOfOrder;
-    state().compare.transient.seed = seed_with_first(first);
-    state().compare.transient.setting_up = true;
-    frames(2);
-    click("blind start");
+    start_with_first(first);
     press(ImGuiKey_R);
     press(ImGuiKey_1);
     live(300);
@@ -337,7 +314,7 @@ TEST_F(BlindTestTest, TwoOrdersLookTheSame) {
 }
 
 TEST_F(BlindTestTest, AnotherSceneEndsItAndWrongSetUpsAreTold) {
-  start(kSeed, 4);
+  start_trials(4);
   const std::string scene = "tap";
   state().transient.wanted_scene = ui::WantedScene{file::load_scene(scene)->scene, true};
   frames(5);
@@ -349,15 +326,11 @@ TEST_F(BlindTestTest, AnotherSceneEndsItAndWrongSetUpsAreTold) {
   EXPECT_THAT(refusal()->why, HasSubstr("0 is no whole number"));
   type("blind confidence", "100");
   EXPECT_THAT(refusal()->why, HasSubstr("100 is not from"));
-  type("blind seed", "many");
-  EXPECT_THAT(message().text, HasSubstr("seed: 'many'"));
-  type("blind seed", "9007199254740993");  // 2^53 + 1
-  EXPECT_THAT(message().text, HasSubstr("from 0 to 9007199254740992"));
-  EXPECT_EQ(state().compare.persisted.trials, 4U);
+  EXPECT_EQ(state().compare.persisted.trials, 20U);
 }
 
 TEST_F(BlindTestTest, TheHelpNamesTheKeysThatAct) {
-  start(kSeed, 4);
+  start_trials(4);
   press(ImGuiKey_F1);
   EXPECT_TRUE(sees("feel the first wall"));
   EXPECT_FALSE(sees("undo the last change"));

@@ -232,20 +232,6 @@ TEST_F(IdentifyPageTest, LeavingThePageEndsIt) {
   expect_over_without_force("its page was left");
 }
 
-// Its scene has no walls.
-TEST_F(IdentifyPageTest, NoBlindTestBeginsBesideIt) {
-  start_and_arm();
-  state().transient.dock.chosen = *ui::parse_layout("X50%(Identify;Blind test)");
-  state().transient.dock.rebuild = true;
-  frames(6);
-  click("blind start");
-  EXPECT_FALSE(state().compare.transient.test);
-  EXPECT_TRUE(runs());
-  click("identify end");
-  click("blind start");
-  EXPECT_TRUE(state().compare.transient.test);
-}
-
 TEST_F(IdentifyPageTest, AnotherSceneEndsItAndBegins) {
   start_and_arm();
   state().transient.wanted_scene = ui::WantedScene{file::load_scene("tap")->scene, true};

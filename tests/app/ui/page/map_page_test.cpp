@@ -211,7 +211,7 @@ TEST_F(MapPageTest, ABlindTestHidesAndStopsIt) {
   frames(2);
   ASSERT_TRUE(live().running());
   click("page Blind test");
-  click("blind start");
+  start_trials(4);
   EXPECT_TRUE(ui::blind_test_runs(state()));
   show_page(state(), "Map");
   frames(3);

@@ -192,7 +192,7 @@ TEST_F(StudyPageTest, AnotherPageAndABlindTestEndIt) {
   EXPECT_FALSE(shown().running());
   frames(kFramesToRest);
   EXPECT_FALSE(application_->moving());
-  click("blind start");
+  start_trials(4);
   ASSERT_TRUE(ui::blind_test_runs(state()));
   frames(3);
   EXPECT_FALSE(sees("study compute"));
