@@ -6,8 +6,6 @@ file(MAKE_DIRECTORY ${pages})
 
 install(CODE "set(CMAKE_INSTALL_DO_STRIP TRUE)" CONFIGURATIONS Release)
 install(TARGETS hapticwall RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-# `./dev run` does not build it.
-install(TARGETS hapticwall-emulator RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
 # The program embeds its files. Only the udev rule must be in a folder that udev reads.
 install(FILES assets/70-hapticwall.rules DESTINATION lib/udev/rules.d)
 

@@ -26,7 +26,6 @@ list(TRANSFORM copied PREPEND share/doc/hapticwall/)
 set(expected
     ${copied}
     bin/hapticwall
-    bin/hapticwall-emulator
     include/hapticwall/device_plugin.h
     include/hapticwall/plugin.h
     lib/udev/rules.d/70-hapticwall.rules
@@ -114,7 +113,6 @@ endif()
 
 set(installed ${WORK}/root/bin/hapticwall)
 run(ignored ${installed} run press --duration 0.1 --csv a.csv)
-run(ignored ${installed}-emulator --help)
 if(CONFIG STREQUAL "Release" AND READELF)
   run(sections ${READELF} -WS ${installed})
   if(NOT sections MATCHES "\\.dynsym" OR sections MATCHES "\\.symtab")

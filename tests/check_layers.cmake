@@ -4,7 +4,7 @@
 #   core <- app/sound/signal <- app/command; app/sound/signal, app/runtime, device <- app/sound/live <- app/ui;
 #   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/runtime <- app/python.
 # Within a layer the rooms have arrows, too:
-#   device <- device/hid <- device/emulator, device/evdev, device/plugin; app/runtime: loop <- session;
+#   device <- device/hid <- device/evdev, device/plugin; app/runtime: loop <- session;
 #   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay, identify;
 #   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen and itself;
@@ -12,7 +12,7 @@
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(layers core device app/file app/runtime app/compare app/table app/draw app/sound/signal app/sound/live app/ui app/command/report app/command app/emulator app/python app
+set(layers core device app/file app/runtime app/compare app/table app/draw app/sound/signal app/sound/live app/ui app/command/report app/command app/python app
     tests)
 set(may_include_core core)
 set(may_include_device core device)
@@ -26,7 +26,6 @@ set(may_include_app/sound/live core device app/runtime app/sound/signal app/soun
 set(may_include_app/ui core device app/file app/runtime app/compare app/table app/draw app/sound/live app/ui)
 set(may_include_app/command/report core app/file app/table app/command/report)
 set(may_include_app/command core device app/file app/runtime app/table app/draw app/sound/signal app/command/report app/command)
-set(may_include_app/emulator core device app/file app/runtime app/command/report app/command app/emulator)
 set(may_include_app/python core app/file app/runtime app/python)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
@@ -43,10 +42,9 @@ set(may_include_app/ui/page app/ui/wall app/ui/state app/ui/widget app/ui/panel 
 set(may_include_app/ui/window app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/window)
 
 # A folder after its rooms stands for the files beside them.
-list(APPEND rooms device/hid device/evdev device/emulator device/plugin device app/runtime/loop app/runtime/session)
+list(APPEND rooms device/hid device/evdev device/plugin device app/runtime/loop app/runtime/session)
 set(may_include_device/hid device/hid)
 set(may_include_device/evdev device/hid device/evdev)
-set(may_include_device/emulator device/hid device/emulator)
 set(may_include_device/plugin device/hid device/plugin)
 set(may_include_app/runtime/loop app/runtime/loop)
 set(may_include_app/runtime/session app/runtime/loop app/runtime/session)

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/emulator/firmware_emulator.h"
+#include "tests/emulator/firmware/firmware_emulator.h"
 
 namespace hapticwall::device::hid::testing {
 

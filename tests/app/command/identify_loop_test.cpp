@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/emulator/emulator_options.h"
 #include "app/runtime/session/identify_experiment.h"
 #include "core/study/identify/identify.h"
 #include "tests/app/runtime/loop/lie_rig.h"
+#include "tests/emulator/program/emulator_options.h"
 
 namespace hapticwall::command {
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "app/emulator/emulator_options.h"
+#include "tests/emulator/program/emulator_options.h"
 
 namespace hapticwall::emulator {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/emulator/device_loop.h"
-#include "app/emulator/tick_log.h"
 #include "tests/device/emulator/emulator_support.h"
+#include "tests/emulator/program/device_loop.h"
+#include "tests/emulator/program/tick_log.h"
 
 namespace hapticwall::emulator {
 namespace {

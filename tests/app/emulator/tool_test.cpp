@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/emulator/emulator_options.h"
 #include "tests/app/command/binary.h"
+#include "tests/emulator/program/emulator_options.h"
 #include "tests/paths.h"
 
 namespace hapticwall::emulator {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "device/emulator/firmware_emulator.h"
+#include "tests/emulator/firmware/firmware_emulator.h"
 
 namespace hapticwall::device::hid::testing {
 

@@ -20,9 +20,9 @@
 #include <utility>
 #include <vector>
 
-#include "device/emulator/uhid_device.h"
 #include "tests/device/emulator/emulator_support.h"
 #include "tests/device/hid/foreign_board.h"
+#include "tests/emulator/firmware/uhid_device.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::device::hid::testing {

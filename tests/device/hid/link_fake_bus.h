@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "device/emulator/firmware_emulator.h"
 #include "device/hid/link.h"
 #include "device/hid/port.h"
 #include "tests/device/hid/foreign_board.h"
+#include "tests/emulator/firmware/firmware_emulator.h"
 
 namespace hapticwall::device::hid::testing {
 

@@ -13,11 +13,11 @@
 #include <thread>
 #include <utility>
 
-#include "device/emulator/firmware_emulator.h"
 #include "device/hid/port.h"
 #include "device/os_threads.h"
 #include "tests/device/emulator/emulator_support.h"
 #include "tests/device/hid/link_fake_bus.h"
+#include "tests/emulator/firmware/firmware_emulator.h"
 
 namespace hapticwall::device::hid::testing {
 

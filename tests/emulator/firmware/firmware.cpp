@@ -1,4 +1,4 @@
-#include "device/emulator/firmware.h"
+#include "tests/emulator/firmware/firmware.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "device/emulator/firmware_emulator.h"
+#include "tests/emulator/firmware/firmware_emulator.h"
 
 #include <algorithm>
 #include <cmath>

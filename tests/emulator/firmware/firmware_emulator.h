@@ -12,9 +12,9 @@
 
 #include "core/plant/plant_model.h"
 #include "core/scene.h"
-#include "device/emulator/fault_script.h"
-#include "device/emulator/firmware.h"
 #include "device/hid/report.h"
+#include "tests/emulator/firmware/fault_script.h"
+#include "tests/emulator/firmware/firmware.h"
 
 namespace hapticwall::device::hid {
 

@@ -1,4 +1,4 @@
-#include "device/emulator/uhid_device.h"
+#include "tests/emulator/firmware/uhid_device.h"
 
 #include <fcntl.h>
 #include <linux/input.h>

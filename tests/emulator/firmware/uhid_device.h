@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/result.h"
-#include "device/emulator/virtual_bus.h"
 #include "device/hid/report.h"
+#include "tests/emulator/firmware/virtual_bus.h"
 
 namespace hapticwall::device::hid {
 

@@ -1,4 +1,4 @@
-#include "app/emulator/device_loop.h"
+#include "tests/emulator/program/device_loop.h"
 
 #include <algorithm>
 

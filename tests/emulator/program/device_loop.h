@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "core/result.h"
-#include "device/emulator/firmware_emulator.h"
-#include "device/emulator/virtual_bus.h"
+#include "tests/emulator/firmware/firmware_emulator.h"
+#include "tests/emulator/firmware/virtual_bus.h"
 
 namespace hapticwall::emulator {
 

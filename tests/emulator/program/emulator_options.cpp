@@ -1,4 +1,4 @@
-#include "app/emulator/emulator_options.h"
+#include "tests/emulator/program/emulator_options.h"
 
 #include <fmt/format.h>
 

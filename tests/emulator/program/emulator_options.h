@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "app/emulator/device_loop.h"
 #include "core/result.h"
 #include "core/sample.h"
-#include "device/emulator/fault_script.h"
-#include "device/emulator/firmware_emulator.h"
-#include "device/emulator/uhid_device.h"
+#include "tests/emulator/firmware/fault_script.h"
+#include "tests/emulator/firmware/firmware_emulator.h"
+#include "tests/emulator/firmware/uhid_device.h"
+#include "tests/emulator/program/device_loop.h"
 
 namespace hapticwall::emulator {
 

@@ -1,4 +1,4 @@
-#include "app/emulator/emulator_program.h"
+#include "tests/emulator/program/emulator_program.h"
 
 #include <fmt/format.h>
 #include <sched.h>
@@ -13,14 +13,14 @@
 
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
-#include "app/emulator/device_loop.h"
-#include "app/emulator/emulator_options.h"
-#include "app/emulator/tick_log.h"
 #include "app/file/disk/atomic_file.h"
 #include "app/runtime/loop/realtime_setup.h"
 #include "core/result.h"
-#include "device/emulator/uhid_device.h"
 #include "hapticwall_version.h"
+#include "tests/emulator/firmware/uhid_device.h"
+#include "tests/emulator/program/device_loop.h"
+#include "tests/emulator/program/emulator_options.h"
+#include "tests/emulator/program/tick_log.h"
 
 namespace hapticwall::emulator {
 namespace {

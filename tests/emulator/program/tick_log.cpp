@@ -1,4 +1,4 @@
-#include "app/emulator/tick_log.h"
+#include "tests/emulator/program/tick_log.h"
 
 #include <fmt/format.h>
 

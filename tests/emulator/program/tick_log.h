@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/result.h"
-#include "device/emulator/firmware_emulator.h"
+#include "tests/emulator/firmware/firmware_emulator.h"
 
 namespace hapticwall::emulator {
 

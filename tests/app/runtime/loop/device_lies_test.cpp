@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/emulator/emulator_options.h"
 #include "tests/app/runtime/loop/lie_rig.h"
+#include "tests/emulator/program/emulator_options.h"
 
 namespace hapticwall::runtime::test {
 namespace {
