@@ -9,7 +9,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
 find_package(PNG REQUIRED)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-ft cairo-svg cairo-pdf freetype2)  # app/draw
-find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+pkg_check_modules(MD REQUIRED IMPORTED_TARGET libmd)  # app/file: SHA-256
 if(NOT HAPTICWALL_PROGRAM)
   return()
 endif()
