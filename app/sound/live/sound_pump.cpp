@@ -1,7 +1,17 @@
 #include "app/sound/live/sound_pump.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace hapticwall::sound {
 namespace {
+
+constexpr double kMinBacklog = 8.0;  // ticks of a slow loop
+
+constexpr double kFirstHz = 20.0;
+constexpr double kStep = 4.0;  // from the corner of a part to the next
+constexpr double kRms = 0.2;
 
 RingLevels levels_for(double loop_hz, const CardFacts& card) {
   const auto period = static_cast<double>(card.period_frames);
@@ -11,6 +21,44 @@ RingLevels levels_for(double loop_hz, const CardFacts& card) {
 }
 
 }  // namespace
+
+TickTaker::TickTaker(const SoundSource& source)
+    : feed_(source.feed), max_backlog_(std::max(kMinBacklog, kMaxBacklogS * source.rate_hz)) {
+  static_cast<void>(take());
+}
+
+// A tick that follows a gap counts as the first one.
+std::span<const Tick> TickTaker::take() {
+  const bool late = static_cast<double>(feed_->ticks.size()) > max_backlog_;
+  ticks_.clear();
+  for (Tick tick; feed_->ticks.try_pop(tick);) ticks_.push_back(tick);
+  if (late) ticks_.clear();
+  return ticks_;
+}
+
+// Each part is white noise behind a low-pass; equal power of all gives a slope of 3 dB an octave.
+MaskingNoise::MaskingNoise(double rate_hz) {
+  double corner_hz = kFirstHz;
+  for (Part& part : parts_) {
+    part.share = 1.0 - std::exp(-2.0 * std::numbers::pi * corner_hz / rate_hz);
+    // Variance of its output: share / (2 - share) of 1/3.
+    part.gain = kRms * std::sqrt(3.0 * (2.0 - part.share) / part.share /
+                                 static_cast<double>(parts_.size()));
+    corner_hz *= kStep;
+  }
+}
+
+double MaskingNoise::next() {
+  double sum = 0.0;
+  for (Part& part : parts_) {
+    // Knuth's linear congruential generator; its upper bits are good enough to be heard.
+    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+    const double white = static_cast<double>(state_ >> 11U) * 0x1p-52 - 1.0;
+    part.value += part.share * (white - part.value);
+    sum += part.gain * part.value;
+  }
+  return soft_limited(sum);
+}
 
 SoundPump::SoundPump(const SoundSource& source, const CardFacts& card, SoundRing& ring)
     : loop_hz_(source.rate_hz),
