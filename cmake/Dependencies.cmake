@@ -20,7 +20,7 @@ pkg_check_modules(RTAUDIO REQUIRED IMPORTED_TARGET rtaudio)
 find_package(CLI11 REQUIRED)  # app/command
 find_package(glfw3 REQUIRED)  # app/ui
 find_package(glm REQUIRED)
-find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
+find_package(OpenGL REQUIRED COMPONENTS OpenGL)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 
 # Header-only, without a CMake file.
@@ -35,6 +35,7 @@ add_library(hapticwall_kissfft INTERFACE)
 target_include_directories(hapticwall_kissfft SYSTEM INTERFACE ${HAPTICWALL_KISSFFT_DIR})
 
 if(HAPTICWALL_TESTS)
+  find_package(OpenGL REQUIRED COMPONENTS EGL)
   find_package(GTest REQUIRED)
   find_package(rapidcheck REQUIRED)
   find_package(benchmark REQUIRED)

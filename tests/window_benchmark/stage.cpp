@@ -11,7 +11,7 @@
 namespace hapticwall::window_benchmark {
 
 Result<std::unique_ptr<Stage>> Stage::create(int width, int height) {
-  auto context = draw::OffscreenContext::create();
+  auto context = test::OffscreenContext::create();
   if (!context) return context.error();
   auto target = draw::GlTarget::create(width, height, 0);
   if (!target) return target.error();
@@ -20,7 +20,7 @@ Result<std::unique_ptr<Stage>> Stage::create(int width, int height) {
   return stage;
 }
 
-Stage::Stage(std::unique_ptr<draw::OffscreenContext> context, int width, int height)
+Stage::Stage(std::unique_ptr<test::OffscreenContext> context, int width, int height)
     : context_(std::move(context)) {
   ImGui::CreateContext();
   ImPlot::CreateContext();

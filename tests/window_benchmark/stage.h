@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/draw/figure/gl_objects.h"
-#include "app/draw/figure/offscreen.h"
 #include "app/draw/plot/theme.h"
 #include "core/result.h"
+#include "tests/offscreen/offscreen.h"
 
 namespace hapticwall::window_benchmark {
 
@@ -32,9 +32,9 @@ class Stage {
   [[nodiscard]] std::string renderer() const;  // the driver's words
 
  private:
-  Stage(std::unique_ptr<draw::OffscreenContext> context, int width, int height);
+  Stage(std::unique_ptr<test::OffscreenContext> context, int width, int height);
 
-  std::unique_ptr<draw::OffscreenContext> context_;
+  std::unique_ptr<test::OffscreenContext> context_;
   std::optional<draw::GlTarget> target_;
   draw::Theme theme_;
 };

@@ -1,5 +1,4 @@
-// The figure of a run, drawn without a display (EGL, no window): position, force, stiffness,
-// passivity.
+// The figure of a run, drawn without a display and OpenGL: position, force, stiffness, passivity.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +16,7 @@
 
 namespace hapticwall::draw {
 
-// Shapes are for vector files, and need no OpenGL.
+// Shapes are for vector files.
 enum class Ink : std::uint8_t { kPixels, kShapes };
 
 struct FigureSize {
@@ -28,8 +27,7 @@ struct FigureSize {
   [[nodiscard]] constexpr FigureSize in(Ink other) const { return {width, height, other}; }
 };
 
-// With these signals of algorithms. Fails (ErrorKind::kFile) if pixels are wanted and there is no
-// off-screen OpenGL 3.3.
+// With these signals of algorithms. Fails (ErrorKind::kFile) without memory for the pixels.
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
                                                 FigureSize size = {},
                                                 const SignalNames& signals = {});

@@ -1,21 +1,22 @@
 #include "app/draw/figure/page.h"
 
 #include <fmt/format.h>
-#include <imgui_impl_opengl3.h>
 #include <implot.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string>
 #include <utility>
 
-#include "app/draw/figure/gl_objects.h"
-#include "app/draw/figure/offscreen.h"
 #include "app/draw/figure/shapes.h"
 
 namespace hapticwall::draw {
 namespace {
 
 constexpr int kMinPage = 200;    // pixels
-constexpr int kMaxPage = 16384;  // the usual limit of drivers
+constexpr int kMaxPage = 16384;  // half of the limit of Cairo
 constexpr int kFrames = 3;       // until ImGui's and ImPlot's sizes have settled
 constexpr float kFrameTimeS = 1.0F / 60.0F;
 constexpr float kMargin = 24.0F;
@@ -55,21 +56,6 @@ class GuiContext {
   ImPlotContext* plot_ = nullptr;
 };
 
-// The renderer of the current context.
-class GlBackend {
- public:
-  GlBackend() : ready_(ImGui_ImplOpenGL3_Init("#version 330 core")) {}
-  GlBackend(const GlBackend&) = delete;
-  GlBackend& operator=(const GlBackend&) = delete;
-  ~GlBackend() {
-    if (ready_) ImGui_ImplOpenGL3_Shutdown();
-  }
-  [[nodiscard]] bool ready() const { return ready_; }
-
- private:
-  bool ready_;
-};
-
 void draw_frame(const Theme& theme, ImVec2 size, float scale, const DrawPage& draw) {
   ImGui::NewFrame();
   ImGui::SetNextWindowPos(ImVec2(0.0F, 0.0F));
@@ -82,27 +68,6 @@ void draw_frame(const Theme& theme, ImVec2 size, float scale, const DrawPage& dr
   ImGui::Render();
 }
 
-Result<file::Picture> draw_pixels(FigureSize size, float scale, const DrawPage& draw) {
-  const auto context = OffscreenContext::create();
-  if (!context) return context.error();
-  const Result<GlTarget> target = GlTarget::create(size.width, size.height, 0);
-  if (!target) return target.error();
-  const GuiContext gui(pixels_of(size));
-  const GlBackend backend;
-  if (!backend.ready()) return Error{ErrorKind::kFile, "the figure's OpenGL could not be set up"};
-  const Theme theme = apply_theme(Look::kPrint, scale);
-  for (int frame = 0; frame < kFrames; ++frame) {
-    ImGui_ImplOpenGL3_NewFrame();
-    draw_frame(theme, pixels_of(size), scale, draw);
-    target->bind();
-    glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  }
-  target->resolve();
-  return read_pixels(target->resolved_framebuffer(), size.width, size.height);
-}
-
 // Shapes use the measures of the glyphs and not their pixels.
 void accept_textures(const ImDrawData& frame) {
   for (ImTextureData* texture : *frame.Textures) {
@@ -112,7 +77,8 @@ void accept_textures(const ImDrawData& frame) {
   }
 }
 
-Result<file::Picture> draw_shapes(FigureSize size, float scale, const DrawPage& draw) {
+Result<std::shared_ptr<const file::Shapes>> draw_shapes(FigureSize size, float scale,
+                                                        const DrawPage& draw) {
   constexpr float kRoundness = 0.03F;  // pixels between a circle and its polygon
   const GuiContext gui(pixels_of(size));
   ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
@@ -124,9 +90,36 @@ Result<file::Picture> draw_shapes(FigureSize size, float scale, const DrawPage& 
     draw_frame(theme, pixels_of(size), scale, draw);
     accept_textures(*ImGui::GetDrawData());
   }
-  auto shapes = record_shapes(*ImGui::GetDrawData());
-  if (!shapes) return shapes.error();
-  return file::Picture{size.width, size.height, {}, {{std::move(*shapes), 0}}};
+  return record_shapes(*ImGui::GetDrawData());
+}
+
+// On white.
+Result<file::Picture> painted(const file::Shapes& shapes, FigureSize size) {
+  file::Picture picture{size.width, size.height, {}};
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> image(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height),
+      cairo_surface_destroy);
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> pen(cairo_create(image.get()),
+                                                               cairo_destroy);
+  cairo_set_source_rgb(pen.get(), 1.0, 1.0, 1.0);
+  cairo_paint(pen.get());
+  cairo_set_source_surface(pen.get(), shapes.surface, 0.0, 0.0);
+  cairo_paint(pen.get());
+  cairo_surface_flush(image.get());
+  if (const cairo_status_t status = cairo_status(pen.get()); status != CAIRO_STATUS_SUCCESS)
+    return file_error(std::string("the figure cannot be drawn: ") + cairo_status_to_string(status));
+  const std::uint8_t* rows = cairo_image_surface_get_data(image.get());
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(image.get()));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(size.width); ++x) {
+      std::uint32_t pixel = 0;  // 0x00RRGGBB in the order of the machine
+      std::memcpy(&pixel, rows + y * stride + x * sizeof pixel, sizeof pixel);
+      for (const unsigned shift : {16U, 8U, 0U})
+        picture.rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
+      picture.rgba.push_back(0xff);
+    }
+  }
+  return picture;
 }
 
 }  // namespace
@@ -138,8 +131,10 @@ Result<file::Picture> draw_page(FigureSize size, float scale, const DrawPage& dr
                  fmt::format("a figure of {}x{} pixels: both must be from {} to {}", size.width,
                              size.height, kMinPage, kMaxPage)};
   }
-  if (size.ink == Ink::kShapes) return draw_shapes(size, scale, draw);
-  return draw_pixels(size, scale, draw);
+  auto shapes = draw_shapes(size, scale, draw);
+  if (!shapes) return shapes.error();
+  if (size.ink == Ink::kPixels) return painted(**shapes, size);
+  return file::Picture{size.width, size.height, {}, {{std::move(*shapes), 0}}};
 }
 
 }  // namespace hapticwall::draw

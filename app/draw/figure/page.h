@@ -1,4 +1,4 @@
-// A printed page: ImGui and ImPlot into a picture, without a display. Pixels come from EGL.
+// A printed page: ImGui and ImPlot into a picture, without a display and OpenGL.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace hapticwall::draw {
 // Draws one frame of the page within its margins; called a few times for one picture.
 using DrawPage = std::function<void(const Theme& theme)>;
 
-// `scale` enlarges fonts, spacing and margin. Fails for pixels without off-screen OpenGL 3.3
+// `scale` enlarges fonts, spacing and margin. Fails for a texture that is no glyph
 // (ErrorKind::kFile) and for a size out of range (ErrorKind::kUsage).
 [[nodiscard]] Result<file::Picture> draw_page(FigureSize size, float scale, const DrawPage& draw);
 

@@ -151,7 +151,7 @@ Result<std::shared_ptr<const file::Shapes>> record_shapes(const ImDrawData& fram
   for (const ImDrawList* list : frame.CmdLists) {
     for (const ImDrawCmd& command : list->CmdBuffer) {
       if (!writer.draw(*list, command))
-        return file_error("the figure has a texture; it can be written as .png only");
+        return file_error("the figure has a texture that is no glyph; report this as an error");
     }
   }
   return shapes;

@@ -8,14 +8,14 @@
 
 #include <memory>
 
-#include "app/draw/figure/offscreen.h"
+#include "tests/offscreen/offscreen.h"
 
 namespace hapticwall::test {
 
 class OffscreenGui {
  public:
   explicit OffscreenGui(ImVec2 size) {
-    auto context = draw::OffscreenContext::create();
+    auto context = test::OffscreenContext::create();
     EXPECT_TRUE(context.ok()) << context.error().message;
     if (context) context_ = std::move(*context);
     ImGui::CreateContext();
@@ -35,7 +35,7 @@ class OffscreenGui {
   }
 
  private:
-  std::unique_ptr<draw::OffscreenContext> context_;
+  std::unique_ptr<test::OffscreenContext> context_;
 };
 
 }  // namespace hapticwall::test

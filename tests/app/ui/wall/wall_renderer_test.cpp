@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/draw/figure/offscreen.h"
 #include "app/ui/wall/wall_solids.h"
 #include "tests/app/ui/pixels.h"
+#include "tests/offscreen/offscreen.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -20,7 +20,7 @@ constexpr double kStiff = 35000.0;
 class WallRendererTest : public ::testing::TestWithParam<draw::Look> {
  protected:
   void SetUp() override {
-    auto context = draw::OffscreenContext::create();
+    auto context = test::OffscreenContext::create();
     ASSERT_TRUE(context.ok()) << context.error().message;
     context_ = std::move(*context);
     auto renderer = WallRenderer::create();
@@ -58,7 +58,7 @@ class WallRendererTest : public ::testing::TestWithParam<draw::Look> {
     return {camera_.x_of(face_m), up, aside};
   }
 
-  std::unique_ptr<draw::OffscreenContext> context_;
+  std::unique_ptr<test::OffscreenContext> context_;
   std::unique_ptr<WallRenderer> renderer_;
   draw::Theme theme_;
   WallCamera camera_{kLine, {}, kPictureWidth, kPictureHeight};

@@ -6,7 +6,7 @@
 
 #include "core/result.h"
 
-namespace hapticwall::draw {
+namespace hapticwall::test {
 
 // The context is current on the thread that created it until it is destroyed there.
 class OffscreenContext {
@@ -16,4 +16,4 @@ class OffscreenContext {
   virtual ~OffscreenContext() = default;
 };
 
-}  // namespace hapticwall::draw
+}  // namespace hapticwall::test

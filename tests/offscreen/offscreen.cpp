@@ -1,4 +1,4 @@
-#include "app/draw/figure/offscreen.h"
+#include "tests/offscreen/offscreen.h"
 
 // Not together with epoxy: both declare the same types, differently.
 #define EGL_NO_X11
@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-namespace hapticwall::draw {
+namespace hapticwall::test {
 namespace {
 
 bool has_client_extension(std::string_view name) {
@@ -135,4 +135,4 @@ Result<std::unique_ptr<OffscreenContext>> OffscreenContext::create() {
   return std::unique_ptr<OffscreenContext>(std::move(context));
 }
 
-}  // namespace hapticwall::draw
+}  // namespace hapticwall::test
