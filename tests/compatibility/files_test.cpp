@@ -17,8 +17,8 @@
 #include "app/file/scene/scene_file.h"
 #include "app/runtime/session/experiment.h"
 #include "app/runtime/session/hand_rerun.h"
+#include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
-#include "core/stabiliser/stabiliser.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
 

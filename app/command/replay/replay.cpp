@@ -26,8 +26,8 @@
 #include "app/file/text/text.h"
 #include "app/runtime/session/hand_rerun.h"
 #include "app/runtime/session/replay_session.h"
+#include "core/algorithm/algorithm.h"
 #include "core/result.h"
-#include "core/stabiliser/stabiliser.h"
 #include "core/units.h"
 
 namespace hapticwall::command {

@@ -9,7 +9,7 @@
 #include "app/ui/state/changes.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/export.h"
-#include "core/stabiliser/stabiliser.h"
+#include "core/algorithm/algorithm.h"
 #include "core/text.h"
 
 namespace hapticwall::ui {
