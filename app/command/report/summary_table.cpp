@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "app/file/text/verdict.h"
 #include "app/table/text_table.h"
 #include "core/run/metrics.h"
 #include "core/units.h"
@@ -34,14 +35,9 @@ std::string speed_text(const Summary& summary) {
                      *summary.simulated_seconds_per_second, *summary.ns_per_tick);
 }
 
-std::string verdict_text(const Summary& summary) {
-  std::string text(verdict_name(summary.verdict));
-  if (summary.diverged_at_tick) text += fmt::format(" at tick {}", *summary.diverged_at_tick);
-  return text;
-}
-
 std::string heading(const Summary& summary) {
-  return fmt::format("{} under {}: {}\n", summary.scene, summary.algorithm, verdict_text(summary));
+  return fmt::format("{} under {}: {}\n", summary.scene, summary.algorithm,
+                     file::verdict_text(summary));
 }
 
 // Which value is the best of its column; most columns have no best one.
@@ -217,7 +213,7 @@ std::string summary_lines(const RunSummary& run, const Circumstances& circumstan
                                                      speed_text(s))) +
                      axis_lines(s);
   for (const Summary& y : std::span(run).subspan(1)) {
-    text += fmt::format("axis y: {}\n", verdict_text(y)) + axis_lines(y);
+    text += fmt::format("axis y: {}\n", file::verdict_text(y)) + axis_lines(y);
   }
   if (!circumstances.realtime_status.empty()) {
     text += summary_line("real time", circumstances.realtime_status);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "app/draw/plot/plot.h"
 #include "app/draw/plot/plot_heading.h"
 #include "app/draw/plot/theme.h"
+#include "app/file/text/verdict.h"
 #include "core/algorithm/algorithm.h"
 #include "core/units.h"
 
@@ -92,39 +92,13 @@ void draw_title(const Theme& theme, const Scene& scene, std::size_t runs) {
       "deviation  ·  the axes are the same along each row");
 }
 
-Tone tone_of(Verdict verdict) {
-  if (verdict == Verdict::kSettled) return Tone::kGood;
-  return verdict == Verdict::kDiverged ? Tone::kBad : Tone::kWarning;
-}
-
-std::string verdict_text(const Scene& scene, const Summary& summary) {
-  std::string text(verdict_name(summary.verdict));
-  if (summary.diverged_at_tick) {
-    text += fmt::format(" at {:.4g} s",
-                        static_cast<double>(*summary.diverged_at_tick) / scene.sampling.rate_hz);
+// The last second in two lines: its motion and its force.
+std::array<std::string, 2> tail_lines(const Summary& summary, bool stretches) {
+  if (!summary.tail_peak_to_peak_m || summary.verdict == Verdict::kDiverged) {
+    return {"no last second", stretches ? "" : "the axes do not follow it"};
   }
-  return text;
-}
-
-std::string number(std::optional<double> value, double scale, int digits) {
-  if (!value || !std::isfinite(*value)) return "-";
-  return fmt::format("{:.{}f}", *value * scale, digits);
-}
-
-// Of the last second: how much it moves and pushes.
-std::array<std::string, 2> tail_texts(const Summary& s, bool stretches) {
-  if (!s.tail_peak_to_peak_m || s.verdict == Verdict::kDiverged) {
-    return {"no last second to tell of", stretches ? "" : "the axes do not follow it"};
-  }
-  std::string stiffness;
-  if (s.displayed_stiffness_n_per_m) {
-    stiffness = fmt::format(",  {} kN/m",
-                            number(s.displayed_stiffness_n_per_m, 1.0 / kNewtonsPerKilonewton, 2));
-  }
-  return {
-      fmt::format("{} mm p-p{}", number(s.tail_peak_to_peak_m, kMillimetresPerMetre, 3), stiffness),
-      fmt::format("{} ± {} N", number(s.tail_force_mean_n, 1.0, 3),
-                  number(s.tail_force_std_n, 1.0, 3))};
+  const file::TailTexts texts = file::tail_texts(summary);
+  return {fmt::format("{} · {}", texts.way, texts.stiffness), texts.force};
 }
 
 void draw_run_heading(const Theme& theme, const Comparison& comparison, const ComparedRun& run) {
@@ -134,11 +108,11 @@ void draw_run_heading(const Theme& theme, const Comparison& comparison, const Co
   strong_text(theme, summary.algorithm.substr(0, summary.algorithm.find(' ')));
   const std::string form =
       summary.algorithm.substr(std::min(summary.algorithm.find('('), summary.algorithm.size()));
-  ImGui::TextColored(theme.colour(tone_of(summary.verdict)), "%s  %s",
-                     verdict_text(comparison.scene, summary).c_str(), form.c_str());
+  ImGui::TextColored(theme.colour(verdict_tone(summary.verdict)), "%s  %s",
+                     file::verdict_text(summary).c_str(), form.c_str());
   ImGui::PushFont(nullptr, kSmallFontSize);
   const bool stretches = stretches_axes(run, comparison.runs);
-  for (const std::string& text : tail_texts(summary, stretches))
+  for (const std::string& text : tail_lines(summary, stretches))
     ImGui::TextUnformatted(text.c_str());
   ImGui::PopFont();
   ImGui::EndGroup();

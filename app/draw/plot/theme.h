@@ -8,31 +8,9 @@
 #include <cstdint>
 #include <string_view>
 
-namespace hapticwall::draw {
+#include "app/draw/plot/tone.h"
 
-// Colours by meaning, the same everywhere.
-enum class Tone : std::uint8_t {
-  kText,
-  kMuted,  // secondary text, axes
-  kFaint,  // frames, grid
-  kBackground,
-  kPanel,
-  kAccent,  // chosen or running
-  kGood,
-  kWarning,
-  kBad,
-  kPosition,  // measured position
-  kHand,      // the hand's intended position
-  kWall,
-  kForce,      // F_d
-  kWallForce,  // F_e
-  kStiffness,
-  kObserver,  // Eq. 6
-  kHold,      // Eq. 9
-  kScv,       // Eq. 10
-  kBudget,    // -T Σ b v²
-};
-inline constexpr std::size_t kToneCount = 19;
+namespace hapticwall::draw {
 
 // Dark screen, printed figure, light screen.
 enum class Look : std::uint8_t { kScreen, kPrint, kLight };

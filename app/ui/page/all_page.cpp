@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/draw/plot/plot_axes.h"
-#include "app/ui/panel/verdict_strip.h"
+#include "app/file/text/verdict.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/state/tail.h"
 #include "app/ui/widget/widgets.h"
@@ -60,11 +59,9 @@ void draw_trace(const PanelContext& context, const AlgorithmRun& run, draw::Extr
 
 // In two lines: how it moves, and how it feels.
 std::string verdict_lines(const Summary& summary) {
-  constexpr std::string_view kEnd = "mm p-p · ";
-  std::string text = figures_text(summary);
-  if (const std::size_t at = text.find(kEnd); at != std::string::npos)
-    text.replace(at, kEnd.size(), "mm p-p\n");
-  return text;
+  const file::TailTexts tail = file::tail_texts(summary);
+  return fmt::format("{} · {}\n{} · {}", file::verdict_text(summary), tail.way, tail.force,
+                     tail.stiffness);
 }
 
 void draw_run(const PanelContext& context, const AlgorithmRun& run, draw::Extremes span,
@@ -81,7 +78,7 @@ void draw_run(const PanelContext& context, const AlgorithmRun& run, draw::Extrem
   {
     const FontScope font(context.theme.fonts.digits, draw::kSmallFontSize);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x);
-    ImGui::TextColored(context.theme.colour(verdict_tone(run.summary.verdict)), "%s",
+    ImGui::TextColored(context.theme.colour(draw::verdict_tone(run.summary.verdict)), "%s",
                        verdict_lines(run.summary).c_str());
     ImGui::PopTextWrapPos();
   }

@@ -19,11 +19,6 @@ constexpr const char* kStripMeaning =
 
 }  // namespace
 
-draw::Tone verdict_tone(Verdict verdict) {
-  if (verdict == Verdict::kSettled) return draw::Tone::kGood;
-  return verdict == Verdict::kBuzzing ? draw::Tone::kWarning : draw::Tone::kBad;
-}
-
 void draw_verdict_strip(const PanelContext& context) {
   if (context.shows.hides_force) {
     ImGui::TextDisabled("verdict: hidden");
@@ -38,8 +33,9 @@ void draw_verdict_strip(const PanelContext& context) {
                                   std::clamp(std::floor(share * draw::kTitleFontSize),
                                              draw::kSmallFontSize, draw::kTitleFontSize));
     const bool on_its_way = tail.summary.verdict == Verdict::kOscillating && !tail.frequency_hz;
-    const draw::Tone tone =
-        on_its_way && tail.hand_moves ? draw::Tone::kMuted : verdict_tone(tail.summary.verdict);
+    const draw::Tone tone = on_its_way && tail.hand_moves
+                                ? draw::Tone::kMuted
+                                : draw::verdict_tone(tail.summary.verdict);
     draw::wrapped_text(context.theme.colour(tone), text);
   }
   explain(kStripMeaning);

@@ -5,8 +5,6 @@
 
 namespace hapticwall::ui {
 
-[[nodiscard]] draw::Tone verdict_tone(Verdict verdict);
-
 // Of the shown axis. Neutral during a blind test.
 void draw_verdict_strip(const PanelContext& context);
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "app/file/text/text.h"
+#include "app/file/text/verdict.h"
 #include "core/run/metrics.h"
-#include "core/units.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -63,10 +63,6 @@ std::string movement_text(const Tail& tail) {
   return tail.hand_moves ? "the hand moves" : "no rhythm";
 }
 
-std::string way_text(const Summary& summary) {
-  return fixed(summary.tail_peak_to_peak_m, kMillimetresPerMetre, 3) + " mm p-p";
-}
-
 }  // namespace
 
 Tail tail_of(const SampleHistory& history, const Scene& scene, std::size_t end) {
@@ -81,6 +77,8 @@ Tail tail_of(const SampleHistory& history, const Scene& scene, std::size_t end) 
     run_end.diverged_at_tick = tail.end_tick;
   }
   tail.summary = summarise(scene, stats_of(history, range), {}, std::nullopt, run_end);
+  // The summary knows that the run has diverged by now, and not since when.
+  tail.summary.diverged_at_tick.reset();
   const Extremes hand = history.extremes(&PlantTruth::hand_path_m, range);
   tail.hand_moves = hand.maximum > hand.minimum;
   if (tail.summary.verdict != Verdict::kSettled) {
@@ -109,17 +107,14 @@ void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& sce
 }
 
 std::string rhythm_text(const Tail& tail) {
-  return tail.frequency_hz ? movement_text(tail) + " · " + way_text(tail.summary) : std::string();
+  return tail.frequency_hz ? movement_text(tail) + " · " + file::tail_texts(tail.summary).way
+                           : std::string();
 }
 
 std::string figures_text(const Summary& s) {
-  const std::string stiffness =
-      s.displayed_stiffness_n_per_m
-          ? fixed(s.displayed_stiffness_n_per_m, 1.0 / kNewtonsPerKilonewton, 2) + " kN/m"
-          : "no contact";
-  return fmt::format("{} · {} · {} ± {} N · {}", verdict_name(s.verdict), way_text(s),
-                     fixed(s.tail_force_mean_n, 1.0, 3), fixed(s.tail_force_std_n, 1.0, 3),
-                     stiffness);
+  const file::TailTexts tail = file::tail_texts(s);
+  return fmt::format("{} · {} · {} · {}", file::verdict_text(s), tail.way, tail.force,
+                     tail.stiffness);
 }
 
 std::string tail_text(const Tail& tail) {

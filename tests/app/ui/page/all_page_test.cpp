@@ -1,6 +1,12 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "app/draw/figure/comparison_figure.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/tail.h"
 #include "core/run/simulate.h"
@@ -39,6 +45,38 @@ TEST_F(AllPageTest, ShowsTheVerdictOfEveryAlgorithmAndAClickPutsItInForce) {
     EXPECT_THAT(text(), HasSubstr("mm p-p")) << item;
   }
   EXPECT_EQ(sessions, 1) << "each changes while the session runs";
+}
+
+// The tone of a verdict that most pixels of the area have.
+draw::Tone tone_in(const file::Picture& picture, draw::Look look, const ItemRect& area) {
+  const auto pixels = [&](draw::Tone tone) {
+    const ImVec4& colour = draw::theme_colours(look)[static_cast<std::size_t>(tone)];
+    return count_pixels(picture, colour_of(colour), static_cast<int>(area.from.x),
+                        static_cast<int>(area.from.y), static_cast<int>(area.to.x),
+                        static_cast<int>(area.to.y));
+  };
+  const draw::Tone tone =
+      std::ranges::max({draw::Tone::kGood, draw::Tone::kWarning, draw::Tone::kBad}, {}, pixels);
+  EXPECT_GT(pixels(tone), 0);
+  return tone;
+}
+
+TEST_F(AllPageTest, AVerdictHasTheColourThatItHasInAFigure) {
+  const draw::FigureSize size{1200, 700};
+  const ItemRect heading{ImVec2(0.0F, 0.0F), ImVec2(1200.0F, 700.0F / 6.0F)};
+  std::set<Verdict> seen;
+  for (const ui::AlgorithmRun& run : all().runs()) {
+    const auto line = find_item(fmt::format("{}…", ui::figures_text(run.summary).substr(0, 24)));
+    if (!line || !seen.insert(run.summary.verdict).second) continue;
+    const std::array shown{draw::ComparedRun{run.summary, draw::SampleHistory(1, std::nullopt)}};
+    const auto figure = draw::draw_comparison(scene(), shown, size);
+    ASSERT_TRUE(figure.ok()) << figure.error().message;
+    EXPECT_EQ(tone_in(screen(), draw::Look::kScreen, *line),
+              tone_in(*figure, draw::Look::kPrint, heading))
+        << verdict_name(run.summary.verdict);
+  }
+  EXPECT_TRUE(seen.contains(Verdict::kOscillating));
+  EXPECT_GE(seen.size(), 2U);
 }
 
 TEST_F(AllPageTest, FollowsTheScene) {
