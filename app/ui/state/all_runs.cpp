@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "app/runtime/loop/realtime_setup.h"
 #include "core/run/simulate.h"
 
 namespace hapticwall::ui {
@@ -83,27 +82,14 @@ std::vector<AlgorithmRun> run_all(const Scene& scene,
   return runs;
 }
 
-void AllRuns::ask_for(const Scene& scene) {
-  const bool same = asked_ && same_but_for_the_algorithm(*asked_, scene);
-  if (same && (up_to_date_ || running() || !problem_.empty())) return;
-  asked_ = scene;
-  up_to_date_ = false;
-  problem_.clear();
-  task_.start([scene](const auto& progress) -> Result<std::vector<AlgorithmRun>> {
-    runtime::set_up_background_thread();
-    return run_all(scene, progress);
-  });
-}
-
-void AllRuns::take() {
-  auto ended = task_.take();
-  if (!ended) return;
-  if (!ended->ok()) {
-    problem_ = ended->error().message;
-    return;
-  }
-  runs_ = std::move(**ended);
-  up_to_date_ = !runs_.empty();
-}
+AllRuns::AllRuns()
+    : Computed(
+          [](const Scene& scene, const Progress& progress, const Deliver& deliver) -> Result<bool> {
+            std::vector<AlgorithmRun> runs = run_all(scene, progress);
+            if (runs.empty()) return false;
+            deliver(std::move(runs));
+            return true;
+          },
+          same_but_for_the_algorithm) {}
 
 }  // namespace hapticwall::ui

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "app/draw/plot/sample_history.h"
-#include "app/ui/state/background.h"
-#include "core/algorithm/algorithm.h"
+#include "app/ui/state/computed.h"
 #include "core/scene.h"
 #include "core/summary.h"
 
@@ -32,29 +31,19 @@ struct AlgorithmRun {
 [[nodiscard]] std::vector<AlgorithmRun> run_all(
     const Scene& scene, const std::function<bool(double fraction)>& goes_on = {});
 
-// All members are called from the owner's thread. None waits, except the destructor.
-class AllRuns {
+// Two scenes are the same question if they differ in nothing but the algorithm in force.
+class AllRuns : public Computed<Scene, std::vector<AlgorithmRun>> {
  public:
-  // Computes the runs of this scene, unless they are the newest ones. Its algorithm alone does not
-  // count, but all parameters do.
-  void ask_for(const Scene& scene);
-  // Gives the computation up; the runs of the scene before stay.
-  void stop() { task_.give_up(); }
-  void take();
-
-  [[nodiscard]] bool running() const { return task_.running(); }
-  [[nodiscard]] double fraction() const { return task_.fraction(); }
+  AllRuns();
+  void take() {
+    for (auto& runs : Computed::take()) runs_ = std::move(runs);
+  }
   [[nodiscard]] std::span<const AlgorithmRun> runs() const { return runs_; }
   // Whether the runs are of the scene that was asked for.
-  [[nodiscard]] bool up_to_date() const { return up_to_date_; }
-  [[nodiscard]] const std::string& problem() const { return problem_; }
+  [[nodiscard]] bool up_to_date() const { return answered(); }
 
  private:
-  Background<std::vector<AlgorithmRun>> task_;
-  std::optional<Scene> asked_;
   std::vector<AlgorithmRun> runs_;
-  bool up_to_date_ = false;
-  std::string problem_;
 };
 
 }  // namespace hapticwall::ui

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/runtime/loop/realtime_setup.h"
 #include "app/ui/state/map_choice.h"
 
 namespace hapticwall::ui {
@@ -53,8 +52,9 @@ void MapPicture::add(std::size_t middle, std::size_t stage, const MapMetrics& me
   }
 }
 
-bool LiveMap::compute(const StabilityMap& map, Outbox& outbox, const Task::Progress& progress) {
-  runtime::set_up_background_thread();
+// All stages, one after the other.
+static Result<bool> compute(const StabilityMap& map, const LiveMap::Progress& progress,
+                            const LiveMap::Deliver& deliver) {
   const int threads = background_thread_count();
   const auto work = static_cast<double>(work_of(map));
   std::size_t done = 0;
@@ -69,10 +69,10 @@ bool LiveMap::compute(const StabilityMap& map, Outbox& outbox, const Task::Progr
           from, first ? left : std::min(left, static_cast<std::size_t>(threads) * kCellsAtATime));
       std::vector<MapMetrics> metrics = run_cells(map, some, threads, stops);
       if (metrics.empty()) return false;
-      Results results{stage, {some.begin(), some.end()}, std::move(metrics), {}};
-      if (first) results.bounds = draw::map_bounds(map);
-      const std::scoped_lock lock(outbox.mutex);
-      outbox.results.push_back(std::move(results));
+      deliver({stage,
+               {some.begin(), some.end()},
+               std::move(metrics),
+               first ? draw::map_bounds(map) : std::vector<draw::BoundLines>()});
       from += some.size();
       done += some.size();
     }
@@ -80,52 +80,22 @@ bool LiveMap::compute(const StabilityMap& map, Outbox& outbox, const Task::Progr
   return true;
 }
 
-void LiveMap::ask_for(const StabilityMap& map) {
-  const bool same = asked_ && same_cells(*asked_, map);
-  if (same && (complete_ || running() || !problem_.empty())) return;
-  stop();
-  asked_ = map;
-  up_to_date_ = false;
-  complete_ = false;
-  problem_.clear();
-  if (const auto invalid = validate(map)) {
-    problem_ = invalid->key + ": " + invalid->message;
-    return;
-  }
-  outbox_ = std::make_shared<Outbox>();
-  task_.start([map, outbox = outbox_](const Task::Progress& progress) -> Result<bool> {
-    return compute(map, *outbox, progress);
-  });
-}
-
-void LiveMap::stop() {
-  task_.give_up();
-  outbox_.reset();
-}
+LiveMap::LiveMap()
+    : Computed(compute, same_cells, [](const StabilityMap& map) {
+        const auto invalid = validate(map);
+        return invalid ? invalid->key + ": " + invalid->message : "";
+      }) {}
 
 void LiveMap::take() {
-  const auto ended = task_.take();  // before the results, which are then all there
-  if (outbox_) {
-    std::vector<Results> results;
-    {
-      const std::scoped_lock lock(outbox_->mutex);
-      results.swap(outbox_->results);
+  for (MapPart& part : Computed::take()) {
+    if (!up_to_date()) {
+      picture_.emplace(*asked());
+      picture_->bounds = std::move(part.bounds);
+      shows_ = count();
     }
-    for (Results& some : results) show(std::move(some));
-  }
-  if (!ended) return;
-  complete_ = ended->ok() && **ended;
-  if (!ended->ok()) problem_ = ended->error().message;
-}
-
-void LiveMap::show(Results results) {
-  if (!up_to_date_) {
-    picture_.emplace(*asked_);
-    picture_->bounds = std::move(results.bounds);
-    up_to_date_ = true;
-  }
-  for (std::size_t i = 0; i < results.middles.size(); ++i) {
-    picture_->add(results.middles[i], results.stage, results.metrics[i]);
+    for (std::size_t i = 0; i < part.middles.size(); ++i) {
+      picture_->add(part.middles[i], part.stage, part.metrics[i]);
+    }
   }
 }
 

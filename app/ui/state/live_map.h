@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,7 +10,7 @@
 #include <vector>
 
 #include "app/draw/figure/map_field.h"
-#include "app/ui/state/background.h"
+#include "app/ui/state/computed.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall::ui {
@@ -47,52 +45,30 @@ class MapPicture {
   std::vector<std::size_t> sources_;
 };
 
-// All members are called from the owner's thread. None waits, except the destructor, which waits
-// for the threads: at most a thousand ticks of a scene on each.
-class LiveMap {
+// The results of some cells: the middles of blocks of one stage.
+struct MapPart {
+  std::size_t stage = 0;
+  std::vector<std::size_t> middles;
+  std::vector<MapMetrics> metrics;
+  std::vector<draw::BoundLines> bounds;  // of the first stage
+};
+
+// The previous picture stays until the first stage of the next map is done. stop() keeps it, too.
+class LiveMap : public Computed<StabilityMap, MapPart> {
  public:
-  // Computes this map, unless it is the newest one. The picture of the one before stays until the
-  // first stage is done.
-  void ask_for(const StabilityMap& map);
-  // Gives the computation up; the picture stays. ask_for() begins again if it was not complete.
-  void stop();
-  // Takes the results that have come since the last call.
+  LiveMap();
   void take();
 
-  [[nodiscard]] bool running() const { return task_.running(); }
-  [[nodiscard]] double fraction() const { return complete_ ? 1.0 : task_.fraction(); }
-  [[nodiscard]] bool complete() const { return complete_; }
+  [[nodiscard]] double fraction() const { return complete() ? 1.0 : Computed::fraction(); }
+  [[nodiscard]] bool complete() const { return answered(); }
   // nullptr: none yet.
   [[nodiscard]] const MapPicture* picture() const { return picture_ ? &*picture_ : nullptr; }
   // Whether the picture is of the map that was asked for.
-  [[nodiscard]] bool up_to_date() const { return up_to_date_; }
-  // Why there is no map; "" if there is one.
-  [[nodiscard]] const std::string& problem() const { return problem_; }
+  [[nodiscard]] bool up_to_date() const { return picture_ && shows_ == count(); }
 
  private:
-  struct Results {
-    std::size_t stage = 0;
-    std::vector<std::size_t> middles;
-    std::vector<MapMetrics> metrics;
-    std::vector<draw::BoundLines> bounds;  // of the first stage
-  };
-  // Between the thread of a computation and the owner.
-  struct Outbox {
-    std::mutex mutex;
-    std::vector<Results> results;
-  };
-  using Task = Background<bool>;
-
-  static bool compute(const StabilityMap& map, Outbox& outbox, const Task::Progress& progress);
-  void show(Results results);
-
-  Task task_;
-  std::shared_ptr<Outbox> outbox_;
-  std::optional<StabilityMap> asked_;
   std::optional<MapPicture> picture_;
-  bool up_to_date_ = false;
-  bool complete_ = false;
-  std::string problem_;
+  std::size_t shows_ = 0;  // number of the start that the picture is of
 };
 
 }  // namespace hapticwall::ui
