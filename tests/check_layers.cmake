@@ -1,18 +1,19 @@
 # Fails when an #include line goes against the arrows of the house:
 #   core <- device <- app/runtime <- app/ui, app/command; app/file stands on core alone;
 #   core, app/file <- app/compare, app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/draw <- app/command;
+#   app/table, the data of app/draw <- app/study <- app/ui, app/command;
 #   core <- app/sound/signal <- app/command; app/sound/signal, app/runtime, device <- app/sound/live <- app/ui;
 #   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/runtime <- app/python.
 # Within a layer the rooms have arrows, too:
 #   device <- device/hid <- device/evdev, device/plugin; app/runtime: loop <- session;
-#   app/command: the files beside the rooms <- run, map, accuracy, device; run <- compare, replay, identify;
+#   app/command: the files beside the rooms <- run, study, map, device; run, study <- compare; run <- replay, identify;
 #   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen and itself;
 # core/run/workers.cpp alone spreads scenes over the cores.
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(layers core device app/file app/runtime app/compare app/table app/draw app/sound/signal app/sound/live app/ui app/command/report app/command app/python app
+set(layers core device app/file app/runtime app/compare app/table app/draw app/study app/sound/signal app/sound/live app/ui app/command/report app/command app/python app
     tests)
 set(may_include_core core)
 set(may_include_device core device)
@@ -21,11 +22,12 @@ set(may_include_app/runtime core device app/file app/runtime)
 set(may_include_app/compare core app/file app/compare)
 set(may_include_app/table core app/file app/table)
 set(may_include_app/draw core app/file app/draw)
+set(may_include_app/study core app/file app/table app/draw app/study)
 set(may_include_app/sound/signal core app/sound/signal)
 set(may_include_app/sound/live core device app/runtime app/sound/signal app/sound/live)
-set(may_include_app/ui core device app/file app/runtime app/compare app/table app/draw app/sound/live app/ui)
+set(may_include_app/ui core device app/file app/runtime app/compare app/table app/draw app/study app/sound/live app/ui)
 set(may_include_app/command/report core app/file app/table app/command/report)
-set(may_include_app/command core device app/file app/runtime app/table app/draw app/sound/signal app/command/report app/command)
+set(may_include_app/command core device app/file app/runtime app/table app/draw app/study app/sound/signal app/command/report app/command)
 set(may_include_app/python core app/file app/runtime app/python)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
@@ -48,12 +50,12 @@ set(may_include_device/evdev device/hid device/evdev)
 set(may_include_device/plugin device/hid device/plugin)
 set(may_include_app/runtime/loop app/runtime/loop)
 set(may_include_app/runtime/session app/runtime/loop app/runtime/session)
-foreach(room run compare map accuracy replay device identify)
+foreach(room run study compare map replay device identify)
   list(APPEND rooms app/command/${room})
   set(may_include_app/command/${room} app/command/${room})
 endforeach()
 list(APPEND rooms app/command)
-list(APPEND may_include_app/command/compare app/command/run)
+list(APPEND may_include_app/command/compare app/command/run app/command/study)
 list(APPEND may_include_app/command/replay app/command/run)
 list(APPEND may_include_app/command/identify app/command/run)
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/runtime/session/window_options.h"
+#include "app/study/study.h"
 #include "core/result.h"
 
 namespace hapticwall::command {
@@ -22,7 +23,8 @@ struct Command {
 [[nodiscard]] Command add_run(CLI::App& program);
 [[nodiscard]] Command add_compare(CLI::App& program);
 [[nodiscard]] Command add_map(CLI::App& program);
-[[nodiscard]] Command add_accuracy(CLI::App& program);
+// The command of a study; `study` outlives it.
+[[nodiscard]] Command add_study(CLI::App& program, const study::Study& study);
 [[nodiscard]] Command add_replay(CLI::App& program, runtime::OpenWindow open);
 [[nodiscard]] Command add_recover(CLI::App& program);
 [[nodiscard]] Command add_timing(CLI::App& program);

@@ -17,6 +17,7 @@
 #include "app/file/plugin/plugin_file.h"
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
+#include "app/study/studies.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
 #include "core/result.h"
@@ -126,6 +127,19 @@ Result<int> after(const Action& action) {
   return outcome;
 }
 
+// In the order of --help.
+std::vector<Command> add_commands(CLI::App& program, const runtime::OpenWindow& open) {
+  std::vector<Command> commands{add_run(program), add_compare(program), add_map(program)};
+  for (const study::Study* study : study::studies()) {
+    if (study->has_command) commands.push_back(add_study(program, *study));
+  }
+  commands.push_back(add_replay(program, open));
+  for (const auto& add : {add_recover, add_timing, add_identify, add_devices, add_scenes}) {
+    commands.push_back(add(program));
+  }
+  return commands;
+}
+
 Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindow& open) {
   CLI::App program(kDescription, "hapticwall");
   program.set_version_flag("--version", std::string(kVersion), "Print the version and exit");
@@ -138,10 +152,7 @@ Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindo
   program.get_formatter()->label("REQUIRED", "(required)");
   program.footer(footer());
   const Action window = add_window(program, open);
-  const std::vector<Command> commands{
-      add_run(program),          add_compare(program), add_map(program),    add_accuracy(program),
-      add_replay(program, open), add_recover(program), add_timing(program), add_identify(program),
-      add_devices(program),      add_scenes(program)};
+  const std::vector<Command> commands = add_commands(program, open);
   refuse_empty_values(program);
   for (const Command& command : commands) {
     command.app->group("Commands")->footer("");

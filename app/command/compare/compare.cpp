@@ -5,13 +5,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "app/command/commands.h"
 #include "app/command/common_options.h"
 #include "app/command/compare/compare_order.h"
-#include "app/command/compare/compare_study.h"
 #include "app/command/device_choice.h"
 #include "app/command/output_file.h"
 #include "app/command/recorded_hand.h"
@@ -20,8 +20,10 @@
 #include "app/command/report/summary_table.h"
 #include "app/command/run/headless.h"
 #include "app/command/signals.h"
+#include "app/command/study/study_command.h"
 #include "app/draw/figure/comparison_figure.h"
 #include "app/file/recording/recording_reader.h"
+#include "app/study/studies.h"
 #include "core/algorithm/algorithm.h"
 #include "core/result.h"
 
@@ -139,11 +141,23 @@ Failure write_results(OutputFiles& files, const Scene& scene, const Runs& runs,
       });
 }
 
-Result<int> compare(const CompareOptions& options) {
-  if (options.study && !options.sort.empty()) {
+Result<int> rank(const CompareOptions& options) {
+  if (!options.sort.empty()) {
     return usage_error("--sort: not with --study; its rows keep the order of --algorithms");
   }
-  if (options.study) return compare_study(options.scene, options.output, options.algorithms);
+  if (!options.output.plot.empty()) {
+    return usage_error(
+        "--plot: not with --study, which draws no figure; use 'hapticwall run SCENE --plot "
+        "FILE.png'");
+  }
+  // Names the unknown algorithm and the known ones.
+  if (const auto known = chosen_algorithms(options.algorithms); !known) return known.error();
+  return run_study(study::ranking_study(), "compare", "--study", options.scene, options.output,
+                   {{"algorithms", fmt::format("{}", fmt::join(options.algorithms, ","))}});
+}
+
+Result<int> compare(const CompareOptions& options) {
+  if (options.study) return rank(options);
   const Result<std::vector<Expectation>> expectations =
       parse_expectations(options.output.expectations);
   if (!expectations) return expectations.error();
@@ -182,9 +196,7 @@ Command add_compare(CLI::App& program) {
   add_algorithms_option(*app, options->algorithms);
   add_scene_options(*app, options->scene);
   add_simulator_option(*app, options->scene);
-  app->add_flag("--study", options->study,
-                "Instead, measure largest stable stiffness, rate-hardness, rise time, peak "
-                "penetration and energy to the hand");
+  app->add_flag("--study", options->study, std::string(study::ranking_study().help));
   add_csv_option(*app, options->output, "Write the table as CSV, one line per row");
   add_plot_option(*app, options->output, "Draw all runs side by side");
   app->add_option("--sort", options->sort,

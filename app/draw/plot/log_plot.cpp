@@ -10,6 +10,7 @@
 #include <span>
 
 #include "app/draw/plot/plot_axes.h"
+#include "app/draw/plot/theme.h"
 
 namespace hapticwall::draw {
 namespace {
@@ -250,6 +251,21 @@ void draw_plot_area(const Theme& theme, const LogPlot& plot, const Decades& x, c
   ImGui::TextDisabled("%s", plot.x_title.c_str());
 }
 
+void draw_legend(const Theme& theme, const LogFigure& figure) {
+  const FontScope font(nullptr, kSmallFontSize);
+  const float gap = 1.6F * ImGui::GetFontSize();
+  const std::vector<LogSeries>& all = figure.plots.front().series;
+  for (const LogSeries& series : all) {
+    draw_legend_mark(theme, series.tone, series.mark, true);
+    ImGui::TextColored(theme.colour(series.tone), "%s", series.name.c_str());
+    ImGui::SameLine(0.0F, gap);
+  }
+  draw_legend_mark(theme, all.front().tone, all.front().mark, false);
+  ImGui::TextDisabled("hollow: %s", figure.hollow.c_str());
+  ImGui::SameLine(0.0F, gap);
+  ImGui::TextDisabled("numbers: %s", figure.labels.c_str());
+}
+
 }  // namespace
 
 std::vector<AxisNumber> axis_numbers(const Decades& decades) {
@@ -304,6 +320,24 @@ void draw_legend_mark(const Theme& theme, Tone tone, Mark mark, bool filled) {
   }
   ImGui::Dummy(ImVec2(em, ImGui::GetTextLineHeight()));
   ImGui::SameLine(0.0F, 0.35F * em);
+}
+
+void draw_log_figure(const Theme& theme, const LogFigure& figure, ImVec2 size, float scale) {
+  const float top = ImGui::GetCursorPosY();
+  draw_legend(theme, figure);
+  if (!figure.missing.empty()) {
+    const FontScope font(nullptr, kSmallFontSize);
+    ImGui::TextWrapped("%s", figure.missing.c_str());
+  }
+  ImGui::Spacing();
+  const auto count = static_cast<float>(figure.plots.size());
+  const float gap = 3.0F * ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 each((size.x - (count - 1.0F) * gap) / count,
+                    size.y - (ImGui::GetCursorPosY() - top));
+  for (const LogPlot& plot : figure.plots) {
+    if (&plot != figure.plots.data()) ImGui::SameLine(0.0F, gap);
+    draw_log_plot(theme, plot, each, scale);
+  }
 }
 
 }  // namespace hapticwall::draw

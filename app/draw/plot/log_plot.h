@@ -1,16 +1,19 @@
-// A printed plot with two logarithmic axes: marks joined by lines, each with its label.
+// Printed plots with two logarithmic axes: marks joined by lines, each with its label. The plots
+// are data without Dear ImGui; only the functions at the end draw.
 #pragma once
-
-#include <imgui.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/draw/plot/theme.h"
+#include "app/draw/plot/tone.h"
+
+struct ImVec2;
 
 namespace hapticwall::draw {
+
+struct Theme;
 
 enum class Mark : std::uint8_t { kCircle, kSquare, kDiamond };
 
@@ -39,6 +42,17 @@ struct LogPlot {
   std::vector<LogSeries> series;
 };
 
+// Plots side by side, with the same series, below a heading and a legend.
+struct LogFigure {
+  std::string title;
+  std::string subject;  // beside the title
+  std::string note;     // below it
+  std::string hollow;   // meaning of a hollow mark
+  std::string labels;   // meaning of the labels
+  std::string missing;  // names points that no plot shows; may be empty
+  std::vector<LogPlot> plots;
+};
+
 // The range of an axis in powers of ten, at least half of one.
 struct Decades {
   double from = 0.0;
@@ -60,5 +74,8 @@ void draw_log_plot(const Theme& theme, const LogPlot& plot, ImVec2 size, float s
 
 // The mark of a series in a line of text; the next item stands beside it.
 void draw_legend_mark(const Theme& theme, Tone tone, Mark mark, bool filled);
+
+// Draws legend and plots into `size`. `scale`: of lines and marks.
+void draw_log_figure(const Theme& theme, const LogFigure& figure, ImVec2 size, float scale);
 
 }  // namespace hapticwall::draw

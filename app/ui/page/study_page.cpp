@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/draw/figure/work_precision.h"
+#include "app/draw/plot/log_plot.h"
 #include "app/file/text/text.h"
 #include "app/table/order.h"
 #include "app/ui/state/model_runs.h"
@@ -28,18 +28,15 @@ std::string why_no_study(const PanelContext& context) {
   return why_no_runs(context);
 }
 
-constexpr const char* kRanking =
-    "All algorithms on this scene: largest stable stiffness, hardness at the touch, energy to the "
-    "hand; as 'hapticwall compare --study'";
-constexpr const char* kAccuracy =
-    "Error and cost of every integrator and substep count on this scene, against the exact "
-    "propagator in extended precision; as 'hapticwall accuracy'";
-
 void draw_study_choice(const PanelContext& context) {
-  bool& accuracy = context.state.studies.shows_accuracy;
-  if (choice_button(context, "Ranking###study ranking", !accuracy, kRanking)) accuracy = false;
-  ImGui::SameLine();
-  if (choice_button(context, "Accuracy###study accuracy", accuracy, kAccuracy)) accuracy = true;
+  Studies& studies = context.state.studies;
+  for (std::size_t i = 0; i < studies.all.size(); ++i) {
+    const study::Study& study = studies.all[i].study();
+    if (choice_button(context, fmt::format("{}###study {}", study.title, study.name),
+                      studies.choice == i, study.about))
+      studies.choice = i;
+    ImGui::SameLine();
+  }
 }
 
 void draw_start_or_end(const PanelContext& context, SceneStudy& study) {
@@ -54,7 +51,7 @@ void draw_start_or_end(const PanelContext& context, SceneStudy& study) {
   }
 }
 
-void draw_copies(const StudyResult* result) {
+void draw_copies(const study::Outcome* result) {
   if (button("Copy###study copy", "Copies the table as text, as the command line prints it",
              {.enabled = result != nullptr}))
     ImGui::SetClipboardText(table::sheet_text(result->sheet).c_str());
@@ -142,8 +139,9 @@ void draw_table(const PanelContext& context, const table::Sheet& sheet) {
   const float line = ImGui::GetTextLineHeight() + 2.0F * style.CellPadding.y;
   const float height =
       line * static_cast<float>(sheet.rows.size() + 1) + style.ScrollbarSize + 2.0F;
-  if (!ImGui::BeginTable(context.state.studies.shows_accuracy ? "accuracy" : "ranking",
-                         static_cast<int>(sheet.columns.size()), kFlags, ImVec2(0.0F, height)))
+  const std::string name(context.state.studies.shown().study().name);
+  if (!ImGui::BeginTable(name.c_str(), static_cast<int>(sheet.columns.size()), kFlags,
+                         ImVec2(0.0F, height)))
     return;
   set_up_columns(sheet);
   ImGui::TableHeadersRow();
@@ -151,13 +149,13 @@ void draw_table(const PanelContext& context, const table::Sheet& sheet) {
   ImGui::EndTable();
 }
 
-void draw_result(const PanelContext& context, const StudyResult& result) {
+void draw_result(const PanelContext& context, const study::Outcome& result) {
   draw_lines(context, result.sheet.heading);
-  if (result.accuracy) {
+  if (result.figure) {
     const ImVec2 free = ImGui::GetContentRegionAvail();
     const float height = std::max(kDiagramShare * free.y, ems(kMinDiagramEms));
-    draw::draw_work_precision(context.theme, *result.accuracy, ImVec2(free.x, height),
-                              ImGui::GetFontSize() / draw::kFontSize);
+    draw::draw_log_figure(context.theme, *result.figure, ImVec2(free.x, height),
+                          ImGui::GetFontSize() / draw::kFontSize);
   }
   draw_table(context, result.sheet);
   draw_lines(context, result.sheet.marks);
@@ -171,11 +169,10 @@ void draw_study_page(const PanelContext& context) {
     studies.stop();
     return muted_text(context, why);
   }
-  for (SceneStudy* each : {&studies.ranking, &studies.accuracy})
-    each->take(context.session.scene(), context.state.transient.now_s);
+  for (SceneStudy& each : studies.all)
+    each.take(context.session.scene(), context.state.transient.now_s);
   draw_study_choice(context);
   SceneStudy& study = studies.shown();
-  ImGui::SameLine();
   draw_start_or_end(context, study);
   ImGui::SameLine();
   draw_copies(study.result());
@@ -183,8 +180,7 @@ void draw_study_page(const PanelContext& context) {
   draw_state(context, study);
   if (!study.problem().empty())
     draw::wrapped_text(context.theme.colour(draw::Tone::kBad), study.problem());
-  if (study.result() == nullptr)
-    return muted_text(context, studies.shows_accuracy ? kAccuracy : kRanking);
+  if (study.result() == nullptr) return muted_text(context, study.study().about);
   // A result of the scene before is dimmed.
   ImGui::PushStyleVar(
       ImGuiStyleVar_Alpha,

@@ -36,7 +36,7 @@
 #include "app/ui/state/live_map.h"
 #include "app/ui/state/map_choice.h"
 #include "app/ui/state/messages.h"
-#include "app/ui/state/scene_study.h"
+#include "app/ui/state/study_state.h"
 #include "app/ui/state/tail.h"
 #include "app/ui/state/timing_state.h"
 #include "app/ui/state/undo.h"

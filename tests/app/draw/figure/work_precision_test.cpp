@@ -1,18 +1,22 @@
-#include "app/draw/figure/work_precision.h"
-
 #include <gtest/gtest.h>
 
+#include "app/draw/figure/log_figure.h"
 #include "app/draw/plot/theme.h"
-#include "app/file/scene/scene_file.h"
+#include "app/study/accuracy/accuracy.h"
 #include "tests/app/draw/figure/vector_files.h"
 #include "tests/app/ui/pixels.h"
 
-namespace hapticwall::draw {
+namespace hapticwall::study::accuracy {
 namespace {
 
 constexpr int kHeading = 150;  // title and legend, pixels of the full size
-constexpr int kWidth = kWorkPrecisionSize.width;
-constexpr int kHeight = kWorkPrecisionSize.height;
+constexpr int kWidth = draw::kLogFigureSize.width;
+constexpr int kHeight = draw::kLogFigureSize.height;
+
+using draw::Ink;
+using draw::Look;
+using draw::theme_colours;
+using draw::Tone;
 
 AccuracyRow made_up_row(Integrator integrator, std::optional<int> substeps, double cost_ns,
                         double error) {
@@ -30,6 +34,7 @@ AccuracyRow made_up_row(Integrator integrator, std::optional<int> substeps, doub
 
 AccuracyStudy made_up_study() {
   AccuracyStudy study;
+  study.reference.scene = "golden-hard";
   study.reference.algorithm = "none";
   study.reference.verdict = Verdict::kOscillating;
   study.reference.tail_peak_to_peak_m = 1e-3;
@@ -41,10 +46,8 @@ AccuracyStudy made_up_study() {
   return study;
 }
 
-Scene scene() { return file::load_scene("golden-hard")->scene; }
-
 file::Picture drawn(const AccuracyStudy& study) {
-  const Result<file::Picture> figure = draw_work_precision(scene(), study);
+  const Result<file::Picture> figure = draw::draw_log_page(work_precision(study));
   EXPECT_TRUE(figure.ok()) << (figure.ok() ? "" : figure.error().message);
   return figure.ok() ? *figure : file::Picture{};
 }
@@ -148,8 +151,9 @@ TEST(WorkPrecision, IsTheSameEveryTime) {
 }
 
 TEST(WorkPrecision, RefusesASizeThatIsNone) {
-  for (const FigureSize size : {FigureSize{0, 600}, FigureSize{800, -1}, FigureSize{800, 100000}}) {
-    const auto figure = draw_work_precision(scene(), made_up_study(), size);
+  for (const draw::FigureSize size :
+       {draw::FigureSize{0, 600}, draw::FigureSize{800, -1}, draw::FigureSize{800, 100000}}) {
+    const auto figure = draw::draw_log_page(work_precision(made_up_study()), size);
     ASSERT_FALSE(figure.ok());
     EXPECT_NE(figure.error().message.find("pixels"), std::string::npos);
   }
@@ -157,9 +161,9 @@ TEST(WorkPrecision, RefusesASizeThatIsNone) {
 
 TEST(WorkPrecision, IsTheSameInVectorFiles) {
   test::expect_same_in_vector_files([](Ink ink) {
-    return draw_work_precision(scene(), made_up_study(), kWorkPrecisionSize.in(ink));
+    return draw::draw_log_page(work_precision(made_up_study()), draw::kLogFigureSize.in(ink));
   });
 }
 
 }  // namespace
-}  // namespace hapticwall::draw
+}  // namespace hapticwall::study::accuracy

@@ -165,10 +165,10 @@ TEST_F(StudyPageTest, OneStudyRunsAtATime) {
   change([](Scene& endless) { endless.duration_s = 1e4; });
   click("study compute");
   click("study accuracy");
-  EXPECT_TRUE(state().studies.ranking.running());
+  EXPECT_TRUE(state().studies.all[0].running());
   click("study compute");
-  EXPECT_TRUE(state().studies.accuracy.running());
-  EXPECT_FALSE(state().studies.ranking.running());
+  EXPECT_TRUE(state().studies.all[1].running());
+  EXPECT_FALSE(state().studies.all[0].running());
 }
 
 TEST_F(StudyPageTest, AChangeOfTheSceneMarksTheTable) {

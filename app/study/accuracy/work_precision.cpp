@@ -1,25 +1,24 @@
-#include "app/draw/figure/work_precision.h"
-
 #include <fmt/format.h>
-#include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "app/draw/figure/page.h"
 #include "app/draw/plot/log_plot.h"
-#include "app/draw/plot/theme.h"
+#include "app/file/text/verdict.h"
+#include "app/study/accuracy/accuracy.h"
 #include "core/units.h"
 
-namespace hapticwall::draw {
+namespace hapticwall::study::accuracy {
 namespace {
 
-constexpr float kDesignWidth = 1200.0F;  // figure of scale 1
-constexpr float kPrecisionDesignHeight = 600.0F;
+using draw::LogPlot;
+using draw::LogSeries;
+using draw::Mark;
+using draw::Tone;
 
 struct SeriesStyle {
   Integrator integrator;
@@ -77,40 +76,15 @@ LogPlot plot_of(const AccuracyStudy& study, const char* title, const char* unit,
   return plot;
 }
 
+// One line without a line end.
 std::string reference_text(const Summary& reference) {
   std::string text = fmt::format("reference, the exact propagator in extended precision: {}",
-                                 verdict_name(reference.verdict));
-  if (reference.diverged_at_tick) {
-    text += fmt::format(" at tick {}", *reference.diverged_at_tick);
-  } else if (reference.tail_peak_to_peak_m) {
+                                 file::verdict_text(reference));
+  if (!reference.diverged_at_tick && reference.tail_peak_to_peak_m) {
     text += fmt::format(", {:.4g} mm peak to peak in the last second (the tail)",
                         *reference.tail_peak_to_peak_m * kMillimetresPerMetre);
   }
   return text;
-}
-
-void draw_title(const Theme& theme, const Scene& scene, const AccuracyStudy& study) {
-  strong_text(theme, fmt::format("{}  ·  {}", scene.name, study.reference.algorithm),
-              kTitleFontSize);
-  ImGui::SameLine();
-  ImGui::TextDisabled("  speed against accuracy");
-  const FontScope font(nullptr, kSmallFontSize);
-  ImGui::TextDisabled("%s", reference_text(study.reference).c_str());
-}
-
-void draw_legend(const Theme& theme) {
-  const FontScope font(nullptr, kSmallFontSize);
-  const float gap = 1.6F * ImGui::GetFontSize();
-  for (const SeriesStyle& style : kSeries) {
-    draw_legend_mark(theme, style.tone, style.mark, true);
-    const std::string name(name_of(style.integrator));
-    ImGui::TextColored(theme.colour(style.tone), "%s", name.c_str());
-    ImGui::SameLine(0.0F, gap);
-  }
-  draw_legend_mark(theme, kSeries.front().tone, kSeries.front().mark, false);
-  ImGui::TextDisabled("hollow: not the reference's verdict");
-  ImGui::SameLine(0.0F, gap);
-  ImGui::TextDisabled("numbers: substeps a tick");
 }
 
 // Names the runs that the plots cannot show; empty without any.
@@ -127,15 +101,7 @@ std::string diverged_runs(const AccuracyStudy& study) {
 
 }  // namespace
 
-void draw_work_precision(const Theme& theme, const AccuracyStudy& study, ImVec2 size, float scale) {
-  const float top = ImGui::GetCursorPosY();
-  draw_legend(theme);
-  const std::string diverged = diverged_runs(study);
-  if (!diverged.empty()) {
-    const FontScope font(nullptr, kSmallFontSize);
-    ImGui::TextWrapped("%s", diverged.c_str());
-  }
-  ImGui::Spacing();
+draw::LogFigure work_precision(const AccuracyStudy& study) {
   LogPlot position = plot_of(study, "(a) Largest error of position", "m", position_error_m);
   LogPlot amplitude =
       plot_of(study, "(b) Error of the tail's amplitude", "%", amplitude_error_percent);
@@ -143,21 +109,13 @@ void draw_work_precision(const Theme& theme, const AccuracyStudy& study, ImVec2 
   if (study.reference.verdict == Verdict::kSettled) {
     amplitude.nothing = "the reference is settled: there is no oscillation to be off from";
   }
-  const float gap = 3.0F * ImGui::GetStyle().ItemSpacing.x;
-  const ImVec2 half(0.5F * (size.x - gap), size.y - (ImGui::GetCursorPosY() - top));
-  draw_log_plot(theme, position, half, scale);
-  ImGui::SameLine(0.0F, gap);
-  draw_log_plot(theme, amplitude, half, scale);
+  return {.title = fmt::format("{}  ·  {}", study.reference.scene, study.reference.algorithm),
+          .subject = "speed against accuracy",
+          .note = reference_text(study.reference),
+          .hollow = "not the reference's verdict",
+          .labels = "substeps a tick",
+          .missing = diverged_runs(study),
+          .plots = {std::move(position), std::move(amplitude)}};
 }
 
-Result<file::Picture> draw_work_precision(const Scene& scene, const AccuracyStudy& study,
-                                          FigureSize size) {
-  const float scale = std::min(static_cast<float>(size.width) / kDesignWidth,
-                               static_cast<float>(size.height) / kPrecisionDesignHeight);
-  return draw_page(size, scale, [&](const Theme& theme) {
-    draw_title(theme, scene, study);
-    draw_work_precision(theme, study, ImGui::GetContentRegionAvail(), scale);
-  });
-}
-
-}  // namespace hapticwall::draw
+}  // namespace hapticwall::study::accuracy

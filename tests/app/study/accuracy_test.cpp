@@ -1,5 +1,5 @@
 // A study as a table, as JSON and as CSV.
-#include "app/table/accuracy_report.h"
+#include "app/study/accuracy/accuracy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace hapticwall::table {
+namespace hapticwall::study::accuracy {
 namespace {
 
 using ::testing::AllOf;
@@ -55,8 +55,8 @@ AccuracyStudy made_up() {
   return study;
 }
 
-TEST(AccuracyReport, TheTableSaysWhoIsWrong) {
-  const std::string table = sheet_text(accuracy_sheet(made_up()));
+TEST(AccuracyOutcome, TheTableSaysWhoIsWrong) {
+  const std::string table = table::sheet_text(outcome_of(made_up()).sheet);
   EXPECT_THAT(table, HasSubstr("reference: oscillating, 0.5000 mm peak to peak"));
   EXPECT_THAT(table, HasSubstr("  0.5000       0.00  oscillating\n"));
   EXPECT_THAT(table, HasSubstr("  -1.0e-15      3.0e-15  "));
@@ -66,27 +66,27 @@ TEST(AccuracyReport, TheTableSaysWhoIsWrong) {
   EXPECT_THAT(table, Not(HasSubstr("inf")));
   AccuracyStudy agreeing = made_up();
   agreeing.rows.resize(1);
-  EXPECT_THAT(sheet_text(accuracy_sheet(agreeing)), Not(HasSubstr("!")));
+  EXPECT_THAT(table::sheet_text(outcome_of(agreeing).sheet), Not(HasSubstr("!")));
 }
 
 // The row `exact` does not test the equations that it shares with the reference.
-TEST(AccuracyReport, TheTableAndTheJsonSayThatTheReferenceSharesTheCode) {
-  EXPECT_THAT(sheet_text(accuracy_sheet(made_up())),
+TEST(AccuracyOutcome, TheTableAndTheJsonSayThatTheReferenceSharesTheCode) {
+  EXPECT_THAT(table::sheet_text(outcome_of(made_up()).sheet),
               HasSubstr("an error of the common equations does not show"));
-  EXPECT_EQ(nlohmann::json::parse(accuracy_json(made_up())).at("reference"),
+  EXPECT_EQ(nlohmann::json::parse(outcome_of(made_up()).json).at("reference"),
             "exact integrator in extended precision");
 }
 
-TEST(AccuracyReport, TheTableOfADivergedReferenceSaysSo) {
+TEST(AccuracyOutcome, TheTableOfADivergedReferenceSaysSo) {
   AccuracyStudy study = made_up();
   study.reference.verdict = Verdict::kDiverged;
   study.reference.diverged_at_tick = 7;
-  EXPECT_THAT(sheet_text(accuracy_sheet(study)),
+  EXPECT_THAT(table::sheet_text(outcome_of(study).sheet),
               HasSubstr("reference: diverged at tick 7; errors"));
 }
 
-TEST(AccuracyReport, JsonHasEveryKeyAndNullForWhatDoesNotApply) {
-  const auto json = nlohmann::json::parse(accuracy_json(made_up()));
+TEST(AccuracyOutcome, JsonHasEveryKeyAndNullForWhatDoesNotApply) {
+  const auto json = nlohmann::json::parse(outcome_of(made_up()).json);
   EXPECT_EQ(json.at("algorithm"), "none");
   EXPECT_EQ(json.at("ticks"), 5000);
   EXPECT_EQ(json.at("reference_verdict"), "oscillating");
@@ -112,8 +112,8 @@ TEST(AccuracyReport, JsonHasEveryKeyAndNullForWhatDoesNotApply) {
   }
 }
 
-TEST(AccuracyReport, CsvIsTheSameFlat) {
-  const std::string csv = accuracy_csv(made_up());
+TEST(AccuracyOutcome, CsvIsTheSameFlat) {
+  const std::string csv = outcome_of(made_up()).csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
   EXPECT_THAT(
       csv,
@@ -128,4 +128,4 @@ TEST(AccuracyReport, CsvIsTheSameFlat) {
 }
 
 }  // namespace
-}  // namespace hapticwall::table
+}  // namespace hapticwall::study::accuracy

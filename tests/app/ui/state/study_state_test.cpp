@@ -1,10 +1,11 @@
-#include "app/ui/state/scene_study.h"
+#include "app/ui/state/study_state.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -13,15 +14,16 @@
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
 #include "core/algorithm/algorithm.h"
+#include "core/study/accuracy.h"
 #include "tests/app/command/binary.h"
 #include "tests/app/runtime/support.h"
 
 namespace hapticwall::test {
 namespace {
 
+using study::Outcome;
 using ::testing::HasSubstr;
 using ui::SceneStudy;
-using ui::StudyResult;
 
 Scene brief(const std::string& name, double duration_s) {
   Scene scene = file::load_scene(name)->scene;
@@ -40,7 +42,7 @@ class SceneStudyTest : public command::test::ProgramTest {
       return !study.running();
     }));
   }
-  static const StudyResult& computed(SceneStudy& study, const Scene& scene) {
+  static const Outcome& computed(SceneStudy& study, const Scene& scene) {
     study.start(scene, 0.0);
     wait_for_result(study, scene);
     EXPECT_TRUE(study.complete());
@@ -52,14 +54,14 @@ class SceneStudyTest : public command::test::ProgramTest {
 
 TEST_F(SceneStudyTest, TheRankingIsWhatTheCommandPrintsToTheLastByte) {
   for (const char* name : {"press", "tap"}) {
-    SceneStudy study(ui::ranking_study());
-    const StudyResult& result = computed(study, brief(name, 2.0));
+    SceneStudy study(hapticwall::study::ranking_study());
+    const Outcome& result = computed(study, brief(name, 2.0));
     const command::test::Answer printed =
         hapticwall({"compare", name, "--study", "--duration", "2", "--csv", "a.csv"});
     ASSERT_EQ(printed.status, 0) << printed.err;
     EXPECT_EQ(table::sheet_text(result.sheet), printed.out);
     EXPECT_EQ(result.csv, content("a.csv"));
-    EXPECT_FALSE(result.accuracy);
+    EXPECT_FALSE(result.figure);
     remove_files();
   }
 }
@@ -83,22 +85,23 @@ std::vector<std::string> lasting_fields(const std::string& csv) {
 
 TEST_F(SceneStudyTest, TheAccuracyIsThatOfTheCommand) {
   for (const char* name : {"golden-hard", "tap"}) {
-    SceneStudy study(ui::accuracy_study());
-    const StudyResult& result = computed(study, brief(name, 0.1));
+    SceneStudy study(hapticwall::study::accuracy_study());
+    const Outcome& result = computed(study, brief(name, 0.1));
     const command::test::Answer printed =
         hapticwall({"accuracy", name, "--duration", "0.1", "--csv", "a.csv", "--quiet"});
     ASSERT_EQ(printed.status, 0) << printed.err;
     EXPECT_EQ(lasting_fields(result.csv), lasting_fields(content("a.csv")));
     EXPECT_EQ(result.sheet.rows.size(), 1 + 2 * kUsualSubsteps.size());
-    ASSERT_TRUE(result.accuracy);
-    EXPECT_EQ(result.accuracy->rows.size(), result.sheet.rows.size());
-    for (const AccuracyRow& row : result.accuracy->rows) EXPECT_GT(row.ns_per_tick, 0.0);
+    EXPECT_TRUE(result.figure);
+    const auto rows = nlohmann::json::parse(result.json).at("rows");
+    EXPECT_EQ(rows.size(), result.sheet.rows.size());
+    for (const auto& row : rows) EXPECT_GT(row.at("ns_per_tick").get<double>(), 0.0);
     remove_files();
   }
 }
 
 TEST_F(SceneStudyTest, TheAccuracyIsCoarseFirst) {
-  SceneStudy study(ui::accuracy_study());
+  SceneStudy study(hapticwall::study::accuracy_study());
   const Scene scene = brief("press", 0.5);
   study.start(scene, 10.0);
   EXPECT_TRUE(study.coarse());
@@ -120,8 +123,8 @@ TEST_F(SceneStudyTest, TheAccuracyIsCoarseFirst) {
 }
 
 TEST_F(SceneStudyTest, StopEndsItWithoutAResult) {
-  for (const ui::StudyKind& kind : {ui::ranking_study(), ui::accuracy_study()}) {
-    SceneStudy study(kind);
+  for (const study::Study* kind : hapticwall::study::studies()) {
+    SceneStudy study(*kind);
     study.start(endless_scene(), 0.0);
     EXPECT_TRUE(study.running());
     study.stop();
@@ -132,8 +135,8 @@ TEST_F(SceneStudyTest, StopEndsItWithoutAResult) {
 }
 
 TEST_F(SceneStudyTest, AChangeOfTheSceneEndsItAndTheResultIsOfTheSceneBefore) {
-  for (const ui::StudyKind& kind : {ui::ranking_study(), ui::accuracy_study()}) {
-    SceneStudy study(kind);
+  for (const study::Study* kind : hapticwall::study::studies()) {
+    SceneStudy study(*kind);
     const Scene first = brief("press", 0.2);
     const std::string before = computed(study, first).csv;
     study.start(endless_scene(), 0.0);
@@ -156,8 +159,8 @@ TEST_F(SceneStudyTest, TheAlgorithmInForceMattersForTheAccuracyAlone) {
   const Scene scene = brief("press", 0.2);
   Scene under_another = scene;
   under_another.algorithm.index = (scene.algorithm.index + 1) % algorithms().size();
-  SceneStudy ranking(ui::ranking_study());
-  SceneStudy accuracy(ui::accuracy_study());
+  SceneStudy ranking(study::ranking_study());
+  SceneStudy accuracy(study::accuracy_study());
   computed(ranking, scene);
   computed(accuracy, scene);
   ranking.take(under_another, 0.0);
@@ -169,7 +172,7 @@ TEST_F(SceneStudyTest, TheAlgorithmInForceMattersForTheAccuracyAlone) {
 TEST_F(SceneStudyTest, ASceneWithoutSuchAStudySaysWhyUntilItChanges) {
   Scene bare = brief("press", 1.0);
   bare.x().walls.clear();
-  SceneStudy ranking(ui::ranking_study());
+  SceneStudy ranking(study::ranking_study());
   ranking.start(bare, 0.0);
   wait_for_result(ranking, bare);
   EXPECT_THAT(ranking.problem(), HasSubstr("wall"));
@@ -177,7 +180,7 @@ TEST_F(SceneStudyTest, ASceneWithoutSuchAStudySaysWhyUntilItChanges) {
   ranking.take(endless_scene(), 0.0);
   EXPECT_EQ(ranking.problem(), "");
   const Scene long_one = brief("press", 1e5);
-  SceneStudy accuracy(ui::accuracy_study());
+  SceneStudy accuracy(study::accuracy_study());
   accuracy.start(long_one, 0.0);
   wait_for_result(accuracy, long_one);
   EXPECT_THAT(accuracy.problem(), HasSubstr("at most 10000000 ticks"));

@@ -1,0 +1,16 @@
+// The list of studies. A new study is a line here and a line in studies.cpp.
+#pragma once
+
+#include <span>
+
+#include "app/study/study.h"
+
+namespace hapticwall::study {
+
+[[nodiscard]] const Study& ranking_study();
+[[nodiscard]] const Study& accuracy_study();
+
+// In the order of the window and of --help.
+[[nodiscard]] std::span<const Study* const> studies();
+
+}  // namespace hapticwall::study
