@@ -45,7 +45,7 @@ void draw_start_or_end(const PanelContext& context, SceneStudy& study) {
       study.stop();
   } else if (button("Compute###study compute",
                     "Computes this table of the present scene, beside the session. It ends with "
-                    "the page, with a change of the scene, and with the other table.")) {
+                    "the page, with a change of the scene, and with another study.")) {
     context.state.studies.stop();
     study.start(context.session.scene(), context.state.transient.now_s);
   }
