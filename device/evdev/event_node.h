@@ -20,7 +20,8 @@ class NodeListing {
   [[nodiscard]] std::string path() const { return "/dev/input/" + event_; }
   // As the device tells it; empty if it tells none.
   [[nodiscard]] std::string name() const;
-  // `type` is "key", "abs", "ff" …; has("ff", FF_CONSTANT) asks for a constant force. False if it is gone.
+  // `type` is "key", "abs", "ff" …; has("ff", FF_CONSTANT) asks for a constant force. False if it
+  // is gone.
   [[nodiscard]] bool has(const std::string& type, unsigned code) const;
   // `which` is "vendor" or "product"; 0 if it tells none.
   [[nodiscard]] std::uint16_t id(const std::string& which) const;

@@ -75,8 +75,8 @@ class DriftControl {
   double sum_ = 0.0;
 };
 
-// Noise that falls by about 3 dB an octave over the band of the sound. It knows nothing of the loop.
-// Realtime-safe: yes.
+// Noise that falls by about 3 dB an octave over the band of the sound. It knows nothing of the
+// loop. Realtime-safe: yes.
 class MaskingNoise {
  public:
   explicit MaskingNoise(double rate_hz);

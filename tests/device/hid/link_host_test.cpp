@@ -251,7 +251,8 @@ TEST(LinkHost, ARestartBehindABridgeBringsTheLinkUpAnewAtTheStart) {
   EXPECT_NEAR(rig.host.last.position_m[0], 0.03, 0.02);  // calibrated: the device's own
   rig.tick_until_ms(320);
   EXPECT_EQ(rig.host.stats().trouble, Trouble::kRestarted);
-  EXPECT_EQ(rig.host.owner.words(), "/dev/hidraw0: the device has restarted: its clock or its sequence jumped");
+  EXPECT_EQ(rig.host.owner.words(),
+            "/dev/hidraw0: the device has restarted: its clock or its sequence jumped");
   ASSERT_TRUE(rig.host.come_up());
   EXPECT_FALSE(rig.host.stats().calibrated);
   EXPECT_DOUBLE_EQ(rig.host.last.position_m[0], 0.07);
