@@ -8,6 +8,8 @@
 namespace hapticwall::test {
 namespace {
 
+constexpr float kSlidePixels = 30.0F;
+
 // Areas, headings and texts. 'undo' has a tooltip after a change: undo_once().
 const std::set<std::string> kWithoutTooltip{
     "undo",           "light",     "dark",        "section Hand",
@@ -35,6 +37,13 @@ Row row(std::string item, std::function<void(Person&)> first,
 
 }  // namespace
 
+Row does(std::string item, std::function<void(Person&, const Act&)> deed) {
+  return row(std::move(item), {},
+             [deed = std::move(deed)](Person& person, const std::string& name) {
+               deed(person, [&] { person.click(name); });
+             });
+}
+
 Row shown(std::string item, std::function<void(Person&)> first) {
   return row(std::move(item), std::move(first), [](Person& person, const std::string& name) {
     person.hover(name);
@@ -44,6 +53,13 @@ Row shown(std::string item, std::function<void(Person&)> first) {
     EXPECT_GT(found->to.x, found->from.x);
     EXPECT_GT(found->to.y, found->from.y);
   });
+}
+
+Row flips(std::string item, Look look, std::function<void(Person&)> first) {
+  return row(std::move(item), std::move(first),
+             [look = std::move(look)](Person& person, const std::string& name) {
+               flip_twice(person, look, [&] { person.click(name); });
+             });
 }
 
 Row sets(std::string item, Look look, double wanted, std::function<void(Person&)> first) {
@@ -62,6 +78,18 @@ Row takes(std::string item, std::string text, Look look, double wanted,
                EXPECT_NE(look(person), wanted) << "the value must differ before";
                person.type(name, text);
                EXPECT_DOUBLE_EQ(look(person), wanted);
+             });
+}
+
+Row slides(std::string item, Look look, std::function<void(Person&)> first) {
+  return row(std::move(item), std::move(first),
+             [look = std::move(look)](Person& person, const std::string& name) {
+               const double before = look(person);
+               person.drag(name, ImVec2(kSlidePixels, 0.0F));
+               const double more = look(person);
+               EXPECT_GT(more, before);
+               person.drag(name, ImVec2(-kSlidePixels, 0.0F));
+               EXPECT_LT(look(person), more);
              });
 }
 

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "app/ui/panel/layout_choice.h"
 #include "app/ui/state/appearance.h"
 #include "app/ui/state/tour.h"
 #include "app/ui/window/keys.h"
@@ -39,6 +42,56 @@ void scale_up_and_down(Person& person) {
   EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.1F);
   person.click("automatic scale");
   EXPECT_EQ(person.state().persisted.scale_percent, 0);
+}
+
+void choose_folder(Person& person, const std::string& folder) {
+  std::filesystem::create_directory(folder);
+  open_settings(person);
+  const std::string before = person.state().transient.recording_folder;
+  person.type("recording folder", folder + "/nowhere");
+  EXPECT_TRUE(person.message().text.starts_with(folder + "/nowhere: there is no such folder"));
+  EXPECT_EQ(person.state().transient.recording_folder, before);
+  person.put_everything_away();
+  open_settings(person);
+  person.type("recording folder", folder);
+  EXPECT_EQ(person.state().persisted.recording_folder, folder);
+  EXPECT_EQ(person.state().transient.recording_folder, folder);
+}
+
+void reset_layout(Person& person) {
+  const ui::PersistedState& persisted = person.state().persisted;
+  const ui::DockLayout before = *person.state().transient.dock.chosen;
+  open_settings(person);
+  person.click("reset layout");
+  EXPECT_EQ(persisted.docked, "");
+  EXPECT_FALSE(persisted.more);
+  person.put_everything_away();
+  person.click("more");
+  EXPECT_TRUE(persisted.more);
+  show(person, before);
+}
+
+void choose_layouts(Person& person) {
+  const ui::PersistedState& persisted = person.state().persisted;
+  const ui::DockLayout before = *person.state().transient.dock.chosen;
+  for (const ui::BuiltinLayout& each : ui::builtin_layouts()) {
+    person.click("layout");
+    person.click(std::string("layout of ") + each.name);
+    EXPECT_EQ(persisted.layout, each.name);
+  }
+  person.click("layout");
+  person.type("layout name", "mine");
+  EXPECT_EQ(persisted.layout, "mine");
+  person.put_everything_away();
+  person.click("layout");
+  person.click("layout of bench");
+  person.click("layout");
+  person.click("layout of mine");
+  EXPECT_EQ(persisted.layout, "mine");
+  person.click("layout");
+  person.click("forget layout");
+  EXPECT_TRUE(persisted.own_layouts.empty());
+  show(person, before);
 }
 
 void open_and_close_windows(Person& person) {
@@ -110,6 +163,18 @@ void take_the_tour(Person& person) {
   person.click("close tour");
 }
 
+void name_the_recording(Person& person) {
+  person.type("recording name", "mine");
+  EXPECT_EQ(person.state().transient.recording_name, "mine");
+  person.click("record");
+  EXPECT_TRUE(person.recording().path.ends_with("/mine.csv")) << person.recording().path;
+  person.put_everything_away();
+  person.click("record");
+  person.put_everything_away();
+  person.type("recording name", "");
+  EXPECT_EQ(person.state().transient.recording_name, "");
+}
+
 void say_something(Person& person) {
   ui::tell(person.state(), ui::MessageKind::kProblem, "first");
   ui::tell(person.state(), ui::MessageKind::kProblem, "second");
@@ -149,14 +214,37 @@ void read_help(Person& person) {
 
 }  // namespace
 
-Table head_rows() {
-  return {sets("light", look, number_of(draw::Look::kLight), open_settings),
+Table head_rows(const std::string& folder) {
+  return {does("undo", undo_once),
+          does("redo", redo_once),
+          shown("settings"),
+          sets("light", look, number_of(draw::Look::kLight), open_settings),
           sets("dark", look, number_of(draw::Look::kScreen), open_settings),
           {"larger", scale_up_and_down},
+          {"recording folder", [folder](Person& person) { choose_folder(person, folder); }},
+          flips(
+              "record signals",
+              [](Person& person) { return person.state().persisted.records_signals ? 1.0 : 0.0; },
+              open_settings),
+          {"reset layout", reset_layout},
+          {"layout", choose_layouts},
           {"window ", open_and_close_windows}};
 }
 
-Table toolbar_rows() { return {{"slow motion", use_slow_motion}, {"sound", use_sound}}; }
+Table toolbar_rows() {
+  return {
+      does("pause", pause_and_run),
+      does("step", step_once),
+      does("reset", reset_once),
+      does("record", record_and_stop),
+      {"slow motion", use_slow_motion},
+      {"sound", use_sound},
+      flips(
+          "repeat scene",
+          [](Person& person) { return person.state().transient.repeats ? 1.0 : 0.0; }, open_more),
+      shown("more of session"),
+      {"recording name", name_the_recording}};
+}
 
 Table overlay_rows() {
   return {{"copy message", use_messages}, {"help", read_help}, {"tour of help", take_the_tour}};

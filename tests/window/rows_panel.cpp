@@ -13,6 +13,10 @@
 namespace hapticwall::test {
 namespace {
 
+double chosen_algorithm(Person& person) {
+  return static_cast<double>(person.scene().algorithm.index);
+}
+
 void open_scenes(Person& person) { person.click("scene"); }
 
 void open_every_builtin(Person& person) {
@@ -40,6 +44,18 @@ void open_recent(Person& person) {
   person.click("recent 1");
   person.wait_until([&] { return person.scene().name != "press"; }, "the file's scene");
   open_scene(person, "press");
+}
+
+Row figure(const char* label, const char* algorithm) {
+  return sets(label, chosen_algorithm, static_cast<double>(*find_algorithm(algorithm)));
+}
+
+void go_back_to_scene(Person& person) {
+  const double before = person.scene().x().walls.front().stiffness_n_per_m;
+  person.type("stiffness", "1234");
+  EXPECT_EQ(person.scene().x().walls.front().stiffness_n_per_m, 1234.0);
+  person.click("reset to scene");
+  EXPECT_EQ(person.scene().x().walls.front().stiffness_n_per_m, before);
 }
 
 std::optional<double> parameter(Person& person, std::string_view key) {
@@ -92,14 +108,61 @@ void use_algorithm(Person& person, std::size_t index) {
   }
 }
 
+double stiffness(Person& person) { return person.scene().x().walls.front().stiffness_n_per_m; }
+double damping(Person& person) { return person.scene().x().walls.front().damping_n_s_per_m; }
 double position_mm(Person& person) { return person.scene().x().walls.front().position_m * 1e3; }
+
+void choose_wall(Person& person, const std::string& scene_of_two_walls) {
+  person.drop(std::array{scene_of_two_walls});
+  person.wait_until([&] { return person.scene().x().walls.size() == 2; }, "two walls");
+  person.wait_a_frame();
+  person.click("wall 2");
+  EXPECT_EQ(person.state().transient.chosen_wall, 1U);
+  const double first = stiffness(person);
+  person.type("stiffness", "4321");
+  EXPECT_EQ(person.scene().x().walls.back().stiffness_n_per_m, 4321.0);
+  EXPECT_EQ(stiffness(person), first);
+  person.click("wall 1");
+  EXPECT_EQ(person.state().transient.chosen_wall, 0U);
+  open_scene(person, "press");
+}
+
+void choose_integrator(Person& person, std::string_view name) {
+  person.click("integrator");
+  person.click(std::string(name));
+  EXPECT_EQ(person.scene().simulator.integrator_name(), name);
+}
+
+void choose_integrators(Person& person) {
+  for (const std::string_view name :
+       {kIntegratorNames[1], kIntegratorNames[2], kIntegratorNames[0]})
+    choose_integrator(person, name);
+}
+
+void type_substeps(Person& person) {
+  choose_integrator(person, "rk4");
+  person.type("substeps", "7");
+  EXPECT_EQ(person.scene().simulator.substeps, 7);
+  choose_integrator(person, "exact");
+  EXPECT_EQ(person.scene().simulator.substeps, 1);
+}
+
+void change_rate(Person& person) {
+  person.type("rate", "500");
+  person.wait_until([&] { return person.scene().sampling.rate_hz == 500.0; }, "the rate");
+  open_scene(person, "press");
+}
 
 }  // namespace
 
 Table scene_rows(const std::string& scene_file) {
   return {{"scene", open_every_builtin},
           {"open path", [scene_file](Person& person) { open_by_path(person, scene_file); }},
-          {"recent N", open_recent}};
+          {"recent N", open_recent},
+          figure("Figure 4", "none"),
+          figure("Figure 5", "virtual-coupling"),
+          figure("Figure 6", "energy-bounding"),
+          {"reset to scene", go_back_to_scene}};
 }
 
 Table algorithm_rows() {
@@ -110,11 +173,26 @@ Table algorithm_rows() {
   return table;
 }
 
-Table wall_rows() {
-  return {takes("position", "51", position_mm, 51.0), shown("bound, passive"),
-          shown("bound, friction"), shown("bound, resolution")};
+Table wall_rows(const std::string& scene_of_two_walls) {
+  return {takes("stiffness", "2000", stiffness, 2000.0),
+          slides("stiffness-slider", stiffness),
+          takes("damping", "1.5", damping, 1.5),
+          slides("damping-slider", damping),
+          takes("position", "51", position_mm, 51.0),
+          shown("bound, passive"),
+          shown("bound, stable"),
+          shown("bound, friction"),
+          shown("bound, resolution"),
+          {"wall 2",
+           [scene_of_two_walls](Person& person) { choose_wall(person, scene_of_two_walls); }}};
 }
 
-Table loop_rows() { return {shown("cost of a tick")}; }
+Table loop_rows() {
+  return {{"rate", change_rate},
+          {"integrator", choose_integrators},
+          {"substeps", type_substeps},
+          shown("cost of a tick"),
+          shown("energy error")};
+}
 
 }  // namespace hapticwall::test

@@ -175,6 +175,14 @@ std::string Home::write_scene(const std::string& name, const std::string& builti
   return write(loaded->scene, name);
 }
 
+std::string Home::write_scene_of_two_walls(const std::string& name) const {
+  constexpr double kBehindM = 0.005;
+  Scene scene = file::load_scene("press")->scene;
+  scene.x().walls.push_back(scene.x().walls.front());
+  scene.x().walls.back().position_m += kBehindM;
+  return write(scene, name);
+}
+
 std::vector<std::string> Home::files(const std::string& ending) const {
   std::vector<std::string> paths = folder_.names(ending);
   for (std::string& path : paths) path = folder_.file(path);

@@ -30,6 +30,8 @@ class Home {
   // Writes a built-in scene with --set changes under this name; returns its path.
   [[nodiscard]] std::string write_scene(const std::string& name, const std::string& builtin,
                                         const std::vector<std::string>& changes = {}) const;
+  // The scene 'press' with a second wall behind the first.
+  [[nodiscard]] std::string write_scene_of_two_walls(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> files(const std::string& ending) const;
 
  private:
