@@ -86,6 +86,7 @@ foreach(page IN LISTS pages)
   cmake_path(GET page PARENT_PATH folder)
   # A quoted change of a table is about another page.
   string(REGEX REPLACE "\n[+ ]\\|[^\n]*" "" text "${text}")
+  string(REPLACE "[](" "[] (" text "${text}")  # a lambda of C++
   # CMake splits no list inside of square brackets.
   string(REPLACE "](" "<link>" text "${text}")
   string(REGEX MATCHALL "<link>[^)#<[ \n]+" links "${text}")

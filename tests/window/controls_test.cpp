@@ -47,7 +47,8 @@ class ControlsTest : public WindowTest {
     const std::string list = home_.folder() / "list.csv";
     const std::string answers = home_.folder() / "answers.csv";
     std::ofstream(list) << "kind,a,b\ntest,,wall.stiffness_n_per_m=1000\nbreak,,\n"
-                           "catch,wall.position_m=0.04,wall.position_m=0.04\ntest,,\n";
+                           "catch,wall.position_m=0.04,wall.position_m=0.04\n"
+                           "test,wall.stiffness_n_per_m=2000,\n";
     const auto experiment = runtime::open_experiment(
         {list, "P1", "1", answers}, [](std::span<const std::string> overrides) -> Result<Scene> {
           return file::load_scene("press", overrides)->scene;

@@ -242,7 +242,6 @@ Table toolbar_rows() {
       flips(
           "repeat scene",
           [](Person& person) { return person.state().transient.repeats ? 1.0 : 0.0; }, open_more),
-      shown("more of session"),
       {"recording name", name_the_recording}};
 }
 

@@ -157,14 +157,6 @@ class ArmingRequest {
   bool waits_ = false;
 };
 
-// What a whole run has shown.
-Failure trouble_at_end(const runtime::LiveSession& session, const runtime::Snapshot& snapshot,
-                       const ArmingRequest& request) {
-  if (Failure trouble = request.trouble()) return trouble;
-  if (!snapshot.arming.mostly_at_limit(session.scene().sampling.rate_hz)) return {};
-  return device_error(fmt::format("{}: {}", session.device_info().name, runtime::kAtLimitText));
-}
-
 // What the summary of a session adds to that of its ticks.
 void add_session(const runtime::LiveSession& session, const runtime::Snapshot& snapshot, bool armed,
                  Summary& summary) {
@@ -254,8 +246,7 @@ Result<RealtimeOutcome> run_realtime(RealtimeRun run) {
   leave_out_the_rest(session);
   outcome.recording_failure = session.stop_recording();
   while (const std::uint64_t taken = taker.take(session, run)) done += taken;
-  if (!outcome.trouble && done == ticks)
-    outcome.trouble = trouble_at_end(session, snapshot, request);
+  if (!outcome.trouble && done == ticks) outcome.trouble = request.trouble();
   outcome.summary = taker.summary();
   outcome.status = status_text(session, snapshot);
   outcome.stopped_early = done < ticks;

@@ -195,10 +195,17 @@ Failure AnswersFile::read_lines(std::string_view whole) {
       return usage_error(fmt::format("{}:{}: not an answer; repair the line or choose another name",
                                      shown(path_), number));
     }
+    if (found_.empty()) take_older_seed(answer->seed);
     if (Failure failure = check(*answer)) return failure;
     found_.push_back(*answer);
   }
   return std::nullopt;
+}
+
+// Earlier programs took 64 bits of the same hash. Their sessions keep their order.
+void AnswersFile::take_older_seed(std::uint64_t seed) {
+  constexpr unsigned kMoreBits = 12;
+  if (seed > kMaxSeed && seed >> kMoreBits == identity_.seed) identity_.seed = seed;
 }
 
 Failure AnswersFile::check(const Answer& answer) const {

@@ -33,7 +33,7 @@ struct Answer {
   std::optional<bool> correct;  // if the trial has a right answer
   std::uint32_t looks = 0;      // presentations felt before the choice
   double seconds = 0.0;         // from the first of them to the choice
-  std::uint64_t seed = 0;       // of the order of presentations; at most kMaxSeed
+  std::uint64_t seed = 0;       // of the order of presentations; of new files at most kMaxSeed
   std::string program;          // version and build
   std::string scene_sha256;     // of the scene as TOML, without the slots
   std::string list_sha256;
@@ -78,6 +78,7 @@ class AnswersFile {
   AnswersFile(std::string path, Answer identity, int descriptor);
   [[nodiscard]] Failure read();
   [[nodiscard]] Failure read_lines(std::string_view whole);
+  void take_older_seed(std::uint64_t seed);
   [[nodiscard]] Failure check(const Answer& answer) const;
   [[nodiscard]] Failure write_durably(std::string_view text);
   [[nodiscard]] Error failure() const;  // reads errno

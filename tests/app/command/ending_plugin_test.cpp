@@ -23,15 +23,18 @@ constexpr const char* kCommands = "HAPTICWALL_TEST_COMMANDS";
 std::string algorithm(const std::string& act, const std::string& function) {
   return hapticwall::test::plugin_folder() + "/ending_algorithm_" + act + "_" + function + ".so";
 }
-std::string device(const std::string& act, const std::string& function) {
-  return "plugin:" + hapticwall::test::plugin_folder() + "/ending_device_" + act + "_" + function +
-         ".so";
-}
 
 class EndingPlugin : public ProgramTest, public ::testing::WithParamInterface<const char*> {
  protected:
   void SetUp() override { setenv(kCommands, path("commands").c_str(), 1); }
   void TearDown() override { unsetenv(kCommands); }
+  // A copy for this test: a device has one host, and tests run at the same time.
+  [[nodiscard]] std::string device(const std::string& act, const std::string& function) const {
+    const std::string name = "ending_device_" + act + "_" + function + ".so";
+    std::filesystem::copy_file(hapticwall::test::plugin_folder() + "/" + name, path(name),
+                               std::filesystem::copy_options::overwrite_existing);
+    return "plugin:" + path(name);
+  }
   // On a device behind a library, which pushes after one and a half seconds.
   [[nodiscard]] std::vector<std::string> on_device(const std::string& device_option,
                                                    std::vector<std::string> more = {}) const {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -85,19 +86,21 @@ TEST(ComparisonFigure, HasEachOfItsLinesInTheColumnOfEveryAlgorithm) {
 // tests/app/ui/page/all_page_test.cpp expects the same of the window.
 TEST(ComparisonFigure, AVerdictHasTheColourOfItsGrade) {
   constexpr int kBlurred = 60;  // thin strokes
-  for (const Verdict verdict : {Verdict::kSettled, Verdict::kBuzzing, Verdict::kOscillating}) {
+  constexpr std::array kVerdicts{Verdict::kSettled, Verdict::kBuzzing, Verdict::kOscillating};
+  const auto pixels = [&](Verdict verdict, Tone tone) {
     ComparedRun shown = run(press(), "none");
     shown.summary.verdict = verdict;
     const auto figure = draw_comparison(press(), std::vector{shown}, kSmall);
-    ASSERT_TRUE(figure.ok()) << figure.error().message;
-    const auto pixels = [&](Tone tone) {
-      const ImVec4 colour = theme_colours(Look::kPrint)[static_cast<std::size_t>(tone)];
-      return test::count_pixels(*figure, test::colour_of(colour), 0, 0, figure->width,
-                                figure->height / 6, kBlurred);
-    };
-    for (const Tone other : {Tone::kGood, Tone::kWarning, Tone::kBad}) {
-      if (other == verdict_tone(verdict)) continue;
-      EXPECT_GT(pixels(verdict_tone(verdict)), pixels(other)) << verdict_name(verdict);
+    EXPECT_TRUE(figure.ok());
+    const ImVec4 colour = theme_colours(Look::kPrint)[static_cast<std::size_t>(tone)];
+    return test::count_pixels(*figure, test::colour_of(colour), 0, 0, figure->width,
+                              figure->height / 6, kBlurred);
+  };
+  for (const Verdict verdict : kVerdicts) {
+    for (const Verdict other : kVerdicts) {
+      const Tone tone = verdict_tone(verdict);
+      if (tone == verdict_tone(other)) continue;
+      EXPECT_GT(pixels(verdict, tone), pixels(other, tone)) << verdict_name(verdict);
     }
   }
 }
