@@ -86,12 +86,11 @@ foreach(page IN LISTS pages)
   cmake_path(GET page PARENT_PATH folder)
   # A quoted change of a table is about another page.
   string(REGEX REPLACE "\n[+ ]\\|[^\n]*" "" text "${text}")
-  string(REPLACE "[](" "[] (" text "${text}")  # a lambda of C++
   # CMake splits no list inside of square brackets.
   string(REPLACE "](" "<link>" text "${text}")
   string(REGEX MATCHALL "<link>[^)#<[ \n]+" links "${text}")
   list(TRANSFORM links REPLACE "^<link>" "")
-  list(FILTER links EXCLUDE REGEX "^[a-z]+:")
+  list(FILTER links EXCLUDE REGEX "^([a-z]+:|const$)")  # const: a lambda in a block of C++
   foreach(link IN LISTS links)
     math(EXPR checked_links "${checked_links} + 1")
     if(NOT EXISTS ${folder}/${link})
