@@ -109,6 +109,7 @@ file::DeviceDescription identified_description(const std::optional<file::DeviceD
   return description;
 }
 
+// cppcheck-suppress uninitDerivedMemberVar  ; the base is an aggregate
 ExperimentAlgorithm::ExperimentAlgorithm(const identify::ExperimentSettings& settings)
     : BorrowedAlgorithm{&kExperimentAlgorithm, this}, experiment_(settings) {}
 
