@@ -8,6 +8,7 @@
 #include <memory>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "core/algorithm/plugin/library_call.h"
 #include "tests/app/runtime/loop/child_support.h"
@@ -168,8 +169,10 @@ TEST(EarlyExit, IsAnErrorWithTheStatusOfItsLibrary) {
 }
 
 TEST(EarlyExit, OfAnotherThreadOrByQuickExitIsAnErrorToo) {
-  for (void (*end)() : {+[] { std::exit(0); }, +[] { std::quick_exit(0); },
-                        +[] { std::thread([] { std::exit(0); }).join(); }}) {
+  using End = void (*)();
+  const std::vector<End> ends{[] { std::exit(0); }, [] { std::quick_exit(0); },
+                              [] { std::thread([] { std::exit(0); }).join(); }};
+  for (const End end : ends) {
     const pid_t child = start_child([&] {
       static_cast<void>(run_guarded([&]() -> Result<int> {
         end();

@@ -158,9 +158,10 @@ TEST(CrashStop, AnEndByTheLoopsOwnThreadEndsTheForceFirst) {
     void (*end)();
     int status;
   };
-  for (const Way& way : {Way{[] { std::exit(7); }, W_EXITCODE(7, 0)},
-                         Way{[] { std::quick_exit(7); }, W_EXITCODE(7, 0)},
-                         Way{[] { std::abort(); }, W_EXITCODE(0, SIGABRT)}}) {
+  const std::vector<Way> ways{{[] { std::exit(7); }, W_EXITCODE(7, 0)},
+                              {[] { std::quick_exit(7); }, W_EXITCODE(7, 0)},
+                              {[] { std::abort(); }, W_EXITCODE(0, SIGABRT)}};
+  for (const Way& way : ways) {
     const Shared heard;
     const pid_t child = start_child([&] {
       auto device = std::make_unique<SharedDevice>(*heard);
