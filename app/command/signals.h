@@ -19,7 +19,7 @@ using runtime::stop_signal;
 
 // The exit status that shells give a program that a signal ended.
 [[nodiscard]] constexpr int status_of_signal(int signal) { return 128 + signal; }
-// Of a run whose only reader has left.
+// The exit status of a run whose only reader has left.
 inline constexpr int kReaderLeft = status_of_signal(SIGPIPE);
 
 // Says "ended early by Ctrl-C" and `rest` on standard error; returns the exit status, 128 + signal.

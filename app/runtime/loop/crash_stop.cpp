@@ -24,7 +24,7 @@ constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::array kSignals{SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGABRT,
                               SIGHUP,  SIGQUIT, SIGINT, SIGTERM, SIGXCPU};
 constexpr std::int64_t kWaitStepNs = 200'000;
-// Of a library that is called inside a call that ends the process: it may wait for a mutex of its.
+// Limit of a last call into a library that ends the process: it may wait for its own mutex.
 constexpr unsigned kMaxReentryS = 1;
 // Larger than any signal frame; the handler itself needs little.
 constexpr std::size_t kMinStackBytes = std::size_t{64} * 1024;
@@ -32,7 +32,7 @@ constexpr std::size_t kMinStackBytes = std::size_t{64} * 1024;
 // The only data that the signal handler uses.
 std::atomic<bool> g_must_end{false};
 std::atomic<int> g_loops_with_force{0};
-// Of this thread's loop, if it has one.
+// The loop of this thread, if it has one.
 struct OwnLoop {
   void (*remove_force)(void* loop) noexcept = nullptr;
   void* loop = nullptr;
