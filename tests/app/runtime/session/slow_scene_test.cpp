@@ -38,17 +38,16 @@ Scene slow_scene_of_two_axes() {
   return scene;
 }
 
-// Every cycle takes 40 periods of 10 µs: 20 up to its start, 20 up to its end.
+// Every cycle takes at least 40 periods of 10 µs: 20 up to its start, 20 up to its end.
 class SlowMachine : public test::FakeClock {
  public:
   static constexpr std::int64_t kMissedPerCycle = 39;
-  // Lets others run: the loop may have real-time priority, and here it never waits.
-  SlowMachine() {
-    after_sleep = [](FakeClock&) { std::this_thread::sleep_for(std::chrono::microseconds(20)); };
-  }
   [[nodiscard]] std::int64_t now_ns() override {
     constexpr std::int64_t kStepNs = 200'000;
     advance_ns(kStepNs);
+    // The loop is always late, so it does not sleep, and may have real-time priority: without this
+    // pause the recorder's thread gets no core when another such test runs beside it.
+    std::this_thread::sleep_for(std::chrono::nanoseconds(kStepNs));
     return FakeClock::now_ns();
   }
 };
