@@ -2,36 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "app/runtime/loop/arming.h"
 #include "app/runtime/loop/clock.h"
 #include "app/runtime/loop/cost_window.h"
 #include "app/runtime/loop/cycle_scheduler.h"
-#include "app/runtime/loop/device_judge.h"
 #include "app/runtime/loop/exchange.h"
-#include "core/tick/servo.h"
+#include "app/runtime/loop/loop_axis.h"
 #include "device/device.h"
 
 namespace hapticwall::runtime {
-
-// One axis of the loop: its device, its controller, its plant.
-struct LoopAxis {
-  device::Device& device;
-  Servo servo;
-  PlantModel* plant = nullptr;         // in use; nullptr: the device's own
-  std::optional<DeviceJudge> judge{};  // nullopt: a simulator
-  ArmingNote judged = ArmingNote::kNone;
-
-  // Realtime-safe: yes, every member.
-  void apply(const ServoSettings& settings, PlantModel* new_plant);
-  void reset();
-  // The sample before tick 0: the device's rest position, no force, no energies.
-  [[nodiscard]] Sample at_rest();
-  // Judges the device and ticks. What is forbidden gives no force in the same tick.
-  [[nodiscard]] Sample judged_tick(double elapsed_s, bool armed);
-};
 
 // The loop's state. The devices are open; they and the exchange outlive the loop.
 class ServoLoop {
