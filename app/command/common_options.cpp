@@ -30,13 +30,19 @@
 namespace hapticwall::command {
 namespace {
 
-Failure check_duration(const std::string& text) {
+// Refuses the same values as --set duration_s, but names the option that the user gave.
+Failure set_duration(const std::string& text, Scene& scene) {
   const NumberKey<Scene>& key = number_keys<Scene>().front();
   const std::optional<double> value = file::parsed<double>(text);
-  if (value && key.range.contains(*value)) return {};
-  return usage_error(fmt::format("--duration {}: it takes seconds, more than {} and at most {}",
-                                 file::in_quotes(text), number_text(key.range.minimum),
-                                 number_text(key.range.maximum)));
+  if (!value || !key.range.contains(*value)) {
+    return usage_error(fmt::format("--duration {}: it takes seconds, more than {} and at most {}",
+                                   file::in_quotes(text), number_text(key.range.minimum),
+                                   number_text(key.range.maximum)));
+  }
+  scene.duration_s = *value;
+  const std::optional<SceneProblem> problem = validate(scene);
+  if (!problem) return {};
+  return usage_error(fmt::format("--duration {}: {}", file::shown(text), problem->message));
 }
 
 // Another ending promises a format that is not written.
@@ -246,19 +252,10 @@ Result<file::LoadedScene> load(const SceneOptions& options) {
     if (Failure failed = check_algorithm_name("--algorithm", options.algorithm)) return *failed;
     overrides.push_back(fmt::format("algorithm.name=\"{}\"", options.algorithm));
   }
-  if (!options.duration.empty()) {
-    if (Failure failed = check_duration(options.duration)) return *failed;
-    overrides.push_back("duration_s=" + options.duration);
-  }
   Result<file::LoadedScene> loaded = file::load_scene(options.scene, overrides);
-  if (loaded || options.duration.empty()) return loaded;
-  // Name the option that the user gave.
-  const std::string set = "--set duration_s=" + file::shown(options.duration);
-  Error error = loaded.error();
-  if (error.message.starts_with(set)) {
-    error.message.replace(0, set.size(), "--duration " + file::shown(options.duration));
-  }
-  return error;
+  if (!loaded || options.duration.empty()) return loaded;
+  if (Failure failed = set_duration(options.duration, loaded->scene)) return *failed;
+  return loaded;
 }
 
 Result<file::LoadedScene> load_headless(const SceneOptions& options) {

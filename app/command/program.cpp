@@ -153,10 +153,10 @@ Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindo
   program.footer(footer());
   const Action window = add_window(program, open);
   const std::vector<Command> commands = add_commands(program, open);
-  refuse_empty_values(program);
+  check_values(program);
   for (const Command& command : commands) {
     command.app->group("Commands")->footer("");
-    refuse_empty_values(*command.app);
+    check_values(*command.app);
   }
   if (const auto error = check_first_word(argc, argv, program)) return *error;
   try {

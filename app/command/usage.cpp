@@ -46,25 +46,13 @@ std::string unexpected(const CLI::App& program, const CLI::App& app, const std::
                      file::suggestion(option, views), help_of(program, app));
 }
 
-// "--csv: 1 required FILE missing", "--csv: At Most 1 required but received 2".
-std::string mismatch(const std::string& text) {
-  constexpr std::string_view kRequired = " required ";
-  constexpr std::string_view kMissing = " missing";
-  const std::string name = text.substr(0, text.find(':'));
-  const std::size_t type = text.find(kRequired);
-  if (type == std::string::npos) return text;
-  if (!text.ends_with(kMissing)) return name + ": it is given more than once; give it once";
-  const std::size_t begin = type + kRequired.size();
-  return fmt::format("{}: {} is missing", name,
-                     text.substr(begin, text.size() - kMissing.size() - begin));
-}
-
-// "Could not convert: --quiet = maybe". Other conversions are checked before.
-std::string flag_with_value(const std::string& text) {
-  constexpr std::string_view kBegin = "Could not convert: ";
-  const std::size_t end = text.find(" = ");
-  if (!text.starts_with(kBegin) || end == std::string::npos) return text;
-  return text.substr(kBegin.size(), end - kBegin.size()) + ": it takes no value";
+// The option that was given more often than it takes values, or null.
+const CLI::Option* repeated_option(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const int max = option->get_items_expected_max();
+    if (max > 0 && option->count() > static_cast<std::size_t>(max)) return option;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -84,9 +72,13 @@ ValueCheck is_number_within(double min, double max) {
   };
 }
 
-void refuse_empty_values(CLI::App& app) {
+void check_values(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
-    if (option->get_items_expected_max() == 0) continue;
+    if (option->get_items_expected_max() == 0) {
+      option->check(
+          [](const std::string& text) { return text == "true" ? "" : "it takes no value"; });
+      continue;
+    }
     const std::string type = option->get_type_name();
     option->check([type](const std::string& text) -> std::string {
       if (!text.empty()) return "";
@@ -97,19 +89,20 @@ void refuse_empty_values(CLI::App& app) {
 
 Error usage_problem(const CLI::App& program, const CLI::ParseError& problem) {
   const CLI::App& app = parsed_app(program);
-  std::string text = problem.what();
   const std::vector<std::string> left_over = program.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&problem) != nullptr && !left_over.empty()) {
-    text = unexpected(program, app, left_over.front());
-  } else if (dynamic_cast<const CLI::RequiredError*>(&problem) != nullptr) {
-    text = fmt::format("{} is missing; {} shows the usage",
-                       text.substr(0, text.find(" is required")), help_of(program, app));
-  } else if (dynamic_cast<const CLI::ConversionError*>(&problem) != nullptr) {
-    text = flag_with_value(text);
-  } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr) {
-    text = mismatch(text);
+    return usage_error(unexpected(program, app, left_over.front()));
   }
-  return usage_error(text);
+  // Its text is that of a ValueCheck, which says what the value may be.
+  if (dynamic_cast<const CLI::ValidationError*>(&problem) != nullptr) {
+    return usage_error(problem.what());
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr) {
+    if (const CLI::Option* repeated = repeated_option(app)) {
+      return usage_error(repeated->get_name() + ": it is given more than once; give it once");
+    }
+  }
+  return usage_error(fmt::format("{}; {} shows the usage", problem.what(), help_of(program, app)));
 }
 
 }  // namespace hapticwall::command
