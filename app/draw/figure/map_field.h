@@ -15,6 +15,16 @@
 
 namespace hapticwall::draw {
 
+// The colours of a cell: calm where it settles, hotter the further it swings.
+// The amplitudes between which the hot colours run, peak to peak; the lower one is the verdict's.
+inline constexpr double kHottestM = 0.1;
+
+[[nodiscard]] ImU32 settled_colour();
+[[nodiscard]] ImU32 buzzing_colour();
+[[nodiscard]] ImU32 oscillating_colour(double tail_peak_to_peak_m);
+[[nodiscard]] ImU32 diverged_colour();
+[[nodiscard]] ImU32 colour_of(const MapMetrics& figures);
+
 // A bound of theory, or of CHAI3D, that crosses the map. `bound`: its number in the legend.
 struct BoundLines {
   std::size_t bound = 0;

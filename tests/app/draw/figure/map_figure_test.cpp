@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/draw/figure/map_colours.h"
 #include "app/draw/figure/map_field.h"
 #include "app/file/scene/scene_file.h"
 #include "core/algorithm/algorithm.h"

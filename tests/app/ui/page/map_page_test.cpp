@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/draw/figure/map_colours.h"
+#include "app/draw/figure/map_field.h"
 #include "app/ui/state/blind_test.h"
 #include "core/algorithm/algorithm.h"
 #include "core/run/simulate.h"
