@@ -1,11 +1,11 @@
 // The first contact on samples made up.
-#include "core/study/first_contact.h"
-
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "core/study/contact_study.h"
 
 namespace hapticwall {
 namespace {
