@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string_view>
 
+#include "app/command/common_options.h"
 #include "app/runtime/session/window_options.h"
 #include "app/study/study.h"
 #include "core/result.h"
@@ -31,5 +33,11 @@ struct Command {
 [[nodiscard]] Command add_identify(CLI::App& program);
 [[nodiscard]] Command add_devices(CLI::App& program);
 [[nodiscard]] Command add_scenes(CLI::App& program);
+
+// Checks, computes, and writes the files of a study. `command`: the command's name. `prefix`:
+// begins a message about a scene without such a study. Returns the exit status.
+[[nodiscard]] Result<int> run_study(const study::Study& study, std::string_view command,
+                                    std::string_view prefix, const SceneOptions& scene,
+                                    const OutputOptions& output, const study::Choices& choices);
 
 }  // namespace hapticwall::command

@@ -20,7 +20,6 @@
 #include "app/command/report/summary_table.h"
 #include "app/command/run/headless.h"
 #include "app/command/signals.h"
-#include "app/command/study/study_command.h"
 #include "app/draw/figure/comparison_figure.h"
 #include "app/file/recording/recording_reader.h"
 #include "app/study/studies.h"

@@ -1,5 +1,4 @@
-#include "app/command/study/study_command.h"
-
+// Runs a study from the command line.
 #include <fmt/format.h>
 
 #include <memory>
