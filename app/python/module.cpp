@@ -13,7 +13,6 @@
 #include "app/python/results.h"
 #include "app/python/runs.h"
 #include "app/python/scene.h"
-#include "app/python/studies.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
 

@@ -1,10 +1,13 @@
 // Runs of scenes and recordings, and their results as Python reads them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/file/recording/recording_reader.h"
@@ -47,5 +50,22 @@ class RecordingBox {
 
 // Raises ValueError, RuntimeError for a scene that cannot be run, and KeyboardInterrupt.
 [[nodiscard]] RunBox run(const SceneBox& scene);
+
+// Many runs at once (studies.cpp). All raise as run() does.
+
+// Many scenes on all cores, on one if the law of one of them is Python.
+[[nodiscard]] std::vector<RunSummary> run_batch(const std::vector<SceneBox>& scenes);
+
+// A row for each algorithm, an index in algorithms(), or for each of its forms.
+[[nodiscard]] std::vector<RunSummary> compare(const SceneBox& scene,
+                                              const std::vector<std::size_t>& algorithms);
+
+using MapValues = std::pair<std::string, std::span<const double>>;  // of a key
+
+// The numbers of the summaries of all cells; x varies fastest, then y, then the algorithm. Axis x
+// only. Raises KeyError for a key that is no number of the scene.
+[[nodiscard]] std::vector<NumberColumn> map(const SceneBox& scene, const MapValues& x,
+                                            const MapValues& y,
+                                            const std::vector<std::size_t>& algorithms);
 
 }  // namespace hapticwall::python

@@ -1,5 +1,3 @@
-#include "app/python/studies.h"
-
 #include <fmt/format.h>
 #include <nanobind/nanobind.h>
 
@@ -9,6 +7,7 @@
 #include "app/file/text/text.h"
 #include "app/python/interruptible.h"
 #include "app/python/law.h"
+#include "app/python/runs.h"
 #include "core/algorithm/algorithm.h"
 #include "core/run/batch_simulator.h"
 #include "core/run/simulate.h"
