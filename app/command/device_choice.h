@@ -11,7 +11,7 @@
 #include "app/file/scene/device_file.h"
 #include "core/result.h"
 #include "core/scene.h"
-#include "device/evdev/wheel.h"
+#include "device/evdev/wheel_port.h"
 #include "device/hid/impulse_engine.h"
 #include "device/plugin/plugin_port.h"
 

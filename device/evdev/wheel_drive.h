@@ -3,12 +3,12 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <cstdint>
-#include <functional>
 #include <string>
 
 #include "device/evdev/wheel_node.h"
-#include "device/hid/link.h"
+#include "device/hid/report.h"
 
 namespace hapticwall::device {
 
@@ -26,19 +26,12 @@ struct WheelDescription {
   double max_force_rate_n_per_s = 0.0;  // 0: the whole limit within kForceRiseS
   std::string delay_date{};             // of delay_s
 
-  friend bool operator==(const WheelDescription&, const WheelDescription&) = default;
-};
+  [[nodiscard]] double travel_m() const;
+  // At the radius, of level 32767.
+  [[nodiscard]] double full_n() const { return torque_nm / radius_m; }
+  [[nodiscard]] double limit_n() const { return std::fmin(force_limit_n, full_n()); }
 
-struct WheelOptions {
-  std::string path;  // of a node; empty: the first wheel that fits
-  // Vendor 0: any wheel.
-  std::uint16_t vendor_id = 0;
-  std::uint16_t product_id = 0;
-  std::string serial;  // empty: any
-  std::string name;    // of the device file; empty: the device's own name
-  WheelDescription wheel;
-  // As ImpulseEngineOptions::prepare_thread.
-  std::function<void()> prepare_thread;
+  friend bool operator==(const WheelDescription&, const WheelDescription&) = default;
 };
 
 // Between the units of the kernel and metres and newtons at the hand. Realtime-safe: yes.
@@ -46,7 +39,8 @@ class WheelScale {
  public:
   WheelScale(const WheelDescription& wheel, evdev::WheelAxis axis);
 
-  // Greater values are to the right; 0 is the middle of the range.
+  // Whole counts; greater values are to the right. 0 is the middle of the range, or half a count
+  // to its right.
   [[nodiscard]] double position_m(std::int32_t value) const {
     return (value - middle_) * encoder_m_;
   }
@@ -58,10 +52,8 @@ class WheelScale {
   }
   [[nodiscard]] double encoder_m() const { return encoder_m_; }
   [[nodiscard]] double limit_n() const { return limit_n_; }
-  [[nodiscard]] double travel_m() const { return travel_m_; }
 
  private:
-  double travel_m_;
   double encoder_m_;
   double middle_;
   double full_n_;  // with the sign
@@ -73,53 +65,45 @@ inline constexpr std::int64_t kReplayNs = 25'000'000;
 // After the force was made: its reports may still be in the kernel's queue, and would stay there.
 inline constexpr std::int64_t kSilenceNs = 10'000'000;
 
-// The writer's thread: at most one report to the wheel per interval, the newest force only. Without
-// a fresh command that enables, it takes the force away: level 0, stop, gain 0.
+// At most one report to the wheel per interval, for the newest command only. A command that does
+// not enable takes the force away: level 0, stop, gain 0. One thread, except taken_n().
 class WheelWriter {
  public:
-  // All outlive it. `rate_hz`: of reports, positive.
-  WheelWriter(evdev::WheelNode& node, const WheelScale& scale, LinkExchange& exchange,
-              std::uint32_t session, double rate_hz, std::int64_t now_ns);
+  // Both outlive it. `rate_hz`: of reports, positive.
+  WheelWriter(evdev::WheelNode& node, const WheelScale& scale, double rate_hz, std::int64_t now_ns);
+  WheelWriter(const WheelWriter&) = delete;
+  WheelWriter& operator=(const WheelWriter&) = delete;
+  // Takes away what is left of the force.
+  ~WheelWriter();
 
-  struct Next {
-    std::int64_t at_ns = 0;      // of the next step; a new command may come before
-    bool command_counts = true;  // no: the bus takes no report before
-  };
-  // Sends at most one report. Waits as long as the kernel does.
-  Next step(const HostClock& now_ns);
-  // Before that no report may go out.
+  // Sends the most urgent report of the command, if there is one. One that enables is ignored
+  // before free_ns(). Waits as long as the kernel does. False: the wheel did not take the report,
+  // and is gone.
+  [[nodiscard]] bool write(const hid::ForceReport& command, std::int64_t now_ns);
+  // When the bus takes the next report.
   [[nodiscard]] std::int64_t free_ns() const { return free_ns_; }
-
-  // Any thread: takes the force away, then is over().
-  void stop() { stop_.store(true, std::memory_order_release); }
-  // It has nothing more to do: stopped, or the wheel took a report no more.
-  [[nodiscard]] bool over() const { return over_.load(std::memory_order_acquire); }
+  // The force that the kernel took last. Any thread.
+  [[nodiscard]] double taken_n() const { return taken_n_; }
 
  private:
-  [[nodiscard]] std::int16_t wanted(std::int64_t now_ns, bool& pushes);
-  // Sends the most urgent report; false if there is none.
-  [[nodiscard]] bool send(std::int16_t level, bool pushes, std::int64_t now_ns);
-  [[nodiscard]] bool take_away();
-  bool play(bool starts);
-  bool set_level(std::int16_t level);
-  bool set_gain(bool full);
-  bool sent(bool taken);
+  enum class Sent : std::uint8_t { kNothing, kTaken, kRefused };
+  [[nodiscard]] Sent send(std::int16_t level, std::int64_t now_ns);
+  [[nodiscard]] Sent take_away();
+  Sent set_level(std::int16_t level);
+  Sent play(bool starts);
+  Sent set_gain(bool full);
+  Sent sent(bool taken);
 
   evdev::WheelNode& node_;
-  const WheelScale& scale_;
-  LinkExchange& exchange_;
-  const std::uint32_t session_;
+  const WheelScale scale_;
   const std::int64_t interval_ns_;
-  std::atomic<bool> stop_{false};
-  std::atomic<bool> over_{false};
-
-  LinkCommand newest_;
   std::int64_t free_ns_;
   std::int64_t replay_ns_ = 0;
   std::int16_t level_ = 0;  // in the wheel, as are these two
   bool plays_ = false;
-  bool is_fresh_ = false;  // the level was sent again since the last play
   bool has_gain_ = false;
+  bool is_fresh_ = false;  // the level was sent again since the last play
+  std::atomic<double> taken_n_{0.0};
 };
 
 }  // namespace hapticwall::device

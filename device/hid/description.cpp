@@ -121,6 +121,7 @@ Result<DeviceDescription> describe(const Listing& listing, Handle& handle,
   for (std::size_t axis = 0; axis < described.axes; ++axis) {
     described.axis[axis] = axis_of(info ? &*info : nullptr, axis, options.axes[axis]);
   }
+  handle.complete(described.axis[0]);
   described.describes_itself = info.has_value();
   described.firmware = info ? info->firmware : 0;
   return described;

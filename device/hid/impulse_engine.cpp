@@ -28,7 +28,8 @@ void ImpulseEngine::set_machine(std::shared_ptr<LinkMachine> machine) {
 
 DeviceInfo ImpulseEngine::info() const {
   DeviceInfo info;
-  info.name = options_.name.empty() ? "haptic device" : options_.name;
+  info.name = options_.name.empty() ? options_.kind : options_.name;
+  info.delay_date = options_.delay_date;
   const auto machine = this->machine();
   const auto description = machine ? machine->owner().description() : std::nullopt;
   if (!description) return info;

@@ -28,7 +28,7 @@ class ImpulseEngine : public Device {
   // Name, and after open() the encoder and force limit of axis x. Any thread. Realtime-safe: no.
   [[nodiscard]] DeviceInfo info() const override;
 
-  // Finds the device and waits for its first position, at most three seconds. Fails with
+  // Finds the device and waits for its first position, at most five seconds. Fails with
   // ErrorKind::kDevice. Realtime-safe: no.
   [[nodiscard]] Failure open() override;
 

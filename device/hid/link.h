@@ -36,7 +36,8 @@ struct AxisDescription {
 using AxisValues = std::array<double, hid::kMaxAxes>;
 
 struct ImpulseEngineOptions {
-  std::string path;  // of a listing; empty: the first device that fits
+  std::string kind = "haptic device";  // in messages
+  std::string path;                    // of a listing; empty: the first device that fits
   // Vendor 0: any device with the protocol's usage page or its test numbers.
   std::uint16_t vendor_id = 0;
   std::uint16_t product_id = 0;
@@ -51,6 +52,14 @@ struct ImpulseEngineOptions {
   bool delay_is_known = true;   // false: the device itself acknowledges no command
   bool has_clock = true;        // false: the times of its states are those of their arrival
   bool reads_may_hang = false;  // a read that does not return is a silent device
+  // False: it tells positions only. `states` then counts changes of position, and its delay is one
+  // that was measured in another session, on this date; 0: unknown.
+  bool acknowledges = true;
+  double delay_s = 0.0;
+  std::string delay_date;
+  // Advice while an open device has sent no state, which may take any time; empty: it must send one
+  // within kFirstStateNs.
+  std::string first_state_advice;
   // Assumed position of the handle at link-up, metres. A calibrated device reports its own.
   AxisValues start_m{};
   // Runs first on the threads that read and write, for example to set their priority.
@@ -106,8 +115,6 @@ struct LinkExchange {
   std::atomic<std::int64_t> write_ns{0};         // writer -> loop: duration of the newest write
   std::atomic<std::int64_t> longest_write_ns{0};
   std::atomic<std::uint64_t> losses{0};  // owner -> loop
-  // Writer -> loop, of a wheel, which tells no force: the one that the kernel took last.
-  std::atomic<double> taken_n{0.0};
 };
 
 }  // namespace hapticwall::device

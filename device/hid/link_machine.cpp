@@ -12,7 +12,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-constexpr std::chrono::seconds kMaxOpening{3};
+constexpr std::chrono::seconds kMaxOpening{5};
 // Longer than a last command and a reader's wait: a thread that runs longer is in a write.
 constexpr milliseconds kMaxClosing{1000};
 constexpr int kReadWaitMs = 5;
@@ -122,6 +122,8 @@ void LinkMachine::write(WriteSession& session) {
     if (const auto bytes = session.begin(now_ns_())) {
       session.handle().write(*bytes);
       session.finish(now_ns_());
+      if (session.over()) break;
+      std::this_thread::sleep_for(nanoseconds(session.handle().free_ns() - now_ns_()));
     } else {
       exchange_.command_signal.wait(rest_of(session));
     }

@@ -21,7 +21,7 @@ std::string four_digits(std::uint16_t number) {
 }
 
 std::string nobody_there(const ImpulseEngineOptions& options) {
-  std::string text = "no haptic device";
+  std::string text = "no " + options.kind;
   if (options.vendor_id != 0) {
     text += " " + four_digits(options.vendor_id) + ":" + four_digits(options.product_id);
   }
@@ -164,14 +164,16 @@ void LinkOwner::start(const hid::Listing& listing, const hid::DeviceDescription&
   writer.join = start_writer_(writer.session);
   write_ = std::move(writer);
   read_ = std::make_shared<ReadSession>();
-  read_->link = {session_number_,         description,       options_.start_m, sent,
-                 options_.delay_is_known, options_.has_clock};
+  read_->link = {
+      session_number_,         description,        options_.start_m,      sent,
+      options_.delay_is_known, options_.has_clock, options_.acknowledges, options_.delay_s};
   read_->handle = std::move(to_read);
   exchange_.status = {session_number_, reason_};
   reader_.give(read_);
   tried_ = listing;
   phase_ = Phase::kStarting;
   since_ns_ = now_ns;
+  if (!options_.first_state_advice.empty()) say(options_.first_state_advice);
 }
 
 void LinkOwner::watch_start(std::int64_t now_ns) {
@@ -189,7 +191,11 @@ void LinkOwner::watch_start(std::int64_t now_ns) {
     watch(now_ns);
     return;
   }
-  if (now_ns - since_ns_ <= kFirstStateNs) return;
+  if (read_->gone.load(std::memory_order_acquire)) {
+    take_down(Trouble::kUnplugged, hid::obstacle_text(tried_->path, hid::Obstacle::kGone), now_ns);
+    return;
+  }
+  if (now_ns - since_ns_ <= kFirstStateNs || !options_.first_state_advice.empty()) return;
   const bool speaks = read_->packets.load(std::memory_order_relaxed) != 0;
   const char* const others = options_.dialect
                                  ? " sends reports, but none has the length and id of its file"
@@ -202,7 +208,8 @@ void LinkOwner::watch_start(std::int64_t now_ns) {
 }
 
 void LinkOwner::watch(std::int64_t now_ns) {
-  Trouble trouble = read_->ended.load(std::memory_order_acquire);
+  const bool gone = read_->gone.load(std::memory_order_acquire);
+  Trouble trouble = gone ? Trouble::kUnplugged : read_->ended.load(std::memory_order_acquire);
   const std::int64_t silent_ns = now_ns - read_->newest_ns.load(std::memory_order_acquire);
   const LinkStatus lost = exchange_.lost;
   if (trouble == Trouble::kNone && lost.session == session_number_) trouble = lost.reason;
@@ -211,7 +218,10 @@ void LinkOwner::watch(std::int64_t now_ns) {
   }
   if (trouble == Trouble::kNone) return;
   exchange_.losses.fetch_add(1, std::memory_order_relaxed);
-  take_down(trouble, known_->path + ": " + std::string(trouble_text(trouble)), now_ns);
+  take_down(trouble,
+            gone ? hid::obstacle_text(known_->path, hid::Obstacle::kGone)
+                 : known_->path + ": " + std::string(trouble_text(trouble)),
+            now_ns);
 }
 
 // The loop stops commanding first; then the writer removes the force.

@@ -51,23 +51,26 @@ LinkReader::Step LinkReader::step(int wait_ms) {
     session->released.store(true, std::memory_order_release);
     return Step::kNothingToDo;
   }
-  const bool works = drain(wait_ms);
+  const hid::ReadKind last = drain(wait_ms);
   session_->ended.store(tracker_.ended(), std::memory_order_release);
-  return works ? Step::kWorked : Step::kFailed;
+  if (last == hid::ReadKind::kGone) session_->gone.store(true, std::memory_order_release);
+  return last == hid::ReadKind::kGone || last == hid::ReadKind::kFailed ? Step::kFailed
+                                                                        : Step::kWorked;
 }
 
 // Waits for the first report only, then drains the queue: only the newest counts.
-bool LinkReader::drain(int wait_ms) {
+hid::ReadKind LinkReader::drain(int wait_ms) {
   std::array<std::uint8_t, kInputRoom> room{};
   bool news = false;
-  bool works = true;
+  hid::ReadKind last = hid::ReadKind::kNothing;
   for (int i = 0; i < kMaxAtOnce; ++i) {
     const hid::ReadOutcome outcome = session_->handle->read(room, i == 0 ? wait_ms : 0);
-    works = outcome.kind != hid::ReadKind::kFailed;
+    last = outcome.kind;
+    const bool works = last == hid::ReadKind::kReport || last == hid::ReadKind::kNothing;
     const std::int64_t now_ns = now_ns_();
     const Trouble gap = exchange_.listening.cause(now_ns);  // before this read
     exchange_.listening.heard(now_ns, !works);
-    if (outcome.kind != hid::ReadKind::kReport) break;
+    if (last != hid::ReadKind::kReport) break;
     take(std::span<const std::uint8_t>(room).first(std::min(outcome.size, room.size())), now_ns,
          gap);
     news = true;
@@ -79,7 +82,7 @@ bool LinkReader::drain(int wait_ms) {
       session_->newest_ns.store(view.received_ns, std::memory_order_release);
     }
   }
-  return works;
+  return last;
 }
 
 void LinkReader::take(std::span<const std::uint8_t> bytes, std::int64_t now_ns, Trouble gap) {

@@ -24,6 +24,7 @@ struct ReadSession {
   std::atomic<bool> released{false};           // reader -> owner: the reader no longer uses it
   std::atomic<std::int64_t> newest_ns{0};      // arrival of the newest valid state; 0: none
   std::atomic<Trouble> ended{Trouble::kNone};  // why the reader stopped taking states
+  std::atomic<bool> gone{false};               // it was unplugged, for certain
   std::atomic<std::uint64_t> packets{0};       // of any kind
 };
 
@@ -45,7 +46,7 @@ class LinkReader {
 
  private:
   void take_session();
-  bool drain(int wait_ms);
+  [[nodiscard]] hid::ReadKind drain(int wait_ms);
   void take(std::span<const std::uint8_t> bytes, std::int64_t now_ns, Trouble gap);
 
   LinkExchange& exchange_;

@@ -61,7 +61,8 @@ void StateTracker::begin(const LinkSession& session) {
   // Measurements of the previous link do not apply to this one.
   LinkStats& stats = view_.stats;
   stats.round_trip_s = 0.0;
-  stats.delay_s = 0.0;
+  stats.acknowledges = session.acknowledges;
+  stats.delay_s = session.delay_s;
   stats.recent_delay_s = 0.0;
   stats.has_clock = session.has_clock;
   stats.device_period_s = 0.0;
@@ -112,7 +113,7 @@ Trouble StateTracker::objection(const hid::StateReport& state) const {
 
 void StateTracker::begin_with(const hid::StateReport& state) {
   view_.session = session_.number;
-  view_.device_time_us = state.time_us;
+  view_.device_time_us = session_.acknowledges ? state.time_us : 0;
   first_time_us_ = state.time_us;
   answered_us_ = state.time_us;
   command_us_ = state.time_us;
@@ -126,6 +127,7 @@ void StateTracker::begin_with(const hid::StateReport& state) {
 }
 
 void StateTracker::follow(const hid::StateReport& state) {
+  if (!session_.acknowledges) return;
   LinkStats& stats = view_.stats;
   const auto ticks =
       static_cast<std::uint64_t>(hid::sequence_step(newest_->sequence, state.sequence));
@@ -143,6 +145,7 @@ void StateTracker::follow(const hid::StateReport& state) {
 }
 
 void StateTracker::accept(const hid::StateReport& state, std::int64_t received_ns) {
+  const bool moved = newest_ && newest_->position_counts != state.position_counts;
   newest_ = state;
   view_.received_ns = received_ns;
   view_.latch_us = state.time_us;
@@ -155,7 +158,7 @@ void StateTracker::accept(const hid::StateReport& state, std::int64_t received_n
     view_.applied_n[axis] = 0.0 - state.applied_force_n[axis];  // no negative zero
   }
   LinkStats& stats = view_.stats;
-  ++stats.states;
+  if (session_.acknowledges || moved) ++stats.states;
   stats.calibrated = is_calibrated(state);
   stats.enabled = (state.status & hid::kStatusEnabled) != 0;
 }

@@ -23,6 +23,8 @@ struct LinkSession {
   std::shared_ptr<const SentCommands> sent;
   bool delay_is_known = true;  // these as of ImpulseEngineOptions
   bool has_clock = true;
+  bool acknowledges = true;
+  double delay_s = 0.0;
 };
 
 // Realtime-safe: yes, except begin().

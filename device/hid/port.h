@@ -16,6 +16,10 @@
 #include "core/result.h"
 #include "device/hid/report.h"
 
+namespace hapticwall::device {
+struct AxisDescription;
+}
+
 namespace hapticwall::device::hid {
 
 // A device as the operating system lists it.
@@ -36,6 +40,7 @@ enum class ReadKind : std::uint8_t {
   kReport,   // `size` bytes; 0: an empty packet, if the transport reports it
   kNothing,  // none within the wait
   kFailed,   // permanent: the device is gone, for example
+  kGone,     // unplugged, for certain: the link ends at once
 };
 struct ReadOutcome {
   ReadKind kind = ReadKind::kNothing;
@@ -59,6 +64,10 @@ class Handle {
   // Reads a feature report into `bytes`, of which the first becomes the id. Returns the number of
   // bytes; 0 on failure.
   virtual std::size_t get_feature(std::uint8_t id, std::span<std::uint8_t> bytes) = 0;
+  // Earliest time of the next write() by the host's clock, nanoseconds: an earlier one would queue.
+  [[nodiscard]] virtual std::int64_t free_ns() const { return 0; }
+  // Adds to axis x of a device file the numbers that are known once the device is open.
+  virtual void complete(AxisDescription& /*axis*/) const {}
 };
 
 // Why a listed device cannot be opened.

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <thread>
 
-#include "device/evdev/wheel.h"
+#include "device/evdev/wheel_port.h"
 #include "device/os_threads.h"
 
 namespace hapticwall::device::evdev::test {
@@ -17,8 +17,9 @@ TEST(KernelWheel, LevelsReachItOneByOne) {
   const char* log = std::getenv("HAPTICWALL_WHEEL_SENT");  // NOLINT(concurrency-mt-unsafe)
   if (log == nullptr) GTEST_SKIP() << "only in the guest of tests/wheel_guest";
   WheelOptions options;
-  options.wheel.torque_nm = 0.13;  // 1 N at full level
-  options.wheel.force_limit_n = 1.0;
+  // A level is a little less than a millinewton, the step of a command.
+  options.wheel.torque_nm = 0.13 * 32.7667;
+  options.wheel.force_limit_n = 32.0;
   const char* rate_hz = std::getenv("HAPTICWALL_WHEEL_RATE_HZ");  // NOLINT(concurrency-mt-unsafe)
   if (rate_hz != nullptr) options.wheel.rate_hz = std::strtod(rate_hz, nullptr);
   const auto wheel = make_wheel(options);
@@ -34,7 +35,7 @@ TEST(KernelWheel, LevelsReachItOneByOne) {
     next_ns += 1'000'000;
     std::this_thread::sleep_for(std::chrono::nanoseconds(next_ns - monotonic_ns()));
     static_cast<void>(wheel->read());
-    const double force_n = (2 * tick + 2.5) / 32767.0;  // even: the writer adds odd levels
+    const double force_n = (2 * tick + 2) / 1000.0;  // even levels: the writer adds odd ones
     sent << monotonic_ns() / 1000 << ',' << scale.level(force_n) << '\n';
     wheel->write(force_n);
   }

@@ -1,6 +1,4 @@
 // The whole device on a wheel of the test, with its threads.
-#include "device/evdev/wheel.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,8 @@
 #include <mutex>
 #include <thread>
 
+#include "device/evdev/wheel_port.h"
+#include "device/hid/description.h"
 #include "device/os_threads.h"
 #include "tests/device/evdev/fake_wheel.h"
 
@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 
 class Table {
  public:
-  WheelPort port() {
+  Wheels wheels() {
     return {[this] {
               const std::scoped_lock lock(mutex_);
               return listed;
@@ -54,7 +54,7 @@ class Table {
 
 // Ticks until it holds, for far longer than it takes.
 template <typename Condition>
-bool ticks_until(Wheel& wheel, double force_n, Condition holds) {
+bool ticks_until(Device& wheel, double force_n, Condition holds) {
   for (int i = 0; i < 5000; ++i) {
     const DeviceReading reading = wheel.read();
     wheel.write(force_n);
@@ -67,7 +67,8 @@ bool ticks_until(Wheel& wheel, double force_n, Condition holds) {
 TEST(Wheel, TellsItsPositionAndItsLimits) {
   Table table;
   table.value = 3277;
-  Wheel wheel({}, table.port(), monotonic_ns);
+  const auto device = make_wheel({}, table.wheels());
+  Device& wheel = *device;
   ASSERT_FALSE(wheel.open());
   EXPECT_TRUE(ticks_until(wheel, 0.0, [](const DeviceReading& reading) {
     return reading.state == DeviceState::kOk && std::abs(reading.position_m - 0.1021) < 1e-4;
@@ -85,7 +86,8 @@ TEST(Wheel, PushesOnlyWhenEnabledAndStopsWhenItIsClosed) {
   Table table;
   WheelOptions options;
   options.wheel.torque_nm = 5.0;
-  Wheel wheel(options, table.port(), monotonic_ns);
+  const auto device = make_wheel(options, table.wheels());
+  Device& wheel = *device;
   ASSERT_FALSE(wheel.open());
   const auto node = table.now();
   EXPECT_TRUE(ticks_until(
@@ -105,7 +107,8 @@ TEST(Wheel, ItsFileCannotAskForMoreThanItTakes) {
   table.listed[0].max_rate_hz = 100.0;
   WheelOptions options;
   options.wheel.rate_hz = 1000.0;
-  Wheel wheel(options, table.port(), monotonic_ns);
+  const auto device = make_wheel(options, table.wheels());
+  Device& wheel = *device;
   ASSERT_FALSE(wheel.open());
   const auto node = table.now();
   static_cast<void>(wheel.read());
@@ -117,7 +120,8 @@ TEST(Wheel, ItsFileCannotAskForMoreThanItTakes) {
 
 TEST(Wheel, SilenceIsRest) {
   Table table;
-  Wheel wheel({}, table.port(), monotonic_ns);
+  const auto device = make_wheel({}, table.wheels());
+  Device& wheel = *device;
   ASSERT_FALSE(wheel.open());
   int faults = 0;
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(100);
@@ -133,7 +137,8 @@ TEST(Wheel, SilenceIsRest) {
 TEST(Wheel, APositionThatWasNotToldIsNone) {
   Table table;
   table.tells = false;
-  Wheel wheel({}, table.port(), monotonic_ns);
+  const auto device = make_wheel({}, table.wheels());
+  Device& wheel = *device;
   const Failure failed = wheel.open();
   ASSERT_TRUE(failed);
   EXPECT_THAT(failed->message, HasSubstr("turn the wheel a little"));
@@ -141,7 +146,8 @@ TEST(Wheel, APositionThatWasNotToldIsNone) {
 
 TEST(Wheel, AnUnpluggedOneThatComesBackSaysThatItMustBeTurned) {
   Table table;
-  Wheel wheel({}, table.port(), monotonic_ns);
+  const auto device = make_wheel({}, table.wheels());
+  Device& wheel = *device;
   ASSERT_FALSE(wheel.open());
   const auto first = table.now();
   table.tells = false;
@@ -160,7 +166,8 @@ TEST(Wheel, AnUnpluggedOneIsAFaultAndComesBackWithoutForce) {
   Table table;
   WheelOptions options;
   options.wheel.torque_nm = 5.0;
-  Wheel wheel(options, table.port(), monotonic_ns);
+  const auto device = make_wheel(options, table.wheels());
+  Device& wheel = *device;
   ASSERT_FALSE(wheel.open());
   wheel.enable(true);
   const auto first = table.now();
@@ -181,26 +188,35 @@ TEST(Wheel, AnUnpluggedOneIsAFaultAndComesBackWithoutForce) {
 TEST(Wheel, NoneAndAQueueingOneAreRefusedWithAReason) {
   Table table;
   table.listed.clear();
-  Wheel nothing({}, table.port(), monotonic_ns);
-  const Failure none = nothing.open();
+  const Failure none = make_wheel({}, table.wheels())->open();
   ASSERT_TRUE(none);
   EXPECT_THAT(none->message, HasSubstr("no wheel or stick with a constant force is connected"));
   WheelListing queues = fake_listing();
   queues.refusal = "it queues";
-  EXPECT_EQ(choose_wheel({queues}, {}).error().message, "Fake wheel: it queues");
+  table.listed = {queues};
+  const Failure refused = make_wheel({}, table.wheels())->open();
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->message, "Fake wheel: it queues");
 }
 
 TEST(Wheel, TheOptionsChooseByPathOrNumbers) {
-  WheelListing other = fake_listing();
-  other.product_id = 1;
+  Table table;
+  table.listed.push_back(fake_listing());
+  table.listed[1].node = NodeListing("event8");
+  table.listed[1].product_id = 1;
+  WheelPort port({}, table.wheels(), monotonic_ns);
+  const auto chosen = [&](const WheelOptions& options) {
+    return hid::choose(*port.list(), options_of(options), std::nullopt);
+  };
+  EXPECT_EQ(chosen({})->path, "/dev/input/event7") << "the first one";
   WheelOptions options;
   options.vendor_id = 0x1209;
   options.product_id = 1;
-  EXPECT_EQ(choose_wheel({fake_listing(), other}, options)->product_id, 1);
+  EXPECT_EQ(chosen(options)->path, "/dev/input/event8");
   WheelOptions path;
-  path.path = "/dev/input/event8";
-  EXPECT_THAT(choose_wheel({fake_listing()}, path).error().message,
-              HasSubstr("at /dev/input/event8"));
+  path.path = "/dev/input/event9";
+  EXPECT_FALSE(chosen(path));
+  EXPECT_THAT(make_wheel(path, table.wheels())->open()->message, HasSubstr("at /dev/input/event9"));
 }
 
 TEST(KernelAdvice, OldKernelsAreToldApart) {
