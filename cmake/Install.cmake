@@ -25,7 +25,7 @@ install(FILES ${pages}/hapticwall DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-comp
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/hapticwall)
 install(FILES ${pages}/copyright README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE
         DESTINATION ${documents})
-install(DIRECTORY core/algorithm/plugin/include/hapticwall device/plugin/include/hapticwall
+install(DIRECTORY core/algorithm/plugin/include/hapticwall device/port/include/hapticwall
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY docs DESTINATION ${documents})
 # Places of the source tree, so that links of the pages lead somewhere and the examples build.
@@ -33,7 +33,7 @@ install(DIRECTORY assets/devices assets/examples assets/fonts assets/scenes
         DESTINATION ${documents}/assets)
 install(FILES assets/70-hapticwall.rules DESTINATION ${documents}/assets)
 install(DIRECTORY core/algorithm/plugin/include DESTINATION ${documents}/core/algorithm/plugin)
-install(DIRECTORY device/plugin/include DESTINATION ${documents}/device/plugin)
+install(DIRECTORY device/port/include DESTINATION ${documents}/device/port)
 
 install(FILES assets/desktop/hapticwall.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES assets/desktop/hapticwall.svg

@@ -1,5 +1,5 @@
 // The raw reports of a device that does not speak docs/hid-protocol.md, as a table: where a
-// position stands, and where a force goes. Numbers alone; device/hid reads and writes the bytes.
+// position stands, and where a force goes. Numbers alone; device/port reads and writes the bytes.
 #pragma once
 
 #include <array>

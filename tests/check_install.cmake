@@ -40,7 +40,7 @@ set(expected
     share/doc/hapticwall/assets/fonts/OFL.txt
     share/doc/hapticwall/copyright
     share/doc/hapticwall/core/algorithm/plugin/include/hapticwall/plugin.h
-    share/doc/hapticwall/device/plugin/include/hapticwall/device_plugin.h
+    share/doc/hapticwall/device/port/include/hapticwall/device_plugin.h
     share/icons/hicolor/scalable/apps/hapticwall.svg
     share/man/man1/hapticwall.1
     share/metainfo/hapticwall.metainfo.xml)

@@ -5,7 +5,7 @@
 #   core <- app/sound/signal <- app/command; app/sound/signal, app/runtime, device <- app/sound/live <- app/ui;
 #   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/runtime <- app/python.
 # Within a layer the rooms have arrows, too:
-#   device <- device/hid <- device/evdev, device/plugin; app/runtime: loop <- session;
+#   device <- device/link <- device/port; app/runtime: loop <- session;
 #   app/command: the files beside the rooms <- run, study, map, device; run, study <- compare; run <- replay, identify;
 #   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen and itself;
@@ -44,10 +44,9 @@ set(may_include_app/ui/page app/ui/wall app/ui/state app/ui/widget app/ui/panel 
 set(may_include_app/ui/window app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/window)
 
 # A folder after its rooms stands for the files beside them.
-list(APPEND rooms device/hid device/evdev device/plugin device app/runtime/loop app/runtime/session)
-set(may_include_device/hid device/hid)
-set(may_include_device/evdev device/hid device/evdev)
-set(may_include_device/plugin device/hid device/plugin)
+list(APPEND rooms device/link device/port device app/runtime/loop app/runtime/session)
+set(may_include_device/link device/link)
+set(may_include_device/port device/link device/port)
 set(may_include_app/runtime/loop app/runtime/loop)
 set(may_include_app/runtime/session app/runtime/loop app/runtime/session)
 foreach(room run study compare map replay device identify)

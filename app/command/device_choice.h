@@ -11,9 +11,9 @@
 #include "app/file/scene/device_file.h"
 #include "core/result.h"
 #include "core/scene.h"
-#include "device/evdev/wheel_port.h"
-#include "device/hid/impulse_engine.h"
-#include "device/plugin/plugin_port.h"
+#include "device/port/impulse_engine.h"
+#include "device/port/plugin_port.h"
+#include "device/port/wheel_port.h"
 
 namespace hapticwall::command {
 

@@ -21,7 +21,7 @@
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
 #include "core/result.h"
-#include "device/plugin/plugin_port.h"
+#include "device/port/plugin_port.h"
 #include "hapticwall_version.h"
 
 namespace hapticwall::command {

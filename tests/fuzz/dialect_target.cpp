@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "device/hid/dialect.h"
+#include "device/port/dialect.h"
 #include "tests/fuzz/target.h"
 
 namespace hapticwall::fuzz {

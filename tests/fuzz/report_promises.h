@@ -1,4 +1,4 @@
-// What the codec of a report promises (device/hid/report.h), against docs/hid-protocol.md read a
+// What the codec of a report promises (device/link/report.h), against docs/hid-protocol.md read a
 // second time: layout, CRC and values are worked out here without the codec.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "device/hid/report.h"
+#include "device/link/report.h"
 #include "tests/fuzz/target.h"
 
 namespace hapticwall::fuzz {

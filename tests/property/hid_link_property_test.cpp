@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/device/hid/link_rig.h"
+#include "tests/device/link/link_rig.h"
 
 namespace hapticwall::device {
 namespace {

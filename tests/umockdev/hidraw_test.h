@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "device/hid/port.h"
+#include "device/link/port.h"
 #include "tests/umockdev/mock_bus.h"
 
 namespace hapticwall::device::hid::testing {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "device/hid/report.h"
+#include "device/link/report.h"
 #include "tests/umockdev/hidraw_node.h"
 
 namespace hapticwall::device::hid::testing {

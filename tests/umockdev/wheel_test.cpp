@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "device/evdev/wheel_node.h"
+#include "device/port/wheel_node.h"
 
 namespace hapticwall::device::evdev::testing {
 namespace {

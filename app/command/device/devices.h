@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "device/evdev/wheel_node.h"
-#include "device/hid/description.h"
-#include "device/hid/port.h"
+#include "device/link/description.h"
+#include "device/link/port.h"
+#include "device/port/wheel_node.h"
 
 namespace hapticwall::command {
 

@@ -8,7 +8,7 @@
 
 #include "tests/app/command/binary.h"
 #include "tests/device/emulator/emulator_support.h"
-#include "tests/device/hid/link_fake_bus.h"
+#include "tests/device/link/link_fake_bus.h"
 
 namespace hapticwall::command::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "device/hid/report.h"
+#include "device/link/report.h"
 #include "embedded_rules.h"
 
 namespace hapticwall {

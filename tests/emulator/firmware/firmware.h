@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "device/hid/report.h"
+#include "device/link/report.h"
 
 namespace hapticwall::device::hid {
 

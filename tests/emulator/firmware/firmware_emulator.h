@@ -12,7 +12,7 @@
 
 #include "core/plant/plant_model.h"
 #include "core/scene.h"
-#include "device/hid/report.h"
+#include "device/link/report.h"
 #include "tests/emulator/firmware/fault_script.h"
 #include "tests/emulator/firmware/firmware.h"
 

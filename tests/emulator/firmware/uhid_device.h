@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/result.h"
-#include "device/hid/report.h"
+#include "device/link/report.h"
 #include "tests/emulator/firmware/virtual_bus.h"
 
 namespace hapticwall::device::hid {

@@ -12,7 +12,7 @@
 #include "app/runtime/loop/servo_loop.h"
 #include "app/runtime/session/scene_change.h"
 #include "tests/app/runtime/support.h"
-#include "tests/device/hid/link_rig.h"
+#include "tests/device/link/link_rig.h"
 
 namespace hapticwall::runtime::test {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "device/plugin/plugin_port.h"
+#include "device/port/plugin_port.h"
 #include "tests/app/runtime/loop/lie_rig.h"
 #include "tests/temporary_folder.h"
 

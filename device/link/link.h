@@ -1,0 +1,120 @@
+// The link to a real device: which device a session is for, and the values that the loop and the
+// link's three threads exchange without a mutex, an allocation or a wait.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/dialect.h"
+#include "core/tick/triple_buffer.h"
+#include "device/device.h"
+#include "device/link/link_listening.h"
+#include "device/link/report.h"
+#include "device/link_stats.h"
+#include "device/os_threads.h"
+
+namespace hapticwall::device {
+
+inline constexpr std::int64_t kMillisecondNs = 1'000'000;
+
+// One axis in a device file. It overrides what the device reports, except that the smaller force
+// limit holds.
+struct AxisDescription {
+  double encoder_m = 0.0;
+  double force_limit_n = 0.0;
+  MotionLimits motion{};                // known from a device file only
+  double max_force_rate_n_per_s = 0.0;  // of a device file; 0: the default, see describe()
+
+  friend bool operator==(const AxisDescription&, const AxisDescription&) = default;
+};
+
+// One value for each axis; 0 for an axis that the device lacks.
+using AxisValues = std::array<double, hid::kMaxAxes>;
+
+struct ImpulseEngineOptions {
+  std::string kind = "haptic device";  // in messages
+  std::string path;                    // of a listing; empty: the first device that fits
+  // Vendor 0: any device with the protocol's usage page or its test numbers.
+  std::uint16_t vendor_id = 0;
+  std::uint16_t product_id = 0;
+  std::string serial;  // empty: any
+  std::string name;    // of the device file; empty: the device's own name
+  std::array<std::optional<AxisDescription>, hid::kMaxAxes> axes;  // of the device file
+  std::optional<Dialect> dialect;  // of the device file; nullopt: it speaks docs/hid-protocol.md
+  double rate_hz = 1000.0;         // of its reports, by the device file; for a dialect
+  // The newest command is repeated after so long without another, and removes the force once it is
+  // too old; 0: the device has a time to live.
+  std::int64_t keep_alive_ns = 0;
+  bool delay_is_known = true;   // false: the device itself acknowledges no command
+  bool has_clock = true;        // false: the times of its states are those of their arrival
+  bool reads_may_hang = false;  // a read that does not return is a silent device
+  // False: it tells positions only. `states` then counts changes of position, and its delay is one
+  // that was measured in another session, on this date; 0: unknown.
+  bool acknowledges = true;
+  double delay_s = 0.0;
+  std::string delay_date;
+  // Advice while an open device has sent no state, which may take any time; empty: it must send one
+  // within kFirstStateNs.
+  std::string first_state_advice;
+  // Assumed position of the handle at link-up, metres. A calibrated device reports its own.
+  AxisValues start_m{};
+  // Runs first on the threads that read and write, for example to set their priority.
+  std::function<void()> prepare_thread;
+};
+
+// Nanoseconds since a fixed instant; monotonic. Realtime-safe: yes.
+using HostClock = std::function<std::int64_t()>;
+
+// Reader to loop: the newest state. Trivially copyable.
+struct LinkView {
+  std::uint32_t session = 0;         // 0: no valid state yet
+  Trouble trouble = Trouble::kNone;  // that the device shows; see StateTracker::ended()
+  std::int64_t received_ns = 0;      // the newest valid state, by the host's clock
+  std::int64_t device_time_us = 0;   // its latch by the device's clock, unwrapped
+  std::uint32_t latch_us = 0;        // the same, as received
+  std::uint16_t sequence = 0;
+  AxisValues position_m{};
+  AxisValues applied_n{};  // told by the device; positive pushes out of the wall
+  AxisValues limit_n{};
+  LinkStats stats;  // without the parts that the loop, the writer and the owner count
+};
+
+// Loop to writer: the newest command. Trivially copyable.
+struct LinkCommand {
+  std::uint32_t session = 0;  // of the link that it is for
+  std::int64_t made_ns = 0;   // read time of the position that it was computed from
+  bool enable = false;
+  bool clear_faults = false;  // never with enable
+  AxisValues force_n{};       // positive pushes out of the wall, to smaller positions
+  AxisValues limit_n{};       // of the device; every force is clamped to it
+  // The state that it was computed from.
+  std::uint16_t state_sequence = 0;
+  std::uint32_t state_latch_us = 0;
+};
+
+// Owner to loop: the open session (0: none), and why none is open or the previous one ended. Loop
+// to owner: the session that it lost, and why.
+struct LinkStatus {
+  std::uint32_t session = 0;
+  Trouble reason = Trouble::kNotFound;
+};
+static_assert(std::atomic<LinkStatus>::is_always_lock_free);
+
+struct LinkExchange {
+  TripleBuffer<LinkView> views;        // reader -> loop
+  TripleBuffer<LinkCommand> commands;  // loop -> writer
+  WakeSignal command_signal;
+
+  std::atomic<LinkStatus> status{LinkStatus{}};  // owner -> loop
+  std::atomic<LinkStatus> lost{LinkStatus{}};    // loop -> owner
+  Listening listening;                           // reader -> loop, owner
+  std::atomic<std::int64_t> write_ns{0};         // writer -> loop: duration of the newest write
+  std::atomic<std::int64_t> longest_write_ns{0};
+  std::atomic<std::uint64_t> losses{0};  // owner -> loop
+};
+
+}  // namespace hapticwall::device
