@@ -8,7 +8,11 @@ double MapAxis::value(std::size_t index) const {
   if (index == 0) return low;
   if (index + 1 >= count) return high;
   const double part = static_cast<double>(index) / static_cast<double>(count - 1);
-  return logarithmic ? low * std::pow(high / low, part) : low + part * (high - low);
+  const double value = logarithmic ? low * std::pow(high / low, part) : low + part * (high - low);
+  // Rounding takes a step of 1 off the whole numbers: 23/42 · 42 > 23.
+  constexpr double kRounding = 1e-9;
+  const double nearest = std::round(value);
+  return number.whole && std::abs(value - nearest) < kRounding ? nearest : value;
 }
 
 MapMetrics map_metrics(const Summary& summary) {

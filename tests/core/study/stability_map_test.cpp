@@ -43,6 +43,19 @@ TEST(MapAxisValues, KeepBothEndsAndHaveEqualStepsOrRatios) {
   for (std::size_t i = 1; i < 7; ++i) EXPECT_NEAR(ratios.value(i) / ratios.value(i - 1), 10, 1e-9);
 }
 
+TEST(MapAxisValues, OfAWholeKeyAreTheWholeNumbersOfItsSteps) {
+  const Scene scene = testing::pressed_wall(1000.0);
+  for (const std::size_t high : {42U, 46U, 1000U}) {
+    const MapAxis delay =
+        axis(scene, "device.delay_ticks", 0.0, static_cast<double>(high), high + 1);
+    for (std::size_t i = 0; i <= high; ++i) EXPECT_EQ(delay.value(i), static_cast<double>(i));
+  }
+  const MapAxis powers = axis(scene, "device.delay_ticks", 1.0, 512.0, 10, true);
+  for (std::size_t i = 0; i < 10; ++i)
+    EXPECT_EQ(powers.value(i), std::ldexp(1.0, static_cast<int>(i)));
+  EXPECT_EQ(axis(scene, "device.delay_ticks", 0.0, 1.0, 3).value(1), 0.5);
+}
+
 TEST(StabilityMaps, CellsAreTheSceneWithBothValuesAndTheAlgorithm) {
   const StabilityMap map = small_map();
   ASSERT_EQ(map.cell_count(), 30U);
