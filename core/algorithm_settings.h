@@ -8,44 +8,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <string_view>
+
+#include "core/parameter.h"
 
 namespace hapticwall {
-
-enum class ParameterKind : std::uint8_t { kNumber, kBoolean, kChoice };
-
-// One key of the `[algorithm]` table.
-struct ParameterDescription {
-  std::string_view key;
-  ParameterKind kind = ParameterKind::kNumber;
-  std::string_view unit;  // "" for a pure number, a switch or a choice
-  double minimum = 0.0;
-  double maximum = 0.0;
-  std::span<const std::string_view> choices;  // kChoice only; the value is the index
-  std::string_view default_text;              // the default in words
-  std::string_view meaning;
-};
-
-// The kinds of keys. `minimum` and `maximum` are inclusive.
-[[nodiscard]] constexpr ParameterDescription number_parameter(std::string_view key,
-                                                              std::string_view unit, double minimum,
-                                                              double maximum,
-                                                              std::string_view default_text,
-                                                              std::string_view meaning) {
-  return {key, ParameterKind::kNumber, unit, minimum, maximum, {}, default_text, meaning};
-}
-// Off by default.
-[[nodiscard]] constexpr ParameterDescription switch_parameter(std::string_view key,
-                                                              std::string_view meaning) {
-  return {key, ParameterKind::kBoolean, "", 0.0, 1.0, {}, "false", meaning};
-}
-// The first choice is the default.
-[[nodiscard]] constexpr ParameterDescription choice_parameter(
-    std::string_view key, std::span<const std::string_view> choices, std::string_view meaning) {
-  const auto last = static_cast<double>(choices.size() - 1);
-  return {key, ParameterKind::kChoice, "", 0.0, last, choices, choices.front(), meaning};
-}
 
 inline constexpr std::size_t kMaxAlgorithmParameters = 40;  // with those of plug-ins
 

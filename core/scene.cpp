@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/algorithm/algorithm.h"
+#include "core/estimator/estimator.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall {
@@ -143,22 +144,29 @@ std::string choice_text(const ParameterDescription& parameter) {
   return text;
 }
 
+// `prefix`: "algorithm." or "estimator.".
+Problem check_parameters(std::string_view prefix, std::span<const ParameterDescription> parameters,
+                         std::span<const std::optional<double>> values) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!values[i]) continue;
+    const ParameterDescription& parameter = parameters[i];
+    const std::string key = std::string(prefix).append(parameter.key);
+    const ValueRange range{parameter.minimum, parameter.maximum};
+    if (parameter.kind == ParameterKind::kChoice && !range.contains(*values[i])) {
+      return SceneProblem{key, "it takes one of " + choice_text(parameter)};
+    }
+    if (auto problem = check_range(key, *values[i], range, parameter.unit)) return problem;
+  }
+  return std::nullopt;
+}
+
 Problem check_algorithm(const Scene& scene, const AxisSettings& axis) {
   const AlgorithmSettings& settings = scene.algorithm;
   if (settings.index >= algorithms().size()) {
     return SceneProblem{"algorithm.name", "there is no such algorithm"};
   }
-  const auto parameters = algorithm_parameters();
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (!settings.values[i]) continue;
-    const ParameterDescription& parameter = parameters[i];
-    const std::string key = "algorithm." + std::string(parameter.key);
-    const ValueRange range{parameter.minimum, parameter.maximum};
-    if (parameter.kind == ParameterKind::kChoice && !range.contains(*settings.values[i])) {
-      return SceneProblem{key, "it takes one of " + choice_text(parameter)};
-    }
-    if (auto problem = check_range(key, *settings.values[i], range, parameter.unit)) return problem;
-  }
+  if (auto problem = check_parameters("algorithm.", algorithm_parameters(), settings.values))
+    return problem;
   AlgorithmContext context;
   context.settings = &settings;
   context.device_damping_n_s_per_m = axis.device.damping_n_s_per_m;
@@ -168,6 +176,13 @@ Problem check_algorithm(const Scene& scene, const AxisSettings& axis) {
     if (auto problem = algorithm.problem(context)) return problem;
   }
   return std::nullopt;
+}
+
+Problem check_estimator(const EstimatorSettings& settings) {
+  if (settings.index >= estimators().size()) {
+    return SceneProblem{"estimator.name", "there is no such estimator"};
+  }
+  return check_parameters("estimator.", estimator_parameters(), settings.values);
 }
 
 Problem check_simulator(const SimulatorSettings& simulator) {
@@ -221,6 +236,7 @@ Problem validate(const Scene& scene) {
   for (const AxisSettings& axis : scene.axes) {
     if (auto problem = check_algorithm(scene, axis)) return problem;
   }
+  if (auto problem = check_estimator(scene.estimator)) return problem;
   return check_simulator(scene.simulator);
 }
 

@@ -1,5 +1,6 @@
-// A scene: device, hand and walls of each axis, and one algorithm. Plain values in SI units.
-// scene_keys.h has the range of every number; validate() also finds contradictions between them.
+// A scene: device, hand and walls of each axis, one algorithm and one velocity estimator. Plain
+// values in SI units. scene_keys.h has the range of every number; validate() also finds
+// contradictions between them.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "core/algorithm_settings.h"
+#include "core/estimator_settings.h"
 #include "core/sample.h"
 #include "core/shared_path.h"
 
@@ -93,8 +95,8 @@ struct SimulatorSettings {
 
 inline constexpr std::size_t kMaxWalls = 8;  // on an axis
 
-// One axis of motion. Every axis is a control loop by itself; rate, duration, algorithm and
-// integrator belong to the scene.
+// One axis of motion. Every axis is a control loop by itself; rate, duration, algorithm, estimator
+// and integrator belong to the scene.
 struct AxisSettings {
   DeviceSettings device;
   std::optional<HandSettings> hand;
@@ -110,6 +112,7 @@ struct Scene {
   SamplingSettings sampling;
   std::vector<AxisSettings> axes = std::vector<AxisSettings>(1);  // x, or x and y
   AlgorithmSettings algorithm;
+  EstimatorSettings estimator;
   SimulatorSettings simulator;
 
   [[nodiscard]] AxisSettings& x() { return axes.front(); }

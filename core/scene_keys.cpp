@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/algorithm/algorithm.h"
+#include "core/estimator/estimator.h"
 
 namespace hapticwall {
 namespace {
@@ -84,10 +85,10 @@ void set_path_speed(Scene& scene, double speed) {
   for (PathPoint& point : scene.x().hand->path.edit()) point.time_s *= factor;
 }
 
-// From this algorithm_parameters() on.
-std::vector<AlgorithmNumberKey> number_keys_from(std::size_t first) {
-  std::vector<AlgorithmNumberKey> keys;
-  const std::span<const ParameterDescription> parameters = algorithm_parameters();
+// From this parameter on.
+std::vector<ParameterNumberKey> number_keys_from(std::size_t first,
+                                                 std::span<const ParameterDescription> parameters) {
+  std::vector<ParameterNumberKey> keys;
   for (std::size_t i = first; i < parameters.size(); ++i) {
     const ParameterDescription& parameter = parameters[i];
     if (parameter.kind != ParameterKind::kNumber) continue;
@@ -108,15 +109,22 @@ template std::span<const NumberKey<DeviceSettings>> number_keys();
 template std::span<const NumberKey<HandSettings>> number_keys();
 template std::span<const NumberKey<WallSettings>> number_keys();
 
-std::span<const AlgorithmNumberKey> algorithm_number_keys() {
-  static std::vector<AlgorithmNumberKey> keys = number_keys_from(0);
+std::span<const ParameterNumberKey> algorithm_number_keys() {
+  static std::vector<ParameterNumberKey> keys = number_keys_from(0, algorithm_parameters());
   // A plug-in appended keys, before other threads started.
   static std::size_t known = algorithm_parameters().size();
   if (algorithm_parameters().size() != known) {
-    for (const AlgorithmNumberKey& key : number_keys_from(known)) keys.push_back(key);
+    for (const ParameterNumberKey& key : number_keys_from(known, algorithm_parameters()))
+      keys.push_back(key);
     known = algorithm_parameters().size();
   }
   return keys;
+}
+
+std::span<const ParameterNumberKey> estimator_number_keys() {
+  static const std::vector<ParameterNumberKey> kNumbers =
+      number_keys_from(0, estimator_parameters());
+  return kNumbers;
 }
 
 std::string number_text(double value) {

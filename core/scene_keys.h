@@ -69,20 +69,25 @@ struct NumberKey {
 template <typename Owner>
 [[nodiscard]] std::span<const NumberKey<Owner>> number_keys();
 
-// A number of [algorithm], with the members of NumberKey.
-struct AlgorithmNumberKey {
-  std::size_t index = 0;  // in algorithm_parameters()
+// A number of [algorithm] or [estimator], with the members of NumberKey.
+struct ParameterNumberKey {
+  std::size_t index = 0;  // in algorithm_parameters() or estimator_parameters()
   std::string_view key;
   std::string_view unit;
   ValueRange range;
 
   [[nodiscard]] bool whole() const { return false; }
-  [[nodiscard]] std::optional<double> get(const AlgorithmSettings& owner) const {
+  template <typename Settings>
+  [[nodiscard]] std::optional<double> get(const Settings& owner) const {
     return owner.values[index];
   }
-  void set(AlgorithmSettings& owner, double value) const { owner.values[index] = value; }
+  template <typename Settings>
+  void set(Settings& owner, double value) const {
+    owner.values[index] = value;
+  }
 };
-[[nodiscard]] std::span<const AlgorithmNumberKey> algorithm_number_keys();
+[[nodiscard]] std::span<const ParameterNumberKey> algorithm_number_keys();
+[[nodiscard]] std::span<const ParameterNumberKey> estimator_number_keys();
 
 // "device" of axis x, "device.y" of axis y.
 [[nodiscard]] std::string axis_key(std::string_view table, std::size_t axis);
@@ -101,7 +106,8 @@ struct NumberPath {
 };
 
 // Calls visit(path, key, owner) for every number of the first `axes` axes, of the loop and of all
-// algorithms, in the order of a scene file. `key` is a NumberKey or AlgorithmNumberKey of `owner`.
+// algorithms and estimators, in the order of a scene file. `key` is a NumberKey or
+// ParameterNumberKey of `owner`.
 template <typename AnyScene, typename Visit>
 void visit_scene_numbers(AnyScene& scene, const Visit& visit, std::size_t axes = kMaxAxes) {
   const auto visit_keys = [&](const std::string& table, const auto& keys, auto& owner) {
@@ -126,9 +132,11 @@ void visit_scene_numbers(AnyScene& scene, const Visit& visit, std::size_t axes =
     for (auto& wall : axis.walls) visit_table(wall_key(index++, walls) + ".", wall);
   }
   visit_keys("algorithm.", algorithm_number_keys(), scene.algorithm);
+  visit_keys("estimator.", estimator_number_keys(), scene.estimator);
 }
 
-// A number of axis x, of the loop or of an algorithm by its path: what maps and studies vary.
+// A number of axis x, of the loop, an algorithm or an estimator by its path: what maps and studies
+// vary.
 struct SceneNumber {
   std::string path;  // "wall.stiffness_n_per_m"
   std::string unit;  // "" for a pure number

@@ -41,40 +41,19 @@ constexpr Algorithm kPluginAlgorithm{
       return static_cast<PluginAlgorithm*>(state)->step(in, signals);
     }};
 
-// Descriptions, each name once.
-template <class Description, std::size_t kMax>
-struct Union {
-  std::array<Description, kMax> members{};
-  std::size_t count = 0;
-
-  [[nodiscard]] constexpr std::span<const Description> in_use() const {
-    return std::span(members).first(count);
-  }
-  constexpr void add(const Description& wanted, std::string_view Description::*name) {
-    for (const Description& member : in_use()) {
-      if (member.*name == wanted.*name) return;
-    }
-    members.at(count++) = wanted;  // too many: does not compile
-  }
-};
-
 constexpr auto unite_parameters() {
-  Union<ParameterDescription, kMaxAlgorithmParameters> all;
-  all.add(kThenParameter, &ParameterDescription::key);
-  for (const Algorithm& algorithm : kAlgorithms) {
-    for (const ParameterDescription& parameter : algorithm.description.parameters)
-      all.add(parameter, &ParameterDescription::key);
-  }
+  DescriptionUnion<ParameterDescription, kMaxAlgorithmParameters> all;
+  all.add(std::span(&kThenParameter, 1), &ParameterDescription::key);
+  for (const Algorithm& algorithm : kAlgorithms)
+    all.add(algorithm.description.parameters, &ParameterDescription::key);
   return all;
 }
 constexpr auto kParameterUnion = unite_parameters();
 
 constexpr auto unite_signals() {
-  Union<SignalDescription, kMaxSignals> all;
-  for (const Algorithm& algorithm : kAlgorithms) {
-    for (const SignalDescription& signal : algorithm.description.signals)
-      all.add(signal, &SignalDescription::name);
-  }
+  DescriptionUnion<SignalDescription, kMaxSignals> all;
+  for (const Algorithm& algorithm : kAlgorithms)
+    all.add(algorithm.description.signals, &SignalDescription::name);
   return all;
 }
 constexpr auto kSignalUnion = unite_signals();

@@ -1,67 +1,83 @@
-// The velocity of the handle, estimated from its measured positions: one table entry an estimator,
-// built as those of the algorithms.
+// The velocity of the handle, estimated from its measured positions: the contract of an estimator,
+// and the list. An estimator is a struct in a file of this folder and a line in estimator_list.cpp:
+//
+//   struct Name {
+//     static constexpr EstimatorDescription kDescription{...};
+//
+//     // Takes rate and parameters, and keeps the past.
+//     void configure(const EstimatorContext& context);
+//     // Forgets the past, and keeps the parameters.
+//     void reset();
+//     // v_k, m/s. `displacement_m`: x_k - x_{k-1}; 0 in the first tick and after a faulty reading.
+//     double velocity(double position_m, double displacement_m);
+//   };
+//
+// All three are realtime-safe: O(1), no allocation, no lock, no system call.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <new>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <type_traits>
 
-#include "core/estimator/backward_difference.h"
+#include "core/estimator_settings.h"
 
 namespace hapticwall {
 
+// The part of a scene that an estimator may use.
+struct EstimatorContext {
+  double rate_hz = 1000.0;
+  double encoder_m = 0.0;  // 0: none
+  const EstimatorSettings* settings = nullptr;
+
+  // The value of a key if the scene names it. Realtime-safe: yes.
+  [[nodiscard]] std::optional<double> value(std::string_view key) const;
+  [[nodiscard]] double value_or(std::string_view key, double fallback) const {
+    return value(key).value_or(fallback);
+  }
+};
+
+struct EstimatorDescription {
+  std::string_view name;   // the word in the file, --set and the sidecar
+  std::string_view title;  // for people
+  std::string_view idea;   // one line
+  std::span<const ParameterDescription> parameters;
+  std::string_view equation;  // for people: the velocity in one to three lines
+};
+
 inline constexpr std::size_t kMaxEstimatorBytes = 256;
 
-// Realtime-safe: yes, all functions.
 struct Estimator {
-  std::string_view name;
-  void (*start)(void* state);  // without a past
-  void (*configure)(void* state, double rate_hz);
-  void (*reset)(void* state);  // forgets the past
-  // v_k, m/s. `displacement_m`: since the last tick; 0 in the first tick and after a faulty
-  // reading.
+  EstimatorDescription description;
+  void (*start)(void* state);  // without parameters and past
+  void (*configure)(void* state, const EstimatorContext& context);
+  void (*reset)(void* state);
   double (*velocity)(void* state, double position_m, double displacement_m);
 };
 
-// Of a struct with kName and the three functions, as BackwardDifference.
 template <class Struct>
 [[nodiscard]] constexpr Estimator estimator_of() {
   static_assert(sizeof(Struct) <= kMaxEstimatorBytes &&
                 alignof(Struct) <= alignof(std::max_align_t));
   static_assert(std::is_trivially_copyable_v<Struct> && std::is_trivially_destructible_v<Struct>);
-  return {Struct::kName, [](void* state) { new (state) Struct{}; },
-          [](void* state, double rate_hz) { static_cast<Struct*>(state)->configure(rate_hz); },
+  return {Struct::kDescription, [](void* state) { new (state) Struct{}; },
+          [](void* state, const EstimatorContext& context) {
+            static_cast<Struct*>(state)->configure(context);
+          },
           [](void* state) { static_cast<Struct*>(state)->reset(); },
           [](void* state, double position_m, double displacement_m) {
             return static_cast<Struct*>(state)->velocity(position_m, displacement_m);
           }};
 }
 
-// One estimator on one axis. Realtime-safe: yes, all of it.
-class ActiveEstimator {
- public:
-  // nullptr: the backward difference, without a call. Another estimator than before starts anew.
-  void configure(const Estimator* estimator, double rate_hz) {
-    if (estimator != nullptr && estimator != other_) estimator->start(block_.data());
-    other_ = estimator;
-    difference_.configure(rate_hz);
-    if (other_ != nullptr) other_->configure(block_.data(), rate_hz);
-  }
-  void reset() {
-    if (other_ != nullptr) other_->reset(block_.data());
-  }
-  [[nodiscard]] double velocity(double position_m, double displacement_m) {
-    if (other_ == nullptr) [[likely]]
-      return difference_.velocity(position_m, displacement_m);
-    return other_->velocity(block_.data(), position_m, displacement_m);
-  }
-
- private:
-  const Estimator* other_ = nullptr;
-  BackwardDifference difference_;
-  alignas(std::max_align_t) std::array<std::byte, kMaxEstimatorBytes> block_{};
-};
+// The closed list; the first one is the backward difference. Realtime-safe: yes, all.
+[[nodiscard]] std::span<const Estimator> estimators();
+[[nodiscard]] std::optional<std::size_t> find_estimator(std::string_view name);
+// Union of all estimators' keys, each once; EstimatorSettings::values has this order.
+[[nodiscard]] std::span<const ParameterDescription> estimator_parameters();
+// nullptr for the backward difference, which the tick computes without a call.
+[[nodiscard]] const Estimator* chosen_estimator(const EstimatorSettings& settings);
 
 }  // namespace hapticwall

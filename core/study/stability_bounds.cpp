@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/algorithm/algorithm.h"
+#include "core/estimator/estimator.h"
 #include "core/plant/plant_model.h"
 #include "core/study/stable_stiffness.h"
 
@@ -36,7 +37,8 @@ std::optional<double> exact_stable_limit(const Scene& scene) {
                       device.encoder_m.value_or(0.0) == 0.0 &&
                       device.force_resolution_n.value_or(0.0) == 0.0;
   const bool exact = scene.simulator.integrator == Integrator::kExact;
-  if (scene.x().walls.size() != 1 || !bare || !linear || !exact) return std::nullopt;
+  const bool difference = chosen_estimator(scene.estimator) == nullptr;
+  if (scene.x().walls.size() != 1 || !bare || !linear || !exact || !difference) return std::nullopt;
   return stability_bounds(scene, scene.x().walls.front(), delay_of(scene)).stable_n_per_m;
 }
 

@@ -40,9 +40,10 @@ struct LoopDelay {
                                                const LoopDelay& delay);
 
 // The stable limit of the loop that the scene simulates, on axis x. nullopt if the loop is not the
-// linear one of the limit: with several walls, another algorithm than "none", a follower, friction,
-// an encoder, a force resolution or another integrator than the exact one. The limits of the force
-// and of its rate act on large swings only. Realtime-safe: no.
+// linear one of the limit: with several walls, another algorithm than "none", a follower, another
+// estimator than the backward difference, friction, an encoder, a force resolution or another
+// integrator than the exact one. The limits of the force and of its rate act on large swings only.
+// Realtime-safe: no.
 [[nodiscard]] std::optional<double> exact_stable_limit(const Scene& scene);
 
 // Of a simulated device.

@@ -14,6 +14,8 @@ ServoSettings servo_settings(const Scene& scene) {
     settings.max_rise_n = rate * settings.period_s();
   }
   settings.walls = WallSet(scene.x().walls);
+  settings.estimator = chosen_estimator(scene.estimator);
+  settings.estimator_settings = scene.estimator;
   settings.algorithm = scene.algorithm;
   return settings;
 }
@@ -31,7 +33,8 @@ Servo::Servo(const ServoSettings& settings) : settings_(settings) {
 
 void Servo::configure() {
   const AlgorithmContext context = algorithm_context(settings_);
-  estimator_.configure(settings_.estimator, settings_.rate_hz);
+  estimator_.configure(settings_.estimator,
+                       {settings_.rate_hz, settings_.encoder_m, &settings_.estimator_settings});
   algorithm_.configure(settings_.algorithm, context);
   state_.budget_n_per_m = believed_damping(context) * settings_.rate_hz;
 }

@@ -14,7 +14,7 @@
 
 #include "core/algorithm/followed_algorithm.h"
 #include "core/environment/walls.h"
-#include "core/estimator/estimator.h"
+#include "core/estimator/active_estimator.h"
 #include "core/sample.h"
 #include "core/scene.h"
 #include "core/tick/device_reading.h"
@@ -40,6 +40,7 @@ struct ServoSettings {
   double transition_s = kSwitchTransitionS;
   WallSet walls;
   const Estimator* estimator = nullptr;  // nullptr: the backward difference
+  EstimatorSettings estimator_settings;
   AlgorithmSettings algorithm;
 
   [[nodiscard]] double period_s() const { return 1.0 / rate_hz; }

@@ -125,9 +125,11 @@ void apply_override(toml::table& root, const std::string& override_text) {
   if (value.empty()) fail(label, "there is no value: it takes KEY=VALUE");
   if (!one_line || value.size() > kMaxOverrideBytes)
     fail(label, "the value is not one line of TOML");
-  const std::vector<KeyPart> parts =
-      key_parts(std::string_view(override_text).substr(0, equals), label);
+  std::vector<KeyPart> parts = key_parts(std::string_view(override_text).substr(0, equals), label);
 
+  // A word alone is the name: algorithm=none.
+  const bool is_named = parts.front().name == "algorithm" || parts.front().name == "estimator";
+  if (is_named && parts.size() == 1 && !value.starts_with('{')) parts.push_back({"name", {}});
   toml::table* table = &root;
   std::size_t next = 0;
   if (parts.front().name == "wall" && parts.size() > 1) {

@@ -47,6 +47,9 @@ Scene read_tables(TableReader& reader, const std::string& origin) {
   if (const auto* table = reader.table("algorithm")) {
     scene.algorithm = read_algorithm(*table, "", origin);
   }
+  if (const auto* table = reader.table("estimator")) {
+    scene.estimator = read_estimator(*table, "", origin);
+  }
   if (const auto* table = reader.table("simulator")) {
     scene.simulator = read_simulator(*table, "", origin);
   }

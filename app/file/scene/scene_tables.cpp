@@ -10,6 +10,7 @@
 #include "app/file/scene/hand_file.h"
 #include "app/file/text/text.h"
 #include "core/algorithm/algorithm.h"
+#include "core/estimator/estimator.h"
 
 namespace hapticwall::file {
 namespace {
@@ -58,6 +59,13 @@ std::optional<double> read_parameter(TableReader& reader, const ParameterDescrip
   if (parameter.kind == ParameterKind::kNumber) return reader.number(parameter.key, parameter.unit);
   if (parameter.kind == ParameterKind::kChoice) return read_choice(reader, parameter, *node);
   return *reader.boolean(parameter.key) ? 1.0 : 0.0;
+}
+
+void read_parameters(TableReader& reader, std::span<const ParameterDescription> parameters,
+                     std::span<std::optional<double>> values) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    values[i] = read_parameter(reader, parameters[i]);
+  }
 }
 
 }  // namespace
@@ -157,10 +165,27 @@ AlgorithmSettings read_algorithm(const toml::table& table, const std::string& pr
     if (!index) refuse_algorithm(reader, *table.get("name"), *name, plugin);
     settings.index = *index;
   }
-  const std::span<const ParameterDescription> parameters = algorithm_parameters();
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    settings.values.at(i) = read_parameter(reader, parameters[i]);
+  read_parameters(reader, algorithm_parameters(), settings.values);
+  reader.finish();
+  return settings;
+}
+
+EstimatorSettings read_estimator(const toml::table& table, const std::string& prefix,
+                                 const std::string& origin) {
+  TableReader reader(table, prefix + "estimator.", origin);
+  EstimatorSettings settings;
+  if (const std::optional<std::string> name = reader.string("name")) {
+    const std::optional<std::size_t> index = find_estimator(*name);
+    if (!index) {
+      std::vector<std::string_view> names;
+      for (const Estimator& known : estimators()) names.push_back(known.description.name);
+      reader.fail(*table.get("name"), "name",
+                  fmt::format("no estimator is called {}{}; known: {}", in_quotes(*name),
+                              suggestion(*name, names), joined(names)));
+    }
+    settings.index = *index;
   }
+  read_parameters(reader, estimator_parameters(), settings.values);
   reader.finish();
   return settings;
 }

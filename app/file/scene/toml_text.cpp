@@ -6,6 +6,7 @@
 #include "app/file/scene/scene_file.h"
 #include "app/file/text/text.h"
 #include "core/algorithm/algorithm.h"
+#include "core/estimator/estimator.h"
 
 namespace hapticwall::file {
 namespace {
@@ -44,6 +45,25 @@ void write_path(TomlText& out, const HandSettings& hand) {
   }
 }
 
+void write_parameters(TomlText& out, std::span<const ParameterDescription> parameters,
+                      std::span<const std::optional<double>> values) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::optional<double>& value = values[i];
+    if (!value) continue;
+    switch (parameters[i].kind) {
+      case ParameterKind::kNumber:
+        out.number(parameters[i].key, *value);
+        break;
+      case ParameterKind::kBoolean:
+        out.boolean(parameters[i].key, *value != 0.0);
+        break;
+      case ParameterKind::kChoice:
+        out.string(parameters[i].key, parameters[i].choices[static_cast<std::size_t>(*value)]);
+        break;
+    }
+  }
+}
+
 }  // namespace
 
 void TomlText::comment(std::string_view text) { text_ += fmt::format("# {}\n", text); }
@@ -76,24 +96,14 @@ void write_algorithm(TomlText& out, std::string_view prefix, const AlgorithmSett
     out.string("plugin_file", plugin->path);
     out.string("plugin_sha256", plugin->sha256);
   }
-  const std::span<const ParameterDescription> parameters = algorithm_parameters();
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const std::optional<double>& value = algorithm.values.at(i);
-    if (!value) continue;
-    switch (parameters[i].kind) {
-      case ParameterKind::kNumber:
-        out.number(parameters[i].key, *value);
-        break;
-      case ParameterKind::kBoolean:
-        out.boolean(parameters[i].key, *value != 0.0);
-        break;
-      case ParameterKind::kChoice:
-        out.string(parameters[i].key, parameters[i].choices[static_cast<std::size_t>(*value)]);
-        break;
-    }
-  }
+  write_parameters(out, algorithm_parameters(), algorithm.values);
 }
 
+void write_estimator(TomlText& out, std::string_view prefix, const EstimatorSettings& estimator) {
+  out.table(fmt::format("{}estimator", prefix));
+  out.string("name", estimators()[estimator.index].description.name);
+  write_parameters(out, estimator_parameters(), estimator.values);
+}
 void write_simulator(TomlText& out, std::string_view prefix, const SimulatorSettings& simulator) {
   out.table(fmt::format("{}simulator", prefix));
   out.string("integrator", simulator.integrator_name());
@@ -127,6 +137,7 @@ std::string scene_to_toml(const Scene& scene) {
   }
   write_walls(out, "", scene);
   write_algorithm(out, "", scene.algorithm);
+  if (scene.estimator != EstimatorSettings{}) write_estimator(out, "", scene.estimator);
   write_simulator(out, "", scene.simulator);
   return out.text();
 }

@@ -209,15 +209,10 @@ std::optional<TrialKind> find_trial_kind(std::string_view name) {
 }
 
 std::vector<std::string> slot_overrides(std::string_view slot) {
-  constexpr std::string_view kShort = "algorithm=";
   std::vector<std::string> overrides;
   for (const std::string_view part : split(slot, ';')) {
     const std::string_view text = trimmed(part);
-    if (text.starts_with(kShort)) {
-      overrides.push_back(fmt::format("algorithm.name={}", text.substr(kShort.size())));
-    } else if (!text.empty()) {
-      overrides.emplace_back(text);
-    }
+    if (!text.empty()) overrides.emplace_back(text);
   }
   return overrides;
 }

@@ -49,7 +49,7 @@ struct TrialList {
   std::string sha256;  // of the file
 };
 
-// "KEY=VALUE; KEY=VALUE" as texts of --set. `algorithm=NAME` stands for `algorithm.name=NAME`.
+// "KEY=VALUE; KEY=VALUE" as texts of --set.
 [[nodiscard]] std::vector<std::string> slot_overrides(std::string_view slot);
 
 // Checks everything but the overrides, which need a scene. `origin` names the list in messages

@@ -63,9 +63,9 @@ class LiveSession : public SampleSource {
   // The destructor sets the force to zero, joins the loop and finishes the recording.
 
   // Changes all of `wanted` that may change during a session (scene_change.h), at one tick and
-  // without a force jump: device, hand, walls, algorithm, simulator. The handle keeps its position.
-  // Any other difference is a problem, which changes nothing; name, description and duration are
-  // ignored. The plant of a real device does not change.
+  // without a force jump: device, hand, walls, algorithm, estimator, simulator. The handle keeps
+  // its position. Any other difference is a problem, which changes nothing; name, description and
+  // duration are ignored. The plant of a real device does not change.
   virtual std::optional<SceneProblem> change_scene(const Scene& wanted) = 0;
   std::optional<SceneProblem> set_algorithm(const AlgorithmSettings& algorithm);
   std::optional<SceneProblem> set_walls(std::span<const WallSettings> walls);

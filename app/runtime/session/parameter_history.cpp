@@ -7,7 +7,10 @@
 namespace hapticwall::runtime {
 
 ParameterHistory::Adjustment::Adjustment(const Scene& scene)
-    : axes(without_paths(scene).axes), algorithm(scene.algorithm), simulator(scene.simulator) {}
+    : axes(without_paths(scene).axes),
+      algorithm(scene.algorithm),
+      estimator(scene.estimator),
+      simulator(scene.simulator) {}
 
 ParameterHistory::ParameterHistory(const Scene& first) : newest_(first), at_start_(first) {
   published_.push_back({generation_, at_start_});
@@ -54,6 +57,7 @@ Scene ParameterHistory::scene_with(Scene scene, const Adjustment& adjustment) {
     scene.axes[i] = std::move(axis);
   }
   scene.algorithm = adjustment.algorithm;
+  scene.estimator = adjustment.estimator;
   scene.simulator = adjustment.simulator;
   return scene;
 }

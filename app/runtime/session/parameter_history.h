@@ -52,6 +52,7 @@ class ParameterHistory {
 
     std::vector<AxisSettings> axes;  // without the paths of their hands
     AlgorithmSettings algorithm;
+    EstimatorSettings estimator;
     SimulatorSettings simulator;
   };
   struct Published {

@@ -7,7 +7,8 @@
 namespace hapticwall::runtime {
 
 bool same_parameters(const Scene& a, const Scene& b) {
-  return a.axes == b.axes && a.algorithm == b.algorithm && a.simulator == b.simulator;
+  return a.axes == b.axes && a.algorithm == b.algorithm && a.estimator == b.estimator &&
+         a.simulator == b.simulator;
 }
 
 namespace {

@@ -7,6 +7,7 @@
 
 #include "app/file/text/text.h"
 #include "core/algorithm/algorithm.h"
+#include "core/estimator/estimator.h"
 #include "core/scene_keys.h"
 
 namespace hapticwall::ui {
@@ -14,7 +15,8 @@ namespace {
 
 using Values = std::vector<std::pair<std::string, std::string>>;  // key, value as shown
 
-// All values that may change during a session, except the integrator, in a fixed order.
+// All values that may change during a session, except the names of estimator and integrator, in a
+// fixed order.
 Values values_of(const Scene& scene) {
   Values values;
   visit_scene_numbers(
@@ -57,6 +59,12 @@ std::vector<std::string> changed_values(const Scene& running, const Scene& loade
     lines.push_back(
         fmt::format("{} = {}, in the scene {}", now[i].first, now[i].second, then[i].second));
   }
+  if (running.estimator.index != back.estimator.index) {
+    const auto name = [](const Scene& scene) {
+      return estimators()[scene.estimator.index].description.name;
+    };
+    lines.push_back(fmt::format("estimator: {}, in the scene {}", name(running), name(back)));
+  }
   if (running.simulator != back.simulator) {
     const auto words = [](const SimulatorSettings& simulator) {
       return fmt::format("{} × {}", simulator.integrator_name(), simulator.substeps);
@@ -78,6 +86,7 @@ Scene with_loaded_values(const Scene& running, const Scene& loaded) {
   }
   if (loaded.x().walls.size() == running.x().walls.size()) scene.x().walls = loaded.x().walls;
   scene.algorithm.values = loaded.algorithm.values;
+  scene.estimator = loaded.estimator;
   scene.simulator = loaded.simulator;
   return scene;
 }

@@ -56,6 +56,17 @@ TEST(Override, BareWordsAreStrings) {
   EXPECT_TRUE(changed(kOneWall, {"hand.path=mouse"}).x().hand->follows_mouse);
 }
 
+TEST(Override, AWordForAlgorithmOrEstimatorIsItsName) {
+  const Scene scene =
+      changed(kOneWall, {"algorithm.then=passivity-control", "algorithm=energy-bounding",
+                         "estimator=backward-difference"});
+  EXPECT_EQ(scene.algorithm.index, find_algorithm("energy-bounding"));
+  EXPECT_TRUE(has_follower(scene.algorithm)) << "the other keys stay";
+  EXPECT_EQ(scene.estimator, EstimatorSettings{});
+  EXPECT_EQ(changed(kOneWall, {"algorithm={name='half-sample'}"}).algorithm.index,
+            find_algorithm("half-sample"));
+}
+
 TEST(Override, AScalarOfNumPyIsItsNumber) {
   const Scene scene = changed(
       kOneWall, {"wall.stiffness_n_per_m=np.float64(300.0)", "device.delay_ticks= np.int64(2) "});

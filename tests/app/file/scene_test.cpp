@@ -106,6 +106,15 @@ TEST(SceneFile, AbsentValuesAreLeftOut) {
   EXPECT_EQ(loaded->scene.algorithm.index, find_algorithm("none"));
 }
 
+TEST(SceneFile, NamesNoEstimatorThatIsTheDefault) {
+  const auto loaded = parse_scene(
+      scene_with("[simulator]", "[estimator]\nname = \"backward-difference\"\n[simulator]"),
+      "x.toml");
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->scene, parse_scene(kWholeScene, "x.toml")->scene);
+  EXPECT_EQ(scene_to_toml(loaded->scene).find("estimator"), std::string::npos);
+}
+
 TEST(SceneFile, MouseAsHand) {
   const auto loaded = parse_scene(scene_with("[[0, 0.03], [1.5, 0.075]]", "\"mouse\""), "x.toml");
   ASSERT_TRUE(loaded) << loaded.error().message;

@@ -42,7 +42,7 @@ TEST(TrialList, ARowHasItsFieldsInAnyOrderOfColumns) {
   EXPECT_EQ(trial.correct, Slot::kB);
   EXPECT_EQ(trial.line, 2U);
   EXPECT_THAT(slot_overrides(trial.slots[0]),
-              ElementsAre("wall.stiffness_n_per_m=1000", "algorithm.name=none"));
+              ElementsAre("wall.stiffness_n_per_m=1000", "algorithm=none"));
   EXPECT_EQ(list->trials.back().question, "Breathe");
   EXPECT_EQ(list->trials.back().line, 4U);
 }

@@ -223,8 +223,9 @@ TEST(Servo, ABorrowedAlgorithmStaysInThePlaceOfEveryOtherAndItsFollower) {
 
 // The velocity over two ticks.
 struct LongDifference {
-  static constexpr std::string_view kName = "long-difference";
-  void configure(double rate_hz) { rate_hz_ = rate_hz; }
+  static constexpr EstimatorDescription kDescription{
+      "long-difference", "", "", {}, "v_k = (x_k - x_{k-2})/(2T)"};
+  void configure(const EstimatorContext& context) { rate_hz_ = context.rate_hz; }
   void reset() { before_m_ = 0.0; }
   double velocity(double /*position_m*/, double displacement_m) {
     const double both_m = std::exchange(before_m_, displacement_m) + displacement_m;

@@ -57,6 +57,19 @@ TEST(ParameterHistory, KeepsEveryPartThatChangedAndThePathOfTheStart) {
   EXPECT_EQ(history.scene_at_start().x().hand, first.x().hand);
 }
 
+TEST(ParameterHistory, KeepsAChangedEstimator) {
+  const Scene first = contact_scene();
+  ParameterHistory history(first);
+  history.came_into_force({0, 1});
+  Scene changed = first;
+  changed.estimator.values.back() = 30.0;
+  history.add(changed);
+  history.came_into_force({40, 2});
+  EXPECT_EQ(history.scene_at_start().estimator, first.estimator);
+  ASSERT_EQ(history.changes_before(41).size(), 1U);
+  EXPECT_EQ(history.changes_before(41)[0].scene.estimator, changed.estimator);
+}
+
 TEST(ParameterHistory, SaysWhetherItKnowsHowTheRunBegan) {
   ParameterHistory history(contact_scene());
   EXPECT_FALSE(history.knows_start());

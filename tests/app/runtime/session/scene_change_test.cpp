@@ -20,13 +20,16 @@ TEST(SceneChange, EverythingOfAPlantMayChange) {
   }
 }
 
-TEST(SceneChange, AWallOrAnAlgorithmIsNoOtherPlant) {
+TEST(SceneChange, AWallAnAlgorithmOrAnEstimatorIsNoOtherPlant) {
   const Scene scene = contact_scene();
   Scene wall = scene;
   wall.x().walls[0].damping_n_s_per_m = 1.0;
   const Scene algorithm = test::with_algorithm(scene, 0);
-  for (const Scene& changed : {wall, algorithm}) {
+  Scene estimator = scene;
+  estimator.estimator.values.front() = 30.0;
+  for (const Scene& changed : {wall, algorithm, estimator}) {
     EXPECT_TRUE(same_plant(scene, changed));
+    EXPECT_FALSE(needs_new_session(scene, changed));
     EXPECT_FALSE(same_parameters(scene, changed));
   }
   EXPECT_TRUE(same_parameters(scene, scene));

@@ -1,0 +1,52 @@
+// The list of estimators.
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "core/estimator/backward_difference.h"
+#include "core/estimator/estimator.h"
+
+namespace hapticwall {
+namespace {
+
+// In the order of tables. The first one is the default.
+constexpr std::array kEstimators{
+    estimator_of<BackwardDifference>(),
+};
+
+constexpr auto unite_parameters() {
+  DescriptionUnion<ParameterDescription, kMaxEstimatorParameters> all;
+  for (const Estimator& estimator : kEstimators)
+    all.add(estimator.description.parameters, &ParameterDescription::key);
+  return all;
+}
+constexpr auto kEstimatorParameters = unite_parameters();
+
+}  // namespace
+
+std::span<const Estimator> estimators() { return kEstimators; }
+
+std::span<const ParameterDescription> estimator_parameters() {
+  return kEstimatorParameters.in_use();
+}
+
+std::optional<std::size_t> find_estimator(std::string_view name) {
+  const auto found = std::ranges::find(
+      kEstimators, name, [](const Estimator& estimator) { return estimator.description.name; });
+  if (found == kEstimators.end()) return std::nullopt;
+  return static_cast<std::size_t>(std::distance(kEstimators.begin(), found));
+}
+
+const Estimator* chosen_estimator(const EstimatorSettings& settings) {
+  if (settings.index == 0 || settings.index >= kEstimators.size()) return nullptr;
+  return &kEstimators[settings.index];
+}
+
+std::optional<double> EstimatorContext::value(std::string_view key) const {
+  const std::span<const ParameterDescription> all = estimator_parameters();
+  const auto found = std::ranges::find(all, key, &ParameterDescription::key);
+  if (settings == nullptr || found == all.end()) return std::nullopt;
+  return settings->values[static_cast<std::size_t>(std::distance(all.begin(), found))];
+}
+
+}  // namespace hapticwall
