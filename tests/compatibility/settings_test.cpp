@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "app/file/scene/settings_text.h"
 #include "app/ui/state/settings_file.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
@@ -19,7 +18,7 @@ TEST(Version010, SettingsWithEveryKeyAreTakenWithoutAComplaint) {
   const std::string path = folder.file("settings.toml");
   std::filesystem::copy_file(data_folder() + "/compatibility/0.1.0/settings.toml", path);
   ui::UiState state;
-  ui::SettingsFile settings(path);
+  ui::SettingsFile settings(folder.file("settings.json"));
   settings.load(state);
   EXPECT_TRUE(state.transient.toasts.list().empty()) << state.transient.toasts.newest().text;
   EXPECT_THAT(folder.names(), ElementsAre("settings.toml"));
@@ -52,13 +51,29 @@ TEST(Version010, SettingsWithEveryKeyAreTakenWithoutAComplaint) {
             draw::line_bit(&Sample::force_n) | draw::line_bit(&Sample::wall_force_n));
 }
 
+TEST(Version010, SettingsAreReadOnceAndKeptAsJson) {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(data_folder() + "/compatibility/0.1.0/settings.toml",
+                             folder.file("settings.toml"));
+  ui::UiState state;
+  ui::SettingsFile settings(folder.file("settings.json"));
+  settings.load(state);
+  settings.save(state);
+  EXPECT_THAT(folder.names(), ::testing::UnorderedElementsAre("settings.json", "settings.toml"));
+  std::filesystem::remove(folder.file("settings.toml"));
+  ui::UiState again;
+  ui::SettingsFile(folder.file("settings.json")).load(again);
+  EXPECT_TRUE(again.transient.toasts.list().empty());
+  EXPECT_EQ(ui::settings_text(again), ui::settings_text(state));
+}
+
 // Layouts of one's own, also one with a window that floats.
 TEST(Version010, LayoutsAreThereByTheirNames) {
-  const auto settings = file::parse_settings(
-      text_of(data_folder() + "/compatibility/0.1.0/settings.toml"), "settings.toml");
-  ASSERT_TRUE(settings) << settings.error().message;
   ui::UiState state;
-  EXPECT_THAT(ui::apply_settings(*settings, state), ::testing::IsEmpty());
+  const auto problems = ui::apply_old_settings(
+      text_of(data_folder() + "/compatibility/0.1.0/settings.toml"), "settings.toml", state);
+  ASSERT_TRUE(problems) << problems.error().message;
+  EXPECT_THAT(*problems, ::testing::IsEmpty());
   ASSERT_EQ(state.persisted.own_layouts.size(), 2U);
   EXPECT_EQ(state.persisted.own_layouts[0].name, "evening");
   EXPECT_EQ(state.persisted.own_layouts[1].name, "a: b");

@@ -1,10 +1,10 @@
 // Work over many controls: undo, settings that stay, a hand that the pointer leads.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/file/disk/small_file.h"
-#include "app/file/scene/settings_text.h"
+#include "tests/paths.h"
 #include "tests/window/rows.h"
 #include "tests/window/window_test.h"
 
@@ -13,13 +13,8 @@ namespace {
 
 class UseWindowTest : public WindowTest {
  protected:
-  file::Settings kept_settings() const {
-    const auto text =
-        file::read_small_file(home_.settings_path(), "settings", file::kMaxSettingsBytes);
-    EXPECT_TRUE(text.ok()) << text.error().message;
-    const auto settings = file::parse_settings(*text, "settings");
-    EXPECT_TRUE(settings.ok());
-    return settings ? *settings : file::Settings{};
+  nlohmann::json kept_settings() const {
+    return nlohmann::json::parse(text_of(home_.settings_path()));
   }
 };
 
@@ -58,7 +53,7 @@ TEST_P(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
   use([this](Person& person) {
     person.click("settings");
     person.click("light");
-    person.wait_until([&] { return kept_settings().contains("window.theme"); },
+    person.wait_until([&] { return kept_settings()["window"].contains("theme"); },
                       "the settings file while the window is open");
     person.type("scale percent", "110");
     person.put_everything_away();
@@ -68,10 +63,10 @@ TEST_P(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
     person.click("time window");
     person.click("length 1 s");
   });
-  const file::Settings kept = kept_settings();
-  EXPECT_EQ(kept.at("window.theme"), file::SettingValue(std::string("light")));
-  EXPECT_EQ(kept.at("window.scale_percent"), file::SettingValue(110.0));
-  EXPECT_EQ(kept.at("plots.time_window_s"), file::SettingValue(1.0));
+  const nlohmann::json kept = kept_settings();
+  EXPECT_EQ(kept["window"]["theme"], "light");
+  EXPECT_EQ(kept["window"]["scale_percent"], 110);
+  EXPECT_EQ(kept["plots"]["time_window_s"], 1.0);
   use([](Person& person) {
     const ui::UiState& state = person.state();
     EXPECT_EQ(state.persisted.look, draw::Look::kLight);

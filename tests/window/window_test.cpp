@@ -11,13 +11,13 @@
 #include <cfloat>
 #include <cstdlib>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/draw/plot/theme.h"
 #include "app/file/disk/atomic_file.h"
 #include "app/file/disk/user_folders.h"
 #include "app/file/scene/scene_file.h"
-#include "app/file/scene/settings_text.h"
 #include "app/runtime/session/loop_session.h"
 #include "tests/app/ui/items.h"
 #include "tests/app/ui/offscreen_gui.h"
@@ -144,14 +144,15 @@ std::string screen_name(const ::testing::TestParamInfo<Screen>& info) {
 }
 
 Home::Home() {
-  const file::Settings settings{{"window.width", static_cast<double>(kWidth)},
-                                {"window.height", static_cast<double>(kHeight)},
-                                {"window.more", true},
-                                {"window.tour_offered", false},
-                                {"plots.arrangement", std::string("all")},
-                                {"window.docked", std::string(kDocked)}};
+  const nlohmann::json settings{{"window",
+                                 {{"width", kWidth},
+                                  {"height", kHeight},
+                                  {"more", true},
+                                  {"tour_offered", false},
+                                  {"docked", kDocked}}},
+                                {"plots", {{"arrangement", "all"}}}};
   EXPECT_FALSE(file::make_folder_of(settings_path()));
-  EXPECT_FALSE(file::write_file(settings_path(), file::settings_text(settings)));
+  EXPECT_FALSE(file::write_file(settings_path(), settings.dump()));
 }
 
 std::string Home::settings_path() const {

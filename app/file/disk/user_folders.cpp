@@ -39,7 +39,7 @@ std::string settings_path(const Environment& environment) {
     if (!folder) return {};
     *folder /= ".config";
   }
-  return (*folder / "hapticwall" / "settings.toml").string();
+  return (*folder / "hapticwall" / "settings.json").string();
 }
 
 Failure make_folder_of(const std::string& path) {

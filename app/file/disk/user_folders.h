@@ -13,7 +13,7 @@ namespace hapticwall::file {
 using Environment = std::function<std::optional<std::string>(const std::string& name)>;
 [[nodiscard]] std::optional<std::string> process_environment(const std::string& name);
 
-// The file of the window's settings: HAPTICWALL_SETTINGS if set, else hapticwall/settings.toml in
+// The file of the window's settings: HAPTICWALL_SETTINGS if set, else hapticwall/settings.json in
 // $XDG_CONFIG_HOME or $HOME/.config. Empty, also for "off": no settings are stored.
 [[nodiscard]] std::string settings_path(const Environment& environment);
 

@@ -17,35 +17,38 @@ namespace fs = std::filesystem;
 
 constexpr double kLookS = 0.25;  // between two looks for changes
 
-void keep_broken(UiState& state, const std::string& path, const std::string& problem) {
+// Copies a file that the next save replaces.
+void complain(UiState& state, const std::string& path, const std::string& problem, bool replaced) {
   const std::string copy = path + ".broken";
   std::error_code error;
-  fs::copy_file(path, copy, fs::copy_options::overwrite_existing, error);
+  const bool copied =
+      replaced && fs::copy_file(path, copy, fs::copy_options::overwrite_existing, error);
   tell(state, MessageKind::kProblem,
-       error ? fmt::format("settings: {}", problem)
-             : fmt::format("settings: {}; a copy of the file is kept as {}", problem, copy));
+       copied ? fmt::format("settings: {}; a copy of the file is kept as {}", problem, copy)
+              : fmt::format("settings: {}", problem));
 }
 
 }  // namespace
 
 void SettingsFile::load(UiState& state) {
-  saved_ = resting_ = settings_of(state);
+  saved_ = resting_ = settings_text(state);
   std::error_code error;
-  if (path_.empty() || !fs::exists(path_, error)) return;
-  const Result<std::string> text =
-      file::read_small_file(path_, "settings file", file::kMaxSettingsBytes);
-  const Result<file::Settings> settings =
-      text ? file::parse_settings(*text, path_) : Result<file::Settings>(text.error());
-  if (!settings) {
-    keep_broken(state, path_, settings.error().message);
-    saved_.clear();  // so that the next save replaces the file
-    return;
+  if (path_.empty()) return;
+  const bool old = !fs::exists(path_, error);
+  const std::string path = old ? fs::path(path_).replace_extension(".toml").string() : path_;
+  if (!fs::exists(path, error)) return;
+  const Result<std::string> text = file::read_small_file(path, "settings file", kMaxSettingsBytes);
+  const Result<std::vector<std::string>> problems =
+      !text ? Result<std::vector<std::string>>(text.error())
+            : (old ? apply_old_settings : apply_settings)(*text, path, state);
+  if (!problems) {
+    complain(state, path, problems.error().message, !old);
+  } else if (!problems->empty()) {
+    complain(state, path, fmt::format("{}: {}", path, fmt::join(*problems, "; ")), !old);
   }
-  const std::vector<std::string> problems = apply_settings(*settings, state);
-  if (!problems.empty())
-    keep_broken(state, path_, fmt::format("{}: {}", path_, fmt::join(problems, "; ")));
-  saved_ = resting_ = settings_of(state);
-  if (!problems.empty()) saved_.clear();
+  resting_ = settings_text(state);
+  // Empty, so that the next save replaces the file, or writes it beside the old one.
+  saved_ = problems && problems->empty() && !old ? resting_ : "";
 }
 
 void SettingsFile::pass(UiState& state, double seconds) {
@@ -53,7 +56,7 @@ void SettingsFile::pass(UiState& state, double seconds) {
   unseen_s_ += seconds;
   if (unseen_s_ < kLookS) return;
   const double looked_after_s = std::exchange(unseen_s_, 0.0);
-  file::Settings now = settings_of(state);
+  std::string now = settings_text(state);
   if (now != resting_) {
     resting_ = std::move(now);
     rested_s_ = 0.0;
@@ -65,14 +68,14 @@ void SettingsFile::pass(UiState& state, double seconds) {
 
 void SettingsFile::save(UiState& state) {
   if (path_.empty()) return;
-  const file::Settings now = settings_of(state);
+  const std::string now = settings_text(state);
   if (now != saved_) write(state, now);
 }
 
-void SettingsFile::write(UiState& state, const file::Settings& settings) {
+void SettingsFile::write(UiState& state, const std::string& text) {
   Failure failure = file::make_folder_of(path_);
-  if (!failure) failure = file::write_file(path_, file::settings_text(settings));
-  saved_ = settings;  // prevents a new attempt at every frame
+  if (!failure) failure = file::write_file(path_, text);
+  saved_ = text;  // prevents a new attempt at every frame
   if (failure && !std::exchange(told_, true))
     tell(state, MessageKind::kProblem, "settings are not kept: " + failure->message);
 }

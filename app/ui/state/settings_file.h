@@ -1,20 +1,30 @@
-// The settings file: values that the window keeps between runs.
+// The settings file: values that the window keeps between runs, as JSON.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/file/scene/settings_text.h"
 #include "app/ui/state/ui_state.h"
+#include "core/result.h"
 
 namespace hapticwall::ui {
 
-[[nodiscard]] file::Settings settings_of(const UiState& state);
+inline constexpr std::size_t kMaxSettingsBytes = 256U << 10U;
 
-// Applies every value that is valid. Returns one line for every invalid value; ignores unknown
-// keys.
-[[nodiscard]] std::vector<std::string> apply_settings(const file::Settings& settings,
-                                                      UiState& state);
+// The text of the settings file. Omits strings that are not UTF-8.
+[[nodiscard]] std::string settings_text(const UiState& state);
+
+// Applies every value that is valid. Returns one line for every invalid value and unknown key.
+// Fails if the text is not JSON; `origin` names it in the message.
+[[nodiscard]] Result<std::vector<std::string>> apply_settings(std::string_view text,
+                                                              const std::string& origin,
+                                                              UiState& state);
+// Applies the settings of earlier versions, which were TOML. Ignores unknown keys.
+[[nodiscard]] Result<std::vector<std::string>> apply_old_settings(std::string_view text,
+                                                                  const std::string& origin,
+                                                                  UiState& state);
 
 // Delay before a change is written, so that a drag is one write.
 inline constexpr double kSettingsRestS = 1.0;
@@ -24,8 +34,9 @@ class SettingsFile {
   // With an empty path nothing is read or written.
   explicit SettingsFile(std::string path) : path_(std::move(path)) {}
 
-  // Reads the file into `state`, if it exists. Tells the user about a broken file and copies it to
-  // PATH.broken, because the next save replaces it.
+  // Reads the file into `state`. If it does not exist, reads that of an earlier version beside it,
+  // which ends in ".toml". Tells the user about a broken file and copies it to PATH.broken, because
+  // the next save replaces it.
   void load(UiState& state);
 
   // Once a frame, `seconds` after the previous one: writes changes that have rested.
@@ -35,11 +46,11 @@ class SettingsFile {
   void save(UiState& state);
 
  private:
-  void write(UiState& state, const file::Settings& settings);
+  void write(UiState& state, const std::string& text);
 
   std::string path_;
-  file::Settings saved_;    // as it is in the file
-  file::Settings resting_;  // at the last look
+  std::string saved_;    // text of the file
+  std::string resting_;  // text at the last look
   double rested_s_ = 0.0;
   double unseen_s_ = 0.0;  // since the last look
   bool told_ = false;      // the user knows that writing fails

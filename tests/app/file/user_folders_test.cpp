@@ -22,29 +22,29 @@ Environment environment(std::map<std::string, std::string> variables) {
 
 TEST(SettingsPath, FollowsTheXdgFolders) {
   EXPECT_EQ(settings_path(environment({{"XDG_CONFIG_HOME", "/c"}, {"HOME", "/home/a"}})),
-            "/c/hapticwall/settings.toml");
+            "/c/hapticwall/settings.json");
   EXPECT_EQ(settings_path(environment({{"HOME", "/home/a"}})),
-            "/home/a/.config/hapticwall/settings.toml");
+            "/home/a/.config/hapticwall/settings.json");
   // An empty or relative path counts as not set.
   EXPECT_EQ(settings_path(environment({{"XDG_CONFIG_HOME", ""}, {"HOME", "/home/a"}})),
-            "/home/a/.config/hapticwall/settings.toml");
+            "/home/a/.config/hapticwall/settings.json");
   EXPECT_EQ(settings_path(environment({{"XDG_CONFIG_HOME", "c"}, {"HOME", "/home/a"}})),
-            "/home/a/.config/hapticwall/settings.toml");
+            "/home/a/.config/hapticwall/settings.json");
   EXPECT_EQ(settings_path(environment({})), "");
 }
 
 TEST(SettingsPath, AVariableOfItsOwnComesFirst) {
   EXPECT_EQ(settings_path(environment({{"HAPTICWALL_SETTINGS", "off"}, {"HOME", "/home/a"}})), "");
-  EXPECT_EQ(settings_path(environment({{"HAPTICWALL_SETTINGS", "/x.toml"}, {"HOME", "/home/a"}})),
-            "/x.toml");
+  EXPECT_EQ(settings_path(environment({{"HAPTICWALL_SETTINGS", "/x.json"}, {"HOME", "/home/a"}})),
+            "/x.json");
   EXPECT_EQ(settings_path(environment({{"HAPTICWALL_SETTINGS", ""}, {"HOME", "/h"}})),
-            "/h/.config/hapticwall/settings.toml");
+            "/h/.config/hapticwall/settings.json");
 }
 
 TEST(MakeFolderOf, MakesAllOfThemOrSaysWhyNot) {
   const hapticwall::test::TemporaryFolder folder;
   const fs::path& root = folder.path();
-  const std::string path = (root / "a" / "b" / "settings.toml").string();
+  const std::string path = (root / "a" / "b" / "settings.json").string();
   EXPECT_FALSE(make_folder_of(path));
   EXPECT_TRUE(fs::is_directory(root / "a" / "b"));
   EXPECT_FALSE(make_folder_of(path)) << "it is there already";

@@ -42,7 +42,7 @@ TEST_F(LayoutChoiceTest, EveryBuiltinTextIsReadAndNamesWindowsThatAreThere) {
 }
 
 TEST_F(LayoutChoiceTest, OnesOwnIsKeptChosenReplacedAndDeleted) {
-  options.settings_path = path("settings.toml");
+  options.settings_path = path("settings.json");
   open("press");
   drag_by("gap 0", ImVec2(50.0F, 0.0F));
   click("page Timing");

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <random>
 
-#include "app/file/scene/settings_text.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ui::apply_settings;
-using ui::settings_of;
+using ui::settings_text;
 using ui::SettingsFile;
 using ui::UiState;
 
@@ -51,48 +51,57 @@ void change_all(UiState& state) {
 
 class SettingsTest : public FolderTest {
  protected:
-  [[nodiscard]] std::string file() const { return path("settings.toml"); }
+  [[nodiscard]] std::string file() const { return path("settings.json"); }
 };
 
 TEST(Settings, EverythingThatIsKeptComesBack) {
   UiState state;
   change_all(state);
-  const file::Settings settings = settings_of(state);
+  const std::string settings = settings_text(state);
   UiState fresh;
-  EXPECT_NE(settings_of(fresh), settings);
-  EXPECT_TRUE(apply_settings(settings, fresh).empty());
-  EXPECT_EQ(settings_of(fresh), settings);
+  EXPECT_NE(settings_text(fresh), settings);
+  const auto problems = apply_settings(settings, "", fresh);
+  ASSERT_TRUE(problems) << problems.error().message;
+  EXPECT_THAT(*problems, ::testing::IsEmpty());
+  EXPECT_EQ(settings_text(fresh), settings);
   EXPECT_EQ(fresh.persisted.hidden_lines, state.persisted.hidden_lines);
   EXPECT_EQ(fresh.plots.persisted.lines, state.plots.persisted.lines);
   EXPECT_EQ(fresh.persisted.recent, state.persisted.recent);
   EXPECT_EQ(fresh.persisted.own_layouts, state.persisted.own_layouts);
-  // Every key differs from its default, so that the comparison above is meaningful.
-  const UiState at_start;
-  const file::Settings usual = settings_of(at_start);
+  // Nearly every value differs from its default, so that the comparison above is meaningful.
+  const auto usual = nlohmann::json::parse(settings_text(UiState())).flatten();
   std::size_t changed = 0;
-  for (const auto& [key, value] : settings) {
-    const auto at_first = usual.find(key);
-    if (at_first == usual.end() || at_first->second != value) ++changed;
+  const auto kept = nlohmann::json::parse(settings).flatten();
+  for (const auto& each : kept.items()) {
+    if (!usual.contains(each.key()) || usual[each.key()] != each.value()) ++changed;
   }
   EXPECT_GE(changed, 25U);
 }
 
+TEST(Settings, APathThatIsNotUtf8IsLeftOut) {
+  UiState state;
+  state.persisted.recording_folder = "/tmp/\xff\xfe";
+  state.persisted.recent = {"/a", "/caf\xc3", "/caf\xc3\xa9"};
+  const auto json = nlohmann::json::parse(settings_text(state));
+  EXPECT_FALSE(json["recording"].contains("folder"));
+  EXPECT_EQ(json["recent"], (nlohmann::json{"/a", "/caf\xc3\xa9"}));
+}
+
 TEST_F(SettingsTest, ThePageShowsAWholeFileWithoutAnUnknownKeyOrInvalidValue) {
   const std::string page = text_of(data_folder() + "/../docs/window.md");
-  const std::string fence = "```toml settings\n";
+  const std::string fence = "```json settings\n";
   const std::size_t begin = page.find(fence) + fence.size();
   ASSERT_GT(begin, fence.size());
-  const auto shown = file::parse_settings(page.substr(begin, page.find("```", begin) - begin), "");
-  ASSERT_TRUE(shown) << shown.error().message;
-  EXPECT_GT(shown->size(), 10U);
+  const std::string shown = page.substr(begin, page.find("```", begin) - begin);
+  EXPECT_GT(nlohmann::json::parse(shown).flatten().size(), 10U);
   UiState state;
-  EXPECT_THAT(apply_settings(*shown, state), ::testing::IsEmpty());
-  const file::Settings taken = settings_of(state);
-  for (const auto& [key, value] : *shown) EXPECT_TRUE(taken.contains(key)) << key;
+  const auto problems = apply_settings(shown, "", state);
+  ASSERT_TRUE(problems) << problems.error().message;
+  EXPECT_THAT(*problems, ::testing::IsEmpty());
 }
 
 TEST_F(SettingsTest, AFileIsWrittenIntoANewFolderAndReadBack) {
-  const std::string file = path("a/settings.toml");
+  const std::string file = path("a/settings.json");
   UiState state;
   SettingsFile settings(file);
   settings.load(state);
@@ -101,7 +110,7 @@ TEST_F(SettingsTest, AFileIsWrittenIntoANewFolderAndReadBack) {
   settings.save(state);
   UiState fresh;
   SettingsFile(file).load(fresh);
-  EXPECT_EQ(settings_of(fresh), settings_of(state));
+  EXPECT_EQ(settings_text(fresh), settings_text(state));
   EXPECT_TRUE(fresh.transient.toasts.list().empty());
   EXPECT_FALSE(fs::exists(file + ".partial"));
 }
@@ -118,25 +127,25 @@ TEST_F(SettingsTest, AChangeIsWrittenOnceItRests) {
   }
   for (int frame = 0; frame < 120; ++frame) settings.pass(state, kFrameS);
   ASSERT_TRUE(fs::exists(file()));
-  EXPECT_THAT(content("settings.toml"), HasSubstr("volume = 0.897"));
+  EXPECT_THAT(content("settings.json"), HasSubstr("\"volume\": 0.897"));
   fs::remove(file());
   for (int frame = 0; frame < 600; ++frame) settings.pass(state, kFrameS);
   EXPECT_FALSE(fs::exists(file())) << "unchanged settings are not written again";
 }
 
 TEST_F(SettingsTest, ABrokenFileIsToldKeptAsideAndReplaced) {
-  put("settings.toml", "[window\ntheme = light\n");
+  put("settings.json", "{\"window\":\n {theme: light}\n");
   UiState state;
   SettingsFile settings(file());
   settings.load(state);
   ASSERT_EQ(state.transient.toasts.list().size(), 1U);
   const ui::Message told = state.transient.toasts.newest();
   EXPECT_EQ(told.kind, ui::MessageKind::kProblem);
-  EXPECT_THAT(told.text, HasSubstr("settings.toml:1"));
-  EXPECT_THAT(told.text, HasSubstr("settings.toml.broken"));
+  EXPECT_THAT(told.text, HasSubstr("settings.json:2"));
+  EXPECT_THAT(told.text, HasSubstr("settings.json.broken"));
   const UiState usual;
-  EXPECT_EQ(settings_of(state), settings_of(usual));
-  EXPECT_EQ(content("settings.toml.broken"), "[window\ntheme = light\n");
+  EXPECT_EQ(settings_text(state), settings_text(usual));
+  EXPECT_EQ(content("settings.json.broken"), "{\"window\":\n {theme: light}\n");
   settings.save(state);
   UiState fresh;
   SettingsFile(file()).load(fresh);
@@ -144,22 +153,33 @@ TEST_F(SettingsTest, ABrokenFileIsToldKeptAsideAndReplaced) {
 }
 
 TEST_F(SettingsTest, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
-  put("settings.toml",
-      "[window]\ntheme = \"pink\"\nscale_percent = 1e9\nmore = 3\n"
-      "width = 1250\nfrom_the_future = 1\n[other]\nx = 2\n[recent]\nfile_1 = 3\n"
-      "[plots]\nloop = 1\n");
+  put("settings.json", R"({"window": {"theme": "pink", "scale_percent": 1e9, "more": 3,
+      "width": 1250, "from_the_future": 1}, "other": {"x": 2}, "recent": {"file_1": "/a"},
+      "plots": {"loop": 1}, "hand": 3, "lines": {"force": 1}, "layouts": []})");
   UiState state;
   SettingsFile(file()).load(state);
   EXPECT_EQ(state.persisted.window_width, 1250);
   EXPECT_EQ(state.persisted.look, draw::Look::kScreen);
   EXPECT_EQ(state.persisted.scale_percent, 0);
+  ASSERT_EQ(state.transient.toasts.list().size(), 1U);
   const std::string told = state.transient.toasts.newest().text;
-  EXPECT_THAT(told, HasSubstr("window.theme must be one of: dark, light"));
-  EXPECT_THAT(told, HasSubstr("window.scale_percent must be a number from 0 to 300"));
-  EXPECT_THAT(told, HasSubstr("window.more must be true or false"));
-  EXPECT_THAT(told, HasSubstr("plots.loop must be true or false"));
-  EXPECT_THAT(told, ::testing::Not(HasSubstr("future")));
+  for (const char* line :
+       {"window.theme must be one of: dark, light", "plots.loop must be true or false",
+        "window.scale_percent must be a number from 0 to 300", "window.more must be true or false",
+        "window.from_the_future is unknown", "other is unknown", "recent must be a list of paths",
+        "hand must be an object", "lines.force must be a string", "layouts must be an object"})
+    EXPECT_THAT(told, HasSubstr(line));
   EXPECT_TRUE(fs::exists(file() + ".broken"));
+}
+
+TEST_F(SettingsTest, AFileThatIsNoObjectIsToldAndLeftOut) {
+  for (const char* text : {"3", "[1, 2]", "null", "\"window\""}) {
+    put("settings.json", text);
+    UiState state;
+    SettingsFile(file()).load(state);
+    EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("not a JSON object")) << text;
+    EXPECT_EQ(settings_text(state), settings_text(UiState()));
+  }
 }
 
 TEST_F(SettingsTest, ASpectrumOfASignalThatNoLongerExistsIsLeftOut) {
@@ -169,13 +189,13 @@ TEST_F(SettingsTest, ASpectrumOfASignalThatNoLongerExistsIsLeftOut) {
   SettingsFile(file()).load(state);
   EXPECT_TRUE(state.transient.toasts.list().empty());
   EXPECT_EQ(state.plots.persisted.spectrum.quantity, draw::SpectrumSettings().quantity);
-  put("settings.toml", "[plots]\nspectrum_signal = \"paddle\"\n");
+  put("settings.json", R"({"plots": {"spectrum_signal": "paddle"}})");
   SettingsFile(file()).load(state);
   EXPECT_THAT(state.transient.toasts.newest().text,
               HasSubstr("plots.spectrum_signal must be the name of a signal"));
 }
 
-TEST_F(SettingsTest, UnknownKeysAreNoProblemAndAreNotKept) {
+TEST_F(SettingsTest, UnknownKeysOfTheOldFileAreNoProblemAndAreNotKept) {
   put("settings.toml",
       "[window]\nlower_page = \"map\"\npanel_ems = 25\nview_share = 0.3\npicture_share = 0.7\n"
       "from_the_future = 1\n");
@@ -183,17 +203,27 @@ TEST_F(SettingsTest, UnknownKeysAreNoProblemAndAreNotKept) {
   SettingsFile settings(file());
   settings.load(state);
   EXPECT_TRUE(state.transient.toasts.list().empty());
-  state.persisted.window_width = 1260;
   settings.save(state);
   for (const char* key : {"future", "lower_page", "panel_ems", "view_share", "picture_share"})
-    EXPECT_THAT(content("settings.toml"), ::testing::Not(HasSubstr(key)));
+    EXPECT_THAT(content("settings.json"), ::testing::Not(HasSubstr(key)));
+}
+
+TEST_F(SettingsTest, ABrokenOldFileIsToldAndStays) {
+  put("settings.toml", "[window\ntheme = light\n");
+  UiState state;
+  SettingsFile settings(file());
+  settings.load(state);
+  EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("settings.toml:1"));
+  settings.save(state);
+  EXPECT_EQ(content("settings.toml"), "[window\ntheme = light\n");
+  UiState fresh;
+  SettingsFile(file()).load(fresh);
+  EXPECT_TRUE(fresh.transient.toasts.list().empty()) << "the old file is read once";
 }
 
 TEST_F(SettingsTest, ADamagedLayoutIsToldAndLeftOut) {
-  put("settings.toml",
-      "[window]\nlayout = \"evening\"\ndocked = \"X21.5em(Controls\"\n[layouts]\n"
-      "own_01 = \"evening: Wall\"\nown_02 = \"night: Y400%(Wall;Map)\"\nown_03 = 3\n"
-      "own_04 = \"evening: Map\"\nown_05 = \": Map\"\n");
+  put("settings.json", R"_({"window": {"layout": "evening", "docked": "X21.5em(Controls"},
+      "layouts": {"evening": "Wall", "night": "Y400%(Wall;Map)", "noon": 3, "": "Map"}})_");
   UiState state;
   SettingsFile(file()).load(state);
   EXPECT_EQ(state.persisted.docked, "");
@@ -201,7 +231,7 @@ TEST_F(SettingsTest, ADamagedLayoutIsToldAndLeftOut) {
   EXPECT_EQ(ui::layout_text(state.persisted.own_layouts.front().layout), "Wall");
   const std::string told = state.transient.toasts.newest().text;
   EXPECT_THAT(told, HasSubstr("window.docked is damaged"));
-  for (const char* key : {"layouts.own_02 is", "layouts.own_03 is", "own_04 is", "own_05 is"})
+  for (const char* key : {"layouts.night is", "layouts.noon is", "layouts. is"})
     EXPECT_THAT(told, HasSubstr(key));
 }
 
@@ -210,14 +240,14 @@ TEST_F(SettingsTest, NoFileIsFatal) {
   std::mt19937 random(11);
   UiState changed;
   change_all(changed);
-  const std::string whole = file::settings_text(settings_of(changed));
+  const std::string whole = settings_text(changed);
   std::uniform_int_distribution<std::size_t> place(0, whole.size() - 1);
   std::uniform_int_distribution<int> byte(0, 255);
   for (int round = 0; round < 300; ++round) {
     std::string text = whole;
     for (int i = 0; i <= round % 8; ++i) text[place(random)] = static_cast<char>(byte(random));
     if (round % 5 == 0) text.resize(place(random));
-    put("settings.toml", text);
+    put("settings.json", text);
     UiState state;
     SettingsFile(file()).load(state);
     EXPECT_TRUE(ui::parse_layout(state.persisted.docked) || state.persisted.docked.empty());
@@ -225,7 +255,22 @@ TEST_F(SettingsTest, NoFileIsFatal) {
     EXPECT_LE(state.persisted.scale_percent, 300);
     EXPECT_GE(state.persisted.time_window_s, ui::kTimeWindowsS.front());
   }
-  put("settings.toml", std::string(1U << 20U, '#'));
+  const auto leaves = nlohmann::json::parse(whole).flatten();
+  for (const auto& each : leaves.items()) {
+    for (const nlohmann::json& odd :
+         {nlohmann::json(), nlohmann::json(true), nlohmann::json(-1), nlohmann::json(1e300),
+          nlohmann::json("x"), nlohmann::json::array(), nlohmann::json::object()}) {
+      nlohmann::json json = nlohmann::json::parse(whole);
+      json[nlohmann::json::json_pointer(each.key())] = odd;
+      put("settings.json", json.dump());
+      UiState state;
+      SettingsFile(file()).load(state);
+      EXPECT_LE(state.persisted.window_width, 16384) << each.key();
+      EXPECT_LE(state.persisted.recent.size(), 8U) << each.key();
+      EXPECT_LE(state.compare.persisted.trials, 1000U) << each.key();
+    }
+  }
+  put("settings.json", std::string(1U << 20U, '#'));
   UiState state;
   SettingsFile(file()).load(state);
   EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("larger than"));
@@ -234,7 +279,7 @@ TEST_F(SettingsTest, NoFileIsFatal) {
 TEST_F(SettingsTest, AFailedWriteIsReportedOnce) {
   put("a", "a file where the folder should be");
   UiState state;
-  SettingsFile settings(path("a/settings.toml"));
+  SettingsFile settings(path("a/settings.json"));
   settings.load(state);
   state.persisted.window_width = 1250;
   settings.save(state);

@@ -269,7 +269,7 @@ TEST_F(DockTest, ABlindTestHidesWhateverTheLayoutAndItComesBack) {
 }
 
 TEST_F(DockTest, ThePresentArrangementIsKeptFromOneStartToTheNext) {
-  options.settings_path = path("settings.toml");
+  options.settings_path = path("settings.json");
   open("press");
   drag_by("gap 1", ImVec2(0.0F, 70.0F));
   click("page Map");
@@ -278,7 +278,7 @@ TEST_F(DockTest, ThePresentArrangementIsKeptFromOneStartToTheNext) {
   open("press");
   EXPECT_EQ(chosen(), before);
   EXPECT_THAT(seen(), ::testing::Contains("Map"));
-  put("settings.toml", "[window]\nmore = true\nlayout = \"mine\"\ndocked = \"Y40%(Wall\"\n");
+  put("settings.json", R"({"window": {"more": true, "layout": "mine", "docked": "Y40%(Wall"}})");
   open("press");
   EXPECT_EQ(state().persisted.layout, "bench");
   EXPECT_THAT(seen(), UnorderedElementsAreArray({"Controls", "Wall", "Contact", "Plots"}));
