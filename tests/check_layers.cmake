@@ -1,11 +1,11 @@
 # Fails when an #include line goes against the arrows of the house:
-#   core <- device <- app/runtime <- app/ui, app/command; app/file stands on core alone;
+#   core <- device <- app/session <- app/ui, app/command; app/file stands on core alone;
 #   core, app/file <- app/compare, app/draw, app/table; app/compare, app/draw, app/table <- app/ui; app/draw <- app/command;
 #   app/table, the data of app/draw <- app/study <- app/ui, app/command;
-#   core <- app/sound/signal <- app/command; app/sound/signal, app/runtime, device <- app/sound/live <- app/ui;
-#   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/runtime <- app/python.
+#   core <- app/sound/signal <- app/command; app/sound/signal, app/session, device <- app/sound/live <- app/ui;
+#   core, app/file, app/table <- app/command/report <- app/command; core, app/file, app/session <- app/python.
 # Within a layer the rooms have arrows, too:
-#   device <- device/link <- device/port; app/runtime: loop <- session;
+#   device <- device/link <- device/port; app/session: loop <- the files beside it;
 #   app/command: the files beside the rooms <- run, study, map, device; run, study <- compare; run <- replay, identify;
 #   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen and itself;
@@ -13,22 +13,22 @@
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(layers core device app/file app/runtime app/compare app/table app/draw app/study app/sound/signal app/sound/live app/ui app/command/report app/command app/python app
+set(layers core device app/file app/session app/compare app/table app/draw app/study app/sound/signal app/sound/live app/ui app/command/report app/command app/python app
     tests)
 set(may_include_core core)
 set(may_include_device core device)
 set(may_include_app/file core app/file)
-set(may_include_app/runtime core device app/file app/runtime)
+set(may_include_app/session core device app/file app/session)
 set(may_include_app/compare core app/file app/compare)
 set(may_include_app/table core app/file app/table)
 set(may_include_app/draw core app/file app/draw)
 set(may_include_app/study core app/file app/table app/draw app/study)
 set(may_include_app/sound/signal core app/sound/signal)
-set(may_include_app/sound/live core device app/runtime app/sound/signal app/sound/live)
-set(may_include_app/ui core device app/file app/runtime app/compare app/table app/draw app/study app/sound/live app/ui)
+set(may_include_app/sound/live core device app/session app/sound/signal app/sound/live)
+set(may_include_app/ui core device app/file app/session app/compare app/table app/draw app/study app/sound/live app/ui)
 set(may_include_app/command/report core app/file app/table app/command/report)
-set(may_include_app/command core device app/file app/runtime app/table app/draw app/study app/sound/signal app/command/report app/command)
-set(may_include_app/python core app/file app/runtime app/python)
+set(may_include_app/command core device app/file app/session app/table app/draw app/study app/sound/signal app/command/report app/command)
+set(may_include_app/python core app/file app/session app/python)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
 
@@ -44,11 +44,11 @@ set(may_include_app/ui/page app/ui/wall app/ui/state app/ui/widget app/ui/panel 
 set(may_include_app/ui/window app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/window)
 
 # A folder after its rooms stands for the files beside them.
-list(APPEND rooms device/link device/port device app/runtime/loop app/runtime/session)
+list(APPEND rooms device/link device/port device app/session/loop app/session)
 set(may_include_device/link device/link)
 set(may_include_device/port device/link device/port)
-set(may_include_app/runtime/loop app/runtime/loop)
-set(may_include_app/runtime/session app/runtime/loop app/runtime/session)
+set(may_include_app/session/loop app/session/loop)
+list(APPEND may_include_app/session app/session/loop)
 foreach(room run study compare map replay device identify)
   list(APPEND rooms app/command/${room})
   set(may_include_app/command/${room} app/command/${room})

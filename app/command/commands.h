@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "app/command/common_options.h"
-#include "app/runtime/session/window_options.h"
+#include "app/session/window_options.h"
 #include "app/study/study.h"
 #include "core/result.h"
 
@@ -16,7 +16,7 @@ namespace hapticwall::command {
 using Action = std::function<Result<int>()>;
 
 // The window opens without a command: its options are those of `program` itself.
-[[nodiscard]] Action add_window(CLI::App& program, runtime::OpenWindow open);
+[[nodiscard]] Action add_window(CLI::App& program, session::OpenWindow open);
 
 struct Command {
   CLI::App* app;
@@ -27,7 +27,7 @@ struct Command {
 [[nodiscard]] Command add_map(CLI::App& program);
 // The command of a study; `study` outlives it.
 [[nodiscard]] Command add_study(CLI::App& program, const study::Study& study);
-[[nodiscard]] Command add_replay(CLI::App& program, runtime::OpenWindow open);
+[[nodiscard]] Command add_replay(CLI::App& program, session::OpenWindow open);
 [[nodiscard]] Command add_recover(CLI::App& program);
 [[nodiscard]] Command add_timing(CLI::App& program);
 [[nodiscard]] Command add_identify(CLI::App& program);

@@ -20,8 +20,8 @@
 #include "app/file/recording/recording_reader.h"
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
-#include "app/runtime/loop/spinning_clock.h"
-#include "app/runtime/session/hand_rerun.h"
+#include "app/session/hand_rerun.h"
+#include "app/session/loop/spinning_clock.h"
 #include "core/algorithm/algorithm.h"
 #include "core/algorithm/plugin/plugin_list.h"
 #include "core/scene_keys.h"
@@ -80,7 +80,7 @@ Result<file::LoadedScene> load_recorded(const std::string& command, const SceneO
   Result<OpenedRecording> opened = open_for_rerun(options, !quiet);
   if (!opened) return opened.error();
   if (Failure failed = check_changes(command, options, opened->loaded)) return *failed;
-  Result<Scene> scene = runtime::recorded_scene(*opened->reader, opened->loaded);
+  Result<Scene> scene = session::recorded_scene(*opened->reader, opened->loaded);
   if (!scene) return scene.error();
   file::LoadedScene loaded;
   loaded.scene = std::move(*scene);
@@ -135,9 +135,9 @@ void add_spin_option(CLI::App& app, double& spin_us) {
 
 Result<double> spin_seconds(double spin_us) {
   const double spin_s = spin_us / kMicrosecondsPerSecond;
-  if (spin_s >= 0.0 && spin_s <= runtime::kMaxSpinS) return spin_s;
+  if (spin_s >= 0.0 && spin_s <= session::kMaxSpinS) return spin_s;
   return usage_error(fmt::format("--spin {:g}: it takes 0 to {:g} us", spin_us,
-                                 runtime::kMaxSpinS * kMicrosecondsPerSecond));
+                                 session::kMaxSpinS * kMicrosecondsPerSecond));
 }
 
 CLI::Validator loads_plugin() {

@@ -66,7 +66,7 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 [[nodiscard]] Result<file::LoadedScene> load_headless(const SceneOptions& options);
 
 // The same for a study on the simulator: refuses a device, a scene whose parameters change, and the
-// sidecar of a session that cannot be repeated. A recording gives its runtime::recorded_scene(); if
+// sidecar of a session that cannot be repeated. A recording gives its session::recorded_scene(); if
 // not `quiet`, notes say so.
 [[nodiscard]] Result<file::LoadedScene> load_for_study(const std::string& command,
                                                        const SceneOptions& options, bool quiet);

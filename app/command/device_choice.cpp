@@ -7,7 +7,7 @@
 
 #include "app/file/plugin/plugin_library.h"
 #include "app/file/text/text.h"
-#include "app/runtime/loop/realtime_setup.h"
+#include "app/session/loop/realtime_setup.h"
 #include "device/os_threads.h"
 
 namespace hapticwall::command {
@@ -100,7 +100,7 @@ struct DeviceMaker {
   const Scene& scene;
 
   std::unique_ptr<device::Device> operator()(device::WheelOptions options) const {
-    options.prepare_thread = runtime::set_up_device_thread;
+    options.prepare_thread = session::set_up_device_thread;
     return device::make_wheel(options);
   }
   std::unique_ptr<device::Device> operator()(const device::ImpulseEngineOptions& options) const {
@@ -114,7 +114,7 @@ struct DeviceMaker {
 
   [[nodiscard]] device::ImpulseEngineOptions prepared(device::ImpulseEngineOptions options) const {
     options.start_m.fill(scene.x().device.start_m);
-    options.prepare_thread = runtime::set_up_device_thread;
+    options.prepare_thread = session::set_up_device_thread;
     return options;
   }
 };

@@ -128,7 +128,7 @@ Result<int> after(const Action& action) {
 }
 
 // In the order of --help.
-std::vector<Command> add_commands(CLI::App& program, const runtime::OpenWindow& open) {
+std::vector<Command> add_commands(CLI::App& program, const session::OpenWindow& open) {
   std::vector<Command> commands{add_run(program), add_compare(program), add_map(program)};
   for (const study::Study* study : study::studies()) {
     if (study->has_command) commands.push_back(add_study(program, *study));
@@ -140,7 +140,7 @@ std::vector<Command> add_commands(CLI::App& program, const runtime::OpenWindow& 
   return commands;
 }
 
-Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindow& open) {
+Result<int> dispatch(int argc, const char* const* argv, const session::OpenWindow& open) {
   CLI::App program(kDescription, "hapticwall");
   program.set_version_flag("--version", std::string(kVersion), "Print the version and exit");
   std::string page;
@@ -177,7 +177,7 @@ Result<int> dispatch(int argc, const char* const* argv, const runtime::OpenWindo
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv, const runtime::OpenWindow& open) {
+int run_program(int argc, const char* const* argv, const session::OpenWindow& open) {
   return run_guarded([&] { return dispatch(argc, argv, open); });
 }
 

@@ -43,7 +43,7 @@ Result<OpenedRecording> open_for_rerun(const SceneOptions& options, bool talks) 
   auto reader = file::RecordingReader::open(options.scene);
   if (!reader) return reader.error();
   const file::RecordingInfo& info = (*reader)->info();
-  auto loaded = runtime::rerun_scene(info, options.algorithm, options.settings);
+  auto loaded = session::rerun_scene(info, options.algorithm, options.settings);
   if (!loaded) return loaded.error();
   if (talks) {
     const std::string name = file::shown(options.scene);
@@ -57,13 +57,13 @@ Result<OpenedRecording> open_for_rerun(const SceneOptions& options, bool talks) 
 Result<std::optional<Summary>> rerun_row(OpenedRecording& recording, const ComparedAlgorithm& row,
                                          const std::function<void(const Tick&)>& on_tick,
                                          Progress& progress) {
-  runtime::RerunOptions options;
+  session::RerunOptions options;
   options.keep_going = [&](double fraction) {
     progress.show(fraction);
     return stop_signal() == 0;
   };
   if (on_tick) options.on_sample = [&](const Sample& sample) { on_tick({{sample}}); };
-  auto outcome = runtime::rerun_hand(*recording.reader, under(recording.loaded, row), options);
+  auto outcome = session::rerun_hand(*recording.reader, under(recording.loaded, row), options);
   if (!outcome) return outcome.error();
   if (outcome->stopped_early) return std::optional<Summary>();
   return std::optional(std::move(outcome->summary));

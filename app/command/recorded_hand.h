@@ -8,7 +8,7 @@
 #include "app/command/common_options.h"
 #include "app/command/report/progress.h"
 #include "app/file/recording/recording_reader.h"
-#include "app/runtime/session/hand_rerun.h"
+#include "app/session/hand_rerun.h"
 #include "core/algorithm/algorithm.h"
 #include "core/result.h"
 
@@ -16,7 +16,7 @@ namespace hapticwall::command {
 
 struct OpenedRecording {
   std::unique_ptr<file::RecordingReader> reader;
-  file::LoadedScene loaded;  // of runtime::rerun_scene()
+  file::LoadedScene loaded;  // of session::rerun_scene()
 };
 
 // Opens options.scene. `talks`: says on standard error that its hand is re-run. Fails where

@@ -5,7 +5,7 @@
 #include "app/command/common_options.h"
 #include "app/file/disk/user_folders.h"
 #include "app/file/scene/scene_file.h"
-#include "app/runtime/loop/realtime_setup.h"
+#include "app/session/loop/realtime_setup.h"
 
 namespace hapticwall::command {
 namespace {
@@ -20,20 +20,20 @@ Result<Scene> scene_to_go_back_to(const file::RecordingInfo& recording) {
 }  // namespace
 
 Failure run_replay_window(std::unique_ptr<file::RecordingReader> recording, ReplayWindow window,
-                          const runtime::OpenWindow& open) {
+                          const session::OpenWindow& open) {
   const Result<Scene> scene = scene_to_go_back_to(recording->info());
   if (!scene) return scene.error();
-  runtime::WindowOptions options;
+  session::WindowOptions options;
   options.scene = *scene;
   options.settings_path = file::settings_path(file::process_environment);
   options.opened_file = recording->info().csv_path;
   options.forced_scale = window.scale;
   // Called once the window is open: the recording starts to play then.
   options.replay = [&] {
-    runtime::ReplayOptions replay;
+    session::ReplayOptions replay;
     replay.speed = window.speed;
-    auto session = std::make_unique<runtime::ReplaySession>(
-        std::move(recording), std::make_unique<runtime::MonotonicClock>(), replay);
+    auto session = std::make_unique<session::ReplaySession>(
+        std::move(recording), std::make_unique<session::MonotonicClock>(), replay);
     session->lay_over(std::exchange(window.overlay, std::nullopt));
     return session;
   };

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "app/command/report/terminal.h"
-#include "app/runtime/loop/early_exit.h"
+#include "app/session/loop/early_exit.h"
 #include "core/run/simulate.h"
 
 namespace hapticwall::command {
@@ -31,7 +31,7 @@ Failure check_stack() {
 int run_guarded(const std::function<Result<int>()>& program) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  const runtime::EarlyExitIsAnError until_it_returns;
+  const session::EarlyExitIsAnError until_it_returns;
   try {
     if (Failure failed = check_stack()) return report(*failed);
     const Result<int> status = program();

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string_view>
 
-#include "app/runtime/loop/stop_signals.h"
+#include "app/session/loop/stop_signals.h"
 #include "core/result.h"
 
 namespace hapticwall::command {
@@ -14,8 +14,8 @@ namespace hapticwall::command {
 // closed pipe become errors of write() instead of signals.
 [[nodiscard]] int run_guarded(const std::function<Result<int>()>& program);
 
-using runtime::catch_stop_signals;
-using runtime::stop_signal;
+using session::catch_stop_signals;
+using session::stop_signal;
 
 // The exit status that shells give a program that a signal ended.
 [[nodiscard]] constexpr int status_of_signal(int signal) { return 128 + signal; }

@@ -19,18 +19,18 @@
 #include "app/file/disk/user_folders.h"
 #include "app/file/recording/recording_reader.h"
 #include "app/file/text/text.h"
-#include "app/runtime/session/loop_session.h"
+#include "app/session/loop_session.h"
 #include "core/result.h"
 
 namespace hapticwall::command {
 namespace {
 
 // Starts the window's sessions on the chosen device.
-runtime::StartSession session_starter(const DeviceChoice& device,
-                                      const runtime::SessionOptions& options) {
+session::StartSession session_starter(const DeviceChoice& device,
+                                      const session::SessionOptions& options) {
   if (!device.hardware) return {};
   return [device, options](const Scene& scene, BorrowedAlgorithm* borrowed) {
-    return runtime::start_under(borrowed, make_device(*device.hardware, scene), scene, options);
+    return session::start_under(borrowed, make_device(*device.hardware, scene), scene, options);
   };
 }
 
@@ -40,11 +40,11 @@ constexpr float kFullScalePercent = 100.0F;
 struct LookOptions {
   double scale = 0.0;  // 0: not given
   StreamChoice stream;
-  runtime::ExperimentChoice trials;
+  session::ExperimentChoice trials;
   bool signals = false;
 };
 
-void add_trial_options(CLI::App& program, runtime::ExperimentChoice& choice) {
+void add_trial_options(CLI::App& program, session::ExperimentChoice& choice) {
   program
       .add_option("--trials", choice.list,
                   "Run the trials of this list as a blind experiment; needs --participant")
@@ -60,7 +60,7 @@ void add_trial_options(CLI::App& program, runtime::ExperimentChoice& choice) {
 }
 
 // Its own algorithm wins over --algorithm.
-runtime::SceneWith scene_with(SceneOptions options) {
+session::SceneWith scene_with(SceneOptions options) {
   if (!options.algorithm.empty())
     options.settings.push_back("algorithm.name=" + std::exchange(options.algorithm, ""));
   return [options](std::span<const std::string> overrides) -> Result<Scene> {
@@ -73,7 +73,7 @@ runtime::SceneWith scene_with(SceneOptions options) {
 }
 
 // Null without --trials.
-Result<std::shared_ptr<runtime::Experiment>> open_trials(runtime::ExperimentChoice choice,
+Result<std::shared_ptr<session::Experiment>> open_trials(session::ExperimentChoice choice,
                                                          const SceneOptions& options) {
   if (choice.list.empty()) {
     for (const auto& [name, value] : {std::pair("--participant", choice.participant),
@@ -81,14 +81,14 @@ Result<std::shared_ptr<runtime::Experiment>> open_trials(runtime::ExperimentChoi
                                       {"--answers", choice.answers}}) {
       if (!value.empty()) return usage_error(fmt::format("{}: it needs --trials LIST.csv", name));
     }
-    return std::shared_ptr<runtime::Experiment>();
+    return std::shared_ptr<session::Experiment>();
   }
   if (choice.participant.empty())
     return usage_error("--trials: it needs --participant P, whose answers are stored");
   if (choice.answers == kStandardOutput) return usage_error("--answers -: it takes a file name");
   if (choice.session.empty()) choice.session = "1";
   choice.on_device = options.device != kSimulator;
-  return runtime::open_experiment(choice, scene_with(options));
+  return session::open_experiment(choice, scene_with(options));
 }
 
 // The path of a scene file, for the list of recent files.
@@ -103,7 +103,7 @@ std::optional<float> forced_scale(const LookOptions& look) {
 
 // A recording instead of a scene. It takes no options of a scene.
 Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
-                           const runtime::OpenWindow& open) {
+                           const session::OpenWindow& open) {
   if (!options.algorithm.empty() || !options.settings.empty() || options.device != kSimulator) {
     return usage_error(fmt::format(
         "{}: a recording takes no such option; 'hapticwall replay' re-runs its hand with "
@@ -130,7 +130,7 @@ Result<int> open_recording(const SceneOptions& options, const LookOptions& look,
 }
 
 Result<int> open_window(const SceneOptions& options, const LookOptions& look, bool repeats,
-                        const runtime::OpenWindow& open) {
+                        const session::OpenWindow& open) {
   if (file::is_recording(options.scene)) return open_recording(options, look, open);
   const Result<DeviceChoice> device = parse_device_choice(options.device);
   if (!device) return device.error();
@@ -144,13 +144,13 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
   if (!experiment) return experiment.error();
   const auto stream = open_stream(look.stream, {});
   if (!stream) return stream.error();
-  runtime::SessionOptions session;
+  session::SessionOptions session;
   session.allow_no_realtime = options.allow_no_realtime;
   session.allow_slow_device = options.allow_slow_device;
   session.spin_s = *spin_s;
   session.stream = *stream;
   if (look.signals) session.signals = file::all_signal_columns();
-  runtime::WindowOptions window;
+  session::WindowOptions window;
   window.scene = loaded->scene;
   window.start_on_device = session_starter(*device, session);
   window.device = options.device;
@@ -168,7 +168,7 @@ Result<int> open_window(const SceneOptions& options, const LookOptions& look, bo
 
 }  // namespace
 
-Action add_window(CLI::App& program, runtime::OpenWindow open) {
+Action add_window(CLI::App& program, session::OpenWindow open) {
   const auto options = std::make_shared<SceneOptions>();
   const auto look = std::make_shared<LookOptions>();
   program
@@ -182,8 +182,8 @@ Action add_window(CLI::App& program, runtime::OpenWindow open) {
   add_stream_options(program, look->stream);
   add_signals_option(program, look->signals, "recordings and the stream");
   add_trial_options(program, look->trials);
-  constexpr float kMin = runtime::kMinScalePercent / kFullScalePercent;
-  constexpr float kMax = runtime::kMaxScalePercent / kFullScalePercent;
+  constexpr float kMin = session::kMinScalePercent / kFullScalePercent;
+  constexpr float kMax = session::kMaxScalePercent / kFullScalePercent;
   program
       .add_option("--scale", look->scale, "Scale of the window's content, 0.5 to 3; 1 as designed")
       ->check(is_number_within(kMin, kMax))

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/python/interruptible.h"
-#include "app/runtime/session/hand_rerun.h"
+#include "app/session/hand_rerun.h"
 #include "core/run/simulate.h"
 #include "core/units.h"
 
@@ -77,26 +77,26 @@ const Rows& RecordingBox::rows() {
 }
 
 SceneBox RecordingBox::scene() {
-  file::LoadedScene loaded = value_or_raise(runtime::rerun_scene(info(), "", {}));
+  file::LoadedScene loaded = value_or_raise(session::rerun_scene(info(), "", {}));
   if (!loaded.changes.empty())
     raise(usage_error("parameters change in this recording; rerun() repeats them"));
   file::LoadedScene recorded;
-  recorded.scene = value_or_raise(runtime::recorded_scene(*reader_, loaded));
+  recorded.scene = value_or_raise(session::recorded_scene(*reader_, loaded));
   return SceneBox(std::move(recorded));
 }
 
 RunBox RecordingBox::rerun(const std::string& algorithm,
                            const std::vector<std::string>& overrides) {
   RunBox box{
-      SceneBox(value_or_raise(runtime::rerun_scene(info(), algorithm, overrides))), {}, {}, {}, {}};
+      SceneBox(value_or_raise(session::rerun_scene(info(), algorithm, overrides))), {}, {}, {}, {}};
   const auto outcome = value_or_raise(interruptibly([&](const StopQuestion& should_stop) {
-    return runtime::rerun_hand(
+    return session::rerun_hand(
         *reader_, box.scene.loaded(),
         {.on_sample = [&](const Sample& sample) { box.rows.append({{sample}}); },
          .keep_going = [&](double) { return !should_stop(); }});
   }));
   box.summary = {outcome.summary};
-  box.metadata = runtime::rerun_metadata(info(), box.scene.loaded(), outcome);
+  box.metadata = session::rerun_metadata(info(), box.scene.loaded(), outcome);
   box.first_different_tick = outcome.first_different_tick;
   return box;
 }

@@ -15,8 +15,8 @@
 #include "app/file/recording/recording_reader.h"
 #include "app/file/scene/device_file.h"
 #include "app/file/scene/scene_file.h"
-#include "app/runtime/session/experiment.h"
-#include "app/runtime/session/hand_rerun.h"
+#include "app/session/experiment.h"
+#include "app/session/hand_rerun.h"
 #include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
 #include "tests/paths.h"
@@ -99,9 +99,9 @@ TEST(Version010, ARecordingHasItsNumbersAndSignals) {
 TEST(Version010, ARunAgainOfARecordingHasTheSameBits) {
   for (const char* name : {"press-signals.csv", "realtime.csv", "then.csv"}) {
     const auto reader = recording(name);
-    const auto scene = runtime::rerun_scene(reader->info(), "", {});
+    const auto scene = session::rerun_scene(reader->info(), "", {});
     ASSERT_TRUE(scene) << name << scene.error().message;
-    const auto outcome = runtime::rerun_hand(*reader, *scene);
+    const auto outcome = session::rerun_hand(*reader, *scene);
     ASSERT_TRUE(outcome) << name << outcome.error().message;
     EXPECT_EQ(outcome->first_different_tick, std::nullopt) << name;
   }
@@ -184,9 +184,9 @@ TEST(Version010, AnExperimentContinuesItsAnswers) {
   const TemporaryFolder folder;
   const std::string answers = folder.file("answers.csv");
   std::filesystem::copy_file(old_file("answers-P01-1.csv"), answers);
-  const runtime::ExperimentChoice choice{old_file("list.csv"), "P01", "1", answers, false};
+  const session::ExperimentChoice choice{old_file("list.csv"), "P01", "1", answers, false};
   const auto experiment =
-      runtime::open_experiment(choice, [](std::span<const std::string> overrides) -> Result<Scene> {
+      session::open_experiment(choice, [](std::span<const std::string> overrides) -> Result<Scene> {
         Result<file::LoadedScene> loaded = file::load_scene("press", overrides);
         if (!loaded) return loaded.error();
         return loaded->scene;

@@ -11,9 +11,9 @@
 #include <sstream>
 #include <vector>
 
-#include "tests/app/runtime/loop/lie_rig.h"
+#include "tests/app/session/loop/lie_rig.h"
 
-namespace hapticwall::runtime::test {
+namespace hapticwall::session::test {
 namespace {
 
 using device::hid::Fault;
@@ -156,4 +156,4 @@ TEST(DeviceLiesProperty, NoScriptPushesWhileDisarmedOrDisarmsInSilence) {
 }
 
 }  // namespace
-}  // namespace hapticwall::runtime::test
+}  // namespace hapticwall::session::test

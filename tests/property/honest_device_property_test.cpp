@@ -8,17 +8,17 @@
 #include <cstdlib>
 #include <string>
 
-#include "app/runtime/loop/servo_loop.h"
-#include "app/runtime/session/scene_change.h"
+#include "app/session/loop/servo_loop.h"
+#include "app/session/scene_change.h"
 #include "core/algorithm/plugin/plugin_list.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 #include "tests/property/honest_device.h"
 
 namespace hapticwall::testing {
 namespace {
 
-using runtime::ArmingNote;
-using runtime::ArmingState;
+using session::ArmingNote;
+using session::ArmingState;
 
 constexpr double kWallM = 0.05;
 constexpr int kScriptTicks = 4000;
@@ -106,15 +106,15 @@ Lived live(std::uint32_t seed, bool is_wheel) {
   Script script(seed, is_wheel);
   HonestDevice device(script.draw());
   HonestSettings settings = Script(seed, is_wheel).draw();
-  runtime::Exchange exchange(
+  session::Exchange exchange(
       {.plot = 1, .recorder = 1},
-      runtime::test::parameters_of(runtime::scene_on(settings.scene, device.info())));
-  runtime::ServoLoop loop(
+      session::test::parameters_of(session::scene_on(settings.scene, device.info())));
+  session::ServoLoop loop(
       {&device}, exchange,
-      runtime::test::parameters_of(runtime::scene_on(settings.scene, device.info())), false);
-  runtime::test::FakeClock clock;
+      session::test::parameters_of(session::scene_on(settings.scene, device.info())), false);
+  session::test::FakeClock clock;
   Lived lived;
-  EXPECT_TRUE(exchange.commands.try_push({runtime::CommandKind::kArm, 0}));
+  EXPECT_TRUE(exchange.commands.try_push({session::CommandKind::kArm, 0}));
   for (int tick = 0; tick < kScriptTicks && device.fastest_m_per_s <= 3.0;) {
     const std::uint64_t missed = script.chance(0.005) ? script.below(6) : 0;
     for (std::uint64_t i = 0; i <= missed; ++i) device.pass_tick();
@@ -123,7 +123,7 @@ Lived live(std::uint32_t seed, bool is_wheel) {
     loop.cycle({clock.now_ns(), static_cast<std::int64_t>(script.uniform(0.0, 50e3)), missed},
                clock);
     exchange.snapshots.update();
-    const runtime::ArmingStatus arming = exchange.snapshots.current().arming;
+    const session::ArmingStatus arming = exchange.snapshots.current().arming;
     lived.obeyed = arming.state == ArmingState::kOn && arming.limit_share == 1.0;
     if (arming.state == ArmingState::kOff && arming.asked > 0) {
       lived.note = arming.note;
@@ -140,7 +140,7 @@ TEST(HonestDevice, IsNeverDisarmed) {
   const std::uint32_t count = scripts();
   for (std::uint32_t seed = 1; seed <= count; ++seed) {
     const Lived lived = live(seed, seed % 4 == 0);
-    EXPECT_EQ(runtime::arming_note_text(lived.note), "") << "seed " << seed;
+    EXPECT_EQ(session::arming_note_text(lived.note), "") << "seed " << seed;
     obeyed += lived.obeyed ? 1 : 0;
     fast += lived.fastest_m_per_s > 1.0 ? 1 : 0;
   }

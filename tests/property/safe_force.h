@@ -14,17 +14,17 @@
 #include <type_traits>
 #include <vector>
 
-#include "app/runtime/loop/servo_loop.h"
-#include "app/runtime/session/plant_keeper.h"
-#include "tests/app/runtime/support.h"
+#include "app/session/loop/servo_loop.h"
+#include "app/session/plant_keeper.h"
+#include "tests/app/session/support.h"
 #include "tests/property/extremes_scene.h"
 #include "tests/property/safe_force_devices.h"
 #include "tests/property/scene_generator.h"
 
 namespace hapticwall::testing {
 
-using runtime::ArmingState;
-using runtime::CommandKind;
+using session::ArmingState;
+using session::CommandKind;
 
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kEndless = std::numeric_limits<double>::infinity();
@@ -60,19 +60,19 @@ class Life {
         totals_(totals),
         device_(device),
         plants_(first),
-        exchange_({.plot = 16}, runtime::test::parameters_of(first)),
-        loop_({&device}, exchange_, runtime::test::parameters_of(first), false),
+        exchange_({.plot = 16}, session::test::parameters_of(first)),
+        loop_({&device}, exchange_, session::test::parameters_of(first), false),
         real_(!device.info().is_simulated) {
     settings_[1] = servo_settings(first);
   }
 
   void live(int cycles) {
-    clock_.after_sleep = [this, cycles](runtime::test::FakeClock& clock) {
+    clock_.after_sleep = [this, cycles](session::test::FakeClock& clock) {
       judge();
       if (++cycle_ == cycles) exchange_.stop = true;
       act(clock);
     };
-    runtime::run_servo_loop(loop_, exchange_, scene_.sampling.rate_hz, clock_);
+    session::run_servo_loop(loop_, exchange_, scene_.sampling.rate_hz, clock_);
     ++totals_.lives;
     totals_.cycles += static_cast<std::uint64_t>(cycle_);
     promise(device_.commands.closed, "the device is closed at the end");
@@ -86,7 +86,7 @@ class Life {
 
  private:
   void promise(bool holds, const char* what) { device_.commands.broken.unless(holds, what); }
-  runtime::Snapshot newest() {
+  session::Snapshot newest() {
     exchange_.snapshots.update();
     return exchange_.snapshots.current();
   }
@@ -96,8 +96,8 @@ class Life {
 
   // ---- what is promised, of the cycle that is over
   void judge() {
-    const runtime::Snapshot now = newest();
-    for (runtime::ParameterEcho echo; exchange_.echoes.try_pop(echo);) {
+    const session::Snapshot now = newest();
+    for (session::ParameterEcho echo; exchange_.echoes.try_pop(echo);) {
       plants_.came_into_force(echo.generation);
     }
     if (cycle_ > 0) judge_cycle(now);
@@ -105,7 +105,7 @@ class Life {
     device_.commands.of_cycle_n.clear();
   }
 
-  void judge_cycle(const runtime::Snapshot& now) {
+  void judge_cycle(const session::Snapshot& now) {
     const bool ticked = now.timing.ticks > before_.timing.ticks;
     Tick tick;
     promise(exchange_.plot.try_pop(tick) == ticked, "one sample a tick");
@@ -119,7 +119,7 @@ class Life {
       promise(!device_.commands.enabled, "not enabled while it is not allowed");
       promise(now.arming.gain == 0.0 || asked_, "no gain while it is not allowed");
     }
-    const double rise = kMaxRise / (runtime::kArmingRampS * scene_.sampling.rate_hz);
+    const double rise = kMaxRise / (session::kArmingRampS * scene_.sampling.rate_hz);
     promise(now.arming.gain <= before_.arming.gain + rise, "the gain rises evenly");
     // The hole was before somebody asked.
     if (asked_ && ticked && !bad_reading_ && !disarmed_) may_push_ = true;
@@ -129,7 +129,7 @@ class Life {
     newest_before_n_ = device_.commands.newest_n;
   }
 
-  void judge_tick(const Sample& sample, const runtime::Snapshot& now) {
+  void judge_tick(const Sample& sample, const session::Snapshot& now) {
     const double gain = before_.arming.gain;  // of this tick at most
     const ServoSettings& settings = settings_.at(sample.generation);
     const std::vector<double>& heard_n = device_.commands.of_cycle_n;
@@ -152,11 +152,11 @@ class Life {
 
   // A change is no kick: the force begins where it was, as far as the new limit lets it.
   void judge_change(const Sample& sample, const ServoSettings& settings, double gain,
-                    const runtime::Snapshot& now) {
+                    const session::Snapshot& now) {
     const std::uint32_t untrusted = kFlagStaleInput | kFlagDeviceFault;
     const bool changed = in_force_ && !(settings == *in_force_) && sample.tick > 0;
     const bool taken_away = (sample.flags & untrusted) != 0 || hole_ || disarmed_ ||
-                            now.arming.note == runtime::ArmingNote::kForce;
+                            now.arming.note == session::ArmingNote::kForce;
     if (!changed || taken_away || force_before_n_ == 0.0 || gain_before_ == 0.0) return;
     const double full_n = force_before_n_ / gain_before_;
     const double limit_n = settings.force_limit_n;
@@ -167,7 +167,7 @@ class Life {
   }
 
   // ---- what somebody does, and what happens, before the next cycle
-  void act(runtime::test::FakeClock& clock) {
+  void act(session::test::FakeClock& clock) {
     bad_reading_ = hole_ = disarmed_ = asked_ = false;
     if (draw_.chance(0.01)) late(clock);
     if (draw_.chance(0.01)) publish(changed_somehow(draw_, scene_));
@@ -177,12 +177,12 @@ class Life {
     if (draw_.chance(5e-5)) break_down();
   }
 
-  void late(runtime::test::FakeClock& clock) {
+  void late(session::test::FakeClock& clock) {
     const double late_s = draw_.chance(0.1) ? draw_.log_uniform(0.0201, 10.0)  //
                                             : draw_.uniform(0.0, 0.0199);
     hole_ = late_s > kDefaultMaxAgeS;
     totals_.holes += hole_ ? 1 : 0;
-    clock.advance_ns(static_cast<std::int64_t>(late_s * runtime::kNanosecondsPerSecond));
+    clock.advance_ns(static_cast<std::int64_t>(late_s * session::kNanosecondsPerSecond));
   }
 
   // As a session's owner does it.
@@ -193,11 +193,11 @@ class Life {
     ++generation_;
     settings_[generation_] = servo_settings(wanted);
     PlantModel* plant = real_ ? nullptr : plants_.plant_for(wanted, generation_, unread);
-    exchange_.parameters.publish(runtime::test::parameters_of(wanted, generation_, plant));
+    exchange_.parameters.publish(session::test::parameters_of(wanted, generation_, plant));
   }
 
   void lead() {
-    runtime::HandMove move{.m = {draw_.chance(0.2) ? 1.0 : draw_.uniform(0.0, 0.1)}};
+    session::HandMove move{.m = {draw_.chance(0.2) ? 1.0 : draw_.uniform(0.0, 0.1)}};
     move.to_place = draw_.chance(0.5);
     move.duration_s = draw_.uniform(0.0, 0.1);
     static_cast<void>(exchange_.hand_moves.try_push(move));
@@ -288,17 +288,17 @@ class Life {
   Draw draw_;
   LifeTotals& totals_;
   DeviceKind& device_;
-  runtime::PlantKeeper plants_;
-  runtime::Exchange exchange_;
-  runtime::ServoLoop loop_;
-  runtime::test::FakeClock clock_;
+  session::PlantKeeper plants_;
+  session::Exchange exchange_;
+  session::ServoLoop loop_;
+  session::test::FakeClock clock_;
   const bool real_;
 
   std::map<std::uint32_t, ServoSettings> settings_;  // by generation
   std::optional<ServoSettings> in_force_;
   std::uint32_t generation_ = 1;
   int cycle_ = 0;
-  runtime::Snapshot before_;
+  session::Snapshot before_;
   double force_before_n_ = 0.0;
   double gain_before_ = 0.0;
   double newest_before_n_ = 0.0;

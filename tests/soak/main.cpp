@@ -16,9 +16,9 @@
 #include <thread>
 #include <vector>
 
-#include "app/runtime/loop/latency_histogram.h"
-#include "app/runtime/session/live_session.h"
-#include "tests/app/runtime/support.h"
+#include "app/session/live_session.h"
+#include "app/session/loop/latency_histogram.h"
+#include "tests/app/session/support.h"
 #include "tests/soak/researcher.h"
 #include "tests/soak/watched_clock.h"
 
@@ -72,13 +72,13 @@ class MemoryAtRest {
 };
 
 // Every period was a cycle or is counted as missed or rested, from the first deadline to now.
-bool every_period_is_accounted_for(runtime::LiveSession& session, const WatchedClock& clock) {
+bool every_period_is_accounted_for(session::LiveSession& session, const WatchedClock& clock) {
   constexpr int kTries = 1000;  // the loop goes on while we look
-  auto timing = std::make_unique<runtime::TimingHistograms>();
+  auto timing = std::make_unique<session::TimingHistograms>();
   for (int i = 0; i < kTries; ++i) {
     const std::uint64_t periods = clock.periods();
     session.read_timing(*timing);
-    const runtime::TimingStatistics left_out = session.snapshot().timing;
+    const session::TimingStatistics left_out = session.snapshot().timing;
     if (timing->wake_latency.total() + left_out.missed_ticks + left_out.rested_periods == periods &&
         clock.periods() == periods)
       return true;
@@ -87,16 +87,16 @@ bool every_period_is_accounted_for(runtime::LiveSession& session, const WatchedC
   return false;
 }
 
-void print_line(std::uint64_t turn, runtime::LiveSession& session, const WatchedClock& clock,
+void print_line(std::uint64_t turn, session::LiveSession& session, const WatchedClock& clock,
                 const Tally& tally) {
-  auto timing = std::make_unique<runtime::TimingHistograms>();
+  auto timing = std::make_unique<session::TimingHistograms>();
   session.read_timing(*timing);
   const Memory now = memory();
   std::printf("%7.2f %11llu %9llu %10.1f %9llu %6llu %5llu %9llu %8.2f %8.1f %7.2f\n",
               static_cast<double>(turn) / kTurnsAnHour,
               static_cast<unsigned long long>(timing->wake_latency.total()),
               static_cast<unsigned long long>(session.snapshot().timing.missed_ticks),
-              static_cast<double>(runtime::quantiles(timing->wake_latency).p99_ns) /
+              static_cast<double>(session::quantiles(timing->wake_latency).p99_ns) /
                   kNanosecondsInMicrosecond,
               static_cast<unsigned long long>(tally.changes),
               static_cast<unsigned long long>(tally.resets),
@@ -133,12 +133,12 @@ int verdict(const Tally& tally, const MemoryAtRest& rest, const WatchedClock& cl
 }
 
 int soak(WatchedClock& clock, double hours) {
-  runtime::SessionOptions options;
+  session::SessionOptions options;
   options.clock = &clock;
-  auto started = runtime::LiveSession::start(pressing_scene(kRateHz), options);
+  auto started = session::LiveSession::start(pressing_scene(kRateHz), options);
   if (!started) throw std::runtime_error(started.error().message);
-  runtime::LiveSession& session = **started;
-  const runtime::test::TemporaryFolder folder;
+  session::LiveSession& session = **started;
+  const session::test::TemporaryFolder folder;
   Researcher researcher(session, folder.file("soak.csv"), kSeed);
   MemoryAtRest rest;
   std::printf("%s\n%7s %11s %9s %10s %9s %6s %5s %9s %8s %8s %7s\n",

@@ -38,7 +38,7 @@ Scene pressing_scene(double rate_hz) {
   return scene;
 }
 
-Researcher::Researcher(runtime::LiveSession& session, std::string csv_path, std::uint64_t seed)
+Researcher::Researcher(session::LiveSession& session, std::string csv_path, std::uint64_t seed)
     : session_(session), path_(std::move(csv_path)), random_(seed) {}
 
 double Researcher::between(double low, double high) {

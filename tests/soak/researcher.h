@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "app/runtime/session/live_session.h"
+#include "app/session/live_session.h"
 #include "core/scene.h"
 
 namespace hapticwall::soak {
@@ -29,7 +29,7 @@ struct Tally {
 class Researcher {
  public:
   // `csv_path` is of one recording at a time, and gone after it.
-  Researcher(runtime::LiveSession& session, std::string csv_path, std::uint64_t seed);
+  Researcher(session::LiveSession& session, std::string csv_path, std::uint64_t seed);
 
   // What somebody does who looks sixty times a second. `on_reset` is called when the session is
   // back at tick 0 and nothing is left of what was before.
@@ -56,7 +56,7 @@ class Researcher {
   [[nodiscard]] double between(double low, double high);
   [[nodiscard]] bool once_in(int turns);
 
-  runtime::LiveSession& session_;
+  session::LiveSession& session_;
   std::string path_;
   std::mt19937_64 random_;
   Tally tally_;

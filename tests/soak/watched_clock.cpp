@@ -8,7 +8,7 @@
 namespace hapticwall::soak {
 namespace {
 
-constexpr auto kNanoseconds = static_cast<long double>(runtime::kNanosecondsPerSecond);
+constexpr auto kNanoseconds = static_cast<long double>(session::kNanosecondsPerSecond);
 
 // How long the loop looks for its owner, in real time.
 constexpr std::chrono::milliseconds kPatience{2};

@@ -8,12 +8,12 @@
 #include <mutex>
 #include <random>
 
-#include "app/runtime/loop/clock.h"
-#include "app/runtime/loop/realtime_setup.h"
+#include "app/session/loop/clock.h"
+#include "app/session/loop/realtime_setup.h"
 
 namespace hapticwall::soak {
 
-class WatchedClock : public runtime::Clock {
+class WatchedClock : public session::Clock {
  public:
   explicit WatchedClock(double rate_hz) : rate_hz_(rate_hz) {}
 
@@ -47,7 +47,7 @@ class RealClock final : public WatchedClock {
   void pass(std::int64_t duration_ns) override;
 
  private:
-  runtime::MonotonicClock clock_;
+  session::MonotonicClock clock_;
 };
 
 // Time passes as the owner lets it. Wake-ups come late, some by many periods, the same ones in

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/file/scene/scene_file.h"
-#include "app/runtime/session/experiment.h"
+#include "app/session/experiment.h"
 #include "tests/window/rows.h"
 #include "tests/window/window_test.h"
 
@@ -49,7 +49,7 @@ class ControlsTest : public WindowTest {
     std::ofstream(list) << "kind,a,b\ntest,,wall.stiffness_n_per_m=1000\nbreak,,\n"
                            "catch,wall.position_m=0.04,wall.position_m=0.04\n"
                            "test,wall.stiffness_n_per_m=2000,\n";
-    const auto experiment = runtime::open_experiment(
+    const auto experiment = session::open_experiment(
         {list, "P1", "1", answers}, [](std::span<const std::string> overrides) -> Result<Scene> {
           return file::load_scene("press", overrides)->scene;
         });
@@ -68,7 +68,7 @@ class ControlsTest : public WindowTest {
       EXPECT_EQ(device().steps, 0) << "it is not paused";
       person.click("arm");
       EXPECT_EQ(device().arm_requests, std::vector{true});
-      device().arming.state = runtime::ArmingState::kOn;
+      device().arming.state = session::ArmingState::kOn;
       person.wait_a_frame();
       person.click("arm");
       EXPECT_EQ(device().arm_requests, (std::vector{true, false}));

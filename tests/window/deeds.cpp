@@ -57,11 +57,11 @@ void reset_once(Person& person, const Act& act) {
 
 void record_and_stop(Person& person, const Act& act) {
   act();
-  EXPECT_EQ(person.recording().state, runtime::RecordingState::kRecording);
+  EXPECT_EQ(person.recording().state, session::RecordingState::kRecording);
   person.wait_until([&] { return person.recording().rows > 0; }, "rows");
   person.put_everything_away();
   act();
-  EXPECT_EQ(person.recording().state, runtime::RecordingState::kIdle);
+  EXPECT_EQ(person.recording().state, session::RecordingState::kIdle);
   const std::filesystem::path path = person.recording().path;
   EXPECT_TRUE(std::filesystem::exists(path));
   EXPECT_EQ(path.parent_path(), person.state().transient.recording_folder);

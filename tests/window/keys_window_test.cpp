@@ -84,7 +84,7 @@ void next_trigger(Person& person, const Act& press) {
 
 // ---- with a recording open
 
-runtime::ReplaySession& replay(Person& person) { return *person.replay(); }
+session::ReplaySession& replay(Person& person) { return *person.replay(); }
 
 std::uint64_t tick(Person& person) { return person.session().snapshot().newest.x().tick; }
 

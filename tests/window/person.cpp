@@ -28,7 +28,7 @@ std::string kind_of(const std::string& item) {
   return item;
 }
 
-runtime::RecordingStatus Person::recording() const { return live().recording_status(); }
+session::RecordingStatus Person::recording() const { return live().recording_status(); }
 
 bool Person::sees(const std::string& item) { return find_item(item).has_value(); }
 

@@ -37,12 +37,12 @@ class Person {
 
   // ---- state
   [[nodiscard]] ui::UiState& state() const { return application_->state(); }
-  [[nodiscard]] runtime::SampleSource& session() const { return application_->session(); }
-  [[nodiscard]] runtime::LiveSession& live() const { return *application_->live(); }
-  [[nodiscard]] runtime::ReplaySession* replay() const { return application_->replay(); }
+  [[nodiscard]] session::SampleSource& session() const { return application_->session(); }
+  [[nodiscard]] session::LiveSession& live() const { return *application_->live(); }
+  [[nodiscard]] session::ReplaySession* replay() const { return application_->replay(); }
   [[nodiscard]] const Scene& scene() const { return application_->session().scene(); }
   [[nodiscard]] const draw::SampleHistory& history() const { return application_->history(); }
-  [[nodiscard]] runtime::RecordingStatus recording() const;
+  [[nodiscard]] session::RecordingStatus recording() const;
   [[nodiscard]] ui::Message message() const { return state().transient.toasts.newest(); }
   [[nodiscard]] static bool sees(const std::string& item);
   // Whether a tooltip appears while the pointer rests on it.

@@ -20,13 +20,13 @@ class RecordingWindowTest : public WindowTest {
 
   static void start(Person& person) {
     person.click("record");
-    EXPECT_EQ(person.recording().state, runtime::RecordingState::kRecording);
+    EXPECT_EQ(person.recording().state, session::RecordingState::kRecording);
   }
 
   static void stop(Person& person) {
     person.put_everything_away();
     person.click("record");
-    EXPECT_EQ(person.recording().state, runtime::RecordingState::kIdle);
+    EXPECT_EQ(person.recording().state, session::RecordingState::kIdle);
     EXPECT_EQ(person.recording().dropped_rows, 0U);
   }
 
@@ -105,7 +105,7 @@ TEST_P(RecordingWindowTest, EndsWithTheSceneAndNeverReplacesAFile) {
       person.wait_until([&] { return person.recording().rows > 10; }, "rows");
       person.put_everything_away();
       person.click("Figure 6");
-      person.wait_until([&] { return person.recording().state == runtime::RecordingState::kIdle; },
+      person.wait_until([&] { return person.recording().state == session::RecordingState::kIdle; },
                         "the end of the recording");
     }
   });

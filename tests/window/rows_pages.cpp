@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/runtime/session/replay_session.h"
+#include "app/session/replay_session.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/comparing.h"
 #include "core/algorithm/algorithm.h"
@@ -16,7 +16,7 @@ namespace {
 
 using compare::Slot;
 
-runtime::ReplaySession& replayed(Person& person) { return *person.replay(); }
+session::ReplaySession& replayed(Person& person) { return *person.replay(); }
 
 // `first_item`: the page shows it, and no other page does.
 Row page(const char* name, const char* first_item) {

@@ -18,7 +18,7 @@
 #include "app/file/disk/atomic_file.h"
 #include "app/file/disk/user_folders.h"
 #include "app/file/scene/scene_file.h"
-#include "app/runtime/session/loop_session.h"
+#include "app/session/loop_session.h"
 #include "tests/app/ui/items.h"
 #include "tests/app/ui/offscreen_gui.h"
 
@@ -85,7 +85,7 @@ void drop_onto(GLFWwindow* window, std::span<const std::string> paths) {
   callback(window, static_cast<int>(names.size()), names.data());
 }
 
-void use_real_window(const runtime::WindowOptions& options, const Script& script, ItemLog& log) {
+void use_real_window(const session::WindowOptions& options, const Script& script, ItemLog& log) {
   std::unique_ptr<Engine> engine;
   GLFWwindow* window = nullptr;
   ui::WindowHooks hooks;
@@ -106,11 +106,11 @@ void use_real_window(const runtime::WindowOptions& options, const Script& script
 }
 
 // Does the work of run_window() without a window and without painting.
-void use_headless(const runtime::WindowOptions& options, const Script& script, ItemLog& log) {
+void use_headless(const session::WindowOptions& options, const Script& script, ItemLog& log) {
   const OffscreenGui gui(ImVec2(kWidth, kHeight));
   ui::Application::Sessions sessions;
   sessions.simulate = [](const Scene& scene, BorrowedAlgorithm* borrowed) {
-    return runtime::start_under(borrowed, nullptr, scene, {});
+    return session::start_under(borrowed, nullptr, scene, {});
   };
   sessions.start_on_device = options.start_on_device;
   const auto created =
@@ -209,12 +209,12 @@ void WindowTest::use(const Script& script) {
 void WindowTest::connect_device() {
   options_.start_on_device =
       [this](const Scene& scene,
-             BorrowedAlgorithm* /*borrowed*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
+             BorrowedAlgorithm* /*borrowed*/) -> Result<std::unique_ptr<session::LiveSession>> {
     auto session = std::make_unique<FakeSession>(scene);
     session->info = {"paddle", false};
-    session->arming.state = runtime::ArmingState::kOff;
+    session->arming.state = session::ArmingState::kOff;
     device_ = session.get();
-    return std::unique_ptr<runtime::LiveSession>(std::move(session));
+    return std::unique_ptr<session::LiveSession>(std::move(session));
   };
 }
 

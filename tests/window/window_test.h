@@ -54,7 +54,7 @@ class WindowTest : public ::testing::TestWithParam<Screen> {
   [[nodiscard]] FakeSession& device() const { return *device_; }
 
   Home home_;
-  runtime::WindowOptions options_;
+  session::WindowOptions options_;
   ItemLog log_;
 
  private:

@@ -12,8 +12,8 @@ void print_heading() {
               "most", "missed");
 }
 
-void print_row(const Blocks& blocks, const char* what, const runtime::LatencyCounts& counts) {
-  const runtime::Quantiles row = runtime::quantiles(counts);
+void print_row(const Blocks& blocks, const char* what, const session::LatencyCounts& counts) {
+  const session::Quantiles row = session::quantiles(counts);
   const auto us = [](std::int64_t time_ns) {
     return static_cast<double>(time_ns) / kNanosecondsPerMicrosecond;
   };

@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/runtime/loop/snapshot.h"
+#include "app/session/loop/snapshot.h"
 
 namespace hapticwall::window_benchmark {
 
 // All blocks of a kind.
 struct Blocks {
   const char* name;
-  runtime::TimingHistograms timing;
+  session::TimingHistograms timing;
   std::uint64_t missed_ticks = 0;
   std::uint64_t frames = 0;
   double seconds = 0.0;
@@ -22,7 +22,7 @@ struct Blocks {
 
 // One for each kind, under the heading.
 void print_heading();
-void print_row(const Blocks& blocks, const char* what, const runtime::LatencyCounts& counts);
+void print_row(const Blocks& blocks, const char* what, const session::LatencyCounts& counts);
 // How far the rest of the machine, and its host, make one block differ from the other.
 void print_spread(const Blocks& blocks);
 

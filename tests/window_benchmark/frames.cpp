@@ -75,10 +75,10 @@ Failure open(Window& window, const Stage& stage, const Scene& scene) {
   ui::Application::Sessions sessions;
   sessions.simulate =
       [&window](const Scene& wanted,
-                BorrowedAlgorithm* /*borrowed*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
+                BorrowedAlgorithm* /*borrowed*/) -> Result<std::unique_ptr<session::LiveSession>> {
     auto session = std::make_unique<test::FakeSession>(wanted);
     window.session = session.get();
-    return std::unique_ptr<runtime::LiveSession>(std::move(session));
+    return std::unique_ptr<session::LiveSession>(std::move(session));
   };
   auto application = ui::Application::create(scene, {}, stage.theme(), sessions);
   if (!application) return application.error();

@@ -18,7 +18,7 @@
 #include "app/file/scene/scene_file.h"
 #include "app/ui/window/application.h"
 #include "core/algorithm/algorithm.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 #include "tests/app/ui/show_everything.h"
 #include "tests/window_benchmark/blocks.h"
 #include "tests/window_benchmark/measurements.h"
@@ -84,7 +84,7 @@ void draw_once(ui::Application& application, Stage& stage) {
 
 void run_block(ui::Application& application, Stage& stage, bool drawn, double seconds,
                Blocks& blocks) {
-  runtime::TimingHistograms before;
+  session::TimingHistograms before;
   application.live()->read_timing(before);
   const std::uint64_t missed = application.session().snapshot().timing.missed_ticks;
   const double stolen_before_s = stolen_s();
@@ -101,11 +101,11 @@ void run_block(ui::Application& application, Stage& stage, bool drawn, double se
   }
   blocks.seconds += passed_s();
   blocks.stolen_s += stolen_s() - stolen_before_s;
-  runtime::TimingHistograms after;
+  session::TimingHistograms after;
   application.live()->read_timing(after);
-  const runtime::LatencyCounts latencies = after.wake_latency.since(before.wake_latency);
+  const session::LatencyCounts latencies = after.wake_latency.since(before.wake_latency);
   blocks.timing.wake_latency += latencies;
-  blocks.p99_ns.push_back(runtime::quantiles(latencies).p99_ns);
+  blocks.p99_ns.push_back(session::quantiles(latencies).p99_ns);
   blocks.timing.compute_time += after.compute_time.since(before.compute_time);
   blocks.missed_ticks += application.session().snapshot().timing.missed_ticks - missed;
 }
@@ -116,8 +116,8 @@ void print_table(const Blocks& without, const Blocks& with) {
     print_row(*blocks, "wake-up", blocks->timing.wake_latency);
     print_row(*blocks, "compute", blocks->timing.compute_time);
   }
-  const runtime::Quantiles a = runtime::quantiles(without.timing.wake_latency);
-  const runtime::Quantiles b = runtime::quantiles(with.timing.wake_latency);
+  const session::Quantiles a = session::quantiles(without.timing.wake_latency);
+  const session::Quantiles b = session::quantiles(with.timing.wake_latency);
   std::printf(
       "wake-up, with to without: median %.2fx, p99 %.2fx (at most %.1fx is wanted), p99.9 %.2fx, "
       "most %.2fx\n",
@@ -138,7 +138,7 @@ std::uint64_t gaps(double first_tick, double last_tick, std::uint64_t count) {
 
 // What was lost on the way to the plots and to the disk; 0 where everything arrived.
 Result<std::uint64_t> print_losses(ui::Application& application, const std::string& csv) {
-  runtime::LiveSession& session = *application.live();
+  session::LiveSession& session = *application.live();
   session.pause(true);
   while (!session.snapshot().paused) std::this_thread::sleep_for(kUnseenFrame);
   application.take_ticks();
@@ -207,11 +207,11 @@ void draw_throughout(ui::Application& application, Stage& stage, double seconds)
 // What is done while a recording runs; how much of it was lost.
 Result<std::uint64_t> run(Stage& stage, const Scene& scene,
                           const std::function<void(ui::Application&)>& measure) {
-  const runtime::test::TemporaryFolder folder;
+  const session::test::TemporaryFolder folder;
   const std::string csv = folder.file("loop.csv");
   ui::Application::Sessions sessions;
   sessions.simulate = [](const Scene& wanted, BorrowedAlgorithm*) {
-    return runtime::LiveSession::start(wanted);
+    return session::LiveSession::start(wanted);
   };
   auto created = ui::Application::create(scene, {}, stage.theme(), sessions);
   if (!created) return created.error();

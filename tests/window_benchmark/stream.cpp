@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "app/file/scene/scene_file.h"
-#include "app/runtime/session/live_session.h"
+#include "app/session/live_session.h"
 #include "tests/app/file/stream_support.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 #include "tests/window_benchmark/blocks.h"
 #include "tests/window_benchmark/measurements.h"
 
@@ -31,33 +31,33 @@ void sleep_s(double seconds) {
 }
 
 // Throws what cannot be started.
-std::unique_ptr<runtime::LiveSession> started(const Scene& scene, const StreamReader& reader,
+std::unique_ptr<session::LiveSession> started(const Scene& scene, const StreamReader& reader,
                                               bool streams) {
-  runtime::SessionOptions options;
+  session::SessionOptions options;
   if (streams) options.stream = file::test::opened_stream(reader.path());
-  auto session = runtime::LiveSession::start(scene, options);
+  auto session = session::LiveSession::start(scene, options);
   if (!session) throw std::runtime_error(session.error().message);
   return std::move(*session);
 }
 
-void measure_block(runtime::LiveSession& session, double seconds, Blocks& blocks) {
+void measure_block(session::LiveSession& session, double seconds, Blocks& blocks) {
   constexpr double kSettleS = 1.0;
   sleep_s(kSettleS);
-  runtime::TimingHistograms before;
+  session::TimingHistograms before;
   session.read_timing(before);
   const std::uint64_t missed = session.snapshot().timing.missed_ticks;
   sleep_s(seconds);
-  runtime::TimingHistograms after;
+  session::TimingHistograms after;
   session.read_timing(after);
-  const runtime::LatencyCounts latencies = after.wake_latency.since(before.wake_latency);
+  const session::LatencyCounts latencies = after.wake_latency.since(before.wake_latency);
   blocks.timing.wake_latency += latencies;
   blocks.timing.compute_time += after.compute_time.since(before.compute_time);
-  blocks.p99_ns.push_back(runtime::quantiles(latencies).p99_ns);
+  blocks.p99_ns.push_back(session::quantiles(latencies).p99_ns);
   blocks.missed_ticks += session.snapshot().timing.missed_ticks - missed;
 }
 
 void run_block(const Scene& scene, double seconds, Kind& kind) {
-  const runtime::test::TemporaryFolder folder;
+  const session::test::TemporaryFolder folder;
   StreamReader reader(folder.file("pipe"));
   const auto session = started(scene, reader, kind.reader != Reader::kNoStream);
   if (Failure failure = session->start_recording(folder.file("a.csv")))

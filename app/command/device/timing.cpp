@@ -13,7 +13,7 @@
 #include "app/command/report/progress.h"
 #include "app/command/signals.h"
 #include "app/command/usage.h"
-#include "app/runtime/loop/realtime_setup.h"
+#include "app/session/loop/realtime_setup.h"
 #include "core/result.h"
 #include "core/scene_keys.h"
 
@@ -32,7 +32,7 @@ struct TimingOptions {
   OutputOptions output;
 };
 
-Result<runtime::TimingPlan> plan_of(const TimingOptions& options) {
+Result<session::TimingPlan> plan_of(const TimingOptions& options) {
   if (!(options.seconds > 0.0 && options.seconds <= kMaxDurationS)) {
     return usage_error(fmt::format("--seconds {}: it takes more than 0 and at most {:g}",
                                    options.seconds, kMaxDurationS));
@@ -50,7 +50,7 @@ Result<runtime::TimingPlan> plan_of(const TimingOptions& options) {
   }
   const Result<double> spin_s = spin_seconds(options.spin_us);
   if (!spin_s) return spin_s.error();
-  runtime::TimingPlan plan;
+  session::TimingPlan plan;
   plan.spin_s = *spin_s;
   plan.rate_hz = options.rate_hz;
   plan.ticks = static_cast<std::uint64_t>(ticks);
@@ -58,7 +58,7 @@ Result<runtime::TimingPlan> plan_of(const TimingOptions& options) {
 }
 
 Result<int> measure(const TimingOptions& options) {
-  const Result<runtime::TimingPlan> plan = plan_of(options);
+  const Result<session::TimingPlan> plan = plan_of(options);
   if (!plan) return plan.error();
   const Result<DeviceChoice> choice = parse_device_choice(options.device);
   if (!choice) return choice.error();
@@ -73,10 +73,10 @@ Result<int> measure(const TimingOptions& options) {
     if (Failure failed = device->open()) return *failed;
   }
   const std::string name = device ? device->info().name : "";
-  runtime::MonotonicClock clock;
+  session::MonotonicClock clock;
   Progress progress("timing", !options.output.quiet);
-  runtime::TimingRecord record =
-      runtime::probe_timing(*plan, device.get(), clock, [&](std::uint64_t done) {
+  session::TimingRecord record =
+      session::probe_timing(*plan, device.get(), clock, [&](std::uint64_t done) {
         progress.show(static_cast<double>(done) / static_cast<double>(plan->ticks));
         return stop_signal() != 0;
       });

@@ -6,17 +6,17 @@
 #include <bit>
 #include <cmath>
 
-#include "app/runtime/loop/device_judge.h"
+#include "app/session/loop/device_judge.h"
 #include "app/table/json_report.h"
 #include "core/units.h"
 
 namespace hapticwall::command {
 namespace {
 
-using runtime::Measure;
-using runtime::Quantiles;
-using runtime::TimingPlan;
-using runtime::TimingRecord;
+using session::Measure;
+using session::Quantiles;
+using session::TimingPlan;
+using session::TimingRecord;
 
 constexpr std::size_t kHistogramWidth = 50;
 constexpr double kRateTolerance = 0.01;
@@ -28,7 +28,7 @@ struct DeviceMarks {
   double delay;           // in periods
 };
 constexpr DeviceMarks kGoodMarks{1.5, 0.5, 0.0, 2.0};
-constexpr DeviceMarks kUsableMarks{3.0, 1.0, 1e-3, runtime::kUsableDelayTicks};
+constexpr DeviceMarks kUsableMarks{3.0, 1.0, 1e-3, session::kUsableDelayTicks};
 
 double microseconds(std::int64_t nanoseconds) {
   return static_cast<double>(nanoseconds) / kNanosecondsPerMicrosecond;
@@ -66,9 +66,9 @@ void judge_delay(const TimingPlan& plan, const device::LinkStats& link,
       "a force acts {:.0f} us after its position: this leaves {:.0f} N/m without an algorithm for "
       "each N s/m of damping",
       link.delay_s * kMicrosecondsPerSecond, stiffness_left(plan, link.delay_s));
-  if (link.delay_s > runtime::kMaxCommandAgeS) reason += "; the force cannot be armed";
-  judge(Measure{link.delay_s, runtime::kDelayTolerance * kGoodMarks.delay * period_s,
-                runtime::kDelayTolerance * kUsableMarks.delay * period_s, reason, advice},
+  if (link.delay_s > session::kMaxCommandAgeS) reason += "; the force cannot be armed";
+  judge(Measure{link.delay_s, session::kDelayTolerance * kGoodMarks.delay * period_s,
+                session::kDelayTolerance * kUsableMarks.delay * period_s, reason, advice},
         judgement);
 }
 
@@ -82,14 +82,14 @@ void judge_device(const TimingPlan& plan, const TimingRecord& record, TimingJudg
                             link.states + lost, link.void_reports),
                 "plug the device into the machine without a hub, and try another cable"},
         judgement);
-  const Quantiles age = runtime::quantiles(record.age_ns);
+  const Quantiles age = session::quantiles(record.age_ns);
   judge(
       Measure{
           static_cast<double>(age.p99_ns), kGoodMarks.age * period_ns, kUsableMarks.age * period_ns,
           fmt::format("one position in 100 is at least {:.0f} us old", microseconds(age.p99_ns)),
           "give the device a USB port of its own"},
       judgement);
-  const Quantiles write = runtime::quantiles(record.write_ns);
+  const Quantiles write = session::quantiles(record.write_ns);
   judge(
       Measure{static_cast<double>(write.p99_ns), kGoodMarks.write * period_ns,
               kUsableMarks.write * period_ns,
@@ -109,7 +109,7 @@ void judge_device(const TimingPlan& plan, const TimingRecord& record, TimingJudg
 }
 
 std::string quantile_row(std::string_view name, const std::vector<std::int64_t>& values_ns) {
-  const Quantiles row = runtime::quantiles(values_ns);
+  const Quantiles row = session::quantiles(values_ns);
   if (row.count == 0) return fmt::format("{:<16}{:>10}\n", name, "-");
   return fmt::format("{:<16}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.1f}\n", name,
                      microseconds(row.median_ns), microseconds(row.p99_ns),
@@ -170,7 +170,7 @@ std::string link_text(const TimingRecord& record) {
 }
 
 table::Json quantiles_object(const std::vector<std::int64_t>& values_ns) {
-  const Quantiles row = runtime::quantiles(values_ns);
+  const Quantiles row = session::quantiles(values_ns);
   if (row.count == 0) return nullptr;
   const auto seconds = [](std::int64_t nanoseconds) {
     return static_cast<double>(nanoseconds) / kNanosecondsPerSecond;
@@ -208,7 +208,7 @@ table::Json device_object(const TimingRecord& record, const std::string& device_
 
 TimingJudgement judge_timing(const TimingPlan& plan, const TimingRecord& record, bool has_device) {
   TimingJudgement judgement;
-  runtime::judge(runtime::LoopTiming{plan.rate_hz, runtime::quantiles(record.latency_ns),
+  session::judge(session::LoopTiming{plan.rate_hz, session::quantiles(record.latency_ns),
                                      record.missed_ticks, record.status.advice},
                  judgement);
   if (has_device) judge_device(plan, record, judgement);

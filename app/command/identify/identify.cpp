@@ -16,8 +16,8 @@
 #include "app/command/usage.h"
 #include "app/draw/figure/identify_figure.h"
 #include "app/file/text/text.h"
-#include "app/runtime/loop/clock.h"
-#include "app/runtime/session/identify_experiment.h"
+#include "app/session/identify_experiment.h"
+#include "app/session/loop/clock.h"
 #include "app/table/identify_report.h"
 
 namespace hapticwall::command {
@@ -27,7 +27,7 @@ constexpr std::chrono::seconds kTimeToLetGo{3};
 
 struct IdentifyRun {
   const Scene& scene;                        // one axis without hand and walls
-  runtime::IdentifyExperiment& experiment;   // its rate, limit and encoder are those of the scene
+  session::IdentifyExperiment& experiment;   // its rate, limit and encoder are those of the scene
   std::unique_ptr<device::Device> device{};  // as in RealtimeRun
   bool allow_no_realtime = false;
   bool allow_slow_device = false;
@@ -41,7 +41,7 @@ struct IdentifyOutcome {
 
 // Time that passes fast, for a simulator. It sleeps now and then, so that the owner gets a core and
 // takes the ticks.
-class HastyClock final : public runtime::Clock {
+class HastyClock final : public session::Clock {
  public:
   [[nodiscard]] std::int64_t now_ns() override { return now_ns_; }
   void sleep_until_ns(std::int64_t deadline_ns) override {
@@ -62,7 +62,7 @@ class HastyClock final : public runtime::Clock {
 // disarmed, and an experiment that stopped by itself, are an error (ErrorKind::kDevice). The force
 // is zero when this returns. A simulator takes no time.
 Result<IdentifyOutcome> run_experiment(IdentifyRun run) {
-  runtime::IdentifyExperiment& experiment = run.experiment;
+  session::IdentifyExperiment& experiment = run.experiment;
   HastyClock hasty;
   const bool simulated = !run.device;
   if (simulated) experiment.begin();
@@ -76,7 +76,7 @@ Result<IdentifyOutcome> run_experiment(IdentifyRun run) {
        .show_progress = run.show_progress,
        .borrowed = &experiment.algorithm(),
        .clock = simulated ? &hasty : nullptr,
-       .ends = [&](const runtime::Snapshot& snapshot) { return experiment.look(snapshot); }});
+       .ends = [&](const session::Snapshot& snapshot) { return experiment.look(snapshot); }});
   if (!result) return result.error();
   IdentifyOutcome outcome;
   outcome.missed_ticks = result->summary.front().missed_ticks.value_or(0);
@@ -90,12 +90,12 @@ Result<IdentifyOutcome> run_experiment(IdentifyRun run) {
 struct IdentifyOptions {
   SceneOptions scene;
   OutputOptions output;
-  runtime::IdentifyChoice choice;
+  session::IdentifyChoice choice;
 };
 
 // What the device says of itself before the experiment.
 Result<device::DeviceInfo> info_of(const DeviceChoice& choice, const Scene& scene) {
-  if (!choice.hardware) return runtime::info_on({"simulator", true}, scene);
+  if (!choice.hardware) return session::info_on({"simulator", true}, scene);
   const std::unique_ptr<device::Device> device = make_device(*choice.hardware, scene);
   if (Failure failed = device->open()) return *failed;
   const device::DeviceInfo info = device->info();
@@ -105,7 +105,7 @@ Result<device::DeviceInfo> info_of(const DeviceChoice& choice, const Scene& scen
 
 // False after a stop signal.
 bool ask_to_let_go(const identify::ExperimentSettings& experiment, bool waits) {
-  tell(runtime::let_go_text(experiment) + "; Ctrl-C ends it with the force off");
+  tell(session::let_go_text(experiment) + "; Ctrl-C ends it with the force off");
   const auto end = std::chrono::steady_clock::now() + kTimeToLetGo;
   while (waits && stop_signal() == 0 && std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -143,7 +143,7 @@ std::string library_of(const IdentifyOptions& options) {
 Result<int> identify_device(const IdentifyOptions& options) {
   const Result<DeviceChoice> choice = parse_device_choice(options.scene.device);
   if (!choice) return choice.error();
-  const std::string why = runtime::why_not_identified(options.scene.device, choice->description);
+  const std::string why = session::why_not_identified(options.scene.device, choice->description);
   if (!why.empty()) return usage_error(why);
   const Result<file::LoadedScene> loaded = load(options.scene);
   if (!loaded) return loaded.error();
@@ -158,12 +158,12 @@ Result<int> identify_device(const IdentifyOptions& options) {
   const Result<device::DeviceInfo> info = info_of(*choice, loaded->scene);
   if (!info) return info.error();
   const auto settings =
-      runtime::experiment_settings(options.choice, *info, loaded->scene.sampling.rate_hz);
+      session::experiment_settings(options.choice, *info, loaded->scene.sampling.rate_hz);
   if (!settings) return settings.error();
-  const Scene scene = runtime::identify_scene(loaded->scene, *settings);
+  const Scene scene = session::identify_scene(loaded->scene, *settings);
   const bool moves = choice->hardware.has_value();
   if ((moves || !options.output.quiet) && !ask_to_let_go(*settings, moves)) return ended_early();
-  runtime::IdentifyExperiment experiment(*settings);
+  session::IdentifyExperiment experiment(*settings);
   const Result<IdentifyOutcome> outcome =
       run_experiment({.scene = scene,
                       .experiment = experiment,
@@ -176,13 +176,13 @@ Result<int> identify_device(const IdentifyOptions& options) {
   const identify::Record record = experiment.record();
   const auto found = identify::identify(record, experiment.facts());
   if (stop_signal() != 0) return ended_early();
-  if (!found) return device_error(std::string(runtime::kTooFewStrokes));
+  if (!found) return device_error(std::string(session::kTooFewStrokes));
   const table::IdentifiedBy by{
       info->name,           file::utc_now(),          settings->force_limit_n,
       settings->duration_s, experiment.facts().turns, outcome->missed_ticks};
   return report(
       options, by, *found, record, *files, device_file,
-      runtime::identified_description(choice->description, options.scene.device, *info, scene));
+      session::identified_description(choice->description, options.scene.device, *info, scene));
 }
 
 }  // namespace
@@ -199,16 +199,16 @@ Command add_identify(CLI::App& program) {
   app->add_option("--limit", options->choice.limit_n,
                   "Largest force (default: 20 % of the device's, at most 2 N)")
       ->type_name("N")
-      ->check(is_number_within(runtime::kIdentifyLimitN.minimum, runtime::kIdentifyLimitN.maximum));
+      ->check(is_number_within(session::kIdentifyLimitN.minimum, session::kIdentifyLimitN.maximum));
   app->add_option("--travel", options->choice.travel_m,
                   "Travel to both sides of the start (default: 0.018)")
       ->type_name("M")
       ->check(
-          is_number_within(runtime::kIdentifyTravelM.minimum, runtime::kIdentifyTravelM.maximum));
+          is_number_within(session::kIdentifyTravelM.minimum, session::kIdentifyTravelM.maximum));
   app->add_option("--seconds", options->choice.seconds, "Duration of the strokes (default: 25)")
       ->type_name("S")
       ->check(
-          is_number_within(runtime::kIdentifySeconds.minimum, runtime::kIdentifySeconds.maximum));
+          is_number_within(session::kIdentifySeconds.minimum, session::kIdentifySeconds.maximum));
   app->add_option("--device-file", options->output.device_file,
                   "Write a device file that scenes name: NAME.toml")
       ->type_name("FILE");

@@ -24,8 +24,8 @@
 #include "app/file/recording/recording_writer.h"
 #include "app/file/recording/sidecar.h"
 #include "app/file/text/text.h"
-#include "app/runtime/session/hand_rerun.h"
-#include "app/runtime/session/replay_session.h"
+#include "app/session/hand_rerun.h"
+#include "app/session/replay_session.h"
 #include "core/algorithm/algorithm.h"
 #include "core/result.h"
 #include "core/units.h"
@@ -35,13 +35,13 @@ namespace {
 
 struct RecordedRerun {
   file::RecordingReader& recording;
-  const file::LoadedScene& loaded;  // of runtime::rerun_scene()
+  const file::LoadedScene& loaded;  // of session::rerun_scene()
   std::string csv;                  // empty: no recording
   bool talks = true;                // shows progress and notes
 };
 
 // After a stop signal, the CSV holds the ticks so far.
-Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutputs& outputs) {
+Result<session::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutputs& outputs) {
   std::unique_ptr<file::RecordingWriter> writer;
   if (!rerun.csv.empty()) {
     auto created = file::RecordingWriter::create(rerun.csv, outputs.columns());
@@ -51,7 +51,7 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
   if (rerun.talks) tell_limits(rerun.recording.info());
   Progress progress(rerun.loaded.scene.name, rerun.talks);
   Failure failed;
-  runtime::RerunOptions options;
+  session::RerunOptions options;
   options.keep_going = [&](double fraction) {
     progress.show(fraction);
     return stop_signal() == 0 && !outputs.reader_left();
@@ -60,10 +60,10 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
     if (writer && !failed) failed = writer->append({{sample}});
     if (outputs.wants_ticks()) outputs.take({{sample}});
   };
-  auto outcome = runtime::rerun_hand(rerun.recording, rerun.loaded, options);
+  auto outcome = session::rerun_hand(rerun.recording, rerun.loaded, options);
   if (!outcome) return outcome;
   if (writer && !failed)
-    failed = writer->finish(rerun.loaded.scene, runtime::rerun_metadata(rerun.recording.info(),
+    failed = writer->finish(rerun.loaded.scene, session::rerun_metadata(rerun.recording.info(),
                                                                         rerun.loaded, *outcome));
   outputs.keep_failure(std::move(failed));
   return outcome;
@@ -71,7 +71,7 @@ Result<runtime::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutp
 
 // A line of the summary: equal to the recording bit for bit, or the first tick and size of the
 // difference.
-std::string comparison_line(const runtime::RerunOutcome& outcome, double rate_hz) {
+std::string comparison_line(const session::RerunOutcome& outcome, double rate_hz) {
   std::string text = "equal to the recording, bit for bit";
   if (outcome.first_different_tick) {
     text = fmt::format(
@@ -178,7 +178,7 @@ Result<Outcome> rerun(const ReplayCommand& command, file::RecordingReader& recor
 
 // The scene of the rows, or of the re-run.
 Result<file::LoadedScene> scene_of(const ReplayCommand& command, const file::RecordingInfo& info) {
-  if (command.reruns()) return runtime::rerun_scene(info, command.algorithm, command.settings);
+  if (command.reruns()) return session::rerun_scene(info, command.algorithm, command.settings);
   file::LoadedScene loaded = info.loaded;
   loaded.first_recorded_tick = info.scanned.first_tick;
   return loaded;
@@ -231,13 +231,13 @@ Result<int> run_headless(const ReplayCommand& command) {
   return outputs->reader_left() ? kReaderLeft : status;
 }
 
-Result<int> open_window(const ReplayCommand& command, const runtime::OpenWindow& open) {
+Result<int> open_window(const ReplayCommand& command, const session::OpenWindow& open) {
   auto recording = open_recording(command);
   if (!recording) return recording.error();
   tell_notes(command, (*recording)->info());
   ReplayWindow window;
   if (command.reruns()) {
-    auto laid_over = runtime::rerun_as_overlay(**recording, command.algorithm, command.settings);
+    auto laid_over = session::rerun_as_overlay(**recording, command.algorithm, command.settings);
     if (!laid_over) return laid_over.error();
     window.overlay = std::move(*laid_over);
   }
@@ -245,14 +245,14 @@ Result<int> open_window(const ReplayCommand& command, const runtime::OpenWindow&
   return status_after_window(run_replay_window(std::move(*recording), std::move(window), open));
 }
 
-Result<int> replay(const ReplayCommand& command, const runtime::OpenWindow& open) {
+Result<int> replay(const ReplayCommand& command, const session::OpenWindow& open) {
   if (Failure failed = check(command)) return *failed;
   return command.shows_no_window() ? run_headless(command) : open_window(command, open);
 }
 
 }  // namespace
 
-Command add_replay(CLI::App& program, runtime::OpenWindow open) {
+Command add_replay(CLI::App& program, session::OpenWindow open) {
   const auto command = std::make_shared<ReplayCommand>();
   CLI::App* app = program.add_subcommand(
       "replay", "Show a recording; --algorithm re-runs its hand under another algorithm");
@@ -271,7 +271,7 @@ Command add_replay(CLI::App& program, runtime::OpenWindow open) {
       ->allow_extra_args(false);
   app->add_option("--speed", command->speed, "Speed of the replay, 0.01 to 100")
       ->type_name("X")
-      ->check(is_number_within(runtime::kMinReplaySpeed, runtime::kMaxReplaySpeed));
+      ->check(is_number_within(session::kMinReplaySpeed, session::kMaxReplaySpeed));
   add_csv_option(*app, command->output, "Record the re-run, without a window");
   add_plot_option(*app, command->output, "Draw the figure, without a window");
   add_stream_options(*app, command->output.stream);

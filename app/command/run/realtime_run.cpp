@@ -15,7 +15,7 @@
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
 #include "app/file/text/text.h"
-#include "app/runtime/session/loop_session.h"
+#include "app/session/loop_session.h"
 #include "core/run/simulate.h"
 #include "core/sample.h"
 #include "core/units.h"
@@ -27,7 +27,7 @@ constexpr std::chrono::milliseconds kPollInterval{5};
 constexpr std::size_t kTicksPerPoll = 4096;
 
 // Age of positions and missing reports of a real device.
-std::string link_text(const runtime::LiveSession& session, const device::LinkStats& link) {
+std::string link_text(const session::LiveSession& session, const device::LinkStats& link) {
   const std::string delay = link.delay_s > 0.0
                                 ? fmt::format("{:.0f} us", link.delay_s * kMicrosecondsPerSecond)
                                 : "unknown";
@@ -41,8 +41,8 @@ std::string link_text(const runtime::LiveSession& session, const device::LinkSta
                      link.void_reports, link.maximum_age_s * kMicrosecondsPerSecond, delay);
 }
 
-std::string status_text(const runtime::LiveSession& session, const runtime::Snapshot& snapshot) {
-  const runtime::TimingStatistics& timing = snapshot.timing;
+std::string status_text(const session::LiveSession& session, const session::Snapshot& snapshot) {
+  const session::TimingStatistics& timing = snapshot.timing;
   std::string text = fmt::format("{}; {} ticks missed, woken at most {:.0f} us late",
                                  session.realtime_status().text, timing.missed_ticks,
                                  timing.maximum_wake_latency_s * kMicrosecondsPerSecond);
@@ -57,7 +57,7 @@ class TickTaker {
       : metrics_(scene, scene.tick_count(), has_truth), ticks_(kTicksPerPoll) {}
 
   // Returns the number of ticks.
-  std::uint64_t take(runtime::LiveSession& session, const RealtimeRun& run) {
+  std::uint64_t take(session::LiveSession& session, const RealtimeRun& run) {
     const std::size_t count = session.take_ticks(ticks_);
     for (const Tick& tick : std::span(ticks_).first(count)) {
       metrics_.add(tick);
@@ -72,8 +72,8 @@ class TickTaker {
   std::vector<Tick> ticks_;
 };
 
-Result<std::unique_ptr<runtime::LiveSession>> start_session(RealtimeRun& run) {
-  runtime::SessionOptions options;
+Result<std::unique_ptr<session::LiveSession>> start_session(RealtimeRun& run) {
+  session::SessionOptions options;
   options.start_paused = true;  // the recording begins with tick 0
   options.allow_no_realtime = run.allow_no_realtime;
   options.allow_slow_device = run.allow_slow_device;
@@ -81,28 +81,28 @@ Result<std::unique_ptr<runtime::LiveSession>> start_session(RealtimeRun& run) {
   options.stream = run.stream;
   options.signals = run.signals;
   options.clock = run.clock;
-  return runtime::start_under(run.borrowed, std::move(run.device), run.scene, options);
+  return session::start_under(run.borrowed, std::move(run.device), run.scene, options);
 }
 
-Failure device_trouble(const runtime::LiveSession& session, double since_s, std::string_view why) {
+Failure device_trouble(const session::LiveSession& session, double since_s, std::string_view why) {
   return device_error(fmt::format("{}: {}; the force is off since {:.3f} s",
                                   session.device_info().name, why, since_s));
 }
 
 // The pause after the last tick is no trouble, and a handle inside the wall may come out.
-bool was_disarmed(const runtime::ArmingStatus& arming) {
-  return (arming.asked > 0 || arming.note == runtime::ArmingNote::kUnaskedForce) &&
-         arming.state == runtime::ArmingState::kOff &&
-         arming.note != runtime::ArmingNote::kPaused &&
-         arming.note != runtime::ArmingNote::kInsideWall;
+bool was_disarmed(const session::ArmingStatus& arming) {
+  return (arming.asked > 0 || arming.note == session::ArmingNote::kUnaskedForce) &&
+         arming.state == session::ArmingState::kOff &&
+         arming.note != session::ArmingNote::kPaused &&
+         arming.note != session::ArmingNote::kInsideWall;
 }
 
-bool tells_unasked_force(const runtime::Snapshot& snapshot) {
-  return snapshot.arming.note == runtime::ArmingNote::kUnaskedForce;
+bool tells_unasked_force(const session::Snapshot& snapshot) {
+  return snapshot.arming.note == session::ArmingNote::kUnaskedForce;
 }
 
 // Trouble that ends a run early.
-Failure trouble_in(const runtime::LiveSession& session, const runtime::Snapshot& snapshot,
+Failure trouble_in(const session::LiveSession& session, const session::Snapshot& snapshot,
                    const RealtimeRun& run) {
   const auto failed = [](std::string text) { return device_error(std::move(text)); };
   const Sample& newest = snapshot.newest.x();
@@ -124,24 +124,24 @@ Failure trouble_in(const runtime::LiveSession& session, const runtime::Snapshot&
   }
   if (!(run.arm || tells_unasked_force(snapshot)) || !was_disarmed(snapshot.arming)) return {};
   return device_trouble(session, snapshot.arming.since_s,
-                        runtime::arming_note_text(snapshot.arming.note));
+                        session::arming_note_text(snapshot.arming.note));
 }
 
 // Asks for the force until the handle is outside the wall.
 class ArmingRequest {
  public:
-  void ask(runtime::LiveSession& session) {
+  void ask(session::LiveSession& session) {
     session.arm(true);
     ++asked_;
   }
-  void look(runtime::LiveSession& session, const runtime::ArmingStatus& arming) {
+  void look(session::LiveSession& session, const session::ArmingStatus& arming) {
     const bool refused =
-        asked_ > 0 && arming.asked == asked_ && arming.note == runtime::ArmingNote::kInsideWall;
-    if (arming.state != runtime::ArmingState::kOff) waits_ = false;
+        asked_ > 0 && arming.asked == asked_ && arming.note == session::ArmingNote::kInsideWall;
+    if (arming.state != session::ArmingState::kOff) waits_ = false;
     if (!refused) return;
     if (!waits_) {
       tell(fmt::format("{}; the force stays off until then",
-                       runtime::arming_note_text(arming.note)));
+                       session::arming_note_text(arming.note)));
     }
     waits_ = true;
     ask(session);
@@ -158,7 +158,7 @@ class ArmingRequest {
 };
 
 // What the summary of a session adds to that of its ticks.
-void add_session(const runtime::LiveSession& session, const runtime::Snapshot& snapshot, bool armed,
+void add_session(const session::LiveSession& session, const session::Snapshot& snapshot, bool armed,
                  Summary& summary) {
   summary.missed_ticks = snapshot.timing.missed_ticks;
   if (session.device_info().is_simulated) return;
@@ -172,16 +172,16 @@ void add_session(const runtime::LiveSession& session, const runtime::Snapshot& s
   }
   if (link.delay_s > 0.0) summary.delay_s = link.delay_s;
   if (snapshot.arming.mostly_at_limit(session.scene().sampling.rate_hz))
-    summary.verdict_note = runtime::kAtLimitText;
+    summary.verdict_note = session::kAtLimitText;
   if (!(armed || tells_unasked_force(snapshot)) || !was_disarmed(snapshot.arming)) return;
   summary.disarmed_at_s = snapshot.arming.since_s;
   summary.disarm_reason = link.trouble != device::Trouble::kNone
                               ? device::trouble_text(link.trouble)
-                              : runtime::arming_note_text(snapshot.arming.note);
+                              : session::arming_note_text(snapshot.arming.note);
 }
 
 // Drops the remaining steps, so that summary and recording end with the same tick.
-void leave_out_the_rest(runtime::LiveSession& session) {
+void leave_out_the_rest(session::LiveSession& session) {
   session.pause(false);
   session.pause(true);
 }
@@ -189,11 +189,11 @@ void leave_out_the_rest(runtime::LiveSession& session) {
 // Reports a failing recording at once; the run continues and fails at its end.
 class RecordingWatch {
  public:
-  void look(const runtime::LiveSession& session) {
+  void look(const session::LiveSession& session) {
     if (told_) return;
-    const runtime::RecordingStatus status = session.recording_status();
+    const session::RecordingStatus status = session.recording_status();
     std::string trouble;
-    if (status.state == runtime::RecordingState::kFailed) {
+    if (status.state == session::RecordingState::kFailed) {
       trouble = status.error;
     } else if (status.dropped_rows > 0) {
       trouble = file::shown(status.path) + ": rows are missing: the disk is too slow";
@@ -214,9 +214,9 @@ Result<RealtimeOutcome> run_realtime(RealtimeRun run) {
   if (ticks > UINT32_MAX) {
     return usage_error(fmt::format("--realtime runs at most {} ticks", UINT32_MAX));
   }
-  Result<std::unique_ptr<runtime::LiveSession>> started = start_session(run);
+  Result<std::unique_ptr<session::LiveSession>> started = start_session(run);
   if (!started) return started.error();
-  runtime::LiveSession& session = **started;
+  session::LiveSession& session = **started;
   if (!run.csv.empty()) {
     if (Failure failed = session.start_recording(run.csv)) return *failed;
   }
@@ -228,7 +228,7 @@ Result<RealtimeOutcome> run_realtime(RealtimeRun run) {
   if (run.arm) request.ask(session);
   RealtimeOutcome outcome;
   RecordingWatch recording;
-  runtime::Snapshot snapshot;
+  session::Snapshot snapshot;
   std::uint64_t done = 0;
   bool ends = false;
   while (done < ticks && stop_signal() == 0 && !outcome.trouble && !ends) {

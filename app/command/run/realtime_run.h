@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/file/recording/sample_stream.h"
-#include "app/runtime/loop/snapshot.h"
+#include "app/session/loop/snapshot.h"
 #include "core/result.h"
 #include "core/sample.h"
 #include "core/scene.h"
@@ -17,7 +17,7 @@
 namespace hapticwall {
 struct BorrowedAlgorithm;
 }
-namespace hapticwall::runtime {
+namespace hapticwall::session {
 class Clock;
 }
 
@@ -35,10 +35,10 @@ struct RealtimeRun {
   bool show_progress = false;
   std::shared_ptr<file::SampleStream> stream{};  // gets every tick; null: none
   std::vector<file::SignalColumn> signals{};     // as in SessionOptions
-  BorrowedAlgorithm* borrowed = nullptr;         // as in runtime::start_under()
-  runtime::Clock* clock = nullptr;               // as in SessionOptions
+  BorrowedAlgorithm* borrowed = nullptr;         // as in session::start_under()
+  session::Clock* clock = nullptr;               // as in SessionOptions
   // Looks at the newest state every few milliseconds; true ends the run.
-  std::function<bool(const runtime::Snapshot&)> ends{};
+  std::function<bool(const session::Snapshot&)> ends{};
 };
 
 struct RealtimeOutcome {

@@ -76,7 +76,7 @@ Result<RunOutcome> run_in_real_time(const RunOptions& options, const DeviceChoic
                     .show_progress = !options.output.quiet,
                     .stream = outputs.stream(),
                     .signals = outputs.columns().signals,
-                    .ends = [&](const runtime::Snapshot&) { return outputs.reader_left(); }});
+                    .ends = [&](const session::Snapshot&) { return outputs.reader_left(); }});
   if (!result) return result.error();
   outputs.keep_failure(result->recording_failure);
   return RunOutcome{result->summary, result->stopped_early, result->status, result->trouble};

@@ -12,7 +12,7 @@
 #include "app/command/signals.h"
 #include "app/draw/figure/log_figure.h"
 #include "app/file/text/text.h"
-#include "app/runtime/loop/realtime_setup.h"
+#include "app/session/loop/realtime_setup.h"
 
 namespace hapticwall::command {
 namespace {
@@ -31,7 +31,7 @@ std::optional<study::Outcome> compute(const study::Run& run, const std::string& 
   Progress progress(label, !quiet);
   return run({.should_stop = [] { return stop_signal() != 0; },
               .progress = [&](double done) { progress.show(done); },
-              .now_ns = runtime::thread_processor_time_ns});
+              .now_ns = session::thread_processor_time_ns});
 }
 
 }  // namespace

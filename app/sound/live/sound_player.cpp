@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/runtime/loop/realtime_setup.h"
+#include "app/session/loop/realtime_setup.h"
 
 namespace hapticwall::sound {
 namespace {
@@ -143,7 +143,7 @@ void SoundPlayer::Shared::wait(std::unique_lock<std::mutex>& lock, const Output&
 }
 
 void SoundPlayer::work(const std::shared_ptr<Shared>& shared) {
-  runtime::set_up_recorder_thread();
+  session::set_up_recorder_thread();
   auto output = std::make_unique<Output>(shared->ring);
   std::unique_lock lock(shared->mutex);
   while (!shared->end) {

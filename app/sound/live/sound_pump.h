@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "app/runtime/loop/sound_feed.h"
+#include "app/session/loop/sound_feed.h"
 #include "app/sound/live/card.h"
 #include "app/sound/live/sound_ring.h"
 #include "app/sound/signal/sound_stream.h"
@@ -18,7 +18,7 @@ namespace hapticwall::sound {
 
 // A session that can be heard.
 struct SoundSource {
-  std::shared_ptr<runtime::SoundFeed> feed;  // null: none
+  std::shared_ptr<session::SoundFeed> feed;  // null: none
   double rate_hz = 1000.0;
   bool knows_truth = true;
 };
@@ -37,7 +37,7 @@ class TickTaker {
   [[nodiscard]] std::span<const Tick> take();
 
  private:
-  std::shared_ptr<runtime::SoundFeed> feed_;
+  std::shared_ptr<session::SoundFeed> feed_;
   double max_backlog_;  // in ticks
   std::vector<Tick> ticks_;
 };

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "app/runtime/loop/spsc_queue.h"
+#include "app/session/loop/spsc_queue.h"
 
 namespace hapticwall::sound {
 
@@ -39,7 +39,7 @@ class SoundRing {
  private:
   [[nodiscard]] bool ready();
 
-  runtime::SpscQueue<float> samples_{kRingCapacity};
+  session::SpscQueue<float> samples_{kRingCapacity};
   std::atomic<std::size_t> start_{kRingCapacity + 1};
   std::atomic<std::size_t> max_{kRingCapacity + 1};
   std::atomic<bool> playing_{false};

@@ -14,8 +14,8 @@ inline constexpr double kKernelHalf = 10.0;  // length on either side of its mid
 // A sinc under a Kaiser window, evaluated where the output needs it: any ratio, also one that
 // changes. Images and aliases are 65 dB below the line that they come from, the pass band is flat
 // to 0.01 dB. libsamplerate delays a loop of 1 kHz by 20 ms, this one by 10 ms, and refuses ratios
-// above 256, as of a loop of 100 Hz. Costs 2 delay_s() * from_hz multiplications an output. Realtime-safe: push() is,
-// where `out` has room.
+// above 256, as of a loop of 100 Hz. Costs 2 delay_s() * from_hz multiplications an output.
+// Realtime-safe: push() is, where `out` has room.
 class Resampler {
  public:
   // Both more than 0; `to_hz` at least kMaxBandHz.

@@ -39,7 +39,7 @@ void draw_controls_page(const PanelContext& context) {
     return;
   }
   draw_scene_section(context);
-  runtime::ReplaySession* replay = context.shows.replay;
+  session::ReplaySession* replay = context.shows.replay;
   if (replay != nullptr) draw_replay_section(context, *replay);
   ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, kLockedAlpha);
   ImGui::BeginDisabled(replay != nullptr || context.state.identify.experiment);

@@ -15,7 +15,7 @@
 namespace hapticwall::ui {
 namespace {
 
-using runtime::IdentifyStage;
+using session::IdentifyStage;
 
 constexpr float kColumnEms = 36.0F;
 constexpr float kChoiceEms = 22.0F;
@@ -31,10 +31,10 @@ std::string why_not(const PanelContext& context) {
   if (context.shows.live == nullptr)
     return "This page moves the handle of a session, and a recording is shown. Go back to the "
            "scene.";
-  if (context.shows.live->recording_status().state == runtime::RecordingState::kRecording)
+  if (context.shows.live->recording_status().state == session::RecordingState::kRecording)
     return "Stop the recording first: the experiment needs a session of its own.";
   const IdentifyState& identify = context.state.identify;
-  return runtime::why_not_identified(identify.device, identify.description);
+  return session::why_not_identified(identify.device, identify.description);
 }
 
 // `scale`: shown units per unit of the value.
@@ -56,25 +56,25 @@ void draw_number(const PanelContext& context, const ParameterText& text, std::st
 // Returns the settings, if they are allowed.
 Result<identify::ExperimentSettings> settings_of(const PanelContext& context) {
   const Scene& scene = context.session.scene();
-  return runtime::experiment_settings(context.state.identify.choice,
-                                      runtime::info_on(context.session.device_info(), scene),
+  return session::experiment_settings(context.state.identify.choice,
+                                      session::info_on(context.session.device_info(), scene),
                                       scene.sampling.rate_hz);
 }
 
 void draw_choice(const PanelContext& context) {
-  runtime::IdentifyChoice& choice = context.state.identify.choice;
+  session::IdentifyChoice& choice = context.state.identify.choice;
   ImGui::BeginChild("identify choice", ImVec2(ems(kChoiceEms), 0.0F), ImGuiChildFlags_AutoResizeY);
   const auto settings = settings_of(context);
   draw_number(context,
               {"identify limit", "force limit",
                "Largest force of the experiment. At first 20 % of the device's, at most 2 N"},
-              "N", runtime::kIdentifyLimitN, 1.0,
+              "N", session::kIdentifyLimitN, 1.0,
               settings ? settings->force_limit_n : choice.limit_n, choice.limit_n);
   draw_number(context, {"identify travel", "travel", "To both sides of where the handle is now"},
-              "mm", runtime::kIdentifyTravelM, kMillimetresPerMetre, choice.travel_m,
+              "mm", session::kIdentifyTravelM, kMillimetresPerMetre, choice.travel_m,
               choice.travel_m);
   draw_number(context, {"identify seconds", "duration", "Of the strokes; more give finer numbers"},
-              "s", runtime::kIdentifySeconds, 1.0, choice.seconds, choice.seconds);
+              "s", session::kIdentifySeconds, 1.0, choice.seconds, choice.seconds);
   ImGui::EndChild();
 }
 
@@ -89,12 +89,12 @@ void draw_start(const PanelContext& context) {
     return draw::wrapped_text(context.theme.colour(draw::Tone::kBad), settings.error().message);
   const bool moves = !context.session.device_info().is_simulated;
   if (!context.state.identify.result) muted_text(context, kMeaning);
-  muted_text(context, moves ? "Start disarms the device. Then " + runtime::let_go_text(*settings) +
+  muted_text(context, moves ? "Start disarms the device. Then " + session::let_go_text(*settings) +
                                   " once you arm it."
                             : "The simulated device of this scene, without its hand and walls.");
 }
 
-std::string progress_text(const runtime::IdentifyProgress& shown, double duration_s) {
+std::string progress_text(const session::IdentifyProgress& shown, double duration_s) {
   const std::string travel =
       fmt::format("{:+.1f} to {:+.1f} mm", shown.lowest_m * kMillimetresPerMetre,
                   shown.highest_m * kMillimetresPerMetre);
@@ -112,15 +112,15 @@ std::string progress_text(const runtime::IdentifyProgress& shown, double duratio
   return fmt::format("strokes: {:.1f} of {:.0f} s, {}", shown.strokes_s, duration_s, travel);
 }
 
-void draw_running(const PanelContext& context, runtime::IdentifyExperiment& experiment) {
+void draw_running(const PanelContext& context, session::IdentifyExperiment& experiment) {
   if (button("End###identify end", "Ends the experiment with the force off at once (Space)"))
     disarm(context);
   beside(ems(kMinFigureEms));
-  const runtime::IdentifyProgress shown = experiment.progress();
+  const session::IdentifyProgress shown = experiment.progress();
   const double duration_s = experiment.settings().duration_s;
   progress_bar(context, std::min(1.0, shown.strokes_s / duration_s),
                progress_text(shown, duration_s));
-  std::string text = "Now " + runtime::let_go_text(experiment.settings()) + ". ";
+  std::string text = "Now " + session::let_go_text(experiment.settings()) + ". ";
   if (shown.stage == IdentifyStage::kWaits) text += "Arm the device (A) when its way is clear. ";
   muted_text(context, text + "Space ends it with the force off, and so does leaving this page.");
 }

@@ -14,8 +14,8 @@
 namespace hapticwall::ui {
 namespace {
 
-using runtime::LatencyBins;
-using runtime::LatencyCounts;
+using session::LatencyBins;
+using session::LatencyCounts;
 
 constexpr std::size_t kBinsABar = 4;  // 4 bars to a power of two
 constexpr std::size_t kBars = LatencyBins::kCount / kBinsABar;
@@ -151,7 +151,7 @@ void draw_mark(const draw::Theme& theme, std::int64_t time_ns, const std::string
 }
 
 void draw_marks(const draw::Theme& theme, const TimingHistogram& histogram) {
-  const runtime::Quantiles& quantiles = histogram.quantiles;
+  const session::Quantiles& quantiles = histogram.quantiles;
   draw_mark(theme, histogram.period_ns, "period", kLabelRows, draw::Tone::kBad);
   struct Named {
     const char* name;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/draw/plot/theme.h"
-#include "app/runtime/loop/latency_histogram.h"
+#include "app/session/loop/latency_histogram.h"
 
 namespace hapticwall::ui {
 
@@ -17,8 +17,8 @@ namespace hapticwall::ui {
 struct TimingHistogram {
   const char* title;
   const char* meaning;  // tooltip of the title
-  const runtime::LatencyCounts* counts;
-  runtime::Quantiles quantiles;
+  const session::LatencyCounts* counts;
+  session::Quantiles quantiles;
   std::int64_t period_ns;  // latency beyond it misses a tick
   draw::Tone tone;
 };

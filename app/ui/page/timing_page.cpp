@@ -9,8 +9,8 @@
 #include <string>
 
 #include "app/draw/plot/plot_axes.h"
-#include "app/runtime/loop/clock.h"
-#include "app/runtime/loop/timing_verdict.h"
+#include "app/session/loop/clock.h"
+#include "app/session/loop/timing_verdict.h"
 #include "app/ui/page/timing_histogram.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
@@ -28,10 +28,10 @@ constexpr float kMinRowEms = 54.0F;       // in less width the figures stand bel
 constexpr float kStackedPlotEms = 14.0F;  // height of the plots then
 constexpr float kMinFramesEms = 5.0F;
 
-runtime::TimingJudgement judgement_of(const TimingState& timing, double rate_hz,
+session::TimingJudgement judgement_of(const TimingState& timing, double rate_hz,
                                       const std::string& advice) {
-  runtime::TimingJudgement judgement;
-  judge(runtime::LoopTiming{rate_hz, timing.wake_latency, timing.shown.missed_ticks, advice},
+  session::TimingJudgement judgement;
+  judge(session::LoopTiming{rate_hz, timing.wake_latency, timing.shown.missed_ticks, advice},
         judgement);
   return judgement;
 }
@@ -68,7 +68,7 @@ void draw_head(const PanelContext& context) {
       "timing` uses the same limits.");
 }
 
-void quantile_cells(const PanelContext& context, const runtime::Quantiles& quantiles) {
+void quantile_cells(const PanelContext& context, const session::Quantiles& quantiles) {
   const FontScope font(context.theme.fonts.digits, draw::kSmallFontSize);
   for (const std::int64_t time_ns :
        {quantiles.median_ns, quantiles.p99_ns, quantiles.p999_ns, quantiles.maximum_ns}) {
@@ -81,7 +81,7 @@ void quantile_cells(const PanelContext& context, const runtime::Quantiles& quant
 }
 
 void quantile_row(const PanelContext& context, const char* name, const char* tooltip,
-                  const runtime::Quantiles& quantiles) {
+                  const session::Quantiles& quantiles) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(name);
@@ -138,14 +138,14 @@ void draw_counters(const PanelContext& context) {
 }
 
 void draw_realtime(const PanelContext& context) {
-  const runtime::RealtimeStatus& status = context.session.realtime_status();
+  const session::RealtimeStatus& status = context.session.realtime_status();
   const std::string silence = silence_text(context.state.timing.answer);
   const draw::Tone tone = !silence.empty()       ? draw::Tone::kBad
                           : status.fifo_priority ? draw::Tone::kGood
                                                  : draw::Tone::kWarning;
   draw::wrapped_text(context.theme.colour(tone), silence.empty() ? status.text : silence);
   explain("Priority, memory lock and core of the loop's thread");
-  const runtime::TimingJudgement judgement =
+  const session::TimingJudgement judgement =
       judgement_of(context.state.timing, context.session.scene().sampling.rate_hz, status.advice);
   if (!status.advice.empty()) {
     muted_text(context, "Advice: " + status.advice);
@@ -203,7 +203,7 @@ void draw_frames(const PanelContext& context) {
 void draw_histograms(const PanelContext& context, ImVec2 size) {
   const TimingState& timing = context.state.timing;
   const auto period_ns = static_cast<std::int64_t>(
-      std::llround(context.session.scene().sampling.period_s() * runtime::kNanosecondsPerSecond));
+      std::llround(context.session.scene().sampling.period_s() * session::kNanosecondsPerSecond));
   const float gap = ImGui::GetFontSize();
   const ImVec2 each(std::floor(0.5F * (size.x - gap)), size.y);
   draw_timing_histogram(
@@ -245,14 +245,14 @@ std::string timing_sentence(const TimingState& timing, double rate_hz, draw::Ton
           : fmt::format(", {} of {} ticks missed", timing.shown.missed_ticks,
                         timing.wake_latency.count + timing.shown.missed_ticks);
   switch (judgement_of(timing, rate_hz, "").verdict) {
-    case runtime::TimingVerdict::kGood:
+    case session::TimingVerdict::kGood:
       tone = draw::Tone::kGood;
       return fmt::format("The loop keeps its time: {}.", late("p99", timing.wake_latency.p99_ns));
-    case runtime::TimingVerdict::kUsable:
+    case session::TimingVerdict::kUsable:
       tone = draw::Tone::kWarning;
       return fmt::format("The loop mostly keeps its time: {}{}.",
                          late("p99.9", timing.wake_latency.p999_ns), missed);
-    case runtime::TimingVerdict::kPoor:
+    case session::TimingVerdict::kPoor:
       break;
   }
   tone = draw::Tone::kBad;

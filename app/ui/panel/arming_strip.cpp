@@ -10,7 +10,7 @@
 namespace hapticwall::ui {
 namespace {
 
-using runtime::ArmingState;
+using session::ArmingState;
 
 constexpr float kStripHeightEms = 2.3F;
 constexpr float kArmButtonEms = 9.0F;
@@ -29,7 +29,7 @@ draw::Tone tone_of(ArmingState state) {
 
 // Width proportional to the gain of the force.
 void draw_background(const PanelContext& context, const ImVec2& corner, const ImVec2& size) {
-  const runtime::ArmingStatus& arming = context.snapshot.arming;
+  const session::ArmingStatus& arming = context.snapshot.arming;
   const float share = std::clamp(static_cast<float>(arming.gain), 0.0F, 1.0F);
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
@@ -59,15 +59,15 @@ void tell_without_device(const PanelContext& context, const char* meaning) {
 
 }  // namespace
 
-std::string arming_text(const runtime::Snapshot& snapshot) {
-  const runtime::ArmingStatus& arming = snapshot.arming;
+std::string arming_text(const session::Snapshot& snapshot) {
+  const session::ArmingStatus& arming = snapshot.arming;
   if (arming.state == ArmingState::kOn && arming.limit_share < 1.0)
-    return fmt::format("FORCE WEAK: {}", runtime::kWeakText);
+    return fmt::format("FORCE WEAK: {}", session::kWeakText);
   if (arming.state == ArmingState::kOn) return "FORCE ON";
   if (arming.state == ArmingState::kRamping) {
     return fmt::format("FORCE RISING  {:.0f} %", kPercent * arming.gain);
   }
-  std::string why(runtime::arming_note_text(arming.note));
+  std::string why(session::arming_note_text(arming.note));
   if (snapshot.link.trouble != device::Trouble::kNone) {
     why = device::trouble_text(snapshot.link.trouble);
   }
@@ -91,7 +91,7 @@ void draw_arming_strip(const PanelContext& context) {
   explain(context.session.device_trouble());
   if (context.snapshot.arming.mostly_at_limit(context.session.scene().sampling.rate_hz)) {
     ImGui::SameLine(0.0F, em);
-    muted_text(context, runtime::kAtLimitText);
+    muted_text(context, session::kAtLimitText);
   }
   if (!context.snapshot.link.acknowledges) {
     ImGui::SameLine(0.0F, em);

@@ -8,7 +8,7 @@
 namespace hapticwall::ui {
 
 // Text of the strip: "FORCE OFF: the handle is inside the wall: move it out first".
-[[nodiscard]] std::string arming_text(const runtime::Snapshot& snapshot);
+[[nodiscard]] std::string arming_text(const session::Snapshot& snapshot);
 
 void draw_arming_strip(const PanelContext& context);
 

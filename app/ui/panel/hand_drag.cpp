@@ -57,7 +57,7 @@ void grab(const PanelContext& context, const WallCamera& camera) {
 }  // namespace
 
 void lead_hand(const PanelContext& context, const WallCamera& camera, bool held) {
-  runtime::LiveSession* live = context.shows.live;
+  session::LiveSession* live = context.shows.live;
   HandLead& lead = context.state.transient.hand_drag.lead;
   if (live == nullptr || (!held && !lead.holds())) return;
   if (context.snapshot.paused) lead.release();
@@ -67,7 +67,7 @@ void lead_hand(const PanelContext& context, const WallCamera& camera, bool held)
     grab(context, camera);
   }
   if (!lead.holds()) return;
-  for (const runtime::HandMove& move : lead.take(context.state.transient.now_s))
+  for (const session::HandMove& move : lead.take(context.state.transient.now_s))
     live->move_hand(move);
   if (!held) lead.release();
 }
@@ -78,7 +78,7 @@ void withdraw_hand(const PanelContext& context) {
   if (context.shows.live == nullptr) return;
   const char* problem = obstacle(context);
   if (*problem != '\0') return tell(context.state, MessageKind::kNote, problem);
-  runtime::HandMove move;
+  session::HandMove move;
   for (std::size_t i = 0; i < scene.axes.size(); ++i) move.m[i] = scene.axes[i].device.start_m;
   move.speed_m_per_s = context.state.persisted.withdraw_mm_per_s / kMillimetresPerMetre;
   move.to_place = move.at_once = true;

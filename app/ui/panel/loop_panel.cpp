@@ -75,7 +75,7 @@ void draw_substeps(const PanelContext& context) {
 }
 
 void draw_cost(const PanelContext& context) {
-  const runtime::TimingStatistics& timing = context.snapshot.timing;
+  const session::TimingStatistics& timing = context.snapshot.timing;
   const bool too_slow = timing.median_cost_s > context.session.scene().sampling.period_s();
   figure_row(context, "cost of a tick", cost_text(timing),
              too_slow ? draw::Tone::kWarning : draw::Tone::kText,
@@ -97,7 +97,7 @@ void draw_balance(const PanelContext& context) {
 
 }  // namespace
 
-std::string cost_text(const runtime::TimingStatistics& timing) {
+std::string cost_text(const session::TimingStatistics& timing) {
   if (timing.cost_ticks == 0) return "–";
   return fmt::format("{:5.1f} µs, max {:4.0f} µs", timing.median_cost_s * kMicrosecondsPerSecond,
                      timing.maximum_cost_s * kMicrosecondsPerSecond);

@@ -41,11 +41,11 @@ void draw_look(const PanelContext& context) {
 }
 
 void set_typed_scale(const PanelContext& context, double percent) {
-  if (percent >= runtime::kMinScalePercent && percent <= runtime::kMaxScalePercent)
+  if (percent >= session::kMinScalePercent && percent <= session::kMaxScalePercent)
     return set_scale(context.state, static_cast<int>(std::lround(percent)));
   refuse(context, kScaleField,
          fmt::format("{} is out of range; it takes {} to {} %", rounded_number(percent),
-                     runtime::kMinScalePercent, runtime::kMaxScalePercent));
+                     session::kMinScalePercent, session::kMaxScalePercent));
 }
 
 void draw_scale(const PanelContext& context) {
@@ -53,7 +53,7 @@ void draw_scale(const PanelContext& context) {
   field_label(
       context, "size",
       fmt::format("Size of everything, {} to {} %. Keys Ctrl +, Ctrl −; Ctrl 0 follows the screen.",
-                  runtime::kMinScalePercent, runtime::kMaxScalePercent),
+                  session::kMinScalePercent, session::kMaxScalePercent),
       "");
   if (ImGui::Button("−###smaller")) step_scale(state, -1);
   ImGui::SameLine();

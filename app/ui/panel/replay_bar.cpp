@@ -17,9 +17,9 @@
 namespace hapticwall::ui {
 namespace {
 
-using runtime::kMaxReplaySpeed;
-using runtime::kMinReplaySpeed;
-using runtime::ReplaySession;
+using session::kMaxReplaySpeed;
+using session::kMinReplaySpeed;
+using session::ReplaySession;
 
 constexpr std::array kSpeeds{
     kMinReplaySpeed, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, kMaxReplaySpeed};

@@ -1,18 +1,18 @@
 // The top row during a replay: transport, speed, time slider, and the way back to the scene.
 #pragma once
 
-#include "app/runtime/session/replay_session.h"
+#include "app/session/replay_session.h"
 #include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
-void draw_replay_bar(const PanelContext& context, runtime::ReplaySession& replay);
+void draw_replay_bar(const PanelContext& context, session::ReplaySession& replay);
 
 // Shows the progress while a large recording opens.
 void draw_opening(const PanelContext& context);
 
 // Seeks, and lets the plots follow.
-void go_to(const PanelContext& context, runtime::ReplaySession& replay, double time_s);
+void go_to(const PanelContext& context, session::ReplaySession& replay, double time_s);
 
 // Key actions: the speed of a replay, or the slow motion of a simulator.
 void slower(const PanelContext& context);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/draw/plot/extra_traces.h"
-#include "app/runtime/session/hand_rerun.h"
+#include "app/session/hand_rerun.h"
 #include "app/ui/widget/widgets.h"
 #include "core/algorithm/algorithm.h"
 #include "core/units.h"
@@ -16,7 +16,7 @@
 namespace hapticwall::ui {
 namespace {
 
-using runtime::ReplaySession;
+using session::ReplaySession;
 
 constexpr double kReadShare = 0.3;  // of the work: the file once more
 constexpr const char* kNothing = "nothing";
@@ -34,7 +34,7 @@ Result<LaidOver> rerun(const file::RecordingInfo& shown, const std::string& algo
     return Error{ErrorKind::kUsage,
                  shown.csv_path + ": not the file any more that was opened; open it again"};
   }
-  auto overlay = runtime::rerun_as_overlay(**reader, algorithm, {}, [&](double fraction) {
+  auto overlay = session::rerun_as_overlay(**reader, algorithm, {}, [&](double fraction) {
     return progress(kReadShare + (1.0 - kReadShare) * fraction);
   });
   if (!overlay) return overlay.error();
@@ -61,7 +61,7 @@ void draw_choices(const PanelContext& context, ReplaySession& replay, const std:
 
 void draw_rerun(const PanelContext& context, ReplaySession& replay) {
   const ReplayState& state = context.state.replay;
-  const Failure impossible = runtime::check_rerun(replay.recording());
+  const Failure impossible = session::check_rerun(replay.recording());
   const std::string tooltip = impossible ? impossible->message
                                          : "Re-runs the recorded hand under another algorithm, and "
                                            "draws it over the plots as wide, soft lines.";
@@ -122,7 +122,7 @@ void draw_replay_section(const PanelContext& context, ReplaySession& replay) {
 }
 
 void start_rerun(UiState& state, const ReplaySession& replay, const std::string& algorithm) {
-  if (const Failure impossible = runtime::check_rerun(replay.recording()))
+  if (const Failure impossible = session::check_rerun(replay.recording()))
     return tell(state, *impossible);
   state.replay.rerun_algorithm = algorithm;
   state.replay.rerun.start([shown = replay.recording(), algorithm](const Progress& progress) {
@@ -139,7 +139,7 @@ void notice_rerun(UiState& state, ReplaySession& replay) {
   replay.lay_over(std::move(laid.overlay));
 }
 
-void draw_overlay_in_plots(UiState& state, const runtime::Overlay* overlay,
+void draw_overlay_in_plots(UiState& state, const session::Overlay* overlay,
                            std::shared_ptr<const draw::SampleHistory> history) {
   std::vector<draw::ExtraTrace> traces;
   if (overlay != nullptr) {
@@ -152,7 +152,7 @@ void draw_overlay_in_plots(UiState& state, const runtime::Overlay* overlay,
                        std::move(traces));
 }
 
-std::shared_ptr<const draw::SampleHistory> history_of(const runtime::Overlay& overlay,
+std::shared_ptr<const draw::SampleHistory> history_of(const session::Overlay& overlay,
                                                       const DeviceSettings& device) {
   auto history = std::make_shared<draw::SampleHistory>(overlay.samples.size(), device.encoder_m);
   history->push(overlay.samples);

@@ -3,27 +3,27 @@
 
 #include <string>
 
-#include "app/runtime/session/replay_session.h"
+#include "app/session/replay_session.h"
 #include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 
-void draw_replay_section(const PanelContext& context, runtime::ReplaySession& replay);
+void draw_replay_section(const PanelContext& context, session::ReplaySession& replay);
 
 // Re-runs the recorded hand under this algorithm, on its own thread. The result replaces the
 // present overlay.
-void start_rerun(UiState& state, const runtime::ReplaySession& replay,
+void start_rerun(UiState& state, const session::ReplaySession& replay,
                  const std::string& algorithm);
 
 // Shows the result of a finished re-run as an overlay, or tells why there is none.
-void notice_rerun(UiState& state, runtime::ReplaySession& replay);
+void notice_rerun(UiState& state, session::ReplaySession& replay);
 
 // Shows an overlay in the plots; null removes it.
-void draw_overlay_in_plots(UiState& state, const runtime::Overlay* overlay,
+void draw_overlay_in_plots(UiState& state, const session::Overlay* overlay,
                            std::shared_ptr<const draw::SampleHistory> history);
 
 // The samples of an overlay for the plots.
-[[nodiscard]] std::shared_ptr<const draw::SampleHistory> history_of(const runtime::Overlay& overlay,
+[[nodiscard]] std::shared_ptr<const draw::SampleHistory> history_of(const session::Overlay& overlay,
                                                                     const DeviceSettings& device);
 
 }  // namespace hapticwall::ui

@@ -82,7 +82,7 @@ void draw_device_state(const PanelContext& context) {
 
 // The set-up of the loop, unless the loop is silent.
 StatusText realtime_text(const PanelContext& context) {
-  const runtime::RealtimeStatus& status = context.session.realtime_status();
+  const session::RealtimeStatus& status = context.session.realtime_status();
   const std::string silence = silence_text(context.state.timing.answer);
   if (!silence.empty()) {
     return {draw::Tone::kBad, silence,
@@ -110,7 +110,7 @@ void draw_realtime_state(const PanelContext& context, const StatusText& shown) {
   if (cut || !shown.advice.empty()) explain(tooltip);
 }
 
-std::string p99_text(const runtime::Quantiles& quantiles) {
+std::string p99_text(const session::Quantiles& quantiles) {
   if (quantiles.count == 0) return "–";
   return fmt::format("p99 {:5.1f}, max {:5.0f} µs",
                      static_cast<double>(quantiles.p99_ns) / kNanosecondsPerMicrosecond,
@@ -118,8 +118,8 @@ std::string p99_text(const runtime::Quantiles& quantiles) {
 }
 
 // Values of the real-time loop; a recording has none.
-std::vector<RowControl> loop_values(const PanelContext& context, const runtime::LiveSession& live) {
-  const runtime::TimingStatistics& timing = context.snapshot.timing;
+std::vector<RowControl> loop_values(const PanelContext& context, const session::LiveSession& live) {
+  const session::TimingStatistics& timing = context.snapshot.timing;
   const std::uint64_t dropped = live.dropped_plot_samples();
   return {control_of(
               context, 1,

@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::array<std::uint32_t, 10> kSlowMotions{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
 
-using runtime::RecordingState;
-using runtime::RecordingStatus;
+using session::RecordingState;
+using session::RecordingStatus;
 
 constexpr float kToolButtonEms = 4.6F;
 constexpr float kTimeEms = 6.8F;
@@ -83,7 +83,7 @@ std::string slowness_text(std::uint32_t periods) {
   return periods == 1 ? "full speed" : fmt::format("1/{}", periods);
 }
 
-void draw_slow_motion(const PanelContext& context, runtime::LiveSession& live) {
+void draw_slow_motion(const PanelContext& context, session::LiveSession& live) {
   const std::uint32_t now = context.snapshot.periods_per_tick;
   ImGui::SetNextItemWidth(ems(kSlowEms));
   if (ImGui::BeginCombo("##slow motion", slowness_text(now).c_str(), ImGuiComboFlags_HeightLarge)) {
@@ -172,7 +172,7 @@ void draw_name_or_mark(const PanelContext& context, bool recording) {
   }
 }
 
-void draw_session_bar(const PanelContext& context, runtime::LiveSession& live) {
+void draw_session_bar(const PanelContext& context, session::LiveSession& live) {
   const RecordingStatus status = live.recording_status();
   const bool recording = status.state == RecordingState::kRecording;
   const TransientState& transient = context.state.transient;
@@ -225,7 +225,7 @@ void draw_toolbar(const PanelContext& context) {
 }
 
 void change_slow_motion(const PanelContext& context, int steps) {
-  runtime::LiveSession* live = context.shows.live;
+  session::LiveSession* live = context.shows.live;
   if (live == nullptr || !live->device_info().is_simulated) return;
   const auto* now = std::ranges::lower_bound(kSlowMotions, context.snapshot.periods_per_tick);
   const std::ptrdiff_t last = std::ssize(kSlowMotions) - 1;
@@ -265,7 +265,7 @@ void toggle_recording(const PanelContext& context) {
          "this is a recording already: " + file::shown(context.shows.replay->recording().csv_path));
     return;
   }
-  runtime::LiveSession& live = *context.shows.live;
+  session::LiveSession& live = *context.shows.live;
   if (live.recording_status().state == RecordingState::kRecording) {
     stop_recording(state, live);
     return;
@@ -277,7 +277,7 @@ void toggle_recording(const PanelContext& context) {
   tell(state, live.start_recording(path), "recording to " + path);
 }
 
-void stop_recording(UiState& state, runtime::LiveSession& live) {
+void stop_recording(UiState& state, session::LiveSession& live) {
   const Failure failure = live.stop_recording();
   tell(state, failure, "recording finished: " + live.recording_status().path);
 }

@@ -22,8 +22,8 @@ float chosen_scale(const UiState& state) {
 }
 
 float allowed(float scale) {
-  return std::clamp(scale, runtime::kMinScalePercent / kFullScalePercent,
-                    runtime::kMaxScalePercent / kFullScalePercent);
+  return std::clamp(scale, session::kMinScalePercent / kFullScalePercent,
+                    session::kMaxScalePercent / kFullScalePercent);
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ int scale_percent_in_force(const UiState& state) {
 void set_scale(UiState& state, int percent) {
   state.transient.forced_scale.reset();
   state.persisted.scale_percent =
-      percent == 0 ? 0 : std::clamp(percent, runtime::kMinScalePercent, runtime::kMaxScalePercent);
+      percent == 0 ? 0 : std::clamp(percent, session::kMinScalePercent, session::kMaxScalePercent);
 }
 
 void step_scale(UiState& state, int steps) {

@@ -79,7 +79,7 @@ void write_trial_list(const PanelContext& context) {
 }
 
 Failure start_experiment(UiState& state, const Scene& running,
-                         std::shared_ptr<runtime::Experiment> experiment) {
+                         std::shared_ptr<session::Experiment> experiment) {
   const file::AnswersFile& answers = experiment->answers;
   Result<BlindTrials> trials = BlindTrials::create(
       {answers.identity().seed, experiment->trials, state.compare.persisted.confidence});

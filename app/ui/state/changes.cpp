@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/runtime/session/scene_change.h"
+#include "app/session/scene_change.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/comparing.h"
 
@@ -18,7 +18,7 @@ void go_to(const PanelContext& context, std::optional<SceneStep> step) {
   step->scene.algorithm = step->slots.of(slots_of(context.state).active);
   const bool other =
       running.name != step->scene.name || running.x().walls.size() != step->scene.x().walls.size();
-  if (other || runtime::needs_new_session(running, step->scene)) {
+  if (other || session::needs_new_session(running, step->scene)) {
     WantedScene wanted{std::move(step->scene)};
     wanted.back_to = std::make_shared<const Scene>(std::move(step->loaded));
     wanted.slots = step->slots.settings;

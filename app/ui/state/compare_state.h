@@ -12,7 +12,7 @@
 #include "app/compare/blind_trials.h"
 #include "app/compare/contact_traces.h"
 #include "app/compare/trial_results.h"
-#include "app/runtime/session/experiment.h"
+#include "app/session/experiment.h"
 #include "core/algorithm_settings.h"
 #include "core/study/energy_story.h"
 
@@ -32,7 +32,7 @@ struct CompareSlots {
 struct BlindTest {
   compare::BlindTrials trials;
   Scene before;                                              // the session's before the test
-  std::shared_ptr<runtime::Experiment> experiment;           // not null
+  std::shared_ptr<session::Experiment> experiment;           // not null
   bool begun = false;                                        // false: waits for "Begin"
   std::optional<compare::Presentation> felt = std::nullopt;  // the presentation in force
   bool running = true;

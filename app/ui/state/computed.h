@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/runtime/loop/realtime_setup.h"
+#include "app/session/loop/realtime_setup.h"
 #include "app/ui/state/background.h"
 #include "core/result.h"
 
@@ -45,7 +45,7 @@ class Computed {
     if (!problem_.empty()) return;
     outbox_ = std::make_shared<Outbox>();
     task_.start([work = work_, question, outbox = outbox_](const Progress& progress) {
-      runtime::set_up_background_thread();
+      session::set_up_background_thread();
       return work(question, progress, [&](Part part) {
         const std::scoped_lock lock(outbox->mutex);
         outbox->parts.push_back(std::move(part));

@@ -8,7 +8,7 @@ namespace {
 constexpr double kMaxLineS = 0.5;  // also where a frame takes longer
 constexpr double kLinesPerFrame = 1.5;
 
-runtime::HandMove rest(double duration_s) { return {.m = {0.0, 0.0}, .duration_s = duration_s}; }
+session::HandMove rest(double duration_s) { return {.m = {0.0, 0.0}, .duration_s = duration_s}; }
 
 }  // namespace
 
@@ -30,8 +30,8 @@ void HandLead::follow(const Point& to) {
   points_.back() = {std::max(to.time_s, before_s + (same_burst ? 0.0 : kBurstS)), to.place_m};
 }
 
-std::vector<runtime::HandMove> HandLead::take(double now_s) {
-  std::vector<runtime::HandMove> moves;
+std::vector<session::HandMove> HandLead::take(double now_s) {
+  std::vector<session::HandMove> moves;
   const double frame_s = now_s - frame_s_;
   frame_s_ = now_s;
   if (grabbed_) moves.push_back(rest(0.0));
@@ -48,9 +48,9 @@ std::vector<runtime::HandMove> HandLead::take(double now_s) {
   return moves;
 }
 
-runtime::HandMove HandLead::line_to(const Point& to, double frame_s) {
+session::HandMove HandLead::line_to(const Point& to, double frame_s) {
   const double longest_s = std::clamp(kLinesPerFrame * frame_s, kRestS, kMaxLineS);
-  runtime::HandMove move;
+  session::HandMove move;
   move.m = {to.place_m.x - sent_->place_m.x, to.place_m.y - sent_->place_m.y};
   move.duration_s = std::min(to.time_s - sent_->time_s, longest_s);
   arrival_s_ += move.duration_s;

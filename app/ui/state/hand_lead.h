@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/runtime/loop/led_hand.h"
+#include "app/session/loop/led_hand.h"
 
 namespace hapticwall::ui {
 
@@ -30,11 +30,11 @@ class HandLead {
   // An event, in order of time.
   void follow(const Point& to);
   // Moves for the events since the last call; call it once a frame.
-  [[nodiscard]] std::vector<runtime::HandMove> take(double now_s);
+  [[nodiscard]] std::vector<session::HandMove> take(double now_s);
   void release() { sent_.reset(); }
 
  private:
-  [[nodiscard]] runtime::HandMove line_to(const Point& to, double frame_s);
+  [[nodiscard]] session::HandMove line_to(const Point& to, double frame_s);
 
   std::optional<Point> sent_;  // end of the newest move
   std::vector<Point> points_;  // not sent yet

@@ -1,7 +1,7 @@
 #include "app/ui/state/model_runs.h"
 
-#include "app/runtime/session/replay_session.h"
-#include "app/runtime/session/scene_change.h"
+#include "app/session/replay_session.h"
+#include "app/session/scene_change.h"
 #include "app/ui/state/changes.h"
 
 namespace hapticwall::ui {
@@ -30,7 +30,7 @@ bool scene_in_motion() {
 
 void make_running(const PanelContext& context, const Scene& wanted) {
   if (context.shows.live == nullptr) return;
-  if (runtime::needs_new_session(context.session.scene(), wanted)) {
+  if (session::needs_new_session(context.session.scene(), wanted)) {
     context.state.transient.wanted_scene = WantedScene{wanted};
   } else if (const auto problem = ask_for(context, wanted)) {
     tell(context.state, *problem);

@@ -68,7 +68,7 @@ void each_value(State& state, const Field& field) {
   auto& plots = state.plots.persisted;
   auto& test = state.compare.persisted;
   field("window", "theme", kept.look, kLooks);
-  field("window", "scale_percent", kept.scale_percent, Range{0.0, runtime::kMaxScalePercent});
+  field("window", "scale_percent", kept.scale_percent, Range{0.0, session::kMaxScalePercent});
   field("window", "width", kept.window_width, Range{0.0, kMaxPixels});
   field("window", "height", kept.window_height, Range{0.0, kMaxPixels});
   field("window", "maximised", kept.window_maximised, AnyValue{});

@@ -18,7 +18,7 @@ Result<bool> compute(const study::Study& study, const Scene& scene, const Task::
     auto outcome = (*run)({.threads = background_thread_count(),
                            .should_stop = [&] { return !progress(done); },
                            .progress = [&](double fraction) { done = fraction; },
-                           .now_ns = runtime::thread_processor_time_ns});
+                           .now_ns = session::thread_processor_time_ns});
     if (!outcome) return false;
     deliver(std::move(*outcome));
   }

@@ -27,11 +27,11 @@ FrameStats frame_stats(const FrameTimes& frames) {
   std::sort(sorted.begin(), end);
   constexpr double kP99 = 0.99;
   return {std::accumulate(sorted.begin(), end, 0.0) / static_cast<double>(times_ms.size()),
-          times_ms[runtime::nearest_rank(kP99, times_ms.size()) - 1], times_ms.back()};
+          times_ms[session::nearest_rank(kP99, times_ms.size()) - 1], times_ms.back()};
 }
 
-void note_timing(TimingState& state, const runtime::LiveSession* live,
-                 const runtime::TimingStatistics& timing) {
+void note_timing(TimingState& state, const session::LiveSession* live,
+                 const session::TimingStatistics& timing) {
   TimingCounters now;
   now.ticks = timing.ticks;
   now.missed_ticks = timing.missed_ticks;
@@ -57,11 +57,11 @@ void note_timing(TimingState& state, const runtime::LiveSession* live,
   state.shown.ticks = now.ticks - cleared.ticks;
   state.shown.missed_ticks = now.missed_ticks - cleared.missed_ticks;
   state.shown.plot_drops = now.plot_drops - cleared.plot_drops;
-  state.wake_latency = runtime::quantiles(state.shown.histograms.wake_latency);
-  state.compute_time = runtime::quantiles(state.shown.histograms.compute_time);
+  state.wake_latency = session::quantiles(state.shown.histograms.wake_latency);
+  state.compute_time = session::quantiles(state.shown.histograms.compute_time);
 }
 
-void note_answer(LoopAnswer& answer, const runtime::Snapshot* snapshot, double period_s,
+void note_answer(LoopAnswer& answer, const session::Snapshot* snapshot, double period_s,
                  double now_s) {
   constexpr double kPeriods = 3.0;
   if (snapshot == nullptr || snapshot->cycles != answer.cycles) {

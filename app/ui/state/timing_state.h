@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "app/runtime/loop/latency_histogram.h"
-#include "app/runtime/session/live_session.h"
+#include "app/session/live_session.h"
+#include "app/session/loop/latency_histogram.h"
 
 namespace hapticwall::ui {
 
@@ -40,7 +40,7 @@ struct FrameStats {
 
 // Counters of a session at one moment.
 struct TimingCounters {
-  runtime::TimingHistograms histograms;
+  session::TimingHistograms histograms;
   std::uint64_t ticks = 0;
   std::uint64_t missed_ticks = 0;
   std::uint64_t plot_drops = 0;
@@ -61,8 +61,8 @@ struct TimingState {
   TimingCounters cleared;  // when the user last cleared the page; zeros: never
   // In this frame, counted since `cleared`.
   TimingCounters shown;
-  runtime::Quantiles wake_latency;
-  runtime::Quantiles compute_time;
+  session::Quantiles wake_latency;
+  session::Quantiles compute_time;
   FrameTimes frames;
   bool clear_asked = false;  // from the next frame on
   bool page_seen = false;    // in the last frame
@@ -72,11 +72,11 @@ struct TimingState {
 
 // Called once a frame, before anything shows it. Another session starts at zero again. `live`: null
 // where there is no loop, and all counts are 0.
-void note_timing(TimingState& state, const runtime::LiveSession* live,
-                 const runtime::TimingStatistics& timing);
+void note_timing(TimingState& state, const session::LiveSession* live,
+                 const session::TimingStatistics& timing);
 
 // The same, before it. `snapshot` of a loop that runs, or nullptr.
-void note_answer(LoopAnswer& answer, const runtime::Snapshot* snapshot, double period_s,
+void note_answer(LoopAnswer& answer, const session::Snapshot* snapshot, double period_s,
                  double now_s);
 // "the loop has not answered for 1.2 s"; empty if it answers.
 [[nodiscard]] std::string silence_text(const LoopAnswer& answer);

@@ -21,10 +21,10 @@
 #include "app/draw/plot/sample_history.h"
 #include "app/draw/plot/spectrum_plot.h"
 #include "app/draw/plot/theme.h"
-#include "app/runtime/session/identify_experiment.h"
-#include "app/runtime/session/live_session.h"
-#include "app/runtime/session/replay_session.h"
-#include "app/runtime/session/window_options.h"
+#include "app/session/identify_experiment.h"
+#include "app/session/live_session.h"
+#include "app/session/replay_session.h"
+#include "app/session/window_options.h"
 #include "app/sound/live/sound_status.h"
 #include "app/table/identify_report.h"
 #include "app/ui/state/all_runs.h"
@@ -111,13 +111,13 @@ struct PlotsState {
 
 // The re-run of a recorded hand, and the same samples for the plots.
 struct LaidOver {
-  runtime::Overlay overlay;
+  session::Overlay overlay;
   std::shared_ptr<const draw::SampleHistory> history;
 };
 
 // Lives as long as the window.
 struct ReplayState {
-  Background<std::unique_ptr<runtime::ReplaySession>> opening;
+  Background<std::unique_ptr<session::ReplaySession>> opening;
   std::string opening_path;
   double opening_s = 0.0;  // for how long
   Background<LaidOver> rerun;
@@ -286,11 +286,11 @@ struct Identified {
 
 // `hapticwall identify` in the window. Lives as long as the window.
 struct IdentifyState {
-  runtime::IdentifyChoice choice;
-  std::string device = "sim";                               // as in runtime::WindowOptions
+  session::IdentifyChoice choice;
+  std::string device = "sim";                               // as in session::WindowOptions
   std::optional<file::DeviceDescription> description{};     // the same
   bool wanted = false;                                      // its session begins after this frame
-  std::shared_ptr<runtime::IdentifyExperiment> experiment;  // of the session; null: none
+  std::shared_ptr<session::IdentifyExperiment> experiment;  // of the session; null: none
   Background<Identified> fit;
   std::optional<Identified> result;
   std::string problem;  // why there is no result
@@ -314,8 +314,8 @@ struct UiState {
 
 // Decided once a frame, before any panel draws.
 struct Visibility {
-  runtime::LiveSession* live = nullptr;      // null while a recording is shown
-  runtime::ReplaySession* replay = nullptr;  // null while a session is live
+  session::LiveSession* live = nullptr;      // null while a recording is shown
+  session::ReplaySession* replay = nullptr;  // null while a session is live
   // A running blind test hides the force and all that follows from it, and the algorithm.
   bool hides_force = false;
   bool hides_algorithm = false;
@@ -326,8 +326,8 @@ struct Visibility {
 
 // The arguments of every panel.
 struct PanelContext {
-  runtime::SampleSource& session;  // shows.live or shows.replay
-  const runtime::Snapshot& snapshot;
+  session::SampleSource& session;  // shows.live or shows.replay
+  const session::Snapshot& snapshot;
   const draw::Theme& theme;
   UiState& state;
   Visibility shows;

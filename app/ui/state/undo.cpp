@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "app/runtime/session/scene_change.h"
+#include "app/session/scene_change.h"
 #include "app/ui/state/changed_values.h"
 #include "core/algorithm/algorithm.h"
 #include "core/scene_keys.h"
@@ -47,7 +47,7 @@ std::string difference(const SceneStep& from_step, const SceneStep& to_step) {
 bool same_scene(const Scene& a, const Scene& b) {
   return a.name == b.name && a.description == b.description && a.duration_s == b.duration_s &&
          a.sampling.rate_hz == b.sampling.rate_hz && a.x().device == b.x().device &&
-         a.x().hand == b.x().hand && a.simulator == b.simulator && runtime::same_parameters(a, b);
+         a.x().hand == b.x().hand && a.simulator == b.simulator && session::same_parameters(a, b);
 }
 
 void UndoHistory::observe(const Scene& scene, const Scene& loaded, bool dragging,

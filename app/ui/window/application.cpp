@@ -120,7 +120,7 @@ void Application::frame() {
   keep_appearance();
   take_ticks();
   heed_plugins();
-  runtime::Snapshot snapshot = session().snapshot();
+  session::Snapshot snapshot = session().snapshot();
   if (!session().knows_truth()) draw_where_measured(snapshot.newest);
   note_loop(snapshot);
   // At rest only its own page shows it, so that the window need not be painted again.
@@ -145,7 +145,7 @@ void Application::frame() {
 }
 
 // A loop that gave up says so itself.
-void Application::note_loop(const runtime::Snapshot& snapshot) {
+void Application::note_loop(const session::Snapshot& snapshot) {
   const bool runs = live_ && !snapshot.ended_by_fault;
   note_answer(state_.timing.answer, runs ? &snapshot : nullptr,
               session().scene().sampling.period_s(), state_.transient.now_s);
@@ -162,7 +162,7 @@ void Application::heed_plugins() {
 }
 
 // Slow motion would be chopped.
-void Application::heed_sound(const runtime::Snapshot& snapshot) {
+void Application::heed_sound(const session::Snapshot& snapshot) {
   sound::SoundSource source;
   if (live_ && snapshot.periods_per_tick == 1)
     source = {live_->sound_feed(), live_->scene().sampling.rate_hz, live_->knows_truth()};
@@ -182,7 +182,7 @@ void Application::note_sound() {
 }
 
 // At the newest moment, or back at that under the pointer in plots that stand still.
-void Application::look_at_moment(runtime::Snapshot& snapshot) {
+void Application::look_at_moment(session::Snapshot& snapshot) {
   const std::optional<double> looked_at_s = std::exchange(state_.transient.looked_at_s, {});
   note_tails(state_.tails, history_, session().scene(), looked_at_s);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -258,10 +258,10 @@ void Application::start_wanted_scene() {
 }
 
 // Begins a simulated scene anew, at rest, unless somebody leads it or records it.
-void Application::repeat(const runtime::Snapshot& snapshot) {
+void Application::repeat(const session::Snapshot& snapshot) {
   if (!live_ || !state_.transient.repeats || !live_->device_info().is_simulated) return;
   if (snapshot.newest.x().time_s < live_->scene().duration_s || state_.transient.hand_led ||
-      live_->recording_status().state == runtime::RecordingState::kRecording)
+      live_->recording_status().state == session::RecordingState::kRecording)
     return;
   live_->reset();
 }

@@ -14,7 +14,7 @@
 #include "app/draw/plot/theme.h"
 #include "app/file/plugin/plugin_watch.h"
 #include "app/file/recording/recording_reader.h"
-#include "app/runtime/session/live_session.h"
+#include "app/session/live_session.h"
 #include "app/sound/live/sound_player.h"
 #include "app/ui/state/settings_file.h"
 #include "app/ui/state/ui_state.h"
@@ -27,17 +27,17 @@ namespace hapticwall::ui {
 
 class Application {
  public:
-  using SessionStarter = runtime::StartSession;
+  using SessionStarter = session::StartSession;
   // Called on its own thread, because a large recording takes long to read.
-  using RecordingOpener = std::function<Result<std::unique_ptr<runtime::ReplaySession>>(
+  using RecordingOpener = std::function<Result<std::unique_ptr<session::ReplaySession>>(
       const std::string& csv_path, const file::ReadProgress& progress)>;
   struct Sessions {
     SessionStarter simulate;
     SessionStarter start_on_device;  // empty: everything is simulated
-    RecordingOpener open_recording;  // empty: runtime::start_replay()
+    RecordingOpener open_recording;  // empty: session::start_replay()
     // Makes the recording to show first, with the scene to go back to. Empty: a session of the
     // scene.
-    std::function<std::unique_ptr<runtime::ReplaySession>()> replay;
+    std::function<std::unique_ptr<session::ReplaySession>()> replay;
     sound::OpenCard open_card;  // empty: the usual sound card
   };
 
@@ -48,7 +48,7 @@ class Application {
     std::optional<float> forced_scale;  // empty: the settings, or the screen
     std::string opened_file;            // file of the scene; empty: built in
     std::function<double()> now_s;      // clock of pointer events; empty: that of Dear ImGui
-    std::shared_ptr<runtime::Experiment> experiment = nullptr;  // begins at once; null: none
+    std::shared_ptr<session::Experiment> experiment = nullptr;  // begins at once; null: none
     bool records_signals = false;  // also if the settings do not say so
   };
 
@@ -90,13 +90,13 @@ class Application {
   // Writes changed settings.
   void save_settings() { settings_.save(state_); }
 
-  [[nodiscard]] runtime::SampleSource& session() {
+  [[nodiscard]] session::SampleSource& session() {
     if (live_) return *live_;
     return *replay_;
   }
   // One of these two is null.
-  [[nodiscard]] runtime::LiveSession* live() { return live_.get(); }
-  [[nodiscard]] runtime::ReplaySession* replay() { return replay_.get(); }
+  [[nodiscard]] session::LiveSession* live() { return live_.get(); }
+  [[nodiscard]] session::ReplaySession* replay() { return replay_.get(); }
   [[nodiscard]] UiState& state() { return state_; }
   [[nodiscard]] const draw::SampleHistory& history() const { return history_.axis(0); }
   [[nodiscard]] const WallRenderer& renderer() const { return *renderer_; }
@@ -111,36 +111,36 @@ class Application {
 
   void keep_appearance();
   void heed_plugins();
-  void note_loop(const runtime::Snapshot& snapshot);
-  void heed_sound(const runtime::Snapshot& snapshot);
+  void note_loop(const session::Snapshot& snapshot);
+  void heed_sound(const session::Snapshot& snapshot);
   void note_sound();
   [[nodiscard]] Visibility visibility(std::uint32_t echoed_generation);
-  void look_at_moment(runtime::Snapshot& snapshot);
-  void repeat(const runtime::Snapshot& snapshot);
+  void look_at_moment(session::Snapshot& snapshot);
+  void repeat(const session::Snapshot& snapshot);
   void start_wanted_scene();
   [[nodiscard]] bool start_anew(const Scene& scene,
                                 const std::shared_ptr<BorrowedAlgorithm>& borrowed = nullptr);
   void forget_session();
 
   // application_identify.cpp
-  void heed_identify(const runtime::Snapshot& snapshot);
-  [[nodiscard]] std::string interruption(const runtime::Snapshot& snapshot) const;
+  void heed_identify(const session::Snapshot& snapshot);
+  [[nodiscard]] std::string interruption(const session::Snapshot& snapshot) const;
   void begin_identify();
-  void end_identify(const runtime::Snapshot& snapshot);
+  void end_identify(const session::Snapshot& snapshot);
   void take_identified();
 
   // application_recordings.cpp
   void open_wanted_recording();
   void take_opened_recording();
-  void show_recording(std::unique_ptr<runtime::ReplaySession> replay);
+  void show_recording(std::unique_ptr<session::ReplaySession> replay);
   void end_live_session();
   void go_back();
   void notice_jumps();
 
   Sessions sessions_;
   std::shared_ptr<BorrowedAlgorithm> borrowed_;     // in the loop of live_; outlives it
-  std::unique_ptr<runtime::LiveSession> live_;      // this one,
-  std::unique_ptr<runtime::ReplaySession> replay_;  // or that
+  std::unique_ptr<session::LiveSession> live_;      // this one,
+  std::unique_ptr<session::ReplaySession> replay_;  // or that
   std::unique_ptr<WallRenderer> renderer_;
   draw::Theme theme_;
   draw::Look look_ = draw::Look::kScreen;  // in force, like the scale

@@ -14,7 +14,7 @@ constexpr std::size_t kCurveColumns = 600;  // every frame draws them
 Result<Identified> fitted(const identify::Record& record, const identify::ExperimentFacts& facts,
                           table::IdentifiedBy by, const file::DeviceDescription& device) {
   auto found = identify::identify(record, facts);
-  if (!found) return device_error(std::string(runtime::kTooFewStrokes));
+  if (!found) return device_error(std::string(session::kTooFewStrokes));
   Identified result{std::move(by), std::move(*found), {}, {}};
   result.device = table::identified_device(device, result.by, result.found);
   result.panels = draw::identification_panels(record, result.found);
@@ -27,7 +27,7 @@ Result<Identified> fitted(const identify::Record& record, const identify::Experi
 
 }  // namespace
 
-void Application::heed_identify(const runtime::Snapshot& snapshot) {
+void Application::heed_identify(const session::Snapshot& snapshot) {
   take_identified();
   IdentifyState& identify = state_.identify;
   if (std::exchange(identify.wanted, false) && !identify.experiment) return begin_identify();
@@ -38,7 +38,7 @@ void Application::heed_identify(const runtime::Snapshot& snapshot) {
 }
 
 // What makes its record worthless; empty if there is nothing.
-std::string Application::interruption(const runtime::Snapshot& snapshot) const {
+std::string Application::interruption(const session::Snapshot& snapshot) const {
   if (state_.transient.wanted_scene || live_->generation() != before_identify_.generation)
     return "the scene was changed";
   if (state_.replay.opening.running() || !state_.transient.wanted_recording.empty())
@@ -52,13 +52,13 @@ void Application::begin_identify() {
   IdentifyState& identify = state_.identify;
   const Scene scene = live_->scene();
   const device::DeviceInfo info = live_->device_info();
-  const auto settings = runtime::experiment_settings(identify.choice, runtime::info_on(info, scene),
+  const auto settings = session::experiment_settings(identify.choice, session::info_on(info, scene),
                                                      scene.sampling.rate_hz);
   if (!settings) return tell(state_, settings.error());
   before_identify_ = {scene, state_.transient.repeats, live_->snapshot().paused, 0};
-  auto experiment = std::make_shared<runtime::IdentifyExperiment>(*settings);
+  auto experiment = std::make_shared<session::IdentifyExperiment>(*settings);
   const std::shared_ptr<BorrowedAlgorithm> borrowed(experiment, &experiment->algorithm());
-  if (!start_anew(runtime::identify_scene(scene, *settings), borrowed)) return;
+  if (!start_anew(session::identify_scene(scene, *settings), borrowed)) return;
   forget_session();
   before_identify_.generation = live_->generation();
   if (live_->device_info().is_simulated != info.is_simulated)
@@ -69,12 +69,12 @@ void Application::begin_identify() {
 }
 
 // Zero force first, then the session of before.
-void Application::end_identify(const runtime::Snapshot& snapshot) {
+void Application::end_identify(const session::Snapshot& snapshot) {
   live_->arm(false);
   take_ticks();
   IdentifyState& identify = state_.identify;
   const auto experiment = std::exchange(identify.experiment, nullptr);
-  const device::DeviceInfo info = runtime::info_on(live_->device_info(), before_identify_.scene);
+  const device::DeviceInfo info = session::info_on(live_->device_info(), before_identify_.scene);
   if (const Failure trouble = experiment->trouble()) {
     identify.problem = trouble->message;
   } else {
@@ -83,7 +83,7 @@ void Application::end_identify(const runtime::Snapshot& snapshot) {
          by = table::IdentifiedBy{info.name, file::utc_now(), experiment->settings().force_limit_n,
                                   experiment->settings().duration_s, experiment->facts().turns,
                                   snapshot.timing.missed_ticks},
-         device = runtime::identified_description(identify.description, identify.device, info,
+         device = session::identified_description(identify.description, identify.device, info,
                                                   live_->scene())](const auto& /*progress*/) {
           return fitted(record, facts, by, device);
         });

@@ -11,9 +11,9 @@
 namespace hapticwall::ui {
 namespace {
 
-Result<std::unique_ptr<runtime::ReplaySession>> open_replay(const std::string& csv_path,
+Result<std::unique_ptr<session::ReplaySession>> open_replay(const std::string& csv_path,
                                                             const file::ReadProgress& progress) {
-  return runtime::start_replay(csv_path, {}, progress);
+  return session::start_replay(csv_path, {}, progress);
 }
 
 }  // namespace
@@ -49,18 +49,18 @@ void Application::take_opened_recording() {
 // Removes the force first; writing the rest may take time.
 void Application::end_live_session() {
   live_->arm(false);
-  if (live_->recording_status().state == runtime::RecordingState::kRecording)
+  if (live_->recording_status().state == session::RecordingState::kRecording)
     stop_recording(state_, *live_);
 }
 
-void Application::show_recording(std::unique_ptr<runtime::ReplaySession> replay) {
+void Application::show_recording(std::unique_ptr<session::ReplaySession> replay) {
   live_.reset();
   replay_ = std::move(replay);
   forget_session();
   begin_comparison(state_, replay_->scene(), slots_of(state_));
   jumps_ = replay_->snapshot().resets;
   state_.transient.loaded_scene = replay_->recording().loaded.scene;
-  if (const runtime::Overlay* overlay = replay_->overlay())
+  if (const session::Overlay* overlay = replay_->overlay())
     draw_overlay_in_plots(state_, overlay, history_of(*overlay, replay_->scene().x().device));
 }
 

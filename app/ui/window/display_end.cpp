@@ -6,7 +6,7 @@
 #include <csignal>
 #include <cstdio>
 
-#include "app/runtime/loop/crash_stop.h"
+#include "app/session/loop/crash_stop.h"
 #include "app/ui/window/application.h"
 
 namespace hapticwall::ui {
@@ -20,13 +20,13 @@ Application* g_application = nullptr;  // Xlib's handlers take no data
 
 [[noreturn]] void leave() { _exit(static_cast<int>(ErrorKind::kDisplay)); }
 
-bool records(const runtime::LiveSession* session) {
+bool records(const session::LiveSession* session) {
   return session != nullptr &&
-         session->recording_status().state == runtime::RecordingState::kRecording;
+         session->recording_status().state == session::RecordingState::kRecording;
 }
 
 // Not if a device hangs, because its loop still records.
-void finish_recording(runtime::LiveSession& session) {
+void finish_recording(session::LiveSession& session) {
   if (!session.snapshot().ended_by_fault) return;
   std::signal(SIGALRM, [](int) { leave(); });
   alarm(kMaxFinishS);
@@ -34,8 +34,8 @@ void finish_recording(runtime::LiveSession& session) {
 }
 
 [[noreturn]] void end(const char* reason) {
-  runtime::end_all_force();
-  runtime::LiveSession* session = g_application->live();
+  session::end_all_force();
+  session::LiveSession* session = g_application->live();
   std::fprintf(stderr, "error: %s; the force is off%s\n", reason,
                records(session) ? ", and the recording is kept" : "");
   if (session != nullptr) finish_recording(*session);

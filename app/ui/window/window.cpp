@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "app/draw/plot/theme.h"
-#include "app/runtime/loop/stop_signals.h"
-#include "app/runtime/session/loop_session.h"
+#include "app/session/loop/stop_signals.h"
+#include "app/session/loop_session.h"
 #include "app/ui/page/identify_page.h"
 #include "app/ui/state/settings_file.h"
 #include "app/ui/window/application.h"
@@ -223,7 +223,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
   Idleness idleness;
   int unpainted = 0;
   if (hooks.opened) hooks.opened(application);
-  while (glfwWindowShouldClose(window) == GLFW_FALSE && runtime::stop_signal() == 0) {
+  while (glfwWindowShouldClose(window) == GLFW_FALSE && session::stop_signal() == 0) {
     glfwPollEvents();
     if (!is_seen(window)) {
       application.take_ticks();
@@ -254,8 +254,8 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
 
 }  // namespace
 
-Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hooks) {
-  const runtime::StopSignals signals;
+Failure run_window(const session::WindowOptions& options, const WindowHooks& hooks) {
+  const session::StopSignals signals;
   const Glfw glfw;
   if (!glfw.ready()) {
     return Error{ErrorKind::kDevice,
@@ -269,11 +269,11 @@ Failure run_window(const runtime::WindowOptions& options, const WindowHooks& hoo
       apply_theme(draw::Look::kScreen, 1.0F);  // the application applies the settings
   Application::Sessions sessions;
   sessions.simulate = [&options](const Scene& scene, BorrowedAlgorithm* borrowed) {
-    runtime::SessionOptions session;
+    session::SessionOptions session;
     session.spin_s = options.spin_s;
     session.stream = options.stream;
     session.signals = options.signals;
-    return runtime::start_under(borrowed, nullptr, scene, session);
+    return session::start_under(borrowed, nullptr, scene, session);
   };
   sessions.start_on_device = options.start_on_device;
   sessions.replay = options.replay;

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "app/runtime/session/window_options.h"
+#include "app/session/window_options.h"
 #include "core/result.h"
 
 namespace hapticwall::ui {
@@ -20,7 +20,7 @@ struct WindowHooks {
 };
 
 // Returns when the user closes the window or the process is asked to end (SIGINT, SIGTERM).
-[[nodiscard]] Failure run_window(const runtime::WindowOptions& options,
+[[nodiscard]] Failure run_window(const session::WindowOptions& options,
                                  const WindowHooks& hooks = {});
 
 // Idle detection: no samples arrive and the user does nothing.

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
 
@@ -158,10 +158,10 @@ class ProgramTest : public hapticwall::test::FolderTest {
       int signal = SIGTERM) const {
     arguments.insert(arguments.begin(), program());
     const pid_t child = start(std::move(arguments));
-    EXPECT_TRUE(runtime::test::eventually(
+    EXPECT_TRUE(session::test::eventually(
         [&] { return !is_running(child) || (catches(child, signal) && ready()); }));
     kill(child, signal);
-    if (!runtime::test::eventually([&] { return !is_running(child); })) {
+    if (!session::test::eventually([&] { return !is_running(child); })) {
       ADD_FAILURE() << "the program does not end";
       kill(child, SIGKILL);
     }

@@ -5,19 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "app/runtime/session/identify_experiment.h"
+#include "app/session/identify_experiment.h"
 #include "core/study/identify/identify.h"
-#include "tests/app/runtime/loop/lie_rig.h"
+#include "tests/app/session/loop/lie_rig.h"
 #include "tests/emulator/program/emulator_options.h"
 
 namespace hapticwall::command {
 namespace {
 
 using identify::ExperimentState;
-using runtime::ArmingState;
-using runtime::IdentifyExperiment;
-using runtime::IdentifyStage;
-using runtime::test::LieRig;
+using session::ArmingState;
+using session::IdentifyExperiment;
+using session::IdentifyStage;
+using session::test::LieRig;
 
 constexpr double kEncoderM = 30e-6;
 constexpr double kMassKg = 0.08;
@@ -196,7 +196,7 @@ TEST(IdentifyLoop, ShowsItsProgress) {
   rig.rig.until_ms(rig.rig.now_us() / 1000 + 600);
   EXPECT_EQ(rig.experiment.progress().stage, IdentifyStage::kRamps);
   rig.rig.until_ms(kLieMs);
-  const runtime::IdentifyProgress shown = rig.experiment.progress();
+  const session::IdentifyProgress shown = rig.experiment.progress();
   EXPECT_EQ(shown.stage, IdentifyStage::kStrokes);
   EXPECT_GT(shown.strokes_s, 1.0);
   EXPECT_LT(shown.strokes_s, 1e-3 * static_cast<double>(kLieMs));

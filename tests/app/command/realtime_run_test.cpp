@@ -12,12 +12,12 @@
 
 #include "app/command/report/expectation.h"
 #include "app/command/report/summary_fields.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 
 namespace hapticwall::command {
 namespace {
 
-using runtime::test::FakeDevice;
+using session::test::FakeDevice;
 using ::testing::HasSubstr;
 
 constexpr double kOutsideM = 0.049;
@@ -159,7 +159,7 @@ TEST(RealtimeRun, ASessionAtItsLimitSaysSo) {
       [](LedDevice& device) { device.position_m = device.enabled ? kInsideM : kOutsideM; }, 2.5);
   EXPECT_FALSE(outcome.trouble);
   EXPECT_FALSE(outcome.stopped_early);
-  EXPECT_EQ(json_of(outcome)["verdict_note"], runtime::kAtLimitText);
+  EXPECT_EQ(json_of(outcome)["verdict_note"], session::kAtLimitText);
   EXPECT_TRUE(json_of(outcome)["disarm_reason"].is_null());
 }
 

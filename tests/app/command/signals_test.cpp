@@ -11,18 +11,18 @@
 #include <vector>
 
 #include "core/algorithm/plugin/library_call.h"
-#include "tests/app/runtime/loop/child_support.h"
+#include "tests/app/session/loop/child_support.h"
 
 namespace hapticwall::command {
 namespace {
 
-using runtime::test::eventually;
-using runtime::test::expect_killed_by;
-using runtime::test::pushing_session;
-using runtime::test::Shared;
-using runtime::test::SharedDevice;
-using runtime::test::start_child;
-using runtime::test::status_of;
+using session::test::eventually;
+using session::test::expect_killed_by;
+using session::test::pushing_session;
+using session::test::Shared;
+using session::test::SharedDevice;
+using session::test::start_child;
+using session::test::status_of;
 
 class StopSignal : public ::testing::TestWithParam<int> {};
 

@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "app/command/device/timing_report.h"
-#include "app/runtime/loop/timing_probe.h"
+#include "app/session/loop/timing_probe.h"
 #include "tests/app/command/binary.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 
 namespace hapticwall::command::test {
 namespace {
 
-using runtime::Quantiles;
-using runtime::TimingPlan;
-using runtime::TimingRecord;
+using session::Quantiles;
+using session::TimingPlan;
+using session::TimingRecord;
 
 constexpr std::int64_t kMicrosecondNs = 1000;
 constexpr std::int64_t kPeriodNs = 1'000'000;
@@ -48,14 +48,14 @@ TimingRecord quiet_device() {
 TEST(TimingQuantiles, AreTheNearestRanks) {
   std::vector<std::int64_t> values;
   for (std::int64_t i = 1000; i >= 1; --i) values.push_back(i);
-  const Quantiles result = runtime::quantiles(values);
+  const Quantiles result = session::quantiles(values);
   EXPECT_EQ(result.count, 1000U);
   EXPECT_EQ(result.median_ns, 500);
   EXPECT_EQ(result.p99_ns, 990);
   EXPECT_EQ(result.p999_ns, 999);
   EXPECT_EQ(result.maximum_ns, 1000);
-  EXPECT_EQ(runtime::quantiles(std::vector<std::int64_t>{7}).p999_ns, 7);
-  EXPECT_EQ(runtime::quantiles(std::vector<std::int64_t>{}).count, 0U);
+  EXPECT_EQ(session::quantiles(std::vector<std::int64_t>{7}).p999_ns, 7);
+  EXPECT_EQ(session::quantiles(std::vector<std::int64_t>{}).count, 0U);
 }
 
 TEST(TimingVerdictTest, AQuietMachineIsGoodWithoutAdvice) {
@@ -168,7 +168,7 @@ TEST(TimingReport, JsonHasTheSame) {
 }
 
 // Every second tick a position of the same state: nothing is counted twice.
-class CountingDevice : public runtime::test::FakeDevice {
+class CountingDevice : public session::test::FakeDevice {
  public:
   [[nodiscard]] DeviceReading read() override {
     ++ticks;
@@ -184,10 +184,10 @@ class CountingDevice : public runtime::test::FakeDevice {
 
 TEST(TimingProbe, WritesEveryTickDownAndNeverPushes) {
   CountingDevice device;
-  runtime::test::FakeClock clock;
-  clock.after_sleep = [](runtime::test::FakeClock& now) { now.advance_ns(7 * kMicrosecondNs); };
+  session::test::FakeClock clock;
+  clock.after_sleep = [](session::test::FakeClock& now) { now.advance_ns(7 * kMicrosecondNs); };
   const TimingRecord record =
-      runtime::probe_timing({1000.0, 100, -1}, &device, clock, [](std::uint64_t) { return false; });
+      session::probe_timing({1000.0, 100, -1}, &device, clock, [](std::uint64_t) { return false; });
   EXPECT_EQ(record.latency_ns, std::vector<std::int64_t>(100, 7 * kMicrosecondNs));
   EXPECT_EQ(record.age_ns.size(), 100U);
   EXPECT_EQ(record.round_trip_ns, std::vector<std::int64_t>(50, kPeriodNs));
@@ -198,11 +198,11 @@ TEST(TimingProbe, WritesEveryTickDownAndNeverPushes) {
 }
 
 TEST(TimingProbe, EndsWhenItIsAskedTo) {
-  runtime::test::FakeClock clock;
+  session::test::FakeClock clock;
   const TimingPlan plan{1000.0, 5'000'000, -1};
-  clock.after_sleep = [](runtime::test::FakeClock&) { std::this_thread::yield(); };
+  clock.after_sleep = [](session::test::FakeClock&) { std::this_thread::yield(); };
   const TimingRecord record =
-      runtime::probe_timing(plan, nullptr, clock, [](std::uint64_t done) { return done > 10; });
+      session::probe_timing(plan, nullptr, clock, [](std::uint64_t done) { return done > 10; });
   EXPECT_GT(record.latency_ns.size(), 10U);
 }
 

@@ -11,7 +11,7 @@
 
 #include "app/compare/blind_trials.h"
 #include "app/file/scene/scene_file.h"
-#include "app/runtime/session/experiment.h"
+#include "app/session/experiment.h"
 #include "tests/temporary_folder.h"
 
 namespace hapticwall::compare {
@@ -34,8 +34,8 @@ class KilledExperiment : public hapticwall::test::FolderTest {
     put("list.csv", list);
   }
 
-  [[nodiscard]] Result<std::shared_ptr<runtime::Experiment>> open() const {
-    return runtime::open_experiment({path("list.csv"), "P1", "1", path("out.csv")},
+  [[nodiscard]] Result<std::shared_ptr<session::Experiment>> open() const {
+    return session::open_experiment({path("list.csv"), "P1", "1", path("out.csv")},
                                     [](std::span<const std::string> overrides) -> Result<Scene> {
                                       return file::load_scene("press", overrides)->scene;
                                     });

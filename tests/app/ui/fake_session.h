@@ -11,16 +11,16 @@
 #include <utility>
 #include <vector>
 
-#include "app/runtime/loop/exchange.h"
-#include "app/runtime/loop/sound_feed.h"
-#include "app/runtime/session/live_session.h"
-#include "app/runtime/session/scene_change.h"
+#include "app/session/live_session.h"
+#include "app/session/loop/exchange.h"
+#include "app/session/loop/sound_feed.h"
+#include "app/session/scene_change.h"
 #include "core/tick/servo.h"
 #include "device/simulated_device.h"
 
 namespace hapticwall::test {
 
-class FakeSession final : public runtime::LiveSession {
+class FakeSession final : public session::LiveSession {
  public:
   explicit FakeSession(const Scene& scene) : scene_(scene) {
     for (std::size_t i = 0; i < scene.axes.size(); ++i) axes_.emplace_back(axis_scene(scene, i));
@@ -45,17 +45,17 @@ class FakeSession final : public runtime::LiveSession {
       }
       queue_.push_back(newest_);
       if (feed->wanted) static_cast<void>(feed->ticks.try_push(newest_));
-      if (recording_.state == runtime::RecordingState::kRecording) ++recording_.rows;
+      if (recording_.state == session::RecordingState::kRecording) ++recording_.rows;
     }
   }
 
   [[nodiscard]] const Scene& scene() const override { return scene_; }
   std::optional<SceneProblem> change_scene(const Scene& wanted) override {
-    if (auto problem = runtime::needs_new_session(scene_, wanted)) return problem;
+    if (auto problem = session::needs_new_session(scene_, wanted)) return problem;
     return take(wanted);
   }
   [[nodiscard]] std::uint32_t generation() const override { return generation_; }
-  void move_hand(const runtime::HandMove& move) override {
+  void move_hand(const session::HandMove& move) override {
     moves.push_back(move);
     if (move.at_once) ++gesture_;
     moves.back().gesture = gesture_;
@@ -78,8 +78,8 @@ class FakeSession final : public runtime::LiveSession {
       axis.servo.reset();
     }
   }
-  [[nodiscard]] runtime::Snapshot snapshot() override {
-    runtime::Snapshot snapshot;
+  [[nodiscard]] session::Snapshot snapshot() override {
+    session::Snapshot snapshot;
     snapshot.newest = newest_;
     if (!stalled) ++cycles_;
     snapshot.cycles = cycles_;
@@ -92,8 +92,8 @@ class FakeSession final : public runtime::LiveSession {
     snapshot.generation = echoed_;
     return snapshot;
   }
-  [[nodiscard]] std::shared_ptr<runtime::SoundFeed> sound_feed() const override { return feed; }
-  void read_timing(runtime::TimingHistograms& out) const override { out = histograms; }
+  [[nodiscard]] std::shared_ptr<session::SoundFeed> sound_feed() const override { return feed; }
+  void read_timing(session::TimingHistograms& out) const override { out = histograms; }
   std::size_t take_ticks(std::span<Tick> out) override {
     const std::size_t count = std::min(out.size(), queue_.size());
     std::copy_n(queue_.begin(), count, out.begin());
@@ -104,16 +104,16 @@ class FakeSession final : public runtime::LiveSession {
   void record_signals(bool /*wanted*/) override {}
   [[nodiscard]] Failure start_recording(const std::string& csv_path) override {
     if (!refuse_recording.empty()) return Error{ErrorKind::kFile, refuse_recording};
-    recording_ = {runtime::RecordingState::kRecording, 0, 0, csv_path, {}};
+    recording_ = {session::RecordingState::kRecording, 0, 0, csv_path, {}};
     return std::nullopt;
   }
   [[nodiscard]] Failure stop_recording() override {
-    recording_.state = runtime::RecordingState::kIdle;
+    recording_.state = session::RecordingState::kIdle;
     return std::nullopt;
   }
-  [[nodiscard]] runtime::RecordingStatus recording_status() const override { return recording_; }
+  [[nodiscard]] session::RecordingStatus recording_status() const override { return recording_; }
   [[nodiscard]] Failure mark(std::string_view text) override {
-    if (recording_.state != runtime::RecordingState::kRecording) {
+    if (recording_.state != session::RecordingState::kRecording) {
       return Error{ErrorKind::kUsage, "marks belong to a recording: start one first"};
     }
     marks_.push_back({newest_.x().tick, file::mark_text(text)});
@@ -124,7 +124,7 @@ class FakeSession final : public runtime::LiveSession {
     marks_.back().text = file::mark_text(text);
   }
   [[nodiscard]] std::span<const file::Mark> marks() const override { return marks_; }
-  [[nodiscard]] const runtime::RealtimeStatus& realtime_status() const override {
+  [[nodiscard]] const session::RealtimeStatus& realtime_status() const override {
     return realtime_;
   }
 
@@ -134,20 +134,20 @@ class FakeSession final : public runtime::LiveSession {
 
   device::DeviceInfo info{"simulator", true};
   std::string trouble;
-  const std::shared_ptr<runtime::SoundFeed> feed = std::make_shared<runtime::SoundFeed>(1000);
+  const std::shared_ptr<session::SoundFeed> feed = std::make_shared<session::SoundFeed>(1000);
   int* open_count = nullptr;     // decremented at the end of this session
-  runtime::ArmingStatus arming;  // of the next snapshots, like link and timing
+  session::ArmingStatus arming;  // of the next snapshots, like link and timing
   device::LinkStats link;
   std::vector<bool> arm_requests;
-  runtime::TimingStatistics timing;
-  runtime::TimingHistograms histograms;
+  session::TimingStatistics timing;
+  session::TimingHistograms histograms;
   std::uint32_t periods_per_tick = 1;
   bool is_paused = false;
   bool stalled = false;  // its loop gives no sign
   bool echoes = true;    // the next snapshot confirms the newest parameters
   int steps = 0;
   int resets = 0;
-  std::vector<runtime::HandMove> moves;  // asked for
+  std::vector<session::HandMove> moves;  // asked for
   std::string refuse_recording;          // the error of the next recordings
 
  private:
@@ -158,7 +158,7 @@ class FakeSession final : public runtime::LiveSession {
   };
 
   void lead_hands() {
-    runtime::LedHand::Places present_m{};
+    session::LedHand::Places present_m{};
     for (std::size_t i = 0; i < axes_.size(); ++i)
       present_m[i] = axes_[i].device.truth()->hand_path_m;
     hand_.next_tick(*queued_moves_, gesture_, axes_.front().servo.settings().period_s(), present_m);
@@ -172,7 +172,7 @@ class FakeSession final : public runtime::LiveSession {
       plants_.push_back(std::make_unique<PlantModel>(changed));
       axes_.front().device.change_plant(*plants_.back());
     }
-    if (!runtime::same_parameters(scene_, changed)) ++generation_;
+    if (!session::same_parameters(scene_, changed)) ++generation_;
     scene_ = changed;
     for (std::size_t i = 0; i < axes_.size(); ++i)
       axes_[i].servo.apply(servo_settings(axis_scene(scene_, i)));
@@ -187,13 +187,13 @@ class FakeSession final : public runtime::LiveSession {
   std::uint32_t generation_ = 1;
   std::uint32_t echoed_ = 1;
   std::deque<Tick> queue_;
-  std::unique_ptr<runtime::SpscQueue<runtime::HandMove>> queued_moves_ =
-      std::make_unique<runtime::SpscQueue<runtime::HandMove>>(runtime::kHandMoveQueueCapacity);
-  runtime::LedHand hand_;
+  std::unique_ptr<session::SpscQueue<session::HandMove>> queued_moves_ =
+      std::make_unique<session::SpscQueue<session::HandMove>>(session::kHandMoveQueueCapacity);
+  session::LedHand hand_;
   std::uint32_t gesture_ = 0;
-  runtime::RecordingStatus recording_;
+  session::RecordingStatus recording_;
   std::vector<file::Mark> marks_;
-  runtime::RealtimeStatus realtime_;
+  session::RealtimeStatus realtime_;
 };
 
 }  // namespace hapticwall::test

@@ -17,10 +17,10 @@
 
 #include "app/draw/figure/gl_objects.h"
 #include "app/file/scene/scene_file.h"
-#include "app/runtime/session/experiment.h"
+#include "app/session/experiment.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/window/application.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 #include "tests/app/sound/live/busy_card.h"
 #include "tests/app/ui/fake_session.h"
 #include "tests/app/ui/items.h"
@@ -51,13 +51,13 @@ class GuiTest : public FolderTest {
   void open(const std::string& scene_name) {
     const auto start =
         [this](const Scene& scene,
-               BorrowedAlgorithm* borrowed) -> Result<std::unique_ptr<runtime::LiveSession>> {
+               BorrowedAlgorithm* borrowed) -> Result<std::unique_ptr<session::LiveSession>> {
       if (borrowed != nullptr) return start_experiment(scene, borrowed);
       if (!refuse_session.empty()) return Error{ErrorKind::kDevice, refuse_session};
       auto session = std::make_unique<FakeSession>(scene);
       fake_ = session.get();
       ++sessions;
-      return std::unique_ptr<runtime::LiveSession>(std::move(session));
+      return std::unique_ptr<session::LiveSession>(std::move(session));
     };
     ui::Application::Sessions starters;
     starters.simulate = start;
@@ -67,13 +67,13 @@ class GuiTest : public FolderTest {
       starters.start_on_device = [this, start](const Scene& scene, BorrowedAlgorithm* borrowed) {
         EXPECT_EQ(devices_open, 0) << "there is one device only";
         if (!refuse_device.empty()) {
-          return Result<std::unique_ptr<runtime::LiveSession>>(
+          return Result<std::unique_ptr<session::LiveSession>>(
               Error{ErrorKind::kDevice, refuse_device});
         }
         auto session = start(scene, borrowed);
         if (session && borrowed == nullptr) {
           fake_->info = {"paddle", false};
-          fake_->arming.state = runtime::ArmingState::kOff;
+          fake_->arming.state = session::ArmingState::kOff;
           ++devices_open;
           fake_->open_count = &devices_open;
         }
@@ -101,7 +101,7 @@ class GuiTest : public FolderTest {
 
   // Draws frames until the condition holds. The generous bound only catches a broken program.
   void frames_until(const std::function<bool()>& condition) {
-    EXPECT_TRUE(runtime::test::eventually([&] {
+    EXPECT_TRUE(session::test::eventually([&] {
       frames(1);
       return condition();
     }));
@@ -234,7 +234,7 @@ class GuiTest : public FolderTest {
     put("trials.csv", list);
     const std::string answers = path(fmt::format("answers-{}.csv", ++experiments_));
     const std::string base = file::scene_to_toml(scene());
-    const auto experiment = runtime::open_experiment(
+    const auto experiment = session::open_experiment(
         {path("trials.csv"), participant, "1", answers, false},
         [&](std::span<const std::string> overrides) -> Result<Scene> {
           Result<file::LoadedScene> loaded = file::parse_scene(base, "scene", overrides);
@@ -293,7 +293,7 @@ class GuiTest : public FolderTest {
   std::string refuse_device;         // the same for sessions on the device
   ui::Application::Options options;  // of the next open()
   ui::Application::RecordingOpener open_recording;
-  runtime::StartSession start_experiment;  // of sessions under an algorithm
+  session::StartSession start_experiment;  // of sessions under an algorithm
   int experiments_ = 0;                    // that start_trials() began
   sound::OpenCard open_card = sound::test::no_card;
   int sessions = 0;

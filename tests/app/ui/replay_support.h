@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/runtime/session/live_session.h"
-#include "app/runtime/session/replay_session.h"
+#include "app/session/live_session.h"
+#include "app/session/replay_session.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
 
 class ReplayGuiTest : public GuiTest {
  protected:
-  class Clock final : public runtime::Clock {
+  class Clock final : public session::Clock {
    public:
     explicit Clock(const std::int64_t& now_ns) : now_ns_(now_ns) {}
     [[nodiscard]] std::int64_t now_ns() override { return now_ns_; }
@@ -29,10 +29,10 @@ class ReplayGuiTest : public GuiTest {
 
   void SetUp() override {
     open_recording = [this](const std::string& csv_path, const file::ReadProgress& progress)
-        -> Result<std::unique_ptr<runtime::ReplaySession>> {
+        -> Result<std::unique_ptr<session::ReplaySession>> {
       auto reader = file::RecordingReader::open(csv_path, progress);
       if (!reader) return reader.error();
-      return std::make_unique<runtime::ReplaySession>(std::move(*reader),
+      return std::make_unique<session::ReplaySession>(std::move(*reader),
                                                       std::make_unique<Clock>(now_ns_));
     };
     options.recording_folder = path("");
@@ -42,9 +42,9 @@ class ReplayGuiTest : public GuiTest {
   // Records with a real loop and recorder from tick 0 on; the marks are evenly spaced.
   void record(const std::string& name, std::uint64_t ticks,
               const std::vector<std::string>& marks = {}) {
-    runtime::SessionOptions paused;
+    session::SessionOptions paused;
     paused.start_paused = true;
-    auto session = runtime::LiveSession::start(runtime::test::contact_scene(), paused);
+    auto session = session::LiveSession::start(session::test::contact_scene(), paused);
     ASSERT_TRUE(session) << session.error().message;
     ASSERT_FALSE((*session)->start_recording(path(name)));
     const std::uint64_t leg = ticks / (marks.size() + 1);
@@ -52,7 +52,7 @@ class ReplayGuiTest : public GuiTest {
     const auto go_on = [&](std::uint64_t more) {
       (*session)->step(static_cast<std::uint32_t>(more));
       done += more;
-      return runtime::test::eventually([&] { return (*session)->snapshot().timing.ticks >= done; });
+      return session::test::eventually([&] { return (*session)->snapshot().timing.ticks >= done; });
     };
     for (const std::string& mark : marks) {
       ASSERT_TRUE(go_on(leg));
@@ -63,7 +63,7 @@ class ReplayGuiTest : public GuiTest {
   }
 
   [[nodiscard]] bool replaying() { return application_->replay() != nullptr; }
-  [[nodiscard]] runtime::ReplaySession& replay() { return *application_->replay(); }
+  [[nodiscard]] session::ReplaySession& replay() { return *application_->replay(); }
   void pass_ms(std::int64_t milliseconds) {
     now_ns_ += milliseconds * 1'000'000;
     frames(2);

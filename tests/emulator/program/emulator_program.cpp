@@ -14,7 +14,7 @@
 #include "app/command/report/terminal.h"
 #include "app/command/signals.h"
 #include "app/file/disk/atomic_file.h"
-#include "app/runtime/loop/realtime_setup.h"
+#include "app/session/loop/realtime_setup.h"
 #include "core/result.h"
 #include "hapticwall_version.h"
 #include "tests/emulator/firmware/uhid_device.h"
@@ -34,11 +34,11 @@ constexpr const char* kDescription =
 
 // SCHED_FIFO priority: a device does not wait for the loop that drives it.
 constexpr int kDevicePriority = 81;
-static_assert(kDevicePriority > runtime::kLoopPriority);
+static_assert(kDevicePriority > session::kLoopPriority);
 
 // Requests priority and locked memory, which are optional. Returns the result in words.
 std::string set_up_realtime() {
-  runtime::use_default_floating_point();
+  session::use_default_floating_point();
   // The kernel joins pages into huge ones; a page fault meanwhile waits for milliseconds.
   prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0);
   sched_param parameters{};

@@ -13,10 +13,10 @@
 #include "app/file/plugin/plugin_watch.h"
 #include "core/algorithm/plugin/include/hapticwall/plugin.h"
 #include "core/algorithm/plugin/plugin_list.h"
-#include "tests/app/runtime/session/session_support.h"
+#include "tests/app/session/session_support.h"
 #include "tests/plugins/loaded/loaded_plugins.h"
 
-namespace hapticwall::runtime {
+namespace hapticwall::session {
 namespace {
 
 using file::PluginNews;
@@ -275,4 +275,4 @@ TEST_F(RebuiltInSession, ARefusedOneChangesNothing) {
 }
 
 }  // namespace
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall::session

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "tests/app/runtime/loop/loop_bench.h"
+#include "tests/app/session/loop/loop_bench.h"
 #include "tests/plugins/loaded/loaded_plugins.h"
 
-namespace hapticwall::runtime {
+namespace hapticwall::session {
 namespace {
 
 using test::FakeClock;
@@ -61,4 +61,4 @@ TEST_F(SlowPlugin, OfMoreThanTwentyMillisecondsDisarms) {
 }
 
 }  // namespace
-}  // namespace hapticwall::runtime
+}  // namespace hapticwall::session

@@ -64,7 +64,7 @@ struct CardRig {
 
   double rate_hz;
   CardFacts card;
-  std::shared_ptr<runtime::SoundFeed> feed = std::make_shared<runtime::SoundFeed>(2048);
+  std::shared_ptr<session::SoundFeed> feed = std::make_shared<session::SoundFeed>(2048);
   SoundRing ring;
   TickTaker taker;
   SoundPump pump;

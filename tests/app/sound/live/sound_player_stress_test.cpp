@@ -16,8 +16,8 @@ namespace {
 TEST(SoundPlayerStress, SwitchesAndSessionsWhileTheLoopRuns) {
   constexpr int kRounds = 30;
   const auto heard = std::make_shared<Heard>();
-  const std::array feeds{std::make_shared<runtime::SoundFeed>(64),
-                         std::make_shared<runtime::SoundFeed>(64)};
+  const std::array feeds{std::make_shared<session::SoundFeed>(64),
+                         std::make_shared<session::SoundFeed>(64)};
   std::atomic<bool> end{false};
   std::thread loop([&] {
     Tick tick;

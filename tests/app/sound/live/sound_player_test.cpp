@@ -9,19 +9,19 @@
 #include <memory>
 #include <utility>
 
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 #include "tests/app/sound/live/busy_card.h"
 
 namespace hapticwall::sound::test {
 namespace {
 
-using runtime::test::eventually;
+using session::test::eventually;
 using ::testing::HasSubstr;
 
-std::shared_ptr<runtime::SoundFeed> new_feed() { return std::make_shared<runtime::SoundFeed>(64); }
+std::shared_ptr<session::SoundFeed> new_feed() { return std::make_shared<session::SoundFeed>(64); }
 
 // To and fro at 50 Hz.
-bool push(runtime::SoundFeed& feed, std::uint64_t tick) {
+bool push(session::SoundFeed& feed, std::uint64_t tick) {
   Tick pushed;
   pushed.axes[0].tick = tick;
   pushed.axes[0].truth.velocity_m_per_s = tick % 20 < 10 ? 0.1 : -0.1;

@@ -205,7 +205,7 @@ TEST_F(BlindTestTest, ThePageWritesAListOfEqualTrialsAndOverwritesNothing) {
     }
   }
   const auto experiment =
-      runtime::open_experiment({path("press-blind-test.csv"), "P1", "1", path("a.csv"), false},
+      session::open_experiment({path("press-blind-test.csv"), "P1", "1", path("a.csv"), false},
                                [](std::span<const std::string> overrides) -> Result<Scene> {
                                  return file::load_scene("press", overrides)->scene;
                                });

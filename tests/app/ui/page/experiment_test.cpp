@@ -1,5 +1,5 @@
 // An experiment in the window: its page, its safety, and what it must not reveal.
-#include "app/runtime/session/experiment.h"
+#include "app/session/experiment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ class ExperimentPageTest : public GuiTest {
     put("list.csv", list);
     options.experiment.reset();  // the last owner closes the answers
     const auto experiment =
-        runtime::open_experiment({path("list.csv"), participant, "1", path(participant + ".csv")},
+        session::open_experiment({path("list.csv"), participant, "1", path(participant + ".csv")},
                                  [](std::span<const std::string> overrides) -> Result<Scene> {
                                    return file::load_scene("press", overrides)->scene;
                                  });

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "app/file/scene/device_file.h"
-#include "app/runtime/session/loop_session.h"
+#include "app/session/loop_session.h"
 #include "device/simulated_device.h"
 #include "tests/app/ui/gui_test.h"
 
@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 // Some thousand times as fast as the clock of the machine at most, so that the frames keep up.
-class RestingClock final : public runtime::Clock {
+class RestingClock final : public session::Clock {
  public:
   [[nodiscard]] std::int64_t now_ns() override { return now_ns_; }
   void sleep_until_ns(std::int64_t deadline_ns) override {
@@ -86,12 +86,12 @@ class IdentifyPageTest : public GuiTest {
  protected:
   void SetUp() override {
     start_experiment = [this](const Scene& scene, BorrowedAlgorithm* borrowed) {
-      runtime::SessionOptions session;
+      session::SessionOptions session;
       session.clock = &clock_;
       session.allow_no_realtime = true;
       std::unique_ptr<device::Device> device;
       if (with_device) device = std::make_unique<MovingDevice>(scene, moved_);
-      return runtime::start_under(borrowed, std::move(device), scene, session);
+      return session::start_under(borrowed, std::move(device), scene, session);
     };
     GuiTest::SetUp();
     show();
@@ -123,7 +123,7 @@ class IdentifyPageTest : public GuiTest {
     EXPECT_EQ(moved_.pushes, 0U);
     press(ImGuiKey_A);
     frames_until([&] {
-      return !runs() || identify().experiment->progress().stage == runtime::IdentifyStage::kStrokes;
+      return !runs() || identify().experiment->progress().stage == session::IdentifyStage::kStrokes;
     });
     ASSERT_TRUE(runs()) << identify().problem;
     EXPECT_GT(moved_.pushes, 0U);
@@ -274,11 +274,11 @@ TEST_F(IdentifyPageTest, ADeviceThatDoesNotComeBackIsNoExperiment) {
   open_on_device();
   start_experiment = [this](const Scene& scene, BorrowedAlgorithm* borrowed) {
     start_experiment = [](const Scene& wanted, BorrowedAlgorithm* of_it) {
-      return runtime::start_under(of_it, nullptr, wanted, {});
+      return session::start_under(of_it, nullptr, wanted, {});
     };
     (void)scene;
     (void)borrowed;
-    return Result<std::unique_ptr<runtime::LiveSession>>(Error{ErrorKind::kDevice, "unplugged"});
+    return Result<std::unique_ptr<session::LiveSession>>(Error{ErrorKind::kDevice, "unplugged"});
   };
   click("identify start");
   frames(4);

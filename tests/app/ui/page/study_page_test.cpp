@@ -200,7 +200,7 @@ TEST_F(StudyPageTest, AnotherPageAndABlindTestEndIt) {
 
 TEST_F(StudyPageTest, WhereTheForceIsHiddenThePageSaysWhy) {
   const draw::Theme theme = draw::apply_theme(draw::Look::kScreen, 1.0F);
-  const runtime::Snapshot snapshot = fake_->snapshot();
+  const session::Snapshot snapshot = fake_->snapshot();
   const ui::PanelContext context{
       *fake_, snapshot, theme, state(), {.live = fake_, .hides_force = true}};
   ImGui_ImplOpenGL3_NewFrame();

@@ -19,17 +19,17 @@ using ui::TimingState;
 
 constexpr double kRateHz = 1000.0;
 
-void count(runtime::LatencyCounts& counts, std::int64_t time_ns, std::uint64_t cycles = 1) {
-  counts.bins[runtime::LatencyBins::of(time_ns)] += cycles;
+void count(session::LatencyCounts& counts, std::int64_t time_ns, std::uint64_t cycles = 1) {
+  counts.bins[session::LatencyBins::of(time_ns)] += cycles;
   counts.maximum_ns = std::max(counts.maximum_ns, time_ns);
 }
 
 // A realistic loop: 12 µs late, sometimes more than 100 µs.
-runtime::TimingHistograms usual_timing(int cycles) {
+session::TimingHistograms usual_timing(int cycles) {
   std::mt19937 random(3);
   std::lognormal_distribution<double> latency(std::log(9e3), 0.5);
   std::lognormal_distribution<double> compute(std::log(2e3), 0.3);
-  runtime::TimingHistograms timing;
+  session::TimingHistograms timing;
   for (int i = 0; i < cycles; ++i) {
     count(timing.wake_latency, static_cast<std::int64_t>(latency(random)));
     count(timing.compute_time, static_cast<std::int64_t>(compute(random)));
@@ -64,9 +64,9 @@ class TimingSentence : public ::testing::Test {
  protected:
   std::string sentence(std::int64_t latency_ns, std::uint64_t missed = 0) {
     TimingState timing;
-    runtime::LatencyCounts counts;
+    session::LatencyCounts counts;
     count(counts, latency_ns, 10'000);
-    timing.wake_latency = runtime::quantiles(counts);
+    timing.wake_latency = session::quantiles(counts);
     timing.shown.missed_ticks = missed;
     return ui::timing_sentence(timing, kRateHz, tone);
   }
@@ -113,7 +113,7 @@ class TimingPageTest : public GuiTest {
     ImGui_ImplOpenGL3_NewFrame();
     watch_items();
     ImGui::NewFrame();
-    const runtime::Snapshot snapshot = fake_->snapshot();
+    const session::Snapshot snapshot = fake_->snapshot();
     ui::note_timing(state().timing, fake_, snapshot.timing);
     ImGui::SetNextWindowPos(ImVec2(0.0F, 0.0F));
     ImGui::SetNextWindowSize(size);

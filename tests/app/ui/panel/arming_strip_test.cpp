@@ -9,8 +9,8 @@
 namespace hapticwall::test {
 namespace {
 
-using runtime::ArmingNote;
-using runtime::ArmingState;
+using session::ArmingNote;
+using session::ArmingState;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -42,7 +42,7 @@ TEST_F(ArmingStripTest, StatesTheForceAndTheReason) {
   fake_->arming = {ArmingState::kOn, ArmingNote::kNone, 1.0, 1};
   EXPECT_EQ(text(), "FORCE ON");
   fake_->arming.limit_share = 0.1;
-  EXPECT_EQ(text(), "FORCE WEAK: " + std::string(runtime::kWeakText));
+  EXPECT_EQ(text(), "FORCE WEAK: " + std::string(session::kWeakText));
 }
 
 // Off and on differ in colour over the whole width.

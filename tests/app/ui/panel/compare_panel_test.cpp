@@ -19,9 +19,9 @@ class ComparePanelTest : public GuiTest {
   [[nodiscard]] std::string in(Slot slot) const { return ui::algorithm_name(slots().of(slot)); }
   // Moves the hand out of the wall and in again.
   void touch_again() {
-    fake_->move_hand(runtime::test::hand_to(0.03));
+    fake_->move_hand(session::test::hand_to(0.03));
     live(2000);
-    fake_->move_hand(runtime::test::hand_to(0.07));
+    fake_->move_hand(session::test::hand_to(0.07));
     live(1500);
   }
   // Ticks of the contact that begins last, after a rest.

@@ -81,7 +81,7 @@ TEST_F(LoopSilenceTest, AnotherSessionBeginsAnew) {
 
 TEST(LoopAnswerTest, ASlowLoopHasThreePeriods) {
   LoopAnswer answer;
-  runtime::Snapshot snapshot;
+  session::Snapshot snapshot;
   snapshot.cycles = 5;
   ui::note_answer(answer, &snapshot, 0.1, 1.0);
   ui::note_answer(answer, &snapshot, 0.1, 1.25);

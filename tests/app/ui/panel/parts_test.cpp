@@ -62,7 +62,7 @@ TEST(UnusedRecordingPath, NeverTakesANameThatIsInUse) {
 }
 
 TEST(CostText, TellsMedianAndMaximumInMicroseconds) {
-  runtime::TimingStatistics timing;
+  session::TimingStatistics timing;
   EXPECT_EQ(cost_text(timing), "–");
   timing.cost_ticks = 1000;
   timing.median_cost_s = 1.25e-6;

@@ -252,7 +252,7 @@ TEST_F(ReplayBarTest, ARunningRecordingIsFinishedFirst) {
 TEST_F(ReplayBarTest, ARecordingOfADeviceShowsTheMeasuredPosition) {
   auto writer = file::RecordingWriter::create(path("d.csv"), file::csv_columns(false));
   ASSERT_TRUE(writer);
-  FakeSession session(runtime::test::contact_scene());
+  FakeSession session(session::test::contact_scene());
   session.advance(200);
   std::vector<Tick> ticks(200);
   session.take_ticks(ticks);

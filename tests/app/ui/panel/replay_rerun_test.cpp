@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/runtime/session/hand_rerun.h"
+#include "app/session/hand_rerun.h"
 #include "tests/app/ui/replay_support.h"
 
 namespace hapticwall::test {
@@ -33,10 +33,10 @@ class ReplayRerunTest : public ReplayGuiTest {
   [[nodiscard]] std::vector<Sample> rerun(const std::string& algorithm) {
     std::vector<Sample> samples;
     const auto reader = file::RecordingReader::open(path("trial.csv"));
-    const auto scene = runtime::rerun_scene((*reader)->info(), algorithm, {});
-    runtime::RerunOptions told;
+    const auto scene = session::rerun_scene((*reader)->info(), algorithm, {});
+    session::RerunOptions told;
     told.on_sample = [&](const Sample& sample) { samples.push_back(sample); };
-    EXPECT_TRUE(runtime::rerun_hand(**reader, *scene, told));
+    EXPECT_TRUE(session::rerun_hand(**reader, *scene, told));
     return samples;
   }
 };

@@ -187,7 +187,7 @@ TEST_F(WallViewTest, PointerEventsKeepTheirTimes) {
   application_->point({now_s + 0.05, place(0.048)});
   frames(1);
   std::vector<double> durations_s;
-  for (const runtime::HandMove& move : fake_->moves)
+  for (const session::HandMove& move : fake_->moves)
     if (move.m[0] != 0.0) durations_s.push_back(move.duration_s);
   ASSERT_EQ(durations_s.size(), 2U);
   EXPECT_NEAR(durations_s.back(), 0.03, 1e-9);
@@ -210,7 +210,7 @@ TEST_F(WallViewTest, ShowsTheIntervalAndTheLampWhetherTheWallShakesOrNot) {
     open("press");
     press(algorithm);
     live(3000);
-    const runtime::Snapshot snapshot = fake_->snapshot();
+    const session::Snapshot snapshot = fake_->snapshot();
     const draw::Theme theme;
     return ui::shown_picture({*fake_, snapshot, theme, state(), {.live = fake_}});
   };

@@ -8,7 +8,7 @@
 #include "app/file/scene/scene_file.h"
 #include "app/ui/state/tail.h"
 #include "core/run/simulate.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 
 namespace hapticwall::test {
 namespace {
@@ -63,7 +63,7 @@ TEST(RunAll, KeepsEveryFormWhereTheSceneNamesOne) {
 }
 
 void take_until(AllRuns& all, const std::function<bool()>& condition) {
-  EXPECT_TRUE(runtime::test::eventually([&] {
+  EXPECT_TRUE(session::test::eventually([&] {
     all.take();
     return condition();
   }));

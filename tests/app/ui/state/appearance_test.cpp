@@ -93,9 +93,9 @@ TEST(Scale, TheCommandLineComesBeforeTheSettingsAndTheseBeforeTheScreen) {
   ui::step_scale(state, -1);
   EXPECT_EQ(state.persisted.scale_percent, 120);
   ui::set_scale(state, 5000);
-  EXPECT_EQ(state.persisted.scale_percent, runtime::kMaxScalePercent);
+  EXPECT_EQ(state.persisted.scale_percent, session::kMaxScalePercent);
   ui::set_scale(state, 1);
-  EXPECT_EQ(state.persisted.scale_percent, runtime::kMinScalePercent);
+  EXPECT_EQ(state.persisted.scale_percent, session::kMinScalePercent);
   ui::set_scale(state, 0);
   EXPECT_EQ(ui::scale_in_force(state), 1.5F);
 }

@@ -8,12 +8,12 @@
 #include <new>
 #include <string>
 
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 
 namespace hapticwall::ui {
 namespace {
 
-using runtime::test::eventually;
+using session::test::eventually;
 
 using Work = Background<std::string>;
 

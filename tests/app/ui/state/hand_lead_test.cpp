@@ -10,25 +10,25 @@
 #include <random>
 #include <vector>
 
-#include "tests/app/runtime/loop/servo_loop_support.h"
+#include "tests/app/session/loop/servo_loop_support.h"
 
 namespace hapticwall::ui {
 namespace {
 
-using runtime::test::Harness;
+using session::test::Harness;
 
 constexpr double kTickS = 1e-3;
 
 // Frames at the given times hand their events over; the loop ticks in between.
 struct LedRun {
-  LedRun() : harness(runtime::test::contact_scene()) {
+  LedRun() : harness(session::test::contact_scene()) {
     harness.cycles(100);  // the script is over
     static_cast<void>(harness.samples());
   }
 
   void frame(double now_s) {
     while (next < events.size() && events[next].time_s <= now_s) lead.follow(events[next++]);
-    for (const runtime::HandMove& move : lead.take(now_s))
+    for (const session::HandMove& move : lead.take(now_s))
       EXPECT_TRUE(harness.exchange.hand_moves.try_push(move));
   }
   // Frames at `frames_s`, in order; then the hand gets two seconds to arrive.

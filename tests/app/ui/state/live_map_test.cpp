@@ -14,7 +14,7 @@
 #include "app/file/text/text.h"
 #include "core/run/simulate.h"
 #include "core/run/workers.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 
 namespace hapticwall::test {
 namespace {
@@ -41,7 +41,7 @@ StabilityMap endless() {
 }
 
 void take_until(LiveMap& live, const std::function<bool()>& condition) {
-  EXPECT_TRUE(runtime::test::eventually([&] {
+  EXPECT_TRUE(session::test::eventually([&] {
     live.take();
     return condition();
   }));
@@ -152,10 +152,10 @@ TEST(LiveMapTest, AStopLeavesNoThreadAndTheNextQuestionBeginsAgain) {
   const std::set<int> before = threads_of_this_process();
   LiveMap live;
   live.ask_for(endless());
-  EXPECT_TRUE(runtime::test::eventually([&] { return threads_of_this_process() != before; }));
+  EXPECT_TRUE(session::test::eventually([&] { return threads_of_this_process() != before; }));
   live.stop();
   EXPECT_FALSE(live.running());
-  EXPECT_TRUE(runtime::test::eventually([&] { return threads_of_this_process() == before; }));
+  EXPECT_TRUE(session::test::eventually([&] { return threads_of_this_process() == before; }));
   live.ask_for(endless());
   EXPECT_TRUE(live.running());
 }

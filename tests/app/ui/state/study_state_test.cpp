@@ -16,7 +16,7 @@
 #include "core/algorithm/algorithm.h"
 #include "core/study/accuracy.h"
 #include "tests/app/command/binary.h"
-#include "tests/app/runtime/support.h"
+#include "tests/app/session/support.h"
 
 namespace hapticwall::test {
 namespace {
@@ -36,7 +36,7 @@ Scene endless_scene() { return brief("press", 1e4); }
 class SceneStudyTest : public command::test::ProgramTest {
  protected:
   static void wait_for_result(SceneStudy& study, const Scene& scene) {
-    EXPECT_TRUE(runtime::test::eventually([&] {
+    EXPECT_TRUE(session::test::eventually([&] {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));  // it has the lowest priority
       study.take(scene, 0.0);
       return !study.running();
@@ -105,7 +105,7 @@ TEST_F(SceneStudyTest, TheAccuracyIsCoarseFirst) {
   const Scene scene = brief("press", 0.5);
   study.start(scene, 10.0);
   EXPECT_TRUE(study.coarse());
-  EXPECT_TRUE(runtime::test::eventually([&] {
+  EXPECT_TRUE(session::test::eventually([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     study.take(scene, 12.5);
     return study.result() != nullptr;

@@ -207,7 +207,7 @@ TEST_F(UndoTest, AnyEditsAreUndoneAndRedoneStateByState) {
     while (states.size() < 15) {
       const Scene wanted = edited(scene(), random);
       if (same_scene(wanted, scene())) continue;
-      if (runtime::needs_new_session(scene(), wanted)) {
+      if (session::needs_new_session(scene(), wanted)) {
         state().transient.wanted_scene = ui::WantedScene{wanted};
       } else {
         ASSERT_FALSE(fake_->change_scene(wanted));

@@ -23,8 +23,8 @@
 namespace hapticwall::ui {
 namespace {
 
-using runtime::test::eventually;
-using runtime::test::Shared;
+using session::test::eventually;
+using session::test::Shared;
 using test::PushingWindow;
 using test::TemporaryFolder;
 using ::testing::AllOf;
@@ -75,13 +75,13 @@ class OwnServer {
   const OwnServer server;
   PushingWindow window(heard);
   window.hooks.opened = [&](Application& application) {
-    runtime::LiveSession& session = *application.live();
+    session::LiveSession& session = *application.live();
     if (session.start_recording(csv)) _exit(1);
     if (!eventually([&] { return session.recording_status().rows >= 100; })) _exit(1);
   };
   window.in_a_panel = [&] { lose(server); };
   static_cast<void>(run_window(window.options, window.hooks));
-  _exit(runtime::test::kAlive);
+  _exit(session::test::kAlive);
 }
 
 // A new process repeats this test up to its death; it gets the folder by the environment.

@@ -71,7 +71,7 @@ TEST_F(KeysTest, EveryChordReachesItsOwnBinding) {
     binding.repeats = false;
     binding.act = [&counts, what = binding.what](const ui::PanelContext&) { ++counts[what]; };
   }
-  runtime::Snapshot snapshot = fake_->snapshot();
+  session::Snapshot snapshot = fake_->snapshot();
   const draw::Theme theme;
   const ui::PanelContext context{*fake_, snapshot, theme, state(), {.live = fake_}};
   const auto frame = [&] {
@@ -227,7 +227,7 @@ TEST_F(KeysTest, AFastCtrlRIsNeverR) {
   io.AddKeyEvent(ImGuiKey_R, false);
   frames(4);
   EXPECT_EQ(fake_->resets, 0);
-  EXPECT_EQ(fake_->recording_status().state, runtime::RecordingState::kRecording);
+  EXPECT_EQ(fake_->recording_status().state, session::RecordingState::kRecording);
   EXPECT_TRUE(state().transient.key_presses.empty());
 }
 
@@ -239,7 +239,7 @@ TEST_F(KeysTest, ResetAsksWhileItRecords) {
   EXPECT_TRUE(sees("agree to reset"));
   press(ImGuiKey_Escape);
   EXPECT_FALSE(sees("agree to reset"));
-  EXPECT_EQ(recording(), runtime::RecordingState::kRecording);
+  EXPECT_EQ(recording(), session::RecordingState::kRecording);
   press(ImGuiKey_R);
   click("go on recording");
   EXPECT_EQ(fake_->resets, 0);

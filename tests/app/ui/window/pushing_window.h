@@ -8,24 +8,24 @@
 #include <utility>
 
 #include "app/ui/window/window.h"
-#include "tests/app/runtime/loop/child_support.h"
+#include "tests/app/session/loop/child_support.h"
 
 namespace hapticwall::test {
 
-using runtime::test::Shared;
-using runtime::test::SharedDevice;
+using session::test::Shared;
+using session::test::SharedDevice;
 
 // The window on a test device that pushes before the first frame.
 struct PushingWindow {
   explicit PushingWindow(Shared& shared) : heard(shared) {
-    options.scene = runtime::test::contact_scene();
+    options.scene = session::test::contact_scene();
     options.start_on_device =
         [this](const Scene& /*scene*/,
-               BorrowedAlgorithm* /*borrowed*/) -> Result<std::unique_ptr<runtime::LiveSession>> {
+               BorrowedAlgorithm* /*borrowed*/) -> Result<std::unique_ptr<session::LiveSession>> {
       auto device = std::make_unique<SharedDevice>(*heard);
       device->on_words = in_a_panel;
       device->on_read = in_a_tick;
-      return runtime::test::pushing_session(*heard, std::move(device));
+      return session::test::pushing_session(*heard, std::move(device));
     };
     hooks.in_a_hurry = true;
   }
@@ -38,7 +38,7 @@ struct PushingWindow {
   }
 
   Shared& heard;
-  runtime::WindowOptions options;
+  session::WindowOptions options;
   ui::WindowHooks hooks;
   std::function<void()> in_a_panel;  // called in the middle of every frame
   std::function<void()> in_a_tick;   // of every tick, on the loop's thread

@@ -24,9 +24,9 @@
 namespace hapticwall::ui {
 namespace {
 
-using runtime::test::eventually;
-using runtime::test::kAlive;
-using runtime::test::Shared;
+using session::test::eventually;
+using session::test::kAlive;
+using session::test::Shared;
 using test::PushingWindow;
 
 void close_window() { glfwSetWindowShouldClose(glfwGetCurrentContext(), GLFW_TRUE); }
@@ -174,7 +174,7 @@ TEST(WindowSafety, ATickThatHangsCostsNoFrame) {
 TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
   if (!test::has_display()) GTEST_SKIP() << "no display";
   constexpr int kSizes = 200;
-  const runtime::test::TemporaryFolder folder;
+  const session::test::TemporaryFolder folder;
   const std::string path = folder.file("storm.csv");
   const std::string long_text(1U << 18U, 'x');
   std::mt19937 engine(1);
@@ -182,7 +182,7 @@ TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
   int sizes_seen = 0;
   ImVec2 size_before;
   Application* application = nullptr;
-  runtime::WindowOptions options;
+  session::WindowOptions options;
   options.scene = file::load_scene("press")->scene;
   WindowHooks hooks;
   hooks.in_a_hurry = true;
@@ -202,8 +202,8 @@ TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
     ImGui::SetClipboardText(long_text.c_str());
     EXPECT_EQ(std::string(ImGui::GetClipboardText()), long_text);
     if (++frames == kSizes) {
-      const runtime::RecordingStatus status = application->live()->recording_status();
-      EXPECT_EQ(status.state, runtime::RecordingState::kRecording) << status.error;
+      const session::RecordingStatus status = application->live()->recording_status();
+      EXPECT_EQ(status.state, session::RecordingState::kRecording) << status.error;
       EXPECT_EQ(application->live()->dropped_plot_samples(), 0U);
       EXPECT_FALSE(application->session().snapshot().ended_by_fault);
       return close_window();

@@ -25,7 +25,7 @@ Handler current_handler(int signal) {
 
 // Opens the window on a real session, and sends the signal as soon as a handler is installed.
 void expect_clean_end(int signal) {
-  runtime::WindowOptions options;
+  session::WindowOptions options;
   options.scene = file::load_scene("press")->scene;
   const Handler before = current_handler(signal);
   std::atomic<bool> ended{false};
@@ -50,7 +50,7 @@ TEST(Window, SaysWhatToDoWithoutADisplay) {
   const char* display = std::getenv("DISPLAY");
   const std::string saved = display != nullptr ? display : "";
   unsetenv("DISPLAY");
-  runtime::WindowOptions options;
+  session::WindowOptions options;
   options.scene = file::load_scene("press")->scene;
   const Failure failure = run_window(options);
   if (!saved.empty()) setenv("DISPLAY", saved.c_str(), 1);

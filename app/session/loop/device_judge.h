@@ -1,0 +1,81 @@
+// Judges what a real device says, tick by tick: a report can be well formed and wrong. A simulator
+// is never judged. Arithmetic only: no clock, no device. Realtime-safe: yes, all of it.
+#pragma once
+
+#include <cstdint>
+
+#include "app/session/loop/arming.h"
+#include "app/session/loop/clock_judge.h"
+#include "app/session/loop/given_way.h"
+#include "app/session/loop/motion_judge.h"
+#include "app/session/loop/obedience.h"
+#include "core/tick/device_reading.h"
+#include "device/device.h"
+
+namespace hapticwall::session {
+
+// From the latch of a position to the acknowledgement of its force. A slower device gets no force.
+inline constexpr double kMaxCommandAgeS = 0.02;
+// A delay beyond so many periods is poor, and is refused. The device's tick and the loop's differ
+// by parts in a thousand.
+inline constexpr double kUsableDelayTicks = 5.0;
+inline constexpr double kDelayTolerance = 1.01;
+// The delay may grow by so many ticks after the arming, for fewer acknowledgements than these.
+inline constexpr double kMaxDelayGrowthTicks = 3.0;
+inline constexpr std::uint32_t kMaxLateAnswers = 4;
+// A force that is not the commanded one may be told in so many states.
+inline constexpr std::uint32_t kMaxOtherWords = 3;
+
+struct JudgeOptions {
+  double rate_hz = 1000.0;         // of the loop
+  bool allow_slow_device = false;  // arms a device with a poor delay
+};
+
+// What the host knows of a tick.
+struct JudgedTick {
+  double elapsed_s = 0.0;      // since the previous call
+  double force_n = 0.0;        // of the last command
+  double force_limit_n = 0.0;  // positive
+  bool armed = false;
+};
+
+class DeviceJudge {
+ public:
+  explicit DeviceJudge(const device::DeviceInfo& info, const JudgeOptions& options = {});
+
+  // What is wrong at this tick; kNone without objection.
+  [[nodiscard]] ArmingNote judge(const DeviceReading& reading, const device::LinkStats& link,
+                                 const JudgedTick& tick);
+  // Motion until the next reading is unobserved.
+  void forget();
+  // Its delay or the rate of its clock is not known yet.
+  [[nodiscard]] bool waits_for_answer() const { return waits_for_answer_; }
+  // Of the next force: less than full until the handle has obeyed.
+  [[nodiscard]] const Obedience& obedience() const { return obedience_; }
+
+ private:
+  [[nodiscard]] ArmingNote answer(const device::LinkStats& link);
+  [[nodiscard]] ArmingNote force_word(const device::LinkStats& link) const;
+  [[nodiscard]] ArmingNote clock(const DeviceReading& reading, const device::LinkStats& link);
+  [[nodiscard]] ArmingNote delay(const device::LinkStats& link);
+  [[nodiscard]] ArmingNote obeys(double position_m, double delay_s, const JudgedTick& tick);
+  void arm(bool armed, const device::LinkStats& link);
+
+  JudgeOptions options_;
+  MotionJudge motion_;
+  ClockJudge clock_;
+  Obedience obedience_;
+  GivenWay given_way_;
+  double host_s_ = 0.0;  // by the host's clock, since the start
+  std::uint64_t rejected_ = 0;
+  bool waits_for_answer_ = false;
+  bool armed_ = false;
+  double armed_delay_s_ = 0.0;  // when it was armed; 0: unknown
+  std::uint64_t answers_ = 0;
+  std::uint32_t late_answers_ = 0;  // in a row
+};
+
+// Whether a force is the limit: 1 out of the wall, -1 into it; else 0. Realtime-safe: yes.
+[[nodiscard]] int full_force(double force_n, double force_limit_n);
+
+}  // namespace hapticwall::session

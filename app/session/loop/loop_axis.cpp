@@ -1,0 +1,54 @@
+#include "app/session/loop/loop_axis.h"
+
+namespace hapticwall::session {
+namespace {
+
+// Gives the servo step a reading that was taken before.
+struct ReadDevice {
+  device::Device& device;
+  DeviceReading reading;
+
+  [[nodiscard]] DeviceReading read() const { return reading; }
+  void write(double force_n) { device.write(force_n); }
+};
+
+}  // namespace
+
+void LoopAxis::apply(const ServoSettings& settings, PlantModel* new_plant) {
+  servo.apply(settings);
+  if (new_plant == plant || new_plant == nullptr) return;
+  plant = new_plant;
+  device.change_plant(*plant);
+}
+
+void LoopAxis::reset() {
+  device.reset();
+  servo.reset();
+}
+
+Sample LoopAxis::at_rest() {
+  Sample sample;
+  sample.position_m = device.read().position_m;
+  sample.penetration_m =
+      evaluate_walls(servo.settings().walls, sample.position_m, 0.0).penetration_m;
+  if (const PlantTruth* truth = device.truth()) sample.truth = *truth;
+  return sample;
+}
+
+Sample LoopAxis::judged_tick(double elapsed_s, bool armed) {
+  ReadDevice read{device, device.read()};
+  ServoState& state = servo.state();
+  judged = judge->judge(read.reading, device.link(),
+                        {elapsed_s, state.previous_force_n, servo.settings().force_limit_n, armed});
+  const bool impossible = judged == ArmingNote::kImplausible || judged == ArmingNote::kAcceleration;
+  if (impossible) read.reading.state = DeviceState::kFault;
+  state.limit_share = judge->obedience().limit_share();
+  state.level = judge->obedience().level();
+  if (judged != ArmingNote::kNone) {
+    state.force_gain = 0.0;
+    device.enable(false);
+  }
+  return servo.tick(read);
+}
+
+}  // namespace hapticwall::session

@@ -1,0 +1,29 @@
+// One axis of the loop: its device, its controller, its plant, and the judge of a real device.
+#pragma once
+
+#include <optional>
+
+#include "app/session/loop/arming.h"
+#include "app/session/loop/device_judge.h"
+#include "core/tick/servo.h"
+#include "device/device.h"
+
+namespace hapticwall::session {
+
+struct LoopAxis {
+  device::Device& device;
+  Servo servo;
+  PlantModel* plant = nullptr;         // in use; nullptr: the device's own
+  std::optional<DeviceJudge> judge{};  // nullopt: a simulator
+  ArmingNote judged = ArmingNote::kNone;
+
+  // Realtime-safe: yes, every member.
+  void apply(const ServoSettings& settings, PlantModel* new_plant);
+  void reset();
+  // The sample before tick 0: the device's rest position, no force, no energies.
+  [[nodiscard]] Sample at_rest();
+  // Judges the device and ticks. What is forbidden gives no force in the same tick.
+  [[nodiscard]] Sample judged_tick(double elapsed_s, bool armed);
+};
+
+}  // namespace hapticwall::session
