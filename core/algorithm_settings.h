@@ -19,7 +19,7 @@ inline constexpr std::size_t kMaxAlgorithmParameters = 40;  // with those of plu
 // of algorithm_parameters(), in its order. A boolean is 0 or 1, a choice is its index.
 struct AlgorithmSettings {
   std::size_t index = 0;
-  // Of a plug-in, whose file may be loaded again: 1 is the first load, 0 the newest one.
+  // Revision of a plug-in, whose file may be loaded again: 1 is the first load, 0 the newest one.
   std::uint32_t revision = 0;
   std::array<std::optional<double>, kMaxAlgorithmParameters> values{};
 

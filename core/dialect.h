@@ -17,7 +17,7 @@ struct FieldTypeText {
   std::string_view name;  // in a device file
   std::size_t bytes;
 };
-// In the order of FieldType.
+// Types in the order of FieldType.
 inline constexpr std::array<FieldTypeText, 7> kFieldTypes{
     {{"i8", 1}, {"u8", 1}, {"i16", 2}, {"u16", 2}, {"i32", 4}, {"u32", 4}, {"f32", 4}}};
 
@@ -28,10 +28,10 @@ inline constexpr std::array<FieldTypeText, 7> kFieldTypes{
 struct ReportField {
   std::size_t offset = 0;  // behind the id of the report
   FieldType type = FieldType::kI16;
-  // What one unit is: metres, or newtons towards growing positions. Not 0; a negative one turns the
+  // Size of one unit: metres, or newtons towards growing positions. Not 0; a negative one turns the
   // axis around.
   double per_unit = 1.0;
-  double clamp = 0.0;  // of a force, units; 0: what the type holds
+  double clamp = 0.0;  // of a force, units; 0: the range of the type
 
   friend bool operator==(const ReportField&, const ReportField&) = default;
 };

@@ -69,8 +69,8 @@ struct Sample {
   Signals signals = no_signals();  // finite, or NaN: the algorithm in force has none here
 };
 
-// Which columns a recording has: kTick once, kAxis for every axis, and of every axis kTruth (from a
-// simulator) or kDevice (from a real device), with kApplied if the device tells its force.
+// Groups of the columns of a recording: kTick once, kAxis for every axis, and of every axis kTruth
+// (from a simulator) or kDevice (from a real device), with kApplied if the device tells its force.
 enum class ColumnGroup : std::uint8_t { kTick, kAxis, kTruth, kDevice, kApplied };
 
 using SampleMember = std::variant<double Sample::*, double PlantTruth::*, std::uint64_t Sample::*,
@@ -82,7 +82,7 @@ struct SampleColumn {
   ColumnGroup group;
 };
 
-// In the order of a recording (docs/recording.md). A new field needs a line here; writer,
+// Columns in the order of a recording (docs/recording.md). A new field needs a line here; writer,
 // reader, history and every comparison read this table. `generation` is not recorded; `signals`
 // have columns of their own.
 inline constexpr std::array<SampleColumn, 24> kSampleColumns{
@@ -140,7 +140,7 @@ constexpr bool all_columns(AnySample& sample, Test&& test) {
   }
   (std::make_index_sequence<kSampleColumns.size()>());
 }
-// The same for two samples: test(column, value of a, value of b).
+// True if the test holds for all columns of two samples: test(column, value of a, value of b).
 template <typename Test>
 constexpr bool all_columns(const Sample& a, const Sample& b, Test&& test) {
   return [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
@@ -156,7 +156,7 @@ constexpr void for_each_column(AnySample& sample, Visit&& visit) {
   });
 }
 
-// Whether every number of the sample is finite. Realtime-safe: yes.
+// True if every number of the sample is finite. Realtime-safe: yes.
 [[nodiscard]] constexpr bool is_finite(const Sample& sample) {
   // x * 0 is 0 for every finite x, and NaN for every other one.
   double zero = 0.0;

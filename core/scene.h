@@ -137,7 +137,7 @@ struct ScheduledChange {
 // The scene with an empty path for every hand. Realtime-safe: no.
 [[nodiscard]] Scene without_paths(Scene scene);
 
-// Whether axis x has the same plant in both scenes.
+// True if axis x has the same plant in both scenes.
 [[nodiscard]] bool same_plant(const Scene& a, const Scene& b);
 
 // An error in a scene: the dotted key and a message that says what the key takes.

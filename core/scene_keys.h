@@ -165,7 +165,7 @@ inline constexpr std::string_view kPathSpeed = "hand.path_speed_m_per_s";
 inline constexpr std::size_t kMaxPathPoints = 10000;
 inline constexpr ValueRange kPathTimeRange{0.0, 1e6};
 inline constexpr ValueRange kPositionRange{-1.0, 1.0};
-// What CHAI3D allows on a device.
+// Ranges of the limits that CHAI3D sets for a device.
 inline constexpr ValueRange kChaiStiffness{0.0, 1e9, true};
 inline constexpr ValueRange kChaiDamping{0.0, 1e4, true};
 

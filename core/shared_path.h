@@ -58,14 +58,14 @@ class SharedPath {
     return *points_;
   }
 
-  // If a file has the points (`path_file`): its absolute name, and its SHA-256.
+  // Absolute name and SHA-256 of the file that has the points (`path_file`), if there is one.
   std::string file{};
   std::string sha256{};
 
-  // In place of points, without which the path then is.
+  // Motion of a recording in the place of points: the path then has none.
   std::shared_ptr<const RecordedPieces> recorded{};
 
-  // The same motion; a file may move.
+  // True for the same motion; a file may move.
   friend bool operator==(const SharedPath& a, const SharedPath& b) {
     return a.recorded == b.recorded && (a.points_ == b.points_ || a.points() == b.points());
   }

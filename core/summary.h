@@ -14,7 +14,7 @@
 
 namespace hapticwall {
 
-// From good to bad; docs/command-line.md defines them.
+// Verdicts from good to bad; docs/command-line.md defines them.
 enum class Verdict : std::uint8_t { kSettled, kBuzzing, kOscillating, kDiverged };
 inline constexpr std::array<std::string_view, 4> kVerdictNames{"settled", "buzzing", "oscillating",
                                                                "diverged"};
@@ -40,11 +40,11 @@ struct Summary {
   std::string scene;
   std::string algorithm;
   Verdict verdict = Verdict::kSettled;
-  std::optional<std::string> verdict_note;  // what its reader must know
+  std::optional<std::string> verdict_note;  // a note for the reader of the verdict
   double duration_s = 0.0;                  // simulated
   std::uint64_t ticks = 0;
   std::optional<std::uint64_t> diverged_at_tick;
-  // From a wall clock; the caller that has one fills them.
+  // Values from a wall clock; the caller that has one fills them.
   std::optional<double> simulated_seconds_per_second;
   std::optional<double> ns_per_tick;
   // Over the last second ("tail"); nullopt if the run ended before it.
@@ -69,10 +69,10 @@ struct Summary {
   std::optional<double> true_hand_work_j;
   std::optional<double> kinetic_j;
   std::optional<double> energy_balance_error_j;
-  std::optional<double> energy_balance_relative;  // to turnover_j(); nullopt if nothing moved
+  std::optional<double> energy_balance_relative;  // share of turnover_j(); nullopt if nothing moved
   std::optional<double> passivity_margin_j;
-  // Of a session in real time, filled by its caller; all but the first and the last of a real
-  // device only.
+  // Values of a session in real time, filled by its caller; all except the first and the last are
+  // of a real device only.
   std::optional<std::uint64_t> missed_ticks;
   std::optional<std::uint64_t> missing_states;
   std::optional<std::uint64_t> void_reports;
@@ -107,8 +107,8 @@ struct SummaryKey {
 
 inline constexpr std::string_view kLostStreamSamples = "lost_stream_samples";
 
-// In the order of JSON and CSV (docs/command-line.md). A new field needs a line here and one in
-// summarise(); every output and every comparison of summaries reads this table.
+// Keys in the order of JSON and CSV (docs/command-line.md). A new field needs a line here and one
+// in summarise(); every output and every comparison of summaries reads this table.
 inline constexpr std::array<SummaryKey, 40> kSummaryKeys{
     {{"scene", &Summary::scene, true},
      {"algorithm", &Summary::algorithm, true},

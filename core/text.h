@@ -13,7 +13,7 @@ namespace hapticwall {
 // overlong forms and everything beyond U+10FFFF are malformed. Precondition: not empty.
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
-// Whether the well-formed sequence at the start of `text` is a control character: U+0000 to U+001F,
+// True if the well-formed sequence at the start of `text` is a control character: U+0000 to U+001F,
 // U+007F to U+009F. Precondition: not empty.
 [[nodiscard]] bool starts_with_control(std::string_view text);
 

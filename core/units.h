@@ -3,7 +3,7 @@
 
 namespace hapticwall {
 
-inline constexpr double kPercent = 100.0;  // of one
+inline constexpr double kPercent = 100.0;  // per cent in 1
 inline constexpr double kNewtonsPerKilonewton = 1e3;
 inline constexpr double kMillimetresPerMetre = 1e3;
 inline constexpr double kMillijoulesPerJoule = 1e3;

@@ -32,7 +32,7 @@ struct DeviceInfo {
   double force_limit_n = 0.0;           // overrides a larger one of the scene
   MotionLimits motion{};                // of a real device
   double max_force_rate_n_per_s = 0.0;  // at which a force may rise; 0: any
-  std::string delay_date{};  // of a delay that was measured in another session; else empty
+  std::string delay_date{};  // date of a delay that was measured in another session; else empty
   // Share of the force limit until the handle of a real device has obeyed; 1: no trial.
   double untried_share = 0.1;
 };

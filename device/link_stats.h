@@ -96,7 +96,8 @@ struct LinkStats {
   double maximum_age_s = 0.0;    // while the link was up
   double write_time_s = 0.0;     // of the newest command into the operating system
   double maximum_write_time_s = 0.0;
-  // From the latch of a position to the arrival of its command, by the device's clock; 0: unknown.
+  // Time from the latch of a position to the arrival of its command, by the device's clock; 0:
+  // unknown.
   double round_trip_s = 0.0;
   double maximum_round_trip_s = 0.0;
   // Loop delay t_d: from the latch to the tick at which the force acted, averaged over about the
@@ -104,9 +105,9 @@ struct LinkStats {
   double delay_s = 0.0;
   double maximum_delay_s = 0.0;
   double recent_delay_s = 0.0;  // of the newest acknowledgement
-  // By the device's clock at the newest state: since it acknowledged another command, and since the
-  // latch behind the command that it acknowledges. Both since the first state of the link before
-  // the first acknowledgement.
+  // Times by the device's clock at the newest state: since it acknowledged another command, and
+  // since the latch behind the command that it acknowledges. Before the first acknowledgement, they
+  // count from the first state of the link.
   double unanswered_s = 0.0;
   double command_age_s = 0.0;
   ForceWord force_word = ForceWord::kNone;

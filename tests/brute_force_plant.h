@@ -11,7 +11,7 @@ namespace hapticwall::testing {
 
 using Real = long double;
 
-// What lies between a command and the amplifier, written straight from its definition: to the
+// Output from a command to the amplifier, written straight from its definition: rounded to the
 // nearest whole multiple of the resolution (the even one of two), within the limit, as many ticks
 // later as the delay says, nothing before that.
 struct BruteForceOutput {
@@ -42,7 +42,7 @@ struct BruteForceOutput {
 struct BruteForcePlant {
   Real mass = 1, damping = 0, friction = 0;
   Real hand_mass = 0, hand_stiffness = 0, hand_damping = 0, grip_stiffness = 0, grip_damping = 0;
-  // Of the time, and of a time inside the straight piece that is meant.
+  // The arguments are the time, and a time inside the straight piece that is meant.
   std::function<Real(Real, Real)> path = [](Real, Real) { return Real{0}; };
   std::function<Real(Real)> path_velocity = [](Real) { return Real{0}; };
 

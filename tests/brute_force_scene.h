@@ -15,7 +15,7 @@ class BruteForcePath {
  public:
   explicit BruteForcePath(std::vector<PathPoint> points) : points_(std::move(points)) {}
 
-  // At `time`, on the line of the piece in which `inside` is.
+  // Position at `time`, on the line of the piece that contains `inside`.
   [[nodiscard]] Real position(Real time, Real inside) const {
     const std::size_t i = piece(inside);
     return points_[i].position_m + speed_of(i) * (time - points_[i].time_s);

@@ -37,9 +37,9 @@ class Turnover {
   double joules_ = 0.0;
 };
 
-// The same of a run whose commands are known, seen within the ticks by the plant in long double:
+// Turnover of a run whose commands are known, seen within the ticks by the plant in long double:
 // every straight piece of the path is taken in steps of 2^-40, 2^-40, 2^-39, … 1/2 of it, because
-// what is fast happens right after the force or the path has changed.
+// fast motion happens right after the force or the path has changed.
 class TurnoverWithinTicks {
  public:
   static constexpr int kHalvings = 40;
@@ -65,7 +65,7 @@ class TurnoverWithinTicks {
   }
   ReferencePlantVariant& start_plant() { return plants(scene_.sampling.period_s()).front(); }
 
-  // From the longest step to the shortest, for a piece of that duration.
+  // Plants from the longest step to the shortest, for a piece of that duration.
   std::vector<ReferencePlantVariant>& plants(double duration_s) {
     std::vector<ReferencePlantVariant>& made = plants_[duration_s];
     Scene part = scene_;

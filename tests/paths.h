@@ -1,4 +1,4 @@
-// Where the tests find their files and the programs that they start.
+// Paths of the tests' files and of the programs that the tests start.
 #pragma once
 
 #include <string>

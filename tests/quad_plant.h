@@ -12,7 +12,7 @@
 
 namespace hapticwall::testing {
 
-// On some machines long double is that number itself.
+// On some machines long double is itself a quad.
 #if defined(__SIZEOF_FLOAT128__)
 __extension__ using Quad = __float128;
 #else
@@ -43,7 +43,7 @@ class QuadPlant {
     }
   }
 
-  // For `duration` under a constant command, the hand's intention moving at constant speed.
+  // Advances by `duration` under a constant command, the hand's intention moving at constant speed.
   void advance(Quad force, Quad path, Quad speed, Quad duration) {
     const Quad rate = damping_ / mass_ + lag_rate_ +
                       (grip_ ? (grip_damping_ + hand_damping_) / hand_mass_ + grip_damping_ / mass_
@@ -65,7 +65,7 @@ class QuadPlant {
 
  private:
   static constexpr std::size_t kTerms = 40;
-  using Series = std::array<Quad, kTerms>;  // of t^0, t^1, …, scaled by h^n
+  using Series = std::array<Quad, kTerms>;  // terms of t^0, t^1, …, scaled by h^n
 
   static Quad sum(const Series& series) {
     Quad total = 0;

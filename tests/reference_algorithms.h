@@ -31,7 +31,7 @@ struct ReferenceScene {
 
 struct ReferenceState {
   bool moved_before = false;
-  double x = 0.0;      // of the last tick
+  double x = 0.0;      // position in the last tick
   double force = 0.0;  // F_d(k-1)
   double energy = 0.0, eaten = 0.0;
   std::vector<double> proxies = std::vector<double>(8, 0.0);
@@ -132,7 +132,7 @@ inline double reference_energy_bounding(const ReferenceScene& s, ReferenceState&
   return m.force;
 }
 
-// With the roots as they stand in the paper, the larger one first.
+// The roots stand as in the paper, the larger one first.
 inline double reference_energy_bounding_2010(const ReferenceScene& s, ReferenceState& m, double x) {
   const double dx = reference_step(m, x);
   if (dx == 0.0) return m.force;
@@ -173,7 +173,7 @@ inline double reference_half_sample(const ReferenceScene& s, ReferenceState& m, 
   return m.force;
 }
 
-// With several walls the force that goes with an energy is looked for: all springs together hold
+// With several walls, a search finds the force that goes with an energy: all springs together hold
 // it at some depth.
 inline double reference_energy_limited_spring(const ReferenceScene& s, ReferenceState& m,
                                               double x) {

@@ -22,7 +22,7 @@ std::vector<double> windowed(std::span<const Number> signal) {
   return result;
 }
 
-// Of a windowed signal, by Goertzel's recurrence.
+// Amplitude of a line in a windowed signal, by Goertzel's recurrence.
 inline double windowed_line(const std::vector<double>& signal, double rate_hz, double hz) {
   const double twice_cosine = 2.0 * std::cos(2.0 * std::numbers::pi * hz / rate_hz);
   double newest = 0.0;

@@ -14,7 +14,7 @@
 
 namespace hapticwall::command {
 
-// Of the window.
+// Default scene of the window.
 inline constexpr const char* kDefaultScene = "tap";
 
 // The scene and its device, also of the window.
@@ -22,7 +22,7 @@ struct SceneOptions {
   std::string scene;
   std::string algorithm;
   std::string duration;
-  std::vector<std::string> settings;  // of --set
+  std::vector<std::string> settings;  // the KEY=VALUE texts of --set
   std::string device = "sim";
   bool allow_no_realtime = false;
   bool allow_plugin = false;
@@ -39,7 +39,7 @@ void add_device_options(CLI::App& app, SceneOptions& options);
 // --spin, and its value in seconds.
 void add_spin_option(CLI::App& app, double& spin_us);
 [[nodiscard]] Result<double> spin_seconds(double spin_us);
-// Of an option that takes algorithms: loads a plug-in and puts its name in the place of its path.
+// Validator of an option that takes algorithms: loads a plug-in and replaces its path by its name.
 [[nodiscard]] CLI::Validator loads_plugin();
 void add_algorithm_option(CLI::App& app, SceneOptions& options);
 // Refuses a plug-in on a device without --allow-plugin.
@@ -62,7 +62,7 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 // The scene with --set, then --algorithm and --duration, applied.
 [[nodiscard]] Result<file::LoadedScene> load(const SceneOptions& options);
 
-// The same without a window: refuses a hand that follows the mouse.
+// load() for a run without a window: refuses a hand that follows the mouse.
 [[nodiscard]] Result<file::LoadedScene> load_headless(const SceneOptions& options);
 
 // The same for a study on the simulator: refuses a device, a scene whose parameters change, and the

@@ -17,7 +17,7 @@ constexpr std::string_view kHardware = "ie2000";
 constexpr std::string_view kWheel = "ff";
 constexpr std::string_view kFileEnding = ".toml";
 constexpr std::string_view kPlugin = "plugin:";
-constexpr std::size_t kShownDigits = 12;  // of a SHA-256, in the name of a device
+constexpr std::size_t kShownDigits = 12;  // digits of the SHA-256 in a device's name
 
 bool names_a_device_file(const std::string& path) {
   const auto& builtin = file::builtin_devices();
@@ -95,7 +95,7 @@ Result<DeviceChoice> load_device_plugin(const std::string& path) {
   return DeviceChoice{*plugin, {}};
 }
 
-// With the threads that every session prepares.
+// Makes the chosen device, whose threads are set up as in every session.
 struct DeviceMaker {
   const Scene& scene;
 

@@ -24,10 +24,10 @@ using HardwareOptions =
 
 struct DeviceChoice {
   std::optional<HardwareOptions> hardware{};             // nullopt: the simulator
-  std::optional<file::DeviceDescription> description{};  // of a device file
+  std::optional<file::DeviceDescription> description{};  // from the device file, if one is named
 };
 
-// Whether `text` is a device behind a library: "plugin:FILE.so".
+// True if `text` names a device behind a library: "plugin:FILE.so".
 [[nodiscard]] bool names_device_plugin(std::string_view text);
 
 // The library, device file or node that `text` names; "" without one.

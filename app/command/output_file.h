@@ -33,16 +33,16 @@ struct OutputOptions {
   std::string plot;
   std::string wav;
   StreamChoice stream;
-  std::string device_file;  // of identify
+  std::string device_file;  // the device file that identify writes
   std::vector<std::string> expectations;
-  bool signals = false;  // of algorithms, in --csv, --stream and --plot
+  bool signals = false;  // adds the algorithms' signals to --csv, --stream and --plot
   bool quiet = false;
 };
 
-// Of a figure, whose samples are kept in memory.
+// Max ticks of a figure, because its samples are kept in memory.
 inline constexpr std::uint64_t kMaxPlottedTicks = 1'000'000;
 
-// Whether the path is "-", /dev/stdout or another name of this descriptor.
+// True if the path is "-", /dev/stdout or another name of this descriptor.
 [[nodiscard]] Result<bool> is_standard_output(const std::string& path);
 
 // A file or a stream (a pipe, a device, /dev/stderr) that an option names, or none.

@@ -127,7 +127,7 @@ Result<int> after(const Action& action) {
   return outcome;
 }
 
-// In the order of --help.
+// Adds the commands in the order of --help.
 std::vector<Command> add_commands(CLI::App& program, const session::OpenWindow& open) {
   std::vector<Command> commands{add_run(program), add_compare(program), add_map(program)};
   for (const study::Study* study : study::studies()) {

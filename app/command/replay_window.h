@@ -13,7 +13,7 @@ namespace hapticwall::command {
 struct ReplayWindow {
   double speed = 1.0;
   std::optional<session::Overlay> overlay;
-  std::optional<float> scale;  // as in WindowOptions
+  std::optional<float> scale;  // nullopt: from the settings or the screen
 };
 
 // Returns when the window is closed. Leaving the replay opens the recording's scene, or the default

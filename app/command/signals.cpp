@@ -15,7 +15,7 @@
 namespace hapticwall::command {
 namespace {
 
-// Also the threads have a stack of this size.
+// Checks the stack limit, which is also the stack size of the threads.
 Failure check_stack() {
   constexpr rlim_t kMinBytes = rlim_t{1} << 20U;
   constexpr rlim_t kBytesPerKib = 1024;

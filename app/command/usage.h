@@ -9,7 +9,7 @@
 
 namespace hapticwall::command {
 
-// For CLI11's check(): the problem of a value, or "".
+// Function for CLI11's check(): the problem of a value, or "".
 using ValueCheck = std::function<std::string(const std::string& text)>;
 [[nodiscard]] ValueCheck is_number();  // finite
 [[nodiscard]] ValueCheck is_number_within(double min, double max);

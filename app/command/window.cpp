@@ -36,7 +36,7 @@ session::StartSession session_starter(const DeviceChoice& device,
 
 constexpr float kFullScalePercent = 100.0F;
 
-// Of the window alone.
+// Options of the window alone.
 struct LookOptions {
   double scale = 0.0;  // 0: not given
   StreamChoice stream;

@@ -125,7 +125,7 @@ Result<file::Answer> BlindTrials::answer(Presentation presentation, double now_s
 }
 
 void BlindTrials::take() {
-  while (at_break()) ++place_;  // of a session before
+  while (at_break()) ++place_;  // skips the breaks of an earlier session
   ++place_;
   ++trial_;
   looks_ = 0;

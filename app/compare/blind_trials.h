@@ -23,7 +23,7 @@ enum class Presentation : std::uint8_t { kFirst, kSecond };
 struct TrialPlan {
   std::uint64_t seed = 1;
   std::vector<file::TrialSpec> trials;  // 1 to kMaxTrials, and breaks between them
-  double confidence = 0.95;             // of the intervals, more than 0 and less than 1
+  double confidence = 0.95;             // level of the intervals, more than 0 and less than 1
 };
 
 // The course of the trials. Deterministic: the same plan gives the same order, in which A and B of
@@ -49,7 +49,7 @@ class BlindTrials {
   // Ends the break.
   void go_on();
 
-  // Of the present trial.
+  // True if this presentation of the present trial was felt.
   [[nodiscard]] bool felt(Presentation presentation) const {
     return presentation == Presentation::kFirst ? felt_first_ : felt_second_;
   }
@@ -70,7 +70,7 @@ class BlindTrials {
   [[nodiscard]] Slot slot_of(Presentation presentation) const;
 
   TrialPlan plan_;
-  std::vector<Slot> first_;  // of every row
+  std::vector<Slot> first_;  // slot of the first presentation, for every row
   std::size_t planned_ = 0;
   std::size_t trial_ = 0;
   std::size_t place_ = 0;

@@ -1,4 +1,4 @@
-// What the answers of blind trials show.
+// Evaluation of the answers of blind trials.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,8 @@ struct TrialResult {
   std::uint32_t trials = 0;  // answered
   std::uint32_t chose_a = 0;
   std::uint32_t chose_first = 0;  // far from one half, the order was judged
-  std::uint32_t judged = 0;       // with a right answer
-  std::uint32_t correct = 0;      // of these
+  std::uint32_t judged = 0;       // trials with a right answer
+  std::uint32_t correct = 0;      // right answers among the judged trials
   Proportion a;                   // the share of A, with its exact interval
 };
 

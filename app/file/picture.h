@@ -10,7 +10,7 @@
 
 namespace hapticwall::file {
 
-// What is drawn in the place of pixels (app/draw/figure/shapes.h).
+// Shapes that are drawn in the place of pixels (app/draw/figure/shapes.h).
 struct Shapes;
 
 // A part of a vector file, `left` pixels from its left edge.

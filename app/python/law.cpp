@@ -21,7 +21,7 @@ namespace {
 
 enum class Calling : std::uint8_t { kNothing, kLaw, kLawThatRaised };
 
-// Of this thread. The fast model of thread-local storage: one load a tick.
+// Call that this thread is in. The fast model of thread-local storage: one load a tick.
 #if defined(__GNUC__)
 __attribute__((tls_model("initial-exec")))
 #endif
@@ -57,8 +57,8 @@ Slots& slots() {
   return kept;
 }
 
-// What the list calls, for each slot: a law's functions do not know which law they are of. Plain
-// pointers, so that a tick reads one.
+// Functions that the list calls, for each slot: a law's functions do not know which law they are
+// of. Plain pointers, so that a tick reads one.
 struct Functions {
   double (*step)(void*, const hw_input*, double*) = nullptr;
   void (*configure)(void*, const hw_context*) = nullptr;

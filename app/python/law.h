@@ -8,7 +8,7 @@
 
 namespace hapticwall::python {
 
-// As hw_parameter; NaN as fallback lets configure() choose.
+// Fields as in hw_parameter; NaN as fallback lets configure() choose.
 struct LawParameter {
   std::string key;
   std::string unit;
@@ -20,7 +20,7 @@ struct LawParameter {
   friend bool operator==(const LawParameter& a, const LawParameter& b);
 };
 
-// Of hw_plugin. Functions are addresses; 0: none.
+// Fields as in hw_plugin. Functions are addresses; 0: none.
 struct Law {
   std::string name;
   std::string title;
@@ -34,7 +34,7 @@ struct Law {
   bool takes_lock = false;  // step() is Python: more threads would wait for each other
 };
 
-// Of different names in a process. A law under the name of an earlier one takes its place.
+// Max laws of different names in a process. A law under the name of an earlier one takes its place.
 inline constexpr std::size_t kMaxLaws = 64;
 
 // Puts a law into the list of algorithms and gives its index. Raises ValueError for what a plug-in

@@ -14,7 +14,7 @@
 namespace hapticwall::python {
 namespace {
 
-// Of the run as a whole, by a wall clock.
+// Adds the pace of the run as a whole, by a wall clock.
 void add_pace(RunSummary& run, std::chrono::duration<double> elapsed) {
   Summary& summary = run.front();
   if (summary.ticks == 0 || elapsed.count() <= 0.0) return;

@@ -63,7 +63,7 @@ void refuse_recorded_hand(const Scene& scene) {
   }
 }
 
-// By way of its text, as --set does it.
+// Applies the settings to the scene's text, as --set does it.
 Scene reread(const Scene& scene, const Settings& settings) {
   refuse_recorded_hand(scene);
   std::vector<std::string> overrides;

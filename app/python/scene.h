@@ -34,7 +34,8 @@ class SceneBox {
   [[nodiscard]] SceneBox with(const Settings& settings) const;
   // The scene under another algorithm, an index in algorithms(). Parameters keep their values.
   [[nodiscard]] SceneBox under(std::size_t algorithm) const;
-  // The same; parameters that `settings` omits have the defaults of the algorithm.
+  // The scene under another algorithm; parameters that `settings` omits have the defaults of the
+  // algorithm.
   [[nodiscard]] SceneBox with_algorithm(std::size_t algorithm, const Settings& settings) const;
 
  private:

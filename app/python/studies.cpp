@@ -113,7 +113,8 @@ void check(const Grid& grid) {
   if (const Failure problem = grid.y.problem()) raise(*problem);
 }
 
-// Of the first cell that is no scene. Another algorithm makes no other problem of a number.
+// Problem of the first cell that is no scene. One algorithm is enough: another one makes no other
+// problem of a number.
 Failure cell_problem(const Grid& grid, const StopQuestion& should_stop) {
   for (std::size_t i = 0; i < grid.size() / grid.algorithms.size() && !should_stop(); ++i) {
     if (const auto problem = validate(grid.at(i)))

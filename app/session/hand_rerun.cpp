@@ -155,7 +155,7 @@ class Rerun {
     return true;
   }
 
-  // As in a live session: the new plant takes over the state.
+  // Applies changes as a live session does: the new plant takes over the state.
   void apply_changes(std::uint64_t tick) {
     while (change_ < loaded_.changes.size() && loaded_.changes[change_].tick <= tick) {
       Scene changed = loaded_.changes[change_++].scene;

@@ -42,12 +42,12 @@ struct RerunOptions {
 };
 
 struct RerunOutcome {
-  // Of all ticks up to the last row. Energies are those at the last tick.
+  // Summary of all ticks up to the last row. Energies are those at the last tick.
   Summary summary;
   bool stopped_early = false;
   // Up to the last row; fewer if it diverged or was stopped.
   std::uint64_t ticks = 0;
-  bool pointer_led = false;  // at any tick: then the sidecar alone does not repeat the run
+  bool pointer_led = false;  // led at any tick: then the sidecar alone does not repeat the run
   // Compared with the recording: the first tick at which a value other than hand_force_n differs,
   // and the largest distance between the true positions.
   std::optional<std::uint64_t> first_different_tick;

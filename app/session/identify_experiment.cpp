@@ -11,8 +11,8 @@
 namespace hapticwall::session {
 namespace {
 
-constexpr double kDefaultLimitN = 2.0;   // without a choice never more
-constexpr double kDefaultShare = 0.2;    // of the device's force
+constexpr double kDefaultLimitN = 2.0;   // max without a choice
+constexpr double kDefaultShare = 0.2;    // share of the device's force
 constexpr double kBeforeStrokesS = 8.0;  // arming, rest and ramps take less
 constexpr double kFinestEncoderM = 1e-7;
 

@@ -20,7 +20,7 @@
 
 namespace hapticwall::session {
 
-// What a person chooses.
+// Settings that a person chooses.
 struct IdentifyChoice {
   double limit_n = 0.0;     // 0.01 to 32.767; 0: 20 % of the device's force, at most 2 N
   double travel_m = 0.018;  // to both sides of the start, 0.005 to 0.1
@@ -39,7 +39,7 @@ inline constexpr std::string_view kTooFewStrokes =
 [[nodiscard]] std::string why_not_identified(const std::string& option,
                                              const std::optional<file::DeviceDescription>& own);
 
-// What the device says of itself; of a simulator, what its scene says.
+// The device's own information; for a simulator, that of its scene.
 [[nodiscard]] device::DeviceInfo info_on(device::DeviceInfo device, const Scene& scene);
 
 // Fails for a limit above that of the device. `device`: of info_on().
@@ -81,7 +81,7 @@ class ExperimentAlgorithm final : public BorrowedAlgorithm {
   [[nodiscard]] std::uint64_t first_stroke() const {
     return first_stroke_.load(std::memory_order_relaxed);
   }
-  // Of the session, at which the experiment began. Precondition of both: the loop is over, or
+  // The session's tick at which the experiment began. Precondition of both: the loop is over, or
   // ended().
   [[nodiscard]] std::uint64_t first_tick() const { return first_tick_; }
   [[nodiscard]] const identify::ExperimentFacts& facts() const { return experiment_.facts(); }
@@ -96,10 +96,10 @@ class ExperimentAlgorithm final : public BorrowedAlgorithm {
   std::atomic<std::uint64_t> first_stroke_{0};
 };
 
-// What a person sees of a running experiment.
+// Progress of a running experiment, as a person sees it.
 enum class IdentifyStage : std::uint8_t { kWaits, kRest, kRamps, kStrokes, kOver };
 struct IdentifyProgress {
-  IdentifyStage stage = IdentifyStage::kWaits;  // for the whole force of the device
+  IdentifyStage stage = IdentifyStage::kWaits;  // kWaits: for the whole force of the device
   double strokes_s = 0.0;
   double lowest_m = 0.0;  // from the start of the experiment
   double highest_m = 0.0;
@@ -115,7 +115,7 @@ class IdentifyExperiment {
   [[nodiscard]] ExperimentAlgorithm& algorithm() { return algorithm_; }
   [[nodiscard]] const identify::ExperimentSettings& settings() const { return settings_; }
 
-  // At once; for a simulator whose loop has not started.
+  // Begins at once; for a simulator whose loop has not started.
   void begin() { algorithm_.begin(); }
   // Every tick of the session, in order.
   void add(const Tick& tick);

@@ -35,7 +35,7 @@ Result<std::unique_ptr<LiveSession>> start_under(BorrowedAlgorithm* borrowed,
                                                  std::unique_ptr<device::Device> device,
                                                  const Scene& scene,
                                                  const SessionOptions& options) {
-  // Before the plant is built: it relies on a valid scene.
+  // The check comes before the plant is built, which relies on a valid scene.
   if (Failure failure = check(scene, ErrorKind::kUsage, "")) return *std::move(failure);
   if (!device) device = std::make_unique<device::SimulatedDevice>(scene);
   if (scene.two_axes() && !device->info().is_simulated) {

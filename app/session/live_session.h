@@ -45,7 +45,7 @@ struct SessionOptions {
   Clock* clock = nullptr;
   // Gets every tick, from the recorder's thread. Null: none.
   std::shared_ptr<file::SampleStream> stream{};
-  // Of algorithms, in the stream, and in recordings until record_signals().
+  // Signals of algorithms in the stream, and in recordings until record_signals().
   std::vector<file::SignalColumn> signals{};
 };
 
@@ -54,7 +54,7 @@ class LiveSession : public SampleSource {
   // Opens the simulator for a valid scene and starts the loop.
   [[nodiscard]] static Result<std::unique_ptr<LiveSession>> start(
       const Scene& scene, const SessionOptions& options = {});
-  // The same on a device that is not open yet. Fails when it does not open, and when a real device
+  // start() on a device that is not open yet. Fails when it does not open, and when a real device
   // would run without real-time priority that was not allowed (exit status 3). The device's
   // resolution, and its force limit if it is smaller, replace those of the scene.
   [[nodiscard]] static Result<std::unique_ptr<LiveSession>> start_on(
@@ -83,14 +83,14 @@ class LiveSession : public SampleSource {
   // has the answer. No effect on a simulator. reset() disarms, and finishes a running recording.
   virtual void arm(bool armed) = 0;
 
-  // For the sound, which may keep it.
+  // Feed for the sound, which may keep it.
   [[nodiscard]] virtual std::shared_ptr<SoundFeed> sound_feed() const = 0;
 
   virtual void read_timing(TimingHistograms& timing) const = 0;
   // Samples that take_ticks() lost because the owner was too slow.
   [[nodiscard]] virtual std::uint64_t dropped_plot_samples() const = 0;
 
-  // Whether recordings have the signals of all algorithms, from the next recording on.
+  // Adds the signals of all algorithms to recordings, or removes them, from the next recording on.
   virtual void record_signals(bool wanted) = 0;
   // Records every tick from the next one on. Fails while another recording runs. A stream loses the
   // ticks of a cycle or two, at the end of a recording as well, and counts them.

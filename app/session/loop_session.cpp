@@ -39,8 +39,8 @@ std::vector<device::Device*> pointers_to(
   return pointers;
 }
 
-// With the revision of a plug-in that is the newest one now, so that the history tells which one
-// was in force.
+// The scene with the newest revision of its plug-in, so that the history tells which one was in
+// force.
 Scene with_revision(Scene scene) {
   scene.algorithm.revision = plugin_revision(scene.algorithm.index);
   return scene;

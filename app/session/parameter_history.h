@@ -32,7 +32,7 @@ class ParameterHistory {
 
   // Scene at tick 0 of the present run.
   [[nodiscard]] Scene scene_at_start() const { return scene_with(newest_, at_start_); }
-  // Whether the loop has echoed the start of this run; until then the history belongs to the
+  // True if the loop has echoed the start of this run; until then the history belongs to the
   // previous run.
   [[nodiscard]] bool knows_start() const { return knows_start_; }
   // Increases with every echo.

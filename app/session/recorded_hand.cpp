@@ -51,7 +51,7 @@ std::optional<double> RecordedHand::position_m(std::uint64_t tick) const {
   return *start_m_ + fraction * (positions_m_.front() - *start_m_);
 }
 
-// The same arithmetic as HandPath.
+// Position that the hand reaches in a tick, by the same arithmetic as HandPath.
 double RecordedHand::reached_m(double from_m, double target_m) const {
   return from_m + std::clamp(target_m - from_m, -reach_m_, reach_m_);
 }
@@ -70,7 +70,7 @@ double RecordedHand::target_m(double from_m, double to_m) const {
   return to_m;
 }
 
-// For the present tick; nullopt: the script leads. To the next tick.
+// Target for the present tick; nullopt: the script leads. Goes to the next tick.
 std::optional<double> RecordedHand::next_target_m(double from_m) {
   const double scripted_m = script_.position_m();
   const double to_m = position_m(tick_ + 1).value_or(leads_ ? from_m : scripted_m);

@@ -30,7 +30,7 @@ class RecordedHand {
   [[nodiscard]] std::optional<double> next_target_m(double from_m);
 
   HandPath script_;  // one tick ahead of the plant
-  double reach_m_;   // of a pointer, in a tick
+  double reach_m_;   // max travel of a pointer in a tick
   std::uint64_t first_tick_;
   std::vector<double> positions_m_;
   std::optional<double> start_m_;  // set when the motion to the first position is not the script

@@ -77,7 +77,7 @@ void Recorder::write_note() {
     note.swap(note_);
   }
   if (!note || !writable_) return;
-  // Where it fails the rows go on, and finish() tries again.
+  // If it fails, the rows continue, and finish() tries again.
   static_cast<void>(guarded([&] { return writer_->note(note->scene, note->metadata); }));
 }
 

@@ -27,7 +27,7 @@ class Recorder {
  public:
   // How long ticks may wait in the queue, and rows in our own buffers.
   static constexpr std::chrono::milliseconds kDrainInterval{50};
-  static constexpr std::chrono::milliseconds kStreamInterval{10};  // both, with a stream
+  static constexpr std::chrono::milliseconds kStreamInterval{10};  // kDrainInterval with a stream
   static constexpr std::chrono::milliseconds kFlushInterval{250};
   // Together with kDrainInterval: rows older than a second are on the disk, also after a power cut.
   static constexpr std::chrono::milliseconds kSyncInterval{750};
@@ -43,7 +43,7 @@ class Recorder {
   void stream_into(std::shared_ptr<file::SampleStream> stream, file::CsvColumns columns);
   [[nodiscard]] bool streams() const { return stream_ != nullptr; }
 
-  // Whether a recording runs.
+  // True if a recording runs.
   [[nodiscard]] bool running() const { return writer_ != nullptr && thread_.joinable(); }
 
   // Begins to move ticks from the queue into `writer` and the stream; a null writer: into the
@@ -64,8 +64,8 @@ class Recorder {
   [[nodiscard]] Failure finish(const Scene& scene, file::RecordingMetadata metadata);
 
   [[nodiscard]] std::uint64_t rows() const { return rows_.load(std::memory_order_relaxed); }
-  // After drain_and_join(): tick of the first row, and the one after the last row; both 0 without
-  // rows.
+  // Valid after drain_and_join(): tick of the first row, and the one after the last row; both 0
+  // without rows.
   [[nodiscard]] std::uint64_t first_tick() const { return first_tick_; }
   [[nodiscard]] std::uint64_t end_tick() const { return end_tick_; }
   // The first failure, if any.

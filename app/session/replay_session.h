@@ -41,8 +41,6 @@ class ReplaySession final : public SampleSource {
   ReplaySession(std::unique_ptr<file::RecordingReader> recording, std::unique_ptr<Clock> clock,
                 const ReplayOptions& options = {});
 
-  // Of the recording.
-
   [[nodiscard]] const file::RecordingInfo& recording() const { return recording_->info(); }
   // Any rows, independent of the playback: RecordingReader::read().
   [[nodiscard]] Result<std::size_t> read(std::uint64_t first_row, std::span<Tick> out) {
@@ -81,7 +79,7 @@ class ReplaySession final : public SampleSource {
   // Resuming at the end starts again. Pauses by itself at the end, unless it loops.
   void pause(bool paused) override;
   void step(std::uint32_t ticks) override;
-  void reset() override;  // to the first row
+  void reset() override;  // goes to the first row
 
   // The sample at the present time. timing.ticks counts the rows up to it; other timing is 0.
   [[nodiscard]] Snapshot snapshot() override;

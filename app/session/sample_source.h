@@ -36,14 +36,14 @@ class SampleSource {
   [[nodiscard]] virtual Snapshot snapshot() = 0;
   // Moves up to out.size() ticks, oldest first, and returns how many.
   virtual std::size_t take_ticks(std::span<Tick> out) = 0;
-  // In order. Live: of all recordings since the last reset. Replayed: of the whole recording.
+  // Marks in order. Live: of all recordings since the last reset. Replayed: of the whole recording.
   [[nodiscard]] virtual std::span<const file::Mark> marks() const = 0;
 
   [[nodiscard]] virtual const RealtimeStatus& realtime_status() const = 0;
   [[nodiscard]] virtual const device::DeviceInfo& device_info() const = 0;
   // The present problem of the device or of the file, in one line; empty where there is none.
   [[nodiscard]] virtual std::string device_trouble() const = 0;
-  // Whether Sample::truth is filled: only a simulator knows the true state.
+  // True if Sample::truth is filled: only a simulator knows the true state.
   [[nodiscard]] virtual bool knows_truth() const = 0;
   // Names of Sample::signals. Live: of every algorithm.
   [[nodiscard]] virtual SignalNames signals() const { return signal_names(); }

@@ -36,9 +36,9 @@ struct WindowOptions {
   std::string recording_folder;
   std::string settings_path;                   // empty: settings are neither read nor kept
   std::optional<float> forced_scale;           // empty: from the settings or the screen
-  double spin_s = 0.0;                         // as SessionOptions::spin_s, on the simulator
-  std::shared_ptr<file::SampleStream> stream;  // as SessionOptions::stream, on the simulator
-  std::vector<file::SignalColumn> signals;     // as SessionOptions::signals, on the simulator
+  double spin_s = 0.0;                         // see SessionOptions::spin_s; on the simulator
+  std::shared_ptr<file::SampleStream> stream;  // see SessionOptions::stream; on the simulator
+  std::vector<file::SignalColumn> signals;     // see SessionOptions::signals; on the simulator
   bool repeats = false;     // a simulated scene begins anew at its end, until another one is chosen
   std::string opened_file;  // the scene's file; empty: a built-in scene
   std::shared_ptr<Experiment> experiment;  // that runs at once; null: none

@@ -90,7 +90,7 @@ template <typename Row>
   return columns;
 }
 
-// Without heading and marks.
+// The sheet without heading and marks.
 template <typename Row>
 [[nodiscard]] table::Sheet sheet_of(const std::vector<Field<Row>>& columns,
                                     const std::vector<Row>& rows) {

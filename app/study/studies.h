@@ -10,7 +10,7 @@ namespace hapticwall::study {
 [[nodiscard]] const Study& ranking_study();
 [[nodiscard]] const Study& accuracy_study();
 
-// In the order of the window and of --help.
+// All studies, in the order of the window and of --help.
 [[nodiscard]] std::span<const Study* const> studies();
 
 }  // namespace hapticwall::study

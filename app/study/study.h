@@ -30,7 +30,7 @@ struct Option {
 // Texts of options by their keys. An option that is not in it has its default.
 using Choices = std::map<std::string, std::string, std::less<>>;
 
-// What a computation gets from its caller. Any thread may call the callbacks, never two at once.
+// Inputs of a computation from its caller. Any thread may call the callbacks, never two at once.
 struct Means {
   int threads = 0;  // max; 0: as many as the processor runs at a time
   std::function<bool()> should_stop;

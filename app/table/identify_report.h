@@ -24,7 +24,7 @@ struct IdentifiedBy {
                                         const identify::Identification& found);
 // Why there is no device file of a model that does not fit.
 [[nodiscard]] std::string misfit_text(const IdentifiedBy& by);
-// Of a device file that was written.
+// Message about a device file that was written.
 [[nodiscard]] std::string written_text(const std::string& path);
 // One line with date and intervals, for a device file.
 [[nodiscard]] std::string identified_line(const IdentifiedBy& by,

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 // The extents of settled and failed values, the changes of verdict, and the limit of theory.
 void add_limits(const Boundary& boundary, Json& object);
 
-// With a line end. Replaces invalid UTF-8, which a scene's name may contain.
+// JSON text with a line end. Replaces invalid UTF-8, which a scene's name may contain.
 [[nodiscard]] std::string json_text(const Json& object);
 
 // A header and one line per object; `null` is an empty field. All objects have the same keys.

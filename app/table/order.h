@@ -20,8 +20,8 @@ struct Place {
 // Missing values come last in either direction.
 [[nodiscard]] bool before(const Place& a, const Place& b, bool descending);
 
-// Of a cell as it is printed: its number, or its words; a verdict ranks from good to bad. "-" is
-// missing.
+// Place of a cell as it is printed: its number, or its words; a verdict ranks from good to bad. "-"
+// is missing.
 [[nodiscard]] Place place_of_cell(std::string_view cell);
 
 // Indices of the rows in the order of this column; ties keep the order of the sheet.

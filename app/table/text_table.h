@@ -15,7 +15,7 @@ namespace hapticwall::table {
 
 using file::fixed;
 
-// The same of newtons per metre in kN/m, with two decimals.
+// Newtons per metre as kN/m with two decimals; "-" without a value.
 [[nodiscard]] std::string kilonewtons_per_metre(std::optional<double> value_n_per_m);
 
 // "3 !" where the verdict changes more than once; kManyChangesNote explains the mark.
@@ -51,7 +51,7 @@ struct Sheet {
   std::string marks;                           // the meaning of marks in cells: lines, or ""
 };
 
-// Without heading and marks.
+// The sheet without heading and marks.
 template <typename Row>
 [[nodiscard]] Sheet sheet_of(std::type_identity_t<std::span<const Column<Row>>> columns,
                              const std::vector<Row>& rows) {

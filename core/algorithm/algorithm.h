@@ -89,11 +89,11 @@ inline constexpr ParameterDescription kThenParameter =
 // ---- the list, as data: the closed list of built-in algorithms, then plug-ins ----
 
 [[nodiscard]] std::span<const AlgorithmDescription> algorithms();
-// For add_plugin() alone: its index.
+// Adds an algorithm, for add_plugin() alone; returns its index.
 std::size_t add_algorithm(const AlgorithmDescription& algorithm);
 // Index in algorithms() of a name, present or old. Realtime-safe: yes.
 [[nodiscard]] std::optional<std::size_t> find_algorithm(std::string_view name);
-// Of the only follower. Realtime-safe: yes.
+// Index of the only follower. Realtime-safe: yes.
 [[nodiscard]] std::size_t follower_index();
 // Union of all algorithms' keys, each once; AlgorithmSettings::values has this order.
 [[nodiscard]] std::span<const ParameterDescription> algorithm_parameters();
@@ -104,7 +104,7 @@ std::size_t add_algorithm(const AlgorithmDescription& algorithm);
 [[nodiscard]] std::optional<std::size_t> find_algorithm_signal(std::string_view name);
 // Names by place in Sample::signals; empty: no such signal.
 using SignalNames = std::array<std::string, kMaxSignals>;
-// Of algorithm_signals(). Realtime-safe: no.
+// Names of algorithm_signals(). Realtime-safe: no.
 [[nodiscard]] SignalNames signal_names();
 // "energy-bounding", "energy-bounding then passivity-control". Realtime-safe: no.
 [[nodiscard]] std::string algorithm_label(const AlgorithmSettings& settings);
@@ -128,7 +128,7 @@ struct ComparedAlgorithm {
 // `state` is a built-in one's block, a plug-in's PluginAlgorithm, or a borrowed object.
 struct Algorithm {
   AlgorithmDescription description;
-  void (*start)(void* state);  // without parameters and past; for a built-in one, in its block
+  void (*start)(void* state);  // begins without parameters and past; a built-in one, in its block
   void (*configure)(void* state, const AlgorithmContext& context);
   void (*reset)(void* state);
   double (*step)(void* state, const AlgorithmInput& in, std::span<double> signals);
@@ -149,7 +149,7 @@ class ActiveAlgorithm {
 
   // New settings or a new scene. A change of algorithm resets the state; nothing else does.
   void configure(std::size_t algorithm, const AlgorithmContext& context);
-  // From now on this algorithm acts, whichever configure() names.
+  // Makes this algorithm act, whichever configure() names.
   void borrow(const BorrowedAlgorithm& borrowed);
   [[nodiscard]] bool borrows() const {
     return elsewhere_ != nullptr && elsewhere_ != plugin_.get();

@@ -21,7 +21,7 @@
 namespace hapticwall {
 namespace {
 
-// In the order of menus, files and tables.
+// Built-in algorithms in the order of menus, files and tables.
 constexpr std::array kAlgorithms{
     algorithm_of<NoAlgorithm>(),        algorithm_of<VirtualCoupling>(),
     algorithm_of<PassivityControl>(),   algorithm_of<EnergyBounding>(),
@@ -29,7 +29,7 @@ constexpr std::array kAlgorithms{
     algorithm_of<HalfSample>(),         algorithm_of<EnergyLimitedSpring>(),
 };
 
-// Of all plug-ins: their block is a PluginAlgorithm.
+// Functions of all plug-ins: their block is a PluginAlgorithm.
 constexpr Algorithm kPluginAlgorithm{
     {},
     [](void* /*state*/) {},

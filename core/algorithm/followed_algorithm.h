@@ -15,8 +15,8 @@ namespace hapticwall {
 // because α v is added. Source: derived. Realtime-safe: as ActiveAlgorithm.
 class FollowedAlgorithm {
  public:
-  // As ActiveAlgorithm::configure(). The follower also starts anew when it is put behind an
-  // algorithm.
+  // ActiveAlgorithm::configure() for the algorithm and its follower. The follower also starts anew
+  // when it is put behind an algorithm.
   void configure(const AlgorithmSettings& settings, const AlgorithmContext& context) {
     const bool followed = has_follower(settings) && !first_.borrows();
     const bool same = settings.index == algorithm_ && followed == followed_;
@@ -26,7 +26,7 @@ class FollowedAlgorithm {
     follower_.configure(follower_index(), context);
     if (!same) follower_.reset();
   }
-  // As ActiveAlgorithm::borrow(). Nothing follows a borrowed algorithm.
+  // ActiveAlgorithm::borrow(). Nothing follows a borrowed algorithm.
   void borrow(const BorrowedAlgorithm& borrowed) {
     first_.borrow(borrowed);
     followed_ = false;

@@ -86,7 +86,7 @@ struct PassivityControl {
   }
 
  private:
-  enum class Observer : std::uint8_t { kSameSample, kHeldForce, kOneStep };  // as kObservers
+  enum class Observer : std::uint8_t { kSameSample, kHeldForce, kOneStep };  // order of kObservers
 
   [[nodiscard]] static double energy_per_damping(const AlgorithmInput& in) {
     return std::abs(in.velocity_m_per_s * in.displacement_m);

@@ -76,7 +76,7 @@ struct VirtualCoupling {
   }
 
  private:
-  // Also moves the wall's proxy. Both are 0 out of contact.
+  // Force of one wall; also moves the wall's proxy. Both are 0 out of contact.
   [[nodiscard]] double force_of_wall(double share, const WallSettings& wall, double& proxy_m,
                                      const AlgorithmInput& in) const {
     const double penetration_m = in.position_m - wall.position_m;

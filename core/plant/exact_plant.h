@@ -77,7 +77,7 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
     return true;
   }
 
-  // From this tick to the next under the held actuator force. A fast rate of the body and friction
+  // Advances to the next tick under the held actuator force. A fast rate of the body and friction
   // may need more than kMaxPieces pieces: then the plant gives up.
   void advance(Real force_n);
 

@@ -26,7 +26,7 @@ struct StraightPath {
 
   // True if the next tick is also wholly inside the segment.
   [[nodiscard]] bool goes_on() const { return tick + 1 < straight_until_tick; }
-  // To the next tick. Precondition: goes_on().
+  // Advances to the next tick. Precondition: goes_on().
   void next_tick() {
     ++tick;
     if (velocity_m_per_s == 0.0) return;
@@ -50,9 +50,9 @@ class HandPath {
   [[nodiscard]] bool bends_within_tick() const { return bends_; }
   // Length of the present straight piece as a fraction of the tick; 1 without a bend.
   [[nodiscard]] double piece_fraction() const { return piece_end_ - piece_begin_; }
-  // To the next piece of the same tick; false at the end of the tick.
+  // Advances to the next piece of the same tick; false at the end of the tick.
   bool next_piece();
-  // To the next tick.
+  // Advances to the next tick.
   void next_tick() {
     if (now_.goes_on()) {
       now_.next_tick();

@@ -76,7 +76,7 @@ struct LinearRows {
   }
 };
 
-// The same of a piece of `duration_s` as polynomials of θ, up to θ.
+// Increment over a piece of `duration_s` from polynomials of θ, up to θ.
 template <typename Real, bool kLag>
 [[nodiscard]] MotionIncrement<Real> integrate(const TaylorPolynomial<Real>& velocity,
                                               const TaylorPolynomial<Real>& hand_force,

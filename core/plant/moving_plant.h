@@ -13,7 +13,8 @@ namespace hapticwall {
 
 // A run whose handle is farther from 0 is `diverged`.
 inline constexpr double kDivergedPositionM = 1.0;
-// The same limit for the hand; only an unstable integrator exceeds it.
+// Limit for the hand's distance from 0, as kDivergedPositionM; only an unstable integrator exceeds
+// it.
 inline constexpr double kRunawayHandM = 1e3;
 
 // The state that one plant hands to the next when a session changes the scene's plant.

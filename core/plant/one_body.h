@@ -49,7 +49,7 @@ class BasicOneBody {
 
   static constexpr std::size_t kStates = kLag ? 3 : 2;  // u, m a[, e]
   using Row = std::array<Real, kStates>;
-  // For a path at rest (u = v), which is the most frequent case and cheaper.
+  // Rows with those for a path at rest (u = v), which is the most frequent case and cheaper.
   struct Rows : LinearRows<Real, kLag, kStates> {
     Row integral_at_rest{};                         // ∫v
     SymmetricForm<Real, kStates> square_at_rest{};  // ∫v²
@@ -64,7 +64,7 @@ class BasicOneBody {
     state.position_m = position_m;
     return state;
   }
-  // To coordinates with the origin at `origin_m`; back with its negative.
+  // Moves the origin of the coordinates to `origin_m`; back with its negative.
   static void move_origin(State& state, Real origin_m) { state.position_m -= origin_m; }
   [[nodiscard]] Real kinetic_j(const State& state) const {
     return half_mass_kg_ * (state.velocity_m_per_s * state.velocity_m_per_s);
@@ -102,7 +102,7 @@ class BasicOneBody {
     if constexpr (kLag) return net_n - state.excess_n(force_n);
     return net_n;
   }
-  // For steps shorter than the deepest level. A handle that has just broken loose is not
+  // Motion for steps shorter than the deepest level. A handle that has just broken loose is not
   // accelerated against `push`, the sign of its direction (0: it already moves).
   [[nodiscard]] Slide slide(const State& state, const Load<Real>& load,
                             const BasicHandDrive<Real>& drive, Real duration_s, Real push) const;

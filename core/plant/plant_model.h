@@ -51,7 +51,7 @@ class PlantModel {
  public:
   explicit PlantModel(const Scene& scene);
 
-  // As the encoder measures it.
+  // Position as the encoder measures it.
   [[nodiscard]] double measured_position_m() const {
     return encoder_m_ > 0.0 ? quantise(truth_.position_m, encoder_m_) : truth_.position_m;
   }
@@ -61,7 +61,7 @@ class PlantModel {
   // True if a run ends as diverged.
   [[nodiscard]] bool has_diverged() const;
 
-  // To the next tick under a held command (newtons, finite).
+  // Advances to the next tick under a held command (newtons, finite).
   void advance(double force_n);
   void reset();
   void lead_hand_to(double position_m);

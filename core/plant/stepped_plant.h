@@ -39,7 +39,7 @@ struct SteppedMechanics {
   [[nodiscard]] double actuator_n(const State& y, double force_n) const {
     return p.has_lag() ? y.actuator_n : force_n;
   }
-  // On the handle, without friction.
+  // Net force on the handle, without friction.
   [[nodiscard]] double net_force_n(const State& y, double force_n, const HandDrive& drive) const {
     return hand_force_n(y, drive) - actuator_n(y, force_n) -
            p.damping_n_s_per_m * y.velocity_m_per_s;

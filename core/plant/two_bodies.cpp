@@ -153,7 +153,7 @@ auto BasicTwoBodies<Real, kLag>::slide(const State& state, const Load<Real>& loa
   d[0] = c[1];
   d[1] = (hand_acceleration - a) * h;
   force[0] = grip_force(state);
-  Real u = c[3];  // of w - s, whose coefficients are those of v + d but the first
+  Real u = c[3];  // of w - s, whose coefficients are those of v + d except the first
   Real next_u = hand_acceleration * h;
   for (std::size_t j = 0; j + 1 < v.size(); ++j) {
     const Real order = static_cast<Real>(j + 1);

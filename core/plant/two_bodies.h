@@ -163,7 +163,7 @@ class BasicTwoBodies {
   Real jerk_per_root_energy_ = 0;
   Real drive_rate_per_root_energy_ = 0;  // bounds g' of surely_slides()
   Real self_damping_rate_per_s_ = 0;     // (b + b_g)/m
-  // Of the hand alone, while the handle sticks.
+  // Numbers of the hand alone, while the handle sticks.
   Real stick_stiffness_n_per_m_;  // k_h + k_g
   Real root_stick_stiffness_;
   Real hand_share_;  // k_h/(k_h + k_g), 0 without stiffness

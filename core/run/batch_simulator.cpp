@@ -27,7 +27,7 @@ class Reporter {
     tell();
     asking_.clear();
   }
-  // After the last thread has ended.
+  // Reports the end of the batch. Call it after the last thread has ended.
   void finish() {
     if (options_.progress) tell();
   }

@@ -42,7 +42,7 @@ struct SceneRefused : SimulationRefused {
 [[nodiscard]] BatchResult simulate_batch(std::span<const Scene> scenes,
                                          const BatchOptions& options = {});
 
-// The same, with the summaries alone; empty if the batch was stopped.
+// simulate_batch() with the summaries alone; empty if the batch was stopped.
 [[nodiscard]] std::vector<Summary> simulate_all(std::span<const Scene> scenes,
                                                 const BatchOptions& options = {});
 

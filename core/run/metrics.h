@@ -161,7 +161,8 @@ class Metrics {
   // The run diverged at this tick, before the tick had a sample.
   void diverge(std::uint64_t tick) { end_.diverged_at_tick = tick; }
 
-  // Of a simulator's samples the energies are those at the last sample's instant.
+  // Summary of the run. For a simulator's samples the energies are those at the last sample's
+  // instant.
   [[nodiscard]] Summary finish() const;
 
  private:

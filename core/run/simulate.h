@@ -30,7 +30,7 @@ struct SimulationOptions {
   std::function<bool()> should_stop;
   // Sorted by tick.
   std::span<const ScheduledChange> changes;
-  bool signals = false;  // whether the samples have the algorithm's
+  bool signals = false;  // true: the samples have the algorithm's signals
 };
 
 struct SimulationResult {
@@ -49,9 +49,9 @@ void refuse_pointer(const Scene& scene);
 struct AxesOptions {
   // Called with every tick, in order; empty: ticks are not assembled.
   std::function<void(const Tick&)> on_tick;
-  std::function<bool()> should_stop;         // as in SimulationOptions
+  std::function<bool()> should_stop;         // see SimulationOptions
   std::span<const ScheduledChange> changes;  // of scenes with as many axes, sorted by tick
-  bool signals = false;                      // as in SimulationOptions
+  bool signals = false;                      // see SimulationOptions
 };
 
 struct AxesResult {

@@ -47,7 +47,7 @@ struct AccuracyRow {
   std::optional<double> tail_peak_to_peak_relative_error;
   Verdict verdict = Verdict::kSettled;
   std::optional<std::uint64_t> diverged_at_tick;
-  bool verdict_agrees = false;  // with the reference's
+  bool verdict_agrees = false;  // with the reference's verdict
 };
 
 struct AccuracyStudy {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// In the unit of a number of the wall.
+// Values in the unit of a number of the wall.
 struct WallAndBound {
   double wall = kNone;
   double bound = kNone;

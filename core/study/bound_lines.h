@@ -10,7 +10,7 @@
 
 namespace hapticwall {
 
-// In steps of the axes: (0, 0) is the first value of both axes, count - 1 the last.
+// Point in steps of the axes: (0, 0) is the first value of both axes, count - 1 the last.
 struct MapPoint {
   double x = 0.0;
   double y = 0.0;
@@ -32,8 +32,8 @@ struct CellBounds {
   StabilityBounds bounds;
 };
 
-// Of the grid's points, which are the same under every algorithm; x varies fastest. Empty if the
-// scene has no wall. Realtime-safe: no.
+// Bounds of the grid's points, which are the same under every algorithm; x varies fastest. Empty if
+// the scene has no wall. Realtime-safe: no.
 [[nodiscard]] std::vector<CellBounds> cell_bounds(const StabilityMap& map);
 
 // `cells`: of the map. Interpolates linearly between the values of the axes: exact for a power of a
@@ -43,8 +43,8 @@ struct CellBounds {
                                                     std::span<const CellBounds> cells,
                                                     BoundMember bound);
 
-// The same for what CHAI3D allows on the device: its stiffness where the damping is allowed, and
-// its damping where the stiffness is. Empty unless the scene has both numbers.
+// bound_lines() for the limits that CHAI3D sets for the device: its stiffness where the damping is
+// allowed, and its damping where the stiffness is. Empty unless the scene has both numbers.
 [[nodiscard]] std::vector<BoundSegment> chai3d_lines(const StabilityMap& map,
                                                      std::span<const CellBounds> cells);
 

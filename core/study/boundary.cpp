@@ -95,7 +95,7 @@ struct OpenChange {
 class Runner {
  public:
   Runner(const BoundaryPlan& plan, const BoundaryOptions& options) : options_(options) {
-    constexpr double kChanges = 2.0;  // at most, of a search
+    constexpr double kChanges = 2.0;  // max of a search
     const double steps = std::ceil(std::log2(1.0 / plan.tolerance));
     total_ = static_cast<double>(plan.boundary_count()) *
              (static_cast<double>(plan.along.count) + kChanges * steps);

@@ -34,13 +34,14 @@ struct Extent {
 };
 
 struct Boundary {
-  std::size_t algorithm = 0;  // in BoundaryPlan::algorithms
+  std::size_t algorithm = 0;  // index in BoundaryPlan::algorithms
   std::optional<double> x;    // value of the axis x, if any
   Extent settled;
   Extent failed;                      // any other verdict
   std::size_t changes = 0;            // of verdict in the scan; more than 1: islands
   std::optional<Summary> at_settled;  // on the settled side of the first change
-  // By theory: exact_stable_limit(). nullopt unless the key is the stiffness of the only wall.
+  // Limit by theory: exact_stable_limit(). nullopt unless the key is the stiffness of the only
+  // wall.
   std::optional<double> stable_below_n_per_m;
 };
 

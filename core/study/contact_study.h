@@ -110,11 +110,11 @@ struct ContactMetrics {
   std::optional<double> approach_speed_m_per_s;
   std::optional<double> rate_hardness_n_per_m;
   RiseKind rise_kind = RiseKind::kMean;  // valid with a rate-hardness
-  // From the first tick with 10 % of the tail's mean force to the first with 90 %, in whole ticks;
-  // may be 0. nullopt unless the scene settles with a positive force. It includes the slowness of
-  // the hand.
+  // Time from the first tick with 10 % of the tail's mean force to the first with 90 %, in whole
+  // ticks; may be 0. nullopt unless the scene settles with a positive force. It includes the
+  // slowness of the hand.
   std::optional<double> rise_time_s;
-  // Of the true position at the ticks, into the first wall; nullopt if never reached.
+  // Peak of the true position at the ticks, into the first wall; nullopt if never reached.
   std::optional<double> peak_penetration_m;
   // Maximum over time of the energy that the hand extracted: max(0, -passivity_margin_j). 0 means
   // that this run was passive, not that the interface is.

@@ -41,11 +41,11 @@ struct EnergyStory {
   double control_law_j = 0.0;                // max(0, -cv)
   double given_out_j = 0.0;                  // max(0, -scv)
   double budget_j = 0.0;                     // dissipated by the device damping
-  double tolerance_j = 0.0;                  // what the encoder cannot show: `resolution_j`
+  double tolerance_j = 0.0;                  // energy that the encoder cannot show: `resolution_j`
 };
 
-// From `since` to `now`, two rows of one ledger. The wall must store no energy at `since` (default:
-// the start). Realtime-safe: yes.
+// Story from `since` to `now`, two rows of one ledger. The wall must store no energy at `since`
+// (default: the start). Realtime-safe: yes.
 [[nodiscard]] EnergyStory tell_energy_story(const EnergyLedger& now, const EnergyLedger& since = {},
                                             double resolution_j = 0.0);
 

@@ -8,7 +8,7 @@
 namespace hapticwall {
 namespace {
 
-// As --set takes it.
+// Setting of an axis value, as --set takes it.
 std::string setting(const MapAxis& axis, std::size_t index) {
   return axis.number.path + "=" + number_text(axis.value(index));
 }
@@ -32,7 +32,8 @@ std::vector<MapMetrics> run_cells(const StabilityMap& map, std::span<const std::
   std::vector<Scene> scenes;
   scenes.reserve(cells.size());
   for (const std::size_t cell : cells) scenes.push_back(map.scene_at(cell));
-  // Not simulate_all(): with short runs the second list of summaries costs time.
+  // simulate_batch() in the place of simulate_all(): with short runs the second list of summaries
+  // costs time.
   BatchResult result;
   try {
     result =

@@ -66,7 +66,7 @@ Propagator<kStates, 0> step_of(const Motion<kStates>& motion, long double part) 
   return step;
 }
 
-// By Faddeev and LeVerrier, from e^A - 1.
+// Transfer function by Faddeev and LeVerrier, from e^A - 1.
 template <int kStates>
 PulseTransfer transfer_of(const Motion<kStates>& motion, long double delay_ticks) {
   constexpr auto kCount = static_cast<std::size_t>(kStates);

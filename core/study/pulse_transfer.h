@@ -10,16 +10,16 @@ namespace hapticwall {
 
 inline constexpr std::size_t kMaxTransferStates = 5;
 
-// From the command at the amplifier to the position, as a quotient of polynomials in w = z - 1 of
-// which the low powers come first. w keeps the digits of slow motions, which lie close to z = 1.
-// Time is in ticks, force in m/T², so that stiffness and damping are K T²/m and B T/m.
+// Transfer from the command at the amplifier to the position, as a quotient of polynomials in w = z
+// - 1 of which the low powers come first. w keeps the digits of slow motions, which lie close to z
+// = 1. Time is in ticks, force in m/T², so that stiffness and damping are K T²/m and B T/m.
 struct PulseTransfer {
   std::size_t states = 0;
   double delay_ticks = 0.0;  // whole
   std::array<double, kMaxTransferStates + 1> denominator{};
-  // Of the command that acts to the end of the tick.
+  // Coefficients for the command that acts to the end of the tick.
   std::array<double, kMaxTransferStates> numerator{};
-  // Of the one before it, if the delay ends within the tick.
+  // Coefficients for the command before it, if the delay ends within the tick.
   std::array<double, kMaxTransferStates> earlier{};
   bool has_earlier = false;
 };

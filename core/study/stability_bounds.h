@@ -18,7 +18,7 @@ struct StabilityBounds {
   // The rule of thumb for the same, for a hand that only adds mass: K < (b + B) / (T / 2 + t_d)
   // (Gil; Hulin). Too high by at most 16 % up to kMaxRuleDamping and two ticks of delay.
   std::optional<double> rule_n_per_m;
-  // With an encoder and Coulomb friction: K <= 2 f_c / Delta (Abbott and Okamura 2005).
+  // Limit with an encoder and Coulomb friction: K <= 2 f_c / Delta (Abbott and Okamura 2005).
   std::optional<double> friction_n_per_m;
   // Force limit within one count: K <= F_max / Delta. A stiffer wall acts like a switch.
   std::optional<double> resolution_n_per_m;
@@ -26,7 +26,8 @@ struct StabilityBounds {
 
 inline constexpr double kMaxRuleDamping = 0.1;  // B T/m
 
-// From the latch of a position to its force, without the half tick of the hold; each at least 0.
+// Delay from the latch of a position to its force, without the half tick of the hold; each at least
+// 0.
 struct LoopDelay {
   double transport_s = 0.0;      // whole ticks of a simulator; as measured of a real device
   double time_constant_s = 0.0;  // of the amplifier; 0 if the measured delay contains it
@@ -34,8 +35,9 @@ struct LoopDelay {
   [[nodiscard]] double total_s() const { return transport_s + time_constant_s; }
 };
 
-// Of the wall by itself: other walls that it may overlap do not count. For a real device, whose
-// hand is unknown, the scene has none. For the cost see stable_stiffness.h. Realtime-safe: no.
+// Bounds of the wall by itself: other walls that it may overlap do not count. For a real device,
+// whose hand is unknown, the scene has none. For the cost see stable_stiffness.h. Realtime-safe:
+// no.
 [[nodiscard]] StabilityBounds stability_bounds(const Scene& scene, const WallSettings& wall,
                                                const LoopDelay& delay);
 
@@ -46,7 +48,7 @@ struct LoopDelay {
 // Realtime-safe: no.
 [[nodiscard]] std::optional<double> exact_stable_limit(const Scene& scene);
 
-// Of a simulated device.
+// Delay of a simulated device.
 [[nodiscard]] LoopDelay delay_of(const Scene& scene);
 
 }  // namespace hapticwall

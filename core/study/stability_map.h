@@ -29,7 +29,7 @@ struct MapAxis {
 };
 
 struct MapPlace {
-  std::size_t algorithm = 0;  // in StabilityMap::algorithms
+  std::size_t algorithm = 0;  // index in StabilityMap::algorithms
   std::size_t y = 0;
   std::size_t x = 0;
 };
@@ -68,7 +68,7 @@ struct StabilityMap {
 [[nodiscard]] std::vector<MapMetrics> run_cells(const StabilityMap& map, std::size_t begin,
                                                 std::size_t end,
                                                 const std::function<bool()>& should_stop = {});
-// The same for these cells, on at most `threads` threads; 0: as many as the processor runs.
+// run_cells() for these cells, on at most `threads` threads; 0: as many as the processor runs.
 [[nodiscard]] std::vector<MapMetrics> run_cells(const StabilityMap& map,
                                                 std::span<const std::size_t> cells, int threads,
                                                 const std::function<bool()>& should_stop = {});

@@ -187,7 +187,8 @@ CurvePoint point_at(const PulseTransfer& plant, double damping, double angle) {
   return {part.stiffness(damping).value(), std::norm(part.numerator.value())};
 }
 
-// On a piece with at most one crossing of the real axis; regula falsi (Illinois). nullopt: none.
+// Stiffness at the crossing of the real axis, on a piece with at most one; regula falsi (Illinois).
+// nullopt: none.
 std::optional<double> stiffness_at_crossing(const PulseTransfer& plant, double damping,
                                             const Piece& piece) {
   constexpr int kMaxSteps = 60;
@@ -233,7 +234,8 @@ double first_crossing(const PulseTransfer& plant, double damping) {
   return smallest;
 }
 
-// By the argument principle: the left side of the equation turns by π for each zero within.
+// Stability by the argument principle: the left side of the equation turns by π for each zero
+// within.
 bool is_stable(const PulseTransfer& plant, double stiffness, double damping) {
   constexpr double kPi = std::numbers::pi;
   constexpr double kNear = 0.7;  // two neighbours differ by less than a right angle

@@ -12,7 +12,7 @@ struct DeviceReading {
   double age_s = 0.0;       // of the position; 0 for the simulator
   DeviceState state = DeviceState::kOk;
   double device_time_s = 0.0;    // of the position, by the device's clock; 0 for the simulator
-  double applied_force_n = 0.0;  // by the device's word; positive pushes out of the wall
+  double applied_force_n = 0.0;  // as the device reports it; positive pushes out of the wall
 };
 
 }  // namespace hapticwall

@@ -26,7 +26,7 @@ class Pulse {
 
   // Takes a place, if it has none.
   void begin() noexcept;
-  // From now on another beat or a rest is due.
+  // Announces that another beat or a rest is due.
   void beat() noexcept { go_on(kBeats); }
   // Nothing is due.
   void rest() noexcept { go_on(kRests); }
@@ -52,8 +52,8 @@ class Pulse {
 // Compares the table with earlier looks at it.
 class PulseWatch {
  public:
-  // Whether a pulse that is due has not changed for this long. `now_ns`: of any monotonic clock.
-  // A signal handler may call it. Realtime-safe: yes.
+  // True if a pulse that is due has not changed for this long. `now_ns`: of any monotonic clock. A
+  // signal handler may call it. Realtime-safe: yes.
   [[nodiscard]] bool finds_silence(std::int64_t now_ns, std::int64_t max_silence_ns) noexcept;
 
  private:

@@ -31,7 +31,7 @@ class Servo {
   // change no bit of the run.
   void apply(const ServoSettings& settings);
 
-  // As FollowedAlgorithm::borrow().
+  // See FollowedAlgorithm::borrow().
   void borrow(const BorrowedAlgorithm& borrowed) { algorithm_.borrow(borrowed); }
 
   // Back to tick 0: forgets the state of the algorithm, the ledger and the previous force.
@@ -52,7 +52,7 @@ class Servo {
     return sample;
   }
 
-  // For a loop that calls servo_step() itself.
+  // Parts for a loop that calls servo_step() itself.
   [[nodiscard]] ActiveEstimator& estimator() { return estimator_; }
   [[nodiscard]] FollowedAlgorithm& algorithm() { return algorithm_; }
   [[nodiscard]] ServoState& state() { return state_; }

@@ -34,7 +34,7 @@ struct ServoSettings {
   double encoder_m = 0.0;  // 0: none
   double force_limit_n =
       std::numeric_limits<double>::max();  // finite, so that an infinite force is over it
-  // Of the force's magnitude in a tick.
+  // Max rise of the force's magnitude in a tick.
   double max_rise_n = std::numeric_limits<double>::infinity();
   double maximum_age_s = kDefaultMaxAgeS;
   double transition_s = kSwitchTransitionS;
@@ -82,7 +82,7 @@ struct ServoState {
   // armed.
   double force_gain = 1.0;
   double previous_gain = 1.0;  // of the previous force
-  // Until a device has obeyed: share of the force limit, and of the force within it, above 0. The
+  // Shares until a device has obeyed: of the force limit, and of the force within it, above 0. The
   // algorithm does not see the second one.
   double limit_share = 1.0;
   double level = 1.0;
@@ -98,7 +98,7 @@ struct TickOutcome {
   double position_m = 0.0;
   double age_s = 0.0;            // of the position
   double device_time_s = 0.0;    // of the position, by the device's clock
-  double applied_force_n = 0.0;  // by the device's word
+  double applied_force_n = 0.0;  // as the device reports it
   double displacement_m = 0.0;
   double velocity_m_per_s = 0.0;
   WallContact contact;
@@ -113,8 +113,8 @@ struct TickOutcome {
 
 namespace detail {
 
-// From the previous force of the same sign, else from zero; the force falls at once. Realtime-safe:
-// yes.
+// Limits the rise from the previous force of the same sign, else from zero; the force falls at
+// once. Realtime-safe: yes.
 [[nodiscard]] inline double limit_rise(double force_n, double previous_n, double max_rise_n) {
   const bool same_sign = (force_n > 0.0) == (previous_n > 0.0);
   const double from_n = same_sign ? std::abs(previous_n) : 0.0;
@@ -171,7 +171,7 @@ namespace detail {
   out.contact = evaluate_walls(settings.walls, out.position_m, out.velocity_m_per_s);
 }
 
-// What the algorithm wants becomes out.force_n: blended, armed, limited.
+// Turns the algorithm's force into out.force_n: blended, armed, limited.
 [[gnu::always_inline]] inline void make_safe(const ServoSettings& settings, ServoState& state,
                                              double wanted_n, TickOutcome& out) {
   double limit_n = settings.force_limit_n;

@@ -14,7 +14,7 @@
 
 namespace hapticwall::device::hid {
 
-// Whether a listing is what the options ask for. Realtime-safe: no.
+// True if a listing is what the options ask for. Realtime-safe: no.
 [[nodiscard]] bool fits(const Listing& listing, const ImpulseEngineOptions& options);
 
 // The first listing that fits. After a loss, `known` is the device of the session, and only that

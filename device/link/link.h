@@ -45,7 +45,7 @@ struct ImpulseEngineOptions {
   std::string name;    // of the device file; empty: the device's own name
   std::array<std::optional<AxisDescription>, hid::kMaxAxes> axes;  // of the device file
   std::optional<Dialect> dialect;  // of the device file; nullopt: it speaks docs/hid-protocol.md
-  double rate_hz = 1000.0;         // of its reports, by the device file; for a dialect
+  double rate_hz = 1000.0;         // of a dialect's reports, by the device file
   // The newest command is repeated after so long without another, and removes the force once it is
   // too old; 0: the device has a time to live.
   std::int64_t keep_alive_ns = 0;
@@ -75,7 +75,7 @@ struct LinkView {
   Trouble trouble = Trouble::kNone;  // that the device shows; see StateTracker::ended()
   std::int64_t received_ns = 0;      // the newest valid state, by the host's clock
   std::int64_t device_time_us = 0;   // its latch by the device's clock, unwrapped
-  std::uint32_t latch_us = 0;        // the same, as received
+  std::uint32_t latch_us = 0;        // this latch as received
   std::uint16_t sequence = 0;
   AxisValues position_m{};
   AxisValues applied_n{};  // told by the device; positive pushes out of the wall
@@ -85,7 +85,7 @@ struct LinkView {
 
 // Loop to writer: the newest command. Trivially copyable.
 struct LinkCommand {
-  std::uint32_t session = 0;  // of the link that it is for
+  std::uint32_t session = 0;  // of the link for which it was made
   std::int64_t made_ns = 0;   // read time of the position that it was computed from
   bool enable = false;
   bool clear_faults = false;  // never with enable

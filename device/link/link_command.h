@@ -31,7 +31,7 @@ struct SentForce {
 // measurement of the delay, and to their forces. The writer notes, the reader asks.
 class SentCommands {
  public:
-  // Before the command goes out. One thread.
+  // Notes a command before it goes out. One thread.
   void note(std::uint16_t sequence, std::uint32_t state_latch_us, const SentForce& force = {});
   // Latch time of the state behind this command, by the device's clock; nullopt if this session has
   // not sent it among its newest kKept. Any thread.
@@ -43,9 +43,9 @@ class SentCommands {
   static constexpr std::size_t kKept = 256;
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
-  // From the lowest bit: latch time, sequence, present.
+  // Bits from the lowest: latch time, sequence, present.
   std::array<std::atomic<std::uint64_t>, kKept> slots_{};
-  // From the lowest bit: force of each axis, sequence, present, enable.
+  // Bits from the lowest: force of each axis, sequence, present, enable.
   std::array<std::atomic<std::uint64_t>, kKept> forces_{};
 };
 

@@ -1,4 +1,4 @@
-// What the reader did and heard lately: why a link fell silent. Realtime-safe: yes, all of it.
+// Recent reads and reports of the reader: why a link fell silent. Realtime-safe: yes, all of it.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@ inline constexpr std::int64_t kMaxDeafNs = 10'000'000;
 // All times are the host's, in nanoseconds.
 class Listening {
  public:
-  // Before the link begins: as of ImpulseEngineOptions.
+  // Call it before the link begins, with ImpulseEngineOptions::reads_may_hang.
   void let_reads_hang(bool may_hang) { reads_may_hang_ = may_hang; }
   // Reader: a link begins.
   void begin(std::int64_t now_ns) {

@@ -23,7 +23,7 @@ class LinkLoop {
  public:
   LinkLoop(LinkExchange& exchange, const HostClock& now_ns);
 
-  // As ImpulseEngine's.
+  // Functions as in ImpulseEngine.
   [[nodiscard]] AxesReading read();
   void write(const AxisValues& force_n);
   void enable(bool enabled);

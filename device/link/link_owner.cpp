@@ -240,7 +240,7 @@ void LinkOwner::take_down(Trouble reason, const std::string& words, std::int64_t
 
 void LinkOwner::go_on_closing(std::int64_t now_ns) {
   if (read_ && read_->released.load(std::memory_order_acquire)) {
-    read_->handle.reset();  // on this thread, even if the reader still holds the session
+    read_->handle.reset();  // closed on this thread, even if the reader still holds the session
     read_.reset();
   }
   if (write_ && write_->session->done()) {

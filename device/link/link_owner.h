@@ -58,7 +58,7 @@ class LinkOwner {
   [[nodiscard]] Opening opening() const { return opening_.load(std::memory_order_acquire); }
   // The present trouble in one line; empty if there is none.
   [[nodiscard]] std::string words() const;
-  // Of the newest link that came up.
+  // Description of the device of the newest link that came up.
   [[nodiscard]] std::optional<hid::DeviceDescription> description() const;
 
  private:
@@ -102,7 +102,7 @@ class LinkOwner {
   int attempts_ = 0;
   std::int64_t back_off_ns_ = kFirstBackOffNs;
   std::int64_t next_attempt_ns_ = 0;
-  std::int64_t since_ns_ = 0;  // of the phase
+  std::int64_t since_ns_ = 0;  // start of the phase
 
   std::atomic<bool> stop_{false};
   std::atomic<Ending> ending_{Ending::kNotYet};

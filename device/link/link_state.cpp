@@ -21,7 +21,7 @@ constexpr double kReportStepN = 1.5 / hid::kStepsPerNewton;
 constexpr double kDelayWeight = 1.0 / 64.0;
 
 Trouble trouble_of(std::uint8_t fault_code) {
-  // In the order of hid::FaultCode.
+  // Troubles in the order of hid::FaultCode.
   constexpr std::array kTroubles{Trouble::kNone,          Trouble::kWatchdog,
                                  Trouble::kEmergencyStop, Trouble::kOverTemperature,
                                  Trouble::kOverCurrent,   Trouble::kEncoder};
@@ -163,8 +163,8 @@ void StateTracker::accept(const hid::StateReport& state, std::int64_t received_n
   stats.enabled = (state.status & hid::kStatusEnabled) != 0;
 }
 
-// Of a command of this session: those of another session are not in `sent`, or arrived before the
-// latch of their state.
+// Latch behind a command of this session: those of another session are not in `sent`, or arrived
+// before the latch of their state.
 std::optional<std::uint32_t> StateTracker::latch_behind(const hid::StateReport& state) const {
   const auto latch_us = session_.sent->latch_us(state.acknowledged_sequence);
   if (!latch_us) return std::nullopt;
@@ -174,7 +174,7 @@ std::optional<std::uint32_t> StateTracker::latch_behind(const hid::StateReport& 
   return latch_us;
 }
 
-// What the device says of its force, and how old the command is that it obeys.
+// Takes the device's report on its force, and the age of the command that it obeys.
 void StateTracker::hear_answer(const hid::StateReport& state, bool another) {
   LinkStats& stats = view_.stats;
   const auto latch_us = latch_behind(state);

@@ -62,8 +62,8 @@ class StateTracker {
   AxisValues origin_m_{};                                    // this position
   std::int64_t first_time_us_ = 0;
   std::uint64_t ticks_ = 0;  // of the device since the first state
-  // By the device's clock, unwrapped: the last state with another acknowledgement, and the latch
-  // behind the last command that was acknowledged.
+  // Times by the device's clock, unwrapped: of the last state with another acknowledgement, and of
+  // the latch behind the last command that was acknowledged.
   std::optional<std::uint16_t> answered_;  // number of the last acknowledged command of this link
   std::int64_t answered_us_ = 0;
   std::int64_t command_us_ = 0;

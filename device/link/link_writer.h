@@ -28,7 +28,7 @@ class WriteSession {
   [[nodiscard]] std::optional<hid::ReportBytes> begin(std::int64_t now_ns);
   void finish(std::int64_t now_ns);
   [[nodiscard]] hid::Handle& handle() { return *handle_; }
-  // Without a new command the writer may rest so long, nanoseconds; 0: until there is one.
+  // Max rest of the writer without a new command, nanoseconds; 0: until there is one.
   [[nodiscard]] std::int64_t keep_alive_ns() const { return keep_alive_ns_; }
   // The writer has nothing more to do.
   [[nodiscard]] bool over() const { return state() == State::kDone; }
@@ -39,7 +39,7 @@ class WriteSession {
   [[nodiscard]] bool abandon();
   // The writer no longer uses the session.
   [[nodiscard]] bool done() const { return state() == State::kDone; }
-  // Once done.
+  // Closes the handle, once done().
   void close() { handle_.reset(); }
 
  private:

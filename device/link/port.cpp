@@ -6,7 +6,7 @@
 namespace hapticwall::device::hid {
 
 std::string obstacle_text(const std::string& path, Obstacle obstacle) {
-  // In the order of Obstacle.
+  // Texts in the order of Obstacle.
   constexpr std::array kTexts{
       "",
       " cannot be opened: permission denied; install the udev rule 70-hapticwall.rules, then plug "

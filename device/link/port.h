@@ -79,7 +79,7 @@ enum class Obstacle : std::uint8_t {
 };
 // One line for people: problem and remedy. Empty for kNone.
 [[nodiscard]] std::string obstacle_text(const std::string& path, Obstacle obstacle);
-// The same of kBusy, where the other host is known: "hapticwall (process 1234)".
+// obstacle_text() of kBusy, where the other host is known: "hapticwall (process 1234)".
 [[nodiscard]] std::string in_use_text(const std::string& path, const std::string& host);
 
 class Port {
@@ -107,7 +107,7 @@ using PortOpener = std::function<Result<std::shared_ptr<Port>>()>;
 // The transport of this build: "hidraw" or "libusb".
 [[nodiscard]] std::string_view transport_name();
 
-// Whether a listing has the protocol's usage page, or an unknown one.
+// True if a listing has the protocol's usage page, or an unknown one.
 [[nodiscard]] bool may_be_haptic(const Listing& listing);
 
 // The first listing of each path; if a path has several usages, the protocol's one wins.

@@ -126,7 +126,7 @@ bool reserved_is_zero(std::span<const std::uint8_t> bytes, std::size_t from) {
   return std::all_of(reserved.begin(), reserved.end(), [](std::uint8_t byte) { return byte == 0; });
 }
 
-// Whether the version is ours, and, unless it is newer, everything reserved is zero.
+// True if the version is ours, and, unless it is newer, everything reserved is zero.
 bool is_compatible(std::span<const std::uint8_t> bytes, bool has_unknown_flags,
                    std::size_t reserved_from, Refusal& refusal) {
   refusal = Refusal::kProtocol;

@@ -24,7 +24,7 @@ inline constexpr std::uint8_t kProtocolMinor = 0;
 
 inline constexpr std::uint16_t kUsagePage = 0xFF48;
 inline constexpr std::uint16_t kUsage = 0x0001;
-// For experiments only; a device for others needs its own numbers.
+// Numbers for experiments only; a device for others needs its own numbers.
 inline constexpr std::uint16_t kTestVendorId = 0x1209;
 inline constexpr std::uint16_t kTestProductId = 0x0001;
 
@@ -74,7 +74,7 @@ enum StatusFlag : std::uint16_t {
 inline constexpr std::uint16_t kStatusFaults = kStatusWatchdog | kStatusEmergencyStop |
                                                kStatusOverTemperature | kStatusOverCurrent |
                                                kStatusEncoderFault;
-inline constexpr std::uint16_t kStatusKnown = 0x03FF;  // by protocol 1.0
+inline constexpr std::uint16_t kStatusKnown = 0x03FF;  // flags of protocol 1.0
 
 // The first fault since the last clearing. Codes from kFirstOwnFault are specific to the device.
 enum FaultCode : std::uint8_t {
@@ -192,7 +192,7 @@ void seal(ReportBytes& bytes);
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(to - from));
 }
 
-// The same for the clock, microseconds: half a turn is 35 min 47 s.
+// sequence_step() for the clock, microseconds: half a turn is 35 min 47 s.
 [[nodiscard]] constexpr std::int32_t clock_step_us(std::uint32_t from_us, std::uint32_t to_us) {
   return static_cast<std::int32_t>(to_us - from_us);
 }

@@ -13,9 +13,9 @@
 
 namespace hapticwall::device::hid {
 
-// What a device says itself beside its position.
+// Facts that a device reports beside its position.
 struct Told {
-  bool fault = false;       // of its own
+  bool fault = false;       // a fault of the device itself
   bool calibrated = false;  // position 0 is a fixed place
   // The command that it obeys, whether it gives a force, and which, newtons towards growing counts.
   // nullopt: it tells nothing, and the command that was taken last counts.

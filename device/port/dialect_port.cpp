@@ -23,7 +23,7 @@ std::int64_t half_period_ns(double rate_hz) {
   return static_cast<std::int64_t>(kNanosecondsPerSecond / (2.0 * rate_hz));
 }
 
-// Of both handles of a link.
+// Translation that both handles of a link share.
 struct Translation {
   Translation(const DialectDevice& device, HostClock clock)
       : dialect(device.dialect),

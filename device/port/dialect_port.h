@@ -12,7 +12,7 @@
 
 namespace hapticwall::device::hid {
 
-// What a device file says of it.
+// Data of a device from its device file.
 struct DialectDevice {
   Dialect dialect;
   std::uint16_t vendor_id = 0;

@@ -18,7 +18,7 @@ class NodeListing {
   explicit NodeListing(std::string event) : event_(std::move(event)) {}  // "event7"
 
   [[nodiscard]] std::string path() const { return "/dev/input/" + event_; }
-  // As the device tells it; empty if it tells none.
+  // Name that the device reports; empty if it reports none.
   [[nodiscard]] std::string name() const;
   // `type` is "key", "abs", "ff" …; has("ff", FF_CONSTANT) asks for a constant force. False if it
   // is gone.
@@ -42,7 +42,7 @@ class NodeListing {
 // An open node. Its errors are the system's words, without the name of the node.
 class EventNode {
  public:
-  // For reading and writing, without waiting. Fails with ErrorKind::kDevice.
+  // Opens the node for reading and writing, without waiting. Fails with ErrorKind::kDevice.
   [[nodiscard]] static Result<EventNode> open(const std::string& path);
   EventNode(EventNode&& other) noexcept;
   EventNode& operator=(EventNode&&) = delete;

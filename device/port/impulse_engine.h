@@ -39,7 +39,7 @@ class ImpulseEngine : public Device {
   // wakes the writer without waiting for it).
   void write(double force_n) override;
 
-  // Both axes, instead of read() and write(). Realtime-safe: yes.
+  // Reading and writing of both axes, instead of read() and write(). Realtime-safe: yes.
   [[nodiscard]] AxesReading read_axes();
   void write_axes(const AxisValues& force_n);
 
@@ -67,10 +67,10 @@ class ImpulseEngine : public Device {
   mutable std::mutex machine_mutex_;
 };
 
-// On the system's port and clock.
+// Engine on the system's port and clock.
 [[nodiscard]] std::unique_ptr<ImpulseEngine> make_impulse_engine(
     const ImpulseEngineOptions& options);
-// On another port, which every open() uses.
+// Engine on another port, which every open() uses.
 [[nodiscard]] std::unique_ptr<ImpulseEngine> make_impulse_engine(
     const ImpulseEngineOptions& options, std::unique_ptr<hid::Port> port, HostClock now_ns);
 

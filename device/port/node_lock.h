@@ -22,7 +22,7 @@ class NodeLock {
   NodeLock& operator=(const NodeLock&) = delete;
   ~NodeLock();
 
-  // Whether it is the lock of this node: a device that was plugged in again has another one.
+  // True if it is the lock of this node: a device that was plugged in again has another one.
   [[nodiscard]] bool is_of(const std::string& node) const;
 
  private:

@@ -16,7 +16,7 @@
 namespace hapticwall::device {
 namespace {
 
-// Of read().
+// Shortest time from one read() to the next.
 constexpr std::int64_t kPaceNs = kMillisecondNs / 2;
 constexpr std::int64_t kKeepAliveNs = 10 * kMillisecondNs;
 constexpr std::size_t kMaxTitleBytes = 100;
@@ -138,7 +138,7 @@ ImpulseEngineOptions options_of(const PluginDevice& device) {
   return options;
 }
 
-// From open() to close() of the library, for both handles.
+// Connection from open() to close() of the library, for both handles.
 class PluginPort::Connection {
  public:
   Connection(PluginDevice described, std::shared_ptr<hid::NodeLock> lock)

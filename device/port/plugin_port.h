@@ -36,7 +36,7 @@ struct PluginDevice {
 // "" for none. Any thread.
 [[nodiscard]] std::string device_plugin_fault();
 
-// For the link of such a device.
+// Options for the link of such a device.
 [[nodiscard]] ImpulseEngineOptions options_of(const PluginDevice& device);
 
 class PluginPort : public hid::Port {

@@ -201,7 +201,7 @@ class HidapiPort : public Port {
     return taken;
   }
 
-  // On libusb, the device that is open at that path.
+  // The device that is open at that path, on libusb; else nullptr.
   std::shared_ptr<SharedDevice> shared_device(const std::string& path) {
     if constexpr (!kIsLibusb) return nullptr;
     const auto found = open_.find(path);

@@ -51,7 +51,7 @@ bool WheelWriter::write(const hid::ForceReport& command, std::int64_t now_ns) {
 }
 
 // Before each play the level is sent again, because a full queue of the kernel drops reports and
-// says that it took them. The driver sends no level twice, so it is the one beside, nearer to 0.
+// says that it took them. The driver sends no level twice, so the neighbour nearer to 0 is sent.
 WheelWriter::Sent WheelWriter::send(std::int16_t level, std::int64_t now_ns) {
   if (!has_gain_) return set_gain(true);
   const bool plays = !plays_ || now_ns >= replay_ns_;

@@ -1,5 +1,5 @@
-// What a wheel is told: newtons at its rim become levels of one constant force, at the pace that
-// its bus takes. No thread and no clock.
+// Drive of a wheel: newtons at its rim become levels of one constant force, at the pace that its
+// bus takes. No thread and no clock.
 #pragma once
 
 #include <atomic>
@@ -15,16 +15,16 @@ namespace hapticwall::device {
 // A wheel's mechanics, of a device file. The defaults are safe for every wheel: one with less
 // torque pushes with less than the commanded force.
 struct WheelDescription {
-  double radius_m = 0.13;      // of the hand's place
+  double radius_m = 0.13;      // of the hand on the wheel
   double travel_deg = 900.0;   // from stop to stop, of the axis' whole range
-  double torque_nm = 32.0;     // of level 32767: the strongest wheel known
+  double torque_nm = 32.0;     // torque at level 32767: the strongest wheel known
   double sign = 1.0;           // -1: positive levels turn it to the right
-  double rate_hz = 0.0;        // of updates at most; 0: of the endpoint or the model
+  double rate_hz = 0.0;        // max rate of updates; 0: that of the endpoint or the model
   double delay_s = 0.0;        // from a position to its force, measured once; 0: unknown
   double force_limit_n = 5.0;  // at the radius
   double max_speed_m_per_s = 3.0;
   double max_force_rate_n_per_s = 0.0;  // 0: the whole limit within kForceRiseS
-  std::string delay_date{};             // of delay_s
+  std::string delay_date{};             // date of the measurement of delay_s
 
   [[nodiscard]] double travel_m() const;
   // At the radius, of level 32767.
@@ -62,7 +62,8 @@ class WheelScale {
 
 // Between two plays of the force; the wheel ends it after evdev::kEffectMs without one.
 inline constexpr std::int64_t kReplayNs = 25'000'000;
-// After the force was made: its reports may still be in the kernel's queue, and would stay there.
+// Silence after the force was made: its reports may still be in the kernel's queue, and would stay
+// there.
 inline constexpr std::int64_t kSilenceNs = 10'000'000;
 
 // At most one report to the wheel per interval, for the newest command only. A command that does
@@ -99,7 +100,7 @@ class WheelWriter {
   const std::int64_t interval_ns_;
   std::int64_t free_ns_;
   std::int64_t replay_ns_ = 0;
-  std::int16_t level_ = 0;  // in the wheel, as are these two
+  std::int16_t level_ = 0;  // in the wheel, like the next two
   bool plays_ = false;
   bool has_gain_ = false;
   bool is_fresh_ = false;  // the level was sent again since the last play

@@ -15,14 +15,15 @@
 namespace hapticwall::device::evdev {
 namespace {
 
-// Where the force of a level acts: positive to the left, as Documentation/input/ff.rst has it.
+// Direction of a level's force: positive to the left, as Documentation/input/ff.rst has it.
 constexpr std::uint16_t kLeft = 0x4000;
 constexpr std::int32_t kFullGain = 0xFFFF;
-// Of the rate of the endpoint: at all of it, a queue of the kernel stays full, and is a delay.
+// Share of the endpoint's rate that is used: at all of it, a queue of the kernel stays full, and is
+// a delay.
 constexpr double kShareOfEndpoint = 0.9;
-// Of an axis whose wheel has told nothing since it was opened.
+// Value of an axis whose wheel has told nothing since it was opened.
 constexpr std::int32_t kUntold = std::numeric_limits<std::int32_t>::min();
-// Of a wheel of which neither endpoint nor model is known: the slowest one known.
+// Rate of a wheel of which neither endpoint nor model is known: the slowest one known.
 constexpr double kUnknownRateHz = 125.0;
 
 struct ModelRate {
@@ -93,7 +94,7 @@ class EventWheel final : public WheelNode {
     if (Failure failed = node_.grab()) return failed;
     if (Failure failed = node_.use_monotonic_clock()) return failed;
     if (Failure failed = node_.upload(effect_)) return failed;
-    // After the force was made, because making the first one may reset the wheel.
+    // The gain comes after the force was made, because making the first one may reset the wheel.
     if (!set_gain(false)) return device_error("it does not take a gain");
     if (has_autocentre_) {
       if (Failure failed = node_.write(EV_FF, FF_AUTOCENTER, 0)) return failed;
@@ -145,7 +146,7 @@ class EventWheel final : public WheelNode {
   bool has_gain_;
   bool has_autocentre_;
   ff_effect effect_{};
-  std::optional<input_absinfo> fuzzy_;  // as it was
+  std::optional<input_absinfo> fuzzy_;  // as it was before sharpen()
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace hapticwall::device::evdev {
 
 // The device ends a force by itself after this time; the writer plays it again every kReplayNs.
 inline constexpr std::uint16_t kEffectMs = 100;
-// Of an effect's level, for the full force of the wheel.
+// Level of an effect for the full force of the wheel.
 inline constexpr std::int16_t kFullLevel = 32767;
 
 // A node with a steering axis (ABS_X) and a constant force.
@@ -25,7 +25,7 @@ struct WheelListing {
   std::string name;
   std::uint16_t vendor_id = 0;
   std::uint16_t product_id = 0;
-  double max_rate_hz = 0.0;  // of updates; of the endpoint or the model; never 0
+  double max_rate_hz = 0.0;  // max rate of updates, of the endpoint or the model; never 0
   bool rate_is_known = false;
   std::string refusal;  // why this program does not use it; empty: it does
 };
@@ -45,8 +45,8 @@ struct WheelAxis {
 struct WheelNews {
   bool gone = false;
   std::uint64_t events = 0;
-  std::int64_t latch_ns = 0;  // of the newest one, by the monotonic clock; 0 without one
-  // Of the axis now; empty until the wheel has told it.
+  std::int64_t latch_ns = 0;  // of the newest event, by the monotonic clock; 0 without one
+  // Value of the axis now; empty until the wheel has told it.
   std::optional<std::int32_t> value;
 };
 
@@ -67,9 +67,9 @@ class WheelNode {
   // These are one report to the wheel each, and false if it did not take it: it is gone.
   // Positive levels turn the wheel to the left, to smaller values.
   virtual bool set_level(std::int16_t level) = 0;
-  // For kEffectMs from now on; or ends it.
+  // Plays the force for kEffectMs, or ends it.
   virtual bool play(bool starts) = 0;
-  // Of all forces of the wheel, other programs' included: all, or none.
+  // Sets the gain of all forces of the wheel, other programs' included: all, or none.
   virtual bool set_gain(bool full) = 0;
 };
 

@@ -82,7 +82,7 @@ class FrictionLoop {
     return r;
   }
 
-  // Of the hand on a handle at rest, less the actuator's.
+  // Force of the hand on a handle at rest, less the actuator's force.
   [[nodiscard]] double net_at_rest(const Motion& m, double force_n) const {
     return hand_.stiffness_n_per_m * (m.path - m.x) + hand_.damping_n_s_per_m * m.s - force_n;
   }
@@ -140,7 +140,7 @@ class FrictionLoop {
     return time_s;
   }
 
-  // Until the velocity is zero, or to the end of the rest; returns the time.
+  // Slides until the velocity is zero, or to the end of the rest; returns the time.
   double slide(Motion& m, double force_n, double rest_s) const {
     const double a = acceleration(m, force_n);
     const double u = m.v - m.s;

@@ -1,4 +1,4 @@
-// What a tick of the headless loop costs, each row beside the bare loop of the same run
+// Cost of a tick of the headless loop, each row beside the bare loop of the same run
 // (docs/performance.md).
 #include <benchmark/benchmark.h>
 

@@ -81,7 +81,7 @@ void RatioReporter::print_events(const Row& row) const {
               (row.total_ns - without->total_ns) / row.events, row.events, row.ticks);
 }
 
-// Without the set-up, which is that of a matrix for each level of the tick.
+// Prints the ratio without the set-up, which is that of a matrix for each level of the tick.
 void RatioReporter::print_kernel(const Row& row) const {
   const Row* kernel = find(row.name + kKernelSuffix);
   if (kernel == nullptr) return;

@@ -7,10 +7,10 @@
 
 namespace hapticwall::benchmark_rows {
 
-// What a row counts, beside its time.
+// Counters of a row, beside its time.
 inline constexpr const char* kTicksCounter = "ticks";
 inline constexpr const char* kEventsCounter = "events";
-inline constexpr const char* kSimulatedCounter = "simulated_s";  // of rows that take all cores
+inline constexpr const char* kSimulatedCounter = "simulated_s";  // in rows that use all cores
 // Rows that another row is told with: what is paid before the first tick, and the same scene
 // without what the row is about.
 inline constexpr const char* kSetUpSuffix = " (set-up)";
@@ -32,7 +32,7 @@ void add_scene(const std::string& name, const Scene& scene);
 void add_ladder();
 // The friction kernel beside the row `name` of a scene without encoder under `none`.
 void add_friction_kernel(const std::string& name, const Scene& scene);
-// What an event of friction costs.
+// Adds the rows for the cost of a friction event.
 void add_friction_events();
 // Each scene under each algorithm, plug-ins included, and a live tick under each.
 void add_algorithms();

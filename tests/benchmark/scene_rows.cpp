@@ -135,7 +135,7 @@ Scene under(const char* algorithm, Scene scene) {
 
 void add_scene(const std::string& name, const Scene& scene) {
   register_row(name, scene);
-  // The same scene for one tick: what is paid before the loop begins.
+  // A run of one tick gives the cost before the loop begins.
   Scene one_tick = scene;
   one_tick.duration_s = scene.sampling.period_s();
   register_row(name + kSetUpSuffix, one_tick);

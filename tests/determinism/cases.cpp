@@ -19,7 +19,7 @@
 namespace hapticwall::determinism {
 namespace {
 
-using Overrides = std::vector<std::string>;  // of --set
+using Overrides = std::vector<std::string>;  // values of --set
 
 Scene loaded(const std::string& name, const Overrides& overrides) {
   auto scene = file::load_scene(name, overrides);
@@ -78,8 +78,8 @@ void add_every_stepping_integrator(std::vector<Case>& cases) {
   }
 }
 
-// What no built-in scene has: delay, an amplifier's lag, a force's resolution, a damped wall, a
-// rate whose period is no whole number of anything, an algorithm that follows another.
+// Parts that no built-in scene has: delay, an amplifier's lag, a force's resolution, a damped wall,
+// a rate whose period is no whole number of anything, an algorithm that follows another.
 void add_every_part(std::vector<Case>& cases) {
   const std::array<Overrides, 6> parts{{{"device.delay_ticks=2"},
                                         {"device.amplifier_time_constant_s=0.0007"},

@@ -1,4 +1,5 @@
-// What the program computes, each as the arguments with which `hapticwall` writes the same bytes.
+// Results that the program computes, each as the arguments with which `hapticwall` writes the same
+// bytes.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLayoutBytes = 4;  // type, offset, bytes, id
 
-// As a device file may have it.
+// Layout as a device file may have it.
 ReportLayout layout_of(Bytes input) {
   ReportLayout layout;
   const auto type = static_cast<FieldType>(input[0] % kFieldTypes.size());
@@ -22,7 +22,7 @@ ReportLayout layout_of(Bytes input) {
   return layout;
 }
 
-// What is read goes out again as a force, in units that are the same.
+// The position that is read goes out again as a force, in the same units.
 Outcome fuzz_one(Bytes input) {
   if (input.size() < kLayoutBytes) return Outcome::kRefused;
   const ReportLayout layout = layout_of(input);

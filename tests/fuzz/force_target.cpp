@@ -19,7 +19,7 @@ bool fields_make_sense(Bytes bytes) {
          is_force_mn(i16_at(bytes, kForceAt + 2));
 }
 
-// Without enable a command removes the force, whatever else it says.
+// A command without enable removes the force, whatever else it says.
 bool bytes_make_sense(Bytes bytes) {
   return (bytes[kFlagsAt] & kEnable) == 0 || fields_make_sense(bytes);
 }

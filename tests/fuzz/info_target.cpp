@@ -13,7 +13,7 @@ constexpr std::size_t kTickAt = 20;
 constexpr std::size_t kWatchdogAt = 22;
 constexpr Layout kLayout{0x03, true, {3, 0xFC}, 24};
 
-// Of an axis that there is, both are more than 0; of one that there is not, both are 0.
+// Both values of an existing axis are more than 0; both values of a missing axis are 0.
 bool is_axis(bool there, double counts_per_metre, double maximum_force) {
   return there ? counts_per_metre > 0 && maximum_force > 0
                : counts_per_metre == 0 && maximum_force == 0;

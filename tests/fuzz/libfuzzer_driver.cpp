@@ -1,4 +1,4 @@
-// What libFuzzer calls, for the one target that is linked in.
+// Entry point of libFuzzer, for the one target that is linked in.
 #include <cstddef>
 #include <cstdint>
 

@@ -16,7 +16,7 @@ using file::ScannedRows;
 
 const std::string kOrigin = "fuzz.csv";
 
-// In two pieces, cut at `cut`.
+// Scans `text` in two pieces, cut at `cut`.
 Result<ScannedRows> scanned(std::string_view text, std::size_t cut, file::Tolerance tolerance) {
   RecordingScan scan(kOrigin, tolerance);
   for (const std::string_view piece : {text.substr(0, cut), text.substr(cut)}) {
@@ -32,7 +32,7 @@ bool same(const Result<ScannedRows>& a, const Result<ScannedRows>& b) {
          a->end_offset == b->end_offset && a->missing_rows == b->missing_rows;
 }
 
-// What was taken is written as rows that are taken for the same.
+// A row that was taken is written as a row that is read as the same.
 void require_repeatable(std::string_view line, const file::CsvColumns& columns) {
   Tick tick;
   require(!file::parse_csv_row(line, columns, tick), "a row that was taken is taken again");

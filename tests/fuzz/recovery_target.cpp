@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In memory where there is such a place: nothing of it need last.
+// Folder in memory if there is such a place, because its contents need not last.
 class Folder {
  public:
   Folder() {

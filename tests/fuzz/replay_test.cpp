@@ -21,7 +21,7 @@ static std::ostream& operator<<(std::ostream& out, const Target& target) {
 namespace {
 
 struct FirstInput {
-  std::string name;  // of the file; what it begins with says what becomes of it
+  std::string name;  // file name; its beginning gives the outcome
   std::vector<std::uint8_t> bytes;
 };
 

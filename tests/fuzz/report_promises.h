@@ -60,7 +60,7 @@ struct ReportPromises {
   device::hid::ReportBytes (*encode)(const Report&);
   bool (*bytes_make_sense)(Bytes);  // precondition: void_because() says nothing
   bool (*values_make_sense)(const Report&);
-  bool (*has_ignored_values)(Bytes) = nullptr;  // which are not encoded again
+  bool (*has_ignored_values)(Bytes) = nullptr;  // values that are not encoded again
 };
 
 // Throws BrokenPromise.

@@ -14,7 +14,7 @@ namespace {
 using file::LoadedScene;
 using file::Mark;
 
-// As finishing or recovering the same recording would write it.
+// Sidecar as finishing or recovering the same recording would write it.
 std::string written(const LoadedScene& loaded) {
   file::RecordingMetadata metadata;
   metadata.device = "simulator";

@@ -24,7 +24,7 @@ class BrokenPromise : public std::logic_error {
 // Throws BrokenPromise where `promise` does not hold.
 void require(bool holds, std::string_view promise);
 
-// What became of an input. Both are right, as long as every promise was kept.
+// Outcome of an input. Both values are right if every promise was kept.
 enum class Outcome : std::uint8_t { kTaken, kRefused };
 
 struct Target {
@@ -32,10 +32,10 @@ struct Target {
   Outcome (*fuzz_one)(Bytes input);
 };
 
-// All that are linked in.
+// All targets that are linked in.
 [[nodiscard]] std::vector<Target>& targets();
 
-// At namespace scope of a target's file: puts it among the targets.
+// Puts a target among the targets, at namespace scope of the target's file.
 class Registered {
  public:
   explicit Registered(const Target& target) { targets().push_back(target); }

@@ -1,4 +1,4 @@
-// What every text that a person gets to see promises.
+// Promises of every text that a person sees.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
-// What lies between a command and the handle, alone and all together, against a brute force that
-// has it from its definition.
+// Tests the path from a command to the handle, its parts alone and all together, against a brute
+// force that follows the definition.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,7 +41,8 @@ Scene scene_with(const Parts& parts) {
   return scene;
 }
 
-// As rough as a chattering wall's, with ties of the resolution and commands at the limit.
+// Commands as rough as those of a chattering wall, with ties of the resolution and commands at the
+// limit.
 double command_n(int tick) {
   if (tick % 11 == 0) return 3.1;
   if (tick % 7 == 0) return 0.125 * (1 + 2 * (tick % 5));
@@ -54,7 +55,7 @@ TEST_P(ActuatorParts, AreThoseOfTheBruteForce) {
   constexpr int kTicks = 100;
   const bool friction = std::get<3>(GetParam());
   // Without events the brute force is of fourth order and exact to the last digit (a lag of 2.3 ms
-  // needs more steps than the hand); with them of second order (friction_events_test.cpp).
+  // needs more steps than the hand); with events it is of second order (friction_events_test.cpp).
   const bool lag = std::get<1>(GetParam());
   const int substeps = friction || lag ? 1000 : 100;
   const double tolerance_m = friction ? 1e-11 : 1e-15;

@@ -75,7 +75,7 @@ Scene wall_scene() {
   return scene;
 }
 
-// What moves the plant is the command of exactly that many ticks ago, and nothing before the first.
+// The command of exactly that many ticks ago moves the plant, and nothing before the first.
 TEST(OutputDelay, ShiftsTheForceByExactlyItsTicks) {
   for (const int delay : {0, 1, 7, 100, 1000}) {
     for (const bool grip : {false, true}) {

@@ -17,7 +17,7 @@ using testing::BruteForcePlant;
 
 constexpr double kSpeedEdge = 0.0371;  // m/s
 constexpr double kDampingEdge = 13.3;  // N·s/m
-constexpr double kMargin = 0.1;        // of an edge
+constexpr double kMargin = 0.1;        // relative to an edge
 constexpr double kTapSpeed = 0.2;
 constexpr double kTapDamping = 5.0;
 

@@ -51,7 +51,7 @@ inline ReferenceScene paper_controller() {
   return scene;
 }
 
-// As the encoder tells it.
+// Position as the encoder measures it.
 inline double measured_m(const BruteForcePlant& plant) {
   return kPaperCountM * std::rint(static_cast<double>(plant.x) / kPaperCountM);
 }

@@ -14,7 +14,7 @@
 namespace hapticwall {
 namespace {
 
-// What the lamp has said in the course of a run, and the rows themselves.
+// Reports of the lamp in the course of a run, and extremes of the rows themselves.
 struct Told {
   EnergyStory last;
   std::map<EnergyState, int> ticks;

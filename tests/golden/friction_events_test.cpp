@@ -124,7 +124,7 @@ TEST_P(FrictionEvents, AreThoseOfTheBruteForce) {
   EXPECT_EQ(ours.events, coarse.events);
   EXPECT_LE(off_m, kShare * step_m);
   EXPECT_LE(off_j, kShare * step_j);
-  EXPECT_LE(step_m, 1e-10);  // of a swing of a tenth of a millimetre
+  EXPECT_LE(step_m, 1e-10);  // for a swing of a tenth of a millimetre
 }
 
 TEST_P(FrictionEvents, EnergiesBalance) {

@@ -19,7 +19,7 @@ namespace {
 using testing::LoopEigenvalues;
 using testing::Random;
 
-constexpr double kRatio = 1.04;  // of neighbours in the scan
+constexpr double kRatio = 1.04;  // between neighbours in the scan
 
 bool is_stable(const LoopEigenvalues& loop, long double stiffness) {
   return loop.growth(stiffness) < 1.0L;

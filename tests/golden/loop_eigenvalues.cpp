@@ -91,7 +91,8 @@ Matrix closed_loop(const Scene& scene, double delay_s, Real stiffness) {
   const bool grip = scene.x().hand && scene.x().hand->has_grip();
   if (!grip) loop(kY, kY) = loop(kW, kW) = 0;
   if (!scene.x().device.amplifier_time_constant_s) loop(kForce, kForce) = 0;
-  // In ticks and m/T², because the eigenvalues of numbers of very different size lose digits.
+  // The states are in ticks and m/T², because eigenvalues lose digits if the numbers differ much in
+  // size.
   Column unit = Column::Constant(size, period_s * period_s / mass_kg);
   unit(kX) = unit(kY) = unit(plant) = 1;
   unit(kV) = unit(kW) = period_s;

@@ -13,7 +13,7 @@ namespace hapticwall::testing {
 
 class LoopEigenvalues {
  public:
-  // Of the first wall, with its damping. `delay_s` replaces the scene's delay.
+  // Takes the first wall, with its damping. `delay_s` replaces the scene's delay.
   LoopEigenvalues(const Scene& scene, double delay_s);
 
   // The largest |eigenvalue| of a tick; above 1 the loop is unstable.
@@ -30,7 +30,7 @@ class LoopEigenvalues {
   Matrix by_wall_;  // its change by a wall of one unit
 };
 
-// The same numbers with any standard library.
+// Random numbers that are the same with any standard library.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -22,7 +22,7 @@ struct Expected {
   std::optional<double> force_mean_n;
   std::optional<double> force_std_n;
   std::optional<double> stiffness_n_per_m;
-  std::optional<double> energy_cv_j;  // of oscillations only: there they are steady rates
+  std::optional<double> energy_cv_j;  // for oscillations only, where energies are steady rates
   std::optional<double> energy_scv_j;
 };
 

@@ -1,6 +1,6 @@
 #include "tests/offscreen/offscreen.h"
 
-// Not together with epoxy: both declare the same types, differently.
+// EGL cannot be included together with epoxy: both declare the same types, differently.
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -33,7 +33,7 @@ EGLDisplay open_platform(EGLenum platform, void* native) {
   return display;
 }
 
-// For drivers other than Mesa's: the first device that answers.
+// Opens the first device that answers, for drivers other than Mesa's.
 EGLDisplay open_any_device() {
   const auto query_devices =
       reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
@@ -64,7 +64,7 @@ EGLDisplay open_display() {
 
 // Mesa waits forever for a thread that could not be started.
 bool can_start_threads() {
-  constexpr std::size_t kMaxThreads = 32;  // of Mesa
+  constexpr std::size_t kMaxThreads = 32;  // limit of Mesa
   const std::size_t count = std::min<std::size_t>(std::thread::hardware_concurrency(), kMaxThreads);
   std::atomic<bool> end = false;
   std::vector<std::jthread> threads;

@@ -150,9 +150,10 @@ inline void energy_limited_spring_keeps_its_floor(const Trial& trial) {
   });
 }
 
-// Without a limit, a floor and a reset: where the observer is below what is tolerated, the damper
-// is at its cap. The observer is that of Eq. 6; `one_step`: that of Eq. 10 a tick later, if the
-// handle then moves as in the last tick. `wanted_n`: the force that it acts on, row by row.
+// Holds without a limit, a floor and a reset: if the observer is below the tolerated energy, the
+// damper is at its cap. The observer is that of Eq. 6; `one_step`: that of Eq. 10 a tick later, if
+// the handle then moves as in the last tick. `wanted_n`: the force that the controller acts on, row
+// by row.
 inline void passivity_control_acts_or_is_capped(const Trial& trial, double cap, bool credit,
                                                 bool one_step,
                                                 const std::vector<double>& wanted_n) {

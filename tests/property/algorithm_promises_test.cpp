@@ -109,7 +109,7 @@ RC_GTEST_PROP(EnergyLimitedSpringPromise, TwoWallsInOnePlaceAreOneOfBoth, ()) {
   for (std::size_t k = 0; k < kPromiseTicks; ++k) RC_ASSERT(one[k].force_n == two[k].force_n);
 }
 
-// What energy-bounding asked for in each row: it has no state but the last force.
+// Force that energy-bounding asked for in each row: its only state is the last force.
 std::vector<double> wanted_by_energy_bounding(const Trial& trial) {
   std::vector<double> wanted_n;
   ActiveAlgorithm first;
@@ -185,8 +185,8 @@ RC_GTEST_PROP(PassivityControlPromise, ActsAboveItsVelocityFloorOnly, ()) {
   testing::passivity_control_acts_above(attacked(settings), floor);
 }
 
-// With reset, what happens outside the wall is as if it had not happened: every contact gives the
-// forces that it gives alone.
+// With reset, motion outside the wall has no effect: every contact gives the forces that it gives
+// alone.
 RC_GTEST_PROP(PassivityControlPromise, WithResetEveryContactIsTheFirst, ()) {
   ServoSettings settings = random_settings("passivity-control");
   set_parameter(settings.algorithm, "observer", *rc::gen::inRange(0, 3));
@@ -224,7 +224,7 @@ RC_GTEST_PROP(EveryAlgorithm, IsFiniteAndWithinTheLimitForAnyFiniteInput, ()) {
   testing::forces_are_finite_and_within_the_limit(trial);
 }
 
-// The same within ±1 m, where nothing may be given up: no force is ever other than finite.
+// Within ±1 m no algorithm may give up: every force is finite.
 RC_GTEST_PROP(EveryAlgorithm, NeverFailsWithinTheWorkspace, ()) {
   ServoSettings settings = random_settings("none");
   settings.algorithm.index = *rc::gen::inRange<std::size_t>(0, algorithms().size());

@@ -59,7 +59,7 @@ RC_GTEST_PROP(Composition, BehindNoneItIsPassivityControlToTheLastBit, ()) {
   expect_same_motion(rows_of(scene), rows_of(control));
 }
 
-// What the follower adds is a damper of at most its cap.
+// The follower adds a damper of at most its cap.
 RC_GTEST_PROP(Composition, WithACapOfNothingItIsTheAlgorithmItself, ()) {
   Scene scene = random_scene(any_algorithm());
   randomise_follower(scene.algorithm);
@@ -71,15 +71,15 @@ RC_GTEST_PROP(Composition, WithACapOfNothingItIsTheAlgorithmItself, ()) {
   expect_same_motion(rows_of(scene), alone);
 }
 
-// Without cap, floor, credit and limit no control law is active any more: Eq. 6 never below zero,
-// whatever the algorithm before and whoever moves the handle.
+// Without cap, floor, credit and limit no control law is active any more: Eq. 6 is never below
+// zero, for any algorithm before and any motion of the handle.
 RC_GTEST_PROP(Composition, MakesEveryControlLawPassive, ()) {
   Scene scene = random_scene(any_algorithm());
   ServoSettings settings = servo_settings(scene);
   settings.force_limit_n = std::numeric_limits<double>::max();
   set_parameter(settings.algorithm, "then", 1.0);
   set_parameter(settings.algorithm, "max_damping_n_s_per_m", 1e6);
-  settings.encoder_m = 5e-4;  // so that what is missing is never asked of a vanishing move
+  settings.encoder_m = 5e-4;  // no tiny move has to supply the missing energy
   double turnover_j = 0.0;
   double last_m = 0.0;
   const auto rows = testing::attack(settings, *rc::gen::arbitrary<std::uint64_t>(), 2000);

@@ -58,7 +58,7 @@ device::ImpulseEngineOptions rising_at(double force_rate_n_per_s) {
   return options;
 }
 
-// What holds at every tick.
+// Promises that hold at every tick.
 class Promises {
  public:
   Promises(LieRig& rig, double force_rate_n_per_s)
@@ -83,7 +83,7 @@ class Promises {
 
  private:
   static constexpr double kLimitN = device::hid::testing::kLimitN;
-  static constexpr double kRoundingN = 1e-3;  // of a report
+  static constexpr double kRoundingN = 1e-3;  // rounding of a report
 
   void check_disarming(ArmingNote why) {
     ++disarmings_;
@@ -110,12 +110,12 @@ class Promises {
   }
 
   LieRig& rig_;
-  double max_rise_n_;  // of a tick
+  double max_rise_n_;  // per tick
   ArmingStatus before_;
   bool off_ = true;
   double max_gain_ = 0.0;
   double commanded_n_ = 0.0;
-  std::array<double, kMaxGoneUs / 1000> recent_n_{};  // as commanded: a late one still acts
+  std::array<double, kMaxGoneUs / 1000> recent_n_{};  // commanded forces: a late one still acts
   std::uint64_t off_since_us_ = 0;
   int disarmings_ = 0;
 };

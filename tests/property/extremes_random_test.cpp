@@ -45,7 +45,7 @@ TEST(ExtremeScenes, AreSoundUnderTheExactIntegrator) {
       "it, of which %d keep less than 1e-9, at worst %.2g; %d refused\n",
       static_cast<int>(kScenes), worst_within, beyond_domain, beyond_promise, worst, refused);
   EXPECT_LE(refused, static_cast<int>(kScenes) / 100);
-  // Even beyond the domain digits are hardly ever lost.
+  // Digits are hardly ever lost, even beyond the domain.
   EXPECT_LE(beyond_promise, beyond_domain / 100);
   EXPECT_LE(worst, 1e-3);
 }

@@ -34,11 +34,11 @@ inline constexpr double kPromisedBalance = 1e-9;
 // Below this an energy has no digits left: it is a product of numbers near the smallest.
 inline constexpr double kMinEnergyJ = 1e-300;
 
-// What the balance may be off, relative to the turnover. 1e-9, but where a damper stops its mass in
-// a small fraction 1/S of a tick. What then flows in that fraction is told by sums over the whole
-// tick that cancel: one body's balance keeps eps S, and that of a gripped handle, whose two bodies'
-// states cancel each other in a quadratic form, eps S². So 1e-9 is promised up to S = 4.5e6 for one
-// body and 2.1e3 for a grip; the paper's device has S = 0.02.
+// Max error of the balance, relative to the turnover: 1e-9, except if a damper stops its mass in a
+// small fraction 1/S of a tick. The energy that flows in that fraction is the difference of sums
+// over the whole tick: one body's balance keeps eps S, and that of a gripped handle, whose two
+// bodies' states cancel each other in a quadratic form, eps S². So 1e-9 is promised up to S = 4.5e6
+// for one body and 2.1e3 for a grip; the paper's device has S = 0.02.
 inline double promised_balance(const Scene& scene) {
   const double s = fastest_decay_per_s(scene) * scene.sampling.period_s();
   const bool grip = scene.x().hand && scene.x().hand->has_grip();

@@ -42,9 +42,9 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-// What takes real time in the exact integrator: a swing that friction stops at each turn, a grip
-// that swings or creeps under friction, and the parts of a tick where a grip swings through it. A
-// scene may have this many radians (or time constants) in all.
+// Limits on motion that takes real time in the exact integrator: a swing that friction stops at
+// each turn, a grip that swings or creeps under friction, and the parts of a tick where a grip
+// swings through it. A scene may have this many radians (or time constants) in all.
 inline constexpr double kMaxSwingsWithFriction = 2e4;
 inline constexpr double kMaxSwingsWithGrip = 2e7;
 inline constexpr double kMaxTicks = 300.0;
@@ -143,7 +143,7 @@ inline void draw_algorithm(Draw& draw, AlgorithmSettings& algorithm) {
   if (!stiffness) stiffness = draw.zero_or(1e-3, 1e9);
 }
 
-// What the hold can carry, once device and rate are known.
+// Limits the storage stiffness to the max that the hold can carry, once device and rate are known.
 inline void bound_storage(Scene& scene) {
   const auto index = *find_algorithm_parameter("storage_stiffness_n_per_m");
   auto& storage = scene.algorithm.values.at(index);
@@ -175,12 +175,12 @@ inline double fastest_decay_per_s(const Scene& scene) {
                   (hand.damping_n_s_per_m + grip) / *hand.mass_kg);
 }
 
-// Where friction or a grip makes motion cost time, the tick or the run is made short enough.
+// If friction or a grip makes motion cost time, the tick or the run is made short enough.
 inline void bound_cost(Scene& scene, double ticks) {
   const bool friction = scene.x().device.friction_n.value_or(0.0) > 0.0;
   const bool grip = scene.x().hand && scene.x().hand->has_grip();
   double rate_per_s = 0.0;
-  double most = 0.0;  // of the rate times the duration
+  double most = 0.0;  // max of the rate times the duration
   if (friction) {
     rate_per_s = fastest_swing_per_s(scene);
     most = kMaxSwingsWithFriction;

@@ -17,7 +17,7 @@ T any() {
   return *rc::gen::arbitrary<T>();
 }
 
-// Of a step of the report, so that nothing is lost on the way.
+// Force in steps of the report, so that nothing is lost on the way.
 double any_millinewtons() { return *rc::gen::inRange(-32767, 32768) / 1e3; }
 
 // Every pattern of bits that a double can have: denormals, infinities and NaN among them.

@@ -21,7 +21,7 @@ struct HonestSettings {
   double noise_counts = 1.0;
   double clock_rate = 1.0;
   double missing_reports = 0.0;      // share
-  std::uint32_t max_late_ticks = 2;  // of a command, more than one
+  std::uint32_t max_late_ticks = 2;  // of a command, on top of one tick
   std::uint32_t seed = 1;
 };
 
@@ -78,7 +78,7 @@ class HonestDevice : public device::Device {
   struct Command {
     std::uint64_t due = 0;
     double force_n = 0.0;
-    std::uint64_t latch = 0;  // of its position
+    std::uint64_t latch = 0;  // tick of its position
   };
 
   [[nodiscard]] double share() { return static_cast<double>(random_()) / 0x1p32; }
@@ -107,7 +107,7 @@ class HonestDevice : public device::Device {
   double force_n_ = 0.0;
   bool enabled_ = false;
   std::uint64_t tick_ = 0;
-  std::uint64_t latch_ = 0;  // of the newest report
+  std::uint64_t latch_ = 0;  // tick of the newest report
   double time_s_ = 0.0;
   double position_m_ = 0.0;
 };

@@ -1,4 +1,4 @@
-// What must hold in every scene, at every row.
+// Promises that hold in every scene, at every row.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

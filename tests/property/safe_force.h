@@ -28,10 +28,9 @@ using session::CommandKind;
 
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kEndless = std::numeric_limits<double>::infinity();
-inline constexpr double kBlendRounding =
-    1e-6;  // of a blend: the forces in it may be 1e8 times its end
+inline constexpr double kBlendRounding = 1e-6;  // for a blend: its forces may be 1e8 times its end
 
-// What somebody does to a scene while it runs. Valid or not: the owner's side refuses what is not.
+// Random change of a scene while it runs. Valid or not: the owner's side refuses an invalid one.
 inline Scene changed_somehow(Draw& draw, Scene scene) {
   constexpr double kWallM = 0.05;
   if (draw.chance(0.4)) scene.algorithm.index = draw.index(algorithms().size());
@@ -130,7 +129,7 @@ class Life {
   }
 
   void judge_tick(const Sample& sample, const session::Snapshot& now) {
-    const double gain = before_.arming.gain;  // of this tick at most
+    const double gain = before_.arming.gain;  // max gain of this tick
     const ServoSettings& settings = settings_.at(sample.generation);
     const std::vector<double>& heard_n = device_.commands.of_cycle_n;
     promise(!heard_n.empty() && heard_n.front() == sample.force_n, "the sample tells the command");
@@ -185,7 +184,7 @@ class Life {
     clock.advance_ns(static_cast<std::int64_t>(late_s * session::kNanosecondsPerSecond));
   }
 
-  // As a session's owner does it.
+  // Publishes a scene as a session's owner does.
   void publish(const Scene& wanted) {
     if (validate(wanted)) return;
     scene_ = wanted;

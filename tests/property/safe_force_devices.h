@@ -14,7 +14,7 @@ namespace hapticwall::testing {
 
 using device::DeviceInfo;
 
-// What all lives together have seen, so that a test can tell that it has tested something.
+// Counts of all lives together, so that a test can tell that it has tested something.
 struct LifeTotals {
   std::uint64_t lives = 0;
   std::uint64_t cycles = 0;

@@ -49,13 +49,13 @@ Memory memory() {
           static_cast<double>(mallinfo2().uordblks) / kBytesInMb};
 }
 
-// As it is when a session has just been reset, and keeps nothing of what was. Sometimes a recording
-// has just ended, and a thread gives its buffers back a moment later: the least of some resets
-// tells.
+// Memory of a session that has just been reset, and keeps nothing of the time before. Sometimes a
+// recording has just ended, and a thread frees its buffers a moment later: the minimum over some
+// resets counts.
 class MemoryAtRest {
  public:
   void take() { taken_.push_back(memory()); }
-  // Of the first half of the resets, and of the second.
+  // Minimum over the first half of the resets, and over the second.
   [[nodiscard]] Memory first() const { return least(0, taken_.size() / 2); }
   [[nodiscard]] Memory second() const { return least(taken_.size() / 2, taken_.size()); }
   [[nodiscard]] double growth_mb() const { return second().allocated_mb - first().allocated_mb; }

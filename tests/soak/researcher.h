@@ -31,8 +31,8 @@ class Researcher {
   // `csv_path` is of one recording at a time, and gone after it.
   Researcher(session::LiveSession& session, std::string csv_path, std::uint64_t seed);
 
-  // What somebody does who looks sixty times a second. `on_reset` is called when the session is
-  // back at tick 0 and nothing is left of what was before.
+  // One turn of a person who looks sixty times a second. `on_reset` is called when the session is
+  // back at tick 0 and nothing is left of the time before.
   void turn(const std::function<void()>& on_reset);
   // A recording that runs is finished.
   void leave();

@@ -27,7 +27,7 @@ class WatchedClock : public session::Clock {
   virtual void pass(std::int64_t duration_ns) = 0;
 
  protected:
-  // By the loop's thread, for every deadline that it waits for.
+  // Called by the loop's thread, for every deadline that it waits for.
   void watch(std::int64_t deadline_ns);
 
  private:
@@ -68,7 +68,7 @@ class VirtualClock final : public WatchedClock {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::int64_t granted_ns_ = 0;
-  std::int64_t wanted_ns_ = 0;  // what the loop waits for
+  std::int64_t wanted_ns_ = 0;  // deadline that the loop waits for
 };
 
 }  // namespace hapticwall::soak

@@ -68,7 +68,7 @@ Reply HidrawNode::read(std::size_t room) {
   return as_much_as_fits(std::move(report), room);
 }
 
-// Where the endpoint takes nothing the kernel waits for five seconds and then says ETIMEDOUT; a
+// If the endpoint takes nothing, the kernel waits for five seconds and then returns ETIMEDOUT; a
 // test does not wait.
 Reply HidrawNode::write(std::span<const std::uint8_t> bytes) {
   const std::lock_guard lock(mutex_);

@@ -19,7 +19,7 @@
 
 namespace hapticwall::device::hid::testing {
 
-// What a system call gives: a number and its bytes, or an errno.
+// Result of a system call: a number and its bytes, or an errno.
 struct Reply {
   long result = 0;
   int error = 0;
@@ -28,7 +28,8 @@ struct Reply {
 
 class HidrawNode {
  public:
-  // What the kernel keeps for an open node. When it is full the newest report is lost.
+  // Reports that the kernel keeps for an open node. If the queue is full, the newest report is
+  // lost.
   static constexpr std::size_t kKernelQueue = 63;
 
   // Makes `file`.

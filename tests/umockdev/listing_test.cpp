@@ -1,4 +1,4 @@
-// What the real libhidapi makes of /sys, through the program's port.
+// Tests how the real libhidapi reads /sys, through the program's port.
 #include <array>
 #include <clocale>
 #include <string>

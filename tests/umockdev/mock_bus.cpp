@@ -50,7 +50,7 @@ Reply descriptor_itself(const std::vector<std::uint8_t>& descriptor) {
   return reply;
 }
 
-// What an open node is asked, on umockdev's thread.
+// Answers to the requests of an open node, on umockdev's thread.
 struct Answers {
   HidrawNode& node;
   std::vector<std::uint8_t> descriptor;
@@ -132,7 +132,7 @@ MockBus::MockBus() : testbed_(umockdev_testbed_new()) {
   root_ = root;
   g_free(root);
   std::filesystem::create_directory(root_ / "dev");
-  // As in a real /dev and /sys, everybody may look.
+  // Everybody may look, as in a real /dev and /sys.
   std::filesystem::permissions(root_, std::filesystem::perms(0755));
 }
 

@@ -15,7 +15,7 @@
 
 namespace hapticwall::device::hid::testing {
 
-// What /sys says of a device.
+// Identity of a device in /sys.
 struct MockIdentity {
   std::uint16_t vendor_id = kTestVendorId;
   std::uint16_t product_id = kTestProductId;
@@ -23,7 +23,7 @@ struct MockIdentity {
   std::string product = "Paddle";
   std::string serial = "A-1";
   std::vector<std::uint8_t> descriptor{kReportDescriptor.begin(), kReportDescriptor.end()};
-  // Of the device's uevent: as the kernel writes them where they are empty.
+  // Lines of the device's uevent: if empty, as the kernel writes them.
   std::string hid_id;
   std::string left_out;  // one of HID_ID, HID_NAME, HID_UNIQ
   bool has_descriptor_file = true;
@@ -40,7 +40,7 @@ class MockDevice {
  private:
   friend class MockBus;
   std::string path_;
-  std::filesystem::path file_;        // where the node really is
+  std::filesystem::path file_;        // real path of the node
   std::vector<std::string> folders_;  // in /sys, outermost first
   std::vector<std::uint8_t> descriptor_;
   std::unique_ptr<HidrawNode> node_;

@@ -13,7 +13,7 @@
 namespace hapticwall::device::hid::testing {
 namespace {
 
-// For what comes: far longer than it takes. Nothing waits for it to pass.
+// Timeout for reports that come: far longer than they take. Nothing waits for it to pass.
 constexpr int kLongMs = 20'000;
 constexpr std::uint64_t kForeverUs = 1'000'000'000;
 
@@ -165,7 +165,7 @@ TEST_F(HidrawTalk, AnEmptyPacketIsNoFailure) {
   EXPECT_EQ(next_state().sequence, 2);
 }
 
-// As the kernel does: who reads one report a turn reads the past.
+// The kernel does the same: a reader of one report a turn reads the past.
 TEST_F(HidrawTalk, WhatNobodyReadsIsKeptFromTheOldestOn) {
   start();
   ticks(200);
@@ -220,7 +220,7 @@ TEST_F(HidrawTalk, TwoHandlesOfADeviceServeTwoThreads) {
     int failed = 0;
     for (std::uint16_t i = 1; i <= kCommands; ++i) {
       ForceReport force;
-      force.sequence = i;  // without enable it is taken, whatever state it echoes
+      force.sequence = i;  // without enable it is taken with any echo
       if (!writing->write(encode_force(force))) ++failed;
     }
     return failed;

@@ -1,4 +1,4 @@
-// Which nodes of a mocked machine are wheels, and what they take.
+// Tests which nodes of a mocked machine are wheels, and what they take.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <umockdev.h>
@@ -11,7 +11,7 @@
 namespace hapticwall::device::evdev::testing {
 namespace {
 
-constexpr const char* kConstantForce = "100040000 0";  // and a gain
+constexpr const char* kConstantForce = "100040000 0";  // constant force and a gain
 constexpr const char* kRumbleOnly = "107030000 0";
 constexpr const char* kInterface = "/devices/usb1/1-1/1-1:1.0";
 

@@ -1,6 +1,6 @@
-// What the emulated wheel tells of itself: a full-speed USB device with one HID interface, a
-// steering axis and the PID effects "constant force" and "spring" (USB PID 1.0). Report ids are
-// those of an OpenFFBoard.
+// Descriptors of the emulated wheel: a full-speed USB device with one HID interface, a steering
+// axis and the PID effects "constant force" and "spring" (USB PID 1.0). Report ids are those of an
+// OpenFFBoard.
 #pragma once
 
 #include <array>
@@ -94,7 +94,7 @@ inline std::array<std::uint8_t, 41> configuration(std::uint8_t interval_ms) {
           9,      4,      0,      0,      2,      3,      0,           0,      0,   // HID
           hid[0], hid[1], hid[2], hid[3], hid[4], hid[5], hid[6],      hid[7], hid[8],  //
           7,      5,      0x81,   3,      64,     0,      interval_ms,   // interrupt in
-          7,      5,      0x01,   3,      64,     0,      interval_ms};  // and out
+          7,      5,      0x01,   3,      64,     0,      interval_ms};  // interrupt out
 }
 
 }  // namespace hapticwall::wheel

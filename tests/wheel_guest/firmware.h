@@ -13,7 +13,7 @@
 namespace hapticwall::wheel {
 
 struct Settings {
-  double full_force_n = 20.0;  // at the rim, of level 32767
+  double full_force_n = 20.0;  // at the rim, for level 32767
   double travel_m = 2.0420;    // of the rim from stop to stop: 900 degrees at 0.13 m
   double report_hz = 1000.0;   // of positions; only changes are sent
   bool autocentres = false;    // a spring of its own, until FF_AUTOCENTER 0
@@ -36,7 +36,7 @@ class Firmware {
   [[nodiscard]] std::optional<std::array<std::uint8_t, 3>> news();
 
   [[nodiscard]] double position_m() const { return position_m_; }
-  // Of the motor, positive to smaller positions.
+  // Force of the motor, positive to smaller positions.
   [[nodiscard]] double force_n() const { return force_n_; }
   [[nodiscard]] std::int16_t level() const { return ours_.level; }
   [[nodiscard]] unsigned taken() const { return taken_; }

@@ -17,9 +17,9 @@ struct Transfer {
   std::uint32_t number = 0;
   bool in = false;
   std::uint32_t endpoint = 0;
-  std::uint32_t length = 0;  // of IN: at most
+  std::uint32_t length = 0;  // max length of IN
   std::array<std::uint8_t, 8> setup{};
-  std::vector<std::uint8_t> bytes;  // of OUT
+  std::vector<std::uint8_t> bytes;  // data of OUT
 };
 
 class UsbBus {

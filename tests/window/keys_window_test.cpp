@@ -106,7 +106,7 @@ void step_back(Person& person, const Act& press) {
   EXPECT_LT(tick(person), before);
 }
 
-// Of the simulator, from 1/2 to 1/`after`, and of a recording.
+// Changes the speed of the simulator, from 1/2 to 1/`after`, and of a recording.
 void change_speed(Person& person, const Act& press, std::uint32_t after, double way) {
   const auto periods = [&] { return person.session().snapshot().periods_per_tick; };
   person.live().slow_down(2);

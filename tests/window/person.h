@@ -45,7 +45,7 @@ class Person {
   [[nodiscard]] session::RecordingStatus recording() const;
   [[nodiscard]] ui::Message message() const { return state().transient.toasts.newest(); }
   [[nodiscard]] static bool sees(const std::string& item);
-  // Whether a tooltip appears while the pointer rests on it.
+  // True if a tooltip appears while the pointer rests on the item.
   [[nodiscard]] bool has_tooltip(const std::string& item);
   [[nodiscard]] static std::vector<std::string> items_called(std::string_view beginning);
   [[nodiscard]] std::string clipboard() const;
@@ -67,7 +67,7 @@ class Person {
   void turn_wheel(const std::string& item, float notches);
   // Replaces the text of a field, and confirms.
   void type(const std::string& item, const std::string& text);
-  // On a slider, this moves the keyboard to the field beside it.
+  // On a slider, Ctrl+click moves the keyboard to the field beside it.
   void ctrl_click(const std::string& item);
   // Opens the list `item`, and chooses its entry `word`.
   void choose(const std::string& item, const std::string& word);

@@ -60,9 +60,9 @@ void unfold(Person& person, const std::string& section, const std::string& somet
 [[nodiscard]] Table recording_rows();
 [[nodiscard]] Table corner_rows();
 
-// Of a real device.
+// Rows of a real device.
 [[nodiscard]] Table link_rows();
-// Of a list with two trials and a break between them.
+// Rows of a list with two trials and a break between them.
 [[nodiscard]] Table experiment_rows();
 
 }  // namespace hapticwall::test

@@ -112,7 +112,7 @@ void open_and_close_windows(Person& person) {
   show(person, before);
 }
 
-// What has no room in the row of the session.
+// Opens the controls that have no room in the row of the session.
 void open_more(Person& person) {
   if (!person.sees("repeat scene")) person.click("more of session");
   person.wait_a_frame();

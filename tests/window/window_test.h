@@ -63,7 +63,7 @@ class WindowTest : public ::testing::TestWithParam<Screen> {
 
 }  // namespace hapticwall::test
 
-// Both kinds of screen for a class of tests.
+// Runs a class of tests on both kinds of screen.
 #define HAPTICWALL_ON_BOTH_SCREENS(suite)                                                         \
   INSTANTIATE_TEST_SUITE_P(                                                                       \
       Screens, suite,                                                                             \

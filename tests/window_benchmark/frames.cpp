@@ -24,7 +24,7 @@ namespace {
 constexpr const char* kScene = "tap";  // without an algorithm: its signals never come to rest
 constexpr double kRateHz = 1000.0;
 constexpr int kTicksAFrame = 17;        // the session goes on, as at 60 pictures a second
-constexpr int kTicksAtATime = 100'000;  // what the window takes in one go
+constexpr int kTicksAtATime = 100'000;  // ticks that the window takes at once
 constexpr int kRounds = 20;
 constexpr int kFramesAVisit = 2;  // after one that is not counted
 constexpr int kMinuteTicks = 60'000;
@@ -45,7 +45,7 @@ struct Window {
   test::FakeSession* session = nullptr;
 };
 
-// What is measured: so much of a window's history in sight, or an empty window.
+// Measured case: so much of a window's history in sight, or an empty window.
 struct Row {
   std::string name;
   int ticks = 0;

@@ -136,7 +136,7 @@ std::uint64_t gaps(double first_tick, double last_tick, std::uint64_t count) {
   return static_cast<std::uint64_t>(last_tick - first_tick) + 1 - count;
 }
 
-// What was lost on the way to the plots and to the disk; 0 where everything arrived.
+// Samples lost on the way to the plots and to the disk; 0 if everything arrived.
 Result<std::uint64_t> print_losses(ui::Application& application, const std::string& csv) {
   session::LiveSession& session = *application.live();
   session.pause(true);
@@ -204,7 +204,7 @@ void draw_throughout(ui::Application& application, Stage& stage, double seconds)
               static_cast<double>(with.frames) / with.seconds);
 }
 
-// What is done while a recording runs; how much of it was lost.
+// Runs `measure` during a recording; returns how much of the recording was lost.
 Result<std::uint64_t> run(Stage& stage, const Scene& scene,
                           const std::function<void(ui::Application&)>& measure) {
   const session::test::TemporaryFolder folder;

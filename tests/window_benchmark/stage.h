@@ -15,7 +15,7 @@ namespace hapticwall::window_benchmark {
 
 struct FrameCost {
   double wall_s = 0.0;
-  double processor_s = 0.0;  // of all threads together: what else the machine does is not in it
+  double processor_s = 0.0;  // of all threads together, without other programs
 };
 
 class Stage {

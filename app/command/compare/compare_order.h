@@ -14,8 +14,8 @@ namespace hapticwall::command {
 inline constexpr const char* kUnsorted = "none";
 
 struct RowOrder {
-  std::string key;          // of the summary, or kUnsorted; empty: the default order
-  bool descending = false;  // of a key
+  std::string key;          // key of the summary, or kUnsorted; empty: the default order
+  bool descending = false;  // true: the largest value of the key comes first
 };
 
 // "", "none", "KEY" or "-KEY"; any other word is a usage error.

@@ -15,7 +15,7 @@ namespace hapticwall::command {
 struct ListedDevice {
   device::hid::Listing listing;
   device::hid::Obstacle obstacle = device::hid::Obstacle::kNone;
-  std::optional<device::hid::DeviceDescription> description;  // of a usable device
+  std::optional<device::hid::DeviceDescription> description;  // nullopt: the device is not usable
   std::string problem;                                        // why it is not usable, in one line
 };
 
@@ -30,7 +30,7 @@ struct DeviceList {
 // off. Realtime-safe: no.
 [[nodiscard]] Result<DeviceList> look_at_devices(device::hid::Port& port);
 
-// For people; includes the udev rule if permission is denied. Realtime-safe: no.
+// The list as text for people; includes the udev rule if permission is denied. Realtime-safe: no.
 [[nodiscard]] std::string device_list_text(const DeviceList& list);
 
 // An array of objects, with a line end. Realtime-safe: no.

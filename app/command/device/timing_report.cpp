@@ -38,7 +38,8 @@ double share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-// Of a wall without algorithm, for each N s/m of the device's damping: 1 / (T/2 + t_d).
+// Stiffness limit of a wall without algorithm, N/m for each N s/m of the device's damping: 1 / (T/2
+// + t_d).
 double stiffness_left(const TimingPlan& plan, double delay_s) {
   return 1.0 / (0.5 / plan.rate_hz + delay_s);
 }

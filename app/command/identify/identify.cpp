@@ -28,7 +28,7 @@ constexpr std::chrono::seconds kTimeToLetGo{3};
 struct IdentifyRun {
   const Scene& scene;                        // one axis without hand and walls
   session::IdentifyExperiment& experiment;   // its rate, limit and encoder are those of the scene
-  std::unique_ptr<device::Device> device{};  // as in RealtimeRun
+  std::unique_ptr<device::Device> device{};  // not open yet; nullptr: the simulator
   bool allow_no_realtime = false;
   bool allow_slow_device = false;
   bool show_progress = false;
@@ -93,7 +93,7 @@ struct IdentifyOptions {
   session::IdentifyChoice choice;
 };
 
-// What the device says of itself before the experiment.
+// The device's own information before the experiment.
 Result<device::DeviceInfo> info_of(const DeviceChoice& choice, const Scene& scene) {
   if (!choice.hardware) return session::info_on({"simulator", true}, scene);
   const std::unique_ptr<device::Device> device = make_device(*choice.hardware, scene);

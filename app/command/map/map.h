@@ -16,7 +16,7 @@ struct MapOptions {
   SceneOptions scene;
   OutputOptions output;
   std::vector<std::string> algorithms;  // empty: all
-  // As written; empty: not given.
+  // Texts as the user wrote them; empty: not given.
   std::string x;
   std::string y;
   std::string boundary;

@@ -40,7 +40,7 @@ struct RecordedRerun {
   bool talks = true;                // shows progress and notes
 };
 
-// After a stop signal, the CSV holds the ticks so far.
+// Re-runs the recording. After a stop signal, the CSV holds the ticks so far.
 Result<session::RerunOutcome> rerun_recorded(const RecordedRerun& rerun, RunOutputs& outputs) {
   std::unique_ptr<file::RecordingWriter> writer;
   if (!rerun.csv.empty()) {
@@ -85,7 +85,7 @@ std::string comparison_line(const session::RerunOutcome& outcome, double rate_hz
 struct ReplayCommand {
   std::string recording;
   std::string algorithm;
-  std::vector<std::string> settings;  // of --set
+  std::vector<std::string> settings;  // the KEY=VALUE texts of --set
   std::optional<double> speed;
   OutputOptions output;
 
@@ -130,8 +130,8 @@ void tell_notes(const ReplayCommand& command, const file::RecordingInfo& info) {
 
 struct Outcome {
   RunSummary summary;
-  double end_s = 0.0;      // of the session's time
-  std::string comparison;  // of a re-run: one more line
+  double end_s = 0.0;      // in the session's time
+  std::string comparison;  // an extra line after a re-run; else empty
   bool stopped_early = false;
 };
 
@@ -200,7 +200,7 @@ file::CsvColumns columns_of(const ReplayCommand& command, const file::RecordingI
   return columns;
 }
 
-// With --json, --plot, ... and without a window.
+// Replays without a window, for --json, --plot, ...
 Result<int> run_headless(const ReplayCommand& command) {
   const auto expectations = parse_expectations(command.output.expectations);
   if (!expectations) return expectations.error();

@@ -15,7 +15,7 @@ namespace hapticwall::command {
 
 class AxesMetrics {
  public:
-  // As Metrics.
+  // Parameters as in Metrics.
   AxesMetrics(const Scene& scene, std::uint64_t planned_ticks, bool has_truth) {
     for (std::size_t axis = 0; axis < scene.axes.size(); ++axis) {
       axes_.emplace_back(axis_scene(scene, axis), planned_ticks, has_truth);

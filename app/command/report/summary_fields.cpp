@@ -63,7 +63,7 @@ std::vector<SummaryField> all_summary_fields(std::size_t axes) {
   RunSummary session(axes);
   session.front().missed_ticks = 0;
   for (Summary& axis : session) {
-    axis.tail_peak_to_peak_m = 0.0;  // so that it has a verdict
+    axis.tail_peak_to_peak_m = 0.0;  // gives the axis a verdict
     axis.verdict_note = axis.disarm_reason = "";
   }
   return summary_fields(session);

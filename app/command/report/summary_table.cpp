@@ -40,12 +40,12 @@ std::string heading(const Summary& summary) {
                      file::verdict_text(summary));
 }
 
-// Which value is the best of its column; most columns have no best one.
+// The best value of a column; the other columns have none.
 enum class Best : std::uint8_t {
   kNone,
-  kSmallest,         // of the runs that did not diverge
-  kLargest,          // of the same
-  kSmallestSettled,  // of the runs that settled: a wall that shakes is never the best
+  kSmallest,         // among the runs that did not diverge
+  kLargest,          // among the runs that did not diverge
+  kSmallestSettled,  // among the runs that settled: a wall that shakes is never the best
   kLargestSettled,
 };
 
@@ -134,7 +134,7 @@ std::string axis_lines(const Summary& s) {
 struct Row {
   Summary summary;   // of one axis
   std::size_t axis;  // rows of one axis are compared with each other
-  bool diverged;     // on any axis: all metrics of the run are those of a shorter run
+  bool diverged;     // true if any axis diverged: all metrics are those of a shorter run
 };
 
 std::vector<Row> comparison_rows(const std::vector<RunSummary>& runs) {
@@ -206,7 +206,7 @@ bool hand_moves_in_tail(const Scene& scene, const RunSummary& run, double end_s)
 
 std::string summary_lines(const RunSummary& run, const Circumstances& circumstances) {
   const Summary& s = run.front();
-  // On a device nothing is.
+  // A run on a device has no true hand work and is not simulated.
   const char* label = s.true_hand_work_j ? "simulated" : "run";
   std::string text = heading(s) +
                      summary_line(label, fmt::format("{:.6g} s, {} ticks{}", s.duration_s, s.ticks,

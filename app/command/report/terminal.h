@@ -9,7 +9,7 @@ namespace hapticwall::command {
 
 // Writes all of `text` to standard output. A closed pipe (`| head -1`) is no failure.
 [[nodiscard]] Failure write_output(std::string_view text);
-// The same to another open file; `name` is for the message.
+// write_output() to another open file; `name` is for the message.
 [[nodiscard]] Failure write_stream(int descriptor, std::string_view name, std::string_view text);
 
 // Writes one line "error: ..." to standard error; returns the exit status.

@@ -13,8 +13,8 @@ struct HeadlessRun {
   const Scene& scene;
   std::span<const ScheduledChange> changes;
   std::function<void(const Tick&)> on_tick;  // empty: ticks are not assembled
-  bool signals = false;                      // as in SimulationOptions
-  std::function<bool()> should_stop;         // in addition to signals; may be empty
+  bool signals = false;                      // see SimulationOptions::signals
+  std::function<bool()> should_stop;         // in addition to stop signals; may be empty
   std::string progress_label;
   bool show_progress = false;
 };

@@ -157,7 +157,7 @@ class ArmingRequest {
   bool waits_ = false;
 };
 
-// What the summary of a session adds to that of its ticks.
+// Adds the session's values to the summary of its ticks.
 void add_session(const session::LiveSession& session, const session::Snapshot& snapshot, bool armed,
                  Summary& summary) {
   summary.missed_ticks = snapshot.timing.missed_ticks;

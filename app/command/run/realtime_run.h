@@ -26,17 +26,17 @@ namespace hapticwall::command {
 struct RealtimeRun {
   const Scene& scene;
   std::string csv{};                           // empty: no recording
-  std::function<void(const Tick&)> on_tick{};  // as in HeadlessRun
+  std::function<void(const Tick&)> on_tick{};  // see HeadlessRun::on_tick
   std::unique_ptr<device::Device> device{};    // not open yet; nullptr: the simulator
   bool arm = false;                            // arms the device as soon as it can
   bool allow_no_realtime = false;
   bool allow_slow_device = false;
-  double spin_s = 0.0;  // as in SessionOptions
+  double spin_s = 0.0;  // see SessionOptions
   bool show_progress = false;
   std::shared_ptr<file::SampleStream> stream{};  // gets every tick; null: none
-  std::vector<file::SignalColumn> signals{};     // as in SessionOptions
+  std::vector<file::SignalColumn> signals{};     // see SessionOptions
   BorrowedAlgorithm* borrowed = nullptr;         // as in session::start_under()
-  session::Clock* clock = nullptr;               // as in SessionOptions
+  session::Clock* clock = nullptr;               // see SessionOptions
   // Looks at the newest state every few milliseconds; true ends the run.
   std::function<bool(const session::Snapshot&)> ends{};
 };

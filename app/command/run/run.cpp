@@ -35,7 +35,7 @@ struct RunOutcome {
   RunSummary summary;
   bool stopped_early = false;
   std::string realtime_status;
-  Failure trouble;  // of a session; the outputs have what was before it
+  Failure trouble;  // why a session ended early; the outputs have the ticks before it
 };
 
 Failure check_arming(const RunOptions& options, const DeviceChoice& device) {
@@ -106,7 +106,7 @@ void expect_whole_stream(const OutputOptions& options, std::vector<Expectation>&
   expectations.push_back({key + "=0", key, "=", 0.0});
 }
 
-// Whether the sidecar or its rows were changed since the recording.
+// Notes if the sidecar or its rows were changed since the recording.
 void tell_edits(const std::string& sidecar, const file::LoadedScene& loaded) {
   if (loaded.edited) {
     tell(

@@ -26,7 +26,7 @@ Failure check_lengths(const OutputOptions& options, const Scene& scene) {
                   kMaxSoundS, scene.duration_s));
 }
 
-// Without an output that is of use when the stream's reader has left.
+// True if no output is of use after the stream's reader has left.
 Result<bool> only_streams(const OutputOptions& options) {
   if (!options.csv.empty() || !options.json.empty() || !options.plot.empty() ||
       !options.wav.empty() || !options.expectations.empty()) {

@@ -19,10 +19,10 @@
 
 namespace hapticwall::command {
 
-// Of a sound file, whose samples are kept in memory.
+// Max length of a sound file, because its samples are kept in memory.
 inline constexpr double kMaxSoundS = 600.0;
 
-// Where the ticks of a run come from.
+// Source of the ticks of a run.
 struct TickOrigin {
   bool session_records = false;  // a session writes the CSV
   bool in_real_time = false;     // a session streams
@@ -41,12 +41,12 @@ class RunOutputs {
 
   [[nodiscard]] const file::CsvColumns& columns() const { return columns_; }
 
-  // Whether take() must be called with every tick.
+  // True if take() must be called with every tick.
   [[nodiscard]] bool wants_ticks() const {
     return recording_ || files_.wants_plot() || sound_ || feed_;
   }
   void take(const Tick& tick);
-  // Of the recording. The run continues for its other outputs, and finish() fails.
+  // Failure of the recording. The run continues for its other outputs, and finish() fails.
   [[nodiscard]] const Failure& failure() const { return failure_; }
   void keep_failure(Failure failure) { failure_ = std::move(failure); }
 
@@ -74,8 +74,8 @@ class RunOutputs {
   OutputFiles files_;
   std::shared_ptr<file::SampleStream> stream_;
   bool only_streams_ = false;                          // nothing but the stream was asked for
-  std::optional<file::StreamFeed> feed_;               // of a run that is not in real time
-  std::array<std::vector<Sample>, kMaxAxes> samples_;  // of the figure, by axis
+  std::optional<file::StreamFeed> feed_;               // only if the run is not in real time
+  std::array<std::vector<Sample>, kMaxAxes> samples_;  // samples of the figure, by axis
   std::optional<sound::SoundStream> sound_;
   std::vector<float> heard_;
   OutputFile wav_;

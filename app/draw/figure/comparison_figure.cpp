@@ -23,19 +23,20 @@ namespace {
 constexpr int kFigureWidth = 2400;  // pixels, of up to kUsualRuns columns
 constexpr int kFigureHeight = 1400;
 constexpr std::size_t kUsualRuns = 8;
-constexpr int kColumnWidth = 290;               // of each column more
+constexpr int kColumnWidth = 290;               // pixels for each column above kUsualRuns
 constexpr float kComparisonDesignHeight = 900;  // figure of scale 1
 constexpr float kComparisonLineWeight = 1.1F;
 constexpr float kFigureColumnGapEms = 1.0F;
 
-// Of the forces only the actuator's: the force of a soft wall would flatten it.
+// Lines of a comparison. The force plot has the actuator's force alone: the force of a soft wall
+// would flatten it.
 ChosenLines compared_lines() {
   ChosenLines lines = usual_lines();
   lines[static_cast<std::size_t>(PlotId::kForce)] = line_bit(&Sample::force_n);
   return lines;
 }
 
-// The same for every frame of the page.
+// The comparison, the same for every frame of the page.
 struct Comparison {
   const Scene& scene;
   std::span<const ComparedRun> runs;
@@ -121,8 +122,8 @@ void draw_run_heading(const Theme& theme, const Comparison& comparison, const Co
 // Places of the columns.
 struct Columns {
   float left = 0.0F;   // of the first column's plot area, without ImPlot's padding
-  float width = 0.0F;  // of each
-  float step = 0.0F;   // from one to the next
+  float width = 0.0F;  // of each column
+  float step = 0.0F;   // from one column to the next
 
   [[nodiscard]] float at(std::size_t column) const {
     return left + step * static_cast<float>(column);
@@ -180,7 +181,7 @@ void draw_rows(Comparison& comparison, const Columns& columns, float left, ImVec
     const float used = ImGui::GetCursorScreenPos().y - row_top;
     draw_row(comparison, row, columns, std::max(1.0F, each - used));
   }
-  ImGui::Dummy(ImVec2());  // without a run there is no other item
+  ImGui::Dummy(ImVec2());  // the only item if there is no run
 }
 
 void draw_contents(const Theme& theme, Comparison& comparison) {

@@ -27,7 +27,8 @@ struct FigureSize {
   [[nodiscard]] constexpr FigureSize in(Ink other) const { return {width, height, other}; }
 };
 
-// With these signals of algorithms. Fails (ErrorKind::kFile) without memory for the pixels.
+// Draws a figure with these signals of algorithms. Fails (ErrorKind::kFile) without memory for the
+// pixels.
 [[nodiscard]] Result<file::Picture> draw_figure(const Scene& scene, std::span<const Sample> samples,
                                                 FigureSize size = {},
                                                 const SignalNames& signals = {});

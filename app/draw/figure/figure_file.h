@@ -9,7 +9,7 @@
 
 namespace hapticwall::draw {
 
-// What the file `path` is written with, by its ending: shapes for .svg and .pdf, else pixels.
+// Content of the file `path`, by its ending: shapes for .svg and .pdf, else pixels.
 [[nodiscard]] Ink ink_of(const std::string& path);
 
 // Precondition: `figure` was drawn with ink_of(path). A pixel is half a point of the page. The

@@ -95,7 +95,7 @@ TextRuns::Place TextRuns::place_of(const Source& source, std::span<const ImDrawV
           scale * source.glyph->AdvanceX};
 }
 
-// On the same line, at most one blank apart.
+// True if `next` is on the same line, at most one blank apart.
 bool TextRuns::goes_on(const Place& next) const {
   constexpr float kClose = 0.5F;  // pixels
   const glm::vec2 way = next.pen - last_.pen;

@@ -38,7 +38,7 @@ class TextRuns {
     const ImFontBaked* font = nullptr;
     ImU32 colour = 0;
     float size = 0.0F;      // pixels a line
-    glm::vec2 along{0.0F};  // of length 1
+    glm::vec2 along{0.0F};  // direction of the text, of length 1
     glm::vec2 pen{0.0F};    // on the baseline, before the glyph
     float advance = 0.0F;
   };

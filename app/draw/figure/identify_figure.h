@@ -27,12 +27,12 @@ struct FigurePanel {
   std::vector<FigureCurve> curves;
 };
 
-// From top to bottom: measured position and model in the last seconds, the force, and the residuals
-// of the whole record in counts of the encoder. Takes some milliseconds.
+// Panels from top to bottom: measured position and model in the last seconds, the force, and the
+// residuals of the whole record in counts of the encoder. Takes some milliseconds.
 [[nodiscard]] std::vector<FigurePanel> identification_panels(const identify::Record& record,
                                                              const identify::Identification& found);
-// At most 2 * `columns` points: the smallest and the largest value of each part. Precondition:
-// columns > 0.
+// The curve with at most 2 * `columns` points: the smallest and the largest value of each part.
+// Precondition: columns > 0.
 [[nodiscard]] FigureCurve thinned(FigureCurve curve, std::size_t columns);
 // One below the other, in the current window.
 void draw_panels(const Theme& theme, std::span<const FigurePanel> panels, ImVec2 size);

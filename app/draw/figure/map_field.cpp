@@ -218,7 +218,7 @@ std::vector<BoundLines> map_bounds(const StabilityMap& map) {
     const BoundMember bound = kBounds.at(i).bound;
     std::vector<BoundSegment> lines =
         bound != nullptr ? bound_lines(map, cells, bound) : chai3d_lines(map, cells);
-    // Without a delay and a damped wall the rule is the first one.
+    // Equal lines are drawn once: without a delay and a damped wall the rule is the first bound.
     const bool drawn =
         std::ranges::any_of(all, [&](const BoundLines& other) { return other.lines == lines; });
     if (!lines.empty() && !drawn) all.push_back({i, std::move(lines)});

@@ -35,7 +35,7 @@ struct BoundLines {
 
 struct MapContents {
   const StabilityMap& map;
-  std::span<const MapMetrics> figures;  // of all cells
+  std::span<const MapMetrics> figures;  // metrics of all cells
   std::span<const BoundLines> bounds;
   float scale;  // of the lines
 };

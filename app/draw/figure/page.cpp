@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMinPage = 200;    // pixels
 constexpr int kMaxPage = 16384;  // half of the limit of Cairo
-constexpr int kFrames = 3;       // until ImGui's and ImPlot's sizes have settled
+constexpr int kFrames = 3;       // frames until ImGui's and ImPlot's sizes have settled
 constexpr float kFrameTimeS = 1.0F / 60.0F;
 constexpr float kMargin = 24.0F;
 
@@ -93,7 +93,7 @@ Result<std::shared_ptr<const file::Shapes>> draw_shapes(FigureSize size, float s
   return record_shapes(*ImGui::GetDrawData());
 }
 
-// On white.
+// Paints the shapes on white.
 Result<file::Picture> painted(const file::Shapes& shapes, FigureSize size) {
   file::Picture picture{size.width, size.height, {}};
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> image(

@@ -25,11 +25,11 @@ Pattern pattern_of(Dash dash, float scale) {
   return pattern;
 }
 
-// Where the pen is in the pattern.
+// Position of the pen in the pattern.
 struct Pen {
   Pattern pattern;
   std::size_t part = 0;
-  float left = 0.0F;  // of the part
+  float left = 0.0F;  // length that is left of the part
 
   [[nodiscard]] bool down() const { return part % 2 == 0; }
   void move(float length) {

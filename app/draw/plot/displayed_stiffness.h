@@ -15,8 +15,8 @@ inline constexpr double kStiffnessWindowS = 0.1;
 // would follow the encoder: at one count of penetration it changes by a factor.
 class DisplayedStiffness {
  public:
-  // In N/m, or kMasked while no penetration of the window has reached `count_m`, a count of the
-  // encoder in m (0: no encoder). Precondition: times grow.
+  // The displayed stiffness in N/m, or kMasked while no penetration of the window has reached
+  // `count_m`, a count of the encoder in m (0: no encoder). Precondition: times grow.
   double push(const Sample& sample, double count_m);
 
  private:

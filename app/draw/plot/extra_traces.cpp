@@ -21,7 +21,7 @@ IndexRange visible_range(const PlotSurface& surface, const ExtraTrace& trace) {
                               surface.window->to_s - trace.shift_s);
 }
 
-// Whether the trace has the line, and a piece of it is in sight.
+// True if the trace has the line and a piece of it is in sight.
 bool has(const PlotSurface& surface, const ExtraTrace& trace, const PlotLine& line) {
   if (trace.history == nullptr || trace.history->empty()) return false;
   const bool in_sight = trace.history->oldest_time_s() + trace.shift_s < surface.window->to_s &&

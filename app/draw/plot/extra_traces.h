@@ -28,8 +28,8 @@ struct ExtraTrace {
   std::string label;                             // for the legend: "under virtual-coupling"
   std::shared_ptr<const SampleHistory> history;  // null or empty: nothing is drawn
   std::optional<Tone> tone;                      // of all its lines; nullopt: each has its own
-  float strength = 0.5F;                         // of the colour: 0 is the background, 1 a line's
-  double shift_s = 0.0;                          // of its time 0 in the plot
+  float strength = 0.5F;                         // 0: colour of the background, 1: of a line
+  double shift_s = 0.0;                          // plot time of the trace's time 0
   LineSet lines = kExtraLines;
 };
 

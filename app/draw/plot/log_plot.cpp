@@ -61,7 +61,7 @@ std::string decimal_text(int digit, int exponent) {
   return text;
 }
 
-// Each of these digits times every power of ten within the range.
+// Numbers of the axis: each of these digits times every power of ten within the range.
 std::vector<AxisNumber> numbers_of(const Decades& decades, std::span<const int> digits) {
   std::vector<AxisNumber> numbers;
   const int last = static_cast<int>(std::floor(decades.to));

@@ -28,8 +28,8 @@ struct LogSeries {
   std::string name;
   Tone tone = Tone::kText;
   Mark mark = Mark::kCircle;
-  float radius = 1.0F;           // of the marks, in the usual radius
-  bool labels_above = true;      // where there is room
+  float radius = 1.0F;           // radius of the marks, as a multiple of the usual one
+  bool labels_above = true;      // true: above, where there is room
   std::vector<LogPoint> points;  // joined in this order
 };
 
@@ -57,7 +57,7 @@ struct LogFigure {
 struct Decades {
   double from = 0.0;
   double to = 1.0;
-  double zero = 0.0;  // where a 0 is drawn
+  double zero = 0.0;  // exponent at which a 0 is drawn
 };
 
 struct AxisNumber {

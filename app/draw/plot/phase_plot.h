@@ -13,7 +13,7 @@ namespace hapticwall::draw {
 struct PhaseSettings {
   bool shown = false;
   bool last_contact = false;   // only the newest contact of the visible range
-  bool true_position = false;  // from the simulator, else from the encoder
+  bool true_position = false;  // true: from the simulator; false: from the encoder
 };
 
 // Points in SI units: penetration in m, force in N.
@@ -35,7 +35,7 @@ void trace_phase(const SampleHistory& history, IndexRange range, bool true_posit
 // path encloses this area.
 [[nodiscard]] double phase_energy_j(const PhasePath& path);
 
-// Of a longer range only the newest samples are drawn.
+// Max samples that are drawn: of a longer range only the newest.
 inline constexpr std::size_t kMaxPhaseSamples = 10'000;
 
 // The part of the window that is traced.

@@ -53,7 +53,7 @@ struct PlotAxes {
     return side == Side::kLeft ? left : side == Side::kRight ? right : far_right;
   }
 };
-using AllPlotAxes = std::array<PlotAxes, kPlotCount>;  // by PlotId
+using AllPlotAxes = std::array<PlotAxes, kPlotCount>;  // indexed by PlotId
 
 // Shared by all plots of a frame. Owned by the caller; a pointer may be null only if its comment
 // says so.
@@ -78,7 +78,7 @@ struct PlotSurface {
   bool time_labels = true;   // below the plot
   bool value_labels = true;  // beside it
   bool heading = true;       // above it
-  bool line_names = true;    // at their ends
+  bool line_names = true;    // at the ends of the lines
   float line_weight = kLineWeight;
   bool wants_newest = false;        // set when the user asks for the automatic time axis
   std::optional<double> pointed_s;  // set to the time under the pointer

@@ -33,7 +33,7 @@ void ValueAxis::set_up(ImAxis id, const char* format, ImPlotAxisFlags flags) {
 }
 
 void ValueAxis::notice_input(ImAxis id) {
-  constexpr double kMoved = 1e-9;  // of the span: more than a rounding error
+  constexpr double kMoved = 1e-9;  // share of the span: more than a rounding error
   const bool across = id == ImAxis_X1;
   const ImPlotRect limits = ImPlot::GetPlotLimits(ImAxis_X1, across ? ImAxis_Y1 : id);
   const ImPlotRange& now = across ? limits.X : limits.Y;
@@ -44,7 +44,7 @@ void ValueAxis::notice_input(ImAxis id) {
 }
 
 Extremes round_range(Extremes data, double smallest_span) {
-  constexpr double kMargin = 0.05;  // of the span, on either side
+  constexpr double kMargin = 0.05;  // share of the span, on either side
   constexpr double kSteps = 16.0;   // about as many steps as the span has
   const double middle = 0.5 * (data.minimum + data.maximum);
   const double span = std::max(data.maximum - data.minimum, smallest_span) * (1.0 + 2.0 * kMargin);

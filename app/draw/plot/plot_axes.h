@@ -1,4 +1,4 @@
-// What all plots have in common: flags, lines, and axes of values.
+// Common parts of all plots: flags, lines, and axes of values.
 #pragma once
 
 #include <implot.h>

@@ -28,7 +28,7 @@ struct CursorRow {
   const PlotLine* line = nullptr;
   const char* unit = "";
   std::array<double, 2> value{};
-  // Of the samples from one cursor to the other, both included; NaN without one.
+  // Statistics of the samples from one cursor to the other, both included; NaN without one.
   double mean = 0.0;
   double deviation = 0.0;  // standard deviation
   double peak_to_peak = 0.0;

@@ -10,9 +10,9 @@ namespace {
 
 constexpr float kDashEms = 1.2F;      // a legend entry's piece of line
 constexpr float kDashWeight = 0.17F;  // of the text's size
-constexpr float kDashShare = 0.6F;    // of a dash in the plot: the piece has more than one
+constexpr float kDashShare = 0.6F;    // relative to the plot: the piece has more than one dash
 constexpr float kExtraDashWeight = 0.36F;
-constexpr float kHeadingNameEms = 1.5F;  // where its name begins
+constexpr float kHeadingNameEms = 1.5F;  // start of the entry's name
 constexpr float kEntryGapEms = 0.6F;     // between two entries
 constexpr float kEntryTailEms = 0.2F;    // behind its name
 
@@ -32,7 +32,7 @@ struct LegendEntry {
   ImVec2 corner;
   const std::string& text;
   ImU32 colour;
-  float weight;  // of the piece of line
+  float weight;  // of the piece of line, in sizes of the text
   Dash dash;
   float alpha;  // of the text
 };
@@ -65,7 +65,7 @@ void draw_legend_entry(PlotSurface& surface, const PlotDescription& plot, const 
             {corner, text, surface.theme->packed(line.tone, alpha), kDashWeight, line.dash, alpha});
 }
 
-// The same for a trace of another run; it takes no click.
+// Legend entry of a trace of another run; it takes no click.
 void draw_extra_entry(PlotSurface& surface, const PlotDescription& plot, const ExtraTrace& trace,
                       ImVec2 corner) {
   const auto line = std::find_if(plot.lines.begin(), plot.lines.end(), [&](const PlotLine& each) {

@@ -9,7 +9,7 @@
 
 namespace hapticwall::draw {
 
-// In pixels; y grows downwards.
+// Box in pixels; y grows downwards.
 struct PixelBox {
   ImVec2 from;
   ImVec2 to;
@@ -26,7 +26,7 @@ struct LineEnd {
   ImVec2 place;
 };
 
-// What a plot has drawn so far in this frame.
+// Areas and line ends that a plot has drawn so far in this frame.
 struct PlotInk {
   std::vector<PixelBox> taken;
   std::vector<LineEnd> ends;

@@ -86,7 +86,7 @@ const std::array<PlotDescription, kPlotCount> kPlots{PlotDescription{PlotId::kPo
                                                                      {},
                                                                      kPassivityLines}};
 
-// Where a signal is drawn, by the unit at the end of its name.
+// Place of a signal, by the unit at the end of its name.
 struct UnitPlace {
   std::string_view ending;
   PlotId plot;

@@ -33,8 +33,8 @@ static_assert(kQuantityCount <= 64);
 enum class LineKind : std::uint8_t {
   kUsual,      // shown by default
   kExtra,      // shown on request
-  kTruth,      // as kUsual, and known to a simulator only
-  kSimulator,  // as kExtra, and known to a simulator only
+  kTruth,      // like kUsual, but known to a simulator only
+  kSimulator,  // like kExtra, but known to a simulator only
 };
 
 // A plot has up to three axes of values. That on the right is the rate of change of that on the
@@ -45,7 +45,7 @@ inline constexpr std::array kRightSides{Side::kRight, Side::kFarRight};
 // An axis of values.
 struct ValueScale {
   const char* unit = "";
-  double scale = 0.0;          // of SI values into `unit`
+  double scale = 0.0;          // factor from SI values to `unit`
   double smallest_span = 1.0;  // of the axis, in `unit`
 };
 
@@ -57,8 +57,9 @@ struct PlotLine {
   LineKind kind = LineKind::kUsual;
   Dash dash = Dash::kSolid;
   Side side = Side::kLeft;
-  bool wish = false;  // not what happens: the axis follows it only if it stands alone
-  // Of a truth: the signal that measures it; while that is drawn, it has the band for both.
+  bool wish = false;  // a desired value: the axis follows it only if it stands alone
+  // For a true value: the signal that measures it. While that signal is drawn, it has the band for
+  // both.
   std::optional<Quantity> measured_as = std::nullopt;
 
   [[nodiscard]] bool is_truth() const {
@@ -70,7 +71,7 @@ struct PlotDescription {
   PlotId id = PlotId::kPosition;
   const char* title = "";
   ValueScale left;
-  ValueScale left_large;  // in the place of `left` from 1000 of its units; no scale: none
+  ValueScale left_large;  // replaces `left` from 1000 of its units; no scale: none
   ValueScale right;
   ValueScale far_right;  // no scale: none
   std::span<const PlotLine> lines;
@@ -119,10 +120,10 @@ class PlotTable {
   std::array<std::string, kMaxSignals> signals_;  // names of the algorithms' signals
   std::array<std::string, kMaxSignals> meanings_;
 };
-// Without the signals of algorithms.
+// Plots without the signals of algorithms.
 [[nodiscard]] const PlotTable& usual_plots();
 
-// By PlotId.
+// Chosen lines of each plot, indexed by PlotId.
 using ChosenLines = std::array<LineSet, kPlotCount>;
 [[nodiscard]] const ChosenLines& usual_lines();
 // The usual lines, and those of these signals.

@@ -10,7 +10,7 @@ namespace hapticwall::draw {
 namespace {
 
 constexpr float kMarkAlpha = 0.75F;
-constexpr float kThin = 0.65F;  // of a line of the session
+constexpr float kThin = 0.65F;  // relative to a line of the session
 constexpr float kMarkGapEms = 0.3F;
 constexpr float kMinEms = 1.5F;  // the shortest text that is drawn
 

@@ -16,7 +16,7 @@ constexpr double kBoldHeight = 4.0;  // relative to a faint band
 constexpr double kFarPixels = 1e4;
 constexpr double kFarValue = std::numeric_limits<double>::infinity();
 
-// From the units of an axis to pixels; ImPlot's linear axes.
+// Conversion from the units of an axis to pixels, for ImPlot's linear axes.
 struct PixelScale {
   double origin = 0.0;
   double scale = 1.0;

@@ -18,8 +18,8 @@ struct TraceSource {
   Quantity quantity;
   IndexRange range;  // not empty
   double scale = 1.0;
-  double shift_s = 0.0;  // of its time 0 in the plot
-  // What lies beyond is drawn at the edge; SI.
+  double shift_s = 0.0;  // plot time of the history's time 0
+  // Values beyond these are drawn at the edge; SI.
   std::optional<Extremes> clip = std::nullopt;
 };
 

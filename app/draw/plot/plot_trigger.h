@@ -24,7 +24,7 @@ enum class TriggerMode : std::uint8_t {
 
 struct TriggerSettings {
   TriggerMode mode = TriggerMode::kOff;
-  double pre_share = 0.25;  // of the window, in front of the contact; 0 to 1
+  double pre_share = 0.25;  // share of the window before the contact; 0 to 1
 };
 
 enum class TriggerStage : std::uint8_t {

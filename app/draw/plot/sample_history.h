@@ -21,7 +21,7 @@ namespace hapticwall::draw {
 // Columns that the history computes from those of the sample, behind them.
 enum class Derived : std::uint8_t { kStiffness };  // see DisplayedStiffness
 inline constexpr std::size_t kDerivedCount = 1;
-// Then the signals of algorithms, by place.
+// First column of the signals of algorithms, by place.
 inline constexpr std::size_t kFirstSignal = kSampleColumns.size() + kDerivedCount;
 inline constexpr std::size_t kQuantityCount = kFirstSignal + kMaxSignals;
 
@@ -64,7 +64,7 @@ struct IndexRange {
 
 // Some neighbouring samples that are drawn as one.
 struct SampleGroup {
-  double time_s = 0.0;  // of its middle
+  double time_s = 0.0;  // time of its middle
   double first = 0.0;   // its oldest value
   SampleStats stats;
 };
@@ -92,7 +92,7 @@ class SampleHistory {
   // `count_m`: a count of the encoder; nullopt without one.
   explicit SampleHistory(std::size_t capacity, std::optional<double> count_m = std::nullopt);
 
-  // Of the samples that are pushed from now on.
+  // Sets the encoder's count for the samples pushed after this call.
   void set_count(std::optional<double> count_m) { count_m_ = count_m.value_or(0.0); }
 
   // Names of the signals of algorithms; those of algorithm_signals() until others are set.
@@ -110,12 +110,12 @@ class SampleHistory {
 
   // Precondition of both: index < size().
   [[nodiscard]] double value(Quantity quantity, std::size_t index) const;
-  // As it was pushed, without the generation of its parameters.
+  // The sample as it was pushed, without the generation of its parameters.
   [[nodiscard]] Sample sample(std::size_t index) const;
 
   // The samples within [from_s, to_s] and one more on either side, so that lines reach the edges.
   [[nodiscard]] IndexRange range(double from_s, double to_s) const;
-  // The same without those beyond the edges.
+  // range() without the samples beyond the edges.
   [[nodiscard]] IndexRange range_within(double from_s, double to_s) const;
   // The sample whose time is nearest; nullopt if empty.
   [[nodiscard]] std::optional<std::size_t> nearest(double time_s) const;
@@ -123,7 +123,7 @@ class SampleHistory {
   // Precondition: the range is not empty. Without masked samples.
   [[nodiscard]] SampleStats stats(Quantity quantity, IndexRange range) const;
   [[nodiscard]] Extremes extremes(Quantity quantity, IndexRange range) const;
-  // Of the samples that are not masked; 0 without one.
+  // Variance of the samples that are not masked; 0 without one.
   [[nodiscard]] double variance(Quantity quantity, IndexRange range) const;
 
   // The newest sample of the range at which the quantity is above `threshold`, or is not.

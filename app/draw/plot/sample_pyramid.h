@@ -84,13 +84,14 @@ struct Extremes {
     maximum = std::max(maximum, more.maximum);
   }
 };
-// The same from nothing.
+// include() into a range that may be empty.
 inline void include(std::optional<Extremes>& all, const Extremes& more) {
   if (!all) all = more;
   all->include(more);
 }
 
-// Of some samples without the masked ones; of none, the extremes are {infinity, -infinity}.
+// Statistics of some samples without the masked ones; of none, the extremes are {infinity,
+// -infinity}.
 struct SampleStats {
   Extremes extremes{std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};
@@ -109,7 +110,7 @@ struct SampleStats {
 // A sample without a meaning: no line, extreme or mean shows it.
 inline constexpr double kMasked = std::numeric_limits<double>::quiet_NaN();
 
-// Of one sample.
+// Statistics of one sample.
 [[nodiscard]] inline SampleStats stats_of(double value) {
   if (std::isnan(value)) return {};
   return {{value, value}, value, 1.0};
@@ -152,7 +153,7 @@ class SamplePyramid {
   [[nodiscard]] std::uint64_t end() const { return samples_.end(); }
   [[nodiscard]] double operator[](std::uint64_t index) const { return samples_[index]; }
 
-  // Of the samples [first, last).
+  // Statistics of the samples [first, last).
   [[nodiscard]] SampleStats stats(std::uint64_t first, std::uint64_t last) const {
     SampleStats all;
     visit_parts(
@@ -219,7 +220,7 @@ std::optional<std::uint64_t> SamplePyramid::newest(std::uint64_t first, std::uin
                                                    Wanted&& wanted) const {
   std::size_t highest = kLevels;
   while (last > first) {
-    std::size_t level = 0;  // as in visit_parts(), from the other end
+    std::size_t level = 0;  // like visit_parts(), from the other end
     while (level < highest && last % size_of(level) == 0 && last - first >= size_of(level)) ++level;
     const std::uint64_t size = level > 0 ? size_of(level - 1) : 1;
     const Extremes part = level > 0 ? levels_.stats[level - 1][last / size - 1].extremes

@@ -29,10 +29,10 @@ struct SignalShape {
   std::vector<BandColumn> band;  // where the signal oscillates, in order of time
   // Scratch memory, by group of samples.
   std::vector<SampleGroup> groups;
-  // By power of two: the extremes of so many groups from each one on.
+  // extremes[n][i] covers 2^n groups from group i on.
   std::vector<std::vector<Extremes>> extremes;
   std::vector<double> travelled;      // up and down, to the end of the group
-  std::vector<std::size_t> line_end;  // of the group in `strokes`
+  std::vector<std::size_t> line_end;  // end of the group's line in `strokes`
   Trace strokes;                      // the line without a band
 };
 

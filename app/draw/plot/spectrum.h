@@ -9,7 +9,7 @@
 
 namespace hapticwall::draw {
 
-// Of a longer range only the newest samples are transformed.
+// Max samples that are transformed: of a longer range only the newest.
 inline constexpr std::size_t kMaxSpectrumSamples = 16'384;
 inline constexpr std::size_t kMinSpectrumSamples = 16;
 
@@ -19,9 +19,9 @@ struct Spectrum {
   std::vector<double> amplitude;
 };
 
-// Without the mean, through a Hann window and with as many zeros as the next power of two needs:
-// the amplitude of a sine is right to 15 % between two lines, and exact on one. Masked samples are
-// the mean.
+// Spectrum of the range without its mean, through a Hann window and with as many zeros as the next
+// power of two needs: the amplitude of a sine is right to 15 % between two lines, and exact on one.
+// Masked samples are the mean.
 [[nodiscard]] Spectrum spectrum_of(const SampleHistory& history, Quantity quantity,
                                    IndexRange range);
 

@@ -20,13 +20,13 @@ constexpr Colours colours_of(const std::array<unsigned, kToneCount>& rgb) {
   return colours;
 }
 
-// In the order of Tone. Signals have the hues of Okabe and Ito, Color Universal Design (2008),
-// which the colour-blind tell apart; lighter or darker where the background asks for it.
+// Colours in the order of Tone. Signals have the hues of Okabe and Ito, Color Universal Design
+// (2008), which the colour-blind tell apart; lighter or darker where the background asks for it.
 constexpr Colours kScreenColours =
     colours_of({0xDCE3EA, 0x8E9AA8, 0x2C343F, 0x12161B, 0x191E25, 0x4FB6C9, 0x6CC08B, 0xE9B45A,
                 0xF0716B, 0x56B4E9, 0xD98CB8, 0x5FBFA8, 0xE69F00, 0x5C6B7E, 0x22B88A, 0x56B4E9,
                 0xE8702A, 0x22B88A, 0xDCE3EA});
-// For light rooms: the same hues, dark enough to be read on white.
+// Colours for light rooms: the same hues, dark enough to be read on white.
 constexpr Colours kLightColours =
     colours_of({0x1B222A, 0x56616D, 0xDDE2E8, 0xF2F4F7, 0xFFFFFF, 0x0B6E86, 0x1E7A45, 0x8F5A00,
                 0xB3261E, 0x0072B2, 0x9E4A78, 0x007A68, 0x8F5C00, 0x7E8B9A, 0x007A5A, 0x0072B2,
@@ -121,7 +121,7 @@ void set_spacing(float scale) {
   style.DockingNodeHasCloseButton = false;  // every tab has one
   style.DockingSeparatorSize = 6.0F;
   style.ScaleAllSizes(scale);
-  // Without a border a part of the window has no padding either.
+  // A part of the window without a border has no padding either.
   style.ChildBorderSize = std::max(style.ChildBorderSize, 1.0F);
   style.PopupBorderSize = std::max(style.PopupBorderSize, 1.0F);
   style.FontSizeBase = kFontSize;

@@ -50,7 +50,7 @@ inline constexpr float kTitleFontSize = 17.0F;
 // `scale` enlarges everything (screens with many pixels per inch).
 [[nodiscard]] Theme apply_theme(Look look, float scale);
 
-// The same for a theme that has its fonts, between two frames.
+// apply_theme() for a theme that has its fonts, between two frames.
 void restyle(Theme& theme, Look look, float scale);
 
 // The background of popups over the window.
@@ -63,9 +63,9 @@ void end_raised();
 void begin_choice(const Theme& theme, bool chosen);
 void end_choice();
 
-// So many sizes of the text, in pixels.
+// `count` times the size of the text, in pixels.
 [[nodiscard]] inline float ems(float count) { return count * ImGui::GetFontSize(); }
-[[nodiscard]] float button_width(const char* label);  // without what follows "##"
+[[nodiscard]] float button_width(const char* label);  // ignores the part from "##" on
 // Moves the cursor to the right, so that an item of this width ends at the edge of its region.
 void align_right(float width);
 

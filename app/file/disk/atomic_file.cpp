@@ -19,9 +19,9 @@
 namespace hapticwall::file {
 namespace {
 
-constexpr mode_t kNewFileMode = 0666;  // without the umask
+constexpr mode_t kNewFileMode = 0666;  // before the umask
 constexpr mode_t kWriteOfOthers = S_IWGRP | S_IWOTH;
-constexpr int kMaxLinks = 40;  // as the kernel
+constexpr int kMaxLinks = 40;  // the kernel's limit
 
 Error system_error_of(const std::string& path, std::string_view what, int code) {
   return file_error(
@@ -32,7 +32,7 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-// Whether the name still refers to the open file: another process may rename it between open and
+// True if the name still refers to the open file: another process may rename it between open and
 // lock.
 bool is_still_named(int descriptor, const std::string& path) {
   struct stat opened {};

@@ -12,7 +12,7 @@
 
 namespace hapticwall::file {
 
-// Of an incomplete file.
+// Ending of an incomplete file.
 inline constexpr std::string_view kPartialEnding = ".partial";
 [[nodiscard]] inline std::string partial_of(const std::string& path) {
   return path + std::string(kPartialEnding);
@@ -20,11 +20,11 @@ inline constexpr std::string_view kPartialEnding = ".partial";
 
 enum class PlaceKind : std::uint8_t { kFile, kFolder, kStream };
 
-// Where an output goes: its path with links followed.
+// Destination of an output: its path with links followed.
 struct OutputPlace {
   std::string path;
-  PlaceKind kind = PlaceKind::kFile;  // also of a new file
-  std::optional<int> descriptor;      // of a stream that this process has open, /dev/stdout
+  PlaceKind kind = PlaceKind::kFile;  // kFile also for a new file
+  std::optional<int> descriptor;      // of a stream that this process has open, as /dev/stdout
 };
 
 // A pipe, a device and a link of /proc to an open file are streams: they have no name to replace.
@@ -36,7 +36,7 @@ struct OutputPlace {
 
 struct OwnFile {
   int flags = 0;     // O_WRONLY, O_RDWR, O_APPEND
-  mode_t mode = 0;   // of a new file, without the umask
+  mode_t mode = 0;   // of a new file, before the umask
   std::string name;  // in messages
 };
 
@@ -53,14 +53,14 @@ class AtomicFile {
  public:
   // Refuses what replaceable_path() refuses, and a PATH.partial that open_own() refuses.
   [[nodiscard]] static Result<AtomicFile> create(const std::string& path);
-  // The same, but keeps the content of PATH.partial; writing continues after keep_only().
+  // create(), but keeps the content of PATH.partial; writing continues after keep_only().
   [[nodiscard]] static Result<AtomicFile> resume(const std::string& path);
 
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
-  // Without commit(), removes the partial file unless keep_partial() was called.
+  // Removes the partial file if it was not committed, unless keep_partial() was called.
   ~AtomicFile();
 
   void keep_partial() { keep_partial_ = true; }
@@ -70,7 +70,7 @@ class AtomicFile {
   [[nodiscard]] Failure write(std::string_view bytes);
   // Puts on the disk what is written so far.
   [[nodiscard]] Failure secure();
-  [[nodiscard]] Failure sync();    // the same; fails also if PATH.partial was moved
+  [[nodiscard]] Failure sync();    // secure(); fails also if PATH.partial was moved
   [[nodiscard]] Failure commit();  // sync(), then rename
 
   [[nodiscard]] std::uint64_t size() const;  // bytes; 0 if it is no regular file

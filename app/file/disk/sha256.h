@@ -21,7 +21,7 @@ class Sha256 {
   SHA2_CTX context_;
 };
 
-// Of the first `bytes` of a file; nullopt if they cannot be read. Realtime-safe: no.
+// SHA-256 of the first `bytes` of a file; nullopt if they cannot be read. Realtime-safe: no.
 [[nodiscard]] std::optional<std::string> sha256_of(const std::string& path, std::uint64_t bytes);
 
 }  // namespace hapticwall::file

@@ -59,7 +59,7 @@ bool is_empty(const std::string& path) {
   return std::filesystem::file_size(path, failed) == 0 || failed;
 }
 
-// Whether the partial rows belong to the map with this sidecar. The finished sidecar counts only if
+// True if the partial rows belong to the map with this sidecar. The finished sidecar counts only if
 // there is no partial one: then the run ended between the two renames.
 bool is_of_map(const std::string& sidecar_path, const std::string& sidecar_text) {
   const std::string partial = partial_of(sidecar_path);
@@ -84,7 +84,7 @@ Result<AtomicFile> open_sidecar(const std::string& path, const std::string& text
 
 struct FoundRows {
   std::vector<MapMetrics> metrics;
-  std::size_t bytes = 0;  // of the header and the whole lines
+  std::size_t bytes = 0;  // size of the header and the whole lines
 };
 
 // The leading complete lines of `text` that are the header and cells of the part.

@@ -49,7 +49,7 @@ class MapWriter {
   std::vector<MapMetrics> found_;
 };
 
-// Whether the sidecar of `path` describes another map, or comes from another version of the
+// True if the sidecar of `path` describes another map, or comes from another version of the
 // program. False without a sidecar, as for joined parts.
 [[nodiscard]] bool has_other_sidecar(const std::string& path, const StabilityMap& map);
 
@@ -57,7 +57,7 @@ class MapWriter {
 [[nodiscard]] Result<std::vector<MapMetrics>> parse_map(std::string_view text,
                                                         const std::string& origin,
                                                         const StabilityMap& map);
-// The same from a file.
+// parse_map() of a file.
 [[nodiscard]] Result<std::vector<MapMetrics>> read_map(const std::string& path,
                                                        const StabilityMap& map);
 

@@ -51,7 +51,7 @@ std::string loader_problem() {
   return shown(colon == std::string::npos ? problem : problem.substr(colon + 2));
 }
 
-// Whether the file ends before its segments or its table of sections, as one that is being written.
+// True if the file ends before its segments or its table of sections, as one that is being written.
 // The loader would crash.
 bool is_cut_off(std::string_view bytes) {
   Elf64_Ehdr header;
@@ -74,7 +74,7 @@ bool is_cut_off(std::string_view bytes) {
   return false;
 }
 
-// Whether another user than this one and root may change the file, or the names in the folder.
+// True if another user than this one and root may change the file, or the names in the folder.
 bool others_can_write(const struct stat& status) {
   const uid_t user = geteuid();
   if (status.st_uid != user && status.st_uid != 0) return true;

@@ -41,7 +41,7 @@ class PluginWatch {
   [[nodiscard]] static std::optional<Stamp> stamp_of(const std::string& path);
   [[nodiscard]] std::optional<PluginNews> look_at(std::size_t algorithm, Watched& watched);
 
-  std::vector<Watched> files_;  // from first_plugin() on
+  std::vector<Watched> files_;  // algorithms from first_plugin() on
   std::optional<double> looked_s_;
 };
 

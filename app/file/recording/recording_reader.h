@@ -25,7 +25,8 @@ struct RecordingInfo {
   ScannedRows scanned;
   double rate_hz = 1000.0;  // from the sidecar, else from the last row, else 1000
 
-  // From the sidecar. Without one `loaded` is a scene without walls and hand; the rest is empty.
+  // Content of the sidecar. Without one `loaded` is a scene without walls and hand; the rest is
+  // empty.
   bool has_sidecar = false;
   std::string sidecar_problem;  // why the file there is no sidecar
   LoadedScene loaded;

@@ -18,17 +18,17 @@ namespace hapticwall::file {
 
 // A column of an algorithm's signal.
 struct SignalColumn {
-  std::string name;       // without prefix
-  std::size_t place = 0;  // in Sample::signals
+  std::string name;       // without the axis prefix
+  std::size_t place = 0;  // index in Sample::signals
 
   friend bool operator==(const SignalColumn&, const SignalColumn&) = default;
 };
 
 // The columns of a recording. Those of axis y follow those of axis x and have the prefix y_.
 struct CsvColumns {
-  ColumnGroup source = ColumnGroup::kTruth;  // or kDevice
+  ColumnGroup source = ColumnGroup::kTruth;  // kTruth or kDevice
   std::uint8_t axes = 1;
-  bool applied = false;                 // with kApplied: older recordings of devices have none
+  bool applied = false;                 // has kApplied, which older recordings of devices lack
   std::vector<SignalColumn> signals{};  // the last columns of each axis
 
   [[nodiscard]] bool of_simulator() const { return source == ColumnGroup::kTruth; }
@@ -42,9 +42,9 @@ struct CsvColumns {
 }
 // The signals of these algorithms, indices in algorithms(), each once.
 [[nodiscard]] std::vector<SignalColumn> signal_columns(std::span<const std::size_t> indices);
-// The same of every algorithm.
+// signal_columns() of every algorithm.
 [[nodiscard]] std::vector<SignalColumn> all_signal_columns();
-// The same of every algorithm that the settings name, with followers.
+// signal_columns() of every algorithm that the settings name, with followers.
 [[nodiscard]] std::vector<SignalColumn> signal_columns(const Scene& scene,
                                                        std::span<const ScheduledChange> changes);
 

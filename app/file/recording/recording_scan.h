@@ -16,7 +16,7 @@ inline constexpr std::uint64_t kRowsPerBlock = 1024;
 
 // The beginning of kRowsPerBlock rows; the last block may be shorter.
 struct RowBlock {
-  std::uint64_t offset = 0;  // in the file, of its first row
+  std::uint64_t offset = 0;  // of its first row, in the file
   std::uint64_t first_tick = 0;
 };
 
@@ -47,7 +47,7 @@ class RecordingScan {
 
   // The next piece of the file, of any length, in order. After a failure: nothing more.
   [[nodiscard]] Failure take(std::string_view piece);
-  // After the last piece.
+  // Ends the scan, after the last piece.
   [[nodiscard]] Result<ScannedRows> finish();
 
  private:

@@ -124,7 +124,7 @@ class CsvRecordingWriter final : public RecordingWriter {
   std::string buffer_;
   Failure failed_;
   std::uint64_t rows_ = 0;
-  std::uint64_t skipped_rows_ = 0;  // not finite, since the last finite one
+  std::uint64_t skipped_rows_ = 0;  // rows that are not finite, since the last finite one
   std::uint64_t dropped_rows_ = 0;  // holes
   std::uint64_t session_ticks_ = 0;
 };

@@ -21,7 +21,7 @@ namespace hapticwall::file {
 struct RecordingMetadata {
   // UTC, ISO 8601. Empty for a headless run: identical runs give identical files.
   std::string start_time;
-  std::string device;           // for people: "simulator"
+  std::string device;           // for people, such as "simulator"
   std::string realtime_status;  // in words
   std::uint64_t first_tick = 0;
   std::uint64_t dropped_rows = 0;
@@ -39,7 +39,7 @@ struct RecordingMetadata {
 [[nodiscard]] std::array<std::optional<std::uint64_t>, kMaxAxes> divergence_of(
     const RunSummary& summary);
 
-// Of a run on the simulator that was not in real time. `summary`: empty before its end.
+// Metadata of a run on the simulator that was not in real time. `summary`: empty before its end.
 [[nodiscard]] RecordingMetadata headless_metadata(const LoadedScene& loaded, std::uint64_t ticks,
                                                   const RunSummary& summary);
 
@@ -65,7 +65,7 @@ class RecordingWriter {
   virtual Failure append(const Tick& tick) = 0;
   // Hands the buffer to the operating system.
   virtual Failure flush() = 0;
-  // The same, and to the disk.
+  // flush(), and writes to the disk.
   virtual Failure sync() = 0;
   // `scene`: as it was at tick 0.
   virtual Failure finish(const Scene& scene, const RecordingMetadata& metadata) = 0;

@@ -28,7 +28,7 @@ class ScriptedHand {
  public:
   explicit ScriptedHand(const Scene& scene) : has_hand_(scene.x().hand), path_(hand_path(scene)) {}
 
-  // To be called with the rows in order; rows may be missing.
+  // True if the hand is on its scripted path. Call it with the rows in order; rows may be missing.
   [[nodiscard]] bool is_where_it_should_be(const Sample& sample) {
     go_to(sample.tick);
     return !has_hand_ || path_.position_m() == sample.truth.hand_path_m;

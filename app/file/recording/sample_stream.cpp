@@ -20,7 +20,7 @@
 namespace hapticwall::file {
 namespace {
 
-constexpr mode_t kStreamFileMode = 0666;  // without the umask
+constexpr mode_t kStreamFileMode = 0666;  // before the umask
 constexpr int kPipeBytes = 1 << 20;       // the limit for ordinary users
 constexpr std::size_t kMaxLineBytes = 8192;
 // A kill interrupts write() between the pages of a file only.
@@ -149,8 +149,8 @@ void SampleStream::write_pending() {
   written_bytes_ = 0;
 }
 
-// Of one write(): the whole lines that a pipe takes at once, or a full page of a file and at last
-// its rest.
+// Size of the next write(): the whole lines that a pipe takes at once, or a full page of a file and
+// at last its rest.
 std::size_t SampleStream::next_bytes() const {
   const std::string_view rest = std::string_view(pending_).substr(written_bytes_);
   if (in_file_) {
@@ -162,7 +162,7 @@ std::size_t SampleStream::next_bytes() const {
   return (end == std::string_view::npos ? rest.find('\n') : end) + 1;
 }
 
-// Whether the reader took some bytes.
+// Writes once; true if the reader took some bytes.
 bool SampleStream::write_some() {
   const ssize_t bytes = write(descriptor_, pending_.data() + written_bytes_, next_bytes());
   if (bytes < 0 && errno != EAGAIN && errno != EINTR) end(errno);

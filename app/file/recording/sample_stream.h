@@ -18,11 +18,11 @@ namespace hapticwall::file {
 
 struct StreamOptions {
   std::uint64_t every = 1;  // ticks per object, at least 1
-  // For a slow reader, as long as it takes. Otherwise its samples are lost at once.
+  // True: waits for a slow reader, as long as it takes. False: its samples are lost at once.
   bool waits = false;
   bool tells_leaving = true;                          // that the reader has closed it
-  std::function<void(const std::string& line)> tell;  // on the thread that streams; may be empty
-  std::function<bool()> stopped;  // whether the program was asked to end; may be empty
+  std::function<void(const std::string& line)> tell;  // runs on the streaming thread; may be empty
+  std::function<bool()> stopped;  // true if the program was asked to end; may be empty
 };
 
 // The ticks of one session on their way into a stream.
@@ -41,7 +41,7 @@ class SampleStream {
   static constexpr std::size_t kFlushBytes = std::size_t{64} << 10U;
   static constexpr std::size_t kMaxPendingBytes = std::size_t{1} << 20U;  // for a slow reader
   static constexpr std::chrono::milliseconds kPatience{1000};             // at the end
-  static constexpr std::chrono::milliseconds kLastPatience{100};  // at the end that was asked for
+  static constexpr std::chrono::milliseconds kLastPatience{100};  // if the end was requested
 
   // `path`: a new file, a pipe, a FIFO that somebody reads, or "-" for standard output. Fails
   // (exit status 2) for a file that exists and for a FIFO without a reader.
@@ -66,7 +66,7 @@ class SampleStream {
   [[nodiscard]] bool reader_left() const;
   // Samples; after finish() also those that the reader left in the buffer.
   [[nodiscard]] std::uint64_t lost() const;
-  // Of the disk; a reader that closes is none.
+  // Failure of the disk. A reader that closes is no failure.
   [[nodiscard]] Failure failure() const;
 
  private:

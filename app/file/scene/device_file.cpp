@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 16U;
 constexpr std::size_t kMaxNameBytes = 100;
 constexpr std::size_t kMaxSourceBytes = 1000;
-constexpr std::size_t kMaxSerialBytes = 126;  // of a USB string descriptor
+constexpr std::size_t kMaxSerialBytes = 126;  // limit of a USB string descriptor
 
 constexpr ValueRange kRate{10.0, 10e3};
 constexpr std::array<NumberKey<DeviceDescription>, 1> kDeviceKeys{
@@ -127,7 +127,7 @@ FfDescription read_ff(const toml::table& table, const std::string& origin) {
   return ff;
 }
 
-// Of a wheel: [ff], and [x] where a limit is not the default.
+// Reads a wheel: [ff], and [x] where a limit is not the default.
 void read_wheel(const toml::table& ff, TableReader& reader, const std::string& origin,
                 DeviceDescription& device) {
   device.ff = read_ff(ff, origin);

@@ -20,7 +20,7 @@ struct AxisDescription {
   double max_m = 0.3;                   // 0 to 10
   double max_force_rate_n_per_s = 0.0;  // more than 0, at most 1e6; 0: not given
   double max_speed_m_per_s = 3.0;       // of the handle, more than 0, at most 100
-  // As in a scene, for sessions on the simulator.
+  // Values as in a scene, for sessions on the simulator.
   std::optional<double> mass_kg{};
   std::optional<double> damping_n_s_per_m{};
   std::optional<double> friction_n{};
@@ -30,17 +30,17 @@ struct AxisDescription {
 
 // A wheel or stick of the kernel (docs/wheels.md).
 struct FfDescription {
-  double radius_m = 0.13;     // of the hand's place, 0.01 to 1
+  double radius_m = 0.13;     // of the hand on the wheel, 0.01 to 1
   double travel_deg = 900.0;  // from stop to stop, 1 to 3600
   double torque_nm = 0.0;     // the largest one of the wheel, 0.01 to 100
   double sign = 1.0;          // 1 or -1: positive levels turn it to the right
-  double rate_hz = 0.0;       // of updates at most, 10 to 1000; 0: not given
+  double rate_hz = 0.0;       // max rate of updates, 10 to 1000; 0: not given
   double delay_s = 0.0;       // from a position to its force, 0 to 1; 0: not known
-  std::string delay_date{};   // on which it was measured; empty: delay_s is not known
+  std::string delay_date{};   // date of the measurement; empty: delay_s is not known
 
   friend bool operator==(const FfDescription&, const FfDescription&) = default;
 };
-inline constexpr double kWheelLimitN = 5.0;  // of a file that gives none
+inline constexpr double kWheelLimitN = 5.0;  // for a file that gives no limit
 
 // The stiffest and the most damped wall that CHAI3D's source sets for the device.
 struct ChaiLimits {
@@ -60,8 +60,8 @@ struct DeviceDescription {
   std::string serial;  // empty: any
   AxisDescription x;   // with `ff`: encoder and workspace follow from the wheel
   std::optional<AxisDescription> y{};
-  std::optional<FfDescription> ff{};  // not a device of docs/hid-protocol.md
-  std::string identified{};  // what `hapticwall identify` found, when and how well; may be empty
+  std::optional<FfDescription> ff{};  // set: a wheel, not a device of docs/hid-protocol.md
+  std::string identified{};  // result, date and quality of `hapticwall identify`; may be empty
   std::optional<ChaiLimits> chai3d{};
   std::optional<Dialect> dialect{};  // nullopt: it speaks docs/hid-protocol.md
 
@@ -79,7 +79,7 @@ struct DeviceDescription {
 [[nodiscard]] std::string device_to_toml(const DeviceDescription& device);
 
 struct BuiltinDevice {
-  std::string name;  // of the file, without ".toml"
+  std::string name;  // name of the file, without ".toml"
   std::string_view toml_text;
 };
 [[nodiscard]] const std::vector<BuiltinDevice>& builtin_devices();

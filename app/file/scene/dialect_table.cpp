@@ -16,7 +16,7 @@ constexpr double kMinPerUnit = 1e-12;
 constexpr double kMaxPerUnit = 1e3;
 constexpr ValueRange kClamp{0.0, 1e9, true};
 
-// Of one direction.
+// Names and units of one direction of a dialect.
 struct Direction {
   std::string_view name;
   std::string_view scale;

@@ -20,7 +20,7 @@ constexpr std::size_t kMaxOverrideBytes = std::size_t{1} << 20U;
 
 struct KeyPart {
   std::string name;
-  std::optional<std::size_t> index;  // of wall[0]
+  std::optional<std::size_t> index;  // 0 in wall[0]
 };
 
 [[noreturn]] void fail(const std::string& label, std::string_view message) {

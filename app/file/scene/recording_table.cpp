@@ -90,7 +90,7 @@ Mark read_mark(const toml::table& table, std::size_t index, const std::string& o
   Mark mark;
   mark.tick = reader.count("tick").value_or(0);
   if (reader.node("tick") == nullptr) reader.fail_missing("tick", "a whole number");
-  static_cast<void>(reader.number("time_s", "s"));  // for people
+  static_cast<void>(reader.number("time_s", "s"));  // for people only
   mark.text = reader.line("text", kMaxMarkBytes);
   reader.finish();
   return mark;

@@ -24,7 +24,7 @@ struct Mark {
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 
-// Of one recording; dragging a slider makes sixty changes a second.
+// Max changes of one recording; dragging a slider makes sixty changes a second.
 inline constexpr std::size_t kMaxChanges = 10'000;
 inline constexpr std::string_view kTooManyChanges = "more than 10000 changes of parameters";
 // Together well below kMaxSidecarBytes.
@@ -46,7 +46,7 @@ struct LoadedScene {
   std::vector<Mark> marks;                // in order
   std::string csv_sha256;                 // of the rows; empty: not known
   bool edited = false;                    // the sidecar was changed since it was written
-  // By axis, where the recorded run diverged: the rows do not show it.
+  // By axis: the tick at which the recorded run diverged, which the rows do not show.
   std::array<std::optional<std::uint64_t>, kMaxAxes> diverged_at_tick;
 };
 
@@ -70,7 +70,7 @@ inline constexpr std::string_view kMapTable = "map";
 // A larger file is not a sidecar. A change of all walls, device and hand takes at most 4 KB.
 inline constexpr std::size_t kMaxSidecarBytes = std::size_t{1} << 26U;
 
-// Where [recording] says that a run diverged, by axis.
+// Keys of [recording] for the tick at which a run diverged, by axis.
 inline constexpr std::array<std::string_view, kMaxAxes> kDivergedKeys{"diverged_at_tick",
                                                                       "y_diverged_at_tick"};
 

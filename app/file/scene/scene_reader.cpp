@@ -12,7 +12,7 @@ namespace hapticwall::file {
 namespace {
 
 constexpr std::size_t kMaxSceneNameBytes = 100;
-constexpr std::size_t kMaxSceneDescriptionBytes = 3000;  // with what a device file says
+constexpr std::size_t kMaxSceneDescriptionBytes = 3000;  // including the text of a device file
 
 void read_axes(TableReader& reader, const std::string& origin, Scene& scene) {
   const toml::table* devices = reader.table("device");
@@ -86,7 +86,7 @@ std::string changed_plugin(toml::node_view<const toml::node> algorithm, const Sc
   return plugin != nullptr && recorded && *recorded != plugin->sha256 ? plugin->path : "";
 }
 
-// Of the scene or of one of its changes.
+// Path of a changed plug-in of the scene or of one of its changes.
 std::string changed_plugin(const toml::table& root, const LoadedScene& loaded) {
   std::string path = changed_plugin(root["algorithm"], loaded.scene);
   for (std::size_t i = 0; path.empty() && i < loaded.changes.size(); ++i)

@@ -36,10 +36,10 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-// What toml++ would make of a text.
+// Counts that bound the work of toml++ on a text.
 struct Load {
   std::size_t key_parts = 0;  // of the longest key; decimal points of numbers count as one part
-  std::size_t changes = 0;    // of a recording, or inline tables, which could be changes too
+  std::size_t changes = 0;    // changes of a recording; inline tables count, as they may be changes
 };
 
 // True if a line "[[recording.change]]" begins here.

@@ -52,14 +52,14 @@ template <typename Number>
   return text;
 }
 
-// Without spaces and tabs at both ends.
+// The text without spaces and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 // User input for a message: cut to a sane length, without control characters and invalid UTF-8, in
 // single quotes.
 [[nodiscard]] std::string in_quotes(std::string_view user_text);
 
-// The same without quotes, for a path or a key.
+// in_quotes() without the quotes, for a path or a key.
 inline constexpr std::size_t kMaxQuoteBytes = 80;  // bytes
 [[nodiscard]] std::string shown(std::string_view user_text, std::size_t longest = kMaxQuoteBytes);
 

@@ -68,7 +68,7 @@ std::string second_text(const Answer& answer) { return field_text(other(answer.f
 std::string presentation_text(const Answer& answer) {
   return answer.chosen == answer.first ? "1" : "2";
 }
-// Of a column that follows from others.
+// Reads a column that follows from others.
 bool follows(std::string_view /*text*/, Answer& /*answer*/) { return true; }
 
 constexpr std::array kAnswerColumns{column<&Answer::participant>("participant"),
@@ -118,7 +118,7 @@ std::optional<Answer> parse_answer(std::string_view line) {
   for (std::size_t i = 0; i < kAnswerColumns.size(); ++i) {
     if (!kAnswerColumns[i].read((*fields)[i], answer)) return std::nullopt;
   }
-  // Also the columns that follow from others.
+  // Compares also the columns that follow from others.
   return answer_line(answer) == std::string(line) + '\n' ? std::optional(answer) : std::nullopt;
 }
 
@@ -126,7 +126,7 @@ Result<AnswersFile> AnswersFile::open(const std::string& path, const Answer& ide
   const Result<int> descriptor = open_own(path, {O_RDWR | O_APPEND, kAnswersMode, path});
   if (!descriptor) return descriptor.error();
   AnswersFile file(path, identity, *descriptor);
-  const Result<std::string> place = replaceable_path(path);  // not read-only, also for root
+  const Result<std::string> place = replaceable_path(path);  // fails if read-only, also for root
   if (!place) return place.error();
   if (const Failure failure = file.read()) return *failure;
   sync_folder(path);
@@ -174,7 +174,7 @@ Failure AnswersFile::read() {
     text = std::move(*found);
   }
   const std::string header = answers_header();
-  const bool begins = header.starts_with(text);  // also a new file
+  const bool begins = header.starts_with(text);  // true also for a new file
   if (!begins && !text.starts_with(header)) {
     return usage_error(
         fmt::format("{}: not a file of answers; choose another name for them", shown(path_)));

@@ -26,14 +26,14 @@ struct Answer {
   std::string block;
   TrialKind kind = TrialKind::kTest;
   std::string question;
-  std::string a;  // what the slots held
+  std::string a;  // contents of the slots
   std::string b;
   Slot first = Slot::kA;  // slot of the first presentation
   Slot chosen = Slot::kA;
-  std::optional<bool> correct;  // if the trial has a right answer
+  std::optional<bool> correct;  // nullopt: the trial has no right answer
   std::uint32_t looks = 0;      // presentations felt before the choice
-  double seconds = 0.0;         // from the first of them to the choice
-  std::uint64_t seed = 0;       // of the order of presentations; of new files at most kMaxSeed
+  double seconds = 0.0;         // from the first of these presentations to the choice
+  std::uint64_t seed = 0;       // seed of the order of presentations; in new files at most kMaxSeed
   std::string program;          // version and build
   std::string scene_sha256;     // of the scene as TOML, without the slots
   std::string list_sha256;
@@ -44,7 +44,7 @@ struct Answer {
 // The line of columns, and the lines of answers, each with its end.
 [[nodiscard]] std::string answers_header();
 [[nodiscard]] std::string answer_line(const Answer& answer);
-// Without the line's end; nullopt for anything that answer_line() does not write.
+// Parses a line without its end; nullopt for anything that answer_line() does not write.
 [[nodiscard]] std::optional<Answer> parse_answer(std::string_view line);
 
 // Appends answers to a file that it locks. An answer is on the disk when append() returns: a killed
@@ -71,7 +71,7 @@ class AnswersFile {
   // The end of the file was a torn line, which a kill leaves; it is gone.
   [[nodiscard]] bool dropped() const { return dropped_; }
   [[nodiscard]] const std::string& path() const { return path_; }
-  // With the fields that all answers share.
+  // Answer with the fields that all answers share.
   [[nodiscard]] const Answer& identity() const { return identity_; }
 
  private:

@@ -22,7 +22,7 @@ enum class Slot : std::uint8_t { kA, kB };
 }
 
 enum class TrialKind : std::uint8_t { kPractice, kTest, kCatch, kBreak };
-// In a trial list, in the order of TrialKind.
+// Names in a trial list, in the order of TrialKind.
 inline constexpr std::array<std::string_view, 4> kTrialKinds{"practice", "test", "catch", "break"};
 [[nodiscard]] constexpr std::string_view kind_name(TrialKind kind) {
   return kTrialKinds.at(static_cast<std::size_t>(kind));
@@ -38,10 +38,10 @@ struct TrialSpec {
   std::uint64_t number = 0;  // unique in its list
   std::string block;
   TrialKind kind = TrialKind::kTest;
-  std::array<std::string, 2> slots;       // of A and B; see slot_overrides()
-  std::string question = kUsualQuestion;  // of a break: its text
+  std::array<std::string, 2> slots;       // settings of A and B; see slot_overrides()
+  std::string question = kUsualQuestion;  // or the text of a break
   std::optional<Slot> correct;            // the right answer, if there is one
-  std::size_t line = 0;                   // of the file, from 1
+  std::size_t line = 0;                   // line in the file, from 1
 };
 
 struct TrialList {

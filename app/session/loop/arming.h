@@ -14,7 +14,7 @@
 
 namespace hapticwall::session {
 
-// From zero to full force.
+// Time from zero to full force.
 inline constexpr double kArmingRampS = 0.5;
 
 enum class ArmingState : std::uint8_t {
@@ -27,7 +27,7 @@ enum class ArmingState : std::uint8_t {
 // Why the force is off.
 enum class ArmingNote : std::uint8_t {
   kNone,        // it is on, or was never asked for
-  kAsked,       // by the person
+  kAsked,       // the person asked for it
   kInsideWall,  // refused: the handle was inside the wall
   kNotReady,    // refused: the device gave no valid position
   kPaused,      // refused or disarmed by a pause
@@ -36,7 +36,7 @@ enum class ArmingNote : std::uint8_t {
   kForce,       // the algorithm's force was not a finite number
   kWallMoved,   // a change of parameters put the wall over the handle
   kLate,        // the loop woke up later than the time to live of a force
-  // What DeviceJudge found.
+  // Faults that DeviceJudge found.
   kImplausible,
   kSlowAnswer,
   kNoAnswer,
@@ -96,7 +96,7 @@ struct ArmingFacts {
   bool failed = false;  // the force was not finite
   bool in_contact = false;
   bool parameters_changed = false;
-  ArmingNote judged = ArmingNote::kNone;  // what DeviceJudge found
+  ArmingNote judged = ArmingNote::kNone;  // fault that DeviceJudge found
   bool waits_for_answer = false;          // the delay of the device is not known yet
 };
 [[nodiscard]] inline ArmingFacts arming_facts(const Sample& sample, bool failed) {
@@ -146,11 +146,11 @@ class Arming {
 
   [[nodiscard]] ArmingState state() const { return state_; }
   [[nodiscard]] ArmingNote note() const { return note_; }
-  // Whether the device may apply the commanded force.
+  // True if the device may apply the commanded force.
   [[nodiscard]] bool enabled() const { return state_ != ArmingState::kOff; }
   // Number of answered requests, granted or refused.
   [[nodiscard]] std::uint32_t answers() const { return answers_; }
-  // Of the force at the next tick, 0 to 1.
+  // Gain of the force at the next tick, 0 to 1.
   [[nodiscard]] double gain() const { return state_ == ArmingState::kNotNeeded ? 1.0 : gain_; }
 
  private:

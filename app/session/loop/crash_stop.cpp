@@ -47,7 +47,7 @@ struct Caught {
 };
 std::array<Caught, kSignals.size()> g_caught;
 
-std::mutex g_mutex;  // of g_crash_stops, and of writing g_caught
+std::mutex g_mutex;  // protects g_crash_stops and writes of g_caught
 int g_crash_stops = 0;
 
 bool is_fault(int signal) {
@@ -162,7 +162,8 @@ bool must_end_force() noexcept { return g_must_end.load(std::memory_order_relaxe
 
 void end_all_force() noexcept {
   g_must_end.store(true, std::memory_order_release);
-  // Before the wait, because the link's threads need it to send the zero.
+  // Removes the own loop's force before the wait: the link's threads need that time to send the
+  // zero.
   const OwnLoop own = std::exchange(t_own_loop, {});
   if (own.remove_force != nullptr) own.remove_force(own.loop);
   const LibraryCall* const call = present_library_call();

@@ -52,8 +52,8 @@ class LoopWithForce {
 // signal handler. Realtime-safe: no.
 void end_all_force() noexcept;
 
-// The same, then ends the process by this signal; in a handler of that signal, when the handler
-// returns. Realtime-safe: no.
+// end_all_force(), then ends the process by this signal; in a handler of that signal, when the
+// handler returns. Realtime-safe: no.
 void end_by(int signal) noexcept;
 
 }  // namespace hapticwall::session

@@ -24,7 +24,7 @@ class CycleScheduler {
   // `rate_hz` > 0. The first deadline is one period after `start_ns`.
   CycleScheduler(double rate_hz, std::int64_t start_ns) : rate_hz_(rate_hz), start_ns_(start_ns) {}
 
-  // Of the next cycle.
+  // Deadline of the next cycle.
   [[nodiscard]] std::int64_t deadline_ns() const { return deadline_of(next_); }
 
   // Takes a wake-up at `now_ns` (not before deadline_ns()) and moves to the first deadline after

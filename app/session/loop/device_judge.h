@@ -14,7 +14,8 @@
 
 namespace hapticwall::session {
 
-// From the latch of a position to the acknowledgement of its force. A slower device gets no force.
+// Max time from the latch of a position to the acknowledgement of its force. A slower device gets
+// no force.
 inline constexpr double kMaxCommandAgeS = 0.02;
 // A delay beyond so many periods is poor, and is refused. The device's tick and the loop's differ
 // by parts in a thousand.
@@ -31,7 +32,7 @@ struct JudgeOptions {
   bool allow_slow_device = false;  // arms a device with a poor delay
 };
 
-// What the host knows of a tick.
+// Facts of a tick that the host knows.
 struct JudgedTick {
   double elapsed_s = 0.0;      // since the previous call
   double force_n = 0.0;        // of the last command
@@ -43,14 +44,14 @@ class DeviceJudge {
  public:
   explicit DeviceJudge(const device::DeviceInfo& info, const JudgeOptions& options = {});
 
-  // What is wrong at this tick; kNone without objection.
+  // The fault at this tick; kNone without objection.
   [[nodiscard]] ArmingNote judge(const DeviceReading& reading, const device::LinkStats& link,
                                  const JudgedTick& tick);
   // Motion until the next reading is unobserved.
   void forget();
   // Its delay or the rate of its clock is not known yet.
   [[nodiscard]] bool waits_for_answer() const { return waits_for_answer_; }
-  // Of the next force: less than full until the handle has obeyed.
+  // Obedience for the next force: less than full force until the handle has obeyed.
   [[nodiscard]] const Obedience& obedience() const { return obedience_; }
 
  private:
@@ -75,7 +76,7 @@ class DeviceJudge {
   std::uint32_t late_answers_ = 0;  // in a row
 };
 
-// Whether a force is the limit: 1 out of the wall, -1 into it; else 0. Realtime-safe: yes.
+// Direction of a force at the limit: 1 out of the wall, -1 into it; else 0. Realtime-safe: yes.
 [[nodiscard]] int full_force(double force_n, double force_limit_n);
 
 }  // namespace hapticwall::session

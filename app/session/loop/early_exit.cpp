@@ -18,7 +18,7 @@ namespace {
 
 std::atomic<bool> g_is_error{false};
 std::atomic<bool> g_ends{false};
-std::atomic<int> g_status{0};  // of the error
+std::atomic<int> g_status{0};  // exit status of the error
 static_assert(std::atomic<int>::is_always_lock_free);
 
 void leave(int /*signal*/) { _exit(g_status.load()); }
@@ -40,7 +40,7 @@ void on_exit() {
     while (true) pause();  // another thread is about to end the process
   }
   g_status = static_cast<int>(call == nullptr ? ErrorKind::kUsage : call->kind);
-  if (is_error) std::signal(SIGALRM, leave);  // of end_all_force()
+  if (is_error) std::signal(SIGALRM, leave);  // for the alarm of end_all_force()
   end_all_force();
   if (!is_error) return;
   say_who_did_it(call);

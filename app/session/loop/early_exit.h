@@ -7,8 +7,8 @@
 
 namespace hapticwall::session {
 
-// From now on, exit() and quick_exit() first end every loop with zero force. Call it again after
-// libraries were loaded: the newest handler runs first, before theirs. Realtime-safe: no.
+// Makes exit() and quick_exit() first end every loop with zero force. Call it again after libraries
+// were loaded: the newest handler runs first, before theirs. Realtime-safe: no.
 void watch_exit();
 
 // While one exists, the program ends by the return of its main function only. An earlier exit() is

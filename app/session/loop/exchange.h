@@ -29,7 +29,7 @@ struct LoopParameters {
     // echoed. nullptr: the device's own plant.
     PlantModel* plant = nullptr;
   };
-  std::array<Axis, kMaxAxes> axes;  // as many as the loop has devices; the others are unused
+  std::array<Axis, kMaxAxes> axes;  // one for each device of the loop; the others are unused
   std::uint32_t generation = 1;
 };
 
@@ -47,7 +47,7 @@ enum class CommandKind : std::uint8_t {
 
 struct Command {
   CommandKind kind = CommandKind::kPause;
-  std::uint32_t ticks = 0;  // of kStep; of kSlow: periods per tick
+  std::uint32_t ticks = 0;  // kStep: number of ticks; kSlow: periods per tick
 };
 
 // The tick at which a generation took effect. Sent for every change, and for tick 0 after a reset.
@@ -85,7 +85,7 @@ struct Exchange {
   std::atomic<std::uint64_t> dropped_plot_samples{0};
   std::atomic<std::uint64_t> dropped_rows{0};        // of all recordings
   std::atomic<std::uint32_t> recording_switches{0};  // executed start and stop commands
-  std::atomic<bool> pointer_led{false};              // in any tick since tick 0
+  std::atomic<bool> pointer_led{false};              // true if it led in any tick since tick 0
   std::atomic<bool> finished{false};                 // force is zero, device closed
   LatencyHistogram wake_latency;                     // of every cycle
   LatencyHistogram compute_time;

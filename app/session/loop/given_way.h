@@ -52,9 +52,9 @@ class GivenWay {
   }
 
  private:
-  static constexpr double kSpeedS = 0.004;  // of the mean speed
+  static constexpr double kSpeedS = 0.004;  // time constant of the speed
   static constexpr double kMemoryS = 0.02;
-  static constexpr double kWeakShare = 0.25;  // of the force limit
+  static constexpr double kWeakShare = 0.25;  // share of the force limit
 
   void take_position(double position_m, double elapsed_s) {
     if (known_ && elapsed_s > 0.0) {

@@ -13,7 +13,7 @@
 
 namespace hapticwall::session {
 
-// Of a series of times, nanoseconds; all 0 for an empty series.
+// Quantiles of a series of times, nanoseconds; all 0 for an empty series.
 struct Quantiles {
   std::size_t count = 0;
   std::int64_t median_ns = 0;

@@ -7,8 +7,8 @@
 
 namespace hapticwall::session {
 
-// By the device's clock, else by the host's. No report is trusted to be older than a position may
-// be: a clock that runs fast hides no jump.
+// Judges by the device's clock, else by the host's. No report is trusted to be older than a
+// position may be: a clock that runs fast hides no jump.
 ArmingNote MotionJudge::judge(const DeviceReading& reading, double elapsed_s, bool has_clock,
                               double force_limit_n) {
   since_s_ += elapsed_s;

@@ -1,4 +1,4 @@
-// Whether a handle can have moved as a device reports. Arithmetic only: no clock, no device.
+// Check that a handle can have moved as its device reports. Arithmetic only: no clock, no device.
 // Realtime-safe: yes, all of it.
 #pragma once
 

@@ -108,7 +108,7 @@ void Obedience::weigh(std::uint64_t step, std::uint64_t delay) {
   count(moved_m, step_n);
 }
 
-// Before chunk `end`.
+// Mean position before chunk `end`.
 double Obedience::place(std::uint64_t end) const {
   const std::uint64_t chunks = std::min({kMeanChunks, span_, end});
   double sum_m = 0.0;

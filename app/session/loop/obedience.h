@@ -1,6 +1,6 @@
-// Whether the handle obeys the force: its sign, found with a weak force. Until then the force limit
-// is a small share, which switches between two values while the handle is in contact. A force that
-// changes by a step moves every passive hand and handle with the step, whatever the hand does
+// Check that the handle obeys the force: its sign, found with a weak force. Until then the force
+// limit is a small share, which switches between two values while the handle is in contact. A force
+// that changes by a step moves every passive hand and handle with the step, whatever the hand does
 // otherwise. Arithmetic only: no clock, no device. Realtime-safe: yes, all of it.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace hapticwall::session {
 
-// Of the force limit, for a handle that shows no response to a weaker force.
+// Max share of the force limit, for a handle that shows no response to a weaker force.
 inline constexpr double kMaxUntriedShare = 0.3;
-// From the weak force to the full one, after the handle has obeyed.
+// Ramp time from the weak force to the full one, after the handle has obeyed.
 inline constexpr double kObeyedRampS = 0.2;
 
 class Obedience {
@@ -29,7 +29,7 @@ class Obedience {
   // unknown).
   void hear(double position_m, double force_n, double delay_s);
   [[nodiscard]] Word word() const { return word_; }
-  // At the next tick, of the force limit, and of the force within it; above 0, at most 1.
+  // Shares at the next tick, of the force limit, and of the force within it; above 0, at most 1.
   [[nodiscard]] double limit_share() const { return share_; }
   [[nodiscard]] double level() const;
 
@@ -56,11 +56,11 @@ class Obedience {
   double untried_share_;
   double ramp_step_;
   std::uint32_t chunk_ticks_;
-  std::uint64_t span_;  // in chunks: between two positions that are compared
+  std::uint64_t span_;  // chunks between two positions that are compared
 
   std::array<Chunk, kChunks> chunks_{};
-  std::uint64_t count_ = 0;  // of whole chunks
-  std::uint32_t ticks_ = 0;  // in the present one
+  std::uint64_t count_ = 0;  // whole chunks
+  std::uint32_t ticks_ = 0;  // ticks in the present chunk
   double sum_n_ = 0.0;
   bool mixed_ = false;
   std::uint64_t step_ = 0;         // chunk at which the present level began

@@ -54,14 +54,14 @@ int permitted_priority() {
   return static_cast<int>(std::min<rlim_t>(limit.rlim_cur, kLoopPriority));
 }
 
-// Of the calling thread; returns 0 or errno.
+// Sets the priority of the calling thread; returns 0 or errno.
 int set_fifo_priority(int priority) {
   sched_param parameters{};
   parameters.sched_priority = priority;
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
 }
 
-// Of the process, for each of its real-time threads. Smaller limits stay.
+// Limits the processor time of each real-time thread of the process. Smaller limits stay.
 void limit_processor_time() {
   rlimit limit{};
   if (getrlimit(RLIMIT_RTTIME, &limit) != 0) return;

@@ -43,8 +43,8 @@ ServoLoop::ServoLoop(const std::vector<device::Device*>& devices, Exchange& exch
   exchange_.snapshots.publish(snapshot_);
 }
 
-// After a cycle this late a real device has dropped the force (docs/hid-protocol.md). It must not
-// return abruptly, so the loop disarms.
+// After a cycle later than kDefaultMaxAgeS a real device has dropped the force
+// (docs/hid-protocol.md). The force must not return abruptly, so the loop disarms.
 void ServoLoop::cycle(const Wake& wake, Clock& clock) {
   if (seconds(wake.latency_ns) > kDefaultMaxAgeS) disarm(ArmingNote::kLate);
   take_commands();
@@ -222,7 +222,7 @@ void ServoLoop::tick() {
   hand_out(tick);
 }
 
-// For the note about a session that is at its limit for most of the time.
+// Counts the ticks for the note about a session that is at its limit for most of the time.
 void ServoLoop::count_force(const Tick& tick) {
   const ServoSettings& settings = axes_.front().servo.settings();
   if (!arming_.enabled()) return;

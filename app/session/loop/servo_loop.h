@@ -61,7 +61,7 @@ class ServoLoop {
   CostWindow cost_;
   LedHand hand_;
   double elapsed_s_ = 0.0;       // since the previous cycle
-  std::int64_t latency_ns_ = 0;  // of the present one
+  std::int64_t latency_ns_ = 0;  // of the present cycle
   std::uint32_t steps_left_ = 0;
   std::uint32_t periods_since_tick_ = 0;
   bool recording_ = false;

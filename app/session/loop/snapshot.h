@@ -12,7 +12,7 @@
 
 namespace hapticwall::session {
 
-// Of the queues that carry every tick, in ticks.
+// Capacities of the queues that carry every tick, in ticks.
 struct QueueCapacities {
   std::size_t plot = 1U << 16U;
   std::size_t recorder = 1U << 17U;
@@ -41,7 +41,7 @@ struct TimingHistograms {
   LatencyCounts compute_time;
 };
 
-// Of ArmingStatus::mostly_at_limit(), and of a weak force: clauses for people.
+// Clauses for people: for ArmingStatus::mostly_at_limit(), and for a weak force.
 inline constexpr std::string_view kAtLimitText =
     "the force was at its limit for most of the armed time: a hand that is stronger than the "
     "limit, "
@@ -49,14 +49,14 @@ inline constexpr std::string_view kAtLimitText =
 inline constexpr std::string_view kWeakText =
     "press into a wall for a second: the force is weak until the handle obeys";
 
-// Whether the force of a real device acts, and why not.
+// State of a real device's force: it acts, or why not.
 struct ArmingStatus {
   ArmingState state = ArmingState::kNotNeeded;
   ArmingNote note = ArmingNote::kNone;
   double gain = 1.0;              // of the force, 0 to 1
   std::uint32_t asked = 0;        // answered requests to arm, granted or refused
   double since_s = 0.0;           // session's time at which `state` began
-  double limit_share = 1.0;       // of the force limit: less than 1 until the handle has obeyed
+  double limit_share = 1.0;       // share of the force limit: below 1 until the handle has obeyed
   std::uint64_t armed_ticks = 0;  // since the start, and those of them with the full force
   std::uint64_t limit_ticks = 0;
 

@@ -12,10 +12,10 @@ namespace hapticwall::session {
 // the process.
 inline constexpr std::int64_t kMaxSilenceNs = 1'000'000'000;
 
-// From now on SIGINT and SIGTERM only ask the program to end, and stop_signal() tells it. A second
-// one of the same kind ends the force of every loop, then the program, by the signal. The first one
-// does the same as soon as something hangs (kMaxSilenceNs), before or after it. It uses SIGALRM.
-// A signal that is ignored stays ignored. Realtime-safe: no.
+// Lets SIGINT and SIGTERM only ask the program to end; stop_signal() then returns the signal. A
+// second one of the same kind ends the force of every loop, then the program, by the signal. The
+// first one does the same as soon as something hangs (kMaxSilenceNs), before or after it. It uses
+// SIGALRM. A signal that is ignored stays ignored. Realtime-safe: no.
 void catch_stop_signals();
 
 // The signal that asked the program to end; 0 if none has. Realtime-safe: yes.

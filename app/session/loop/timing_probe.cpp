@@ -54,7 +54,7 @@ struct Shared {
   std::atomic<bool> finished{false};
 };
 
-// Of the calling thread, seconds.
+// Processor time of the calling thread, seconds.
 double processor_s() {
   return static_cast<double>(thread_processor_time_ns()) / kNanosecondsPerSecond;
 }

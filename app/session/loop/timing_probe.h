@@ -18,19 +18,19 @@ struct TimingRecord {
   double processor_share = 0.0;          // of one core
   std::vector<std::int64_t> latency_ns;  // of every wake-up
   std::vector<std::int64_t> compute_ns;  // of every tick's work: the device's read and write
-  // Of a device, for each tick with a new state.
+  // Times of a device, for each tick with a new state.
   std::vector<std::int64_t> age_ns;
   std::vector<std::int64_t> round_trip_ns;
   std::vector<std::int64_t> write_ns;
   device::LinkStats link;  // at the end
-  std::string delay_date;  // as of DeviceInfo; the caller adds it
+  std::string delay_date;  // see DeviceInfo::delay_date; the caller adds it
 };
 
 struct TimingPlan {
   double rate_hz = 1000.0;
   std::uint64_t ticks = 0;
   int affinity_core = -1;
-  double spin_s = 0.0;  // as SessionOptions::spin_s
+  double spin_s = 0.0;  // see SessionOptions::spin_s
 };
 
 // Runs `ticks` cycles in a new thread, or until `should_stop` returns true on the caller's thread.

@@ -11,8 +11,8 @@ namespace hapticwall::session {
 namespace {
 
 struct LoopMarks {
-  double latency;       // of the period
-  double missed_ticks;  // of all
+  double latency;       // share of the period
+  double missed_ticks;  // share of all ticks
 };
 constexpr LoopMarks kGood{0.1, 0.0};
 constexpr LoopMarks kUsable{0.5, 1e-4};

@@ -22,7 +22,7 @@ class Output {
  public:
   explicit Output(std::shared_ptr<SoundRing> ring) : ring_(std::move(ring)) {}
 
-  // After each of these, follow() the source anew.
+  // Call follow() again after open() and after close().
   [[nodiscard]] Failure open(const OpenCard& open) {
     Result<std::unique_ptr<Card>> card =
         open([ring = ring_](std::span<float> samples) { ring->fill(samples); });
@@ -63,7 +63,7 @@ class Output {
 struct SoundPlayer::Shared {
   explicit Shared(OpenCard card) : open_card(std::move(card)) {}
 
-  // With the lock, all of these.
+  // All of these need the lock.
   [[nodiscard]] bool heeded() const { return !end && !source_is_new && on == card_tried; }
   void listen(bool wanted) const {
     if (source.feed) source.feed->wanted.store(wanted, std::memory_order_relaxed);
@@ -78,7 +78,7 @@ struct SoundPlayer::Shared {
 
   const OpenCard open_card;
   const std::shared_ptr<SoundRing> ring = std::make_shared<SoundRing>();
-  std::mutex mutex;  // of the following; not held while the card is asked for anything
+  std::mutex mutex;  // guards the members below; not held while the card is called
   std::condition_variable changed;
   SoundSource source;
   bool source_is_new = false;

@@ -31,7 +31,7 @@ class SoundPlayer {
   struct Shared;
   static void work(const std::shared_ptr<Shared>& shared);
 
-  std::shared_ptr<Shared> shared_;  // with the thread, which may outlive the player
+  std::shared_ptr<Shared> shared_;  // shared with the thread, which may outlive the player
   std::thread thread_;
 };
 

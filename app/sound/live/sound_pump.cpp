@@ -10,7 +10,7 @@ namespace {
 constexpr double kMinBacklog = 8.0;  // ticks of a slow loop
 
 constexpr double kFirstHz = 20.0;
-constexpr double kStep = 4.0;  // from the corner of a part to the next
+constexpr double kStep = 4.0;  // factor from the corner of a part to the next
 constexpr double kRms = 0.2;
 
 RingLevels levels_for(double loop_hz, const CardFacts& card) {

@@ -1,4 +1,4 @@
-// From ticks to the card's ring, without thread and clock.
+// Transfer from ticks to the card's ring, without thread and clock.
 #pragma once
 
 #include <algorithm>
@@ -101,7 +101,7 @@ class SoundPump {
   // Moves all ticks. Realtime-safe: no.
   void step(std::span<const Tick> ticks, const SoundMix& mix);
 
-  // From a tick to the plug.
+  // Latency from a tick to the plug.
   [[nodiscard]] double latency_s() const;
 
  private:

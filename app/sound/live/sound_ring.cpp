@@ -6,7 +6,7 @@ namespace hapticwall::sound {
 namespace {
 
 constexpr float kFadeIn = 0.004F;  // a sample
-constexpr float kFadeOut = 0.98F;  // from a sample to the next
+constexpr float kFadeOut = 0.98F;  // factor from a sample to the next
 
 }  // namespace
 

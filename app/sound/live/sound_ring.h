@@ -12,7 +12,7 @@ namespace hapticwall::sound {
 
 // The level that the ring is kept at, in samples.
 struct RingLevels {
-  std::size_t start = 0;  // before the card gets the first one, and after the ring was empty
+  std::size_t start = 0;  // level before the card's first sample, and after the ring was empty
   std::size_t max = 0;    // above it the oldest samples are dropped down to `start`
   double mean = 0.0;      // seen between two calls of the card
 };
@@ -22,7 +22,7 @@ inline constexpr std::size_t kRingCapacity = 1U << 14U;
 // One thread pushes, the card's thread fills. Neither waits.
 class SoundRing {
  public:
-  // Before the first push(); until then the card gets silence.
+  // Sets the levels before the first push(); until then the card gets silence.
   void plan(const RingLevels& levels);
 
   // False if it is full. Realtime-safe: yes.

@@ -10,9 +10,9 @@ enum class SoundState : std::uint8_t { kOff, kOpening, kPlaying, kNoCard, kStuck
 
 struct SoundStatus {
   SoundState state = SoundState::kOff;
-  std::string card;        // where it plays
-  std::string problem;     // of kNoCard
-  double latency_s = 0.0;  // where it plays: from a tick to the plug
+  std::string card;        // the card on which it plays
+  std::string problem;     // reason of kNoCard
+  double latency_s = 0.0;  // while it plays: from a tick to the plug
 };
 
 // One sentence.

@@ -29,7 +29,7 @@ class HandleSound {
   // `rate_hz`: of the loop, more than 0. `knows_truth`: the samples come from a simulator.
   HandleSound(double rate_hz, bool knows_truth);
 
-  // In m/s².
+  // Next value of the sound, in m/s².
   [[nodiscard]] double next(const Sample& sample);
 
  private:
@@ -60,7 +60,7 @@ class TickSound {
   TickSound(double rate_hz, bool knows_truth)
       : axes_(kMaxAxes, HandleSound(rate_hz, knows_truth)) {}
 
-  // In m/s².
+  // Next value of the sound, in m/s².
   [[nodiscard]] double next(const Tick& tick);
 
  private:

@@ -11,7 +11,7 @@ constexpr double kCutoff = 0.4;      // middle of pass and stop band, share of t
 constexpr double kKaiserBeta = 6.2;  // 65 dB
 constexpr double kPerUnit = 256.0;   // entries of the table in 1/band; between them it is linear
 
-// At `t`, in 1/band.
+// Value at `t`, which is in 1/band.
 double windowed_sinc(double t) {
   const double x = 2.0 * std::numbers::pi * kCutoff * t;
   const double sinc = t == 0.0 ? 1.0 : std::sin(x) / x;

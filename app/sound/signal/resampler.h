@@ -1,4 +1,4 @@
-// From the loop's rate to a sound card's, band-limited.
+// Resampler from the loop's rate to a sound card's, band-limited.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ inline constexpr double kKernelHalf = 10.0;  // length on either side of its mid
 // Realtime-safe: push() is, where `out` has room.
 class Resampler {
  public:
-  // Both more than 0; `to_hz` at least kMaxBandHz.
+  // Precondition: both rates are more than 0; `to_hz` is at least kMaxBandHz.
   Resampler(double from_hz, double to_hz);
 
   // Takes an input and appends the outputs that it completes. The first output has the time of the
@@ -27,7 +27,7 @@ class Resampler {
 
   // More (> 0) or less (< 0) input for each output, as a share of the ratio.
   void correct(double share) { step_ = ratio_ * (1.0 + share); }
-  // From an input to its output.
+  // Delay from an input to its output.
   [[nodiscard]] double delay_s() const { return kKernelHalf / band_hz_; }
 
  private:

@@ -1,4 +1,4 @@
-// From ticks to audio samples: the same for a file and for a sound card.
+// Audio samples from ticks: the same for a file and for a sound card.
 #pragma once
 
 #include <vector>

@@ -28,7 +28,7 @@ constexpr NumberForm kMilliseconds{kMillisecondsPerSecond, 1};
 constexpr NumberForm kMillijoules{kMillijoulesPerJoule, 2};
 constexpr NumberForm kNewtons{1.0, 2};
 
-// In the order of RiseKind; of equal width, to align the numbers.
+// Marks in the order of RiseKind; of equal width, to align the numbers.
 constexpr std::array<std::string_view, 3> kRiseMarks{"  ", " *", " +"};
 constexpr std::array<std::string_view, 3> kRiseNames{"mean", "one-tick", "to-the-limit"};
 

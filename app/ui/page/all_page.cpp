@@ -22,7 +22,7 @@ constexpr float kMinFieldEms = 16.0F;  // width
 constexpr float kMinHeightEms = 9.0F;
 constexpr double kSmallestSpanMm = 0.5;
 
-// The same for all, so that the fields can be compared. A run that diverged leaves it.
+// Common range of all runs, so that the fields can be compared. A run that diverged goes beyond it.
 draw::Extremes span_mm(std::span<const AlgorithmRun> runs) {
   std::optional<draw::Extremes> all;
   for (const AlgorithmRun& run : runs) {
@@ -57,7 +57,7 @@ void draw_trace(const PanelContext& context, const AlgorithmRun& run, draw::Extr
   ImPlot::EndPlot();
 }
 
-// In two lines: how it moves, and how it feels.
+// The verdict in two lines: the motion, then force and stiffness.
 std::string verdict_lines(const Summary& summary) {
   const file::TailTexts tail = file::tail_texts(summary);
   return fmt::format("{} · {}\n{} · {}", file::verdict_text(summary), tail.way, tail.force,

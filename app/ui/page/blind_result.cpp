@@ -31,7 +31,7 @@ std::string interval_text(const TrialResult& result) {
   return fmt::format("{:.1f} to {:.1f} %", kPercent * result.a.low, kPercent * result.a.high);
 }
 
-// Of the trials of a list.
+// Draws the results of the trials of a list.
 void draw_list_figures(const PanelContext& context, const compare::TrialResults& results) {
   figure_row(context, "correct", share_text(results.tests.correct, results.tests.judged),
              draw::Tone::kText, "Right answers, of the trials that have one");

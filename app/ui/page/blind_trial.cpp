@@ -18,8 +18,8 @@ constexpr float kBigFontSize = 22.0F;
 constexpr float kProgressEms = 0.3F;  // height
 constexpr float kChooseEms = 2.4F;    // height of the buttons below
 constexpr float kMinFeelEms = 4.0F;   // height of the big buttons, at least
-constexpr float kMaxFeelEms = 16.0F;  // and at most
-constexpr float kMaxPageEms = 62.0F;  // of the page
+constexpr float kMaxFeelEms = 16.0F;  // max height of the big buttons
+constexpr float kMaxPageEms = 62.0F;  // max width of the page
 constexpr float kWaitEms = 16.0F;     // width of the button in a break
 
 struct Words {
@@ -58,7 +58,8 @@ void draw_feel_button(const PanelContext& context, const BlindTest& test, const 
   const ImVec2 middle(corner.x + 0.5F * size.x, corner.y + 0.5F * size.y);
   draw_centred(ImVec2(middle.x, middle.y - ems(0.6F)), theme.fonts.strong, kBigFontSize,
                theme.packed(draw::Tone::kText), words.wall);
-  // Not what the loop has echoed: equal walls change nothing, which would tell that they are equal.
+  // The text does not follow the loop's echo: equal walls change nothing, which would tell that
+  // they are equal.
   const std::string below = std::string(now && context.snapshot.paused ? "paused"
                                         : now                          ? "felt now"
                                         : felt                         ? "felt"
@@ -139,7 +140,7 @@ void draw_progress(const PanelContext& context, const BlindTest& test, float wid
   ImGui::Dummy(ImVec2(width, height + ImGui::GetStyle().ItemSpacing.y));
 }
 
-// At the beginning of a list, and in its breaks.
+// Draws the page at the beginning of a list, and in its breaks.
 void draw_wait(const PanelContext& context, const BlindTest& test, float width) {
   ImGui::Dummy(ImVec2(width, ems(kChooseEms)));
   const bool begins = !test.begun && test.answers.empty();

@@ -19,7 +19,7 @@ constexpr draw::LineSet kGhostLines = draw::kExtraLines | draw::line_bit(&Sample
                                       draw::line_bit(&Sample::energy_scv_j) |
                                       draw::line_bit(&Sample::energy_budget_j);
 
-// At the time of the present contact, added to the ledger at its start.
+// Sample of the ghost at the time of the present contact, added to the ledger at its start.
 Sample sample_at(const Ghost& ghost, const TracePoint& point, double rate_hz) {
   Sample sample;
   sample.tick = ghost.present_onset_tick + point.ticks;

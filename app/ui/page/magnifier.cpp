@@ -20,8 +20,8 @@ constexpr double kRoomToSpare = 0.8;  // magnify more only when the depth needs 
 constexpr double kLookBackS = 0.5;    // window for the choice of the magnification
 constexpr double kFollowS = 0.1;      // window of the motion that must fit to be followed
 constexpr double kNearerShare = 0.5;  // switch to another face when it is nearer by this factor
-constexpr double kStayWithin = 0.40;  // of the span from its middle: range of the handle
-constexpr double kWithinFace = 0.47;  // the same while the view is at the face
+constexpr double kStayWithin = 0.40;  // share of the span, from its middle: range of the handle
+constexpr double kWithinFace = 0.47;  // kStayWithin while the view is at the face
 
 double depth_share(double unmagnified_m, int magnification) {
   return (1.0 - kFreeShare) * unmagnified_m / magnification;

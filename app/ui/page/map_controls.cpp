@@ -73,7 +73,7 @@ void draw_end(const PanelContext& context, std::size_t axis, bool upper, const M
                upper ? *typed : present.high, present.logarithmic, field);
 }
 
-// Both ends in a row, and the unit.
+// Draws both ends in a row, and the unit.
 void draw_ends(const PanelContext& context, std::size_t axis, const MapAxis& present) {
   constexpr const char* kTo = "to";
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;

@@ -11,7 +11,7 @@
 
 namespace hapticwall::ui {
 
-// What pages draw from.
+// Parts that pages draw from.
 struct PageParts {
   const PanelContext& context;
   const draw::SampleHistory& history;
@@ -22,7 +22,7 @@ struct Page {
   DockWindow window;
   void (*draw)(const PageParts& parts);  // only while it is seen: not behind another tab
   bool hidden_by_blind_test = false;     // it would reveal the order
-  void (*notice)(UiState& state, bool seen) = nullptr;  // once a frame, seen or not
+  void (*notice)(UiState& state, bool seen) = nullptr;  // called once a frame, seen or not
   ImGuiWindowFlags flags = 0;
 };
 [[nodiscard]] std::span<const Page> pages();

@@ -27,7 +27,7 @@ constexpr std::array kFigure4Plots{draw::PlotId::kPosition, draw::PlotId::kForce
 constexpr std::array kFigure5And6Plots{draw::PlotId::kPosition, draw::PlotId::kForce,
                                        draw::PlotId::kStiffness};
 
-// In the order of PlotArrangement.
+// Words for an arrangement; the list is in the order of PlotArrangement.
 struct Arrangement {
   const char* name;
   const char* meaning;
@@ -46,7 +46,7 @@ const Arrangement& arrangement_of(PlotArrangement arrangement) {
   return kArrangements.at(static_cast<std::size_t>(arrangement));
 }
 
-// In the order of TriggerMode.
+// Words for a trigger mode; the list is in the order of TriggerMode.
 struct Mode {
   const char* name;
   const char* meaning;
@@ -149,7 +149,7 @@ void set_mode(UiState& state, draw::TriggerMode mode) {
   state.transient.follow = true;
 }
 
-// In the order of TriggerStage.
+// Names in the order of TriggerStage.
 constexpr std::array kStages{"waiting", "filling", "contact", "done"};
 
 void draw_trigger_choices(const PanelContext& context) {

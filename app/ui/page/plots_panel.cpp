@@ -13,7 +13,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kAxisMovedS = 1e-9;  // what is not a rounding error
+constexpr double kAxisMovedS = 1e-9;  // a smaller move is a rounding error
 constexpr float kPlotGapEms = 1.6F;   // between two columns of plots
 constexpr float kPlaneShare = 0.38F;  // of the width, for the plane and the table of cursors
 constexpr float kMinPlaneEms = 20.0F;
@@ -103,7 +103,7 @@ int side_planes(const PlotsState& plots) {
   return (plots.persisted.phase.shown ? 1 : 0) + (plots.persisted.spectrum.shown ? 1 : 0);
 }
 
-// From the top: the phase plane, the spectrum, the cursor table, those that are shown.
+// Draws those that are shown, from the top: the phase plane, the spectrum, the cursor table.
 void draw_side(const PanelContext& context, const draw::PlotSurface& surface,
                const draw::PlotTable& table, ImVec2 corner, ImVec2 size) {
   UiState& state = context.state;

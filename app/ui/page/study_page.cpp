@@ -66,7 +66,7 @@ std::string progress_text(const SceneStudy& study, double now_s) {
   const double elapsed_s = study.elapsed_s(now_s);
   std::string text = fmt::format("{}{:.0f} %, {:.1f} s", study.coarse() ? "coarse: " : "",
                                  100.0 * fraction, elapsed_s);
-  constexpr double kEnough = 0.02;  // for an estimate
+  constexpr double kEnough = 0.02;  // share of the work that is enough for an estimate
   if (fraction > kEnough) text += fmt::format(" of about {:.1f} s", elapsed_s / fraction);
   return text;
 }
@@ -89,7 +89,8 @@ void draw_lines(const PanelContext& context, const std::string& lines) {
   if (!lines.empty()) muted_text(context, lines.substr(0, lines.size() - 1));
 }
 
-// As wide as its longest cell in digits of constant width, so that the numbers stand in line.
+// The cell, as wide as the longest of its column in digits of constant width, so that the numbers
+// stand in line.
 std::string padded(const table::Sheet& sheet, std::size_t column, const std::string& cell) {
   if (sheet.columns[column].align == table::Align::kLeft) return cell;
   std::size_t width = 0;

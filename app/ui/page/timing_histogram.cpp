@@ -23,9 +23,9 @@ constexpr double kMinTimeNs = 100.0;  // shorter times are in the first bar
 constexpr double kMinCount = 0.6;     // lower end of the count axis; a count of 1 is visible
 constexpr double kDecade = 10.0;
 constexpr int kLabelRows = 4;          // one per quantile, so that no labels collide
-constexpr float kTimeLabelEms = 4.0F;  // of an axis, for one label
+constexpr float kTimeLabelEms = 4.0F;  // room on an axis for one label
 constexpr float kCountLabelEms = 2.0F;
-constexpr float kRoomForTimesEms = 17.0F;  // of a plot, for labels that tell their times
+constexpr float kRoomForTimesEms = 17.0F;  // width of a plot whose labels tell their times
 
 struct Bar {
   std::int64_t from_ns;

@@ -24,7 +24,7 @@ constexpr float kMinSideEms = 24.0F;
 constexpr float kMaxSideEms = 34.0F;
 constexpr float kMinPlotEms = 9.0F;
 constexpr float kColumnGapEms = 1.5F;
-constexpr float kMinRowEms = 54.0F;       // in less width the figures stand below the plots
+constexpr float kMinRowEms = 54.0F;       // with less width the figures stand below the plots
 constexpr float kStackedPlotEms = 14.0F;  // height of the plots then
 constexpr float kMinFramesEms = 5.0F;
 

@@ -110,7 +110,7 @@ void disarm(const PanelContext& context) {
   const auto& experiment = context.state.identify.experiment;
   if (experiment) experiment->stop("switched off");
   if (context.shows.live != nullptr) context.shows.live->arm(false);
-  // In a text, Space is a blank as well.
+  // In a text field, Space also types a blank.
   if (!ImGui::GetIO().WantTextInput && !experiment)
     tell_without_device(context, "Space takes the force of a device away");
 }

@@ -30,7 +30,7 @@ void draw_ghost_switch(const PanelContext& context) {
   explain("Draws the other slot's newest contact over the present one in the plots.");
 }
 
-// At the right end of its row where it fits, else below.
+// Draws the button at the right end of its row where it fits, else below.
 void draw_take_button(const PanelContext& context, Slot slot, float name_ends, float right) {
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const std::string label = fmt::format("take present###take {}", compare::slot_name(slot));

@@ -50,7 +50,7 @@ std::string microseconds(double newest_s, double most_s) {
                      most_s * kMicrosecondsPerSecond);
 }
 
-// Of an acknowledged command; without one it is unknown, not 0.
+// Text for an acknowledged command; without one it is unknown, not 0.
 std::string answered(double value_s, const std::string& text) {
   return value_s > 0.0 ? text : "unknown";
 }

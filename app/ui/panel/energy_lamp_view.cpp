@@ -48,7 +48,7 @@ LampWords active_words(const EnergyStory& story) {
 }
 
 LampWords spending_words(const EnergyStory& story) {
-  // Both values in the unit of the budget, for comparison.
+  // The two values have the unit of the budget, for comparison.
   const bool whole = story.budget_j >= 1.0;
   const double scale = whole ? 1.0 : kMillijoulesPerJoule;
   const std::string share = fmt::format("{:.{}f} of {}", story.given_out_j * scale, whole ? 2 : 1,

@@ -62,7 +62,7 @@ bool has_control(std::string_view text) {
   return false;
 }
 
-// What is wrong with it, or nullopt.
+// Problem with the name, or nullopt.
 std::optional<std::string> problem_with_name(const UiState& state, std::string_view name) {
   const auto& own = state.persisted.own_layouts;
   if (name.empty()) return "a layout needs a name";

@@ -12,19 +12,19 @@ namespace hapticwall::ui {
 inline constexpr const char* kUsualLayout = "bench";
 inline constexpr std::size_t kMaxLayoutNameBytes = 40;
 inline constexpr std::size_t kMaxOwnLayouts = 20;
-// Of the first minute, which has no name.
+// Layout of the first minute, which has no name.
 inline constexpr const char* kFirstMinute = "X21.5em(Controls;Y40%(Wall;Plots))";
 
 struct BuiltinLayout {
   const char* name;
   const char* meaning;
-  const char* text;  // of parse_layout()
+  const char* text;  // input of parse_layout()
   std::optional<PlotArrangement> arrangement;
 };
 [[nodiscard]] std::span<const BuiltinLayout> builtin_layouts();
 
-// At the start: the arrangement of the settings file. If that names a layout that is gone, a
-// message says so, and the usual one is shown.
+// Restores the arrangement of the settings file at the start. If that names a layout that is gone,
+// a message says so, and the usual one is shown.
 void restore_layout(UiState& state);
 // Shows the windows as the layout of this name has them. Precondition: there is one.
 void choose_layout(UiState& state, const std::string& name);

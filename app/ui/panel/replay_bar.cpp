@@ -26,7 +26,7 @@ constexpr std::array kSpeeds{
 // History that is read before the target of a jump: the plotted time, within these limits.
 constexpr double kMinHistoryS = 10.0;
 constexpr double kMaxHistoryS = 120.0;
-constexpr double kSameSpeed = 1e-9;  // of it: what is not a rounding error
+constexpr double kSameSpeed = 1e-9;  // relative: a smaller difference is a rounding error
 
 constexpr float kButtonEms = 4.6F;
 constexpr float kToStartEms = 5.2F;

@@ -17,7 +17,7 @@ void go_to(const PanelContext& context, session::ReplaySession& replay, double t
 // Key actions: the speed of a replay, or the slow motion of a simulator.
 void slower(const PanelContext& context);
 void faster(const PanelContext& context);
-// The same during a replay only; no effect otherwise.
+// Key actions during a replay only; no effect otherwise.
 void toggle_loop(const PanelContext& context);
 void step_back(const PanelContext& context);  // one tick, while paused
 void previous_mark(const PanelContext& context);

@@ -18,7 +18,7 @@ namespace {
 
 using session::ReplaySession;
 
-constexpr double kReadShare = 0.3;  // of the work: the file once more
+constexpr double kReadShare = 0.3;  // share of the work: the file is read once more
 constexpr const char* kNothing = "nothing";
 
 using Progress = Background<LaidOver>::Progress;
@@ -90,7 +90,7 @@ void draw_progress(const PanelContext& context) {
   if (ImGui::Button("Cancel###cancel re-run")) state.rerun.give_up();
 }
 
-// Of what, and when.
+// Device, time and contents of a recording, in words.
 std::string origin(const file::RecordingInfo& recording) {
   std::string text = recording.device.empty() ? "Of an unknown device" : "Of " + recording.device;
   if (!recording.start_time.empty()) text += ", " + recording.start_time;

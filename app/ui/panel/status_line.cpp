@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kStatusGapEms = 1.3F;
 constexpr float kStatusNameGapEms = 0.4F;
-constexpr float kMinRealtimeEms = 10.0F;  // at least, of the state of the real-time loop
+constexpr float kMinRealtimeEms = 10.0F;  // min width of the state of the real-time loop
 
 // Name in grey and digits of constant width, so that nothing moves.
 struct StatusValue {
@@ -24,10 +24,10 @@ struct StatusValue {
   std::string text;
   draw::Tone tone;
   std::string tooltip;
-  const char* widest = "";  // of the texts that are usual
+  const char* widest = "";  // the widest of the usual texts
 };
 
-// Of the real-time loop.
+// State of the real-time loop, in words.
 struct StatusText {
   draw::Tone tone;
   std::string text;

@@ -20,7 +20,7 @@ void reset_session(const PanelContext& context);
 void toggle_recording(const PanelContext& context);
 // False, with a message, where nothing is recorded.
 [[nodiscard]] bool add_mark(const PanelContext& context);
-// The same; then the keyboard names the mark.
+// add_mark(); then the keyboard names the mark.
 void mark_and_name(const PanelContext& context);
 void stop_recording(UiState& state, session::LiveSession& live);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr float kTourButtonEms = 4.5F;
 constexpr int kTourButtons = 3;
 
-// Also notes that it is done: the sight may be over before the text is read.
+// True if the step is done. Also notes it: the sight may be over before the text is read.
 bool is_done(const PanelContext& context, const TourStep& step) {
   const auto& lamp = context.state.compare.transient.lamp;
   bool& done = context.state.transient.tour_step_done;
@@ -75,7 +75,7 @@ void draw_step(const PanelContext& context, std::size_t step) {
 void draw_tour_strip(const PanelContext& context) {
   if (context.shows.live == nullptr || context.shows.hides_algorithm) return;
   UiState& state = context.state;
-  // Whoever chooses another scene has left the tour.
+  // A user who chooses another scene has left the tour.
   if (context.session.scene().name != kTourScene) go_to_step(state, 0);
   if (state.transient.tour_step > 0) {
     draw_step(context, state.transient.tour_step);

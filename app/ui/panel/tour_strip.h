@@ -8,7 +8,7 @@ namespace hapticwall::ui {
 // The offer, once; then the present step. Nothing during a replay and in a blind test.
 void draw_tour_strip(const PanelContext& context);
 
-// From the first step, in the scene of the tour.
+// Begins at the first step, in the scene of the tour.
 void begin_tour(const PanelContext& context);
 
 }  // namespace hapticwall::ui

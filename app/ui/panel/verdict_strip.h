@@ -5,7 +5,7 @@
 
 namespace hapticwall::ui {
 
-// Of the shown axis. Neutral during a blind test.
+// Draws the verdict of the shown axis. Neutral during a blind test.
 void draw_verdict_strip(const PanelContext& context);
 
 }  // namespace hapticwall::ui

@@ -86,7 +86,7 @@ void draw_bound(const PanelContext& context, std::string_view name,
                  "is stiffer.");
 }
 
-// What the limit contains, and the rule of thumb for it.
+// Text about the stability limit: its contents, and the rule of thumb for it.
 std::string stable_text(const PanelContext& context, const WallSettings& wall,
                         const StabilityBounds& bounds) {
   const std::optional<LoopDelay> delay = shown_delay(context);

@@ -71,7 +71,7 @@ float readout_size(const PanelContext& context, const ViewArea& area) {
   return draw::kSmallFontSize * std::clamp(share, kMinReadoutShare, 1.0F);
 }
 
-// Where the readout stands, with its background.
+// Area of the readout, with its background.
 draw::PixelBox readout_area(const PanelContext& context, const ViewArea& area) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const draw::FontScope font(context.theme.fonts.digits, readout_size(context, area));
@@ -117,7 +117,7 @@ void draw_readout(const PanelContext& context, const ViewArea& area) {
 
 constexpr const char* kResetView = "Reset view###reset view";
 
-// Of the button at the upper right; empty while it would have no effect.
+// Area of the button at the upper right; empty while the button would have no effect.
 draw::PixelBox reset_area(const PanelContext& context, const ViewArea& area) {
   if (context.state.wall.persisted.orbit == WallOrbit{}) return {area.corner, area.corner};
   const ImGuiStyle& style = ImGui::GetStyle();

@@ -10,8 +10,8 @@ namespace hapticwall::ui {
 // the wheel zooms. A double click (right or middle) restores the initial view.
 void draw_wall_view(const PanelContext& context, WallRenderer& renderer);
 
-// What it draws: the interval since the last frame, with the fading tint. In a blind test the same
-// for every wall. Call it once a frame.
+// Picture that draw_wall_view() draws: the interval since the last frame, with the fading tint. In
+// a blind test the same for every wall. Call it once a frame.
 [[nodiscard]] WallPicture shown_picture(const PanelContext& context);
 
 // The initial view of draw_wall_view() in a picture of this size.

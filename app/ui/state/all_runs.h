@@ -15,7 +15,8 @@
 
 namespace hapticwall::ui {
 
-// Of a run that is drawn: its last seconds, in so many pairs of a smallest and a largest value.
+// Trace of a run that is drawn: its last seconds, in so many pairs of a smallest and a largest
+// value.
 inline constexpr double kTraceS = 2.0;
 inline constexpr std::size_t kTraceColumns = 400;
 
@@ -39,7 +40,7 @@ class AllRuns : public Computed<Scene, std::vector<AlgorithmRun>> {
     for (auto& runs : Computed::take()) runs_ = std::move(runs);
   }
   [[nodiscard]] std::span<const AlgorithmRun> runs() const { return runs_; }
-  // Whether the runs are of the scene that was asked for.
+  // True if the runs are of the scene that was asked for.
   [[nodiscard]] bool up_to_date() const { return answered(); }
 
  private:

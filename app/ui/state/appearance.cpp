@@ -14,7 +14,7 @@ constexpr float kRoomyHeight = 680.0F;
 constexpr float kMaxLectureScale = 1.5F;
 constexpr float kStepsOfOne = 10.0F;
 
-// Without what the layout adds.
+// Scale without the increase by the layout.
 float chosen_scale(const UiState& state) {
   const TransientState& transient = state.transient;
   const float chosen = static_cast<float>(state.persisted.scale_percent) / kFullScalePercent;

@@ -18,7 +18,7 @@
 
 namespace hapticwall::ui {
 
-// Of a task that shares its work out: one core is left to the loop and the window.
+// Max threads of a task that shares its work out: one core is left to the loop and the window.
 [[nodiscard]] inline int background_thread_count() {
   return static_cast<int>(std::max<std::size_t>(worker_count(0), 2) - 1);
 }

@@ -44,7 +44,7 @@ std::string slot_text(const AlgorithmSettings& settings) {
   return text;
 }
 
-// On the disk before it counts.
+// Keeps the answer on the disk before it counts.
 Failure keep_answer(BlindTest& test, file::Answer answer) {
   answer.time_utc = file::utc_now();
   if (Failure failure = test.experiment->answers.append(answer)) return failure;

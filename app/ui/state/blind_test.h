@@ -41,7 +41,7 @@ void write_trial_list(const PanelContext& context);
 // go_on(). `running`: the session's scene.
 [[nodiscard]] Failure start_experiment(UiState& state, const Scene& running,
                                        std::shared_ptr<session::Experiment> experiment);
-// Whether nothing can be felt before go_on(): at the beginning of a list, and at its breaks.
+// True if nothing can be felt before go_on(): at the beginning of a list, and at its breaks.
 [[nodiscard]] bool waits(const BlindTest& test);
 // No effect unless a test runs, like the next three.
 void go_on(const PanelContext& context);

@@ -37,7 +37,7 @@ struct BlindTest {
   std::optional<compare::Presentation> felt = std::nullopt;  // the presentation in force
   bool running = true;
   std::vector<file::Answer> answers = {};
-  compare::TrialResults results = {};  // at the end
+  compare::TrialResults results = {};  // set at the end
 };
 
 // Identifies the ghost in the plots.
@@ -58,18 +58,18 @@ struct CompareState {
   // Stored in the settings file.
   struct Persisted {
     bool ghost_shown = true;
-    // Of the next trial list that the page writes.
+    // Settings of the next trial list that the page writes.
     std::string question = file::kUsualQuestion;
     std::size_t trials = 20;
     double confidence = compare::TrialPlan{}.confidence;
-    bool masking_noise = true;  // in the place of the sound
+    bool masking_noise = true;  // plays in the place of the sound
   } persisted;
 
   // Lives as long as the window.
   struct Transient {
     std::optional<compare::ContactTraces> comparison;  // of the session that runs
-    std::optional<EnergyLamp> lamp;                    // as well
-    double lamp_encoder_m = 0.0;                       // of that lamp
+    std::optional<EnergyLamp> lamp;                    // of the session that runs
+    double lamp_encoder_m = 0.0;                       // of the encoder, for `lamp`
     std::optional<ShownGhost> shown_ghost;
     std::optional<BlindTest> test;
     bool setting_up = false;  // the set-up page is open although a result exists

@@ -34,7 +34,7 @@ void set_slots(UiState& state, const std::array<AlgorithmSettings, 2>& settings)
 // All ticks of the session, in order.
 void note_ticks(UiState& state, const Scene& scene, std::span<const Tick> ticks);
 
-// Once a frame, after all panels: copies the session's algorithm into the active slot.
+// Copies the session's algorithm into the active slot. Call it once a frame, after all panels.
 void keep_slots(UiState& state, const Scene& scene);
 
 // Asks the session to run a slot. After a problem the wall stays, and the user is told.

@@ -75,10 +75,10 @@ class Computed {
   }
   void clear_problem() { problem_.clear(); }
 
-  [[nodiscard]] std::size_t count() const { return count_; }  // of starts
+  [[nodiscard]] std::size_t count() const { return count_; }  // number of starts
   [[nodiscard]] bool running() const { return task_.running(); }
   [[nodiscard]] double fraction() const { return task_.fraction(); }  // 0 to 1
-  [[nodiscard]] bool answered() const { return answered_; }           // in full
+  [[nodiscard]] bool answered() const { return answered_; }           // true: all parts are there
   [[nodiscard]] const std::optional<Question>& asked() const { return asked_; }
   [[nodiscard]] bool is_asked(const Question& question) const {
     return asked_ && same_(*asked_, question);

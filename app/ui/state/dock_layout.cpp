@@ -60,7 +60,7 @@ class LayoutReader {
 
   void need(bool held) { failed_ = failed_ || !held; }
 
-  // What stands before the next of these marks.
+  // Takes the text before the next of these marks.
   std::string_view before(std::string_view marks) {
     const std::string_view found =
         rest_.substr(0, std::min(rest_.find_first_of(marks), rest_.size()));

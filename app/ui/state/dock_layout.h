@@ -34,7 +34,7 @@ inline constexpr double kMaxColumnEms = 60.0;
 struct DockPart {
   DockSplit split = DockSplit::kNone;
   double share = 0.5;             // size of the first part,
-  double ems = 0.0;               // or, unless 0, text sizes: of the first, below 0 of the second
+  double ems = 0.0;               // or, unless 0, in text sizes: > 0 of the first, < 0 the second
   std::vector<DockPart> parts;    // two of a split
   std::vector<std::string> tabs;  // of a leaf
   std::size_t front = 0;          // index of the tab in front
@@ -74,7 +74,7 @@ struct DockLayout {
 
 // All windows, from the first part to the last.
 [[nodiscard]] std::vector<std::string> windows_of(const DockLayout& layout);
-// Without these windows; what is left fills their place.
+// The layout without these windows; the others fill their place.
 [[nodiscard]] DockLayout without(const DockLayout& layout, std::span<const std::string> windows);
 // Puts the window in front of its tabs. A window that the layout lacks becomes a tab beside the
 // plots, else in the last leaf.

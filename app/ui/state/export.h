@@ -39,7 +39,7 @@ struct ExportSource {
 // endings exists. Endings include the dot.
 [[nodiscard]] std::string unused_base(const std::string& folder, const std::string& name,
                                       std::initializer_list<std::string> endings);
-// The same with its ending.
+// unused_base() for one ending, with that ending.
 [[nodiscard]] std::string unused_path(const std::string& folder, const std::string& name,
                                       const std::string& ending);
 

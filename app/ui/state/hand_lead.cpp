@@ -5,7 +5,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kMaxLineS = 0.5;  // also where a frame takes longer
+constexpr double kMaxLineS = 0.5;  // even if a frame takes longer
 constexpr double kLinesPerFrame = 1.5;
 
 session::HandMove rest(double duration_s) { return {.m = {0.0, 0.0}, .duration_s = duration_s}; }

@@ -18,7 +18,7 @@ namespace hapticwall::ui {
 // Side of a block of cells that shows the result of its middle, stage by stage.
 inline constexpr std::array<std::size_t, 3> kMapStages{9, 3, 1};
 
-// Of the block that holds `index`, on an axis of `count` values.
+// Middle of the block that holds `index`, on an axis of `count` values.
 [[nodiscard]] std::size_t block_middle(std::size_t index, std::size_t stage, std::size_t count);
 // The middles of all blocks, in the order of cells.
 [[nodiscard]] std::vector<std::size_t> middles(const StabilityMap& map, std::size_t stage);
@@ -32,7 +32,7 @@ class MapPicture {
   void add(std::size_t middle, std::size_t stage, const MapMetrics& metrics);
 
   [[nodiscard]] const StabilityMap& map() const { return map_; }
-  // Of all cells: their own, or those of the middle of their block.
+  // Metrics of all cells: their own, or those of the middle of their block.
   [[nodiscard]] std::span<const MapMetrics> figures() const { return figures_; }
   // The cell whose figures stand at this cell.
   [[nodiscard]] std::size_t source(std::size_t cell) const { return sources_[cell]; }
@@ -63,7 +63,7 @@ class LiveMap : public Computed<StabilityMap, MapPart> {
   [[nodiscard]] bool complete() const { return answered(); }
   // nullptr: none yet.
   [[nodiscard]] const MapPicture* picture() const { return picture_ ? &*picture_ : nullptr; }
-  // Whether the picture is of the map that was asked for.
+  // True if the picture is of the map that was asked for.
   [[nodiscard]] bool up_to_date() const { return picture_ && shows_ == count(); }
 
  private:

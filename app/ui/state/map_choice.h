@@ -16,7 +16,7 @@ namespace hapticwall::ui {
 inline constexpr std::size_t kLiveMapValues = 60;  // max on an axis
 
 struct MapAxisChoice {
-  std::string path;  // of a number of the scene; else a usual one is taken
+  std::string path;  // of a number of the scene; an unknown one gives a default
   std::optional<MapAxis> range = std::nullopt;  // nullopt: around the present value
   bool typed = false;  // the user has typed the range: it stays when the value leaves it
 };
@@ -45,7 +45,8 @@ void choose_algorithm_in_map(MapChoice& choice, std::size_t index, bool chosen);
 // The map of the scene. A range that was not typed moves when its value has left it.
 [[nodiscard]] StabilityMap map_of(MapChoice& choice, const Scene& scene);
 
-// The same cells of the same scenes, whichever values the scenes have for the numbers of the axes.
+// True if both maps have the same cells of the same scenes, whichever values the scenes have for
+// the numbers of the axes.
 [[nodiscard]] bool same_cells(const StabilityMap& a, const StabilityMap& b);
 
 }  // namespace hapticwall::ui

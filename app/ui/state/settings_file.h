@@ -39,7 +39,7 @@ class SettingsFile {
   // the next save replaces it.
   void load(UiState& state);
 
-  // Once a frame, `seconds` after the previous one: writes changes that have rested.
+  // Writes changes that have rested. Call it once a frame, `seconds` after the previous call.
   void pass(UiState& state, double seconds);
 
   // Writes changes at once.

@@ -13,7 +13,7 @@
 
 namespace hapticwall::ui {
 
-// As Computed. Times are seconds of the owner's clock.
+// Study of a scene beside the session, as Computed. Times are seconds of the owner's clock.
 class SceneStudy {
  public:
   explicit SceneStudy(const study::Study& study);
@@ -27,17 +27,17 @@ class SceneStudy {
 
   [[nodiscard]] const study::Study& study() const { return *study_; }
   [[nodiscard]] bool running() const { return task_.running(); }
-  // Of the present stage.
+  // Finished fraction of the present stage.
   [[nodiscard]] double fraction() const { return task_.fraction(); }
-  // Whether the running stage is followed by a finer one.
+  // True if the running stage is followed by a finer one.
   [[nodiscard]] bool coarse() const { return stage_ + 1 < study_->stages.size(); }
   [[nodiscard]] double elapsed_s(double now_s) const { return now_s - started_s_; }
   // nullptr: none yet.
   [[nodiscard]] const study::Outcome* result() const { return result_ ? &*result_ : nullptr; }
-  // Whether the result is of the last stage, and how long that took.
+  // True if the result is of the last stage; and the time that it took.
   [[nodiscard]] bool complete() const { return complete_; }
   [[nodiscard]] double spent_s() const { return spent_s_; }
-  // Whether the result is of the present scene.
+  // True if the result is of the present scene.
   [[nodiscard]] bool up_to_date() const { return up_to_date_; }
   // Why the scene has no such study; "" if it has.
   [[nodiscard]] const std::string& problem() const { return task_.problem(); }

@@ -35,7 +35,8 @@ RunStats stats_of(const SampleHistory& history, IndexRange range) {
   return metrics.stats();
 }
 
-// From the first to the last rise through the middle, with a hysteresis. Nullopt below two.
+// Frequency from the first to the last rise through the middle, with a hysteresis. Nullopt below
+// two rises.
 std::optional<double> frequency_of(const SampleHistory& history, IndexRange range,
                                    Quantity quantity, double rate_hz) {
   const Extremes all = history.extremes(quantity, range);

@@ -17,8 +17,8 @@ namespace hapticwall::ui {
 struct Tail {
   std::uint64_t end_tick = 0;  // after the newest sample; 0: none yet
   Summary summary;             // its tail and its verdict; the rest is that of the last second
-  std::optional<double> frequency_hz;  // of the position, or of the force if only it shakes
-  bool hand_moves = false;             // so the handle moves without shaking
+  std::optional<double> frequency_hz;  // of the position, or of the force if only the force shakes
+  bool hand_moves = false;             // true: the handle moves without shaking
 };
 using Tails = std::array<Tail, kMaxAxes>;
 
@@ -35,7 +35,7 @@ void note_tails(Tails& tails, const draw::TickHistory& history, const Scene& sce
 [[nodiscard]] std::string rhythm_text(const Tail& tail);
 // "settled · 0.000 mm p-p · 4.967 ± 0.128 N · 30.12 kN/m", with the digits of `run`.
 [[nodiscard]] std::string figures_text(const Summary& summary);
-// The same and the rhythm: "… · quiet".
+// figures_text() and the rhythm: "… · quiet".
 [[nodiscard]] std::string tail_text(const Tail& tail);
 
 }  // namespace hapticwall::ui

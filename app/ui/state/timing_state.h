@@ -52,19 +52,19 @@ struct LoopAnswer {
   double newest_s = 0.0;
   double silent_s = 0.0;  // 0: it answers
 };
-// Without a new cycle for so long, or for three periods, the loop is silent.
+// The loop is silent after this time without a new cycle, or after three periods if that is longer.
 inline constexpr double kMaxLoopSilenceS = 0.1;
 
 // Lives as long as the window.
 struct TimingState {
   LoopAnswer answer;
   TimingCounters cleared;  // when the user last cleared the page; zeros: never
-  // In this frame, counted since `cleared`.
+  // Counts in this frame, since `cleared`.
   TimingCounters shown;
   session::Quantiles wake_latency;
   session::Quantiles compute_time;
   FrameTimes frames;
-  bool clear_asked = false;  // from the next frame on
+  bool clear_asked = false;  // clears from the next frame on
   bool page_seen = false;    // in the last frame
 
   [[nodiscard]] bool since_start() const { return cleared.histograms.wake_latency.total() == 0; }
@@ -75,7 +75,8 @@ struct TimingState {
 void note_timing(TimingState& state, const session::LiveSession* live,
                  const session::TimingStatistics& timing);
 
-// The same, before it. `snapshot` of a loop that runs, or nullptr.
+// Notes the loop's answer. Called once a frame, before note_timing(). `snapshot` of a loop that
+// runs, or nullptr.
 void note_answer(LoopAnswer& answer, const session::Snapshot* snapshot, double period_s,
                  double now_s);
 // "the loop has not answered for 1.2 s"; empty if it answers.

@@ -33,7 +33,7 @@ bool quiet_and_stiff(const Sight& sight) {
   return under(sight, "energy-bounding") && settles(sight, kStiffNPerM, wall_n_per_m);
 }
 
-// What the strip must say stands after the last colon.
+// Steps whose text ends, after the last colon, with the words that the strip must show.
 constexpr std::array kTourSteps{
     TourStep{"It breaks",
              "Press 1: no algorithm. A firm hand presses into a wall of 35 kN/m, and the wall "

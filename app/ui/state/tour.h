@@ -11,7 +11,7 @@
 
 namespace hapticwall::ui {
 
-// What a step is judged by.
+// Facts by which a step is judged.
 struct Sight {
   const Scene& scene;
   const Tail& tail;

@@ -119,13 +119,13 @@ struct LaidOver {
 struct ReplayState {
   Background<std::unique_ptr<session::ReplaySession>> opening;
   std::string opening_path;
-  double opening_s = 0.0;  // for how long
+  double opening_s = 0.0;  // duration so far
   Background<LaidOver> rerun;
   std::string rerun_algorithm;
   bool wants_back = false;  // go back to the previous scene after this frame
 };
 
-// Which plots are shown: two, all, or the panels (a), (b), (c) of the paper's figures.
+// Plots that are shown: two, all, or the panels (a), (b), (c) of the paper's figures.
 enum class PlotArrangement : std::uint8_t { kTwo, kAll, kFigure4, kFigure5And6 };
 
 // An arrangement of windows that the user has named.
@@ -152,7 +152,7 @@ struct PersistedState {
   draw::Look look = draw::Look::kScreen;
   int scale_percent = 0;            // 0: follow the screen
   std::string recording_folder;     // empty: the current one
-  bool records_signals = false;     // of algorithms
+  bool records_signals = false;     // signals of algorithms
   std::vector<std::string> recent;  // scene files and recordings, the newest first
   int window_width = 0;             // in pixels at scale 1; 0: as fits the screen
   int window_height = 0;
@@ -178,8 +178,8 @@ struct PointerEvent {
 // The pointer drags the hand. Places are pixels.
 struct HandDrag {
   HandLead lead;
-  glm::vec2 hand_at{};  // where the drag began, in the view,
-  ImVec2 grabbed_at;    // and the pointer then, on the screen
+  glm::vec2 hand_at{};  // start of the drag, in the view
+  ImVec2 grabbed_at;    // pointer at the start of the drag, on the screen
   ImVec2 pointer;       // the newest place that `lead` knows
 };
 
@@ -220,7 +220,7 @@ enum class DockSituation : std::uint8_t { kNone, kFirstMinute, kBlindTest, kChos
 struct DockState {
   std::vector<DockWindow> windows;   // all of them, for the choice
   std::optional<DockLayout> chosen;  // as the user has arranged it; nullopt at the start
-  DockLayout shown;                  // the same, or that of the first minute or of a blind test
+  DockLayout shown;                  // `chosen`, or that of the first minute or of a blind test
   DockLayout measured;               // as read after the sizes of `shown` were set
   DockSituation situation = DockSituation::kNone;
   bool rebuild = true;
@@ -288,7 +288,7 @@ struct Identified {
 struct IdentifyState {
   session::IdentifyChoice choice;
   std::string device = "sim";                               // as in session::WindowOptions
-  std::optional<file::DeviceDescription> description{};     // the same
+  std::optional<file::DeviceDescription> description{};     // see WindowOptions::description
   bool wanted = false;                                      // its session begins after this frame
   std::shared_ptr<session::IdentifyExperiment> experiment;  // of the session; null: none
   Background<Identified> fit;
@@ -338,8 +338,9 @@ struct PanelContext {
   return {state.transient.time_from_s, state.transient.time_to_s};
 }
 
-// From the next frame on. During a blind test only its own windows are shown. The page gets the
-// focus: else a window that is new takes it from a part that leaves, and comes to the front.
+// Shows the page from the next frame on. During a blind test only its own windows are shown. The
+// page gets the focus: else a window that is new takes it from a part that leaves, and comes to the
+// front.
 inline void show_page(UiState& state, const char* page) {
   DockState& dock = state.transient.dock;
   ImGui::SetWindowFocus((std::string("###page ") + page).c_str());

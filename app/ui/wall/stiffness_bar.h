@@ -13,7 +13,7 @@ class StiffnessBar {
  public:
   StiffnessBar(const LabelPen& pen, const WallPicture& picture);
 
-  // With its background and texts.
+  // Area with its background and texts.
   [[nodiscard]] draw::PixelBox area() const;
   // False in a low picture.
   [[nodiscard]] bool has_room() const { return length_ > 3.0F * line_; }

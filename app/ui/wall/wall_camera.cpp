@@ -33,7 +33,7 @@ constexpr double kMaxYaw = glm::radians(75.0);
 constexpr double kHighestPitch = glm::radians(80.0);
 constexpr double kMinZoom = 0.8;
 constexpr double kMaxZoom = 20.0;
-constexpr double kFreeShift = 0.5;  // without any zoom
+constexpr double kFreeShift = 0.5;  // max shift without any zoom
 // The middle of a zoomed picture stays within this share of the unzoomed one.
 const glm::dvec2 kShownShare(0.9, 0.75);
 
@@ -137,7 +137,7 @@ glm::vec2 WallCamera::pixel_of(glm::vec3 point) const {
 }
 
 double WallCamera::position_at(glm::vec2 pixel) const {
-  // Both ends of the axis in homogeneous pixels: points between are a weighted mean.
+  // Ends of the axis in homogeneous pixels: a point between them is a weighted mean.
   const auto end = [this](double position_m) {
     const glm::dvec4 clip =
         exact_ * glm::dvec4((position_m - space_.x.middle_m()) * units_per_m_, 0.0, 0.0, 1.0);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kFloorSize = 40.0F;
 constexpr double kGridLines = 6.0;  // minimum on an extent
-constexpr float kDarkness = 0.85F;  // of shadows, in the dark
+constexpr float kDarkness = 0.85F;  // of shadows, in a dark theme
 constexpr float kLightness = 0.5F;  // threshold of a light theme
 constexpr float kDarknessInLight = 0.50F;
 constexpr float kFloorTone = 0.045F;  // share of the text colour in the floor

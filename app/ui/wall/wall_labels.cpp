@@ -19,7 +19,7 @@ constexpr float kRulerFront = 0.25F;  // of the ruler, in front of the walls
 constexpr float kTickHalf = 3.0F;     // pixels
 constexpr float kMinArrow = 0.04F;    // shorter arrows have no label
 constexpr float kBelowArrow = 2.8F;   // lines from above the arrow to below it
-constexpr double kSameForce = 0.01;   // of the full scale: what the label does not tell apart
+constexpr double kSameForce = 0.01;   // share of the full scale that the label does not tell apart
 constexpr const char* kTruePlace = "true place";
 
 // Draws the ruler of one axis, with as many marks as fit.
@@ -127,7 +127,7 @@ void draw_things_on_axis(LabelPen& pen, const WallPicture& picture, const WallCa
                          const std::string& rhythm) {
   constexpr float kRadius = WallMeasures::kHandleRadius;
   constexpr float kNeckHalf = 0.62F * kRadius;
-  constexpr float kAtRod = -0.75F;  // of the handle's name, from the ball
+  constexpr float kAtRod = -0.75F;  // place of the handle's name, from the ball
   constexpr float kSleeve = kRadius - 0.5F * (WallMeasures::kSleeveFrom + WallMeasures::kSleeveTo);
   const glm::vec3 handle = ball_centre(false, camera, swept_place(picture).from_m);
   std::vector<Name> names;

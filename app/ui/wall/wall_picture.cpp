@@ -6,7 +6,7 @@
 namespace hapticwall::ui {
 namespace {
 
-constexpr double kDefaultFullScaleN = 10.0;  // where the device has no force limit
+constexpr double kDefaultFullScaleN = 10.0;  // if the device has no force limit
 constexpr double kMinFullScaleN = 1e-9;
 constexpr double kMinStiffnessNPerM = 1.0;
 constexpr double kSettledTint = 1e-3;  // a tint this near has settled
@@ -27,7 +27,7 @@ void note_swept(Swept& swept, const draw::SampleHistory& history) {
   const std::size_t size = history.size();
   const auto end_tick = static_cast<std::uint64_t>(history.value(&Sample::tick, size - 1)) + 1;
   if (end_tick == swept.end_tick) return;
-  // After a reset or without an earlier frame: the newest sample alone.
+  // The newest sample alone counts after a reset or without an earlier frame.
   const bool goes_on = swept.end_tick > 0 && swept.end_tick < end_tick;
   const std::uint64_t count = goes_on ? end_tick - swept.end_tick : 1;
   const draw::IndexRange range{size - std::min<std::size_t>(count, size), size};

@@ -51,7 +51,7 @@ struct Reach {
 // handle is drawn at the proxy, never in a wall; its true place is an outline.
 struct WallPicture {
   bool two_axes = false;
-  glm::dvec2 handle_m{0.0};  // in truth
+  glm::dvec2 handle_m{0.0};  // true position
   Reach handle_reach_m;
   std::optional<glm::dvec2> hand_m;
   std::vector<PictureWall> walls;  // on each axis the outermost first
@@ -61,14 +61,14 @@ struct WallPicture {
   double full_scale_n = 10.0;  // the force with the longest arrow
   bool saturated = false;
   std::array<ShownStiffness, kAxisCount> shown{};
-  std::optional<draw::Tone> energy;  // of the edges of the walls on x: the lamp's
+  std::optional<draw::Tone> energy;  // the lamp's colour, for the edges of the walls on x
 
   friend bool operator==(const WallPicture&, const WallPicture&) = default;
 };
 
 // The values of one axis since the last frame that had new samples.
 struct Swept {
-  draw::Extremes place_m;  // of the handle, in truth
+  draw::Extremes place_m;  // true positions of the handle
   draw::Extremes force_n;
   std::uint64_t end_tick = 0;  // after the newest sample; 0: none yet
 };
@@ -77,7 +77,7 @@ void note_swept(Swept& swept, const draw::SampleHistory& history);
 
 // `tick`: one sample for each axis of the scene.
 [[nodiscard]] WallPicture wall_picture(const Scene& scene, const Tick& tick);
-// The same for a scene of one axis.
+// wall_picture() for a scene of one axis.
 [[nodiscard]] WallPicture wall_picture(const Scene& scene, const Sample& sample);
 // Extends the picture of the instant by what was since the last frame.
 void sweep(WallPicture& picture, Axis axis, const Swept& swept);
@@ -121,7 +121,7 @@ struct StiffnessScale {
   double stiffest_n_per_m = 1.0;
 
   [[nodiscard]] double softest_n_per_m() const;
-  // From 0 at the softest to 1 at the stiffest, clamped.
+  // Share from 0 at the softest to 1 at the stiffest, clamped.
   [[nodiscard]] float share(double n_per_m) const;
   // The stiffness of a share.
   [[nodiscard]] double at(double share) const;
@@ -155,9 +155,9 @@ struct WallMeasures {
   static constexpr float kFloor = -1.25F;
   static constexpr float kWallTop = 1.65F;
   static constexpr float kWallHalfDepth = 1.5F;  // of a wall on a single axis
-  static constexpr float kFarEnd = 6.2F;         // where the last wall ends
+  static constexpr float kFarEnd = 6.2F;         // end of the last wall
   static constexpr float kCornerTop = 0.75F;     // of walls on two axes: lower, to look over them
-  static constexpr float kCornerFront = 4.6F;    // where they end in free space
+  static constexpr float kCornerFront = 4.6F;    // end of these walls in free space
 
   [[nodiscard]] static float wall_top(const WallPicture& picture) {
     return picture.two_axes ? kCornerTop : kWallTop;

@@ -12,11 +12,11 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr int kSamplesPerPixel = 4;
-constexpr int kStillCalls = 10;         // before a draft is refined
-constexpr double kStepsPerPixel = 8.0;  // of what moves
-constexpr double kForceSteps = 2000.0;  // of the full scale
+constexpr int kStillCalls = 10;         // calls without change before a draft is refined
+constexpr double kStepsPerPixel = 8.0;  // for the places that move
+constexpr double kForceSteps = 2000.0;  // steps of force in the full scale
 constexpr double kMinScaleN = 1e-9;
-constexpr double kShades = 200.0;  // of the tint
+constexpr double kShades = 200.0;  // steps of the tint
 
 double in_steps(double value, double step) { return step * std::round(value / step); }
 void in_steps(Reach& reach, int axis, double step) {
@@ -40,7 +40,7 @@ bool draws_by_software() {
          text.find("softpipe") != std::string_view::npos;
 }
 
-// All that a picture depends on.
+// Everything that a picture depends on.
 struct Drawn {
   WallPicture picture;
   glm::mat4 view_projection{0.0F};
@@ -107,7 +107,7 @@ bool Renderer::ensure(std::optional<draw::GlTarget>& target, int width, int heig
   return created.ok();
 }
 
-// Also counts how long the picture has stayed the same.
+// True if the picture must be drawn. Also counts how long it has stayed the same.
 bool Renderer::needs_drawing(const Drawn& wanted) {
   if (!valid_ || !wanted.same_as(last_)) {
     calls_without_change_ = 0;

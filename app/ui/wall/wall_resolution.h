@@ -14,7 +14,7 @@ class WallResolution {
   static constexpr double kMinHoldS = 1.0;
   static constexpr double kMaxHoldS = 60.0;
 
-  // Of width and height: 1 or 1/2. At 1/4 the edges are blocks.
+  // Share of width and height: 1 or 1/2. At 1/4 the edges are blocks.
   [[nodiscard]] float share() const { return share_; }
 
   // A frame that took `frame_s` ends at `now_s`, on any monotonic clock. Slow frames halve the
@@ -37,7 +37,7 @@ class WallResolution {
  private:
   float share_ = 1.0F;
   double hold_s_ = kMinHoldS;
-  double since_s_ = 0.0;  // of the last change or slow frame
+  double since_s_ = 0.0;  // time of the last change or slow frame
   bool raised_ = false;   // the last change was a rise
 };
 

@@ -16,7 +16,7 @@ constexpr float kArrowHeadRadius = 0.24F;
 constexpr float kArrowHeadLength = 0.52F;
 constexpr float kArrowFlatness = 0.7F;  // shows the force's colour clearly
 constexpr float kNeck = 0.62F * WallMeasures::kHandleRadius;
-constexpr float kBallTone = 0.25F;  // of the secondary text's colour in the text's
+constexpr float kBallTone = 0.25F;  // share of the secondary text's colour in the text's colour
 constexpr float kGripTone = 0.80F;
 constexpr float kFaceAlpha = 0.62F;
 constexpr float kSidesAlpha = 0.40F;
@@ -26,12 +26,12 @@ constexpr float kTruePlaceAlpha = 0.95F;
 constexpr float kSweptAlpha = 0.45F;
 constexpr float kSweptLength = 0.01F;  // shorter ones are not seen
 constexpr float kEdgeWidth = 0.035F;
-constexpr float kNearness = 2.5F;  // from the face: where the handle's shadow on it begins
+constexpr float kNearness = 2.5F;  // distance from the face at which the handle's shadow begins
 constexpr float kFaceGrid = 0.5F;
 
 draw::GlMesh mesh_of(const Shape& shape) { return {shape.vertices, shape.indices}; }
 
-// From a wall's own directions to the picture's.
+// Rotation from a wall's own directions to the picture's.
 glm::mat4 frame_of(Axis axis) {
   if (axis == Axis::kX) return glm::mat4(1.0F);
   return glm::rotate(glm::mat4(1.0F), glm::radians(90.0F), {0.0F, 1.0F, 0.0F});
@@ -154,7 +154,7 @@ void WallSolids::surface(float shininess, float flatness, float shell) const {
   solid_.set("shell", shell);
 }
 
-// At the free end of its way.
+// Draws the handle at the free end of its way.
 void WallSolids::draw_handle(const WallView& view) const {
   const auto& [picture, camera, theme] = view;
   const glm::vec3 centre = ball_centre(picture.two_axes, camera, swept_place(picture).from_m);

@@ -14,14 +14,14 @@ namespace hapticwall::ui {
 
 // The middle of a handle's ball whose tip is at a place: the ball touches a face that is there.
 [[nodiscard]] glm::vec3 ball_centre(bool two_axes, const WallCamera& camera, glm::dvec2 place_m);
-// From the ball along the handle's rod, of length 1.
+// Direction from the ball along the handle's rod, of length 1.
 [[nodiscard]] glm::vec3 rod_direction(bool two_axes);
 
 // A wall in its own directions: into it, and along its face (z for the x axis, x for the y axis).
 struct WallSlab {
   const PictureWall* wall = nullptr;
   float face = 0.0F;
-  float end = 0.0F;  // where the next wall's face is, or the last wall's end
+  float end = 0.0F;  // the next wall's face, or the last wall's end
   float along_from = 0.0F;
   float along_to = 0.0F;
   float tip = 0.0F;        // of the handle, into the wall
@@ -29,7 +29,7 @@ struct WallSlab {
 };
 [[nodiscard]] WallSlab wall_slab(const WallPicture& picture, const WallCamera& camera,
                                  const PictureWall& wall);
-// In the order of drawing: from the back to the front.
+// Slabs in the order of drawing: from the back to the front.
 [[nodiscard]] std::vector<WallSlab> wall_slabs(const WallPicture& picture,
                                                const WallCamera& camera);
 

@@ -173,7 +173,7 @@ void draw_measured(const Brush& brush) {
                                 ImVec2(x, upper), colour);
 }
 
-// At the top of the strip, in the first row that is free there.
+// Draws words at the top of the strip, in the first row that is free there.
 void draw_at_top(const Brush& brush, draw::PlotInk& ink, float x, draw::Tone tone,
                  const std::string& words) {
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
@@ -200,7 +200,7 @@ Beyond beyond(const Brush& brush, double position_m, const std::string& text) {
   return {x, std::move(words)};
 }
 
-// With the distance from the face.
+// Draws the name of a thing beyond the strip, with the distance from the face.
 void draw_thing_beyond(const Brush& brush, draw::PlotInk& ink, const char* name, double position_m,
                        draw::Tone tone) {
   if (brush.strip.shows(position_m)) return;

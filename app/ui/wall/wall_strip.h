@@ -11,7 +11,7 @@
 
 namespace hapticwall::ui {
 
-// From metres along the axis to pixels.
+// Conversion from metres along the axis to pixels.
 struct Strip {
   ImVec2 from;
   ImVec2 to;

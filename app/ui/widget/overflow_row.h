@@ -28,7 +28,7 @@ struct RowLook {
 void draw_overflow_row(const PanelContext& context, const char* name,
                        std::span<const RowControl> controls, const RowLook& look = {});
 
-// Which controls stay in a row of this width: by rank, while they fit. `gap`: between two of them.
+// Controls that stay in a row of this width: by rank, while they fit. `gap`: between two of them.
 // `more`: width of the button that opens the popup. Pixels.
 [[nodiscard]] std::vector<bool> controls_in_row(std::span<const RowControl> controls, float width,
                                                 float gap, float more);

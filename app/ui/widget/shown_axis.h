@@ -16,10 +16,10 @@ namespace hapticwall::ui {
 [[nodiscard]] const DeviceSettings& shown_device(const PanelContext& context);
 [[nodiscard]] const Sample& shown_sample(const PanelContext& context);
 
-// Of a simulated device as the scene states it, of a real one as measured; nullopt: unknown.
+// Delay of a simulated device as the scene states it, of a real one as measured; nullopt: unknown.
 [[nodiscard]] std::optional<LoopDelay> shown_delay(const PanelContext& context);
-// Of one of the shown walls. The hand at a real device is not that of the scene: without a hand.
-// Without a known delay, no bound that depends on it.
+// Bounds of one of the shown walls. The hand at a real device is not that of the scene, so these
+// are without a hand. Without a known delay, there is no bound that depends on it.
 [[nodiscard]] StabilityBounds shown_bounds(const PanelContext& context, const WallSettings& wall);
 
 // Asks for these walls on the shown axis. A problem changes nothing.

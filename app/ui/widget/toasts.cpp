@@ -103,7 +103,7 @@ void draw_toasts(const PanelContext& context, float right, float bottom) {
   const std::size_t shown = std::min(list.size(), kMaxShown);
   Wishes wishes;
   const float gap = ImGui::GetStyle().ItemSpacing.y;
-  // From the newest upwards.
+  // Toasts are drawn from the newest upwards.
   for (std::size_t i = 0; i < shown; ++i)
     bottom = draw_toast(context, list[list.size() - 1 - i], ImVec2(right, bottom), wishes) - gap;
   if (list.size() > 1) draw_clear(context, list.size() - shown, ImVec2(right, bottom), wishes);

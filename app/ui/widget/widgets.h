@@ -32,7 +32,7 @@ void section(const PanelContext& context, const char* title, bool asked_for = fa
 void beside(float width, float gap = -1.0F);
 void muted_text(const PanelContext& context, std::string_view text);
 
-// As wide as the panel. `fraction`: 0 to 1.
+// Progress bar as wide as the panel. `fraction`: 0 to 1.
 void progress_bar(const PanelContext& context, double fraction, const std::string& text);
 
 // Shows a tooltip for the last item.
@@ -47,7 +47,7 @@ struct ButtonLook {
 [[nodiscard]] bool button(const std::string& label, std::string_view tooltip,
                           const ButtonLook& look = {});
 
-// The same for a choice; `chosen` highlights it.
+// button() for a choice; `chosen` highlights it.
 [[nodiscard]] bool choice_button(const PanelContext& context, const std::string& label, bool chosen,
                                  std::string_view tooltip, const ButtonLook& look = {});
 
@@ -94,7 +94,7 @@ struct TooltipSpace {
 };
 [[nodiscard]] ImVec2 tooltip_place(const TooltipSpace& space, ImVec2 size);
 
-// The same for a number. Refuses invalid input under the key `id` and returns nullopt.
+// text_field() for a number. Refuses invalid input under the key `id` and returns nullopt.
 [[nodiscard]] std::optional<double> number_field(const PanelContext& context, const char* id,
                                                  double shown);
 

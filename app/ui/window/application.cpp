@@ -85,7 +85,7 @@ Failure Application::start_first(const Scene& scene) {
   return std::nullopt;
 }
 
-// On the device, if there is one. A failure changes nothing.
+// Starts a session on the device, if there is one. A failure changes nothing.
 Failure Application::start_session(const Scene& scene,
                                    std::shared_ptr<BorrowedAlgorithm> borrowed) {
   auto started = sessions_.start_on_device ? sessions_.start_on_device(scene, borrowed.get())
@@ -123,7 +123,7 @@ void Application::frame() {
   session::Snapshot snapshot = session().snapshot();
   if (!session().knows_truth()) draw_where_measured(snapshot.newest);
   note_loop(snapshot);
-  // At rest only its own page shows it, so that the window need not be painted again.
+  // At rest only the timing page shows the timing, so that the window need not be painted again.
   if (!snapshot.paused || state_.timing.page_seen)
     note_timing(state_.timing, live_.get(), snapshot.timing);
   look_at_moment(snapshot);
@@ -181,7 +181,7 @@ void Application::note_sound() {
     tell(state_, MessageKind::kNote, describe(transient.sound));
 }
 
-// At the newest moment, or back at that under the pointer in plots that stand still.
+// Looks at the newest moment, or at that under the pointer in plots that stand still.
 void Application::look_at_moment(session::Snapshot& snapshot) {
   const std::optional<double> looked_at_s = std::exchange(state_.transient.looked_at_s, {});
   note_tails(state_.tails, history_, session().scene(), looked_at_s);

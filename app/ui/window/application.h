@@ -49,7 +49,7 @@ class Application {
     std::string opened_file;            // file of the scene; empty: built in
     std::function<double()> now_s;      // clock of pointer events; empty: that of Dear ImGui
     std::shared_ptr<session::Experiment> experiment = nullptr;  // begins at once; null: none
-    bool records_signals = false;  // also if the settings do not say so
+    bool records_signals = false;  // true even if the settings do not say so
   };
 
   // Needs current contexts of OpenGL 3.3, ImGui and ImPlot for its whole life. Starts a session, on
@@ -139,8 +139,8 @@ class Application {
 
   Sessions sessions_;
   std::shared_ptr<BorrowedAlgorithm> borrowed_;     // in the loop of live_; outlives it
-  std::unique_ptr<session::LiveSession> live_;      // this one,
-  std::unique_ptr<session::ReplaySession> replay_;  // or that
+  std::unique_ptr<session::LiveSession> live_;      // null while a recording is shown
+  std::unique_ptr<session::ReplaySession> replay_;  // null while a session is live
   std::unique_ptr<WallRenderer> renderer_;
   draw::Theme theme_;
   draw::Look look_ = draw::Look::kScreen;  // in force, like the scale

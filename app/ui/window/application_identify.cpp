@@ -37,7 +37,7 @@ void Application::heed_identify(const session::Snapshot& snapshot) {
   if (identify.experiment->look(snapshot)) end_identify(snapshot);
 }
 
-// What makes its record worthless; empty if there is nothing.
+// Event that makes the experiment's record worthless; empty if there is none.
 std::string Application::interruption(const session::Snapshot& snapshot) const {
   if (state_.transient.wanted_scene || live_->generation() != before_identify_.generation)
     return "the scene was changed";

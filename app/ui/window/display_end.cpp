@@ -13,7 +13,7 @@ namespace hapticwall::ui {
 namespace {
 
 constexpr const char* kConnectionLost = "the display server ended the connection";
-// For the disk: then the recording stays recoverable.
+// Max time for the disk; after it the recording stays recoverable.
 constexpr unsigned kMaxFinishS = 10;
 
 Application* g_application = nullptr;  // Xlib's handlers take no data
@@ -25,7 +25,7 @@ bool records(const session::LiveSession* session) {
          session->recording_status().state == session::RecordingState::kRecording;
 }
 
-// Not if a device hangs, because its loop still records.
+// Finishes the recording, but not if a device hangs, because its loop still records.
 void finish_recording(session::LiveSession& session) {
   if (!session.snapshot().ended_by_fault) return;
   std::signal(SIGALRM, [](int) { leave(); });
@@ -48,7 +48,7 @@ int on_refused_request(void* /*display*/, void* /*event*/) {
   end("the display server refused a request");
 }
 
-// Of a library that GLFW has loaded; null otherwise.
+// Function of a library that GLFW has loaded; null otherwise.
 template <typename Function>
 Function* loaded_function(const char* library, const char* name) {
   void* handle = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);

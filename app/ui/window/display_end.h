@@ -19,7 +19,8 @@ class DisplayEnd {
   ~DisplayEnd();
 };
 
-// With a Wayland compositor GLFW closes the window instead: this tells it from the user's close.
+// Loss of a Wayland compositor, for which GLFW only closes the window: this tells it from the
+// user's close.
 [[nodiscard]] Failure lost_compositor();
 
 }  // namespace hapticwall::ui

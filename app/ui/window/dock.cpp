@@ -29,7 +29,7 @@ DockSituation situation_of(const PanelContext& context) {
   return more ? DockSituation::kChosen : DockSituation::kFirstMinute;
 }
 
-// Without the windows that would reveal the order, and with that of the test.
+// Layout without the windows that would reveal the order, and with that of the test.
 DockLayout blind_layout(const DockLayout& chosen) {
   std::vector<std::string> hidden;
   for (const Page& page : pages()) {
@@ -45,7 +45,7 @@ DockLayout layout_of(DockSituation situation, const DockLayout& chosen) {
   return situation == DockSituation::kChosen ? chosen : *parse_layout(kFirstMinute);
 }
 
-// Before DockSpace().
+// Arranges the windows. Call it before DockSpace().
 void arrange(const PanelContext& context, ImGuiID id, ImVec2 size) {
   DockState& dock = context.state.transient.dock;
   if (!dock.chosen) {
@@ -122,7 +122,7 @@ void draw_pages(const PageParts& parts) {
   }
 }
 
-// What the user has moved since the sizes were set.
+// Notes what the user has moved since the sizes were set.
 void note_moved(UiState& state, ImGuiID id) {
   DockState& dock = state.transient.dock;
   DockLayout now = read_dock(id);
@@ -148,7 +148,7 @@ void draw_dock(const PageParts& parts, ImVec2 size) {
   const ImGuiID id = ImGui::GetID("dock");
   arrange(parts.context, id, size);
   submit_dock_space(dock.situation, id, size);
-  share_arrows(true);  // also those that were docked now
+  share_arrows(true);  // also for windows that were docked in this frame
   draw_pages(parts);
   share_arrows(false);
   keep_floating_inside();

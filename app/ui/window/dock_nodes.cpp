@@ -11,7 +11,8 @@ namespace {
 
 constexpr float kMaxColumnShare = 0.5F;  // of a column of a fixed width
 
-// Also right in the frame of another scale, when ImGui::GetFontSize() is not yet.
+// Size of the text, px. Also right in the frame of another scale, when ImGui::GetFontSize() is not
+// yet.
 float text_size() { return ImGui::GetStyle().FontSizeBase * ImGui::GetStyle().FontScaleMain; }
 
 ImGuiWindow* window_of(const std::string& page) {
@@ -63,7 +64,7 @@ void build_part(const DockPart& part, ImGuiID id) {
   if (!node->IsRootNode()) node->SetLocalFlags(node->LocalFlags & ~ImGuiDockNodeFlags_CentralNode);
 }
 
-// Of the first part, px.
+// Length of the first part, px.
 float first_length(const DockPart& part, float free) {
   if (part.ems == 0.0) return free * static_cast<float>(part.share);
   const float most = kMaxColumnShare * free;

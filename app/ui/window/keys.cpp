@@ -55,7 +55,7 @@ std::vector<KeyBinding> session_keys() {
            mark_and_name}};
 }
 
-// In addition to the session keys, which also apply.
+// Keys in addition to the session keys, which also apply.
 std::vector<KeyBinding> replay_keys() {
   return {repeating(
               {KeyGroup::kReplay, "one tick back, while paused", {ImGuiKey_LeftArrow}, step_back}),

@@ -1,7 +1,7 @@
 #include "app/ui/window/window.h"
 
 #include <epoxy/gl.h>
-// After OpenGL's own header.
+// GLFW comes after OpenGL's own header.
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_impl_glfw.h>

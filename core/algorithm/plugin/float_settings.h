@@ -7,7 +7,8 @@
 
 namespace hapticwall {
 
-// As the processor has them: MXCSR and the x87 control word, or FPCR, or the rounding mode alone.
+// Settings as the processor has them: MXCSR and the x87 control word, or FPCR, or the rounding mode
+// alone.
 struct FloatSettings {
   std::uint64_t word = 0;
   std::uint16_t x87 = 0;
@@ -15,7 +16,8 @@ struct FloatSettings {
   friend bool operator==(const FloatSettings&, const FloatSettings&) = default;
 };
 
-// Of this thread. A few nanoseconds, where std::fegetenv() takes tens. Realtime-safe: yes, both.
+// Settings of this thread. Takes a few nanoseconds, where std::fegetenv() takes tens.
+// Realtime-safe: yes, both.
 [[nodiscard]] inline FloatSettings float_settings() {
   FloatSettings settings;
 #if defined(__SSE__)

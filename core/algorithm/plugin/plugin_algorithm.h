@@ -29,7 +29,8 @@ class PluginAlgorithm {
   void choose(const hw_plugin* plugin);
   void configure(const AlgorithmContext& context);
   void reset();
-  // After a fault (LibraryFault) NaN, until another plug-in starts. `signals` are NaN.
+  // The force. After a fault (LibraryFault) it is NaN, until another plug-in starts. `signals` are
+  // NaN before the call.
   [[nodiscard]] double step(const AlgorithmInput& input, std::span<double> signals);
 
  private:

@@ -1,4 +1,4 @@
-// What the program refuses of a plug-in.
+// Problems for which the program refuses a plug-in.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -25,7 +25,7 @@ struct ExperimentSettings {
   std::uint32_t seed = 1;      // of the random strokes
 };
 
-// Without force, before the ramps.
+// Time without force, before the ramps.
 inline constexpr double kStillS = 0.5;
 
 enum class ExperimentState : std::uint8_t {
@@ -43,7 +43,7 @@ enum class ExperimentState : std::uint8_t {
 // A sentence for people; empty while it runs and after a whole experiment.
 [[nodiscard]] std::string_view experiment_trouble(ExperimentState state);
 
-// What the experiment has seen, beside the ticks.
+// Observations of the experiment, beside the ticks.
 struct ExperimentFacts {
   ExperimentState state = ExperimentState::kRunning;
   std::uint64_t ticks = 0;               // so far
@@ -106,7 +106,7 @@ class Experiment {
   double highest_m_ = 0.0;
   double side_ = 1.0;       // of the wanted motion: +1 to larger x
   double along_m_ = 0.0;    // position from the start, in the direction of side_
-  double extreme_m_ = 0.0;  // of along_m_: the least in a ramp, the greatest in a stroke
+  double extreme_m_ = 0.0;  // min of along_m_ in a ramp, its max in a stroke
   std::uint64_t extreme_tick_ = 0;
   double anchor_m_ = 0.0;  // the last place from which the handle moved
   std::uint64_t anchor_tick_ = 0;

@@ -27,7 +27,7 @@ struct Record {
   double period_s = 1e-3;
   double encoder_m = 0.0;  // greater than 0
   std::vector<double> position_m;
-  std::vector<double> force_n;  // as many
+  std::vector<double> force_n;  // as many values as position_m
 };
 
 struct SegmentStart {

@@ -19,8 +19,8 @@ constexpr int kIterations = 12;
 constexpr int kProfileIterations = 8;
 constexpr std::size_t kMaxReportTicks = 24;  // from a command to its report
 constexpr double kSameForce = 0.01;          // of the largest force
-constexpr double kMaxOtherForces = 0.05;     // of the ticks: beyond, the device tells nothing
-// Of the cost, in variances of a count: a delay that costs more is not possible.
+constexpr double kMaxOtherForces = 0.05;     // share of the ticks: beyond, the device tells nothing
+// Max extra cost of a possible delay, in variances of a count.
 constexpr double kPossible = 15.0;
 
 double ratio_of(const Fit& fit, double variance_m2) {

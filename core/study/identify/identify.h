@@ -1,5 +1,5 @@
-// From the record of an experiment to a device's numbers, with intervals, or to the words that the
-// model does not fit.
+// Identification from the record of an experiment to a device's numbers, with intervals, or to the
+// words that the model does not fit.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ struct Identification {
   Estimate delay_s;                          // of a force, delay and lag together
   Estimate lag_s;                            // with the most likely delay
   std::size_t delay_ticks = 0;               // the most likely
-  std::vector<std::size_t> possible_delays;  // in ticks, with delay_ticks
+  std::vector<std::size_t> possible_delays;  // in ticks; includes delay_ticks
   double encoder_m = 0.0;
   double noise_m = 0.0;  // standard deviation of the position at rest, beyond the encoder's
   Fit fit;

@@ -12,7 +12,8 @@ class Intervals {
   // Precondition: more segments than parameters.
   Intervals(const Record& record, const Fit& fit);
 
-  // Of a sum of parameters with these weights; 0 for ln m of weight 1 is the mass's relative width.
+  // Half width of the interval of a sum of parameters with these weights; weight 1 for ln m alone
+  // gives the mass's relative width.
   [[nodiscard]] double half_width(const ParameterVector& weights) const;
 
  private:

@@ -40,7 +40,7 @@ TEST_F(AccuracyCommand, JsonOnStandardOutputIsAllThereIs) {
     EXPECT_GE(row.at("set_up_ns").get<double>(), 0.0);
     EXPECT_TRUE(row.at("max_position_error_m").is_number());
   }
-  // In ascending order, each count once.
+  // The rows are in ascending order, each count of substeps once.
   EXPECT_THAT(rows, ElementsAre("exact null", "semi-implicit-euler 1", "semi-implicit-euler 10",
                                 "rk4 1", "rk4 10"));
   EXPECT_EQ(json.at("rows")[1].at("verdict"), "settled");

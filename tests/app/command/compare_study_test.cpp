@@ -63,7 +63,7 @@ TEST_F(StudyCommand, TellsTheLimitOfTheoryOfTheBareLinearLoop) {
                                     "none,energy-bounding", "--duration", "1", "--json", "-"});
   ASSERT_EQ(answer.status, 0) << answer.err;
   const auto rows = nlohmann::json::parse(answer.out).at("rows");
-  // By tests/golden/loop_eigenvalues.h.
+  // The limit is that of tests/golden/loop_eigenvalues.h.
   EXPECT_NEAR(rows.at(0).at("stable_below_n_per_m").get<double>(), 12061.811, 1e-3);
   EXPECT_TRUE(rows.at(1).at("stable_below_n_per_m").is_null());
 }
@@ -79,7 +79,7 @@ TEST_F(StudyCommand, FilesAreWritten) {
   const std::string csv = content("a.csv");
   const auto lines = std::count(csv.begin(), csv.end(), '\n');
   EXPECT_EQ(lines, 1 + std::ssize(algorithms()) + 2);  // three forms of passivity-control
-  // The same keys, and as many fields in every line.
+  // The CSV has the same keys as the JSON, and the same number of fields in every line.
   const std::string header = csv.substr(0, csv.find('\n'));
   EXPECT_THAT(header, StartsWith("scene,duration_s,rate_hz,"));
   for (const auto& [key, value] : json.at("rows")[0].items()) EXPECT_THAT(header, HasSubstr(key));

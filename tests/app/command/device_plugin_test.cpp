@@ -80,7 +80,7 @@ TEST_F(DevicePluginTest, IsNotReplacedByAnOutput) {
   }
 }
 
-// In real time, on a machine that may be busy: an attempt that was held up does not count.
+// The run is in real time, on a machine that may be busy: a delayed attempt does not count.
 TEST_F(DevicePluginTest, TheExamplePressesIntoAWallAndIsRecorded) {
   put("soft.toml", kSoftWall);
   Answer answer;

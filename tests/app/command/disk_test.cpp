@@ -17,9 +17,9 @@ namespace {
 
 struct Output {
   const char* arguments;
-  int blocks;        // of 512 bytes that a file may have
+  int blocks;        // max size of a file, in blocks of 512 bytes
   const char* file;  // that does not fit
-  const char* left;  // what of it is left, or ""
+  const char* left;  // the file that remains, or ""
 };
 
 constexpr const char* kMap =
@@ -48,7 +48,7 @@ class DiskTest : public ProgramTest {
       std::filesystem::remove(path(found));
     }
   }
-  // Until the program has said a whole line on standard error.
+  // Waits until the program has written a whole line to standard error.
   void wait_for_line(pid_t child) const {
     while (is_running(child) && !content("stderr").ends_with('\n')) sched_yield();
   }
@@ -183,7 +183,7 @@ TEST_F(DiskTest, AFolderThatIsMovedKeepsTheRowsForRecovery) {
   EXPECT_EQ(hapticwall({"run", "moved/a.toml", "--quiet"}).status, 0);
 }
 
-// Also as root, who ignores permissions.
+// The test also holds for root, who ignores permissions.
 TEST_F(DiskTest, ReadOnlyFoldersAreToldBeforeAnythingRuns) {
   for (const std::string option : {"--csv", "--json", "--plot", "--wav"}) {
     const Answer answer =

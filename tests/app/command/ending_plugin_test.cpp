@@ -35,7 +35,8 @@ class EndingPlugin : public ProgramTest, public ::testing::WithParamInterface<co
                                std::filesystem::copy_options::overwrite_existing);
     return "plugin:" + path(name);
   }
-  // On a device behind a library, which pushes after one and a half seconds.
+  // Arguments of a run on a device behind a library; the device pushes after one and a half
+  // seconds.
   [[nodiscard]] std::vector<std::string> on_device(const std::string& device_option,
                                                    std::vector<std::string> more = {}) const {
     std::vector<std::string> words{"run",         "golden-soft",         "--device",
@@ -148,7 +149,7 @@ TEST_P(EndlessAlgorithm, OneSignalEndsARun) {
   EXPECT_EQ(answer.status, 128 + SIGTERM);
 }
 
-// At real-time priority the kernel may be faster than the signal.
+// At real-time priority the kernel may end the run (SIGXCPU) before the signal does.
 TEST_P(EndlessAlgorithm, OneSignalEndsARunInRealTime) {
   const Answer answer = terminated(
       {"run", "press", "--realtime", "--algorithm", algorithm("endless", GetParam()), "--quiet"},

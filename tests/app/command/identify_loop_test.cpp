@@ -52,7 +52,7 @@ identify::ExperimentSettings experiment_for_it() {
   return settings;
 }
 
-// As the owner of a session does it, every tick.
+// Looks at the experiment in every tick, as the owner of a session does.
 class IdentifyRig {
  public:
   explicit IdentifyRig(const std::string& lie = "")
@@ -106,7 +106,7 @@ TEST(IdentifyLoop, FindsTheNumbersOfTheEmulatedDevice) {
   EXPECT_LT(found->delay_s.value, 3e-3);
 }
 
-// Of the kinds, those of device_lies_test.cpp that show without a wall.
+// The kinds are those of device_lies_test.cpp that show without a wall.
 TEST(IdentifyLoop, ALieEndsTheForce) {
   for (const char* kind :
        {"jump=0.05", "jump=-0.012", "runaway=12", "runaway=0.5", "slow", "no-answer", "no-output",
@@ -146,7 +146,7 @@ TEST(IdentifyLoop, DisarmingEndsTheForceInTheNextTick) {
   expect_no_force_after(rig, rig.rig.now_us());
 }
 
-// Whoever ends it does not wait for the device to be disarmed.
+// Stopping does not wait until the device is disarmed.
 TEST(IdentifyLoop, StoppingEndsTheForceInTheNextTick) {
   IdentifyRig rig;
   rig.rig.until_ms(kLieMs);

@@ -3,7 +3,7 @@
 
 namespace hapticwall::command::test {
 
-// Before a line for a shell.
+// Prefix of a shell line: the program may write no file.
 inline constexpr const char* kNoRoom = "ulimit -f 0; exec $P ";
 
 // False under ThreadSanitizer, which writes a file itself before the program begins.

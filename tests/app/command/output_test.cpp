@@ -92,7 +92,7 @@ TEST_F(OutputTest, ASmallStackIsRefusedInALine) {
   }
 }
 
-// As root, another user's limit: root has none.
+// The program runs as another user with a limit on threads, because root has none.
 TEST_F(OutputTest, MissingThreadsAreToldInALine) {
   if (geteuid() != 0) GTEST_SKIP() << "needs root, to be a user without other processes";
   fs::permissions(path(""), fs::perms::all);

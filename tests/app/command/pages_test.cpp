@@ -48,7 +48,7 @@ class PagesTest : public ProgramTest {
     EXPECT_EQ(answer.err, "") << script;
     return answer.out;
   }
-  // What the Tab key offers behind the last of these words.
+  // Words that the Tab key offers after `words`.
   [[nodiscard]] std::multiset<std::string> offered(const std::string& words) const {
     put("page", hapticwall({"--generate", "bash"}).out);
     const std::string out =

@@ -155,7 +155,7 @@ TEST_F(PluginTest, HasColumnsForItsOwnSignals) {
   for (std::size_t row = 1; row < rows.size(); ++row)
     EXPECT_EQ(rows[row][ticks], std::to_string(row - 1));
   EXPECT_THAT(content("a.jsonl"), HasSubstr("\"signal.ticks\":9,\"signal.observed_energy_j\":0,"));
-  // Without the plug-in its signals keep their names.
+  // The signals keep their names without the plug-in.
   done({"replay", "a.csv", "--stream", "b.jsonl"});
   EXPECT_EQ(content("a.jsonl"), content("b.jsonl"));
 }

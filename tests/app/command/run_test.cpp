@@ -90,7 +90,7 @@ TEST_F(Program, ASidecarWithChangesIsRepeatedFromItsFirstRow) {
   EXPECT_THAT(changed.substr(changed.find('\n') + 1), StartsWith("1000,1,"));
   EXPECT_TRUE(changed == content("c.csv"));
   EXPECT_EQ(content("b.toml"), content("c.toml"));
-  // The same until the change, then another algorithm: an oscillation.
+  // The rows are the same until the change; then another algorithm oscillates.
   const std::string original = content("a.csv");
   const std::string row_1999 = original.substr(original.find("\n1999,"), 200);
   EXPECT_THAT(changed, HasSubstr(row_1999));
@@ -194,7 +194,7 @@ TEST_F(Program, ASlowRealTimeRunEndsEarlyWithAWholeRecording) {
   const pid_t child = start({program(), "run", "press", "--realtime", "--set",
                              "simulator.integrator=rk4", "--set", "simulator.substeps=1000",
                              "--set", "sampling.rate_hz=1e5", "--csv", "a.csv", "--quiet"});
-  wait_until_written(child, "a.csv.partial", 10'000);  // so many bytes: some rows
+  wait_until_written(child, "a.csv.partial", 10'000);  // 10,000 bytes: some rows
   kill(child, SIGTERM);
   EXPECT_EQ(wait_for(child).status, 128 + SIGTERM);
   ASSERT_EQ(hapticwall({"run", "a.toml", "--csv", "b.csv", "--quiet"}).status, 0);

@@ -110,7 +110,7 @@ TEST_P(StopSignal, TheFirstOneEndsALoopThatHangsAfterIt) {
   expect_killed_by(GetParam(), status_of(child));
 }
 
-// Without a loop, as in a headless run.
+// The process has no loop, as in a headless run.
 TEST_P(StopSignal, TheFirstOneEndsACallThatHangs) {
   const Shared heard;
   const pid_t child = start_child([&] {

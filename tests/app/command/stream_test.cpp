@@ -74,7 +74,7 @@ TEST_F(StreamTest, AReplayStreamsItsRowsAndAReRunItsOwn) {
   expect_rows("b.csv", shell("$P replay a.csv --algorithm none --csv b.csv --stream -").out);
 }
 
-// Not in real time, the run can wait.
+// A run that is not in real time can wait.
 TEST_F(StreamTest, ARunAsFastAsItCanWaitsForASlowReader) {
   const Answer answer = shell("$P run press --csv a.csv --stream - | (sleep 1.5; cat)");
   EXPECT_THAT(answer.err, IsEmpty());
@@ -91,8 +91,8 @@ TEST_F(StreamTest, AReaderThatClosesEndsTheStreamWithOneLineAndNotTheRun) {
   }
 }
 
-// As for every tool in a pipe: the end is that of SIGPIPE, without a line. `timeout` ends a program
-// that goes on; it would go on for days.
+// The run ends by SIGPIPE and without a message, like every tool in a pipe. `timeout` ends a
+// program that does not stop; it would run for days.
 TEST_F(StreamTest, AReaderThatClosesEndsARunThatHasNoOtherOutput) {
   ASSERT_EQ(shell("$P run press --csv a.csv --quiet").status, 0);
   for (const std::string command :
@@ -124,7 +124,7 @@ class StreamReaderTest : public StreamTest {
       ASSERT_EQ(ioctl(reader_, FIONREAD, &waiting), 0);
     }
   }
-  // All that is in the pipe.
+  // Returns all bytes in the pipe.
   std::string drained() const {
     std::string text;
     std::array<char, 65536> bytes{};

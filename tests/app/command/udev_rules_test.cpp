@@ -1,4 +1,4 @@
-// Which devices assets/70-hapticwall.rules opens to the user, by the rules of udev(7).
+// Tests which devices assets/70-hapticwall.rules opens to the user, by the rules of udev(7).
 #include <fmt/format.h>
 #include <fnmatch.h>
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ Properties usb(int vendor, int product, const std::string& type = "usb_device") 
           {"ATTR{idProduct}", fmt::format("{:04x}", product)}};
 }
 
-// What the rules assign to a device: of each line, when all its `==` hold.
+// Properties that the rules assign to a device: those of every line whose `==` all hold.
 Properties assigned(const Properties& device) {
   static const std::regex kPair(R"re(([A-Za-z{}]+)(==|\+=|=)"([^"]*)"(?:, |$))re");
   Properties all;

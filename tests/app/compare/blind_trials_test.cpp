@@ -61,7 +61,8 @@ std::string order_of(std::size_t count, std::uint64_t seed) {
 TEST(BlindTrials, TheSeedDecidesTheOrderAlone) {
   EXPECT_EQ(order_of(20, 7), order_of(20, 7));
   EXPECT_NE(order_of(20, 7), order_of(20, 8));
-  // The same on every machine and in every version, because an experiment may be continued.
+  // The order is the same on every machine and in every version, because an experiment may be
+  // continued.
   EXPECT_EQ(order_of(10, 1), "AAABBBAABB");
 }
 
@@ -216,7 +217,7 @@ TEST(ClopperPearson, KnownIntervals) {
     std::uint32_t k, n;
     double confidence, low, high;
   };
-  // As tables and R's binom.test() give them.
+  // The values are those of tables and of R's binom.test().
   for (const Known& known : {Known{0, 10, 0.95, 0.0, 0.3084971},
                              {10, 10, 0.95, 0.6915029, 1.0},
                              {5, 10, 0.95, 0.1870860, 0.8129140},
@@ -249,7 +250,7 @@ TEST(ClopperPearson, IsWhatItsDefinitionSays) {
       const Proportion found = clopper_pearson(k, n, 0.95);
       EXPECT_NEAR(binomial_at_least(k, n, found.low), 0.025, 1e-10);
       EXPECT_NEAR(1.0 - binomial_at_least(k + 1, n, found.high), 0.025, 1e-10);
-      // Both sides are treated alike.
+      // The interval of n - k mirrors that of k.
       const Proportion mirrored = clopper_pearson(n - k, n, 0.95);
       EXPECT_NEAR(mirrored.low, 1.0 - found.high, 1e-14);
       EXPECT_LT(found.low, found.share);

@@ -19,7 +19,7 @@ AlgorithmSettings named(const char* name) {
   return settings;
 }
 
-// At 1 kHz: 250 ticks are a rest.
+// The rate is 1 kHz: 250 ticks are a rest.
 class Slots : public ::testing::Test {
  protected:
   void show(int ticks, double penetration_m, double force_n) {
@@ -35,7 +35,7 @@ class Slots : public ::testing::Test {
     }
   }
   void rest() { show(250, -0.01, 0.0); }
-  // As the loop does some ticks later.
+  // The loop takes over some ticks after the toggle.
   void take_over() { ++generation_; }
 
   ContactTraces comparison_{named("none"), named("virtual-coupling"), 1000.0};

@@ -91,7 +91,7 @@ class KilledExperiment : public hapticwall::test::FolderTest {
     return trials;
   }
 
-  std::vector<std::uint64_t> told_;  // by all programs, in order
+  std::vector<std::uint64_t> told_;  // trials reported by all programs, in order
 };
 
 TEST_F(KilledExperiment, KeepsEveryFinishedTrialOnce) {

@@ -186,7 +186,7 @@ TEST(EmulatorLoop, InStepItMovesTheTickOnce) {
     for (std::uint16_t i = 4; i < 10; ++i) table.bus.push_at(at(i + phase), i);
     EXPECT_FALSE(table.loop.run());
     ASSERT_EQ(table.bus.states.size(), 12U) << phase;
-    EXPECT_EQ(table.bus.states[2].first, at(3)) << phase;  // not moved by what does not enable
+    EXPECT_EQ(table.bus.states[2].first, at(3)) << phase;  // not moved by a command without enable
     for (std::size_t i = 4; i < 12; ++i) {
       EXPECT_NEAR(static_cast<double>(table.bus.states[i].first - at(0)),
                   (static_cast<double>(i) + phase + 0.5) * kTickNs, 1.0)

@@ -47,7 +47,7 @@ Answer answer_number(std::uint64_t trial) {
 
 class AnswersFileTest : public hapticwall::test::FolderTest {
  protected:
-  // Of participant P1, with the first `count` answers.
+  // Writes the answers of participant P1: the first `count`.
   void write(std::uint64_t count) {
     auto file = AnswersFile::open(path("p1.csv"), identity_of_p1());
     ASSERT_TRUE(file) << file.error().message;

@@ -304,7 +304,7 @@ TEST_F(AtomicFileTest, AnotherFileOfTheNameIsLeftAlone) {
   EXPECT_EQ(content("a.partial"), "theirs");
 }
 
-// As root, drops to another user in a child process, because root ignores permissions.
+// Root ignores permissions: as root, the test drops to another user in a child process.
 TEST_F(AtomicFileTest, AFolderThatIsReadOnlyIsToldAtOnce) {
   constexpr uid_t kNobody = 65534;
   fs::permissions(path(""), fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |

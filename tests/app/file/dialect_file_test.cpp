@@ -101,7 +101,7 @@ TEST(DialectFile, TheExampleOfTheDocumentIsReadAndItsFieldsAreThoseOfTheText) {
   EXPECT_EQ(device->dialect->out.axes[0], (ReportField{4, FieldType::kI16, -0.002, 2000.0}));
 }
 
-// From the dimensions in its comment.
+// Mechanics of a board, from the dimensions in the comment of its file.
 struct Mechanics {
   const char* name;
   double body_m;

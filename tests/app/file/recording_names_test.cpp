@@ -56,7 +56,7 @@ TEST_F(RecordingNames, AUsersSceneThatCameMeanwhileIsNotReplacedEither) {
 TEST_F(RecordingNames, OneThatLacksOnlyItsNameIsFinishedAndNotWrittenOver) {
   EXPECT_FALSE(begun("a.csv", 0, 2)->finish(scene_of_ten_ticks(), headless()));
   const std::string csv = content("a.csv");
-  fs::rename(path("a.csv"), path("a.csv.partial"));  // as a kill between the two names leaves it
+  fs::rename(path("a.csv"), path("a.csv.partial"));  // as after a kill between the two renames
   const auto refused = RecordingWriter::create(path("a.csv"), csv_columns(true));
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("'hapticwall recover "));
@@ -112,14 +112,14 @@ TEST_F(RecordingNames, AsManyChangesAsAreKeptAreReadAgain) {
 TEST_F(RecordingNames, ASessionLongerThanASceneCanBeIsReadAndNotRepeated) {
   RecordingMetadata metadata = headless();
   metadata.first_tick = 1'000'000'000;
-  metadata.session_ticks = 1'000'000'001;  // at 1 kHz, 11.6 days
+  metadata.session_ticks = 1'000'000'001;  // 11.6 days at 1 kHz
   ASSERT_FALSE(begun("a.csv", metadata.first_tick, 1)->finish(scene_of_ten_ticks(), metadata));
   const auto loaded = load_scene(path("a.toml"));
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_THAT(loaded->not_repeatable_because, HasSubstr("longer than a scene can be"));
 }
 
-// By its path, however far the rows are from tick 0 and from each other.
+// The hand is found by its path, however far the rows are from tick 0 and from each other.
 TEST_F(RecordingNames, AHandOnItsPathIsFoundThereAtAnyTick) {
   Scene scene = scene_of_ten_ticks();
   scene.x().hand = HandSettings{};

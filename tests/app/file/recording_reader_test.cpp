@@ -81,7 +81,7 @@ class RecordingReading : public hapticwall::test::FolderTest {
     if (!reader) throw std::runtime_error(reader.error().message);
     return std::move(*reader);
   }
-  // What open() says against it, less the folder.
+  // Message with which open() refuses the file, without the folder.
   [[nodiscard]] std::string refusal(const std::string& name = "a.csv") const {
     const auto reader = RecordingReader::open(path(name));
     if (reader) return "";
@@ -103,7 +103,7 @@ void expect_equal(const Sample& read, const Sample& written, const CsvColumns& c
             std::bit_cast<std::uint64_t>(written.force_n));
 }
 
-// Both axes have them; an empty field is NaN, also the last one.
+// Both axes have the signals; an empty field is NaN, also the last one.
 TEST(SignalColumns, StandLastInEachAxis) {
   CsvColumns columns = csv_columns(true, 2);
   columns.signals = {{"step_bound_n", bound_place()}, {"other", kMaxSignals - 1}};
@@ -279,13 +279,13 @@ TEST_F(RecordingReading, APartialFileIsReadUpToItsLastWholeLine) {
   record(0, 10, csv_columns(true));
   const std::string csv = content("a.csv");
   put("b.csv.partial", csv.substr(0, csv.size() - 40));
-  put("b.toml", content("a.toml"));  // of an older b.csv: not this one's
+  put("b.toml", content("a.toml"));  // sidecar of an older b.csv, not of this one
   const auto reader = opened("b.csv.partial");
   EXPECT_EQ(reader->rows(), 9U);
   EXPECT_FALSE(reader->info().has_sidecar);
   EXPECT_THAT(reader->info().notes, ElementsAre(HasSubstr("never finished"),
                                                 HasSubstr("no sidecar"), HasSubstr("cut off")));
-  // What was noted of it while it was written.
+  // The notes that were written during the recording count as its sidecar.
   put("b.toml.partial", content("a.toml"));
   EXPECT_TRUE(opened("b.csv.partial")->info().has_sidecar);
 }

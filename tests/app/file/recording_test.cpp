@@ -94,7 +94,7 @@ class CommaDecimal : public std::numpunct<char> {
 
 TEST_F(Recording, NumbersAreExactWhateverTheLocale) {
   const std::locale before = std::locale::global(std::locale(std::locale(), new CommaDecimal));
-  std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where the machine has it
+  std::setlocale(LC_NUMERIC, "de_DE.UTF-8");  // if the machine has this locale
   std::string row;
   append_csv_row(row, tick_at(1234567), csv_columns(true));
   std::setlocale(LC_NUMERIC, "C");
@@ -159,7 +159,7 @@ TEST_F(Recording, SidecarSaysHowToRepeat) {
   const Result<LoadedScene> loaded = load_scene(path("a.toml"));
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(loaded->first_recorded_tick, 5U);
-  EXPECT_EQ(loaded->scene.tick_count(), 8U);  // as long as the session was
+  EXPECT_EQ(loaded->scene.tick_count(), 8U);  // the length of the session
   EXPECT_EQ(loaded->not_repeatable_because, metadata.not_repeatable_because);
   ASSERT_EQ(loaded->changes.size(), 1U);
   EXPECT_EQ(loaded->changes[0].tick, 6U);
@@ -171,7 +171,7 @@ TEST_F(Recording, SidecarSaysHowToRepeat) {
 TEST_F(Recording, AbandonedItTakesNoName) {
   ASSERT_FALSE(begun("a.csv", 0, 1)->flush());
   EXPECT_THAT(files(), ::testing::ElementsAre("a.csv.partial"));
-  static_cast<void>(begun());  // without a row
+  static_cast<void>(begun());  // a recording without a row
   EXPECT_TRUE(files().empty());
 }
 

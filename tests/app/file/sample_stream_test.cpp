@@ -187,7 +187,7 @@ TEST_F(SampleStreamTest, AReaderThatHasLeftIsNoticedWithoutASample) {
 TEST_F(SampleStreamTest, AReaderThatComesBackIsToldTheLoss) {
   open();
   take(0, kTooMany);
-  while (reader_.read_some()) stream_->flush();  // what was pending
+  while (reader_.read_some()) stream_->flush();  // reads the pending bytes
   const std::size_t before = ticks_in(reader_.objects()).size();
   EXPECT_LT(before, kTooMany) << "the buffer has a limit";
   take(kTooMany, kTooMany + 1);

@@ -63,7 +63,7 @@ TEST_F(SceneDevice, APipeIsNotOpened) {
   expect_refused("device = \"pipe\"\n", "pipe.toml: not a device description: not a file");
 }
 
-// As --set device=NAME on the command line, but for the description.
+// The device is that of --set device=NAME on the command line, except for the description.
 TEST_F(SceneDevice, AScenesDeviceBecomesThatOfAFile) {
   for (const std::string& name : {std::string("phantom-premium-1.5"), path("paddle.toml")}) {
     const std::vector<std::string> overrides{"device=" + name};
@@ -84,7 +84,7 @@ TEST_F(SceneDevice, AScenesDeviceBecomesThatOfAFile) {
               HasSubstr("nothere.toml: cannot be read"));
 }
 
-// What a file does not give stays the scene's own.
+// Numbers that a file does not give stay the scene's own.
 TEST_F(SceneDevice, APresetReplacesTheNumbersThatItHas) {
   const auto device = [](const std::string& name) {
     const std::vector<std::string> overrides{"device=" + name};
@@ -115,7 +115,8 @@ TEST_F(SceneDevice, APresetReplacesTheNumbersThatItHas) {
   EXPECT_EQ(phantom.force_limit_n, 8.19);
 }
 
-// In the scene's text, too, as a recording keeps it, and gone with the next device.
+// The numbers of CHAI3D are also in the scene's text, as a recording keeps it, and gone with the
+// next device.
 TEST_F(SceneDevice, WhatChai3dAllowsIsOfOneDevice) {
   const auto omega = load_scene("press", std::vector<std::string>{"device=omega-3"});
   ASSERT_TRUE(omega) << omega.error().message;

@@ -63,7 +63,7 @@ TEST(Sidecar, AnyEditIsSeenAndAnOlderOneWithoutASealIsRead) {
   EXPECT_FALSE(edited(older.erase(begin, text.find('\n', begin) + 1 - begin)));
 }
 
-// With spaces, with quotes, or inline: none reaches the memory of a parser.
+// Headers with spaces, with quotes, or inline: no excess change reaches the memory of a parser.
 TEST(Sidecar, MoreChangesThanAreWrittenAreRefused) {
   const std::string scene = "[device]\nmass_kg = 1\ndamping_n_s_per_m = 1\n";
   for (const std::string header : {"[[recording.change]]", " [[ recording . 'change' ]]",

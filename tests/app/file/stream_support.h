@@ -35,7 +35,7 @@ class StreamReader {
     if (descriptor_ >= 0) ::close(descriptor_);
     descriptor_ = -1;
   }
-  // At most 4096 bytes; false if there are none.
+  // Reads at most 4096 bytes; false if there are none.
   bool read_some() {
     std::array<char, 4096> bytes{};
     const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
@@ -64,7 +64,7 @@ class StreamReader {
   int descriptor_ = -1;
 };
 
-// What the stream tells goes to `told`, which may be null.
+// The stream's messages go to `told`, which may be null.
 inline std::shared_ptr<SampleStream> opened_stream(
     const std::string& path, const std::shared_ptr<std::vector<std::string>>& told = nullptr,
     StreamOptions options = {}) {

@@ -76,7 +76,7 @@ TEST_F(ExperimentTest, AParticipantHasAnOrderOfTheirOwn) {
 }
 
 TEST_F(ExperimentTest, ASeedIsExactAsADouble) {
-  constexpr int kParticipants = 50;  // with 64 random bits 1 in 2048 passes
+  constexpr int kParticipants = 50;  // with 64 random bits, 1 seed in 2048 would pass
   for (int i = 0; i < kParticipants; ++i) {
     participant = "P" + std::to_string(i);
     const std::uint64_t seed = (*open("a,b\n,algorithm=none\n"))->answers.identity().seed;

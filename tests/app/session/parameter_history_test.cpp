@@ -79,7 +79,7 @@ TEST(ParameterHistory, SaysWhetherItKnowsHowTheRunBegan) {
   EXPECT_NE(history.revision(), before) << "though there is no change";
   history.restart();
   EXPECT_FALSE(history.knows_start());
-  history.came_into_force({40, 1});  // still of the run before
+  history.came_into_force({40, 1});  // belongs to the run before
   EXPECT_FALSE(history.knows_start());
   history.came_into_force({0, 1});
   EXPECT_TRUE(history.knows_start());

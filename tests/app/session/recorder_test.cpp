@@ -111,7 +111,7 @@ class WatchingWriter : public FakeWriter {
   Scheduling& seen_;
 };
 
-// Where real-time priority is refused there is none to be had for the recorder either.
+// If real-time priority is refused, the recorder cannot have it either.
 TEST_F(RecorderTest, ItsThreadComesBeforeOrdinaryOnesAndAfterTheLoop) {
   Scheduling permitted;
   bool loop_comes_first = false;

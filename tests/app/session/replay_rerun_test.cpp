@@ -41,7 +41,7 @@ class HandRerun : public ReplayTest {
     EXPECT_EQ(outcome.largest_distance_m, 0.0);
     expect_a_study_to_run(outcome);
   }
-  // The same hand in a headless run, up to the recorded end.
+  // Expects the same hand in a headless run, up to the recorded end.
   void expect_a_study_to_run(const RerunOutcome& rerun) {
     const auto reader = opened(path("a.csv"));
     const auto wanted = rerun_scene(reader->info(), "", {});
@@ -201,7 +201,7 @@ TEST_F(HandRerun, UnderAnotherAlgorithmItIsWhatASessionWouldHaveBeen) {
   EXPECT_EQ(outcome.summary.algorithm, "none");
   EXPECT_TRUE(outcome.first_different_tick);
   EXPECT_GT(outcome.largest_distance_m, 1e-4);
-  // The same pointer, in a session under that algorithm.
+  // The session under that algorithm has the same pointer.
   scene.algorithm.index = find_algorithm("none").value();
   record(scene, 3000, person(1, 0.055, 0.01));
   const auto reader = opened(path("a.csv"));

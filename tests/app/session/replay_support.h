@@ -19,7 +19,8 @@
 
 namespace hapticwall::session::test {
 
-// Where the pointer is when the loop looks for it before a tick; nothing: nobody holds it.
+// Position of the pointer when the loop looks for it before a tick; nullopt: nobody holds the
+// handle.
 using Pointer = std::function<std::optional<double>(std::uint64_t tick)>;
 
 class ReplayTest : public hapticwall::test::FolderTest {
@@ -30,7 +31,7 @@ class ReplayTest : public hapticwall::test::FolderTest {
     return std::move(*reader);
   }
 
-  // In the order of the servo loop: new parameters, then the pointer, then the tick.
+  // Records in the order of the servo loop: new parameters, then the pointer, then the tick.
   void record(const Scene& scene, std::uint64_t ticks, const Pointer& pointer,
               const std::vector<ScheduledChange>& changes = {}, std::uint64_t first_tick = 0) {
     auto writer = file::RecordingWriter::create(path("a.csv"), file::csv_columns(true));

@@ -54,11 +54,11 @@ TEST(SessionEnd, ARecordingWithoutATickIsAnEmptyWholeFile) {
   EXPECT_EQ(lines_of(folder.file("a.csv")).size(), 1U);
 }
 
-// What is seen of a device from outside, also after the session has taken it with it.
+// State of a device as seen from outside, also after the session has destroyed the device.
 struct DeviceView {
   std::atomic<bool> unplugged{false};
   std::atomic<double> position_m{0.03};
-  std::vector<std::string> log;  // after the end
+  std::vector<std::string> log;  // set when the device is destroyed
 };
 
 class WatchedDevice : public FakeDevice {
@@ -170,7 +170,7 @@ TEST(SessionStart, HardwareWithoutRealtimePriorityIsRefusedUnlessAllowed) {
   EXPECT_FALSE(refuse_without_realtime(hardware, status, false));
 }
 
-// What a device says of itself holds, but it cannot allow more force than the scene does.
+// The device's own values hold, but it cannot allow more force than the scene does.
 TEST(SessionStart, TheDevicesResolutionAndSmallerLimitTakeThePlaceOfTheScenes) {
   for (const auto& [device_limit_n, expected_n] :
        {std::pair{5.0, 5.0}, std::pair{20.0, 8.9}, std::pair{0.0, 8.9}}) {

@@ -85,7 +85,7 @@ TEST(SessionMarks, EachRecordingHasItsOwnAndAResetForgetsThem) {
   EXPECT_EQ(marks_in(folder.file("b.csv")).front().text, "b");
   session->reset();
   EXPECT_THAT(session->marks(), IsEmpty());
-  // At once: the loop may not have gone back yet.
+  // The recording starts at once: the loop may not have gone back yet.
   ASSERT_FALSE(session->start_recording(folder.file("c.csv")));
   EXPECT_FALSE(session->mark("c"));
   ASSERT_TRUE(rows_reach(*session, 11));

@@ -35,7 +35,7 @@ std::vector<std::string> rows_of(const std::string& path) {
   return lines;
 }
 
-// As they are at this moment, under the name b: what a kill would leave.
+// Copies the files as they are at this moment to the name b, like the files after a kill.
 void keep_what_is_there(const TemporaryFolder& folder) {
   for (const char* ending : {".csv.partial", ".toml.partial"}) {
     std::filesystem::copy_file(folder.file(std::string("a") + ending),

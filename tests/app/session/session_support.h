@@ -1,4 +1,4 @@
-// What the tests of whole sessions share.
+// Functions that the tests of whole sessions share.
 #pragma once
 
 #include <gtest/gtest.h>

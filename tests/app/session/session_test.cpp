@@ -162,7 +162,7 @@ TEST(Session, ThePlantChangesWhileItRunsAndProblemsLeaveItAsItWas) {
   EXPECT_EQ(session->scene().simulator, wanted.simulator);
   EXPECT_EQ(session->scene().name, "contact");
   ASSERT_TRUE(generation_is(*session, 2));
-  // So much friction holds anything.
+  // This friction is large enough to hold the handle.
   const std::uint64_t ticks = session->snapshot().timing.ticks;
   ASSERT_TRUE(ticks_reach(*session, ticks + 50));
   EXPECT_EQ(session->snapshot().newest.x().truth.velocity_m_per_s, 0.0);
@@ -227,7 +227,7 @@ TEST(Session, TheHandIsLedAndStaysUntilTheReset) {
   };
   session->move_hand(test::hand_to(0.03));
   EXPECT_TRUE(hand_gets_to(0.03));
-  session->move_hand(test::hand_to(kNan));  // as good as nothing, like the next ones
+  session->move_hand(test::hand_to(kNan));  // ignored, like the next ones
   session->move_hand(test::hand_to(std::numeric_limits<double>::infinity()));
   session->move_hand({.m = {0.01}, .duration_s = -1.0});
   session->move_hand({.m = {0.01}, .duration_s = kNan});

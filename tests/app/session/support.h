@@ -26,7 +26,7 @@ using hapticwall::test::lines_of;
 using hapticwall::test::TemporaryFolder;
 using hapticwall::test::text_of;
 
-// To this place, as fast as a hand goes.
+// Move of the hand to this place, as fast as a hand goes.
 inline HandMove hand_to(double position_m, std::size_t axis = 0) {
   HandMove move;
   move.m.fill(std::numeric_limits<double>::quiet_NaN());

@@ -1,4 +1,4 @@
-// Whether there is a display for a window.
+// Tells whether there is a display for a window.
 #pragma once
 
 #include <cstdlib>

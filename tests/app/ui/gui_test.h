@@ -168,7 +168,7 @@ class GuiTest : public FolderTest {
     ImGui::GetIO().AddMousePosEvent(place.x, place.y);
     frames(2);
   }
-  // To a place where the pointer covers nothing.
+  // Moves the pointer to a place where it covers nothing.
   void move_away() { move_to(ImVec2(2.0F, 2.0F)); }
   void mouse_button(bool down, ImGuiMouseButton button = ImGuiMouseButton_Left) {
     ImGui::GetIO().AddMouseButtonEvent(button, down);
@@ -290,10 +290,10 @@ class GuiTest : public FolderTest {
   }
 
   std::string refuse_session;        // the error of the next sessions
-  std::string refuse_device;         // the same for sessions on the device
+  std::string refuse_device;         // the error of the next sessions on the device
   ui::Application::Options options;  // of the next open()
   ui::Application::RecordingOpener open_recording;
-  session::StartSession start_experiment;  // of sessions under an algorithm
+  session::StartSession start_experiment;  // starts sessions under an algorithm
   int experiments_ = 0;                    // that start_trials() began
   sound::OpenCard open_card = sound::test::no_card;
   int sessions = 0;

@@ -38,13 +38,13 @@ using Items = std::map<std::string, ItemRect, std::less<>>;
 [[nodiscard]] Items drawn_items();
 // The item or text of this name; "FORCE…" is the first text that begins with "FORCE".
 [[nodiscard]] std::optional<ItemRect> find_item(std::string_view name);
-// Whether this window has drawn this text. Text that is scrolled out of sight is not drawn.
+// True if this window has drawn this text. Text that is scrolled out of sight is not drawn.
 [[nodiscard]] bool draws_text(std::string_view window, std::string_view text);
 
 // Dear ImGui reports items only after this; call it for every frame without the test engine.
 void watch_items();
-// The same with the test engine, which decides for every new frame: call it once, after the start
-// of the engine.
+// Like watch_items(), but with the test engine, which decides for every new frame: call it once,
+// after the start of the engine.
 void watch_items_beside_engine();
 
 }  // namespace hapticwall::test

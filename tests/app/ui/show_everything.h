@@ -5,7 +5,7 @@
 
 namespace hapticwall::test {
 
-// What a newcomer opens with More, and without the tour.
+// Shows everything that More opens for a newcomer, without the tour.
 inline void show_everything(ui::UiState& state) {
   ui::show_more(state.persisted);
   state.persisted.tour_offered = false;

@@ -127,8 +127,8 @@ TEST(VirtualCoupling, WithoutAnyStiffnessThereIsNoForce) {
   EXPECT_EQ(PositionBench(settings).move_to(1e-3).force_n, 0.0);
 }
 
-// In by 0.1 mm, to 1 N; out by 0.05 mm under this force: W = -0.05 mJ. The damper takes
-// F_d = F_e + W/|Δx| in the direction of motion, or its cap.
+// The handle goes in by 0.1 mm, to 1 N, and out by 0.05 mm under this force: W = -0.05 mJ. The
+// damper takes F_d = F_e + W/|Δx| in the direction of motion, or its cap.
 TEST(PassivityControl, WithTheHeldForceObserverTakesWhatIsMissingUpToItsCap) {
   for (const auto& [cap, force_n] : {std::pair{1e3, 0.5 - 1.0}, {4.0, 0.5 - 4.0 * 0.05}}) {
     ServoSettings settings = wall_at_zero("passivity-control", 10e3);
@@ -180,7 +180,7 @@ TEST(Follower, HasAStateOfItsOwn) {
 
 TEST(Follower, BeginsAnewWithTheAlgorithmItFollows) {
   ServoSettings settings = wall_at_zero("none", 10e3);
-  settings.transition_s = 0.0;  // of one tick
+  settings.transition_s = 0.0;  // a transition of one tick
   set_parameter(settings.algorithm, "observer", 1.0);
   set_parameter(settings.algorithm, "then", 1.0);
   PositionBench bench(settings);

@@ -1,4 +1,4 @@
-// What the program refuses of a plug-in, and in which words.
+// Tests which plug-ins the program refuses, and with which words.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -117,7 +117,7 @@ class Sequence {
 
 class ReferenceAlgorithm : public ::testing::TestWithParam<std::string> {};
 
-// Whether the reference rounds like the program.
+// True if the reference rounds like the program.
 bool is_exact(const std::string& algorithm, const ReferenceScene& scene) {
   if (algorithm == "energy-limited-spring") return scene.walls.size() == 1;
   return algorithm != "virtual-coupling" && algorithm != "energy-bounding-2010";

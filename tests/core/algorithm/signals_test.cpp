@@ -169,7 +169,7 @@ void expect_the_same_signals_in_both_loops(std::optional<double> encoder_m) {
   for (const AlgorithmDescription& algorithm : algorithms()) {
     Scene scene = pressed(algorithm);
     scene.x().device.encoder_m = encoder_m;
-    // From within the wall it is thrown out and comes to rest.
+    // The handle starts within the wall, is thrown out and comes to rest.
     scene.x().device.start_m = 2e-3;
     scene.x().device.friction_n = 0.5;
     const std::vector<Sample> samples = run_of(scene, true);

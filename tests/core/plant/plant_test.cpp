@@ -39,7 +39,7 @@ class AnyPlant {
 // A force as rough as a chattering wall's.
 double rough_force(int tick) { return (tick * 7) % 5 < 2 ? 3.0 : -0.5 * ((tick * 3) % 4); }
 
-// To and fro, so that a handle with friction stops and starts again and again.
+// Force to and fro, so that a handle with friction stops and starts again and again.
 double reversing_force(int tick) { return (tick / 4) % 2 == 0 ? 2.0 : -2.0; }
 
 struct Tolerance {

@@ -39,7 +39,7 @@ Scene under(Scene scene, Integrator integrator, int substeps) {
   return scene;
 }
 
-// To and fro over fifty ticks.
+// State after motion to and fro over fifty ticks.
 PlantTruth moved(const Scene& scene) {
   PlantModel plant(scene);
   for (int tick = 0; tick < 50; ++tick) plant.advance((tick / 8) % 2 == 0 ? 2.0 : -1.0);

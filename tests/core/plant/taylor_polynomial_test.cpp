@@ -44,7 +44,7 @@ TEST(FirstCrossing, FindsTheFirstOfMany) {
 }
 
 TEST(FirstCrossing, SeesADipThatEndsBeforeTheEnd) {
-  // Both ends are positive; the dip between is a hundred-thousandth wide.
+  // The polynomial is positive at both ends; the dip between is a hundred-thousandth wide.
   EXPECT_NEAR(first_crossing(with_roots({0.5, 0.50001}, 1.0), 1.0).value(), 0.5, 1e-10);
 }
 

@@ -192,7 +192,7 @@ TEST(BatchSimulator, NeverCallsBackFromTwoThreadsAtATime) {
   std::atomic<bool> met = false;
   const auto call = [&] {
     ++inside;
-    constexpr int kPatience = 1000;  // so often another thread may come and be met
+    constexpr int kPatience = 1000;  // yields for another thread to come in and be met
     for (int i = 0; i < kPatience && inside == 1; ++i) std::this_thread::yield();
     if (inside > 1) met = true;
     --inside;

@@ -42,7 +42,7 @@ TEST(Workers, DoEveryItemOnce) {
 
 TEST(Workers, DoOneItemAtATimeEach) {
   constexpr std::size_t kWorkers = 3;
-  constexpr int kPatience = 1000;  // so often another call may come and be met
+  constexpr int kPatience = 1000;  // yields for another call to come in and be met
   std::vector<std::atomic<int>> at_work(kWorkers);
   std::atomic<int> inside = 0;
   std::atomic<bool> met = false;

@@ -25,7 +25,7 @@ using hapticwall::testing::samples_of;
 
 constexpr std::uint64_t kChangeTick = 333;
 
-// In contact, in motion, with every part there is.
+// Scene in contact, in motion, with every part there is.
 Scene everything() {
   Scene scene;
   scene.name = "change";
@@ -108,8 +108,8 @@ const std::vector<Change>& changes() {
 
 class ParameterChange : public ::testing::TestWithParam<Change> {};
 
-// At the change and up to it not a bit of the motion differs; after it the motion goes on from
-// there and differs.
+// Up to the change and at it, no bit of the motion differs; after it the motion goes on from there
+// and differs.
 TEST_P(ParameterChange, ThePlantGoesOnFromWhereItIs) {
   for (const Scene& scene : {everything(), plain()}) {
     ScheduledChange change{kChangeTick, scene};
@@ -132,13 +132,13 @@ TEST_P(ParameterChange, ThePlantGoesOnFromWhereItIs) {
   }
 }
 
-// With substeps the balance is closed as well as the method does it; where friction turns the
-// handle that is of first order, so that nothing could be said of the change.
+// With substeps the balance is only as exact as the method; if friction turns the handle, that is
+// of first order, and nothing could be said of the change.
 bool closes_balance(const Change& change, const Scene& scene) {
   return change.name != "other_integrator" || !scene.x().device.friction_n;
 }
 
-// Whoever makes a moving handle heavier is the hand, in the ledger.
+// The ledger counts a moving handle that becomes heavier as work of the hand.
 TEST_P(ParameterChange, TheBalanceStaysClosed) {
   for (const Scene& scene : {everything(), plain()}) {
     if (!closes_balance(GetParam(), scene)) continue;
@@ -154,7 +154,7 @@ TEST_P(ParameterChange, TheBalanceStaysClosed) {
   }
 }
 
-// The same with the plant that a live session hands over.
+// Motion goes on and the balance stays closed, too, with the plant that a live session hands over.
 TEST_P(ParameterChange, ALivePlantTakesOverLikewise) {
   for (const Scene& scene : {everything(), plain()}) {
     if (!closes_balance(GetParam(), scene)) continue;
@@ -192,7 +192,7 @@ bool same_motion(const PlantTruth& a, const PlantTruth& b) {
          a.kinetic_j == b.kinetic_j;
 }
 
-// For every plant there is: handed over at every tick, it moves to the same bits.
+// Every plant that is handed over at every tick moves to the same bits.
 TEST(UnchangedParameters, HandedOverAtEveryTickNoBitOfThePlantChanges) {
   for (const Integrator integrator :
        {Integrator::kExact, Integrator::kSemiImplicitEuler, Integrator::kRungeKutta4}) {
@@ -217,8 +217,8 @@ TEST(UnchangedParameters, HandedOverAtEveryTickNoBitOfThePlantChanges) {
   }
 }
 
-// In closed loop: where no force is on its way that a change would blend, no bit of any sample but
-// the flag differs.
+// In closed loop, if no force is on its way that a change would blend, no bit of any sample but the
+// flag differs.
 TEST(UnchangedParameters, InClosedLoopNoBitChangesBeforeTheWall) {
   for (Scene scene : {everything(), plain()}) {
     scene.x().walls.front().position_m = 0.9;

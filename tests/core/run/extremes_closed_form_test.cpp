@@ -165,7 +165,7 @@ TEST(NearlySingularPlants, TheCriticalStepResponseIsTheTextbooks) {
   }
 }
 
-// In closed loop with a wall that the sampling carries, over its whole run.
+// The loop is closed with a wall that the sampling carries, over its whole run.
 TEST(NearlySingularPlants, TheClosedLoopLosesNoDigits) {
   for (const Nearly& each : singular_scenes()) {
     for (Scene scene : {each.scene, with_equal_lag(each.scene), with_grip(each.scene)}) {

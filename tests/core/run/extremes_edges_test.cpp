@@ -191,7 +191,7 @@ TEST(Edge, AForceLimitOfZeroIsNoForce) {
   });
 }
 
-// With samples and without, where a faster loop runs.
+// The limit holds with samples and without, where a faster loop runs.
 TEST(Edge, AForceRateLimitsTheRiseAlone) {
   Scene scene = pressed();
   scene.x().walls.front().stiffness_n_per_m = 1e5;

@@ -16,7 +16,7 @@
 namespace hapticwall {
 namespace {
 
-constexpr std::int64_t kStepNs = 3'000'000;  // of the clock; longer than a row is timed in a round
+constexpr std::int64_t kStepNs = 3'000'000;  // clock step; longer than a row is timed in a round
 
 // The golden-hard scene: a stiff wall chatters by 0.9903 mm.
 Scene chatter() {
@@ -71,7 +71,7 @@ TEST(Accuracy, HasARowForExactAndForEveryIntegratorAndSubstepCount) {
   EXPECT_EQ(study.rows[4].substeps, 4);
 }
 
-// What every engine with a symplectic step of 1 ms shows: a quiet wall.
+// Every engine with a symplectic step of 1 ms shows a quiet wall.
 TEST(Accuracy, TheLimitCycleVanishesUnderOneSymplecticStepATick) {
   const AccuracyStudy study = measure_accuracy(chatter(), stepping({1, 100}));
   EXPECT_EQ(study.reference.verdict, Verdict::kOscillating);
@@ -167,8 +167,8 @@ TEST(Accuracy, ARunThatDivergedHasATickAndNoErrors) {
   }
 }
 
-// Without damping and force limit the hold feeds the oscillation until it leaves, but for the one
-// integrator that does not know of it.
+// Without damping and force limit the hold feeds the oscillation until it diverges, except with the
+// one integrator that does not see this.
 TEST(Accuracy, NothingIsOffFromAReferenceThatDiverged) {
   Scene scene = chatter();
   scene.x().device.damping_n_s_per_m = 0.0;

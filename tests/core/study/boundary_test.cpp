@@ -24,7 +24,7 @@ BoundaryPlan plan_of(const Scene& scene, const char* path, double low, double hi
 
 Scene short_press() {
   Scene scene = testing::pressed_wall(1000.0);
-  scene.duration_s = 30.0;  // for what is just stable to come to rest
+  scene.duration_s = 30.0;  // so that a barely stable wall comes to rest
   return scene;
 }
 

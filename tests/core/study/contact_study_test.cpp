@@ -131,7 +131,7 @@ TEST(ContactStudy, OfAWallThatIsNeverTouchedIsEmpty) {
 
 ContactStudyPlan pressed(double low, double high, std::size_t count) {
   Scene scene = testing::pressed_wall(1000.0);
-  scene.duration_s = 30.0;  // for what is just stable to come to rest
+  scene.duration_s = 30.0;  // so that a barely stable wall comes to rest
   ContactStudyPlan plan = plan_of(scene, {"none"});
   plan.low_n_per_m = low;
   plan.high_n_per_m = high;
@@ -245,7 +245,8 @@ TEST(ContactStudy, TellsProgressAndStops) {
   EXPECT_EQ(study_contact(plan, options).size(), 1U);
   ASSERT_GT(told.size(), 8U);
   EXPECT_GT(told.back(), 0.9);
-  // In the scan, in the refinement, in the first and in the second run of the scene itself.
+  // The study stops in the scan, in the refinement, in the first and in the second run of the scene
+  // itself.
   const std::vector<double> fractions = told;
   for (const double from : {0.0, fractions[fractions.size() - 5], fractions[fractions.size() - 3],
                             fractions[fractions.size() - 2]}) {

@@ -59,7 +59,7 @@ TEST(FirstContact, EndsAtTheForceLimit) {
       contact_of({{0, false}, {1, true}, {1, true}, {4, true, kFlagForceLimit}, {90, true}}, 1.0);
   EXPECT_NEAR(contact.rate_hardness_n_per_m().value(), 1500.0, 1e-9);
   EXPECT_EQ(contact.kind(), RiseKind::kToTheLimit);
-  // What came before the limit was steeper: the limit has cut off nothing.
+  // The rise before the limit was steeper: the limit has cut off nothing.
   const FirstContact before =
       contact_of({{0, false}, {1, true}, {4, true}, {5, true, kFlagForceLimit}}, 1.0);
   EXPECT_NEAR(before.rate_hardness_n_per_m().value(), 3000.0, 1e-9);
@@ -90,7 +90,7 @@ TEST(FirstContact, WaitsForASlowHandButLooksNoFurther) {
   touches.push_back({99, true});
   const double expected = 2.0 / 0.05;
   EXPECT_NEAR(contact_of(touches, 1.0).rate_hardness_n_per_m().value(), expected, 1e-9);
-  touches[4].force_n = 1.003;  // but a rise in time counts, and then nothing later does
+  touches[4].force_n = 1.003;  // a rise in time counts, and no later one does
   for (std::size_t i = 5; i < 51; ++i) touches[i].force_n = 1.003;
   EXPECT_NEAR(contact_of(touches, 1.0).rate_hardness_n_per_m().value(), 1.0, 1e-9);
 }

@@ -161,7 +161,8 @@ TEST(BoundLines, StandWhereTheWallIsAsStiffAsTheBound) {
   EXPECT_TRUE(bound_lines(map, cell_bounds(map), &StabilityBounds::passive_n_per_m).empty());
 }
 
-// Where both numbers of the wall are allowed: no line goes on beyond the other limit.
+// The lines enclose the area where both numbers of the wall are allowed: no line goes on beyond the
+// other limit.
 TEST(Chai3dLines, EncloseWhatIsAllowed) {
   StabilityMap map = small_map();
   map.x = axis(map.scene, "wall.stiffness_n_per_m", 500.0, 2500.0, 401);

@@ -152,8 +152,8 @@ TEST(Servo, ResetStartsAtTickZeroWithEmptyLedger) {
   EXPECT_EQ(sample.energy_cv_j, 0.0);
 }
 
-// Without a first position there is no displacement either: what comes after a faulty start is no
-// leap from 0.
+// Without a first position there is no displacement: the position after a faulty start is no leap
+// from 0.
 TEST(ServoStep, AFaultyStartIsNoMotion) {
   Bench bench;
   bench.at(std::nan(""));

@@ -111,7 +111,7 @@ TEST(TripleBufferStress, ValuesAreWholeNeverGoBackAndTheLastOneArrives) {
   std::thread producer([&] {
     for (std::uint64_t number = 1; number <= kValues; ++number) {
       buffer.publish(filled_with(number));
-      // On a machine of one core the consumer would else see the last value only.
+      // On a machine of one core the consumer would otherwise see the last value only.
       if (number % 64 == 0) std::this_thread::yield();
     }
   });

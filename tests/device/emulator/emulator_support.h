@@ -54,7 +54,7 @@ class Bench {
   explicit Bench(const EmulatorSettings& settings, FaultScript script = {})
       : device(settings, std::move(script)) {}
 
-  // To the next tick, and everything that comes out of it.
+  // Steps to the next tick, and takes everything that comes out of it.
   void tick() { step(device.next_tick_us() - device.now_us()); }
   void step(std::uint64_t microseconds) {
     device.step(microseconds);

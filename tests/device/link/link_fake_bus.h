@@ -37,7 +37,7 @@ struct Plug {
   bool writes_hang = false;  // no write to it returns, unplugged or not
   int listed_times = 1;
   std::vector<FakeHandle*> handles;       // open ones
-  std::unique_ptr<ForeignBoard> foreign;  // in the place of the device that speaks the protocol
+  std::unique_ptr<ForeignBoard> foreign;  // replaces the device that speaks the protocol
 
   [[nodiscard]] bool is_there() const { return !hidden && (bridged || device.is_plugged()); }
   [[nodiscard]] bool accepts_output() const {
@@ -46,7 +46,7 @@ struct Plug {
   bool write_output(std::span<const std::uint8_t> bytes) {
     return foreign ? foreign->take(bytes) : device.write_output(bytes);
   }
-  // To this instant; the reports that come out of it.
+  // Moves to this instant; returns the reports that come out of it.
   std::vector<InputReport> move_to(std::uint64_t time_us) {
     std::vector<InputReport> reports;
     const std::uint64_t before_ms = device.now_us() / 1000;
@@ -89,7 +89,7 @@ inline Listing foreign_listing(const ImpulseEngineOptions& options) {
 
 class FakeHandle : public Handle {
  public:
-  // As deep as the kernel's, which keeps the oldest.
+  // Depth of the kernel's queue, which keeps the oldest.
   static constexpr std::size_t kQueue = 63;
 
   FakeHandle(Plug& plug, const void* host) : host_(host), plug_(plug) {
@@ -108,7 +108,7 @@ class FakeHandle : public Handle {
     return {ReadKind::kReport, size};
   }
 
-  // Whether a write would return at once.
+  // True if a write would return at once.
   [[nodiscard]] bool write_returns() const {
     return !plug_.writes_hang && (!alive_ || plug_.accepts_output());
   }

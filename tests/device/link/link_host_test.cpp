@@ -48,9 +48,9 @@ TEST(LinkHost, TellsPositionTimesAndDelay) {
   EXPECT_EQ(stats.losses, 0U);
   EXPECT_NEAR(stats.device_period_s, 1e-3, 1e-12);
   EXPECT_NEAR(stats.age_s, 300e-6, 1e-12);         // the loop runs 300 µs after the tick
-  EXPECT_NEAR(stats.round_trip_s, 350e-6, 1e-12);  // and writes 50 µs later
+  EXPECT_NEAR(stats.round_trip_s, 350e-6, 1e-12);  // the loop writes 50 µs later
   EXPECT_NEAR(stats.maximum_round_trip_s, 350e-6, 1e-12);
-  EXPECT_NEAR(stats.delay_s, 1e-3, 1e-12);  // which acts at the next tick
+  EXPECT_NEAR(stats.delay_s, 1e-3, 1e-12);  // the command acts at the next tick
   EXPECT_NEAR(stats.maximum_delay_s, 1e-3, 1e-12);
   EXPECT_NEAR(rig.host.last.device_time_s, 0.5, 1e-9);
   const double counts = rig.plug.device.state().position_counts[0];
@@ -295,8 +295,8 @@ TEST(LinkHost, TwoAxesAllTheWay) {
   Rig rig({}, {}, hid::testing::two_axes());
   rig.host.behaviour.force_n = {1.0, -7.0};  // more than the second axis may
   ASSERT_TRUE(rig.host.come_up());
-  EXPECT_DOUBLE_EQ(rig.host.last.position_m[0], 118 / 3937.0);  // of 30 mm
-  EXPECT_DOUBLE_EQ(rig.host.last.position_m[1], -79 / 3937.0);  // of -20 mm
+  EXPECT_DOUBLE_EQ(rig.host.last.position_m[0], 118 / 3937.0);  // 30 mm, rounded to counts
+  EXPECT_DOUBLE_EQ(rig.host.last.position_m[1], -79 / 3937.0);  // -20 mm, rounded to counts
   rig.host.arm();
   rig.tick_until_ms(300);
   const auto force_n = rig.plug.device.amplifier_force_n();

@@ -32,7 +32,7 @@ Scene pressing_scene() {
   return scene;
 }
 
-// What the servo step sees of the link.
+// View of the link in the servo step.
 struct OneAxis {
   AxesReading reading;
   double force_n = 0.0;
@@ -96,7 +96,7 @@ TEST(LinkMinute, GivesTheSameBitsInEveryRun) {
   EXPECT_GT(first.contacts, 10'000);
   EXPECT_EQ(first.stats.losses, 1U);
   EXPECT_EQ(first.stats.void_reports, 715U);            // 5000 ticks, every seventh
-  EXPECT_EQ(first.stats.missing_states, 715U + 1000U);  // and 3000, every third
+  EXPECT_EQ(first.stats.missing_states, 715U + 1000U);  // and 3000 ticks, every third
   EXPECT_EQ(first.stats.trouble, Trouble::kNone);
   EXPECT_GT(first.stats.states, 57'000U);
 }

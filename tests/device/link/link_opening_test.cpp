@@ -12,14 +12,14 @@ using hid::testing::usual_listing;
 using testing::Rig;
 using testing::VirtualHost;
 
-constexpr int kLongEnough = 2000;  // for all attempts of an opening
+constexpr int kLongEnough = 2000;  // ticks; enough for all attempts of an opening
 
 // The words of an opening that fails.
 std::string failure_of(Rig& rig) {
   EXPECT_TRUE(rig.host.ticks_until([&] { return rig.host.owner.opening() != Opening::kPending; },
                                    kLongEnough));
   EXPECT_EQ(rig.host.owner.opening(), Opening::kFailed);
-  rig.host.ticks(5);  // to close what was opened
+  rig.host.ticks(5);  // time to close what was opened
   EXPECT_EQ(rig.bus.open_handles(), 0U);
   EXPECT_EQ(rig.host.last.state, DeviceState::kFault);
   EXPECT_EQ(rig.force_n(), 0.0);
@@ -131,7 +131,7 @@ TEST(LinkOpening, TheFilesEncoderWinsAndTheSmallerForce) {
     const auto described = rig.host.owner.description();
     EXPECT_EQ(described->axes, 2U);
     EXPECT_EQ(described->axis[0], (AxisDescription{0.25e-3, std::min(limit_n, 8.9)}));
-    EXPECT_EQ(described->axis[1], (AxisDescription{1.0 / 3937.0, 5.0}));  // as it says itself
+    EXPECT_EQ(described->axis[1], (AxisDescription{1.0 / 3937.0, 5.0}));  // the device's own values
     EXPECT_EQ(described->name, "Emulated device");
   }
 }

@@ -8,7 +8,7 @@
 
 namespace {
 
-// Of this thread, since it was last set to 0.
+// Allocations of this thread, since the count was last set to 0.
 thread_local std::size_t allocations = 0;
 
 void* counted(std::size_t size) {

@@ -31,7 +31,7 @@ class RealBus {
  public:
   RealBus() : device_(two_axes()), begin_ns_(slow_ns()) {}
 
-  // What a test does to it.
+  // Actions of a test on the bus.
   void plug(bool plugged) {
     const std::lock_guard lock(mutex_);
     plugged_ = plugged;
@@ -57,7 +57,7 @@ class RealBus {
     return device_.amplifier_force_n()[0];
   }
 
-  // What a port and its handles do.
+  // Actions of a port and its handles.
   [[nodiscard]] bool is_plugged() {
     const std::lock_guard lock(mutex_);
     owners_.insert(std::this_thread::get_id());

@@ -34,7 +34,7 @@ class Rig {
     };
   }
 
-  // At the amplifiers: pushing out of the wall is towards smaller counts.
+  // Force at the amplifiers: pushing out of the wall is towards smaller counts.
   [[nodiscard]] double force_n() const {
     return plug.foreign ? plug.foreign->force_n() : plug.device.amplifier_force_n()[0];
   }

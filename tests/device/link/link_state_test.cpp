@@ -131,9 +131,9 @@ TEST_F(LinkState, AClockOrASequenceThatJumpsIsARestart) {
   };
   EXPECT_EQ(ends_with(1, 1'001'000), Trouble::kRestarted);       // the sequence goes back
   EXPECT_EQ(ends_with(101, 999'000), Trouble::kRestarted);       // the clock goes back
-  EXPECT_EQ(ends_with(101, 1'000'000), Trouble::kRestarted);     // or stands
-  EXPECT_EQ(ends_with(101, 9'000'000), Trouble::kRestarted);     // or jumps
-  EXPECT_EQ(ends_with(25'101, 1'001'000), Trouble::kRestarted);  // so many ticks in so little time
+  EXPECT_EQ(ends_with(101, 1'000'000), Trouble::kRestarted);     // the clock stands
+  EXPECT_EQ(ends_with(101, 9'000'000), Trouble::kRestarted);     // the clock jumps
+  EXPECT_EQ(ends_with(25'101, 1'001'000), Trouble::kRestarted);  // too many ticks for the time
 }
 
 TEST_F(LinkState, CalibrationThatChangesEndsTheLink) {
@@ -260,7 +260,7 @@ TEST_F(LinkState, CommandsOfAnotherSessionTellNoDelay) {
   sent->note(1, 1'000'000);
   sent->note(2, 1'000'000);
   step();
-  state.acknowledged_sequence = 2;  // of the one before, before this link
+  state.acknowledged_sequence = 2;  // of the previous session, before this link
   state.acknowledged_time_us = 999'999;
   ASSERT_TRUE(take());
   step();
@@ -285,7 +285,7 @@ TEST_F(LinkState, CountersGoOnOverLinksAndMeasurementsBeginAnew) {
   session.number = 2;
   session.sent = std::make_shared<SentCommands>();
   tracker.begin(session);
-  EXPECT_EQ(tracker.view().session, 1U);  // until the first state
+  EXPECT_EQ(tracker.view().session, 1U);  // stays 1 until the first state
   step(1000);
   state.time_us = 17;  // another life
   ASSERT_TRUE(take());

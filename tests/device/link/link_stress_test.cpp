@@ -83,7 +83,7 @@ TEST(LinkStress, TheForceComesAndGoesWithTheDevice) {
   });
   for (int round = 0; round < 3; ++round) {
     ASSERT_TRUE(loop_until(*engine, [&](const AxesReading& reading) {
-      // As a person does after every loss.
+      // Enables the device again, as a person does after every loss.
       engine->enable(false);
       engine->enable(is_ok(reading));
       return is_ok(reading) && bus->force_n() == -1.0;

@@ -9,10 +9,10 @@ namespace {
 using testing::Rig;
 using testing::VirtualHost;
 
-constexpr int kAllAttempts = 2000;  // for all attempts of an opening
+constexpr int kAllAttempts = 2000;  // ticks; enough for all attempts of an opening
 constexpr const char* kInUse = "/dev/hidraw0 is in use by another host: end that session first";
 
-// Both hosts' time; the second one asks for another force.
+// Two hosts with the same time; the second one asks for another force.
 struct TwoHosts : Rig {
   TwoHosts() {
     second.behaviour.force_n = {-5.0, 0.0};

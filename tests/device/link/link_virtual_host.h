@@ -79,7 +79,7 @@ class VirtualHost {
   }
 
   void arm() { armed = true; }
-  // As a person does: off, and on again after the loop has seen it.
+  // Disarms, and arms again after the loop has seen it, as a person does.
   void rearm() {
     armed = false;
     ticks(2);
@@ -100,7 +100,7 @@ class VirtualHost {
  public:
   hid::testing::FakeBus& bus;
   std::shared_ptr<hid::testing::FakePort> port;
-  std::shared_ptr<hid::Port> other_port;  // in its place
+  std::shared_ptr<hid::Port> other_port;  // replaces `port`
   HostClock clock = [this] { return now_ns(); };
   LinkExchange exchange;
   LinkReader reader;
@@ -108,25 +108,25 @@ class VirtualHost {
   LinkLoop loop;
 
   LoopBehaviour behaviour;
-  bool armed = false;  // what the loop asks for
+  bool armed = false;  // requested by the loop
   bool stalled = false;
   bool loop_stalled = false;
   bool reader_stalled = false;
-  // Of the loop's last turn.
+  // Values of the loop's last turn.
   AxesReading last;
   bool asked = false;
   AxisValues commanded_n{};
   std::set<Trouble> troubles;  // that the loop has seen
-  // What the loop commands from its reading; behaviour.force_n without it.
+  // Command of the loop from its reading; without a law it is behaviour.force_n.
   std::function<AxisValues(const AxesReading&)> law;
-  std::function<void(const hid::ReportBytes&)> on_report;  // as it leaves the host
+  std::function<void(const hid::ReportBytes&)> on_report;  // called when a report leaves the host
   std::function<void()> after_tick;
-  std::function<void()> whole_loop;  // in the place of this simple one
+  std::function<void()> whole_loop;  // replaces this simple loop
 
  private:
   struct Writing {
     std::shared_ptr<WriteSession> session;
-    std::optional<hid::ReportBytes> bytes;  // in a write
+    std::optional<hid::ReportBytes> bytes;  // bytes of a write in progress
     std::uint64_t since_us = 0;
   };
 

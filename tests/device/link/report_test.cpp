@@ -46,7 +46,7 @@ InfoReport some_info() {
   return info;
 }
 
-// With a right CRC again after bytes were changed.
+// Changes a byte, and makes the CRC right again.
 ReportBytes with(ReportBytes bytes, std::size_t at, std::uint8_t value) {
   bytes.at(at) = value;
   seal(bytes);
@@ -245,7 +245,7 @@ TEST(HidReport, ADeviceThatMakesNoSenseIsRefused) {
   };
   refuse([](InfoReport& info) { info.axes = 0; });
   refuse([](InfoReport& info) { info.axes = 3; });
-  refuse([](InfoReport& info) { info.axes = 1; });  // and yet numbers of a second one
+  refuse([](InfoReport& info) { info.axes = 1; });  // with values of a second axis
   refuse([](InfoReport& info) { info.tick_us = 0; });
   refuse([](InfoReport& info) { info.tick_us = 20'000; });  // no link would last
   refuse([](InfoReport& info) { info.watchdog_ms = 0; });

@@ -58,7 +58,7 @@ TEST_F(DialectPortTest, OnlyItsNumbersAndItsPageSpeakTheProtocol) {
   EXPECT_EQ(listed_page(), kUsagePage);
   plug_->listing.usage_page = 0xFFAC;
   EXPECT_NE(listed_page(), kUsagePage);
-  plug_->listing.usage_page = 0;  // not told
+  plug_->listing.usage_page = 0;  // 0: unknown
   EXPECT_EQ(listed_page(), kUsagePage);
   plug_->listing.product_id = 7;
   EXPECT_NE(listed_page(), kUsagePage);

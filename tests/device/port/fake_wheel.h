@@ -28,7 +28,7 @@ class FakeWheel : public WheelNode {
     return {gone, moved ? 1U : 0U, moved ? now_ns_() : 0,
             tells ? std::optional<std::int32_t>(now) : std::nullopt};
   }
-  // As hid-pidff, which sends no level twice.
+  // Sends no level twice, like hid-pidff.
   bool set_level(std::int16_t level) override {
     if (std::exchange(uploaded_, level) != level && take()) level_ = level;
     return !gone;
@@ -42,9 +42,9 @@ class FakeWheel : public WheelNode {
     return !gone;
   }
 
-  // What the motor gives now, in levels.
+  // Force that the motor gives now, in levels.
   [[nodiscard]] int motor() const { return now_ns_() < ends_ns_ ? level_ * gain_ : 0; }
-  // All that could make one.
+  // True if nothing is left that could make a force.
   [[nodiscard]] bool is_quiet() const { return level_ == 0 && ends_ns_ == 0 && gain_ == 0; }
 
   std::atomic<std::int32_t> value{0};

@@ -32,7 +32,7 @@ class ForeignBoard {
     if (silent) return {};
     return reports();
   }
-  // As a write arrives, with the id in front; false if the device takes none.
+  // Takes a write as it arrives, with the id in front; false if the device takes none.
   bool take(std::span<const std::uint8_t> bytes) {
     if (refuses) return false;
     written.emplace_back(bytes.begin(), bytes.end());

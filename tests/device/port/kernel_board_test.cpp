@@ -35,7 +35,7 @@ using ::testing::HasSubstr;
 constexpr double kWallM = 0.05;
 constexpr double kWallNPerM = 600.0;
 
-// As the firmware of an mbed describes itself; with ids, as one of numbered reports.
+// Descriptor as the firmware of an mbed describes itself; with ids, as one of numbered reports.
 Bytes raw_descriptor(std::size_t in_bytes, std::size_t out_bytes, bool numbered) {
   Bytes bytes{0x06, 0xAB, 0xFF, 0x0A, 0x00, 0x02, 0xA1, 0x01,
               0x75, 0x08, 0x15, 0x00, 0x26, 0xFF, 0x00};
@@ -104,7 +104,7 @@ class KernelBoard {
     next_ns_ = bus_->now_ns();
   }
 
-  // Until a condition holds, for at most so long; returns whether it holds.
+  // Ticks until a condition holds, for at most `at_most_ms`; returns whether it holds.
   bool until(const std::function<bool()>& holds, int at_most_ms) {
     for (int i = 0; i < at_most_ms && !holds(); ++i) tick();
     return holds();

@@ -1,4 +1,4 @@
-// What the host takes of a library, and what it calls, without threads.
+// Tests without threads which values the host takes of a library, and what it calls.
 #include "device/port/plugin_port.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// What the library has been asked, and what it says.
+// Calls that the library got, and its answers.
 struct Library {
   hw_device_info info{};
   int info_result = 0;

@@ -1,4 +1,4 @@
-// What a wheel is told, in virtual time.
+// Tests the commands to a wheel, in virtual time.
 #include "device/port/wheel_drive.h"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
 constexpr double kRateHz = 900.0;
-constexpr double kTwoLevelsN = 2.4e-3;  // of 38.46 N
+constexpr double kTwoLevelsN = 2.4e-3;  // two levels of a wheel of 38.46 N
 
 // 5 N m at 0.13 m: 38.46 N at full level.
 WheelDescription wheel_of_5_nm() {

@@ -43,7 +43,7 @@ class Table {
     return wheel;
   }
 
-  std::atomic<std::int32_t> value{0};  // of a wheel that is opened
+  std::atomic<std::int32_t> value{0};  // initial value of a wheel that is opened
   std::atomic<bool> tells{true};
   std::vector<WheelListing> listed{fake_listing()};
   std::shared_ptr<FakeWheel> wheel;

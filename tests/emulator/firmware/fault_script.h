@@ -53,7 +53,7 @@ enum class FaultKind : std::uint8_t {
 };
 inline constexpr std::size_t kFaultKinds = static_cast<std::size_t>(FaultKind::kNoise) + 1;
 
-// What a lie amounts to where a script does not say it.
+// Amount of a lie if a script does not give it.
 [[nodiscard]] constexpr double usual_amount(FaultKind kind) {
   switch (kind) {
     case FaultKind::kJump:
@@ -119,7 +119,7 @@ class FaultScript {
     }
     return 0;
   }
-  // As lasts(), for faults that strike every `every`-th tick.
+  // Like lasts(), for faults that strike every `every`-th tick.
   [[nodiscard]] bool strikes(FaultKind kind, std::uint64_t now_us, std::uint64_t tick_us) const {
     return std::ranges::any_of(faults_, [&](const Fault& fault) {
       return fault.kind == kind && fault.lasts_at(now_us) &&

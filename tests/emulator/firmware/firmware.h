@@ -52,7 +52,7 @@ class Firmware {
   ForceReport command_{};  // the last one accepted
   std::uint64_t command_us_ = 0;
   std::array<double, kMaxAxes> force_n_{};
-  std::uint16_t faults_ = 0;  // until they are cleared
+  std::uint16_t faults_ = 0;  // kept until they are cleared
   std::uint8_t first_fault_ = kNoFault;
   bool driven_ = false;
   bool saturated_ = false;

@@ -19,9 +19,9 @@
 namespace hapticwall::device::hid {
 
 struct EmulatorSettings {
-  // Of each axis, a scene whose axis x is its device and hand; walls and algorithm belong to the
-  // host and are ignored. One or two. The common rate is the device's tick, in whole microseconds.
-  // Defaults: a count of 1 um, and the largest force of a report.
+  // One or two axes: for each, a scene whose axis x is its device and hand; walls and algorithm
+  // belong to the host and are ignored. The common rate is the device's tick, in whole
+  // microseconds. Defaults: a count of 1 um, and the largest force of a report.
   std::vector<Scene> axes = std::vector<Scene>(1);
   std::uint16_t watchdog_ms = 50;
   bool has_info = true;  // false: only a device file describes it
@@ -61,7 +61,7 @@ class FirmwareEmulator {
   // While held, no report is sent; the next one sent flags the overrun.
   void hold_reports(bool held) { held_ = held; }
 
-  // Whether write_output() would be accepted now; otherwise a host waits.
+  // True if write_output() would be accepted now; otherwise a host waits.
   [[nodiscard]] bool accepts_output() const;
   // A packet of any bytes to the output endpoint; false if it is not accepted.
   bool write_output(std::span<const std::uint8_t> bytes);
@@ -121,10 +121,10 @@ class FirmwareEmulator {
     std::vector<std::uint8_t> bytes;
   };
   std::deque<Late> late_;  // commands on a slow way
-  // Of the newest states, for an acknowledgement that is withheld.
+  // Newest states, for an acknowledgement that is withheld.
   std::deque<StateReport> told_;
-  double clock_ahead_us_ = 0.0;  // of a clock at a wrong rate
-  std::uint32_t random_ = 1;     // of the noise
+  double clock_ahead_us_ = 0.0;  // lead of a clock at a wrong rate
+  std::uint32_t random_ = 1;     // state of the noise generator
 };
 
 }  // namespace hapticwall::device::hid

@@ -20,7 +20,7 @@ struct BusRequest {
   RequestKind kind = RequestKind::kOutput;
   std::uint32_t ticket = 0;  // returned with the answer
   std::uint8_t report_id = 0;
-  std::vector<std::uint8_t> bytes;  // of kOutput and kSet
+  std::vector<std::uint8_t> bytes;  // data of kOutput and kSet
 };
 
 // Carries one device. One thread uses it.
@@ -40,7 +40,7 @@ class VirtualBus {
 
   // The oldest pending request of the host. Never waits.
   [[nodiscard]] virtual std::optional<BusRequest> next_request() = 0;
-  // Without bytes: refuses the request.
+  // Empty `bytes` refuse the request.
   virtual void answer_get(std::uint32_t ticket, std::span<const std::uint8_t> bytes) = 0;
   virtual void answer_set(std::uint32_t ticket, bool taken) = 0;
 

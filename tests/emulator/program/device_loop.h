@@ -21,12 +21,12 @@ struct LoopStats {
   std::uint64_t ticks = 0;
   std::uint64_t late_ticks = 0;         // more than a tick late: their reports were not sent
   std::uint64_t commands = 0;           // taken from the bus
-  std::int64_t largest_latency_ns = 0;  // of a tick, after its deadline
+  std::int64_t largest_latency_ns = 0;  // of a tick after its deadline
 };
 
 class DeviceLoop {
  public:
-  // Both outlive the loop.
+  // `device` and `bus` must outlive the loop.
   DeviceLoop(device::hid::FirmwareEmulator& device, device::hid::VirtualBus& bus,
              const LoopSettings& settings);
 

@@ -16,10 +16,10 @@
 
 namespace hapticwall::emulator {
 
-// As written.
+// Options as written.
 struct EmulatorOptions {
-  std::array<std::string, kMaxAxes> scenes{"press"};  // of SCENE and --y
-  std::vector<std::string> settings;                  // of --set, for SCENE
+  std::array<std::string, kMaxAxes> scenes{"press"};  // values of SCENE and --y
+  std::vector<std::string> settings;                  // values of --set, for SCENE
   std::string vendor = "1209";
   std::string product = "0001";
   std::string serial = device::hid::HidIdentity{}.serial;
@@ -33,7 +33,7 @@ struct EmulatorOptions {
   bool without_info = false;
 };
 
-// As parsed.
+// Options as parsed.
 struct Plan {
   device::hid::EmulatorSettings device;
   device::hid::FaultScript faults;

@@ -44,7 +44,7 @@ class RebuiltPlugin : public ::testing::Test {
     revision_ = plugin_revision(rebuilt_plugin());
   }
 
-  // As often as the window asks.
+  // Looks for news as often as the window does.
   std::vector<PluginNews> news_after_a_second() {
     std::vector<PluginNews> all;
     for (int frame = 0; frame < 60; ++frame) {

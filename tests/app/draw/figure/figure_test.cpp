@@ -33,7 +33,7 @@ PressRun run_press(const char* algorithm) {
   return run;
 }
 
-// Without a display for the life of the object.
+// Hides the display for the lifetime of the object.
 class NoDisplay {
  public:
   NoDisplay() {
@@ -148,7 +148,7 @@ TEST(Figure, IsTheSameInVectorFiles) {
       [&](Ink ink) { return draw_figure(run.scene, run.samples, {.ink = ink}); });
 }
 
-// Both axes of a scene stand in one file.
+// Two figures stand in one file, like those of both axes of a scene.
 TEST(Figure, TwoOfThemStandBesideEachOtherInVectorFiles) {
   const PressRun none = run_press("none");
   const PressRun bounded = run_press("energy-bounding");

@@ -100,7 +100,7 @@ TEST(MapFigure, DrawsWhatChai3dAllows) {
   const auto picture = draw_map(map, cells);
   ASSERT_TRUE(picture.ok()) << picture.error().message;
   const Extent field = extent_of(*picture, settled_colour());
-  const int middle = (field.left + field.right) / 2;  // of 1e3 to 1e5
+  const int middle = (field.left + field.right) / 2;  // 1e4 N/m, the middle of 1e3 to 1e5
   const test::Colour blue{0, 110, 255};
   EXPECT_GT(test::count_pixels(*picture, blue, middle - 6, 200, middle + 6, 1000), 300);
   EXPECT_GT(test::count_pixels(*picture, blue, 0, 60, 1600, 110), 10) << "in the legend";
@@ -109,7 +109,8 @@ TEST(MapFigure, DrawsWhatChai3dAllows) {
   EXPECT_EQ(map_bounds(map).size(), theory - 1) << "beyond the axis";
 }
 
-// With virtual damping the rule lies above the limit, so it is the only thing to the right of it.
+// With virtual damping the rule lies above the limit, so only the rule is drawn to the right of the
+// limit.
 TEST(MapFigure, DrawsTheExactLimitAndTheRuleAsAThinnerLine) {
   StabilityMap map;
   map.scene.x().device.delay_ticks = 1;

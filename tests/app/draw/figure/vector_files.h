@@ -58,7 +58,7 @@ class FigureFile {
     return decode_png(passed_through(pdf ? "f() { pdftocairo -png -singlefile -r 144 \"$1\" -; }; f"
                                          : "rsvg-convert -z 1.5"));
   }
-  // What `command FILE` prints; empty if it fails.
+  // Output of `command FILE`; empty if it fails.
   [[nodiscard]] std::string passed_through(const std::string& command) const {
     const std::string line = command + " '" + path_ + "' >'" + path_ + ".out'";
     if (std::system(line.c_str()) != 0) return {};

@@ -67,7 +67,7 @@ TEST(DisplayedStiffness, ForgetsAContactAfterTheWindow) {
   EXPECT_EQ(touching.push(1, 1e-3, 1.0), 1e3) << "no residue of the first contact";
 }
 
-// The same number as the summary of a run whose last 100 ms are as its last second.
+// The value is that of the summary for a run whose last 100 ms are like its last second.
 TEST(DisplayedStiffness, OfAQuietPressIsThatOfTheSummary) {
   Scene scene = file::load_scene("press")->scene;
   scene.algorithm.index = *find_algorithm("energy-bounding");

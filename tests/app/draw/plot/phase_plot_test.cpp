@@ -61,7 +61,7 @@ TEST(PhasePlot, TheHoldsLoopOfASampledSpringIsTheStaircaseBetweenInAndOut) {
     sample.force_n = kStiffness * sample.penetration_m;
     history.push(sample);
   }
-  // In: Σ_{k=0}^{n-1} K k d², out: Σ_{k=1}^{n} K k d²; the difference is n K d².
+  // Energy in: Σ_{k=0}^{n-1} K k d², out: Σ_{k=1}^{n} K k d²; the difference is n K d².
   EXPECT_NEAR(energy_of(history), -kSteps * kStiffness * kStepM * kStepM, 1e-12);
 }
 

@@ -34,7 +34,7 @@ TEST(Cursors, ReadAllLinesThatAreShownInTheUnitsOfTheirPlots) {
       line_bit(&Sample::position_m) | line_bit(&Sample::velocity_m_per_s);
   const CursorTable table = read_cursors(history, {true, {0.1004, 0.3496}}, kPlots, chosen,
                                          line_bit(&Sample::wall_force_n));
-  EXPECT_DOUBLE_EQ(table.time_s[0], 0.100);  // of the nearest samples
+  EXPECT_DOUBLE_EQ(table.time_s[0], 0.100);  // time of the nearest sample
   EXPECT_DOUBLE_EQ(table.time_s[1], 0.350);
   EXPECT_NEAR(table.difference_s(), 0.25, 1e-12);
   ASSERT_TRUE(table.rate_hz().has_value());

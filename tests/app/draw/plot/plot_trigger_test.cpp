@@ -105,7 +105,7 @@ TEST_F(TriggerTest, AutoFollowsTheNewestSamplesWhereNoContactComes) {
   EXPECT_EQ(trigger.stage, TriggerStage::kWaiting);
   live_until(3100);
   EXPECT_NEAR(frame()->from_s, 2.75, 1e-9);
-  live_until(4700);  // not yet a second after the window's end
+  live_until(4700);  // less than a second after the window's end
   EXPECT_NEAR(frame()->from_s, 2.75, 1e-9);
   live_until(6000);
   EXPECT_NEAR(frame()->to_s, history_.newest_time_s(), 1e-9);

@@ -214,7 +214,7 @@ TEST(SampleHistory, ASpikeOfOneSampleIsNeverLost) {
   EXPECT_EQ(*std::min_element(trace.value.begin(), trace.value.end()), -9.0);
 }
 
-// What was drawn stays as it was while the window moves on: pictures do not flicker.
+// Drawn points stay as they are while the window moves on, so that pictures do not flicker.
 TEST(SampleHistory, GroupsDoNotMoveWithTheWindow) {
   // The next samples push the oldest out, by a count that is no multiple of a group.
   SampleHistory history = noisy_history(2003, 10000);
@@ -231,7 +231,7 @@ TEST(SampleHistory, GroupsDoNotMoveWithTheWindow) {
     std::sort(values.begin(), values.end());
     return values;
   };
-  // From the first sample of a group of 15 to the last of another.
+  // The range is from the first sample of a group of 15 to the last of another.
   const double from_s = 8.9995;
   const double to_s = 9.4945;
   const std::vector<double> before = points_within(from_s, to_s);

@@ -124,7 +124,7 @@ TEST(SamplePyramid, ExtremesStayRightWhenTheOldestIsForgotten) {
   EXPECT_GE(pyramid.first(), 40000U);
 }
 
-// What a look at a range costs, counted: it does not grow with the range.
+// The number of parts is the cost of a look at a range: it does not grow with the range.
 TEST(SamplePyramid, AnyRangeOfAnHourIsAFewParts) {
   constexpr std::uint64_t kHour = 3'600'000;
   constexpr std::uint64_t kMaxParts = 120;

@@ -222,7 +222,7 @@ TEST(ArmedLoop, AChangeInTheRampIsNoKick) {
   EXPECT_GT(real.force_n(), before_n);
 }
 
-// What a stiff wall has asked for beyond the limit is forgotten: a handle that leaves right after a
+// The force of a stiff wall beyond the limit is forgotten: a handle that leaves right after a
 // change is not pulled back in.
 TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
   RealLoop real;
@@ -246,8 +246,8 @@ TEST(ArmedLoop, AChangeAtTheLimitPullsNothingIn) {
   }
 }
 
-// Of its magnitude, from zero after a change of sign; it falls at once. Ledger and sample have what
-// was commanded.
+// The limit is on the magnitude of the force, from zero after a change of sign; the force falls at
+// once. Ledger and sample have the commanded force.
 TEST(ArmedLoop, ADeviceMayLimitTheRateAtWhichItsForceRises) {
   FakeDevice slow;
   slow.max_force_rate_n_per_s = 700.0;

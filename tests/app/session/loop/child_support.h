@@ -27,7 +27,7 @@
 namespace hapticwall::session::test {
 
 inline constexpr double kFreeM = 0.03;
-inline constexpr double kInsideM = 0.0502;  // of the wall of contact_scene()
+inline constexpr double kInsideM = 0.0502;  // inside the wall of contact_scene()
 inline constexpr int kAlive = 99;           // exit status of a child that should have been killed
 inline constexpr std::size_t kMaxHeard = 200'000;
 
@@ -37,8 +37,8 @@ struct Heard {
   std::atomic<bool> enabled{false};
   std::atomic<bool> closed{false};
   std::atomic<std::uint64_t> writes{0};
-  std::atomic<std::uint64_t> pushes{0};  // of them with force
-  std::atomic<bool> go_on{false};        // from the parent
+  std::atomic<std::uint64_t> pushes{0};  // writes with force
+  std::atomic<bool> go_on{false};        // set by the parent
   std::atomic<std::uint64_t> note{0};    // the child's
   std::array<double, kMaxHeard> forces_n{};
   std::array<std::int64_t, kMaxHeard> wakes_ns{};
@@ -53,9 +53,10 @@ static_assert(std::atomic<double>::is_always_lock_free);
 
 class Shared {
  public:
-  // With forked children.
+  // Memory that is shared with forked children.
   Shared() : heard_(new (map(MAP_SHARED | MAP_ANONYMOUS, -1)) Heard) {}
-  // With other programs as children: they find the memory through this environment variable.
+  // Memory that is shared with other programs as children: they find it through this environment
+  // variable.
   explicit Shared(const char* variable) {
     const char* known = std::getenv(variable);
     const int file = known != nullptr ? std::stoi(known) : memfd_create(variable, 0);
@@ -113,8 +114,8 @@ class SharedDevice : public device::Device {
     return {};
   }
 
-  std::function<void()> on_read;   // on the loop's thread
-  std::function<void()> on_words;  // on the owner's, in every frame of a window
+  std::function<void()> on_read;   // called on the loop's thread
+  std::function<void()> on_words;  // called on the owner's thread, in every frame of a window
 
  private:
   Heard& heard_;
@@ -163,7 +164,8 @@ inline int status_of(pid_t child) {
   return status;
 }
 
-// By the kernel; a sanitizer with its own handler ends the process itself.
+// Expects that the kernel killed the child; a sanitizer with its own handler ends the process
+// itself.
 inline void expect_killed_by(int signal, int status) {
 #if defined(__SANITIZE_ADDRESS__)
   if (WIFEXITED(status)) {

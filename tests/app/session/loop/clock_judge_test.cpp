@@ -64,7 +64,7 @@ TEST(ClockJudge, ASilentDeviceKeepsItsVerdict) {
   ClockJudge judge;
   EXPECT_EQ(after(judge, 0.2, 0.5), ArmingNote::kClockRate);
   EXPECT_EQ(judge.hear(0.0505, 0.101), ArmingNote::kClockRate);
-  EXPECT_EQ(judge.hear(0.0505, 0.119), ArmingNote::kClockRate);  // the same report
+  EXPECT_EQ(judge.hear(0.0505, 0.119), ArmingNote::kClockRate);  // the same report again
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ std::vector<End> all_ends() {
 INSTANTIATE_TEST_SUITE_P(Ways, CrashStopEnds, ::testing::ValuesIn(all_ends()),
                          [](const auto& way) { return std::string(way.param.name); });
 
-// As Xlib calls it when the display server dies.
+// Xlib calls exit() like this when the display server dies.
 TEST(CrashStop, AnExitOfALibraryEndsTheForceFirst) {
   const Shared heard;
   const pid_t child = start_child([&] {

@@ -105,7 +105,7 @@ struct ScriptedLoop : test::LoopBench<device::SimulatedDevice> {
 
   void run() {
     command(CommandKind::kStartRecording);
-    exchange.sound->wanted = true;  // and nobody reads it: both ends of its branch
+    exchange.sound->wanted = true;  // nobody reads it: both ends of its branch run
     for (const LoopParameters& changed : parameters) {
       exchange.parameters.publish(changed);
       cycles(kCyclesPerLeg);

@@ -213,8 +213,8 @@ TEST(JudgedLoop, AWheelThatTakesNoOutputIsDisarmed) {
   EXPECT_EQ(bench.snapshot().arming.note, ArmingNote::kGivesWay);
 }
 
-// Not even one command with force leaves in the tick of an objection, and the arming asks for an
-// answer first.
+// No command with force leaves in the tick of an objection, and the arming asks for an answer
+// first.
 TEST(JudgedLoop, AnObjectionGivesNoForceInTheSameTick) {
   Scene scene;
   scene.x().walls = {{0.05, 1000.0, 0.0}};

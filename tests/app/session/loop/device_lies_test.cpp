@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::uint64_t kArmMs = 50;
 constexpr std::uint64_t kRampMs = 300;   // the force rises, in free space
-constexpr std::uint64_t kWeakMs = 1000;  // in contact, and the handle has not obeyed yet
+constexpr std::uint64_t kWeakMs = 1000;  // in contact, before the handle has obeyed
 constexpr std::uint64_t kBeginMs = 3000;
 constexpr std::uint64_t kForMs = 1100;
-constexpr double kRippleN = 0.5;  // of one count in the wall
+constexpr double kRippleN = 0.5;  // force of one count in the wall
 const double kUntriedN = device::DeviceInfo{}.untried_share * device::hid::testing::kLimitN;
 
 constexpr ArmingNote kNone = ArmingNote::kNone;
@@ -66,8 +66,8 @@ const Lie kLies[] = {
     {"runaway=500", kLong, kImplausible, kImplausible, kImplausible, 2},
     {"jump=0.009", kShort, kImplausible, kImplausible, kNone},
     {"jump=0.0045", kShort, kImplausible, kImplausible, kNone},
-    // With counts of 0.25 mm, a speed of 2 m/s may begin within a tick. The force is weak where the
-    // handle has not obeyed; the full one is gone after 16 ms.
+    // With counts of 0.25 mm, a speed of 2 m/s may begin within a tick. The force is weak as long
+    // as the handle has not obeyed; the full force is gone after 16 ms.
     {"runaway=2", kLong, kImplausible, ArmingNote::kGivesWay, ArmingNote::kInsideWall, 137},
     {"runaway=-2", kLong, kImplausible, kImplausible, kNone, 3},
     {"noise", kLong, kAcceleration, kAcceleration, kNone, 60},

@@ -5,7 +5,7 @@
 
 #include <cerrno>
 #include <cstddef>
-#include <cstdlib>  // before the header: it says which C library this is
+#include <cstdlib>
 
 namespace hapticwall::session::test {
 namespace {

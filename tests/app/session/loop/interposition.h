@@ -19,7 +19,7 @@ struct WatchedCalls {
   std::uint64_t locks = 0;
 };
 
-// Of the calling thread, from construction to calls().
+// Watches the calling thread, from construction to calls().
 class CallWatch {
  public:
   CallWatch();

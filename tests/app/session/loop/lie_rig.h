@@ -69,7 +69,7 @@ class LieRig {
         exchange_(kQueues, parameters_of(scene)) {
     prepare(scene, borrowed);
   }
-  // On a board that speaks the dialect of `options`.
+  // Rig with a board that speaks the dialect of `options`.
   LieRig(const device::ImpulseEngineOptions& options,
          std::unique_ptr<device::hid::testing::ForeignBoard> board,
          std::shared_ptr<device::hid::Port> port = nullptr,
@@ -83,7 +83,7 @@ class LieRig {
   }
 
   void arm() { EXPECT_TRUE(exchange_.commands.try_push({CommandKind::kArm, 0})); }
-  // As a blind trial puts the other of two walls in force.
+  // Changes the wall as a blind trial does, which puts the other of two walls in force.
   void change_wall(const WallSettings& wall) {
     Scene changed = scene_on(scene(), device_.info());
     changed.x().walls = {wall};

@@ -28,7 +28,7 @@ const double kUntriedShare = device::DeviceInfo{}.untried_share;
 struct Lived {
   Word word = Word::kUnknown;
   double after_s = 0.0;  // since the first force
-  double peak_n = 0.0;   // until then
+  double peak_n = 0.0;   // max until after_s
   double way_m = 0.0;    // into the wall, until then
 };
 

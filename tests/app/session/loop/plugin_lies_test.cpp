@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 constexpr std::uint64_t kLibraryLieMs = 3500;
 constexpr std::uint64_t kHangMs = 50;
 
-// What is behind the library: a plant, which the bus moves.
+// Plant behind the library; the bus moves it.
 class LibraryBoard : public device::hid::testing::ForeignBoard {
  public:
   using ForeignBoard::ForeignBoard;
@@ -41,7 +41,7 @@ LibraryBoard* the_board = nullptr;
 device::testing::VirtualHost* the_host = nullptr;
 int opened = 0;
 int closed = 0;
-std::function<int(hw_device_reading&)> lie;  // after the truth was read; HW_READ_POSITION: go on
+std::function<int(hw_device_reading&)> lie;  // after the true reading; HW_READ_POSITION: go on
 
 int library_info(hw_device_info* info) {
   info->flags = the_board == nullptr ? 0 : the_board->flags;

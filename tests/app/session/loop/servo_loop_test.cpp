@@ -119,7 +119,7 @@ TEST(ServoLoop, SlowMotionKeepsTheCadenceAndTheSamples) {
   harness.cycles(3);
   EXPECT_EQ(harness.snapshot().timing.ticks, 203U) << "a step is one period";
   harness.command(CommandKind::kResume);
-  harness.command(CommandKind::kSlow, 0);  // as 1
+  harness.command(CommandKind::kSlow, 0);  // 0 counts as 1
   harness.cycles(97);
   expect_same(harness.samples(), headless(harness.scene, 300));
 }

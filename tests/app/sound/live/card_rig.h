@@ -73,7 +73,7 @@ struct CardRig {
   bool card_sleeps = false;
 
   std::uint64_t ticks = 0;
-  double tick_s = 0.0;  // of the next one
+  double tick_s = 0.0;  // time of the next tick
   double pump_s = 0.0003;
   double call_s = 0.0007;
   int lost = 0;

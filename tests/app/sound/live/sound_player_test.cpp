@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 
 std::shared_ptr<session::SoundFeed> new_feed() { return std::make_shared<session::SoundFeed>(64); }
 
-// To and fro at 50 Hz.
+// Pushes a tick of a handle that moves to and fro at 50 Hz.
 bool push(session::SoundFeed& feed, std::uint64_t tick) {
   Tick pushed;
   pushed.axes[0].tick = tick;

@@ -83,7 +83,7 @@ TEST(HandleSound, ATouchClicksByItsSpeed) {
   }
 }
 
-// Of a limit cycle of 50 Hz only the first touch clicks.
+// Only the first touch of a limit cycle of 50 Hz clicks.
 TEST(HandleSound, ATouchSoonAfterAnotherHasNoClick) {
   HandleSound sound(kRateHz, true);
   for (std::uint64_t i = 0; i < 1000; ++i) {

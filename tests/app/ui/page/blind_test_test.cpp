@@ -47,7 +47,7 @@ class BlindTestTest : public GuiTest {
     const auto& scenes = test().experiment->scenes[test().trials.place()];
     return scene().algorithm == scenes[slot == Slot::kA ? 0 : 1].algorithm;
   }
-  // With a participant whose first wall is this slot.
+  // Starts with a participant whose first wall is this slot.
   void start_with_first(Slot slot) {
     for (int person = 1;; ++person) {
       start_trials(kTrialsOfOrder, "algorithm=none", "algorithm=energy-bounding",
@@ -294,7 +294,7 @@ TEST_F(BlindTestTest, ARecordingIsNamedWithoutTheAlgorithm) {
   EXPECT_THAT(message().text, HasSubstr("press-blind-test.csv"));
 }
 
-// In free space both algorithms feel the same, so that both must look the same.
+// In free space both algorithms feel the same, so they must also look the same.
 TEST_F(BlindTestTest, TwoOrdersLookTheSame) {
   const auto picture_of = [&](Slot first) {
     start_with_first(first);

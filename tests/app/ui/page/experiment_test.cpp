@@ -43,7 +43,7 @@ class ExperimentPageTest : public GuiTest {
     ASSERT_TRUE(experiment.ok()) << experiment.error().message;
     options.experiment = *experiment;
   }
-  // As after a kill: the same command again.
+  // Repeats the same command, as after a kill.
   void restart(const std::string& list = kTwoWalls, const std::string& participant = "P1") {
     application_.reset();
     prepare(list, participant);
@@ -138,7 +138,7 @@ TEST_F(ExperimentPageTest, ALineHasAllThatIsKnown) {
   EXPECT_THAT(answer->program, HasSubstr("0.1.0"));
 }
 
-// Whoever has never pressed "More" has no page of this name.
+// A person who has never pressed "More" has no page of this name.
 TEST_F(ExperimentPageTest, TheResultIsShownInTheFirstMinute) {
   shows_everything = false;
   restart();

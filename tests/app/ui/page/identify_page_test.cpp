@@ -34,7 +34,7 @@ class RestingClock final : public session::Clock {
 
 enum class Lie : std::uint8_t { kNone, kJump, kNan, kFrozen, kGone };
 
-// What the test and the loop's thread share of the device.
+// State of the device that the test and the loop's thread share.
 struct Moved {
   std::atomic<Lie> lie{Lie::kNone};
   std::atomic<double> newest_n{0.0};
@@ -116,7 +116,7 @@ class IdentifyPageTest : public GuiTest {
     click("identify start");
     ASSERT_TRUE(runs()) << identify().problem << message().text;
   }
-  // On the device, until it moves.
+  // Starts on the device, arms it, and waits until it moves.
   void start_and_arm() {
     open_on_device();
     start();

@@ -98,7 +98,7 @@ class MagnifierTest : public GuiTest {
  protected:
   [[nodiscard]] int magnification() const { return state().wall.transient.magnification; }
   [[nodiscard]] int chosen() const { return state().wall.persisted.magnification; }
-  // As placed by draw_magnifier().
+  // Strip as placed by draw_magnifier().
   [[nodiscard]] Strip strip() const {
     const ItemRect area = rect("magnifier");
     const ItemRect view = rect("wall view");

@@ -46,7 +46,7 @@ TEST_F(MapPageTest, AClickMakesItsCellTheRunningSceneToTheLastDigit) {
   EXPECT_GT(fake_->generation(), before);
   EXPECT_EQ(sessions, 1) << "it is felt at once";
   EXPECT_NE(wall().stiffness_n_per_m, 35000.0);
-  // Of the pointed cell, or of the middle of its block.
+  // The wall is that of the pointed cell, or of the middle of its block.
   std::size_t cell = 0;
   while (cell < map().cell_count() && map().scene_at(cell) != scene()) ++cell;
   ASSERT_LT(cell, map().cell_count());

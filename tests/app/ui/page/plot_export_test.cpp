@@ -98,7 +98,7 @@ TEST_F(PlotExportTest, AFigureShowsTheVisibleRangeThePlotsAndTheSignalsThatAreAs
   constexpr std::array kForceOnly{draw::PlotId::kForce};
   constexpr draw::FigureSize kSize{800, 400};
   const auto count = [&](const draw::FigureView& view, draw::Tone tone) {
-    // On another thread, because a figure has an OpenGL context of its own.
+    // The figure is drawn on another thread, because it has an OpenGL context of its own.
     const auto figure = std::async(std::launch::async, [&] {
                           return draw::draw_figure(scene(), application_->history(), view, kSize);
                         }).get();

@@ -25,7 +25,7 @@ class EnergyLampStripTest : public GuiTest {
     live(kScript);
   }
   [[nodiscard]] const EnergyStory& story() const { return state().compare.transient.lamp->story(); }
-  // The same computed directly, from the row before the first contact to the newest.
+  // The story computed directly, from the row before the first contact to the newest.
   [[nodiscard]] EnergyStory story_of_history() const {
     const draw::SampleHistory& history = application_->history();
     EnergyLedger since;

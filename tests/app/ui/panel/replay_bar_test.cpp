@@ -30,7 +30,7 @@ class ReplayBarTest : public ReplayGuiTest {
     const float width = rect.to.x - rect.from.x - 2.0F * inset;
     click_at(ImVec2(rect.from.x + inset + static_cast<float>(share) * width, rect.centre().y));
   }
-  // In the row, or in the popup at its end.
+  // The controls are in the row, or in the popup at its end.
   void expect_controls() {
     if (sees("more of replay")) click("more of replay");
     for (const char* name : {"pause", "step", "reset", "speed", "speeds", "repeat",

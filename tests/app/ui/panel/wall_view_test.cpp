@@ -40,7 +40,7 @@ TEST_F(WallViewTest, TheRightButtonTurnsAndNeverLeadsTheHand) {
   EXPECT_EQ(orbit(), turned) << "only while the button is down";
 }
 
-// Which two of the texts within the area meet; empty: none.
+// The first two texts within the area that meet; empty: none.
 std::string meeting_texts(const ItemRect& area) {
   Items texts = drawn_items();
   std::erase_if(texts, [&](const auto& each) {
@@ -163,7 +163,7 @@ TEST_F(WallViewTest, APausedHandIsNotGrabbedAndTheReasonIsGiven) {
   EXPECT_THAT(message().text, ::testing::HasSubstr("paused"));
 }
 
-// What the pointer does after the release is its own affair, also where a frame sees both.
+// The hand ignores the pointer after the release, also if one frame sees both.
 TEST_F(WallViewTest, TheHandDoesNotFollowThePointerBeyondTheRelease) {
   fake_->advance(10);
   const double before_m = hand_m();

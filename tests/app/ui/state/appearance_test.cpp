@@ -118,7 +118,7 @@ TEST_F(AppearanceTest, BothLooksAreDrawnInTheirOwnColours) {
     };
     constexpr int kEnoughPixels = 300;
     EXPECT_GT(count(Tone::kBackground, rect("plot Position")), kEnoughPixels);
-    EXPECT_GT(count(Tone::kPosition, rect("plot Position")), 50);  // where it is not blended
+    EXPECT_GT(count(Tone::kPosition, rect("plot Position")), 50);  // pixels that are not blended
     const ItemRect panel{ImVec2(20.0F, 20.0F), ImVec2(300.0F, 700.0F)};
     EXPECT_GT(count(Tone::kPanel, panel), kEnoughPixels);
     EXPECT_GT(count(Tone::kFaint, rect("scene")), kEnoughPixels);

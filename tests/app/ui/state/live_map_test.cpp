@@ -33,7 +33,7 @@ StabilityMap plan(std::size_t values = 12) {
   return map;
 }
 
-// So long that no test waits for its end.
+// Map so long that no test waits for its end.
 StabilityMap endless() {
   StabilityMap map = plan(60);
   map.scene.duration_s = 1e4;

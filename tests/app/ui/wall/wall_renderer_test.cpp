@@ -16,7 +16,7 @@ const WallSpace kLine{kExtent, std::nullopt};
 const WallSpace kPlane{kExtent, kExtent};
 constexpr double kStiff = 35000.0;
 
-// In the theme of the parameter.
+// Tests in the theme of the parameter.
 class WallRendererTest : public ::testing::TestWithParam<draw::Look> {
  protected:
   void SetUp() override {

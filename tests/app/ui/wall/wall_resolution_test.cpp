@@ -34,7 +34,7 @@ TEST(WallResolution, ASlowFrameHalvesItAndQuickOnesBringItBack) {
   EXPECT_EQ(resolution.share(), 1.0F);
 }
 
-// Where full resolution stays too slow, the picture changes less and less often.
+// If full resolution stays too slow, the picture changes less and less often.
 TEST(WallResolution, ItDoesNotFlicker) {
   WallResolution resolution;
   double now_s = 0.0;

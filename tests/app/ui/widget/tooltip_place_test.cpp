@@ -24,7 +24,7 @@ TEST(TooltipPlace, IsBesideANarrowPanel) {
   EXPECT_EQ(place.y, space.item_from.y);
 }
 
-// In windows of any size: the row of the item and the next one stay free, and the tooltip is on the
+// In windows of any size, the row of the item and the next one stay free, and the tooltip is on the
 // screen.
 TEST(TooltipPlace, NeverCoversTheRowThatOneWantsNext) {
   std::mt19937 random(7);

@@ -23,7 +23,7 @@ class TooltipsTest : public GuiTest {
     return ItemRect{tooltip->Pos, end};
   }
 
-  // Of the items below this one, those within the next row, if it is near.
+  // Checks those items below this one that are within the next row, if that is near.
   void expect_next_row_free(const std::string& name) {
     const auto tooltip = tooltip_of(name);
     ASSERT_TRUE(tooltip) << name << " has no tooltip";

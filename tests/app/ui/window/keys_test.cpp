@@ -162,7 +162,7 @@ TEST_F(KeysTest, TheArrowsReachTheControls) {
     for (int i = 0; i < 14; ++i) step(ImGuiKey_UpArrow);
     for (int i = 0; i < 12; ++i) step(ImGuiKey_RightArrow);
   }
-  press(ImGuiMod_Alt | ImGuiKey_LeftAlt);  // to the tabs
+  press(ImGuiMod_Alt | ImGuiKey_LeftAlt);  // moves to the tabs
   for (const ImGuiKey along : {ImGuiKey_RightArrow, ImGuiKey_LeftArrow}) {
     for (int i = 0; i < 8; ++i) step(along);
   }

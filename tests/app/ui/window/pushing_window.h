@@ -41,7 +41,7 @@ struct PushingWindow {
   session::WindowOptions options;
   ui::WindowHooks hooks;
   std::function<void()> in_a_panel;  // called in the middle of every frame
-  std::function<void()> in_a_tick;   // of every tick, on the loop's thread
+  std::function<void()> in_a_tick;   // called in every tick, on the loop's thread
 };
 
 }  // namespace hapticwall::test

@@ -155,7 +155,7 @@ TEST(WindowSafety, ATickThatHangsCostsNoFrame) {
   constexpr int kMeanwhile = 10;
   Shared heard;
   PushingWindow window(heard);
-  std::atomic<int> frames{-1};  // from the first one on
+  std::atomic<int> frames{-1};  // since the first one; -1 before it
   std::atomic<bool> went_on{false};
   window.in_a_tick = [&] {
     if (frames < 0 || went_on) return;

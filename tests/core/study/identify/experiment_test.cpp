@@ -110,7 +110,7 @@ TEST(Experiment, FrictionThatLeavesNoForceForStrokesEndsItBeforeThem) {
   EXPECT_EQ(ended.facts.first_stroke_tick, 0U);
 }
 
-// From the second ramp on, against its force.
+// The handle runs away from the second ramp on, against the force of the ramp.
 TEST(Experiment, AHandleThatRunsAwayInARampEndsIt) {
   const Ended ended = run_until_end(TrialDevice{}, [](std::uint64_t tick, double truth_m) {
     return tick < 1400 ? truth_m : truth_m + 0.2e-3 * static_cast<double>(tick - 1400);
@@ -119,7 +119,7 @@ TEST(Experiment, AHandleThatRunsAwayInARampEndsIt) {
   EXPECT_EQ(ended.facts.first_stroke_tick, 0U);
 }
 
-// At rest, and in a stroke.
+// The jump comes at rest, and in a stroke.
 TEST(Experiment, AJumpEndsItInTheSameTick) {
   for (const std::uint64_t first : {100U, 5000U}) {
     for (const double jump_m : {0.01, -0.01, std::nan("")}) {
@@ -176,7 +176,7 @@ TEST(Experiment, AHandleThatIsTooSlowEndsIt) {
   EXPECT_EQ(run_until_end(device, honest).facts.state, ExperimentState::kTravelNotReached);
 }
 
-// Of a handle that moves at 0.1 m/s, and turns round beyond `reach_m` only.
+// Facts for a handle that moves at 0.1 m/s, and turns round only beyond `reach_m`.
 ExperimentFacts facts_of_reach(double reach_m) {
   ExperimentSettings settings;
   settings.encoder_m = 30e-6;

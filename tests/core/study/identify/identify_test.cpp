@@ -193,7 +193,7 @@ TEST(Identify, TheFirstGuessIsNear) {
   EXPECT_NEAR(guesses.front().delay_s, 1.5e-3, 1e-3);
 }
 
-// From tables.
+// The values are from tables.
 TEST(Identify, TheQuantilesAreStudents) {
   EXPECT_NEAR(student_quantile(5), 2.5706, 3e-3);
   EXPECT_NEAR(student_quantile(26), 2.0555, 1e-4);

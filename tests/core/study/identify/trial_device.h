@@ -21,8 +21,8 @@ struct TrialDevice {
          lag_s = 0.5e-3;
   std::size_t delay_ticks = 1;
   double force_limit_n = 2.0;  // of the experiment
-  // What the model does not have.
-  double friction_difference_n = 0.0;  // of the directions; the model has this one
+  // Effects that the model does not have.
+  double friction_difference_n = 0.0;  // between the directions; the model has this one
   double backlash_m = 0.0;
   double cogging_n = 0.0, cogging_pitch_m = 8e-3;
   double stribeck = 0.0, stribeck_m_per_s = 0.02;  // share of f_c that is added at rest
@@ -84,7 +84,7 @@ class TrialSimulator {
     if (!special()) return plant_.advance(force, step() * static_cast<Real>(steps), steps);
     for (int i = 0; i < steps; ++i) special_step(force);
   }
-  // Of the last tick.
+  // Force that was taken in the last tick.
   [[nodiscard]] double taken_n() const { return taken_n_; }
 
  private:
