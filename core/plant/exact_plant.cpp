@@ -4,9 +4,8 @@
 #include <limits>
 #include <optional>
 
-#include "core/plant/one_body.h"
+#include "core/plant/linear_body.h"
 #include "core/plant/taylor_polynomial.h"
-#include "core/plant/two_bodies.h"
 
 namespace hapticwall {
 
@@ -69,7 +68,7 @@ auto ExactPlant<Body, kFriction>::try_levels(int first_level, Real force_n, cons
     const Real step_s = body_.level(level).duration_s;
     if (step_s > rest_s || !surely_quiet(level, force_n, now)) continue;
     if (kFriction && motion_.direction == 0) {
-      body_.advance_stick_level(level, motion_.body, force_n, now);
+      body_.advance_sticking(body_.level(level), motion_.body, force_n, now);
     } else {
       account(motion_, force_n,
               body_.advance_by(body_.level(level), motion_.body, load(motion_, force_n), now));
@@ -91,7 +90,7 @@ auto ExactPlant<Body, kFriction>::rest_for_a_while(Real force_n, const Drive& no
     const Real step_s = body_.level(level).duration_s;
     if (step_s > rest_s) continue;
     if (motion_.direction != 0) stop();
-    body_.advance_stick_level(level, motion_.body, force_n, now);
+    body_.advance_sticking(body_.level(level), motion_.body, force_n, now);
     return step_s;
   }
   return 0;
@@ -116,7 +115,7 @@ template <typename Body, bool kFriction>
 bool ExactPlant<Body, kFriction>::surely_quiet(int level, Real force_n, const Drive& now) const {
   if constexpr (!kFriction) return true;
   if (motion_.direction == 0) {
-    return body_.surely_sticks(level, motion_.body, force_n, now,
+    return body_.surely_sticks(body_.level(level), motion_.body, force_n, now,
                                friction_n_ + rounding_n(motion_.body, force_n, now));
   }
   return body_.surely_slides(body_.level(level), motion_.body, load(motion_, force_n), now,
@@ -159,10 +158,17 @@ auto ExactPlant<Body, kFriction>::advance_sticking(Real force_n, const Drive& no
     return 0;
   }
   const auto stick = body_.stick(motion_.body, force_n, now, step_s);
+  TaylorPolynomial<Real> net = stick.hand_force;
+  net.coefficient[0] -= force_n;
+  if constexpr (Body::kHasLag) {
+    for (std::size_t j = 0; j < net.coefficient.size(); ++j) {
+      net.coefficient[j] -= stick.excess.coefficient[j];
+    }
+  }
   Real theta = 1;
   Real direction = 0;
   for (const Real side : {Real(1), Real(-1)}) {
-    TaylorPolynomial<Real> reserve = stick.net_force;  // f_c - side * F_net
+    TaylorPolynomial<Real> reserve = net;  // f_c - side * F_net
     for (Real& c : reserve.coefficient) c *= -side;
     reserve.coefficient[0] += friction_n_;
     const auto loose = first_crossing(reserve, Real(1));
@@ -171,7 +177,7 @@ auto ExactPlant<Body, kFriction>::advance_sticking(Real force_n, const Drive& no
       direction = side;
     }
   }
-  Body::advance(motion_.body, stick, theta);
+  Body::settle(motion_.body, stick, theta);
   if (direction != 0) break_loose(direction);
   return theta;
 }
@@ -182,21 +188,21 @@ void ExactPlant<Body, kFriction>::break_loose(Real direction) {
   ++friction_events_;
 }
 
-template class ExactPlant<BasicOneBody<double, false>, false>;
-template class ExactPlant<BasicOneBody<double, false>, true>;
-template class ExactPlant<BasicOneBody<double, true>, false>;
-template class ExactPlant<BasicOneBody<double, true>, true>;
-template class ExactPlant<BasicTwoBodies<double, false>, false>;
-template class ExactPlant<BasicTwoBodies<double, false>, true>;
-template class ExactPlant<BasicTwoBodies<double, true>, false>;
-template class ExactPlant<BasicTwoBodies<double, true>, true>;
-template class ExactPlant<BasicOneBody<long double, false>, false>;
-template class ExactPlant<BasicOneBody<long double, false>, true>;
-template class ExactPlant<BasicOneBody<long double, true>, false>;
-template class ExactPlant<BasicOneBody<long double, true>, true>;
-template class ExactPlant<BasicTwoBodies<long double, false>, false>;
-template class ExactPlant<BasicTwoBodies<long double, false>, true>;
-template class ExactPlant<BasicTwoBodies<long double, true>, false>;
-template class ExactPlant<BasicTwoBodies<long double, true>, true>;
+template class ExactPlant<LinearBody<double, false, false>, false>;
+template class ExactPlant<LinearBody<double, false, false>, true>;
+template class ExactPlant<LinearBody<double, false, true>, false>;
+template class ExactPlant<LinearBody<double, false, true>, true>;
+template class ExactPlant<LinearBody<double, true, false>, false>;
+template class ExactPlant<LinearBody<double, true, false>, true>;
+template class ExactPlant<LinearBody<double, true, true>, false>;
+template class ExactPlant<LinearBody<double, true, true>, true>;
+template class ExactPlant<LinearBody<long double, false, false>, false>;
+template class ExactPlant<LinearBody<long double, false, false>, true>;
+template class ExactPlant<LinearBody<long double, false, true>, false>;
+template class ExactPlant<LinearBody<long double, false, true>, true>;
+template class ExactPlant<LinearBody<long double, true, false>, false>;
+template class ExactPlant<LinearBody<long double, true, false>, true>;
+template class ExactPlant<LinearBody<long double, true, true>, false>;
+template class ExactPlant<LinearBody<long double, true, true>, true>;
 
 }  // namespace hapticwall

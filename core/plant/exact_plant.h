@@ -13,7 +13,7 @@
 
 namespace hapticwall {
 
-// Body: BasicOneBody or BasicTwoBodies. Without kFriction the loop has no code for friction. The
+// Body: a LinearBody. Without kFriction the loop has no code for friction. The
 // members that are not inline are instantiated in exact_plant.cpp. Realtime-safe: yes, after
 // construction.
 template <typename Body, bool kFriction>
@@ -118,10 +118,11 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
     Body::move_origin(body, origin_m);
     Drive now = drive(motion);
     now.position_m -= origin_m;
-    if (!body_.surely_sticks(0, body, force_n, now, friction_n_ + rounding_n(body, force_n, now))) {
+    if (!body_.surely_sticks(body_.level(0), body, force_n, now,
+                             friction_n_ + rounding_n(body, force_n, now))) {
       return false;
     }
-    body_.advance_stick_level(0, body, force_n, now);
+    body_.advance_sticking(body_.level(0), body, force_n, now);
     Body::move_origin(body, -origin_m);
     motion.body = body;
     return true;

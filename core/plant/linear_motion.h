@@ -1,12 +1,11 @@
-// The motion of a handle over a step, for any body whose forces are linear.
+// The motion of a handle over a whole step, for any body whose forces are linear.
 //
 // The body has core states c with c' = A c, of which the acceleration of the handle and the change
 // of the hand's force are rows: v' = α c, F_h' = φ c. Then, from the start (v, F_h, c) of a step,
 //
-//   ∫v    = h v + δ c                          δ c = ∫(v - v(0))
-//   ∫v²   = v (h v + 2 δ c) + cᵀ S c           cᵀ S c = ∫(v - v(0))²
-//   ∫F_h v = F_h ∫v + v (ε c) + cᵀ W c         ε c = ∫(F_h - F_h(0)), W of the product of both
-//   changes
+//   ∫v     = h v + δ c                    δ c = ∫(v - v(0))
+//   ∫v²    = v (h v + 2 δ c) + cᵀ S c     cᵀ S c = ∫(v - v(0))²
+//   ∫F_h v = F_h ∫v + v (ε c) + cᵀ W c    ε c = ∫(F_h - F_h(0)), W of the product of both changes
 //
 // v and F_h are separate from c although c determines them. Computing them from c would cancel for
 // a hand that follows its path loosely or stiffly.
@@ -15,9 +14,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/plant/amplifier_lag.h"
 #include "core/plant/energy_totals.h"
-#include "core/plant/taylor_polynomial.h"
 
 namespace hapticwall {
 
@@ -46,17 +43,30 @@ template <typename Real, std::size_t kStates>
   return sum;
 }
 
-// A step by the scene's matrix. With a lag its excess e is the last of the states.
-template <typename Real, bool kLag, std::size_t kStates>
+// A step by the scene's matrix. The members for a grip or a lag are unused without it.
+template <typename Real, std::size_t kStates>
 struct LinearRows {
   using Row = std::array<Real, kStates>;
+  using Form = SymmetricForm<Real, kStates>;
   Real duration_s = 0;
-  Row velocity{};                            // v(h) - v(0)
-  Row drift{};                               // δ
-  Row hand_force_drift{};                    // ε
-  SymmetricForm<Real, kStates> square{};     // S
-  SymmetricForm<Real, kStates> hand_work{};  // W
-  LagRows<Real, kLag, kStates> lag;
+  Row velocity{};          // v(h) - v(0)
+  Row drift{};             // δ
+  Row hand_force_drift{};  // ε
+  Form square{};           // S
+  Form hand_work{};        // W
+  // Without a grip, for a path at rest (then v is the first state), which is the most frequent case
+  // and cheaper.
+  Row integral_at_rest{};  // ∫v
+  Form square_at_rest{};   // ∫v²
+  // Grip.
+  Row difference{};                        // d(h) - d(0)
+  Row stretch{};                           // ∫d
+  std::array<Real, 2> stick_difference{};  // both while the handle sticks, from d relative to its
+  std::array<Real, 2> stick_stretch{};     // settled value and d'
+  // Lag.
+  Real settled_fraction = 0;   // 1 - exp(-h/τ)
+  Real excess_integral_s = 0;  // ∫e per newton of e
+  Row excess_work{};           // ∫e (v - v(0)) per newton of e
 
   // Displacement and energies of the step.
   [[nodiscard]] [[gnu::always_inline]] MotionIncrement<Real> increment(Real velocity_m_per_s,
@@ -71,26 +81,8 @@ struct LinearRows {
     result.hand_work_j =
         hand_force_n * result.displacement_m +
         (velocity_m_per_s * dot(hand_force_drift, c) + quadratic<Real, kStates>(hand_work, c));
-    if constexpr (kLag) result.lag_work_j = lag.work(velocity_m_per_s, c);
     return result;
   }
 };
-
-// Increment over a piece of `duration_s` from polynomials of θ, up to θ.
-template <typename Real, bool kLag>
-[[nodiscard]] MotionIncrement<Real> integrate(const TaylorPolynomial<Real>& velocity,
-                                              const TaylorPolynomial<Real>& hand_force,
-                                              const LagPiece<Real, kLag>& lag, Real duration_s,
-                                              Real theta) {
-  std::array<const TaylorPolynomial<Real>*, kLag ? 3 : 2> factors{&velocity, &hand_force};
-  if constexpr (kLag) factors[2] = &lag.excess;
-  const auto products = product_integrals(factors, velocity, theta);
-  MotionIncrement<Real> increment;
-  increment.displacement_m = duration_s * velocity.integral_to(theta);
-  increment.velocity_squared = duration_s * products[0];
-  increment.hand_work_j = duration_s * products[1];
-  if constexpr (kLag) increment.lag_work_j = duration_s * products[2];
-  return increment;
-}
 
 }  // namespace hapticwall

@@ -16,8 +16,8 @@ ExactPlantVariant<Real> make_exact_with(const Scene& scene, const PlantParameter
 
 template <typename Real, bool kLag>
 ExactPlantVariant<Real> make_exact_with_lag(const Scene& scene, const PlantParameters& parameters) {
-  return parameters.grip ? make_exact_with<Real, BasicTwoBodies<Real, kLag>>(scene, parameters)
-                         : make_exact_with<Real, BasicOneBody<Real, kLag>>(scene, parameters);
+  return parameters.grip ? make_exact_with<Real, LinearBody<Real, true, kLag>>(scene, parameters)
+                         : make_exact_with<Real, LinearBody<Real, false, kLag>>(scene, parameters);
 }
 
 template <typename Real>

@@ -5,10 +5,9 @@
 
 #include "core/encoder.h"
 #include "core/plant/exact_plant.h"
-#include "core/plant/one_body.h"
+#include "core/plant/linear_body.h"
 #include "core/plant/output_stage.h"
 #include "core/plant/stepped_plant.h"
-#include "core/plant/two_bodies.h"
 #include "core/sample.h"
 #include "core/scene.h"
 
@@ -16,11 +15,14 @@ namespace hapticwall {
 
 // The exact plants: with or without a lag of the amplifier, a hand that grips, friction.
 template <typename Real>
-using ExactPlantVariant = std::variant<
-    ExactPlant<BasicOneBody<Real, false>, false>, ExactPlant<BasicOneBody<Real, false>, true>,
-    ExactPlant<BasicOneBody<Real, true>, false>, ExactPlant<BasicOneBody<Real, true>, true>,
-    ExactPlant<BasicTwoBodies<Real, false>, false>, ExactPlant<BasicTwoBodies<Real, false>, true>,
-    ExactPlant<BasicTwoBodies<Real, true>, false>, ExactPlant<BasicTwoBodies<Real, true>, true>>;
+using ExactPlantVariant = std::variant<ExactPlant<LinearBody<Real, false, false>, false>,
+                                       ExactPlant<LinearBody<Real, false, false>, true>,
+                                       ExactPlant<LinearBody<Real, false, true>, false>,
+                                       ExactPlant<LinearBody<Real, false, true>, true>,
+                                       ExactPlant<LinearBody<Real, true, false>, false>,
+                                       ExactPlant<LinearBody<Real, true, false>, true>,
+                                       ExactPlant<LinearBody<Real, true, true>, false>,
+                                       ExactPlant<LinearBody<Real, true, true>, true>>;
 
 using ReferencePlantVariant = ExactPlantVariant<long double>;
 

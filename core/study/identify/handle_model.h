@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/plant/exact_plant.h"
-#include "core/plant/one_body.h"
+#include "core/plant/linear_body.h"
 
 namespace hapticwall::identify {
 
@@ -55,8 +55,8 @@ class HandleModel {
            std::vector<double>& position_m);
 
  private:
-  using Quick = ExactPlant<BasicOneBody<double, false>, true>;
-  using Lagging = ExactPlant<BasicOneBody<double, true>, true>;
+  using Quick = ExactPlant<LinearBody<double, false, false>, true>;
+  using Lagging = ExactPlant<LinearBody<double, false, true>, true>;
   [[nodiscard]] static std::variant<Quick, Lagging> plant(const Parameters& parameters,
                                                           double period_s);
 
