@@ -118,7 +118,7 @@ TEST_F(OutputTest, AMapNeedsNoThreads) {
        {"", "exec setpriv --reuid 54323 --clear-groups prlimit --nproc=1 "}) {
     for (const std::string command :
          {"map press --x wall.stiffness_n_per_m=1e3:1e4:5 --y wall.damping_n_s_per_m=0:1:3 --csv ",
-          "compare tap --study --csv "}) {
+          "compare tap --study --algorithms none,energy-bounding --csv "}) {
       const Answer answer =
           shell(std::string(limit).append("$P ").append(command).append(limit.empty() ? "a" : "b") +
                 std::to_string(command.size()) + ".csv --quiet");
