@@ -25,7 +25,7 @@ ELSEWHERE = {
     "root": "needs another user's rights; ./dev test --hid-guest drives the emulator",
     "display": "opens the window; tests/app/ui/page/experiment_test.cpp plays these lists",
     "cluster": "takes 64 machines; tests/app/command/map_test.cpp joins parts of a map",
-    "commands": "./dev test --adding-an-algorithm and --adding-a-study",
+    "commands": "./dev test --adding-an-algorithm, --adding-an-estimator and --adding-a-study",
     "settings": "tests/app/ui/state/settings_file_test.cpp",
     "device-file": "tests/app/file/scene_device_test.cpp and dialect_file_test.cpp",
 }
