@@ -7,7 +7,7 @@
 # Within a layer the rooms have arrows, too:
 #   device <- device/link <- device/port; app/session: loop <- the files beside it;
 #   app/command: the files beside the rooms <- run, study, map, device; run, study <- compare; run <- replay, identify;
-#   app/draw: plot <- figure; app/ui: wall <- state <- widget <- panel <- page <- window (a widget knows no wall).
+#   app/draw: plot <- figure; app/ui: wall, computed <- state <- widget <- panel <- page <- window (a widget knows no wall).
 # `core` is pure: the standard library without clocks, files and threads, Eigen and itself;
 # core/run/workers.cpp alone spreads scenes over the cores.
 # Only app/draw and app/ui know that there is OpenGL. Usage: cmake -DROOT=FOLDER -P check_layers.cmake
@@ -32,16 +32,17 @@ set(may_include_app/python core app/file app/session app/python)
 set(may_include_app ${layers})
 set(may_include_tests ${layers})
 
-set(rooms app/draw/plot app/draw/figure app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page
+set(rooms app/draw/plot app/draw/figure app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel app/ui/page
     app/ui/window)
 set(may_include_app/draw/plot app/draw/plot)
 set(may_include_app/draw/figure app/draw/plot app/draw/figure)
 set(may_include_app/ui/wall app/ui/wall)
-set(may_include_app/ui/state app/ui/wall app/ui/state)
-set(may_include_app/ui/widget app/ui/state app/ui/widget)
-set(may_include_app/ui/panel app/ui/wall app/ui/state app/ui/widget app/ui/panel)
-set(may_include_app/ui/page app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page)
-set(may_include_app/ui/window app/ui/wall app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/window)
+set(may_include_app/ui/computed app/ui/computed)
+set(may_include_app/ui/state app/ui/wall app/ui/computed app/ui/state)
+set(may_include_app/ui/widget app/ui/computed app/ui/state app/ui/widget)
+set(may_include_app/ui/panel app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel)
+set(may_include_app/ui/page app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel app/ui/page)
+set(may_include_app/ui/window app/ui/wall app/ui/computed app/ui/state app/ui/widget app/ui/panel app/ui/page app/ui/window)
 
 # A folder after its rooms stands for the files beside them.
 list(APPEND rooms device/link device/port device app/session/loop app/session)

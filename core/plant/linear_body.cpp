@@ -62,10 +62,13 @@ struct LinearBody<Real, kGrip, kLag>::Setup {
     if constexpr (kLag) all[2](kExcess, kVelocity) = all[2](kVelocity, kExcess) = 0.5L;
     return all;
   }
+  [[nodiscard]] static long double at(const Matrix& matrix, std::size_t row, std::size_t column) {
+    return matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+  }
   [[nodiscard]] Row row(const Matrix& matrix, std::size_t output, long double scale) const {
     Row numbers{};
     for (std::size_t i = 0; i < kStates; ++i) {
-      numbers[i] = static_cast<Real>(matrix(output, i) * unit[i] * scale);
+      numbers[i] = static_cast<Real>(at(matrix, output, i) * unit[i] * scale);
     }
     return numbers;
   }
@@ -75,7 +78,7 @@ struct LinearBody<Real, kGrip, kLag>::Setup {
     for (std::size_t i = 0; i < kStates; ++i) {
       for (std::size_t j = i; j < kStates; ++j) {
         const long double twice = i == j ? 1.0L : 2.0L;
-        numbers[k++] = static_cast<Real>(twice * integral(i, j) * unit[i] * unit[j] * scale);
+        numbers[k++] = static_cast<Real>(twice * at(integral, i, j) * unit[i] * unit[j] * scale);
       }
     }
     return numbers;
@@ -107,7 +110,7 @@ struct LinearBody<Real, kGrip, kLag>::Setup {
       for (std::size_t i = 0; i < kStates; ++i) {
         const long double twice = i == kExcess ? 1.0L : 2.0L;
         rows.excess_work[i] =
-            static_cast<Real>(twice * step.integrals[2](kExcess, i) * unit[i] * period_s);
+            static_cast<Real>(twice * at(step.integrals[2], kExcess, i) * unit[i] * period_s);
       }
     }
     return rows;

@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "app/file/scene/scene_file.h"
-#include "app/ui/state/live_map.h"
-#include "app/ui/state/map_choice.h"
+#include "app/ui/computed/live_map.h"
+#include "app/ui/computed/map_choice.h"
 #include "tests/window_benchmark/measurements.h"
 
 namespace hapticwall::window_benchmark {

@@ -10,8 +10,8 @@
 
 #include "app/draw/plot/plot_axes.h"
 #include "app/file/text/verdict.h"
+#include "app/ui/computed/tail.h"
 #include "app/ui/state/model_runs.h"
-#include "app/ui/state/tail.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 

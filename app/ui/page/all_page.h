@@ -1,7 +1,7 @@
 // The page of all algorithms: the present scene under each, side by side.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

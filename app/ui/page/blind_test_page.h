@@ -1,7 +1,7 @@
 // The page of the blind test: set-up, trials, result.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

@@ -1,7 +1,7 @@
 // The page "Identify": mass, damping, friction and delay of the session's device.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

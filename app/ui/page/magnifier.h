@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/draw/plot/sample_history.h"
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

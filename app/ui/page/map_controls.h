@@ -1,7 +1,7 @@
 // The choices of the map page: two numbers, their ranges, the algorithms.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/draw/figure/map_field.h"
+#include "app/ui/computed/tail.h"
 #include "app/ui/page/map_controls.h"
 #include "app/ui/state/model_runs.h"
-#include "app/ui/state/tail.h"
 #include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {

@@ -1,7 +1,7 @@
 // The map page: where the present scene is stable, over two of its numbers.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

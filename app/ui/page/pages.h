@@ -6,7 +6,7 @@
 #include <span>
 
 #include "app/draw/plot/sample_history.h"
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 #include "app/ui/wall/wall_renderer.h"
 
 namespace hapticwall::ui {

@@ -7,7 +7,7 @@
 #include "app/draw/plot/plot_bounds.h"
 #include "app/draw/plot/sample_history.h"
 #include "app/ui/state/key_binding.h"
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

@@ -1,7 +1,7 @@
 // The study page: tables of the present scene, computed on demand.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "app/ui/state/panel_context.h"
 #include "app/ui/state/timing_state.h"
-#include "app/ui/state/ui_state.h"
 
 namespace hapticwall::ui {
 

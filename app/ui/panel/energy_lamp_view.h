@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 #include "core/study/energy_story.h"
 
 namespace hapticwall::ui {

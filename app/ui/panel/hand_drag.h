@@ -1,7 +1,7 @@
 // The pointer leads the hand while its button is down in the wall view.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

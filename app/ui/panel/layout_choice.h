@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

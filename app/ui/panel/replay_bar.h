@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/session/replay_session.h"
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

@@ -1,7 +1,7 @@
 // The switch of the live sound, and its volume.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

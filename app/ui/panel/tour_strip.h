@@ -1,7 +1,7 @@
 // The tour above the views: the present step, and whether it is done.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/state/tail.h"
+#include "app/ui/computed/tail.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
 

@@ -1,7 +1,7 @@
 // The verdict of the last second as a line of text.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

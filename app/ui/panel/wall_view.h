@@ -1,7 +1,7 @@
 // The picture of the wall with its labels. The pointer leads the hand and moves the camera.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 #include "app/ui/wall/wall_renderer.h"
 
 namespace hapticwall::ui {

@@ -1,7 +1,7 @@
 // Colours and scale. A choice takes effect at the next frame.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/ui/state/key_binding.h"
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/ui/state/compare_state.h"
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 #include "core/sample.h"
 #include "core/scene.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/ui/state/tail.h"
+#include "app/ui/computed/tail.h"
 #include "core/scene.h"
 #include "core/study/energy_story.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

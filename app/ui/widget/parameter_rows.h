@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 #include "app/ui/widget/widgets.h"
 #include "core/scene_keys.h"
 #include "core/units.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 #include "core/study/stability_bounds.h"
 
 namespace hapticwall::ui {

@@ -1,7 +1,7 @@
 // The messages, drawn over the window.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

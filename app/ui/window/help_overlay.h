@@ -1,7 +1,7 @@
 // The help: every key and every gesture of the pointer.
 #pragma once
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 

@@ -17,7 +17,7 @@
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/state/comparing.h"
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 #include "app/ui/window/help_overlay.h"
 #include "core/algorithm/algorithm.h"
 

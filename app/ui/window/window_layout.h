@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/draw/plot/sample_history.h"
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
 #include "app/ui/wall/wall_renderer.h"
 
 namespace hapticwall::ui {

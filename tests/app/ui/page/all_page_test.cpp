@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/ui/computed/tail.h"
 #include "app/ui/state/blind_test.h"
-#include "app/ui/state/tail.h"
 #include "core/run/simulate.h"
 #include "tests/app/ui/gui_test.h"
 

@@ -1,5 +1,5 @@
 // Background work: result, progress, and cancellation without waiting.
-#include "app/ui/state/background.h"
+#include "app/ui/computed/background.h"
 
 #include <gtest/gtest.h>
 

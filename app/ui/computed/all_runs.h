@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/draw/plot/sample_history.h"
-#include "app/ui/state/computed.h"
+#include "app/ui/computed/computed.h"
 #include "core/scene.h"
 #include "core/summary.h"
 

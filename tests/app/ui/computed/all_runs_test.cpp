@@ -1,4 +1,4 @@
-#include "app/ui/state/all_runs.h"
+#include "app/ui/computed/all_runs.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 
 #include "app/file/scene/scene_file.h"
-#include "app/ui/state/tail.h"
+#include "app/ui/computed/tail.h"
 #include "core/run/simulate.h"
 #include "tests/app/session/support.h"
 

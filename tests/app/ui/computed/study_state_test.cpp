@@ -1,4 +1,4 @@
-#include "app/ui/state/study_state.h"
+#include "app/ui/computed/study_state.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

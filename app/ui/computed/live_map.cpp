@@ -1,8 +1,8 @@
-#include "app/ui/state/live_map.h"
+#include "app/ui/computed/live_map.h"
 
 #include <algorithm>
 
-#include "app/ui/state/map_choice.h"
+#include "app/ui/computed/map_choice.h"
 
 namespace hapticwall::ui {
 namespace {

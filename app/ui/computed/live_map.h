@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/draw/figure/map_field.h"
-#include "app/ui/state/computed.h"
+#include "app/ui/computed/computed.h"
 #include "core/study/stability_map.h"
 
 namespace hapticwall::ui {

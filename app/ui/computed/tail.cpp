@@ -1,4 +1,4 @@
-#include "app/ui/state/tail.h"
+#include "app/ui/computed/tail.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/ui/state/live_map.h"
+#include "app/ui/computed/live_map.h"
 
 #include <dirent.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The strip of the window tells what `run` tells of the same second.
-#include "app/ui/state/tail.h"
+#include "app/ui/computed/tail.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/ui/state/map_choice.h"
+#include "app/ui/computed/map_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/study/studies.h"
-#include "app/ui/state/computed.h"
+#include "app/ui/computed/computed.h"
 #include "core/scene.h"
 
 namespace hapticwall::ui {

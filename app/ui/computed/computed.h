@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/session/loop/realtime_setup.h"
-#include "app/ui/state/background.h"
+#include "app/ui/computed/background.h"
 #include "core/result.h"
 
 namespace hapticwall::ui {

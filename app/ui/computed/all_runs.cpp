@@ -1,4 +1,4 @@
-#include "app/ui/state/all_runs.h"
+#include "app/ui/computed/all_runs.h"
 
 #include <algorithm>
 #include <array>
