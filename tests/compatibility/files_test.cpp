@@ -96,14 +96,17 @@ TEST(Version010, ARecordingHasItsNumbersAndSignals) {
             "virtual-coupling then passivity-control");
 }
 
-TEST(Version010, ARunAgainOfARecordingHasTheSameBits) {
+// The last digits of the exact plant are those of a build, so rows of 0.1.0 have others.
+TEST(Version010, ARunAgainOfARecordingKeepsItsPath) {
+  constexpr double kLastDigitsM = 1e-14;
   for (const char* name : {"press-signals.csv", "realtime.csv", "then.csv"}) {
     const auto reader = recording(name);
     const auto scene = session::rerun_scene(reader->info(), "", {});
     ASSERT_TRUE(scene) << name << scene.error().message;
     const auto outcome = session::rerun_hand(*reader, *scene);
     ASSERT_TRUE(outcome) << name << outcome.error().message;
-    EXPECT_EQ(outcome->first_different_tick, std::nullopt) << name;
+    EXPECT_LT(outcome->largest_distance_m, kLastDigitsM) << name;
+    EXPECT_EQ(outcome->ticks, reader->rows()) << name;
   }
 }
 
