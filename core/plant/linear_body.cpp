@@ -239,7 +239,7 @@ auto LinearBody<Real, kGrip, kLag>::slide(const State& state, const Load<Real>& 
   return slide;
 }
 
-// As if the handle's mass were infinite.
+// A handle that sticks is one of infinite mass.
 template <typename Real, bool kGrip, bool kLag>
 auto LinearBody<Real, kGrip, kLag>::stick(const State& state, Real force_n, const Drive& drive,
                                           Real duration_s) const -> Piece {

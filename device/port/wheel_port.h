@@ -25,7 +25,7 @@ struct WheelOptions {
   std::string serial;  // empty: any
   std::string name;    // of the device file; empty: the device's own name
   WheelDescription wheel;
-  // As ImpulseEngineOptions::prepare_thread.
+  // See ImpulseEngineOptions::prepare_thread.
   std::function<void()> prepare_thread;
 };
 
@@ -59,7 +59,7 @@ class WheelPort : public hid::Port {
   std::map<std::string, std::weak_ptr<Connection>> open_;
 };
 
-// By default on this machine's wheels and clock.
+// The wheel behind the link of every device. Default: the wheels and the clock of this machine.
 [[nodiscard]] std::unique_ptr<ImpulseEngine> make_wheel(const WheelOptions& options,
                                                         Wheels wheels = {},
                                                         HostClock now_ns = monotonic_ns);

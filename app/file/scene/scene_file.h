@@ -46,7 +46,7 @@ struct LoadedScene {
   std::vector<Mark> marks;                // in order
   std::string csv_sha256;                 // of the rows; empty: not known
   bool edited = false;                    // the sidecar was changed since it was written
-  // By axis: the tick at which the recorded run diverged, which the rows do not show.
+  // Tick of each axis at which the recorded run diverged, which the rows do not show.
   std::array<std::optional<std::uint64_t>, kMaxAxes> diverged_at_tick;
 };
 
