@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "app/ui/state/settings_file.h"
+#include "app/ui/window/settings_file.h"
 #include "tests/paths.h"
 #include "tests/temporary_folder.h"
 

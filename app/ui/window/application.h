@@ -17,9 +17,9 @@
 #include "app/session/live_session.h"
 #include "app/sound/live/sound_player.h"
 #include "app/ui/state/panel_context.h"
-#include "app/ui/state/settings_file.h"
 #include "app/ui/wall/wall_renderer.h"
 #include "app/ui/window/paint_gate.h"
+#include "app/ui/window/settings_file.h"
 #include "core/result.h"
 #include "core/scene.h"
 

@@ -18,9 +18,9 @@
 #include "app/session/loop/stop_signals.h"
 #include "app/session/loop_session.h"
 #include "app/ui/page/identify_page.h"
-#include "app/ui/state/settings_file.h"
 #include "app/ui/window/application.h"
 #include "app/ui/window/display_end.h"
+#include "app/ui/window/settings_file.h"
 
 namespace hapticwall::ui {
 namespace {

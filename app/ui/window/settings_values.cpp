@@ -13,7 +13,7 @@
 #include "app/file/scene/toml_settings.h"
 #include "app/file/text/text.h"
 #include "app/ui/state/recent_files.h"
-#include "app/ui/state/settings_file.h"
+#include "app/ui/window/settings_file.h"
 #include "core/text.h"
 
 namespace hapticwall::ui {

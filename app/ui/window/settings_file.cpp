@@ -1,4 +1,4 @@
-#include "app/ui/state/settings_file.h"
+#include "app/ui/window/settings_file.h"
 
 #include <fmt/format.h>
 
