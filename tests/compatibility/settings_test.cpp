@@ -20,23 +20,22 @@ TEST(Version010, SettingsWithEveryKeyAreTakenWithoutAComplaint) {
   ui::UiState state;
   ui::SettingsFile settings(folder.file("settings.json"));
   settings.load(state);
-  EXPECT_TRUE(state.transient.toasts.list().empty()) << state.transient.toasts.newest().text;
+  EXPECT_TRUE(state.toasts.list().empty()) << state.toasts.newest().text;
   EXPECT_THAT(folder.names(), ElementsAre("settings.toml"));
 
-  const auto& kept = state.persisted;
-  EXPECT_EQ(kept.look, draw::Look::kLight);
-  EXPECT_EQ(kept.scale_percent, 100);
-  EXPECT_EQ(kept.window_width, 1234);
-  EXPECT_EQ(kept.window_height, 800);
-  EXPECT_TRUE(kept.more);
-  EXPECT_EQ(kept.layout, "evening");
-  EXPECT_EQ(kept.withdraw_mm_per_s, 40.0);
-  EXPECT_EQ(kept.recording_folder, "/tmp/recordings of mine");
-  EXPECT_TRUE(kept.records_signals);
-  EXPECT_EQ(kept.time_window_s, 6.0);
-  EXPECT_EQ(kept.arrangement, ui::PlotArrangement::kAll);
-  EXPECT_THAT(kept.recent, ElementsAre("/a/b.toml"));
-  EXPECT_NEAR(kept.sound_volume, 0.8, 1e-6);
+  EXPECT_EQ(state.appearance.look, draw::Look::kLight);
+  EXPECT_EQ(state.appearance.scale_percent, 100);
+  EXPECT_EQ(state.window.width, 1234);
+  EXPECT_EQ(state.window.height, 800);
+  EXPECT_TRUE(state.window.more);
+  EXPECT_EQ(state.dock.layout, "evening");
+  EXPECT_EQ(state.hand.withdraw_mm_per_s, 40.0);
+  EXPECT_EQ(state.recording.chosen_folder, "/tmp/recordings of mine");
+  EXPECT_TRUE(state.recording.chosen_signals);
+  EXPECT_EQ(state.time.window_s, 6.0);
+  EXPECT_EQ(state.plots.persisted.arrangement, ui::PlotArrangement::kAll);
+  EXPECT_THAT(state.scene.recent, ElementsAre("/a/b.toml"));
+  EXPECT_NEAR(state.sound.volume, 0.8, 1e-6);
   EXPECT_EQ(state.wall.persisted.magnification, 50.0);
   EXPECT_FALSE(state.compare.persisted.ghost_shown);
 
@@ -63,7 +62,7 @@ TEST(Version010, SettingsAreReadOnceAndKeptAsJson) {
   std::filesystem::remove(folder.file("settings.toml"));
   ui::UiState again;
   ui::SettingsFile(folder.file("settings.json")).load(again);
-  EXPECT_TRUE(again.transient.toasts.list().empty());
+  EXPECT_TRUE(again.toasts.list().empty());
   EXPECT_EQ(ui::settings_text(again), ui::settings_text(state));
 }
 
@@ -74,11 +73,11 @@ TEST(Version010, LayoutsAreThereByTheirNames) {
       text_of(data_folder() + "/compatibility/0.1.0/settings.toml"), "settings.toml", state);
   ASSERT_TRUE(problems) << problems.error().message;
   EXPECT_THAT(*problems, ::testing::IsEmpty());
-  ASSERT_EQ(state.persisted.own_layouts.size(), 2U);
-  EXPECT_EQ(state.persisted.own_layouts[0].name, "evening");
-  EXPECT_EQ(state.persisted.own_layouts[1].name, "a: b");
-  EXPECT_EQ(state.persisted.own_layouts[1].layout.floating.size(), 1U);
-  EXPECT_FALSE(state.persisted.docked.empty());
+  ASSERT_EQ(state.dock.own_layouts.size(), 2U);
+  EXPECT_EQ(state.dock.own_layouts[0].name, "evening");
+  EXPECT_EQ(state.dock.own_layouts[1].name, "a: b");
+  EXPECT_EQ(state.dock.own_layouts[1].layout.floating.size(), 1U);
+  EXPECT_FALSE(state.dock.docked.empty());
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void record_and_stop(Person& person, const Act& act) {
   EXPECT_EQ(person.recording().state, session::RecordingState::kIdle);
   const std::filesystem::path path = person.recording().path;
   EXPECT_TRUE(std::filesystem::exists(path));
-  EXPECT_EQ(path.parent_path(), person.state().transient.recording_folder);
+  EXPECT_EQ(path.parent_path(), person.state().recording.folder);
 }
 
 void set_marks(Person& person, const Act& act, std::size_t count) {

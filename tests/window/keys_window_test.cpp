@@ -42,27 +42,27 @@ KeyRow chooses_algorithm(std::size_t index) {
 }
 
 void scale(Person& person, const Act& press, int way) {
-  const int before = ui::scale_percent_in_force(person.state());
+  const int before = ui::scale_percent_in_force(person.state().appearance);
   press();
-  EXPECT_GT(way * (ui::scale_percent_in_force(person.state()) - before), 0);
-  ui::set_scale(person.state(), 0);
+  EXPECT_GT(way * (ui::scale_percent_in_force(person.state().appearance) - before), 0);
+  ui::set_scale(person.state().appearance, 0);
   person.wait_a_frame();
 }
 
 void scale_as_screen(Person& person, const Act& press) {
-  ui::set_scale(person.state(), 110);
+  ui::set_scale(person.state().appearance, 110);
   person.wait_a_frame();
   press();
-  EXPECT_EQ(person.state().persisted.scale_percent, 0);
+  EXPECT_EQ(person.state().appearance.scale_percent, 0);
 }
 
 // A list goes first, then the help, then a message.
 void put_away(Person& person, const Act& press) {
-  ui::tell(person.state(), ui::MessageKind::kProblem, "a problem");
+  person.state().toasts.tell(ui::MessageKind::kProblem, "a problem");
   person.click("help");
-  EXPECT_TRUE(person.state().transient.help_shown);
+  EXPECT_TRUE(person.state().window.help_shown);
   press();
-  EXPECT_FALSE(person.state().transient.help_shown);
+  EXPECT_FALSE(person.state().window.help_shown);
   EXPECT_EQ(person.message().text, "a problem");
   person.click("time window");
   press();
@@ -129,7 +129,7 @@ void go_to_mark(Person& person, const Act& press, double from_s, const file::Mar
 }
 
 void next_layout(Person& person, const Act& press) {
-  const std::string& now = person.state().persisted.layout;
+  const std::string& now = person.state().dock.layout;
   for (const ui::BuiltinLayout& each : ui::builtin_layouts()) {
     EXPECT_EQ(now, each.name);
     press();
@@ -144,27 +144,28 @@ std::vector<KeyRow> key_rows() {
       {"reset: back to tick 0, at rest", reset_once},
       {"withdraw the hand from the wall",
        [](Person& p, const Act& press) {
-         p.state().transient.hand_led = false;
+         p.state().hand.led = false;
          press();
-         EXPECT_TRUE(p.state().transient.hand_led);
+         EXPECT_TRUE(p.state().hand.led);
        }},
       {"record, or stop recording", record_and_stop},
       {"mark this moment of the recording, then name it",
        [](Person& p, const Act& press) { set_marks(p, press); }},
-      key_flips("slot A or B of Compare; in a field: the next field",
-                [](Person& p) { return static_cast<double>(ui::slots_of(p.state()).active); }),
+      key_flips(
+          "slot A or B of Compare; in a field: the next field",
+          [](Person& p) { return static_cast<double>(ui::slots_of(p.state().compare).active); }),
       {"undo the last change", undo_once},
       {"redo it", redo_once},
-      key_flips("this help", [](Person& p) { return p.state().transient.help_shown ? 1.0 : 0.0; }),
+      key_flips("this help", [](Person& p) { return p.state().window.help_shown ? 1.0 : 0.0; }),
       key_flips("dark or light",
-                [](Person& p) { return static_cast<double>(p.state().persisted.look); }),
+                [](Person& p) { return static_cast<double>(p.state().appearance.look); }),
       {"next layout of the windows", next_layout},
       {"everything larger", [](Person& p, const Act& press) { scale(p, press, 1); }},
       {"everything smaller", [](Person& p, const Act& press) { scale(p, press, -1); }},
       {"as large as the screen says", scale_as_screen},
       {"close a list, the help, or the newest message", put_away},
       key_flips("follow the newest samples, or freeze",
-                [](Person& p) { return p.state().transient.follow ? 1.0 : 0.0; }),
+                [](Person& p) { return p.state().time.follow ? 1.0 : 0.0; }),
       {"the next kind of trigger", next_trigger},
       key_flips("show or hide the cursors",
                 [](Person& p) { return p.state().plots.transient.cursors.shown ? 1.0 : 0.0; }),
@@ -258,12 +259,12 @@ TEST_P(KeysWindowTest, LettersTypedIntoAFieldAreNoKeys) {
     person.write("apfct123r");
     EXPECT_EQ(person.scene().algorithm.index, before);
     EXPECT_FALSE(person.session().snapshot().paused);
-    EXPECT_TRUE(person.state().transient.follow);
+    EXPECT_TRUE(person.state().time.follow);
     EXPECT_FALSE(person.state().plots.transient.cursors.shown);
     EXPECT_EQ(person.state().plots.persisted.trigger.mode, draw::TriggerMode::kOff);
     EXPECT_EQ(person.session().snapshot().resets, 0U);
     person.press(ImGuiKey_Enter);
-    EXPECT_EQ(person.state().transient.recording_name, "apfct123r");
+    EXPECT_EQ(person.state().recording.name, "apfct123r");
   });
 }
 

@@ -174,8 +174,8 @@ void Person::write(const std::string& text) {
 void Person::put_everything_away() {
   constexpr int kMax = 100;
   const auto something = [this] {
-    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) || state().transient.help_shown ||
-           !state().transient.toasts.list().empty();
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) || state().window.help_shown ||
+           !state().toasts.list().empty();
   };
   for (int i = 0; i < kMax && something() && !is_stuck(); ++i) press(ImGuiKey_Escape);
   EXPECT_FALSE(something()) << "Escape does not put everything away";

@@ -43,7 +43,7 @@ class Person {
   [[nodiscard]] const Scene& scene() const { return application_->session().scene(); }
   [[nodiscard]] const draw::SampleHistory& history() const { return application_->history(); }
   [[nodiscard]] session::RecordingStatus recording() const;
-  [[nodiscard]] ui::Message message() const { return state().transient.toasts.newest(); }
+  [[nodiscard]] ui::Message message() const { return state().toasts.newest(); }
   [[nodiscard]] static bool sees(const std::string& item);
   // True if a tooltip appears while the pointer rests on the item.
   [[nodiscard]] bool has_tooltip(const std::string& item);

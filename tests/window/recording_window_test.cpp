@@ -135,7 +135,7 @@ TEST_P(RecordingWindowTest, HasTheSignalsOfTheCommandLineForThisStart) {
   options_.signals = file::all_signal_columns();
   use([](Person& person) {
     EXPECT_EQ(signals_of(record(person)), file::all_signal_columns());
-    EXPECT_FALSE(person.state().persisted.records_signals);
+    EXPECT_FALSE(person.state().recording.chosen_signals);
     tick_signals(person);
     EXPECT_TRUE(signals_of(record(person)).empty());
   });

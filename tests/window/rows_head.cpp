@@ -16,13 +16,15 @@ namespace {
 void open_settings(Person& person) { person.click("settings"); }
 
 void show(Person& person, const ui::DockLayout& layout) {
-  person.state().transient.dock.chosen = layout;
-  person.state().transient.dock.rebuild = true;
+  person.state().dock.chosen = layout;
+  person.state().dock.rebuild = true;
   person.put_everything_away();
 }
 
-double look(Person& person) { return static_cast<double>(person.state().persisted.look); }
-double scale_percent(Person& person) { return ui::scale_percent_in_force(person.state()); }
+double look(Person& person) { return static_cast<double>(person.state().appearance.look); }
+double scale_percent(Person& person) {
+  return ui::scale_percent_in_force(person.state().appearance);
+}
 double number_of(draw::Look wanted) { return static_cast<double>(wanted); }
 
 void scale_up_and_down(Person& person) {
@@ -35,67 +37,67 @@ void scale_up_and_down(Person& person) {
   person.type("scale percent", "110");
   EXPECT_EQ(scale_percent(person), 110.0);
   person.type("scale percent", "1000");
-  ASSERT_TRUE(person.state().transient.refusal);
-  EXPECT_EQ(person.state().transient.refusal->why, "1000 is out of range; it takes 50 to 300 %");
+  ASSERT_TRUE(person.state().edit.refusal);
+  EXPECT_EQ(person.state().edit.refusal->why, "1000 is out of range; it takes 50 to 300 %");
   EXPECT_EQ(scale_percent(person), 110.0);
   person.wait_a_frame();
   EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.1F);
   person.click("automatic scale");
-  EXPECT_EQ(person.state().persisted.scale_percent, 0);
+  EXPECT_EQ(person.state().appearance.scale_percent, 0);
 }
 
 void choose_folder(Person& person, const std::string& folder) {
   std::filesystem::create_directory(folder);
   open_settings(person);
-  const std::string before = person.state().transient.recording_folder;
+  const std::string before = person.state().recording.folder;
   person.type("recording folder", folder + "/nowhere");
   EXPECT_TRUE(person.message().text.starts_with(folder + "/nowhere: there is no such folder"));
-  EXPECT_EQ(person.state().transient.recording_folder, before);
+  EXPECT_EQ(person.state().recording.folder, before);
   person.put_everything_away();
   open_settings(person);
   person.type("recording folder", folder);
-  EXPECT_EQ(person.state().persisted.recording_folder, folder);
-  EXPECT_EQ(person.state().transient.recording_folder, folder);
+  EXPECT_EQ(person.state().recording.chosen_folder, folder);
+  EXPECT_EQ(person.state().recording.folder, folder);
 }
 
 void reset_layout(Person& person) {
-  const ui::PersistedState& persisted = person.state().persisted;
-  const ui::DockLayout before = *person.state().transient.dock.chosen;
+  const ui::DockState& dock = person.state().dock;
+  const ui::DockLayout before = *person.state().dock.chosen;
   open_settings(person);
   person.click("reset layout");
-  EXPECT_EQ(persisted.docked, "");
-  EXPECT_FALSE(persisted.more);
+  EXPECT_EQ(dock.docked, "");
+  EXPECT_FALSE(person.state().window.more);
   person.put_everything_away();
   person.click("more");
-  EXPECT_TRUE(persisted.more);
+  EXPECT_TRUE(person.state().window.more);
   show(person, before);
 }
 
 void choose_layouts(Person& person) {
-  const ui::PersistedState& persisted = person.state().persisted;
-  const ui::DockLayout before = *person.state().transient.dock.chosen;
+  const ui::DockState& dock = person.state().dock;
+  const ui::DockLayout before = *person.state().dock.chosen;
   for (const ui::BuiltinLayout& each : ui::builtin_layouts()) {
     person.click("layout");
     person.click(std::string("layout of ") + each.name);
-    EXPECT_EQ(persisted.layout, each.name);
+    EXPECT_EQ(dock.layout, each.name);
   }
   person.click("layout");
   person.type("layout name", "mine");
-  EXPECT_EQ(persisted.layout, "mine");
+  EXPECT_EQ(dock.layout, "mine");
   person.put_everything_away();
   person.click("layout");
   person.click("layout of bench");
   person.click("layout");
   person.click("layout of mine");
-  EXPECT_EQ(persisted.layout, "mine");
+  EXPECT_EQ(dock.layout, "mine");
   person.click("layout");
   person.click("forget layout");
-  EXPECT_TRUE(persisted.own_layouts.empty());
+  EXPECT_TRUE(dock.own_layouts.empty());
   show(person, before);
 }
 
 void open_and_close_windows(Person& person) {
-  const ui::DockState& dock = person.state().transient.dock;
+  const ui::DockState& dock = person.state().dock;
   const ui::DockLayout before = *dock.chosen;
   for (const ui::DockWindow& window : dock.windows) {
     const std::string item = std::string("window ") + window.name;
@@ -130,22 +132,21 @@ void use_slow_motion(Person& person) {
 
 // This machine may have no card: then a message says so, and there is no volume.
 void use_sound(Person& person) {
-  const ui::TransientState& transient = person.state().transient;
+  const ui::SoundChoice& sound = person.state().sound;
   person.click("sound");
-  person.wait_until([&] { return !transient.sound_on || !transient.sound.card.empty(); },
-                    "the sound card");
-  if (!transient.sound_on) return;
-  const double before = person.state().persisted.sound_volume;
+  person.wait_until([&] { return !sound.on || !sound.status.card.empty(); }, "the sound card");
+  if (!sound.on) return;
+  const double before = sound.volume;
   if (!person.sees("volume")) person.click("more of session");
   person.drag("volume", ImVec2(20.0F, 0.0F));
-  EXPECT_NE(person.state().persisted.sound_volume, before);
+  EXPECT_NE(sound.volume, before);
   person.put_everything_away();
   person.click("sound");
-  EXPECT_FALSE(transient.sound_on);
+  EXPECT_FALSE(sound.on);
 }
 
 void take_the_tour(Person& person) {
-  const std::size_t& step = person.state().transient.tour_step;
+  const std::size_t& step = person.state().tour.step;
   person.click("help");
   person.click("tour of help");
   EXPECT_EQ(step, 1U);
@@ -155,7 +156,7 @@ void take_the_tour(Person& person) {
   EXPECT_EQ(step, 1U);
   person.click("close tour");
   EXPECT_EQ(step, 0U);
-  person.state().persisted.tour_offered = true;
+  person.state().tour.offered = true;
   person.wait_a_frame();
   person.click("begin tour");
   EXPECT_EQ(step, 1U);
@@ -165,23 +166,23 @@ void take_the_tour(Person& person) {
 
 void name_the_recording(Person& person) {
   person.type("recording name", "mine");
-  EXPECT_EQ(person.state().transient.recording_name, "mine");
+  EXPECT_EQ(person.state().recording.name, "mine");
   person.click("record");
   EXPECT_TRUE(person.recording().path.ends_with("/mine.csv")) << person.recording().path;
   person.put_everything_away();
   person.click("record");
   person.put_everything_away();
   person.type("recording name", "");
-  EXPECT_EQ(person.state().transient.recording_name, "");
+  EXPECT_EQ(person.state().recording.name, "");
 }
 
 void say_something(Person& person) {
-  ui::tell(person.state(), ui::MessageKind::kProblem, "first");
-  ui::tell(person.state(), ui::MessageKind::kProblem, "second");
+  person.state().toasts.tell(ui::MessageKind::kProblem, "first");
+  person.state().toasts.tell(ui::MessageKind::kProblem, "second");
   person.wait_a_frame();
 }
 
-std::size_t messages(Person& person) { return person.state().transient.toasts.list().size(); }
+std::size_t messages(Person& person) { return person.state().toasts.list().size(); }
 
 void use_messages(Person& person) {
   say_something(person);
@@ -197,7 +198,7 @@ void use_messages(Person& person) {
 }
 
 void read_help(Person& person) {
-  const bool& shown = person.state().transient.help_shown;
+  const bool& shown = person.state().window.help_shown;
   person.click("help");
   EXPECT_TRUE(shown);
   person.wait_a_frame();
@@ -224,7 +225,7 @@ Table head_rows(const std::string& folder) {
           {"recording folder", [folder](Person& person) { choose_folder(person, folder); }},
           flips(
               "record signals",
-              [](Person& person) { return person.state().persisted.records_signals ? 1.0 : 0.0; },
+              [](Person& person) { return person.state().recording.chosen_signals ? 1.0 : 0.0; },
               open_settings),
           {"reset layout", reset_layout},
           {"layout", choose_layouts},
@@ -232,17 +233,16 @@ Table head_rows(const std::string& folder) {
 }
 
 Table toolbar_rows() {
-  return {
-      does("pause", pause_and_run),
-      does("step", step_once),
-      does("reset", reset_once),
-      does("record", record_and_stop),
-      {"slow motion", use_slow_motion},
-      {"sound", use_sound},
-      flips(
-          "repeat scene",
-          [](Person& person) { return person.state().transient.repeats ? 1.0 : 0.0; }, open_more),
-      {"recording name", name_the_recording}};
+  return {does("pause", pause_and_run),
+          does("step", step_once),
+          does("reset", reset_once),
+          does("record", record_and_stop),
+          {"slow motion", use_slow_motion},
+          {"sound", use_sound},
+          flips(
+              "repeat scene",
+              [](Person& person) { return person.state().scene.repeats ? 1.0 : 0.0; }, open_more),
+          {"recording name", name_the_recording}};
 }
 
 Table overlay_rows() {

@@ -131,7 +131,7 @@ void identify_the_device(Person& person) {
   person.wait_a_frame();
   person.type("identify name", "mine");
   person.click("identify save");
-  EXPECT_TRUE(std::filesystem::exists(person.state().transient.recording_folder + "/mine.toml"))
+  EXPECT_TRUE(std::filesystem::exists(person.state().recording.folder + "/mine.toml"))
       << person.message().text;
   person.put_everything_away();
   go_to_page(person, "Plots");
@@ -158,10 +158,10 @@ void click_all_at_once(Person& person) {
   go_to_page(person, "Plots");
 }
 
-Slot active(Person& person) { return ui::slots_of(person.state()).active; }
+Slot active(Person& person) { return ui::slots_of(person.state().compare).active; }
 
 void use_slots(Person& person) {
-  const auto in = [&](Slot slot) { return ui::slots_of(person.state()).of(slot); };
+  const auto in = [&](Slot slot) { return ui::slots_of(person.state().compare).of(slot); };
   person.click("slot B");
   EXPECT_EQ(active(person), Slot::kB);
   person.click("take A");
@@ -206,7 +206,7 @@ void set_up_blind_test(Person& person) {
     EXPECT_EQ(person.state().compare.persisted.masking_noise, masked);
   }
   person.click("blind list");
-  const std::string folder = person.state().transient.recording_folder;
+  const std::string folder = person.state().recording.folder;
   EXPECT_TRUE(
       std::filesystem::exists(folder + "/" + person.session().scene().name + "-blind-test.csv"));
   go_to_page(person, "Plots");
@@ -296,13 +296,13 @@ void use_corner(Person& person) {
   open_scene(person, "corner");
   for (const char* place : {"wall", "plots"}) {
     person.click(std::string(place) + " axis y");
-    EXPECT_EQ(person.state().transient.shown_axis, ui::Axis::kY);
+    EXPECT_EQ(person.state().selection.axis, ui::Axis::kY);
     person.click(std::string(place) + " axis x");
-    EXPECT_EQ(person.state().transient.shown_axis, ui::Axis::kX);
+    EXPECT_EQ(person.state().selection.axis, ui::Axis::kX);
   }
   open_scene(person, "layers");
   person.click("wall 3");
-  EXPECT_EQ(person.state().transient.chosen_wall, 2U);
+  EXPECT_EQ(person.state().selection.wall, 2U);
   person.click("wall 1");
   open_scene(person, "press");
 }

@@ -72,7 +72,7 @@ void type_parameter(Person& person, const ParameterDescription& description) {
   person.type(item, "nonsense");
   EXPECT_EQ(parameter(person, description.key), value)
       << "a text that is no number changes nothing";
-  EXPECT_TRUE(person.state().transient.refusal);
+  EXPECT_TRUE(person.state().edit.refusal);
   person.put_everything_away();
   person.type(item, "");
   EXPECT_EQ(parameter(person, description.key), std::nullopt);
@@ -117,13 +117,13 @@ void choose_wall(Person& person, const std::string& scene_of_two_walls) {
   person.wait_until([&] { return person.scene().x().walls.size() == 2; }, "two walls");
   person.wait_a_frame();
   person.click("wall 2");
-  EXPECT_EQ(person.state().transient.chosen_wall, 1U);
+  EXPECT_EQ(person.state().selection.wall, 1U);
   const double first = stiffness(person);
   person.type("stiffness", "4321");
   EXPECT_EQ(person.scene().x().walls.back().stiffness_n_per_m, 4321.0);
   EXPECT_EQ(stiffness(person), first);
   person.click("wall 1");
-  EXPECT_EQ(person.state().transient.chosen_wall, 0U);
+  EXPECT_EQ(person.state().selection.wall, 0U);
   open_scene(person, "press");
 }
 

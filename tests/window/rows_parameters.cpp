@@ -22,15 +22,15 @@ void type_good_and_bad(Person& person, const std::string& item, const ValueRange
   const double good = whole ? 3.0 : range.contains(0.0625) ? 0.0625 : 2.0 * range.minimum;
   person.type(item, fmt::format("{}", good * scale));
   EXPECT_EQ(read(person), good) << item;
-  EXPECT_FALSE(person.state().transient.refusal);
+  EXPECT_FALSE(person.state().edit.refusal);
   person.type(item, fmt::format("{}", 10.0 * range.maximum * scale));
   EXPECT_EQ(read(person), good) << "a value out of range changes nothing";
-  ASSERT_TRUE(person.state().transient.refusal) << item;
-  EXPECT_EQ(person.state().transient.refusal->key, item);
-  person.hover(person.state().transient.refusal->why);
+  ASSERT_TRUE(person.state().edit.refusal) << item;
+  EXPECT_EQ(person.state().edit.refusal->key, item);
+  person.hover(person.state().edit.refusal->why);
   person.type(item, "nonsense");
   EXPECT_EQ(read(person), good);
-  EXPECT_TRUE(person.state().transient.refusal);
+  EXPECT_TRUE(person.state().edit.refusal);
 }
 
 void slide(Person& person, const std::string& item, const ReadKey& read) {
@@ -45,7 +45,7 @@ void slide(Person& person, const std::string& item, const ReadKey& read) {
 void switch_off_and_on(Person& person, const std::string& item, const ReadKey& read) {
   const auto before = read(person);
   person.click("switch " + item);
-  if (person.state().transient.refusal) {  // another part needs this one
+  if (person.state().edit.refusal) {  // another part needs this one
     EXPECT_EQ(read(person), before) << item;
     return;
   }
@@ -101,7 +101,7 @@ Table parameter_rows(const std::string& section, const std::string& prefix,
 double end_mm(Person& person) { return person.scene().x().hand->path.back().position_m * 1e3; }
 double end_time_s(Person& person) { return person.scene().x().hand->path.back().time_s; }
 
-double withdraw_mm_per_s(Person& person) { return person.state().persisted.withdraw_mm_per_s; }
+double withdraw_mm_per_s(Person& person) { return person.state().hand.withdraw_mm_per_s; }
 
 // Every preset, and a name in the field; one step of Undo each.
 void take_devices(Person& person) {
@@ -151,7 +151,7 @@ Table hand_rows() {
               {"withdraw hand", [](Person& person) {
                  unfold_hand(person);
                  person.click("withdraw hand");
-                 EXPECT_TRUE(person.state().transient.hand_led);
+                 EXPECT_TRUE(person.state().hand.led);
                }}};
   const auto keys = parameter_rows("Hand", "hand.", number_keys<HandSettings>(),
                                    [](const Scene& scene) { return *scene.x().hand; });

@@ -67,14 +67,14 @@ void magnify(Person& person) {
 
 Row moves(const char* gap, ImVec2 way) {
   return {gap, [=](Person& person) {
-            const ui::DockLayout before = *person.state().transient.dock.chosen;
+            const ui::DockLayout before = *person.state().dock.chosen;
             const ImVec2 place = find_item(gap)->from;
             person.drag(gap, way);
             EXPECT_NEAR(find_item(gap)->from.x, place.x + way.x, 2.0F);
             EXPECT_NEAR(find_item(gap)->from.y, place.y + way.y, 2.0F);
-            EXPECT_NE(*person.state().transient.dock.chosen, before);
-            person.state().transient.dock.chosen = before;
-            person.state().transient.dock.rebuild = true;
+            EXPECT_NE(*person.state().dock.chosen, before);
+            person.state().dock.chosen = before;
+            person.state().dock.rebuild = true;
             person.wait_a_frame();
           }};
 }
@@ -91,7 +91,7 @@ void choose_arrangements(Person& person) {
   for (const auto& [name, value] : choices) {
     person.click("arrangement");
     person.click(name);
-    EXPECT_EQ(person.state().persisted.arrangement, value);
+    EXPECT_EQ(person.state().plots.persisted.arrangement, value);
     EXPECT_EQ(person.sees("plot Passivity"), value == kAll || value == kFigure4);
     EXPECT_EQ(person.sees("plot Stiffness"), value == kAll || value == kFigure5And6);
   }
@@ -99,7 +99,7 @@ void choose_arrangements(Person& person) {
 
 void choose_lengths(Person& person) {
   person.click("follow");
-  EXPECT_FALSE(person.state().transient.follow);
+  EXPECT_FALSE(person.state().time.follow);
   person.click("time window");
   const auto names = person.items_called("length ");
   EXPECT_EQ(names.size(), ui::kTimeWindowsS.size());
@@ -108,9 +108,9 @@ void choose_lengths(Person& person) {
   const auto choose = [&](const std::string& name) {
     person.click("time window");
     person.click(name);
-    EXPECT_TRUE(person.state().transient.follow) << "it follows the newest samples again";
-    EXPECT_NE(person.state().persisted.time_window_s, before_s) << name;
-    before_s = person.state().persisted.time_window_s;
+    EXPECT_TRUE(person.state().time.follow) << "it follows the newest samples again";
+    EXPECT_NE(person.state().time.window_s, before_s) << name;
+    before_s = person.state().time.window_s;
   };
   for (const std::string& name : names) choose(name);
   choose("length 6 s");
@@ -201,7 +201,8 @@ void hide_every_line(Person& person, PlotId id) {
   show_all_signals(person, id);
   for (const draw::PlotLine& line : all_lines()[id].lines) {
     flip_item(person, std::string("legend ") + line.name, [&line](Person& p) {
-      return static_cast<double>(p.state().persisted.hidden_lines & draw::line_bit(line.quantity));
+      return static_cast<double>(p.state().plots.persisted.hidden_lines &
+                                 draw::line_bit(line.quantity));
     });
   }
   person.state().plots.persisted.lines = draw::usual_lines();
@@ -215,14 +216,14 @@ void toggle_bounds(Person& person) {
 }
 
 void drag_and_zoom_time(Person& person, const std::string& plot) {
-  const auto& transient = person.state().transient;
+  const ui::TimeView& time = person.state().time;
   person.drag(plot, ImVec2(30.0F, 0.0F));
-  EXPECT_FALSE(transient.follow) << plot;
-  const double length_s = transient.time_to_s - transient.time_from_s;
+  EXPECT_FALSE(time.follow) << plot;
+  const double length_s = time.to_s - time.from_s;
   person.turn_wheel(plot, 1.0F);
-  EXPECT_LT(transient.time_to_s - transient.time_from_s, length_s) << plot;
+  EXPECT_LT(time.to_s - time.from_s, length_s) << plot;
   person.double_click(plot);
-  EXPECT_TRUE(transient.follow) << plot;
+  EXPECT_TRUE(time.follow) << plot;
 }
 
 Row time_of(PlotId id) {
@@ -269,7 +270,7 @@ Table view_rows() {
 Table plot_control_rows() {
   using enum draw::TriggerMode;
   return {{"arrangement", choose_arrangements},
-          flips("follow", [](Person& p) { return p.state().transient.follow ? 1.0 : 0.0; }),
+          flips("follow", [](Person& p) { return p.state().time.follow ? 1.0 : 0.0; }),
           {"time window", choose_lengths},
           {"automatic axes", make_axes_automatic},
           shown("trigger"),

@@ -25,7 +25,7 @@ TEST_P(UseWindowTest, EscapeLeavesWhatWasInAField) {
     person.write("5");
     person.press(ImGuiKey_Escape);
     EXPECT_TRUE(ui::same_scene(person.scene(), before));
-    EXPECT_FALSE(person.state().transient.undo.can_undo());
+    EXPECT_FALSE(person.state().scene.undo.can_undo());
   });
 }
 
@@ -40,10 +40,10 @@ TEST_P(UseWindowTest, EveryStepIsTakenBackAndDoneAgain) {
     person.press(ImGuiKey_Enter);
     const Scene at_last = person.scene();
     EXPECT_EQ(at_last.x().walls.front().stiffness_n_per_m, 4000.0);
-    EXPECT_EQ(person.state().transient.undo.size(), 5U) << "a drag is one step";
+    EXPECT_EQ(person.state().scene.undo.size(), 5U) << "a drag is one step";
     for (int i = 0; i < 4; ++i) person.click("undo");
     EXPECT_TRUE(ui::same_scene(person.scene(), at_first));
-    EXPECT_FALSE(person.state().transient.undo.can_undo());
+    EXPECT_FALSE(person.state().scene.undo.can_undo());
     for (int i = 0; i < 4; ++i) person.press(ImGuiMod_Ctrl | ImGuiKey_Y);
     EXPECT_TRUE(ui::same_scene(person.scene(), at_last));
   });
@@ -69,10 +69,10 @@ TEST_P(UseWindowTest, KeepsSettingsFromOneStartToTheNext) {
   EXPECT_EQ(kept["plots"]["time_window_s"], 1.0);
   use([](Person& person) {
     const ui::UiState& state = person.state();
-    EXPECT_EQ(state.persisted.look, draw::Look::kLight);
-    EXPECT_EQ(state.persisted.scale_percent, 110);
-    EXPECT_EQ(state.persisted.time_window_s, 1.0);
-    EXPECT_NE(state.persisted.hidden_lines, 0U);
+    EXPECT_EQ(state.appearance.look, draw::Look::kLight);
+    EXPECT_EQ(state.appearance.scale_percent, 110);
+    EXPECT_EQ(state.time.window_s, 1.0);
+    EXPECT_NE(state.plots.persisted.hidden_lines, 0U);
     EXPECT_TRUE(state.plots.persisted.phase.shown);
     EXPECT_GT(state.wall.persisted.magnification, 0);
     EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.1F);
@@ -83,12 +83,12 @@ TEST_P(UseWindowTest, TheHandIsLedWithdrawnAndGivenBackByAReset) {
   use([](Person& person) {
     const auto hand_m = [&] { return person.session().snapshot().newest.x().truth.hand_path_m; };
     person.drag("wall view", ImVec2(60.0F, 0.0F));
-    EXPECT_TRUE(person.state().transient.hand_led);
+    EXPECT_TRUE(person.state().hand.led);
     person.press(ImGuiKey_H);
     person.wait_until([&] { return hand_m() == person.scene().x().device.start_m; },
                       "the hand where the scene begins");
     person.press(ImGuiKey_R);
-    EXPECT_FALSE(person.state().transient.hand_led);
+    EXPECT_FALSE(person.state().hand.led);
     person.wait_until([&] { return hand_m() > person.scene().x().device.start_m; }, "the script");
   });
 }

@@ -115,7 +115,7 @@ void draw_empty_window() {
 FrameCost one_frame(Row& row, Stage& stage) {
   if (row.window == nullptr) return stage.frame(draw_empty_window);
   ui::Application& application = *row.window->application;
-  application.state().persisted.time_window_s = row.window_s;
+  application.state().time.window_s = row.window_s;
   row.window->session->advance(kTicksAFrame);
   return stage.frame([&] { application.frame(); });
 }

@@ -188,7 +188,7 @@ void compare_map(ui::Application& application, Stage& stage, double seconds, dou
   for (std::size_t i = 0; i < algorithms().size(); ++i)
     ui::choose_algorithm_in_map(state.map.choice, i, true);
   alternate(seconds, block_s, [&](bool map) {
-    ui::show_page(state, map ? "Map" : "Timing");
+    ui::show_page(state.dock, map ? "Map" : "Timing");
     run_block(application, stage, true, block_s, map ? with : without);
   });
   print_table(without, with);

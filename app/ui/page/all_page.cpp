@@ -10,6 +10,7 @@
 
 #include "app/draw/plot/plot_axes.h"
 #include "app/file/text/verdict.h"
+#include "app/ui/computed/all_runs.h"
 #include "app/ui/computed/tail.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/widget/widgets.h"
@@ -111,8 +112,7 @@ void draw_runs(const PanelContext& context, std::span<const AlgorithmRun> runs) 
 
 }  // namespace
 
-void draw_all_page(const PanelContext& context) {
-  AllRuns& all = context.state.all_runs;
+void draw_all_page(const PanelContext& context, AllRuns& all) {
   if (const std::string why = why_no_runs(context); !why.empty()) {
     all.stop();
     return muted_text(context, why);

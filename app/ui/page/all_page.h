@@ -5,6 +5,8 @@
 
 namespace hapticwall::ui {
 
-void draw_all_page(const PanelContext& context);
+class AllRuns;
+
+void draw_all_page(const PanelContext& context, AllRuns& all);
 
 }  // namespace hapticwall::ui

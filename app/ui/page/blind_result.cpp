@@ -8,6 +8,7 @@
 
 #include "app/ui/page/blind_test_page.h"
 #include "app/ui/state/blind_test.h"
+#include "app/ui/state/compare_state.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
@@ -66,7 +67,7 @@ void draw_summary(const PanelContext& context, const BlindTest& test) {
   draw_figures(context, test);
   ImGui::Spacing();
   if (button("New list###new blind test", "Back to the set-up; this result stays"))
-    context.state.compare.transient.setting_up = true;
+    context.compare.transient.setting_up = true;
 }
 
 template <std::size_t kCount>
@@ -118,7 +119,7 @@ void draw_pairs(const BlindTest& test) {
 }  // namespace
 
 void draw_blind_result(const PanelContext& context) {
-  const BlindTest& test = *context.state.compare.transient.test;
+  const BlindTest& test = *context.compare.transient.test;
   const float width =
       std::min(kFiguresShare * ImGui::GetContentRegionAvail().x, ems(kMaxFiguresEms));
   ImGui::BeginChild("summary", ImVec2(width, 0.0F), ImGuiChildFlags_None,

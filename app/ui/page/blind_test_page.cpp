@@ -8,6 +8,7 @@
 
 #include "app/file/text/text.h"
 #include "app/ui/state/blind_test.h"
+#include "app/ui/state/compare_state.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
@@ -23,14 +24,14 @@ constexpr float kMaxFieldsEms = 34.0F;
 constexpr float kPageGapEms = 2.0F;
 
 void draw_question(const PanelContext& context) {
-  std::string& question = context.state.compare.persisted.question;
+  std::string& question = context.compare.persisted.question;
   field_label(context, "question", "The question of the trial list", "");
   const auto typed = text_field(context, "##blind question", "", question);
   if (typed) question = *typed;
 }
 
 void draw_trials(const PanelContext& context) {
-  std::size_t& trials = context.state.compare.persisted.trials;
+  std::size_t& trials = context.compare.persisted.trials;
   const std::string tooltip = fmt::format(
       "Number of trials, 1 to {}. A and B are first equally often.", compare::kMaxTrials);
   const auto typed =
@@ -47,7 +48,7 @@ void draw_trials(const PanelContext& context) {
 }
 
 void draw_confidence(const PanelContext& context) {
-  double& confidence = context.state.compare.persisted.confidence;
+  double& confidence = context.compare.persisted.confidence;
   const auto typed =
       number_row(context, {"blind confidence", "confidence", "%",
                            "Confidence of the exact Clopper-Pearson interval for the share of A",
@@ -64,7 +65,7 @@ void draw_confidence(const PanelContext& context) {
 
 void draw_masking(const PanelContext& context) {
   field_label(context, "sound", "", "");
-  ImGui::Checkbox("masking noise###masking noise", &context.state.compare.persisted.masking_noise);
+  ImGui::Checkbox("masking noise###masking noise", &context.compare.persisted.masking_noise);
   explain(
       "During the test the sound, if it is on, is noise that knows nothing of the wall. "
       "Switch this off if the question is about the sound.");
@@ -81,10 +82,10 @@ void draw_fields(const PanelContext& context) {
           "Writes a CSV file of equal trials into the recording folder. The program runs it with "
           "--trials."))
     write_trial_list(context);
-  if (!context.state.compare.transient.test) return;
+  if (!context.compare.transient.test) return;
   ImGui::SameLine();
   if (button("Last result###last result", "The result of the trial list."))
-    context.state.compare.transient.setting_up = false;
+    context.compare.transient.setting_up = false;
 }
 
 void draw_slot(const PanelContext& context, const CompareSlots& slots, Slot slot) {
@@ -97,7 +98,7 @@ void draw_slot(const PanelContext& context, const CompareSlots& slots, Slot slot
 }
 
 void draw_what_happens(const PanelContext& context) {
-  const CompareSlots slots = slots_of(context.state);
+  const CompareSlots slots = slots_of(context.compare);
   draw_slot(context, slots, Slot::kA);
   draw_slot(context, slots, Slot::kB);
   if (slots.of(Slot::kA) == slots.of(Slot::kB)) {
@@ -135,8 +136,8 @@ void draw_blind_setup(const PanelContext& context) {
 }
 
 void draw_blind_test_page(const PanelContext& context) {
-  const CompareState::Transient& compare = context.state.compare.transient;
-  if (blind_test_runs(context.state)) {
+  const CompareState::Transient& compare = context.compare.transient;
+  if (blind_test_runs(context.compare)) {
     draw_blind_trial(context);
   } else if (compare.test && !compare.setting_up) {
     draw_blind_result(context);

@@ -7,6 +7,7 @@
 
 #include "app/ui/page/blind_test_page.h"
 #include "app/ui/state/blind_test.h"
+#include "app/ui/state/compare_state.h"
 #include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
@@ -159,7 +160,7 @@ void draw_buttons(const PanelContext& context, float width) {
   const float free = ImGui::GetContentRegionAvail().y - ems(kChooseEms) - hint;
   const float height = std::clamp(free, ems(kMinFeelEms), ems(kMaxFeelEms));
   // A click may end the trial or the test, so that each button reads the present state.
-  const auto test = [&]() -> const BlindTest& { return *context.state.compare.transient.test; };
+  const auto test = [&]() -> const BlindTest& { return *context.compare.transient.test; };
   const auto row = [&](auto draw, ImVec2 size) {
     for (const Words& words : kWords) {
       if (&words != kWords.data()) ImGui::SameLine();
@@ -179,12 +180,12 @@ void draw_blind_trial(const PanelContext& context) {
   ImGui::BeginChild("trial", ImVec2(widest, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
   const float width = ImGui::GetContentRegionAvail().x;  // less a scrollbar
-  const BlindTest& test = *context.state.compare.transient.test;
+  const BlindTest& test = *context.compare.transient.test;
   draw_head(context, test, width);
   draw_progress(context, test, width);
   // The head may just have ended the test; a finished test has no trial.
   const bool waiting = waits(test);
-  if (!blind_test_runs(context.state)) {
+  if (!blind_test_runs(context.compare)) {
     // Nothing: the next frame shows the result.
   } else if (waiting) {
     draw_wait(context, test, width);

@@ -1,9 +1,11 @@
 #include "app/ui/page/controls_page.h"
 
+#include "app/ui/panel/identify_state.h"
 #include "app/ui/panel/loop_panel.h"
 #include "app/ui/panel/replay_panel.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
@@ -42,16 +44,16 @@ void draw_controls_page(const PanelContext& context) {
   session::ReplaySession* replay = context.shows.replay;
   if (replay != nullptr) draw_replay_section(context, *replay);
   ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, kLockedAlpha);
-  ImGui::BeginDisabled(replay != nullptr || context.state.identify.experiment);
+  ImGui::BeginDisabled(replay != nullptr || context.identify.experiment);
   draw_dimmed(context, asked_for(context).algorithm, draw_algorithm_section);
-  if (context.state.persisted.more) {
+  if (context.window.more) {
     draw_more_sections(context);
   } else if (button(
                  "More###more",
                  "Every parameter, comparison, pages and plot controls. Settings, layout, brings "
                  "back what is shown now.",
                  {.width = ImGui::GetContentRegionAvail().x})) {
-    show_more(context.state.persisted);
+    show_more(context.window, context.plots);
   }
   ImGui::EndDisabled();
   ImGui::PopStyleVar();

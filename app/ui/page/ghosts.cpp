@@ -5,7 +5,9 @@
 
 #include "app/draw/plot/extra_traces.h"
 #include "app/ui/page/plots_panel.h"
+#include "app/ui/state/compare_state.h"
 #include "app/ui/state/comparing.h"
+#include "app/ui/state/plots_state.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -53,7 +55,7 @@ draw::ExtraTrace trace_of(const Ghost& ghost, const Scene& scene,
 }  // namespace
 
 void show_ghost(const PanelContext& context) {
-  CompareState& compare = context.state.compare;
+  CompareState& compare = context.compare;
   std::optional<Ghost> ghost;
   if (compare.transient.comparison && compare.persisted.ghost_shown)
     ghost = compare.transient.comparison->ghost();
@@ -70,7 +72,7 @@ void show_ghost(const PanelContext& context) {
     traces.push_back(trace_of(*ghost, context.session.scene(),
                               compare.transient.comparison->settings(ghost->slot)));
   }
-  replace_extra_traces(context.state.plots.transient.extra_traces, draw::ExtraSource::kComparison,
+  replace_extra_traces(context.plots.transient.extra_traces, draw::ExtraSource::kComparison,
                        std::move(traces));
 }
 

@@ -7,7 +7,9 @@
 
 #include "app/file/disk/atomic_file.h"
 #include "app/ui/panel/arming_strip.h"
+#include "app/ui/panel/identify_state.h"
 #include "app/ui/state/export.h"
+#include "app/ui/state/recording_wishes.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
@@ -33,7 +35,7 @@ std::string why_not(const PanelContext& context) {
            "scene.";
   if (context.shows.live->recording_status().state == session::RecordingState::kRecording)
     return "Stop the recording first: the experiment needs a session of its own.";
-  const IdentifyState& identify = context.state.identify;
+  const IdentifyState& identify = context.identify;
   return session::why_not_identified(identify.device, identify.description);
 }
 
@@ -56,13 +58,13 @@ void draw_number(const PanelContext& context, const ParameterText& text, std::st
 // Returns the settings, if they are allowed.
 Result<identify::ExperimentSettings> settings_of(const PanelContext& context) {
   const Scene& scene = context.session.scene();
-  return session::experiment_settings(context.state.identify.choice,
+  return session::experiment_settings(context.identify.choice,
                                       session::info_on(context.session.device_info(), scene),
                                       scene.sampling.rate_hz);
 }
 
 void draw_choice(const PanelContext& context) {
-  session::IdentifyChoice& choice = context.state.identify.choice;
+  session::IdentifyChoice& choice = context.identify.choice;
   ImGui::BeginChild("identify choice", ImVec2(ems(kChoiceEms), 0.0F), ImGuiChildFlags_AutoResizeY);
   const auto settings = settings_of(context);
   draw_number(context,
@@ -83,12 +85,12 @@ void draw_start(const PanelContext& context) {
   const auto settings = settings_of(context);
   const std::string why = why_not(context);
   if (button("Start###identify start", kMeaning, {.enabled = settings && why.empty()}))
-    context.state.identify.wanted = true;
+    context.identify.wanted = true;
   if (!why.empty()) return muted_text(context, why);
   if (!settings)
     return draw::wrapped_text(context.theme.colour(draw::Tone::kBad), settings.error().message);
   const bool moves = !context.session.device_info().is_simulated;
-  if (!context.state.identify.result) muted_text(context, kMeaning);
+  if (!context.identify.result) muted_text(context, kMeaning);
   muted_text(context, moves ? "Start disarms the device. Then " + session::let_go_text(*settings) +
                                   " once you arm it."
                             : "The simulated device of this scene, without its hand and walls.");
@@ -126,17 +128,17 @@ void draw_running(const PanelContext& context, session::IdentifyExperiment& expe
 }
 
 void save_device(const PanelContext& context, const Identified& result) {
-  std::string name = context.state.identify.name;
+  std::string name = context.identify.name;
   if (name.empty()) name = result.by.device;
   if (name.ends_with(".toml")) name.resize(name.size() - std::string_view(".toml").size());
-  const std::string path = unused_path(context.state.transient.recording_folder,
-                                       plain_file_name(std::move(name)), ".toml");
-  tell(context.state, file::write_file(path, file::device_to_toml(result.device)),
+  const std::string path =
+      unused_path(context.recording.folder, plain_file_name(std::move(name)), ".toml");
+  tell(context.toasts, file::write_file(path, file::device_to_toml(result.device)),
        table::written_text(path));
 }
 
 void draw_save_device(const PanelContext& context, const Identified& result) {
-  std::string& name = context.state.identify.name;
+  std::string& name = context.identify.name;
   ImGui::SetNextItemWidth(ems(kMinFigureEms));
   if (const auto typed =
           text_field(context, "##identify name", plain_file_name(result.by.device), name))
@@ -158,7 +160,7 @@ void draw_result(const PanelContext& context, const Identified& result) {
 }
 
 void draw_left(const PanelContext& context) {
-  IdentifyState& identify = context.state.identify;
+  IdentifyState& identify = context.identify;
   if (identify.experiment) return draw_running(context, *identify.experiment);
   draw_start(context);
   if (identify.fit.running()) muted_text(context, "Computing the numbers ...");
@@ -173,7 +175,7 @@ void draw_identify_page(const PanelContext& context) {
   ImGui::BeginChild("identify numbers", ImVec2(ems(kColumnEms), 0.0F), ImGuiChildFlags_AutoResizeY);
   draw_left(context);
   ImGui::EndChild();
-  const IdentifyState& identify = context.state.identify;
+  const IdentifyState& identify = context.identify;
   if (!identify.result) return;
   beside(ems(kMinFigureEms));
   const ImVec2 free = ImGui::GetContentRegionAvail();
@@ -183,8 +185,8 @@ void draw_identify_page(const PanelContext& context) {
   ImGui::EndGroup();
 }
 
-void notice_identify_page(UiState& state, bool seen) {
-  if (!seen && state.identify.experiment) state.identify.experiment->stop("its page was left");
+void leave_identify_page(IdentifyState& identify) {
+  if (identify.experiment) identify.experiment->stop("its page was left");
 }
 
 }  // namespace hapticwall::ui

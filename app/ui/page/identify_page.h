@@ -1,6 +1,7 @@
 // The page "Identify": mass, damping, friction and delay of the session's device.
 #pragma once
 
+#include "app/ui/panel/identify_state.h"
 #include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
@@ -8,6 +9,6 @@ namespace hapticwall::ui {
 void draw_identify_page(const PanelContext& context);
 
 // A page that is not seen ends its experiment, with zero force at the next tick.
-void notice_identify_page(UiState& state, bool seen);
+void leave_identify_page(IdentifyState& identify);
 
 }  // namespace hapticwall::ui

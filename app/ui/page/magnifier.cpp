@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/wall/wall_state.h"
 #include "app/ui/wall/wall_strip.h"
 #include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/shown_axis.h"
@@ -58,7 +59,7 @@ float magnification_width() {
 }
 
 void draw_magnification(const PanelContext& context) {
-  WallState& state = context.state.wall;
+  WallState& state = context.wall;
   const int now = state.transient.magnification;
   if (button(kMagnifyLess, "Magnify less; so does the wheel over the picture.", {.small = true}))
     state.persisted.magnification = next_magnification(now, -1);
@@ -86,7 +87,7 @@ void draw_automatic_magnification(WallState& state) {
 void draw_heading(const PanelContext& context, bool with_choice) {
   const auto title = [&] { draw::strong_text(context.theme, kContactTitle); };
   if (!with_choice) return title();
-  WallState& state = context.state.wall;
+  WallState& state = context.wall;
   // The bold title is a little wider than the usual text.
   const float title_width = ImGui::CalcTextSize(kContactTitle).x + ems(0.5F);
   std::vector<RowControl> controls{
@@ -122,7 +123,7 @@ void draw_legend(const PanelContext& context) {
 
 // The wheel over the strip, and a double click.
 void take_pointer(const PanelContext& context, const Strip& strip) {
-  WallState& state = context.state.wall;
+  WallState& state = context.wall;
   ImGui::SetCursorScreenPos(strip.from);
   ImGui::InvisibleButton("##magnifier",
                          ImVec2(strip.to.x - strip.from.x, strip.to.y - strip.from.y));
@@ -138,7 +139,7 @@ void take_pointer(const PanelContext& context, const Strip& strip) {
 
 Strip place_strip(const PanelContext& context, const draw::SampleHistory& history,
                   const WallPicture& picture, double view_pixels_per_m) {
-  WallState& state = context.state.wall;
+  WallState& state = context.wall;
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 free = ImGui::GetContentRegionAvail();
@@ -219,7 +220,7 @@ void draw_magnifier(const PanelContext& context, const draw::SampleHistory& hist
     ImGui::TextDisabled("This scene has no wall.");
     return;
   }
-  WallState& state = context.state.wall;
+  WallState& state = context.wall;
   const auto& shown = state.transient.shown;
   picture.shown.front() = context.shows.axis == Axis::kY ? shown.back() : shown.front();
   draw_heading(context, true);

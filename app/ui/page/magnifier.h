@@ -3,6 +3,7 @@
 
 #include "app/draw/plot/sample_history.h"
 #include "app/ui/state/panel_context.h"
+#include "app/ui/wall/wall_state.h"
 
 namespace hapticwall::ui {
 

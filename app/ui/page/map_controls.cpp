@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/ui/state/text_edit.h"
 #include "app/ui/widget/widgets.h"
 #include "core/algorithm/algorithm.h"
 
@@ -26,14 +27,15 @@ bool begin_list(const PanelContext& context, const char* label, const char* tool
     ImGui::SetNextItemWidth(-FLT_MIN);
   }
   const bool open = ImGui::BeginCombo(id.c_str(), shown.c_str());
-  const std::string meaning = std::exchange(context.state.transient.edit.tooltip, {});
+  const std::string meaning = std::exchange(context.edit.tooltip, {});
   if (!open) explain(meaning);
   return open;
 }
 
-void draw_number_choice(const PanelContext& context, std::size_t axis, const MapAxis& present) {
+void draw_number_choice(const PanelContext& context, MapChoice& choice, std::size_t axis,
+                        const MapAxis& present) {
   constexpr std::array kNames{"across", "up"};
-  auto& axes = context.state.map.choice.axes;
+  auto& axes = choice.axes;
   if (!begin_list(context, kNames.at(axis), "The number of the scene along this axis",
                   fmt::format("##map number {}", axis), present.number.path))
     return;
@@ -62,48 +64,50 @@ std::string end_field(std::size_t axis, bool upper) {
   return fmt::format("##map {} {}", upper ? "to" : "from", axis);
 }
 
-void draw_end(const PanelContext& context, std::size_t axis, bool upper, const MapAxis& present,
-              float width) {
+void draw_end(const PanelContext& context, MapChoice& choice, std::size_t axis, bool upper,
+              const MapAxis& present, float width) {
   ImGui::SetNextItemWidth(width);
   const std::string field = end_field(axis, upper);
   const auto typed = number_field(context, field.c_str(), upper ? present.high : present.low);
   explain("An end of the axis. A typed range stays when the value leaves it.");
   if (!typed) return;
-  change_range(context, context.state.map.choice.axes.at(axis), upper ? present.low : *typed,
+  change_range(context, choice.axes.at(axis), upper ? present.low : *typed,
                upper ? *typed : present.high, present.logarithmic, field);
 }
 
 // Draws both ends in a row, and the unit.
-void draw_ends(const PanelContext& context, std::size_t axis, const MapAxis& present) {
+void draw_ends(const PanelContext& context, MapChoice& choice, std::size_t axis,
+               const MapAxis& present) {
   constexpr const char* kTo = "to";
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float free = ImGui::GetContentRegionAvail().x - unit_width(present.number.unit);
   const float each = 0.5F * (free - ImGui::CalcTextSize(kTo).x - 2.0F * gap);
-  draw_end(context, axis, false, present, each);
+  draw_end(context, choice, axis, false, present, each);
   ImGui::SameLine(0.0F, gap);
   ImGui::TextUnformatted(kTo);
   ImGui::SameLine(0.0F, gap);
-  draw_end(context, axis, true, present, each);
+  draw_end(context, choice, axis, true, present, each);
   unit_label(present.number.unit);
   for (const bool upper : {false, true}) draw_refusal(context, end_field(axis, upper));
 }
 
-void draw_axis(const PanelContext& context, std::size_t axis, const MapAxis& present) {
-  draw_number_choice(context, axis, present);
-  draw_ends(context, axis, present);
+void draw_axis(const PanelContext& context, MapChoice& choice, std::size_t axis,
+               const MapAxis& present) {
+  draw_number_choice(context, choice, axis, present);
+  draw_ends(context, choice, axis, present);
   bool logarithmic = present.logarithmic;
   ImGui::BeginDisabled(present.number.whole);
   if (ImGui::Checkbox(fmt::format("logarithmic###map log {}", axis).c_str(), &logarithmic)) {
-    change_range(context, context.state.map.choice.axes.at(axis), present.low, present.high,
-                 logarithmic, end_field(axis, false));
+    change_range(context, choice.axes.at(axis), present.low, present.high, logarithmic,
+                 end_field(axis, false));
   }
   ImGui::EndDisabled();
   explain("Equal ratios instead of equal steps between the values of the axis");
   ImGui::SameLine();
   if (button(fmt::format("around###map around {}", axis),
              "The usual range around the present value of this number", {.small = true})) {
-    choose_number(context.state.map.choice.axes.at(axis), present.number.path);
-    context.state.transient.refusal.reset();
+    choose_number(choice.axes.at(axis), present.number.path);
+    context.edit.refusal.reset();
   }
 }
 
@@ -115,8 +119,7 @@ std::string algorithms_text(const MapChoice& choice) {
   return fmt::format("{} of {}", choice.algorithms.size(), algorithms().size());
 }
 
-void draw_algorithm_choice(const PanelContext& context) {
-  MapChoice& choice = context.state.map.choice;
+void draw_algorithm_choice(const PanelContext& context, MapChoice& choice) {
   if (!begin_list(context, "under", "The algorithms of the map, a field each", "##map algorithms",
                   algorithms_text(choice)))
     return;
@@ -135,10 +138,10 @@ void draw_algorithm_choice(const PanelContext& context) {
 
 }  // namespace
 
-void draw_map_controls(const PanelContext& context, const StabilityMap& map) {
-  draw_algorithm_choice(context);
-  draw_axis(context, 0, map.x);
-  draw_axis(context, 1, map.y);
+void draw_map_controls(const PanelContext& context, MapChoice& choice, const StabilityMap& map) {
+  draw_algorithm_choice(context, choice);
+  draw_axis(context, choice, 0, map.x);
+  draw_axis(context, choice, 1, map.y);
 }
 
 }  // namespace hapticwall::ui

@@ -9,6 +9,7 @@
 #include "app/draw/figure/map_field.h"
 #include "app/ui/computed/tail.h"
 #include "app/ui/page/map_controls.h"
+#include "app/ui/page/map_state.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/widget/widgets.h"
 
@@ -81,15 +82,14 @@ std::string cell_text(const MapPicture& picture, std::size_t cell) {
 }
 
 // The pointer over a field: figures of the cell, and a click that makes it the running scene.
-void use_field(const PanelContext& context, const StabilityMap& map, std::size_t algorithm,
-               const draw::MapFieldArea& area) {
+void use_field(const PanelContext& context, const MapPicture& picture, const StabilityMap& map,
+               std::size_t algorithm, const draw::MapFieldArea& area) {
   if (area.size.x <= 0.0F || area.size.y <= 0.0F) return;
   ImGui::SetCursorScreenPos(area.corner);
   const bool clicked =
       ImGui::InvisibleButton(fmt::format("##map cells {}", algorithm).c_str(), area.size);
   draw_dot(context, map, area);
   if (!ImGui::IsItemHovered()) return;
-  const MapPicture& picture = *context.state.map.live.picture();
   const std::size_t pointed = cell_at(picture.map(), area, algorithm, ImGui::GetIO().MousePos);
   const std::size_t cell = picture.source(pointed);
   const bool current = same_cells(picture.map(), map);
@@ -103,8 +103,7 @@ void use_field(const PanelContext& context, const StabilityMap& map, std::size_t
   if (clicked && current) make_running(context, map.scene_at(cell));
 }
 
-void draw_progress(const PanelContext& context, const StabilityMap& map) {
-  const LiveMap& live = context.state.map.live;
+void draw_progress(const PanelContext& context, const LiveMap& live, const StabilityMap& map) {
   const std::string runs =
       map.algorithms.size() > 1
           ? fmt::format("{} × {} × {}", map.algorithms.size(), map.y.count, map.x.count)
@@ -137,15 +136,13 @@ void compute(LiveMap& live, const StabilityMap& map) {
 
 float line_scale() { return ImGui::GetFontSize() / draw::kFontSize; }
 
-void draw_map_keys(const PanelContext& context) {
-  const MapPicture* picture = context.state.map.live.picture();
+void draw_map_keys(const MapPicture* picture) {
   if (picture == nullptr) return;
   ImGui::Spacing();
   draw::draw_map_legend(picture->bounds, line_scale());
 }
 
-void draw_picture(const PanelContext& context, const StabilityMap& map) {
-  const LiveMap& live = context.state.map.live;
+void draw_picture(const PanelContext& context, const LiveMap& live, const StabilityMap& map) {
   if (!live.problem().empty()) {
     return draw::wrapped_text(context.theme.colour(draw::Tone::kBad), live.problem());
   }
@@ -154,31 +151,31 @@ void draw_picture(const PanelContext& context, const StabilityMap& map) {
   draw::draw_map_fields(context.theme,
                         {picture.map(), picture.figures(), picture.bounds, line_scale()},
                         [&](std::size_t algorithm, const draw::MapFieldArea& area) {
-                          use_field(context, map, algorithm, area);
+                          use_field(context, picture, map, algorithm, area);
                         });
 }
 
 }  // namespace
 
-void draw_map_page(const PanelContext& context) {
+void draw_map_page(const PanelContext& context, MapState& state) {
   if (const std::string why = why_no_runs(context); !why.empty()) {
-    context.state.map.live.stop();
+    state.live.stop();
     return muted_text(context, why);
   }
-  const StabilityMap map = map_of(context.state.map.choice, context.session.scene());
-  compute(context.state.map.live, map);
+  const StabilityMap map = map_of(state.choice, context.session.scene());
+  compute(state.live, map);
   const float width = std::clamp(kControlsShare * ImGui::GetContentRegionAvail().x,
                                  ems(kMinControlsEms), ems(kMaxControlsEms));
   ImGui::BeginChild("map choices", ImVec2(width, 0.0F), ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoBackground);
-  draw_progress(context, map);
+  draw_progress(context, state.live, map);
   draw_note(context);
-  draw_map_controls(context, map);
-  draw_map_keys(context);
+  draw_map_controls(context, state.choice, map);
+  draw_map_keys(state.live.picture());
   ImGui::EndChild();
   ImGui::SameLine(0.0F, ems(kGapEms));
   ImGui::BeginChild("map", ImVec2(0.0F, 0.0F), ImGuiChildFlags_None, ImGuiWindowFlags_NoBackground);
-  draw_picture(context, map);
+  draw_picture(context, state.live, map);
   ImGui::EndChild();
 }
 

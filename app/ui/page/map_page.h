@@ -5,6 +5,8 @@
 
 namespace hapticwall::ui {
 
-void draw_map_page(const PanelContext& context);
+struct MapState;
+
+void draw_map_page(const PanelContext& context, MapState& state);
 
 }  // namespace hapticwall::ui

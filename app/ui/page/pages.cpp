@@ -2,16 +2,21 @@
 
 #include <array>
 
+#include "app/ui/computed/all_runs.h"
+#include "app/ui/computed/study_state.h"
 #include "app/ui/page/all_page.h"
 #include "app/ui/page/blind_test_page.h"
 #include "app/ui/page/controls_page.h"
 #include "app/ui/page/identify_page.h"
 #include "app/ui/page/magnifier.h"
 #include "app/ui/page/map_page.h"
+#include "app/ui/page/map_state.h"
 #include "app/ui/page/plots_panel.h"
 #include "app/ui/page/study_page.h"
 #include "app/ui/page/timing_page.h"
 #include "app/ui/panel/wall_view.h"
+#include "app/ui/state/timing_state.h"
+#include "app/ui/wall/wall_state.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -23,7 +28,7 @@ constexpr ImGuiWindowFlags kStill =
 double view_scale(const PanelContext& context) {
   constexpr double kProbeM = 1e-3;
   const Scene& scene = context.session.scene();
-  const ImVec2 view = context.state.wall.transient.view_size;
+  const ImVec2 view = context.wall.transient.view_size;
   const ImVec2 size = view.x > 0.0F ? view : ImGui::GetContentRegionAvail();
   if (scene.x().walls.empty()) return 1.0;
   const WallCamera camera = wall_view_camera(scene, size);
@@ -36,7 +41,7 @@ double view_scale(const PanelContext& context) {
 void draw_controls(const PageParts& parts) { draw_controls_page(parts.context); }
 
 void draw_wall(const PageParts& parts) {
-  parts.context.state.wall.transient.view_size = ImGui::GetContentRegionAvail();
+  parts.context.wall.transient.view_size = ImGui::GetContentRegionAvail();
   draw_wall_view(parts.context, parts.renderer);
 }
 
@@ -51,20 +56,23 @@ void draw_plots(const PageParts& parts) {
 
 void draw_timing(const PageParts& parts) { draw_timing_page(parts.context); }
 void draw_blind_test(const PageParts& parts) { draw_blind_test_page(parts.context); }
-void draw_map(const PageParts& parts) { draw_map_page(parts.context); }
-void draw_all(const PageParts& parts) { draw_all_page(parts.context); }
-void draw_study(const PageParts& parts) { draw_study_page(parts.context); }
+void draw_map(const PageParts& parts) { draw_map_page(parts.context, parts.map); }
+void draw_all(const PageParts& parts) { draw_all_page(parts.context, parts.all_runs); }
+void draw_study(const PageParts& parts) { draw_study_page(parts.context, parts.studies); }
 void draw_identify(const PageParts& parts) { draw_identify_page(parts.context); }
 
-void notice_timing(UiState& state, bool seen) { state.timing.page_seen = seen; }
-void notice_map(UiState& state, bool seen) {
-  if (!seen) state.map.live.stop();
+void notice_timing(const PageParts& parts, bool seen) { parts.context.timing.page_seen = seen; }
+void notice_map(const PageParts& parts, bool seen) {
+  if (!seen) parts.map.live.stop();
 }
-void notice_all(UiState& state, bool seen) {
-  if (!seen) state.all_runs.stop();
+void notice_all(const PageParts& parts, bool seen) {
+  if (!seen) parts.all_runs.stop();
 }
-void notice_study(UiState& state, bool seen) {
-  if (!seen) state.studies.stop();
+void notice_study(const PageParts& parts, bool seen) {
+  if (!seen) parts.studies.stop();
+}
+void notice_identify(const PageParts& parts, bool seen) {
+  if (!seen) leave_identify_page(parts.context.identify);
 }
 
 constexpr std::array kPages{
@@ -93,7 +101,7 @@ constexpr std::array kPages{
         {"Identify", "Mass, damping, friction and delay of the device; the handle moves by itself"},
         draw_identify,
         true,
-        notice_identify_page},
+        notice_identify},
     Page{{"Study", "Tables of the present scene: the algorithms ranked, the integrators measured"},
          draw_study,
          true,

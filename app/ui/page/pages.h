@@ -6,23 +6,32 @@
 #include <span>
 
 #include "app/draw/plot/sample_history.h"
+#include "app/ui/state/dock_state.h"
 #include "app/ui/state/panel_context.h"
 #include "app/ui/wall/wall_renderer.h"
 
 namespace hapticwall::ui {
+
+class AllRuns;
+struct MapState;
+struct Studies;
 
 // Parts that pages draw from.
 struct PageParts {
   const PanelContext& context;
   const draw::SampleHistory& history;
   WallRenderer& renderer;
+  // States of one page each.
+  MapState& map;
+  AllRuns& all_runs;
+  Studies& studies;
 };
 
 struct Page {
   DockWindow window;
   void (*draw)(const PageParts& parts);  // only while it is seen: not behind another tab
   bool hidden_by_blind_test = false;     // it would reveal the order
-  void (*notice)(UiState& state, bool seen) = nullptr;  // called once a frame, seen or not
+  void (*notice)(const PageParts& parts, bool seen) = nullptr;  // called once a frame, seen or not
   ImGuiWindowFlags flags = 0;
 };
 [[nodiscard]] std::span<const Page> pages();

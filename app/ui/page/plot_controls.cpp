@@ -6,6 +6,9 @@
 #include <array>
 #include <string>
 
+#include "app/ui/state/plots_state.h"
+#include "app/ui/state/time_view.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
@@ -58,7 +61,7 @@ constexpr std::array kModes{
     Mode{"single", "At the next contact, then frozen; Arm waits for the next one"}};
 
 void draw_arrangement(const PanelContext& context) {
-  PlotArrangement& arrangement = context.state.persisted.arrangement;
+  PlotArrangement& arrangement = context.plots.persisted.arrangement;
   ImGui::SetNextItemWidth(ems(kArrangementEms));
   if (ImGui::BeginCombo("##arrangement", arrangement_of(arrangement).name)) {
     for (std::size_t i = 0; i < kArrangements.size(); ++i) {
@@ -73,30 +76,30 @@ void draw_arrangement(const PanelContext& context) {
 }
 
 void draw_loop_button(const PanelContext& context) {
-  bool& phase = context.state.plots.persisted.phase.shown;
+  bool& phase = context.plots.persisted.phase.shown;
   if (choice_button(context, "Loop###phase plane", phase,
                     "Force over penetration; the area of the loop is energy"))
     phase = !phase;
 }
 
 void draw_spectrum_button(const PanelContext& context) {
-  bool& shown = context.state.plots.persisted.spectrum.shown;
+  bool& shown = context.plots.persisted.spectrum.shown;
   if (choice_button(context, "FFT###spectrum", shown,
                     "The spectrum: amplitudes over frequency of a signal in the visible range,\n"
                     "or between the cursors while these are shown"))
     shown = !shown;
 }
 
-void toggle_follow(UiState& state) { state.transient.follow = !state.transient.follow; }
+void toggle_follow(TimeView& time) { time.follow = !time.follow; }
 
 void draw_follow(const PanelContext& context) {
-  const bool following = context.state.transient.follow;
-  const bool single = context.state.plots.persisted.trigger.mode == draw::TriggerMode::kSingle;
+  const bool following = context.time.follow;
+  const bool single = context.plots.persisted.trigger.mode == draw::TriggerMode::kSingle;
   const char* label = following ? "Freeze###follow" : single ? "Arm###follow" : "Follow###follow";
   const char* tooltip = following ? "The plots follow the session: stops them (key F). A drag or "
                                     "the wheel in a plot does it, too."
                                   : "Back to the newest samples, or to the next contact (key F)";
-  if (button(label, tooltip, {.width = ems(kFollowEms)})) toggle_follow(context.state);
+  if (button(label, tooltip, {.width = ems(kFollowEms)})) toggle_follow(context.time);
 }
 
 std::string length_text(double length_s) {
@@ -109,7 +112,7 @@ std::string length_text(double length_s) {
 }
 
 void draw_length(const PanelContext& context) {
-  double& length_s = context.state.persisted.time_window_s;
+  double& length_s = context.time.window_s;
   ImGui::SetNextItemWidth(ems(kWindowEms));
   if (ImGui::BeginCombo("##time window", length_text(length_s).c_str(),
                         ImGuiComboFlags_HeightLarge)) {
@@ -117,7 +120,7 @@ void draw_length(const PanelContext& context) {
       const std::string text = length_text(choice_s);
       if (list_choice(fmt::format("{0}###length {0}", text), choice_s == length_s)) {
         length_s = choice_s;
-        context.state.transient.follow = true;
+        context.time.follow = true;
       }
     }
     ImGui::EndCombo();
@@ -134,7 +137,7 @@ std::vector<draw::ValueAxis*> value_axes(PlotsState::Transient& plots) {
 }
 
 void draw_automatic(const PanelContext& context) {
-  const auto axes = value_axes(context.state.plots.transient);
+  const auto axes = value_axes(context.plots.transient);
   if (button("Auto###automatic axes",
              "Fits all value axes again. The wheel or a drag over an axis, or a right drag in a "
              "plot, fixes them; a double click makes one plot automatic.",
@@ -142,24 +145,24 @@ void draw_automatic(const PanelContext& context) {
     for (draw::ValueAxis* axis : axes) axis->manual = false;
 }
 
-void set_mode(UiState& state, draw::TriggerMode mode) {
-  state.plots.persisted.trigger.mode = mode;
-  state.plots.transient.trigger = {};
-  state.plots.transient.was_following = false;  // arms it
-  state.transient.follow = true;
+void set_mode(const PanelContext& context, draw::TriggerMode mode) {
+  context.plots.persisted.trigger.mode = mode;
+  context.plots.transient.trigger = {};
+  context.plots.transient.was_following = false;  // arms it
+  context.time.follow = true;
 }
 
 // Names in the order of TriggerStage.
 constexpr std::array kStages{"waiting", "filling", "contact", "done"};
 
 void draw_trigger_choices(const PanelContext& context) {
-  draw::TriggerSettings& settings = context.state.plots.persisted.trigger;
+  draw::TriggerSettings& settings = context.plots.persisted.trigger;
   ImGui::TextDisabled("The time axes stand at a contact");
   for (std::size_t i = 0; i < kModes.size(); ++i) {
     const auto mode = static_cast<draw::TriggerMode>(i);
     if (ImGui::RadioButton(fmt::format("{0}###trigger {0}", kModes[i].name).c_str(),
                            settings.mode == mode))
-      set_mode(context.state, mode);
+      set_mode(context, mode);
     explain(kModes[i].meaning);
     ImGui::SameLine();
   }
@@ -175,12 +178,11 @@ void draw_trigger_choices(const PanelContext& context) {
 }
 
 void draw_trigger(const PanelContext& context) {
-  const draw::TriggerSettings& settings = context.state.plots.persisted.trigger;
+  const draw::TriggerSettings& settings = context.plots.persisted.trigger;
   const bool on = settings.mode != draw::TriggerMode::kOff;
   const std::string label =
-      on ? fmt::format(
-               "{}: {}###trigger", kModes[static_cast<std::size_t>(settings.mode)].name,
-               kStages.at(static_cast<std::size_t>(context.state.plots.transient.trigger.stage)))
+      on ? fmt::format("{}: {}###trigger", kModes[static_cast<std::size_t>(settings.mode)].name,
+                       kStages.at(static_cast<std::size_t>(context.plots.transient.trigger.stage)))
          : "Trigger###trigger";
   if (choice_button(context, label, on,
                     "Holds the time axes at the newest contact, like a scope (key T)",
@@ -192,16 +194,16 @@ void draw_trigger(const PanelContext& context) {
   }
 }
 
-void toggle_cursors(UiState& state) {
-  draw::Cursors& cursors = state.plots.transient.cursors;
+void toggle_cursors(const PanelContext& context) {
+  draw::Cursors& cursors = context.plots.transient.cursors;
   cursors.shown = !cursors.shown;
-  if (cursors.shown) place_cursors(cursors, time_window(state));
+  if (cursors.shown) place_cursors(cursors, time_window(context.time));
 }
 
 void draw_cursors_button(const PanelContext& context) {
-  if (choice_button(context, "Cursors###cursors", context.state.plots.transient.cursors.shown,
+  if (choice_button(context, "Cursors###cursors", context.plots.transient.cursors.shown,
                     "Two cursors to drag, and the signals at them (key C)"))
-    toggle_cursors(context.state);
+    toggle_cursors(context);
 }
 
 struct Control {
@@ -220,7 +222,7 @@ constexpr std::array kControls{Control{draw_arrangement, kArrangementEms},
 void draw_exports(const PanelContext& context, const draw::SampleHistory& history) {
   const float width = 2.0F * ems(kExportEms) + ImGui::GetStyle().ItemSpacing.x;
   draw::align_right(width);
-  const bool busy = context.state.plots.transient.exporting.running();
+  const bool busy = context.plots.transient.exporting.running();
   if (button(busy ? "…###export csv" : "CSV###export csv",
              "Writes the samples of the visible range like a recording: CSV and sidecar",
              {.width = ems(kExportEms), .enabled = !busy && !history.empty()}))
@@ -238,7 +240,7 @@ std::span<const draw::PlotId> plots_of(PlotArrangement arrangement) {
 }
 
 void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& history) {
-  if (!context.state.persisted.more) return;
+  if (!context.window.more) return;
   draw_axis_choice(context, "plots");
   for (const Control& control : kControls) {
     if (&control != kControls.data()) beside(ems(control.width_ems));
@@ -250,17 +252,17 @@ void draw_plot_controls(const PanelContext& context, const draw::SampleHistory& 
 
 std::vector<KeyBinding> plot_keys() {
   const auto next_mode = [](const PanelContext& context) {
-    const auto mode = static_cast<std::size_t>(context.state.plots.persisted.trigger.mode);
-    set_mode(context.state, static_cast<draw::TriggerMode>((mode + 1) % kModes.size()));
+    const auto mode = static_cast<std::size_t>(context.plots.persisted.trigger.mode);
+    set_mode(context, static_cast<draw::TriggerMode>((mode + 1) % kModes.size()));
   };
   return {
       {KeyGroup::kPlots,
        "follow the newest samples, or freeze",
        {ImGuiKey_F},
-       [](const PanelContext& context) { toggle_follow(context.state); }},
+       [](const PanelContext& context) { toggle_follow(context.time); }},
       {KeyGroup::kPlots, "the next kind of trigger", {ImGuiKey_T}, next_mode},
       {KeyGroup::kPlots, "show or hide the cursors", {ImGuiKey_C}, [](const PanelContext& context) {
-         toggle_cursors(context.state);
+         toggle_cursors(context);
        }}};
 }
 

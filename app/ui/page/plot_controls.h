@@ -8,6 +8,7 @@
 #include "app/draw/plot/sample_history.h"
 #include "app/ui/state/key_binding.h"
 #include "app/ui/state/panel_context.h"
+#include "app/ui/state/plots_state.h"
 
 namespace hapticwall::ui {
 

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "app/ui/page/plot_controls.h"
+#include "app/ui/state/plots_state.h"
+#include "app/ui/state/time_view.h"
 #include "app/ui/widget/shown_axis.h"
 
 namespace hapticwall::ui {
@@ -20,44 +22,48 @@ constexpr float kMinPlaneEms = 20.0F;
 constexpr float kMaxPlaneEms = 34.0F;
 constexpr float kTableShare = 0.45F;  // of the height, below the plane
 
-void set_window(UiState& state, draw::TimeWindow window) {
-  state.transient.time_from_s = window.from_s;
-  state.transient.time_to_s = window.to_s;
+void set_window(TimeView& time, draw::TimeWindow window) {
+  time.from_s = window.from_s;
+  time.to_s = window.to_s;
 }
 
-double window_length_s(const UiState& state) {
-  return std::clamp(state.persisted.time_window_s, kTimeWindowsS.front(), kTimeWindowsS.back());
+double window_length_s(const TimeView& time) {
+  return std::clamp(time.window_s, kTimeWindowsS.front(), kTimeWindowsS.back());
+}
+
+// Sets the time axes to the newest `window_s`. A younger session begins at the left.
+void follow_newest(TimeView& time, double newest_time_s) {
+  set_window(time, draw::newest_window(newest_time_s, window_length_s(time)));
 }
 
 // Moves the time axes to the newest samples, or to a contact.
-void move_window(UiState& state, const draw::SampleHistory& history) {
-  PlotsState::Transient& plots = state.plots.transient;
-  const draw::TriggerSettings& settings = state.plots.persisted.trigger;
-  const draw::TimeWindow before = time_window(state);
+void move_window(PlotsState& state, TimeView& time, const draw::SampleHistory& history) {
+  PlotsState::Transient& plots = state.transient;
+  const draw::TriggerSettings& settings = state.persisted.trigger;
+  const draw::TimeWindow before = time_window(time);
   if (settings.mode == draw::TriggerMode::kOff) {
-    follow_newest(state, history.newest_time_s());
+    follow_newest(time, history.newest_time_s());
   } else {
     if (!plots.was_following) plots.trigger = armed_trigger(settings, history.newest_time_s());
-    if (const auto window = run_trigger(history, settings, window_length_s(state), plots.trigger)) {
-      set_window(state, *window);
+    if (const auto window = run_trigger(history, settings, window_length_s(time), plots.trigger)) {
+      set_window(time, *window);
     }
     // A single shot stays, so that it can be examined.
-    if (plots.trigger.stage == draw::TriggerStage::kDone) state.transient.follow = false;
+    if (plots.trigger.stage == draw::TriggerStage::kDone) time.follow = false;
   }
-  carry_cursors(plots.cursors, before, time_window(state));
+  carry_cursors(plots.cursors, before, time_window(time));
 }
 
 draw::PlotSurface surface_of(const PanelContext& context, const draw::SampleHistory& history,
                              draw::TimeWindow& window) {
-  UiState& state = context.state;
-  PlotsState& plots = state.plots;
+  PlotsState& plots = context.plots;
   draw::PlotSurface surface;
   surface.theme = &context.theme;
   surface.history = &history;
   surface.walls = shown_walls(context);
   surface.window = &window;
   surface.chosen = &plots.persisted.lines;
-  surface.hidden = &state.persisted.hidden_lines;
+  surface.hidden = &plots.persisted.hidden_lines;
   surface.axes = &plots.transient.axes;
   surface.scratch = &plots.transient.scratch;
   surface.cursors = &plots.transient.cursors;
@@ -75,7 +81,7 @@ draw::PlotSurface surface_of(const PanelContext& context, const draw::SampleHist
 }
 
 // Two plots make a row, four a square; the three of the paper's figures make a column.
-void draw_plots(UiState& state, draw::PlotSurface& surface, const draw::PlotTable& table,
+void draw_plots(const PlotsState& state, draw::PlotSurface& surface, const draw::PlotTable& table,
                 ImVec2 corner, ImVec2 free) {
   const std::span<const draw::PlotId> plots = plots_of(state.persisted.arrangement);
   const std::size_t columns = plots.size() % 2 == 0 ? 2 : 1;
@@ -106,8 +112,7 @@ int side_planes(const PlotsState& plots) {
 // Draws those that are shown, from the top: the phase plane, the spectrum, the cursor table.
 void draw_side(const PanelContext& context, const draw::PlotSurface& surface,
                const draw::PlotTable& table, ImVec2 corner, ImVec2 size) {
-  UiState& state = context.state;
-  PlotsState& plots = state.plots;
+  PlotsState& plots = context.plots;
   const bool cursors = plots.transient.cursors.shown;
   const int planes = side_planes(plots);
   const float each =
@@ -129,47 +134,44 @@ void draw_side(const PanelContext& context, const draw::PlotSurface& surface,
   ImGui::BeginChild("cursor table", ImVec2(size.x, 0.0F), 0, ImGuiWindowFlags_HorizontalScrollbar);
   draw_cursor_table(
       context.theme,
-      read_cursors(*surface.history, plots.transient.cursors, plots_of(state.persisted.arrangement),
-                   plots.persisted.lines, state.persisted.hidden_lines, surface.simulated, table));
+      read_cursors(*surface.history, plots.transient.cursors, plots_of(plots.persisted.arrangement),
+                   plots.persisted.lines, plots.persisted.hidden_lines, surface.simulated, table));
   ImGui::EndChild();
 }
 
 }  // namespace
 
-void follow_newest(UiState& state, double newest_time_s) {
-  set_window(state, draw::newest_window(newest_time_s, window_length_s(state)));
-}
-
 void draw_plots_panel(const PanelContext& context, const draw::SampleHistory& history) {
-  UiState& state = context.state;
+  PlotsState& plots = context.plots;
+  TimeView& time = context.time;
   notice_exported(context);
   draw_plot_controls(context, history);
-  const bool following = state.transient.follow;
-  if (following) move_window(state, history);
-  state.plots.transient.was_following = following;
+  const bool following = time.follow;
+  if (following) move_window(plots, time, history);
+  plots.transient.was_following = following;
 
-  const draw::TimeWindow before = time_window(state);
+  const draw::TimeWindow before = time_window(time);
   draw::TimeWindow window = before;
   draw::PlotSurface surface = surface_of(context, history, window);
   const draw::PlotTable table(history.signals());
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImVec2 free = ImGui::GetContentRegionAvail();
-  if (side_planes(state.plots) > 0 || state.plots.transient.cursors.shown) {
+  if (side_planes(plots) > 0 || plots.transient.cursors.shown) {
     const float side =
         std::clamp(kPlaneShare * free.x, draw::ems(kMinPlaneEms), draw::ems(kMaxPlaneEms));
     draw_side(context, surface, table, ImVec2(corner.x + free.x - side, corner.y),
               ImVec2(side, free.y));
     free.x -= side + draw::ems(kPlotGapEms);
   }
-  draw_plots(state, surface, table, corner, free);
-  set_window(state, window);
+  draw_plots(plots, surface, table, corner, free);
+  set_window(time, window);
   // Dragging an axis stops following.
   if (std::abs(window.from_s - before.from_s) > kAxisMovedS ||
       std::abs(window.to_s - before.to_s) > kAxisMovedS) {
-    state.transient.follow = false;
+    time.follow = false;
   }
-  if (surface.wants_newest) state.transient.follow = true;
-  state.transient.looked_at_s = following ? std::nullopt : surface.pointed_s;
+  if (surface.wants_newest) time.follow = true;
+  time.looked_at_s = following ? std::nullopt : surface.pointed_s;
 }
 
 }  // namespace hapticwall::ui

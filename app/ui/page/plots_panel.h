@@ -12,7 +12,4 @@ void draw_plots_panel(const PanelContext& context, const draw::SampleHistory& hi
 // plots. Rebuilds the ghost only for a new contact or another slot.
 void show_ghost(const PanelContext& context);
 
-// Sets the time axes to the newest `time_window_s`. A younger session begins at the left.
-void follow_newest(UiState& state, double newest_time_s);
-
 }  // namespace hapticwall::ui

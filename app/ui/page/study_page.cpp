@@ -9,6 +9,8 @@
 #include "app/draw/plot/log_plot.h"
 #include "app/file/text/text.h"
 #include "app/table/order.h"
+#include "app/ui/computed/study_state.h"
+#include "app/ui/state/frame_input.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/widget/widgets.h"
 
@@ -28,8 +30,7 @@ std::string why_no_study(const PanelContext& context) {
   return why_no_runs(context);
 }
 
-void draw_study_choice(const PanelContext& context) {
-  Studies& studies = context.state.studies;
+void draw_study_choice(const PanelContext& context, Studies& studies) {
   for (std::size_t i = 0; i < studies.all.size(); ++i) {
     const study::Study& study = studies.all[i].study();
     if (choice_button(context, fmt::format("{}###study {}", study.title, study.name),
@@ -39,15 +40,16 @@ void draw_study_choice(const PanelContext& context) {
   }
 }
 
-void draw_start_or_end(const PanelContext& context, SceneStudy& study) {
+void draw_start_or_end(const PanelContext& context, Studies& studies) {
+  SceneStudy& study = studies.shown();
   if (study.running()) {
     if (button("End###study compute", "Ends the computation. A result that has come stays."))
       study.stop();
   } else if (button("Compute###study compute",
                     "Computes this table of the present scene, beside the session. It ends with "
                     "the page, with a change of the scene, and with another study.")) {
-    context.state.studies.stop();
-    study.start(context.session.scene(), context.state.transient.now_s);
+    studies.stop();
+    study.start(context.session.scene(), context.input.now_s);
   }
 }
 
@@ -81,7 +83,7 @@ std::string state_text(const SceneStudy& study) {
 
 void draw_state(const PanelContext& context, const SceneStudy& study) {
   if (!study.running()) return muted_text(context, state_text(study));
-  progress_bar(context, study.fraction(), progress_text(study, context.state.transient.now_s));
+  progress_bar(context, study.fraction(), progress_text(study, context.input.now_s));
 }
 
 void draw_lines(const PanelContext& context, const std::string& lines) {
@@ -130,7 +132,7 @@ void set_up_columns(const table::Sheet& sheet) {
 }
 
 // All rows; the page scrolls up and down, the table to the side.
-void draw_table(const PanelContext& context, const table::Sheet& sheet) {
+void draw_table(const PanelContext& context, const std::string& name, const table::Sheet& sheet) {
   constexpr ImGuiTableFlags kFlags =
       ImGuiTableFlags_ScrollX | ImGuiTableFlags_RowBg | ImGuiTableFlags_Sortable |
       ImGuiTableFlags_SortTristate | ImGuiTableFlags_SizingFixedFit |
@@ -140,7 +142,6 @@ void draw_table(const PanelContext& context, const table::Sheet& sheet) {
   const float line = ImGui::GetTextLineHeight() + 2.0F * style.CellPadding.y;
   const float height =
       line * static_cast<float>(sheet.rows.size() + 1) + style.ScrollbarSize + 2.0F;
-  const std::string name(context.state.studies.shown().study().name);
   if (!ImGui::BeginTable(name.c_str(), static_cast<int>(sheet.columns.size()), kFlags,
                          ImVec2(0.0F, height)))
     return;
@@ -150,7 +151,8 @@ void draw_table(const PanelContext& context, const table::Sheet& sheet) {
   ImGui::EndTable();
 }
 
-void draw_result(const PanelContext& context, const study::Outcome& result) {
+void draw_result(const PanelContext& context, const SceneStudy& study) {
+  const study::Outcome& result = *study.result();
   draw_lines(context, result.sheet.heading);
   if (result.figure) {
     const ImVec2 free = ImGui::GetContentRegionAvail();
@@ -158,23 +160,21 @@ void draw_result(const PanelContext& context, const study::Outcome& result) {
     draw::draw_log_figure(context.theme, *result.figure, ImVec2(free.x, height),
                           ImGui::GetFontSize() / draw::kFontSize);
   }
-  draw_table(context, result.sheet);
+  draw_table(context, std::string(study.study().name), result.sheet);
   draw_lines(context, result.sheet.marks);
 }
 
 }  // namespace
 
-void draw_study_page(const PanelContext& context) {
-  Studies& studies = context.state.studies;
+void draw_study_page(const PanelContext& context, Studies& studies) {
   if (const std::string why = why_no_study(context); !why.empty()) {
     studies.stop();
     return muted_text(context, why);
   }
-  for (SceneStudy& each : studies.all)
-    each.take(context.session.scene(), context.state.transient.now_s);
-  draw_study_choice(context);
-  SceneStudy& study = studies.shown();
-  draw_start_or_end(context, study);
+  for (SceneStudy& each : studies.all) each.take(context.session.scene(), context.input.now_s);
+  draw_study_choice(context, studies);
+  draw_start_or_end(context, studies);
+  const SceneStudy& study = studies.shown();
   ImGui::SameLine();
   draw_copies(study.result());
   beside(ems(kMinBarEms));
@@ -186,7 +186,7 @@ void draw_study_page(const PanelContext& context) {
   ImGui::PushStyleVar(
       ImGuiStyleVar_Alpha,
       ImGui::GetStyle().Alpha * (study.up_to_date() ? 1.0F : ImGui::GetStyle().DisabledAlpha));
-  draw_result(context, *study.result());
+  draw_result(context, study);
   ImGui::PopStyleVar();
 }
 

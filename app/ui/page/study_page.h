@@ -5,6 +5,8 @@
 
 namespace hapticwall::ui {
 
-void draw_study_page(const PanelContext& context);
+struct Studies;
+
+void draw_study_page(const PanelContext& context, Studies& studies);
 
 }  // namespace hapticwall::ui

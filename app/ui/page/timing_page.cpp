@@ -43,7 +43,7 @@ float draw_clear(const PanelContext& context) {
   draw::align_right(button_width(kClear));
   const float left = ImGui::GetCursorScreenPos().x;
   if (button(kClear, "Restarts the counts on this page. Session and recording are not affected."))
-    context.state.timing.clear_asked = true;
+    context.timing.clear_asked = true;
   ImGui::SetCursorPos(corner);
   return left;
 }
@@ -51,7 +51,7 @@ float draw_clear(const PanelContext& context) {
 void draw_head(const PanelContext& context) {
   draw::Tone tone = draw::Tone::kText;
   const std::string sentence =
-      timing_sentence(context.state.timing, context.session.scene().sampling.rate_hz, tone);
+      timing_sentence(context.timing, context.session.scene().sampling.rate_hz, tone);
   const float right = draw_clear(context) - ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(corner, ImVec2(right, corner.y + ImGui::GetFrameHeight()), true);
@@ -110,7 +110,7 @@ void draw_quantiles(const PanelContext& context) {
     ImGui::TextDisabled("%s", heading.name);
     explain(heading.tooltip);
   }
-  const TimingState& timing = context.state.timing;
+  const TimingState& timing = context.timing;
   quantile_row(context, "wake-up", "Delay of the wake-up after the requested time",
                timing.wake_latency);
   quantile_row(context, "compute",
@@ -120,7 +120,7 @@ void draw_quantiles(const PanelContext& context) {
 }
 
 void draw_counters(const PanelContext& context) {
-  const TimingState& timing = context.state.timing;
+  const TimingState& timing = context.timing;
   const TimingCounters& shown = timing.shown;
   const auto tone = [](std::uint64_t count) {
     return count > 0 ? draw::Tone::kWarning : draw::Tone::kText;
@@ -139,18 +139,17 @@ void draw_counters(const PanelContext& context) {
 
 void draw_realtime(const PanelContext& context) {
   const session::RealtimeStatus& status = context.session.realtime_status();
-  const std::string silence = silence_text(context.state.timing.answer);
+  const std::string silence = silence_text(context.timing.answer);
   const draw::Tone tone = !silence.empty()       ? draw::Tone::kBad
                           : status.fifo_priority ? draw::Tone::kGood
                                                  : draw::Tone::kWarning;
   draw::wrapped_text(context.theme.colour(tone), silence.empty() ? status.text : silence);
   explain("Priority, memory lock and core of the loop's thread");
   const session::TimingJudgement judgement =
-      judgement_of(context.state.timing, context.session.scene().sampling.rate_hz, status.advice);
+      judgement_of(context.timing, context.session.scene().sampling.rate_hz, status.advice);
   if (!status.advice.empty()) {
     muted_text(context, "Advice: " + status.advice);
-  } else if (!judgement.advice.empty() &&
-             context.state.timing.wake_latency.count >= kCyclesForAVerdict) {
+  } else if (!judgement.advice.empty() && context.timing.wake_latency.count >= kCyclesForAVerdict) {
     muted_text(context, "Advice: " + judgement.advice.front());
   }
 }
@@ -182,7 +181,7 @@ double round_above(double value) {
 }
 
 void draw_frames(const PanelContext& context) {
-  const FrameTimes& frames = context.state.timing.frames;
+  const FrameTimes& frames = context.timing.frames;
   const FrameStats figures = frame_stats(frames);
   const std::string text = frames.size() == 0
                                ? "–"
@@ -201,7 +200,7 @@ void draw_frames(const PanelContext& context) {
 }
 
 void draw_histograms(const PanelContext& context, ImVec2 size) {
-  const TimingState& timing = context.state.timing;
+  const TimingState& timing = context.timing;
   const auto period_ns = static_cast<std::int64_t>(
       std::llround(context.session.scene().sampling.period_s() * session::kNanosecondsPerSecond));
   const float gap = ImGui::GetFontSize();

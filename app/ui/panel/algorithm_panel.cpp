@@ -7,6 +7,8 @@
 #include "app/ui/panel/replay_panel.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/text_edit.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/widgets.h"
 #include "core/algorithm/algorithm.h"
 
@@ -20,7 +22,7 @@ std::string refusal_key(const ParameterDescription& parameter) {
 void set_parameter(const PanelContext& context, std::size_t index, std::optional<double> value) {
   AlgorithmSettings changed = context.session.scene().algorithm;
   changed.values[index] = value;
-  context.state.transient.refusal.reset();
+  context.edit.refusal.reset();
   if (const auto problem = ask_for_algorithm(context, changed))
     refuse(context, refusal_key(algorithm_parameters()[index]), problem->message);
 }
@@ -141,12 +143,13 @@ float most_rows() {
 void choose_algorithm(const PanelContext& context, std::size_t index) {
   if (index >= algorithms().size()) return;
   if (context.shows.replay != nullptr) {
-    start_rerun(context.state, *context.shows.replay, std::string(algorithms()[index].name));
+    start_rerun(context.replay, context.toasts, *context.shows.replay,
+                std::string(algorithms()[index].name));
     return;
   }
   AlgorithmSettings changed = context.session.scene().algorithm;
   changed.index = index;
-  if (const auto problem = ask_for_algorithm(context, changed)) tell(context.state, *problem);
+  if (const auto problem = ask_for_algorithm(context, changed)) tell(context.toasts, *problem);
 }
 
 void draw_algorithm_section(const PanelContext& context) {
@@ -166,7 +169,7 @@ void draw_algorithm_section(const PanelContext& context) {
   if (current >= list.size()) return;
   const float end = ImGui::GetCursorPosY() + largest_idea() + most_rows();
   muted_text(context, list[current].idea);
-  if (!context.state.persisted.more) return;
+  if (!context.window.more) return;
   for (const ParameterDescription& parameter : list[current].parameters)
     draw_parameter(context, parameter);
   draw_follower(context, list[current]);

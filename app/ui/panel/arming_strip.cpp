@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/ui/panel/identify_state.h"
+#include "app/ui/state/timing_state.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
@@ -53,8 +55,8 @@ void draw_button(const PanelContext& context) {
 
 void tell_without_device(const PanelContext& context, const char* meaning) {
   if (context.shows.live != nullptr && !context.session.device_info().is_simulated) return;
-  tell(context.state, MessageKind::kNote,
-       fmt::format("{}; none is connected, and nothing pushes. P pauses.", meaning));
+  context.toasts.tell(MessageKind::kNote,
+                      fmt::format("{}; none is connected, and nothing pushes. P pauses.", meaning));
 }
 
 }  // namespace
@@ -85,7 +87,7 @@ void draw_arming_strip(const PanelContext& context) {
   draw_button(context);
   ImGui::SameLine(0.0F, em);
   ImGui::AlignTextToFramePadding();
-  const std::string silence = silence_text(context.state.timing.answer);
+  const std::string silence = silence_text(context.timing.answer);
   draw::strong_text(context.theme, silence.empty() ? arming_text(context.snapshot) : silence,
                     draw::kTitleFontSize);
   explain(context.session.device_trouble());
@@ -107,7 +109,7 @@ void ask_to_arm(const PanelContext& context) {
 }
 
 void disarm(const PanelContext& context) {
-  const auto& experiment = context.state.identify.experiment;
+  const auto& experiment = context.identify.experiment;
   if (experiment) experiment->stop("switched off");
   if (context.shows.live != nullptr) context.shows.live->arm(false);
   // In a text field, Space also types a blank.

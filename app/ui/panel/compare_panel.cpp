@@ -4,6 +4,7 @@
 
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/compare_state.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/widget/widgets.h"
 
@@ -16,7 +17,7 @@ constexpr float kNameAtEms = 1.6F;  // behind the slot's letter
 
 // Switch beside the heading: shows the other slot's contact in the plots.
 void draw_ghost_switch(const PanelContext& context) {
-  bool& shown = context.state.compare.persisted.ghost_shown;
+  bool& shown = context.compare.persisted.ghost_shown;
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
   const ImGuiStyle& style = ImGui::GetStyle();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
@@ -51,7 +52,7 @@ void draw_in_force(const PanelContext& context, float name_ends, float right) {
 }
 
 void draw_slot(const PanelContext& context, Slot slot) {
-  const CompareSlots slots = slots_of(context.state);
+  const CompareSlots slots = slots_of(context.compare);
   const AlgorithmSettings& settings = slots.of(slot);
   const bool active = slots.active == slot;
   const std::string name(compare::slot_name(slot));
@@ -81,7 +82,7 @@ void draw_slot(const PanelContext& context, Slot slot) {
 }  // namespace
 
 void draw_compare_section(const PanelContext& context) {
-  if (!context.state.compare.transient.comparison) return;
+  if (!context.compare.transient.comparison) return;
   section(context, "Compare");
   draw_ghost_switch(context);
   draw_slot(context, Slot::kA);

@@ -8,6 +8,7 @@
 #include "app/file/scene/scene_file.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/scene_state.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
@@ -57,8 +58,8 @@ std::string answered(double value_s, const std::string& text) {
 
 void take_device(const PanelContext& context, const std::string& name) {
   const Result<Scene> wanted = file::with_device(context.session.scene(), name);
-  if (!wanted) return tell(context.state, wanted.error());
-  if (const auto problem = ask_for(context, *wanted)) tell(context.state, *problem);
+  if (!wanted) return tell(context.toasts, wanted.error());
+  if (const auto problem = ask_for(context, *wanted)) tell(context.toasts, *problem);
 }
 
 // The presets; and a field, which takes every name that --set device=NAME takes.
@@ -97,7 +98,7 @@ void draw_rows(const PanelContext& context, std::span<const ParameterText> rows)
   for (const ParameterText& text : rows) {
     const auto& key = key_called<DeviceSettings>(text.key);
     const ParameterRow row = parameter_row("device.", key, text, context.session.scene().x().device,
-                                           context.state.transient.loaded_scene.x().device);
+                                           context.scene.loaded.x().device);
     const auto edit = draw_parameter_row(context, row);
     if (!edit) continue;
     change_parameters(context, row.key,

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "app/ui/state/compare_state.h"
+#include "app/ui/state/timing_state.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
@@ -142,8 +144,8 @@ std::string lamp_tooltip(const EnergyStory& story, double since_s) {
 }
 
 void draw_energy_lamp(const PanelContext& context) {
-  const auto& lamp = context.state.compare.transient.lamp;
-  const std::string silence = silence_text(context.state.timing.answer);
+  const auto& lamp = context.compare.transient.lamp;
+  const std::string silence = silence_text(context.timing.answer);
   if (!silence.empty()) {
     draw_light(context, draw::Tone::kBad, true);
     draw_words(context, {draw::Tone::kBad, silence, {}, silence, silence},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/panel/hand_state.h"
+#include "app/ui/state/frame_input.h"
 #include "core/units.h"
 
 namespace hapticwall::ui {
@@ -23,42 +25,40 @@ const char* obstacle(const PanelContext& context) {
 // The place under the pointer at each event of this frame, or at the frame's own time. Events of
 // the frame that sees the release may be later than the release, whose place Dear ImGui knows.
 void follow_pointer(const PanelContext& context, const WallCamera& camera, bool held) {
-  TransientState& transient = context.state.transient;
-  HandDrag& drag = transient.hand_drag;
+  HandDrag& drag = context.hand.drag;
   const auto follow = [&](const PointerEvent& event) {
     const glm::vec2 way(event.at.x - drag.grabbed_at.x, event.at.y - drag.grabbed_at.y);
     drag.lead.follow({event.time_s, camera.place_at(drag.hand_at + way)});
     drag.pointer = event.at;
   };
-  if (held && !transient.pointer_events.empty()) {
-    std::ranges::for_each(transient.pointer_events, follow);
+  if (held && !context.input.pointer_events.empty()) {
+    std::ranges::for_each(context.input.pointer_events, follow);
     return;
   }
   const ImVec2 now = ImGui::GetIO().MousePos;
   // Dear ImGui knows whole pixels.
   const bool elsewhere = std::floor(drag.pointer.x) != now.x || std::floor(drag.pointer.y) != now.y;
-  if (elsewhere) follow({transient.now_s, now});
+  if (elsewhere) follow({context.input.now_s, now});
 }
 
 // The picture of the hand moves with the pointer, wherever the pointer is.
 void grab(const PanelContext& context, const WallCamera& camera) {
-  TransientState& transient = context.state.transient;
   const char* problem = obstacle(context);
-  if (*problem != '\0') return tell(context.state, MessageKind::kNote, problem);
-  HandDrag& drag = transient.hand_drag;
+  if (*problem != '\0') return context.toasts.tell(MessageKind::kNote, problem);
+  HandDrag& drag = context.hand.drag;
   const auto& axes = context.snapshot.newest.axes;
   drag.hand_at =
       camera.pixel_of(camera.point_of({axes[0].truth.hand_path_m, axes[1].truth.hand_path_m}));
   drag.grabbed_at = drag.pointer = ImGui::GetIO().MousePos;
-  drag.lead.grab({transient.now_s, camera.place_at(drag.hand_at)});
-  transient.hand_led = true;
+  drag.lead.grab({context.input.now_s, camera.place_at(drag.hand_at)});
+  context.hand.led = true;
 }
 
 }  // namespace
 
 void lead_hand(const PanelContext& context, const WallCamera& camera, bool held) {
   session::LiveSession* live = context.shows.live;
-  HandLead& lead = context.state.transient.hand_drag.lead;
+  HandLead& lead = context.hand.drag.lead;
   if (live == nullptr || (!held && !lead.holds())) return;
   if (context.snapshot.paused) lead.release();
   if (lead.holds()) {
@@ -67,24 +67,22 @@ void lead_hand(const PanelContext& context, const WallCamera& camera, bool held)
     grab(context, camera);
   }
   if (!lead.holds()) return;
-  for (const session::HandMove& move : lead.take(context.state.transient.now_s))
-    live->move_hand(move);
+  for (const session::HandMove& move : lead.take(context.input.now_s)) live->move_hand(move);
   if (!held) lead.release();
 }
 
 void withdraw_hand(const PanelContext& context) {
-  TransientState& transient = context.state.transient;
   const Scene& scene = context.session.scene();
   if (context.shows.live == nullptr) return;
   const char* problem = obstacle(context);
-  if (*problem != '\0') return tell(context.state, MessageKind::kNote, problem);
+  if (*problem != '\0') return context.toasts.tell(MessageKind::kNote, problem);
   session::HandMove move;
   for (std::size_t i = 0; i < scene.axes.size(); ++i) move.m[i] = scene.axes[i].device.start_m;
-  move.speed_m_per_s = context.state.persisted.withdraw_mm_per_s / kMillimetresPerMetre;
+  move.speed_m_per_s = context.hand.withdraw_mm_per_s / kMillimetresPerMetre;
   move.to_place = move.at_once = true;
   context.shows.live->move_hand(move);
-  transient.hand_drag.lead.release();
-  transient.hand_led = true;
+  context.hand.drag.lead.release();
+  context.hand.led = true;
 }
 
 }  // namespace hapticwall::ui

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/ui/state/panel_context.h"
+#include "app/ui/wall/wall_camera.h"
 
 namespace hapticwall::ui {
 

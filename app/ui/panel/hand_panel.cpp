@@ -7,8 +7,10 @@
 #include <string>
 
 #include "app/ui/panel/hand_drag.h"
+#include "app/ui/panel/hand_state.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/scene_state.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
@@ -44,7 +46,7 @@ void want_approach(const PanelContext& context, const Approach& approach) {
   to.position_m = approach.end_m;
   to.time_s = changed.x().hand->path.front().time_s +
               std::abs(approach.end_m - approach.start_m) / approach.speed_m_per_s;
-  context.state.transient.wanted_scene = WantedScene{std::move(changed)};
+  context.scene.wanted = WantedScene{std::move(changed)};
 }
 
 void draw_approach(const PanelContext& context, Approach approach) {
@@ -66,7 +68,7 @@ double hand_mm(const PanelContext& context) {
 }
 
 void draw_withdrawal(const PanelContext& context) {
-  double& speed_mm_per_s = context.state.persisted.withdraw_mm_per_s;
+  double& speed_mm_per_s = context.hand.withdraw_mm_per_s;
   const auto typed =
       number_row(context, {"withdraw speed", "withdraw speed", "mm/s",
                            "Speed at which the key H takes the hand back to where the scene "
@@ -79,7 +81,7 @@ void draw_withdrawal(const PanelContext& context) {
 }
 
 void draw_pointer(const PanelContext& context, const HandSettings& hand) {
-  if (context.state.transient.hand_led) {
+  if (context.hand.led) {
     ImGui::TextColored(context.theme.colour(draw::Tone::kHand), "Led by you, now at %.1f mm",
                        hand_mm(context));
     muted_text(context, "It stays where you leave it. Reset (R) starts its script again.");
@@ -114,7 +116,7 @@ void edit_hand(HandSettings& hand, const NumberKey<HandSettings>& key, const Par
 }
 
 void draw_body(const PanelContext& context) {
-  const auto& loaded = context.state.transient.loaded_scene.x().hand;
+  const auto& loaded = context.scene.loaded.x().hand;
   for (const ParameterText& text : kHandRows) {
     const auto& key = key_called<HandSettings>(text.key);
     const HandSettings& in_force = *context.session.scene().x().hand;
@@ -131,8 +133,7 @@ void draw_body(const PanelContext& context) {
 std::string summary(const PanelContext& context) {
   const auto& hand = context.session.scene().x().hand;
   if (!hand) return context.session.device_info().is_simulated ? "none" : "yours";
-  if (context.state.transient.hand_led)
-    return fmt::format("led by you, {:.1f} mm", hand_mm(context));
+  if (context.hand.led) return fmt::format("led by you, {:.1f} mm", hand_mm(context));
   if (hand->follows_mouse) return "waits for the pointer";
   if (const auto approach = approach_of(*hand)) {
     return fmt::format("to {} mm at {} mm/s",

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "app/file/text/text.h"
+#include "app/ui/state/dock_state.h"
+#include "app/ui/state/plots_state.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/widgets.h"
 #include "core/text.h"
 
@@ -40,18 +43,18 @@ const BuiltinLayout* builtin_called(std::string_view name) {
   return found == kBuiltins.end() ? nullptr : found;
 }
 
-std::optional<DockLayout> layout_called(const UiState& state, const std::string& name) {
+std::optional<DockLayout> layout_called(const DockState& dock, const std::string& name) {
   if (const BuiltinLayout* builtin = builtin_called(name)) return parse_layout(builtin->text);
-  const auto& own = state.persisted.own_layouts;
+  const auto& own = dock.own_layouts;
   const auto found = std::ranges::find(own, name, &OwnLayout::name);
   return found == own.end() ? std::nullopt : std::optional(found->layout);
 }
 
-std::vector<std::string> layout_names(const UiState& state) {
+std::vector<std::string> layout_names(const DockState& dock) {
   std::vector<std::string> names;
-  names.reserve(std::size(kBuiltins) + state.persisted.own_layouts.size());
+  names.reserve(std::size(kBuiltins) + dock.own_layouts.size());
   for (const BuiltinLayout& each : kBuiltins) names.emplace_back(each.name);
-  for (const OwnLayout& each : state.persisted.own_layouts) names.push_back(each.name);
+  for (const OwnLayout& each : dock.own_layouts) names.push_back(each.name);
   return names;
 }
 
@@ -63,8 +66,8 @@ bool has_control(std::string_view text) {
 }
 
 // Problem with the name, or nullopt.
-std::optional<std::string> problem_with_name(const UiState& state, std::string_view name) {
-  const auto& own = state.persisted.own_layouts;
+std::optional<std::string> problem_with_name(const DockState& dock, std::string_view name) {
+  const auto& own = dock.own_layouts;
   if (name.empty()) return "a layout needs a name";
   if (!is_utf8(name) || has_control(name)) return "a name has no control characters";
   if (name.size() > kMaxLayoutNameBytes)
@@ -76,59 +79,58 @@ std::optional<std::string> problem_with_name(const UiState& state, std::string_v
   return std::nullopt;
 }
 
-void show_layout(UiState& state, DockLayout layout) {
-  state.transient.dock.chosen = std::move(layout);
-  state.transient.dock.rebuild = true;
+void show_layout(DockState& dock, DockLayout layout) {
+  dock.chosen = std::move(layout);
+  dock.rebuild = true;
 }
 
 void draw_names(const PanelContext& context) {
-  for (const std::string& name : layout_names(context.state)) {
+  for (const std::string& name : layout_names(context.dock)) {
     const BuiltinLayout* builtin = builtin_called(name);
-    if (list_choice(fmt::format("{0}###layout of {0}", name),
-                    context.state.persisted.layout == name,
+    if (list_choice(fmt::format("{0}###layout of {0}", name), context.dock.layout == name,
                     builtin != nullptr ? builtin->meaning : "A layout of your own"))
-      choose_layout(context.state, name);
+      choose_layout(context.dock, context.window, context.plots, name);
   }
 }
 
 void draw_keep(const PanelContext& context) {
-  UiState& state = context.state;
+  DockState& dock = context.dock;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("keep as");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ems(kNameEms));
   if (const auto name = text_field(context, "##layout name", "a name of your own", "")) {
-    if (auto problem = keep_layout(state, std::string(file::trimmed(*name))))
+    if (auto problem = keep_layout(dock, std::string(file::trimmed(*name))))
       refuse(context, kRefusalKey, *std::move(problem));
   }
   explain("Keeps the windows as they are now, in the settings file.");
   draw_refusal(context, kRefusalKey);
-  const std::string now = state.persisted.layout;
+  const std::string now = dock.layout;
   if (builtin_called(now) == nullptr &&
       button(fmt::format("Delete '{}'###forget layout", now), "The windows stay where they are."))
-    forget_layout(state, now);
+    forget_layout(dock, now);
 }
 
-void open_or_close(UiState& state, const std::string& window, bool open) {
-  DockLayout layout = *state.transient.dock.chosen;
+void open_or_close(DockState& dock, const std::string& window, bool open) {
+  DockLayout layout = *dock.chosen;
   if (open) {
     bring_to_front(layout, window);
   } else {
     layout = without(layout, std::array{window});
   }
-  show_layout(state, std::move(layout));
+  show_layout(dock, std::move(layout));
 }
 
 void draw_windows(const PanelContext& context) {
-  UiState& state = context.state;
-  if (!state.persisted.more || !state.transient.dock.chosen) return;
-  const std::vector<std::string> shown = windows_of(*state.transient.dock.chosen);
+  DockState& dock = context.dock;
+  if (!context.window.more || !dock.chosen) return;
+  const std::vector<std::string> shown = windows_of(*dock.chosen);
   ImGui::Separator();
   ImGui::TextDisabled("windows");
-  for (const DockWindow& window : state.transient.dock.windows) {
+  for (const DockWindow& window : dock.windows) {
     bool open = std::ranges::find(shown, window.name) != shown.end();
     if (ImGui::Checkbox(fmt::format("{0}###window {0}", window.name).c_str(), &open))
-      open_or_close(state, window.name, open);
+      open_or_close(dock, window.name, open);
     explain(window.meaning);
   }
 }
@@ -137,60 +139,59 @@ void draw_windows(const PanelContext& context) {
 
 std::span<const BuiltinLayout> builtin_layouts() { return kBuiltins; }
 
-void restore_layout(UiState& state) {
-  PersistedState& kept = state.persisted;
-  if (!layout_called(state, kept.layout)) {
-    tell(state, MessageKind::kProblem,
-         fmt::format("there is no layout '{}' any more: this is '{}'", kept.layout, kUsualLayout));
-    kept.layout = kUsualLayout;
-    kept.docked.clear();
+void restore_layout(DockState& dock, Toasts& toasts) {
+  if (!layout_called(dock, dock.layout)) {
+    toasts.tell(MessageKind::kProblem, fmt::format("there is no layout '{}' any more: this is '{}'",
+                                                   dock.layout, kUsualLayout));
+    dock.layout = kUsualLayout;
+    dock.docked.clear();
   }
-  const std::optional<DockLayout> kept_as = parse_layout(kept.docked);
-  show_layout(state,
-              kept.docked.empty() || !kept_as ? *layout_called(state, kept.layout) : *kept_as);
+  const std::optional<DockLayout> kept_as = parse_layout(dock.docked);
+  show_layout(dock, dock.docked.empty() || !kept_as ? *layout_called(dock, dock.layout) : *kept_as);
 }
 
-void choose_layout(UiState& state, const std::string& name) {
-  PersistedState& kept = state.persisted;
-  kept.more = true;
-  kept.layout = name;
-  kept.docked.clear();
-  show_layout(state, *layout_called(state, name));
+void choose_layout(DockState& dock, WindowState& window, PlotsState& plots,
+                   const std::string& name) {
+  window.more = true;
+  dock.layout = name;
+  dock.docked.clear();
+  show_layout(dock, *layout_called(dock, name));
   const BuiltinLayout* builtin = builtin_called(name);
-  if (builtin != nullptr && builtin->arrangement) kept.arrangement = *builtin->arrangement;
+  if (builtin != nullptr && builtin->arrangement)
+    plots.persisted.arrangement = *builtin->arrangement;
 }
 
 void choose_next_layout(const PanelContext& context) {
-  const std::vector<std::string> names = layout_names(context.state);
-  const auto now = std::ranges::find(names, context.state.persisted.layout);
+  const std::vector<std::string> names = layout_names(context.dock);
+  const auto now = std::ranges::find(names, context.dock.layout);
   const bool last = now == names.end() || std::next(now) == names.end();
-  choose_layout(context.state, last ? names.front() : *std::next(now));
+  choose_layout(context.dock, context.window, context.plots,
+                last ? names.front() : *std::next(now));
 }
 
-std::optional<std::string> keep_layout(UiState& state, const std::string& name) {
-  if (auto problem = problem_with_name(state, name)) return problem;
-  auto& own = state.persisted.own_layouts;
+std::optional<std::string> keep_layout(DockState& dock, const std::string& name) {
+  if (auto problem = problem_with_name(dock, name)) return problem;
+  auto& own = dock.own_layouts;
   auto place = std::ranges::find(own, name, &OwnLayout::name);
   if (place == own.end()) place = own.insert(own.end(), {name, {}});
-  place->layout = state.transient.dock.chosen.value_or(DockLayout{});
-  state.persisted.layout = name;
-  state.persisted.docked.clear();
+  place->layout = dock.chosen.value_or(DockLayout{});
+  dock.layout = name;
+  dock.docked.clear();
   return std::nullopt;
 }
 
-void forget_layout(UiState& state, const std::string& name) {
-  std::erase_if(state.persisted.own_layouts,
-                [&](const OwnLayout& each) { return each.name == name; });
-  if (state.persisted.layout != name) return;
-  state.persisted.layout = kUsualLayout;
-  state.persisted.docked = layout_text(*state.transient.dock.chosen);
+void forget_layout(DockState& dock, const std::string& name) {
+  std::erase_if(dock.own_layouts, [&](const OwnLayout& each) { return each.name == name; });
+  if (dock.layout != name) return;
+  dock.layout = kUsualLayout;
+  dock.docked = layout_text(*dock.chosen);
 }
 
 void draw_layout_choice(const PanelContext& context) {
   if (context.shows.hides_algorithm) return;
-  const PersistedState& kept = context.state.persisted;
-  const bool open = ImGui::BeginCombo("##layout", kept.more ? kept.layout.c_str() : "first minute",
-                                      ImGuiComboFlags_HeightLargest);
+  const bool open = ImGui::BeginCombo(
+      "##layout", context.window.more ? context.dock.layout.c_str() : "first minute",
+      ImGuiComboFlags_HeightLargest);
   if (!open) {
     explain("Layout of the windows (key F3). Drag a tab to move its window, a gap to resize two.");
     return;

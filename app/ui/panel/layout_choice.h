@@ -5,7 +5,9 @@
 #include <span>
 #include <string>
 
+#include "app/ui/state/dock_state.h"
 #include "app/ui/state/panel_context.h"
+#include "app/ui/state/plots_state.h"
 
 namespace hapticwall::ui {
 
@@ -25,17 +27,18 @@ struct BuiltinLayout {
 
 // Restores the arrangement of the settings file at the start. If that names a layout that is gone,
 // a message says so, and the usual one is shown.
-void restore_layout(UiState& state);
+void restore_layout(DockState& dock, Toasts& toasts);
 // Shows the windows as the layout of this name has them. Precondition: there is one.
-void choose_layout(UiState& state, const std::string& name);
+void choose_layout(DockState& dock, WindowState& window, PlotsState& plots,
+                   const std::string& name);
 // The next one of the list.
 void choose_next_layout(const PanelContext& context);
 
 // Keeps the present arrangement under a name; replaces one of that name. Returns what is wrong with
 // the name, or nullopt.
-[[nodiscard]] std::optional<std::string> keep_layout(UiState& state, const std::string& name);
+[[nodiscard]] std::optional<std::string> keep_layout(DockState& dock, const std::string& name);
 // The windows stay where they are.
-void forget_layout(UiState& state, const std::string& name);
+void forget_layout(DockState& dock, const std::string& name);
 
 // A list: layouts, "keep as", and which windows are open. Nothing during a blind test.
 void draw_layout_choice(const PanelContext& context);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/ui/state/changes.h"
+#include "app/ui/state/scene_state.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
@@ -29,7 +30,7 @@ void draw_rate(const PanelContext& context) {
   if (!rate_hz) return;
   Scene changed = scene;
   changed.sampling.rate_hz = *rate_hz;
-  context.state.transient.wanted_scene = WantedScene{std::move(changed)};
+  context.scene.wanted = WantedScene{std::move(changed)};
 }
 
 void set_simulator(const PanelContext& context, const SimulatorSettings& simulator) {

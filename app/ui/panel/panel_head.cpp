@@ -7,10 +7,15 @@
 #include <string>
 #include <system_error>
 
+#include "app/session/window_options.h"
 #include "app/ui/panel/layout_choice.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/appearance.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/plots_state.h"
+#include "app/ui/state/recording_wishes.h"
+#include "app/ui/state/scene_state.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
 
@@ -33,7 +38,7 @@ struct Button {
 void open_settings(const PanelContext& /*context*/) { ImGui::OpenPopup(kSettings); }
 
 void draw_look(const PanelContext& context) {
-  draw::Look& look = context.state.persisted.look;
+  draw::Look& look = context.appearance.look;
   field_label(context, "colours", "Dark, or light for bright rooms (key F2)", "");
   if (ImGui::RadioButton("dark", look == draw::Look::kScreen)) look = draw::Look::kScreen;
   ImGui::SameLine();
@@ -42,46 +47,45 @@ void draw_look(const PanelContext& context) {
 
 void set_typed_scale(const PanelContext& context, double percent) {
   if (percent >= session::kMinScalePercent && percent <= session::kMaxScalePercent)
-    return set_scale(context.state, static_cast<int>(std::lround(percent)));
+    return set_scale(context.appearance, static_cast<int>(std::lround(percent)));
   refuse(context, kScaleField,
          fmt::format("{} is out of range; it takes {} to {} %", rounded_number(percent),
                      session::kMinScalePercent, session::kMaxScalePercent));
 }
 
 void draw_scale(const PanelContext& context) {
-  UiState& state = context.state;
+  Appearance& appearance = context.appearance;
   field_label(
       context, "size",
       fmt::format("Size of everything, {} to {} %. Keys Ctrl +, Ctrl −; Ctrl 0 follows the screen.",
                   session::kMinScalePercent, session::kMaxScalePercent),
       "");
-  if (ImGui::Button("−###smaller")) step_scale(state, -1);
+  if (ImGui::Button("−###smaller")) step_scale(appearance, -1);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(ems(kPercentEms));
-  if (const auto percent = number_field(context, kScaleField, scale_percent_in_force(state)))
+  if (const auto percent = number_field(context, kScaleField, scale_percent_in_force(appearance)))
     set_typed_scale(context, *percent);
   ImGui::SameLine();
   ImGui::TextDisabled("%%");
   ImGui::SameLine();
-  if (ImGui::Button("+###larger")) step_scale(state, 1);
+  if (ImGui::Button("+###larger")) step_scale(appearance, 1);
   draw_refusal(context, kScaleField);
-  const bool automatic = state.persisted.scale_percent == 0 && !state.transient.forced_scale;
+  const bool automatic = appearance.scale_percent == 0 && !appearance.forced_scale;
   field_label(context, "", "", "");
   if (button(fmt::format("as the screen says ({:.0f} %)###automatic scale",
-                         state.transient.screen_scale * kPercent),
+                         appearance.screen_scale * kPercent),
              "", {.enabled = !automatic}))
-    set_scale(state, 0);
+    set_scale(appearance, 0);
 }
 
-void set_recording_folder(UiState& state, const std::string& folder) {
+void set_recording_folder(const PanelContext& context, const std::string& folder) {
   std::error_code error;
   if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
-    tell(state, MessageKind::kProblem,
-         folder + ": there is no such folder; recordings go where they went before");
+    context.toasts.tell(MessageKind::kProblem,
+                        folder + ": there is no such folder; recordings go where they went before");
     return;
   }
-  state.persisted.recording_folder = folder;
-  state.transient.recording_folder = folder;
+  context.recording.chosen_folder = context.recording.folder = folder;
 }
 
 void draw_folder(const PanelContext& context) {
@@ -89,26 +93,25 @@ void draw_folder(const PanelContext& context) {
               "Folder of recordings, samples and figures. Empty: the folder in which the program "
               "was started.",
               "");
-  const auto folder = text_field(context, "##recording folder", "the current folder",
-                                 context.state.transient.recording_folder);
-  if (folder) set_recording_folder(context.state, *folder);
+  const auto folder =
+      text_field(context, "##recording folder", "the current folder", context.recording.folder);
+  if (folder) set_recording_folder(context, *folder);
 }
 
 void draw_signals(const PanelContext& context) {
   field_label(context, "", "", "");
-  bool& records = context.state.transient.records_signals;
+  bool& records = context.recording.records_signals;
   if (ImGui::Checkbox("signals of algorithms###record signals", &records))
-    context.state.persisted.records_signals = records;
+    context.recording.chosen_signals = records;
   explain(
       "Recordings have the algorithms' own signals, such as energy and bound, as columns "
       "signal.NAME. From the next recording on; as --signals.");
 }
 
-void reset_layout(UiState& state) {
-  const PersistedState usual;
-  choose_layout(state, usual.layout);
-  state.persisted.more = usual.more;
-  state.persisted.arrangement = usual.arrangement;
+void reset_layout(const PanelContext& context) {
+  choose_layout(context.dock, context.window, context.plots, kUsualLayout);
+  context.window.more = WindowState().more;
+  context.plots.persisted.arrangement = PlotsState::Persisted().arrangement;
 }
 
 void draw_settings(const PanelContext& context, ImVec2 below) {
@@ -124,8 +127,8 @@ void draw_settings(const PanelContext& context, ImVec2 below) {
   field_label(context, "", "", "");
   if (button("as at first###reset layout",
              "Restores what is shown at first, and the layout 'bench'. Layouts of your own stay."))
-    reset_layout(context.state);
-  const std::string& path = context.state.transient.settings_path;
+    reset_layout(context);
+  const std::string& path = context.window.settings_path;
   muted_text(context, path.empty() ? "Nothing of this is kept." : "Kept in " + path);
   ImGui::EndPopup();
 }
@@ -133,7 +136,7 @@ void draw_settings(const PanelContext& context, ImVec2 below) {
 }  // namespace
 
 void draw_panel_head(const PanelContext& context) {
-  const UndoHistory& undo = context.state.transient.undo;
+  const UndoHistory& undo = context.scene.undo;
   const bool changeable = context.shows.live != nullptr && !context.shows.hides_algorithm;
   const std::array buttons{
       Button{"Undo", "undo", undo.can_undo() && changeable,
@@ -167,13 +170,13 @@ void draw_panel_head(const PanelContext& context) {
   draw_settings(context, settings_below);
 }
 
-void show_more(PersistedState& kept) {
-  kept.more = true;
-  kept.arrangement = PlotArrangement::kAll;
+void show_more(WindowState& window, PlotsState& plots) {
+  window.more = true;
+  plots.persisted.arrangement = PlotArrangement::kAll;
 }
 
 void toggle_help(const PanelContext& context) {
-  bool& shown = context.state.transient.help_shown;
+  bool& shown = context.window.help_shown;
   shown = !shown;
 }
 

@@ -10,7 +10,9 @@
 #include <string>
 
 #include "app/file/recording/recording_writer.h"
+#include "app/ui/panel/replay_state.h"
 #include "app/ui/panel/toolbar.h"
+#include "app/ui/state/time_view.h"
 #include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/widgets.h"
 
@@ -125,7 +127,7 @@ void draw_replay_end(const PanelContext& context) {
   if (button("Back to the scene###back to the scene",
              "Ends the replay and starts the scene that ran before, at rest.",
              {.width = ems(kBackEms)}))
-    context.state.replay.wants_back = true;
+    context.replay.wants_back = true;
 }
 
 // A long name is clipped; the tooltip has its path.
@@ -240,7 +242,7 @@ void draw_replay_bar(const PanelContext& context, ReplaySession& replay) {
 }
 
 void draw_opening(const PanelContext& context) {
-  ReplayState& state = context.state.replay;
+  ReplayState& state = context.replay;
   if (!state.opening.running() || state.opening_s < kQuietOpeningS) return;
   ImGui::AlignTextToFramePadding();
   ImGui::Text("reading %s  %.0f %%", file_name(state.opening_path).c_str(),
@@ -251,9 +253,9 @@ void draw_opening(const PanelContext& context) {
 }
 
 void go_to(const PanelContext& context, ReplaySession& replay, double time_s) {
-  replay.set_history(std::clamp(context.state.persisted.time_window_s, kMinHistoryS, kMaxHistoryS));
+  replay.set_history(std::clamp(context.time.window_s, kMinHistoryS, kMaxHistoryS));
   replay.seek(time_s);
-  context.state.transient.follow = true;
+  context.time.follow = true;
 }
 
 void slower(const PanelContext& context) {

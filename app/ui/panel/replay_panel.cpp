@@ -9,6 +9,8 @@
 
 #include "app/draw/plot/extra_traces.h"
 #include "app/session/hand_rerun.h"
+#include "app/ui/panel/replay_state.h"
+#include "app/ui/state/plots_state.h"
 #include "app/ui/widget/widgets.h"
 #include "core/algorithm/algorithm.h"
 #include "core/units.h"
@@ -42,25 +44,25 @@ Result<LaidOver> rerun(const file::RecordingInfo& shown, const std::string& algo
   return LaidOver{std::move(*overlay), std::move(history)};
 }
 
-void take_away(UiState& state, ReplaySession& replay) {
-  state.replay.rerun.give_up();
+void take_away(const PanelContext& context, ReplaySession& replay) {
+  context.replay.rerun.give_up();
   replay.lay_over(std::nullopt);
-  draw_overlay_in_plots(state, nullptr, nullptr);
+  draw_overlay_in_plots(context.plots, nullptr, nullptr);
 }
 
 void draw_choices(const PanelContext& context, ReplaySession& replay, const std::string& current) {
   if (list_choice(fmt::format("{0}###re-run {0}", kNothing), current == kNothing))
-    take_away(context.state, replay);
+    take_away(context, replay);
   for (const AlgorithmDescription& algorithm : algorithms()) {
     const std::string name(algorithm.name);
     if (list_choice(fmt::format("{0}###re-run {0}", name), current == name,
                     fmt::format("{}\n{}", algorithm.title, algorithm.idea)))
-      start_rerun(context.state, replay, name);
+      start_rerun(context.replay, context.toasts, replay, name);
   }
 }
 
 void draw_rerun(const PanelContext& context, ReplaySession& replay) {
-  const ReplayState& state = context.state.replay;
+  const ReplayState& state = context.replay;
   const Failure impossible = session::check_rerun(replay.recording());
   const std::string tooltip = impossible ? impossible->message
                                          : "Re-runs the recorded hand under another algorithm, and "
@@ -79,7 +81,7 @@ void draw_rerun(const PanelContext& context, ReplaySession& replay) {
 }
 
 void draw_progress(const PanelContext& context) {
-  ReplayState& state = context.state.replay;
+  ReplayState& state = context.replay;
   if (!state.rerun.running()) return;
   const double fraction = state.rerun.fraction();
   const float width =
@@ -121,25 +123,26 @@ void draw_replay_section(const PanelContext& context, ReplaySession& replay) {
              "Everything below shows the recorded state at this time and cannot be changed.");
 }
 
-void start_rerun(UiState& state, const ReplaySession& replay, const std::string& algorithm) {
+void start_rerun(ReplayState& state, Toasts& toasts, const ReplaySession& replay,
+                 const std::string& algorithm) {
   if (const Failure impossible = session::check_rerun(replay.recording()))
-    return tell(state, *impossible);
-  state.replay.rerun_algorithm = algorithm;
-  state.replay.rerun.start([shown = replay.recording(), algorithm](const Progress& progress) {
+    return tell(toasts, *impossible);
+  state.rerun_algorithm = algorithm;
+  state.rerun.start([shown = replay.recording(), algorithm](const Progress& progress) {
     return rerun(shown, algorithm, progress);
   });
 }
 
-void notice_rerun(UiState& state, ReplaySession& replay) {
-  auto outcome = state.replay.rerun.take();
+void notice_rerun(ReplayState& state, PlotsState& plots, Toasts& toasts, ReplaySession& replay) {
+  auto outcome = state.rerun.take();
   if (!outcome) return;
-  if (!*outcome) return tell(state, outcome->error());
+  if (!*outcome) return tell(toasts, outcome->error());
   LaidOver laid = std::move(**outcome);
-  draw_overlay_in_plots(state, &laid.overlay, std::move(laid.history));
+  draw_overlay_in_plots(plots, &laid.overlay, std::move(laid.history));
   replay.lay_over(std::move(laid.overlay));
 }
 
-void draw_overlay_in_plots(UiState& state, const session::Overlay* overlay,
+void draw_overlay_in_plots(PlotsState& plots, const session::Overlay* overlay,
                            std::shared_ptr<const draw::SampleHistory> history) {
   std::vector<draw::ExtraTrace> traces;
   if (overlay != nullptr) {
@@ -148,8 +151,7 @@ void draw_overlay_in_plots(UiState& state, const session::Overlay* overlay,
     trace.history = std::move(history);
     traces.push_back(std::move(trace));
   }
-  replace_extra_traces(state.plots.transient.extra_traces, draw::ExtraSource::kReplay,
-                       std::move(traces));
+  replace_extra_traces(plots.transient.extra_traces, draw::ExtraSource::kReplay, std::move(traces));
 }
 
 std::shared_ptr<const draw::SampleHistory> history_of(const session::Overlay& overlay,

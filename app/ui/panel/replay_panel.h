@@ -4,7 +4,9 @@
 #include <string>
 
 #include "app/session/replay_session.h"
+#include "app/ui/panel/replay_state.h"
 #include "app/ui/state/panel_context.h"
+#include "app/ui/state/plots_state.h"
 
 namespace hapticwall::ui {
 
@@ -12,14 +14,15 @@ void draw_replay_section(const PanelContext& context, session::ReplaySession& re
 
 // Re-runs the recorded hand under this algorithm, on its own thread. The result replaces the
 // present overlay.
-void start_rerun(UiState& state, const session::ReplaySession& replay,
+void start_rerun(ReplayState& state, Toasts& toasts, const session::ReplaySession& replay,
                  const std::string& algorithm);
 
 // Shows the result of a finished re-run as an overlay, or tells why there is none.
-void notice_rerun(UiState& state, session::ReplaySession& replay);
+void notice_rerun(ReplayState& state, PlotsState& plots, Toasts& toasts,
+                  session::ReplaySession& replay);
 
 // Shows an overlay in the plots; null removes it.
-void draw_overlay_in_plots(UiState& state, const session::Overlay* overlay,
+void draw_overlay_in_plots(PlotsState& plots, const session::Overlay* overlay,
                            std::shared_ptr<const draw::SampleHistory> history);
 
 // The samples of an overlay for the plots.

@@ -9,7 +9,11 @@
 #include "app/file/scene/scene_file.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/plots_state.h"
 #include "app/ui/state/recent_files.h"
+#include "app/ui/state/scene_state.h"
+#include "app/ui/state/text_edit.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/parameter_rows.h"
 #include "app/ui/widget/widgets.h"
 #include "core/algorithm/algorithm.h"
@@ -46,14 +50,14 @@ void draw_figure_buttons(const PanelContext& context) {
     if (&figure != kPaperFigures.data()) ImGui::SameLine();
     if (!button(figure.label, figure.tooltip, {.width = width})) continue;
     want_builtin(context, kPaperScene, figure.algorithm);
-    context.state.persisted.arrangement = figure.arrangement;
+    context.plots.persisted.arrangement = figure.arrangement;
   }
 }
 
 // Beside the heading, so that its appearance moves nothing.
 void draw_way_back(const PanelContext& context) {
   if (context.shows.live == nullptr) return;
-  const Scene& loaded = context.state.transient.loaded_scene;
+  const Scene& loaded = context.scene.loaded;
   const std::vector<std::string> changed = changed_values(context.session.scene(), loaded);
   if (changed.empty()) return;
   const std::string label = fmt::format("Reset to scene ({})###reset to scene", changed.size());
@@ -65,9 +69,9 @@ void draw_way_back(const PanelContext& context) {
   explain(
       fmt::format("Restores the scene's values during the session:\n{}", fmt::join(changed, "\n")));
   if (!clicked) return;
-  context.state.transient.refusal.reset();
+  context.edit.refusal.reset();
   const Scene back = with_loaded_values(context.session.scene(), loaded);
-  if (const auto problem = ask_for(context, back)) tell(context.state, *problem);
+  if (const auto problem = ask_for(context, back)) tell(context.toasts, *problem);
 }
 
 void draw_builtin_choices(const PanelContext& context) {
@@ -81,7 +85,7 @@ void draw_builtin_choices(const PanelContext& context) {
 
 void draw_recent_choices(const PanelContext& context) {
   std::string chosen;
-  const std::vector<std::string>& recent = context.state.persisted.recent;
+  const std::vector<std::string>& recent = context.scene.recent;
   if (!recent.empty()) {
     ImGui::Separator();
     ImGui::TextDisabled("Opened before");
@@ -91,7 +95,7 @@ void draw_recent_choices(const PanelContext& context) {
     if (list_choice(fmt::format("{}###recent {}", name, i + 1), false, recent[i]))
       chosen = recent[i];
   }
-  if (!chosen.empty()) open_file(context.state, chosen);
+  if (!chosen.empty()) open_file(context.scene, context.toasts, chosen);
 }
 
 void draw_path_field(const PanelContext& context) {
@@ -102,7 +106,7 @@ void draw_path_field(const PanelContext& context) {
       "Opens this file: a scene (.toml) or a recording (.csv). A file can also be dragged onto "
       "the window.");
   if (!path || path->empty()) return;
-  open_file(context.state, *path);
+  open_file(context.scene, context.toasts, *path);
   ImGui::CloseCurrentPopup();
 }
 
@@ -110,14 +114,14 @@ void draw_path_field(const PanelContext& context) {
 
 void want_builtin(const PanelContext& context, std::string_view name, std::string_view algorithm) {
   Result<file::LoadedScene> loaded = file::load_scene(std::string(name));
-  if (!loaded) return tell(context.state, loaded.error());
+  if (!loaded) return tell(context.toasts, loaded.error());
   Scene scene = std::move(loaded->scene);
   if (!algorithm.empty()) {
     const auto index = find_algorithm(algorithm);
     if (!index) return;
     scene.algorithm.index = *index;
   }
-  context.state.transient.wanted_scene = WantedScene{std::move(scene), true};
+  context.scene.wanted = WantedScene{std::move(scene), true};
 }
 
 void draw_scene_section(const PanelContext& context) {
@@ -134,7 +138,7 @@ void draw_scene_section(const PanelContext& context) {
   }
   explain("A scene starts a new session from rest.");
   if (!scene.description.empty()) muted_text(context, scene.description);
-  if (context.state.persisted.more) draw_figure_buttons(context);
+  if (context.window.more) draw_figure_buttons(context);
 }
 
 }  // namespace hapticwall::ui

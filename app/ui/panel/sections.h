@@ -11,7 +11,7 @@ namespace hapticwall::ui {
 void draw_panel_head(const PanelContext& context);
 void toggle_help(const PanelContext& context);
 // Every section, page and control, and all plots.
-void show_more(PersistedState& kept);
+void show_more(WindowState& window, PlotsState& plots);
 
 void draw_scene_section(const PanelContext& context);
 // Asks for a built-in scene, with its own algorithm or the one named.

@@ -14,16 +14,16 @@ constexpr const char* kMeaning =
 }  // namespace
 
 void draw_sound_switch(const PanelContext& context) {
-  TransientState& transient = context.state.transient;
-  if (choice_button(context, "Sound###sound", transient.sound_on,
-                    kMeaning + describe(transient.sound), {.width = ems(kSoundEms)}))
-    transient.sound_on = !transient.sound_on;
+  SoundChoice& sound = context.sound;
+  if (choice_button(context, "Sound###sound", sound.on, kMeaning + describe(sound.status),
+                    {.width = ems(kSoundEms)}))
+    sound.on = !sound.on;
 }
 
 void draw_volume(const PanelContext& context) {
   constexpr double kMin = 0.0;
   constexpr double kMax = kPercent;
-  double& volume = context.state.persisted.sound_volume;
+  double& volume = context.sound.volume;
   double percent = volume * kPercent;
   ImGui::SetNextItemWidth(ems(kVolumeEms));
   if (ImGui::SliderScalar("##volume", ImGuiDataType_Double, &percent, &kMin, &kMax, "%.0f %%",

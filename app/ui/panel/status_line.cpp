@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/ui/panel/sections.h"
+#include "app/ui/state/timing_state.h"
 #include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/widgets.h"
 #include "core/algorithm/algorithm.h"
@@ -83,7 +84,7 @@ void draw_device_state(const PanelContext& context) {
 // The set-up of the loop, unless the loop is silent.
 StatusText realtime_text(const PanelContext& context) {
   const session::RealtimeStatus& status = context.session.realtime_status();
-  const std::string silence = silence_text(context.state.timing.answer);
+  const std::string silence = silence_text(context.timing.answer);
   if (!silence.empty()) {
     return {draw::Tone::kBad, silence,
             "The loop hangs, or the machine gives it no time: other real-time processes, a step "
@@ -121,27 +122,27 @@ std::string p99_text(const session::Quantiles& quantiles) {
 std::vector<RowControl> loop_values(const PanelContext& context, const session::LiveSession& live) {
   const session::TimingStatistics& timing = context.snapshot.timing;
   const std::uint64_t dropped = live.dropped_plot_samples();
-  return {control_of(
-              context, 1,
-              {"missed", fmt::format("{}", timing.missed_ticks),
-               timing.missed_ticks > 0 ? draw::Tone::kWarning : draw::Tone::kText,
-               fmt::format("Of {} ticks since the start; a missed tick is skipped", timing.ticks),
-               "9999"}),
-          control_of(context, 3,
-                     {"wake-up", p99_text(context.state.timing.wake_latency), draw::Tone::kText,
-                      "Wake-up latency of the loop: 99th percentile and maximum"}),
-          // The compute time would reveal the algorithm.
-          control_of(context, 4,
-                     {"compute",
-                      context.shows.hides_algorithm ? "hidden"
-                                                    : p99_text(context.state.timing.compute_time),
-                      draw::Tone::kText, "Compute time of a tick: 99th percentile and maximum"}),
-          control_of(context, 2,
-                     {"plot drops", fmt::format("{}", dropped),
-                      dropped > 0 ? draw::Tone::kWarning : draw::Tone::kText,
-                      "Samples that the window was too slow to take; the recording has its own "
-                      "queue",
-                      "999"})};
+  return {
+      control_of(
+          context, 1,
+          {"missed", fmt::format("{}", timing.missed_ticks),
+           timing.missed_ticks > 0 ? draw::Tone::kWarning : draw::Tone::kText,
+           fmt::format("Of {} ticks since the start; a missed tick is skipped", timing.ticks),
+           "9999"}),
+      control_of(context, 3,
+                 {"wake-up", p99_text(context.timing.wake_latency), draw::Tone::kText,
+                  "Wake-up latency of the loop: 99th percentile and maximum"}),
+      // The compute time would reveal the algorithm.
+      control_of(context, 4,
+                 {"compute",
+                  context.shows.hides_algorithm ? "hidden" : p99_text(context.timing.compute_time),
+                  draw::Tone::kText, "Compute time of a tick: 99th percentile and maximum"}),
+      control_of(context, 2,
+                 {"plot drops", fmt::format("{}", dropped),
+                  dropped > 0 ? draw::Tone::kWarning : draw::Tone::kText,
+                  "Samples that the window was too slow to take; the recording has its own "
+                  "queue",
+                  "999"})};
 }
 
 std::string frame_text(const PanelContext& context) {

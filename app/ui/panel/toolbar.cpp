@@ -12,10 +12,15 @@
 #include <vector>
 
 #include "app/file/text/text.h"
+#include "app/ui/panel/hand_state.h"
 #include "app/ui/panel/replay_bar.h"
 #include "app/ui/panel/sound_switch.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/export.h"
+#include "app/ui/state/recording_wishes.h"
+#include "app/ui/state/scene_state.h"
+#include "app/ui/state/text_edit.h"
+#include "app/ui/state/time_view.h"
 #include "app/ui/widget/overflow_row.h"
 #include "app/ui/widget/widgets.h"
 
@@ -62,7 +67,7 @@ void draw_reset(const PanelContext& context) {
 }
 
 void draw_repeat(const PanelContext& context) {
-  bool& repeats = context.state.transient.repeats;
+  bool& repeats = context.scene.repeats;
   if (choice_button(
           context, "Repeat###repeat scene", repeats,
           "A simulated scene begins anew, at rest, at its end; not while it is recorded or "
@@ -114,11 +119,10 @@ void draw_recording_status(const PanelContext& context, const RecordingStatus& s
 }
 
 void draw_name(const PanelContext& context) {
-  TransientState& transient = context.state.transient;
   ImGui::SetNextItemWidth(ems(kNameEms));
   const std::string hint = automatic_name(context);
-  if (const auto name = text_field(context, "##recording name", hint, transient.recording_name)) {
-    transient.recording_name = *name;
+  if (const auto name = text_field(context, "##recording name", hint, context.recording.name)) {
+    context.recording.name = *name;
   }
   explain(
       "Name of the file; empty: after scene and algorithm. An existing file is never overwritten.");
@@ -134,21 +138,21 @@ void draw_mark(const PanelContext& context) {
   ImGui::SameLine();
   const float width = ems(kNameEms) - ImGui::GetItemRectSize().x;
   ImGui::SetNextItemWidth(width - ImGui::GetStyle().ItemSpacing.x);
-  TransientState& transient = context.state.transient;
-  if (transient.focus_mark) ImGui::SetKeyboardFocusHere();
-  const bool asked = std::exchange(transient.focus_mark, false);
-  const auto typed = text_field(context, "##mark text", "what happens here", transient.mark_text);
+  if (context.recording.focus_mark) ImGui::SetKeyboardFocusHere();
+  const bool asked = std::exchange(context.recording.focus_mark, false);
+  const auto typed =
+      text_field(context, "##mark text", "what happens here", context.recording.mark_text);
   explain("Text of the next mark, or after M of the mark just set; Enter sets it.");
   if (!typed) {
     // Left without a text: the mark has no name.
-    if (!asked && ImGui::IsItemDeactivated()) transient.names_mark = false;
+    if (!asked && ImGui::IsItemDeactivated()) context.recording.names_mark = false;
     return;
   }
-  if (std::exchange(transient.names_mark, false)) {
+  if (std::exchange(context.recording.names_mark, false)) {
     context.shows.live->name_mark(*typed);
     return;
   }
-  transient.mark_text = *typed;
+  context.recording.mark_text = *typed;
   if (ImGui::IsKeyPressed(ImGuiKey_Enter) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter))
     static_cast<void>(add_mark(context));
 }
@@ -175,16 +179,19 @@ void draw_name_or_mark(const PanelContext& context, bool recording) {
 void draw_session_bar(const PanelContext& context, session::LiveSession& live) {
   const RecordingStatus status = live.recording_status();
   const bool recording = status.state == RecordingState::kRecording;
-  const TransientState& transient = context.state.transient;
   std::vector<RowControl> controls{
       {ems(kToolButtonEms), 0, [&] { draw_pause(context); }},
       {ems(kToolButtonEms), 5, [&] { draw_step_button(context); }},
       {ems(kToolButtonEms), 2, [&] { draw_reset(context); }},
       {ems(kTimeEms), 3, [&] { draw_session_time(context); }},
       {ems(kRecordButtonEms), 1, [&] { draw_record(context, recording); }},
-      {ems(kNameEms), 6, [&] { draw_name_or_mark(context, recording); }, {}, transient.focus_mark},
+      {ems(kNameEms),
+       6,
+       [&] { draw_name_or_mark(context, recording); },
+       {},
+       context.recording.focus_mark},
       {ems(kSoundEms), 4, [&] { draw_sound_switch(context); }}};
-  if (!transient.sound.card.empty())
+  if (!context.sound.status.card.empty())
     controls.push_back({ems(kVolumeEms), 8, [&] { draw_volume(context); }});
   if (live.device_info().is_simulated)
     controls.push_back({ems(kSlowEms), 9, [&] { draw_slow_motion(context, live); }});
@@ -197,7 +204,7 @@ void draw_session_bar(const PanelContext& context, session::LiveSession& live) {
 // Below the reset button; R again agrees, Esc does not.
 void draw_reset_question(const PanelContext& context) {
   constexpr const char* kPopup = "reset the recording";
-  Question& question = context.state.transient.reset_question;
+  Question& question = context.recording.reset_question;
   if (question == Question::kNone) return;
   if (question == Question::kAsked) ImGui::OpenPopup(kPopup);
   question = Question::kShown;
@@ -241,66 +248,63 @@ void single_step(const PanelContext& context) {
 }
 
 void ask_to_reset(const PanelContext& context) {
-  TransientState& transient = context.state.transient;
   const bool recording = context.shows.live != nullptr &&
                          context.shows.live->recording_status().state == RecordingState::kRecording;
-  if (recording && transient.reset_question == Question::kNone) {
-    transient.reset_question = Question::kAsked;
+  if (recording && context.recording.reset_question == Question::kNone) {
+    context.recording.reset_question = Question::kAsked;
   } else {
     reset_session(context);
   }
 }
 
 void reset_session(const PanelContext& context) {
-  context.state.transient.reset_question = Question::kNone;
+  context.recording.reset_question = Question::kNone;
   context.session.reset();
-  context.state.transient.follow = true;
-  context.state.transient.hand_led = false;
+  context.time.follow = true;
+  context.hand.led = false;
 }
 
 void toggle_recording(const PanelContext& context) {
-  UiState& state = context.state;
   if (context.shows.replay != nullptr) {
-    tell(state, MessageKind::kProblem,
-         "this is a recording already: " + file::shown(context.shows.replay->recording().csv_path));
+    context.toasts.tell(
+        MessageKind::kProblem,
+        "this is a recording already: " + file::shown(context.shows.replay->recording().csv_path));
     return;
   }
   session::LiveSession& live = *context.shows.live;
   if (live.recording_status().state == RecordingState::kRecording) {
-    stop_recording(state, live);
+    stop_recording(context.toasts, live);
     return;
   }
-  const std::string& typed = state.transient.recording_name;
-  const std::string path = unused_recording_path(state.transient.recording_folder,
+  const std::string& typed = context.recording.name;
+  const std::string path = unused_recording_path(context.recording.folder,
                                                  typed.empty() ? automatic_name(context) : typed);
-  live.record_signals(state.transient.records_signals);
-  tell(state, live.start_recording(path), "recording to " + path);
+  live.record_signals(context.recording.records_signals);
+  tell(context.toasts, live.start_recording(path), "recording to " + path);
 }
 
-void stop_recording(UiState& state, session::LiveSession& live) {
+void stop_recording(Toasts& toasts, session::LiveSession& live) {
   const Failure failure = live.stop_recording();
-  tell(state, failure, "recording finished: " + live.recording_status().path);
+  tell(toasts, failure, "recording finished: " + live.recording_status().path);
 }
 
 bool add_mark(const PanelContext& context) {
-  TransientState& transient = context.state.transient;
   if (context.shows.replay != nullptr) {
-    tell(context.state, MessageKind::kNote, "marks need a running recording; this one is finished");
+    context.toasts.tell(MessageKind::kNote, "marks need a running recording; this one is finished");
     return false;
   }
-  if (const Failure failure = context.shows.live->mark(transient.mark_text)) {
-    tell(context.state, MessageKind::kNote, failure->message);
+  if (const Failure failure = context.shows.live->mark(context.recording.mark_text)) {
+    context.toasts.tell(MessageKind::kNote, failure->message);
     return false;
   }
-  transient.mark_text.clear();
+  context.recording.mark_text.clear();
   return true;
 }
 
 void mark_and_name(const PanelContext& context) {
   if (!add_mark(context)) return;
-  TransientState& transient = context.state.transient;
-  transient.focus_mark = transient.names_mark = true;
-  promise_keyboard(context.state);
+  context.recording.focus_mark = context.recording.names_mark = true;
+  promise_keyboard(context.edit);
 }
 
 std::string unused_recording_path(const std::string& folder, const std::string& name) {

@@ -22,7 +22,7 @@ void toggle_recording(const PanelContext& context);
 [[nodiscard]] bool add_mark(const PanelContext& context);
 // add_mark(); then the keyboard names the mark.
 void mark_and_name(const PanelContext& context);
-void stop_recording(UiState& state, session::LiveSession& live);
+void stop_recording(Toasts& toasts, session::LiveSession& live);
 
 // An unused path for a recording of this name in `folder`. Adds ".csv" where it is missing, and
 // "-2", "-3" … where needed.

@@ -24,7 +24,7 @@ void draw_verdict_strip(const PanelContext& context) {
     ImGui::TextDisabled("verdict: hidden");
     return;
   }
-  const Tail& tail = context.state.tails.at(shown_index(context));
+  const Tail& tail = context.tails.at(shown_index(context));
   const std::string text = tail_text(tail);
   {
     const draw::FontScope font(context.theme.fonts.digits, draw::kTitleFontSize);

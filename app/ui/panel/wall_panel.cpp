@@ -29,7 +29,7 @@ std::optional<SceneProblem> set_wall(const PanelContext& context, std::size_t in
 }
 
 void draw_chooser(const PanelContext& context, std::size_t count) {
-  std::size_t& chosen = context.state.transient.chosen_wall;
+  std::size_t& chosen = context.selection.wall;
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) ImGui::SameLine();
     const std::string label = fmt::format("wall {}", i + 1);
@@ -41,7 +41,7 @@ void draw_chooser(const PanelContext& context, std::size_t count) {
 // Each row reads the wall again, because the row above may have changed it.
 void draw_row(const PanelContext& context, double WallSettings::*member, double scale,
               NumberRow row) {
-  const std::size_t index = context.state.transient.chosen_wall;
+  const std::size_t index = context.selection.wall;
   WallSettings wall = shown_walls(context)[index];
   row.value = wall.*member * scale;
   const auto value = number_row(context, row);
@@ -133,7 +133,7 @@ void draw_wall_section(const PanelContext& context) {
                                                            : "This scene has no wall.");
     return;
   }
-  std::size_t& chosen = context.state.transient.chosen_wall;
+  std::size_t& chosen = context.selection.wall;
   chosen = std::min(chosen, walls.size() - 1);
   if (walls.size() > 1) draw_chooser(context, walls.size());
   draw_rows(context);

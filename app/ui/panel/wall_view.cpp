@@ -8,7 +8,9 @@
 #include "app/ui/panel/energy_lamp_view.h"
 #include "app/ui/panel/hand_drag.h"
 #include "app/ui/state/blind_test.h"
+#include "app/ui/state/compare_state.h"
 #include "app/ui/wall/wall_labels.h"
+#include "app/ui/wall/wall_state.h"
 #include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"
@@ -57,7 +59,7 @@ void move_camera(WallState& state, const ViewArea& area, bool two_axes) {
 std::optional<double> shown_stiffness(const PanelContext& context, std::size_t axis) {
   const Sample& sample = context.snapshot.newest.axes.at(axis);
   if ((sample.flags & kFlagInContact) == 0U) return std::nullopt;
-  return context.state.tails.at(axis).summary.displayed_stiffness_n_per_m;
+  return context.tails.at(axis).summary.displayed_stiffness_n_per_m;
 }
 
 constexpr const char* kWidestReadout = "penetration    0.000 kN/m";
@@ -119,7 +121,7 @@ constexpr const char* kResetView = "Reset view###reset view";
 
 // Area of the button at the upper right; empty while the button would have no effect.
 draw::PixelBox reset_area(const PanelContext& context, const ViewArea& area) {
-  if (context.state.wall.persisted.orbit == WallOrbit{}) return {area.corner, area.corner};
+  if (context.wall.persisted.orbit == WallOrbit{}) return {area.corner, area.corner};
   const ImGuiStyle& style = ImGui::GetStyle();
   const float right = area.corner.x + area.size.x - style.WindowPadding.x;
   const float top = area.corner.y + style.WindowPadding.y;
@@ -128,11 +130,11 @@ draw::PixelBox reset_area(const PanelContext& context, const ViewArea& area) {
 }
 
 void draw_reset_button(const PanelContext& context, const ViewArea& area) {
-  if (context.state.wall.persisted.orbit == WallOrbit{}) return;
+  if (context.wall.persisted.orbit == WallOrbit{}) return;
   ImGui::SetCursorScreenPos(reset_area(context, area).from);
   if (button(kResetView,
              "Restores the initial view; so does a double click with the right button."))
-    context.state.wall.persisted.orbit = {};
+    context.wall.persisted.orbit = {};
 }
 
 // Infinite without one, and for an axis that the scene does not have.
@@ -146,11 +148,11 @@ double force_limit_n(const PanelContext& context, std::size_t axis) {
 void draw_picture(const PanelContext& context, WallRenderer& renderer, const WallPicture& picture,
                   const WallCamera& camera, const ViewArea& area) {
   const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
-  renderer.set_draft_share(context.state.wall.transient.resolution.share());
+  renderer.set_draft_share(context.wall.transient.resolution.share());
   const GLuint texture = renderer.draw(picture, camera, context.theme,
                                        std::max(1, static_cast<int>(area.size.x * pixels.x)),
                                        std::max(1, static_cast<int>(area.size.y * pixels.y)));
-  context.state.wall.transient.view_refined = renderer.refined();
+  context.wall.transient.view_refined = renderer.refined();
   ImGui::GetWindowDrawList()->AddImage(
       ImTextureRef(static_cast<ImTextureID>(texture)), area.corner,
       ImVec2(area.corner.x + area.size.x, area.corner.y + area.size.y), ImVec2(0.0F, 1.0F),
@@ -158,7 +160,7 @@ void draw_picture(const PanelContext& context, WallRenderer& renderer, const Wal
 }
 
 void take_pointer(const PanelContext& context, const WallCamera& camera, const ViewArea& area) {
-  WallState& state = context.state.wall;
+  WallState& state = context.wall;
   ImGui::SetNextItemAllowOverlap();
   ImGui::InvisibleButton("##wall view", area.size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
@@ -184,9 +186,8 @@ void draw_labels(const PanelContext& context, const WallPicture& picture, const 
                                                         ? draw::PixelBox{area.corner, area.corner}
                                                         : readout_area(context, area)};
   const draw::FontScope font(nullptr, draw::kSmallFontSize);
-  draw_wall_labels(
-      context.theme, picture, camera, area, taken,
-      hidden ? std::string() : rhythm_text(context.state.tails.at(shown_index(context))));
+  draw_wall_labels(context.theme, picture, camera, area, taken,
+                   hidden ? std::string() : rhythm_text(context.tails.at(shown_index(context))));
 }
 
 }  // namespace
@@ -197,7 +198,7 @@ WallCamera wall_view_camera(const Scene& scene, ImVec2 size) {
 
 WallPicture shown_picture(const PanelContext& context) {
   WallPicture picture = wall_picture(scene_to_show(context), context.snapshot.newest);
-  WallState::Transient& transient = context.state.wall.transient;
+  WallState::Transient& transient = context.wall.transient;
   if (context.shows.hides_force) {
     // Both walls look the same: the handle is where a rigid wall would hold the hand.
     picture.hides_stiffness = true;
@@ -219,7 +220,7 @@ WallPicture shown_picture(const PanelContext& context) {
     const double most_n = std::max(swept.force_n.maximum, -swept.force_n.minimum);
     picture.saturated = picture.saturated || most_n >= force_limit_n(context, axis);
   }
-  if (const auto& lamp = context.state.compare.transient.lamp)
+  if (const auto& lamp = context.compare.transient.lamp)
     picture.energy = lamp_words(lamp->story()).tone;
   return picture;
 }
@@ -228,7 +229,7 @@ void draw_wall_view(const PanelContext& context, WallRenderer& renderer) {
   const ImVec2 available = ImGui::GetContentRegionAvail();
   const ViewArea area{ImGui::GetCursorScreenPos(),
                       ImVec2(std::max(available.x, 1.0F), std::max(available.y, 1.0F))};
-  const WallCamera camera(wall_space(scene_to_show(context)), context.state.wall.persisted.orbit,
+  const WallCamera camera(wall_space(scene_to_show(context)), context.wall.persisted.orbit,
                           area.size.x, area.size.y);
   const WallPicture picture = shown_picture(context);
   draw_picture(context, renderer, picture, camera, area);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/window_options.h"
+
 namespace hapticwall::ui {
 namespace {
 
@@ -15,10 +17,9 @@ constexpr float kMaxLectureScale = 1.5F;
 constexpr float kStepsOfOne = 10.0F;
 
 // Scale without the increase by the layout.
-float chosen_scale(const UiState& state) {
-  const TransientState& transient = state.transient;
-  const float chosen = static_cast<float>(state.persisted.scale_percent) / kFullScalePercent;
-  return transient.forced_scale.value_or(chosen > 0.0F ? chosen : transient.screen_scale);
+float chosen_scale(const Appearance& appearance) {
+  const float chosen = static_cast<float>(appearance.scale_percent) / kFullScalePercent;
+  return appearance.forced_scale.value_or(chosen > 0.0F ? chosen : appearance.screen_scale);
 }
 
 float allowed(float scale) {
@@ -28,35 +29,34 @@ float allowed(float scale) {
 
 }  // namespace
 
-float scale_in_force(const UiState& state) {
-  const PersistedState& kept = state.persisted;
-  const float chosen = allowed(chosen_scale(state));
-  if (!kept.more || kept.layout != kLectureLayout) return chosen;
+float scale_in_force(const Appearance& appearance, bool lecture) {
+  const float chosen = allowed(chosen_scale(appearance));
+  if (!lecture) return chosen;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float room = std::min(window.x / kRoomyWidth, window.y / kRoomyHeight) / chosen;
   const float steps = std::floor(std::clamp(room, 1.0F, kMaxLectureScale) * kStepsOfOne);
   return allowed(chosen * steps / kStepsOfOne);
 }
 
-int scale_percent_in_force(const UiState& state) {
-  return static_cast<int>(std::lround(allowed(chosen_scale(state)) * kFullScalePercent));
+int scale_percent_in_force(const Appearance& appearance) {
+  return static_cast<int>(std::lround(allowed(chosen_scale(appearance)) * kFullScalePercent));
 }
 
-void set_scale(UiState& state, int percent) {
-  state.transient.forced_scale.reset();
-  state.persisted.scale_percent =
+void set_scale(Appearance& appearance, int percent) {
+  appearance.forced_scale.reset();
+  appearance.scale_percent =
       percent == 0 ? 0 : std::clamp(percent, session::kMinScalePercent, session::kMaxScalePercent);
 }
 
-void step_scale(UiState& state, int steps) {
+void step_scale(Appearance& appearance, int steps) {
   // Rounds to whole steps: from 125 % up to 130 %, down to 120 %.
-  const int now = scale_percent_in_force(state);
+  const int now = scale_percent_in_force(appearance);
   const int whole = steps > 0 ? now / kStepPercent : (now + kStepPercent - 1) / kStepPercent;
-  set_scale(state, (whole + steps) * kStepPercent);
+  set_scale(appearance, (whole + steps) * kStepPercent);
 }
 
 void toggle_look(const PanelContext& context) {
-  draw::Look& look = context.state.persisted.look;
+  draw::Look& look = context.appearance.look;
   look = look == draw::Look::kLight ? draw::Look::kScreen : draw::Look::kLight;
 }
 

@@ -7,8 +7,11 @@
 #include "app/file/disk/atomic_file.h"
 #include "app/file/text/text.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/compare_state.h"
 #include "app/ui/state/comparing.h"
+#include "app/ui/state/dock_state.h"
 #include "app/ui/state/export.h"
+#include "app/ui/state/recording_wishes.h"
 #include "core/algorithm/algorithm.h"
 #include "core/text.h"
 
@@ -23,8 +26,8 @@ using compare::Slot;
 bool put_blindly(const PanelContext& context, const Scene& scene) {
   if (!ask_for(context, scene)) return true;
   end_blind_test(context);
-  tell(context.state, MessageKind::kProblem,
-       "the blind test ended: the session has refused one of the two walls");
+  context.toasts.tell(MessageKind::kProblem,
+                      "the blind test ended: the session has refused one of the two walls");
   return false;
 }
 
@@ -60,79 +63,81 @@ void finish(BlindTest& test) {
 }
 
 void write_trial_list(const PanelContext& context) {
-  UiState& state = context.state;
+  CompareState& compare = context.compare;
   const Scene& scene = context.session.scene();
-  keep_slots(state, scene);
-  const CompareSlots slots = slots_of(state);
-  const CompareState::Persisted& wanted = state.compare.persisted;
+  keep_slots(compare, scene);
+  const CompareSlots slots = slots_of(compare);
+  const CompareState::Persisted& wanted = compare.persisted;
   const std::string trial =
       fmt::format("{},{},{}\n", csv_field(slot_text(slots.of(Slot::kA))),
                   csv_field(slot_text(slots.of(Slot::kB))), csv_field(wanted.question));
   std::string list = "a,b,question\n";
   for (std::size_t i = 0; i < wanted.trials; ++i) list += trial;
-  const std::string path = unused_path(state.transient.recording_folder,
-                                       plain_file_name(scene.name + "-blind-test"), ".csv");
-  if (const Failure failure = file::write_file(path, list)) return tell(state, *failure);
-  tell(state, MessageKind::kNote,
-       fmt::format("wrote {0}; 'hapticwall {1} --trials {0} --participant P01' runs it", path,
-                   scene.name));
+  const std::string path =
+      unused_path(context.recording.folder, plain_file_name(scene.name + "-blind-test"), ".csv");
+  if (const Failure failure = file::write_file(path, list)) return tell(context.toasts, *failure);
+  context.toasts.tell(
+      MessageKind::kNote,
+      fmt::format("wrote {0}; 'hapticwall {1} --trials {0} --participant P01' runs it", path,
+                  scene.name));
 }
 
-Failure start_experiment(UiState& state, const Scene& running,
-                         std::shared_ptr<session::Experiment> experiment) {
+Failure start_experiment(CompareState& compare, DockState& dock, Toasts& toasts,
+                         const Scene& running, std::shared_ptr<session::Experiment> experiment) {
   const file::AnswersFile& answers = experiment->answers;
   Result<BlindTrials> trials = BlindTrials::create(
-      {answers.identity().seed, experiment->trials, state.compare.persisted.confidence});
+      {answers.identity().seed, experiment->trials, compare.persisted.confidence});
   if (!trials) return trials.error();
   if (answers.dropped()) {
-    tell(state, MessageKind::kNote,
-         answers.path() + ": its last line was torn and is dropped; the trial is repeated");
+    toasts.tell(MessageKind::kNote,
+                answers.path() + ": its last line was torn and is dropped; the trial is repeated");
   }
   BlindTest test{std::move(*trials), running, std::move(experiment)};
   test.answers.assign(answers.found().begin(), answers.found().end());
   for (std::size_t i = 0; i < test.answers.size(); ++i) test.trials.take();
   if (test.trials.finished()) finish(test);
-  state.compare.transient.test = std::move(test);
-  show_page(state, kBlindTestPage);
+  compare.transient.test = std::move(test);
+  show_page(dock, kBlindTestPage);
   return std::nullopt;
 }
 
 bool waits(const BlindTest& test) { return !test.begun || test.trials.at_break(); }
 
 void go_on(const PanelContext& context) {
-  if (!blind_test_runs(context.state)) return;
-  BlindTest& test = *context.state.compare.transient.test;
+  if (!blind_test_runs(context.compare)) return;
+  BlindTest& test = *context.compare.transient.test;
   if (!std::exchange(test.begun, true)) return;
   test.trials.go_on();
 }
 
 void feel(const PanelContext& context, Presentation presentation) {
-  if (!blind_test_runs(context.state)) return;
-  BlindTest& test = *context.state.compare.transient.test;
+  if (!blind_test_runs(context.compare)) return;
+  BlindTest& test = *context.compare.transient.test;
   if (waits(test)) return;
   const Slot slot = test.trials.present(presentation, ImGui::GetTime());
   if (put_blindly(context, scene_of(test, slot))) test.felt = presentation;
 }
 
 void choose(const PanelContext& context, Presentation presentation) {
-  if (!blind_test_runs(context.state)) return;
-  BlindTest& test = *context.state.compare.transient.test;
+  if (!blind_test_runs(context.compare)) return;
+  BlindTest& test = *context.compare.transient.test;
   const Result<file::Answer> answer = test.trials.answer(presentation, ImGui::GetTime());
-  if (!answer) return tell(context.state, MessageKind::kNote, answer.error().message);
-  if (const Failure failure = keep_answer(test, *answer)) return tell(context.state, *failure);
+  if (!answer) return context.toasts.tell(MessageKind::kNote, answer.error().message);
+  if (const Failure failure = keep_answer(test, *answer)) return tell(context.toasts, *failure);
   test.trials.take();
   test.felt.reset();
   if (test.trials.finished()) end_blind_test(context);
 }
 
 void end_blind_test(const PanelContext& context) {
-  if (!blind_test_runs(context.state)) return;
-  BlindTest& test = *context.state.compare.transient.test;
+  if (!blind_test_runs(context.compare)) return;
+  BlindTest& test = *context.compare.transient.test;
   finish(test);
   // The wall stays: somebody may press into it, and the scene's may be stiffer.
   // The contacts of the test are no ghosts.
-  begin_comparison(context.state, context.session.scene(), slots_of(context.state));
-  show_page(context.state, kBlindTestPage);
+  begin_comparison(context.compare, context.plots, context.toasts, context.session.scene(),
+                   slots_of(context.compare));
+  show_page(context.dock, kBlindTestPage);
 }
 
 std::vector<KeyBinding> blind_test_keys() {

@@ -11,26 +11,28 @@
 #include <memory>
 #include <vector>
 
+#include "app/ui/state/compare_state.h"
+#include "app/ui/state/dock_state.h"
 #include "app/ui/state/key_binding.h"
 #include "app/ui/state/panel_context.h"
 
 namespace hapticwall::ui {
 
 // Panels read Visibility instead, which is constant during a frame.
-[[nodiscard]] inline bool blind_test_runs(const UiState& state) {
-  const auto& test = state.compare.transient.test;
+[[nodiscard]] inline bool blind_test_runs(const CompareState& compare) {
+  const auto& test = compare.transient.test;
   return test.has_value() && test->running;
 }
 
 // The wall is not heard.
-[[nodiscard]] inline bool masks_sound(const UiState& state) {
-  return blind_test_runs(state) && state.compare.persisted.masking_noise;
+[[nodiscard]] inline bool masks_sound(const CompareState& compare) {
+  return blind_test_runs(compare) && compare.persisted.masking_noise;
 }
 
 // The scene for pictures: that of before the test while one runs, because a wall may have its place
 // from its slot.
 [[nodiscard]] inline const Scene& scene_to_show(const PanelContext& context) {
-  return context.shows.hides_force ? context.state.compare.transient.test->before
+  return context.shows.hides_force ? context.compare.transient.test->before
                                    : context.session.scene();
 }
 
@@ -39,7 +41,8 @@ namespace hapticwall::ui {
 void write_trial_list(const PanelContext& context);
 // Starts the test of a trial list, or shows its result if all trials were answered. It waits for
 // go_on(). `running`: the session's scene.
-[[nodiscard]] Failure start_experiment(UiState& state, const Scene& running,
+[[nodiscard]] Failure start_experiment(CompareState& compare, DockState& dock, Toasts& toasts,
+                                       const Scene& running,
                                        std::shared_ptr<session::Experiment> experiment);
 // True if nothing can be felt before go_on(): at the beginning of a list, and at its breaks.
 [[nodiscard]] bool waits(const BlindTest& test);

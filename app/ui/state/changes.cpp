@@ -5,32 +5,34 @@
 
 #include "app/session/scene_change.h"
 #include "app/ui/state/blind_test.h"
+#include "app/ui/state/compare_state.h"
 #include "app/ui/state/comparing.h"
+#include "app/ui/state/scene_state.h"
+#include "app/ui/state/text_edit.h"
 
 namespace hapticwall::ui {
 namespace {
 
 void go_to(const PanelContext& context, std::optional<SceneStep> step) {
   if (!step || context.shows.live == nullptr) return;
-  TransientState& transient = context.state.transient;
-  transient.refusal.reset();
+  context.edit.refusal.reset();
   const Scene& running = context.session.scene();
-  step->scene.algorithm = step->slots.of(slots_of(context.state).active);
+  step->scene.algorithm = step->slots.of(slots_of(context.compare).active);
   const bool other =
       running.name != step->scene.name || running.x().walls.size() != step->scene.x().walls.size();
   if (other || session::needs_new_session(running, step->scene)) {
     WantedScene wanted{std::move(step->scene)};
     wanted.back_to = std::make_shared<const Scene>(std::move(step->loaded));
     wanted.slots = step->slots.settings;
-    transient.wanted_scene = std::move(wanted);
+    context.scene.wanted = std::move(wanted);
     return;
   }
   if (const auto problem = context.shows.live->change_scene(step->scene)) {
-    tell(context.state, *problem);
+    tell(context.toasts, *problem);
     return;
   }
-  set_slots(context.state, step->slots.settings);
-  transient.loaded_scene = std::move(step->loaded);
+  set_slots(context.compare, step->slots.settings);
+  context.scene.loaded = std::move(step->loaded);
 }
 
 }  // namespace
@@ -61,22 +63,18 @@ AskedFor asked_for(const PanelContext& context) {
   return differs;
 }
 
-void undo_change(const PanelContext& context) {
-  go_to(context, context.state.transient.undo.undo());
-}
+void undo_change(const PanelContext& context) { go_to(context, context.scene.undo.undo()); }
 
-void redo_change(const PanelContext& context) {
-  go_to(context, context.state.transient.undo.redo());
-}
+void redo_change(const PanelContext& context) { go_to(context, context.scene.undo.redo()); }
 
 // A plug-in that was built again is no change that could be undone.
-void notice_changes(UiState& state, const Scene& present) {
-  if (blind_test_runs(state)) return;  // its walls are no changes of the user
+void notice_changes(SceneState& state, CompareState& compare, const Scene& present) {
+  if (blind_test_runs(compare)) return;  // its walls are no changes of the user
   Scene scene = present;
   scene.algorithm.revision = 0;
   const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left) && ImGui::IsAnyItemActive();
-  keep_slots(state, scene);
-  state.transient.undo.observe(scene, state.transient.loaded_scene, dragging, slots_of(state));
+  keep_slots(compare, scene);
+  state.undo.observe(scene, state.loaded, dragging, slots_of(compare));
 }
 
 }  // namespace hapticwall::ui

@@ -3,7 +3,9 @@
 
 #include <optional>
 
+#include "app/ui/state/compare_state.h"
 #include "app/ui/state/panel_context.h"
+#include "app/ui/state/scene_state.h"
 
 namespace hapticwall::ui {
 
@@ -30,6 +32,6 @@ void undo_change(const PanelContext& context);
 void redo_change(const PanelContext& context);
 
 // Call it after all panels of a frame, with the scene that now runs.
-void notice_changes(UiState& state, const Scene& scene);
+void notice_changes(SceneState& state, CompareState& compare, const Scene& scene);
 
 }  // namespace hapticwall::ui

@@ -7,6 +7,8 @@
 #include "app/draw/plot/extra_traces.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/plots_state.h"
+#include "app/ui/state/scene_state.h"
 #include "core/algorithm/algorithm.h"
 
 namespace hapticwall::ui {
@@ -36,41 +38,42 @@ CompareSlots slots_for(const Scene& scene, std::optional<std::size_t> other) {
   return slots;
 }
 
-CompareSlots slots_of(const UiState& state) {
-  const auto& comparison = state.compare.transient.comparison;
+CompareSlots slots_of(const CompareState& compare) {
+  const auto& comparison = compare.transient.comparison;
   if (!comparison) return {};
   return {comparison->active(), {comparison->settings(Slot::kA), comparison->settings(Slot::kB)}};
 }
 
-CompareSlots slots_after(const UiState& state, const WantedScene& wanted) {
-  CompareSlots slots = slots_of(state);
+CompareSlots slots_after(const CompareState& compare, const WantedScene& wanted) {
+  CompareSlots slots = slots_of(compare);
   if (wanted.loaded) return slots_for(wanted.scene, slots.of(Slot::kB).index);
   if (wanted.slots) slots.settings = *wanted.slots;
   return slots;
 }
 
-void begin_comparison(UiState& state, const Scene& scene, const CompareSlots& slots) {
-  CompareState::Transient& compare = state.compare.transient;
+void begin_comparison(CompareState& state, PlotsState& plots, Toasts& toasts, const Scene& scene,
+                      const CompareSlots& slots) {
+  CompareState::Transient& compare = state.transient;
   if (blind_test_runs(state)) {
     finish(*compare.test);
-    tell(state, MessageKind::kNote, "the blind test ended: another session has begun");
+    toasts.tell(MessageKind::kNote, "the blind test ended: another session has begun");
   }
   compare.comparison.emplace(slots.of(Slot::kA), slots.of(Slot::kB), scene.sampling.rate_hz);
   compare.comparison->activate(slots.active);
   compare.shown_ghost.reset();
-  replace_extra_traces(state.plots.transient.extra_traces, draw::ExtraSource::kComparison, {});
+  replace_extra_traces(plots.transient.extra_traces, draw::ExtraSource::kComparison, {});
   begin_lamp(compare, scene);
 }
 
-void set_slots(UiState& state, const std::array<AlgorithmSettings, 2>& settings) {
-  auto& comparison = state.compare.transient.comparison;
+void set_slots(CompareState& compare, const std::array<AlgorithmSettings, 2>& settings) {
+  auto& comparison = compare.transient.comparison;
   if (!comparison) return;
   comparison->set_settings(Slot::kA, settings.front());
   comparison->set_settings(Slot::kB, settings.back());
 }
 
-void note_ticks(UiState& state, const Scene& scene, std::span<const Tick> ticks) {
-  CompareState::Transient& compare = state.compare.transient;
+void note_ticks(CompareState& state, const Scene& scene, std::span<const Tick> ticks) {
+  CompareState::Transient& compare = state.transient;
   if (!compare.comparison || !compare.lamp) return;
   // The lamp's threshold is the energy of one encoder count.
   if (compare.lamp_encoder_m != encoder_of(scene)) begin_lamp(compare, scene);
@@ -80,27 +83,27 @@ void note_ticks(UiState& state, const Scene& scene, std::span<const Tick> ticks)
   }
 }
 
-void keep_slots(UiState& state, const Scene& scene) {
-  auto& comparison = state.compare.transient.comparison;
+void keep_slots(CompareState& compare, const Scene& scene) {
+  auto& comparison = compare.transient.comparison;
   if (comparison) comparison->set_settings(comparison->active(), scene.algorithm);
 }
 
 void choose_slot(const PanelContext& context, Slot slot) {
-  auto& comparison = context.state.compare.transient.comparison;
+  auto& comparison = context.compare.transient.comparison;
   if (context.shows.live == nullptr || !comparison) return;
   // An edit of this frame belongs to the slot in which it was made.
-  keep_slots(context.state, context.session.scene());
+  keep_slots(context.compare, context.session.scene());
   if (const auto problem = ask_for_algorithm(context, comparison->settings(slot)))
-    return tell(context.state, *problem);
+    return tell(context.toasts, *problem);
   comparison->activate(slot);
 }
 
 void toggle_slot(const PanelContext& context) {
-  choose_slot(context, compare::other(slots_of(context.state).active));
+  choose_slot(context, compare::other(slots_of(context.compare).active));
 }
 
 void take_present(const PanelContext& context, Slot slot) {
-  auto& comparison = context.state.compare.transient.comparison;
+  auto& comparison = context.compare.transient.comparison;
   if (comparison) comparison->set_settings(slot, context.session.scene().algorithm);
 }
 

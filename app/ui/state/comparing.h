@@ -10,32 +10,36 @@
 
 #include "app/ui/state/compare_state.h"
 #include "app/ui/state/panel_context.h"
+#include "app/ui/state/plots_state.h"
 #include "core/sample.h"
 #include "core/scene.h"
 
 namespace hapticwall::ui {
 
+struct WantedScene;
+
 // A is active and holds the algorithm of the scene. B holds `other`, or energy bounding, or virtual
 // coupling when A has energy bounding. Both have the values of the scene.
 [[nodiscard]] CompareSlots slots_for(const Scene& scene,
                                      std::optional<std::size_t> other = std::nullopt);
-[[nodiscard]] CompareSlots slots_of(const UiState& state);
+[[nodiscard]] CompareSlots slots_of(const CompareState& compare);
 
 // Starts the comparison of a new session. Clears the traces and ends a blind test.
-void begin_comparison(UiState& state, const Scene& scene, const CompareSlots& slots);
+void begin_comparison(CompareState& compare, PlotsState& plots, Toasts& toasts, const Scene& scene,
+                      const CompareSlots& slots);
 
 // Slots for the session of a wanted scene: its own where it has them. For a loaded scene A is the
 // scene's and B keeps its algorithm. Otherwise unchanged.
-[[nodiscard]] CompareSlots slots_after(const UiState& state, const WantedScene& wanted);
+[[nodiscard]] CompareSlots slots_after(const CompareState& compare, const WantedScene& wanted);
 
 // Sets both slots; does not change the session.
-void set_slots(UiState& state, const std::array<AlgorithmSettings, 2>& settings);
+void set_slots(CompareState& compare, const std::array<AlgorithmSettings, 2>& settings);
 
 // All ticks of the session, in order.
-void note_ticks(UiState& state, const Scene& scene, std::span<const Tick> ticks);
+void note_ticks(CompareState& compare, const Scene& scene, std::span<const Tick> ticks);
 
 // Copies the session's algorithm into the active slot. Call it once a frame, after all panels.
-void keep_slots(UiState& state, const Scene& scene);
+void keep_slots(CompareState& compare, const Scene& scene);
 
 // Asks the session to run a slot. After a problem the wall stays, and the user is told.
 void choose_slot(const PanelContext& context, compare::Slot slot);

@@ -3,7 +3,11 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "core/result.h"
+#include "core/scene.h"
 
 namespace hapticwall::ui {
 
@@ -45,6 +49,21 @@ class Toasts {
   std::vector<Toast> list_;
   std::uint64_t next_id_ = 1;
 };
+
+// Tells an error.
+inline void tell(Toasts& toasts, const Error& error) {
+  toasts.tell(MessageKind::kProblem, error.message);
+}
+// Tells a failure, or this note.
+inline void tell(Toasts& toasts, const Failure& failure, std::string note) {
+  if (failure) return tell(toasts, *failure);
+  toasts.tell(MessageKind::kNote, std::move(note));
+}
+// Tells a problem of the session or of the validation, in one line.
+inline void tell(Toasts& toasts, const SceneProblem& problem) {
+  toasts.tell(MessageKind::kProblem,
+              problem.key.empty() ? problem.message : problem.key + ": " + problem.message);
+}
 
 // Opacity of a toast, 0 to 1.
 [[nodiscard]] float opacity(const Toast& toast);

@@ -3,6 +3,7 @@
 #include "app/session/replay_session.h"
 #include "app/session/scene_change.h"
 #include "app/ui/state/changes.h"
+#include "app/ui/state/scene_state.h"
 
 namespace hapticwall::ui {
 
@@ -31,9 +32,9 @@ bool scene_in_motion() {
 void make_running(const PanelContext& context, const Scene& wanted) {
   if (context.shows.live == nullptr) return;
   if (session::needs_new_session(context.session.scene(), wanted)) {
-    context.state.transient.wanted_scene = WantedScene{wanted};
+    context.scene.wanted = WantedScene{wanted};
   } else if (const auto problem = ask_for(context, wanted)) {
-    tell(context.state, *problem);
+    tell(context.toasts, *problem);
   }
 }
 

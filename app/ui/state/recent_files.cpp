@@ -7,6 +7,7 @@
 
 #include "app/file/recording/recording_reader.h"
 #include "app/file/scene/scene_file.h"
+#include "app/ui/state/scene_state.h"
 
 namespace hapticwall::ui {
 namespace {
@@ -18,9 +19,9 @@ std::string whole_path(const std::string& path) {
 }
 
 // Tells why a file does not open, and forgets it.
-void refuse_file(UiState& state, const std::string& path, const Error& error) {
-  tell(state, error);
-  std::erase(state.persisted.recent, path);
+void refuse_file(SceneState& state, Toasts& toasts, const std::string& path, const Error& error) {
+  tell(toasts, error);
+  std::erase(state.recent, path);
 }
 
 }  // namespace
@@ -32,19 +33,20 @@ void remember_recent(std::vector<std::string>& recent, const std::string& path) 
   recent.resize(std::min(recent.size(), kMaxRecentFiles));
 }
 
-void open_file(UiState& state, const std::string& path) {
+void open_file(SceneState& state, Toasts& toasts, const std::string& path) {
   const std::string whole = whole_path(path);
   std::error_code ignored;
   if (!file::is_recording(whole)) {
     Result<file::LoadedScene> loaded = file::load_scene(whole);
-    if (!loaded) return refuse_file(state, whole, loaded.error());
-    state.transient.wanted_scene = WantedScene{std::move(loaded->scene), true};
+    if (!loaded) return refuse_file(state, toasts, whole, loaded.error());
+    state.wanted = WantedScene{std::move(loaded->scene), true};
   } else if (std::filesystem::is_regular_file(whole, ignored)) {
-    state.transient.wanted_recording = whole;
+    state.wanted_recording = whole;
   } else {
-    return refuse_file(state, whole, {ErrorKind::kFile, whole + ": there is no such recording"});
+    return refuse_file(state, toasts, whole,
+                       {ErrorKind::kFile, whole + ": there is no such recording"});
   }
-  remember_recent(state.persisted.recent, whole);
+  remember_recent(state.recent, whole);
 }
 
 }  // namespace hapticwall::ui

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/state/panel_context.h"
+#include "app/ui/state/scene_state.h"
 
 namespace hapticwall::ui {
 
@@ -16,6 +17,6 @@ void remember_recent(std::vector<std::string>& recent, const std::string& path);
 
 // Asks for the scene or the recording in this file. A failure shows a message and removes the file
 // from the list.
-void open_file(UiState& state, const std::string& path);
+void open_file(SceneState& state, Toasts& toasts, const std::string& path);
 
 }  // namespace hapticwall::ui

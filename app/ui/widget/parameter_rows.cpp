@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "app/ui/state/changes.h"
+#include "app/ui/state/scene_state.h"
+#include "app/ui/state/text_edit.h"
 #include "app/ui/widget/sliders.h"
 #include "app/ui/widget/widgets.h"
 #include "core/algorithm/algorithm.h"
@@ -27,7 +29,7 @@ std::string tooltip_of(const ParameterRow& row) {
 std::optional<ParameterEdit> draw_switch(const PanelContext& context, const ParameterRow& row) {
   std::optional<ParameterEdit> edit;
   bool present = row.value.has_value();
-  auto& switched_off = context.state.transient.switched_off;
+  auto& switched_off = context.scene.switched_off;
   if (ImGui::Checkbox(("##switch " + row.key).c_str(), &present)) {
     if (!present) switched_off.insert_or_assign(row.key, *row.value);
     const auto before = switched_off.find(row.key);
@@ -128,7 +130,7 @@ void change_parameters(const PanelContext& context, const std::string& key,
   Scene wanted = context.session.scene();
   edit(wanted);
   const auto problem = ask_for(context, wanted);
-  context.state.transient.refusal.reset();
+  context.edit.refusal.reset();
   if (!problem) return;
   // A problem of this key needs no key name beside its own field.
   const bool own = problem->key == key || problem->key.empty();

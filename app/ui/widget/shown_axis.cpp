@@ -66,7 +66,7 @@ std::optional<SceneProblem> set_shown_walls(const PanelContext& context,
 
 void draw_axis_choice(const PanelContext& context, const char* name) {
   if (!context.session.scene().two_axes()) return;
-  Axis& shown = context.state.transient.shown_axis;
+  Axis& shown = context.selection.axis;
   for (const Choice& choice : kChoices) {
     const std::string label = fmt::format("{0}###{1} axis {0}", choice.text, name);
     if (choice_button(context, label, shown == choice.axis,

@@ -9,6 +9,12 @@
 
 namespace hapticwall::ui {
 
+// The axis and the wall whose values the panels show.
+struct Selection {
+  Axis axis = Axis::kX;
+  std::size_t wall = 0;
+};
+
 [[nodiscard]] std::size_t shown_index(const PanelContext& context);
 // The shown axis as a scene of one axis.
 [[nodiscard]] Scene shown_scene(const PanelContext& context);

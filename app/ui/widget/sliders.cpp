@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/ui/state/text_edit.h"
 #include "app/ui/widget/widgets.h"
 
 namespace hapticwall::ui {
@@ -74,10 +75,10 @@ LogRange range_around(double usual, bool zero_at_left) {
 }
 
 void type_where_asked(const PanelContext& context, const char* id) {
-  ImGuiID& asked = context.state.transient.edit.asked;
+  ImGuiID& asked = context.edit.asked;
   if (asked == 0 || asked != ImGui::GetID(id)) return;
   ImGui::SetKeyboardFocusHere();
-  promise_keyboard(context.state);
+  promise_keyboard(context.edit);
   asked = 0;
 }
 
@@ -96,8 +97,8 @@ std::optional<double> thin_slider(const PanelContext& context, const char* id, d
                       rounded_number(range.minimum), rounded_number(range.maximum),
                       range.zero_at_left ? ", 0 at the left end" : ""));
   if (ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl) {
-    context.state.transient.edit.asked = ImGui::GetID(id);
-    promise_keyboard(context.state);
+    context.edit.asked = ImGui::GetID(id);
+    promise_keyboard(context.edit);
     ImGui::ClearActiveID();
     return std::nullopt;
   }
@@ -116,7 +117,7 @@ std::optional<double> number_row(const PanelContext& context, const NumberRow& r
   std::optional<double> value;
   if (const auto text = text_field(context, id.c_str(), "", rounded_number(row.value))) {
     value = parse_number(*text);
-    context.state.transient.refusal.reset();
+    context.edit.refusal.reset();
     if (!value) refuse(context, row.name, no_number(*text));
   }
   const float from = ImGui::GetItemRectMin().x;

@@ -98,7 +98,7 @@ float draw_toast(const PanelContext& context, const Toast& toast, ImVec2 lower_r
 }  // namespace
 
 void draw_toasts(const PanelContext& context, float right, float bottom) {
-  Toasts& toasts = context.state.transient.toasts;
+  Toasts& toasts = context.toasts;
   const std::vector<Toast>& list = toasts.list();
   const std::size_t shown = std::min(list.size(), kMaxShown);
   Wishes wishes;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/ui/state/text_edit.h"
+
 namespace hapticwall::ui {
 namespace {
 
@@ -143,7 +145,7 @@ void field_label(const PanelContext& context, std::string_view label, std::strin
   ImGui::TextColored(context.theme.colour(draw::Tone::kText), "%.*s",
                      static_cast<int>(label.size()), label.data());
   explain(tooltip);
-  context.state.transient.edit.tooltip = tooltip;
+  context.edit.tooltip = tooltip;
   // A long label pushes its field to the right instead of running into it.
   const float start = std::max(left + kLabelShare * width,
                                left + ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x);
@@ -178,7 +180,7 @@ void unit_label(std::string_view unit) {
 
 std::optional<std::string> text_field(const PanelContext& context, const char* id,
                                       const std::string& hint, const std::string& shown) {
-  TextEdit& edit = context.state.transient.edit;
+  TextEdit& edit = context.edit;
   const ImGuiID field = ImGui::GetID(id);
   std::array<char, std::tuple_size_v<decltype(edit.text)>> text{};
   if (edit.field == field) {
@@ -207,22 +209,22 @@ std::optional<double> number_field(const PanelContext& context, const char* id, 
   if (!number) {
     refuse(context, id, no_number(*text));
   } else if (is_refused(context, id)) {
-    context.state.transient.refusal.reset();
+    context.edit.refusal.reset();
   }
   return number;
 }
 
 void refuse(const PanelContext& context, const std::string& key, std::string why) {
-  context.state.transient.refusal = Refusal{key, std::move(why)};
+  context.edit.refusal = Refusal{key, std::move(why)};
 }
 
 bool is_refused(const PanelContext& context, std::string_view key) {
-  const auto& refusal = context.state.transient.refusal;
+  const auto& refusal = context.edit.refusal;
   return refusal && refusal->key == key;
 }
 
 void draw_refusal(const PanelContext& context, const std::string& key) {
-  const auto& refusal = context.state.transient.refusal;
+  const auto& refusal = context.edit.refusal;
   if (!is_refused(context, key)) return;
   const FontScope font(nullptr, draw::kSmallFontSize);
   const ImVec2 from = ImGui::GetCursorScreenPos();

@@ -12,6 +12,8 @@
 #include "app/ui/state/changes.h"
 #include "app/ui/state/comparing.h"
 #include "app/ui/state/recent_files.h"
+#include "app/ui/state/recording_wishes.h"
+#include "app/ui/state/scene_state.h"
 #include "app/ui/window/keys.h"
 #include "app/ui/window/window_layout.h"
 
@@ -30,6 +32,11 @@ void draw_where_measured(Tick& tick) {
   }
 }
 
+// The layout 'lecture' makes everything larger.
+bool is_lecture(const UiState& state) {
+  return state.window.more && state.dock.layout == kLectureLayout;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Application>> Application::create(const Scene& scene, const Options& options,
@@ -41,8 +48,9 @@ Result<std::unique_ptr<Application>> Application::create(const Scene& scene, con
       new Application(std::move(sessions), std::move(*renderer), theme, options));
   if (Failure failure = application->start_first(scene)) return *std::move(failure);
   if (options.experiment) {
-    if (Failure failure =
-            start_experiment(application->state_, application->live_->scene(), options.experiment))
+    if (Failure failure = start_experiment(application->state_.compare, application->state_.dock,
+                                           application->state_.toasts, application->live_->scene(),
+                                           options.experiment))
       return *std::move(failure);
   }
   return application;
@@ -60,28 +68,32 @@ Application::Application(Sessions sessions, std::unique_ptr<WallRenderer> render
   ImGuiIO& io = ImGui::GetIO();
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_DockingEnable;
   io.ConfigWindowsMoveFromTitleBarOnly = true;  // the views and plots are dragged, too
-  TransientState& transient = state_.transient;
-  transient.settings_path = options.settings_path;
-  transient.forced_scale = options.forced_scale;
+  state_.window.settings_path = options.settings_path;
+  state_.appearance.forced_scale = options.forced_scale;
   settings_.load(state_);
-  transient.records_signals = options.records_signals || state_.persisted.records_signals;
-  transient.recording_folder = options.recording_folder.empty() ? state_.persisted.recording_folder
-                                                                : options.recording_folder;
-  if (!options.opened_file.empty()) remember_recent(state_.persisted.recent, options.opened_file);
+  RecordingWishes& recording = state_.recording;
+  recording.records_signals = options.records_signals || recording.chosen_signals;
+  recording.folder =
+      options.recording_folder.empty() ? recording.chosen_folder : options.recording_folder;
+  if (!options.opened_file.empty()) remember_recent(state_.scene.recent, options.opened_file);
+}
+
+void Application::compare_slots(const CompareSlots& slots) {
+  begin_comparison(state_.compare, state_.plots, state_.toasts, session().scene(), slots);
 }
 
 Failure Application::start_first(const Scene& scene) {
   if (sessions_.replay) {
     before_ = Before{scene, scene};
     replay_ = sessions_.replay();
-    begin_comparison(state_, replay_->scene(), slots_for(replay_->scene()));
+    compare_slots(slots_for(replay_->scene()));
     show_recording(std::move(replay_));
     return std::nullopt;
   }
   if (Failure failure = start_session(scene)) return failure;
-  state_.transient.loaded_scene = live_->scene();
-  begin_comparison(state_, live_->scene(), slots_for(live_->scene()));
-  notice_changes(state_, live_->scene());
+  state_.scene.loaded = live_->scene();
+  compare_slots(slots_for(live_->scene()));
+  notice_changes(state_.scene, state_.compare, live_->scene());
   return std::nullopt;
 }
 
@@ -109,14 +121,14 @@ void Application::take_ticks() {
       for (const Tick& tick : ticks) state_.identify.experiment->add(tick);
     }
     history_.push(ticks);
-    note_ticks(state_, session().scene(), ticks);
+    note_ticks(state_.compare, session().scene(), ticks);
     samples_came_ = samples_came_ || !ticks.empty();
     if (ticks.size() < incoming_.size()) break;
   }
 }
 
 void Application::frame() {
-  state_.transient.now_s = now_s_ ? now_s_() : ImGui::GetTime();
+  state_.input.now_s = now_s_ ? now_s_() : ImGui::GetTime();
   keep_appearance();
   take_ticks();
   heed_plugins();
@@ -127,9 +139,11 @@ void Application::frame() {
   if (!snapshot.paused || state_.timing.page_seen)
     note_timing(state_.timing, live_.get(), snapshot.timing);
   look_at_moment(snapshot);
-  const PanelContext context{session(), snapshot, theme_, state_, visibility(snapshot.generation)};
+  const PanelContext context =
+      context_of(state_, session(), snapshot, theme_, visibility(snapshot.generation));
   handle_keys(context, bindings_in_force(context.shows));
-  draw_window(context, history_.axis(context.shows.axis == Axis::kY ? 1 : 0), *renderer_);
+  draw_window({context, history_.axis(context.shows.axis == Axis::kY ? 1 : 0), *renderer_,
+               state_.map, state_.all_runs, state_.studies});
   // Last, because the panels hold references to the session that this replaces.
   heed_identify(snapshot);
   go_back();
@@ -137,10 +151,11 @@ void Application::frame() {
   start_wanted_scene();
   open_wanted_recording();
   take_opened_recording();
-  if (live_ && !state_.identify.experiment) notice_changes(state_, live_->scene());
+  if (live_ && !state_.identify.experiment)
+    notice_changes(state_.scene, state_.compare, live_->scene());
   heed_sound(snapshot);
-  state_.transient.pointer_events.clear();
-  if (ImGui::GetCurrentContext()->InputEventsQueue.empty()) state_.transient.key_presses.clear();
+  state_.input.pointer_events.clear();
+  if (ImGui::GetCurrentContext()->InputEventsQueue.empty()) state_.input.key_presses.clear();
   settings_.pass(state_, static_cast<double>(ImGui::GetIO().DeltaTime));
 }
 
@@ -148,13 +163,13 @@ void Application::frame() {
 void Application::note_loop(const session::Snapshot& snapshot) {
   const bool runs = live_ && !snapshot.ended_by_fault;
   note_answer(state_.timing.answer, runs ? &snapshot : nullptr,
-              session().scene().sampling.period_s(), state_.transient.now_s);
+              session().scene().sampling.period_s(), state_.input.now_s);
 }
 
 // The session takes the newest revision of its plug-in, and blends the force into it.
 void Application::heed_plugins() {
-  for (const file::PluginNews& news : plugins_.look(state_.transient.now_s)) {
-    tell(state_, news.loaded ? MessageKind::kNote : MessageKind::kProblem, news.text);
+  for (const file::PluginNews& news : plugins_.look(state_.input.now_s)) {
+    state_.toasts.tell(news.loaded ? MessageKind::kNote : MessageKind::kProblem, news.text);
     if (!live_ || !news.loaded) continue;
     const Scene scene = live_->scene();
     static_cast<void>(live_->change_scene(scene));
@@ -167,23 +182,22 @@ void Application::heed_sound(const session::Snapshot& snapshot) {
   if (live_ && snapshot.periods_per_tick == 1)
     source = {live_->sound_feed(), live_->scene().sampling.rate_hz, live_->knows_truth()};
   sound_.follow(source);
-  sound_.mix({state_.persisted.sound_volume, masks_sound(state_)});
-  sound_.play(state_.transient.sound_on);
+  sound_.mix({state_.sound.volume, masks_sound(state_.compare)});
+  sound_.play(state_.sound.on);
   note_sound();
 }
 
 // Without a card the switch goes back, and one sentence says why.
 void Application::note_sound() {
-  TransientState& transient = state_.transient;
-  transient.sound = sound_.status();
-  if (transient.sound.state == sound::SoundState::kNoCard &&
-      std::exchange(transient.sound_on, false))
-    tell(state_, MessageKind::kNote, describe(transient.sound));
+  SoundChoice& sound = state_.sound;
+  sound.status = sound_.status();
+  if (sound.status.state == sound::SoundState::kNoCard && std::exchange(sound.on, false))
+    state_.toasts.tell(MessageKind::kNote, describe(sound.status));
 }
 
 // Looks at the newest moment, or at that under the pointer in plots that stand still.
 void Application::look_at_moment(session::Snapshot& snapshot) {
-  const std::optional<double> looked_at_s = std::exchange(state_.transient.looked_at_s, {});
+  const std::optional<double> looked_at_s = std::exchange(state_.time.looked_at_s, {});
   note_tails(state_.tails, history_, session().scene(), looked_at_s);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const draw::SampleHistory& samples = history_.axis(axis);
@@ -204,8 +218,8 @@ Visibility Application::visibility(std::uint32_t echoed_generation) {
     in_force_ = live_->scene();
     in_force_generation_ = echoed_generation;
   }
-  const bool hides = blind_test_runs(state_);
-  const bool second_axis = session().scene().two_axes() && state_.transient.shown_axis == Axis::kY;
+  const bool hides = blind_test_runs(state_.compare);
+  const bool second_axis = session().scene().two_axes() && state_.selection.axis == Axis::kY;
   return {live_.get(),
           replay_.get(),
           hides,
@@ -216,9 +230,9 @@ Visibility Application::visibility(std::uint32_t echoed_generation) {
 
 // Colours and scale change only between frames.
 void Application::keep_appearance() {
-  const float scale = scale_in_force(state_);
-  if (state_.persisted.look == look_ && scale == scale_) return;
-  look_ = state_.persisted.look;
+  const float scale = scale_in_force(state_.appearance, is_lecture(state_));
+  if (state_.appearance.look == look_ && scale == scale_) return;
+  look_ = state_.appearance.look;
   scale_ = scale;
   restyle(theme_, look_, scale_);
 }
@@ -229,7 +243,7 @@ void Application::note_frame(double frame_s, double now_s) {
 }
 
 bool Application::moving() const {
-  return samples_came_ || state_.timing.answer.silent_s > 0.0 || state_.transient.toasts.moving() ||
+  return samples_came_ || state_.timing.answer.silent_s > 0.0 || state_.toasts.moving() ||
          !state_.wall.transient.view_refined || state_.replay.opening.running() ||
          state_.replay.rerun.running() || state_.map.live.running() || state_.all_runs.running() ||
          state_.studies.running() || state_.identify.fit.running();
@@ -237,30 +251,30 @@ bool Application::moving() const {
 
 void Application::drop(std::span<const std::string> paths) {
   // There is one session: of several files the last one is opened.
-  for (const std::string& path : paths) open_file(state_, path);
+  for (const std::string& path : paths) open_file(state_.scene, state_.toasts, path);
 }
 
 void Application::start_wanted_scene() {
-  if (!state_.transient.wanted_scene) return;
-  const WantedScene wanted = std::move(*state_.transient.wanted_scene);
-  state_.transient.wanted_scene.reset();
-  if (const auto problem = validate(wanted.scene)) return tell(state_, *problem);
+  if (!state_.scene.wanted) return;
+  const WantedScene wanted = std::move(*state_.scene.wanted);
+  state_.scene.wanted.reset();
+  if (const auto problem = validate(wanted.scene)) return tell(state_.toasts, *problem);
   if (!start_anew(wanted.scene)) return;
   state_.replay.opening.give_up();
   forget_session();
   before_.reset();
-  begin_comparison(state_, live_->scene(), slots_after(state_, wanted));
+  compare_slots(slots_after(state_.compare, wanted));
   if (wanted.loaded) {
-    state_.transient.loaded_scene = live_->scene();
-    state_.transient.switched_off.clear();
+    state_.scene.loaded = live_->scene();
+    state_.scene.switched_off.clear();
   }
-  if (wanted.back_to) state_.transient.loaded_scene = *wanted.back_to;
+  if (wanted.back_to) state_.scene.loaded = *wanted.back_to;
 }
 
 // Begins a simulated scene anew, at rest, unless somebody leads it or records it.
 void Application::repeat(const session::Snapshot& snapshot) {
-  if (!live_ || !state_.transient.repeats || !live_->device_info().is_simulated) return;
-  if (snapshot.newest.x().time_s < live_->scene().duration_s || state_.transient.hand_led ||
+  if (!live_ || !state_.scene.repeats || !live_->device_info().is_simulated) return;
+  if (snapshot.newest.x().time_s < live_->scene().duration_s || state_.hand.led ||
       live_->recording_status().state == session::RecordingState::kRecording)
     return;
   live_->reset();
@@ -268,18 +282,18 @@ void Application::repeat(const session::Snapshot& snapshot) {
 
 // Clears the state of the previous session.
 void Application::forget_session() {
-  state_.transient.repeats = false;
+  state_.scene.repeats = false;
   state_.timing.cleared = {};
   state_.timing.answer = {};
   in_force_generation_ = 0;
   history_.clear();
-  state_.transient.refusal.reset();
-  state_.transient.hand_drag.lead.release();
-  state_.transient.hand_led = false;
-  state_.transient.mark_text.clear();
-  state_.transient.follow = true;
+  state_.edit.refusal.reset();
+  state_.hand.drag.lead.release();
+  state_.hand.led = false;
+  state_.recording.mark_text.clear();
+  state_.time.follow = true;
   state_.replay.rerun.give_up();
-  draw_overlay_in_plots(state_, nullptr, nullptr);
+  draw_overlay_in_plots(state_.plots, nullptr, nullptr);
 }
 
 // A replay holds no device, so that it stays when the scene does not start. There is one device, so
@@ -292,13 +306,14 @@ bool Application::start_anew(const Scene& scene,
   Failure failure = start_session(scene, borrowed);
   if (on_device && failure) {
     sessions_.start_on_device = nullptr;
-    tell(state_, MessageKind::kProblem,
-         failure->message + "; this is the simulator now: start the program again for the device");
+    state_.toasts.tell(
+        MessageKind::kProblem,
+        failure->message + "; this is the simulator now: start the program again for the device");
     failure = start_session(scene);
     if (failure) throw std::runtime_error(failure->message);  // nothing is left to show
   }
   if (failure) {
-    tell(state_, *failure);
+    tell(state_.toasts, *failure);
     return false;
   }
   replay_.reset();

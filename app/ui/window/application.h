@@ -16,6 +16,7 @@
 #include "app/file/recording/recording_reader.h"
 #include "app/session/live_session.h"
 #include "app/sound/live/sound_player.h"
+#include "app/ui/state/frame_input.h"
 #include "app/ui/state/panel_context.h"
 #include "app/ui/wall/wall_renderer.h"
 #include "app/ui/window/paint_gate.h"
@@ -66,13 +67,13 @@ class Application {
   void take_ticks();
 
   // Scale of the screen; 1 is the designed size.
-  void set_screen_scale(float scale) { state_.transient.screen_scale = scale; }
+  void set_screen_scale(float scale) { state_.appearance.screen_scale = scale; }
 
   // The pointer came here; takes effect in the next frame.
-  void point(const PointerEvent& event) { state_.transient.pointer_events.push_back(event); }
+  void point(const PointerEvent& event) { state_.input.pointer_events.push_back(event); }
 
   // A key was pressed with these modifiers; its event is in the queue of Dear ImGui.
-  void press(const KeyPress& press) { state_.transient.key_presses.push_back(press); }
+  void press(const KeyPress& press) { state_.input.key_presses.push_back(press); }
 
   // Files dropped on the window: scenes or recordings.
   void drop(std::span<const std::string> paths);
@@ -109,6 +110,8 @@ class Application {
   [[nodiscard]] Failure start_session(const Scene& scene,
                                       std::shared_ptr<BorrowedAlgorithm> borrowed = nullptr);
 
+  // Starts the comparison of the present session.
+  void compare_slots(const CompareSlots& slots);
   void keep_appearance();
   void heed_plugins();
   void note_loop(const session::Snapshot& snapshot);

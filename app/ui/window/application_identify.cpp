@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/file/text/text.h"
+#include "app/ui/panel/identify_state.h"
 #include "app/ui/window/application.h"
 
 namespace hapticwall::ui {
@@ -39,9 +40,9 @@ void Application::heed_identify(const session::Snapshot& snapshot) {
 
 // Event that makes the experiment's record worthless; empty if there is none.
 std::string Application::interruption(const session::Snapshot& snapshot) const {
-  if (state_.transient.wanted_scene || live_->generation() != before_identify_.generation)
+  if (state_.scene.wanted || live_->generation() != before_identify_.generation)
     return "the scene was changed";
-  if (state_.replay.opening.running() || !state_.transient.wanted_recording.empty())
+  if (state_.replay.opening.running() || !state_.scene.wanted_recording.empty())
     return "a recording is opened";
   if (snapshot.link.trouble == device::Trouble::kNone) return "";
   const std::string details = live_->device_trouble();
@@ -54,8 +55,8 @@ void Application::begin_identify() {
   const device::DeviceInfo info = live_->device_info();
   const auto settings = session::experiment_settings(identify.choice, session::info_on(info, scene),
                                                      scene.sampling.rate_hz);
-  if (!settings) return tell(state_, settings.error());
-  before_identify_ = {scene, state_.transient.repeats, live_->snapshot().paused, 0};
+  if (!settings) return tell(state_.toasts, settings.error());
+  before_identify_ = {scene, state_.scene.repeats, live_->snapshot().paused, 0};
   auto experiment = std::make_shared<session::IdentifyExperiment>(*settings);
   const std::shared_ptr<BorrowedAlgorithm> borrowed(experiment, &experiment->algorithm());
   if (!start_anew(session::identify_scene(scene, *settings), borrowed)) return;
@@ -90,7 +91,7 @@ void Application::end_identify(const session::Snapshot& snapshot) {
   }
   if (!start_anew(before_identify_.scene)) return;
   forget_session();
-  state_.transient.repeats = before_identify_.repeats;
+  state_.scene.repeats = before_identify_.repeats;
   live_->pause(before_identify_.paused);
 }
 

@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "app/ui/panel/replay_panel.h"
+#include "app/ui/panel/replay_state.h"
 #include "app/ui/panel/toolbar.h"
 #include "app/ui/state/comparing.h"
+#include "app/ui/state/scene_state.h"
 #include "app/ui/window/application.h"
 
 namespace hapticwall::ui {
@@ -20,7 +22,7 @@ Result<std::unique_ptr<session::ReplaySession>> open_replay(const std::string& c
 
 // The session continues while the file is read, so that the force of a device can still be removed.
 void Application::open_wanted_recording() {
-  std::string path = std::exchange(state_.transient.wanted_recording, {});
+  std::string path = std::exchange(state_.scene.wanted_recording, {});
   if (path.empty()) return;
   state_.replay.opening_s = 0.0;
   state_.replay.opening_path = path;
@@ -35,12 +37,12 @@ void Application::take_opened_recording() {
   auto opened = replay.opening.take();
   if (!opened) return;
   if (!*opened) {
-    tell(state_, opened->error());
-    std::erase(state_.persisted.recent, replay.opening_path);
+    tell(state_.toasts, opened->error());
+    std::erase(state_.scene.recent, replay.opening_path);
     return;
   }
   if (live_) {
-    before_ = Before{live_->scene(), state_.transient.loaded_scene};
+    before_ = Before{live_->scene(), state_.scene.loaded};
     end_live_session();
   }
   show_recording(std::move(**opened));
@@ -50,26 +52,26 @@ void Application::take_opened_recording() {
 void Application::end_live_session() {
   live_->arm(false);
   if (live_->recording_status().state == session::RecordingState::kRecording)
-    stop_recording(state_, *live_);
+    stop_recording(state_.toasts, *live_);
 }
 
 void Application::show_recording(std::unique_ptr<session::ReplaySession> replay) {
   live_.reset();
   replay_ = std::move(replay);
   forget_session();
-  begin_comparison(state_, replay_->scene(), slots_of(state_));
+  compare_slots(slots_of(state_.compare));
   jumps_ = replay_->snapshot().resets;
-  state_.transient.loaded_scene = replay_->recording().loaded.scene;
+  state_.scene.loaded = replay_->recording().loaded.scene;
   if (const session::Overlay* overlay = replay_->overlay())
-    draw_overlay_in_plots(state_, overlay, history_of(*overlay, replay_->scene().x().device));
+    draw_overlay_in_plots(state_.plots, overlay, history_of(*overlay, replay_->scene().x().device));
 }
 
 void Application::go_back() {
-  if (replay_) notice_rerun(state_, *replay_);
+  if (replay_) notice_rerun(state_.replay, state_.plots, state_.toasts, *replay_);
   if (!std::exchange(state_.replay.wants_back, false) || !before_) return;
   WantedScene wanted{before_->scene};
   wanted.back_to = std::make_shared<const Scene>(before_->loaded);
-  state_.transient.wanted_scene = std::move(wanted);
+  state_.scene.wanted = std::move(wanted);
 }
 
 // Prevents a line across a forward jump.

@@ -10,6 +10,9 @@
 #include <vector>
 
 #include "app/ui/panel/layout_choice.h"
+#include "app/ui/state/compare_state.h"
+#include "app/ui/state/dock_state.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/widgets.h"
 #include "app/ui/window/dock_nodes.h"
 
@@ -21,8 +24,8 @@ constexpr ImVec2 kMinPartEms(10.0F, 5.0F);
 constexpr ImVec2 kFloatingEms(36.0F, 24.0F);  // of a window that never floated before
 
 DockSituation situation_of(const PanelContext& context) {
-  const CompareState::Transient& compare = context.state.compare.transient;
-  const bool more = context.state.persisted.more;
+  const CompareState::Transient& compare = context.compare.transient;
+  const bool more = context.window.more;
   // The first minute has no page for the result of an experiment.
   const bool result = !more && compare.test && !compare.setting_up;
   if (context.shows.hides_force || result) return DockSituation::kBlindTest;
@@ -47,10 +50,10 @@ DockLayout layout_of(DockSituation situation, const DockLayout& chosen) {
 
 // Arranges the windows. Call it before DockSpace().
 void arrange(const PanelContext& context, ImGuiID id, ImVec2 size) {
-  DockState& dock = context.state.transient.dock;
+  DockState& dock = context.dock;
   if (!dock.chosen) {
-    restore_layout(context.state);
-    if (context.state.compare.transient.test) bring_to_front(*dock.chosen, kBlindTestPage);
+    restore_layout(context.dock, context.toasts);
+    if (context.compare.transient.test) bring_to_front(*dock.chosen, kBlindTestPage);
   }
   const DockSituation situation = situation_of(context);
   const bool rebuild = std::exchange(dock.rebuild, false) || situation != dock.situation;
@@ -104,7 +107,7 @@ bool draw_page(const PageParts& parts, const Page& page, bool closable) {
   explain(page.window.meaning);  // of the tab
   if (seen) page.draw(parts);
   ImGui::End();
-  DockState& dock = context.state.transient.dock;
+  DockState& dock = context.dock;
   if (!open) {
     dock.chosen = without(*dock.chosen, std::array{name});
     dock.rebuild = true;
@@ -113,18 +116,17 @@ bool draw_page(const PageParts& parts, const Page& page, bool closable) {
 }
 
 void draw_pages(const PageParts& parts) {
-  const DockState& dock = parts.context.state.transient.dock;
+  const DockState& dock = parts.context.dock;
   const std::vector<std::string> shown = windows_of(dock.shown);
   for (const Page& page : pages()) {
     const bool open = std::ranges::find(shown, page.window.name) != shown.end();
     const bool seen = open && draw_page(parts, page, dock.situation == DockSituation::kChosen);
-    if (page.notice != nullptr) page.notice(parts.context.state, seen);
+    if (page.notice != nullptr) page.notice(parts, seen);
   }
 }
 
 // Notes what the user has moved since the sizes were set.
-void note_moved(UiState& state, ImGuiID id) {
-  DockState& dock = state.transient.dock;
+void note_moved(DockState& dock, ImGuiID id) {
   DockLayout now = read_dock(id);
   const bool settling = dock.settling > 0;
   if (settling) --dock.settling;
@@ -134,14 +136,13 @@ void note_moved(UiState& state, ImGuiID id) {
   dock.shown = std::move(now);
   if (dock.situation != DockSituation::kChosen) return;
   dock.chosen = dock.shown;
-  state.persisted.docked = layout_text(dock.shown);
+  dock.docked = layout_text(dock.shown);
 }
 
 }  // namespace
 
 void draw_dock(const PageParts& parts, ImVec2 size) {
-  UiState& state = parts.context.state;
-  DockState& dock = state.transient.dock;
+  DockState& dock = parts.context.dock;
   if (dock.windows.empty()) {
     for (const Page& page : pages()) dock.windows.push_back(page.window);
   }
@@ -152,7 +153,7 @@ void draw_dock(const PageParts& parts, ImVec2 size) {
   draw_pages(parts);
   share_arrows(false);
   keep_floating_inside();
-  note_moved(state, id);
+  note_moved(dock, id);
 }
 
 }  // namespace hapticwall::ui

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/ui/panel/tour_strip.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/widgets.h"
 #include "app/ui/window/keys.h"
 
@@ -70,11 +71,11 @@ void draw_content(const PanelContext& context) {
   if (context.shows.live != nullptr && !context.shows.hides_algorithm &&
       button("The tour###tour of help", "Five lessons, a minute each")) {
     begin_tour(context);
-    context.state.transient.help_shown = false;
+    context.window.help_shown = false;
   }
   ImGui::SameLine();
   draw::align_right(button_width(kClose));
-  if (ImGui::Button(kClose)) context.state.transient.help_shown = false;
+  if (ImGui::Button(kClose)) context.window.help_shown = false;
   if (ImGui::BeginTable("help", 2)) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -91,7 +92,7 @@ void draw_content(const PanelContext& context) {
 }  // namespace
 
 void draw_help(const PanelContext& context) {
-  if (!context.state.transient.help_shown) return;
+  if (!context.window.help_shown) return;
   constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoDocking;
@@ -107,19 +108,18 @@ void draw_help(const PanelContext& context) {
   const bool elsewhere = ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                          !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                                  ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  if (elsewhere && !ImGui::IsWindowAppearing()) context.state.transient.help_shown = false;
+  if (elsewhere && !ImGui::IsWindowAppearing()) context.window.help_shown = false;
   ImGui::End();
   draw::end_raised();
 }
 
 void put_away(const PanelContext& context) {
-  TransientState& transient = context.state.transient;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     ImGui::ClosePopupsExceptModals();
-  } else if (transient.help_shown) {
-    transient.help_shown = false;
+  } else if (context.window.help_shown) {
+    context.window.help_shown = false;
   } else {
-    transient.toasts.put_newest_away();
+    context.toasts.put_newest_away();
   }
 }
 

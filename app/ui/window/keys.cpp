@@ -17,7 +17,9 @@
 #include "app/ui/state/blind_test.h"
 #include "app/ui/state/changes.h"
 #include "app/ui/state/comparing.h"
+#include "app/ui/state/frame_input.h"
 #include "app/ui/state/panel_context.h"
+#include "app/ui/state/text_edit.h"
 #include "app/ui/window/help_overlay.h"
 #include "core/algorithm/algorithm.h"
 
@@ -89,9 +91,9 @@ std::vector<KeyBinding> parameter_keys() {
            redo_change}};
 }
 
-void larger(const PanelContext& context) { step_scale(context.state, 1); }
-void smaller(const PanelContext& context) { step_scale(context.state, -1); }
-void as_the_screen(const PanelContext& context) { set_scale(context.state, 0); }
+void larger(const PanelContext& context) { step_scale(context.appearance, 1); }
+void smaller(const PanelContext& context) { step_scale(context.appearance, -1); }
+void as_the_screen(const PanelContext& context) { set_scale(context.appearance, 0); }
 
 void next_layout(const PanelContext& context) {
   if (!context.shows.hides_algorithm) choose_next_layout(context);
@@ -136,11 +138,11 @@ std::vector<KeyBinding> joined(std::initializer_list<std::vector<KeyBinding>> pa
 }
 
 // The modifiers of the press of this frame; at the end of the frame Ctrl may be up again.
-ImGuiKeyChord modifiers_of(const TransientState& state, ImGuiKey key) {
+ImGuiKeyChord modifiers_of(const FrameInput& input, ImGuiKey key) {
   for (const ImGuiInputEvent& event : ImGui::GetCurrentContext()->InputEventsTrail) {
     if (event.Type != ImGuiInputEventType_Key || event.Key.Key != key || !event.Key.Down) continue;
-    const auto found = std::ranges::find(state.key_presses, event.EventId, &KeyPress::event);
-    if (found != state.key_presses.end()) return found->mods;
+    const auto found = std::ranges::find(input.key_presses, event.EventId, &KeyPress::event);
+    if (found != input.key_presses.end()) return found->mods;
   }
   return ImGui::GetIO().KeyMods;
 }
@@ -172,12 +174,12 @@ void keep_from_navigation() {
     ImGui::SetKeyOwner(key, owner);
 }
 
-bool pressed(const TransientState& state, const KeyBinding& binding) {
+bool pressed(const FrameInput& input, const KeyBinding& binding) {
   const auto chord_pressed = [&](ImGuiKeyChord chord) {
     const auto key = static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_);
     if (is_arrow(key) && ImGui::GetIO().NavVisible) return false;
     return ImGui::IsKeyPressed(key, binding.repeats) &&
-           (binding.always || modifiers_fit(modifiers_of(state, key), chord));
+           (binding.always || modifiers_fit(modifiers_of(input, key), chord));
   };
   return std::any_of(binding.chords.begin(), binding.chords.end(), chord_pressed) ||
          std::any_of(binding.more.begin(), binding.more.end(), chord_pressed) ||
@@ -229,14 +231,12 @@ const std::vector<KeyBinding>& bindings_in_force(const Visibility& shows) {
 }
 
 void handle_keys(const PanelContext& context, std::span<const KeyBinding> bindings) {
-  const TransientState& transient = context.state.transient;
-  bool typing =
-      ImGui::GetIO().WantTextInput || ImGui::GetFrameCount() <= transient.edit.typing_until;
+  bool typing = ImGui::GetIO().WantTextInput || ImGui::GetFrameCount() <= context.edit.typing_until;
   if (!typing) keep_from_navigation();
   for (const KeyBinding& binding : bindings) {
-    if ((typing && !binding.always) || !pressed(transient, binding)) continue;
+    if ((typing && !binding.always) || !pressed(context.input, binding)) continue;
     binding.act(context);
-    typing = typing || ImGui::GetFrameCount() <= transient.edit.typing_until;
+    typing = typing || ImGui::GetFrameCount() <= context.edit.typing_until;
   }
 }
 

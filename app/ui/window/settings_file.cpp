@@ -23,9 +23,10 @@ void complain(UiState& state, const std::string& path, const std::string& proble
   std::error_code error;
   const bool copied =
       replaced && fs::copy_file(path, copy, fs::copy_options::overwrite_existing, error);
-  tell(state, MessageKind::kProblem,
-       copied ? fmt::format("settings: {}; a copy of the file is kept as {}", problem, copy)
-              : fmt::format("settings: {}", problem));
+  state.toasts.tell(
+      MessageKind::kProblem,
+      copied ? fmt::format("settings: {}; a copy of the file is kept as {}", problem, copy)
+             : fmt::format("settings: {}", problem));
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ void SettingsFile::write(UiState& state, const std::string& text) {
   if (!failure) failure = file::write_file(path_, text);
   saved_ = text;  // prevents a new attempt at every frame
   if (failure && !std::exchange(told_, true))
-    tell(state, MessageKind::kProblem, "settings are not kept: " + failure->message);
+    state.toasts.tell(MessageKind::kProblem, "settings are not kept: " + failure->message);
 }
 
 }  // namespace hapticwall::ui

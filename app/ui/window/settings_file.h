@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/ui/state/ui_state.h"
+#include "app/ui/window/ui_state.h"
 #include "core/result.h"
 
 namespace hapticwall::ui {

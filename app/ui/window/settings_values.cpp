@@ -12,7 +12,10 @@
 #include "app/draw/plot/plot_lines.h"
 #include "app/file/scene/toml_settings.h"
 #include "app/file/text/text.h"
+#include "app/ui/state/dock_state.h"
+#include "app/ui/state/plots_state.h"
 #include "app/ui/state/recent_files.h"
+#include "app/ui/state/time_view.h"
 #include "app/ui/window/settings_file.h"
 #include "core/text.h"
 
@@ -64,23 +67,23 @@ constexpr std::array kPlots{std::pair{"position", draw::PlotId::kPosition},
 // Passes every value to `field`, with its table and key in the file and the rule for it.
 template <typename State, typename Field>
 void each_value(State& state, const Field& field) {
-  auto& kept = state.persisted;
   auto& plots = state.plots.persisted;
   auto& test = state.compare.persisted;
-  field("window", "theme", kept.look, kLooks);
-  field("window", "scale_percent", kept.scale_percent, Range{0.0, session::kMaxScalePercent});
-  field("window", "width", kept.window_width, Range{0.0, kMaxPixels});
-  field("window", "height", kept.window_height, Range{0.0, kMaxPixels});
-  field("window", "maximised", kept.window_maximised, AnyValue{});
-  field("window", "more", kept.more, AnyValue{});
-  field("window", "tour_offered", kept.tour_offered, AnyValue{});
-  field("window", "layout", kept.layout, AnyValue{});
-  field("hand", "withdraw_mm_per_s", kept.withdraw_mm_per_s, Range{1.0, kMaxWithdrawMmPerS});
-  field("recording", "folder", kept.recording_folder, AnyValue{});
-  field("recording", "signals", kept.records_signals, AnyValue{});
-  field("plots", "time_window_s", kept.time_window_s,
+  field("window", "theme", state.appearance.look, kLooks);
+  field("window", "scale_percent", state.appearance.scale_percent,
+        Range{0.0, session::kMaxScalePercent});
+  field("window", "width", state.window.width, Range{0.0, kMaxPixels});
+  field("window", "height", state.window.height, Range{0.0, kMaxPixels});
+  field("window", "maximised", state.window.maximised, AnyValue{});
+  field("window", "more", state.window.more, AnyValue{});
+  field("window", "tour_offered", state.tour.offered, AnyValue{});
+  field("window", "layout", state.dock.layout, AnyValue{});
+  field("hand", "withdraw_mm_per_s", state.hand.withdraw_mm_per_s, Range{1.0, kMaxWithdrawMmPerS});
+  field("recording", "folder", state.recording.chosen_folder, AnyValue{});
+  field("recording", "signals", state.recording.chosen_signals, AnyValue{});
+  field("plots", "time_window_s", state.time.window_s,
         Range{kTimeWindowsS.front(), kTimeWindowsS.back()});
-  field("plots", "arrangement", kept.arrangement, kArrangements);
+  field("plots", "arrangement", plots.arrangement, kArrangements);
   field("plots", "loop", plots.phase.shown, AnyValue{});
   field("plots", "loop_of_last_contact", plots.phase.last_contact, AnyValue{});
   field("plots", "spectrum", plots.spectrum.shown, AnyValue{});
@@ -90,11 +93,11 @@ void each_value(State& state, const Field& field) {
   field("plots", "before_trigger", plots.trigger.pre_share, Range{0.0, kMaxShare});
   for (const auto& [name, id] : kPlots) {
     field("lines", name, plots.lines.at(static_cast<std::size_t>(id)), LinesOf{id});
-    field("hidden_lines", name, kept.hidden_lines, LinesOf{id});
+    field("hidden_lines", name, plots.hidden_lines, LinesOf{id});
   }
   field("wall", "magnification", state.wall.persisted.magnification,
         Range{0.0, kMagnifications.back()});
-  field("sound", "volume", kept.sound_volume, Range{});
+  field("sound", "volume", state.sound.volume, Range{});
   field("compare", "ghost", test.ghost_shown, AnyValue{});
   field("blind_test", "question", test.question, AnyValue{});
   field("blind_test", "trials", test.trials, Range{1.0, compare::kMaxTrials});
@@ -231,10 +234,10 @@ Json json_of(const UiState& state) {
   each_value(state, [&](const char* table, const char* key, const auto& value, const auto& rule) {
     json[table][key] = written(value, rule);
   });
-  json["window"]["docked"] = state.persisted.docked;
-  json["recent"] = state.persisted.recent;
+  json["window"]["docked"] = state.dock.docked;
+  json["recent"] = state.scene.recent;
   json["layouts"] = Json::object();
-  for (const OwnLayout& each : state.persisted.own_layouts)
+  for (const OwnLayout& each : state.dock.own_layouts)
     json["layouts"][each.name] = layout_text(each.layout);
   return json;
 }
@@ -280,14 +283,14 @@ std::vector<std::string> take_values(const Json& json, UiState& state) {
   each_value(state, [&](const char* table, const char* key, auto& value, const auto& rule) {
     take_with(table, key, [&](const Json& found) { return take(found, value, rule); });
   });
-  PersistedState& kept = state.persisted;
-  take_with("window", "docked", [&](const Json& found) { return take_docked(found, kept.docked); });
+  take_with("window", "docked",
+            [&](const Json& found) { return take_docked(found, state.dock.docked); });
   if (json.contains("recent")) {
-    if (const Problem problem = take_recent(json["recent"], kept.recent))
+    if (const Problem problem = take_recent(json["recent"], state.scene.recent))
       problems.push_back("recent " + *problem);
   }
   if (json.contains("layouts") && json["layouts"].is_object())
-    std::ranges::move(take_own_layouts(json["layouts"], kept.own_layouts),
+    std::ranges::move(take_own_layouts(json["layouts"], state.dock.own_layouts),
                       std::back_inserter(problems));
   return problems;
 }

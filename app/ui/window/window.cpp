@@ -18,6 +18,7 @@
 #include "app/session/loop/stop_signals.h"
 #include "app/session/loop_session.h"
 #include "app/ui/page/identify_page.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/window/application.h"
 #include "app/ui/window/display_end.h"
 #include "app/ui/window/settings_file.h"
@@ -57,16 +58,16 @@ struct DestroyWindow {
 using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
 // Window size in the settings.
-PersistedState kept_window(const std::string& settings_path) {
+WindowState kept_window(const std::string& settings_path) {
   UiState state;
   SettingsFile(settings_path).load(state);
-  return state.persisted;
+  return state.window;
 }
 
 // The stored size, limited to the screen.
-ImVec2 wanted_size(const PersistedState& kept) {
-  int width = kept.window_width > 0 ? kept.window_width : kWidth;
-  int height = kept.window_height > 0 ? kept.window_height : kHeight;
+ImVec2 wanted_size(const WindowState& kept) {
+  int width = kept.width > 0 ? kept.width : kWidth;
+  int height = kept.height > 0 ? kept.height : kHeight;
   if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
     int x = 0;
     int y = 0;
@@ -79,13 +80,13 @@ ImVec2 wanted_size(const PersistedState& kept) {
   return {static_cast<float>(width), static_cast<float>(height)};
 }
 
-WindowHandle open_window(const PersistedState& kept) {
+WindowHandle open_window(const WindowState& kept) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_MAXIMIZED, kept.window_maximised ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHint(GLFW_MAXIMIZED, kept.maximised ? GLFW_TRUE : GLFW_FALSE);
   const ImVec2 size = wanted_size(kept);
   WindowHandle window(glfwCreateWindow(static_cast<int>(size.x), static_cast<int>(size.y),
                                        "Haptic Wall", nullptr, nullptr));
@@ -97,16 +98,16 @@ WindowHandle open_window(const PersistedState& kept) {
 }
 
 // Stores the size. A maximised window keeps its previous size.
-void keep_window(GLFWwindow* window, PersistedState& kept) {
-  kept.window_maximised = glfwGetWindowAttrib(window, GLFW_MAXIMIZED) == GLFW_TRUE;
-  if (kept.window_maximised || glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE) return;
+void keep_window(GLFWwindow* window, WindowState& kept) {
+  kept.maximised = glfwGetWindowAttrib(window, GLFW_MAXIMIZED) == GLFW_TRUE;
+  if (kept.maximised || glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE) return;
   int width = 0;
   int height = 0;
   glfwGetWindowSize(window, &width, &height);
   // GLFW applies this scale again to a new window.
   const float scale = std::max(ImGui_ImplGlfw_GetContentScaleForWindow(window), 1.0F);
-  kept.window_width = static_cast<int>(static_cast<float>(width) / scale);
-  kept.window_height = static_cast<int>(static_cast<float>(height) / scale);
+  kept.width = static_cast<int>(static_cast<float>(width) / scale);
+  kept.height = static_cast<int>(static_cast<float>(height) / scale);
 }
 
 // GLFW calls it while the application lives.
@@ -227,7 +228,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
     glfwPollEvents();
     if (!is_seen(window)) {
       application.take_ticks();
-      notice_identify_page(application.state(), false);
+      leave_identify_page(application.state().identify);
       glfwWaitEventsTimeout(kUnseenFrameS);
       continue;
     }
@@ -248,7 +249,7 @@ void run_loop(GLFWwindow* window, Application& application, const WindowHooks& h
     if (!hooks.in_a_hurry && rest_s > 0.0) glfwWaitEventsTimeout(rest_s);
   }
   if (hooks.closed) hooks.closed();
-  keep_window(window, application.state().persisted);
+  keep_window(window, application.state().window);
   application.save_settings();
 }
 
@@ -283,7 +284,7 @@ Failure run_window(const session::WindowOptions& options, const WindowHooks& hoo
        glfwGetTime, options.experiment, !options.signals.empty()},
       theme, sessions);
   if (!application) return application.error();
-  (*application)->state().transient.repeats = options.repeats;
+  (*application)->state().scene.repeats = options.repeats;
   (*application)->state().identify.device = options.device;
   (*application)->state().identify.description = options.description;
   const InputTarget input(window.get(), **application);

@@ -9,6 +9,7 @@
 #include "app/ui/panel/toolbar.h"
 #include "app/ui/panel/tour_strip.h"
 #include "app/ui/panel/verdict_strip.h"
+#include "app/ui/state/window_state.h"
 #include "app/ui/widget/toasts.h"
 #include "app/ui/widget/widgets.h"
 #include "app/ui/window/dock.h"
@@ -26,7 +27,7 @@ void draw_top(const PanelContext& context) {
   draw_arming_strip(context);
   draw_toolbar(context);
   draw_tour_strip(context);
-  if (context.state.persisted.more && !context.shows.hides_algorithm) {
+  if (context.window.more && !context.shows.hides_algorithm) {
     ImGui::SetNextItemWidth(ems(kLayoutEms));
     draw_layout_choice(context);
     ImGui::SameLine(0.0F, ems(kLampGapEms));
@@ -44,8 +45,8 @@ void draw_over_everything(const PanelContext& context, ImVec2 lower_right) {
 
 }  // namespace
 
-void draw_window(const PanelContext& context, const draw::SampleHistory& history,
-                 WallRenderer& renderer) {
+void draw_window(const PageParts& parts) {
+  const PanelContext& context = parts.context;
   share_arrows(true);
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   ImGui::SetNextWindowPos(viewport->WorkPos);
@@ -67,7 +68,7 @@ void draw_window(const PanelContext& context, const draw::SampleHistory& history
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 free = ImGui::GetContentRegionAvail();
   const float height = std::max(1.0F, free.y - status_height);
-  draw_dock({context, history, renderer}, ImVec2(free.x, height));
+  draw_dock(parts, ImVec2(free.x, height));
   ImGui::PushFont(nullptr, draw::kSmallFontSize);
   draw_hint_row(context);
   draw_status_row(context);

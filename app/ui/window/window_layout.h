@@ -2,14 +2,11 @@
 // on top.
 #pragma once
 
-#include "app/draw/plot/sample_history.h"
-#include "app/ui/state/panel_context.h"
-#include "app/ui/wall/wall_renderer.h"
+#include "app/ui/page/pages.h"
 
 namespace hapticwall::ui {
 
 // Draws a whole frame.
-void draw_window(const PanelContext& context, const draw::SampleHistory& history,
-                 WallRenderer& renderer);
+void draw_window(const PageParts& parts);
 
 }  // namespace hapticwall::ui

@@ -242,10 +242,11 @@ class GuiTest : public FolderTest {
           return loaded->scene;
         });
     ASSERT_TRUE(experiment.ok()) << experiment.error().message;
-    ASSERT_FALSE(ui::start_experiment(state(), scene(), *experiment));
+    ASSERT_FALSE(
+        ui::start_experiment(state().compare, state().dock, state().toasts, scene(), *experiment));
     frames(3);
     click("go on");
-    ASSERT_TRUE(ui::blind_test_runs(state()));
+    ASSERT_TRUE(ui::blind_test_runs(state().compare));
   }
 
   // Every item lies between the left and the right edge of the window.
@@ -283,11 +284,9 @@ class GuiTest : public FolderTest {
   [[nodiscard]] Sample newest() const { return fake_->snapshot().newest.x(); }
 
   // The newest message; kind kNone without one.
-  [[nodiscard]] ui::Message message() const { return state().transient.toasts.newest(); }
+  [[nodiscard]] ui::Message message() const { return state().toasts.newest(); }
 
-  [[nodiscard]] const std::optional<ui::Refusal>& refusal() const {
-    return state().transient.refusal;
-  }
+  [[nodiscard]] const std::optional<ui::Refusal>& refusal() const { return state().edit.refusal; }
 
   std::string refuse_session;        // the error of the next sessions
   std::string refuse_device;         // the error of the next sessions on the device

@@ -73,7 +73,7 @@ TEST_F(ExtraTracesTest, TheLegendNamesThemWhereTheyAre) {
   for (const Quantity quantity :
        {Quantity(&Sample::position_m), Quantity(&Sample::force_n),
         Quantity(draw::Derived::kStiffness), Quantity(&Sample::energy_cv_j)})
-    application_->state().persisted.hidden_lines |= draw::line_bit(quantity);
+    application_->state().plots.persisted.hidden_lines |= draw::line_bit(quantity);
   frames(1);
   EXPECT_FALSE(find("under none").has_value()) << "hidden with the session's own lines";
 }

@@ -83,8 +83,8 @@ TEST_F(AllPageTest, AnotherPageAndABlindTestStopAndHideIt) {
   click("page Blind test");
   EXPECT_FALSE(all().running());
   start_trials(4);
-  ASSERT_TRUE(ui::blind_test_runs(state()));
-  show_page(state(), "All at once");
+  ASSERT_TRUE(ui::blind_test_runs(state().compare));
+  show_page(state().dock, "All at once");
   frames(3);
   EXPECT_FALSE(all().running());
   EXPECT_FALSE(sees("all none"));

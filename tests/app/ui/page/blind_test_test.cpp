@@ -210,7 +210,7 @@ TEST_F(BlindTestTest, ThePageWritesAListOfEqualTrialsAndOverwritesNothing) {
                                  return file::load_scene("press", overrides)->scene;
                                });
   ASSERT_TRUE(experiment) << experiment.error().message;
-  EXPECT_EQ((*experiment)->scenes.front()[1].algorithm, ui::slots_of(state()).of(Slot::kB));
+  EXPECT_EQ((*experiment)->scenes.front()[1].algorithm, ui::slots_of(state().compare).of(Slot::kB));
 }
 
 TEST_F(BlindTestTest, AFolderThatIsNotThereIsTold) {
@@ -225,7 +225,7 @@ TEST_F(BlindTestTest, StopShowsWhatWasAnswered) {
   answer(ImGuiKey_2);
   press(ImGuiKey_1);
   click("stop and show");
-  EXPECT_FALSE(ui::blind_test_runs(state()));
+  EXPECT_FALSE(ui::blind_test_runs(state().compare));
   EXPECT_EQ(test().results.tests.trials, 1U);
   EXPECT_TRUE(sees("chose the first"));
   click("new blind test");
@@ -279,7 +279,7 @@ TEST_F(BlindTestTest, KeysAndButtonsThatCouldTellAreInert) {
   press(ImGuiMod_Ctrl | ImGuiKey_Z);
   click("undo");
   EXPECT_EQ(scene().algorithm, felt);
-  show_page(state(), ui::kPlotsPage);
+  show_page(state().dock, ui::kPlotsPage);
   press(ImGuiKey_F3);
   EXPECT_FALSE(sees("plot Position"));
   press(ImGuiKey_P);
@@ -316,9 +316,9 @@ TEST_F(BlindTestTest, TwoOrdersLookTheSame) {
 TEST_F(BlindTestTest, AnotherSceneEndsItAndWrongSetUpsAreTold) {
   start_trials(4);
   const std::string scene = "tap";
-  state().transient.wanted_scene = ui::WantedScene{file::load_scene(scene)->scene, true};
+  state().scene.wanted = ui::WantedScene{file::load_scene(scene)->scene, true};
   frames(5);
-  EXPECT_FALSE(ui::blind_test_runs(state()));
+  EXPECT_FALSE(ui::blind_test_runs(state().compare));
   EXPECT_THAT(message().text, HasSubstr("another session"));
   click("new blind test");
   type("blind trials", "0");

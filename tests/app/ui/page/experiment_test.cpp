@@ -85,7 +85,7 @@ TEST_F(ExperimentPageTest, PlaysItsListToTheEnd) {
   EXPECT_FALSE(test().running);
   EXPECT_EQ(stored(), 3U);
   EXPECT_EQ(stiffness(), 300.0) << "no stiffer wall comes while somebody presses";
-  EXPECT_EQ(state().transient.undo.size(), 2U) << "all its walls are one step";
+  EXPECT_EQ(state().scene.undo.size(), 2U) << "all its walls are one step";
   press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(scene(), before);
   EXPECT_EQ(test().results.practice, 1U);
@@ -104,7 +104,7 @@ TEST_F(ExperimentPageTest, TheDocumentedListsArePlayedToTheEnd) {
                                   text_of(root + "assets/examples/experiments/stiffer.csv")}) {
     std::filesystem::remove(path("P1.csv"));
     restart(list);
-    while (ui::blind_test_runs(state())) {
+    while (ui::blind_test_runs(state().compare)) {
       if (ui::waits(test())) {
         click("go on");
       } else {
@@ -167,7 +167,7 @@ TEST_F(ExperimentPageTest, ARestartGoesOnAfterTheLastStoredTrial) {
   answer();
   EXPECT_FALSE(test().running);
   restart();
-  EXPECT_FALSE(ui::blind_test_runs(state())) << "all were answered: the result is shown";
+  EXPECT_FALSE(ui::blind_test_runs(state().compare)) << "all were answered: the result is shown";
   EXPECT_EQ(test().results.pairs.size(), 2U);
   EXPECT_EQ(stored(), 3U);
 }

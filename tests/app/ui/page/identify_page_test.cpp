@@ -98,8 +98,8 @@ class IdentifyPageTest : public GuiTest {
   }
   void show() {
     options.recording_folder = folder_.path().string();
-    state().transient.recording_folder = folder_.path().string();
-    ui::show_page(state(), "Identify");
+    state().recording.folder = folder_.path().string();
+    ui::show_page(state().dock, "Identify");
     frames(6);
     identify().choice.seconds = 8.0;
   }
@@ -163,16 +163,16 @@ TEST(FigureCurve, ThinnedKeepsTheExtremes) {
 
 TEST_F(IdentifyPageTest, FindsTheSimulatedDeviceAndSavesIt) {
   const Scene before = scene();
-  state().transient.repeats = true;
-  const std::size_t steps = state().transient.undo.size();
+  state().scene.repeats = true;
+  const std::size_t steps = state().scene.undo.size();
   start();
   EXPECT_TRUE(application_->live()->scene().x().walls.empty());
   EXPECT_FALSE(sees("identify start"));
   frames_until([&] { return !runs(); });
   EXPECT_EQ(scene(), before);
   EXPECT_EQ(application_->live(), fake_);
-  EXPECT_TRUE(state().transient.repeats);
-  EXPECT_EQ(state().transient.undo.size(), steps);
+  EXPECT_TRUE(state().scene.repeats);
+  EXPECT_EQ(state().scene.undo.size(), steps);
   frames_until([&] { return !identify().fit.running(); });
   frames(2);
   ASSERT_TRUE(identify().result) << identify().problem;
@@ -225,16 +225,16 @@ TEST_F(IdentifyPageTest, TheButtonAndSpaceEndIt) {
 
 TEST_F(IdentifyPageTest, LeavingThePageEndsIt) {
   start_and_arm();
-  ui::show_page(state(), ui::kPlotsPage);
+  ui::show_page(state().dock, ui::kPlotsPage);
   frames(8);
-  ui::show_page(state(), "Identify");
+  ui::show_page(state().dock, "Identify");
   frames(8);
   expect_over_without_force("its page was left");
 }
 
 TEST_F(IdentifyPageTest, AnotherSceneEndsItAndBegins) {
   start_and_arm();
-  state().transient.wanted_scene = ui::WantedScene{file::load_scene("tap")->scene, true};
+  state().scene.wanted = ui::WantedScene{file::load_scene("tap")->scene, true};
   frames(3);
   expect_over_without_force("the scene was changed");
   EXPECT_EQ(scene().name, "tap");

@@ -212,8 +212,8 @@ TEST_F(MapPageTest, ABlindTestHidesAndStopsIt) {
   ASSERT_TRUE(live().running());
   click("page Blind test");
   start_trials(4);
-  EXPECT_TRUE(ui::blind_test_runs(state()));
-  show_page(state(), "Map");
+  EXPECT_TRUE(ui::blind_test_runs(state().compare));
+  show_page(state().dock, "Map");
   frames(3);
   EXPECT_FALSE(sees("map cells 0"));
   EXPECT_FALSE(live().running());
@@ -232,7 +232,7 @@ TEST_F(MapPageTest, AHandThatThePointerLeadsHasNoMap) {
   Scene led = scene();
   led.x().hand->follows_mouse = true;
   led.x().hand->path = {};
-  state().transient.wanted_scene = ui::WantedScene{led};
+  state().scene.wanted = ui::WantedScene{led};
   frames(3);
   EXPECT_THAT(text(), HasSubstr("The pointer leads the hand"));
 }

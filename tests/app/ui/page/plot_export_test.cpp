@@ -20,7 +20,7 @@ class PlotExportTest : public GuiTest {
  protected:
   void SetUp() override {
     GuiTest::SetUp();
-    state().transient.recording_folder = path("");
+    state().recording.folder = path("");
   }
 
   [[nodiscard]] std::vector<std::string> files(const std::string& ending) const {
@@ -53,8 +53,8 @@ TEST_F(PlotExportTest, TheVisibleSamplesGoIntoACsvOfTheirOwnEachTime) {
 TEST_F(PlotExportTest, WithoutSamplesInTheWindowNothingIsWritten) {
   live(500);
   click("follow");
-  state().transient.time_from_s = 50.0;
-  state().transient.time_to_s = 56.0;
+  state().time.from_s = 50.0;
+  state().time.to_s = 56.0;
   export_csv();
   EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
   EXPECT_THAT(message().text, HasSubstr("no sample"));
@@ -63,7 +63,7 @@ TEST_F(PlotExportTest, WithoutSamplesInTheWindowNothingIsWritten) {
 
 TEST_F(PlotExportTest, AFolderThatIsNotThereIsTold) {
   live(500);
-  state().transient.recording_folder = path("nowhere");
+  state().recording.folder = path("nowhere");
   export_csv();
   EXPECT_EQ(message().kind, ui::MessageKind::kProblem);
   EXPECT_THAT(message().text, HasSubstr("nowhere"));

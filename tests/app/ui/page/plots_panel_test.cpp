@@ -26,9 +26,7 @@ class PlotsPanelTest : public GuiTest {
   [[nodiscard]] draw::LineSet lines(PlotId id) {
     return plots().persisted.lines[static_cast<std::size_t>(id)];
   }
-  [[nodiscard]] double length_s() {
-    return state().transient.time_to_s - state().transient.time_from_s;
-  }
+  [[nodiscard]] double length_s() { return state().time.to_s - state().time.from_s; }
 
   // Between the labels of the value axis and the plot.
   [[nodiscard]] static ImVec2 value_axis(const std::string& plot) {
@@ -55,19 +53,19 @@ TEST_F(PlotsPanelTest, TheLegendOfPositionTakesOneRowInTheUsualWindow) {
 
 TEST_F(PlotsPanelTest, ThePlotsFollowTheNewestSamplesUntilTheWheelZoomsTime) {
   const auto expect_newest = [&] {
-    EXPECT_TRUE(state().transient.follow);
-    EXPECT_DOUBLE_EQ(state().transient.time_to_s, application_->history().newest_time_s());
+    EXPECT_TRUE(state().time.follow);
+    EXPECT_DOUBLE_EQ(state().time.to_s, application_->history().newest_time_s());
   };
   live(8000);
   expect_newest();
   EXPECT_NEAR(length_s(), 6.0, 1e-9);
   wheel_at(rect("plot Force").centre(), 2.0F);
   EXPECT_LT(length_s(), 6.0);
-  EXPECT_FALSE(state().transient.follow);
+  EXPECT_FALSE(state().time.follow);
   EXPECT_FALSE(left_axis(PlotId::kForce).manual);
-  const double looked_at_s = state().transient.time_to_s;
+  const double looked_at_s = state().time.to_s;
   live(1000);
-  EXPECT_DOUBLE_EQ(state().transient.time_to_s, looked_at_s);
+  EXPECT_DOUBLE_EQ(state().time.to_s, looked_at_s);
   click("follow");
   live(100);
   expect_newest();
@@ -76,26 +74,26 @@ TEST_F(PlotsPanelTest, ThePlotsFollowTheNewestSamplesUntilTheWheelZoomsTime) {
 TEST_F(PlotsPanelTest, ThePointerLooksBackInPlotsThatStandStill) {
   live(3000);
   press(ImGuiKey_F);
-  ASSERT_FALSE(state().transient.follow);
+  ASSERT_FALSE(state().time.follow);
   const ItemRect plot = rect("plot Force");
   const auto newest_s = [&] { return application_->history().newest_time_s(); };
   const double newest_n = application_->history().sample(2999).force_n;
   EXPECT_GT(newest_n, 1.0);
   move_to(ImVec2(plot.from.x + 2.0F, plot.centre().y));
-  const double from_s = state().transient.time_from_s;
-  ASSERT_TRUE(state().transient.looked_at_s);
+  const double from_s = state().time.from_s;
+  ASSERT_TRUE(state().time.looked_at_s);
   frames(1);
-  EXPECT_NEAR(*state().transient.looked_at_s, from_s, 0.02 * length_s());
+  EXPECT_NEAR(*state().time.looked_at_s, from_s, 0.02 * length_s());
   EXPECT_LT(static_cast<double>(state().tails.front().end_tick), 0.05 * 3000.0)
       << "the verdict is that of then";
   EXPECT_TRUE(text().find(fmt::format("{:9.3f} s", newest_s())) == std::string::npos);
   move_away();
   frames(1);
-  EXPECT_FALSE(state().transient.looked_at_s);
+  EXPECT_FALSE(state().time.looked_at_s);
   EXPECT_EQ(state().tails.front().end_tick, 3000U);
   press(ImGuiKey_F);
   move_to(plot.centre());
-  EXPECT_FALSE(state().transient.looked_at_s) << "the plots follow";
+  EXPECT_FALSE(state().time.looked_at_s) << "the plots follow";
 }
 
 TEST_F(PlotsPanelTest, TheWheelOverAValueAxisPutsItAndItStaysWhileTheSessionRuns) {
@@ -105,11 +103,11 @@ TEST_F(PlotsPanelTest, TheWheelOverAValueAxisPutsItAndItStaysWhileTheSessionRuns
   const draw::ValueAxis put = left_axis(PlotId::kForce);
   EXPECT_TRUE(put.manual);
   EXPECT_FALSE(left_axis(PlotId::kPosition).manual);
-  EXPECT_TRUE(state().transient.follow);
+  EXPECT_TRUE(state().time.follow);
   live(4000);
   EXPECT_EQ(left_axis(PlotId::kForce).minimum, put.minimum);
   EXPECT_EQ(left_axis(PlotId::kForce).maximum, put.maximum);
-  EXPECT_DOUBLE_EQ(state().transient.time_to_s, application_->history().newest_time_s());
+  EXPECT_DOUBLE_EQ(state().time.to_s, application_->history().newest_time_s());
   click("automatic axes");
   EXPECT_FALSE(left_axis(PlotId::kForce).manual);
   frames(2);
@@ -121,24 +119,24 @@ TEST_F(PlotsPanelTest, ADragOverAValueAxisMovesItAndADoubleClickThereGoesBack) {
   const ImVec2 axis = value_axis("plot Force");
   drag(axis, ImVec2(axis.x + 40.0F, axis.y + 20.0F));  // into the plot: it stays the axis
   EXPECT_TRUE(left_axis(PlotId::kForce).manual);
-  EXPECT_TRUE(state().transient.follow);
+  EXPECT_TRUE(state().time.follow);
   double_click(axis);
   EXPECT_FALSE(left_axis(PlotId::kForce).manual);
-  EXPECT_TRUE(state().transient.follow);
+  EXPECT_TRUE(state().time.follow);
 }
 
 TEST_F(PlotsPanelTest, ARightDragZoomsIntoARectangle) {
   live(7000);
   const ItemRect area = rect("plot Force");
   const ImVec2 centre = area.centre();
-  const double from_s = state().transient.time_from_s;
+  const double from_s = state().time.from_s;
   drag(centre, ImVec2(area.to.x - 20.0F, area.to.y - 10.0F), ImGuiMouseButton_Right);
   EXPECT_TRUE(left_axis(PlotId::kForce).manual);
-  EXPECT_NEAR(state().transient.time_from_s, from_s + 3.0, 0.05);
-  EXPECT_FALSE(state().transient.follow);
+  EXPECT_NEAR(state().time.from_s, from_s + 3.0, 0.05);
+  EXPECT_FALSE(state().time.follow);
   double_click(centre);
   EXPECT_FALSE(left_axis(PlotId::kForce).manual);
-  EXPECT_TRUE(state().transient.follow);
+  EXPECT_TRUE(state().time.follow);
 }
 
 // Without an algorithm the wall chatters: one contact about every 20 ms.
@@ -146,16 +144,16 @@ TEST_F(PlotsPanelTest, ASingleTriggerHoldsTheWindowAtAContactAndArmWaitsForTheNe
   const auto& trigger = plots().transient.trigger;
   press(ImGuiKey_1);
   live(3000);
-  state().persisted.time_window_s = 0.1;
+  state().time.window_s = 0.1;
   click("trigger");
   click("trigger single");
   press(ImGuiKey_Escape);
   live(500);
   EXPECT_EQ(trigger.stage, TriggerStage::kDone);
-  EXPECT_FALSE(state().transient.follow);
+  EXPECT_FALSE(state().time.follow);
   ASSERT_TRUE(trigger.contact_s.has_value());
   const double first_s = *trigger.contact_s;
-  EXPECT_NEAR(state().transient.time_from_s, first_s - 0.025, 1e-9);
+  EXPECT_NEAR(state().time.from_s, first_s - 0.025, 1e-9);
   EXPECT_NEAR(length_s(), 0.1, 1e-9);
   const draw::SampleHistory& history = application_->history();
   const std::size_t index = *history.nearest(first_s);
@@ -223,13 +221,13 @@ TEST_F(PlotsPanelTest, TheForceAxisIsThatOfTheActuatorWhateverTheWallWishes) {
   EXPECT_LT(left_axis(PlotId::kForce).maximum, 1.5 * limit_n);
   EXPECT_LE(left_axis(PlotId::kForce).minimum, 0.0);
   EXPECT_GT(left_axis(PlotId::kForce).minimum, -limit_n) << "the wall does not pull";
-  state().persisted.hidden_lines |= draw::line_bit(&Sample::force_n);
+  state().plots.persisted.hidden_lines |= draw::line_bit(&Sample::force_n);
   frames(1);
   EXPECT_GT(left_axis(PlotId::kForce).maximum, 3.0 * limit_n) << "alone, it is followed";
 }
 
 TEST_F(PlotsPanelTest, APositionAtRestIsShownOverTwoCountsAtLeast) {
-  state().persisted.time_window_s = 0.5;
+  state().time.window_s = 0.5;
   press(ImGuiKey_4);
   live(8000);
   const double count_mm = *fake_->scene().x().device.encoder_m * 1e3;

@@ -193,7 +193,7 @@ TEST_F(StudyPageTest, AnotherPageAndABlindTestEndIt) {
   frames(kFramesToRest);
   EXPECT_FALSE(application_->moving());
   start_trials(4);
-  ASSERT_TRUE(ui::blind_test_runs(state()));
+  ASSERT_TRUE(ui::blind_test_runs(state().compare));
   frames(3);
   EXPECT_FALSE(sees("study compute"));
 }
@@ -201,12 +201,12 @@ TEST_F(StudyPageTest, AnotherPageAndABlindTestEndIt) {
 TEST_F(StudyPageTest, WhereTheForceIsHiddenThePageSaysWhy) {
   const draw::Theme theme = draw::apply_theme(draw::Look::kScreen, 1.0F);
   const session::Snapshot snapshot = fake_->snapshot();
-  const ui::PanelContext context{
-      *fake_, snapshot, theme, state(), {.live = fake_, .hides_force = true}};
+  const ui::PanelContext context =
+      ui::context_of(state(), *fake_, snapshot, theme, {.live = fake_, .hides_force = true});
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   ImGui::LogToBuffer(0);
-  ui::draw_study_page(context);
+  ui::draw_study_page(context, state().studies);
   EXPECT_THAT(ImGui::GetCurrentContext()->LogBuffer.c_str(), HasSubstr("Hidden until"));
   ImGui::LogFinish();
   ImGui::Render();

@@ -118,7 +118,7 @@ class TimingPageTest : public GuiTest {
     ImGui::SetNextWindowPos(ImVec2(0.0F, 0.0F));
     ImGui::SetNextWindowSize(size);
     ImGui::Begin("page", nullptr, ImGuiWindowFlags_NoDecoration);
-    ui::draw_timing_page({*fake_, snapshot, theme_, state(), {.live = fake_}});
+    ui::draw_timing_page(ui::context_of(state(), *fake_, snapshot, theme_, {.live = fake_}));
     ImGui::End();
     ImGui::Render();
   }

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 class ComparePanelTest : public GuiTest {
  protected:
   [[nodiscard]] std::string running() const { return ui::algorithm_name(scene().algorithm); }
-  [[nodiscard]] ui::CompareSlots slots() const { return ui::slots_of(state()); }
+  [[nodiscard]] ui::CompareSlots slots() const { return ui::slots_of(state().compare); }
   [[nodiscard]] std::string in(Slot slot) const { return ui::algorithm_name(slots().of(slot)); }
   // Moves the hand out of the wall and in again.
   void touch_again() {
@@ -68,7 +68,7 @@ TEST_F(ComparePanelTest, TabAndClicksToggleWithoutAStepOfTheUndo) {
   EXPECT_EQ(running(), "virtual-coupling");
   click("slot A");
   EXPECT_EQ(running(), first);
-  EXPECT_EQ(state().transient.undo.size(), 1U);
+  EXPECT_EQ(state().scene.undo.size(), 1U);
 }
 
 TEST_F(ComparePanelTest, InAFieldTabMovesOn) {
@@ -106,7 +106,7 @@ TEST_F(ComparePanelTest, UndoKeepsTheSlotsApart) {
   press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(wall().stiffness_n_per_m, 35000.0);
   EXPECT_EQ(running(), "virtual-coupling") << "the active slot stays active";
-  EXPECT_THAT(state().transient.undo.undo_text(), HasSubstr("slot A: " + a));
+  EXPECT_THAT(state().scene.undo.undo_text(), HasSubstr("slot A: " + a));
   press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(in(Slot::kA), a);
   EXPECT_EQ(in(Slot::kB), "virtual-coupling");

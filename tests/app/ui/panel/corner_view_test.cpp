@@ -19,7 +19,7 @@ TEST_F(CornerViewTest, TheWallFieldsAreOfTheShownAxis) {
   live(500);
   EXPECT_FALSE(sees("wall 2")) << "one wall on either axis";
   click("wall axis y");
-  EXPECT_EQ(state().transient.shown_axis, ui::Axis::kY);
+  EXPECT_EQ(state().selection.axis, ui::Axis::kY);
   type("stiffness", "1234");
   EXPECT_EQ(scene().axes[1].walls.front().stiffness_n_per_m, 1234.0);
   EXPECT_EQ(wall().stiffness_n_per_m, 35000.0);

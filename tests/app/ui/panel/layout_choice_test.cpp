@@ -21,10 +21,8 @@ class LayoutChoiceTest : public GuiTest {
     type("layout name", name);
     frames(2);
   }
-  [[nodiscard]] const ui::PersistedState& kept() const { return state().persisted; }
-  [[nodiscard]] std::string chosen() const {
-    return ui::layout_text(*state().transient.dock.chosen);
-  }
+  [[nodiscard]] const ui::DockState& kept() const { return state().dock; }
+  [[nodiscard]] std::string chosen() const { return ui::layout_text(*state().dock.chosen); }
 };
 
 TEST_F(LayoutChoiceTest, EveryBuiltinTextIsReadAndNamesWindowsThatAreThere) {
@@ -32,7 +30,7 @@ TEST_F(LayoutChoiceTest, EveryBuiltinTextIsReadAndNamesWindowsThatAreThere) {
     const auto read = ui::parse_layout(layout.text);
     ASSERT_TRUE(read.has_value()) << layout.name;
     for (const std::string& window : windows_of(*read)) {
-      EXPECT_TRUE(std::ranges::any_of(state().transient.dock.windows, [&](const auto& each) {
+      EXPECT_TRUE(std::ranges::any_of(state().dock.windows, [&](const auto& each) {
         return each.name == window;
       })) << window;
     }
@@ -49,7 +47,7 @@ TEST_F(LayoutChoiceTest, OnesOwnIsKeptChosenReplacedAndDeleted) {
   const std::string evening = chosen();
   keep_as("  evening ");
   EXPECT_EQ(kept().layout, "evening");
-  choose_layout(state(), "bench");
+  choose_layout(state().dock, state().window, state().plots, "bench");
   frames(5);
   EXPECT_NE(chosen(), evening);
   application_->save_settings();
@@ -61,7 +59,7 @@ TEST_F(LayoutChoiceTest, OnesOwnIsKeptChosenReplacedAndDeleted) {
   EXPECT_EQ(chosen(), evening);
   EXPECT_TRUE(sees("timing clear"));
   click("page Plots");
-  EXPECT_FALSE(keep_layout(state(), "evening")) << "replaces it";
+  EXPECT_FALSE(keep_layout(state().dock, "evening")) << "replaces it";
   ASSERT_EQ(kept().own_layouts.size(), 1U);
   EXPECT_NE(ui::layout_text(kept().own_layouts.front().layout), evening);
   const std::string last = chosen();
@@ -82,23 +80,23 @@ TEST_F(LayoutChoiceTest, AWrongNameIsRefusedBelowItsField) {
     EXPECT_THAT(refusal()->why, HasSubstr(why));
     EXPECT_TRUE(sees(refusal()->why)) << name;
     press(ImGuiKey_Escape);
-    state().transient.refusal.reset();
+    state().edit.refusal.reset();
   }
   for (const char* name : {"two\nlines", "\xff", "\x1b[2J", "a\xc2\x85"})
-    EXPECT_THAT(keep_layout(state(), name).value_or(""), HasSubstr("no control characters"));
+    EXPECT_THAT(keep_layout(state().dock, name).value_or(""), HasSubstr("no control characters"));
   EXPECT_TRUE(kept().own_layouts.empty());
   for (std::size_t i = 0; i < ui::kMaxOwnLayouts; ++i)
-    EXPECT_FALSE(keep_layout(state(), "number " + std::to_string(i)));
-  EXPECT_THAT(keep_layout(state(), "one more").value_or(""), HasSubstr("delete one"));
-  EXPECT_FALSE(keep_layout(state(), "number 3")) << "an old name is free";
+    EXPECT_FALSE(keep_layout(state().dock, "number " + std::to_string(i)));
+  EXPECT_THAT(keep_layout(state().dock, "one more").value_or(""), HasSubstr("delete one"));
+  EXPECT_FALSE(keep_layout(state().dock, "number 3")) << "an old name is free";
 }
 
 TEST_F(LayoutChoiceTest, F3GoesThroughAllAndOpensMore) {
-  EXPECT_FALSE(keep_layout(state(), "mine"));
-  state().persisted.more = false;
+  EXPECT_FALSE(keep_layout(state().dock, "mine"));
+  state().window.more = false;
   frames(3);
   press(ImGuiKey_F3);
-  EXPECT_TRUE(kept().more);
+  EXPECT_TRUE(state().window.more);
   for (const ui::BuiltinLayout& layout : ui::builtin_layouts()) {
     EXPECT_EQ(kept().layout, layout.name);
     press(ImGuiKey_F3);

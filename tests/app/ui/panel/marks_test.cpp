@@ -19,10 +19,9 @@ class MarksTest : public GuiTest {
  protected:
   // Number of pixels of a column of the force plot with the colour of a mark.
   [[nodiscard]] int marked_pixels(double time_s) {
-    const ui::TransientState& transient = state().transient;
+    const ui::TimeView& time = state().time;
     const ItemRect area = rect("plot Force");
-    const double share =
-        (time_s - transient.time_from_s) / (transient.time_to_s - transient.time_from_s);
+    const double share = (time_s - time.from_s) / (time.to_s - time.from_s);
     const float x = std::round(area.at(static_cast<float>(share), 0.0F).x);
     const ItemRect column{ImVec2(x - 2.0F, area.from.y), ImVec2(x + 3.0F, area.to.y)};
     constexpr int kTolerance = 80;

@@ -22,7 +22,7 @@ class ReplayBarTest : public ReplayGuiTest {
     record("trial.csv", 900, {"first touch", ""});
   }
   [[nodiscard]] std::uint64_t tick() { return replay().snapshot().newest.x().tick; }
-  [[nodiscard]] const std::vector<std::string>& recent() const { return state().persisted.recent; }
+  [[nodiscard]] const std::vector<std::string>& recent() const { return state().scene.recent; }
   // Clicks at a share of the track, from 0 to 1.
   void click_slider(double share) {
     const ItemRect rect = this->rect("time slider");
@@ -132,9 +132,9 @@ TEST_F(ReplayBarTest, AJumpBringsThePlotsBackToThePlace) {
   drop("trial.csv");
   pass_ms(400);
   press(ImGuiKey_F);
-  EXPECT_FALSE(state().transient.follow);
+  EXPECT_FALSE(state().time.follow);
   click_slider(0.2);
-  EXPECT_TRUE(state().transient.follow);
+  EXPECT_TRUE(state().time.follow);
 }
 
 TEST_F(ReplayBarTest, ASpeedIsInForceOrRefused) {
@@ -285,7 +285,7 @@ TEST_F(ReplayBarTest, EverythingFitsIntoTheSmallestWindow) {
   drop("trial.csv");
   pass_ms(500);
   for (const float scale : {1.0F, 2.0F}) {
-    state().transient.forced_scale = scale;
+    state().appearance.forced_scale = scale;
     frames(3);
     expect_within(kScreenWidth);
     expect_controls();

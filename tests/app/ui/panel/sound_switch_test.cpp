@@ -40,7 +40,7 @@ class SoundSwitchTest : public GuiTest {
 
 TEST_F(SoundSwitchTest, IsOffAtFirst) {
   open_with_card();
-  EXPECT_FALSE(state().transient.sound_on);
+  EXPECT_FALSE(state().sound.on);
   EXPECT_FALSE(fake_->feed->wanted);
   EXPECT_TRUE(sees("sound"));
   EXPECT_FALSE(sees("##volume"));
@@ -52,19 +52,19 @@ TEST_F(SoundSwitchTest, PlaysTheSessionAndTellsTheDelay) {
   frames_until([&] { return fake_->feed->wanted.load(); });
   play(200);
   EXPECT_TRUE(sees("##volume"));
-  frames_until([&] { return state().transient.sound.state == sound::SoundState::kPlaying; });
-  EXPECT_THAT(describe(state().transient.sound), HasSubstr(" ms behind the handle"));
+  frames_until([&] { return state().sound.status.state == sound::SoundState::kPlaying; });
+  EXPECT_THAT(describe(state().sound.status), HasSubstr(" ms behind the handle"));
   click("sound");
   frames_until([&] { return !fake_->feed->wanted; });
-  EXPECT_FALSE(state().transient.sound_on);
+  EXPECT_FALSE(state().sound.on);
 }
 
 TEST_F(SoundSwitchTest, WithoutACardOneSentenceSaysSo) {
   click("sound");
-  frames_until([&] { return !state().transient.sound_on; });
+  frames_until([&] { return !state().sound.on; });
   EXPECT_EQ(message().text, "There is no sound: no sound card.");
   EXPECT_EQ(message().kind, ui::MessageKind::kNote);
-  EXPECT_EQ(state().transient.toasts.list().size(), 1U);
+  EXPECT_EQ(state().toasts.list().size(), 1U);
 }
 
 TEST_F(SoundSwitchTest, FollowsTheNextSession) {
@@ -72,7 +72,7 @@ TEST_F(SoundSwitchTest, FollowsTheNextSession) {
   click("sound");
   const auto first = fake_->feed;
   frames_until([&] { return first->wanted.load(); });
-  state().transient.wanted_scene = ui::WantedScene{scene()};
+  state().scene.wanted = ui::WantedScene{scene()};
   frames_until([&] { return fake_->feed != first && fake_->feed->wanted; });
   EXPECT_FALSE(first->wanted);
 }
@@ -90,8 +90,8 @@ TEST_F(SoundSwitchTest, SlowMotionIsSilent) {
 // A blind test hears noise, unless the sound is its question.
 TEST_F(SoundSwitchTest, ABlindTestIsMasked) {
   open_with_card();
-  state().persisted.sound_volume = 1.0;
-  state().transient.sound_on = true;
+  state().sound.volume = 1.0;
+  state().sound.on = true;
   EXPECT_LT(loudest_of(2000), 0.05F);
   start_trials(4);
   EXPECT_GT(loudest_of(2000), 0.2F);

@@ -77,11 +77,11 @@ TEST_F(TourTest, EveryLessonIsSeenAsItsTextSays) {
             5U);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     SCOPED_TRACE(steps[i].text);
-    EXPECT_EQ(state().transient.tour_step, i + 1);
-    EXPECT_FALSE(state().transient.tour_step_done);
+    EXPECT_EQ(state().tour.step, i + 1);
+    EXPECT_FALSE(state().tour.step_done);
     follow(std::string(steps[i].text));
     frames(2);
-    EXPECT_TRUE(state().transient.tour_step_done) << ui::tail_text(state().tails.front());
+    EXPECT_TRUE(state().tour.step_done) << ui::tail_text(state().tails.front());
     EXPECT_TRUE(sees("· seen"));
     expect_claims(std::string(steps[i].text));
     if (i + 1 < steps.size()) click("tour next");
@@ -93,11 +93,11 @@ TEST_F(TourTest, EveryLessonIsSeenAsItsTextSays) {
 
 TEST_F(TourTest, AnotherSceneLeavesIt) {
   click("begin tour");
-  EXPECT_EQ(state().transient.tour_step, 1U);
+  EXPECT_EQ(state().tour.step, 1U);
   click("scene");
   click("scene tap");
   EXPECT_EQ(scene().name, "tap");
-  EXPECT_EQ(state().transient.tour_step, 0U);
+  EXPECT_EQ(state().tour.step, 0U);
 }
 
 TEST_F(TourTest, TheReadmeTellsTheSame) {
@@ -120,22 +120,22 @@ TEST_F(TourTest, ANewcomerSeesTheWallTwoPlotsAndTheAlgorithmsAndMoreOpensTheRest
     EXPECT_TRUE(sees(item)) << item;
   click("settings");
   click("reset layout");
-  EXPECT_FALSE(state().persisted.more);
-  EXPECT_EQ(state().persisted.arrangement, ui::PlotArrangement::kTwo);
+  EXPECT_FALSE(state().window.more);
+  EXPECT_EQ(state().plots.persisted.arrangement, ui::PlotArrangement::kTwo);
 }
 
 TEST_F(TourTest, TheFirstSceneRepeatsUntilSomebodyTakesPart) {
-  state().transient.repeats = true;
+  state().scene.repeats = true;
   live(static_cast<int>(scene().tick_count()) + 20);
   EXPECT_EQ(fake_->resets, 1);
-  state().transient.hand_led = true;
+  state().hand.led = true;
   live(static_cast<int>(scene().tick_count()) + 20);
   EXPECT_EQ(fake_->resets, 1) << "the pointer leads the hand";
   open("tap");
   click("repeat scene");
-  EXPECT_TRUE(state().transient.repeats);
+  EXPECT_TRUE(state().scene.repeats);
   click("begin tour");
-  EXPECT_FALSE(state().transient.repeats) << "another scene was chosen";
+  EXPECT_FALSE(state().scene.repeats) << "another scene was chosen";
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ TEST_F(WallViewTest, TheHandIsLedRightlyFromEveryView) {
 TEST_F(WallViewTest, TheHandIsGrabbedWhereverThePointerIsAndStaysWhereItIsLeft) {
   live(500);
   const double before_m = hand_m();
-  ASSERT_FALSE(state().transient.hand_led);
+  ASSERT_FALSE(state().hand.led);
   const ImVec2 anywhere = rect("wall view").at(0.7F, 0.2F);
   move_to(anywhere);
   mouse_button(true);
@@ -138,7 +138,7 @@ TEST_F(WallViewTest, TheHandIsGrabbedWhereverThePointerIsAndStaysWhereItIsLeft) 
   live(3000);
   EXPECT_EQ(hand_m(), left_m);
   press(ImGuiKey_R);
-  EXPECT_FALSE(state().transient.hand_led);
+  EXPECT_FALSE(state().hand.led);
   live(500);
   EXPECT_EQ(hand_m(), before_m) << "reset takes up the script";
 }
@@ -147,7 +147,7 @@ TEST_F(WallViewTest, AKeyWithdrawsTheHandAtTheChosenSpeed) {
   live(1000);
   const double before_m = hand_m();
   const double start_m = scene().x().device.start_m;
-  state().persisted.withdraw_mm_per_s = 50.0;
+  state().hand.withdraw_mm_per_s = 50.0;
   press(ImGuiKey_H);
   fake_->advance(100);
   EXPECT_NEAR(hand_m(), before_m - 0.05 * 0.1, 1e-9);
@@ -182,7 +182,7 @@ TEST_F(WallViewTest, PointerEventsKeepTheirTimes) {
   move_to(place(0.04));
   mouse_button(true);
   fake_->moves.clear();
-  const double now_s = state().transient.now_s;
+  const double now_s = state().input.now_s;
   application_->point({now_s + 0.02, place(0.042)});
   application_->point({now_s + 0.05, place(0.048)});
   frames(1);
@@ -212,7 +212,7 @@ TEST_F(WallViewTest, ShowsTheIntervalAndTheLampWhetherTheWallShakesOrNot) {
     live(3000);
     const session::Snapshot snapshot = fake_->snapshot();
     const draw::Theme theme;
-    return ui::shown_picture({*fake_, snapshot, theme, state(), {.live = fake_}});
+    return ui::shown_picture(ui::context_of(state(), *fake_, snapshot, theme, {.live = fake_}));
   };
   const ui::WallPicture shakes = picture_of(ImGuiKey_1);
   EXPECT_GT(shakes.handle_reach_m.below.x + shakes.handle_reach_m.above.x, 2e-3);

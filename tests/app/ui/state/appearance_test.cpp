@@ -78,36 +78,36 @@ TEST_P(ThemeOf, LinesStandOutFromTheirPlot) {
 INSTANTIATE_TEST_SUITE_P(Screen, ThemeOf, ::testing::Values(Look::kScreen, Look::kLight));
 
 TEST(Scale, TheCommandLineComesBeforeTheSettingsAndTheseBeforeTheScreen) {
-  ui::UiState state;
-  EXPECT_EQ(ui::scale_in_force(state), 1.0F);
-  state.transient.screen_scale = 1.5F;
-  EXPECT_EQ(ui::scale_in_force(state), 1.5F);
+  ui::Appearance state;
+  EXPECT_EQ(ui::scale_in_force(state, false), 1.0F);
+  state.screen_scale = 1.5F;
+  EXPECT_EQ(ui::scale_in_force(state, false), 1.5F);
   ui::set_scale(state, 125);
-  EXPECT_EQ(ui::scale_in_force(state), 1.25F);
-  state.transient.forced_scale = 2.0F;
-  EXPECT_EQ(ui::scale_in_force(state), 2.0F);
+  EXPECT_EQ(ui::scale_in_force(state, false), 1.25F);
+  state.forced_scale = 2.0F;
+  EXPECT_EQ(ui::scale_in_force(state, false), 2.0F);
   ui::step_scale(state, 1);
   EXPECT_EQ(ui::scale_percent_in_force(state), 210);
-  EXPECT_FALSE(state.transient.forced_scale.has_value());
+  EXPECT_FALSE(state.forced_scale.has_value());
   ui::set_scale(state, 125);
   ui::step_scale(state, -1);
-  EXPECT_EQ(state.persisted.scale_percent, 120);
+  EXPECT_EQ(state.scale_percent, 120);
   ui::set_scale(state, 5000);
-  EXPECT_EQ(state.persisted.scale_percent, session::kMaxScalePercent);
+  EXPECT_EQ(state.scale_percent, session::kMaxScalePercent);
   ui::set_scale(state, 1);
-  EXPECT_EQ(state.persisted.scale_percent, session::kMinScalePercent);
+  EXPECT_EQ(state.scale_percent, session::kMinScalePercent);
   ui::set_scale(state, 0);
-  EXPECT_EQ(ui::scale_in_force(state), 1.5F);
+  EXPECT_EQ(ui::scale_in_force(state, false), 1.5F);
 }
 
 class AppearanceTest : public GuiTest {
  protected:
-  [[nodiscard]] ui::PersistedState& kept() const { return state().persisted; }
+  [[nodiscard]] ui::Appearance& kept() const { return state().appearance; }
 };
 
 TEST_F(AppearanceTest, BothLooksAreDrawnInTheirOwnColours) {
   // Its dots lie on the handle's line.
-  kept().hidden_lines = draw::line_bit(&PlantTruth::position_m);
+  state().plots.persisted.hidden_lines = draw::line_bit(&PlantTruth::position_m);
   live(4000);
   for (const Look look : {Look::kScreen, Look::kLight}) {
     kept().look = look;

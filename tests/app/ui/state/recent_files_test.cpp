@@ -40,7 +40,7 @@ class FilesTest : public GuiTest {
     scene.x().walls[0].stiffness_n_per_m = 4321.0;
     put("mine.toml", file::scene_to_toml(scene));
   }
-  [[nodiscard]] const std::vector<std::string>& recent() const { return state().persisted.recent; }
+  [[nodiscard]] const std::vector<std::string>& recent() const { return state().scene.recent; }
 };
 
 TEST_F(FilesTest, ADroppedSceneStartsFromRest) {

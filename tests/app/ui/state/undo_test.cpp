@@ -163,7 +163,7 @@ TEST_F(UndoTest, ADragOfASliderIsOneStep) {
     EXPECT_NEAR(std::log10(stiffness()), 2.0 + 4.0 * static_cast<double>(share), 0.15);
   }
   mouse_button(false);
-  EXPECT_EQ(state().transient.undo.size(), 2U);
+  EXPECT_EQ(state().scene.undo.size(), 2U);
   press(ImGuiMod_Ctrl | ImGuiKey_Z);
   EXPECT_EQ(stiffness(), 35000.0);
 }
@@ -208,7 +208,7 @@ TEST_F(UndoTest, AnyEditsAreUndoneAndRedoneStateByState) {
       const Scene wanted = edited(scene(), random);
       if (same_scene(wanted, scene())) continue;
       if (session::needs_new_session(scene(), wanted)) {
-        state().transient.wanted_scene = ui::WantedScene{wanted};
+        state().scene.wanted = ui::WantedScene{wanted};
       } else {
         ASSERT_FALSE(fake_->change_scene(wanted));
       }

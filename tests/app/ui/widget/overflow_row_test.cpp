@@ -59,7 +59,7 @@ TEST_F(OverflowRowTest, AControlInThePopupWorks) {
   EXPECT_FALSE(sees("repeat scene"));
   click("more of session");
   click("repeat scene");
-  EXPECT_TRUE(state().transient.repeats);
+  EXPECT_TRUE(state().scene.repeats);
 }
 
 TEST_F(OverflowRowTest, NumbersMoveNoControl) {
@@ -92,7 +92,7 @@ TEST_F(OverflowRowTest, ALowWindowHidesThePlotsWithoutAnError) {
     ++*static_cast<int*>(count);
   };
   ImGui::GetCurrentContext()->ErrorCallbackUserData = &errors;
-  state().transient.forced_scale = 2.0F;
+  state().appearance.forced_scale = 2.0F;
   ImGui::GetIO().DisplaySize = ImVec2(500.0F, 320.0F);
   frames(3);
   EXPECT_EQ(errors, 0);

@@ -56,10 +56,10 @@ TEST(Toasts, TheNumberOfToastsIsLimited) {
 class ToastsTest : public GuiTest {
  protected:
   void tell(MessageKind kind, const std::string& text) {
-    ui::tell(state(), kind, text);
+    state().toasts.tell(kind, text);
     frames(3);
   }
-  [[nodiscard]] std::size_t count() const { return state().transient.toasts.list().size(); }
+  [[nodiscard]] std::size_t count() const { return state().toasts.list().size(); }
 };
 
 TEST_F(ToastsTest, AFrameThatTookLongDoesNotTakeANoteAway) {
@@ -76,7 +76,7 @@ TEST_F(ToastsTest, TheStackIsWithinTheWindowAndNoneCoversAnother) {
   for (int i = 0; i < 12; ++i) tell(MessageKind::kProblem, "problem " + std::to_string(i));
   float below = static_cast<float>(kScreenHeight);
   std::size_t shown = 0;
-  const auto& toasts = state().transient.toasts.list();
+  const auto& toasts = state().toasts.list();
   for (auto toast = toasts.rbegin(); toast != toasts.rend(); ++toast) {
     const auto place = find("toast " + std::to_string(toast->id));
     if (!place) continue;
@@ -91,10 +91,10 @@ TEST_F(ToastsTest, TheStackIsWithinTheWindowAndNoneCoversAnother) {
 
 TEST_F(ToastsTest, AClickOnAMessageDoesNotReachWhatIsUnderIt) {
   tell(MessageKind::kProblem, "wrong");
-  const double before_s = state().transient.time_from_s;
+  const double before_s = state().time.from_s;
   drag_by("message", ImVec2(-200.0F, 0.0F));
-  EXPECT_EQ(state().transient.time_from_s, before_s);
-  EXPECT_TRUE(state().transient.follow);
+  EXPECT_EQ(state().time.from_s, before_s);
+  EXPECT_TRUE(state().time.follow);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST_F(TooltipsTest, OfTheMapPage) {
 }
 
 TEST_F(TooltipsTest, OfTheTour) {
-  state().persisted.tour_offered = true;
+  state().tour.offered = true;
   frames(2);
   for (const char* name : {"begin tour", "close tour"}) expect_next_row_free(name);
 }

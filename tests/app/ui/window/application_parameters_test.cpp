@@ -152,7 +152,7 @@ TEST_F(ParametersTest, AFollowingAlgorithmBringsItsOwnParameters) {
 TEST_F(ParametersTest, ASceneWithoutAHandSaysSo) {
   Scene free = file::load_scene("press")->scene;
   free.x().hand.reset();
-  state().transient.wanted_scene = ui::WantedScene{free, true};
+  state().scene.wanted = ui::WantedScene{free, true};
   frames(3);
   click("section Hand");
   EXPECT_FALSE(sees("hand.mass_kg"));

@@ -20,7 +20,7 @@ class ApplicationTest : public GuiTest {
 TEST_F(ApplicationTest, ASceneFromElsewhereNamesNoOtherFolder) {
   Scene wanted = scene();
   wanted.name = "../../x";
-  state().transient.wanted_scene = ui::WantedScene{wanted, true};
+  state().scene.wanted = ui::WantedScene{wanted, true};
   frames(2);
   ASSERT_EQ(scene().name, wanted.name);
   click("record");
@@ -166,7 +166,8 @@ TEST_F(ApplicationTest, EverySampleOfTheSessionReachesTheHistory) {
 
 TEST_F(ApplicationTest, TheScreenShowsTheLinesOfEveryPlot) {
   press(ImGuiKey_1);
-  state().persisted.hidden_lines = draw::line_bit(&PlantTruth::position_m);  // dots on the handle's
+  state().plots.persisted.hidden_lines =
+      draw::line_bit(&PlantTruth::position_m);  // dots on the handle's
   live(5000);
   move_away();
   const file::Picture picture = screen();

@@ -61,7 +61,7 @@ class DockTest : public GuiTest {
     return window == nullptr ? ImRect() : window->Rect();
   }
   void choose(const std::string& layout) {
-    choose_layout(state(), layout);
+    choose_layout(state().dock, state().window, state().plots, layout);
     frames(5);
   }
   void show(const std::string& text) {
@@ -72,7 +72,7 @@ class DockTest : public GuiTest {
   }
   void resize(float width, float height, int percent) {
     ImGui::GetIO().DisplaySize = ImVec2(width, height);
-    ui::set_scale(state(), percent);
+    ui::set_scale(state().appearance, percent);
     frames(5);
   }
   void expect_inside_and_apart(const std::vector<std::string>& names) {
@@ -88,7 +88,7 @@ class DockTest : public GuiTest {
     }
   }
   void drag_tab_to(const std::string& page, ImVec2 to) { drag(rect("page " + page).centre(), to); }
-  [[nodiscard]] ui::DockState& dock() const { return state().transient.dock; }
+  [[nodiscard]] ui::DockState& dock() const { return state().dock; }
   [[nodiscard]] std::string chosen() const { return layout_text(*dock().chosen); }
 };
 
@@ -97,7 +97,7 @@ TEST_F(DockTest, EveryLayoutShowsWhatItSaysAtEverySize) {
     SCOPED_TRACE(layout.name);
     choose(layout.name);
     const auto expected = fronts_of(*parse_layout(layout.text));
-    if (layout.arrangement) EXPECT_EQ(state().persisted.arrangement, *layout.arrangement);
+    if (layout.arrangement) EXPECT_EQ(state().plots.persisted.arrangement, *layout.arrangement);
     for (const auto& [width, height, percent] :
          {std::tuple{1000.0F, 640.0F, 100}, std::tuple{1280.0F, 800.0F, 100},
           std::tuple{1600.0F, 1000.0F, 100}, std::tuple{2000.0F, 1280.0F, 200}}) {
@@ -105,7 +105,7 @@ TEST_F(DockTest, EveryLayoutShowsWhatItSaysAtEverySize) {
       EXPECT_THAT(seen(), UnorderedElementsAreArray(expected));
       expect_inside_and_apart(expected);
       EXPECT_EQ(windows_of(*dock().chosen), windows_of(*parse_layout(layout.text)));
-      EXPECT_EQ(state().persisted.docked, "") << "the user has moved nothing";
+      EXPECT_EQ(state().dock.docked, "") << "the user has moved nothing";
       EXPECT_TRUE(sees("layout")) << "another one can be chosen";
     }
     resize(1280.0F, 800.0F, 100);
@@ -116,7 +116,7 @@ TEST_F(DockTest, ALectureIsLargerWhereThereIsRoomAndAnotherLayoutTakesItBack) {
   resize(1920.0F, 1080.0F, 100);
   choose("lecture");
   EXPECT_FLOAT_EQ(ImGui::GetStyle().FontScaleMain, 1.5F);
-  EXPECT_EQ(ui::scale_percent_in_force(state()), 100) << "the chosen size stays";
+  EXPECT_EQ(ui::scale_percent_in_force(state().appearance), 100) << "the chosen size stays";
   const float wall = area("Wall").GetArea() + area("Plots").GetArea();
   EXPECT_GT(wall, 0.7F * 1920.0F * 1080.0F);
   resize(1024.0F, 680.0F, 100);
@@ -128,14 +128,14 @@ TEST_F(DockTest, ALectureIsLargerWhereThereIsRoomAndAnotherLayoutTakesItBack) {
 
 TEST_F(DockTest, TheFirstMinuteHasNoTabsAndLeavesTheLayoutAlone) {
   choose("experiment");
-  state().persisted.more = false;
+  state().window.more = false;
   frames(4);
   EXPECT_THAT(seen(), UnorderedElementsAreArray({"Controls", "Wall", "Plots"}));
   for (const auto& [name, item] : drawn_items())
     EXPECT_FALSE(name.starts_with("page ") && item.id != 0) << name;
   EXPECT_FALSE(sees("layout"));
   drag_by("gap 0", ImVec2(50.0F, 0.0F));
-  state().persisted.more = true;
+  state().window.more = true;
   frames(4);
   EXPECT_EQ(chosen(), layout_text(*parse_layout("X21.5em(Controls;Y45%(Wall;Blind test))")));
 }
@@ -144,7 +144,7 @@ TEST_F(DockTest, AGapFollowsThePointerAndNoPartIsDraggedOutOfSight) {
   const float right = area("Controls").Max.x;
   drag_by("gap 0", ImVec2(60.0F, 0.0F));
   EXPECT_NEAR(area("Controls").Max.x, right + 60.0F, 2.0F);
-  EXPECT_NEAR(parse_layout(state().persisted.docked)->docked.ems, 21.5 + 60.0 / 15.0, 0.4);
+  EXPECT_NEAR(parse_layout(state().dock.docked)->docked.ems, 21.5 + 60.0 / 15.0, 0.4);
   const float bottom = area("Wall").Max.y;
   drag_by("gap 1", ImVec2(0.0F, 40.0F));
   EXPECT_NEAR(area("Wall").Max.y, bottom + 40.0F, 2.0F);
@@ -206,7 +206,7 @@ TEST_F(DockTest, TheMiddleButtonClosesATabAndTheListBringsItBack) {
   mouse_button(false, ImGuiMouseButton_Middle);
   frames(4);
   EXPECT_FALSE(sees("page Map"));
-  EXPECT_THAT(state().persisted.docked, ::testing::Not(HasSubstr("Map")));
+  EXPECT_THAT(state().dock.docked, ::testing::Not(HasSubstr("Map")));
   click("layout");
   click("window Map");
   frames(4);
@@ -249,12 +249,12 @@ TEST_F(DockTest, ABlindTestHidesWhateverTheLayoutAndItComesBack) {
   for (const std::string& text : texts) {
     SCOPED_TRACE(text);
     show(text);
-    show_page(state(), ui::kBlindTestPage);
+    show_page(state().dock, ui::kBlindTestPage);
     frames(4);
     const std::string before = chosen();
     start_trials(4);
     frames(4);
-    ASSERT_TRUE(ui::blind_test_runs(state()));
+    ASSERT_TRUE(ui::blind_test_runs(state().compare));
     EXPECT_THAT(seen(), ::testing::Contains("Blind test"));
     for (const ui::Page& page : ui::pages()) {
       if (page.hidden_by_blind_test)
@@ -280,7 +280,7 @@ TEST_F(DockTest, ThePresentArrangementIsKeptFromOneStartToTheNext) {
   EXPECT_THAT(seen(), ::testing::Contains("Map"));
   put("settings.json", R"({"window": {"more": true, "layout": "mine", "docked": "Y40%(Wall"}})");
   open("press");
-  EXPECT_EQ(state().persisted.layout, "bench");
+  EXPECT_EQ(state().dock.layout, "bench");
   EXPECT_THAT(seen(), UnorderedElementsAreArray({"Controls", "Wall", "Contact", "Plots"}));
   EXPECT_THAT(message().text, HasSubstr("there is no layout 'mine'"));
 }
@@ -299,7 +299,7 @@ TEST_F(DockTest, AnyUseLeavesAnArrangementThatCanBeKept) {
     const std::vector<std::string> open = windows_of(*dock().chosen);
     if (which == 0) choose(ui::builtin_layouts()[below(ui::builtin_layouts().size())].name);
     if (which == 1) resize(1000.0F + static_cast<float>(below(600)), 640.0F, below(2) ? 100 : 150);
-    if (which == 2) show_page(state(), ui::pages()[below(ui::pages().size())].window.name);
+    if (which == 2) show_page(state().dock, ui::pages()[below(ui::pages().size())].window.name);
     if (which > 2 && !open.empty()) {
       const auto tab = find("page " + open[below(open.size())]);
       if (tab && tab->id != 0) drag(tab->centre(), anywhere());

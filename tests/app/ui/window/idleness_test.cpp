@@ -37,7 +37,7 @@ TEST_F(IdlenessTest, TheWindowMovesWhileSamplesCome) {
 
 TEST_F(IdlenessTest, TheWindowMovesWhileAMessageFades) {
   settle();
-  ui::tell(state(), ui::MessageKind::kNote, "done");
+  state().toasts.tell(ui::MessageKind::kNote, "done");
   int moving = 0;
   for (int frame = 0; frame < 60 * 8; ++frame) {
     frames(1);

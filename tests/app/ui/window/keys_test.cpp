@@ -73,7 +73,8 @@ TEST_F(KeysTest, EveryChordReachesItsOwnBinding) {
   }
   session::Snapshot snapshot = fake_->snapshot();
   const draw::Theme theme;
-  const ui::PanelContext context{*fake_, snapshot, theme, state(), {.live = fake_}};
+  const ui::PanelContext context =
+      ui::context_of(state(), *fake_, snapshot, theme, {.live = fake_});
   const auto frame = [&] {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
@@ -213,7 +214,7 @@ TEST_F(KeysTest, SpacePressesNothingWhereTheKeyboardIs) {
   EXPECT_EQ(fake_->arm_requests.size(), before + 8);
   EXPECT_EQ(scene().algorithm.index, algorithm);
   EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
-  EXPECT_FALSE(state().transient.help_shown);
+  EXPECT_FALSE(state().window.help_shown);
 }
 
 // Ctrl goes up before R does, within one frame.
@@ -228,7 +229,7 @@ TEST_F(KeysTest, AFastCtrlRIsNeverR) {
   frames(4);
   EXPECT_EQ(fake_->resets, 0);
   EXPECT_EQ(fake_->recording_status().state, session::RecordingState::kRecording);
-  EXPECT_TRUE(state().transient.key_presses.empty());
+  EXPECT_TRUE(state().input.key_presses.empty());
 }
 
 TEST_F(KeysTest, ResetAsksWhileItRecords) {

@@ -22,22 +22,22 @@ using ui::UiState;
 
 // A state with no default value.
 void change_all(UiState& state) {
-  state.persisted.look = draw::Look::kLight;
-  state.persisted.scale_percent = 150;
-  state.persisted.layout = "evening";
-  state.persisted.docked = "X21.50em(Controls;Plots)";
-  state.persisted.own_layouts = {{"evening", *ui::parse_layout("Wall")},
-                                 {"a: b", *ui::parse_layout("Y25%(Wall;Map*,Plots)")}};
-  state.persisted.recording_folder = "/tmp/recordings of mine";
-  state.persisted.records_signals = true;
-  state.persisted.recent = {"/a/b.toml", "/c \"d\".csv"};
-  state.persisted.window_width = 1234;
-  state.persisted.window_height = 800;
-  state.persisted.window_maximised = true;
-  state.persisted.withdraw_mm_per_s = 40.0;
-  state.persisted.time_window_s = 60.0;
-  state.persisted.arrangement = ui::PlotArrangement::kFigure5And6;
-  state.persisted.hidden_lines =
+  state.appearance.look = draw::Look::kLight;
+  state.appearance.scale_percent = 150;
+  state.dock.layout = "evening";
+  state.dock.docked = "X21.50em(Controls;Plots)";
+  state.dock.own_layouts = {{"evening", *ui::parse_layout("Wall")},
+                            {"a: b", *ui::parse_layout("Y25%(Wall;Map*,Plots)")}};
+  state.recording.chosen_folder = "/tmp/recordings of mine";
+  state.recording.chosen_signals = true;
+  state.scene.recent = {"/a/b.toml", "/c \"d\".csv"};
+  state.window.width = 1234;
+  state.window.height = 800;
+  state.window.maximised = true;
+  state.hand.withdraw_mm_per_s = 40.0;
+  state.time.window_s = 60.0;
+  state.plots.persisted.arrangement = ui::PlotArrangement::kFigure5And6;
+  state.plots.persisted.hidden_lines =
       draw::line_bit(&Sample::wall_force_n) | draw::line_bit(&Sample::energy_scv_j);
   state.plots.persisted.lines.at(0) = draw::line_bit(&Sample::position_m);
   state.plots.persisted.trigger = {draw::TriggerMode::kNormal, 0.5};
@@ -46,7 +46,7 @@ void change_all(UiState& state) {
   state.plots.persisted.show_bounds = false;
   state.wall.persisted.magnification = 50;
   state.compare.persisted = {false, "Which is steadier?", 12, 0.9, false};
-  state.persisted.sound_volume = 0.8;
+  state.sound.volume = 0.8;
 }
 
 class SettingsTest : public FolderTest {
@@ -64,10 +64,10 @@ TEST(Settings, EverythingThatIsKeptComesBack) {
   ASSERT_TRUE(problems) << problems.error().message;
   EXPECT_THAT(*problems, ::testing::IsEmpty());
   EXPECT_EQ(settings_text(fresh), settings);
-  EXPECT_EQ(fresh.persisted.hidden_lines, state.persisted.hidden_lines);
+  EXPECT_EQ(fresh.plots.persisted.hidden_lines, state.plots.persisted.hidden_lines);
   EXPECT_EQ(fresh.plots.persisted.lines, state.plots.persisted.lines);
-  EXPECT_EQ(fresh.persisted.recent, state.persisted.recent);
-  EXPECT_EQ(fresh.persisted.own_layouts, state.persisted.own_layouts);
+  EXPECT_EQ(fresh.scene.recent, state.scene.recent);
+  EXPECT_EQ(fresh.dock.own_layouts, state.dock.own_layouts);
   // Nearly every value differs from its default, so that the comparison above is meaningful.
   const auto usual = nlohmann::json::parse(settings_text(UiState())).flatten();
   std::size_t changed = 0;
@@ -80,8 +80,8 @@ TEST(Settings, EverythingThatIsKeptComesBack) {
 
 TEST(Settings, APathThatIsNotUtf8IsLeftOut) {
   UiState state;
-  state.persisted.recording_folder = "/tmp/\xff\xfe";
-  state.persisted.recent = {"/a", "/caf\xc3", "/caf\xc3\xa9"};
+  state.recording.chosen_folder = "/tmp/\xff\xfe";
+  state.scene.recent = {"/a", "/caf\xc3", "/caf\xc3\xa9"};
   const auto json = nlohmann::json::parse(settings_text(state));
   EXPECT_FALSE(json["recording"].contains("folder"));
   EXPECT_EQ(json["recent"], (nlohmann::json{"/a", "/caf\xc3\xa9"}));
@@ -111,7 +111,7 @@ TEST_F(SettingsTest, AFileIsWrittenIntoANewFolderAndReadBack) {
   UiState fresh;
   SettingsFile(file).load(fresh);
   EXPECT_EQ(settings_text(fresh), settings_text(state));
-  EXPECT_TRUE(fresh.transient.toasts.list().empty());
+  EXPECT_TRUE(fresh.toasts.list().empty());
   EXPECT_FALSE(fs::exists(file + ".partial"));
 }
 
@@ -121,7 +121,7 @@ TEST_F(SettingsTest, AChangeIsWrittenOnceItRests) {
   settings.load(state);
   constexpr double kFrameS = 1.0 / 60.0;
   for (int frame = 0; frame < 300; ++frame) {  // a drag of five seconds
-    state.persisted.sound_volume = 0.003 * frame;
+    state.sound.volume = 0.003 * frame;
     settings.pass(state, kFrameS);
     EXPECT_FALSE(fs::exists(file()));
   }
@@ -138,8 +138,8 @@ TEST_F(SettingsTest, ABrokenFileIsToldKeptAsideAndReplaced) {
   UiState state;
   SettingsFile settings(file());
   settings.load(state);
-  ASSERT_EQ(state.transient.toasts.list().size(), 1U);
-  const ui::Message told = state.transient.toasts.newest();
+  ASSERT_EQ(state.toasts.list().size(), 1U);
+  const ui::Message told = state.toasts.newest();
   EXPECT_EQ(told.kind, ui::MessageKind::kProblem);
   EXPECT_THAT(told.text, HasSubstr("settings.json:2"));
   EXPECT_THAT(told.text, HasSubstr("settings.json.broken"));
@@ -149,7 +149,7 @@ TEST_F(SettingsTest, ABrokenFileIsToldKeptAsideAndReplaced) {
   settings.save(state);
   UiState fresh;
   SettingsFile(file()).load(fresh);
-  EXPECT_TRUE(fresh.transient.toasts.list().empty());
+  EXPECT_TRUE(fresh.toasts.list().empty());
 }
 
 TEST_F(SettingsTest, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
@@ -158,11 +158,11 @@ TEST_F(SettingsTest, AValueThatDoesNotFitIsToldAndTheOthersAreTaken) {
       "plots": {"loop": 1}, "hand": 3, "lines": {"force": 1}, "layouts": []})");
   UiState state;
   SettingsFile(file()).load(state);
-  EXPECT_EQ(state.persisted.window_width, 1250);
-  EXPECT_EQ(state.persisted.look, draw::Look::kScreen);
-  EXPECT_EQ(state.persisted.scale_percent, 0);
-  ASSERT_EQ(state.transient.toasts.list().size(), 1U);
-  const std::string told = state.transient.toasts.newest().text;
+  EXPECT_EQ(state.window.width, 1250);
+  EXPECT_EQ(state.appearance.look, draw::Look::kScreen);
+  EXPECT_EQ(state.appearance.scale_percent, 0);
+  ASSERT_EQ(state.toasts.list().size(), 1U);
+  const std::string told = state.toasts.newest().text;
   for (const char* line :
        {"window.theme must be one of: dark, light", "plots.loop must be true or false",
         "window.scale_percent must be a number from 0 to 300", "window.more must be true or false",
@@ -177,7 +177,7 @@ TEST_F(SettingsTest, AFileThatIsNoObjectIsToldAndLeftOut) {
     put("settings.json", text);
     UiState state;
     SettingsFile(file()).load(state);
-    EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("not a JSON object")) << text;
+    EXPECT_THAT(state.toasts.newest().text, HasSubstr("not a JSON object")) << text;
     EXPECT_EQ(settings_text(state), settings_text(UiState()));
   }
 }
@@ -187,11 +187,11 @@ TEST_F(SettingsTest, ASpectrumOfASignalThatNoLongerExistsIsLeftOut) {
       "[plots]\nderived = \"derivative(handle)\"\nspectrum_signal = \"derivative(handle)\"\n");
   UiState state;
   SettingsFile(file()).load(state);
-  EXPECT_TRUE(state.transient.toasts.list().empty());
+  EXPECT_TRUE(state.toasts.list().empty());
   EXPECT_EQ(state.plots.persisted.spectrum.quantity, draw::SpectrumSettings().quantity);
   put("settings.json", R"({"plots": {"spectrum_signal": "paddle"}})");
   SettingsFile(file()).load(state);
-  EXPECT_THAT(state.transient.toasts.newest().text,
+  EXPECT_THAT(state.toasts.newest().text,
               HasSubstr("plots.spectrum_signal must be the name of a signal"));
 }
 
@@ -202,7 +202,7 @@ TEST_F(SettingsTest, UnknownKeysOfTheOldFileAreNoProblemAndAreNotKept) {
   UiState state;
   SettingsFile settings(file());
   settings.load(state);
-  EXPECT_TRUE(state.transient.toasts.list().empty());
+  EXPECT_TRUE(state.toasts.list().empty());
   settings.save(state);
   for (const char* key : {"future", "lower_page", "panel_ems", "view_share", "picture_share"})
     EXPECT_THAT(content("settings.json"), ::testing::Not(HasSubstr(key)));
@@ -213,12 +213,12 @@ TEST_F(SettingsTest, ABrokenOldFileIsToldAndStays) {
   UiState state;
   SettingsFile settings(file());
   settings.load(state);
-  EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("settings.toml:1"));
+  EXPECT_THAT(state.toasts.newest().text, HasSubstr("settings.toml:1"));
   settings.save(state);
   EXPECT_EQ(content("settings.toml"), "[window\ntheme = light\n");
   UiState fresh;
   SettingsFile(file()).load(fresh);
-  EXPECT_TRUE(fresh.transient.toasts.list().empty()) << "the old file is read once";
+  EXPECT_TRUE(fresh.toasts.list().empty()) << "the old file is read once";
 }
 
 TEST_F(SettingsTest, ADamagedLayoutIsToldAndLeftOut) {
@@ -226,10 +226,10 @@ TEST_F(SettingsTest, ADamagedLayoutIsToldAndLeftOut) {
       "layouts": {"evening": "Wall", "night": "Y400%(Wall;Map)", "noon": 3, "": "Map"}})_");
   UiState state;
   SettingsFile(file()).load(state);
-  EXPECT_EQ(state.persisted.docked, "");
-  ASSERT_EQ(state.persisted.own_layouts.size(), 1U);
-  EXPECT_EQ(ui::layout_text(state.persisted.own_layouts.front().layout), "Wall");
-  const std::string told = state.transient.toasts.newest().text;
+  EXPECT_EQ(state.dock.docked, "");
+  ASSERT_EQ(state.dock.own_layouts.size(), 1U);
+  EXPECT_EQ(ui::layout_text(state.dock.own_layouts.front().layout), "Wall");
+  const std::string told = state.toasts.newest().text;
   EXPECT_THAT(told, HasSubstr("window.docked is damaged"));
   for (const char* key : {"layouts.night is", "layouts.noon is", "layouts. is"})
     EXPECT_THAT(told, HasSubstr(key));
@@ -250,10 +250,10 @@ TEST_F(SettingsTest, NoFileIsFatal) {
     put("settings.json", text);
     UiState state;
     SettingsFile(file()).load(state);
-    EXPECT_TRUE(ui::parse_layout(state.persisted.docked) || state.persisted.docked.empty());
-    EXPECT_GE(state.persisted.scale_percent, 0);
-    EXPECT_LE(state.persisted.scale_percent, 300);
-    EXPECT_GE(state.persisted.time_window_s, ui::kTimeWindowsS.front());
+    EXPECT_TRUE(ui::parse_layout(state.dock.docked) || state.dock.docked.empty());
+    EXPECT_GE(state.appearance.scale_percent, 0);
+    EXPECT_LE(state.appearance.scale_percent, 300);
+    EXPECT_GE(state.time.window_s, ui::kTimeWindowsS.front());
   }
   const auto leaves = nlohmann::json::parse(whole).flatten();
   for (const auto& each : leaves.items()) {
@@ -265,15 +265,15 @@ TEST_F(SettingsTest, NoFileIsFatal) {
       put("settings.json", json.dump());
       UiState state;
       SettingsFile(file()).load(state);
-      EXPECT_LE(state.persisted.window_width, 16384) << each.key();
-      EXPECT_LE(state.persisted.recent.size(), 8U) << each.key();
+      EXPECT_LE(state.window.width, 16384) << each.key();
+      EXPECT_LE(state.scene.recent.size(), 8U) << each.key();
       EXPECT_LE(state.compare.persisted.trials, 1000U) << each.key();
     }
   }
   put("settings.json", std::string(1U << 20U, '#'));
   UiState state;
   SettingsFile(file()).load(state);
-  EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("larger than"));
+  EXPECT_THAT(state.toasts.newest().text, HasSubstr("larger than"));
 }
 
 TEST_F(SettingsTest, AFailedWriteIsReportedOnce) {
@@ -281,25 +281,25 @@ TEST_F(SettingsTest, AFailedWriteIsReportedOnce) {
   UiState state;
   SettingsFile settings(path("a/settings.json"));
   settings.load(state);
-  state.persisted.window_width = 1250;
+  state.window.width = 1250;
   settings.save(state);
-  ASSERT_EQ(state.transient.toasts.list().size(), 1U);
-  EXPECT_THAT(state.transient.toasts.newest().text, HasSubstr("settings are not kept"));
-  state.persisted.window_width = 1260;
+  ASSERT_EQ(state.toasts.list().size(), 1U);
+  EXPECT_THAT(state.toasts.newest().text, HasSubstr("settings are not kept"));
+  state.window.width = 1260;
   settings.save(state);
-  EXPECT_EQ(state.transient.toasts.list().size(), 1U);
-  EXPECT_EQ(state.transient.toasts.newest().text, state.transient.toasts.list()[0].message.text);
-  EXPECT_EQ(state.transient.toasts.list()[0].times, 1);
+  EXPECT_EQ(state.toasts.list().size(), 1U);
+  EXPECT_EQ(state.toasts.newest().text, state.toasts.list()[0].message.text);
+  EXPECT_EQ(state.toasts.list()[0].times, 1);
 }
 
 TEST(Settings, WithoutAPathNothingIsReadOrWritten) {
   UiState state;
   SettingsFile settings("");
   settings.load(state);
-  state.persisted.window_width = 1250;
+  state.window.width = 1250;
   for (int i = 0; i < 100; ++i) settings.pass(state, 1.0);
   settings.save(state);
-  EXPECT_TRUE(state.transient.toasts.list().empty());
+  EXPECT_TRUE(state.toasts.list().empty());
 }
 
 }  // namespace

@@ -1,0 +1,20 @@
+// State of the window as a whole.
+#pragma once
+
+#include <string>
+
+namespace hapticwall::ui {
+
+struct WindowState {
+  // Stored in the settings file.
+  bool more = false;  // false: scene, algorithms, wall and plots alone
+  int width = 0;      // in pixels at scale 1; 0: as fits the screen
+  int height = 0;
+  bool maximised = false;
+
+  // Lives as long as the window.
+  std::string settings_path;  // empty: settings are not stored
+  bool help_shown = false;
+};
+
+}  // namespace hapticwall::ui
