@@ -1,5 +1,3 @@
-#include "app/ui/page/all_page.h"
-
 #include <fmt/format.h>
 #include <implot.h>
 
@@ -12,6 +10,7 @@
 #include "app/file/text/verdict.h"
 #include "app/ui/computed/all_runs.h"
 #include "app/ui/computed/tail.h"
+#include "app/ui/page/pages.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/widget/widgets.h"
 #include "core/units.h"

@@ -1,5 +1,4 @@
-#include "app/ui/page/controls_page.h"
-
+#include "app/ui/page/pages.h"
 #include "app/ui/panel/identify_state.h"
 #include "app/ui/panel/loop_panel.h"
 #include "app/ui/panel/replay_panel.h"

@@ -1,5 +1,3 @@
-#include "app/ui/page/map_page.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "app/ui/computed/tail.h"
 #include "app/ui/page/map_controls.h"
 #include "app/ui/page/map_state.h"
+#include "app/ui/page/pages.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/widget/widgets.h"
 

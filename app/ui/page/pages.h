@@ -36,4 +36,10 @@ struct Page {
 };
 [[nodiscard]] std::span<const Page> pages();
 
+// Pages, each in the source of its name.
+void draw_controls_page(const PanelContext& context);              // the parameters
+void draw_map_page(const PanelContext& context, MapState& state);  // stability over two numbers
+void draw_all_page(const PanelContext& context, AllRuns& all);     // all algorithms, side by side
+void draw_study_page(const PanelContext& context, Studies& studies);  // tables, on demand
+
 }  // namespace hapticwall::ui

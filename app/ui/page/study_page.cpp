@@ -1,5 +1,3 @@
-#include "app/ui/page/study_page.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "app/file/text/text.h"
 #include "app/table/order.h"
 #include "app/ui/computed/study_state.h"
+#include "app/ui/page/pages.h"
 #include "app/ui/state/frame_input.h"
 #include "app/ui/state/model_runs.h"
 #include "app/ui/widget/widgets.h"

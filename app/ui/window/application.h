@@ -21,6 +21,7 @@
 #include "app/ui/wall/wall_renderer.h"
 #include "app/ui/window/paint_gate.h"
 #include "app/ui/window/settings_file.h"
+#include "app/ui/window/ui_state.h"
 #include "core/result.h"
 #include "core/scene.h"
 

@@ -1,5 +1,3 @@
-#include "app/ui/window/dock.h"
-
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "app/ui/state/window_state.h"
 #include "app/ui/widget/widgets.h"
 #include "app/ui/window/dock_nodes.h"
+#include "app/ui/window/window_layout.h"
 
 namespace hapticwall::ui {
 namespace {

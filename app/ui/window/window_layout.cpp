@@ -1,18 +1,20 @@
 #include "app/ui/window/window_layout.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
+#include "app/ui/computed/tail.h"
 #include "app/ui/panel/arming_strip.h"
 #include "app/ui/panel/energy_lamp_view.h"
 #include "app/ui/panel/layout_choice.h"
 #include "app/ui/panel/sections.h"
 #include "app/ui/panel/toolbar.h"
 #include "app/ui/panel/tour_strip.h"
-#include "app/ui/panel/verdict_strip.h"
 #include "app/ui/state/window_state.h"
+#include "app/ui/widget/shown_axis.h"
 #include "app/ui/widget/toasts.h"
 #include "app/ui/widget/widgets.h"
-#include "app/ui/window/dock.h"
 #include "app/ui/window/dock_nodes.h"
 #include "app/ui/window/help_overlay.h"
 
@@ -21,6 +23,34 @@ namespace {
 
 constexpr float kLayoutEms = 8.5F;
 constexpr float kLampGapEms = 1.2F;
+constexpr const char* kVerdictMeaning =
+    "The last second, by the formulas of 'hapticwall run': verdict, way of the handle from peak to "
+    "peak, mean force and its standard deviation, mean force over mean penetration, and the rhythm "
+    "of what shakes. settled: within 0.1 mm and 0.3 N. buzzing: the handle rests and the force "
+    "does not. oscillating: the handle moves, also when it only follows the hand.";
+
+// The verdict of the last second on the shown axis. Neutral during a blind test.
+void draw_verdict(const PanelContext& context) {
+  if (context.shows.hides_force) {
+    ImGui::TextDisabled("verdict: hidden");
+    return;
+  }
+  const Tail& tail = context.tails.at(shown_index(context));
+  const std::string text = tail_text(tail);
+  {
+    const draw::FontScope font(context.theme.fonts.digits, draw::kTitleFontSize);
+    const float share = ImGui::GetContentRegionAvail().x / ImGui::CalcTextSize(text.c_str()).x;
+    const draw::FontScope fitting(context.theme.fonts.digits,
+                                  std::clamp(std::floor(share * draw::kTitleFontSize),
+                                             draw::kSmallFontSize, draw::kTitleFontSize));
+    const bool on_its_way = tail.summary.verdict == Verdict::kOscillating && !tail.frequency_hz;
+    const draw::Tone tone = on_its_way && tail.hand_moves
+                                ? draw::Tone::kMuted
+                                : draw::verdict_tone(tail.summary.verdict);
+    draw::wrapped_text(context.theme.colour(tone), text);
+  }
+  explain(kVerdictMeaning);
+}
 
 // The rows above the dock area.
 void draw_top(const PanelContext& context) {
@@ -33,7 +63,7 @@ void draw_top(const PanelContext& context) {
     ImGui::SameLine(0.0F, ems(kLampGapEms));
   }
   draw_energy_lamp(context);
-  draw_verdict_strip(context);
+  draw_verdict(context);
 }
 
 // The messages are above the status, at the right edge.

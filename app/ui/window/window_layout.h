@@ -6,6 +6,10 @@
 
 namespace hapticwall::ui {
 
+// Fills the current window to `size` with the dock area and draws every page in it that is seen.
+// Keeps what the user moves.
+void draw_dock(const PageParts& parts, ImVec2 size);
+
 // Draws a whole frame.
 void draw_window(const PageParts& parts);
 

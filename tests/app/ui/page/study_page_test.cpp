@@ -1,5 +1,3 @@
-#include "app/ui/page/study_page.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "app/file/text/text.h"
+#include "app/ui/page/pages.h"
 #include "app/ui/state/blind_test.h"
 #include "tests/app/ui/gui_test.h"
 #include "tests/app/ui/replay_support.h"

@@ -1,6 +1,4 @@
 // The dock area: layouts, separators, floating windows, and which pages run.
-#include "app/ui/window/dock.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +12,7 @@
 #include "app/ui/state/appearance.h"
 #include "app/ui/state/blind_test.h"
 #include "app/ui/window/dock_nodes.h"
+#include "app/ui/window/window_layout.h"
 #include "tests/app/ui/gui_test.h"
 
 namespace hapticwall::test {
