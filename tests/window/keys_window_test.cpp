@@ -137,17 +137,18 @@ void next_layout(Person& person, const Act& press) {
   EXPECT_EQ(now, ui::builtin_layouts().front().name);
 }
 
+void withdraw(Person& person, const Act& press) {
+  person.state().hand.led = false;
+  press();
+  EXPECT_TRUE(person.state().hand.led);
+}
+
 std::vector<KeyRow> key_rows() {
   std::vector<KeyRow> rows{
       {"pause, or run on", pause_and_run},
       {"one tick, while paused", step_once},
       {"reset: back to tick 0, at rest", reset_once},
-      {"withdraw the hand from the wall",
-       [](Person& p, const Act& press) {
-         p.state().hand.led = false;
-         press();
-         EXPECT_TRUE(p.state().hand.led);
-       }},
+      {"withdraw the hand from the wall", withdraw},
       {"record, or stop recording", record_and_stop},
       {"mark this moment of the recording, then name it",
        [](Person& p, const Act& press) { set_marks(p, press); }},
