@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/scene.h"
@@ -59,6 +60,17 @@ struct StabilityMap {
   [[nodiscard]] MapPlace place(std::size_t cell) const;
   [[nodiscard]] Scene scene_at(std::size_t cell) const;
 };
+
+struct Dimensionless {
+  std::string_view symbol;  // "K T²/m"
+  double factor = 1.0;      // of a value of the axis
+};
+
+// K T²/m of the first wall's stiffness, B T/m of its damping, b T/m of the device's damping,
+// f_c/(K Δ) of its friction; m is the mass of the handle. nullopt for other numbers, and if the
+// other axis changes the factor. Realtime-safe: no.
+[[nodiscard]] std::optional<Dimensionless> dimensionless(const Scene& scene, const MapAxis& axis,
+                                                         const MapAxis& other);
 
 // An axis with fewer than two values, or the first cell with an invalid scene.
 [[nodiscard]] std::optional<SceneProblem> validate(const StabilityMap& map);

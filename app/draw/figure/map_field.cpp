@@ -11,7 +11,6 @@
 
 #include "core/algorithm/algorithm.h"
 #include "core/run/metrics.h"
-#include "core/study/dimensionless.h"
 #include "core/units.h"
 
 namespace hapticwall::draw {

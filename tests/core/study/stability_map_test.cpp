@@ -9,7 +9,6 @@
 #include "core/algorithm/algorithm.h"
 #include "core/run/simulate.h"
 #include "core/study/bound_lines.h"
-#include "core/study/dimensionless.h"
 #include "tests/core/study/study_scenes.h"
 
 namespace hapticwall {
