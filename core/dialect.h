@@ -25,6 +25,7 @@ inline constexpr std::array<FieldTypeText, 7> kFieldTypes{
   return kFieldTypes.at(static_cast<std::size_t>(type)).bytes;
 }
 
+// One number of an axis in a report.
 struct ReportField {
   std::size_t offset = 0;  // behind the id of the report
   FieldType type = FieldType::kI16;
@@ -38,6 +39,7 @@ struct ReportField {
 
 inline constexpr std::size_t kMaxDialectAxes = 2;
 
+// A raw report. An axis without a field reads as position 0, or gets no force.
 struct ReportLayout {
   std::uint8_t id = 0;    // 0: the reports have none
   std::size_t bytes = 0;  // without the id, 1 to kMaxDialectBytes

@@ -9,6 +9,7 @@
 
 namespace hapticwall {
 
+// Every value is a double: a number, 0 or 1, or the index of a choice.
 enum class ParameterKind : std::uint8_t { kNumber, kBoolean, kChoice };
 
 // One key of a table.
@@ -43,7 +44,8 @@ struct ParameterDescription {
   return {key, ParameterKind::kChoice, "", 0.0, last, choices, choices.front(), meaning};
 }
 
-// Descriptions, each name once.
+// A union of descriptions, each name once, in the order of their first appearance. Menus, files and
+// columns show this order.
 template <class Description, std::size_t kMax>
 struct DescriptionUnion {
   std::array<Description, kMax> members{};

@@ -21,13 +21,16 @@ struct Error {
 [[nodiscard]] inline Error usage_error(std::string message) {
   return {ErrorKind::kUsage, std::move(message)};
 }
+// A device is missing, refuses or fails.
 [[nodiscard]] inline Error device_error(std::string message) {
   return {ErrorKind::kDevice, std::move(message)};
 }
+// A file cannot be read or written.
 [[nodiscard]] inline Error file_error(std::string message) {
   return {ErrorKind::kFile, std::move(message)};
 }
 
+// Both sides convert implicitly, so that a function returns the value or the error that it has.
 template <typename T>
 class [[nodiscard]] Result {
  public:

@@ -14,6 +14,7 @@
 
 namespace hapticwall {
 
+// Bits of Sample::flags and of the column `flags` (docs/recording.md).
 enum SampleFlag : std::uint32_t {
   kFlagInContact = 1,
   kFlagForceLimit = 2,
@@ -24,7 +25,13 @@ enum SampleFlag : std::uint32_t {
   kFlagForceRate = 64,  // the force rose slower than the algorithm asked
 };
 
-// Known to a simulator only: at the instant of the tick, before its force acts.
+// Known to a simulator only: at the instant of the tick, before its force acts. Work and losses are
+// sums since the start. They balance up to the integrator's error:
+//
+//   hand_work = (kinetic - kinetic at the start) + dissipation + actuator_work
+//
+// A hand's mass behind a grip is outside of this balance; a mass without a grip is the handle's
+// own.
 struct PlantTruth {
   double position_m = 0.0;
   double velocity_m_per_s = 0.0;
@@ -39,6 +46,7 @@ struct PlantTruth {
 // Numbers that an algorithm shows of itself, in the order of algorithm_signals() (algorithm.h).
 inline constexpr std::size_t kMaxSignals = 16;  // of all algorithms, with plug-ins
 using Signals = std::array<double, kMaxSignals>;
+// NaN in every place: no algorithm shows a number.
 [[nodiscard]] constexpr Signals no_signals() {
   Signals none{};
   for (double& value : none) value = std::numeric_limits<double>::quiet_NaN();
@@ -148,6 +156,7 @@ constexpr bool all_columns(const Sample& a, const Sample& b, Test&& test) {
   }
   (std::make_index_sequence<kSampleColumns.size()>());
 }
+// Calls visit(column, value) for every column, in the order of kSampleColumns.
 template <typename AnySample, typename Visit>
 constexpr void for_each_column(AnySample& sample, Visit&& visit) {
   all_columns(sample, [&](const SampleColumn& column, auto& value) {
@@ -166,6 +175,7 @@ constexpr void for_each_column(AnySample& sample, Visit&& visit) {
   return zero == 0.0;
 }
 
+// Axes x and y.
 inline constexpr std::size_t kMaxAxes = 2;
 
 // One tick of all axes: the unit of queues, recordings and histories. Its axes share tick, time and
@@ -180,6 +190,7 @@ struct Tick {
 };
 static_assert(std::is_trivially_copyable_v<Tick>);
 
+// True if the samples of all axes in use are finite. Realtime-safe: yes.
 [[nodiscard]] constexpr bool is_finite(const Tick& tick) {
   for (std::size_t axis = 0; axis < tick.count; ++axis) {
     if (!is_finite(tick.axes[axis])) return false;

@@ -20,6 +20,7 @@
 
 namespace hapticwall {
 
+// Rate of the control loop, 10 Hz to 100 kHz. One period is a tick.
 struct SamplingSettings {
   double rate_hz = 1000.0;
 
@@ -31,12 +32,18 @@ inline constexpr int kMaxDelayTicks = 1000;
 
 // One axis of the haptic device. The model omits a part whose optional is empty.
 struct DeviceSettings {
+  // Moving mass of the device, without a hand.
   double mass_kg = 0.05;
+  // Viscous damping, the b of the algorithms unless [algorithm] has a `damping_n_s_per_m`.
   double damping_n_s_per_m = 1.0;
+  // Coulomb friction, equal in both directions. A handle at rest sticks within it.
   std::optional<double> friction_n;
+  // One count of the encoder, at least 1e-12 m; 0 and nullopt: the position is continuous.
   std::optional<double> encoder_m;
+  // Limit of the magnitude of the force. nullopt: none.
   std::optional<double> force_limit_n;
-  std::optional<double> max_force_rate_n_per_s;  // at which the commanded force may rise
+  // Rate at which the magnitude of the command may rise; a fall is not limited. 0 and nullopt: any.
+  std::optional<double> max_force_rate_n_per_s;
   // The force chain from the command to the handle: rounding to steps of force, a delay of whole
   // ticks (at most kMaxDelayTicks), and a first-order lag for the amplifier.
   std::optional<double> force_resolution_n;
@@ -51,6 +58,7 @@ struct DeviceSettings {
   friend bool operator==(const DeviceSettings&, const DeviceSettings&) = default;
 };
 
+// Times ascend from point to point. kPathTimeRange and kPositionRange (scene_keys.h) bound both.
 struct PathPoint {
   double time_s = 0.0;
   double position_m = 0.0;
@@ -66,13 +74,15 @@ struct PathPiece {
   double velocity_m_per_s = 0.0;
 };
 
-// The hand of a recording as it moved, whoever led it.
+// The hand of a recording as it moved, whoever led it. A scene takes it at the rate of the
+// recording only.
 struct RecordedPieces {
   double rate_hz = 1000.0;        // of the ticks
   std::vector<PathPiece> pieces;  // at least one; the first is from tick 0
 };
 
-// The points; straight between them, constant before the first and after the last.
+// The intended path of a hand: straight between its points, constant before the first and after the
+// last. Copies share the points, because a map copies its scene for every cell.
 class SharedPath {
  public:
   SharedPath() = default;
@@ -86,6 +96,7 @@ class SharedPath {
   }
   [[nodiscard]] bool empty() const { return points().empty() && !recorded; }
   [[nodiscard]] std::size_t size() const { return points().size(); }
+  // Preconditions: index < size(), and not empty for front() and back().
   [[nodiscard]] const PathPoint& operator[](std::size_t index) const { return points()[index]; }
   [[nodiscard]] const PathPoint& front() const { return points().front(); }
   [[nodiscard]] const PathPoint& back() const { return points().back(); }
@@ -130,6 +141,8 @@ struct HandSettings {
   friend bool operator==(const HandSettings&, const HandSettings&) = default;
 };
 
+// A one-sided spring-damper from `position_m` on, towards larger positions. evaluate_walls()
+// (core/environment/walls.h) has its force.
 struct WallSettings {
   double position_m = 0.05;
   double stiffness_n_per_m = 0.0;
@@ -138,7 +151,8 @@ struct WallSettings {
   friend bool operator==(const WallSettings&, const WallSettings&) = default;
 };
 
-// How the simulator moves the handle between two ticks.
+// How the simulator moves the handle between two ticks: in closed form, or by a method of first or
+// of fourth order, whose errors a comparison needs.
 enum class Integrator : std::uint8_t { kExact, kSemiImplicitEuler, kRungeKutta4 };
 
 // Names in a scene file, in the order of Integrator.
@@ -156,6 +170,7 @@ struct SimulatorSettings {
   friend bool operator==(const SimulatorSettings&, const SimulatorSettings&) = default;
 };
 
+// nullopt for a name outside kIntegratorNames.
 [[nodiscard]] std::optional<Integrator> find_integrator(std::string_view name);
 
 inline constexpr std::size_t kMaxWalls = 8;  // on an axis
@@ -173,6 +188,7 @@ struct AxisSettings {
 struct Scene {
   std::string name;
   std::string description;
+  // Duration of a headless run, greater than 0 and at most 1e6 s and 1e10 ticks.
   double duration_s = 6.0;
   SamplingSettings sampling;
   std::vector<AxisSettings> axes = std::vector<AxisSettings>(1);  // x, or x and y
@@ -202,10 +218,12 @@ struct ScheduledChange {
 // The scene with an empty path for every hand. Realtime-safe: no.
 [[nodiscard]] Scene without_paths(Scene scene);
 
-// True if axis x has the same plant in both scenes.
+// True if axis x has the same plant in both scenes: equal device, hand, path and simulator. Walls,
+// algorithm and rate do not count.
 [[nodiscard]] bool same_plant(const Scene& a, const Scene& b);
 
-// An error in a scene: the dotted key and a message that says what the key takes.
+// An error in a scene: the dotted key, such as "wall[1].stiffness_n_per_m", and a message that says
+// what the key takes.
 struct SceneProblem {
   std::string key;
   std::string message;

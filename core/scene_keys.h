@@ -18,6 +18,7 @@
 
 namespace hapticwall {
 
+// Both ends belong to the range, unless the minimum is excluded.
 struct ValueRange {
   double minimum = 0.0;
   double maximum = 0.0;
@@ -47,6 +48,7 @@ struct NumberKey {
   [[nodiscard]] bool whole() const {
     return std::holds_alternative<std::optional<int> Owner::*>(member);
   }
+  // nullopt if the scene omits the number.
   [[nodiscard]] std::optional<double> get(const Owner& owner) const {
     return std::visit([&](auto place) { return std::optional<double>(owner.*place); }, member);
   }
@@ -86,6 +88,8 @@ struct ParameterNumberKey {
     owner.values[index] = value;
   }
 };
+// Switches and choices are left out. A plug-in that is loaded later appends its keys, which ends
+// the life of earlier spans.
 [[nodiscard]] std::span<const ParameterNumberKey> algorithm_number_keys();
 [[nodiscard]] std::span<const ParameterNumberKey> estimator_number_keys();
 
@@ -162,10 +166,12 @@ inline constexpr std::string_view kPathSpeed = "hand.path_speed_m_per_s";
 [[nodiscard]] std::optional<SceneNumber> find_scene_number(const Scene& scene,
                                                            std::string_view path);
 
+// Points within a scene file. A file named by `path_file` may have more.
 inline constexpr std::size_t kMaxPathPoints = 10000;
+// Ranges of a point of a path: seconds from the start, and metres. A run beyond ±1 m is `diverged`.
 inline constexpr ValueRange kPathTimeRange{0.0, 1e6};
 inline constexpr ValueRange kPositionRange{-1.0, 1.0};
-// Ranges of the limits that CHAI3D sets for a device.
+// Ranges of the limits that CHAI3D sets for a device, N/m and N·s/m.
 inline constexpr ValueRange kChaiStiffness{0.0, 1e9, true};
 inline constexpr ValueRange kChaiDamping{0.0, 1e4, true};
 

@@ -22,6 +22,7 @@ inline constexpr std::array<std::string_view, 4> kVerdictNames{"settled", "buzzi
 [[nodiscard]] constexpr std::string_view verdict_name(Verdict verdict) {
   return kVerdictNames.at(static_cast<std::size_t>(verdict));
 }
+// nullopt for a word outside kVerdictNames.
 [[nodiscard]] constexpr std::optional<Verdict> find_verdict(std::string_view name) {
   const auto found = std::ranges::find(kVerdictNames, name);
   if (found == kVerdictNames.end()) return std::nullopt;
@@ -42,7 +43,7 @@ struct Summary {
   Verdict verdict = Verdict::kSettled;
   std::optional<std::string> verdict_note;  // a note for the reader of the verdict
   double duration_s = 0.0;                  // simulated
-  std::uint64_t ticks = 0;
+  std::uint64_t ticks = 0;                  // fewer than planned if it diverged or was stopped
   std::optional<std::uint64_t> diverged_at_tick;
   // Values from a wall clock; the caller that has one fills them.
   std::optional<double> simulated_seconds_per_second;
@@ -51,16 +52,21 @@ struct Summary {
   std::optional<double> tail_peak_to_peak_m;
   std::optional<double> tail_force_mean_n;
   std::optional<double> tail_force_std_n;
-  std::optional<double> displayed_stiffness_n_per_m;  // nullopt if the tail has no contact
+  // Sum of the forces over sum of the penetrations, of the tail's ticks in contact; nullopt without
+  // one.
+  std::optional<double> displayed_stiffness_n_per_m;
   // Over the whole run.
   std::optional<double> max_penetration_m;  // nullopt without a contact
   double peak_force_n = 0.0;
+  // Ticks with kFlagForceLimit.
   std::uint64_t saturated_ticks = 0;
   std::uint64_t contacts = 0;  // entries into the wall
+  // The ledger after the last tick (core/tick/energy_ledger.h).
   double energy_cv_j = 0.0;
   double energy_hold_j = 0.0;
   double energy_scv_j = 0.0;
   double energy_budget_j = 0.0;
+  // Minima over time, which are at most 0 because the sums start there.
   double min_energy_cv_j = 0.0;
   double min_energy_scv_j = 0.0;
   // Known to a simulator only; at the end of the last tick's hold.
@@ -68,8 +74,10 @@ struct Summary {
   std::optional<double> true_dissipation_j;
   std::optional<double> true_hand_work_j;
   std::optional<double> kinetic_j;
+  // Hand work less the sum of kinetic change, dissipation and actuator work.
   std::optional<double> energy_balance_error_j;
   std::optional<double> energy_balance_relative;  // share of turnover_j(); nullopt if nothing moved
+  // Minimum over time of the hand's net work, at most 0. Below 0 the hand has extracted energy.
   std::optional<double> passivity_margin_j;
   // Values of a session in real time, filled by its caller; all except the first and the last are
   // of a real device only.

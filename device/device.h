@@ -47,7 +47,7 @@ class Device {
 
   [[nodiscard]] virtual DeviceInfo info() const = 0;
 
-  // Realtime-safe: no.
+  // May wait for a real device for seconds. Fails with ErrorKind::kDevice. Realtime-safe: no.
   [[nodiscard]] virtual Failure open() = 0;
 
   // The newest position. Realtime-safe: yes.

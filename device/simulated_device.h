@@ -12,6 +12,7 @@
 
 namespace hapticwall::device {
 
+// One thread. Realtime-safe: yes, except the constructor.
 class SimulatedDevice : public Device {
  public:
   // Precondition: the scene is valid. Realtime-safe: no.

@@ -49,7 +49,7 @@ struct AlgorithmInput {
   bool in_contact = false;
 };
 
-// Algorithms may share a signal.
+// A number that an algorithm shows of itself, one column of a recording. Algorithms may share it.
 struct SignalDescription {
   std::string_view name;  // ends with its unit: "bound_n"
   std::string_view meaning;
@@ -74,7 +74,8 @@ inline constexpr ParameterDescription kBelievedDampingParameter =
     number_parameter("damping_n_s_per_m", "N·s/m", 0.0, 1e6, "the device's damping",
                      "b as the algorithm believes it");
 
-// b as the algorithm believes it. Realtime-safe: yes.
+// b as the algorithm believes it: the key if the scene has it, else the device's damping.
+// Realtime-safe: yes.
 [[nodiscard]] double believed_damping(const AlgorithmContext& context);
 
 // An algorithm's force may pass through a second algorithm, the follower. The key belongs to no
@@ -154,7 +155,9 @@ class ActiveAlgorithm {
   [[nodiscard]] bool borrows() const {
     return elsewhere_ != nullptr && elsewhere_ != plugin_.get();
   }
+  // Forgets the past, and keeps algorithm and parameters.
   void reset() { functions_->reset(state()); }
+  // F_d(k), newtons, perhaps not finite. Call it once a tick: an algorithm may keep the past.
   [[nodiscard]] double step(const AlgorithmInput& input) {
     const std::span<double> values = std::span(values_).first(signals_);
     std::ranges::fill(values, std::numeric_limits<double>::quiet_NaN());

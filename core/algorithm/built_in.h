@@ -25,6 +25,8 @@
 
 namespace hapticwall {
 
+// The functions of a struct. It is trivially copyable, because the next algorithm starts in the
+// same block without a destructor call.
 template <class Struct>
 [[nodiscard]] constexpr Algorithm algorithm_of() {
   static_assert(sizeof(Struct) <= kMaxAlgorithmBytes &&

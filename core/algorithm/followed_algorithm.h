@@ -36,6 +36,7 @@ class FollowedAlgorithm {
     follower_.reset();
   }
 
+  // F_d(k), newtons: the follower's, if there is one.
   [[nodiscard]] double step(const AlgorithmInput& input) {
     if (!followed_) return first_.step(input);
     AlgorithmInput of_follower = input;

@@ -16,7 +16,7 @@ namespace hapticwall {
 class WallSet {
  public:
   WallSet() = default;
-  // Takes the first kMaxWalls. Realtime-safe: yes.
+  // Takes the first kMaxWalls. Walls at one position keep their order. Realtime-safe: yes.
   explicit WallSet(std::span<const WallSettings> walls) {
     for (const WallSettings& wall : walls.first(std::min(walls.size(), kMaxWalls))) {
       std::size_t place = count_++;
@@ -50,7 +50,8 @@ struct WallContact {
   bool in_contact = false;     // penetration > 0
 };
 
-// Realtime-safe: yes.
+// The forces of all walls that the position is inside add up. The loop ends at the first wall in
+// front of the handle. Realtime-safe: yes.
 [[nodiscard, gnu::always_inline]] inline WallContact evaluate_walls(const WallSet& set,
                                                                     double position_m,
                                                                     double velocity_m_per_s) {

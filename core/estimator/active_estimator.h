@@ -18,9 +18,11 @@ class ActiveEstimator {
     difference_.configure(context);
     if (other_ != nullptr) other_->configure(block_.data(), context);
   }
+  // Forgets the past, and keeps estimator and parameters.
   void reset() {
     if (other_ != nullptr) other_->reset(block_.data());
   }
+  // The velocity, m/s. Call it once a tick: an estimator may keep the past.
   [[nodiscard]] double velocity(double position_m, double displacement_m) {
     if (other_ == nullptr) [[likely]]
       return difference_.velocity(position_m, displacement_m);

@@ -47,8 +47,10 @@ struct EstimatorDescription {
   std::string_view equation;  // for people: the velocity in one to three lines
 };
 
+// Room for the state in place, so that a change of estimator allocates nothing.
 inline constexpr std::size_t kMaxEstimatorBytes = 256;
 
+// The functions of an estimator on a block of kMaxEstimatorBytes, aligned for any type.
 struct Estimator {
   EstimatorDescription description;
   void (*start)(void* state);  // without parameters and past
@@ -57,6 +59,8 @@ struct Estimator {
   double (*velocity)(void* state, double position_m, double displacement_m);
 };
 
+// The functions of a struct. It is trivially copyable, because the next estimator starts in the
+// same block without a destructor call.
 template <class Struct>
 [[nodiscard]] constexpr Estimator estimator_of() {
   static_assert(sizeof(Struct) <= kMaxEstimatorBytes &&
@@ -74,6 +78,7 @@ template <class Struct>
 
 // The closed list; the first one is the backward difference. Realtime-safe: yes, all.
 [[nodiscard]] std::span<const Estimator> estimators();
+// nullopt for a name outside of the list.
 [[nodiscard]] std::optional<std::size_t> find_estimator(std::string_view name);
 // Union of all estimators' keys, each once; EstimatorSettings::values has this order.
 [[nodiscard]] std::span<const ParameterDescription> estimator_parameters();

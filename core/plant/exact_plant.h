@@ -45,7 +45,9 @@ class ExactPlant : public MovingPlant<typename Body::State, typename Body::Numbe
     path_.reset();
   }
 
+  // Kinetic energy of the handle. A hand that grips it has its own, outside of the balance.
   [[nodiscard]] Real kinetic_j() const { return body_.kinetic_j(motion_.body); }
+  // Stops and breakaways since construction; reset() does not clear them.
   [[nodiscard]] std::uint64_t friction_events() const { return friction_events_; }
 
   // The hand's work on the handle so far, as the sum of actuator work, losses and kinetic energy.

@@ -39,9 +39,11 @@ class HandPath {
  public:
   // A path that stays at `position_m`: without a hand, or with one that a pointer leads.
   HandPath(double position_m, double rate_hz);
+  // Precondition: `path` is not empty. Times within 1e-9 ticks of a tick count as on it.
   HandPath(SharedPath path, double rate_hz);
 
   // Realtime-safe: yes, all that follows.
+  // Back to the start of the script, which leads again.
   void reset();
   // Intended position at the present instant, and its speed until remaining_in_piece() is over.
   [[nodiscard]] double position_m() const { return now_.position_m; }
@@ -64,7 +66,10 @@ class HandPath {
   [[nodiscard]] const StraightPath& straight() const { return now_; }
   void resume(const StraightPath& straight) { now_ = straight; }
 
+  // The path approaches this position, at most at kMaxPointerSpeedMPerS, until the next call.
   void lead_to(double position_m);
+  // The path approaches the script, whose time has gone on, at the same speed. No effect unless a
+  // pointer leads.
   void release();
 
  private:

@@ -107,6 +107,7 @@ class LinearBody {
   // True guarantees that a handle at rest stays so over the step. False is inconclusive.
   [[nodiscard]] bool surely_sticks(const Rows& rows, const State& state, Real force_n,
                                    const Drive& drive, Real friction_n) const;
+  // A whole step of a handle at rest, whose velocity must be 0.
   void advance_sticking(const Rows& rows, State& state, Real force_n, const Drive& drive) const;
 
   // F_h - F_a on a handle at rest, newtons.
@@ -118,9 +119,13 @@ class LinearBody {
   // accelerated against `push`, the sign of its direction (0: it already moves).
   [[nodiscard]] Piece slide(const State& state, const Load<Real>& load, const Drive& drive,
                             Real duration_s, Real push) const;
+  // The motion of hand and amplifier while the handle rests.
   [[nodiscard]] Piece stick(const State& state, Real force_n, const Drive& drive,
                             Real duration_s) const;
+  // From the start of a piece to `theta` in [0, 1]: moves `state`, and returns the displacement and
+  // the energies of this part.
   [[nodiscard]] MotionIncrement<Real> advance(State& state, const Piece& slide, Real theta) const;
+  // advance() for a piece of stick(): moves hand and amplifier only.
   static void settle(State& state, const Piece& stick, Real theta);
 
  private:

@@ -22,6 +22,7 @@ namespace hapticwall {
 template <typename Real, std::size_t kStates>
 using SymmetricForm = std::array<Real, kStates*(kStates + 1) / 2>;
 
+// The order of the sum is fixed, because recordings must have the same bits everywhere.
 template <typename Real, std::size_t kStates>
 [[nodiscard]] [[gnu::always_inline]] inline Real dot(const std::array<Real, kStates>& row,
                                                      const std::array<Real, kStates>& c) {

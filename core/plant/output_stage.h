@@ -41,6 +41,7 @@ class OutputStage {
   // The last return value of pass(), or 0.
   [[nodiscard]] double last_n() const { return last_n_; }
 
+  // Forgets the commands on their way: pass() returns 0 until the first new one arrives.
   void reset() {
     std::fill(waiting_n_.begin(), waiting_n_.end(), 0.0);
     next_ = 0;

@@ -36,7 +36,7 @@ struct WithPlants<std::variant<Exact...>, Plants...> {
 using PlantVariant = WithPlants<ExactPlantVariant<double>, SteppedPlant<SemiImplicitEuler>,
                                 SteppedPlant<RungeKutta4>>::Type;
 
-// Realtime-safe: yes.
+// Axis x of a scene. A hand's mass without a grip is added to the handle's. Realtime-safe: yes.
 [[nodiscard]] PlantParameters plant_parameters(const Scene& scene);
 
 // The path of a scene's hand; without a hand a path that stays at the start. Realtime-safe: no.
@@ -51,6 +51,7 @@ using PlantVariant = WithPlants<ExactPlantVariant<double>, SteppedPlant<SemiImpl
 // Any plant behind one interface, for the live loop. Realtime-safe: yes, after construction.
 class PlantModel {
  public:
+  // Axis x of a validated scene. Realtime-safe: no (a matrix exponential).
   explicit PlantModel(const Scene& scene);
 
   // Position as the encoder measures it.
@@ -65,7 +66,9 @@ class PlantModel {
 
   // Advances to the next tick under a held command (newtons, finite).
   void advance(double force_n);
+  // Back to the start of the scene, at rest.
   void reset();
+  // See HandPath::lead_to() and release(): they act from the present tick on.
   void lead_hand_to(double position_m);
   void release_hand();
 

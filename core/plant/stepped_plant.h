@@ -86,10 +86,12 @@ struct SemiImplicitEuler {
 struct RungeKutta4 {
   using State = SteppedState;
 
+  // Rates of x, v (handle), y, w (hand) and the actuator's force, then three powers in watts.
   struct Rate {
     double x, v, y, w, actuator, work, viscous, hand;
   };
 
+  // Rates in the state `s`. With friction a direction() of 0 holds the handle.
   static Rate rate(const SteppedMechanics& m, const State& s, double force_n,
                    const HandDrive& drive, double direction) {
     const bool sticks = m.p.has_friction() && direction == 0.0;
@@ -122,6 +124,7 @@ struct RungeKutta4 {
     return next;
   }
 
+  // Sign of the sliding; 0 without friction, and at rest with a net force within friction.
   static double direction(const SteppedMechanics& m, const State& y, double force_n,
                           const HandDrive& drive) {
     if (!m.p.has_friction()) return 0.0;
@@ -169,6 +172,7 @@ class SteppedPlant : public MovingPlant<SteppedState, double> {
   using typename Base::Motion;
   static constexpr bool kPlain = false;
 
+  // `substeps`: in a tick, from 1 to kMaxSubsteps.
   SteppedPlant(const PlantParameters& parameters, HandPath path, double period_s, double start_m,
                int substeps)
       : Base(std::move(path), period_s, start_m), mechanics_{parameters}, substeps_(substeps) {

@@ -35,7 +35,8 @@ struct HeadlessRun {
   std::optional<std::uint64_t> diverged_at_tick = std::nullopt;
 };
 
-// About 10 ms.
+// Pieces of motion after which a chunk ends early, so that a stop takes effect soon: about 10 ms,
+// because a piece takes about 1 µs.
 inline constexpr int kMaxChunkPieces = 8192;
 
 // The plant as a device of the servo step: a position to read and a force to hold. The loop ends
@@ -83,6 +84,7 @@ class HeadlessDevice {
       end = tick;
     }
   }
+  // Returns the motion to the plant. Call it once, after the last pass_tick().
   void give_back() { plant_.resume(motion_); }
 
  private:

@@ -36,7 +36,7 @@ struct TickStats {
   bool saturated = false;
 };
 
-// Sums and extremes of a run's ticks.
+// Sums and extremes of a run's ticks. Infinite extremes are neutral: nothing was added yet.
 struct RunStats {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -63,6 +63,7 @@ class TickMetrics {
   // `tail_begin_tick`: the first tick of the tail.
   explicit TickMetrics(std::uint64_t tail_begin_tick) : tail_begin_tick_(tail_begin_tick) {}
 
+  // Call for every tick, in order, with the ledger after it.
   void add(std::uint64_t tick, const TickStats& stats, const EnergyLedger& ledger) {
     // Well-predicted branches beat selects here.
     if (stats.in_contact != was_in_contact_) [[unlikely]] {
@@ -109,7 +110,8 @@ class TickMetrics {
   RunStats run_;
 };
 
-// A simulated plant's energies at the end of a run.
+// A simulated plant's energies at the end of a run, sums since its start. The balance error is the
+// hand's work less kinetic change, dissipation and actuator work.
 struct PlantEnergies {
   double actuator_work_j = 0.0;
   double dissipation_j = 0.0;
@@ -118,7 +120,8 @@ struct PlantEnergies {
   double balance_error_j = 0.0;
 };
 
-// Real: the plant's own precision, in which the balance is drawn up.
+// Real: the plant's own precision. The balance is a small difference of large sums, so it is taken
+// before the rounding to double.
 template <typename Real>
 [[nodiscard]] PlantEnergies plant_energies(Real actuator_work_j, Real dissipation_j,
                                            Real hand_work_j, Real kinetic_j,
@@ -142,7 +145,7 @@ struct RunEnd {
                                 const EnergyLedger& ledger,
                                 const std::optional<PlantEnergies>& energies, const RunEnd& end);
 
-// First tick of the tail of a run of `ticks` ticks.
+// First tick of the tail of a run of `ticks` ticks; 0 if the run is shorter than the tail.
 [[nodiscard]] std::uint64_t tail_begin_tick(std::uint64_t ticks, double rate_hz);
 
 // True if the position is not finite, or beyond ±1 m. Realtime-safe: yes.
@@ -153,7 +156,8 @@ struct RunEnd {
 // The summary of a series of samples (a live session, a recording).
 class Metrics {
  public:
-  // `planned_ticks`: the number of samples to come; the tail is their last second.
+  // `planned_ticks`: the number of samples to come; the tail is their last second. `has_truth`: the
+  // samples are a simulator's, whose true positions and energies count. Realtime-safe: no.
   Metrics(const Scene& scene, std::uint64_t planned_ticks, bool has_truth);
 
   // Ignores samples after a diverged one. Realtime-safe: yes.

@@ -35,6 +35,7 @@ struct SimulationOptions {
 
 struct SimulationResult {
   Summary summary;
+  // `should_stop` returned true: the summary is of the ticks so far.
   bool stopped_early = false;
   Sample final_state;  // at t = ticks * T: true state and energies, no force
 };
@@ -68,6 +69,7 @@ inline constexpr std::uint64_t kAxesApartTicks = 1024;
 // The reference for measuring integrators: the same closed loop with the exact integrator, whatever
 // the scene's, and the plant in extended precision (long double, 64 bits of mantissa). The
 // controller computes in double. Samples and summary are rounded to double. Several times slower.
+// Realtime-safe: no.
 [[nodiscard]] SimulationResult simulate_reference(const Scene& scene,
                                                   const SimulationOptions& options = {});
 

@@ -34,6 +34,7 @@ class Simulation {
              OutputStage(scene.x().device),
              TickMetrics(tail_begin_tick(scene.tick_count(), scene.sampling.rate_hz))} {}
 
+  // Runs to the end, or until `should_stop` returns true. Call it once.
   SimulationResult run() {
     while (!over() && !stopped_early_) {
       if (options_.should_stop && options_.should_stop()) {
@@ -93,6 +94,8 @@ class Simulation {
     scene_.simulator = scene.simulator;
   }
 
+  // The new plant starts in the state of the old one, under the last force that reached the
+  // amplifier.
   void change_plant(const Scene& scene) {
     const double last_n =
         run_.output.present() ? run_.output.last_n() : run_.servo.state().previous_force_n;

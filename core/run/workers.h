@@ -1,4 +1,4 @@
-// Work for several threads.
+// Work for several threads, without a queue: items are taken by one atomic index.
 #pragma once
 
 #include <cstddef>

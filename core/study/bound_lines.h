@@ -45,6 +45,7 @@ struct CellBounds {
 
 // bound_lines() for the limits that CHAI3D sets for the device: its stiffness where the damping is
 // allowed, and its damping where the stiffness is. Empty unless the scene has both numbers.
+// Realtime-safe: no.
 [[nodiscard]] std::vector<BoundSegment> chai3d_lines(const StabilityMap& map,
                                                      std::span<const CellBounds> cells);
 

@@ -52,10 +52,12 @@ struct BoundaryOptions {
   std::function<void(double fraction)> progress;
 };
 
-// First invalid scene of the scan, if any.
+// First invalid scene of the scan, if any. Runs none. Realtime-safe: no.
 [[nodiscard]] std::optional<SceneProblem> validate(const BoundaryPlan& plan);
 
-// x varies fastest, then the algorithm. Empty if `should_stop` returned true. Realtime-safe: no.
+// x varies fastest, then the algorithm. Empty if `should_stop` returned true. A boundary takes
+// `along.count` runs for the scan and about log2(1/tolerance) for each of at most two changes.
+// Realtime-safe: no.
 [[nodiscard]] std::vector<Boundary> find_boundaries(const BoundaryPlan& plan,
                                                     const BoundaryOptions& options = {});
 

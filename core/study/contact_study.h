@@ -128,7 +128,7 @@ struct ContactStudyOptions {
   std::function<void(double fraction)> progress;
 };
 
-// A missing wall, or the first invalid scene of the scan.
+// A missing wall, or the first invalid scene of the scan. Runs none. Realtime-safe: no.
 [[nodiscard]] std::optional<SceneProblem> validate(const ContactStudyPlan& plan);
 
 // The rows of compared_algorithms(), with their labels as `summary.algorithm`; independent of the

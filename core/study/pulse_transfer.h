@@ -8,6 +8,7 @@
 
 namespace hapticwall {
 
+// Position and speed of the handle and of a gripping hand, and an amplifier's lag.
 inline constexpr std::size_t kMaxTransferStates = 5;
 
 // Transfer from the command at the amplifier to the position, as a quotient of polynomials in w = z

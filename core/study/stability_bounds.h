@@ -48,7 +48,7 @@ struct LoopDelay {
 // Realtime-safe: no.
 [[nodiscard]] std::optional<double> exact_stable_limit(const Scene& scene);
 
-// Delay of a simulated device.
+// Delay of a simulated device: the whole ticks and the time constant of axis x. Realtime-safe: yes.
 [[nodiscard]] LoopDelay delay_of(const Scene& scene);
 
 }  // namespace hapticwall

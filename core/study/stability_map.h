@@ -47,6 +47,7 @@ struct MapMetrics {
 
   friend bool operator==(const MapMetrics&, const MapMetrics&) = default;
 };
+// The part of a summary that a map keeps of every cell.
 [[nodiscard]] MapMetrics map_metrics(const Summary& summary);
 
 struct StabilityMap {
@@ -57,10 +58,12 @@ struct StabilityMap {
 
   // x varies fastest, then y, then the algorithm.
   [[nodiscard]] std::size_t cell_count() const { return algorithms.size() * y.count * x.count; }
+  // Precondition of both: cell < cell_count(). Realtime-safe: no.
   [[nodiscard]] MapPlace place(std::size_t cell) const;
   [[nodiscard]] Scene scene_at(std::size_t cell) const;
 };
 
+// A dimensionless form of a scene number. It makes maps of different devices comparable.
 struct Dimensionless {
   std::string_view symbol;  // "K T²/m"
   double factor = 1.0;      // of a value of the axis
@@ -72,7 +75,8 @@ struct Dimensionless {
 [[nodiscard]] std::optional<Dimensionless> dimensionless(const Scene& scene, const MapAxis& axis,
                                                          const MapAxis& other);
 
-// An axis with fewer than two values, or the first cell with an invalid scene.
+// An axis with fewer than two values, or the first cell with an invalid scene. Reads only the edges
+// of the grid, where every contradiction of two numbers shows. Realtime-safe: no.
 [[nodiscard]] std::optional<SceneProblem> validate(const StabilityMap& map);
 
 // Cells [begin, end), in order, with the same bits as simulate(). Empty if `should_stop` returned

@@ -5,6 +5,7 @@
 
 namespace hapticwall {
 
+// A tick with kFault commands no force and keeps the last good position.
 enum class DeviceState : std::uint8_t { kOk, kFault };
 
 struct DeviceReading {

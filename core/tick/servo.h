@@ -34,7 +34,8 @@ class Servo {
   // See FollowedAlgorithm::borrow().
   void borrow(const BorrowedAlgorithm& borrowed) { algorithm_.borrow(borrowed); }
 
-  // Back to tick 0: forgets the state of the algorithm, the ledger and the previous force.
+  // Back to tick 0: forgets the state of estimator and algorithm, the ledger and the previous
+  // force. The gain of the force stays, so that a reset arms nothing.
   void reset();
 
   [[nodiscard]] const ServoSettings& settings() const { return settings_; }

@@ -47,6 +47,8 @@ struct ServoSettings {
   friend bool operator==(const ServoSettings&, const ServoSettings&) = default;
 };
 
+// Axis x of a scene. An axis without a force limit gets the largest finite double. Realtime-safe:
+// yes.
 [[nodiscard]] ServoSettings servo_settings(const Scene& scene);
 // Points into `settings`, which must outlive it. Realtime-safe: yes.
 [[nodiscard]] AlgorithmContext algorithm_context(const ServoSettings& settings);
@@ -59,7 +61,7 @@ struct SwitchTransition {
   double offset_n = 0.0;
   bool offset_known = false;
 
-  // Realtime-safe: yes.
+  // The force of this tick. Precondition: ticks_left > 0. Realtime-safe: yes.
   [[nodiscard]] double blend(double force_n, double previous_force_n) {
     if (!offset_known) {
       offset_n = previous_force_n - force_n;
@@ -199,6 +201,7 @@ namespace detail {
   }
 }
 
+// Ends the tick: the ledger gets the commanded force, and the next tick its predecessor.
 [[gnu::always_inline]] inline void remember(ServoState& state, TickOutcome& out) {
   state.ledger.add(out.force_n, state.previous_force_n, out.displacement_m, state.budget_n_per_m);
   state.previous_position_m = out.position_m;

@@ -24,6 +24,7 @@ namespace hapticwall::device::hid {
                                             const ImpulseEngineOptions& options,
                                             const std::optional<Listing>& known);
 
+// A device as its link uses it, after device file and INFO report are merged.
 struct DeviceDescription {
   std::string name;
   std::size_t axes = 1;  // 1 or 2
@@ -39,8 +40,8 @@ struct DeviceDescription {
 inline constexpr double kFreeRiseN = 10.0;
 inline constexpr double kForceRiseS = 2e-3;
 
-// Reads INFO from an open device and merges it with the options. Fails if INFO is void, or if
-// neither source describes axis x. Realtime-safe: no.
+// Reads INFO from an open device, in at most three attempts, and merges it with the options. Fails
+// if INFO is void, or if neither source describes axis x. Realtime-safe: no.
 [[nodiscard]] Result<DeviceDescription> describe(const Listing& listing, Handle& handle,
                                                  const ImpulseEngineOptions& options);
 

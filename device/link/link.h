@@ -21,7 +21,8 @@ namespace hapticwall::device {
 inline constexpr std::int64_t kMillisecondNs = 1'000'000;
 
 // One axis in a device file. It overrides what the device reports, except that the smaller force
-// limit holds.
+// limit holds. An encoder or a force limit of 0 leaves the number to the device.
+// `encoder_m` is in metres per count.
 struct AxisDescription {
   double encoder_m = 0.0;
   double force_limit_n = 0.0;
@@ -70,7 +71,8 @@ inline constexpr std::int64_t kLinkLostNs = 20'000'000;
 // Twice a reader's wait for a report: a longer pause between two reads means that it was held up.
 inline constexpr std::int64_t kMaxDeafNs = 10'000'000;
 
-// All times are the host's, in nanoseconds.
+// Recent reads and reports of the reader: why a link fell silent. All times are the host's, in
+// nanoseconds. Realtime-safe: yes, all of it.
 class Listening {
  public:
   // Call it before the link begins, with ImpulseEngineOptions::reads_may_hang.
@@ -148,6 +150,7 @@ struct LinkStatus {
 };
 static_assert(std::atomic<LinkStatus>::is_always_lock_free);
 
+// The values that the threads of a link share. Each member has one writing thread.
 struct LinkExchange {
   TripleBuffer<LinkView> views;        // reader -> loop
   TripleBuffer<LinkCommand> commands;  // loop -> writer

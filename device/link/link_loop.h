@@ -23,9 +23,13 @@ class LinkLoop {
  public:
   LinkLoop(LinkExchange& exchange, const HostClock& now_ns);
 
-  // Functions as in ImpulseEngine.
+  // Functions as in ImpulseEngine. A link that was silent for kLinkLostNs stays lost until the
+  // owner has opened it again, even if the device speaks.
   [[nodiscard]] AxesReading read();
+  // Newtons; positive pushes to smaller positions. No command leaves without an open link.
   void write(const AxisValues& force_n);
+  // Enables at a change from false to true without a trouble. A later trouble disables until the
+  // next such change.
   void enable(bool enabled);
   [[nodiscard]] const LinkStats& stats() const { return stats_; }
 

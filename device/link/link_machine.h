@@ -21,11 +21,14 @@ class LinkMachine : public std::enable_shared_from_this<LinkMachine> {
  public:
   LinkMachine(const ImpulseEngineOptions& options, hid::PortOpener open_port, HostClock now_ns);
 
-  // Starts the threads and waits for the first link-up. Call take_down() after a failure, too.
+  // Starts the threads and waits for the first link-up, at most five seconds. Fails with
+  // ErrorKind::kDevice. Call take_down() after a failure, too. Realtime-safe: no.
   [[nodiscard]] Failure bring_up();
-  // Ends the threads and waits for them, except for a write that does not end. Idempotent.
+  // Ends the threads and waits for them, at most one second: a write that does not end keeps its
+  // thread. Idempotent. Realtime-safe: no.
   void take_down();
 
+  // For the thread of the loop alone.
   [[nodiscard]] LinkLoop& loop() { return loop_; }
   [[nodiscard]] const LinkOwner& owner() const { return owner_; }
 

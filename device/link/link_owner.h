@@ -20,7 +20,7 @@
 
 namespace hapticwall::device {
 
-// Times of the owner.
+// Time from an attempt to the next one. It doubles up to the max, and starts anew after a link-up.
 inline constexpr std::int64_t kFirstBackOffNs = 50 * kMillisecondNs;
 inline constexpr std::int64_t kMaxBackOffNs = 1000 * kMillisecondNs;
 // Time limit of an opened device for its first valid state.
@@ -54,9 +54,11 @@ class LinkOwner {
   // Any thread. The next step takes the link down for good.
   void stop() { stop_.store(true, std::memory_order_release); }
   [[nodiscard]] Ending ending() const { return ending_.load(std::memory_order_acquire); }
-  // Result of the first link-up; kFailed and kUp are final.
+  // Result of the first link-up; kFailed and kUp are final. After kFailed the search continues
+  // until stop().
   [[nodiscard]] Opening opening() const { return opening_.load(std::memory_order_acquire); }
-  // The present trouble in one line; empty if there is none.
+  // The present trouble in one line; empty if there is none. Realtime-safe: no, this and
+  // description(): they take a mutex.
   [[nodiscard]] std::string words() const;
   // Description of the device of the newest link that came up.
   [[nodiscard]] std::optional<hid::DeviceDescription> description() const;

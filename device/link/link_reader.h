@@ -38,8 +38,11 @@ class LinkReader {
   // Any thread: wakes a resting reader.
   void wake();
 
+  // kNothingToDo: no session is open, so the reader may rest. kFailed: the transport failed, and a
+  // read at once would fail again.
   enum class Step : std::uint8_t { kWorked, kNothingToDo, kFailed };
-  // Reader: one round. Waits for a report at most `wait_ms`.
+  // Reader: one round. Waits for a report at most `wait_ms`, then takes all that are queued,
+  // because only the newest position counts.
   Step step(int wait_ms);
   // Reader: waits for work.
   void rest(std::chrono::milliseconds longest);

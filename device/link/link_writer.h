@@ -26,6 +26,7 @@ class WriteSession {
   // Writer: the report to write now, if any; call finish() after writing it. The first and the last
   // report do not enable the force.
   [[nodiscard]] std::optional<hid::ReportBytes> begin(std::int64_t now_ns);
+  // Measures the write, unless the owner has abandoned it: the exchange may then be gone.
   void finish(std::int64_t now_ns);
   [[nodiscard]] hid::Handle& handle() { return *handle_; }
   // Max rest of the writer without a new command, nanoseconds; 0: until there is one.

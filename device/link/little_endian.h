@@ -21,7 +21,7 @@ T saturated(double value) {
   return static_cast<T>(std::clamp(std::round(value), kMin, kMax));
 }
 
-// Precondition of both: the bytes are there.
+// Preconditions of both: the bytes are there, and T has at most four.
 template <std::integral T>
 void put(std::span<std::uint8_t> bytes, std::size_t at, T value) {
   using Bits = std::make_unsigned_t<T>;

@@ -100,6 +100,7 @@ class Port {
   [[nodiscard]] virtual Obstacle obstacle(const std::string& path) = 0;
 };
 
+// Opens the transport. The owner calls it again after an error, at its next attempt.
 using PortOpener = std::function<Result<std::shared_ptr<Port>>()>;
 
 // hidapi. One port a process: fails while another one exists. Use it on one thread.

@@ -107,6 +107,8 @@ struct StateReport {
   friend bool operator==(const StateReport&, const StateReport&) = default;
 };
 
+// A command. A force leaves in whole millinewtons, within ±kMaxForceN; a positive one pushes
+// towards growing counts.
 struct ForceReport {
   bool enable = false;
   bool clear_faults = false;
@@ -124,6 +126,7 @@ enum InfoFlag : std::uint8_t {
 };
 inline constexpr std::uint8_t kInfoKnown = 0x03;
 
+// A device's description of itself. The host reads it whenever it opens the device.
 struct InfoReport {
   std::uint8_t minor_version = kProtocolMinor;  // 0 to 15
   std::uint8_t axes = 1;                        // 1 to kMaxAxes

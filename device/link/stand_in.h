@@ -37,8 +37,9 @@ class StandIn {
   // Reader: a new state. A position that is not finite is a fault of the encoder.
   [[nodiscard]] ReportBytes state(const std::array<double, kMaxAxes>& position_m,
                                   std::int64_t now_ns, const Told& told = {});
-  // Writer: the device took this command, and tells no answer; or it refused one.
+  // Writer: the device took this command, and tells no answer.
   void took(const ForceReport& command, std::int64_t now_ns);
+  // Writer: the device took no command; the next state counts it as rejected.
   void refused();
 
  private:

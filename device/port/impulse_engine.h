@@ -35,8 +35,8 @@ class ImpulseEngine : public Device {
   // Axis x. Reads as a fault during any trouble, and once after a link that was lost and came back
   // between two reads. Realtime-safe: yes.
   [[nodiscard]] DeviceReading read() override;
-  // Axis x; y gets no force. If the link is slower, the newest force wins. Realtime-safe: yes (it
-  // wakes the writer without waiting for it).
+  // Axis x; y gets no force. Nothing leaves while closed. If the link is slower, the newest force
+  // wins. Realtime-safe: yes (it wakes the writer without waiting for it).
   void write(double force_n) override;
 
   // Reading and writing of both axes, instead of read() and write(). Realtime-safe: yes.

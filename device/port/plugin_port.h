@@ -44,10 +44,12 @@ class PluginPort : public hid::Port {
   PluginPort(PluginDevice device, HostClock now_ns);
   ~PluginPort() override;
 
+  // Lists the one device, without a call of the library.
   Result<std::vector<hid::Listing>> list() override;
   // Two handles share one open(); close() follows the last of them. Keeps other hosts out by a lock
-  // on the file of the library.
+  // on the file of the library. Fails while a call of an earlier open() has not returned.
   Result<std::unique_ptr<hid::Handle>> open(const std::string& path) override;
+  // Always kNone: only open() knows.
   hid::Obstacle obstacle(const std::string& path) override;
 
  private:

@@ -43,9 +43,12 @@ class WheelPort : public hid::Port {
   WheelPort(WheelDescription wheel, Wheels wheels, HostClock now_ns);
   ~WheelPort() override;
 
+  // Each call replaces the paths that open() knows. Lists wheels that open() refuses, too.
   Result<std::vector<hid::Listing>> list() override;
-  // Two handles share one open wheel. The force ends with the last of them.
+  // Two handles share one open wheel. The force ends with the last of them. Fails with
+  // ErrorKind::kDevice for a wheel with a refusal, and while a write to the closed wheel lasts.
   Result<std::unique_ptr<hid::Handle>> open(const std::string& path) override;
+  // Always kNone: only open() knows.
   hid::Obstacle obstacle(const std::string& path) override;
 
  private:

@@ -11,8 +11,9 @@
 
 namespace hapticwall {
 
-// Settings as the processor has them: MXCSR and the x87 control word, or FPCR, or the rounding mode
-// alone.
+// Floating-point settings of a thread: rounding mode, denormals and traps, without the flags of
+// past exceptions. `word` and `x87` are MXCSR and the x87 control word; on other processors `word`
+// is FPCR or, where neither is known, the rounding mode.
 struct FloatSettings {
   std::uint64_t word = 0;
   std::uint16_t x87 = 0;
@@ -36,6 +37,8 @@ struct FloatSettings {
   return settings;
 }
 
+// On x86 it clears the flags of past exceptions, too: a pending one would trap once its trap is
+// enabled.
 inline void restore(const FloatSettings& settings) {
 #if defined(__SSE__)
   __builtin_ia32_ldmxcsr(static_cast<std::uint32_t>(settings.word));
@@ -47,6 +50,7 @@ inline void restore(const FloatSettings& settings) {
 #endif
 }
 
+// An exception counts before changed settings, if a call has both.
 enum class LibraryFault : std::uint8_t { kNone, kThrew, kChangedFloat };
 
 // A clause for people: "threw an exception".

@@ -15,7 +15,8 @@ namespace hapticwall {
 struct AlgorithmContext;
 struct AlgorithmInput;
 
-inline constexpr std::size_t kMaxPluginStateBytes = std::size_t{1} << 18U;
+// Limits that plugin_problem() checks.
+inline constexpr std::size_t kMaxPluginStateBytes = std::size_t{1} << 18U;  // 256 KiB
 inline constexpr std::size_t kMaxPluginParameters = 16;
 inline constexpr std::size_t kMaxPluginSignals = 8;
 

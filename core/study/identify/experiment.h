@@ -32,12 +32,19 @@ enum class ExperimentState : std::uint8_t {
   kRunning,
   kDone,
   // The reasons to stop.
+  // The handle moved by more than 1 mm plus two counts before the first force.
   kNotAtRest,
+  // A positive force moved it to larger positions.
   kWrongSign,
+  // It rested at 95 % of the force limit.
   kNoMotion,
+  // It moved farther between two ticks than 3 m/s allow.
   kJumped,
+  // It rested for 0.6 s under the force of a stroke.
   kFrozen,
+  // A stroke lasted for 2.5 s, or many in turn missed the peak by half of it.
   kTravelNotReached,
+  // It was beyond 2.8 times the peak, or often beyond 1.95 times.
   kTooFar
 };
 // A sentence for people; empty while it runs and after a whole experiment.
@@ -63,7 +70,7 @@ class Experiment {
   // The force until the next tick, newtons, within ±force_limit_n; zero after the end.
   [[nodiscard]] double step(double position_m);
   [[nodiscard]] const ExperimentFacts& facts() const { return facts_; }
-  // 0 to 1.
+  // Share of the strokes' time, 0 to 1; 1 after any end.
   [[nodiscard]] double progress() const;
 
  private:

@@ -44,12 +44,14 @@ struct Segment {
 
 class HandleModel {
  public:
+  // A lag below 0.1 µs counts as none. Realtime-safe: no, none of it.
   HandleModel(const Parameters& parameters, double period_s);
 
   // The force at the actuator before each command of `force_n`, `delay` ticks late.
   [[nodiscard]] std::vector<double> actuator(std::span<const double> force_n,
                                              std::size_t delay) const;
-  // Positions of a segment from `start`. Not finite if the motion has no solution.
+  // Positions of a segment from `start`. Not finite if the motion has no solution. `actuator_n`:
+  // the result of actuator() for the same forces and delay.
   void run(const Segment& segment, SegmentStart start, const std::vector<double>& force_n,
            std::size_t delay, const std::vector<double>& actuator_n,
            std::vector<double>& position_m);

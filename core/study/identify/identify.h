@@ -38,6 +38,7 @@ struct Identification {
 inline constexpr double kMaxResidualRatio = 1.05;
 
 // The resolution of a record whose device states none: its smallest step. 0 if nothing moved.
+// Realtime-safe: no.
 [[nodiscard]] double smallest_step(const std::vector<double>& position_m);
 
 // The forces that held from each tick on, in `force_n` (commanded) or later by late reports, as
@@ -46,8 +47,8 @@ inline constexpr double kMaxResidualRatio = 1.05;
 [[nodiscard]] std::vector<double> taken_forces(const std::vector<double>& force_n,
                                                const std::vector<double>& applied_n);
 
-// Takes some tenths of a second to some seconds. nullopt if the record has too few strokes.
-// Precondition: record.encoder_m > 0; the experiment's ticks are those of the record.
+// Takes some tenths of a second to some seconds. Realtime-safe: no. nullopt if the record has too
+// few strokes. Precondition: record.encoder_m > 0; the experiment's ticks are those of the record.
 [[nodiscard]] std::optional<Identification> identify(const Record& record,
                                                      const ExperimentFacts& facts);
 

@@ -1,4 +1,4 @@
-// How well a fit knows its parameters.
+// How well a fit knows its parameters. Realtime-safe: no, none of it.
 #pragma once
 
 #include "core/study/identify/output_error.h"
@@ -9,7 +9,7 @@ namespace hapticwall::identify {
 // counts, one from the residuals of whole segments and one from encoder counts drawn anew.
 class Intervals {
  public:
-  // Precondition: more segments than parameters.
+  // Precondition: more segments than parameters. Draws with a fixed seed: same record, same bits.
   Intervals(const Record& record, const Fit& fit);
 
   // Half width of the interval of a sum of parameters with these weights; weight 1 for ln m alone

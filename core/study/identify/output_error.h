@@ -1,6 +1,6 @@
 // Output error by multiple shooting: the model runs through segments of the record, each with its
 // own start, and a bounded Levenberg-Marquardt search makes the squared residuals least. The starts
-// are projected out of the search for the parameters.
+// are projected out of the search for the parameters. Realtime-safe: no, none of it.
 #pragma once
 
 #include <Eigen/Dense>
