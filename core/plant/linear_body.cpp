@@ -115,6 +115,25 @@ struct LinearBody<Real, kGrip, kLag>::Setup {
     }
     return rows;
   }
+
+  // Rows of a sticking handle: m_h w'' = -(k_h + k)(w - w_end) - (b_h + b_c) w'.
+  static void add_stick_rows(const PlantParameters& p, long double t, int halvings,
+                             std::vector<Rows>& levels) {
+    const long double m = p.hand_mass_kg;
+    SetupMatrix<2> hand;
+    hand << 0.0L, 1.0L,
+        -(static_cast<long double>(p.hand_stiffness_n_per_m) + p.grip_stiffness_n_per_m) / m * t *
+            t,
+        -(static_cast<long double>(p.hand_damping_n_s_per_m) + p.grip_damping_n_s_per_m) / m * t;
+    std::size_t i = 0;
+    for (const auto& step : make_propagators<2>(hand, std::array<SetupMatrix<2>, 0>{}, halvings)) {
+      const auto& e = step.increment;
+      const auto& integral = step.integral;
+      levels[i].stick_difference = {static_cast<Real>(e(0, 0)), static_cast<Real>(e(0, 1) * t)};
+      levels[i++].stick_stretch = {static_cast<Real>(integral(0, 0) * t),
+                                   static_cast<Real>(integral(0, 1) * t * t)};
+    }
+  }
 };
 
 template <typename Real, bool kGrip, bool kLag>
@@ -165,24 +184,7 @@ LinearBody<Real, kGrip, kLag>::LinearBody(const PlantParameters& p, double perio
     levels_.push_back(setup.rows(step, ticks));
     ticks *= 0.5L;
   }
-  if constexpr (kGrip) {
-    // m_h w'' = -(k_h + k)(w - w_end) - (b_h + b_c) w'.
-    const long double t = period_s;
-    const long double m = p.hand_mass_kg;
-    SetupMatrix<2> hand;
-    hand << 0.0L, 1.0L,
-        -(static_cast<long double>(p.hand_stiffness_n_per_m) + p.grip_stiffness_n_per_m) / m * t *
-            t,
-        -(static_cast<long double>(p.hand_damping_n_s_per_m) + p.grip_damping_n_s_per_m) / m * t;
-    std::size_t i = 0;
-    for (const auto& step : make_propagators<2>(hand, std::array<SetupMatrix<2>, 0>{}, halvings)) {
-      const auto& e = step.increment;
-      const auto& integral = step.integral;
-      levels_[i].stick_difference = {static_cast<Real>(e(0, 0)), static_cast<Real>(e(0, 1) * t)};
-      levels_[i++].stick_stretch = {static_cast<Real>(integral(0, 0) * t),
-                                    static_cast<Real>(integral(0, 1) * t * t)};
-    }
-  }
+  if constexpr (kGrip) Setup::add_stick_rows(p, period_s, halvings, levels_);
 }
 
 // The equations of linear_body.h, differentiated: each pass gives the next coefficients of all.

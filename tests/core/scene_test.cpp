@@ -32,26 +32,33 @@ struct BadScene {
   std::string key;
 };
 
-TEST(Validate, NamesTheKeyThatIsWrong) {
+// Numbers of run, sampling and device out of range.
+std::vector<BadScene> bad_numbers() {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  const std::vector<BadScene> table{
+  return {
       {[](Scene& s) { s.duration_s = 0.0; }, "duration_s"},
       {[](Scene& s) {
          s.duration_s = 1e6;
          s.sampling.rate_hz = 1e5;
        },
        "duration_s"},
-      {[&](Scene& s) { s.sampling.rate_hz = nan; }, "sampling.rate_hz"},
+      {[=](Scene& s) { s.sampling.rate_hz = nan; }, "sampling.rate_hz"},
       {[](Scene& s) { s.sampling.rate_hz = 0.0; }, "sampling.rate_hz"},
       {[](Scene& s) { s.x().device.mass_kg = -0.05; }, "device.mass_kg"},
       {[](Scene& s) { s.x().device.mass_kg = 0.0; }, "device.mass_kg"},
-      {[&](Scene& s) { s.x().device.damping_n_s_per_m = infinity; }, "device.damping_n_s_per_m"},
+      {[=](Scene& s) { s.x().device.damping_n_s_per_m = infinity; }, "device.damping_n_s_per_m"},
       {[](Scene& s) { s.x().device.friction_n = -1.0; }, "device.friction_n"},
       {[](Scene& s) { s.x().device.encoder_m = 1.0; }, "device.encoder_m"},
       {[](Scene& s) { s.x().device.encoder_m = 1e-320; }, "device.encoder_m"},
       {[](Scene& s) { s.x().device.force_limit_n = -1.0; }, "device.force_limit_n"},
       {[](Scene& s) { s.x().device.start_m = 2.0; }, "device.start_m"},
+  };
+}
+
+// Wrong walls, hands and paths.
+std::vector<BadScene> bad_parts() {
+  return {
       {[](Scene& s) { s.x().walls[0].stiffness_n_per_m = 1e10; }, "wall.stiffness_n_per_m"},
       {[](Scene& s) {
          s.x().walls.push_back({0.06, -1.0, 0.0});
@@ -75,6 +82,12 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
        },
        "hand.path[0]"},
       {[](Scene& s) { s.x().hand->path.edit().resize(kMaxPathPoints + 1); }, "hand.path"},
+  };
+}
+
+// Wrong keys of algorithm and simulator.
+std::vector<BadScene> bad_choices() {
+  return {
       {[](Scene& s) { s.algorithm.index = 99; }, "algorithm.name"},
       {[](Scene& s) { s.algorithm.values[*find_algorithm_parameter("rest_force_step_n")] = -1.0; },
        "algorithm.rest_force_step_n"},
@@ -100,14 +113,21 @@ TEST(Validate, NamesTheKeyThatIsWrong) {
        },
        "simulator.substeps"},
   };
-  for (const BadScene& bad : table) {
-    Scene scene = good_scene();
-    bad.spoil(scene);
-    const auto problem = validate(scene);
-    ASSERT_TRUE(problem.has_value()) << bad.key;
-    EXPECT_EQ(problem->key, bad.key) << problem->message;
-    EXPECT_FALSE(problem->message.empty());
-    EXPECT_EQ(problem->message.find('\n'), std::string::npos);
+}
+
+void expect_named(const BadScene& bad) {
+  Scene scene = good_scene();
+  bad.spoil(scene);
+  const auto problem = validate(scene);
+  ASSERT_TRUE(problem.has_value()) << bad.key;
+  EXPECT_EQ(problem->key, bad.key) << problem->message;
+  EXPECT_FALSE(problem->message.empty());
+  EXPECT_EQ(problem->message.find('\n'), std::string::npos);
+}
+
+TEST(Validate, NamesTheKeyThatIsWrong) {
+  for (const auto& table : {bad_numbers(), bad_parts(), bad_choices()}) {
+    for (const BadScene& bad : table) expect_named(bad);
   }
 }
 

@@ -19,25 +19,22 @@ struct Descriptor {
   std::map<std::uint32_t, std::uint32_t> bits_of_id;
 };
 
-// Short items only: prefix = tag << 4 | type << 2 | size.
-Descriptor parsed() {
+// Takes the items of a descriptor in order.
+struct Parser {
   Descriptor all;
   std::uint32_t id = 0;
   std::uint32_t size = 0;
   std::uint32_t count = 0;
-  for (std::size_t at = 0; at < kReportDescriptor.size();) {
-    const unsigned prefix = kReportDescriptor.at(at++);
-    const unsigned length = (prefix & 3U) == 3U ? 4U : prefix & 3U;
-    std::uint32_t value = 0;
-    for (unsigned i = 0; i < length; ++i) {
-      value |= std::uint32_t{kReportDescriptor.at(at++)} << (8U * i);
-    }
-    const auto add = [&](const char* kind) {
-      EXPECT_TRUE(all.kind_of_id.emplace(id, kind).second) << id;
-      EXPECT_EQ(value, 2U);  // data, variable, absolute
-      all.bits_of_id[id] += size * count;
-    };
-    switch (prefix & 0xFCU) {
+
+  void add_report(const char* kind, std::uint32_t value) {
+    EXPECT_TRUE(all.kind_of_id.emplace(id, kind).second) << id;
+    EXPECT_EQ(value, 2U);  // data, variable, absolute
+    all.bits_of_id[id] += size * count;
+  }
+
+  // `item`: the prefix without its size.
+  void take(unsigned item, std::uint32_t value) {
+    switch (item) {
       case 0x04:
         all.usage_page = value;
         break;
@@ -60,19 +57,30 @@ Descriptor parsed() {
         --all.open_collections;
         break;
       case 0x80:
-        add("input");
-        break;
+        return add_report("input", value);
       case 0x90:
-        add("output");
-        break;
+        return add_report("output", value);
       case 0xB0:
-        add("feature");
-        break;
+        return add_report("feature", value);
       default:
-        EXPECT_TRUE((prefix & 0xFCU) == 0x14 || (prefix & 0xFCU) == 0x24) << prefix;
+        EXPECT_TRUE(item == 0x14 || item == 0x24) << item;
     }
   }
-  return all;
+};
+
+// Short items only: prefix = tag << 4 | type << 2 | size.
+Descriptor parsed() {
+  Parser parser;
+  for (std::size_t at = 0; at < kReportDescriptor.size();) {
+    const unsigned prefix = kReportDescriptor.at(at++);
+    const unsigned length = (prefix & 3U) == 3U ? 4U : prefix & 3U;
+    std::uint32_t value = 0;
+    for (unsigned i = 0; i < length; ++i) {
+      value |= std::uint32_t{kReportDescriptor.at(at++)} << (8U * i);
+    }
+    parser.take(prefix & 0xFCU, value);
+  }
+  return parser.all;
 }
 
 TEST(HidDescriptor, PromisesTheThreeReports) {

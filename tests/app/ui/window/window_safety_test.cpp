@@ -170,6 +170,17 @@ TEST(WindowSafety, ATickThatHangsCostsNoFrame) {
   window.expect_safe_end();
 }
 
+// The rows of a whole recording follow each other.
+void expect_no_row_missing(const std::string& path) {
+  const auto reader = file::RecordingReader::open(path);
+  ASSERT_TRUE(reader.ok()) << reader.error().message;
+  const file::ScannedRows& scanned = (*reader)->info().scanned;
+  EXPECT_EQ(scanned.missing_rows, 0U);
+  EXPECT_EQ(scanned.last_tick - scanned.first_tick + 1, scanned.rows);
+  EXPECT_GT(scanned.rows, 0U);
+  EXPECT_TRUE((*reader)->info().notes.empty());
+}
+
 // Two hundred sizes, a long text to the clipboard and back in each, while it records.
 TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
   if (!test::has_display()) GTEST_SKIP() << "no display";
@@ -216,13 +227,7 @@ TEST(WindowSafety, AStormOfSizesCostsNoRowAndNoPicture) {
   EXPECT_FALSE(run_window(options, hooks));
   EXPECT_EQ(frames, kSizes);
   EXPECT_GT(sizes_seen, kSizes / 2);
-  const auto reader = file::RecordingReader::open(path);
-  ASSERT_TRUE(reader.ok()) << reader.error().message;
-  const file::ScannedRows& scanned = (*reader)->info().scanned;
-  EXPECT_EQ(scanned.missing_rows, 0U);
-  EXPECT_EQ(scanned.last_tick - scanned.first_tick + 1, scanned.rows);
-  EXPECT_GT(scanned.rows, 0U);
-  EXPECT_TRUE((*reader)->info().notes.empty());
+  expect_no_row_missing(path);
 }
 
 }  // namespace
