@@ -60,6 +60,7 @@ constexpr auto kSignalUnion = unite_signals();
 
 std::vector<AlgorithmDescription> built_in() {
   std::vector<AlgorithmDescription> all;
+  all.reserve(kAlgorithms.size());
   for (const Algorithm& algorithm : kAlgorithms) all.push_back(algorithm.description);
   return all;
 }

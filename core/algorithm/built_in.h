@@ -29,8 +29,8 @@ namespace hapticwall {
 // same block without a destructor call.
 template <class Struct>
 [[nodiscard]] constexpr Algorithm algorithm_of() {
-  static_assert(sizeof(Struct) <= kMaxAlgorithmBytes &&
-                alignof(Struct) <= alignof(std::max_align_t));
+  static_assert(sizeof(Struct) <= kMaxAlgorithmBytes);
+  static_assert(alignof(Struct) <= alignof(std::max_align_t));
   static_assert(std::is_trivially_copyable_v<Struct> && std::is_trivially_destructible_v<Struct>);
   return {Struct::kDescription, [](void* state) { new (state) Struct{}; },
           [](void* state, const AlgorithmContext& context) {

@@ -63,8 +63,8 @@ struct Estimator {
 // same block without a destructor call.
 template <class Struct>
 [[nodiscard]] constexpr Estimator estimator_of() {
-  static_assert(sizeof(Struct) <= kMaxEstimatorBytes &&
-                alignof(Struct) <= alignof(std::max_align_t));
+  static_assert(sizeof(Struct) <= kMaxEstimatorBytes);
+  static_assert(alignof(Struct) <= alignof(std::max_align_t));
   static_assert(std::is_trivially_copyable_v<Struct> && std::is_trivially_destructible_v<Struct>);
   return {Struct::kDescription, [](void* state) { new (state) Struct{}; },
           [](void* state, const EstimatorContext& context) {
